@@ -1,0 +1,102 @@
+"""The only place where numbers change their type: Fraction <-> fmpq <-> SymPy, closed form -> ball, ball -> bounds.
+
+A ball never becomes a number by itself: ``mpmathify``, ``sympify`` and ``float`` would keep the midpoint and drop the
+radius without a word.  What leaves is a pair of exact rational bounds, or certified digits (``numbers.decimals``).
+
+>>> to_fmpq(Fraction(1, 3)), to_fraction(fmpq(1, 3))
+(1/3, Fraction(1, 3))
+>>> low, high = bounds(arb(2).sqrt())
+>>> low**2 < 2 < high**2
+True
+>>> closed_form_ball(sympy.sqrt(2) * sympy.pi).overlaps(arb(2).sqrt() * arb.pi())
+True
+"""
+
+from collections.abc import Callable
+from fractions import Fraction
+from functools import reduce
+from operator import add, mul
+
+import sympy
+from flint import arb, fmpq, fmpz
+
+from asymptotics.numbers.exact import ExactReal
+
+
+def to_fmpq(q: Fraction | int) -> fmpq:
+    """Fraction or int -> fmpq, exactly."""
+    return fmpq(q.numerator, q.denominator)
+
+
+def to_fraction(q: fmpq) -> Fraction:
+    """fmpq -> Fraction, exactly."""
+    return Fraction(int(q.p), int(q.q))
+
+
+def to_sympy(q: Fraction | fmpq | ExactReal | int) -> sympy.Expr:
+    """An exact number -> SymPy, whatever ground types SymPy works with.
+
+    >>> to_sympy(fmpq(1, 3)), to_sympy(ExactReal(Fraction(1), Fraction(3, 2)))
+    (1/3, sqrt(6)/2)
+    """
+    if isinstance(q, ExactReal):
+        return to_sympy(q.coefficient) * sympy.sqrt(to_sympy(q.radicand))
+    if isinstance(q, fmpq):
+        return sympy.Rational(int(q.p), int(q.q))
+    return sympy.Rational(q.numerator, q.denominator)
+
+
+def from_sympy(q: sympy.Rational) -> Fraction:
+    """A SymPy Rational -> Fraction; TypeError for anything else, floats included."""
+    if not isinstance(q, sympy.Rational):
+        raise TypeError(f"not an exact rational: {q!r}")
+    return Fraction(int(q.p), int(q.q))
+
+
+def bounds(x: arb) -> tuple[Fraction, Fraction]:
+    """The exact rational end points of a finite ball; ValueError if it is not finite."""
+    if not x.is_finite():
+        raise ValueError(f"the ball {x.str(5)} has no finite bounds")
+    (middle, shift), (radius, radius_shift) = x.mid().man_exp(), x.rad().man_exp()
+    m, r = _dyadic(middle, shift), _dyadic(radius, radius_shift)
+    return m - r, m + r
+
+
+def _dyadic(mantissa: fmpz, exponent: fmpz) -> Fraction:
+    m, e = int(mantissa), int(exponent)
+    return Fraction(m << e) if e >= 0 else Fraction(m, 1 << -e)
+
+
+_FUNCTIONS: dict[type, Callable[..., arb]] = {
+    sympy.exp: arb.exp,
+    sympy.log: arb.log,
+    sympy.sin: arb.sin,
+    sympy.cos: arb.cos,
+    sympy.tan: arb.tan,
+    sympy.atan: arb.atan,
+    sympy.coth: arb.coth,
+    sympy.gamma: arb.gamma,
+    sympy.zeta: arb.zeta,
+    sympy.LambertW: lambda x, branch=None: arb.lambertw(x, 0 if branch is None else -1),
+}
+_CONSTANTS: dict[sympy.Expr, Callable[[], arb]] = {
+    sympy.pi: arb.pi,
+    sympy.E: arb.const_e,
+    sympy.EulerGamma: arb.const_euler,
+}
+
+
+def closed_form_ball(expression: sympy.Expr) -> arb:
+    """Enclose a real closed form without free symbols at the current precision; TypeError for what has no rule here."""
+    if isinstance(expression, sympy.Rational):
+        return arb(fmpq(int(expression.p), int(expression.q)))
+    if expression in _CONSTANTS:
+        return _CONSTANTS[expression]()
+    if isinstance(expression, sympy.Add | sympy.Mul):
+        return reduce(add if expression.is_Add else mul, [closed_form_ball(a) for a in expression.args])
+    if isinstance(expression, sympy.Pow):
+        base, exponent = (closed_form_ball(a) for a in expression.args)
+        return base ** (int(expression.exp) if expression.exp.is_Integer else exponent)
+    if type(expression) in _FUNCTIONS:
+        return _FUNCTIONS[type(expression)](*[closed_form_ball(a) for a in expression.args])
+    raise TypeError(f"no enclosure rule for {expression!r}")

@@ -1,0 +1,109 @@
+"""D significant digits, correctly rounded in all of them and proved to be.
+
+A ball is read as the exact dyadic interval it is; a decimal is printed only when both ends round to it.  Until then the
+precision is doubled, up to a limit, where the failure is reported as such.  Ties go to the even digit.
+
+>>> from flint import arb
+>>> certified_decimal(lambda: arb(2).sqrt(), 20)
+'1.4142135623730950488'
+>>> rational_decimal(Fraction(2, 3), 5), rational_decimal(Fraction(-1, 80), 3), rational_decimal(Fraction(10**30), 3)
+('0.66667', '-0.0125', '1.00e30')
+>>> certified_decimal(lambda: arb(2).sqrt() ** 2, 5, max_bits=4000)        # exactly 2, but a ball cannot know
+'2.0000'
+>>> certified_decimal(lambda: (arb(2).sqrt() ** 2 - 2), 5, max_bits=4000)  # zero has no first significant digit
+Traceback (most recent call last):
+    ...
+asymptotics.errors.UndecidedError: no certified 5 digits at 4000 bits: the enclosure is [+/- ...]
+"""
+
+from collections.abc import Callable
+from fractions import Fraction
+from math import log2
+
+from flint import arb, ctx, fmpz
+
+from asymptotics.errors import UndecidedError
+
+BITS_PER_DIGIT = log2(10)
+MAX_BITS = 1 << 20
+
+
+def bits_for(digits: int, guard: int = 32) -> int:
+    """Working precision in bits for ``digits`` decimal digits and a guard."""
+    return int(digits * BITS_PER_DIGIT) + guard
+
+
+def certified_decimal(evaluate: Callable[[], arb], digits: int, *, max_bits: int = MAX_BITS) -> str:
+    """The number that ``evaluate`` encloses at the current precision, to ``digits`` significant digits.
+
+    ``evaluate`` is called at growing precision until the rounding is decided.  Raises UndecidedError at ``max_bits``.
+    """
+    bits = min(bits_for(digits), max_bits)
+    while True:
+        with ctx.workprec(bits):
+            ball = evaluate()
+        text = decimal_of_ball(ball, digits)
+        if text is not None:
+            return text
+        if bits >= max_bits:
+            raise UndecidedError(f"no certified {digits} digits at {bits} bits: the enclosure is {ball.str(5)}")
+        bits = min(2 * bits, max_bits)
+
+
+def decimal_of_ball(ball: arb, digits: int) -> str | None:
+    """The common rounding of all numbers in the ball to ``digits`` significant digits, or None if there is none.
+
+    >>> decimal_of_ball(arb(1) / 3, 10), decimal_of_ball(arb(1) / 3, 100)
+    ('0.3333333333', None)
+    """
+    if not ball.is_finite():
+        return None
+    (middle, shift), (radius, radius_shift) = ball.mid().man_exp(), ball.rad().man_exp()
+    if radius == 0:
+        return _format(*_round_dyadic(middle, int(shift), digits), digits)
+    low_shift = min(int(shift), int(radius_shift))
+    middle, radius = middle << (int(shift) - low_shift), radius << (int(radius_shift) - low_shift)
+    if (middle - radius) * (middle + radius) <= 0:
+        return None
+    low, high = (_round_dyadic(end, low_shift, digits) for end in (middle - radius, middle + radius))
+    return _format(*low, digits) if low == high else None
+
+
+def rational_decimal(q: Fraction, digits: int) -> str:
+    """A rational number correctly rounded to ``digits`` significant digits."""
+    return _format(*_round_quotient(fmpz(q.numerator), fmpz(q.denominator), digits), digits)
+
+
+def _round_dyadic(mantissa: fmpz, shift: int, digits: int) -> tuple[fmpz, int]:
+    if shift >= 0:
+        return _round_quotient(mantissa << shift, fmpz(1), digits)
+    return _round_quotient(mantissa, fmpz(1) << -shift, digits)
+
+
+def _round_quotient(p: fmpz, q: fmpz, digits: int) -> tuple[fmpz, int]:
+    """(n, k) with 10^(digits-1) <= |n| < 10^digits and n 10^k the rounding of p/q, ties to even; (0, 0) for zero."""
+    if p == 0:
+        return fmpz(0), 0
+    sign, p = (-1, -p) if p < 0 else (1, p)
+    exponent = int((p.bit_length() - q.bit_length()) / BITS_PER_DIGIT) - digits - 1
+    while True:  # at most a few steps: the exponent starts one or two too small
+        scale = fmpz(10) ** abs(exponent)
+        top, bottom = (p, q * scale) if exponent >= 0 else (p * scale, q)
+        n, rest = divmod(top, bottom)
+        n += int(2 * rest > bottom or (2 * rest == bottom and n % 2 == 1))
+        if n < fmpz(10) ** digits:
+            return sign * n, exponent
+        exponent += 1
+
+
+def _format(n: fmpz, exponent: int, digits: int) -> str:
+    """Positional notation for 1e-6 <= |x| < 10^digits, scientific otherwise."""
+    if n == 0:
+        return "0"
+    sign, text = ("-" if n < 0 else ""), str(abs(n))
+    point = len(text) + exponent  # the decimal point stands before text[point]
+    if 0 < point <= digits:
+        return sign + text[:point] + ("." + text[point:] if text[point:] else "")
+    if -6 < point <= 0:
+        return sign + "0." + "0" * -point + text
+    return sign + text[0] + ("." + text[1:] if text[1:] else "") + f"e{point - 1}"

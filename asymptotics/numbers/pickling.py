@@ -1,0 +1,70 @@
+"""Pickling of FLINT numbers, for process pools: the round trip is exact, whatever precision the receiver works at.
+
+>>> import pickle, flint
+>>> x = flint.arb(2).sqrt()
+>>> y = pickle.loads(pickle.dumps(x))
+>>> y.mid() == x.mid() and y.rad() == x.rad()
+True
+
+Types that python-flint pickles by itself keep their own method.
+"""
+
+import copyreg
+from typing import Any
+
+from flint import acb, acb_poly, acb_series, arb, arb_poly, arb_series, fmpq, fmpq_poly, fmpq_series, fmpz, fmpz_poly
+
+_Pair = tuple[int, int]
+
+
+def _pair(x: arb) -> _Pair | None:
+    if not x.is_finite():
+        return None
+    mantissa, exponent = x.man_exp()
+    return int(mantissa), int(exponent)
+
+
+def _make_arb(middle: _Pair | None, radius: _Pair | None) -> arb:
+    return arb.nan() if middle is None or radius is None else arb(middle, radius)
+
+
+def _reduce_arb(x: arb) -> tuple[Any, ...]:
+    return _make_arb, (_pair(x.mid()), _pair(x.rad()))
+
+
+def _make_acb(real: arb, imag: arb) -> acb:
+    return acb(real, imag)
+
+
+def _make_fmpz_poly(coefficients: list[int]) -> fmpz_poly:
+    return fmpz_poly([fmpz(c) for c in coefficients])
+
+
+def _make_fmpq_poly(numerators: list[int], denominator: int) -> fmpq_poly:
+    return fmpq_poly([fmpz(c) for c in numerators], fmpz(denominator))
+
+
+def _make_fmpq_series(coefficients: list[tuple[int, int]], precision: int) -> fmpq_series:
+    return fmpq_series([fmpq(p, q) for p, q in coefficients], prec=precision)
+
+
+_REDUCERS: dict[type, Any] = {
+    arb: _reduce_arb,
+    acb: lambda z: (_make_acb, (z.real, z.imag)),
+    arb_poly: lambda p: (arb_poly, (list(p),)),
+    acb_poly: lambda p: (acb_poly, (list(p),)),
+    arb_series: lambda s: (arb_series, (list(s), s.prec)),
+    acb_series: lambda s: (acb_series, (list(s), s.prec)),
+    fmpz_poly: lambda p: (_make_fmpz_poly, ([int(c) for c in p],)),
+    fmpq_poly: lambda p: (_make_fmpq_poly, ([int(c) for c in p.numer()], int(p.denom()))),
+    fmpq_series: lambda s: (_make_fmpq_series, ([(int(c.p), int(c.q)) for c in s], s.prec)),
+}
+
+
+def _has_native_pickling(kind: type) -> bool:
+    return "__reduce__" in vars(kind) and "reduce_cython" not in getattr(kind.__reduce__, "__name__", "reduce_cython")
+
+
+for _kind, _reducer in _REDUCERS.items():
+    if not _has_native_pickling(_kind):
+        copyreg.pickle(_kind, _reducer)
