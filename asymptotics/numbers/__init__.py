@@ -3,7 +3,8 @@
 =============  ====================================================================================
 ``exact``      what a user may type (``3/2``, ``0.1``, ``sqrt(2)``) as an exact number; never a float
 ``decimals``   D significant digits from a ball, correctly rounded and proved to be, or an honest failure
-``bridge``     Fraction <-> fmpq <-> SymPy, ball -> interval: no silent float, no dropped radius
+``rationals``  Fraction <-> fmpq, ball -> exact bounds: no silent float, no dropped radius
+``bridge``     the same for SymPy: the only place where a number changes its library
 ``pickling``   balls, rationals and polynomials survive pickling (importing this package switches it on)
 =============  ====================================================================================
 """

@@ -18,19 +18,12 @@ from functools import reduce
 from operator import add, mul
 
 import sympy
-from flint import arb, fmpq, fmpz
+from flint import arb, fmpq
 
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.rationals import bounds, to_fmpq, to_fraction
 
-
-def to_fmpq(q: Fraction | int) -> fmpq:
-    """Fraction or int -> fmpq, exactly."""
-    return fmpq(q.numerator, q.denominator)
-
-
-def to_fraction(q: fmpq) -> Fraction:
-    """fmpq -> Fraction, exactly."""
-    return Fraction(int(q.p), int(q.q))
+__all__ = ["bounds", "closed_form_ball", "from_sympy", "to_fmpq", "to_fraction", "to_sympy"]
 
 
 def to_sympy(q: Fraction | fmpq | ExactReal | int) -> sympy.Expr:
@@ -51,20 +44,6 @@ def from_sympy(q: sympy.Rational) -> Fraction:
     if not isinstance(q, sympy.Rational):
         raise TypeError(f"not an exact rational: {q!r}")
     return Fraction(int(q.p), int(q.q))
-
-
-def bounds(x: arb) -> tuple[Fraction, Fraction]:
-    """The exact rational end points of a finite ball; ValueError if it is not finite."""
-    if not x.is_finite():
-        raise ValueError(f"the ball {x.str(5)} has no finite bounds")
-    (middle, shift), (radius, radius_shift) = x.mid().man_exp(), x.rad().man_exp()
-    m, r = _dyadic(middle, shift), _dyadic(radius, radius_shift)
-    return m - r, m + r
-
-
-def _dyadic(mantissa: fmpz, exponent: fmpz) -> Fraction:
-    m, e = int(mantissa), int(exponent)
-    return Fraction(m << e) if e >= 0 else Fraction(m, 1 << -e)
 
 
 _FUNCTIONS: dict[type, Callable[..., arb]] = {

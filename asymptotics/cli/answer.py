@@ -1,0 +1,45 @@
+"""What a command returns, and the options that all commands share."""
+
+import argparse
+import json
+from dataclasses import dataclass
+from typing import Any
+
+from asymptotics import __version__
+from asymptotics.numbers.exact import parse_integer
+
+DEFAULT_DIGITS = 30
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a command found: ``data`` for JSON, ``text`` for people, and whether a check failed."""
+
+    data: dict[str, Any]
+    text: str
+    as_json: bool
+    failed: bool = False
+
+    def show(self, command: str) -> int:
+        """Print the answer and return the exit code."""
+        if self.as_json:
+            print(json.dumps({"command": command, "version": __version__, **self.data}, indent=2, ensure_ascii=False))
+        else:
+            print(self.text)
+        return int(self.failed)
+
+
+def add_json(parser: argparse.ArgumentParser) -> None:
+    """The option --json."""
+    parser.add_argument("--json", action="store_true", help="print JSON (numbers are strings, never floats)")
+
+
+def add_digits(parser: argparse.ArgumentParser, high: int) -> None:
+    """The option --digits, an integer from 1 to ``high``."""
+    text = f"significant digits, correctly rounded and proved to be (1 to {high}; default {DEFAULT_DIGITS})"
+    parser.add_argument("--digits", default=str(DEFAULT_DIGITS), metavar="D", help=text)
+
+
+def read_digits(options: argparse.Namespace, high: int) -> int:
+    """The value of --digits; InputError outside 1 ... ``high``."""
+    return parse_integer(options.digits, "--digits", 1, high)

@@ -1,0 +1,86 @@
+"""Smith's coefficients for quadratic damping (alpha = 2), exactly.
+
+  asymptotics smith f --n 7          the polynomial f_n(w) = sum_i C_i^n w^i
+  asymptotics smith c --n 31 --i 10  one coefficient C_i^n
+  asymptotics smith g --i 3          the sum G_i(z) = sum_n C_i^n z^n in closed form
+
+w = gamma v / omega, z = w / (w^2 - u), u = gamma x; the limit given for G_i is that of sin^i(theta) G_i(tan theta)
+at theta = pi.
+"""
+
+import argparse
+from fractions import Fraction
+from importlib import import_module
+from math import log2
+from typing import Any
+
+from asymptotics.cli.answer import Answer, add_json
+from asymptotics.errors import InputError, LimitError
+from asymptotics.invariants.exact import coefficient, coefficients
+from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.rationals import to_fmpq
+
+MAX_ROW, MAX_N, MAX_G = 5_000, 100_000, 100
+MAX_SECONDS, MAX_BYTES = 120, 1 << 30
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("what", choices=("f", "c", "g"), help="polynomial, coefficient or generating function")
+    parser.add_argument("--n", metavar="N", help=f"1 to {MAX_ROW} for f, 1 to {MAX_N} for c")
+    parser.add_argument("--i", metavar="I", help=f"0 to n-1 for c, 0 to {MAX_G} for g")
+    add_json(parser)
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    data = {"f": _polynomial, "c": _coefficient, "g": _generating_function}[options.what](options)
+    text = data.pop("text")
+    return Answer({"what": options.what, **data}, text, options.json)
+
+
+def _polynomial(options: argparse.Namespace) -> dict[str, Any]:
+    n = _integer(options, "n", 1, MAX_ROW)
+    row = {str(i): _text(c) for i, c in coefficients(n).items()}
+    terms = "\n".join(f"  w^{i:<5}{c}" for i, c in row.items())
+    return {"n": n, "coefficients": row, "text": f"f_{n}(w), coefficients:\n{terms}"}
+
+
+def _coefficient(options: argparse.Namespace) -> dict[str, Any]:
+    n = _integer(options, "n", 1, MAX_N)
+    i = _integer(options, "i", 0, n - 1)
+    _check_work(n, i)
+    value = _text(coefficient(n, i))
+    note = "i and n have the same parity: the coefficient is zero" if (n - i) % 2 == 0 else None
+    text = f"C_{i}^{n} = {value}" + (f"   ({note})" if note else "")
+    return {"n": n, "i": i, "value": value, "note": note, "text": text}
+
+
+def _generating_function(options: argparse.Namespace) -> dict[str, Any]:
+    i = _integer(options, "i", 0, MAX_G)
+    symbolic = import_module("asymptotics.invariants.symbolic")  # loads SymPy, which f and c do without
+    result = symbolic.generating_function(i).to_dict()
+    text = f"G_{result['i']}(z) = {result['expression']}\nlimit of sin^i(theta) G_i at theta = pi: {result['limit']}"
+    return {**result, "text": text}
+
+
+def _integer(options: argparse.Namespace, name: str, low: int, high: int) -> int:
+    value = getattr(options, name)
+    if value is None:
+        raise InputError(f"--{name}", "is missing", f"an integer from {low} to {high}")
+    return parse_integer(value, f"--{name}", low, high)
+
+
+def _check_work(n: int, i: int) -> None:
+    """Refuse a coefficient whose line of integers would take too long or too much memory, with the estimate."""
+    line = (n - i + 1) // 2
+    size = line * n * log2(n + 2) / 16 + 1
+    seconds = 2e-7 * line * i * (1 + n * log2(n + 2) / 8000)
+    if size > MAX_BYTES or seconds > MAX_SECONDS:
+        reason = f"C_{i}^{n} would take about {seconds:.0f} s and {size / 2**20:.0f} MiB"
+        raise LimitError("--n", reason, f"at most {MAX_SECONDS} s and {MAX_BYTES >> 20} MiB: a smaller n or i")
+
+
+def _text(q: Fraction) -> str:
+    """p or p/q; through FLINT, which has no limit on the number of digits."""
+    return str(to_fmpq(q))

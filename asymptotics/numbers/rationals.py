@@ -1,0 +1,36 @@
+"""Fraction <-> fmpq and ball -> exact rational bounds: the part of the bridge that needs no SymPy.
+
+>>> to_fmpq(Fraction(1, 3)), to_fraction(fmpq(1, 3))
+(1/3, Fraction(1, 3))
+>>> low, high = bounds(arb(2).sqrt())
+>>> low**2 < 2 < high**2
+True
+"""
+
+from fractions import Fraction
+
+from flint import arb, fmpq, fmpz
+
+
+def to_fmpq(q: Fraction | int) -> fmpq:
+    """Fraction or int -> fmpq, exactly."""
+    return fmpq(q.numerator, q.denominator)
+
+
+def to_fraction(q: fmpq) -> Fraction:
+    """fmpq -> Fraction, exactly."""
+    return Fraction(int(q.p), int(q.q))
+
+
+def bounds(x: arb) -> tuple[Fraction, Fraction]:
+    """The exact rational end points of a finite ball; ValueError if it is not finite."""
+    if not x.is_finite():
+        raise ValueError(f"the ball {x.str(5)} has no finite bounds")
+    (middle, shift), (radius, radius_shift) = x.mid().man_exp(), x.rad().man_exp()
+    m, r = _dyadic(middle, shift), _dyadic(radius, radius_shift)
+    return m - r, m + r
+
+
+def _dyadic(mantissa: fmpz, exponent: fmpz) -> Fraction:
+    m, e = int(mantissa), int(exponent)
+    return Fraction(m << e) if e >= 0 else Fraction(m, 1 << -e)

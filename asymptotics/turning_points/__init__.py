@@ -1,0 +1,11 @@
+"""Turning points and the times between them.
+
+======================  ==========================================================================================
+``quadratic``           alpha = 2: tables of turning points and times, certified, from any starting index
+``quadratic_map``       one half-swing of the amplitude: the Lambert W map, as a contraction of balls
+``quadratic_duration``  the half period: a quadrature without end point singularities, with its error bound
+``quadratic_series``    exact power series of the map, the half period and their Abel functions
+``quadratic_abel``      the n-th turning point for any n, with a rigorous bound of the truncated series
+``quadratic_large``     the half period for large amplitudes
+======================  ==========================================================================================
+"""
