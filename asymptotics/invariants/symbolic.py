@@ -50,7 +50,7 @@ class GeneratingFunction:
         """G_i as a function of theta in (0, pi), continuous through theta = pi/2.
 
         >>> generating_function(1).in_angle()
-        2*sin(theta)**2/3
+        2/3 - 2*cos(theta)**2/3
         """
         c, s = sympy.cos(THETA), sympy.sin(THETA)
         numerator = THETA * _expression(self.P, c) + s * _expression(self.R, c)

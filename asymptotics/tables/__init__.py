@@ -4,7 +4,7 @@
 >>> table.columns
 ('half_cycle', 'S_hat', 'u')
 >>> table.rows[1]
-('2', '0.0987654', '-0.410720')
+('2', '0.0987650', '-0.410720')
 """
 
 from asymptotics.tables.registry import Table, build, names

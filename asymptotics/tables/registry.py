@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from asymptotics.errors import InputError
-from asymptotics.tables import quadratic
+from asymptotics.tables.quadratic import smith_table_1, transit_time
 
 MAX_DIGITS = 10_000
 
@@ -62,14 +62,14 @@ _RECIPES = {
     "smith2012.table1": _Recipe(
         "Smith 2012, Table I: the constants S_n and the turning points u_n for u_0 = 1",
         ("half_cycle", "S_hat", "u"),
-        quadratic.smith_table_1,
+        smith_table_1,
         "turning-point equation (43) by the Lambert W map in ball arithmetic; S_n = S - S^-(|u_n|) by (47); "
         "all digits certified",
     ),
     "smith2012.transit-time": _Recipe(
         "Transit time between turning points, omega T / pi = sum of c_i u^i",
         ("i", "c_i"),
-        quadratic.transit_time,
+        transit_time,
         "exact: c_i = H_i(pi)/pi from the closed forms of Smith's sums; equal to the series of the level integral",
     ),
 }

@@ -8,7 +8,7 @@
 1 -0.41071968606103944670 3.3809710603589252128
 2 0.26356838641759692059 6.5808870083860533294
 >>> quadratic_turning_points(parse_real("1", "--epsilon"), count=1, digits=20, start=10**9).points[0].x
-'7.4999998...e-10'
+'7.4999999933950386713e-10'
 """
 
 from collections.abc import Callable, Iterator

@@ -1,0 +1,1 @@
+"""Presentation: reproducible figures, MathML, atomic files.  Nothing in the library imports this folder."""

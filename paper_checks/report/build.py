@@ -1,0 +1,93 @@
+"""Write the report: all contents are made in memory first, then each file appears whole."""
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterator
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import jinja2
+
+from asymptotics import __version__
+from asymptotics.present.figures import render
+from asymptotics.present.files import write_atomically
+from asymptotics.present.mathml import to_mathml
+from asymptotics.tables import build
+from asymptotics.verdict import Printed
+from paper_checks.registry import PAPERS, Entry
+
+Progress = Callable[[str], None]
+
+TABLES = {"smith2012": ("smith2012.table1", "smith2012.transit-time")}
+PICTURES = {"smith2012": "paper_checks.smith2012.figures"}
+SLIPS = (Printed.MISPRINT, Printed.TRANSCRIPTION, Printed.PARTLY, Printed.REFUTED)
+
+
+def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda name: None) -> list[Path]:
+    """Write index.html, report.json, report.tex and the figures into ``folder`` (which exists); returns the paths."""
+    contents = dict(_figures(entries, progress))
+    data = report_data(entries)
+    contents["report.json"] = json.dumps(data, indent=1, ensure_ascii=False)
+    contents["report.tex"] = _template("report.tex.j2").render(data)
+    contents["index.html"] = _template("index.html.j2").render(data, figures=contents)
+    for name, content in contents.items():
+        write_atomically(folder / name, content)
+        progress(name)
+    return [folder / name for name in contents]
+
+
+def report_data(entries: list[Entry]) -> dict[str, Any]:
+    """Everything the report says, as plain data."""
+    return {
+        "command": "paper_checks",
+        "version": __version__,
+        "summary": dict(Counter(str(e.printed) for e in entries)),
+        "papers": [_paper(key, [e for e in entries if e.statement.paper == key]) for key in _papers(entries)],
+    }
+
+
+def _paper(key: str, entries: list[Entry]) -> dict[str, Any]:
+    return {
+        "key": key,
+        "reference": PAPERS[key][0],
+        "entries": [e.to_dict() for e in entries],
+        "slips": [e.statement.id for e in entries if e.printed in SLIPS],
+        "disagreements": [e.statement.id for e in entries if not e.agrees],
+        "tables": [build(name, 30).to_dict() for name in TABLES.get(key, ())],
+        "figures": [{"file": f"{key}-{name}", "caption": caption} for name, (caption, _) in _pictures(key).items()],
+    }
+
+
+def _papers(entries: list[Entry]) -> list[str]:
+    return [key for key in PAPERS if any(e.statement.paper == key for e in entries)]
+
+
+def _pictures(key: str) -> dict[str, tuple[str, Callable[[Any], Any]]]:
+    return dict(import_module(PICTURES[key]).FIGURES) if key in PICTURES else {}
+
+
+def _figures(entries: list[Entry], progress: Progress) -> Iterator[tuple[str, bytes | str]]:
+    for key in _papers(entries):
+        for name, (_, draw) in _pictures(key).items():
+            yield f"{key}-{name}.svg", render(draw).decode()
+            yield f"{key}-{name}.png", render(draw, kind="png")
+            progress(f"{key} {name}")
+
+
+def _template(name: str) -> jinja2.Template:
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(Path(__file__).parent),
+        autoescape=name.endswith(".html.j2"),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["mathml"] = lambda latex: to_mathml(latex, display=True)
+    environment.filters["tex"] = lambda text: "".join(_TEX.get(c, c) for c in str(text))
+    environment.filters["inline"] = lambda svg: svg[svg.index("<svg") :]
+    return environment.get_template(name)
+
+
+_TEX = {c: "\\" + c for c in "&%$#_{}"}
+_TEX |= {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}"}

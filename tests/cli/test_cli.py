@@ -1,0 +1,103 @@
+"""The contract of the command line, run in this process."""
+
+import json
+
+import pytest
+
+from asymptotics import __version__
+from asymptotics.cli.main import COMMANDS, main
+
+
+def run(capsys, *arguments: str) -> tuple[int, str, str]:
+    try:
+        code = main(list(arguments))
+    except SystemExit as stop:
+        code = int(stop.code or 0)
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def answer(capsys, *arguments: str) -> dict:
+    code, out, _ = run(capsys, *arguments, "--json")
+    assert code == 0
+    data = json.loads(out)
+    assert data["version"] == __version__
+    assert data["command"] == arguments[0]
+    return data
+
+
+def test_smith(capsys):
+    assert answer(capsys, "smith", "f", "--n", "7")["coefficients"] == {
+        "0": "-1/7", "2": "272/189", "4": "-1856/1155", "6": "1024/3003"  # (60g)
+    }  # fmt: skip
+    assert answer(capsys, "smith", "c", "--n", "4", "--i", "3")["value"] == "16/35"  # (60d)
+    zero = answer(capsys, "smith", "c", "--n", "4", "--i", "2")
+    assert zero["value"] == "0"
+    assert "parity" in zero["note"]
+    g = answer(capsys, "smith", "g", "--i", "0")
+    assert (g["expression"], g["limit"]) == ("atan(z)", "pi")
+
+
+def test_turning_points(capsys):
+    line = "turning-points --alpha 2 --epsilon 1 --count 2 --digits 5 --times"
+    data = answer(capsys, *line.split())
+    assert data["points"][1] == {"n": 1, "x": "-0.41072", "tau": "3.3810"}  # Table I
+    assert data["ended"] is None
+    assert data["certified"] is True
+
+
+def test_tables(capsys):
+    assert "smith2012.table1" in answer(capsys, "table", "--list")["tables"]
+    assert answer(capsys, "table", "smith2012.table1", "--digits", "5")["rows"][1] == ["2", "0.098765", "-0.41072"]
+    _, out, _ = run(capsys, "table", "smith2012.table1", "--format", "latex")
+    assert out.startswith(r"\begin{tabular}")
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_explains_itself(capsys, command):
+    code, out, _ = run(capsys, command, "--help")
+    assert code == 0
+    assert "asymptotics " + command in out
+    assert "--json" in out
+
+
+ERRORS = [
+    ("turning-points --alpha 2 --count 3 --epsilon 0", "--epsilon"),
+    ("turning-points --alpha 2 --count 3 --epsilon -1", "--epsilon"),
+    ("turning-points --alpha 2 --count 3 --epsilon -1/2", "--epsilon"),
+    ("turning-points --alpha 2 --count 3 --epsilon nan", "--epsilon"),
+    ("turning-points --alpha 2 --count 3 --epsilon 1e999999", "--epsilon"),
+    ("turning-points --alpha 2 --count 3 --epsilon abc", "--epsilon"),
+    ("turning-points --alpha 2 --count 3 --epsilon __import__('os')", "--epsilon"),
+    ("turning-points --alpha 2 --count 3 --epsilon 1 --digits 0", "--digits"),
+    ("turning-points --alpha 2 --count 3 --epsilon 1 --digits 1000000000", "--digits"),
+    ("turning-points --alpha 2 --count 0 --epsilon 1", "--count"),
+    ("turning-points --alpha 2 --count 3.5 --epsilon 1", "--count"),
+    ("turning-points --alpha 2 --count 3 --epsilon 1 --start -1", "--start"),
+    ("turning-points --alpha nan --count 3 --epsilon 1", "--alpha"),
+    ("turning-points --alpha 2 --count 3", "--epsilon"),
+    ("smith f --n -3", "--n"),
+    ("smith f --n 0", "--n"),
+    ("smith f --n 1000000", "--n"),
+    ("smith f", "--n"),
+    ("smith c --n 5 --i 5", "--i"),
+    ("smith c --n 100000 --i 50000", "--n"),
+    ("smith g --i -1", "--i"),
+    ("smith h", "what"),
+    ("table nope", "NAME"),
+    ("table", "NAME"),
+    ("table smith2012.table1 --digits x", "--digits"),
+    ("table smith2012.table1 --colour red", "--colour"),
+    ("nope", "COMMAND"),
+    ("", "COMMAND"),
+]
+
+
+@pytest.mark.parametrize(("line", "argument"), ERRORS, ids=[line for line, _ in ERRORS])
+def test_bad_input_is_one_line_that_names_the_argument(capsys, line, argument):
+    code, out, err = run(capsys, *line.split())
+    assert code == 2
+    assert out == ""
+    assert err.count("\n") == 1
+    assert argument in err
+    assert "Traceback" not in err

@@ -1,0 +1,57 @@
+from decimal import ROUND_HALF_EVEN, Context, Decimal
+from fractions import Fraction
+
+import pytest
+from flint import arb, ctx, fmpq
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from asymptotics.errors import UndecidedError
+from asymptotics.numbers.decimals import certified_decimal, decimal_of_ball, rational_decimal
+
+digits_st = st.integers(1, 40)
+
+
+@given(st.fractions(), digits_st)
+def test_rationals_round_as_the_decimal_module_does(q: Fraction, digits: int):
+    # An independent implementation of round-half-even of a quotient.
+    expected = Context(prec=digits, rounding=ROUND_HALF_EVEN).divide(Decimal(q.numerator), Decimal(q.denominator))
+    assert Decimal(rational_decimal(q, digits)) == expected
+
+
+@given(st.fractions(), digits_st)
+def test_a_ball_prints_only_what_all_its_numbers_round_to(q: Fraction, digits: int):
+    assume(q != 0)
+    with ctx.workprec(60):
+        text = decimal_of_ball(arb(fmpq(q.numerator, q.denominator)), digits)
+    assert text is None or text == rational_decimal(q, digits)
+
+
+def test_wide_balls_are_not_printed():
+    assert decimal_of_ball(arb(1, 0.5), 1) is None
+    assert decimal_of_ball(arb(0, 1), 1) is None
+    assert decimal_of_ball(arb("nan"), 1) is None
+    assert decimal_of_ball(arb(1, 1e-12), 10) == "1.000000000"  # both ends round to 1.000000000
+
+
+def test_hard_to_round_values():
+    # 0.5 + 10^-40 rounds up at no digits but must be told from the tie 0.5 of "1 digit of 0.25": 0.25 -> 0.2 (even).
+    assert rational_decimal(Fraction(25, 100), 1) == "0.2"
+    assert rational_decimal(Fraction(25, 100) + Fraction(1, 10**40), 1) == "0.3"
+    assert certified_decimal(lambda: arb(fmpq(25, 100)) + arb(10) ** -40, 1) == "0.3"
+    assert rational_decimal(Fraction(99999, 10000), 3) == "10.0"
+
+
+def test_undecided_is_an_error_and_not_a_guess():
+    with pytest.raises(UndecidedError, match="2000 bits"):
+        certified_decimal(lambda: arb(2).sqrt() ** 2 - 2, 5, max_bits=2000)
+    # A value on a decimal tie that no ball can recognise: 0.25 as (sqrt(2)/2)^2 / 2, rounded to one digit.
+    with pytest.raises(UndecidedError):
+        certified_decimal(lambda: (arb(2).sqrt() / 2) ** 2 / 2, 1, max_bits=2000)
+
+
+def test_ten_thousand_digits():
+    text = certified_decimal(lambda: arb(2).sqrt(), 10_000)
+    assert len(text) == 10_001
+    n = int(Fraction(Decimal(text[:3000])) * 10**2998)  # int(str) is limited to 4300 digits
+    assert n * n <= 2 * 10 ** (2 * 2998) < (n + 1) ** 2

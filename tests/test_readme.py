@@ -1,0 +1,32 @@
+"""The README's console examples are run and compared, so that what a stranger reads is what the program prints."""
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from asymptotics.cli.main import main
+
+README = (Path(__file__).parents[1] / "README.md").read_text()
+EXAMPLES = [
+    example
+    for block in re.findall(r"```console\n(.*?)```", README, re.DOTALL)
+    for example in re.findall(r"^\$ asymptotics (.*?)\n(.*?)(?=^\$ |\Z)", block, re.DOTALL | re.MULTILINE)
+]
+
+
+def test_there_are_examples():
+    assert len(EXAMPLES) >= 4
+
+
+@pytest.mark.parametrize(("command", "output"), EXAMPLES, ids=[command for command, _ in EXAMPLES])
+def test_the_readme_shows_what_is_printed(capsys, command, output):
+    assert main(shlex.split(command)) == 0
+    assert capsys.readouterr().out == output
+
+
+def test_the_commands_of_the_readme_are_in_the_makefile():
+    makefile = (Path(__file__).parents[1] / "Makefile").read_text()
+    for target in set(re.findall(r"make ([a-z-]+)", README)) - {"puts"}:
+        assert re.search(rf"^{target}:", makefile, re.MULTILINE), target

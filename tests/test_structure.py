@@ -1,0 +1,135 @@
+"""The house: who may import whom, no cycles, names that exist, a lock that matches, no machine in the files."""
+
+import ast
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from asymptotics import __version__ as version
+from derivations.__main__ import names
+from paper_checks.registry import load
+
+ROOT = Path(__file__).parents[1]
+LAYERS = [  # a module may import its own folder and what stands before it
+    "errors", "verdict", "numbers", "series", "moments", "law", "half_swing", "normal_form", "multiple_scales",
+    "turning_points", "envelope", "motion", "invariants", "tables", "present", "cli",
+]  # fmt: skip
+TOP: dict[str, set[str]] = {"asymptotics": set(), "derivations": {"asymptotics"}, "paper_checks": {"asymptotics", "derivations"}}
+FLOAT_FREE = ("numbers", "moments/certified.py", "half_swing/exact.py", "normal_form/flow.py", "invariants/exact.py")
+
+
+def files(folder: str) -> list[Path]:
+    return sorted((ROOT / folder).rglob("*.py"))
+
+
+def imports(path: Path) -> set[str]:
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        if isinstance(node, ast.ImportFrom):
+            found |= {f"{node.module}.{alias.name}" for alias in node.names} | {node.module or ""}
+    return found
+
+
+def dotted(path: Path) -> str:
+    return ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
+
+
+def layer(module: str) -> str:
+    return module.split(".")[1] if "." in module else ""
+
+
+@pytest.mark.parametrize("path", files("asymptotics"), ids=lambda p: str(p.relative_to(ROOT)))
+def test_data_flows_one_way(path: Path):
+    parts = path.relative_to(ROOT / "asymptotics").with_suffix("").parts
+    if parts == ("__init__",):
+        return
+    own = LAYERS.index(parts[0])
+    for module in imports(path):
+        if module.startswith("asymptotics.") and layer(module) in LAYERS:
+            assert LAYERS.index(layer(module)) <= own, f"{path.name} imports {module} from above"
+
+
+@pytest.mark.parametrize("top", TOP)
+def test_the_top_level_packages_depend_downwards(top: str):
+    others = {"asymptotics", "derivations", "paper_checks", "tests", "benchmarks"} - {top} - TOP[top]
+    for path in files(top):
+        assert not {m.split(".")[0] for m in imports(path)} & others, path
+
+
+def test_no_cycles_between_modules():
+    graph = {}
+    known = {dotted(path): path for path in files("asymptotics")}
+    for name, path in known.items():
+        graph[name] = {m for m in imports(path) if m in known and m != name}
+    done: set[str] = set()
+
+    def visit(name: str, trail: tuple[str, ...]) -> None:
+        assert name not in trail, " -> ".join((*trail, name))
+        if name not in done:
+            for other in graph[name]:
+                visit(other, (*trail, name))
+            done.add(name)
+
+    for name in graph:
+        visit(name, ())
+
+
+@pytest.mark.parametrize("path", [p for t in TOP for p in files(t)], ids=lambda p: str(p.relative_to(ROOT)))
+def test_files_stay_small_and_safe(path: Path):
+    text = path.read_text()
+    assert text.count("\n") <= 400
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Call):
+            called = getattr(node.func, "id", getattr(node.func, "attr", ""))
+            assert called not in {"eval", "exec", "sympify", "parse_expr", "nsimplify"}, f"line {node.lineno}"
+        if isinstance(node, ast.FunctionDef):
+            body = node.body[1:] if ast.get_docstring(node) else node.body
+            assert not body or body[-1].end_lineno - body[0].lineno < 60, node.name
+
+
+def test_every_cited_derivation_exists():
+    known = set(names())
+    for entry in load().values():
+        assert entry.derivation is None or entry.derivation in known, entry.id
+    for path in files("asymptotics"):
+        for cited in re.findall(r"derivation\s+``([\w-]+)``", path.read_text()):
+            assert cited in known, f"{path.name} cites {cited}"
+
+
+def test_the_lock_is_compiled_from_the_project_and_names_no_host():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    wanted = set(project["project"]["dependencies"]) | set(project["dependency-groups"]["dev"])
+    lines = (ROOT / "requirements/dev.in").read_text().splitlines()
+    assert {line for line in lines if line and not line.startswith("#")} == wanted
+    lock = (ROOT / "requirements/lock.txt").read_text()
+    assert "http" not in lock
+    assert "index" not in lock.replace("--no-emit-index-url", "")
+    for requirement in wanted:
+        name = re.split(r"[<>=\[]", requirement)[0]
+        assert re.search(rf"^{name}==", lock, re.MULTILINE), name
+
+
+def test_no_file_names_a_machine():
+    tracked = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
+    home = "/" + ROOT.parts[1] + "/"
+    for name in tracked:
+        text = (ROOT / name).read_text(errors="replace") if (ROOT / name).exists() else ""
+        assert home not in text.replace("/tmp/", ""), name
+
+
+def test_one_place_for_the_version():
+    assert f"version: {version}" in (ROOT / "CITATION.cff").read_text()
+    assert f"## {version}" in (ROOT / "CHANGELOG.md").read_text()
+
+
+def test_the_command_line_starts_without_heavy_libraries():
+    heavy = "{'sympy', 'matplotlib', 'scipy', 'numpy'}"
+    code = f"import sys, asymptotics.cli.main, asymptotics.cli.smith; print(sorted({heavy} & set(sys.modules)))"
+    output = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert output.strip() == "[]"
