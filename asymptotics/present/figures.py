@@ -10,13 +10,14 @@ from collections.abc import Callable
 from typing import Any
 
 import matplotlib
+from cycler import cycler
 from matplotlib.figure import Figure
 
-STYLE: dict[str, Any] = {
+STYLE: Any = {
     "axes.edgecolor": "#6b7280",
     "axes.grid": True,
     "axes.labelsize": 11,
-    "axes.prop_cycle": matplotlib.cycler(color=["#1f4e9c", "#c2410c", "#15803d", "#7e22ce"]),
+    "axes.prop_cycle": cycler(color=["#1f4e9c", "#c2410c", "#15803d", "#7e22ce"]),
     "axes.spines.right": False,
     "axes.spines.top": False,
     "axes.titlesize": 11,

@@ -1,0 +1,7 @@
+"""The moments M_p = <|sin|^p>: the one family of averages everything is made of (DESIGN 1).
+
+==============  ==========================================================================================
+``symbolic``    M_p as a SymPy expression, rational or rational/pi for integer p; Lelas' replacement
+``certified``   M_p as a ball, for any real p > -1
+==============  ==========================================================================================
+"""

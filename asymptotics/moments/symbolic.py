@@ -1,0 +1,87 @@
+"""M_p = <|sin|^p> in closed form, and the power mean that Lelas' squaring trick puts in its place.
+
+    M_p = (1/pi) int_0^pi sin^p = Gamma((p+1)/2)/(sqrt(pi) Gamma(p/2+1)),
+    M_p = (p-1)/p M_(p-2),  M_0 = 1,  M_1 = 2/pi.
+
+>>> from sympy import Symbol
+>>> moment(4), moment(3), moment(Rational(1, 2))
+(3/8, 4/(3*pi), gamma(3/4)/(sqrt(pi)*gamma(5/4)))
+>>> alpha = Symbol("alpha", nonnegative=True)
+>>> moment(alpha + 1)
+gamma(alpha/2 + 1)/(sqrt(pi)*gamma(alpha/2 + 3/2))
+
+*Lelas' replacement* (Lelas 2024: the mean of a square root replaced by the root of a mean).  Where the first-order
+amplitude law has p_1 = M_(alpha+1), the trick has 2^(-(alpha+1)/2) = (M_2)^((alpha+1)/2).  Both are powers of power
+means of |sin|: with m_q = M_q^(1/q), the law has m_(alpha+1)^(alpha+1) and the trick m_2^(alpha+1).  Power means grow
+strictly with q (Jensen; |sin| is not constant), so the trick
+
+    overestimates the damping for alpha < 1,   is exact at alpha = 1,   underestimates it for alpha > 1,
+
+and the ratio 2^(-(alpha+1)/2)/M_(alpha+1), independent of epsilon, is a relative error of the rate that does not vanish
+with epsilon.
+
+>>> lelas_ratio(Integer(0)), lelas_ratio(Integer(1)), lelas_ratio(Integer(2))
+(sqrt(2)*pi/4, 1, 3*sqrt(2)*pi/16)
+"""
+
+from fractions import Fraction
+
+from flint import fmpq
+from sympy import Expr, Integer, Pow, Rational, gamma, pi, sqrt
+
+from asymptotics.errors import InputError
+from asymptotics.numbers.bridge import from_sympy
+from asymptotics.numbers.exact import ExactReal
+
+
+def moment(p: Expr | int) -> Expr:
+    """M_p as a SymPy expression: rational or rational/pi for an integer p >= 0, Gamma quotient otherwise.
+
+    Raises InputError for a number p <= -1, where the integral diverges.
+    """
+    p = Integer(p) if isinstance(p, int) else p
+    if p.is_Integer and p >= 0:
+        coefficient, over_pi = integer_moment(int(p))
+        value = Rational(coefficient.numerator, coefficient.denominator)
+        return value / pi if over_pi else value
+    if p.is_number and not p.is_real:
+        raise InputError("p", f"{p} is not real", "real p > -1")
+    if p.is_number and (p + 1).is_positive is not True:
+        raise InputError("p", f"M_p diverges at p = {p}", "p > -1")
+    return gamma((p + 1) / 2) / (sqrt(pi) * gamma(p / 2 + 1))
+
+
+def integer_moment(p: int) -> tuple[Fraction, bool]:
+    """(q, over_pi): M_p = q for even p, q/pi for odd p, from M_p = (p-1)/p M_(p-2).
+
+    >>> integer_moment(4), integer_moment(5)
+    ((Fraction(3, 8), False), (Fraction(16, 15), True))
+    """
+    if p < 0:
+        raise InputError("p", f"{p} is negative", "an integer p >= 0")
+    value = fmpq(2 if p % 2 else 1)
+    for k in range(2 + p % 2, p + 1, 2):
+        value *= fmpq(k - 1, k)
+    return Fraction(int(value.p), int(value.q)), p % 2 == 1
+
+
+def lelas_moment(alpha: Expr) -> Expr:
+    """2^(-(alpha+1)/2), what the squaring trick puts in the place of M_(alpha+1)."""
+    return Pow(2, -(alpha + 1) / 2)
+
+
+def lelas_ratio(alpha: Expr) -> Expr:
+    """2^(-(alpha+1)/2)/M_(alpha+1): the damping of the squaring trick over the first-order damping."""
+    return lelas_moment(alpha) / moment(alpha + 1)
+
+
+def lelas_verdict(alpha: ExactReal | Expr) -> str:
+    """"overestimates", "exact" or "underestimates" the damping, by monotonicity of power means (module docstring).
+
+    >>> lelas_verdict(Rational(1, 2)), lelas_verdict(Integer(1)), lelas_verdict(Integer(3))
+    ('overestimates', 'exact', 'underestimates')
+    """
+    number = alpha if isinstance(alpha, ExactReal) else ExactReal(from_sympy(alpha))
+    if number < 1:
+        return "overestimates"
+    return "underestimates" if number > 1 else "exact"

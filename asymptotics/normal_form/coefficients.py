@@ -1,0 +1,212 @@
+"""Coefficients as text: certified decimals, and the exact form where there is one, for any exponents and any gauge.
+
+Integer exponents are computed exactly (``half_swing.exact``), all others in balls (``half_swing.certified``).  For
+these the lowest coefficients have closed forms in moments (``normal_form.symbolic``), reported beside them.
+
+>>> from asymptotics.numbers import parse_real
+>>> found = expansion_coefficients([parse_real("2", "alpha")], 2, 12)
+>>> found.amplitude, found.frequency
+({'1': Coefficient(value='0.424413181578', exact='4/(3*pi)')},
+ {'2': Coefficient(value='-0.166666666667', exact='-1/6')})
+>>> found = expansion_coefficients([parse_real("3/2", "alpha")], 2, 12)
+>>> found.frequency["2"]
+Coefficient(value='-0.152788745368', exact='-12/(25*pi)')
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import partial
+from typing import Any
+
+import sympy
+
+from asymptotics.errors import InputError
+from asymptotics.half_swing.certified import quarter_swing
+from asymptotics.half_swing.exact import exact_half_swing
+from asymptotics.half_swing.pi_ring import PiNumber
+from asymptotics.half_swing.symbolic import alpha
+from asymptotics.moments.symbolic import moment
+from asymptotics.normal_form.digits import certified_digits, round_all
+from asymptotics.normal_form.expansion import (
+    MAX_SECONDS,
+    estimated_seconds,
+    exact_expansion,
+    expansion_of,
+    require_size,
+)
+from asymptotics.normal_form.flow import flow_of
+from asymptotics.normal_form.gauges import TURNING_POINT, require_gauge
+from asymptotics.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
+from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.series import Key, Series
+
+WORK_PER_SECOND = 1_000_000  # products x terms x words of the certified engine, measured
+
+
+@dataclass(frozen=True)
+class Coefficient:
+    """One coefficient: correctly rounded digits, and an exact form that SymPy reads (None if none is known)."""
+
+    value: str | None
+    exact: str | None
+
+
+Row = dict[str, Coefficient]
+
+
+@dataclass(frozen=True)
+class ExpansionCoefficients:
+    """p_k (``amplitude``) and Omega_k (``frequency``) for k <= ``order``; keys "k", or "k1,k2" for sums of laws."""
+
+    gauge: str
+    order: int
+    arithmetic: str
+    amplitude: Row
+    frequency: Row
+
+    def to_dict(self) -> dict[str, Any]:
+        """The coefficients as the JSON of the command line."""
+        return asdict(self)
+
+
+@dataclass(frozen=True)
+class HalfSwingCoefficients:
+    """The half-swing map through delta^order: ``map`` and ``V`` have one row per law."""
+
+    order: int
+    arithmetic: str
+    log_ratio: Row
+    map: tuple[Row, ...]
+    duration: Row
+    U: Row
+    V: tuple[Row, ...]
+    W: Row
+
+    def to_dict(self) -> dict[str, Any]:
+        """The coefficients as the JSON of the command line; one law has its rows of map and V directly."""
+        data = asdict(self)
+        for name in ("map", "V"):
+            data[name] = data[name][0] if len(data[name]) == 1 else list(data[name])
+        return data
+
+
+def expansion_coefficients(
+    alphas: Sequence[ExactReal],
+    order: int,
+    digits: int,
+    gauge: str = TURNING_POINT,
+    *,
+    exact_only: bool = False,
+    max_seconds: float = MAX_SECONDS,
+) -> ExpansionCoefficients:
+    """p_k and Omega_k of one law or a sum, in any gauge.
+
+    Raises InputError for bad exponents, or with ``exact_only`` where no exact form exists; LimitError for work above
+    ``max_seconds``; UndecidedError for a coefficient that balls cannot round.
+    """
+    require_gauge(gauge)
+    integers = _integers(alphas, order, gauge, exact_only, max_seconds)
+    if integers is not None:
+        expansion = exact_expansion(integers, order, gauge, max_seconds=max_seconds)
+        p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
+        return ExpansionCoefficients(gauge, order, "exact", p, Omega)
+    if gauge == TURNING_POINT:
+        rounded = certified_digits(alphas, order, digits, max_work=_work(max_seconds))
+    else:
+        rounded = round_all(partial(_in_gauge, alphas, order, gauge, _work(max_seconds)), digits, 4 * order + 32)
+    known = closed_forms(alphas, order, gauge)
+    p, Omega = (_rounded_row(rounded[name], known[name]) for name in ("p", "Omega"))
+    return ExpansionCoefficients(gauge, order, "certified", p, Omega)
+
+
+def half_swing_coefficients(
+    alphas: Sequence[ExactReal],
+    order: int,
+    digits: int,
+    *,
+    exact_only: bool = False,
+    max_seconds: float = MAX_SECONDS,
+) -> HalfSwingCoefficients:
+    """L, F, T, U, V, W through delta^order of one law or a sum; errors as ``expansion_coefficients``."""
+    integers = _integers(alphas, order, TURNING_POINT, exact_only, max_seconds)
+    if integers is not None:
+        half = exact_half_swing(integers, order)
+        flow = flow_of(half)
+        rows = [_exact_row(s, digits) for s in (half.L, half.T, flow.U, flow.W, *half.F, *flow.V)]
+        return _half_swing(order, "exact", len(alphas), rows)
+    rounded = certified_digits(alphas, order, digits, max_work=_work(max_seconds))
+    names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(len(alphas)))]
+    known = {"U": _closed_U(alphas), "T": {(0,) * len(alphas): sympy.pi}}
+    return _half_swing(order, "certified", len(alphas), [_rounded_row(rounded[n], known.get(n, {})) for n in names])
+
+
+def _half_swing(order: int, arithmetic: str, laws: int, rows: list[Row]) -> HalfSwingCoefficients:
+    L, T, U, W, *rest = rows
+    return HalfSwingCoefficients(order, arithmetic, L, tuple(rest[:laws]), T, U, tuple(rest[laws:]), W)
+
+
+def closed_forms(alphas: Sequence[ExactReal], order: int, gauge: str) -> dict[str, dict[Key, sympy.Expr]]:
+    """What is known in closed form: first order always; of one law Omega_2 in any gauge, p_3 at turning points."""
+    known: dict[str, dict[Key, sympy.Expr]] = {"p": {k: -u for k, u in _closed_U(alphas).items()}, "Omega": {}}
+    exponents = [to_sympy(a) for a in alphas]
+    if len(alphas) == 1:
+        known["Omega"][2,] = omega_2(gauge).subs(alpha, exponents[0])
+        if gauge == TURNING_POINT:
+            known["p"][3,] = symbolic_expansion().p[3].subs(alpha, exponents[0])
+    elif gauge == TURNING_POINT:
+        known["Omega"] = {k: -w for k, w in second_order_sum(tuple(exponents)).items()}
+    return known
+
+
+def _closed_U(alphas: Sequence[ExactReal]) -> dict[Key, sympy.Expr]:
+    """U at first order: -M_(alpha_i + 1) delta_i."""
+    units = [tuple(int(i == j) for j in range(len(alphas))) for i in range(len(alphas))]
+    return {key: -moment(to_sympy(a) + 1) for key, a in zip(units, alphas)}
+
+
+def _integers(
+    alphas: Sequence[ExactReal], order: int, gauge: str, exact_only: bool, max_seconds: float
+) -> tuple[int, ...] | None:
+    """The exponents if the exact engine is to be used: integers, and not too much work (or no other choice)."""
+    if not all(a.is_rational and a.rational.denominator == 1 for a in alphas):
+        if exact_only:
+            raise InputError("--exact", "there are no exact coefficients at this order", "integer exponents")
+        return None
+    integers = tuple(int(a.rational) for a in alphas)
+    if any(a < 0 for a in integers):
+        raise InputError("--alpha", "an exponent is negative", "exponents >= 0")
+    if exact_only:
+        require_size(integers, order, gauge, max_seconds)
+    return integers if estimated_seconds(integers, order, gauge) <= max_seconds else None
+
+
+def _in_gauge(alphas: Sequence[ExactReal], order: int, gauge: str, max_work: int) -> Mapping[str, Series]:
+    quarter = quarter_swing(alphas, order, moments=True, max_work=max_work)
+    expansion = expansion_of(quarter, gauge, arithmetic="certified")
+    return {"p": expansion.p, "Omega": expansion.Omega}
+
+
+def _work(max_seconds: float) -> int:
+    return int(max_seconds * 10 * WORK_PER_SECOND)
+
+
+def _exact_row(series: Series, digits: int) -> Row:
+    row = {}
+    for part in series.parts:
+        for key, c in part:
+            number = c if isinstance(c, PiNumber) else PiNumber.rational(c)
+            row[_name(key)] = Coefficient(certified_decimal(number.ball, digits), str(number.to_sympy()))
+    return row
+
+
+def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, sympy.Expr]) -> Row:
+    def exact(key: Key, text: str) -> str | None:
+        return "0" if text == "0" else str(known[key]) if key in known else None
+
+    return {_name(key): Coefficient(text, exact(key, text)) for key, text in row.items()}
+
+
+def _name(key: Key) -> str:
+    return ",".join(map(str, key))

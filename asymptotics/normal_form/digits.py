@@ -1,0 +1,105 @@
+"""Correctly rounded decimals of L, F, T and of the slow flow U, V, W, p, Ω in the turning-point gauge, any α >= 0.
+
+The half-swing comes in balls from ``half_swing.certified_zeros``, the flow from it by ``flow.flow_of``.
+
+Zero by theorem, and therefore "0" or absent, besides what `certified_zeros` lists: U in even and W in odd degree
+(t → −t with ε → −ε); for linear friction alone p = ε/2; and what would carry a negative power of the amplitude if
+all exponents are integers (`certified_zeros`), which is how U = −(2/π)δ for dry friction stops.  A coefficient that
+vanishes for a reason not known here, or that is exactly half way between two decimals, cannot be rounded from balls:
+UndecidedError names it (odd α and few digits: take the exact engine).
+
+>>> from asymptotics.numbers.exact import parse_real
+>>> three_halves = certified_digits([parse_real("3/2", "--alpha")], 3, 20)
+>>> three_halves["p"]
+{(1,): '0.45765585810108791284', (3,): '0.0016147792023822891647'}
+>>> certified_digits([parse_real("0", "--alpha")], 3, 10)["U"]
+{(1,): '-0.6366197724', (2,): '0', (3,): '0'}
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+
+from flint import arb, ctx
+
+from asymptotics.errors import UndecidedError
+from asymptotics.half_swing.certified import MAX_WORK
+from asymptotics.half_swing.certified_zeros import (
+    certified_half_swing,
+    dry_friction_cancels,
+    negative_power,
+    only,
+    without,
+)
+from asymptotics.half_swing.quarter import HalfSwing
+from asymptotics.normal_form.flow import flow_of
+from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.series import Key, Series, monomials
+
+MAX_RAISE = 6
+"""How many times the first working precision is tried before a coefficient counts as undecided."""
+
+Digits = dict[str, dict[Key, str]]
+
+
+def certified_digits(
+    alphas: Sequence[ExactReal], order: int, digits: int, *, max_work: int = MAX_WORK
+) -> Digits:
+    """Every coefficient through ``order`` to ``digits`` significant digits, correctly rounded and proved to be.
+
+    Names: L, T, U, W, p (odd degrees), Omega (even degrees from 2 on), and F_i, V_i for each law i = 0, 1, …;
+    keys are multi-indices.  UndecidedError names the coefficient that could not be decided.
+    """
+    return round_all(lambda: expansions(alphas, order, max_work), digits, guard=4 * order + 32)
+
+
+def expansions(alphas: Sequence[ExactReal], order: int, max_work: int = MAX_WORK) -> dict[str, Series]:
+    """The same as balls at the current precision, zeros by theorem absent."""
+    half = certified_half_swing(alphas, order, max_work=max_work)
+    U, W = _flow(half, alphas)
+    inverse = W.inverse()
+    per_law = {f"F_{i}": f for i, f in enumerate(half.F)}
+    for i, weight in enumerate(half.weights):
+        per_law[f"V_{i}"] = (U * weight).shift(i).truncate(order)
+    p = without(-(U * inverse), lambda n: sum(n) % 2 == 0 or (sum(n) > 1 and only(alphas, n, {1})))
+    Omega = without(inverse, lambda n: sum(n) % 2 == 1)
+    return {"L": half.L, "T": half.T, "U": U, "W": W, "p": p, "Omega": Omega.without_constant(), **per_law}
+
+
+def _flow(half: HalfSwing, alphas: Sequence[ExactReal]) -> tuple[Series, Series]:
+    """U and W of the half-swing, zeros by theorem absent."""
+    flow = flow_of(half)
+    U = without(flow.U, lambda n: negative_power(alphas, n, 1))
+    W = without(flow.W, lambda n: negative_power(alphas, n, 0) or dry_friction_cancels(alphas, n))
+    return U, W
+
+
+def round_all(evaluate: Callable[[], Mapping[str, Series]], digits: int, guard: int) -> Digits:
+    """Raise the precision by what is missing until every coefficient of every series is rounded."""
+    bits = bits_for(digits, guard)
+    limit = MAX_RAISE * bits
+    while True:
+        with ctx.workprec(bits):
+            series = evaluate()
+        rounded = {name: _round(one, name, digits) for name, one in series.items()}
+        open_ones = [(name, n) for name, row in rounded.items() for n, text in row.items() if text is None]
+        if not open_ones:
+            return {name: {n: text for n, text in row.items() if text} for name, row in rounded.items()}
+        name, n = open_ones[0]
+        if bits >= limit:
+            ball = series[name][n].str(5)
+            raise UndecidedError(f"no certified {digits} digits of {name}{n} at {bits} bits: the enclosure is {ball}")
+        missing = max(bits_for(digits, 8) - series[name][n].rel_accuracy_bits() for name, n in open_ones)
+        bits = min(bits + max(16, min(missing, bits)), limit)
+
+
+def _round(series: Series, name: str, digits: int) -> dict[Key, str | None]:
+    """Decimals of all coefficients, "0" for the absent ones; p in odd and Ω in even degrees only."""
+    parity = {"p": 1, "Omega": 0}.get(name)
+    row: dict[Key, str | None] = {}
+    for degree in range(series.order + 1):
+        if (parity is not None and degree % 2 != parity) or (degree == 0 and series[(0,) * series.variables] == 0):
+            continue
+        for n in monomials(series.variables, degree):
+            value = series[n]
+            row[n] = decimal_of_ball(arb(value), digits) if value != 0 or not arb(value).is_exact() else "0"
+    return row

@@ -1,0 +1,133 @@
+"""One law with a symbolic exponent: p_1, p_3, Omega_2, Omega_4 in closed form, with one named integral in Omega_4.
+
+    U = -[M_(alpha+1) delta + alpha (3 alpha+1)/(6 (alpha+1)^2) M_(3 alpha+1) delta^3 + ...]
+    W = 1 + (alpha/(alpha+1))^2 M_(2 alpha) delta^2 + W_4 delta^4 + ...
+    W_4 = alpha^2 (35 alpha^3 + 9 alpha^2 - 17 alpha - 3)/(2 (alpha+1)^4 (2 alpha+1) (3 alpha+1)) M_(4 alpha)
+          + 3 (alpha (alpha-1)/(alpha+1))^2 I_4(alpha),
+
+with I_4 of ``half_swing.symbolic`` (defined there, evaluated with certificates, and shown not to reduce to moments).
+
+*The other gauges at second order.*  To first order Z = 1 + delta Z_1 with Z_1' = p_1 - s^(alpha+1) - i c s^alpha on a
+half-swing, so Z_1 = p_1 psi - int s^(alpha+1) - i s^(alpha+1)/(alpha+1).  Its real part is odd about psi = pi/2, hence
+<Z_1> = -i p_1/(alpha+1); and with <s^(alpha+1) cos 2 psi> = -p_1 (alpha+1)/(alpha+3), by parts,
+<Z_1 + conj(Z_1) e^(-2 i psi)> = -i p_1 (alpha+3)/(2 (alpha+1)).  With arg c = chi_1 delta + ..., Omega_2 changes by
+D(chi_1 delta) = -(alpha - 1) p_1 chi_1 delta^2:
+
+    averaging:          Omega_2 + (alpha-1)/(alpha+1) p_1^2,
+    no-first-harmonic:  Omega_2 + (alpha-1)(alpha+3)/(2 (alpha+1)) p_1^2.
+
+
+>>> expansion = symbolic_expansion()
+>>> expansion.Omega[2].subs(alpha, 3), omega_2("averaging").subs(alpha, 3), omega_2("no-first-harmonic").subs(alpha, 3)
+(-45/256, -27/256, 9/256)
+>>> expansion.p[3].subs(alpha, 3)
+45/4096
+"""
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from flint import arb
+from sympy import Expr, factor
+
+from asymptotics.errors import InputError
+from asymptotics.half_swing.symbolic import FIELD, I_4, ORDER, alpha, field_half_swing, nested_integral, to_expression
+from asymptotics.moments.certified import moment as moment_ball
+from asymptotics.moments.symbolic import moment
+from asymptotics.normal_form.flow import Flow, flow_of
+from asymptotics.normal_form.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
+
+
+@dataclass(frozen=True)
+class SymbolicExpansion:
+    """U, W, p, Omega through fourth order as SymPy expressions in ``alpha``, turning-point gauge."""
+
+    U: dict[int, Expr]
+    W: dict[int, Expr]
+    p: dict[int, Expr]
+    Omega: dict[int, Expr]
+    gauge: str = TURNING_POINT
+    arithmetic: str = "symbolic"
+    order: int = ORDER
+
+
+@cache
+def field_flow() -> Flow:
+    """U and W with coefficients in Q(alpha)(pi, moments, J), from the half-swing by log C/(C - 1)."""
+    return flow_of(field_half_swing())
+
+
+def symbolic_expansion() -> SymbolicExpansion:
+    """p_1, p_3, Omega_2, Omega_4 (and U, W) for symbolic alpha; Omega_4 contains ``I_4(alpha)``.
+
+    U and W are assembled from the closed forms of the module docstring; that they are what ``field_flow`` derives from
+    the equation of motion is asserted by the tests for the whole field, not at single exponents.
+    """
+    a = alpha
+    U = {
+        1: -moment(a + 1),
+        3: -a * (3 * a + 1) / (6 * (a + 1) ** 2) * moment(3 * a + 1),
+    }
+    W_4 = a**2 * (35 * a**3 + 9 * a**2 - 17 * a - 3) / (2 * (a + 1) ** 4 * (2 * a + 1) * (3 * a + 1)) * moment(4 * a)
+    W_4 += 3 * (a * (a - 1) / (a + 1)) ** 2 * I_4(a)
+    W = {2: (a / (a + 1)) ** 2 * moment(2 * a), 4: W_4}
+    p = {1: -U[1], 3: -U[3] + U[1] * W[2]}
+    return SymbolicExpansion(U, W, p, {2: -W[2], 4: W[2] ** 2 - W[4]})
+
+
+def derived_coefficient(series: str, k: int) -> Expr:
+    """U_k or W_k as the pipeline derives it, in SymPy.
+
+    >>> derived_coefficient("W", 2) - symbolic_expansion().W[2]
+    0
+    """
+    flow = field_flow()
+    return factor(to_expression({"U": flow.U, "W": flow.W}[series][k] * FIELD.one))
+
+
+def omega_2(gauge: str = TURNING_POINT) -> Expr:
+    """Omega_2 for symbolic alpha in any of the three gauges (module docstring)."""
+    require_gauge(gauge)
+    a, p_1 = alpha, moment(alpha + 1)
+    shift = {
+        TURNING_POINT: 0,
+        AVERAGING: (a - 1) / (a + 1),
+        NO_FIRST_HARMONIC: (a - 1) * (a + 3) / (2 * (a + 1)),
+    }[gauge]
+    return -((a / (a + 1)) ** 2) * moment(2 * a) + shift * p_1**2
+
+
+def second_order_sum(alphas: tuple[Any, ...]) -> dict[tuple[int, ...], Expr]:
+    """W at second order for a sum of laws: sum_ij alpha_i alpha_j/((alpha_i+1)(alpha_j+1)) M_(alpha_i+alpha_j) d_i d_j.
+
+    Keys are exponents of the delta_i; the cross terms carry the factor 2.  U has no second-order term.
+
+    >>> second_order_sum((1, 2))
+    {(2, 0): 1/8, (1, 1): 8/(9*pi), (0, 2): 1/6}
+    """
+    found: dict[tuple[int, ...], Expr] = {}
+    for i, a in enumerate(alphas):
+        for j, b in enumerate(alphas[i:], start=i):
+            key = tuple((k == i) + (k == j) for k in range(len(alphas)))
+            term = a * b * moment(a + b) / ((a + 1) * (b + 1))
+            found[key] = term * (1 if i == j else 2)
+    return found
+
+
+def certified_coefficients(exponent: arb) -> dict[str, dict[int, arb]]:
+    """p_1, p_3, Omega_2, Omega_4 as balls at a ball alpha >= 0, from the closed forms and the certified I_4.
+
+    >>> found = certified_coefficients(arb(2))
+    >>> found["Omega"][4].str(10), (-arb(7) / 432).str(10)
+    ('[-0.01620370370 +/- ...]', '[-0.01620370370 +/- ...]')
+    """
+    if not exponent >= 0:
+        raise InputError("alpha", f"{exponent.str(5)} is not certainly >= 0", "alpha >= 0")
+    a = exponent
+    M, M2, M3, M4 = (moment_ball(q) for q in (a + 1, 2 * a, 3 * a + 1, 4 * a))
+    U_3 = -a * (3 * a + 1) / (6 * (a + 1) ** 2) * M3
+    W_2 = (a / (a + 1)) ** 2 * M2
+    W_4 = a**2 * (35 * a**3 + 9 * a**2 - 17 * a - 3) / (2 * (a + 1) ** 4 * (2 * a + 1) * (3 * a + 1)) * M4
+    W_4 += 3 * (a * (a - 1) / (a + 1)) ** 2 * nested_integral(a)
+    return {"p": {1: M, 3: -U_3 - M * W_2}, "Omega": {2: -W_2, 4: W_2**2 - W_4}}

@@ -1,0 +1,68 @@
+"""From the recurrence (62a) to the closed sum (62b), with its sign: (-1)^(k-1), not the printed (-1)^k.
+
+A double factorial N!! is 2^(N/2) Gamma(N/2+1) times a constant that depends on the parity of N only; it cancels here.
+
+>>> bool(abs(term(1).subs({n: 2, i: 1}) - sympy.Rational(2, 3)) < 1e-12)
+True
+"""
+
+import sympy
+
+from derivations.steps import Derivation
+
+n, i, k = sympy.symbols("n i k", integer=True, positive=True)
+A, B, D = sympy.symbols("C_i^n C_{i-1}^{n-1} C_i^{n-2}")
+w = sympy.Symbol("w", positive=True)
+
+derivation = Derivation(
+    "smith-closed-sum",
+    "The closed sum of the coefficients",
+    source="Smith 2012, (62a), (62b); smith2012:62a, 62b",
+)
+step, holds = derivation.step, derivation.holds
+
+
+def double_factorial(N: sympy.Expr) -> sympy.Expr:
+    """N!! up to the constant of its parity."""
+    return 2 ** (N / 2) * sympy.gamma(N / 2 + 1)
+
+
+def term(k: sympy.Expr | int, n: sympy.Expr = n) -> sympy.Expr:
+    """The factor of C_(i-1)^(n+1-2k) in the sum for C_i^n."""
+    top = double_factorial(n + i - 2 * k) * double_factorial(n - 2) * (n + 1 - 2 * k)
+    return 2 * (-1) ** (k - 1) * top / (double_factorial(n + i) * double_factorial(n - 2 * k))
+
+
+line = (n - 2) * D * w**i + i * A * w**i + n * A * w**i - 2 * w * (n - 1) * B * w ** (i - 1)
+step(
+    "(59d), the coefficient of w^i",
+    sympy.expand(sympy.simplify(line / w**i)),
+    (n + i) * A - 2 * (n - 1) * B + (n - 2) * D,
+)
+recurrence = 2 * (n - 1) * B / (n + i) - (n - 2) * D / (n + i)
+step("(62a)", sympy.solve((n + i) * A - 2 * (n - 1) * B + (n - 2) * D, A)[0], recurrence)
+step(
+    "n - i keeps its parity from C_i^n to C_{i-1}^{n-1} and to C_i^{n-2}; from C_0^1 on it is odd: else C = 0",
+    (n - 1) - (i - 1),
+    n - i,
+)
+step(
+    "Let t_k(n) be the factor of C_{i-1}^{n+1-2k} in the sum. t_1 is the first factor of (62a), so its sign is +",
+    sympy.gammasimp(term(1)),
+    2 * (n - 1) / (n + i),
+)
+ratio = sympy.gammasimp(sympy.simplify(term(k + 1) / term(k, n - 2)))
+step("t_{k+1}(n) = -(n-2)/(n+i) t_k(n-2): (62a) unrolled once more", ratio, -(n - 2) / (n + i))
+step("with the same coefficient, C_{i-1}^{(n-2)+1-2k} = C_{i-1}^{n+1-2(k+1)}", (n - 2) + 1 - 2 * k, n + 1 - 2 * (k + 1))
+step(
+    "The last k is (n-i+1)/2, where the coefficient is C_{i-1}^i; beyond, C_{i-1}^m with m < i is 0",
+    (n + 1 - 2 * k).subs(k, (n - i + 1) / 2),
+    i,
+)
+step("and what remains of (62a) is C_i^{i-1} = 0", (n - 2 * k).subs(k, (n - i + 1) / 2), i - 1)
+printed = -term(1).subs({n: 2, i: 1})
+holds(
+    "The printed sign gives C_1^2 = -2/3; (60b) has +2/3",
+    bool(sympy.simplify(printed + sympy.Rational(2, 3)) == 0),
+    sympy.Rational(2, 3),
+)

@@ -1,0 +1,66 @@
+"""Footnote 8: sum_{k<=m} (2k+1)!!/(2^k k!) = (2m+3)!!/(3 2^m m!), by telescoping and from C_1^n = (-1)^((n-2)/2) 2/3.
+
+>>> len(derivation.steps)
+7
+"""
+
+import sympy
+
+from derivations.steps import Derivation
+
+m, k = sympy.symbols("m k", integer=True, positive=True)
+sign = sympy.Symbol("sigma")
+
+derivation = Derivation(
+    "smith-footnote-8",
+    "The sum of footnote 8",
+    source="Smith 2012, footnote 8 and (65)-(67); smith2012:fn8, 65, 66, 67",
+)
+step, holds = derivation.step, derivation.holds
+odd = sympy.factorial2(2 * k + 1)
+
+
+def odd_double(N: sympy.Expr) -> sympy.Expr:
+    """(2N+1)!! = (2N+2)!/(2^(N+1) (N+1)!)."""
+    return sympy.factorial(2 * N + 2) / (2 ** (N + 1) * sympy.factorial(N + 1))
+
+
+def term(k: sympy.Expr) -> sympy.Expr:
+    """The summand (2k+1)!!/(2^k k!)."""
+    return odd_double(k) / (2**k * sympy.factorial(k))
+
+
+def right(m: sympy.Expr) -> sympy.Expr:
+    """The right side (2m+3)!!/(3 2^m m!)."""
+    return odd_double(m + 1) / (3 * 2**m * sympy.factorial(m))
+
+
+holds(
+    "(2N+1)!! = (2N+2)!/(2^{N+1}(N+1)!) for N = 0 ... 20, and both sides gain the factor 2N+3 from N to N+1",
+    all(sympy.factorial2(2 * N + 1) == odd_double(sympy.Integer(N)) for N in range(21))
+    and sympy.combsimp(odd_double(k + 1) / odd_double(k)) == 2 * k + 3,
+    odd,
+)
+step("m = 0: one term", term(sympy.Integer(0)), right(sympy.Integer(0)))
+step("The ratio of right(m) to the term m", sympy.combsimp(right(m) / term(m)), (2 * m + 3) / sympy.Integer(3))
+step("of right(m-1)", sympy.combsimp(right(m - 1) / term(m)), 2 * m / sympy.Integer(3))
+step(
+    "so right(m) - right(m-1) is the term m: the sum telescopes",
+    (2 * m + 3) / sympy.Integer(3) - 2 * m / sympy.Integer(3),
+    sympy.Integer(1),
+)
+
+n = sympy.Symbol("n", integer=True, positive=True)
+step(
+    "The induction step (66), (67): (62a) at i = 1 with C_0^{n-1} = sigma/(n-1), C_1^{n-2} = -(2/3)"
+    " sigma, sigma = (-1)^{(n-2)/2}",
+    2 * (n - 1) / (n + 1) * sign / (n - 1) + (n - 2) / (n + 1) * sympy.Rational(2, 3) * sign,
+    sympy.Rational(2, 3) * sign,
+)
+# With k -> m+1-k the terms of (62b) at i = 1, n = 2m+2 are (2k+1)!!/(2k)!! times the common factor of the next line.
+step(
+    "(62b), corrected, at i = 1 and n = 2m+2 is the sum times 2 sigma (2m)!!/(2m+3)!!; so the sum is"
+    " (2m+3)!!/(3 (2m)!!)",
+    2 * 2**m * sympy.factorial(m) / odd_double(m + 1) * right(m),
+    sympy.Rational(2, 3),
+)

@@ -1,0 +1,91 @@
+"""From the quadrature (56a) to the recurrence (59) of f_n, and the first polynomials (60).
+
+On the falling half-swing D = w^2 - u is the acceleration dw/dtau and z = w/D.
+
+>>> polynomials[3]
+8*w**2/15 - 1/3
+"""
+
+import sympy
+
+from derivations.steps import Derivation
+
+u, w, z = sympy.symbols("u w z", real=True)
+n = sympy.Symbol("n", integer=True, positive=True)
+f, df, g, dg, h = sympy.symbols("f_n f_n' f_{n-1} f_{n-1}' f_{n-2}")
+
+derivation = Derivation(
+    "smith-time-series",
+    "The time as a power series in z = w/(w^2 - u)",
+    source="Smith 2012, (56a)-(60g); smith2012:56a ... 60g",
+)
+step, holds = derivation.step, derivation.holds
+
+
+def rate(expression: sympy.Expr) -> sympy.Expr:
+    """d/dtau along the falling motion, u' = w and w' = w^2 - u."""
+    return w * sympy.diff(expression, u) + (w**2 - u) * sympy.diff(expression, w)
+
+
+D = w**2 - u
+step("The acceleration", rate(w), D)
+step("changes as", rate(D), 2 * w * D - w)
+step("so z = w/D obeys dz/dtau = 1 - 2wz + z^2", rate(w / D), 1 - 2 * w * (w / D) + (w / D) ** 2)
+step("and dw/dtau = w/z", D, w / (w / D))
+step(
+    "One integration by parts: d(w/D) - dtau = w dD/D^2 with the sign of (56b)",
+    rate(w / D) - 1,
+    -w * rate(D) / D**2,
+)
+
+speed = 1 - 2 * w * z + z**2
+step(
+    "A term of the series, d(f_n z^n)/dtau",
+    (df * w / z) * z**n + f * n * z ** (n - 1) * speed,
+    z ** (n - 1) * (w * df + n * f) - 2 * w * n * f * z**n + n * f * z ** (n + 1),
+)
+terms = {  # what the terms n, n - 1, n - 2 contribute to z^(n-1)
+    f: w * df + n * f,
+    g: -2 * w * (n - 1) * g,
+    h: (n - 2) * h,
+}
+recurrence = sum(terms.values())
+step(
+    "(59d), n >= 3: the coefficient of z^{n-1} in sum d(f_n z^n)/dtau = 1 vanishes",
+    recurrence,
+    (n - 2) * h + w * df + n * f - 2 * w * (n - 1) * g,
+)
+step(
+    "its second form: times w^{n-1}, with (w^n f_n)' = w^n f_n' + n w^{n-1} f_n",
+    sympy.expand(recurrence * w ** (n - 1)),
+    (n - 2) * w ** (n - 1) * h + (w**n * df + n * w ** (n - 1) * f) - 2 * (n - 1) * w**n * g,
+)
+step("(59c), n = 2: f_0 has the factor 0", recurrence.subs(n, 2), w * df + 2 * f - 2 * w * g)
+constant = sympy.Symbol("c")
+general = 1 + constant / w
+step(
+    "(59b), n = 1: w f_1' + f_1 = 1, so f_1 = 1 + c/w; regular at the turning points w = 0 only for c = 0",
+    w * sympy.diff(general, w) + general,
+    sympy.Integer(1),
+)
+
+polynomials = {1: sympy.Integer(1)}
+for number in range(2, 8):
+    before = polynomials[number - 1]
+    twice = polynomials.get(number - 2, sympy.Integer(0))
+    right = 2 * (number - 1) * w**number * before - (number - 2) * w ** (number - 1) * twice
+    polynomials[number] = sympy.expand(sympy.integrate(sympy.expand(right), (w, 0, w)) / w**number)
+    row = polynomials[number]
+    step(
+        f"(60): f_{number}",
+        w * sympy.diff(row, w) + number * row,
+        sympy.expand(2 * (number - 1) * w * before - (number - 2) * twice),
+    )
+    holds(f"f_{number} = w^(-{number}) times the integral from 0", bool(row.as_poly(w).degree() == number - 1), row)
+total = sum(row * z**number for number, row in polynomials.items())
+defect = sympy.expand(sympy.diff(total, w) * w / z + sympy.diff(total, z) * speed - 1)
+holds(
+    "Together: d/dtau of the sum to n = 7 is 1 + O(z^7)",
+    all(defect.coeff(z, power) == 0 for power in range(7)),
+    sympy.expand(defect.coeff(z, 7)),
+)

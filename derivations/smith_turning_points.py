@@ -1,0 +1,104 @@
+"""From S to the turning points: the equation (43), its Lambert form, no overdamping, and q'' = -q ln q.
+
+>>> sympy.N(next_size.subs(u0, 1), 12)
+0.410719686061
+"""
+
+import sympy
+
+from derivations.steps import Derivation
+
+u0, q = sympy.symbols("u_0 q", positive=True)
+u, w, L = sympy.symbols("u w L", real=True)
+tau = sympy.Symbol("tau", real=True)
+exp, diff, log, sqrt = sympy.exp, sympy.diff, sympy.log, sympy.sqrt
+half, quarter = sympy.Rational(1, 2), sympy.Rational(1, 4)
+
+derivation = Derivation(
+    "smith-turning-points",
+    "Turning points, Lambert's W, and why there is no overdamping",
+    source="Smith 2012, (41)-(46c), (51)-(52b); smith2012:43, 44, 45, 46c; Lambert's form is not in the paper",
+)
+step, holds = derivation.step, derivation.holds
+
+S = exp(-2 * u) * (w**2 / 2 - u / 2 - quarter)
+g = exp(-2 * u) * (2 * u + 1)
+start = g.subs(u, u0)
+step("With g(u) = e^{-2u}(2u+1), a turning point (w = 0) has -4 S = g(u)", -4 * S.subs(w, 0), g)
+step("g rises to its maximum 1 at u = 0 and falls from there", diff(g, u), -4 * u * exp(-2 * u))
+holds(
+    "from minus infinity up to g(0) = 1 and down to 0",
+    bool(g.subs(u, 0) == 1 and sympy.limit(g, u, sympy.oo) == 0 and sympy.limit(g, u, -sympy.oo) == -sympy.oo),
+    sympy.Interval.Lopen(-sympy.oo, 1),
+)
+squared = (u + half) - exp(2 * u) * start / 2
+step("The speed on the falling orbit from (u_0, 0)", S.subs(w, sqrt(squared)), -start / 4)
+step(
+    "is positive exactly where g(u) > g(u_0): between u_0 and the other root u_1 < 0 of (43)",
+    squared,
+    exp(2 * u) * (g - start) / 2,
+)
+step(
+    "(45): at u = 0 it is not zero, since g(u_0) < 1: the origin is passed, never approached",
+    squared.subs(u, 0),
+    (1 - start) / 2,
+)
+step(
+    "The acceleration w^2 - u is S-linear and falls with u, so that it has one zero",
+    w**2 - u,
+    half + 2 * S * exp(2 * u),
+)
+turning = u0 - log(2 * u0 + 1) / 2
+step("(46c): that zero", sympy.simplify((half - start / 2 * exp(2 * u)).subs(u, turning)), sympy.Integer(0))
+
+y = 1 + 2 * u0
+step(
+    "(43) in L = -(2u_1+1): multiply g(u_1) = g(u_0) by -1/e; with y = 1 + 2u_0 it is L e^L = -y e^{-y}",
+    (-g / exp(1)).subs(u, -(L + 1) / 2),
+    L * exp(L),
+)
+step("the right side likewise", -start / exp(1), -y * exp(-y))
+step(
+    "L = -y is one root, the branch W_{-1}, since y > 1: the starting point itself",
+    (L * exp(L)).subs(L, -y),
+    -y * exp(-y),
+)
+root = sympy.LambertW(-y * exp(-y))
+next_size = (1 + root) / 2
+step(
+    "L e^L rises from -1/e to 0 as L goes from -1 to 0, so there is exactly one other root, in (-1, 0):"
+    " L = W_0(-y e^{-y}),"
+    " and 2|u_1| = -2u_1 = 1 + W_0(-y e^{-y})",
+    diff(L * exp(L), L),
+    (1 + L) * exp(L),
+)
+step(
+    "At u_1 = -|u_1| g has the value it started with, by W e^W = -y e^{-y} (here W stands for L)",
+    (g.subs(u, -(1 + L) / 2) - start).subs(exp(L), -y * exp(-y) / L).simplify(),
+    sympy.Integer(0),
+)
+holds(
+    "W_0 maps (-1/e, 0) into (-1, 0): 0 < |u_1| < 1/2 for every u_0 > 0: never overdamped, whatever the strength",
+    bool(diff(L * exp(L), L).subs(L, -1) == 0 and (L * exp(L)).subs(L, -1) == -exp(-1)),
+    sympy.Interval.open(0, half),
+)
+step(
+    "The rising half-swing is the mirror image, S^+(u, w) = S^-(-u, -w): the same map for |u_n|, all n",
+    S.subs({u: -u, w: -w}, simultaneous=True).subs(w, 0),
+    exp(2 * u) * (2 * u - 1) / 4,
+)
+
+path = sympy.Function("u")(tau)
+for sign, reason in ((1, "u' < 0: q = e^{-u} obeys q'' = -q ln q"), (-1, "u' > 0: q = e^{u} obeys the same equation")):
+    velocity = diff(path, tau)
+    acceleration = sign * velocity**2 - path
+    carrier = exp(-sign * path)
+    step(reason, diff(carrier, tau, 2).subs(diff(path, tau, 2), acceleration), -carrier * (-sign * path))
+rate = sympy.Symbol("p", real=True)
+energy = rate**2 / 2 + q**2 * (2 * log(q) - 1) / 4
+step("whose energy", diff(energy, q), q * log(q))
+step(
+    "is Smith's constant: E(q = e^{-u}, q' = -w e^{-u}) = S^-",
+    sympy.expand_log(energy.subs({q: exp(-u), rate: -w * exp(-u)})),
+    S,
+)

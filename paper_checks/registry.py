@@ -1,0 +1,199 @@
+"""Entries: what a paper says, as data, with the check that evaluates exactly that data.
+
+An entry is written in one place, in reading order: the statement, then the check that could refute it.
+
+    @statement(
+        id="smith2012:45", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+        title="Velocity at the first passage through equilibrium",
+        latex=r"w = -\\sqrt{(1 - e^{-2u_0}(2u_0+1))/2}", conditions="u_0 > 0",
+        printed=-sqrt((1 - exp(-2*u0)*(2*u0 + 1))/2), near_miss=..., methods=("first integral",),
+    )
+    def velocity_at_equilibrium(form):
+        return vanishes(first_integral(u=0, w=form) - first_integral(u=u0, w=0))
+
+The check takes a *form* and answers an Outcome: CONFIRMED, REFUTED or UNDECIDED.  It is run on the printed form, on the
+corrected form if there is one, and on the near miss, a nearby false variant.  The recorded verdict stands only if
+
+======================================  ===========  ===========  ===========
+recorded verdict                        printed      corrected    near miss
+======================================  ===========  ===========  ===========
+holds                                   CONFIRMED    (none)       REFUTED
+misprint, transcription, partly         REFUTED      CONFIRMED    REFUTED
+refuted                                 REFUTED      CONFIRMED *  REFUTED
+definition                              (no check needed; if there is one, as for holds)
+open                                    nothing is claimed
+======================================  ===========  ===========  ===========
+
+(* where the true statement is known).  Anything else, UNDECIDED included, makes the entry a disagreement: it is
+reported as open and the run ends with exit code 1.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from importlib import import_module
+from typing import Any
+
+from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+
+Check = Callable[[Any], Outcome]
+
+PAPERS = {
+    "smith2012": ("B. R. Smith, Jr., The quadratically damped oscillator, Am. J. Phys. 80, 816 (2012)", ()),
+}
+SECTIONS = {
+    "smith2012": (
+        "section_3_law",
+        "section_3_orbit",
+        "section_3_table",
+        "section_4_quadrature",
+        "section_4_series",
+        "section_4_coefficients",
+        "section_4_sums",
+        "section_4_motion",
+    ),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Statement:
+    """One statement of a paper: LaTeX for the reader, forms for the check.
+
+    ``latex`` and ``printed`` are what the paper prints; ``corrected_latex`` and ``corrected`` what is true instead;
+    ``near_miss`` a nearby false form.  ``conditions`` are sufficient for the true form.  ``derivation`` names a script
+    of ``derivations/``.  ``digits`` counts certified digits where a number is stated; ``order`` is the measured order
+    of convergence of an approximation ("0" if its error does not vanish).
+    """
+
+    id: str
+    kind: Kind
+    title: str
+    latex: str
+    verdict: Printed
+    evidence: Evidence
+    conditions: str = ""
+    variables: str = ""
+    printed: Any = None
+    corrected: Any = None
+    near_miss: Any = None
+    corrected_latex: str | None = None
+    note: str = ""
+    derivation: str | None = None
+    digits: int | None = None
+    order: str | None = None
+    methods: tuple[str, ...] = ()
+    check: Check | None = field(default=None, compare=False)
+
+    @property
+    def paper(self) -> str:
+        """The paper's key, the part of the id before the colon."""
+        return self.id.partition(":")[0]
+
+
+_REGISTRY: dict[str, Statement] = {}
+
+
+def statement(**data: Any) -> Callable[[Check], Check]:
+    """Register an entry whose check is the decorated function; ValueError for an id that is taken."""
+
+    def register(check: Check) -> Check:
+        add(Statement(check=check, **data))
+        return check
+
+    return register
+
+
+def add(entry: Statement) -> None:
+    """Register an entry; one without a check must be a definition or open."""
+    if entry.id in _REGISTRY:
+        raise ValueError(f"two entries with the id {entry.id}")
+    if entry.check is None and entry.verdict not in (Printed.DEFINITION, Printed.OPEN):
+        raise ValueError(f"{entry.id}: the verdict {entry.verdict} needs a check")
+    _REGISTRY[entry.id] = entry
+
+
+def load(paper: str | None = None) -> dict[str, Statement]:
+    """All entries of a paper (of all papers without an argument), in reading order.
+
+    The order is that of SECTIONS, then that of the file, whichever module happened to be imported first; decorators
+    stacked on one check are applied from the bottom up, so entries that share a check are turned round.
+    """
+    for name in [paper] if paper else SECTIONS:
+        for section in SECTIONS[name]:
+            import_module(f"paper_checks.{name}.{section}")
+    modules = [f"paper_checks.{name}.{section}" for name, sections in SECTIONS.items() for section in sections]
+    place = {module: position for position, module in enumerate(modules)}
+    first_seen: dict[Any, int] = {}
+
+    def reading_order(numbered: tuple[int, Statement]) -> tuple[int, int, int]:
+        number, entry = numbered
+        stack = first_seen.setdefault(entry.check or entry.id, number)
+        return place.get(getattr(entry.check, "__module__", ""), len(place)), stack, -number
+
+    ordered = sorted(enumerate(_REGISTRY.values()), key=reading_order)
+    return {entry.id: entry for _, entry in ordered if paper in (None, entry.paper)}
+
+
+@dataclass(frozen=True)
+class Entry:
+    """The result of running one statement's check: the verdict with its outcomes, or a disagreement."""
+
+    statement: Statement
+    outcomes: dict[str, Outcome]
+    seconds: float
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the outcomes bear the recorded verdict out."""
+        return self.outcomes == expected_outcomes(self.statement)
+
+    @property
+    def printed(self) -> Printed:
+        """The verdict that may be reported: the recorded one if borne out, otherwise open."""
+        return self.statement.verdict if self.agrees else Printed.OPEN
+
+    def to_dict(self) -> dict[str, Any]:
+        """The entry as the JSON of the command line."""
+        s = self.statement
+        return {
+            "id": s.id,
+            "kind": str(s.kind),
+            "printed": str(self.printed),
+            "evidence": str(s.evidence if self.agrees else Evidence.NONE),
+            "corrected": s.corrected_latex,
+            "digits": s.digits,
+            "order": s.order,
+            "methods": list(s.methods),
+            "title": s.title,
+            "latex": s.latex,
+            "conditions": s.conditions,
+            "note": s.note,
+            "derivation": s.derivation,
+            "recorded": str(s.verdict),
+            "agrees": self.agrees,
+            "outcomes": {name: str(outcome) for name, outcome in self.outcomes.items()},
+            "seconds": round(self.seconds, 3),
+        }
+
+
+def forms(entry: Statement) -> Iterator[tuple[str, Any]]:
+    """The forms that the check is run on: printed, corrected (if any), near miss (if any)."""
+    if entry.check is None:
+        return
+    yield "printed", entry.printed
+    if entry.corrected is not None:
+        yield "corrected", entry.corrected
+    if entry.near_miss is not None:
+        yield "near miss", entry.near_miss
+
+
+def expected_outcomes(entry: Statement) -> dict[str, Outcome]:
+    """The outcomes that bear out the recorded verdict (the table of the module's docstring)."""
+    holds = entry.verdict in (Printed.HOLDS, Printed.DEFINITION)
+    wanted = {
+        "printed": Outcome.CONFIRMED if holds else Outcome.REFUTED,
+        "corrected": Outcome.CONFIRMED,
+        "near miss": Outcome.REFUTED,
+    }
+    if entry.verdict == Printed.OPEN:
+        wanted["printed"] = Outcome.UNDECIDED
+    return {name: wanted[name] for name, _ in forms(entry)}

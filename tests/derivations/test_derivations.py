@@ -1,0 +1,93 @@
+"""Every derivation runs and prints itself; a corrupted step stops it."""
+
+import time
+from importlib import import_module, util
+from pathlib import Path
+
+import pytest
+import sympy
+from latex2mathml.converter import convert
+
+from derivations.__main__ import main, names
+from derivations.steps import Derivation
+
+FOLDER = Path(__file__).parents[2] / "derivations"
+SMITH = {
+    "smith-integrating-factor", "smith-turning-points", "smith-time-series", "smith-generating-functions",
+    "smith-closed-sum", "smith-denominators", "smith-footnote-8",
+}
+CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source states a formula
+    ("smith_integrating_factor", "factor = exp(-2 * s * gamma * x)", "factor = exp(2 * s * gamma * x)"),
+    ("smith_integrating_factor", "omega**2 / (2 * s * gamma) * (x +", "omega**2 / (2 * s * gamma) * (x -"),
+    ("smith_turning_points", "turning = u0 - log(2 * u0 + 1) / 2", "turning = u0 - log(2 * u0 + 1)"),
+    ("smith_turning_points", "y = 1 + 2 * u0", "y = 1 + u0"),
+    ("smith_time_series", "speed = 1 - 2 * w * z + z**2", "speed = 1 - 2 * w * z - z**2"),
+    ("smith_time_series", "h: (n - 2) * h", "h: (n - 1) * h"),
+    ("smith_generating_functions", "slope = 2 * c * (1 - c**2)", "slope = 2 * c * (1 + c**2)"),
+    ("smith_generating_functions", "integral - rest.as_expr()", "integral + rest.as_expr()"),
+    ("smith_closed_sum", "return 2 * (-1) ** (k - 1) * top", "return 2 * (-1) ** k * top"),
+    ("smith_denominators", "fmpq_poly([0, 0, -2, 1])", "fmpq_poly([0, 0, -2, 2])"),
+    ("smith_denominators", "return N * double_factorial(N - 2)", "return N * double_factorial(N - 1)"),
+    ("smith_footnote_8", "/ (3 * 2**m * sympy.factorial(m))", "/ (2**m * sympy.factorial(m))"),
+]
+
+
+def load_source(name, source, folder):
+    path = folder / f"{name}.py"
+    path.write_text(source, encoding="utf-8")
+    spec = util.spec_from_file_location(f"corrupted_{name}", path)
+    module = util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.derivation
+
+
+def test_the_derivations_of_smith_are_there():
+    assert set(names()) >= SMITH
+
+
+@pytest.mark.parametrize("name", names())
+def test_derivation_runs_and_prints_itself(name):
+    derivation = import_module("derivations." + name.replace("-", "_")).derivation
+    assert derivation.name == name
+    assert len(derivation.steps) >= 5
+    assert derivation.text().count("\n") >= 2 * len(derivation.steps)
+    for step in derivation.steps:
+        assert convert(step.latex()).startswith("<math")
+
+
+@pytest.mark.parametrize("name", sorted(SMITH))
+def test_derivation_is_fast(name, tmp_path):
+    source = (FOLDER / (name.replace("-", "_") + ".py")).read_text(encoding="utf-8")
+    start = time.perf_counter()
+    load_source(name.replace("-", "_"), source, tmp_path)
+    assert time.perf_counter() - start < 3
+
+
+@pytest.mark.parametrize(("name", "right", "wrong"), CORRUPTIONS)
+def test_a_corrupted_step_raises(name, right, wrong, tmp_path):
+    source = (FOLDER / f"{name}.py").read_text(encoding="utf-8")
+    assert source.count(right) == 1
+    with pytest.raises(AssertionError, match=name.replace("_", "-")):
+        load_source(name, source.replace(right, wrong), tmp_path)
+
+
+def test_a_step_must_be_true_and_a_fact_exactly_true():
+    x = sympy.Symbol("x")
+    derivation = Derivation("d", "", source="")
+    with pytest.raises(AssertionError, match="differ by"):
+        derivation.step("false", x, x + 1)
+    for truth in (False, None, 1, sympy.Symbol("undecided")):
+        with pytest.raises(AssertionError, match="not established"):
+            derivation.holds("unknown", truth, x)
+    assert derivation.steps == []
+
+
+def test_command(capsys):
+    assert main([]) == 0
+    assert set(capsys.readouterr().out.split()) == set(names())
+    assert main(["smith-footnote-8"]) == 0
+    assert "1." in capsys.readouterr().out
+    assert main(["smith-footnote-8", "--latex"]) == 0
+    assert r"\[" in capsys.readouterr().out
+    assert main(["no-such"]) == 2
+    assert "no derivation 'no-such'" in capsys.readouterr().err

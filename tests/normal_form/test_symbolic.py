@@ -1,0 +1,70 @@
+import pytest
+import sympy
+from flint import arb, ctx, fmpq
+
+from asymptotics.errors import InputError
+from asymptotics.half_swing.exact import exact_half_swing
+from asymptotics.half_swing.symbolic import I_4, alpha, nested_integral_exact
+from asymptotics.normal_form.expansion import exact_expansion
+from asymptotics.normal_form.flow import flow_of
+from asymptotics.normal_form.gauges import GAUGES
+from asymptotics.normal_form.symbolic import (
+    certified_coefficients,
+    derived_coefficient,
+    omega_2,
+    second_order_sum,
+    symbolic_expansion,
+)
+
+
+@pytest.mark.parametrize(("name", "k"), [("U", 1), ("U", 3), ("W", 2), ("W", 4)])
+def test_closed_forms_are_what_the_half_swing_gives(name, k):
+    """As rational functions of alpha, pi, the moments and I_4, treated as independent."""
+    stated = getattr(symbolic_expansion(), name)[k]
+    assert sympy.cancel(sympy.together(derived_coefficient(name, k) - stated)) == 0
+
+
+@pytest.mark.parametrize("n", range(7))
+def test_symbolic_against_exact_at_integers(n):
+    expansion, exact = symbolic_expansion(), exact_expansion((n,), 4)
+    value = nested_integral_exact(n).to_sympy()
+    for found, series in ((expansion.p, exact.p), (expansion.Omega, exact.Omega)):
+        for k, closed in found.items():
+            c = series[k]
+            at_n = closed.subs(I_4(alpha), value).subs(alpha, n)
+            assert sympy.simplify(at_n - (c if isinstance(c, int) else c.to_sympy())) == 0
+
+
+@pytest.mark.parametrize("n", range(5))
+def test_certified_closed_forms_enclose_the_exact_ones(n):
+    exact = exact_expansion((n,), 4)
+    with ctx.workprec(200):
+        found = certified_coefficients(arb(n))
+        for name, series in (("p", exact.p), ("Omega", exact.Omega)):
+            for k, ball in found[name].items():
+                c = series[k]
+                truth = arb(0) if isinstance(c, int) else c.ball()
+                assert ball.overlaps(truth) and ball.rad() < arb(10) ** -40
+                assert not ball.overlaps(truth + arb(10) ** -20)
+
+
+@pytest.mark.parametrize("n", range(7))
+@pytest.mark.parametrize("gauge", GAUGES)
+def test_omega_2_in_each_gauge(n, gauge):
+    c = exact_expansion((n,), 2, gauge).Omega[2]
+    assert sympy.simplify(omega_2(gauge).subs(alpha, n) - (c if isinstance(c, int) else c.to_sympy())) == 0
+
+
+@pytest.mark.parametrize("alphas", [(0, 2), (1, 2), (1, 3), (0, 1, 2)])
+def test_second_order_of_sums(alphas):
+    W = flow_of(exact_half_swing(alphas, 2)).W
+    for key, closed in second_order_sum(alphas).items():
+        c = W[key]
+        assert sympy.simplify(closed - (c if isinstance(c, int) else c.to_sympy())) == 0
+
+
+def test_refusals():
+    with pytest.raises(InputError):
+        omega_2("energy")
+    with pytest.raises(InputError):
+        certified_coefficients(arb(fmpq(-1, 2)))
