@@ -15,6 +15,9 @@ from asymptotics import __version__
 from asymptotics.errors import InputError, UndecidedError
 
 COMMANDS = {
+    "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
+    "half-swing": "the map from one turning point to the next, its duration and its flow, as series",
+    "moment": "the averages of |sin|^p",
     "smith": "Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly",
     "table": "reference tables with provenance",
     "turning-points": "turning points and times, to any number of certified digits",
@@ -43,7 +46,7 @@ def main(argv: list[str] | None = None) -> int:
     try:
         answer = module.run(parser.parse_args(arguments[1:]))
     except InputError as error:
-        print(f"asymptotics {name}: {' '.join(str(error).split())}", file=sys.stderr)
+        print(f"asymptotics {name}: {_as_option(error, parser)}", file=sys.stderr)
         return 2
     except UndecidedError as error:
         print(f"asymptotics {name}: undecided: {error}", file=sys.stderr)
@@ -52,6 +55,14 @@ def main(argv: list[str] | None = None) -> int:
         print(f"asymptotics {name}: interrupted, nothing was written", file=sys.stderr)
         return 130
     return int(answer.show(name))
+
+
+def _as_option(error: InputError, parser: argparse.ArgumentParser) -> str:
+    """The message on one line, with the library's name of an argument turned into the option that set it."""
+    option = "--" + {"alphas": "alpha"}.get(error.argument, error.argument)
+    known = option in parser.format_help()
+    shown = InputError(option if known else error.argument, error.reason, error.accepted)
+    return " ".join(str(shown).split())
 
 
 def _description() -> str:

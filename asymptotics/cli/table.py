@@ -1,7 +1,7 @@
 """Reference tables, exact or certified, with their provenance.
 
-  asymptotics table --list
-  asymptotics table smith2012.table1 --digits 40 [--format text|csv|latex]
+asymptotics table --list
+asymptotics table smith2012.table1 --digits 40 [--format text|csv|latex]
 """
 
 import argparse

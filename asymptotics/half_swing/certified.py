@@ -44,8 +44,9 @@ from asymptotics.series import Series
 
 BOUND_BITS = 64
 RADIUS = 4
-MAX_WORK = 2 * 10**9
-"""Largest (products of series) · (terms) · (bits / 64) that is begun: some ten minutes, memory below 1 GiB."""
+WORK_PER_SECOND = 2_000_000
+"""(products of series) · (terms) · (bits / 64) done in a second by an ordinary core, within a factor of about three."""
+MAX_WORK = 600 * WORK_PER_SECOND
 
 
 def quarter_swing(
@@ -151,5 +152,6 @@ def _check_work(products: int, terms: int, bits: int, max_work: int) -> None:
     """Refuse what is too large before it starts."""
     work = products * terms * (1 + bits // 64)
     if work > max_work:
-        reason = f"{products} products of series with {terms} terms or more at {bits} bits exceed the limit"
-        raise LimitError("order", reason, f"a lower order or fewer digits; or max_work >= {work}")
+        seconds, limit = (w // WORK_PER_SECOND for w in (work, max_work))
+        reason = f"{products} products of series of {terms} terms at {bits} bits would take about {seconds} s"
+        raise LimitError("order", reason, f"work of at most {limit} s: a lower order, fewer digits, or a higher limit")

@@ -25,7 +25,8 @@ the next amplitude a e^L and T are polynomials in a at each order in the ε_i if
 made of them by products and compositions: F_i = ε_i (a e^L)^{α_i−1} if α_i >= 1, and the field a U and W of
 ``normal_form.digits``.  In F_i, a U and W the monomial δⁿ carries the power w, w + 1 and w of a: it is absent if that
 is negative.  T has no order 1 in the other laws (|n| − n_0 = 1), so that W has none either and its order 2 is a mean
-along the straight orbit a − (2/π)ε_0 ψ, W_2 = (T_2/π) (D/sinh D) a^{w_2}, D = ε_0 d/da, for monomials with w_2 = w + n_0: for
+along the straight orbit a − (2/π)ε_0 ψ, W_2 = (T_2/π) (D/sinh D) a^{w_2}, D = ε_0 d/da, for monomials with
+w_2 = w + n_0: for
 |n| − n_0 = 2 it is enough that w_2 is an integer >= 0.
 
 **Dry and cubic friction.**  The first order of the field is g_1 = (l_1/π) (D/sinh D) a^α, so W_2' = k g_1 if

@@ -6,22 +6,22 @@ these the lowest coefficients have closed forms in moments (``normal_form.symbol
 >>> from asymptotics.numbers import parse_real
 >>> found = expansion_coefficients([parse_real("2", "alpha")], 2, 12)
 >>> found.amplitude, found.frequency
-({'1': Coefficient(value='0.424413181578', exact='4/(3*pi)')},
- {'2': Coefficient(value='-0.166666666667', exact='-1/6')})
+({'1': Coefficient(value='0.424413181578', expression=4/(3*pi))},
+ {'2': Coefficient(value='-0.166666666667', expression=-1/6)})
 >>> found = expansion_coefficients([parse_real("3/2", "alpha")], 2, 12)
 >>> found.frequency["2"]
-Coefficient(value='-0.152788745368', exact='-12/(25*pi)')
+Coefficient(value='-0.152788745368', expression=-12/(25*pi))
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import sympy
 
 from asymptotics.errors import InputError
-from asymptotics.half_swing.certified import quarter_swing
+from asymptotics.half_swing.certified import WORK_PER_SECOND, quarter_swing
 from asymptotics.half_swing.exact import exact_half_swing
 from asymptotics.half_swing.pi_ring import PiNumber
 from asymptotics.half_swing.symbolic import alpha
@@ -37,23 +37,36 @@ from asymptotics.normal_form.expansion import (
 from asymptotics.normal_form.flow import flow_of
 from asymptotics.normal_form.gauges import TURNING_POINT, require_gauge
 from asymptotics.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
-from asymptotics.numbers.bridge import to_sympy
-from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.bridge import to_fraction, to_sympy
+from asymptotics.numbers.decimals import certified_decimal, rational_decimal
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.series import Key, Series
-
-WORK_PER_SECOND = 1_000_000  # products x terms x words of the certified engine, measured
+from asymptotics.series import Key, Series, monomials
 
 
 @dataclass(frozen=True)
 class Coefficient:
-    """One coefficient: correctly rounded digits, and an exact form that SymPy reads (None if none is known)."""
+    """One coefficient: correctly rounded digits, and its exact form (None if none is known)."""
 
     value: str | None
-    exact: str | None
+    expression: sympy.Expr | None
+
+    @property
+    def exact(self) -> str | None:
+        """The exact form as text that SymPy reads."""
+        return None if self.expression is None else str(self.expression)
+
+    def to_dict(self) -> dict[str, str | None]:
+        """Digits and exact form as text."""
+        return {"value": self.value, "exact": self.exact}
 
 
+ZERO = Coefficient("0", sympy.Integer(0))
 Row = dict[str, Coefficient]
+
+
+def row_to_dict(row: Row) -> dict[str, dict[str, str | None]]:
+    """A row of coefficients as JSON data."""
+    return {key: c.to_dict() for key, c in row.items()}
 
 
 @dataclass(frozen=True)
@@ -68,7 +81,16 @@ class ExpansionCoefficients:
 
     def to_dict(self) -> dict[str, Any]:
         """The coefficients as the JSON of the command line."""
-        return asdict(self)
+        head = {"gauge": self.gauge, "order": self.order, "arithmetic": self.arithmetic}
+        return {**head, "amplitude": row_to_dict(self.amplitude), "frequency": row_to_dict(self.frequency)}
+
+    def latex(self) -> str:
+        """The two equations in LaTeX; exact coefficients where known, else their digits."""
+        p, Omega = (_latex_sum(row) for row in (self.amplitude, self.frequency))
+        return rf"\frac{{dA}}{{d\tau}} = -A\left({p}\right),\quad \frac{{d\psi}}{{d\tau}} = 1 + {Omega}"
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex()}$"
 
 
 @dataclass(frozen=True)
@@ -86,9 +108,11 @@ class HalfSwingCoefficients:
 
     def to_dict(self) -> dict[str, Any]:
         """The coefficients as the JSON of the command line; one law has its rows of map and V directly."""
-        data = asdict(self)
+        data: dict[str, Any] = {"order": self.order, "arithmetic": self.arithmetic}
+        data |= {name: row_to_dict(getattr(self, name)) for name in ("log_ratio", "duration", "U", "W")}
         for name in ("map", "V"):
-            data[name] = data[name][0] if len(data[name]) == 1 else list(data[name])
+            rows = [row_to_dict(row) for row in getattr(self, name)]
+            data[name] = rows[0] if len(rows) == 1 else rows
         return data
 
 
@@ -111,14 +135,23 @@ def expansion_coefficients(
     if integers is not None:
         expansion = exact_expansion(integers, order, gauge, max_seconds=max_seconds)
         p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
-        return ExpansionCoefficients(gauge, order, "exact", p, Omega)
+        return _expansion(gauge, order, "exact", len(alphas), p, Omega)
     if gauge == TURNING_POINT:
         rounded = certified_digits(alphas, order, digits, max_work=_work(max_seconds))
     else:
         rounded = round_all(partial(_in_gauge, alphas, order, gauge, _work(max_seconds)), digits, 4 * order + 32)
     known = closed_forms(alphas, order, gauge)
     p, Omega = (_rounded_row(rounded[name], known[name]) for name in ("p", "Omega"))
-    return ExpansionCoefficients(gauge, order, "certified", p, Omega)
+    return _expansion(gauge, order, "certified", len(alphas), p, Omega)
+
+
+def _expansion(gauge: str, order: int, arithmetic: str, laws: int, p: Row, Omega: Row) -> ExpansionCoefficients:
+    """All p_k of odd and Omega_k of even degree in their order, absent ones as the zeros they are."""
+    rows = []
+    for row, start in ((p, 1), (Omega, 2)):
+        keys = [_name(key) for degree in range(start, order + 1, 2) for key in monomials(laws, degree)]
+        rows.append({key: row.get(key, ZERO) for key in keys})
+    return ExpansionCoefficients(gauge, order, arithmetic, *rows)
 
 
 def half_swing_coefficients(
@@ -189,7 +222,7 @@ def _in_gauge(alphas: Sequence[ExactReal], order: int, gauge: str, max_work: int
 
 
 def _work(max_seconds: float) -> int:
-    return int(max_seconds * 10 * WORK_PER_SECOND)
+    return int(max_seconds * WORK_PER_SECOND)
 
 
 def _exact_row(series: Series, digits: int) -> Row:
@@ -197,15 +230,33 @@ def _exact_row(series: Series, digits: int) -> Row:
     for part in series.parts:
         for key, c in part:
             number = c if isinstance(c, PiNumber) else PiNumber.rational(c)
-            row[_name(key)] = Coefficient(certified_decimal(number.ball, digits), str(number.to_sympy()))
+            row[_name(key)] = Coefficient(_exact_decimal(number, digits), number.to_sympy())
     return row
 
 
+def _exact_decimal(number: PiNumber, digits: int) -> str:
+    """Rationals by integer arithmetic, which also decides ties; anything with pi is irrational and never ties."""
+    if number.is_rational:
+        return rational_decimal(to_fraction(number.as_rational()), digits)
+    return certified_decimal(number.ball, digits)
+
+
 def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, sympy.Expr]) -> Row:
-    def exact(key: Key, text: str) -> str | None:
-        return "0" if text == "0" else str(known[key]) if key in known else None
+    def exact(key: Key, text: str) -> sympy.Expr | None:
+        return sympy.Integer(0) if text == "0" else known.get(key)
 
     return {_name(key): Coefficient(text, exact(key, text)) for key, text in row.items()}
+
+
+def _latex_sum(row: Row) -> str:
+    terms = []
+    for key, c in row.items():
+        powers = [int(k) for k in key.split(",")]
+        names = [r"\delta"] if len(powers) == 1 else [rf"\delta_{{{i}}}" for i in range(1, len(powers) + 1)]
+        monomial = " ".join(n + (f"^{{{k}}}" if k > 1 else "") for n, k in zip(names, powers) if k)
+        number = c.value if c.expression is None else sympy.latex(c.expression)
+        terms.append(rf"\left({number}\right) {monomial}")
+    return " + ".join(terms) or "0"
 
 
 def _name(key: Key) -> str:

@@ -1,0 +1,82 @@
+"""The multiple-scale expansion of amplitude and phase, to any order, for any exponent or sum of laws:
+
+  dA/dtau = -A (p_1 delta + p_3 delta^3 + ...),    dpsi/dtau = 1 + Omega_2 delta^2 + Omega_4 delta^4 + ...
+
+  asymptotics expand --alpha 3/2 --order 6 --digits 40
+  asymptotics expand --alpha 3 --order 5 --gauge no-first-harmonic --exact
+  asymptotics expand --law 0:1/10 --law 1:1/5 --order 4
+  asymptotics expand --alpha symbolic --order 4 --latex
+
+delta = epsilon A^(alpha-1); amplitude holds p_k, frequency Omega_k, for all k up to the order.
+"""
+
+import argparse
+from typing import Any
+
+from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
+from asymptotics.cli.laws import add_law, read_exponents
+from asymptotics.errors import InputError
+from asymptotics.half_swing.odd_flow import GAUGES
+from asymptotics.normal_form.closed_forms import MAX_SYMBOLIC_ORDER, symbolic_coefficients
+from asymptotics.normal_form.coefficients import ExpansionCoefficients, Row, expansion_coefficients
+from asymptotics.normal_form.gauges import TURNING_POINT
+from asymptotics.numbers.exact import parse_integer
+
+MAX_DIGITS, MAX_ORDER, MAX_SECONDS = 1000, 200, 3600
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add_law(parser)
+    parser.add_argument("--order", default="4", metavar="N", help=f"the highest power of delta, 1 to {MAX_ORDER}")
+    text = f"one of {', '.join(GAUGES)} (default: the first)"
+    parser.add_argument("--gauge", default=TURNING_POINT, metavar="G", help=text)
+    parser.add_argument("--exact", action="store_true", help="demand exact coefficients (integer exponents)")
+    parser.add_argument("--latex", action="store_true", help="print the expansion as LaTeX")
+    add_max_seconds(parser)
+    add_digits(parser, MAX_DIGITS)
+    add_json(parser)
+
+
+def add_max_seconds(parser: argparse.ArgumentParser) -> None:
+    """The option --max-seconds."""
+    text = f"refuse work estimated above this (default 60, at most {MAX_SECONDS})"
+    parser.add_argument("--max-seconds", default="60", metavar="S", help=text)
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    if options.gauge not in GAUGES:
+        raise InputError("--gauge", f"no gauge {options.gauge!r}", ", ".join(GAUGES))
+    order = parse_integer(options.order, "--order", 1, MAX_ORDER)
+    digits = read_digits(options, MAX_DIGITS)
+    if options.alpha == "symbolic":
+        return _symbolic(options, order, digits)
+    exponents = read_exponents(options)
+    seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
+    found = expansion_coefficients(
+        exponents.alphas, order, digits, options.gauge, exact_only=options.exact, max_seconds=seconds
+    )
+    data = {"alpha": exponents.shown, **found.to_dict(), "latex": found.latex(), "notes": list(exponents.notes)}
+    return Answer(data, found.latex() if options.latex else _text(found, exponents.notes), options.json)
+
+
+def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:
+    if order > MAX_SYMBOLIC_ORDER:
+        reason = f"{order}: closed forms in alpha are known through order {MAX_SYMBOLIC_ORDER}"
+        raise InputError("--order", reason, f"an integer from 1 to {MAX_SYMBOLIC_ORDER} with --alpha symbolic")
+    found = symbolic_coefficients(order, options.gauge, digits)
+    return Answer(found.to_dict(), found.latex() if options.latex else str(found), options.json)
+
+
+def _text(found: ExpansionCoefficients, notes: tuple[str, ...]) -> str:
+    lines = [f"gauge {found.gauge}, {found.arithmetic}"]
+    lines += [*row_text("p", found.amplitude), *row_text("Omega", found.frequency), *notes]
+    return "\n".join(lines)
+
+
+def row_text(name: str, row: Row) -> list[str]:
+    """One line for each coefficient: its digits, and its exact form if there is one."""
+    entries: list[tuple[str, Any]] = [(f"{name}_{key}", c) for key, c in row.items()]
+    width = max((len(label) for label, _ in entries), default=0)
+    return [f"{label:{width}}  {c.value}" + (f"  = {c.exact}" if c.exact else "") for label, c in entries]

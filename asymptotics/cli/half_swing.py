@@ -1,0 +1,40 @@
+"""The half-swing from one turning point to the next as power series in delta = epsilon A^(alpha-1):
+
+log_ratio L = ln(A'/A),  map F: delta -> delta',  duration T,  and the smooth flow that interpolates them,
+U = d ln A/dpsi,  V = d delta/dpsi,  W = dtau/dpsi  (turning-point gauge).
+
+asymptotics half-swing --alpha 3/2 --order 6 --digits 40
+"""
+
+import argparse
+
+from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
+from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER, MAX_SECONDS, add_max_seconds, row_text
+from asymptotics.cli.laws import add_law, read_exponents
+from asymptotics.normal_form.coefficients import half_swing_coefficients
+from asymptotics.numbers.exact import parse_integer
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add_law(parser)
+    parser.add_argument("--order", default="4", metavar="N", help=f"the highest power of delta, 1 to {MAX_ORDER}")
+    parser.add_argument("--exact", action="store_true", help="demand exact coefficients (integer exponents)")
+    add_max_seconds(parser)
+    add_digits(parser, MAX_DIGITS)
+    add_json(parser)
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    exponents = read_exponents(options)
+    order = parse_integer(options.order, "--order", 1, MAX_ORDER)
+    digits = read_digits(options, MAX_DIGITS)
+    seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
+    found = half_swing_coefficients(exponents.alphas, order, digits, exact_only=options.exact, max_seconds=seconds)
+    names = [("L", found.log_ratio), ("T", found.duration), ("U", found.U), ("W", found.W)]
+    suffixes = [""] if len(exponents.alphas) == 1 else [f"[{a}]" for a in exponents.alphas]
+    names += [(f"{n}{s}", row) for n, rows in (("F", found.map), ("V", found.V)) for s, row in zip(suffixes, rows)]
+    lines = [f"turning-point gauge, {found.arithmetic}"] + [line for name, row in names for line in row_text(name, row)]
+    data = {"alpha": exponents.shown, **found.to_dict(), "notes": list(exponents.notes)}
+    return Answer(data, "\n".join([*lines, *exponents.notes]), options.json)

@@ -1,0 +1,84 @@
+"""The expansion with a symbolic exponent, for people and for JSON: closed forms, and the one integral that remains.
+
+>>> found = symbolic_coefficients(2, "averaging", 10)
+>>> found.amplitude["1"].exact
+'gamma(alpha/2 + 1)/(sqrt(pi)*gamma(alpha/2 + 3/2))'
+"""
+
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import sympy
+from flint import arb, fmpq
+
+from asymptotics.errors import InputError
+from asymptotics.half_swing.symbolic import nested_integral, nested_integral_definition
+from asymptotics.normal_form.coefficients import Coefficient, Row, row_to_dict
+from asymptotics.normal_form.gauges import TURNING_POINT
+from asymptotics.normal_form.symbolic import omega_2, symbolic_expansion
+from asymptotics.numbers.decimals import certified_decimal
+
+MAX_SYMBOLIC_ORDER = 4
+_SAMPLES = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
+
+
+@dataclass(frozen=True)
+class SymbolicCoefficients:
+    """p_k and Omega_k as expressions in alpha; ``W`` the rate dtau/dpsi they come from, ``integrals`` what remains."""
+
+    gauge: str
+    order: int
+    amplitude: Row
+    frequency: Row
+    W: Row
+    integrals: dict[str, dict[str, Any]]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The coefficients as the JSON of the command line."""
+        rows = {name: row_to_dict(getattr(self, name)) for name in ("amplitude", "frequency", "W")}
+        head = {"alpha": "symbolic", "gauge": self.gauge, "order": self.order}
+        return {**head, **rows, "integrals": self.integrals, "latex": self.latex()}
+
+    def latex(self) -> str:
+        """One LaTeX line for each coefficient."""
+        named = {r"p": self.amplitude, r"\Omega": self.frequency, "W": self.W}
+        return "\n".join(
+            rf"{name}_{{{k}}} = {sympy.latex(c.expression)} \\" for name, row in named.items() for k, c in row.items()
+        )
+
+    def __str__(self) -> str:
+        named = {"p": self.amplitude, "Omega": self.frequency, "W": self.W}
+        lines = [f"gauge {self.gauge}, symbolic"]
+        lines += [f"{name}_{k} = {c.exact}" for name, row in named.items() for k, c in row.items()]
+        for name, entry in self.integrals.items():
+            values = ", ".join(f"{name}({a}) = {v}" for a, v in entry["values"].items())
+            lines += [f"{name}(alpha) = {entry['definition']}", f"  {values}"]
+        return "\n".join(lines)
+
+
+def symbolic_coefficients(order: int, gauge: str, digits: int) -> SymbolicCoefficients:
+    """The closed forms through ``order`` <= 4 (<= 2 outside the turning-point gauge); InputError above."""
+    highest = MAX_SYMBOLIC_ORDER if gauge == TURNING_POINT else 2
+    if not 1 <= order <= highest:
+        reason = f"{order}: in the gauge {gauge} closed forms in alpha are known through order {highest}"
+        raise InputError("--order", reason, f"an integer from 1 to {highest}")
+    source = symbolic_expansion()
+    p = {k: v for k, v in source.p.items() if k <= order}
+    Omega = {k: v for k, v in source.Omega.items() if k <= order}
+    W = {k: v for k, v in source.W.items() if k <= order} if gauge == TURNING_POINT else {}
+    if 2 in Omega:
+        Omega[2] = omega_2(gauge)
+    return SymbolicCoefficients(gauge, order, _row(p), _row(Omega), _row(W), _integrals(order, digits))
+
+
+def _row(values: dict[int, sympy.Expr]) -> Row:
+    return {str(k): Coefficient(None, v) for k, v in values.items()}
+
+
+def _integrals(order: int, digits: int) -> dict[str, dict[str, Any]]:
+    """I_4, which enters at fourth order: its definition, and certified values at a few exponents."""
+    if order < 4:
+        return {}
+    values = {str(a): certified_decimal(partial(nested_integral, arb(a)), digits) for a in _SAMPLES}
+    return {"I_4": {"definition": str(nested_integral_definition()), "values": values}}
