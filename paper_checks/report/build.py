@@ -16,6 +16,7 @@ from asymptotics.present.mathml import to_mathml
 from asymptotics.tables import build
 from asymptotics.verdict import Printed
 from paper_checks.registry import PAPERS, Entry
+from paper_checks.report.engine import engine_data
 
 Progress = Callable[[str], None]
 
@@ -25,12 +26,13 @@ SLIPS = (Printed.MISPRINT, Printed.TRANSCRIPTION, Printed.PARTLY, Printed.REFUTE
 
 
 def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda name: None) -> list[Path]:
-    """Write index.html, report.json, report.tex and the figures into ``folder`` (which exists); returns the paths."""
+    """Write the pages, report.json, report.tex and the figures into ``folder``, which exists; returns the paths."""
     contents = dict(_figures(entries, progress))
     data = report_data(entries)
     contents["report.json"] = json.dumps(data, indent=1, ensure_ascii=False)
     contents["report.tex"] = _template("report.tex.j2").render(data)
     contents["index.html"] = _template("index.html.j2").render(data, figures=contents)
+    contents["engine.html"] = _template("engine.html.j2").render(data)
     for name, content in contents.items():
         write_atomically(folder / name, content)
         progress(name)
@@ -43,6 +45,7 @@ def report_data(entries: list[Entry]) -> dict[str, Any]:
         "command": "paper_checks",
         "version": __version__,
         "summary": dict(Counter(str(e.printed) for e in entries)),
+        "engine": engine_data(),
         "papers": [_paper(key, [e for e in entries if e.statement.paper == key]) for key in _papers(entries)],
     }
 

@@ -56,7 +56,7 @@ def time_series_of_motion(start: Fraction, order: int) -> tuple[list[Fraction], 
     conditions="falling half-cycles; as a formal power series, and as a function wherever it converges",
     methods=("dz/dtau and (59), all orders", "Taylor series of the motion from rest at u = 1"),
     derivation="smith-time-series",
-    note="It converges exactly for |z| < |2w/(1 + W_0(-e^(2w^2-1)))| (asymptotics.invariants.certified.series_radius), so"
+    note="It converges for |z| < |2w/(1 + W_0(-e^(2w^2-1)))| and not beyond (asymptotics.invariants.certified), so"
     " never through a whole half-cycle: z is infinite where the acceleration vanishes. Form: z.",
 )
 def series_is_time(form: sympy.Expr) -> Outcome:

@@ -1,0 +1,110 @@
+"""The report and its command: complete, self-contained, reproducible, and refusing what it cannot do."""
+
+import json
+from html.parser import HTMLParser
+
+import pytest
+
+from paper_checks import registry
+from paper_checks.__main__ import main
+from paper_checks.registry import Entry, expected_outcomes, load
+from paper_checks.report import write_report
+
+VOID = {"meta", "br", "img", "hr", "link", "input"}
+
+
+class Page(HTMLParser):
+    """Collects ids and links, and insists that tags are balanced."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.ids: set[str] = set()
+        self.links: list[str] = []
+
+    def handle_starttag(self, tag, attrs):
+        values = dict(attrs)
+        if tag not in VOID:
+            self.open.append(tag)
+        if "id" in values:
+            self.ids.add(values["id"])
+        self.links += [values[k] for k in ("href", "src") if values.get(k)]
+
+    def handle_startendtag(self, tag, attrs):
+        self.links += [v for k, v in attrs if k in ("href", "src") and v]
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("report")
+    entries = [Entry(entry, expected_outcomes(entry), 0.0) for entry in load().values()]
+    write_report(folder, entries)
+    return folder
+
+
+def test_every_page_is_well_formed_and_self_contained(report):
+    pages = {path.name: Page() for path in report.glob("*.html")}
+    for name, page in pages.items():
+        page.feed((report / name).read_text())
+        assert page.open == []
+        for link in page.links:
+            target, _, anchor = link.partition("#")
+            assert not target or target in pages, link
+            assert not anchor or target or anchor in page.ids or link.startswith("#"), link
+    text = "".join((report / name).read_text() for name in pages)
+    assert "<script" not in text
+    assert text.count("<svg") == 3
+
+
+def test_every_statement_is_on_the_page_and_in_the_data(report):
+    page = Page()
+    page.feed((report / "index.html").read_text())
+    data = json.loads((report / "report.json").read_text())
+    found = [entry["id"] for paper in data["papers"] for entry in paper["entries"]]
+    assert found == list(load())
+    assert set(found) <= page.ids
+
+
+def test_the_latex_document_has_every_statement(report):
+    text = (report / "report.tex").read_text()
+    assert text.count(r"\paragraph{") == len(load())
+    assert text.count(r"\begin{tabular}") == text.count(r"\end{tabular}") == 2
+
+
+def test_the_same_entries_give_the_same_bytes(report, tmp_path):
+    entries = [Entry(entry, expected_outcomes(entry), 0.0) for entry in load().values()]
+    for path in write_report(tmp_path, entries):
+        assert path.read_bytes() == (report / path.name).read_bytes(), path.name
+
+
+def test_one_statement_on_the_command_line(capsys):
+    assert main(["--id", "smith2012:62b", "--json"]) == 0
+    entry = json.loads(capsys.readouterr().out)["entries"][0]
+    assert entry["printed"] == "misprint"
+    assert entry["evidence"] == "proved"
+    assert entry["outcomes"] == {"printed": "refuted", "corrected": "confirmed", "near miss": "refuted"}
+    assert {"id", "kind", "printed", "evidence", "corrected", "digits", "order", "methods"} <= set(entry)
+
+
+def test_a_verdict_that_is_not_borne_out_ends_with_1(capsys, monkeypatch):
+    entry = load()["smith2012:45"]
+    changed = registry.Statement(**{**entry.__dict__, "printed": entry.near_miss})
+    monkeypatch.setitem(registry._REGISTRY, entry.id, changed)
+    assert main(["--id", entry.id, "--json"]) == 1
+    shown = json.loads(capsys.readouterr().out)["entries"][0]
+    assert (shown["printed"], shown["evidence"], shown["agrees"]) == ("open", "none", False)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named"),
+    [(["nobody2000"], "PAPER"), (["--id", "smith2012:nonsense"], "--id"), (["--report", "/dev/null/x"], "--report")],
+)
+def test_bad_requests_are_one_line(capsys, arguments, named):
+    assert main(arguments) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.count("\n") == 1
+    assert named in captured.err
