@@ -1,0 +1,156 @@
+"""One order of the hierarchy as an object that shows itself: equation, secular terms, solvability, solution.
+
+The scales are T_n = eps^n tau and X = X_0 + eps X_1 + ..., d/d tau = D_0 + eps D_1 + eps^2 D_2 + ....  With
+X_0 = a cos psi, psi = T_0 + phi, the fast derivative D_0 is d/d psi and the slow ones act through a and phi,
+
+    D_n = (D_n a) d/da + (D_n psi) d/d psi,
+
+vector fields that do *not* commute.  At order n
+
+    D_0^2 X_n + X_n = - sum_(i+j+k=n, k<n) D_i D_j X_k - (the force at order n - 1),
+
+and D_0 D_n + D_n D_0 on X_0 gives 2 (D_n a) sin psi + 2 a (D_n psi) cos psi, by which the secular terms are removed.
+
+>>> operator_equation(2, odd_force((3,), 2)).rhs                # D_1 D_1 X_0, D_0 D_2 X_0, D_2 D_0 X_0, ...
+-3*V_0**2*V_1 - D_0*D_1*X_1 - D_0*D_2*X_0 - D_1*D_0*X_1 - D_1**2*X_0 - D_2*D_0*X_0
+>>> velocity_equation(1)
+Eq(V_1, D_0*X_1 + D_1*X_0)
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+from sympy import Add, Derivative, Eq, Expr, Function, Symbol, cos, expand, latex
+
+from asymptotics.series import Key
+
+a = Symbol("a", positive=True)
+psi = Symbol("psi", real=True)
+epsilon = Symbol("epsilon", positive=True)
+
+
+def law_symbols(count: int) -> tuple[Expr, ...]:
+    """The epsilon_i of several laws; for one law there is only the expansion parameter."""
+    return (epsilon,) if count == 1 else tuple(Symbol(f"epsilon_{i}", positive=True) for i in range(count))
+
+
+def rate_symbols(n: int) -> tuple[Symbol, Symbol]:
+    """f_n = D_n a and g_n = D_n psi before they are known."""
+    return Symbol(f"f_{n}", real=True), Symbol(f"g_{n}", real=True)
+
+
+def solution_symbol(n: int) -> Expr:
+    """X_n(psi)."""
+    return Function(f"X_{n}")(psi)
+
+
+@dataclass(frozen=True)
+class Order:
+    """Order n of the hierarchy; every field is SymPy, and LaTeX and notebooks show all of it.
+
+    ``hierarchy``: the equation in the operators D_i (noncommutative symbols), with V_k = (X')_k; ``velocity``: V_(n-1);
+    ``equation``: everything lower inserted, f_n = D_n a and g_n = D_n psi still unknown; ``secular``: its coefficients
+    of sin psi and cos psi; ``solvability``: the f_n and g_n which make both vanish; ``solution``: X_n without first
+    harmonic, or None where it is not needed.
+    """
+
+    n: int
+    hierarchy: Eq
+    velocity: Eq | None
+    equation: Eq
+    secular: tuple[Expr, Expr]
+    solvability: tuple[Eq, ...]
+    solution: Eq | None
+    gauge: str
+
+    @property
+    def lines(self) -> tuple[tuple[str, str], ...]:
+        """(name, LaTeX) of every displayed line."""
+        shown = [(f"order {self.n}", latex(self.hierarchy))]
+        shown += [("velocity", latex(self.velocity))] if self.velocity is not None else []
+        shown += [("equation", latex(self.equation))]
+        waves = (r"$\sin\psi$", r"$\cos\psi$") if self.n else ()
+        shown += [(f"secular, {wave}", latex(c) + " = 0") for wave, c in zip(waves, self.secular)]
+        shown += [("solvability", f"D_{{{self.n}}} {x} = {latex(e)}") for x, e in zip(("a", r"\psi"), self.solvability)]
+        shown += [(f"solution, {self.gauge}", latex(self.solution))] if self.solution is not None else []
+        return tuple(shown)
+
+    def _repr_latex_(self) -> str:
+        rows = (rf"&\text{{{name}:}} && {line}" for name, line in self.lines)
+        return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
+
+    def __str__(self) -> str:
+        parts = [f"order {self.n}: {self.equation.lhs} = {self.equation.rhs}"]
+        parts += [f"  D_{self.n} {x} = {e.lhs} = {e.rhs}" for x, e in zip(("a", "psi"), self.solvability)]
+        parts += [f"  solution: {self.solution.lhs} = {self.solution.rhs}"] if self.solution is not None else []
+        return "\n".join(parts)
+
+
+def _operator(n: int) -> Symbol:
+    return Symbol(f"D_{n}", commutative=False)
+
+
+def _unknown(n: int) -> Symbol:
+    return Symbol(f"X_{n}", commutative=False)
+
+
+def _velocity(n: int) -> Symbol:
+    return Symbol(f"V_{n}", real=True)
+
+
+def operator_equation(n: int, force: Expr) -> Eq:
+    """D_0^2 X_n + X_n = -sum D_i D_j X_k - force, with every product of operators in its own order."""
+    pairs = [(i, j) for i in range(n + 1) for j in range(n + 1 - i) if i + j]
+    known = Add(*[_operator(i) * _operator(j) * _unknown(n - i - j) for i, j in pairs])
+    return Eq(_operator(0) ** 2 * _unknown(n) + _unknown(n), expand(-known) - force, evaluate=False)
+
+
+def velocity_equation(n: int) -> Eq:
+    """V_n = D_0 X_n + D_1 X_(n-1) + ... + D_n X_0: the velocity at order n."""
+    return Eq(_velocity(n), Add(*[_operator(j) * _unknown(n - j) for j in range(n + 1)]), evaluate=False)
+
+
+def odd_force(alphas: tuple[int, ...], n: int) -> Expr:
+    """The force sum_i epsilon_i X'^alpha_i at order n in terms of V_0, ..., V_(n-1); one law: epsilon taken out."""
+    if n == 0:
+        return Add()
+    factors = (1,) if len(alphas) == 1 else law_symbols(len(alphas))
+    return Add(*[f * _power_part(alpha, n - 1) for f, alpha in zip(factors, alphas)])
+
+
+def _power_part(alpha: int, degree: int) -> Expr:
+    """The coefficient of eps^degree in (V_0 + eps V_1 + ...)^alpha."""
+    parts: list[Expr] = [Add(1)] + [Add()] * degree
+    for _ in range(alpha):
+        parts = [expand(Add(*[_velocity(j) * parts[d - j] for j in range(d + 1)])) for d in range(degree + 1)]
+    return parts[degree]
+
+
+def general_force(alphas: tuple[Expr, ...], n: int) -> Expr:
+    """The force at order n = 0, 1, 2 for any exponents: S_i(V) = V|V|^(alpha_i - 1) and its derivative S_i'."""
+    V_0, V_1 = _velocity(0), _velocity(1)
+    factors = (Add(1),) if len(alphas) == 1 else law_symbols(len(alphas))
+    total = Add()
+    for i, factor in enumerate(factors):
+        law = Function(f"S_{i}")(V_0)
+        total = total + factor * (Add(), law, Derivative(law, V_0) * V_1)[n]
+    return total
+
+
+def monomial(alphas: tuple[Any, ...], key: Key, power: int = 1) -> Expr:
+    """a^power delta^k in powers of a, times the epsilon_i of several laws (for one law epsilon^n is left out)."""
+    total = a ** (power + sum(k * (alpha - 1) for k, alpha in zip(key, alphas)))
+    if len(alphas) == 1:
+        return total
+    for symbol, k in zip(law_symbols(len(alphas)), key):
+        total = total * symbol**k
+    return total
+
+
+def leading_order(gauge: str) -> Order:
+    """X_0 = a cos psi with D_0 a = 0, D_0 psi = 1."""
+    X_0, zero = solution_symbol(0), Add()
+    solvability = tuple(Eq(s, v, evaluate=False) for s, v in zip(rate_symbols(0), (zero, Add(1))))
+    equation = Eq(Derivative(X_0, (psi, 2)) + X_0, 0, evaluate=False)
+    hierarchy = operator_equation(0, zero)
+    return Order(0, hierarchy, None, equation, (zero, zero), solvability, Eq(X_0, a * cos(psi)), gauge)
