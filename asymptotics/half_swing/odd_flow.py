@@ -30,6 +30,7 @@ from dataclasses import dataclass
 
 from flint import fmpq, fmpq_poly
 
+from asymptotics.errors import InputError
 from asymptotics.half_swing.pi_ring import PiNumber
 from asymptotics.series import Key, Series, accumulate, is_exact_zero
 
@@ -67,7 +68,13 @@ class OddFlow:
 
 
 def odd_flow(alphas: tuple[int, ...], order: int, gauge: str = "turning-point") -> OddFlow:
-    """Solve the homological equation through degree ``order`` for odd alpha_i >= 1 in one of the three gauges."""
+    """Solve the homological equation through degree ``order`` for odd alpha_i >= 1 in one of the three gauges.
+
+    Raises InputError for any other exponent: Y^alpha is a Laurent polynomial for odd integers only.
+    """
+    for alpha in alphas:
+        if alpha != int(alpha) or alpha < 1 or alpha % 2 == 0:
+            raise InputError("alpha", f"{alpha} has no smooth flow in theta", "odd integers >= 1")
     M, zero = (max(alphas) + 1) // 2, (0,) * len(alphas)
     Z: list[Part] = [{zero: fmpq_poly([1])}]
     powers: list[list[Part]] = [[{zero: fmpq_poly([1])}]]

@@ -7,7 +7,7 @@ amplitude q = 2|u_(n+1)| is the root in (0, 1) of
 
 Evaluated in balls the formula loses two digits a step.  The map itself does not: 0 < F' < 1, because
 
-    1/p + 2/3 < 1/q < 1/p + 2        (derivation ``smith-contraction``)
+    1/p + 2/3 < 1/q < 1/p + 1        (derivation ``smith-contraction``)
 
 and F' = p (1-q) / (q (1+p)).  So F(ball) lies in F(midpoint) +- radius, and the radius only collects rounding errors.
 
@@ -58,7 +58,7 @@ def amplitudes(p0: arb) -> Iterator[arb]:
 def chain_bits(digits: int, count: int) -> int:
     """A working precision that leaves ``digits`` digits after ``count`` steps.
 
-    Each step adds an absolute rounding error below 2^(2-bits); p_n > 1/(1/p_0 + 2n), so n steps cost at most
-    log2(n (1/p_0 + 2n)) bits of relative accuracy, counted here for p_0 >= 10^-9.
+    Each step adds an absolute rounding error below 2^(2-bits); p_n > 1/(1/p_0 + n), so n steps cost at most
+    log2(n (1/p_0 + n)) bits of relative accuracy, counted here for p_0 >= 10^-9.
     """
     return int(digits * 3.3220) + 2 * count.bit_length() + 40

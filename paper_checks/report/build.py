@@ -22,6 +22,7 @@ Progress = Callable[[str], None]
 
 TABLES = {"smith2012": ("smith2012.table1", "smith2012.transit-time")}
 PICTURES = {"smith2012": "paper_checks.smith2012.figures"}
+PAGES = ("index.html", "errata.html", "engine.html")
 SLIPS = (Printed.MISPRINT, Printed.TRANSCRIPTION, Printed.PARTLY, Printed.REFUTED)
 
 
@@ -31,12 +32,18 @@ def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda
     data = report_data(entries)
     contents["report.json"] = json.dumps(data, indent=1, ensure_ascii=False)
     contents["report.tex"] = _template("report.tex.j2").render(data)
-    contents["index.html"] = _template("index.html.j2").render(data, figures=contents)
-    contents["engine.html"] = _template("engine.html.j2").render(data)
+    contents |= _pages(data, contents)
     for name, content in contents.items():
         write_atomically(folder / name, content)
         progress(name)
     return [folder / name for name in contents]
+
+
+def _pages(data: dict[str, Any], figures: dict[str, bytes | str]) -> dict[str, str]:
+    """The site: an index of all statements, a page for each paper, the errata, and what goes beyond the papers."""
+    pages = {name: _template(f"{name}.j2").render(data, figures=figures) for name in PAGES}
+    paper = _template("paper.html.j2")
+    return pages | {f"{p['key']}.html": paper.render(data, paper=p, figures=figures) for p in data["papers"]}
 
 
 def report_data(entries: list[Entry]) -> dict[str, Any]:
@@ -53,12 +60,16 @@ def report_data(entries: list[Entry]) -> dict[str, Any]:
 def _paper(key: str, entries: list[Entry]) -> dict[str, Any]:
     return {
         "key": key,
+        "name": key[:-4].capitalize() + " " + key[-4:],
         "reference": PAPERS[key][0],
+        "summary": dict(Counter(str(e.printed) for e in entries)),
         "entries": [e.to_dict() for e in entries],
         "slips": [e.statement.id for e in entries if e.printed in SLIPS],
         "disagreements": [e.statement.id for e in entries if not e.agrees],
         "tables": [build(name, 30).to_dict() for name in TABLES.get(key, ())],
-        "figures": [{"file": f"{key}-{name}", "caption": caption} for name, (caption, _) in _pictures(key).items()],
+        "figures": [
+            {"name": name, "file": f"{key}-{name}", "caption": text} for name, (text, _) in _pictures(key).items()
+        ],
     }
 
 
@@ -86,6 +97,7 @@ def _template(name: str) -> jinja2.Template:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["inline_mathml"] = to_mathml
     environment.filters["mathml"] = lambda latex: to_mathml(latex, display=True)
     environment.filters["tex"] = lambda text: "".join(_TEX.get(c, c) for c in str(text))
     environment.filters["inline"] = lambda svg: svg[svg.index("<svg") :]

@@ -5,6 +5,7 @@ from flint import arb, ctx, fmpq
 
 from asymptotics.errors import InputError
 from asymptotics.half_swing.exact import even_half_swing, exact_half_swing, exact_quarter_swing, odd_half_swing
+from asymptotics.half_swing.odd_flow import odd_flow
 from asymptotics.half_swing.pi_ring import PI
 from asymptotics.half_swing.quarter import half_swing
 from asymptotics.normal_form.verify import numerical_half_swing
@@ -93,3 +94,10 @@ def test_ball_pipeline_contains_the_exact_one():
         exact = half_swing(quarter)
         for n in range(1, 7):
             assert half.L[n].overlaps(exact.L[n].ball()) and half.L[n].rad() < arb(10) ** -40
+
+
+@pytest.mark.parametrize("alphas", [(2,), (0,), (1, 2), (-1,)])
+def test_the_fourier_route_refuses_what_is_not_odd(alphas):
+    # It would otherwise return U = delta/2 for alpha = 2, where -4/(3 pi) delta is right.
+    with pytest.raises(InputError, match="odd integers"):
+        odd_flow(alphas, 2)

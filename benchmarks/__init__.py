@@ -1,0 +1,12 @@
+"""Benchmarks: ratios measured in one run, best of three.  ``python -m benchmarks [NAME] [--json]``.
+
+==========================  =============================================================================
+``smith_rows``              Smith's coefficients to row n: integer kernel beside rational arithmetics
+``cubic_damping``           x'^3 order by order: exact engine beside SymPy by hand, oscilate and Maxima
+``cost_against_order``      how the cost grows with the order for alpha = 2, 3, 3/2
+``turning_point_tables``    1000 turning points: certified balls beside an mpmath iteration
+==========================  =============================================================================
+
+Seconds depend on the machine, ratios much less; nothing here is asserted.  A tool that is not installed is listed as
+"not installed".
+"""

@@ -1,0 +1,116 @@
+"""U is odd, V and W are even: time reversal seen by the logarithm of the half-swing map.
+
+Two proofs: by operators, for any law, sums and alpha = 1 included; and order by order with a quarter-swing whose
+coefficients are indeterminates.
+
+>>> sorted(n for (n,), x in generic[0].coefficients.items() if x != 0)
+[1, 3]
+"""
+
+import sympy
+from sympy import QQ
+from sympy.polys.fields import field
+
+from asymptotics.series import Series
+from derivations.steps import Derivation
+
+C, PL, PT, v2, v3, v4, delta = sympy.symbols("C PL PT v_2 v_3 v_4 delta")
+ORDER = 4
+FIELD, a, pi, r1, r2, r3, r4, t1, t2, t3, t4 = field("a,pi,r1,r2,r3,r4,t1,t2,t3,t4", QQ)
+
+derivation = Derivation(
+    "parity-of-flow",
+    "The amplitude law is odd and the frequency even in the strength",
+    source="DESIGN 2; asymptotics.normal_form.flow",
+)
+step, holds = derivation.step, derivation.holds
+
+# First proof.  P f(delta) = f(-delta), C f = f o F; F^(-1)(delta) = -F(-delta) says C^(-1) = P C P.
+G = sympy.Function("G")
+flip = sympy.Lambda(delta, -G(-delta))
+step(
+    "C^(-1) = P C P: with G = F^(-1), G(delta) = -F(-delta) and F(delta) = -G(-delta) are the same statement",
+    -flip(-delta),
+    G(delta),
+)
+log_quotient = sympy.log(C) / (C - 1)
+inverse = -sympy.log(C) / (1 / C - 1)
+step(
+    "A motion seen backwards starts with -delta and returns to the turning point before: P L = -C^(-1) L and"
+    " P T = C^(-1) T. With h(C) = (log C)/(C-1) and log C^(-1) = -log C, h(C^(-1)) C^(-1) = h(C)",
+    inverse / C,
+    log_quotient,
+)
+step(
+    "pi P U = P h(C) L = h(C^(-1)) P L = -h(C^(-1)) C^(-1) L = -h(C) L: U is odd",
+    (inverse * PL).subs(PL, -1 / C),
+    -log_quotient,
+)
+step(
+    "pi P W = h(C^(-1)) P T = h(C) T: W is even (and V_i = (alpha_i-1) delta_i U is even with U odd)",
+    (inverse * PT).subs(PT, 1 / C),
+    log_quotient,
+)
+
+def time_pi(V: sympy.Expr, sign: int) -> sympy.Expr:
+    """exp(sign pi V d/d delta) delta through delta^4."""
+    total, term = delta, delta
+    for j in range(1, 4):
+        term = sympy.expand(sign * sympy.pi * V * sympy.diff(term, delta) / j)
+        total += term
+    return sum(sympy.expand(total).coeff(delta, n) * delta**n for n in range(1, 5))
+
+
+V = v2 * delta**2 + v3 * delta**3 + v4 * delta**4
+broken = sympy.expand(time_pi(V, -1) + time_pi(V, 1).subs(delta, -delta))
+step(
+    "In coefficients (alpha != 1): F^(-1)(delta) + F(-delta) for a field V with a cubic term",
+    broken.coeff(delta, 3),
+    -2 * sympy.pi * v3,
+)
+step("so v_3 = 0, and then the next order vanishes by itself", broken.coeff(delta, 4).subs(v3, 0), sympy.Integer(0))
+
+
+# Second proof: a quarter-swing with indeterminate coefficients, exponent alpha = 1 + a.
+def strengths(log_ratio: Series) -> Series:
+    """delta exp(a log_ratio)."""
+    return (log_ratio.truncate(ORDER - 1) * a).exp().shift(0).truncate(ORDER)
+
+
+def half_swing(R: Series, T_q: Series) -> tuple[Series, Series]:
+    """The reversal identity: L = R(delta) - R(-F) by fixed point, T = T_q(delta) + T_q(-F)."""
+    L = Series({}, 1, ORDER)
+    for _ in range(ORDER):
+        L = R - R.compose((-strengths(L),))
+    return L, T_q + T_q.compose((-strengths(L),))
+
+
+def flow(L: Series, T: Series) -> tuple[Series, Series]:
+    """U and W - 1 as (1/pi) sum_k (-1)^k/(k+1) (C-1)^k of L and T - pi."""
+    F, results = (strengths(L),), []
+    for f in (L, T.without_constant()):
+        total, term = f, f
+        for k in range(1, ORDER):
+            term = term.compose(F) - term
+            total = total + term * FIELD(QQ((-1) ** k, k + 1))
+        results.append(total.map(lambda x: x / pi))
+    return results[0], results[1]
+
+
+R_generic = Series.from_list([FIELD.zero, r1, r2, r3, r4])
+T_generic = Series.from_list([pi / 2, t1, t2, t3, t4])
+L_generic, T_full = half_swing(R_generic, T_generic)
+generic = flow(L_generic, T_full)
+for name, parity, series in (("U", 0, generic[0]), ("W", 1, generic[1])):
+    for n in range(1, ORDER + 1):
+        if n % 2 == parity:
+            step(f"{name}_{n} = 0 for all R = r_1 delta + ..., T_q = pi/2 + t_1 delta + ...",
+                 (FIELD.one * series[n]).as_expr(), sympy.Integer(0))
+step("while U_1", generic[0][1].as_expr(), (2 * r1 / pi).as_expr())
+step("and W_2", generic[1][2].as_expr(), ((2 * t2 - 2 * a * r1 * t1) / pi).as_expr())
+T_false = T_generic + T_generic
+holds(
+    "With T = 2 T_q, a duration that ignores the reversal, W_1 does not vanish",
+    flow(L_generic, T_false)[1][1] != 0,
+    flow(L_generic, T_false)[1][1].as_expr(),
+)

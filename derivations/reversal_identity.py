@@ -1,0 +1,157 @@
+"""The reversal identity: the half-swing from the quarter-swing, for one law and for sums.
+
+    L = R(delta) - R(-F),   T = T_q(delta) + T_q(-F),   F = -Q^(-1)(-Q(delta)).
+
+>>> print(derivation.steps[6].text())
+4*delta**3*q_2**2 + 2*delta**2*q_2 + delta = 4*delta**3*q_2**2 + 2*delta**2*q_2 + delta
+"""
+
+import sympy
+
+from asymptotics.half_swing.orbit import Orbit
+from asymptotics.half_swing.theta_algebra import COSINE, SINE, THETA, ThetaTrig, sine_power
+from asymptotics.series import Series
+from derivations.steps import Derivation
+
+s, rho_1, rho_2, a_1, a_2, e = sympy.symbols("s rho_1 rho_2 alpha_1 alpha_2 epsilon", positive=True)
+c, phi = sympy.symbols("c phi", real=True)
+delta = sympy.Symbol("delta")
+LAWS = {(0,): 5, (1,): 4, (2,): 4, (3,): 3, (1, 2): 3}
+"""Exponents -> order through which the identity is checked on directly integrated half-swings."""
+
+derivation = Derivation(
+    "reversal-identity",
+    "The second quarter is the first, run backwards with the opposite strength",
+    source="DESIGN 2; asymptotics.half_swing.quarter",
+)
+step, holds = derivation.step, derivation.holds
+
+N = rho_1 * s**a_1 + rho_2 * s**a_2
+opposite = {rho_1: -rho_1, rho_2: -rho_2}
+log_rate, time_rate = -N * s / (1 - N * c), 1 / (1 - N * c)
+step("theta = pi - phi leaves the sine as it is", sympy.sin(sympy.pi - phi), sympy.sin(phi))
+step("and changes the sign of the cosine", sympy.cos(sympy.pi - phi), -sympy.cos(phi))
+step(
+    "With d theta = -d phi, d ln r/d phi is the first-quarter equation with every rho_i replaced by -rho_i",
+    -log_rate.subs(c, -c),
+    log_rate.subs(opposite, simultaneous=True),
+)
+step(
+    "So is the time, counted backwards",
+    time_rate.subs(c, -c),
+    time_rate.subs(opposite, simultaneous=True),
+)
+growth = (a_1 - 1) * log_rate
+step(
+    "and -rho_i obeys d(-rho_i)/d phi = (alpha_i - 1) (-rho_i) d ln r/d phi: the same system",
+    -(-rho_1 * growth.subs(c, -c)),
+    (rho_1 * growth).subs(opposite, simultaneous=True),
+)
+
+# Both quarters end at the same passage: Q(-F) = -Q(delta), as power series with symbolic coefficients.
+ORDER = 5
+q = dict(zip(range(2, ORDER + 1), sympy.symbols("q_2:6"), strict=True))
+
+
+def truncated(expression: sympy.Expr, order: int = ORDER) -> sympy.Expr:
+    """The polynomial in delta without the powers above ``order``."""
+    terms = sympy.Poly(sympy.expand(expression), delta).terms()
+    return sum(coefficient * delta**n for (n,), coefficient in terms if n <= order)
+
+
+def quarter(x: sympy.Expr) -> sympy.Expr:
+    """Q(x) = x + q_2 x^2 + ... + q_5 x^5, truncated."""
+    total = power = truncated(x)
+    for k in range(2, ORDER + 1):
+        power = truncated(power * x)
+        total += q[k] * power
+    return truncated(total)
+
+
+def solve_reversal(target: sympy.Expr) -> sympy.Expr:
+    """G with Q(-G) = target, order by order."""
+    G = sympy.Integer(0)
+    for _ in range(ORDER):
+        G = truncated(G - (target - quarter(-G)))
+    return G
+
+
+F = solve_reversal(-quarter(delta))
+reason = "Both quarters end at the same passage: Q(-F) = -Q(delta), so F = -Q^(-1)(-Q(delta))"
+step(reason, quarter(-F), -quarter(delta))
+step("F begins", truncated(F, 3), delta + 2 * q[2] * delta**2 + 4 * q[2] ** 2 * delta**3)
+backwards = truncated(-F.subs(delta, -delta))
+images = sum(F.coeff(delta, n) * backwards**n for n in range(1, ORDER + 1))
+step("F is reversible for any Q: F(-F(-delta)) = delta", truncated(images), delta)
+spoilt = truncated(F + delta**3)
+spoilt_back = truncated(-spoilt.subs(delta, -delta))
+step(
+    "F + delta^3 is not: there the same composition gives, through delta^3,",
+    truncated(sum(spoilt.coeff(delta, n) * spoilt_back**n for n in range(1, 4)), 3),
+    delta + 2 * delta**3,
+)
+
+# The two exactly solvable laws.
+ratio = delta / (1 - 2 * delta)
+dry = delta / sympy.sqrt(1 - 2 * delta)
+reason = "alpha = 0: Q = delta/sqrt(1 - 2 delta), F = delta/(1 - 2 delta); Q(-F)^2 = Q^2"
+step(reason, dry.subs(delta, -ratio) ** 2, dry**2)
+root = sympy.sqrt(4 - e**2)
+first_quarter = 2 / root * (sympy.pi / 2 + sympy.atan(e / root))
+step(
+    "alpha = 1: F = delta = epsilon, T_q(e) + T_q(-e) = pi/sqrt(1 - e^2/4)",
+    first_quarter + first_quarter.subs(e, -e),
+    2 * sympy.pi / root,
+)
+
+
+
+
+# Half-swings integrated directly, theta from 0 to pi, against the identity.
+def flight(alphas: tuple[int, ...], order: int) -> tuple[Series, ...]:
+    """R, T_q (theta = pi/2) and L, T (theta = pi) of one and the same orbit."""
+    powers = tuple(sine_power(a) for a in alphas)
+    orbit = Orbit.solve(alphas, order, powers, COSINE, lambda m: -(SINE * m).integral())
+    log_r = orbit.series(orbit.log_r, lambda f: f)
+    time = orbit.series(orbit.m, lambda m: (COSINE * m).integral()) + THETA
+    return tuple(f.map(at) for at in (ThetaTrig.at_quarter, ThetaTrig.at_half) for f in (log_r, time))
+
+
+def defects(alphas: tuple[int, ...], swing: tuple[Series, ...], sign: int = -1) -> tuple[Series, Series]:
+    """L - R(delta) + R(-F) and T - T_q(delta) - T_q(-F), F_i = delta_i exp((alpha_i-1) L)."""
+    R, T_q, L, T = swing
+    lower = L.truncate(L.order - 1)
+    images = tuple(((lower * (a - 1)).exp() * sign).shift(i) for i, a in enumerate(alphas))
+    return L - R + R.compose(images), T - T_q - T_q.compose(images)
+
+
+def vanishes(series: Series) -> bool:
+    """Whether all coefficients are zero."""
+    return all(x == 0 for x in series.coefficients.values())
+
+
+def shown(series: Series) -> sympy.Tuple:
+    """The coefficients as SymPy numbers."""
+    zero = (0,) * series.variables
+    return sympy.Tuple(*(sympy.Tuple(*k, x.to_sympy()) for k, x in sorted(series.coefficients.items()) if k != zero))
+
+
+swings = {alphas: flight(alphas, order) for alphas, order in LAWS.items()}
+for alphas, swing in swings.items():
+    holds(
+        f"alpha = {', '.join(map(str, alphas))}: L and T integrated from 0 to pi agree with the identity through order"
+        f" {LAWS[alphas]}; here T, (exponents, coefficient)",
+        all(vanishes(x) for x in defects(alphas, swing)),
+        shown(swing[3]),
+    )
+taylor = sympy.series(first_quarter, e, 0, 4).removeO()
+holds(
+    "and the T_q of alpha = 1 is the one used above",
+    all(sympy.simplify(taylor.coeff(e, n) - swings[1,][1][n].to_sympy()) == 0 for n in range(4)),
+    taylor,
+)
+holds(
+    "With +F in the place of -F the identity of L fails, for every law",
+    all(not vanishes(defects(alphas, swing, sign=1)[0]) for alphas, swing in swings.items()),
+    sympy.Ne(sympy.Symbol("L"), sympy.Symbol("R(delta) - R(F)")),
+)

@@ -1,0 +1,117 @@
+"""Second order for a sum of laws: W = 1 + sum_ij a_ij M_(alpha_i+alpha_j) delta_i delta_j, and nothing in U.
+
+Here a_ij = alpha_i alpha_j/((alpha_i+1)(alpha_j+1)).  Two laws x, y are enough: a second-order term knows two of them.
+
+>>> print(weight)
+2*x*y/((x + 1)*(y + 1))
+"""
+
+import sympy
+
+from asymptotics.half_swing.exact import exact_quarter_swing
+from asymptotics.half_swing.quarter import half_swing
+from asymptotics.moments.symbolic import moment
+from asymptotics.normal_form.flow import flow_of
+from derivations.steps import Derivation
+
+x, y, s = sympy.symbols("x y s", positive=True)
+c = sympy.Symbol("c", real=True)
+S_x, S_y = sympy.symbols("S_x S_y", real=True)
+q_x, q_y, d_x, d_y, m_x, m_y, M = sympy.symbols("q_x q_y delta_x delta_y m_x m_y M_(x+y)")
+
+derivation = Derivation(
+    "second-order-sums",
+    "The frequency of a sum of laws at second order",
+    source="DESIGN 2; asymptotics.normal_form.symbolic.second_order_sum",
+)
+step, holds = derivation.step, derivation.holds
+
+
+def rate(f: sympy.Expr) -> sympy.Expr:
+    """d/d theta, with S_x = int_(pi/2)^theta s^(x+1) and S_y likewise; c^2 = 1 - s^2."""
+    slopes = {s: c, c: -s, S_x: s ** (x + 1), S_y: s ** (y + 1)}
+    return reduced(sum(sympy.diff(f, name) * slope for name, slope in slopes.items()))
+
+
+def reduced(f: sympy.Expr) -> sympy.Expr:
+    """Expanded, with c^2 = 1 - s^2 and powers of s collected."""
+    return sympy.powsimp(sympy.expand(sympy.expand(f).subs(c**2, 1 - s**2)))
+
+
+def second_order(f: sympy.Expr) -> sympy.Expr:
+    """The coefficient of q_x q_y."""
+    return sympy.expand(f).coeff(q_x, 1).coeff(q_y, 1)
+
+
+# Start at the passage theta = pi/2 with r = 1 and rho = q; run back to the turning point theta = 0.
+log_r = -q_x * S_x - q_y * S_y
+N_1 = q_x * s**x + q_y * s**y
+step("d ln r/d theta = -N s/D begins with -N s, so ln r = -q_x S_x - q_y S_y + ...", rate(log_r), reduced(-s * N_1))
+N_2 = q_x * (x - 1) * log_r * s**x + q_y * (y - 1) * log_r * s**y
+integrand = second_order(N_2 * c + (N_1 * c) ** 2)
+step(
+    "d tau/d theta = 1/D = 1 + N c + N^2 c^2 + ..., with rho_i = q_i (1 + (alpha_i-1) ln r): its q_x q_y term",
+    integrand,
+    -(x - 1) * S_y * s**x * c - (y - 1) * S_x * s**y * c + 2 * s ** (x + y) * c**2,
+)
+for a, b, S in ((x, y, S_y), (y, x, S_x)):
+    step(
+        "by parts, the boundary terms vanish (s = 0 at the turning point, S = 0 at the passage)",
+        rate(S * s ** (a + 1) / (a + 1)),
+        S * s**a * c + s ** (a + b + 2) / (a + 1),
+    )
+step(
+    "and M_(p+2) = (p+1)/(p+2) M_p from",
+    rate(s ** (x + y + 1) * c),
+    reduced((x + y + 1) * s ** (x + y) - (x + y + 2) * s ** (x + y + 2)),
+)
+M_up = M * (x + y + 1) / (x + y + 2)
+mean = (x - 1) / (x + 1) * M_up + (y - 1) / (y + 1) * M_up + 2 * (M - M_up)
+weight = sympy.factor(mean / M)
+step("so the mean over the quarter is 2 x y/((x+1)(y+1)) M_(x+y)", mean, 2 * x * y / ((x + 1) * (y + 1)) * M)
+step(
+    "The same with x = y, half of it (one law: q_x^2 instead of q_x q_y): (x/(x+1))^2 M_(2x)",
+    sympy.simplify(weight.subs(y, x)) / 2,
+    (x / (x + 1)) ** 2,
+)
+step(
+    "T = T_q(q) + T_q(-q) doubles the even part: (pi/2 + pi/2) times the mean, that is pi W_2, since T has no first"
+    " order and q = delta + ...",
+    2 * sympy.pi / 2 * mean,
+    sympy.pi * weight * M,
+)
+step("alpha = 0 adds nothing: dry friction leaves the period", weight.subs(y, 0), sympy.Integer(0))
+
+# U: L is odd in q; the second order in delta comes from q(delta) and from the flow, and cancels.
+start = {q_x: d_x * (1 - (x - 1) * (m_x * d_x + m_y * d_y)), q_y: d_y * (1 - (y - 1) * (m_x * d_x + m_y * d_y))}
+L = sympy.expand((-2 * (m_x * q_x + m_y * q_y)).subs(start, simultaneous=True))
+step(
+    "With m = pi M_(alpha+1)/2: L = -2 (m_x q_x + m_y q_y) + O(q^3) and q_i = d_i (1 - (alpha_i-1)(m_x d_x + m_y d_y)):"
+    " the d_x d_y term",
+    second_order(L.subs({d_x: q_x, d_y: q_y}, simultaneous=True)),
+    2 * (x - 1) * m_x * m_y + 2 * (y - 1) * m_x * m_y,
+)
+U = -2 / sympy.pi * (m_x * d_x + m_y * d_y)
+DU = sum((a - 1) * d * U * sympy.diff(U, d) for a, d in ((x, d_x), (y, d_y)))
+step(
+    "U = -(2/pi)(m_x d_x + m_y d_y) alone gives L through second order: pi U + (pi^2/2) D U with"
+    " D = sum_i (alpha_i-1) d_i U d/d d_i",
+    sympy.expand(sympy.pi * U + sympy.pi**2 / 2 * DU),
+    L,
+)
+
+# Against the exact engine, which integrates polynomials in theta, s and c.
+for pair in ((1, 2), (0, 3), (2, 3), (1, 4)):
+    flow = flow_of(half_swing(exact_quarter_swing(pair, 2)))
+    values = {x: pair[0], y: pair[1]}
+    step(
+        f"Exact engine, alpha = {pair[0]}, {pair[1]}: the coefficient of delta_1 delta_2 in W",
+        sympy.Integer(0) if flow.W[1, 1] == 0 else flow.W[1, 1].to_sympy(),
+        weight.subs(values) * moment(sum(pair)),
+    )
+    holds("and U has no second order", flow.U[1, 1] == 0, sympy.Eq(sympy.Symbol("U_11"), 0, evaluate=False))
+holds(
+    "Without the factor 2 of the cross term the value at alpha = 1, 2 would be 4/(9 pi): not what the engine has",
+    bool(weight.subs({x: 1, y: 2}) * moment(3) / 2 != sympy.Rational(8, 9) / sympy.pi),
+    weight.subs({x: 1, y: 2}) * moment(3) / 2,
+)

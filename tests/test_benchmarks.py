@@ -1,0 +1,72 @@
+"""Every benchmark runs at a tiny size and returns rows; nothing is asserted about time."""
+
+import doctest
+import json
+import sys
+from fractions import Fraction
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from asymptotics.invariants.exact import coefficients
+from asymptotics.normal_form.expansion import exact_expansion
+from benchmarks.__main__ import BENCHMARKS, main
+from benchmarks.cubic_damping import expand_by_hand, process_seconds
+from benchmarks.smith_rows import rational_rows
+from benchmarks.table import with_ratios
+from benchmarks.turning_point_tables import wrong_digits
+
+TINY = {"smith-rows": 16, "cubic-damping": 2, "cost-against-order": 4, "turning-points": 5}
+MODULES = sorted(path.stem for path in (Path(__file__).parents[1] / "benchmarks").glob("*.py"))
+
+
+@pytest.mark.parametrize("name", BENCHMARKS)
+def test_runs_and_returns_rows(name, capsys):
+    assert main([name, "--size", str(TINY[name]), "--json"]) == 0
+    table = json.loads(capsys.readouterr().out)[name]
+    assert table["rows"]
+    assert all(len(row) == len(table["columns"]) and all(isinstance(x, str) for x in row) for row in table["rows"])
+
+
+def test_text_and_bad_input(capsys):
+    assert main(["turning-points", "--size", "3"]) == 0
+    assert "certified balls" in capsys.readouterr().out
+    assert main(["no-such"]) == 2
+    assert main(["smith-rows", "--size", "0"]) == 2
+    errors = capsys.readouterr().err.splitlines()
+    assert len(errors) == 2
+    assert "argument name" in errors[0]
+    assert "argument --size" in errors[1]
+
+
+@pytest.mark.parametrize("module", [name for name in MODULES if name != "__main__"])
+def test_examples_in_docstrings(module):
+    name = "benchmarks" if module == "__init__" else f"benchmarks.{module}"
+    assert doctest.testmod(import_module(name), optionflags=doctest.NORMALIZE_WHITESPACE).failed == 0
+
+
+def test_what_is_compared_is_the_same_result():
+    assert {i: c for i, c in enumerate(rational_rows(20, Fraction)) if c} == coefficients(20)
+    ours = exact_expansion((3,), 5, "no-first-harmonic")
+    by_hand = expand_by_hand(5)
+    for k in range(1, 6):
+        coefficient = (ours.p if k % 2 else ours.Omega)[k]
+        assert coefficient.to_sympy() == by_hand[k - 1]
+
+
+def test_a_missing_tool_is_named():
+    assert with_ratios([("a", 2.0), ("b", None)])[1] == ("b", "not installed", "-")
+
+
+def test_a_tool_that_fails_or_hangs_gets_no_time():
+    python = [sys.executable, "-c"]
+    failed = process_seconds([*python, "print('-- an error. To debug this try')"], "")
+    stopped = process_seconds([*python, "import time; time.sleep(9)"], "", timeout=0.2)
+    rows = with_ratios([("a", 2.0), ("b", failed), ("c", stopped)])
+    assert rows[1:] == (("b", "failed", "-"), ("c", "stopped", "-"))
+
+
+def test_wrong_digits_are_counted():
+    assert wrong_digits(["0.12345"], ["0.12345"]) == 0
+    assert wrong_digits(["0.12399"], ["0.12345"]) >= 1
