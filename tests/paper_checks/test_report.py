@@ -104,7 +104,11 @@ def test_a_verdict_that_is_not_borne_out_ends_with_1(capsys, monkeypatch):
 
 @pytest.mark.parametrize(
     ("arguments", "named"),
-    [(["nobody2000"], "PAPER"), (["--id", "smith2012" + ":nonsense"], "--id"), (["--report", "/dev/null/x"], "--report")],
+    [
+        (["nobody2000"], "PAPER"),
+        (["--id", "smith2012" + ":nonsense"], "--id"),
+        (["--report", "/dev/null/x"], "--report"),
+    ],
 )
 def test_bad_requests_are_one_line(capsys, arguments, named):
     assert main(arguments) == 2
