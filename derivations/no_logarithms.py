@@ -79,7 +79,7 @@ for alpha in (0, 2, 3):
     half = exact_half_swing((alpha,), ORDER)
     flow = flow_of(half)
     defect = abel_defect(flow, half.L, alpha - 1, half.F[0])
-    second, third = (sympy.sympify(half.F[0][n].to_sympy()) for n in (2, 3))
+    second, third = (half.F[0][n].to_sympy() for n in (2, 3))
     step(f"alpha = {alpha}: f_3 = f_2^2", third, second**2)
     holds(
         f"and psi(F(delta)) - psi(delta) = pi through delta^{ORDER - 2}, psi without a logarithm; its leading term",
