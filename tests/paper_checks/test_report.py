@@ -2,13 +2,15 @@
 
 import json
 from html.parser import HTMLParser
+from pathlib import Path
 
+import jsonschema
 import pytest
 
 from paper_checks import registry
 from paper_checks.__main__ import main
 from paper_checks.registry import PAPERS, Entry, expected_outcomes, load
-from paper_checks.report import write_report
+from paper_checks.report import build, write_report
 
 VOID = {"meta", "br", "img", "hr", "link", "input"}
 
@@ -37,14 +39,6 @@ class Page(HTMLParser):
         assert self.open.pop() == tag
 
 
-@pytest.fixture(scope="module")
-def report(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("report")
-    entries = [Entry(entry, expected_outcomes(entry), 0.0) for entry in load().values()]
-    write_report(folder, entries)
-    return folder
-
-
 def test_every_page_is_well_formed_and_self_contained(report):
     pages = {path.name: Page() for path in report.glob("*.html")}
     for name, page in pages.items():
@@ -69,6 +63,11 @@ def test_every_statement_is_on_the_page_and_in_the_data(report):
     data = json.loads((report / "report.json").read_text())
     found = [entry["id"] for paper in data["papers"] for entry in paper["entries"]]
     assert found == list(load())
+    schema = json.loads((Path(build.__file__).parent / "schema.json").read_text())
+    jsonschema.validate(data, schema)
+    data["papers"][0]["entries"][0]["printed"] = "probably"
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(data, schema)
     assert set(found) <= page.ids
 
 

@@ -1,0 +1,13 @@
+"""Envelopes: A(tau), tau(A) and phi(tau), first order for every law, higher order for one law (DESIGN 2).
+
+====================  ==================================================================================
+``symbolic``          one law, first order, any exponent: Lancaster (13), Table I, phase, total lag; Lelas
+``laurent``           one law, any order: tau as a Laurent polynomial in delta, and its reversal
+``explicit``          several laws, first order: every family where A(tau) is elementary or Lambert's W
+``hypergeometric``    two laws, first order: tau(A) by 2F1, printed and companion form, elementary form
+``certified``         one or more laws, first order: tau(A), A(tau), extinction, phase as balls
+``numeric``           the same for NumPy arrays: heuristic floats
+``first_order``       all of it for an oscillator in SI units
+``validity``          where dA/dt << omega_0 A
+====================  ==================================================================================
+"""

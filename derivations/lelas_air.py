@@ -1,0 +1,79 @@
+"""Lelas' trick for air resistance (34)-(46), then for every exponent: 2^{-(alpha+1)/2} in the place of M_(alpha+1).
+
+>>> derivation.steps[-1].text()
+'3*sqrt(2)*pi/16 < 1'
+"""
+
+import sympy
+
+from asymptotics.moments.symbolic import lelas_moment, lelas_ratio, moment
+from derivations.steps import Derivation
+
+C, m, k, x_0, omega_0, t, sine, f, r = sympy.symbols("C m k x_0 omega_0 t s f r", positive=True)
+alpha, epsilon, tau, q, y = sympy.symbols("alpha epsilon tau q y", positive=True)
+sqrt, diff = sympy.sqrt, sympy.diff
+two_thirds = sympy.Rational(2, 3)
+
+derivation = Derivation(
+    "lelas-air",
+    "The trick for air resistance and for any exponent",
+    source="Lelas 2024, (34)-(46), (53); lelas2024:38, 40, 42, 43, 45, 46, 53; other exponents are not in the paper",
+)
+step, holds = derivation.step, derivation.holds
+
+unit = m * omega_0**2 * x_0**2 * f
+first = C * (omega_0 * x_0 * f) ** 3 * sine**3 / unit  # -df/dt, with sine = |sin(omega_0 t)|
+step("(38)", first, C * omega_0 * x_0 / m * f**2 * sine**3)
+cosine = sqrt(1 - sine**2)
+second = first.subs(sine, cosine)
+powers = [sympy.powdenest(e**two_thirds, force=True) for e in (first, second)]
+scale = sympy.powdenest((C * omega_0 * x_0 / m * f**2) ** two_thirds, force=True)
+step("(40): to the power 2/3", powers[0], scale * sine**2)
+step("(41)", powers[1], scale * cosine**2)
+step("(40) + (41)", sum(powers), scale)
+slope = C * omega_0 * x_0 / (2 * sqrt(2) * m) * f**2  # -df/dt
+step("(42), (43): one rate for both, 2 (-df/dt)^{2/3}", 2 * sympy.powdenest(slope**two_thirds, force=True), scale)
+solution = 1 / (1 + C * omega_0 * x_0 * t / (2 * sqrt(2) * m))
+step("(45) solves (43)", -diff(solution, t), slope.subs(f, solution))
+step("with f(0) = 1", solution.subs(t, 0), sympy.Integer(1))
+step("(46): |df/dt|/omega_0 at the start", slope.subs(f, 1) / omega_0, C * x_0 / (2 ** sympy.Rational(3, 2) * m))
+bound = (2 * sqrt(2) * m / x_0).subs({m: sympy.Rational(3, 2), x_0: sympy.Rational(1, 5)})
+holds("(53): 21.21 to four digits", bool(abs(bound - sympy.Rational(2121, 100)) < sympy.Rational(1, 200)), bound)
+
+p = alpha + 1
+size = sympy.Symbol("c", positive=True)  # |cos(omega_0 t)|
+general, other = (epsilon ** (2 / p) * f ** (2 * alpha / p) * u**2 for u in (sine, size))
+for u, power in ((sine, general), (size, other)):
+    step(
+        "Any alpha: -df/dtau = epsilon f^alpha u^{alpha+1}, u = |sin|, |cos|, to the power 2/(alpha+1) (logarithms)",
+        sympy.expand_log(sympy.log(epsilon * f**alpha * u**p) * 2 / p),
+        sympy.expand_log(sympy.log(power)),
+    )
+step(
+    "added",
+    (general + other).subs(size, cosine),
+    sympy.powdenest((epsilon * f**alpha) ** (2 / p), force=True),
+)
+trick = lelas_moment(alpha) * epsilon * f**alpha
+step(
+    "so -df/dtau = 2^{-(alpha+1)/2} epsilon f^alpha: Lancaster's law with M_(alpha+1) replaced",
+    sympy.powdenest(2 * sympy.powdenest(trick ** (2 / p), force=True), force=True),
+    sympy.powdenest((epsilon * f**alpha) ** (2 / p), force=True),
+)
+step("The replacement is a power mean too: M_2^{(alpha+1)/2}", moment(2) ** (p / 2), lelas_moment(alpha))
+convex = y**q
+step(
+    "Jensen: y^q, q = (alpha+1)/2, y = sin^2, has the second derivative", diff(convex, y, 2), q * (q - 1) * y ** (q - 2)
+)
+holds(
+    "positive for alpha > 1: M_(alpha+1) = <y^q> > <y>^q, underestimated; negative for alpha < 1: overestimated",
+    bool((q * (q - 1)).subs(q, 2) > 0 and (q * (q - 1)).subs(q, sympy.Rational(1, 2)) < 0),
+    sympy.Eq(q, (alpha + 1) / 2),
+)
+step("The ratio of the rates has no epsilon in it: alpha = 1", lelas_ratio(sympy.Integer(1)), sympy.Integer(1))
+step("alpha = 2", lelas_ratio(sympy.Integer(2)), 3 * sqrt(2) * sympy.pi / 16)
+holds(
+    "0.833: the trick loses a sixth of the damping",
+    bool(lelas_ratio(sympy.Integer(2)) < 1),
+    sympy.StrictLessThan(3 * sqrt(2) * sympy.pi / 16, 1, evaluate=False),
+)

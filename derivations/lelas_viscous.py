@@ -1,0 +1,53 @@
+"""Lelas' two initial conditions and the trick of adding dissipation rates, for viscous damping: (14)-(21).
+
+>>> derivation.steps[-1].text()
+'b/(2*sqrt(k)*sqrt(m)) = b/(2*sqrt(k)*sqrt(m))'
+"""
+
+import sympy
+
+from derivations.steps import Derivation
+
+b, k, m, x_0, omega_0, t = sympy.symbols("b k m x_0 omega_0 t", positive=True)
+f = sympy.Function("f", positive=True)(t)
+diff, sin, cos, sqrt = sympy.diff, sympy.sin, sympy.cos, sympy.sqrt
+
+derivation = Derivation(
+    "lelas-viscous",
+    "Adding the dissipation rates: viscous damping",
+    source="Lelas 2024, (8)-(21); lelas2024:10, 11, 14, 15, 18, 19, 20, 21",
+)
+step, holds = derivation.step, derivation.holds
+
+x1, x2 = x_0 * f * cos(omega_0 * t), x_0 * f * sin(omega_0 * t)
+step("(10)", diff(x1, t), -omega_0 * (x_0 * f * sin(omega_0 * t) - x_0 * diff(f, t) / omega_0 * cos(omega_0 * t)))
+step("(11)", diff(x2, t), omega_0 * (x_0 * f * cos(omega_0 * t) + x_0 * diff(f, t) / omega_0 * sin(omega_0 * t)))
+v1, v2 = -omega_0 * x_0 * f * sin(omega_0 * t), omega_0 * x_0 * f * cos(omega_0 * t)
+printed = -omega_0 * (x_0 * f * sin(omega_0 * t) + x_0 * diff(f, t) / omega_0 * cos(omega_0 * t))
+holds(
+    "(10) as printed, with + before the second term, is refuted (the term is dropped in (12), nothing else changes)",
+    bool(sympy.simplify(diff(x1, t) - printed) != 0),
+    sympy.Ne(diff(f, t), -diff(f, t), evaluate=False),
+)
+energy = m * omega_0**2 * x_0**2 * f**2 / 2
+step("(14), first pair, with k = m omega_0^2", m * omega_0**2 * x1**2 / 2 + m * v1**2 / 2, energy)
+step("second pair", m * omega_0**2 * x2**2 / 2 + m * v2**2 / 2, energy)
+step("(15)", diff(energy, t), m * omega_0**2 * x_0**2 * f * diff(f, t))
+unit = m * omega_0**2 * x_0**2 * f
+first, second = -b * v1**2 / unit, -b * v2**2 / unit
+step("(18): (15) = -b v_1^2", first, -b / m * f * sin(omega_0 * t) ** 2)
+step("(19): (15) = -b v_2^2", second, -b / m * f * cos(omega_0 * t) ** 2)
+step("(20): half the sum", (first + second) / 2, -b / (2 * m) * f)
+solution = sympy.exp(-b * t / (2 * m))
+step("solved by f = e^{-bt/(2m)}, f(0) = 1", diff(solution, t), -b / (2 * m) * solution)
+alone = sympy.exp(-b / m * (t / 2 - sin(2 * omega_0 * t) / (4 * omega_0)))
+step(
+    "the first rate alone has f = e^{-(b/m)(t/2 - sin(2 omega_0 t)/(4 omega_0))}: the same decay with a ripple",
+    diff(alone, t).subs(cos(2 * omega_0 * t), 1 - 2 * sin(omega_0 * t) ** 2),
+    -b / m * sin(omega_0 * t) ** 2 * alone,
+)
+step(
+    "(21): |df/dt| at the start, over omega_0, in k and m: small means b << 2 sqrt(k m)",
+    (-diff(solution, t).subs(t, 0) / omega_0).subs(omega_0, sqrt(k / m)),
+    b / (2 * sqrt(k * m)),
+)

@@ -1,0 +1,78 @@
+"""Two laws: the time integral (20) by 2F1, its companion, where each breaks down, (21), (22), elementary cases.
+
+>>> derivation.steps[-1].reason
+'(1,3)'
+"""
+
+import sympy
+
+from derivations.steps import Derivation
+
+c, d, x, x_0, tau, beta, alpha = sympy.symbols("c d x x_0 tau beta alpha", positive=True)  # d is the paper's c'
+a, k, z, F = sympy.symbols("a k z F", positive=True)
+gap = beta - alpha  # beta is the paper's alpha'
+diff, log, exp, atan, sqrt = sympy.diff, sympy.log, sympy.exp, sympy.atan, sympy.sqrt
+
+derivation = Derivation(
+    "two-laws-time",
+    "Two laws: the time as a function of the amplitude",
+    source="Lancaster 2020, (20)-(22), footnote 22; lancaster2020:20, 21, 22, fn22; the companion is not in the paper",
+)
+step, holds = derivation.step, derivation.holds
+
+term = a / (a + k)  # coefficient of z^k in F(a; z) = 2F1(1, a; a+1; z)
+step(
+    "(1)_k (a)_k/((a+1)_k k!) = a/(a+k): the quotient of successive coefficients is that of 2F1",
+    term.subs(k, k + 1) / term,
+    (a + k) * (1 + k) / ((a + 1 + k) * (1 + k)),
+)
+step("and it starts with 1", term.subs(k, 0), sympy.Integer(1))
+step("(z d/dz + a) multiplies it by k + a: z F' + a F = a/(1-z)", (k + a) * term, a)
+
+
+def derivative(factor: sympy.Expr, index: sympy.Expr, argument: sympy.Expr) -> sympy.Expr:
+    """d/dx of factor F(index; argument), by that identity, with the symbol F for the function."""
+    slope = index * (1 / (1 - argument) - F) / argument
+    return diff(factor, x) * F + factor * slope * diff(argument, x)
+
+
+target = 1 / (c * x**alpha + d * x**beta)
+printed = x ** (1 - beta) / (d * (1 - beta))
+index = (beta - 1) / gap
+step("Footnote 22: its third parameter is the second plus 1", (1 + alpha - 2 * beta) / (alpha - beta), index + 1)
+step("Footnote 22 is an antiderivative", derivative(printed, index, -c / d * x ** (alpha - beta)), target)
+other = (1 - alpha) / gap
+companion = x ** (1 - alpha) / (c * (1 - alpha))
+step("The companion (laws exchanged) is one too", derivative(companion, other, -d / c * x**gap), target)
+wrong = (beta - alpha) / (beta - 1)
+wrong = derivative(printed, gap / (beta - 1), -c / d * x ** (alpha - beta)) - target
+values = {alpha: 2, beta: 3, c: 1, d: 1, x: 2, F: 1}
+holds("Near miss: with the index upside down it is not", bool(wrong.subs(values) != 0), sympy.Ne(index, 1 / index))
+n = sympy.Symbol("n", integer=True, positive=True)
+step("The indices add up to 1: they are not both <= 0", index + other, sympy.Integer(1))
+step(
+    "a/(a+k) has a pole at a = -n: the printed form fails at beta = 1 (n = 0) and beta = 1 - n gap",
+    index.subs(beta, (1 + n * alpha) / (1 + n)),
+    -n,
+)
+step("which needs alpha = 1 - (n+1) gap < 1", (alpha - 1 + (n + 1) * gap).subs(beta, (1 + n * alpha) / (1 + n)), 0 * n)
+step("the companion at alpha = 1 (n = 0) and alpha = 1 + n gap > 1", other.subs(beta, (alpha - 1) / n + alpha), -n)
+
+lam = x_0 / (c + d * x_0)
+A = c * lam * exp(-c * tau) / (1 - lam * d * exp(-c * tau))
+step("(21) with tau = t/(pi k) solves dA/dtau = -c A - c' A^2", diff(A, tau), -c * A - d * A**2)
+step("and starts at x_0", A.subs(tau, 0), x_0)
+step("(22): the limit of A e^{c tau}", sympy.limit(A * exp(c * tau), tau, sympy.oo), x_0 / (1 + d / c * x_0))
+b, b_prime, m, omega_0 = sympy.symbols("b b_prime m omega_0", positive=True)
+ratio = (4 * b_prime * omega_0 / 3) / (sympy.pi * b / 2)  # c'/c with k/m cancelled
+step("c'/c = 8 b' omega_0/(3 b pi)", ratio, 8 * b_prime * omega_0 / (3 * b * sympy.pi))
+
+elementary = {
+    (0, 1): -log(c + d * x) / d,
+    (0, 2): -atan(x * sqrt(d / c)) / sqrt(c * d),
+    (1, 2): log((c + d * x) / x) / c,
+    (2, 3): 1 / (c * x) - d / c**2 * log((c + d * x) / x),
+    (1, 3): log((c + d * x**2) / x**2) / (2 * c),
+}
+for (low, high), time in elementary.items():
+    step(f"({low},{high})", sympy.simplify(-diff(time, x)), 1 / (c * x**low + d * x**high))
