@@ -38,10 +38,36 @@ from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 Check = Callable[[Any], Outcome]
 
 PAPERS = {
+    "lancaster2020": (
+        "J. L. Lancaster, Slow-dissipation limit of the harmonic oscillator with general power-law damping (2020)", (),
+    ),
+    "lelas2024": ("K. Lelas, Decay of amplitude of a harmonic oscillator with weak nonlinear damping (2024)", ()),
     "smith2012": ("B. R. Smith, Jr., The quadratically damped oscillator, Am. J. Phys. 80, 816 (2012)", ()),
 }
 SECTIONS = {
+    "lancaster2020": (
+        "section_1_linear",
+        "section_2_energy",
+        "section_3_amplitude",
+        "section_3_table",
+        "section_4_validity",
+        "section_5_figures",
+        "section_6_two_laws",
+        "section_7_late_times",
+    ),
+    "lelas2024": (
+        "section_2",
+        "section_2_trick",
+        "section_3",
+        "section_4",
+        "section_5",
+        "section_6",
+        "section_7",
+    ),
     "smith2012": (
+        "section_1",
+        "section_1_time",
+        "section_2",
         "section_3_law",
         "section_3_orbit",
         "section_3_table",

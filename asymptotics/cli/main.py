@@ -18,6 +18,7 @@ COMMANDS = {
     "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
     "half-swing": "the map from one turning point to the next, its duration and its flow, as series",
     "moment": "the averages of |sin|^p",
+    "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
     "smith": "Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly",
     "table": "reference tables with provenance",
     "turning-points": "turning points and times, to any number of certified digits",

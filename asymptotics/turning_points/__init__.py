@@ -7,5 +7,9 @@
 ``quadratic_series``    exact power series of the map, the half period and their Abel functions
 ``quadratic_abel``      the n-th turning point for any n, with a rigorous bound of the truncated series
 ``quadratic_large``     the half period for large amplitudes
+``general``             any law: the closed forms where they exist, else two agreeing precisions (not certified)
+``coulomb``, ``linear`` alpha = 0 and alpha = 1: closed forms, exact and certified; sticking and overdamping
+``swing``               the motion half-swing by half-swing, sign of the velocity fixed; traps: no further turning point
+``local_expansion``     the motion next to a turning point, in powers of the speed: the branch point removed
 ======================  ==========================================================================================
 """

@@ -16,12 +16,11 @@ from asymptotics.present.mathml import to_mathml
 from asymptotics.tables import build
 from asymptotics.verdict import Printed
 from paper_checks.registry import PAPERS, Entry
-from paper_checks.report.engine import engine_data
+from paper_checks.report.engine import engine_data, validity_picture
 
 Progress = Callable[[str], None]
 
 TABLES = {"smith2012": ("smith2012.table1", "smith2012.transit-time")}
-PICTURES = {"smith2012": "paper_checks.smith2012.figures"}
 PAGES = ("index.html", "errata.html", "engine.html")
 SLIPS = (Printed.MISPRINT, Printed.TRANSCRIPTION, Printed.PARTLY, Printed.REFUTED)
 
@@ -41,7 +40,8 @@ def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda
 
 def _pages(data: dict[str, Any], figures: dict[str, bytes | str]) -> dict[str, str]:
     """The site: an index of all statements, a page for each paper, the errata, and what goes beyond the papers."""
-    pages = {name: _template(f"{name}.j2").render(data, figures=figures) for name in PAGES}
+    shown = {"figures": figures, "validity": validity_picture()}
+    pages = {name: _template(f"{name}.j2").render(data, **shown) for name in PAGES}
     paper = _template("paper.html.j2")
     return pages | {f"{p['key']}.html": paper.render(data, paper=p, figures=figures) for p in data["papers"]}
 
@@ -68,9 +68,16 @@ def _paper(key: str, entries: list[Entry]) -> dict[str, Any]:
         "disagreements": [e.statement.id for e in entries if not e.agrees],
         "tables": [build(name, 30).to_dict() for name in TABLES.get(key, ())],
         "figures": [
-            {"name": name, "file": f"{key}-{name}", "caption": text} for name, (text, _) in _pictures(key).items()
+            {"name": name, "file": f"{key}-{name}", "statement": _statement_of(key, name, entries), "caption": text}
+            for name, (text, _) in _pictures(key).items()
         ],
     }
+
+
+def _statement_of(key: str, figure: str, entries: list[Entry]) -> str:
+    """The statement that a picture belongs to: its own id, or for a panel (fig1a) that of the whole figure (fig1)."""
+    ids = {e.statement.id for e in entries}
+    return f"{key}:{figure}" if f"{key}:{figure}" in ids else f"{key}:{figure[:-1]}"
 
 
 def _papers(entries: list[Entry]) -> list[str]:
@@ -78,7 +85,7 @@ def _papers(entries: list[Entry]) -> list[str]:
 
 
 def _pictures(key: str) -> dict[str, tuple[str, Callable[[Any], Any]]]:
-    return dict(import_module(PICTURES[key]).FIGURES) if key in PICTURES else {}
+    return dict(import_module(f"paper_checks.{key}.figures").FIGURES)
 
 
 def _figures(entries: list[Entry], progress: Progress) -> Iterator[tuple[str, bytes | str]]:

@@ -1,18 +1,24 @@
 """The report's page on the engine: coefficients for many exponents, each verified, in the three gauges."""
 
+from functools import cache
+from math import isnan
 from typing import Any
 
 from flint import ctx
 
 from asymptotics.half_swing.certified import quarter_swing
 from asymptotics.half_swing.odd_flow import GAUGES
+from asymptotics.motion.accuracy import measured_errors
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.expansion import Expansion, exact_expansion, expansion_of
 from asymptotics.normal_form.large_orders import growth_ratios
 from asymptotics.normal_form.verify import exact_reference, verify
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.present.figures import render
+from asymptotics.present.validity_map import draw
 
 EXPONENTS = ("0", "1/2", "3/4", "1", "3/2", "5/3", "2", "5/2", "3", "4", "5", "7", "sqrt(2)")
+LAWS = (["0"], ["1/2"], ["3/2"], ["2"], ["3"], ["1", "2"])
 ORDER, DIGITS = 4, 12
 GAUGE_USERS = {
     "turning-point": "this package's default; Lancaster's initial condition φ(0) = 0, A(0) = x0",
@@ -21,9 +27,16 @@ GAUGE_USERS = {
 }
 
 
+@cache
 def engine_data() -> dict[str, Any]:
     """All tables of the page, as text."""
-    return {"coefficients": _coefficients(), "gauges": _gauges(), "growth": _growth()}
+    return {"coefficients": _coefficients(), "gauges": _gauges(), "growth": _growth(), "accuracy": _accuracy()}
+
+
+@cache
+def validity_picture() -> str:
+    """Where each order is good to 10 %, 1 % and 0.1 %, as SVG."""
+    return render(draw, size=(11, 5.5)).decode()
 
 
 def _coefficients() -> list[dict[str, str]]:
@@ -50,6 +63,17 @@ def _verify(alpha: ExactReal) -> Any:
 
 def _certified(alpha: ExactReal) -> Expansion:
     return expansion_of(quarter_swing([alpha], ORDER), arithmetic="certified")
+
+
+def _accuracy() -> list[dict[str, str]]:
+    """sup |X_N - X_ref| at four kappas and the fitted order, for the orders 1 to 3."""
+    rows = []
+    for laws in LAWS:
+        for m in measured_errors(laws, (1, 2, 3), points=20):
+            fitted = "exact" if isnan(m.fitted_order) else f"{m.fitted_order:.2f}"
+            errors = {f"kappa = {float(k):g}": f"{e:.1e}" for k, e in zip(m.kappas, m.errors)}
+            rows.append({"alpha": ", ".join(laws), "order": str(m.order), **errors, "fitted order": fitted})
+    return rows
 
 
 def _gauges() -> list[dict[str, str]]:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from itertools import islice
+from math import log, pi, sqrt
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from asymptotics.turning_points.quadratic_map import amplitudes
 Array = NDArray[np.float64]
 HALF_CYCLES = 6
 _POINTS = 48
+GREY = "#6b7280"
 
 
 @dataclass(frozen=True)
@@ -57,6 +59,64 @@ def _sample(p: arb, q: arb, n: int) -> HalfCycle:
     speed = np.sqrt(np.maximum(0, ((1 + p0) * -np.expm1(-t) - t) / 2))
     sign = -1 if n % 2 else 1
     return HalfCycle(tau, sign * (p0 - t) / 2, -sign * speed)
+
+
+def constants_at_one_value(axes: Any) -> None:
+    """Fig. 1: S^- and S^+ over a half-cycle each, at the same value: the arcs do not meet on the u axis."""
+    _, half = half_cycles()[0]
+    axes.plot(half.u, half.w, label=r"$\hat S^-$, $w<0$")
+    axes.plot(-half.u, -half.w, label=r"$\hat S^+$, $w>0$")
+    axes.plot([half.u[0], half.u[-1], -half.u[0], -half.u[-1]], [0] * 4, "o", color=GREY, markersize=4)
+    _phase_axes(axes)
+    axes.set_xlim(-1.15, 1.15)
+    axes.legend(loc="upper right")
+
+
+def closed_curve(axes: Any) -> None:
+    """Fig. 4: the periodic function y(t), whose falling half is the motion, the rising half its mirror image."""
+    _, half = half_cycles()[0]
+    axes.plot(half.u, half.w, label="falling half, the motion")
+    axes.plot(half.u[::-1], -half.w[::-1], "--", label="mirror image in time")
+    _phase_axes(axes)
+    axes.set_ylim(-0.8, 1.0)
+    axes.legend(loc="upper right")
+
+
+def exponential_envelope(axes: Any) -> None:
+    """Fig. 6: the exponential through the first and the third turning point, and the averaged amplitude."""
+    exact = half_cycles()
+    tau, u = (np.concatenate(parts) for parts in zip(*((start + h.tau, h.u) for start, h in exact)))
+    axes.plot(tau, u, label="exact motion")
+    decay = log(exact[0][1].u[0] / exact[2][1].u[0]) / exact[2][0]
+    for sign in (1, -1):
+        axes.plot(tau, sign * np.exp(-decay * tau), "--", color="#c2410c", label="exponential" if sign > 0 else None)
+        averaged = sign / (1 + 4 * tau / (3 * pi))
+        axes.plot(tau, averaged, ":", color="#15803d", label="averaged amplitude" if sign > 0 else None)
+    axes.plot([0, exact[2][0]], [exact[0][1].u[0], exact[2][1].u[0]], "o", color=GREY, markersize=4)
+    axes.set_xlabel(r"$\omega t$")
+    axes.set_ylabel(r"$u = \gamma x$")
+    axes.legend(loc="upper right")
+
+
+def three_oscillators(axes: Any) -> None:
+    """Fig. 7: quadratic damping, linear damping through the same maxima of the first cycle, no damping."""
+    halves = [half for _, half in half_cycles()]
+    axes.plot(np.concatenate([h.u for h in halves]), np.concatenate([h.w for h in halves]), label="quadratic damping")
+    per_turn = log(halves[0].u[0] / halves[2].u[0])
+    beta = per_turn / sqrt(4 * pi**2 + per_turn**2)  # u'' + 2 beta u' + u = 0 loses this ratio in a period
+    frequency = sqrt(1 - beta**2)
+    tau = np.linspace(0, 6 * pi / frequency, 600)
+    decay = np.exp(-beta * tau)
+    place = decay * (np.cos(frequency * tau) + beta / frequency * np.sin(frequency * tau))
+    axes.plot(place, -decay * np.sin(frequency * tau) / frequency, ":", label="linear damping")
+    angle = np.linspace(0, 2 * pi, 200)
+    axes.plot(np.cos(angle), np.sin(angle), "--", color=GREY, linewidth=1, label="no damping")
+    axes.plot([halves[0].u[0], halves[2].u[0]], [0, 0], "o", color=GREY, markersize=4)
+    _phase_axes(axes)
+    axes.set_xlim(-1.1, 2.2)
+    axes.set_ylim(-1.1, 1.1)
+    axes.set_aspect("equal")
+    axes.legend(loc="upper right")
 
 
 def one_cycle(axes: Any) -> None:
@@ -105,7 +165,11 @@ def _phase_axes(axes: Any) -> None:
 
 
 FIGURES: dict[str, tuple[str, Callable[[Any], None]]] = {
+    "fig1": ("The constants of the falling and the rising half-cycle at one value, u₀ = 1", constants_at_one_value),
     "fig2": ("One full cycle of the quadratically damped oscillator in phase space, u₀ = 1", one_cycle),
     "fig3": ("Three full cycles in phase space, u₀ = 1, with the turning points of Table I", three_cycles),
+    "fig4": ("The phase space plot of y(t), u₀ = 1", closed_curve),
     "fig5": ("Three full cycles: the paper's first order beside the exact motion", motion),
+    "fig6": ("The exponential that meets the motion at both ends of the first period", exponential_envelope),
+    "fig7": ("Three cycles in phase space: quadratic damping, linear damping, no damping", three_oscillators),
 }

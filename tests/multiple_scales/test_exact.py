@@ -1,6 +1,5 @@
 """The recurrence on Fourier coefficients: against the engine, closed forms and the equation of motion."""
 
-import time
 
 import pytest
 from flint import fmpq
@@ -80,8 +79,3 @@ def test_too_much_work_is_refused_before_it_begins():
     with pytest.raises(LimitError, match="would take about"):
         odd_hierarchy((3,), 10**4)
 
-
-def test_speed():
-    start = time.perf_counter()
-    odd_hierarchy((3,), 20)
-    assert time.perf_counter() - start < 1

@@ -53,7 +53,7 @@ def test_every_page_is_well_formed_and_self_contained(report):
     assert text.count("<script") == text.count("<script>") == 1  # the search of the index; nothing is loaded
     assert "src=" not in text
     drawn = len(list(report.glob("*.svg")))
-    assert text.count("<svg") == 2 * drawn  # on the index and on the page of the paper
+    assert text.count("<svg") == 2 * drawn + 1  # on the index and on the page of the paper; and the map of errors
 
 
 def test_every_statement_is_on_the_page_and_in_the_data(report):

@@ -1,0 +1,83 @@
+"""The files of the command ``motion``: a table of the motion, and a picture of it with its envelope and its error.
+
+>>> from asymptotics.law import Law
+>>> from fractions import Fraction
+>>> drag = Oscillator.of(Law.of([("1/10", "3/2")]))
+>>> csv_of(drag, ExactReal(Fraction(1)), 3, "turning-point").splitlines()[:2]
+['t,x,v,amplitude,phase', '0.0,1.0,-0.0,1.0,0.0']
+"""
+
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from flint import ctx
+
+from asymptotics.errors import LimitError
+from asymptotics.law import Oscillator
+from asymptotics.motion.asymptotic import AsymptoticMotion
+from asymptotics.motion.reference import estimated_seconds, reference_states
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.present.figures import render
+
+KINDS = {".png": "png", ".svg": "svg"}
+_ROWS, _REFERENCE_ROWS, _REFERENCE_DIGITS = 1000, 240, 14
+_MAX_SECONDS = 60.0
+
+
+def csv_of(oscillator: Oscillator, time: ExactReal, order: int | None, gauge: str) -> str:
+    """t, x, v, amplitude, phase at 1001 times from 0 to ``time``; without ``order`` t, x, v of the reference motion."""
+    if order is None:
+        t, x, v = _reference(oscillator, time, _ROWS)
+        return _lines("t,x,v", zip(t, x, v))
+    found = AsymptoticMotion.of(oscillator, order, gauge).sample(np.linspace(0.0, _float(time), _ROWS + 1))
+    return _lines("t,x,v,amplitude,phase", zip(found.t, found.x, found.v, found.amplitude, found.phase))
+
+
+def picture_of(oscillator: Oscillator, time: ExactReal, order: int, gauge: str, kind: str) -> bytes:
+    """x(t) with +-A(t) above, |x_N - x_reference| below (left out where the reference would take too long)."""
+    motion = AsymptoticMotion.of(oscillator, order, gauge)
+    dense = motion.sample(np.linspace(0.0, _float(time), 4 * _ROWS + 1))
+    error = None
+    if estimated_seconds(oscillator, time, _REFERENCE_DIGITS) < _MAX_SECONDS and time > 0:
+        t, x, _ = _reference(oscillator, time, _REFERENCE_ROWS)
+        error = t, np.abs(motion.sample(t).x - x)
+
+    def draw(axes: Any) -> None:
+        figure = axes.figure
+        axes.remove()
+        panels = figure.subplots(1 if error is None else 2, 1, sharex=True, squeeze=False)[:, 0]
+        upper, bottom = panels[0], panels[-1]
+        upper.plot(dense.t, dense.x, label=f"x, order {order}")
+        for sign in (1, -1):
+            label = "envelope" if sign > 0 else None
+            upper.plot(dense.t, sign * dense.amplitude, color="#c2410c", linewidth=1.0, label=label)
+        upper.set_ylabel("x (m)")
+        upper.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2)
+        if error is not None:
+            bottom.semilogy(error[0][1:], np.maximum(error[1][1:], 1e-17), color="#15803d")
+            bottom.set_ylabel("|x - reference| (m)")
+        bottom.set_xlabel("t (s)")
+
+    return render(draw, size=(6.4, 5.2), kind=kind)
+
+
+def _reference(oscillator: Oscillator, time: ExactReal, rows: int) -> tuple[Any, Any, Any]:
+    """(t, x, v) of the reference motion at rows + 1 equally spaced times, in doubles."""
+    seconds = estimated_seconds(oscillator, time, _REFERENCE_DIGITS)
+    if seconds > _MAX_SECONDS:
+        reason = f"a reference motion through {time} s would take about {seconds:.0f} s"
+        raise LimitError("--time", reason, f"at most {_MAX_SECONDS:.0f} s of work for files")
+    times = [ExactReal(time.coefficient * Fraction(i, rows), time.radicand) for i in range(rows + 1)]
+    states = reference_states(oscillator, times, _REFERENCE_DIGITS)
+    x, v = (np.array([float(c) for c in column]) for column in (states.x, states.v))
+    return np.array([_float(t) for t in times]), x, v
+
+
+def _lines(head: str, rows: Any) -> str:
+    return "\n".join([head, *(",".join(repr(float(value)) for value in row) for row in rows)]) + "\n"
+
+
+def _float(x: ExactReal) -> float:
+    with ctx.workprec(64):
+        return float(x.ball().mid())

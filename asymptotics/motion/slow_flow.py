@@ -1,0 +1,190 @@
+"""Amplitude and phase as functions of time: the truncated slow equations, solved as they stand.
+
+With A = e^(-s) every monomial delta^n is an exponential in s, so that the equations at order N,
+
+    ds/d tau = p = sum_n p_n epsilon^n e^(-a_n s),     d phi/d tau = Omega(s),    a_n = sum_i n_i (alpha_i - 1),
+
+are quadratures: tau = int ds/p, phi = int Omega/p ds.  Order 1 is the averaged law (Lancaster 2020, (8), (13)).
+
+* For ``digits``: Gauss-Legendre quadrature in balls (``acb.integral``) and Newton's method for s(tau).
+* For arrays: (tau, s, phi) on knots uniform in s, and cubic Hermite interpolation in tau between them (the slopes are
+  known), in doubles.
+
+If some alpha < 1, the averaged amplitude vanishes at a finite *extinction time*; the true motion sticks or creeps
+instead.  A law that loses its sign (p <= 0) has no meaning there: InputError asks for another order.
+
+>>> law = SlowLaw(ExponentialSum(((arb("0.5"), arb(1)),)), ExponentialSum(()))         # dA/d tau = -A^2/2
+>>> s, phi = law.solve(arb(2), arb(0))
+>>> (-s).exp().str(10, radius=False), float(law.table(0.0, 2.0).at(2.0)[0])
+('0.5000000000', 0.693147180...)
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from math import inf
+from typing import Any
+
+import numpy as np
+from flint import acb, arb, ctx
+
+from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.normal_form.flow import may_vanish
+from asymptotics.series import Series
+
+_KNOTS = 2048
+_MAX_PANELS = 100_000
+_FAINTEST = 60.0
+"""s beyond which the amplitude counts as extinct in doubles (e^-60 of the start)."""
+
+
+@dataclass(frozen=True)
+class ExponentialSum:
+    """sum_j c_j e^(-a_j s)."""
+
+    terms: tuple[tuple[arb, arb], ...]
+
+    @classmethod
+    def of(cls, series: Series, epsilons: tuple[arb, ...], alphas: tuple[arb, ...], order: int) -> "ExponentialSum":
+        """A series in delta_i = epsilon_i e^(-(alpha_i - 1) s), through degree ``order``.
+
+        A ball around 0 counts as 0: those are the zeros by theorem (dry friction has p = (2/pi) delta and no more), and
+        near an extinction delta would blow their rounding up.
+        """
+        terms = []
+        for key, c in series.coefficients.items():
+            absent = may_vanish(c) or any(e == 0 for e, n in zip(epsilons, key) if n)
+            if 0 < sum(key) <= order and not absent:
+                rate = sum((n * (a - 1) for n, a in zip(key, alphas)), arb(0))
+                for e, n in zip(epsilons, key):
+                    c = c * e**n
+                terms.append((arb(c).mid(), rate.mid()))
+        return cls(tuple(terms))
+
+    def __call__(self, s: Any) -> Any:
+        """At a ball, real or complex."""
+        return sum((c * (-(a * s)).exp() for c, a in self.terms), s * 0)
+
+    @cached_property
+    def _doubles(self) -> tuple[Any, Any]:
+        return np.array([[float(c)] for c, _ in self.terms]), np.array([[float(a)] for _, a in self.terms])
+
+    def array(self, s: Any) -> Any:
+        """At an array of doubles."""
+        if not self.terms:
+            return np.zeros_like(s)
+        c, a = self._doubles
+        with np.errstate(over="ignore"):
+            return (c * np.exp(-a * np.ravel(s)[None, :])).sum(axis=0).reshape(np.shape(s))
+
+
+@dataclass(frozen=True)
+class SlowTable:
+    """(s, phi) at the knots of tau, with the slopes; ``extinction``: the time at which A = 0, inf if there is none."""
+
+    tau: Any
+    s: Any
+    phi: Any
+    ds: Any
+    dphi: Any
+    extinction: float
+
+    def at(self, tau: Any) -> tuple[Any, Any]:
+        """(s, phi) at an array of times inside the table, by cubic Hermite interpolation."""
+        i = np.clip(np.searchsorted(self.tau, tau, side="right") - 1, 0, len(self.tau) - 2)
+        h = self.tau[i + 1] - self.tau[i]
+        x = (tau - self.tau[i]) / h
+        y = 1 - x
+        left, right, rise, fall = y * y * (1 + 2 * x), x * x * (1 + 2 * y), h * x * y * y, -h * x * x * y
+        s, phi = (
+            f[i] * left + f[i + 1] * right + g[i] * rise + g[i + 1] * fall
+            for f, g in ((self.s, self.ds), (self.phi, self.dphi))
+        )
+        return s, phi
+
+
+@dataclass(frozen=True)
+class SlowLaw:
+    """ds/d tau = p(s), d phi/d tau = Omega(s)."""
+
+    p: ExponentialSum
+    Omega: ExponentialSum
+
+    def table(self, start: float, tau_max: float) -> SlowTable:
+        """Knots from s = ``start`` until tau reaches ``tau_max`` or the amplitude is extinct; doubles."""
+        if not self.p.terms:
+            knots = np.array([0.0, max(tau_max, 1.0)])
+            return SlowTable(knots, knots * 0 + start, knots * 0, knots * 0, knots * 0, inf)
+        stop, extinction = self._reach(start, tau_max)
+        s = np.linspace(start, stop, _KNOTS + 1)
+        tau = np.concatenate([[0.0], np.cumsum(self._panels(s, lambda _: 1.0))])
+        phi = np.concatenate([[0.0], np.cumsum(self._panels(s, self.Omega.array))])
+        apart = np.concatenate([[True], np.diff(tau) > 0])  # towards the extinction the knots fall together in doubles
+        s, tau, phi = s[apart], tau[apart], phi[apart]
+        return SlowTable(tau, s, phi, self.p.array(s), self.Omega.array(s), extinction)
+
+    def _panels(self, s: Any, numerator: Callable[[Any], Any]) -> Any:
+        """int numerator/p over each interval of s, ten Gauss nodes."""
+        x, w = np.polynomial.legendre.leggauss(10)
+        half = np.diff(s) / 2
+        at = (s[:-1] + half)[:, None] + half[:, None] * x[None, :]
+        values = self.p.array(at)
+        if not np.all(values > 0):
+            raise _lost_sign()
+        return half * (numerator(at) / values * w[None, :]).sum(axis=1)
+
+    def _reach(self, start: float, tau_max: float) -> tuple[float, float]:
+        """(s at the end of the table, extinction time): march in s with steps that shrink p by little."""
+        s, tau = start, 0.0
+        rates = [float(a) for _, a in self.p.terms]
+        if not any(rates):  # alpha = 1 alone: p is constant
+            return start + max(tau_max, 1.0) * float(self.p.array(np.array(start))), inf
+        ends = min(rates) < 0
+        step = 0.25 / max(max(map(abs, rates)), 0.05)
+        for _ in range(_MAX_PANELS):
+            if tau >= tau_max:
+                return s, inf
+            if ends and s > start + _FAINTEST:
+                return s, tau + self._rest(s, step)
+            tau += float(self._panels(np.array([s, s + step]), lambda _: 1.0)[0])
+            s += step
+        raise LimitError("time", f"{tau_max:.3g}/omega_0 is too long for the amplitude law", "a shorter time")
+
+    def _rest(self, s: float, step: float) -> float:
+        """int_s^inf dr/p, p growing exponentially."""
+        rest = 0.0
+        while True:
+            more = float(self._panels(np.array([s, s + step]), lambda _: 1.0)[0])
+            rest, s = rest + more, s + step
+            if more <= 1e-17 * rest or s > 1e4:
+                return rest
+
+    def solve(self, tau: arb, start: arb) -> tuple[arb, arb] | None:
+        """(s, phi) at the time ``tau`` from s = ``start`` at the current precision, or None beyond the extinction."""
+        if tau == 0 or not self.p.terms:
+            return start, arb(0)
+        table = self.table(float(start), float(tau))
+        if float(tau) >= table.extinction:
+            return None
+        s = arb(float(table.at(np.array([float(tau)]))[0][0]))
+        for _ in range(ctx.prec.bit_length() + 4):
+            miss = self._integral(lambda _: acb(1), start, s) - tau
+            step = (miss * self.p(s)).mid()
+            s = (s - step).mid()
+            if abs(step) < arb(2) ** (-ctx.prec // 2 - 4) * (1 + abs(s)):
+                break
+        return s, self._integral(self.Omega, start, s).mid()
+
+    def _integral(self, numerator: Callable[[acb], acb], low: arb, high: arb) -> arb:
+        if not (self.p(low) > 0 and self.p(high) > 0):
+            raise _lost_sign()
+        value = acb.integral(lambda r, _: numerator(r) / self.p(r), acb(low), acb(high)).real
+        if not value.is_finite():
+            raise UndecidedError("the time integral of the amplitude law did not converge")
+        return value.mid()
+
+
+def _lost_sign() -> InputError:
+    reason = "the amplitude law of this order loses its sign before that time: delta is too large for it"
+    return InputError("order", reason, "order 1, weaker damping, or the reference motion")
+

@@ -1,0 +1,70 @@
+"""For alpha < 1 the mass creeps: a region of slow motion that it cannot leave, and the law of the creep.
+
+>>> print(derivation.steps[0].reason)
+On the slow curve w = m(y) = (y/e)^(1/alpha) friction balances the spring
+"""
+
+import sympy
+
+from derivations.steps import Derivation
+
+y, e, C, kappa = sympy.symbols("y e C kappa", positive=True)
+a = sympy.Symbol("a", positive=True)
+tau = sympy.Symbol("tau", positive=True)
+powsimp, diff = sympy.powsimp, sympy.diff
+
+derivation = Derivation(
+    "creep",
+    "Creep for 0 < alpha < 1",
+    source="DESIGN 6; turning_points.swing",
+)
+step, holds = derivation.step, derivation.holds
+
+m = (y / e) ** (1 / a)
+step("On the slow curve w = m(y) = (y/e)^(1/alpha) friction balances the spring", y - e * m**a, 0)
+boundary = C * m
+drift = y - e * (C**a * y / e) - C * diff(m, y) * (-boundary)
+step(
+    "The trap 0 <= w <= C m(y), y > 0: on its upper boundary w - C m(y) changes at the rate w' - C m'(y) y',"
+    " w^alpha = C^alpha y/e",
+    sympy.simplify(drift / y),
+    sympy.simplify(1 - C**a + C**2 / a * y ** (2 / a - 2) * e ** (-2 / a)),
+)
+step(
+    "It is negative if C^2 y^(2/alpha-2) < alpha (C^alpha - 1) e^(2/alpha); for C^alpha = 2/(2-alpha) the bound is",
+    sympy.simplify(a * (C**a - 1).subs(C**a, 2 / (2 - a)) * e ** (2 / a)),
+    a**2 / (2 - a) * e ** (2 / a),
+)
+step(
+    "This C allows the largest y: (C^alpha - 1)/C^2 has its maximum there",
+    sympy.simplify((diff((C**a - 1) / C**2, C) * C**3).subs(C**a, 2 / (2 - a))),
+    0,
+)
+holds(
+    "For alpha < 1 the exponent 2/alpha - 2 is positive: once the condition holds it goes on holding, as y only falls",
+    all((2 / value - 2) > 0 for value in (sympy.Rational(1, 10), sympy.Rational(1, 2), sympy.Rational(9, 10)))
+    and sympy.simplify(2 / a - 2 - 2 * (1 - a) / a) == 0,
+    sympy.Gt(2 / a - 2, 0),
+)
+step("On the lower boundary w = 0 the speed grows at the rate y > 0: the orbit does not turn", y - e * 0**a, y)
+w = sympy.Symbol("w", positive=True)
+step(
+    "Nor is y = 0 reached in finite time: inside, -y' = w <= C m(y), so d y^(1-1/alpha)/d tau <= "
+    "(1/alpha - 1) C e^(-1/alpha), bounded",
+    sympy.simplify(diff(y ** (1 - 1 / a), y) * (-boundary)),
+    sympy.simplify((1 / a - 1) * C * e ** (-1 / a)),
+)
+more = sympy.Symbol("N_2", nonnegative=True)
+step("A further term N_2 >= 0 lowers the rate on the upper boundary: the trap of one term is a trap of the sum",
+     (drift - more) - drift, -more)  # fmt: skip
+x = (a / (1 - a)) ** (a / (1 - a)) * e ** (1 / (1 - a)) * tau ** (-a / (1 - a))
+law = e * (-diff(x, tau)) ** a / x
+value = [sympy.simplify(law.subs(a, q)) for q in (sympy.Rational(1, 3), sympy.Rational(1, 2), sympy.Rational(3, 4))]
+holds(
+    "On the slow curve e (-x')^alpha = x, solved by x = [alpha/(1-alpha)]^(alpha/(1-alpha)) e^(1/(1-alpha))"
+    " tau^(-alpha/(1-alpha))  (alpha = 1/3, 1/2, 3/4)",
+    all(v == 1 for v in value),
+    sympy.Eq(sympy.Symbol("x"), x),
+)
+half = x.subs({a: sympy.Rational(1, 2), e: 1})
+step("For alpha = 1/2 and e = 1: x = 1/tau", (sympy.Function("x")(tau) * tau).subs(sympy.Function("x")(tau), half), 1)

@@ -1,0 +1,77 @@
+"""For alpha > 1 the oscillator is never overdamped: from any turning point the mass passes X = 0, at any strength.
+
+On a half-swing y' = -w, w' = y - N(w), N = sum_i epsilon_i w^alpha_i, all alpha_i > 1.  For a given c > 0 the slope of
+N at small w is below c, and then a mass that stayed at y > 0 for ever would end in a linear focus, which turns.
+
+>>> print(derivation.steps[0].text())
+c = c
+"""
+
+import sympy
+
+from derivations.steps import Derivation
+
+w, y, e, c = sympy.symbols("w y e c", positive=True)
+beta = sympy.Symbol("beta", positive=True)
+R = sympy.Symbol("R", positive=True)
+theta = sympy.Symbol("theta", real=True)
+
+derivation = Derivation(
+    "no-overdamping",
+    "No overdamping for alpha > 1",
+    source="DESIGN 6; regular point of the flow in the quarter y > 0, w > 0",
+)
+step, holds = derivation.step, derivation.holds
+
+step(
+    "Below the speed w_c = (c/e)^(1/(alpha-1)) a term e w^alpha, alpha = 1 + beta, is at most c w: e w_c^beta = c",
+    sympy.powsimp(sympy.expand_power_base(e * (c ** (1 / beta) * e ** (-1 / beta)) ** beta, force=True), force=True),
+    c,
+)
+step(
+    "and e w^beta increases with w: its slope is",
+    sympy.simplify(sympy.diff(e * w**beta, w)),
+    beta * e * w ** (beta - 1),
+)
+energy = (y**2 + w**2) / 2
+rate = sympy.diff(energy, y) * (-w) + sympy.diff(energy, w) * (y - e * w ** (1 + beta))
+step("The energy falls: its rate is -w N(w)", rate, -e * w ** (2 + beta))
+step(
+    "While y > 0 the orbit cannot turn: at w = 0 the speed grows at the rate y",
+    (y - e * w ** (1 + beta)).subs(w, 0),
+    y,
+)
+step(
+    "So if y > 0 for ever: y falls, so it has a limit; w = -y' is integrable and w' is bounded, hence w -> 0; then"
+    " w' -> lim y, which must be 0.  From some time on w < w_c with c = 1, that is N(w) <= w and w' >= y - w",
+    sympy.limit((y - e * w ** (1 + beta)).subs(beta, sympy.Rational(1, 2)), w, 0),
+    y,
+)
+x, v = R * sympy.cos(theta), R * sympy.sin(theta)
+turning = sympy.simplify((x * (x - c * v) - v * (-v)) / R**2)
+step(
+    "In polar coordinates y = R cos theta, w = R sin theta: theta' = (y w' - w y')/R^2, and w' >= y - c w there",
+    turning,
+    1 - c * sympy.sin(2 * theta) / 2,
+)
+step(
+    "With c = 1 theta' >= 1/2: the largest value of sin(2 theta)/2 is 1/2",
+    sympy.maximum(c * sympy.sin(2 * theta) / 2, theta, sympy.Interval(0, sympy.pi / 2)).subs(c, 1),
+    sympy.Rational(1, 2),
+)
+step(
+    "so theta reaches pi/2, where y = 0, after a time of at most pi: a contradiction.  The mass passes y = 0",
+    (sympy.pi / 2) / (1 - sympy.Rational(1, 2)),
+    sympy.pi,
+)
+step(
+    "After that, y < 0: w' <= y < 0 and y falls, so w reaches 0, the next turning point",
+    (-y - e * w ** (1 + beta)).subs(w, 0),
+    -y,
+)
+holds(
+    "The argument needs only N(w)/w -> 0, so it holds for sums with all alpha_i > 1, and fails for alpha = 1 with"
+    " epsilon >= 2: there theta' = 1 - (epsilon/2) sin 2 theta has a zero",
+    all(1 - sympy.Rational(n, 2) * sympy.sin(sympy.asin(sympy.Rational(2, n))) == 0 for n in (2, 3, 5)),
+    sympy.Eq(1 - c * sympy.sin(2 * theta) / 2, 0),
+)

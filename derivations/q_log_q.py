@@ -1,0 +1,72 @@
+"""Quadratic damping, alpha = 2: q = e^(-u) gives q'' = -q ln q, and its energy is Smith's S.
+
+>>> print(derivation.steps[1].text())
+-q(tau)*log(q(tau)) = -q(tau)*log(q(tau))
+"""
+
+import sympy
+
+from derivations.steps import Derivation
+
+tau = sympy.Symbol("tau", real=True)
+s = sympy.Symbol("s", nonzero=True, real=True)
+w, Y = sympy.symbols("w Y", real=True)
+u = sympy.Function("u", real=True)(tau)
+Q = sympy.Function("q", positive=True)(tau)
+q = sympy.Symbol("q", positive=True)
+exp, log, diff = sympy.exp, sympy.log, sympy.diff
+
+derivation = Derivation(
+    "q-log-q",
+    "Quadratic damping as a conservative motion, q'' = -q ln q",
+    source="Smith 2012, (35)-(43); DESIGN 6",
+)
+step = derivation.step
+
+acceleration = -u + s * diff(u, tau) ** 2
+step(
+    "u'' = -u + s u'^2 with s = +1 for u' < 0 and s = -1 for u' > 0.  Put q = e^(-s u): the square of u' drops out",
+    diff(exp(-s * u), tau, 2).subs(diff(u, tau, 2), acceleration).expand(),
+    s * u * exp(-s * u),
+)
+step(
+    "that is q'' = -q ln q on either half-swing, since s u = -ln q",
+    (s * u * exp(-s * u)).subs(u, -log(Q) / s).doit(),
+    -Q * log(Q),
+)
+U = q**2 * log(q) / 2 - q**2 / 4
+step("a conservative motion in the potential", diff(U, q), q * log(q))
+energy = diff(Q, tau) ** 2 / 2 + U.subs(q, Q)
+step(
+    "so E = q'^2/2 + (q^2/2) ln q - q^2/4 is constant",
+    diff(energy, tau).subs(diff(Q, tau, 2), -Q * log(Q)).expand(),
+    0,
+)
+v = sympy.Symbol("u_value", real=True)
+place = {q: exp(-s * v)}
+step(
+    "back in u with w = u': E = e^(-2 s u) (s^2 w^2/2 - s u/2 - 1/4), Smith's constant S for s^2 = 1",
+    (sympy.expand_log((s * w * q) ** 2 / 2 + U, force=True)).subs(place).expand().subs(log(exp(-s * v)), -s * v),
+    (exp(-2 * s * v) * (s**2 * w**2 / 2 - s * v / 2 - sympy.Rational(1, 4))).expand(),
+)
+p, r = sympy.symbols("p r", positive=True)
+ends = [(exp(-2 * v) * (-v / 2 - sympy.Rational(1, 4))).subs(v, end) for end in (p / 2, -r / 2)]
+step(
+    "from rest at u = p/2 to rest at u = -r/2 (s = 1) it gives (1 + p) e^(-p) = (1 - r) e^r (Smith (43))",
+    -4 * (ends[0] - ends[1]),
+    (1 + p) * exp(-p) - (1 - r) * exp(r),
+)
+step(
+    "hence r = 1 + W(-(1+p) e^(-p-1)), the principal branch because r < 1: y = r - 1 solves y e^y = -(1+p) e^(-p-1)",
+    ((r - 1) * exp(r - 1)) * sympy.E,
+    -(1 - r) * exp(r),
+)
+t = sympy.Symbol("t", positive=True)
+square = sympy.solve(
+    sympy.Eq(exp(-2 * v) * (Y / 2 - v / 2 - sympy.Rational(1, 4)), -(1 + p) * exp(-p) / 4), Y
+)[0]  # fmt: skip
+step(
+    "and the speed at u = (p - t)/2: 2 w^2 = (1+p)(1 - e^(-t)) - t",
+    sympy.expand(sympy.powsimp(sympy.expand(2 * square.subs(v, (p - t) / 2)))),
+    sympy.expand((1 + p) * (1 - exp(-t)) - t),
+)

@@ -1,0 +1,1 @@
+"""Lancaster 2020: slow-dissipation limit of the harmonic oscillator with general power-law damping."""

@@ -1,0 +1,151 @@
+"""The model of the paper in its own letters: m x'' + k x + b x'|x'|^(alpha-1) = 0, k = m omega_0^2, x(0) = x0, at rest.
+
+Everything dimensionless depends on epsilon = b omega_0^alpha/(k x0^(1-alpha)) alone; kappa = M_(alpha+1) epsilon.
+
+>>> simplified(kappa(alpha) - mean(alpha) * EPSILON)
+0
+>>> dimension(EPSILON), dimension(b)
+(1, L**(1 - alpha)*M*T**(alpha - 2))
+
+Orders of convergence are measured against the exact motion, half-swing by half-swing (``turning_points.swing``), in 64
+bits; that arithmetic is heuristic.
+
+>>> X, V = exact_states((("1", "1/10"),), ("10",))[0]                   # linear damping, closed form
+>>> float(abs(X - linear_motion(0.1, 10.0))) < 1e-15
+True
+"""
+
+from collections.abc import Callable
+from functools import cache
+from math import cos, exp, log2, sin, sqrt
+
+import sympy
+from flint import arb, ctx
+
+from asymptotics.law import Law
+from asymptotics.turning_points.local_expansion import Damping
+from asymptotics.turning_points.swing import orbit
+from asymptotics.verdict import Outcome
+from paper_checks.identities import vanishes
+
+b, k, m, x0, omega0, t, alpha = sympy.symbols("b k m x_0 omega_0 t alpha", positive=True)
+b2, alpha2 = sympy.symbols("b' alpha'", positive=True)  # the second damping term
+x, v, A = sympy.symbols("x v A", positive=True)
+SI = {k: m * omega0**2}
+
+BITS = 64
+STRENGTHS = ("1/25", "1/50")
+PHASES = ("3/10", "11/10", "2")
+
+
+def euler_beta(p: sympy.Expr, q: sympy.Expr) -> sympy.Expr:
+    """B(p, q) in Gamma functions, as the paper defines it below (12)."""
+    return sympy.gamma(p) * sympy.gamma(q) / sympy.gamma(p + q)
+
+
+def mean(a: sympy.Expr) -> sympy.Expr:
+    """M_(a+1) = <|sin|^(a+1)>, by Wallis' formula."""
+    return sympy.gamma(a / 2 + 1) / (sympy.sqrt(sympy.pi) * sympy.gamma(a / 2 + sympy.Rational(3, 2)))
+
+
+EPSILON = b * omega0**alpha / (k * x0 ** (1 - alpha))
+
+
+def kappa(a: sympy.Expr) -> sympy.Expr:
+    """Kappa as printed below (13)."""
+    return 2 * b * (2 * omega0) ** a * euler_beta(a / 2 + 1, a / 2 + 1) / (sympy.pi * k * x0 ** (1 - a))
+
+
+def amplitude(a: sympy.Expr) -> sympy.Expr:
+    """A(t) as printed in (13)."""
+    rate = b * (2 * omega0) ** (a + 1) * t / (sympy.pi * k * x0 ** (1 - a)) * euler_beta(a / 2 + 1, a / 2 + 1)
+    return x0 * (1 + (a - 1) * rate) ** (-1 / (a - 1))
+
+
+def strength(e: sympy.Expr, a: sympy.Expr = alpha) -> sympy.Expr:
+    """The b that has the dimensionless strength e."""
+    return e * k * x0 ** (1 - a) / omega0**a
+
+
+def simplified(expression: sympy.Expr) -> sympy.Expr:
+    """The expression after Legendre's duplication formula and the recurrence of Gamma."""
+    return sympy.simplify(sympy.expand_func(sympy.gammasimp(sympy.powdenest(expression, force=True))))
+
+
+def zero(expression: sympy.Expr) -> Outcome:
+    """Whether an expression in positive symbols vanishes: as it stands, or else after ``simplified``."""
+    outcome = vanishes(expression)
+    return vanishes(simplified(expression)) if outcome == Outcome.UNDECIDED else outcome
+
+
+def dimension(expression: sympy.Expr) -> sympy.Expr:
+    """The dimension as a monomial in M, L, T; a sum of unlike terms leaves something that is no monomial.
+
+    All symbols are scaled at once: E(scaled)/E.
+    """
+    M, L, T = sympy.symbols("M L T", positive=True)
+    scale = {
+        m: M, k: M / T**2, x0: L, x: L, A: L, v: L / T, omega0: 1 / T, t: T,
+        b: M * L ** (1 - alpha) * T ** (alpha - 2), b2: M * L ** (1 - alpha2) * T ** (alpha2 - 2),
+    }  # fmt: skip
+    scaled = expression.subs({s: s * unit for s, unit in scale.items()}, simultaneous=True)
+    return sympy.simplify(sympy.powsimp(sympy.expand_power_base(sympy.powdenest(scaled / expression, force=True))))
+
+
+@cache
+def exact_states(laws: tuple[tuple[str, str], ...], times: tuple[str, ...]) -> tuple[tuple[float, float], ...]:
+    """(X, X') at ascending dimensionless times for laws (alpha, epsilon), from rest at X = 1; heuristic."""
+    law = Law.of([(epsilon, a) for a, epsilon in laws])
+    states: list[tuple[float, float]] = []
+    with ctx.workprec(BITS):
+        wanted = [arb(sympy.Rational(time).p) / sympy.Rational(time).q for time in times]
+        damping = Damping.of([(term.b.ball(), term.alpha) for term in law.terms])
+        for piece in orbit(damping, arb(1), arb(0)):
+            while len(states) < len(wanted) and (piece.end is None or wanted[len(states)] <= piece.end):
+                states.append(tuple(float(c.mid()) for c in piece.at(wanted[len(states)])))
+            if len(states) == len(wanted):
+                return tuple(states)
+    raise AssertionError("the motion never ends")
+
+
+def linear_motion(epsilon: float, tau: float) -> float:
+    """X(tau) for linear damping epsilon < 2, by (2)."""
+    gamma = epsilon / 2
+    omega = sqrt(1 - gamma**2)
+    return exp(-gamma * tau) * (cos(omega * tau) + gamma / omega * sin(omega * tau))
+
+
+def slow_times(epsilon: str) -> tuple[str, ...]:
+    """Times with epsilon tau about 1, at several phases."""
+    return tuple(str(1 / sympy.Rational(epsilon) + sympy.Rational(phase)) for phase in PHASES)
+
+
+Error = Callable[[float, float, float, float], float]
+
+
+def measured_order(laws: tuple[tuple[str, str], ...], error: Error) -> float:
+    """log_2 of the ratio of the largest |error(epsilon, tau, X, X')| about epsilon tau = 1, for epsilon and epsilon/2.
+
+    ``laws`` are (alpha, multiple of epsilon).
+    """
+    largest = []
+    for epsilon in STRENGTHS:
+        e, times = sympy.Rational(epsilon), slow_times(epsilon)
+        states = exact_states(tuple((a, str(e * sympy.Rational(share))) for a, share in laws), times)
+        found = [abs(error(float(e), float(sympy.Rational(s)), *state)) for s, state in zip(times, states)]
+        largest.append(max(found))
+    return log2(largest[0] / largest[1])
+
+
+def reaches(order: float, wanted: int) -> Outcome:
+    """CONFIRMED if the measured order is at least ``wanted``, REFUTED if clearly less."""
+    if order > wanted - 0.25:
+        return Outcome.CONFIRMED
+    return Outcome.REFUTED if order < wanted - 0.6 else Outcome.UNDECIDED
+
+
+def numeric(form: sympy.Expr, a: sympy.Expr, *more: tuple[sympy.Symbol, float]) -> Callable[[float, float], float]:
+    """A form of the paper as a function of (epsilon, tau) with m = k = x0 = omega_0 = 1; heuristic."""
+    fixed = form.subs({alpha: a}).subs({m: 1, k: 1, x0: 1, omega0: 1, **dict(more)})
+    compiled = sympy.lambdify((b, t), fixed, "math")
+    return lambda epsilon, tau: float(compiled(epsilon, tau))

@@ -1,0 +1,245 @@
+"""Equations (10)-(13) and what the paper reads off (13): the amplitude for any alpha."""
+
+from fractions import Fraction
+from math import cos
+
+import sympy
+from flint import acb, arb, ctx
+
+from asymptotics.numbers.bridge import closed_form_ball
+from asymptotics.verdict import Evidence, Kind, Outcome, Printed, balls_agree
+from paper_checks.identities import all_confirmed, decided, same, vanishes
+from paper_checks.lancaster2020.model import (
+    EPSILON,
+    SI,
+    alpha,
+    amplitude,
+    b,
+    dimension,
+    euler_beta,
+    k,
+    kappa,
+    mean,
+    measured_order,
+    numeric,
+    omega0,
+    reaches,
+    simplified,
+    t,
+    x0,
+    zero,
+)
+from paper_checks.registry import statement
+
+A, s, q = sympy.symbols("A s q", positive=True)  # s = |sin omega_0 t|; q = |alpha - 1|
+RATE = b * omega0 ** (1 + alpha) / k
+BETA = 2 ** (alpha + 1) * euler_beta(alpha / 2 + 1, alpha / 2 + 1) / sympy.pi
+FREQUENCY_NOTE = (
+    "The mean does not depend on the frequency, so that the statement is true for any value of it, as the check uses."
+)
+
+
+@statement(
+    id="lancaster2020:10", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The amplitude equation integrated",
+    latex=r"\frac{A(t)^{1-\alpha} - x_0^{1-\alpha}}{1-\alpha} = -\frac{b\omega_0^{1+\alpha}}{k}\int_0^t"
+    r"|\sin^{1+\alpha}(\omega_0 t')|dt' \qquad (\alpha \neq 1)",
+    printed=-RATE, near_miss=-RATE / omega0, conditions="alpha != 1; A > 0; A in the sense of sqrt(2E/k), see (8)",
+    methods=("(8) with (9) separated",), derivation="half-swing-equations",
+    note="Form: the factor in front of the integral.",
+)
+def separated(form: sympy.Expr) -> Outcome:
+    """From (8), (9): A' = -b (A omega_0 s)^(alpha+1)/(k A); the derivative of the left side is A^(-alpha) A'."""
+    slope = -b * (A * omega0 * s) ** (alpha + 1) / (k * A)
+    left = sympy.diff(A ** (1 - alpha) / (1 - alpha), A) * slope
+    return zero(left - form * s ** (1 + alpha))
+
+
+@statement(
+    id="lancaster2020:claim.linear-limit", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The case alpha = 1 is the limit of (10)",
+    latex=r"A^{1-\alpha} = e^{(1-\alpha)\ln A}, \quad \epsilon = 1 - \alpha \to 0",
+    printed=(A / x0, sympy.Integer(1)), near_miss=(A * x0, sympy.Integer(1)),
+    methods=("limit of the left side",), note="Form: what stands in the logarithm of the limit, and its factor.",
+)
+def linear_limit(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
+    """(A^q - x0^q)/q -> ln(A/x0) as q = 1 - alpha -> 0 (by L'Hospital: the derivative of the numerator at q = 0)."""
+    limit = sympy.diff(sympy.exp(q * sympy.log(A)) - sympy.exp(q * sympy.log(x0)), q).subs(q, 0)
+    argument, factor = form
+    return vanishes(sympy.expand_log(limit - factor * sympy.log(argument)))
+
+
+@statement(
+    id="lancaster2020:11", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
+    title="The integral grows like its mean",
+    latex=r"\int_0^t|\sin^{\alpha+1}(\omega_0 t')|dt' \simeq \langle|\sin^{1+\alpha}(\omega' t)|\rangle t",
+    printed=mean(alpha), near_miss=2 ** (-(alpha + 1) / 2), order="1", digits=20,
+    conditions="omega_0 t >> 1: the difference is periodic, so the relative error is O(1/(omega_0 t))",
+    methods=("mean over half a period by certified quadrature, alpha = 0, 1/2, 3/2, 2, 3",),
+    note="omega' and the unprimed t on the right should be omega_0 and t' (the text cannot tell whose slip it is). "
+    + FREQUENCY_NOTE + " Near miss: the mean of Lelas' trick. Order in 1/t. Form: the mean.",
+)
+@statement(
+    id="lancaster2020:12", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
+    title="The mean as a beta function",
+    latex=r"\int_0^t|\sin^{\alpha+1}(\omega t')|dt' \simeq 2^{\alpha+1}B\left(\frac{\alpha}{2}+1,"
+    r"\frac{\alpha}{2}+1\right)t/\pi",
+    printed=BETA, near_miss=BETA / 2, order="1", digits=20,
+    conditions="omega t >> 1, as for (11); B(x,y) = Gamma(x) Gamma(y)/Gamma(x+y)",
+    methods=("mean over half a period by certified quadrature, alpha = 0, 1/2, 3/2, 2, 3", "duplication formula"),
+    note="omega stands where (11) has omega_0; by (2) it would be another frequency. " + FREQUENCY_NOTE
+    + " Form: the factor of t.",
+)
+def mean_of_sine(form: sympy.Expr) -> Outcome:
+    """The form equals Wallis' M_(alpha+1) identically, and the certified mean over a half period at five exponents."""
+    outcomes = [zero(form - mean(alpha))]
+    with ctx.workprec(120):
+        for a in (Fraction(0), Fraction(1, 2), Fraction(3, 2), Fraction(2), Fraction(3)):
+            value = closed_form_ball(form.subs(alpha, sympy.Rational(a.numerator, a.denominator)))
+            outcomes.append(balls_agree(value, _certified_mean(a), 20))
+    return all_confirmed(*outcomes)
+
+
+def _certified_mean(a: Fraction) -> arb:
+    """(1/pi) int_0^pi sin^(a+1) = 4/pi int_0^1 u^(2a+3) (1 - u^4)^(-1/2) du with sin = u^2, made smooth at u = 1.
+
+    With u = 1 - w^2: 1 - u^4 = w^2 (2 - w^2)(1 + u^2), du = -2 w dw; on 0 <= w <= 1 only u = 0 is singular, where
+    u^(2a+3) is an integer power because 2a is an integer.
+    """
+    power = int(2 * a) + 3
+
+    def integrand(w: acb, analytic: bool) -> acb:
+        u = 1 - w * w
+        return u**power * 2 / ((2 - w * w) * (1 + u * u)).sqrt(analytic)
+
+    return 4 * acb.integral(integrand, acb(0), acb(1)).real / arb.pi()
+
+
+@statement(
+    id="lancaster2020:claim.average-period", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The period of the averaged function", latex=r"\frac{\pi}{\omega_0}", printed=sympy.pi / omega0,
+    near_miss=sympy.pi / (2 * omega0), conditions="alpha > -1", methods=("shift of the argument", "zeros"),
+)
+def average_period(form: sympy.Expr) -> Outcome:
+    """sin^2 returns after the form, and the form is the distance of two neighbouring zeros, so it is the least."""
+    shifted = sympy.sin(omega0 * (t + form)) ** 2 - sympy.sin(omega0 * t) ** 2
+    return all_confirmed(vanishes(sympy.expand_trig(sympy.expand(shifted))), same(omega0 * form, sympy.pi))
+
+
+@statement(
+    id="lancaster2020:13", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.PROVED, order="1",
+    title="The amplitude for any exponent",
+    latex=r"A(t) = x_0\left[1 + (\alpha-1)\frac{b(2\omega_0)^{\alpha+1}t}{\pi kx_0^{1-\alpha}}"
+    r"B\left[\frac{\alpha}{2}+1,\frac{\alpha}{2}+1\right]\right]^{-\frac{1}{\alpha-1}}",
+    printed=amplitude(alpha), near_miss=x0 * (amplitude(alpha) / x0) ** sympy.Rational(9, 10),
+    conditions="alpha != 1 (alpha = 1 as a limit); for alpha < 1 only until the bracket vanishes; omega_0 t up to the"
+    " order of 1/epsilon, for alpha > 1 all times",
+    methods=("(10) with (12), proved", "error of A cos(omega_0 t) against the exact motion, alpha = 0, 3/2, 3"),
+    derivation="symbolic-alpha",
+    note="The supplied text runs the number (13) and the definition of kappa into one display; the formula is whole."
+    " The error of x is O(epsilon); at the turning points, where |x| is the amplitude, it is O(epsilon^2).",
+)
+def amplitude_for_any_exponent(form: sympy.Expr) -> Outcome:
+    """A^(1-alpha) = x0^(1-alpha) (1 + (alpha-1) ...) by (10), (12), and a first-order error of the motion."""
+    wanted = 1 + (alpha - 1) * RATE * BETA * t * x0 ** (alpha - 1)
+    formal = zero(sympy.powdenest((form / x0) ** (1 - alpha), force=True) - wanted)
+    if formal != Outcome.CONFIRMED:
+        return formal
+    orders = []
+    for a, share in ((0, "1/2"), (sympy.Rational(3, 2), "1"), (3, "1")):
+        A_of, factor = numeric(form, a), float(sympy.Rational(share))
+        orders.append(
+            measured_order(((str(a), share),), lambda e, T, X, V, A=A_of, f=factor: X - A(f * e, T) * cos(T))
+        )
+    return all_confirmed(*(reaches(order, 1) for order in orders))
+
+
+@statement(
+    id="lancaster2020:claim.kappa", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
+    title="The dimensionless parameter kappa",
+    latex=r"\kappa \equiv 2b(2\omega_0)^{\alpha}B\left[\frac{\alpha}{2}+1,\frac{\alpha}{2}+1\right]"
+    r"/(\pi kx_0^{1-\alpha})",
+    printed=kappa(alpha), near_miss=kappa(alpha) / 2, methods=("comparison with (13)", "dimension"),
+    note="(13) reads A = x0 [1 + (alpha-1) kappa omega_0 t]^(-1/(alpha-1)); kappa = M_(alpha+1) epsilon. In the"
+    " supplied text the definition stands inside the display (13).",
+)
+def definition_of_kappa(form: sympy.Expr) -> Outcome:
+    """The bracket of (13) is 1 + (alpha - 1) kappa omega_0 t, and kappa is M_(alpha+1) epsilon and a pure number."""
+    bracket = sympy.powdenest((amplitude(alpha) / x0) ** (1 - alpha), force=True)
+    return all_confirmed(
+        zero(bracket - 1 - (alpha - 1) * form * omega0 * t),
+        zero(form - mean(alpha) * EPSILON),
+        same(dimension(form), sympy.Integer(1)),
+    )
+
+
+def late(form: sympy.Expr) -> sympy.Expr:
+    """The limit of t^(1/(alpha-1)) A(t) for alpha = 1 + q, from that of its power q: a linear function of 1/t."""
+    power = sympy.powdenest(form.subs(alpha, 1 + q) ** (-q), force=True)
+    return sympy.expand(sympy.powsimp(sympy.expand(power / t))).subs(t, sympy.oo)
+
+
+@statement(
+    id="lancaster2020:claim.forgets-x0", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="For alpha > 1 the amplitude forgets the initial displacement",
+    latex=r"\alpha > 1: \quad \lim_{t\to\infty} t^{1/(\alpha-1)}A(t) \text{ does not depend on } x_0",
+    printed=amplitude(alpha), near_miss=amplitude(alpha) * sympy.sqrt(x0), conditions="alpha > 1",
+    methods=("limit of (13)",),
+    note="A -> [(alpha-1) M_(alpha+1) b omega_0^(alpha+1) t/k]^(-1/(alpha-1)).",
+)
+def forgets_x0(form: sympy.Expr) -> Outcome:
+    """The limit of t^(-1) A^(1-alpha) is free of x0, and not 0."""
+    limit = simplified(late(form))
+    return all_confirmed(decided(not limit.has(t) and limit != 0), vanishes(sympy.diff(limit, x0)))
+
+
+@statement(
+    id="lancaster2020:claim.decay-exponent", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The decay at late times", latex=r"A(t) \sim t^{-\frac{1}{\alpha-1}} \text{ as } t \to \infty",
+    printed=-1 / q, near_miss=-1 / (q + 1), conditions="alpha > 1", methods=("limit of (13)",),
+    note="Form: the exponent, with q = alpha - 1. For alpha < 1 the averaged amplitude ends at a finite time.",
+)
+def decay_exponent(form: sympy.Expr) -> Outcome:
+    """A^(-q) grows linearly in t."""
+    limit = late(amplitude(alpha))
+    return all_confirmed(decided(not limit.has(t) and limit != 0), same(form * q, sympy.Integer(-1)))
+
+
+@statement(
+    id="lancaster2020:claim.slower-with-alpha", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The decay becomes slower with increasing alpha",
+    latex=r"\frac{d}{d\alpha}\left(-\frac{1}{\alpha-1}\right) > 0", printed=-1 / q, near_miss=-q,
+    conditions="alpha > 1, at late times", methods=("monotone exponent",),
+)
+def slower_with_alpha(form: sympy.Expr) -> Outcome:
+    """The exponent of t increases with alpha."""
+    return decided(sympy.diff(form, q).is_positive is True)
+
+
+@statement(
+    id="lancaster2020:claim.three-cases", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The cases alpha = 0, 1, 2 are contained in (13)",
+    latex=r"\langle|\sin|\rangle = \frac{2}{\pi}, \quad \langle\sin^2\rangle = \frac{1}{2}, \quad"
+    r" \langle|\sin^3|\rangle = \frac{4}{3\pi}",
+    printed=BETA, near_miss=BETA * (alpha + 1) / 2, methods=("the integral worked out separately for each case",),
+    note="As ref. 16 does; alpha = 1 by the limit of claim.linear-limit. Form: the mean as a function of alpha.",
+)
+def three_cases(form: sympy.Expr) -> Outcome:
+    """The elementary integrals of sin, sin^2, sin^3 over (0, pi)."""
+    integrals = [sympy.integrate(sympy.sin(t) ** (a + 1), (t, 0, sympy.pi)) / sympy.pi for a in range(3)]
+    return all_confirmed(*(same(form.subs(alpha, a), value) for a, value in enumerate(integrals)))
+
+
+@statement(
+    id="lancaster2020:claim.dimensions", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="Dimensions of (10), (13), (14)",
+    latex=r"[A] = \text{length}, \quad \left[\frac{b\omega_0^{1+\alpha}}{k}t\right] = \text{length}^{1-\alpha},"
+    r" \quad [\kappa\omega_0] = \text{time}^{-1}",
+    printed=(amplitude(alpha), RATE * t, kappa(alpha) * omega0),
+    near_miss=(amplitude(alpha), RATE * t * omega0, kappa(alpha) * omega0), methods=("all units scaled at once",),
+)
+def dimensions(form: tuple[sympy.Expr, ...]) -> Outcome:
+    """Scaling of mass, length and time."""
+    L, T = sympy.symbols("L T", positive=True)
+    wanted = (L, L ** (1 - alpha), 1 / T)
+    return all_confirmed(*(zero((dimension(e) - unit).subs(SI)) for e, unit in zip(form, wanted)))

@@ -1,0 +1,212 @@
+"""Figures 1 and 2, footnote 20 and dry friction: the mass stops away from equilibrium."""
+
+from functools import cache
+from math import cos, log2
+
+import sympy
+from flint import arb, ctx
+
+from asymptotics.law import Law
+from asymptotics.numbers.bridge import closed_form_ball, from_sympy
+from asymptotics.turning_points.general import turning_points
+from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.identities import all_confirmed, decided, same
+from paper_checks.lancaster2020.model import (
+    amplitude,
+    b,
+    dimension,
+    k,
+    m,
+    mean,
+    measured_order,
+    numeric,
+    reaches,
+    x,
+)
+from paper_checks.registry import statement
+
+THREE_HALVES, HALF = sympy.Rational(3, 2), sympy.Rational(1, 2)
+g, mu = sympy.symbols("g mu", positive=True)
+
+
+@statement(
+    id="lancaster2020:claim.kappa-fig1", kind=Kind.NUMBER, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
+    title="Figure 1: kappa", latex=r"\kappa \approx 0.042 \quad (\alpha = 0)", digits=2,
+    printed=("0.042", sympy.Integer(0), "0.06519", "0.06675"), near_miss=("0.042", sympy.Integer(0), "0.0659", "0.067"),
+    conditions="0.0652 <= b/(k x_0) <= 0.0667", methods=("kappa = 2b/(pi k x0) at both ends of the range",),
+    note="m, k, b, x0 are not given; this range of epsilon = b/(k x0), and no other, gives the printed kappa. Form:"
+    " kappa, alpha, and the range of epsilon to four figures.",
+)
+@statement(
+    id="lancaster2020:claim.kappa-fig2", kind=Kind.NUMBER, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
+    title="Figure 2: kappa", latex=r"\kappa \approx 0.19 \quad (\alpha = \tfrac{3}{2})", digits=2,
+    printed=("0.19", THREE_HALVES, "0.4043", "0.4260"), near_miss=("0.19", THREE_HALVES, "0.185", "0.195"),
+    conditions="0.4043 <= b omega_0^{3/2} x_0^{1/2}/k <= 0.4260",
+    methods=("kappa = M_(5/2) epsilon at both ends of the range",),
+    note="kappa is less than half of epsilon here: M_(5/2) = 0.4576. Form as for claim.kappa-fig1.",
+)
+def range_of_strength(form: tuple[str, sympy.Expr, str, str]) -> Outcome:
+    """kappa rounds to the printed number at both ends, and one unit of the last figure further out it does not."""
+    printed, a, low, high = form
+    unit = sympy.Rational(1, 10 ** len(low.partition(".")[2]))
+    first, last, centre = sympy.Rational(low), sympy.Rational(high), sympy.Rational(printed)
+    half = sympy.Rational(1, 2 * 10 ** len(printed.partition(".")[2]))
+    with ctx.workprec(80):
+        rounds = [_inside(mean(a) * e, centre - half, centre + half) for e in (first, last, first - unit, last + unit)]
+    return decided(rounds == [True, True, False, False])
+
+
+def _inside(value: sympy.Expr, low: sympy.Expr, high: sympy.Expr) -> bool:
+    ball = closed_form_ball(value)
+    return bool(closed_form_ball(low) < ball) and bool(ball < closed_form_ball(high))
+
+
+@statement(
+    id="lancaster2020:fig1", kind=Kind.FIGURE, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
+    title="Dry friction: the mass stops away from equilibrium",
+    latex=r"\text{Sliding friction allows for the mass to stop away from equilibrium, which is not captured by the}"
+    r"\ \text{approximate solution}",
+    printed=sympy.Rational(42, 1000), near_miss=1 / (8 * sympy.pi),
+    conditions="kappa = 0.042, that is epsilon = 0.0660; off centre for all epsilon of claim.kappa-fig1, after 8 half-"
+    "swings for epsilon < 1/15 and after 7 above",
+    methods=("exact turning points x_n = (-1)^n (1 - 2 n epsilon), balls",),
+    note="Regenerated, half-swing by half-swing: the mass stops at x = -0.056 x0 after 8 half-swings (the amplitude of"
+    " Table I is zero after 7.6), and from there on Table I grows again with the opposite sign. At the turning points"
+    " before the stop it is exact. Near miss: kappa = 1/(8 pi) = 0.0398, where the mass stops at the origin. Form:"
+    " kappa.",
+)
+def stops_off_centre(form: sympy.Expr) -> Outcome:
+    """N = 8 is the first n with |x_n| <= epsilon, and x_N differs from 0; A(t) of Table I is not constant there."""
+    with ctx.workprec(80):
+        epsilon = closed_form_ball(form * sympy.pi / 2)
+        stop = next(n for n in range(100) if (2 * n + 1) * epsilon >= 1)
+        place = 1 - 2 * stop * epsilon
+        return decided(stop == 8 and not place.contains(0) and bool(abs(place) <= epsilon))
+
+
+@statement(
+    id="lancaster2020:claim.friction-overwhelms", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The sliding friction can overwhelm the restoring force",
+    latex=r"k|x| < b \text{ when the amplitude has decayed to a sufficiently small value}",
+    printed=b / k, near_miss=2 * b / k, conditions="alpha = 0; equal static and kinetic friction",
+    methods=("restoring force at the bound", "number of half-swings, exact"),
+    note="'For certain parameter choices' is too cautious: it happens for all, after the least N half-swings with"
+    " (2N+1) b >= k x0; only for k x0 = 2Nb at the origin. Form: the bound of |x|.",
+)
+@statement(
+    id="lancaster2020:claim.stops-by-static-friction", kind=Kind.CLAIM, verdict=Printed.HOLDS,
+    evidence=Evidence.PROVED, title="Where the mass stops (footnote 20)",
+    latex=r"\text{it will stop if the available static friction is greater in magnitude than the restoring force}",
+    printed=b / k, near_miss=2 * b / k, conditions="static friction b; at equality too, if it is as large as kinetic",
+    methods=("restoring force at the bound", "number of half-swings, exact"), note="Form: the bound of |x|.",
+)
+def friction_overwhelms(form: sympy.Expr) -> Outcome:
+    """k x = b at the form; and for several epsilon the turning amplitudes 1 - 2 n epsilon do fall below it."""
+    finite = [any(abs(1 - 2 * n * e) <= e for n in range(1, 200)) for e in (HALF, HALF / 7, HALF / 99)]
+    return all_confirmed(same(k * form, b), decided(all(finite)))
+
+
+@statement(
+    id="lancaster2020:claim.friction-coefficient", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The coefficients of friction", latex=r"\mu_s = \mu_k = \frac{b}{mg}", printed=b / (m * g),
+    near_miss=b * g / m, conditions="alpha = 0; horizontal motion under gravity",
+    methods=("normal force m g", "dimension"), note="Form: mu.",
+)
+def friction_coefficient(form: sympy.Expr) -> Outcome:
+    """mu m g = b; and mu is a pure number (g scales like k x/m)."""
+    number = dimension(form.subs(g, k * x / m)).subs(sympy.Symbol("alpha", positive=True), 0)
+    return all_confirmed(same(form * m * g, b), same(number, sympy.Integer(1)))
+
+
+@statement(
+    id="lancaster2020:claim.short-times", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    order="1", title="For alpha < 1 the amplitude is valid for weak damping at short times",
+    latex=r"\text{for } \alpha < 1 \text{, the asymptotic results for } A(t) \text{ are valid for the weak-damping}"
+    r"\ \text{regime at short times}",
+    printed=sympy.Integer(1), near_miss=sympy.Rational(21, 20),
+    conditions="'short': (1-alpha) kappa omega_0 t below 1 and not near it; omega_0 t may be large",
+    methods=("exact motion, alpha = 1/2, epsilon = 1/25 and 1/50, at epsilon omega_0 t about 1",),
+    note="Form: the factor of A(t).",
+)
+def short_times(form: sympy.Expr) -> Outcome:
+    """The error of A cos(omega_0 t) falls like epsilon at a fixed slow time."""
+    A_of = numeric(amplitude(sympy.Symbol("alpha", positive=True)), HALF)
+    factor = float(form)
+    return reaches(
+        measured_order((("1/2", "1"),), lambda e, s, X, V: X - factor * A_of(e, s) * cos(s)), 1
+    )
+
+
+@statement(
+    id="lancaster2020:fig2", kind=Kind.FIGURE, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    title="alpha = 3/2: the approximation is quite robust",
+    latex=r"\text{the approximation is quite robust, even for modest } \kappa", printed=-2, near_miss=-1,
+    conditions="kappa = 0.19, that is epsilon = 0.4152",
+    methods=("exact turning points, half-swing by half-swing, n = 1 ... 9",),
+    note="Regenerated. At the turning points the amplitude is right to 0.03 %; what is left is the phase, a lag that"
+    " tends to about 0.28. Form: the exponent of the bracket.",
+)
+@statement(
+    id="lancaster2020:claim.long-times-good", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    title="Good agreement at long times for alpha > 1 and modest kappa", printed=-2, near_miss=-1,
+    latex=r"\text{For } \alpha > 1 \text{ and modest values of } \kappa \text{, agreement ... at long times}"
+    r"\ \omega_0 t \gg 1 \text{ is generally quite good}",
+    conditions="shown at alpha = 3/2, kappa = 0.19", methods=("exact turning points, n = 1 ... 9",),
+    derivation="finite-phase-lag", note="Form as for fig2.",
+)
+def robust(form: int) -> Outcome:
+    """|X_n| against [1 + kappa tau_n/2]^form, with epsilon = kappa/M_(5/2) to four figures."""
+    quotients = [place / (1 + 0.5 * kappa * tau) ** form for place, tau, kappa in _turning_points_of_figure_2()]
+    worst = max(abs(quotient - 1) for quotient in quotients)
+    return decided(worst < 0.001)
+
+
+@cache
+def _turning_points_of_figure_2() -> list[tuple[float, float, float]]:
+    """(|X_n|, tau_n, kappa), heuristic."""
+    epsilon = sympy.Rational(4152, 10000)
+    with ctx.workprec(80):
+        kappa = float((closed_form_ball(mean(THREE_HALVES)) * arb(4152) / 10000).mid())
+    table = turning_points(Law.of([(from_sympy(epsilon), "3/2")]), 10, 12, times=True)
+    return [(abs(float(point.x)), float(point.tau or 0), kappa) for point in table.points[1:]]
+
+
+@statement(
+    id="lancaster2020:fn20", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
+    title="The residual motion is a numerical artifact that ceases with the step size",
+    latex=r"\text{As the step size } \delta t \to 0 \text{, the motion ceases}", printed=1, near_miss=0,
+    conditions="alpha = 0; sgn(v) with a fixed step",
+    methods=("semi-implicit Euler steps at the resting place of Fig. 1, three step sizes",),
+    note="The mean speed is proportional to the step. 'A careful implementation ... would be tedious' does not apply:"
+    " half-swing by half-swing the motion is elementary and the mass stops exactly. Form: the order in the step.",
+)
+def chatter(form: int) -> Outcome:
+    """The mean speed at rest, from x = -0.0556, falls by 2 when the step is halved."""
+    speeds = [_mean_speed(step) for step in (4e-3, 2e-3, 1e-3)]
+    orders = [log2(a / c) for a, c in zip(speeds, speeds[1:])]
+    return decided(all(abs(order - form) < 0.1 for order in orders))
+
+
+def _mean_speed(step: float, steps: int = 4000) -> float:
+    """The mean |v| of a fixed-step integration with v' = -x - epsilon sgn v; heuristic."""
+    x_, v_, epsilon, total = -0.0556, 0.0, 0.06597, 0.0
+    for _ in range(steps):
+        sign = (v_ > 0) - (v_ < 0)
+        v_ += step * (-x_ - epsilon * sign)
+        x_ += step * v_
+        total += abs(v_)
+    return total / steps
+
+
+@statement(
+    id="lancaster2020:claim.fn20-speed", kind=Kind.NUMBER, verdict=Printed.OPEN, evidence=Evidence.NONE,
+    title="The mean speed of the numerical artifact (footnote 20)",
+    latex=r"\left\langle\frac{v}{\omega_0 x_0}\right\rangle \sim 10^{-5}", printed=1e-5, near_miss=0.1,
+    methods=("step that the scheme of fn20 needs for it",), conditions="alpha = 0; sgn(v) with a fixed step",
+    note="Open: the number depends on the integrator and its step, which the supplied text does not give. The scheme"
+    " of fn20 gives it for omega_0 dt of about 0.0002. Near miss: a speed that no usable step gives.",
+)
+def artifact(form: float) -> Outcome:
+    """The speed is proportional to the step (fn20): UNDECIDED if some step below 1/10 gives the form."""
+    needed = form * 1e-3 / _mean_speed(1e-3)
+    return Outcome.UNDECIDED if needed < 0.1 else Outcome.REFUTED

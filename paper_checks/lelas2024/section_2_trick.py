@@ -1,0 +1,188 @@
+"""Section II, equations (14)-(21): two dissipation rates added, for viscous damping.
+
+The velocities of the two pairs are -omega_0 x_0 f sin and omega_0 x_0 f cos.  Each law has the power -P(|v|).
+"""
+
+import sympy
+
+from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.identities import all_confirmed, decided, same, vanishes
+from paper_checks.lelas2024.model import A0, B0, b, f, k, m, slope, t, theta, w0, x0
+from paper_checks.lelas2024.section_2 import ENERGY, V1, V2, X1, X2, along, v, x
+from paper_checks.registry import statement
+
+sin, cos = sympy.sin(w0 * t), sympy.cos(w0 * t)
+ENERGY_OF_F = m * w0**2 * x0**2 * f**2 / 2
+RATE_OF_ENERGY = m * w0**2 * x0**2 * f * slope
+
+
+@statement(
+    id="lelas2024:14", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The approximate energies are equal",
+    latex=r"E_1(t) = E_2(t) = \frac{m\omega_0^2x_0^2f^2(t)}{2}", printed=ENERGY_OF_F, near_miss=ENERGY_OF_F / f,
+    conditions="with (8), (9), (12), (13)", methods=("substitution in (6), k = m omega_0^2",),
+    derivation="lelas-viscous",
+)
+def approximate_energies(form: sympy.Expr) -> Outcome:
+    """(6) at both approximate motions."""
+    pairs = ((X1, V1), (X2, V2))
+    return all_confirmed(*(same(ENERGY.subs({x: a, v: u, k: m * w0**2}), form) for a, u in pairs))
+
+
+@statement(
+    id="lelas2024:15", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="Their first derivatives",
+    latex=r"\frac{dE_1(t)}{dt} = \frac{dE_2(t)}{dt} = m\omega_0^2x_0^2f(t)\frac{df(t)}{dt}",
+    printed=RATE_OF_ENERGY, near_miss=RATE_OF_ENERGY / 2, methods=("(14) differentiated",), derivation="lelas-viscous",
+)
+def rate_of_energy(form: sympy.Expr) -> Outcome:
+    """d/dt of (14)."""
+    return same(along(ENERGY_OF_F), form)
+
+
+@statement(
+    id="lelas2024:16", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The power of viscous damping, first pair",
+    latex=r"P_{d1}(t) = -b\omega_0^2x_0^2f^2(t)\sin^2(\omega_0t)", printed=(V1, -b * w0**2 * x0**2 * f**2 * sin**2),
+    near_miss=(V1, -b * w0**2 * x0**2 * f**2 * cos**2), conditions="with (12)", methods=("-b v^2",),
+    derivation="lelas-viscous",
+)
+@statement(
+    id="lelas2024:17", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The power of viscous damping, second pair",
+    latex=r"P_{d2}(t) = -b\omega_0^2x_0^2f^2(t)\cos^2(\omega_0t)", printed=(V2, -b * w0**2 * x0**2 * f**2 * cos**2),
+    near_miss=(V2, -b * w0 * x0**2 * f**2 * cos**2), conditions="with (13)", methods=("-b v^2",),
+    derivation="lelas-viscous",
+)
+def viscous_power(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
+    """-b v^2 for the velocity of the form."""
+    return same(-b * form[0] ** 2, form[1])
+
+
+@statement(
+    id="lelas2024:18", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The rate of f from the first pair", latex=r"\frac{df(t)}{dt} = -\frac{b}{m}f(t)\sin^2(\omega_0t)",
+    printed=(V1, -b / m * f * sin**2), near_miss=(V1, -b / (2 * m) * f * sin**2), derivation="lelas-viscous",
+    conditions="f > 0; a consequence of (15) and (16)", methods=("(15) = (16) solved for df/dt",),
+    note="(18) and (19) are two different equations for one f; see claim.two-rates-contradict.",
+)
+@statement(
+    id="lelas2024:19", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The rate of f from the second pair", latex=r"\frac{df(t)}{dt} = -\frac{b}{m}f(t)\cos^2(\omega_0t)",
+    printed=(V2, -b / m * f * cos**2), near_miss=(V2, -b / (2 * m) * f * cos**2), derivation="lelas-viscous",
+    conditions="f > 0; a consequence of (15) and (17)", methods=("(15) = (17) solved for df/dt",),
+)
+def viscous_rate(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
+    """m omega_0^2 x_0^2 f f' = -b v^2."""
+    return vanishes(RATE_OF_ENERGY.subs(slope, form[1]) + b * form[0] ** 2)
+
+
+@statement(
+    id="lelas2024:claim.two-rates-contradict", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    title="One function f obeys both (18) and (19)", printed=1, corrected=2, near_miss=3,
+    latex=r"\frac{df}{dt} = -\frac{b}{m}f\sin^2(\omega_0t) \text{ and } \frac{df}{dt} = -\frac{b}{m}f\cos^2(\omega_0t)",
+    corrected_latex=r"\left\langle\sin^2\right\rangle = \left\langle\cos^2\right\rangle = \frac{1}{2}",
+    conditions="in the mean over a quarter period or a multiple of it", methods=("values and quarter-period means",),
+    derivation="lelas-viscous",
+    note="Taken together the two say sin^2 = cos^2, false except at isolated instants: each is wrong by as much as the"
+    " rate itself, since the f' dropped from the velocities is of the order kept in (15). The sum is right because the"
+    " means agree, so the trick is an average after all. Form: where they agree: 1 at all times, 2 in the"
+    " mean over a quarter period, 3 in the mean over an eighth.",
+)
+def two_rates(where: int) -> Outcome:
+    """sin^2 - cos^2 vanishes identically (1), or its integral over the stated part of a period does (2, 3)."""
+    difference = sympy.sin(theta) ** 2 - sympy.cos(theta) ** 2
+    if where == 1:
+        return vanishes(difference)
+    return vanishes(sympy.integrate(difference, (theta, 0, sympy.pi / (2 * (where - 1)))))
+
+
+@statement(
+    id="lelas2024:20", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.PROVED, order="2",
+    title="The sum of the two rates", latex=r"\frac{df(t)}{dt} = -\frac{b}{2m}f(t)", printed=-b / (2 * m) * f,
+    near_miss=-b / m * f, methods=("half the sum of (18) and (19)", "the exact decay rate is b/(2m)"),
+    derivation="lelas-viscous", conditions="b < 2 sqrt(km)",
+    note="The rate b/(2m) is exact for every underdamped b; the order is that of omega_0 against the exact frequency.",
+)
+def sum_of_rates(form: sympy.Expr) -> Outcome:
+    """2 f' is the sum; and e^(-bt/2m) times a cosine of frequency sqrt(omega_0^2 - b^2/4m^2) solves (1) with (2)."""
+    total = (-b / m * f * sin**2 - b / m * f * cos**2) / 2
+    decay = form / f
+    motion = sympy.exp(decay * t) * sympy.cos(sympy.sqrt(w0**2 - b**2 / (4 * m**2)) * t)
+    residual = m * sympy.diff(motion, t, 2) + b * sympy.diff(motion, t) + m * w0**2 * motion
+    exact = vanishes(sympy.expand(sympy.expand(residual) * sympy.exp(-decay * t)))
+    return all_confirmed(same(form, total), exact)
+
+
+@statement(
+    id="lelas2024:claim.exponential-decay", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The exponential decay of the amplitude", latex=r"f(t) = e^{-\frac{b}{2m}t}", derivation="lelas-viscous",
+    printed=sympy.exp(-b * t / (2 * m)), near_miss=sympy.exp(-b * t / m), methods=("(20) and f(0) = 1",),
+)
+def exponential_decay(form: sympy.Expr) -> Outcome:
+    """f' = -(b/2m) f with f(0) = 1."""
+    return all_confirmed(vanishes(sympy.diff(form, t) + b / (2 * m) * form), same(form.subs(t, 0), sympy.Integer(1)))
+
+
+@statement(
+    id="lelas2024:claim.exponential-energy", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="This version of the approach gives a purely exponential decay of energy",
+    latex=r"E_1(t) = E_2(t) = E_0e^{-\frac{b}{m}t}", printed=sympy.exp(-b * t / m),
+    near_miss=sympy.exp(-b * t / (2 * m)), methods=("(14) with f = e^{-bt/2m}",), derivation="lelas-viscous",
+)
+def exponential_energy(form: sympy.Expr) -> Outcome:
+    """f^2."""
+    return same(ENERGY_OF_F.subs(f, sympy.exp(-b * t / (2 * m))), m * w0**2 * x0**2 / 2 * form)
+
+
+@statement(
+    id="lelas2024:21", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The condition of weak viscous damping", latex=r"b \ll 2\sqrt{km}", printed=2 * sympy.sqrt(k * m),
+    near_miss=sympy.sqrt(k * m), methods=("|f'(0)| = omega_0",), derivation="lelas-viscous",
+    note="The bound is also that of critical damping. Form: the bound.",
+)
+def weak_viscous_damping(bound: sympy.Expr) -> Outcome:
+    """|f'(0)|/omega_0 = b/bound."""
+    return same(b / (2 * m) / sympy.sqrt(k / m), b / bound)
+
+
+@statement(
+    id="lelas2024:claim.trick-fails", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The trick does not work unchanged for the other two types of damping",
+    latex=r"|\sin|^{n+1} + |\cos|^{n+1} \text{ is constant for } n = 1 \text{ only}", printed=(0, 2), near_miss=(0, 1),
+    conditions="n = 0, 1, 2", methods=("values at 0 and at pi/4",),
+    note="Form: the n for which adding the two powers gives no constant.",
+)
+def trick_fails(form: tuple[int, ...]) -> Outcome:
+    """2 (1/2)^((n+1)/2) against 1; constant for n = 1, since sin^2 + cos^2 = 1."""
+    return decided(all(2 * sympy.sqrt(2) ** -(n + 1) != 1 for n in form))
+
+
+@statement(
+    id="lelas2024:claim.shifted-pairs", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="For viscous damping any two amplitudes work if the phases differ by pi/2",
+    latex=r"\text{the only necessary condition for our procedure to work is } \beta_0 = \phi_0 \pm \pi/2",
+    printed=(A0, B0, sympy.pi / 2), near_miss=(A0, B0, sympy.pi / 3), conditions="n = 1",
+    methods=("the sum of the two equations is free of t",),
+    note="Necessary too: sin^2(a) + sin^2(a + d) = 1 - cos(d) cos(2a + d), constant only for cos d = 0.",
+)
+@statement(
+    id="lelas2024:claim.equal-amplitudes", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="For friction and air the trick also needs equal amplitudes", conditions="n = 0, 2; the two equations added",
+    latex=r"n = 0, 2: \text{ our procedure works only if } A_0 = B_0 \text{ and } \beta_0 - \phi_0 = \pm\pi/2",
+    printed=(A0, A0, sympy.pi / 2, 0, 2), near_miss=(A0, 2 * A0, sympy.pi / 2, 0, 2),
+    methods=("the sum of the two equations, raised to 2/(n+1), is free of t",),
+    note="Weights (A_0^2, B_0^2 for n = 0) would again make a constant of unequal amplitudes, but one f for both would"
+    " then be wrong, since the rate depends on the amplitude.",
+)
+def procedure_works(form: tuple[sympy.Expr, ...]) -> Outcome:
+    """r = f^n A^(n-1) |sin(theta + phase)|^(n+1) for each pair; the sum of the r^(2/(n+1)) must not depend on theta."""
+    first, second, shift, *powers = form
+    outcomes = []
+    for n in powers or (1,):
+        weights = [amplitude ** sympy.Rational(2 * (n - 1), n + 1) for amplitude in (first, second)]
+        total = weights[0] * sympy.sin(theta) ** 2 + weights[1] * sympy.sin(theta + shift) ** 2
+        outcomes.append(vanishes(sympy.diff(sympy.expand_trig(total), theta)))
+    return all_confirmed(*outcomes)
+
+

@@ -1,0 +1,302 @@
+"""Section I, equations (1a)-(24d): constants of the motion in general, and the two quadratures for the time.
+
+v(x) or f(x, v) are arbitrary functions wherever the paper leaves them so; M is the mass.
+"""
+
+import sympy
+
+from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.identities import all_confirmed, decided, same, vanishes
+from paper_checks.registry import statement
+from paper_checks.smith2012.model import omega, same_polynomial, t, v, x
+
+M = sympy.Symbol("M", positive=True)
+diff, atan = sympy.diff, sympy.atan
+QS = sympy.symbols("q1:4")
+DOTS = sympy.symbols("qdot1:4")
+VS = sympy.symbols("v1:4")
+AS = sympy.symbols("a1:4")
+WAVES = sympy.symbols("k0:7")
+S_general = sympy.exp(sympy.Add(*(k * q for k, q in zip(WAVES, (t, *QS)))))  # exponentials span all functions
+S_state = sympy.exp(sympy.Add(*(k * q for k, q in zip(WAVES, (t, *QS, *VS)))))
+phi = sympy.Function("phi")(*QS)
+mu, force = (sympy.Function(name)(x, v) for name in ("mu", "f"))
+speed = sympy.Function("v")(x)  # v as a function of x
+total = sympy.Function("F")(v)  # f(x(v), v) as a function of v
+ENERGY = M * (v**2 + omega**2 * x**2) / 2
+CLOCK = omega * t - atan(omega * x / v)
+INNER = diff(total, v) / total**2  # (1/f^2) df/dv
+
+
+def along_harmonic(expression: sympy.Expr) -> sympy.Expr:
+    """d/dt along x'' = -omega^2 x, the example on which general forms are tried."""
+    return diff(expression, t) + v * diff(expression, x) - omega**2 * x * diff(expression, v)
+
+
+def dot(gradient: tuple[sympy.Expr, ...], rates: tuple[sympy.Expr, ...]) -> sympy.Expr:
+    """The sum of products."""
+    return sympy.Add(*(a * b for a, b in zip(gradient, rates)))
+
+
+def gradient(scalar: sympy.Expr, letters: tuple[sympy.Symbol, ...]) -> tuple[sympy.Expr, ...]:
+    """The partial derivatives."""
+    return tuple(diff(scalar, letter) for letter in letters)
+
+
+@statement(
+    id="smith2012:1a", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
+    title="A derivative becomes a variable of its own", latex=r"\frac{dx^i}{dt} = y^i", printed=1, near_miss=2,
+    methods=("order of the derivative of x = e^{omega t}",), note="Form: the order of the derivative that y is.",
+)
+@statement(
+    id="smith2012:1b", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="Its own derivative is the second one", latex=r"\frac{d^2x^i}{dt^2} = \frac{dy^i}{dt}", printed=1,
+    near_miss=2, methods=("(1a) differentiated",), note="Form: the order of the derivative of x that y must be.",
+)
+def first_order_system(order: int) -> Outcome:
+    """x'' = y' for the y of that order, on x = sin(omega t)."""
+    motion = sympy.sin(omega * t)
+    return same(diff(motion, t, 2), diff(diff(motion, t, order), t))
+
+
+CONSTANCY = diff(S_general, t) + dot(gradient(S_general, QS), DOTS)
+
+
+@statement(
+    id="smith2012:2", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The partial differential equation of the constants of the motion",
+    latex=r"0 = \frac{\partial S}{\partial t} + \sum_i\frac{\partial S}{\partial q^i}\frac{dq^i}{dt}, \quad"
+    r" 1 \le i \le n",
+    printed=CONSTANCY, near_miss=2 * diff(S_general, t) - CONSTANCY, methods=("chain rule, n = 3",),
+)
+def constants_equation(form: sympy.Expr) -> Outcome:
+    """The total derivative of S(q(t), t), for S = exp(k_0 t + k.q) with all k."""
+    curves = [sympy.Function(f"Q{j}")(t) for j in range(3)]
+    on_curve = dict(zip((*QS, *DOTS), (*curves, *(diff(curve, t) for curve in curves))))
+    return same_polynomial(form.subs(on_curve), diff(S_general.subs(on_curve), t))
+
+
+@statement(
+    id="smith2012:claim.number-of-constants", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="There are n independent constants, two in one dimension, of which one contains the time",
+    latex=r"\text{There are an infinite number of solutions, but only } n \text{ independent solutions}",
+    printed=(2, 1), near_miss=(2, 2), conditions="locally, away from equilibria",
+    methods=("rank of the gradients, orthogonal to (dq/dt, 1)",),
+    note="Gradients of constants are orthogonal to the velocity of (q, t) in n + 1 dimensions, so n at most are"
+    " independent; without t there are n - 1. Form, for n = 2: the number with and without explicit time.",
+)
+def number_of_constants(form: tuple[int, int]) -> Outcome:
+    """S and T of the harmonic oscillator attain the bound 2; functions of (x, v) alone are bounded by 1."""
+    constant = all_confirmed(*(vanishes(along_harmonic(s)) for s in (ENERGY, CLOCK)))
+    gradients = sympy.Matrix([gradient(s, (x, v, t)) for s in (ENERGY, CLOCK)])
+    flow = sympy.Matrix([[v, -(omega**2) * x]])
+    return all_confirmed(constant, decided((gradients.rank(), len(flow.nullspace())) == form))
+
+
+@statement(
+    id="smith2012:3", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
+    title="Newton's second law", latex=r"m\ddot{x}^i = f^i(x^j, \dot{x}^j; t), \quad i, j \le 3", printed=1,
+    near_miss=-1, methods=("with f = -m omega^2 x",), note="Form: the sign of the force.",
+)
+def newton(sign: int) -> Outcome:
+    """x = sin(omega t) under the force -M omega^2 x."""
+    motion = sympy.sin(omega * t)
+    return same(M * diff(motion, t, 2), sign * -M * omega**2 * motion)
+
+
+@statement(
+    id="smith2012:4a", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
+    title="The first half of the expanded system", latex=r"v^i = \dot{x}^i", printed=1, near_miss=2,
+    methods=("as for (1a)",), note="Form: the order of the derivative.",
+)
+def velocity(order: int) -> Outcome:
+    """As (1a)."""
+    return first_order_system(order)
+
+
+@statement(
+    id="smith2012:4b", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
+    title="The second half of the expanded system", latex=r"m\dot{v}^i = ma^i = f^i(x^j, v^j; t)", printed=1,
+    near_miss=-1, methods=("with f = -m omega^2 x",), note="Form: the sign of the force.",
+)
+def newton_expanded(sign: int) -> Outcome:
+    """As (3)."""
+    return newton(sign)
+
+
+STATE = diff(S_state, t) + dot(gradient(S_state, QS), VS) + dot(gradient(S_state, VS), AS)
+
+
+@statement(
+    id="smith2012:5", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="Equation (2) for a particle",
+    latex=r"0 = \frac{\partial S}{\partial t} + \sum_{i=1}^3\frac{\partial S}{\partial x^i}v^i +"
+    r" \sum_{i=1}^3\frac{\partial S}{\partial v^i}a^i",
+    printed=STATE, near_miss=STATE - 2 * dot(gradient(S_state, VS), AS), methods=("chain rule",),
+)
+def state_equation(form: sympy.Expr) -> Outcome:
+    """The total derivative of S(x(t), v(t), t), for S = exp(k_0 t + k.x + l.v) with all k and l; dx/dt = v."""
+    places, speeds = ([sympy.Function(f"{name}{j}")(t) for j in range(3)] for name in "XV")
+    on_curve = dict(zip((*QS, *VS, *AS), (*places, *speeds, *(diff(s, t) for s in speeds))))
+    chain = diff(S_state.subs(on_curve), t).subs(dict(zip([diff(place, t) for place in places], speeds)))
+    return same_polynomial(form.subs(on_curve), chain)
+
+
+CONSERVATIVE = tuple(-diff(phi, q) / M for q in QS)
+KINETIC = M * dot(VS, VS) / 2
+
+
+@statement(
+    id="smith2012:6", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
+    title="Conservative forces", latex=r"a^i = -\frac{1}{m}\frac{\partial\phi}{\partial x^i}", printed=CONSERVATIVE,
+    near_miss=tuple(-a for a in CONSERVATIVE), methods=("the power is -d phi/dt",),
+)
+def conservative_forces(form: tuple[sympy.Expr, ...]) -> Outcome:
+    """m a.v + v.grad phi = 0."""
+    return same_polynomial(M * dot(form, VS), -dot(gradient(phi, QS), VS))
+
+
+POTENTIAL_TERM = -dot(gradient(S_state, VS), gradient(phi, QS)) / M
+
+
+@statement(
+    id="smith2012:7", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="Equation (5) for conservative forces",
+    latex=r"0 = \frac{\partial S}{\partial t} + \sum_{i=1}^3\frac{\partial S}{\partial x^i}v^i -"
+    r" \frac{1}{m}\sum_{i=1}^3\frac{\partial S}{\partial v^i}\frac{\partial\phi}{\partial x^i}",
+    printed=POTENTIAL_TERM, near_miss=-POTENTIAL_TERM, methods=("(6) in (5)",), note="Form: the last sum.",
+)
+def conservative_equation(form: sympy.Expr) -> Outcome:
+    """(5) with (6), whatever S and phi are."""
+    return same_polynomial(STATE.subs(dict(zip(AS, CONSERVATIVE))), STATE.subs(dict.fromkeys(AS, 0)) + form)
+
+
+@statement(
+    id="smith2012:8", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The energy is its immediate time-independent solution",
+    latex=r"S = \frac{1}{2}m\sum_{i=1}^3v^iv^i + \phi", printed=KINETIC + phi, near_miss=KINETIC - phi,
+    methods=("substitution in (7)",),
+)
+def energy_is_constant(form: sympy.Expr) -> Outcome:
+    """v.grad S - grad phi.grad_v S/m, for an arbitrary phi."""
+    change = dot(gradient(form, QS), VS) - dot(gradient(form, VS), gradient(phi, QS)) / M
+    return same_polynomial(change, sympy.Integer(0))
+
+
+@statement(
+    id="smith2012:claim.angular-momentum", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="Angular momentum is a constant of central force motion", printed=QS, near_miss=(QS[0], QS[1], -QS[2]),
+    latex=r"\text{the case of total angular momentum } L^i \text{ for central force motion}",
+    methods=("derivative of x cross v",), note="Form: the direction of the force.",
+)
+def angular_momentum(form: tuple[sympy.Expr, ...]) -> Outcome:
+    """d/dt (x cross v) = x cross a."""
+    return decided(sympy.Matrix(QS).cross(sympy.Matrix(form)).is_zero_matrix is True)
+
+
+@statement(
+    id="smith2012:9", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
+    title="One dimension, no explicit time", latex=r"m\dot{v} = f(x, v)", printed=force / M, near_miss=force,
+    methods=("(4b) in one dimension",), note="Form: the acceleration.",
+)
+@statement(
+    id="smith2012:10", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
+    title="The identity by which it is multiplied", latex=r"v = \dot{x}", printed=force / M, near_miss=-force / M,
+    methods=("(9) times v dt is (11)",), note="Form: the acceleration for which v dv = a dx.",
+)
+def one_dimension(acceleration: sympy.Expr) -> Outcome:
+    """m a = f."""
+    return same_polynomial(M * acceleration, force)
+
+
+@statement(
+    id="smith2012:11", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The law as a Pfaffian form", latex=r"mv\,dv = f(x, v)\,dx", printed=(M * v, -force),
+    near_miss=(M * v, force), methods=("dx = v dt, dv = f dt/m",), note="Form: coefficients of dv and dx.",
+)
+@statement(
+    id="smith2012:12", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The same with an integrating factor", latex=r"0 = dS = m\mu v\,dv - \mu f(x, v)\,dx",
+    printed=(M * mu * v, -mu * force), near_miss=(M * mu * v, mu * force), conditions="mu obeys (13)",
+    methods=("dx = v dt, dv = f dt/m",), note="Form: coefficients of dv and dx.",
+)
+def pfaffian(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
+    """The form vanishes along the motion."""
+    return same_polynomial(form[0] * force / M, -form[1] * v)
+
+
+LOOP = sympy.Symbol("s", real=True)
+
+
+@statement(
+    id="smith2012:claim.integrating-factor-exists", kind=Kind.CLAIM, verdict=Printed.PARTLY,
+    evidence=Evidence.PROVED, title="Every Pfaffian form in two variables has an integrating factor",
+    latex=r"\text{All two-variable Pfaffian forms can be transformed into total integrals by the use of an integrating"
+    r" factor}",
+    corrected_latex=r"\oint\mu\,(v\,dv + (2\gamma v + \omega_0^2x)\,dx) = \frac{2\pi\gamma}{\omega} \ne 0",
+    printed=0, corrected=1, near_miss=2, conditions="locally, away from points where both coefficients vanish",
+    methods=("loop around the equilibrium of the viscously damped oscillator",),
+    note="Where v = f = 0 it can fail: around a spiral the closed form mu dA is not exact, because every orbit ends in"
+    " the equilibrium and a continuous constant would be one constant for all. That is why (32) has an arctangent,"
+    " which jumps. Form: the loop integral in units of 2 pi gamma/omega.",
+)
+def integrating_factor_exists(form: int) -> Outcome:
+    """mu = 1/(p^2 + omega^2 x^2), p = v + gamma x, on p = cos s, omega x = sin s; omega_0^2 = omega^2 + gamma^2."""
+    damping = sympy.Symbol("gamma", positive=True)
+    place = sympy.sin(LOOP) / omega
+    velocity = sympy.cos(LOOP) - damping * place
+    restoring = 2 * damping * velocity + (omega**2 + damping**2) * place
+    integrand = velocity * diff(velocity, LOOP) + restoring * diff(place, LOOP)
+    loop = sympy.integrate(sympy.expand(integrand), (LOOP, 0, 2 * sympy.pi))
+    return same(loop, form * 2 * sympy.pi * damping / omega)
+
+
+INTEGRABILITY = M * diff(mu * v, x) + diff(mu * force, v)
+
+
+@statement(
+    id="smith2012:13", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The integrability condition",
+    latex=r"m\frac{\partial(\mu v)}{\partial x} = -\frac{\partial(\mu f)}{\partial v}", printed=INTEGRABILITY,
+    near_miss=M * diff(mu * v, x) - diff(mu * force, v), methods=("cross derivatives of (12)",),
+    derivation="smith-integrating-factor", note="It gives (37). Form: left minus right side.",
+)
+def integrability(form: sympy.Expr) -> Outcome:
+    """d(coefficient of dv)/dx - d(coefficient of dx)/dv."""
+    return same_polynomial(form, diff(M * mu * v, x) - diff(-mu * force, v))
+
+
+@statement(
+    id="smith2012:14", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The first constant of the motion", latex=r"S(x, v) = S(x_0, v_0)", printed=ENERGY,
+    conditions="along the motion", near_miss=M * (v**2 - omega**2 * x**2) / 2, methods=("on the harmonic oscillator",),
+)
+@statement(
+    id="smith2012:15", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The second constant of the motion", latex=r"T(x, v; t) = T(x_0, v_0; t_0)", printed=CLOCK,
+    near_miss=omega * t + atan(omega * x / v), methods=("on the harmonic oscillator",), conditions="along the motion",
+)
+def constants(form: sympy.Expr) -> Outcome:
+    """The total time derivative of the example."""
+    return vanishes(along_harmonic(form))
+
+
+S_value, T_value = sympy.symbols("S T", positive=True)
+SOLVED = sympy.sqrt(2 * S_value / M) / omega * sympy.sin(omega * t - T_value)
+
+
+@statement(
+    id="smith2012:16", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The motion from the two constants", printed=SOLVED, near_miss=SOLVED * omega,
+    latex=r"x = x\left(S(x_0, v_0), T(x_0, v_0; t_0); t\right)", conditions="v eliminated",
+    methods=("on the harmonic oscillator: equation of motion, value of S",),
+    note="The exercise of section II: x = sqrt(2S/m)/omega sin(omega t - T).",
+)
+def motion_from_constants(form: sympy.Expr) -> Outcome:
+    """x'' = -omega^2 x, the energy is S, and omega x/v = tan(omega t - T)."""
+    rate = diff(form, t)
+    return all_confirmed(
+        vanishes(diff(form, t, 2) + omega**2 * form),
+        same(ENERGY.subs({x: form, v: rate}, simultaneous=True), S_value),
+        vanishes(omega * form * sympy.cos(omega * t - T_value) - rate * sympy.sin(omega * t - T_value)),
+    )

@@ -1,0 +1,129 @@
+"""The command ``motion``, and ``turning-points`` for any law, as a user types them."""
+
+import json
+from fractions import Fraction
+
+import pytest
+
+from asymptotics.cli.main import main
+
+DRAG = "--alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5"
+
+
+def run(capsys, line):
+    code = main(line.split())
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def answer(capsys, line):
+    code, out, err = run(capsys, line + " --json")
+    assert (code, err) == (0, "")
+    return json.loads(out)
+
+
+def test_the_contract(capsys):
+    data = answer(capsys, f"motion {DRAG} --time 7 --digits 40")
+    assert {"x", "v", "amplitude", "phase", "order", "gauge", "method", "error", "command", "version"} <= set(data)
+    assert data["order"] == 3 and data["gauge"] == "turning-point"
+    assert all(isinstance(data[name], str) for name in ("x", "v", "amplitude", "phase", "error"))
+    exact = answer(capsys, f"motion {DRAG} --time 7 --reference")
+    assert exact["amplitude"] is None and exact["phase"] is None and exact["order"] is None
+    gap = abs(Fraction(data["x"]) - Fraction(exact["x"]))
+    assert gap < 2 * Fraction(data["error"]) and gap > Fraction(exact["error"])
+    assert exact["x"] == "0.163853083446548520399362953734"  # tests/motion: two precisions, and order 5 within 1e-13
+
+
+def test_sums_of_laws_and_one_law_agree(capsys):
+    one = answer(capsys, "motion --law 2:1/10 --x0 1 --time 3")
+    two = answer(capsys, "motion --alpha 2 --damping 1/10 --x0 1 --time 3")
+    merged = answer(capsys, "motion --law 2:1/20 --law 2:1/20 --x0 1 --time 3")
+    assert one["x"] == two["x"] == merged["x"] and merged["notes"] == ["equal exponents merged: alpha = 2"]
+    more = answer(capsys, "motion --law 2:1/10 --law 0:1/50 --x0 1 --time 3 --order 2")
+    assert more["x"] != one["x"] and more["order"] == 2
+
+
+@pytest.mark.parametrize("law", ["0", "1", "2"])
+def test_exact_motion_is_certified(capsys, law):
+    data = answer(capsys, f"motion --alpha {law} --damping 1/10 --x0 -1 --time 3 --reference --digits 12")
+    assert data["certified"] is True and "exact" in data["method"]
+
+
+def test_rest_is_an_answer(capsys):
+    for choice in ("", " --reference"):
+        data = answer(capsys, "motion --alpha 2 --damping 1 --x0 0 --time 5" + choice)
+        assert (data["x"], data["v"], data["error"]) == ("0", "0", "0") and "rest" in data["method"]
+
+
+def test_static_friction_and_extinction(capsys):
+    line = "motion --alpha 0 --damping 3 --stiffness 10 --x0 1 --time 5 --digits 5"
+    assert answer(capsys, line + " --reference")["x"] == "-0.20000"
+    assert answer(capsys, line + " --reference --static 5")["x"] == "-0.40000"
+    data = answer(capsys, line)
+    assert (data["x"], data["amplitude"]) == ("0", "0") and "extinction" in data["notes"][0]
+
+
+def test_files_appear_whole(capsys, tmp_path):
+    csv, png, svg = (tmp_path / name for name in ("a.csv", "a.png", "a.svg"))
+    data = answer(capsys, f"motion {DRAG} --time 3 --csv {csv} --plot {png}")
+    assert data["files"] == [str(png), str(csv)]
+    rows = csv.read_text().splitlines()
+    assert rows[0] == "t,x,v,amplitude,phase" and len(rows) == 1002
+    assert float(rows[-1].split(",")[1]) == pytest.approx(float(data["x"]), abs=1e-12)
+    assert png.read_bytes().startswith(b"\x89PNG")
+    line = f"motion --alpha 2 --damping 1/10 --x0 1 --time 2 --reference --csv {csv} --plot {svg} --digits 10"
+    exact = answer(capsys, line)
+    rows = csv.read_text().splitlines()
+    assert rows[0] == "t,x,v" and float(rows[-1].split(",")[1]) == pytest.approx(float(exact["x"]), abs=1e-9)
+    first = svg.read_bytes()
+    assert b"<svg" in first and run(capsys, line)[0] == 0 and svg.read_bytes() == first
+
+
+def test_text_for_people(capsys):
+    code, out, _ = run(capsys, f"motion {DRAG} --time 7 --digits 6 --gauge averaging --v0 -1/2")
+    assert code == 0 and " m/s" in out and "gauge averaging" in out and "certified: false" in out
+
+
+@pytest.mark.parametrize(
+    ("line", "argument"),
+    [
+        ("motion --alpha 2 --damping 1 --x0 1 --time -1", "--time"),
+        ("motion --alpha 2 --damping 1 --x0 1 --time nan", "--time"),
+        ("motion --alpha 2 --damping 1 --x0 1 --time 1 --mass 0", "--mass"),
+        ("motion --alpha 2 --damping 1 --x0 1 --time 1 --stiffness -3", "--stiffness"),
+        ("motion --alpha 2 --damping 1 --x0 1kg --time 1", "--x0"),
+        ("motion --alpha 2 --damping -1 --x0 1 --time 1", "--damping"),
+        ("motion --alpha -1/2 --damping 1 --x0 1 --time 1", "--alpha"),
+        ("motion --alpha 2 --x0 1 --time 1", "--damping"),
+        ("motion --law 2 --x0 1 --time 1", "--law"),
+        ("motion --law 2:1 --alpha 2 --x0 1 --time 1", "--law"),
+        ("motion --alpha 2 --damping 1 --x0 1 --time 1 --order 0", "--order"),
+        ("motion --alpha 2 --damping 1 --x0 1 --time 1 --order 2 --reference", "--reference"),
+        ("motion --alpha 2 --damping 1 --x0 1 --time 1 --gauge energy", "--gauge"),
+        ("motion --alpha 0 --damping 1 --x0 1 --time 1 --static 2", "--static"),
+        ("motion --alpha 0 --damping 1 --x0 1 --time 1 --static 1/2 --reference", "--static"),
+        ("motion --alpha 3/2 --damping 1 --x0 1 --time 1e9 --reference", "--time"),
+        ("motion --alpha 2 --damping 1 --x0 1 --time 1 --plot a.pdf", "--plot"),
+        ("motion --alpha 2 --damping 1 --x0 1 --time 1 --csv /proc/none/a.csv", "--csv"),
+        ("motion --alpha 2 --damping 1 --x0 1 --time 1 --digits 5000", "--digits"),
+        ("turning-points --law 2 --count 3", "--law"),
+        ("turning-points --law 2:1 --alpha 2 --epsilon 1 --count 3", "--law"),
+        ("turning-points --alpha 3/2 --epsilon 1 --count 3 --digits 2000", "--digits"),
+        ("turning-points --alpha 3/2 --epsilon 1 --count 90000", "--count"),
+    ],
+)
+def test_bad_input_is_one_line_that_names_the_argument(capsys, line, argument):
+    code, out, err = run(capsys, line)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert argument in err
+
+
+def test_turning_points_of_any_law(capsys):
+    data = answer(capsys, "turning-points --law 0:1/20 --law 3/2:1/10 --count 20 --digits 12")
+    assert data["certified"] is False and data["ended"] == {"n": 7, "reason": "sticks"} and len(data["points"]) == 8
+    assert answer(capsys, "turning-points --alpha 0 --epsilon 3/10 --count 9")["ended"] == {"n": 2, "reason": "sticks"}
+    assert answer(capsys, "turning-points --alpha 1 --epsilon 3 --count 2")["ended"]["reason"] == "overdamped"
+    assert answer(capsys, "turning-points --alpha 1/2 --epsilon 1 --count 2")["ended"]["reason"] == "creeps"
+    timed = answer(capsys, "turning-points --alpha 3/2 --epsilon 1/10 --count 2 --digits 12 --times")
+    assert timed["points"][1] == {"n": 1, "x": "-0.870193291989", "tau": "3.14608217222"} and timed["ended"] is None
+    assert "the last" in run(capsys, "turning-points --alpha 1/2 --epsilon 1 --count 2")[1]
