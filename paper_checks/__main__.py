@@ -3,6 +3,7 @@
   python -m paper_checks                       check everything, print a summary
   python -m paper_checks smith2012 --json      one paper, as JSON
   python -m paper_checks --id smith2012:62b    one statement with its outcomes
+  python -m paper_checks --markdown            the table of verdicts for the README
   python -m paper_checks --report build/report write index.html, report.json, report.tex and the figures
 
 Exit code 0 if every verdict is borne out, 1 if one is not, 2 for a bad value.
@@ -23,6 +24,7 @@ from asymptotics.errors import InputError
 from asymptotics.present.files import require_writable
 from paper_checks.registry import PAPERS, Entry, Statement, load
 from paper_checks.report import write_report
+from paper_checks.report.summary import markdown_summary
 from paper_checks.runner import examine_all
 
 
@@ -49,6 +51,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("paper", nargs="?", metavar="PAPER", help=f"one of {', '.join(PAPERS)} (default: all)")
     parser.add_argument("--id", metavar="ID", help="one statement, e.g. smith2012:62b")
     parser.add_argument("--json", action="store_true", help="print the entries as JSON")
+    parser.add_argument("--markdown", action="store_true", help="print the summary table of the README")
     parser.add_argument("--report", metavar="DIR", help="write the report into this folder")
     return parser
 
@@ -62,7 +65,10 @@ def _run(options: argparse.Namespace) -> int:
         with _bar("report", len(entries)) as bar:
             paths = write_report(Path(options.report), results, lambda name: bar.set_postfix_str(name))
         print(f"wrote {len(paths)} files; open {Path(options.report) / 'index.html'}", file=sys.stderr)
-    _print(results, as_json=options.json, in_full=options.id is not None)
+    if options.markdown:
+        print(markdown_summary(results))
+    else:
+        _print(results, as_json=options.json, in_full=options.id is not None)
     return int(not all(result.agrees for result in results))
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from asymptotics.errors import InputError
+from asymptotics.tables.envelope import lancaster_table_1
 from asymptotics.tables.quadratic import smith_table_1, transit_time
 
 MAX_DIGITS = 10_000
@@ -59,6 +60,12 @@ class _Recipe:
 
 
 _RECIPES = {
+    "lancaster2020.table1": _Recipe(
+        "Lancaster 2020, Table I: the first-order amplitude, and (13) for any alpha",
+        ("alpha", "A"),
+        lancaster_table_1,
+        "exact: the averaged law dA/dtau = -M_(alpha+1) epsilon A^alpha solved in closed form and put into SI units",
+    ),
     "smith2012.table1": _Recipe(
         "Smith 2012, Table I: the constants S_n and the turning points u_n for u_0 = 1",
         ("half_cycle", "S_hat", "u"),

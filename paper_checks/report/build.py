@@ -20,7 +20,10 @@ from paper_checks.report.engine import engine_data, validity_picture
 
 Progress = Callable[[str], None]
 
-TABLES = {"smith2012": ("smith2012.table1", "smith2012.transit-time")}
+TABLES = {
+    "lancaster2020": ("lancaster2020.table1",),
+    "smith2012": ("smith2012.table1", "smith2012.transit-time"),
+}
 PAGES = ("index.html", "errata.html", "engine.html")
 SLIPS = (Printed.MISPRINT, Printed.TRANSCRIPTION, Printed.PARTLY, Printed.REFUTED)
 

@@ -11,6 +11,7 @@ from paper_checks import registry
 from paper_checks.__main__ import main
 from paper_checks.registry import PAPERS, Entry, expected_outcomes, load
 from paper_checks.report import build, write_report
+from paper_checks.report.summary import markdown_summary
 
 VOID = {"meta", "br", "img", "hr", "link", "input"}
 
@@ -115,3 +116,9 @@ def test_bad_requests_are_one_line(capsys, arguments, named):
     assert captured.out == ""
     assert captured.err.count("\n") == 1
     assert named in captured.err
+
+
+def test_the_readme_shows_the_recorded_verdicts():
+    entries = [Entry(entry, expected_outcomes(entry), 0.0) for entry in load().values()]
+    readme = (Path(__file__).parents[2] / "README.md").read_text()
+    assert markdown_summary(entries) in readme, "paste the output of: python -m paper_checks --markdown"
