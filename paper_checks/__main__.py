@@ -15,6 +15,7 @@ import os
 import sys
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
+from importlib import import_module
 from pathlib import Path
 
 from tqdm import tqdm
@@ -22,9 +23,8 @@ from tqdm import tqdm
 from asymptotics import __version__
 from asymptotics.errors import InputError
 from asymptotics.present.files import require_writable
+from paper_checks.details import in_words
 from paper_checks.registry import PAPERS, Entry, Statement, load
-from paper_checks.report import write_report
-from paper_checks.report.summary import markdown_summary
 from paper_checks.runner import examine_all
 
 
@@ -62,11 +62,12 @@ def _run(options: argparse.Namespace) -> int:
     entries = _select(options.paper, options.id)
     results = _examine(entries)
     if options.report is not None:
+        report = import_module("paper_checks.report")  # loads matplotlib and jinja2, which checks do without
         with _bar("report", len(entries)) as bar:
-            paths = write_report(Path(options.report), results, lambda name: bar.set_postfix_str(name))
+            paths = report.write_report(Path(options.report), results, lambda name: bar.set_postfix_str(name))
         print(f"wrote {len(paths)} files; open {Path(options.report) / 'index.html'}", file=sys.stderr)
     if options.markdown:
-        print(markdown_summary(results))
+        print(import_module("paper_checks.report.summary").markdown_summary(results))
     else:
         _print(results, as_json=options.json, in_full=options.id is not None)
     return int(not all(result.agrees for result in results))
@@ -75,9 +76,10 @@ def _run(options: argparse.Namespace) -> int:
 def _select(paper: str | None, key: str | None) -> list[Statement]:
     if paper is not None and paper not in PAPERS:
         raise InputError("PAPER", f"no paper {paper!r}", ", ".join(PAPERS))
-    entries = load(paper)
     if key is None:
-        return list(entries.values())
+        return list(load(paper).values())
+    named = key.partition(":")[0]
+    entries = load(named if named in PAPERS else paper)
     if key not in entries:
         raise InputError("--id", f"no statement {key!r}", f"one of the {len(entries)} ids that --json lists")
     return [entries[key]]
@@ -102,8 +104,7 @@ def _print(results: list[Entry], *, as_json: bool, in_full: bool) -> None:
         print(json.dumps(data, indent=2, ensure_ascii=False))
         return
     if in_full:
-        for name, value in results[0].to_dict().items():
-            print(f"{name:<11} {value}")
+        print(in_words(results[0]))
         return
     for result in results:
         if not result.agrees:

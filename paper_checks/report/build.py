@@ -16,7 +16,7 @@ from asymptotics.present.mathml import to_mathml
 from asymptotics.tables import build
 from asymptotics.verdict import Printed
 from paper_checks.registry import PAPERS, Entry
-from paper_checks.report.engine import engine_data, validity_picture
+from paper_checks.report.engine import engine_data, regimes_picture, validity_picture
 
 Progress = Callable[[str], None]
 
@@ -43,7 +43,7 @@ def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda
 
 def _pages(data: dict[str, Any], figures: dict[str, bytes | str]) -> dict[str, str]:
     """The site: an index of all statements, a page for each paper, the errata, and what goes beyond the papers."""
-    shown = {"figures": figures, "validity": validity_picture()}
+    shown = {"figures": figures, "validity": validity_picture(), "regimes": regimes_picture()}
     pages = {name: _template(f"{name}.j2").render(data, **shown) for name in PAGES}
     paper = _template("paper.html.j2")
     return pages | {f"{p['key']}.html": paper.render(data, paper=p, figures=figures) for p in data["papers"]}

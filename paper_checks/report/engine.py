@@ -14,8 +14,8 @@ from asymptotics.normal_form.expansion import Expansion, exact_expansion, expans
 from asymptotics.normal_form.large_orders import growth_ratios
 from asymptotics.normal_form.verify import exact_reference, verify
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.present import regimes, validity_map
 from asymptotics.present.figures import render
-from asymptotics.present.validity_map import draw
 
 EXPONENTS = ("0", "1/2", "3/4", "1", "3/2", "5/3", "2", "5/2", "3", "4", "5", "7", "sqrt(2)")
 LAWS = (["0"], ["1/2"], ["3/2"], ["2"], ["3"], ["1", "2"])
@@ -36,7 +36,13 @@ def engine_data() -> dict[str, Any]:
 @cache
 def validity_picture() -> str:
     """Where each order is good to 10 %, 1 % and 0.1 %, as SVG."""
-    return render(draw, size=(11, 5.5)).decode()
+    return render(validity_map.draw, size=(11, 5.5)).decode()
+
+
+@cache
+def regimes_picture() -> str:
+    """Creep for alpha < 1, slow starts without overdamping for alpha > 1, as SVG."""
+    return render(regimes.draw, size=(11, 3)).decode()
 
 
 def _coefficients() -> list[dict[str, str]]:

@@ -54,7 +54,7 @@ def test_every_page_is_well_formed_and_self_contained(report):
     assert text.count("<script") == text.count("<script>") == 1  # the search of the index; nothing is loaded
     assert "src=" not in text
     drawn = len(list(report.glob("*.svg")))
-    assert text.count("<svg") == 2 * drawn + 1  # on the index and on the page of the paper; and the map of errors
+    assert text.count("<svg") == 2 * drawn + 2  # on the index and on the page of the paper; and two on the engine
 
 
 def test_every_statement_is_on_the_page_and_in_the_data(report):
