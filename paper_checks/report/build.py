@@ -114,5 +114,11 @@ def _template(name: str) -> jinja2.Template:
     return environment.get_template(name)
 
 
+_GREEK = (
+    r"\alpha", r"\beta", r"\gamma", r"\delta", r"\varepsilon", r"\kappa", r"\mu", r"\pi", r"\tau",
+    r"\varphi", r"\psi", r"\omega", r"\Omega",
+)  # fmt: skip
 _TEX = {c: "\\" + c for c in "&%$#_{}"}
 _TEX |= {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}"}
+_TEX |= {"−": "$-$", "²": "$^2$", "′": "$'$", "₀": "$_0$", "≤": r"$\le$", "·": r"$\cdot$", "–": "--", "é": "\\'e"}
+_TEX |= {c: f"${command}$" for c, command in zip("αβγδεκμπτφψωΩ", _GREEK)}

@@ -75,6 +75,7 @@ def test_every_statement_is_on_the_page_and_in_the_data(report):
 def test_the_latex_document_has_every_statement(report):
     text = (report / "report.tex").read_text()
     assert text.count(r"\paragraph{") == len(load())
+    assert text.isascii(), sorted({c for c in text if not c.isascii()})  # every other character has its command
     assert text.count(r"\begin{tabular}") == text.count(r"\end{tabular}") >= 2
 
 
