@@ -1,0 +1,72 @@
+"""What holds for every statement of every paper: borne out, refutable, explained, shown; its pictures reproducible."""
+
+from dataclasses import replace
+from importlib import import_module
+
+import pytest
+
+from asymptotics.present.figures import render
+from asymptotics.present.mathml import to_mathml
+from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.registry import PAPERS, load
+from paper_checks.runner import examine
+
+ENTRIES = load()
+OPEN = [key for key, entry in ENTRIES.items() if entry.verdict == Printed.OPEN]
+DECIDED = [key for key in ENTRIES if key not in OPEN]
+SOUND = (Printed.HOLDS, Printed.DEFINITION)
+PICTURES = [(key, name) for key in PAPERS for name in import_module(f"paper_checks.{key}.figures").FIGURES]
+
+
+@pytest.mark.parametrize("key", DECIDED)
+def test_the_check_bears_out_the_recorded_verdict_and_can_fail(key):
+    result = examine(ENTRIES[key])
+    assert result.agrees, result.outcomes
+    assert result.printed == ENTRIES[key].verdict
+    assert result.outcomes["near miss"] == Outcome.REFUTED
+    assert result.outcomes["printed"] != Outcome.UNDECIDED
+
+
+@pytest.mark.parametrize("key", OPEN)
+def test_what_is_open_claims_nothing_and_says_why(key):
+    assert examine(ENTRIES[key]).outcomes == {"printed": Outcome.UNDECIDED, "near miss": Outcome.REFUTED}
+    assert ENTRIES[key].evidence == Evidence.NONE
+    assert ENTRIES[key].note.startswith("Open: ")
+
+
+@pytest.mark.parametrize("key", DECIDED)
+def test_what_is_wrong_is_corrected_and_explained(key):
+    entry = ENTRIES[key]
+    wrong = entry.verdict not in SOUND
+    assert (entry.corrected_latex is not None) == wrong
+    assert (entry.corrected is not None) == wrong
+    assert bool(entry.note) or not wrong
+    assert entry.evidence != Evidence.NONE
+    assert entry.methods
+    assert entry.kind != Kind.APPROXIMATION or entry.order is not None
+
+
+@pytest.mark.parametrize("key", DECIDED)
+def test_a_planted_fault_is_noticed(key):
+    """With the near miss in the place of the printed form the entry must disagree, or a wrong one look right."""
+    entry = ENTRIES[key]
+    result = examine(replace(entry, printed=entry.near_miss if entry.verdict in SOUND else entry.corrected))
+    assert not result.agrees
+    assert result.printed == Printed.OPEN
+    assert result.to_dict()["evidence"] == "none"
+
+
+@pytest.mark.parametrize("key", ENTRIES)
+def test_latex_becomes_mathml(key):
+    for latex in filter(None, (ENTRIES[key].latex, ENTRIES[key].corrected_latex)):
+        mathml = to_mathml(latex)
+        assert mathml.startswith("<math")
+        assert "\\" not in mathml, mathml
+
+
+@pytest.mark.parametrize(("paper", "name"), PICTURES)
+def test_pictures_are_the_same_at_each_call(paper, name):
+    draw = import_module(f"paper_checks.{paper}.figures").FIGURES[name][1]
+    svg = render(draw)
+    assert svg == render(draw)
+    assert b"<svg" in svg
