@@ -21,6 +21,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from asymptotics import __version__
+from asymptotics.cli.main import Parser
 from asymptotics.errors import InputError
 from asymptotics.present.files import require_writable
 from paper_checks.details import in_words
@@ -42,7 +43,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m paper_checks",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -57,6 +58,8 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _run(options: argparse.Namespace) -> int:
+    if options.report == "":
+        raise InputError("--report", "the name is empty", "a folder")
     if options.report is not None:
         require_writable(Path(options.report), "--report")
     entries = _select(options.paper, options.id)

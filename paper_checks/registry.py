@@ -197,7 +197,7 @@ class Entry:
             "recorded": str(s.verdict),
             "agrees": self.agrees,
             "outcomes": {name: str(outcome) for name, outcome in self.outcomes.items()},
-            "seconds": round(self.seconds, 3),
+            "seconds": f"{self.seconds:.3f}",
         }
 
 

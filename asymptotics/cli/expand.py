@@ -51,6 +51,9 @@ def run(options: argparse.Namespace) -> Answer:
     order = parse_integer(options.order, "--order", 1, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
     if options.alpha == "symbolic":
+        if options.law is not None or options.exact:
+            given = "--law" if options.law is not None else "--exact"
+            raise InputError(given, "cannot be combined with --alpha symbolic", "one law, in closed form")
         return _symbolic(options, order, digits)
     exponents = read_exponents(options)
     seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
@@ -79,4 +82,5 @@ def row_text(name: str, row: Row) -> list[str]:
     """One line for each coefficient: its digits, and its exact form if there is one."""
     entries: list[tuple[str, Any]] = [(f"{name}_{key}", c) for key, c in row.items()]
     width = max((len(label) for label, _ in entries), default=0)
-    return [f"{label:{width}}  {c.value}" + (f"  = {c.exact}" if c.exact else "") for label, c in entries]
+    shown = {label: f"  = {c.exact}" for label, c in entries if c.exact and c.value != "0"}
+    return [f"{label:{width}}  {c.value}" + shown.get(label, "") for label, c in entries]

@@ -6,12 +6,14 @@ for an answer, 1 for a failed check or an undecided computation, 2 for a bad val
 """
 
 import argparse
+import os
 import re
 import sys
 from importlib import import_module
 from typing import NoReturn
 
 from asymptotics import __version__
+from asymptotics.cli.answer import Answer
 from asymptotics.errors import InputError, UndecidedError
 
 COMMANDS = {
@@ -55,7 +57,21 @@ def main(argv: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         print(f"asymptotics {name}: interrupted, nothing was written", file=sys.stderr)
         return 130
-    return int(answer.show(name))
+    return _printed(answer, name)
+
+
+def _printed(answer: Answer, name: str) -> int:
+    """Print the answer; a reader that has gone (``| head``) is no error, a full disk is."""
+    try:
+        code = answer.show(name)
+        sys.stdout.flush()
+    except OSError as error:
+        sys.stdout = open(os.devnull, "w")  # noqa: PTH123, SIM115 (what is buffered must not be written at exit)
+        if isinstance(error, BrokenPipeError):
+            return 0
+        print(f"asymptotics {name}: cannot write the answer: {error.strerror}", file=sys.stderr)
+        return 2
+    return code
 
 
 def _as_option(error: InputError, parser: argparse.ArgumentParser) -> str:

@@ -73,12 +73,14 @@ def _run(options: argparse.Namespace) -> Answer:
     if not any(numbers[n] < 0 or numbers[n] > 0 for n in ("x0", "v0")):
         Oscillator.of(law, **(numbers | {"x0": 1}))  # the other values are checked all the same
         return _answer(_rest(options.reference, order, gauge), options, [])
+    if any(files.values()) and not time > 0:
+        raise InputError("--time", "0 leaves nothing to draw or to tabulate", "a time > 0 with --plot or --csv")
     oscillator = Oscillator.of(law, **numbers)
     if options.reference:
         point = reference_motion(oscillator, time, digits, static=options.static)
     else:
         point = AsymptoticMotion.of(oscillator, order, gauge).at(time, digits)
-    return _answer(point, options, _written(files, oscillator, time, options.reference, order, gauge))
+    return _answer(point, options, _written(files, oscillator, time, options, order, gauge))
 
 
 def _order_and_gauge(options: argparse.Namespace, digits: int) -> tuple[int, str]:
@@ -116,10 +118,16 @@ def _file(name: str | None, argument: str) -> Path | None:
 
 
 def _written(
-    files: dict[str, Path | None], oscillator: Oscillator, time: ExactReal, reference: bool, order: int, gauge: str
+    files: dict[str, Path | None],
+    oscillator: Oscillator,
+    time: ExactReal,
+    options: argparse.Namespace,
+    order: int,
+    gauge: str,
 ) -> list[str]:
     if files["csv"] is not None:
-        write_atomically(files["csv"], csv_of(oscillator, time, None if reference else order, gauge))
+        shown = None if options.reference else order
+        write_atomically(files["csv"], csv_of(oscillator, time, shown, gauge, options.static))
     if files["plot"] is not None:
         write_atomically(files["plot"], picture_of(oscillator, time, order, gauge, KINDS[files["plot"].suffix.lower()]))
     return [str(path) for path in files.values() if path is not None]

@@ -16,7 +16,7 @@ from flint import ctx
 from asymptotics.errors import LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motion.asymptotic import AsymptoticMotion
-from asymptotics.motion.reference import estimated_seconds, reference_states
+from asymptotics.motion.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.present.figures import render
 
@@ -25,10 +25,12 @@ _ROWS, _REFERENCE_ROWS, _REFERENCE_DIGITS = 1000, 240, 14
 _MAX_SECONDS = 60.0
 
 
-def csv_of(oscillator: Oscillator, time: ExactReal, order: int | None, gauge: str) -> str:
+def csv_of(
+    oscillator: Oscillator, time: ExactReal, order: int | None, gauge: str, static: str | None = None
+) -> str:
     """t, x, v, amplitude, phase at 1001 times from 0 to ``time``; without ``order`` t, x, v of the reference motion."""
     if order is None:
-        t, x, v = _reference(oscillator, time, _ROWS)
+        t, x, v = _reference(oscillator, time, _ROWS, static)
         return _lines("t,x,v", zip(t, x, v))
     found = AsymptoticMotion.of(oscillator, order, gauge).sample(np.linspace(0.0, _float(time), _ROWS + 1))
     return _lines("t,x,v,amplitude,phase", zip(found.t, found.x, found.v, found.amplitude, found.phase))
@@ -62,13 +64,19 @@ def picture_of(oscillator: Oscillator, time: ExactReal, order: int, gauge: str, 
     return render(draw, size=(6.4, 5.2), kind=kind)
 
 
-def _reference(oscillator: Oscillator, time: ExactReal, rows: int) -> tuple[Any, Any, Any]:
+def _reference(
+    oscillator: Oscillator, time: ExactReal, rows: int, static: str | None = None
+) -> tuple[Any, Any, Any]:
     """(t, x, v) of the reference motion at rows + 1 equally spaced times, in doubles."""
     seconds = estimated_seconds(oscillator, time, _REFERENCE_DIGITS)
     if seconds > _MAX_SECONDS:
         reason = f"a reference motion through {time} s would take about {seconds:.0f} s"
         raise LimitError("--time", reason, f"at most {_MAX_SECONDS:.0f} s of work for files")
     times = [ExactReal(time.coefficient * Fraction(i, rows), time.radicand) for i in range(rows + 1)]
+    if oscillator.law.integer_alphas == (0,):  # exact, with sticking
+        points = [reference_motion(oscillator, t, _REFERENCE_DIGITS, static=static) for t in times]
+        x, v = (np.array([float(Fraction(text)) for text in column]) for column in zip(*((p.x, p.v) for p in points)))
+        return np.array([_float(t) for t in times]), x, v
     states = reference_states(oscillator, times, _REFERENCE_DIGITS)
     x, v = (np.array([float(c) for c in column]) for column in (states.x, states.v))
     return np.array([_float(t) for t in times]), x, v

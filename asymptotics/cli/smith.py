@@ -49,9 +49,11 @@ def _polynomial(options: argparse.Namespace) -> dict[str, Any]:
 def _coefficient(options: argparse.Namespace) -> dict[str, Any]:
     n = _integer(options, "n", 1, MAX_N)
     i = _integer(options, "i", 0, n - 1)
-    _check_work(n, i)
+    same_parity = (n - i) % 2 == 0
+    if not same_parity:
+        _check_work(n, i)
     value = _text(coefficient(n, i))
-    note = "i and n have the same parity: the coefficient is zero" if (n - i) % 2 == 0 else None
+    note = "i and n have the same parity: the coefficient is zero" if same_parity else None
     text = f"C_{i}^{n} = {value}" + (f"   ({note})" if note else "")
     return {"n": n, "i": i, "value": value, "note": note, "text": text}
 

@@ -55,6 +55,8 @@ def since_turning_point(u: arb, w: arb) -> arb:
     """omega times the time since the last turning point, from the point (u, w) with w != 0."""
     if w > 0:
         return since_turning_point(-u, -w)
+    if not w < 0:
+        raise ValueError(f"w = {w.str(5)} is not certainly nonzero: a point at rest is a turning point itself")
     p = 2 * last_turning_point(u, w)
     q = next_amplitude(p)
     versine = ((p - 2 * u) / (p + q)).nonnegative_part()

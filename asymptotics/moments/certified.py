@@ -11,12 +11,14 @@ from asymptotics.errors import InputError
 
 
 def moment(p: arb) -> arb:
-    """An enclosure of M_p at the current precision; InputError unless the ball p lies above -1.
+    """An enclosure of M_p at the current precision; InputError if p <= -1, nan if undecided.
 
     The quotient of Gamma functions is formed from the entire 1/Gamma, so no pole is met for p > -1.
     """
+    if p <= -1:
+        raise InputError("p", f"{p.str(5)} is not above -1", "p > -1")
     if not p > -1:
-        raise InputError("p", f"{p.str(5)} is not certainly above -1", "p > -1")
+        return arb.nan()  # undecided at this precision: an enclosure of everything
     return ((p + 1) / 2).gamma() * (p / 2 + 1).rgamma() / arb.pi().sqrt()
 
 

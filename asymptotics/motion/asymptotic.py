@@ -36,6 +36,7 @@ from flint import acb, arb, ctx
 from asymptotics.errors import InputError, LimitError
 from asymptotics.half_swing.certified import quarter_swing
 from asymptotics.law import Number, Oscillator, exact_number
+from asymptotics.motion.certify import half_unit
 from asymptotics.motion.result import MotionPoint, MotionSamples
 from asymptotics.motion.slow_flow import ExponentialSum, SlowLaw, SlowTable
 from asymptotics.motion.waveform import WaveformTable, waveform_at
@@ -136,7 +137,7 @@ class AsymptoticMotion:
         delta = sum(frame.epsilons, arb(0))
         if delta > 1:  # the terms of the series grow from the start: their differences say nothing
             estimate, notes = estimate.max(arb(1)), (*notes, f"delta = {float(delta):.3g} at the start is not small")
-        error = decimal_of_ball((estimate * length).mid(), 2) or "0"
+        error = decimal_of_ball((estimate * length + arb(half_unit(x, digits))).mid(), 2) or "0"
         return MotionPoint(x, v, amplitude, phase, self.order, self.gauge, METHOD, error, False, notes)
 
     def _estimate(self, tau: arb, frame: "_Frame", start: "_State", state: "_State") -> arb:

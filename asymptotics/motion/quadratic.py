@@ -19,11 +19,13 @@ from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Number, Oscillator
 from asymptotics.motion.certify import certified_point, time_of
 from asymptotics.motion.result import MotionPoint
-from asymptotics.turning_points.quadratic_duration import duration, elapsed
+from asymptotics.numbers.decimals import bits_for
+from asymptotics.turning_points.quadratic_duration import duration, elapsed, node_count
 from asymptotics.turning_points.quadratic_map import next_amplitude
 
 METHOD = "exact: quadratic damping, Lambert W and quadrature, certified balls"
 MAX_HALF_SWINGS = 20_000
+MAX_NODES = 600
 
 
 def quadratic_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> MotionPoint:
@@ -44,6 +46,14 @@ def quadratic_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Mot
     if not moment > 0:
         return certified_point(lambda: (oscillator.x0.ball(), arb(0)), digits, METHOD)
     return certified_point(lambda: _state(oscillator, moment.ball()), digits, METHOD)
+
+
+def quadratic_is_feasible(oscillator: Oscillator, digits: int) -> bool:
+    """Whether the quadrature, whose cost grows like the square of its nodes, is a matter of seconds."""
+    with ctx.workprec(64):
+        gamma = oscillator.law.terms[0].b.ball() / oscillator.mass.ball()
+        p = 2 * gamma * abs(oscillator.x0.ball())
+        return bool(p < 1e9) and node_count(float(p.mid()) + 1, bits_for(digits, 48)) <= MAX_NODES
 
 
 def _state(oscillator: Oscillator, t: arb) -> tuple[arb, arb]:

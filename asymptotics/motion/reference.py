@@ -25,7 +25,7 @@ from asymptotics.law import Law, Number, Oscillator
 from asymptotics.motion.certify import half_unit, time_of
 from asymptotics.motion.coulomb import coulomb_motion
 from asymptotics.motion.linear import linear_motion
-from asymptotics.motion.quadratic import quadratic_motion
+from asymptotics.motion.quadratic import quadratic_is_feasible, quadratic_motion
 from asymptotics.motion.result import MotionPoint
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
@@ -83,15 +83,18 @@ def reference_states(oscillator: Oscillator, times: Sequence[ExactReal], digits:
         with ctx.workprec(bits):
             gaps = [abs(a[0] - b[0]).mid() for a, b in zip(coarse, fine)]
             close = arb(10) ** -(digits + 2)
-            if all(_near(a, b, close) for a, b in zip(coarse, fine)):
+            scales = (oscillator.length(), oscillator.length() * oscillator.omega_0())
+            if all(_near(a, b, close, scales) for a, b in zip(coarse, fine)):
                 x, v = zip(*fine)
                 return States(x, v, _largest(gaps), bits)
         coarse = fine
     raise UndecidedError(f"{bits - step} and {bits} bits do not agree in {digits} digits")
 
 
-def _near(a: State, b: State, close: arb) -> bool:
-    return all(bool(abs(p - q) <= close * abs(q)) for p, q in zip(a, b))
+def _near(a: State, b: State, close: arb, scales: State) -> bool:
+    """Relative agreement, down to 10^-20 of the motion's own scale: below that the mass is at rest, up to rounding."""
+    floor = arb(10) ** -20
+    return all(bool(abs(p - q) <= close * (abs(q) + floor * s)) for p, q, s in zip(a, b, scales))
 
 
 def _largest(values: list[arb]) -> arb:
@@ -132,7 +135,7 @@ def _exact(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | N
         return coulomb_motion(alone, t, digits, static=static)
     if alpha == 1:
         return linear_motion(alone, t, digits)
-    if alpha == 2 and not (oscillator.v0 < 0 or oscillator.v0 > 0):
+    if alpha == 2 and not (oscillator.v0 < 0 or oscillator.v0 > 0) and quadratic_is_feasible(alone, digits):
         return quadratic_motion(alone, t, digits)
     return None
 

@@ -136,11 +136,15 @@ def expansion_coefficients(
         expansion = exact_expansion(integers, order, gauge, max_seconds=max_seconds)
         p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
         return _expansion(gauge, order, "exact", len(alphas), p, Omega)
+    work, exact = _work(max_seconds), _integer_part(alphas, order, gauge)
+    decided = {name: {key: _exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
     if gauge == TURNING_POINT:
-        rounded = certified_digits(alphas, order, digits, max_work=_work(max_seconds))
+        rounded = certified_digits(alphas, order, digits, max_work=work, names=("p", "Omega"), known=decided)
     else:
-        rounded = round_all(partial(_in_gauge, alphas, order, gauge, _work(max_seconds)), digits, 4 * order + 32)
+        rounded = round_all(partial(_in_gauge, alphas, order, gauge, work), digits, 4 * order + 32, decided)
     known = closed_forms(alphas, order, gauge)
+    for name, row in exact.items():
+        known[name] |= {key: c.to_sympy() for key, c in row.items()}
     p, Omega = (_rounded_row(rounded[name], known[name]) for name in ("p", "Omega"))
     return _expansion(gauge, order, "certified", len(alphas), p, Omega)
 
@@ -215,6 +219,29 @@ def _integers(
     return integers if estimated_seconds(integers, order, gauge) <= max_seconds else None
 
 
+def _integer_part(alphas: Sequence[ExactReal], order: int, gauge: str) -> dict[str, dict[Key, PiNumber]]:
+    """The coefficients that involve only the laws with integer exponents: those of their own sum, exactly."""
+    places = [i for i, a in enumerate(alphas) if a.is_rational and a.rational.denominator == 1]
+    if not places or estimated_seconds(tuple(int(alphas[i].rational) for i in places), order, gauge) > MAX_SECONDS:
+        return {}
+    part = exact_expansion(tuple(int(alphas[i].rational) for i in places), order, gauge)
+    found: dict[str, dict[Key, PiNumber]] = {}
+    for name, series, start in (("p", part.p, 1), ("Omega", part.Omega, 2)):
+        keys = [key for degree in range(start, order + 1, 2) for key in monomials(len(places), degree)]
+        found[name] = {_embedded(key, places, len(alphas)): _pi_number(series[key]) for key in keys}
+    return found
+
+
+def _embedded(key: Key, places: Sequence[int], laws: int) -> Key:
+    """A monomial of some of the laws as a monomial of all of them."""
+    powers = dict(zip(places, key))
+    return tuple(powers.get(i, 0) for i in range(laws))
+
+
+def _pi_number(c: Any) -> PiNumber:
+    return c if isinstance(c, PiNumber) else PiNumber.rational(c)
+
+
 def _in_gauge(alphas: Sequence[ExactReal], order: int, gauge: str, max_work: int) -> Mapping[str, Series]:
     quarter = quarter_swing(alphas, order, moments=True, max_work=max_work)
     expansion = expansion_of(quarter, gauge, arithmetic="certified")
@@ -229,7 +256,7 @@ def _exact_row(series: Series, digits: int) -> Row:
     row = {}
     for part in series.parts:
         for key, c in part:
-            number = c if isinstance(c, PiNumber) else PiNumber.rational(c)
+            number = _pi_number(c)
             row[_name(key)] = Coefficient(_exact_decimal(number, digits), number.to_sympy())
     return row
 

@@ -42,14 +42,26 @@ Digits = dict[str, dict[Key, str]]
 
 
 def certified_digits(
-    alphas: Sequence[ExactReal], order: int, digits: int, *, max_work: int = MAX_WORK
+    alphas: Sequence[ExactReal],
+    order: int,
+    digits: int,
+    *,
+    max_work: int = MAX_WORK,
+    names: Sequence[str] | None = None,
+    known: Mapping[str, Mapping[Key, str]] | None = None,
 ) -> Digits:
     """Every coefficient through ``order`` to ``digits`` significant digits, correctly rounded and proved to be.
 
     Names: L, T, U, W, p (odd degrees), Omega (even degrees from 2 on), and F_i, V_i for each law i = 0, 1, …;
-    keys are multi-indices.  UndecidedError names the coefficient that could not be decided.
+    keys are multi-indices; ``names`` selects some.  UndecidedError names the coefficient that could not be decided.
     """
-    return round_all(lambda: expansions(alphas, order, max_work), digits, guard=4 * order + 32)
+
+
+    def evaluate() -> dict[str, Series]:
+        series = expansions(alphas, order, max_work)
+        return {name: series[name] for name in names or series}
+
+    return round_all(evaluate, digits, 4 * order + 32, known or {})
 
 
 def expansions(alphas: Sequence[ExactReal], order: int, max_work: int = MAX_WORK) -> dict[str, Series]:
@@ -73,14 +85,19 @@ def _flow(half: HalfSwing, alphas: Sequence[ExactReal]) -> tuple[Series, Series]
     return U, W
 
 
-def round_all(evaluate: Callable[[], Mapping[str, Series]], digits: int, guard: int) -> Digits:
-    """Raise the precision by what is missing until every coefficient of every series is rounded."""
+def round_all(
+    evaluate: Callable[[], Mapping[str, Series]], digits: int, guard: int, known: Mapping[str, Mapping[Key, str]]
+) -> Digits:
+    """Raise the precision by what is missing until every coefficient of every series is rounded.
+
+    ``known``: decimals that another arithmetic has decided (zeros and ties that no ball can).
+    """
     bits = bits_for(digits, guard)
     limit = MAX_RAISE * bits
     while True:
         with ctx.workprec(bits):
             series = evaluate()
-        rounded = {name: _round(one, name, digits) for name, one in series.items()}
+        rounded = {name: _round(one, name, digits, known.get(name, {})) for name, one in series.items()}
         open_ones = [(name, n) for name, row in rounded.items() for n, text in row.items() if text is None]
         if not open_ones:
             return {name: {n: text for n, text in row.items() if text} for name, row in rounded.items()}
@@ -92,7 +109,7 @@ def round_all(evaluate: Callable[[], Mapping[str, Series]], digits: int, guard: 
         bits = min(bits + max(16, min(missing, bits)), limit)
 
 
-def _round(series: Series, name: str, digits: int) -> dict[Key, str | None]:
+def _round(series: Series, name: str, digits: int, known: Mapping[Key, str]) -> dict[Key, str | None]:
     """Decimals of all coefficients, "0" for the absent ones; p in odd and Ω in even degrees only."""
     parity = {"p": 1, "Omega": 0}.get(name)
     row: dict[Key, str | None] = {}
@@ -101,5 +118,8 @@ def _round(series: Series, name: str, digits: int) -> dict[Key, str | None]:
             continue
         for n in monomials(series.variables, degree):
             value = series[n]
+            if n in known:
+                row[n] = known[n]
+                continue
             row[n] = decimal_of_ball(arb(value), digits) if value != 0 or not arb(value).is_exact() else "0"
     return row

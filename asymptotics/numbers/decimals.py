@@ -22,10 +22,11 @@ from math import log2
 
 from flint import arb, ctx, fmpz
 
-from asymptotics.errors import UndecidedError
+from asymptotics.errors import LimitError, UndecidedError
 
 BITS_PER_DIGIT = log2(10)
 MAX_BITS = 1 << 20
+MAX_EXPONENT = 1 << 24  # beyond it the decimal expansion alone would fill the memory
 
 
 def bits_for(digits: int, guard: int = 32) -> int:
@@ -59,6 +60,11 @@ def decimal_of_ball(ball: arb, digits: int) -> str | None:
     if not ball.is_finite():
         return None
     (middle, shift), (radius, radius_shift) = ball.mid().man_exp(), ball.rad().man_exp()
+    if middle and abs(int(shift)) > MAX_EXPONENT:
+        accepted = f"magnitudes from 2^-{MAX_EXPONENT} to 2^{MAX_EXPONENT}"
+        raise LimitError("magnitude", f"the result is near 2^{int(shift)}", accepted)
+    if radius and int(radius_shift) + radius.bit_length() > int(shift) + middle.bit_length():
+        return None  # the ball contains 0
     if radius == 0:
         return _format(*_round_dyadic(middle, int(shift), digits), digits)
     low_shift = min(int(shift), int(radius_shift))

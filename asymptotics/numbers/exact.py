@@ -9,7 +9,7 @@ Traceback (most recent call last):
     ...
 asymptotics.errors.InputError: argument --alpha: "__import__('os')" is not an exact number (accepted: ...)
 
-The grammar is a regular expression: nothing that is typed is ever evaluated.  Exponents have at most four digits and
+The grammar is a regular expression: nothing that is typed is ever evaluated.  Exponents have at most three digits and
 a number at most a thousand characters, so reading one cannot exhaust the machine.
 """
 
@@ -22,7 +22,7 @@ from flint import arb, fmpq
 
 from asymptotics.errors import InputError
 
-_NUMBER = r"[+-]?(?:\d{1,400}(?:\.\d{0,400})?|\.\d{1,400})(?:[eE][+-]?\d{1,4})?(?:/\d{1,400})?"
+_NUMBER = r"[+-]?(?:\d{1,400}(?:\.\d{0,400})?|\.\d{1,400})(?:[eE][+-]?\d{1,3})?(?:/\d{1,400})?"
 _RATIONAL = re.compile(_NUMBER + r"\Z", re.ASCII)
 _ROOT = re.compile(rf"(?P<sign>[+-]?)sqrt\((?P<radicand>{_NUMBER})\)\Z", re.ASCII)
 _INTEGER = re.compile(r"[+-]?\d{1,40}\Z", re.ASCII)

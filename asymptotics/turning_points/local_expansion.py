@@ -28,6 +28,7 @@ q_i = epsilon_i w^alpha_i/|y| for g = alpha_i: terms fall like lambda^(-e).  Heu
 """
 
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import product
 from math import ceil, exp, log
@@ -35,11 +36,12 @@ from operator import mul
 
 from flint import arb, ctx
 
-from asymptotics.errors import UndecidedError
+from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.numbers.exact import ExactReal
 
 Key = tuple[int, ...]
 MAX_TERMS = 4000
+_SMALLEST_ALPHA = Fraction(1, 100)
 _MAX_DENOMINATOR = 20
 _SECANT_STEPS = 40
 
@@ -55,6 +57,10 @@ class Damping:
     @classmethod
     def of(cls, terms: list[tuple[arb, ExactReal]]) -> "Damping":
         """From (epsilon_i, alpha_i); only the midpoints of the strengths are used, and zeros are dropped."""
+        for _, a in terms:
+            if a > 0 and a < _SMALLEST_ALPHA:
+                reason = "the local expansion near v = 0 needs too many terms for so small an exponent"
+                raise LimitError("alpha", reason, f"0, or at least {_SMALLEST_ALPHA}")
         friction = sum((e.mid() for e, a in terms if not a > 0), arb(0))
         moving = [(e.mid(), a) for e, a in terms if a > 0 and e.mid() != 0]
         return cls(friction, tuple(e for e, _ in moving), tuple(a for _, a in moving))

@@ -118,7 +118,7 @@ def _balls(epsilon: ExactReal, start: int, times: bool) -> Iterator[tuple[int, a
 def _jump(p0: arb, start: int, times: bool) -> tuple[int, arb, arb]:
     """The turning point ``start`` through the Abel function, from a certified head of the orbit."""
     digits = int(ctx.prec / BITS_PER_DIGIT)
-    head = list(islice(amplitudes(p0), 7 * digits + 200))
+    head = list(islice(amplitudes(p0), min(7 * digits + 200, start)))
     abel = AbelFunction(terms=12 + digits * 2 // 9, radius=fmpq(1, 4))
     p = abel.advance(head[-1], start - len(head) + 1)
     if not times:

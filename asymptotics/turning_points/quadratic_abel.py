@@ -31,6 +31,7 @@ from functools import cached_property
 
 from flint import arb, ctx, fmpq
 
+from asymptotics.errors import UndecidedError
 from asymptotics.turning_points.quadratic_series import abel_coefficients, time_coefficients
 
 
@@ -94,17 +95,17 @@ class AbelFunction:
         return self._solve(_odd_laurent(self.psi, p) + steps + defect, p)
 
     def _solve(self, value: arb, start: arb) -> arb:
-        """The only p in (0, start] with Psi_K(p) = value: Newton, then the mean value theorem."""
+        """The only p up to about ``start`` with Psi_K(p) = value: Newton, then the mean value theorem."""
         middle = (arb(3) / 2 / value).mid()
         for _ in range(ctx.prec.bit_length() + 3):
             step = (_odd_laurent(self.psi, middle) - value) / _slope(self.psi, middle)
             middle = (middle - step).mid()
         guess = middle * (1 + arb(0, arb(2) ** -10))
-        if not (guess < start and self._decreasing_up_to(start)):
-            raise ValueError("the truncated Abel function may not decrease here: use a later head or fewer terms")
+        if not (guess < arb(self.radius) and self._decreasing_up_to(guess.union(start))):
+            raise UndecidedError("the truncated Abel function may not decrease here: use a later head or fewer terms")
         root = middle + (value - _odd_laurent(self.psi, middle)) / _slope(self.psi, guess)
         if not guess.contains(root):
-            raise ValueError("the enclosure of the turning point was not verified: raise the precision")
+            raise UndecidedError("the enclosure of the turning point was not verified: raise the precision")
         return root
 
     def _decreasing_up_to(self, p: arb) -> bool:

@@ -235,9 +235,10 @@ ARGUMENT_LATEX = (
     conditions="v < 0 (n even), t_n counted from the start of half-cycle n, pi subtracted from the arctangent once its"
     " argument is positive; for n odd, x -> -x",
     methods=("v = -sqrt(v^2) from (54), corrected, in (69)",),
-    note="Two slips. The factor 3 must be 4: omega^2 v^2 gives 2 omega^2 E e^{2 gamma x}, the square of gamma v^2 -"
+    note="Three slips. The factor 3 must be 4: omega^2 v^2 gives 2 omega^2 E e^{2 gamma x}, the square of gamma v^2 -"
     " omega^2 x another 2. And v < 0 on the half-cycles with these E_n, so both terms change sign; as printed the curve"
-    " runs backwards in time. The radicand, omega^2/gamma instead of the omega^2/(2 gamma) of (54), is right.",
+    " runs backwards in time. The radicand, omega^2/gamma instead of the omega^2/(2 gamma) of (54), is right."
+    " The range: the printed equation lets t_n run from 0 in every half-cycle, not from n tau/2.",
 )
 def curve_of_figure_5(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """(69) with v = -r, where E is eliminated in favour of r by r^2 = v^2(x)."""

@@ -1,6 +1,8 @@
 """The contract of the command line, run in this process."""
 
 import json
+import subprocess
+import sys
 
 import pytest
 
@@ -67,6 +69,9 @@ ERRORS = [
     ("turning-points --alpha 2 --count 3 --epsilon -1/2", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon nan", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon 1e999999", "--epsilon"),
+    ("turning-points --alpha 2 --count 3 --epsilon 1e9999", "--epsilon"),
+    ("turning-points --alpha 1 --count 1 --epsilon 1 --start 1000000000000000000000000000000", "magnitude"),
+    ("turning-points --alpha 1e-20 --count 3 --epsilon 1/10", "--alpha"),
     ("turning-points --alpha 2 --count 3 --epsilon abc", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon __import__('os')", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon 1 --digits 0", "--digits"),
@@ -81,7 +86,7 @@ ERRORS = [
     ("smith f --n 1000000", "--n"),
     ("smith f", "--n"),
     ("smith c --n 5 --i 5", "--i"),
-    ("smith c --n 100000 --i 50000", "--n"),
+    ("smith c --n 100000 --i 50001", "--n"),
     ("smith g --i -1", "--i"),
     ("smith h", "what"),
     ("table nope", "NAME"),
@@ -101,3 +106,15 @@ def test_bad_input_is_one_line_that_names_the_argument(capsys, line, argument):
     assert err.count("\n") == 1
     assert argument in err
     assert "Traceback" not in err
+
+
+def test_a_wrong_parity_needs_no_work(capsys):
+    assert answer(capsys, "smith", "c", "--n", "100000", "--i", "2")["value"] == "0"
+
+
+@pytest.mark.parametrize(("command", "code"), [("smith f --n 800 | head -1", 0), ("smith f --n 8 > /dev/full", 2)])
+def test_a_reader_that_leaves_and_a_full_disk_are_no_tracebacks(command, code):
+    line = f"set -o pipefail; {sys.executable} -m asymptotics.cli.main {command}"
+    done = subprocess.run(["bash", "-c", line], capture_output=True, text=True, check=False)
+    assert done.returncode == code
+    assert "Traceback" not in done.stderr

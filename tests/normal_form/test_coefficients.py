@@ -118,3 +118,14 @@ def test_a_result_shows_itself():
     data = half_swing_coefficients(reals("1", "2"), 2, 5).to_dict()
     assert isinstance(data["map"], list)
     assert isinstance(half_swing_coefficients(reals("2"), 2, 5).to_dict()["map"], dict)
+
+
+@pytest.mark.parametrize("gauge", GAUGES)
+def test_integer_laws_in_a_mixed_sum_keep_their_exact_coefficients(gauge):
+    # Balls cannot decide zeros (p_3 of linear damping) and ties (3/8 at two digits): the exact sub-sum does.
+    mixed = expansion_coefficients(reals("1", "3/2"), 3, 10, gauge)
+    linear = expansion_coefficients(reals("1"), 3, 10, gauge)
+    for key in ("1", "3"):
+        assert mixed.amplitude[f"{key},0"] == linear.amplitude[key]
+    assert mixed.frequency["2,0"] == linear.frequency["2"]
+    assert expansion_coefficients(reals("3", "1/2"), 1, 2, gauge).amplitude["1,0"].value == "0.38"

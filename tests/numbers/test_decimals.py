@@ -6,7 +6,7 @@ from flint import arb, ctx, fmpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from asymptotics.errors import UndecidedError
+from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.numbers.decimals import certified_decimal, decimal_of_ball, rational_decimal
 
 digits_st = st.integers(1, 40)
@@ -55,3 +55,9 @@ def test_ten_thousand_digits():
     assert len(text) == 10_001
     n = int(Fraction(Decimal(text[:3000])) * 10**2998)  # int(str) is limited to 4300 digits
     assert n * n <= 2 * 10 ** (2 * 2998) < (n + 1) ** 2
+
+
+def test_magnitudes_that_would_fill_the_memory_are_refused():
+    with pytest.raises(LimitError, match="magnitude"):
+        decimal_of_ball((-arb(10) ** 12).exp(), 10)
+    assert decimal_of_ball(arb(0, 1) * arb(10).exp().exp().exp(), 5) is None

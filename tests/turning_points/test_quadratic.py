@@ -74,3 +74,10 @@ def test_progress_and_presentation():
     assert seen == [1, 2, 3]
     assert "-0.41072" in table._repr_latex_()
     assert table.to_dict()["certified"] is True
+
+
+@pytest.mark.parametrize(("epsilon", "start"), [("1e-8", 20001), ("1e-12", 10**6)])
+def test_small_amplitudes_far_along(epsilon, start):
+    # 1/p_n = 1/p_0 + (2/3) n + O(log n): x_n = p_n/p_0 = 1/(1 + (4/3) epsilon n) up to O(epsilon^2 n).
+    x = abs(float(quadratic_turning_points(parse_real(epsilon, "e"), 1, 20, start=start).points[0].x))
+    assert abs(x - 1 / (1 + 4 / 3 * float(epsilon) * start)) < 1e-11
