@@ -19,7 +19,7 @@ and said to be so.
 >>> first.x, first.amplitude                         # Lancaster (13): 0.2 A cos(7 sqrt(20))
 ('0.16397652', '0.16499144')
 >>> third = AsymptoticMotion.of(drag, order=3)
->>> third.at("7", 12).x, third.at("7", 2).error
+>>> third.at("7", 12).x, third.at("7", 12).error
 ('0.163853086570', '1.2e-8')
 >>> [f"{x:.10f}" for x in third.sample([0, 7, float("nan")]).x]
 ['0.2000000000', '0.1638530866', 'nan']
