@@ -31,9 +31,10 @@ def read_law(options: argparse.Namespace, strength: str) -> Law:
         if len(law.terms) > MAX_LAWS:
             raise InputError("--law", f"{len(law.terms)} different exponents are too many", f"at most {MAX_LAWS}")
         return law
+    letter = "E" if strength == "epsilon" else "B"
     for name, value in zip(("alpha", strength), single):
         if value is None:
-            raise InputError(f"--{name}", "it is missing", f"--alpha and --{strength}, or --law A:B")
+            raise InputError(f"--{name}", "it is missing", f"--alpha and --{strength}, or --law A:{letter}")
     return Law.of([(_strength(single[1], f"--{strength}"), read_alpha(single[0], "--alpha"))])
 
 

@@ -27,6 +27,8 @@ def add_law(parser: argparse.ArgumentParser) -> None:
     """The options --alpha, --epsilon and --law."""
     text = "the exponent of the damping law, any real number >= 0: 3/2, 0.1, sqrt(2), ..."
     parser.add_argument("--alpha", metavar="A", help=text)
+    text = "its strength; accepted as in the other commands, it does not enter the coefficients of powers of delta"
+    parser.add_argument("--epsilon", metavar="E", help=text)
     text = "one term of a sum of laws, repeated: its exponent and (optionally) its strength epsilon"
     parser.add_argument("--law", action="append", metavar="A[:E]", help=text)
 
@@ -36,6 +38,10 @@ def read_exponents(options: argparse.Namespace) -> Exponents:
     if (options.alpha is None) == (options.law is None):
         reason = "is missing" if options.alpha is None else "cannot be combined with --law"
         raise InputError("--alpha", reason, "either --alpha A, or --law A:E once for each term")
+    if options.epsilon is not None:
+        if options.alpha is None:
+            raise InputError("--epsilon", "belongs to --alpha", "--law A:E for the terms of a sum")
+        parse_real(options.epsilon, "--epsilon")
     if options.alpha is not None:
         return Exponents((read_alpha(options.alpha, "--alpha"),), ())
     alphas: list[ExactReal] = []

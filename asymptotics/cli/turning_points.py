@@ -16,6 +16,8 @@ from tqdm import tqdm
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
 from asymptotics.cli.law_options import add_law, read_law
+from asymptotics.errors import LimitError
+from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.turning_points.general import turning_points
 from asymptotics.turning_points.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, TurningPoints
@@ -37,11 +39,20 @@ def run(options: argparse.Namespace) -> Answer:
     count = parse_integer(options.count, "--count", 1, MAX_COUNT)
     start = parse_integer(options.start, "--start", 0, MAX_START)
     digits = read_digits(options, MAX_DIGITS)
-    with tqdm(total=count, unit="point", leave=False, disable=not sys.stderr.isatty(), delay=1) as bar:
-        result = turning_points(
-            law, count, digits, start=start, times=options.times, progress=lambda done: bar.update(done - bar.n)
-        )
+    try:
+        result = _computed(law, count, digits, start, options.times)
+    except LimitError as error:
+        if error.argument == "time":  # the integrator speaks of its own argument
+            raise LimitError("--epsilon", error.reason, "weaker damping") from error
+        raise
     return Answer(result.to_dict(), _text(result), options.json)
+
+
+def _computed(law: Law, count: int, digits: int, start: int, times: bool) -> TurningPoints:
+    with tqdm(total=count, unit="point", leave=False, disable=not sys.stderr.isatty(), delay=1) as bar:
+        return turning_points(
+            law, count, digits, start=start, times=times, progress=lambda done: bar.update(done - bar.n)
+        )
 
 
 def _text(result: TurningPoints) -> str:

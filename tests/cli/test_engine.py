@@ -35,6 +35,7 @@ def test_expand(capsys):
     assert set(data["amplitude"]) == {"1", "3"}
     assert set(data["frequency"]) == {"2", "4"}
     assert data["frequency"]["2"] == {"value": "-0.1757812500", "exact": "-45/256"}
+    assert answer(capsys, "expand --alpha 3 --epsilon 1/10 --order 4 --digits 10 --exact") == data
     assert answer(capsys, "expand --alpha 3/2 --order 3")["amplitude"]["3"]["exact"] is not None
     assert answer(capsys, "expand --alpha 3/2 --order 5")["amplitude"]["5"]["exact"] is None
 
@@ -80,6 +81,8 @@ def test_half_swing(capsys):
         ("expand --alpha __import__('os')", "--alpha"),
         ("expand --alpha 2000", "--alpha"),
         ("expand --alpha 2 --law 1:1", "--alpha"),
+        ("expand --alpha 2 --epsilon x", "--epsilon"),
+        ("expand --law 2:1 --epsilon 1", "--epsilon"),
         ("expand --law 1:x", "--law"),
         ("expand --law -1:1", "--law"),
         ("expand --law 1 --law 2 --law 3 --law 4 --law 5", "--law"),
