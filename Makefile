@@ -1,33 +1,40 @@
 # Two commands: `make reproduce` and `make test`. Each creates its own environment; nothing is installed by hand.
 VENV ?= .venv
 PYTHON ?= python3
+WORKERS ?= auto
 PIP = $(VENV)/bin/python -m pip install --disable-pip-version-check --quiet
 RUN = $(VENV)/bin/python -m
 
 .PHONY: reproduce test test-thorough lint benchmarks clean
 
-reproduce: $(VENV)/.ready
+reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
 
-test: $(VENV)/.ready
-	$(RUN) pytest -m "not slow"
+test: $(VENV)/.test
+	$(RUN) pytest -n $(WORKERS) -m "not slow"
 
-test-thorough: $(VENV)/.ready
-	HYPOTHESIS_PROFILE=thorough $(RUN) pytest
+test-thorough: $(VENV)/.test
+	HYPOTHESIS_PROFILE=thorough $(RUN) pytest -n $(WORKERS)
 
-lint: $(VENV)/.ready
+lint: $(VENV)/.test
 	$(RUN) ruff check .
 	$(RUN) mypy
 
-benchmarks: $(VENV)/.ready
+benchmarks: $(VENV)/.test
 	$(RUN) benchmarks
 
-$(VENV)/.ready: requirements/lock.txt pyproject.toml
+# Each environment is the one before it and what its lock adds.
+$(VENV)/.reproduce: requirements/reproduce.txt pyproject.toml
 	@$(PYTHON) -c "import sys; sys.exit(None if sys.version_info >= (3, 11) else 'Python 3.11 or later is needed: make PYTHON=python3.x')"
 	@echo "Creating the environment in $(VENV) (once; about half a minute) ..."
 	$(PYTHON) -m venv --clear $(VENV)
-	$(PIP) --require-hashes --only-binary :all: -r requirements/lock.txt
+	$(PIP) --require-hashes --only-binary :all: -r requirements/reproduce.txt
 	$(PIP) --no-deps --no-build-isolation -e .
+	touch $@
+
+$(VENV)/.test: requirements/test.txt $(VENV)/.reproduce
+	@echo "Adding the tools of the tests to $(VENV) (once) ..."
+	$(PIP) --require-hashes --only-binary :all: -r requirements/test.txt
 	touch $@
 
 clean:

@@ -10,7 +10,7 @@ True
 import mpmath
 
 from asymptotics.numbers.exact import parse_real
-from asymptotics.turning_points.quadratic import quadratic_turning_points
+from asymptotics.turning.quadratic import quadratic_turning_points
 from benchmarks.table import Table, best_time, seconds_text
 
 EPSILON = "1/10"

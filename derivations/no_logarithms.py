@@ -6,8 +6,8 @@
 
 import sympy
 
-from asymptotics.half_swing.exact import exact_half_swing
-from asymptotics.half_swing.pi_ring import PI
+from asymptotics.half_swings.exact import exact_half_swing
+from asymptotics.half_swings.pi_ring import PI
 from asymptotics.normal_form.flow import Flow, flow_of
 from asymptotics.series import Series
 from derivations.steps import Derivation

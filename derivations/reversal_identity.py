@@ -8,8 +8,8 @@
 
 import sympy
 
-from asymptotics.half_swing.orbit import Orbit
-from asymptotics.half_swing.theta_algebra import COSINE, SINE, THETA, ThetaTrig, sine_power
+from asymptotics.half_swings.orbit import Orbit
+from asymptotics.half_swings.theta_algebra import COSINE, SINE, THETA, ThetaTrig, sine_power
 from asymptotics.series import Series
 from derivations.steps import Derivation
 
@@ -22,7 +22,7 @@ LAWS = {(0,): 5, (1,): 4, (2,): 4, (3,): 3, (1, 2): 3}
 derivation = Derivation(
     "reversal-identity",
     "The second quarter is the first, run backwards with the opposite strength",
-    source="DESIGN 2; asymptotics.half_swing.quarter",
+    source="DESIGN 2; asymptotics.half_swings.quarter",
 )
 step, holds = derivation.step, derivation.holds
 

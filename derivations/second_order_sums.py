@@ -8,8 +8,8 @@ Here a_ij = alpha_i alpha_j/((alpha_i+1)(alpha_j+1)).  Two laws x, y are enough:
 
 import sympy
 
-from asymptotics.half_swing.exact import exact_quarter_swing
-from asymptotics.half_swing.quarter import half_swing
+from asymptotics.half_swings.exact import exact_quarter_swing
+from asymptotics.half_swings.quarter import half_swing
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.flow import flow_of
 from derivations.steps import Derivation

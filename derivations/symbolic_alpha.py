@@ -11,8 +11,8 @@ import sympy
 from sympy import QQ
 from sympy.polys.fields import field
 
-from asymptotics.half_swing.odd_flow import odd_flow
-from asymptotics.half_swing.symbolic import nested_integral_exact
+from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.symbolic import nested_integral_exact
 from asymptotics.moments.symbolic import moment
 from asymptotics.series import Series
 from derivations.steps import Derivation
@@ -28,7 +28,7 @@ ORDER = 4
 derivation = Derivation(
     "symbolic-alpha",
     "One law, any exponent: closed forms through fourth order",
-    source="DESIGN 2; asymptotics.half_swing.symbolic, asymptotics.normal_form.symbolic",
+    source="DESIGN 2; asymptotics.half_swings.symbolic, asymptotics.normal_form.symbolic",
 )
 step, holds = derivation.step, derivation.holds
 

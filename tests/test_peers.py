@@ -17,9 +17,9 @@ from flint import arb, fmpq
 from scipy.integrate import quad, solve_ivp
 
 from asymptotics.errors import InputError
-from asymptotics.half_swing.exact import exact_half_swing, exact_quarter_swing
-from asymptotics.half_swing.odd_flow import odd_flow
-from asymptotics.half_swing.pi_ring import PiNumber
+from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
+from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.law import Law
 from asymptotics.moments.certified import moment
 from asymptotics.normal_form.expansion import exact_expansion
@@ -33,7 +33,7 @@ from asymptotics.normal_form.verify import (
 )
 from asymptotics.numbers.exact import parse_real
 from asymptotics.series import Series
-from asymptotics.turning_points.quadratic import quadratic_turning_points
+from asymptotics.turning.quadratic import quadratic_turning_points
 from asymptotics.verdict import Outcome
 
 TIGHT = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-14}

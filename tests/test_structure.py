@@ -15,8 +15,8 @@ from paper_checks.registry import load
 
 ROOT = Path(__file__).parents[1]
 LAYERS = [  # a module may import its own folder and what stands before it
-    "errors", "verdict", "numbers", "series", "moments", "law", "half_swing", "normal_form", "multiple_scales",
-    "turning_points", "envelope", "motion", "invariants", "tables", "present", "cli",
+    "errors", "verdict", "numbers", "series", "moments", "law", "half_swings", "normal_form", "multiscale",
+    "turning", "envelopes", "motions", "invariants", "tables", "present", "cli",
 ]  # fmt: skip
 TOP = {"asymptotics": [], "derivations": ["asymptotics"], "paper_checks": ["asymptotics", "derivations"]}
 
@@ -101,17 +101,26 @@ def test_every_cited_derivation_exists():
             assert cited in known, f"{path.name} cites {cited}"
 
 
-def test_the_lock_is_compiled_from_the_project_and_names_no_host():
+def _locks() -> dict[str, set[str]]:
+    """What each requirements/NAME.in must hold, by pyproject.toml."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-    wanted = set(project["project"]["dependencies"]) | set(project["dependency-groups"]["dev"])
-    lines = (ROOT / "requirements/dev.in").read_text().splitlines()
-    assert {line for line in lines if line and not line.startswith("#")} == wanted
-    lock = (ROOT / "requirements/lock.txt").read_text()
+    groups, extras = project["dependency-groups"], project["project"]["optional-dependencies"]
+    core = {*project["project"]["dependencies"], *extras["plot"], *extras["report"], *groups["build"]}
+    used = {wanted for name in ("pandas", "parquet", "cluster", "identify") for wanted in extras[name]}
+    return {"reproduce": core, "test": {*used, *groups["dev"]} - core, "docs": set(extras["docs"])}
+
+
+@pytest.mark.parametrize("name", ["reproduce", "test", "docs"])
+def test_the_lock_is_compiled_from_the_project_and_names_no_host(name: str):
+    wanted = _locks()[name]
+    lines = (ROOT / f"requirements/{name}.in").read_text().splitlines()
+    assert {line for line in lines if line and not line.startswith(("#", "-c"))} == wanted
+    lock = (ROOT / f"requirements/{name}.txt").read_text()
     assert "http" not in lock
     assert "index" not in lock
     for requirement in wanted:
-        name = re.split(r"[<>=\[]", requirement)[0]
-        assert re.search(rf"^{name}==", lock, re.MULTILINE), name
+        package = re.split(r"[<>=\[]", requirement)[0]
+        assert re.search(rf"^{package}==", lock, re.MULTILINE), package
 
 
 def test_no_file_names_a_machine():

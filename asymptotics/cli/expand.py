@@ -16,7 +16,7 @@ from typing import Any
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
 from asymptotics.cli.laws import add_law, read_exponents
 from asymptotics.errors import InputError
-from asymptotics.half_swing.odd_flow import GAUGES
+from asymptotics.half_swings.odd_flow import GAUGES
 from asymptotics.normal_form.closed_forms import MAX_SYMBOLIC_ORDER, symbolic_coefficients
 from asymptotics.normal_form.coefficients import ExpansionCoefficients, Row, expansion_coefficients
 from asymptotics.normal_form.gauges import TURNING_POINT

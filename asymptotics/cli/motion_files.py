@@ -15,8 +15,8 @@ from flint import ctx
 
 from asymptotics.errors import LimitError
 from asymptotics.law import Oscillator
-from asymptotics.motion.asymptotic import AsymptoticMotion
-from asymptotics.motion.reference import estimated_seconds, reference_motion, reference_states
+from asymptotics.motions.asymptotic import AsymptoticMotion
+from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.present.figures import render
 

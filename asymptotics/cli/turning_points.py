@@ -19,8 +19,8 @@ from asymptotics.cli.law_options import add_law, read_law
 from asymptotics.errors import LimitError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_integer
-from asymptotics.turning_points.general import turning_points
-from asymptotics.turning_points.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, TurningPoints
+from asymptotics.turning.general import turning_points
+from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, TurningPoints
 
 
 def configure(parser: argparse.ArgumentParser) -> None:

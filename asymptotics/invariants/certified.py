@@ -27,8 +27,8 @@ is infinite.  The series never describes a whole half-swing.
 
 from flint import acb, arb, fmpq
 
-from asymptotics.turning_points.quadratic_duration import elapsed
-from asymptotics.turning_points.quadratic_map import next_amplitude
+from asymptotics.turning.quadratic_duration import elapsed
+from asymptotics.turning.quadratic_map import next_amplitude
 
 
 def first_constant(u: arb, w: arb) -> arb:

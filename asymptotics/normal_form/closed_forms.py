@@ -13,7 +13,7 @@ import sympy
 from flint import arb, fmpq
 
 from asymptotics.errors import InputError
-from asymptotics.half_swing.symbolic import nested_integral, nested_integral_definition
+from asymptotics.half_swings.symbolic import nested_integral, nested_integral_definition
 from asymptotics.normal_form.coefficients import Coefficient, Row, row_to_dict
 from asymptotics.normal_form.gauges import TURNING_POINT
 from asymptotics.normal_form.symbolic import omega_2, symbolic_expansion

@@ -1,6 +1,6 @@
 """Coefficients as text: certified decimals, and the exact form where there is one, for any exponents and any gauge.
 
-Integer exponents are computed exactly (``half_swing.exact``), all others in balls (``half_swing.certified``).  For
+Integer exponents are computed exactly (``half_swings.exact``), all others in balls (``half_swing.certified``).  For
 these the lowest coefficients have closed forms in moments (``normal_form.symbolic``), reported beside them.
 
 >>> from asymptotics.numbers import parse_real
@@ -21,10 +21,10 @@ from typing import Any
 import sympy
 
 from asymptotics.errors import InputError
-from asymptotics.half_swing.certified import WORK_PER_SECOND, quarter_swing
-from asymptotics.half_swing.exact import exact_half_swing
-from asymptotics.half_swing.pi_ring import PiNumber
-from asymptotics.half_swing.symbolic import alpha
+from asymptotics.half_swings.certified import WORK_PER_SECOND, quarter_swing
+from asymptotics.half_swings.exact import exact_half_swing
+from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.half_swings.symbolic import alpha
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.digits import certified_digits, round_all
 from asymptotics.normal_form.expansion import (

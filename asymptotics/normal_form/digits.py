@@ -1,6 +1,6 @@
 """Correctly rounded decimals of L, F, T and of the slow flow U, V, W, p, Ω in the turning-point gauge, any α >= 0.
 
-The half-swing comes in balls from ``half_swing.certified_zeros``, the flow from it by ``flow.flow_of``.
+The half-swing comes in balls from ``half_swings.certified_zeros``, the flow from it by ``flow.flow_of``.
 
 Zero by theorem, and therefore "0" or absent, besides what `certified_zeros` lists: U in even and W in odd degree
 (t → −t with ε → −ε); for linear friction alone p = ε/2; and what would carry a negative power of the amplitude if
@@ -21,15 +21,15 @@ from collections.abc import Callable, Mapping, Sequence
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swing.certified import MAX_WORK
-from asymptotics.half_swing.certified_zeros import (
+from asymptotics.half_swings.certified import MAX_WORK
+from asymptotics.half_swings.certified_zeros import (
     certified_half_swing,
     dry_friction_cancels,
     negative_power,
     only,
     without,
 )
-from asymptotics.half_swing.quarter import HalfSwing
+from asymptotics.half_swings.quarter import HalfSwing
 from asymptotics.normal_form.flow import flow_of
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal

@@ -21,10 +21,10 @@ from flint import arb
 from sympy import latex
 
 from asymptotics.errors import InputError, LimitError
-from asymptotics.half_swing.exact import exact_half_swing, exact_quarter_swing
-from asymptotics.half_swing.odd_flow import odd_flow
-from asymptotics.half_swing.pi_ring import PiNumber
-from asymptotics.half_swing.quarter import HalfSwing, QuarterSwing, half_swing
+from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
+from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.half_swings.quarter import HalfSwing, QuarterSwing, half_swing
 from asymptotics.normal_form.flow import Flow, flow_of
 from asymptotics.normal_form.gauges import (
     TURNING_POINT,

@@ -12,7 +12,7 @@ because ln A and tau grow by int_0^pi U d psi and int_0^pi W d psi on the half-s
 finite at each order, since C - 1 raises the degree: C delta^n = delta^n exp(a_n L), a_n = sum_i n_i (alpha_i - 1).
 At alpha = 1 all a_n vanish and U = L/pi, W = T/pi.  t -> -t with epsilon -> -epsilon makes U odd and W even.
 
->>> from asymptotics.half_swing.exact import exact_half_swing
+>>> from asymptotics.half_swings.exact import exact_half_swing
 >>> flow = flow_of(exact_half_swing((0,), 6))
 >>> flow.V[0], flow.W                                  # Coulomb: V = (2/pi) delta^2, W = 1 exactly
 (2/pi*d^2 + O(7), 1 + O(7))
@@ -26,7 +26,7 @@ from typing import Any
 from flint import acb, arb
 
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swing.quarter import HalfSwing, strengths
+from asymptotics.half_swings.quarter import HalfSwing, strengths
 from asymptotics.series import Key, Series, accumulate, is_exact_zero, monomials
 
 

@@ -16,7 +16,7 @@ e^(i psi) coefficient of X, times 2, is, over the first quarter,
     Psi(tau; delta_0) = sum_(j>=1) tau^j/j! G^(j-1) (1/W),    G = (1/W) sum_i V_i d_i,
 
 and Psi^j e^(-i(Psi - tau)) d Psi/d tau is a power series in delta and tau: only the waveform moments
-K_k = int tau^k e^(-i tau) X d tau of ``half_swing.quarter`` remain.  The second quarter is the first one reversed, so
+K_k = int tau^k e^(-i tau) X d tau of ``half_swings.quarter`` remain.  The second quarter is the first one reversed, so
 c = c_q(delta) + conj(c_q)(-delta), the bracket of ``no-first-harmonic``.  Taking the e^(i psi) coefficient of
 d X/d tau = X' gives that of X', and with it the bracket of ``averaging`` without further integrals:
 
@@ -27,8 +27,8 @@ With delta = i eta, tau = i sigma every series is real; this is how it is comput
 *The conversion.*  With ln c = lambda + i chi (lambda even, chi odd in delta), A_g = A e^lambda, psi_g = psi + chi,
 delta_g = delta e^((alpha - 1) lambda), U_g = (U + D lambda)/(1 + D chi), W_g = W/(1 + D chi).
 
->>> from asymptotics.half_swing.exact import exact_quarter_swing
->>> from asymptotics.half_swing.quarter import half_swing
+>>> from asymptotics.half_swings.exact import exact_quarter_swing
+>>> from asymptotics.half_swings.quarter import half_swing
 >>> from asymptotics.normal_form.flow import flow_of
 >>> quarter = exact_quarter_swing((3,), 2, moments=True)
 >>> flow = flow_of(half_swing(quarter))
@@ -44,8 +44,8 @@ from math import factorial
 from typing import Any
 
 from asymptotics.errors import InputError
-from asymptotics.half_swing.odd_flow import GAUGES
-from asymptotics.half_swing.quarter import strengths
+from asymptotics.half_swings.odd_flow import GAUGES
+from asymptotics.half_swings.quarter import strengths
 from asymptotics.normal_form.flow import Flow
 from asymptotics.normal_form.tau_polynomial import TauPolynomial
 from asymptotics.series import Series, divided, is_exact_zero

@@ -29,7 +29,7 @@ import mpmath
 from flint import arb, ctx
 
 from asymptotics.errors import InputError
-from asymptotics.half_swing.pi_ring import PiNumber
+from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.normal_form.expansion import Expansion
 from asymptotics.numbers.bridge import bounds
 from asymptotics.series import Series

@@ -5,7 +5,7 @@
     W_4 = alpha^2 (35 alpha^3 + 9 alpha^2 - 17 alpha - 3)/(2 (alpha+1)^4 (2 alpha+1) (3 alpha+1)) M_(4 alpha)
           + 3 (alpha (alpha-1)/(alpha+1))^2 I_4(alpha),
 
-with I_4 of ``half_swing.symbolic`` (defined there, evaluated with certificates, and shown not to reduce to moments).
+with I_4 of ``half_swings.symbolic`` (defined there, evaluated with certificates, and shown not to reduce to moments).
 
 *The other gauges at second order.*  To first order Z = 1 + delta Z_1 with Z_1' = p_1 - s^(alpha+1) - i c s^alpha on a
 half-swing, so Z_1 = p_1 psi - int s^(alpha+1) - i s^(alpha+1)/(alpha+1).  Its real part is odd about psi = pi/2, hence
@@ -32,7 +32,7 @@ from flint import arb
 from sympy import Expr, factor
 
 from asymptotics.errors import InputError
-from asymptotics.half_swing.symbolic import FIELD, I_4, ORDER, alpha, field_half_swing, nested_integral, to_expression
+from asymptotics.half_swings.symbolic import FIELD, I_4, ORDER, alpha, field_half_swing, nested_integral, to_expression
 from asymptotics.moments.certified import moment as moment_ball
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.flow import Flow, flow_of

@@ -26,10 +26,10 @@ import numpy as np
 from flint import arb, fmpq, fmpq_poly
 from scipy.integrate import solve_ivp
 
-from asymptotics.half_swing.exact import exact_quarter_swing
-from asymptotics.half_swing.odd_flow import OddFlow, odd_flow
-from asymptotics.half_swing.pi_ring import PiNumber
-from asymptotics.half_swing.quarter import HalfSwing, half_swing
+from asymptotics.half_swings.exact import exact_quarter_swing
+from asymptotics.half_swings.odd_flow import OddFlow, odd_flow
+from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.half_swings.quarter import HalfSwing, half_swing
 from asymptotics.normal_form.expansion import Expansion
 from asymptotics.normal_form.flow import may_vanish
 from asymptotics.series import Series

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from asymptotics.law import Law, Oscillator
-from asymptotics.motion.reference import reference_states
+from asymptotics.motions.reference import reference_states
 from asymptotics.numbers.exact import ExactReal
 
 CASES = (("1/2", "1", 30), ("1/2", "1/4", 30), ("3/2", "5", 30), ("2", "40", 40))

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.motion.validity import TurningPointErrors, turning_point_errors
+from asymptotics.motions.validity import TurningPointErrors, turning_point_errors
 
 LEVELS = (1e-3, 1e-2, 1e-1)
 EPSILONS = ("1/20", "1/12", "1/8", "1/5", "3/10", "9/20", "7/10", "1")

@@ -2,7 +2,7 @@
 
 from sympy import Expr, Integer, Rational
 
-from asymptotics.envelope.symbolic import alpha, averaged_law
+from asymptotics.envelopes.symbolic import alpha, averaged_law
 
 _EXPONENTS: tuple[Expr, ...] = (Integer(0), Integer(1), Rational(3, 2), Integer(2), Integer(3), alpha)
 

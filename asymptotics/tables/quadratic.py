@@ -8,7 +8,7 @@ from flint import arb, fmpq
 from asymptotics.invariants.certified import first_constant
 from asymptotics.invariants.symbolic import generating_functions
 from asymptotics.numbers.decimals import certified_decimal
-from asymptotics.turning_points.quadratic_map import amplitudes
+from asymptotics.turning.quadratic_map import amplitudes
 
 _HALF_CYCLES = 6
 _ORDER = 24

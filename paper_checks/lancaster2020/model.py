@@ -7,7 +7,7 @@ Everything dimensionless depends on epsilon = b omega_0^alpha/(k x0^(1-alpha)) a
 >>> dimension(EPSILON), dimension(b)
 (1, L**(1 - alpha)*M*T**(alpha - 2))
 
-Orders of convergence are measured against the exact motion, half-swing by half-swing (``turning_points.swing``), in 64
+Orders of convergence are measured against the exact motion, half-swing by half-swing (``turning.swing``), in 64
 bits; that arithmetic is heuristic.
 
 >>> X, V = exact_states((("1", "1/10"),), ("10",))[0]                   # linear damping, closed form
@@ -23,8 +23,8 @@ import sympy
 from flint import arb, ctx
 
 from asymptotics.law import Law
-from asymptotics.turning_points.local_expansion import Damping
-from asymptotics.turning_points.swing import orbit
+from asymptotics.turning.local_expansion import Damping
+from asymptotics.turning.swing import orbit
 from asymptotics.verdict import Outcome
 from paper_checks.identities import vanishes
 

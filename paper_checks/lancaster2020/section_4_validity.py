@@ -8,7 +8,7 @@ from flint import arb, ctx
 
 from asymptotics.law import Law
 from asymptotics.numbers.bridge import closed_form_ball
-from asymptotics.turning_points.quadratic import quadratic_turning_points
+from asymptotics.turning.quadratic import quadratic_turning_points
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lancaster2020.model import (

@@ -8,7 +8,7 @@ from flint import arb, ctx
 
 from asymptotics.law import Law
 from asymptotics.numbers.bridge import closed_form_ball, from_sympy
-from asymptotics.turning_points.general import turning_points
+from asymptotics.turning.general import turning_points
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same
 from paper_checks.lancaster2020.model import (

@@ -14,8 +14,8 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
-from asymptotics.turning_points.quadratic_duration import duration, elapsed
-from asymptotics.turning_points.quadratic_map import amplitudes
+from asymptotics.turning.quadratic_duration import duration, elapsed
+from asymptotics.turning.quadratic_map import amplitudes
 from paper_checks.lelas2024.model import half_swings
 from paper_checks.lelas2024.section_5 import PANELS, rest, strength
 from paper_checks.lelas2024.section_6 import DRAG, air_strength

@@ -19,8 +19,8 @@ from flint import arb, ctx
 from mpmath import cos, log, mp, mpf, pi, sin, sqrt
 
 from asymptotics.numbers.decimals import decimal_of_ball
-from asymptotics.turning_points.quadratic_duration import duration, elapsed
-from asymptotics.turning_points.quadratic_map import amplitudes
+from asymptotics.turning.quadratic_duration import duration, elapsed
+from asymptotics.turning.quadratic_map import amplitudes
 from asymptotics.verdict import Outcome
 from paper_checks.identities import decided
 

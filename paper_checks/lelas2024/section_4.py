@@ -10,7 +10,7 @@ from flint import arb
 from mpmath import mpf, pi
 
 from asymptotics.numbers.bridge import closed_form_ball
-from asymptotics.turning_points.quadratic_map import amplitudes
+from asymptotics.turning.quadratic_map import amplitudes
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import C, as_mpf, c, f, has_order, m, s, slope, t, v, w0, x0

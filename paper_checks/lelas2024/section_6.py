@@ -11,8 +11,8 @@ import sympy
 from flint import arb, ctx
 
 from asymptotics.numbers.bridge import closed_form_ball
-from asymptotics.turning_points.quadratic_duration import duration
-from asymptotics.turning_points.quadratic_map import amplitudes
+from asymptotics.turning.quadratic_duration import duration
+from asymptotics.turning.quadratic_map import amplitudes
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import FRICTION, C, air_error, f, has_order, m, rounds_to, t, v, w0, x, x0

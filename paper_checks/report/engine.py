@@ -6,9 +6,9 @@ from typing import Any
 
 from flint import ctx
 
-from asymptotics.half_swing.certified import quarter_swing
-from asymptotics.half_swing.odd_flow import GAUGES
-from asymptotics.motion.accuracy import measured_errors
+from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.odd_flow import GAUGES
+from asymptotics.motions.accuracy import measured_errors
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.expansion import Expansion, exact_expansion, expansion_of
 from asymptotics.normal_form.large_orders import growth_ratios

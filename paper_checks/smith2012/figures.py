@@ -14,8 +14,8 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
-from asymptotics.turning_points.quadratic_duration import duration, elapsed
-from asymptotics.turning_points.quadratic_map import amplitudes
+from asymptotics.turning.quadratic_duration import duration, elapsed
+from asymptotics.turning.quadratic_map import amplitudes
 
 Array = NDArray[np.float64]
 HALF_CYCLES = 6

@@ -8,7 +8,7 @@ from flint import arb, arb_series, ctx, fmpq
 from asymptotics.invariants.exact import coefficient
 from asymptotics.invariants.symbolic import Z, generating_function, generating_functions
 from asymptotics.numbers.rationals import to_fmpq
-from asymptotics.turning_points.quadratic_series import half_period_series
+from asymptotics.turning.quadratic_series import half_period_series
 
 
 @pytest.mark.parametrize("i", range(9))

@@ -4,8 +4,8 @@ import pytest
 import sympy
 from flint import ctx
 
-from asymptotics.half_swing.certified import quarter_swing
-from asymptotics.half_swing.symbolic import alpha
+from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.symbolic import alpha
 from asymptotics.normal_form.expansion import exact_expansion, expansion_of
 from asymptotics.normal_form.flow import may_vanish
 from asymptotics.normal_form.gauges import GAUGES

@@ -7,10 +7,10 @@ import pytest
 from flint import arb, ctx, fmpq
 
 from asymptotics.errors import InputError, UndecidedError
-from asymptotics.half_swing import certified_zeros
-from asymptotics.half_swing.certified import quarter_swing
-from asymptotics.half_swing.certified_zeros import certified_half_swing, without
-from asymptotics.half_swing.quarter import half_swing
+from asymptotics.half_swings import certified_zeros
+from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.certified_zeros import certified_half_swing, without
+from asymptotics.half_swings.quarter import half_swing
 from asymptotics.normal_form.digits import certified_digits, expansions
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series

@@ -3,9 +3,9 @@ from flint import arb, fmpq
 from sympy import coth, pi, series, sqrt, symbols
 
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swing.exact import exact_half_swing
-from asymptotics.half_swing.odd_flow import odd_flow
-from asymptotics.half_swing.pi_ring import PI
+from asymptotics.half_swings.exact import exact_half_swing
+from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.pi_ring import PI
 from asymptotics.normal_form.flow import flow_of, of_parity
 from asymptotics.series import Series
 

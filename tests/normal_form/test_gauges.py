@@ -2,10 +2,10 @@ import pytest
 from flint import fmpq
 
 from asymptotics.errors import InputError
-from asymptotics.half_swing.exact import exact_quarter_swing
-from asymptotics.half_swing.odd_flow import odd_flow
-from asymptotics.half_swing.pi_ring import PI
-from asymptotics.half_swing.quarter import half_swing
+from asymptotics.half_swings.exact import exact_quarter_swing
+from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.pi_ring import PI
+from asymptotics.half_swings.quarter import half_swing
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.flow import flow_of
 from asymptotics.normal_form.gauges import AVERAGING, GAUGES, NO_FIRST_HARMONIC, TURNING_POINT, gauge_map

@@ -3,8 +3,8 @@ import sympy
 from flint import arb, ctx, fmpq
 
 from asymptotics.errors import InputError
-from asymptotics.half_swing.exact import exact_half_swing
-from asymptotics.half_swing.symbolic import I_4, alpha, nested_integral_exact
+from asymptotics.half_swings.exact import exact_half_swing
+from asymptotics.half_swings.symbolic import I_4, alpha, nested_integral_exact
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.flow import flow_of
 from asymptotics.normal_form.gauges import GAUGES

@@ -1,0 +1,256 @@
+"""The averaged law of one or more laws in balls: dA/dtau = -sum_i kappa_i A^alpha_i, A(0) = 1, all kappa_i > 0.
+
+With s = -ln A and g(s) = sum_i kappa_i e^(-(alpha_i-1)s) > 0 the law is ds/dtau = g(s), and
+
+    tau(A) = int_0^s dr/g(r),    phi(A) = -int_0^s (sum_ij w_ij delta_i delta_j)/g dr,
+    delta_i = eps_i e^(-(alpha_i-1)r),
+    w_ij = alpha_i alpha_j M_(alpha_i+alpha_j)/((alpha_i+1)(alpha_j+1))        (second order of W, DESIGN 2).
+
+*One law*: closed forms.  *Two laws*: tau from 2F1(1, a; a+1; z) with z < 0 (``hypergeometric``): for rational a by q
+complex logarithms, else by Arb, which must be told that a+b-c = 0 (without the flag the enclosure is valid and
+useless).  *More*: ``acb.integral``; numerator and g are entire, and a zero of g makes the integrand a non-finite ball,
+which the integrator treats by subdivision, so that what comes out is an enclosure.
+
+*Extinction* (least exponent alpha < 1), more than two laws.  For A = e^(-s) and R = sum_(i>1) (kappa_i/kappa)
+A^(alpha_i-alpha), the rest int_0^A da/(kappa a^alpha (1 + r(a))) with 0 <= r <= R lies between X/(1+R) and X,
+X = A^(1-alpha)/((1-alpha) kappa).  s is taken so large that R < 2^-precision.
+
+*Inversion* A(tau).  Let s* be any number (a double-precision guess, improved by Newton), D = |tau - tau(s*)|, and h a
+number with D sup_[s*-h, s*+h] g <= h.  On the way from tau(s*) to tau the solution cannot leave [s*-h, s*+h], for it
+moves at most D sup g there (at a first exit it would have moved h; equality is allowed).  So s(tau) lies in it.
+
+>>> from asymptotics.numbers.exact import parse_real
+>>> laws = [(parse_real(a, "alpha"), arb(k) / 10) for a, k in (("0", 1), ("1", 1), ("2", 1))]
+>>> time(laws, arb(1) / 2).str(15), extinction_time(laws).str(15)
+('[2.19538136543845 +/- ...]', '[6.0459978807807 +/- ...]')
+>>> amplitude(laws, time(laws, arb(1) / 2)).str(13)
+'[0.5000000000000 +/- ...]'
+"""
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from flint import acb, arb, ctx, fmpq
+
+from asymptotics.envelopes.numeric import NumericEnvelope
+from asymptotics.errors import InputError, LimitError
+from asymptotics.moments.certified import moment
+from asymptotics.numbers.exact import ExactReal
+
+Laws = Sequence[tuple[ExactReal, arb]]
+
+ROUGH_BITS = 64
+MAX_S = 600.0
+"""Amplitudes below e^-600 are refused: the double-precision guess of the inversion ends there."""
+
+
+def time(laws: Laws, A: arb) -> arb:
+    """tau(A) for A in (0, 1].  InputError unless 0 < A certainly; A slightly above 1 by its radius is harmless."""
+    active = _active(laws)
+    if not A > 0:
+        raise InputError("amplitude", f"{A.str(5)} is not certainly positive", "0 < A <= 1, in units of x0")
+    if len(active) == 1:
+        return _time_one(*active[0], A)
+    if len(active) == 2:
+        return _time_two(active[0], active[1], A)
+    return _integral(active, [], -A.log())
+
+
+def amplitude(laws: Laws, tau: arb) -> arb:
+    """A(tau) for tau >= 0; exactly 0 from the extinction time on (the averaged law stays at rest there).
+
+    Around the extinction time the enclosure contains 0; a precision too low for the inversion gives
+    [0, 1], where A always is.  Raises InputError for tau < 0 and LimitError for amplitudes below e^-600.
+    """
+    active = _active(laws)
+    if not tau >= 0:
+        raise InputError("time", f"{tau.str(5)} is not certainly >= 0", "a time from the start on")
+    if tau == 0:
+        return arb(1)
+    with ctx.workprec(ROUGH_BITS):  # decides all but the closest cases at a fraction of the cost
+        before = _is_before(tau, extinction_time(active))
+    if before is None:
+        before = _is_before(tau, extinction_time(active))
+    if before is False:
+        return arb(0)
+    if before is None:
+        low = tau.lower()
+        return arb(0).union(amplitude(laws, low) if low > 0 and _is_before(low, extinction_time(active)) else arb(1))
+    if len(active) == 1:
+        return _amplitude_one(*active[0], tau)
+    s = _inverse(active, tau)
+    return arb(0).union(arb(1)) if s is None else (-s).exp()
+
+
+def extinction_time(laws: Laws) -> arb | None:
+    """tau where A reaches 0, if the least exponent is below 1; None otherwise: A vanishes only in the limit."""
+    active = _active(laws)
+    alpha, kappa = active[0]
+    if not alpha < 1:
+        return None
+    if len(active) == 1:
+        return 1 / ((1 - alpha.ball()) * kappa)
+    if len(active) == 2:
+        return _companion(active[0], active[1], arb(1))
+    gap = active[1][0].ball() - alpha.ball()
+    s = ((ctx.prec + 2) * arb(2).log() + sum((k for _, k in active[1:]), arb(0)).log() - kappa.log()) / gap
+    s = max(s.mid(), arb(1))
+    rest = (-(1 - alpha.ball()) * s).exp() / ((1 - alpha.ball()) * kappa)
+    R = sum((k / kappa * (-(a.ball() - alpha.ball()) * s).exp() for a, k in active[1:]), arb(0))
+    return _integral(active, [], s) + rest * (1 / (1 + R)).union(arb(1))
+
+
+def phase(laws: Laws, strengths: Sequence[arb], A: arb) -> arb:
+    """phi at the amplitude A in (0, 1], turning-point gauge; ``strengths`` are the eps_i that belong to ``laws``."""
+    _active(laws)
+    if not A > 0:
+        raise InputError("amplitude", f"{A.str(5)} is not certainly positive", "0 < A <= 1: before the extinction")
+    active = [(a, k, e) for (a, k), e in zip(laws, strengths) if k > 0]
+    if len(active) == 1:
+        alpha, kappa, eps = active[0]
+        w = _w(alpha.ball(), alpha.ball()) * eps**2
+        if alpha.ball() == 1:
+            return w * A.log() / kappa
+        exponent = alpha.ball() - 1
+        return w / (exponent * kappa) * (exponent * A.log()).expm1()
+    pairs = [(a.ball() + b.ball() - 2, _w(a.ball(), b.ball()) * e * f) for a, _, e in active for b, _, f in active]
+    return -_integral([(a, k) for a, k, _ in active], pairs, -A.log())
+
+
+def _is_before(tau: arb, end: arb | None) -> bool | None:
+    """Whether tau < end; None if the balls do not tell.  No end is later than any time."""
+    if end is None or tau < end:
+        return True
+    return False if tau >= end else None
+
+
+def decay_rate(laws: Laws, A: arb) -> arb:
+    """|dA/dt|/(omega_0 A) = sum_i kappa_i A^(alpha_i-1) (Lancaster (14)), small where the envelope is slow."""
+    return sum((k * ((a.ball() - 1) * A.log()).exp() for a, k in _active(laws)), arb(0))
+
+
+def F(a: Fraction | arb, z: arb) -> arb:
+    """2F1(1, a; a+1; z) for a > 0, z < 0: for a = p/q and z < -1/4 by q logarithms, otherwise by Arb.
+
+    >>> (F(Fraction(1, 2), arb(-3)) * arb(3).sqrt() * 3 / arb.pi()).str(10)       # arctan(sqrt 3)/sqrt 3
+    '[1.000000000 +/- ...]'
+    """
+    if isinstance(a, Fraction) and z < -0.25 and a.denominator + a.numerator < 1000:
+        return _log_form(a.numerator, a.denominator, -z)
+    b = arb(fmpq(a.numerator, a.denominator)) if isinstance(a, Fraction) else a
+    return z.hypgeom_2f1(1, b, b + 1, abc=True)
+
+
+def _log_form(p: int, q: int, w: arb) -> arb:
+    """p y^(-p) I_p with y = w^(1/q), I_p = int_0^y u^(p-1)/(1+u^q) du (``hypergeometric``).
+
+    1 - y/root stays off (-inf, 0]: its imaginary part y sin(theta) vanishes only at theta = pi, where it is 1 + y.
+    """
+    y = (w.log() / q).exp()
+    low = (p - 1) % q + 1
+    total = acb(0)
+    for j in range(q):
+        theta = fmpq(2 * j + 1, q)
+        direction = acb(arb.cos_pi_fmpq(-theta), arb.sin_pi_fmpq(-theta))
+        total += direction ** (-low) * (1 - y * direction).log()
+    integral = -total.real / q
+    for n in range(low + q, p + 1, q):
+        integral = y ** (n - q) / (n - q) - integral
+    return p * integral / y**p
+
+
+def _active(laws: Laws) -> list[tuple[ExactReal, arb]]:
+    """The laws of positive strength, by exponent; InputError for a strength that is not certainly 0 or positive."""
+    for _, kappa in laws:
+        if not (kappa == 0 or kappa > 0):
+            raise InputError("b", f"the strength {kappa.str(5)} is not certainly >= 0", "dissipative laws, b >= 0")
+    active = sorted(((a, k) for a, k in laws if k > 0), key=lambda law: law[0])
+    if not active:
+        raise InputError("law", "every strength is zero: the amplitude is constant", "at least one b > 0")
+    return active
+
+
+def _time_one(alpha: ExactReal, kappa: arb, A: arb) -> arb:
+    exponent = 1 - alpha.ball()
+    if exponent == 0:
+        return -A.log() / kappa
+    return -(exponent * A.log()).expm1() / (exponent * kappa)
+
+
+def _amplitude_one(alpha: ExactReal, kappa: arb, tau: arb) -> arb:
+    exponent = alpha.ball() - 1
+    if exponent == 0:
+        return (-kappa * tau).exp()
+    return (-(exponent * kappa * tau).log1p() / exponent).exp()
+
+
+def _index(numerator: Fraction | arb, low: ExactReal, high: ExactReal) -> Fraction | arb:
+    """numerator/(high - low), as a Fraction when everything is rational."""
+    if isinstance(numerator, Fraction):
+        return numerator / (high.rational - low.rational)
+    return numerator / (high.ball() - low.ball())
+
+
+def _shifted(alpha: ExactReal, other: ExactReal, sign: int) -> Fraction | arb:
+    """sign (alpha - 1), as a Fraction if both exponents are rational."""
+    return sign * (alpha.rational - 1) if alpha.is_rational and other.is_rational else sign * (alpha.ball() - 1)
+
+
+def _companion(low: tuple[ExactReal, arb], high: tuple[ExactReal, arb], x: arb) -> arb:
+    """The companion antiderivative, 0 at x = 0; alpha < 1."""
+    (a, kappa), (b, kappa_prime) = low, high
+    exponent = 1 - a.ball()
+    z = -kappa_prime / kappa * ((b.ball() - a.ball()) * x.log()).exp()
+    return (exponent * x.log()).exp() / (kappa * exponent) * F(_index(_shifted(a, b, -1), a, b), z)
+
+
+def _printed(low: tuple[ExactReal, arb], high: tuple[ExactReal, arb], x: arb) -> arb:
+    """Footnote 22 as printed; alpha >= 1."""
+    (a, kappa), (b, kappa_prime) = low, high
+    exponent = 1 - b.ball()
+    z = -kappa / kappa_prime * ((a.ball() - b.ball()) * x.log()).exp()
+    return (exponent * x.log()).exp() / (kappa_prime * exponent) * F(_index(_shifted(b, a, 1), a, b), z)
+
+
+def _time_two(low: tuple[ExactReal, arb], high: tuple[ExactReal, arb], A: arb) -> arb:
+    antiderivative = _companion if low[0] < 1 else _printed
+    return antiderivative(low, high, arb(1)) - antiderivative(low, high, A)
+
+
+def _w(a: arb, b: arb) -> arb:
+    return a * b * moment(a + b) / ((a + 1) * (b + 1))
+
+
+def _integral(laws: Laws, numerator: Sequence[tuple[arb, arb]], s: arb) -> arb:
+    """int_0^s (sum_j c_j e^(-beta_j r))/g(r) dr, by the mean-value form in s; an empty numerator is 1."""
+    terms = [(1 - a.ball(), k) for a, k in laws]
+
+    def integrand(r: acb, analytic: bool) -> acb:
+        top = sum((c * (-beta * r).exp() for beta, c in numerator), acb(0)) if numerator else acb(1)
+        return top / sum((k * (e * r).exp() for e, k in terms), acb(0))
+
+    middle = s.mid()
+    return acb.integral(integrand, acb(0), acb(middle)).real + integrand(acb(s), False).real * (s - middle)
+
+
+def _rate(laws: Laws, s: arb) -> arb:
+    return sum((k * ((1 - a.ball()) * s).exp() for a, k in laws), arb(0))
+
+
+def _inverse(laws: Laws, tau: arb) -> arb | None:
+    """s(tau) by Newton from a double-precision guess, then the enclosure of the module docstring, or None."""
+    guess = NumericEnvelope.of([(float(a.ball().mid()), float(k.mid())) for a, k in laws])
+    start = float(guess.log_decay(float(tau.mid())))
+    if not 0 <= start <= MAX_S:
+        raise LimitError("time", f"the amplitude at {tau.str(5)} is below e^-600", "an earlier time")
+    s, target = arb(start), tau.mid()
+    for _ in range(max(ctx.prec.bit_length() - 4, 2)):
+        s = (s + (target - time(laws, (-s).exp())) * _rate(laws, s)).mid()
+    distance = abs(tau - time(laws, (-s).exp())).upper()
+    half = (2 * distance * _rate(laws, s)).upper()
+    for _ in range(8):
+        interval = arb(s, half)
+        if distance * _rate(laws, interval).upper() <= half:
+            return interval
+        half = 4 * half
+    return None

@@ -1,0 +1,113 @@
+"""The first-order envelope of an oscillator: one object for every law, in SI units or dimensionless.
+
+A(t) in m, t in s; A(0) is the unit of length of the oscillator (|x0|, or the radius of the starting point when v0 is
+not 0: the averaged law sees the energy, not the phase).  Digits are certified for the *averaged law*: how far the
+averaged law is from the motion is a matter of ``validity`` and of higher orders.
+
+>>> from asymptotics.law import Law, Oscillator
+>>> drag = Oscillator.of(Law.of([("1/10", "3/2")]), mass="3/2", stiffness="30", x0="1/5")
+>>> envelope = FirstOrderEnvelope(drag)
+>>> envelope.amplitude("7", 20), envelope.phase("7", 8)
+('0.16499144423436389044', '-0.00086348062')
+>>> friction = Oscillator.of(Law.of([("0.14715", "0")]), mass="3/2", stiffness="30", x0="0.2")   # Lelas, mu = 0.01
+>>> FirstOrderEnvelope(friction).extinction_time(5), FirstOrderEnvelope(friction, "lelas").extinction_time(5)
+('14.322', '12.894')
+>>> FirstOrderEnvelope(friction).amplitude("15", 5), FirstOrderEnvelope(drag).extinction_time(5)
+('0', None)
+"""
+
+from dataclasses import dataclass
+
+from flint import arb
+
+from asymptotics.envelopes import certified
+from asymptotics.envelopes.numeric import Array, NumericEnvelope
+from asymptotics.envelopes.symbolic import LELAS, MEAN, require_averaging
+from asymptotics.errors import InputError
+from asymptotics.law import Number, Oscillator, exact_number
+from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.exact import ExactReal
+
+
+@dataclass(frozen=True)
+class FirstOrderEnvelope:
+    """dA/dtau = -sum_i kappa_i A^alpha_i for an oscillator; ``averaging`` "mean" (Lancaster) or "lelas".
+
+    Raises InputError for anti-damping (b < 0) and an unknown averaging.
+    """
+
+    oscillator: Oscillator
+    averaging: str = MEAN
+
+    def __post_init__(self) -> None:
+        require_averaging(self.averaging)
+        self.oscillator.law.require_dissipative("decaying envelope")
+
+    def laws(self) -> list[tuple[ExactReal, arb]]:
+        """(alpha_i, kappa_i) with balls at the current precision; laws of zero strength are left out."""
+        alphas = self.oscillator.law.alphas
+        if self.averaging == LELAS:
+            kappas = tuple(arb(2) ** (-(a.ball() + 1) / 2) * e for a, e in zip(alphas, self.oscillator.epsilons()))
+        else:
+            kappas = self.oscillator.kappas()
+        return [(a, k) for a, k in zip(alphas, kappas) if k > 0]
+
+    def amplitude(self, t: Number, digits: int) -> str:
+        """A(t) in m at an exact time t >= 0 in s, correctly rounded; "0" from the extinction time on."""
+        seconds = exact_number(t, "time")
+        return certified_decimal(lambda: self.amplitude_ball(seconds.ball() * self.oscillator.omega_0()), digits)
+
+    def amplitude_ball(self, tau: arb) -> arb:
+        """A(tau) in m as a ball."""
+        return certified.amplitude(self.laws(), tau) * self.oscillator.length()
+
+    def time(self, amplitude: Number, digits: int) -> str:
+        """t in s at which A(t) equals an exact amplitude in m, correctly rounded; InputError unless 0 < A <= A(0)."""
+        metres, start = exact_number(amplitude, "amplitude"), self.oscillator.x0
+        released = not (self.oscillator.v0 < 0 or self.oscillator.v0 > 0)
+        if released and metres == ExactReal(abs(start.coefficient), start.radicand):
+            return "0"
+
+        def seconds() -> arb:
+            relative = metres.ball() / self.oscillator.length()
+            if relative > 1:
+                raise InputError("amplitude", f"{metres} m is above the start", "0 < amplitude <= A(0)")
+            return certified.time(self.laws(), relative) / self.oscillator.omega_0()
+
+        return certified_decimal(seconds, digits)
+
+    def phase(self, t: Number, digits: int) -> str:
+        """phi(t) in rad, turning-point gauge, uniform first order; "0" for "lelas".  InputError from extinction on."""
+        seconds = exact_number(t, "time")
+        if self.averaging == LELAS:
+            return "0"
+        return certified_decimal(lambda: self.phase_ball(seconds.ball() * self.oscillator.omega_0()), digits)
+
+    def phase_ball(self, tau: arb) -> arb:
+        """phi(tau) as a ball."""
+        A = certified.amplitude(self.laws(), tau)
+        if A == 0:
+            raise InputError("time", "the averaged amplitude is 0 and has no phase", "a time before the extinction")
+        strengths = [e for e in self.oscillator.epsilons() if e > 0]
+        return certified.phase(self.laws(), strengths, A)
+
+    def extinction_time(self, digits: int) -> str | None:
+        """The time in s from which the averaged amplitude is 0, if an exponent is below 1; None if there is none.
+
+        It is the end of the averaged law, not of the motion, which sticks (alpha = 0) or creeps (0 < alpha < 1).
+        """
+
+        def seconds() -> arb | None:
+            end = certified.extinction_time(self.laws())
+            return None if end is None else end / self.oscillator.omega_0()
+
+        return None if seconds() is None else certified_decimal(lambda: seconds() or arb(0), digits)
+
+    def numeric(self) -> NumericEnvelope:
+        """The dimensionless averaged law in double precision, for arrays of tau; heuristic."""
+        return NumericEnvelope.of([(float(a.ball().mid()), float(k.mid())) for a, k in self.laws()])
+
+    def amplitudes(self, t: Array) -> Array:
+        """A in m at an array of times in s, in double precision: heuristic.  NaN stays NaN, extinct is 0."""
+        omega_0, length = (float(x.mid()) for x in (self.oscillator.omega_0(), self.oscillator.length()))
+        return self.numeric().amplitude(omega_0 * t) * length

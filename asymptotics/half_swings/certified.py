@@ -1,0 +1,157 @@
+"""The quarter swing for any real exponents α_i >= 0, alone or in sums, as series whose coefficients are proved balls.
+
+R = ln r(π/2)/r(0), the duration T_q and the waveform moments K_k of `quarter` are power series in the local strengths
+δ_i.  `certified_orders` computes the first ``terms`` coefficients, in t = (2θ/π)², of the function that belongs to each
+order, and bounds the same function on |t| < ϱ.  At the equilibrium passage t = 1, with κ = π/2,
+
+    R_n = −κ^{n·α} Σ_j [g y_n]_j/(n·α + 2j),        T_n = κ^{n·α+1} Σ_j [c y_n]_j/(n·α + 1 + 2j),
+
+and what the sums lack from j = K on is at most (Cauchy, item 4 of `certified_orders`)
+
+    B_n ϱ^{−K}/(2K (1 − 1/ϱ))    with B_n = κ^{n·α} |g||y_n| for R_n,  κ^{n·α+1} |c||y_n| for T_n
+
+(for the moments see `certified_moments`), which is added to the radius.  ϱ = 4 is the largest radius at which the
+functions are analytic: two bits a term.  The number of terms and the working precision are chosen from the bounds; they
+decide how narrow the balls are, not whether they are right.
+
+>>> from asymptotics.numbers.exact import parse_real
+>>> quarter = quarter_swing([parse_real("3/2", "--alpha")], 2)
+>>> quarter.R[1].str(12), quarter.T_q[1].str(12)            # −(π/2) M_(5/2) and 1/(α+1)
+('[-0.718884140841 +/- ...]', '[0.400000000000 +/- ...]')
+>>> two = quarter_swing([parse_real("1", "--alpha"), parse_real("sqrt(2)", "--alpha")], 2)
+>>> two.R[1, 0].overlaps(-arb.pi() / 4), two.R[1, 1].str(12)
+(True, '[-0.328899510902 +/- ...]')
+"""
+
+from collections.abc import Sequence
+from math import comb, log2
+
+from flint import arb, ctx
+
+from asymptotics.errors import InputError, LimitError
+from asymptotics.half_swings.certified_moments import Orders, duration_orders, moment_bounds, moment_orders
+from asymptotics.half_swings.certified_orders import (
+    bound_ring,
+    dot,
+    elementary_series,
+    indices,
+    order_series,
+    power_series_ring,
+)
+from asymptotics.half_swings.quarter import QuarterSwing
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.series import Series
+
+BOUND_BITS = 64
+RADIUS = 4
+WORK_PER_SECOND = 2_000_000
+"""(products of series) · (terms) · (bits / 64) done in a second by an ordinary core, within a factor of about three."""
+MAX_WORK = 600 * WORK_PER_SECOND
+
+
+def quarter_swing(
+    alphas: Sequence[ExactReal],
+    order: int,
+    *,
+    moments: bool = False,
+    terms: int | None = None,
+    radius: int = RADIUS,
+    max_work: int = MAX_WORK,
+) -> QuarterSwing:
+    """R, T_q and, if asked for, the moments K_k (k = 0 … order, through order − k) at the current precision.
+
+    ``alphas``: the exponents, all >= 0; the coefficient of δ_1^{n_1} δ_2^{n_2} … has the key (n_1, n_2, …).
+    ``terms`` (coefficients kept) and ``radius`` (ϱ = 2, 3 or 4) change the width of the balls only.
+    InputError for no exponent, a negative one, or order < 1; LimitError if the work would exceed ``max_work``.
+    """
+    _check(alphas, order, radius)
+    products = _products(len(alphas), order, moments)
+    _check_work(products, terms or ctx.prec // 2, ctx.prec, max_work)  # the bounds themselves cost scalar products
+    with ctx.workprec(BOUND_BITS):
+        bounds = tail_constants([a.ball() for a in alphas], order, radius, moments)
+        size = tail_constants([a.ball() for a in alphas], order, 1, moments)
+    kept = terms or terms_needed(bounds, radius, ctx.prec)
+    bits = ctx.prec + _guard_bits(size)
+    _check_work(products, kept, bits, max_work)
+    with ctx.workprec(bits):
+        sums = truncated_sums([a.ball() for a in alphas], order, kept, moments)
+        enclosed = [enclose(s, b, radius, kept) for s, b in zip(sums, bounds, strict=True)]
+    R, T_q, *K = [Series(c, len(alphas), max(map(sum, c))) for c in enclosed]
+    return QuarterSwing(tuple(a.ball() for a in alphas), R, T_q, tuple(zip(K[::2], K[1::2], strict=True)))
+
+
+def truncated_sums(alphas: Sequence[arb], order: int, terms: int, moments: bool) -> list[Orders]:
+    """R, T_q, Re K_0, Im K_0, Re K_1, … from the first ``terms`` coefficients: balls around the truncated sums only."""
+    ring = power_series_ring(alphas, terms)
+    y = order_series(ring, alphas, indices(len(alphas), order))
+    kappa = arb.pi() / 2
+    R: Orders = {}
+    T: Orders = {(0,) * len(alphas): kappa}
+    for n, tau in duration_orders(ring, alphas, y).items():
+        exponent = dot(n, alphas)
+        R[n] = -sum(ring.integrate(ring.cut(ring.turn * y[n]), exponent).coeffs(), arb(0)) * kappa**exponent
+        T[n] = sum(tau.coeffs(), arb(0)) * kappa ** (exponent + 1)
+    K = moment_orders(ring, elementary_series(terms)[1], alphas, y, order) if moments else []
+    return [R, T, *(part for pair in K for part in pair)]
+
+
+def tail_constants(alphas: Sequence[arb], order: int, radius: int, moments: bool) -> list[Orders]:
+    """B_n of the module docstring for R, T_q, Re K_0, Im K_0, Re K_1, … in the order of `truncated_sums`."""
+    ring = bound_ring(alphas, radius)
+    y = order_series(ring, alphas, indices(len(alphas), order))
+    kappa = arb.pi() / 2
+    scale = {n: kappa ** dot(n, alphas) for n in [(0,) * len(alphas), *y]}
+    R = {n: scale[n] * ring.turn * bound for n, bound in y.items()}
+    T = {n: kappa * scale[n] * ring.cosine * bound for n, bound in y.items()}
+    K = moment_bounds(alphas, y, radius, order) if moments else []
+    scaled = [{n: kappa ** (k + 1) * scale[n] * bound for n, bound in part.items()} for k, part in enumerate(K)]
+    return [R, T, *(part for part in scaled for _ in range(2))]
+
+
+def enclose(sums: Orders, bounds: Orders, radius: int, terms: int) -> Orders:
+    """The truncated sums with their tails: B_n ϱ^{−K}/(2K (1 − 1/ϱ)) added to the radius of each ball."""
+    tail = arb(radius) ** (1 - terms) / (2 * terms * (radius - 1))
+    return {n: x + arb(0, (bounds[n] * tail).upper()) if n in bounds else x for n, x in sums.items()}
+
+
+def terms_needed(bounds: Sequence[Orders], radius: int, bits: int) -> int:
+    """Enough terms for tails below 2^(−bits − 3|n|); the factor allows for coefficients that fall with the order."""
+    largest = max(_log2(b) + 3 * sum(n) for part in bounds for n, b in part.items())
+    return max(4, int((bits + largest) / log2(radius)) + 2)
+
+
+def _guard_bits(size: Sequence[Orders]) -> int:
+    """Bits lost to cancellation: the bounds at ϱ = 1 bound the largest coefficient.  This affects the width only."""
+    return 24 + int(1.25 * max(_log2(b) + 3 * sum(n) for part in size for n, b in part.items()))
+
+
+def _log2(x: arb) -> float:
+    mantissa, exponent = x.upper().man_exp()
+    return log2(int(mantissa)) + int(exponent)
+
+
+def _check(alphas: Sequence[ExactReal], order: int, radius: int) -> None:
+    if not alphas:
+        raise InputError("alphas", "a law without terms", "at least one exponent")
+    for a in alphas:
+        if a < 0:
+            raise InputError("alphas", f"{a} is negative", "exponents >= 0")
+    if order < 1:
+        raise InputError("order", f"{order} is not positive", "an integer >= 1")
+    if radius not in (2, 3, 4):
+        raise InputError("radius", f"{radius} is not a radius of proved analyticity", "2, 3 or 4")
+
+
+def _products(laws: int, order: int, moments: bool) -> int:
+    """Products of series: C(order + 2 laws, 2 laws) per convolution, laws + 1 of these, and those of the moments."""
+    products = (laws + 1) * comb(order + 2 * laws, 2 * laws)
+    return products + (4 * comb(order + 2 * laws + 1, 2 * laws + 1) if moments else 0)
+
+
+def _check_work(products: int, terms: int, bits: int, max_work: int) -> None:
+    """Refuse what is too large before it starts."""
+    work = products * terms * (1 + bits // 64)
+    if work > max_work:
+        seconds, limit = (w // WORK_PER_SECOND for w in (work, max_work))
+        reason = f"{products} products of series of {terms} terms at {bits} bits would take about {seconds} s"
+        raise LimitError("order", reason, f"work of at most {limit} s: a lower order, fewer digits, or a higher limit")

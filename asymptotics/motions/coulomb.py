@@ -1,0 +1,173 @@
+"""Exact motion with dry friction (alpha = 0): harmonic about a shifted centre on each half-swing, until it sticks.
+
+m x'' + k x + b sign(x') = 0.  With c = b/k the half-swing towards smaller s x (s = +-1) is
+
+    s x = c + R cos(omega_0 (t - t_n)),      from s x = r_n, R = r_n - c,  to  -s x = r_(n+1) = r_n - 2 c.
+
+The mass sticks at the first turning point with r_n <= h = max(c, h_s), where h_s = F_s/k is the reach of a static
+friction force F_s (Lelas 2024, section 2, has F_s = b): r_n may be negative, on the side it came from, and is off
+centre in general.  A start with v0 != 0 joins its half-swing in the middle, R^2 = (s x0 - c)^2 + (v0/omega_0)^2.
+
+Certified: balls, and the number of half-swings until rest is decided exactly when r_0, c and h are rational.
+
+>>> from asymptotics.law import Law
+>>> mass = Oscillator.of(Law.of([("3", "0")]), mass=1, stiffness=10, x0=1)               # c = 3/10
+>>> [(m.x, m.v) for m in (coulomb_motion(mass, t, 10) for t in ("1", "5"))]
+[('-0.3999786073', '0.006540706969'), ('-0.2000000000', '0')]
+>>> stop = coulomb_stop(mass, 10)
+>>> stop.x, stop.t, stop.half_swings
+('-0.2000000000', '1.986917653', 2)
+>>> coulomb_stop(mass, 10, static="5").x                       # h_s = 1/2: it sticks at the first turning point
+'-0.4000000000'
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import ceil
+
+from flint import arb, ctx
+
+from asymptotics.errors import InputError, UndecidedError
+from asymptotics.law import Number, Oscillator, exact_number
+from asymptotics.motions.certify import certified_point, certified_values, time_of
+from asymptotics.motions.result import MotionPoint
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.rationals import to_fmpq
+
+METHOD = "exact: dry friction, certified balls"
+
+
+@dataclass(frozen=True)
+class Stop:
+    """Where and when the mass comes to rest for good (SI units), after how many half-swings."""
+
+    x: str
+    t: str
+    half_swings: int
+
+    def to_dict(self) -> dict[str, object]:
+        """JSON-ready."""
+        return {"x": self.x, "t": self.t, "half_swings": self.half_swings}
+
+
+@dataclass(frozen=True)
+class _Course:
+    """The motion as balls: sign s, R and start t_0 of the first half-swing, their number, the last r_n if exact."""
+
+    sign: int
+    centre: arb
+    amplitude: arb
+    begin: arb
+    omega: arb
+    half_swings: int
+    rest: Fraction | None
+
+    def place(self, t: arb) -> tuple[arb, arb]:
+        """(x, v) at a time before the stop."""
+        turns = ((t - self.begin) * self.omega / arb.pi()).floor().unique_fmpz()
+        if turns is None:
+            raise UndecidedError("the half-swing of this time is undecided")
+        n = int(turns)
+        R = self.amplitude - 2 * n * self.centre
+        angle = (t - self.begin) * self.omega - n * arb.pi()
+        side = self.sign * (-1) ** n
+        return side * (self.centre + R * angle.cos()), -side * R * self.omega * angle.sin()
+
+    def stop(self) -> tuple[arb, arb]:
+        """(x, t) of the stop."""
+        n = self.half_swings
+        # the rational value may be exactly 0, which a ball cannot tell
+        r = self.amplitude + self.centre * (1 - 2 * n) if self.rest is None else arb(to_fmpq(self.rest))
+        t = self.begin + n * arb.pi() / self.omega
+        return self.sign * (-1) ** n * r, t
+
+
+def coulomb_motion(
+    oscillator: Oscillator, t: Number, digits: int = 30, *, static: Number | None = None
+) -> MotionPoint:
+    """x and v at the time t >= 0, all digits correctly rounded; ``static``: the static friction force (N), >= b.
+
+    InputError for another law, b < 0, a static force below b, or t < 0.
+    """
+    moment = time_of(t)
+    hold = _hold(oscillator, static)
+
+    def evaluate() -> tuple[arb, arb]:
+        course = _course(oscillator, hold)
+        if course is None:
+            return oscillator.x0.ball(), arb(0)
+        x, end = course.stop()
+        now = moment.ball()
+        if now >= end:
+            return x, arb(0)
+        if not now < end:
+            raise UndecidedError("whether the mass has come to rest is undecided")
+        return course.place(now)
+
+    if not moment > 0:
+        return certified_point(lambda: (oscillator.x0.ball(), oscillator.v0.ball()), digits, METHOD)
+    return certified_point(evaluate, digits, METHOD)
+
+
+def coulomb_stop(oscillator: Oscillator, digits: int = 30, *, static: Number | None = None) -> Stop:
+    """Where and when the mass sticks for good, all digits correctly rounded; InputError as in `coulomb_motion`."""
+    hold = _hold(oscillator, static)
+    found: list[int] = []
+
+    def evaluate() -> tuple[arb, arb]:
+        course = _course(oscillator, hold)
+        if course is None:
+            found[:] = [0]
+            return oscillator.x0.ball(), arb(0)
+        found[:] = [course.half_swings]
+        return course.stop()
+
+    x, t = certified_values(evaluate, digits)
+    return Stop(x, t, found[0])
+
+
+def _hold(oscillator: Oscillator, static: Number | None) -> ExactReal:
+    terms = oscillator.law.terms
+    if len(terms) != 1 or terms[0].alpha > 0 or not terms[0].b > 0:
+        raise InputError("law", f"{oscillator.law} is not dry friction alone", "one term, alpha = 0 and b > 0")
+    force = terms[0].b if static is None else exact_number(static, "static")
+    if force < terms[0].b:
+        raise InputError("static", f"{force} is below the kinetic friction {terms[0].b}", "a force >= b, in N")
+    return force
+
+
+def _course(oscillator: Oscillator, hold: ExactReal) -> _Course | None:
+    """The motion at the current precision, or None if the mass never starts."""
+    b, k = oscillator.law.terms[0].b, oscillator.stiffness
+    x0, v0, omega, c = oscillator.x0.ball(), oscillator.v0.ball(), oscillator.omega_0(), b.ball() / k.ball()
+    h = hold.ball() / k.ball()
+    if not (oscillator.v0 < 0 or oscillator.v0 > 0):
+        sign = -1 if oscillator.x0 < 0 else 1
+        exact = _rational_count(oscillator, hold)
+        n, rest = (_count(abs(x0), c, h), None) if exact is None else exact
+        return None if n == 0 else _Course(sign, c, abs(x0) - c, arb(0), omega, n, rest)
+    sign = -1 if oscillator.v0 > 0 else 1
+    y, w = sign * x0 - c, abs(v0) / omega
+    R = (y * y + w * w).sqrt()
+    n = 1 + _count(R - c, c, h)
+    return _Course(sign, c, R, -arb.atan2(w, y) / omega, omega, n, None)
+
+
+def _rational_count(oscillator: Oscillator, hold: ExactReal) -> tuple[int, Fraction] | None:
+    """The smallest n with r = |x0| - 2 n c <= h, and that r, exactly; None if a number is irrational."""
+    numbers = (oscillator.x0, oscillator.law.terms[0].b, oscillator.stiffness, hold)
+    if not all(q.is_rational for q in numbers):
+        return None
+    x0, b, k, force = (q.rational for q in numbers)
+    n = max(0, ceil((abs(x0) - force / k) / (2 * b / k)))
+    return n, abs(x0) - 2 * n * b / k
+
+
+def _count(r: arb, c: arb, h: arb) -> int:
+    """The smallest n >= 0 with r - 2 n c <= h, from balls."""
+    if r <= h:
+        return 0
+    n = ((r - h) / (2 * c)).ceil().unique_fmpz()
+    if n is None:
+        raise UndecidedError(f"whether the mass sticks is undecided at {ctx.prec} bits: it may be a tie")
+    return max(0, int(n))

@@ -1,0 +1,66 @@
+"""Exact motion with linear damping (alpha = 1): under-, critically and over-damped by one formula.
+
+m x'' + b x' + k x = 0 with gamma = b/(2m) and D = k/m - gamma^2:
+
+    x = e^(-gamma t) [x0 C + (v0 + gamma x0) t S],   v = e^(-gamma t) [v0 C - (gamma v0 + (k/m) x0) t S],
+    C = cos sqrt(D t^2),   S = sinc sqrt(D t^2):
+
+entire functions of D t^2, so D > 0, = 0, < 0 need no distinction (cosh and sinh come by themselves).  Certified balls.
+
+>>> from asymptotics.law import Law
+>>> critical = Oscillator.of(Law.of([("2", "1")]))                                    # x = (1 + t) e^-t
+>>> linear_motion(critical, "1", 12).x, regime(critical)
+('0.735758882343', 'critically damped')
+"""
+
+from flint import acb, arb, ctx
+
+from asymptotics.errors import InputError
+from asymptotics.law import Number, Oscillator
+from asymptotics.motions.certify import certified_point, time_of
+from asymptotics.motions.result import MotionPoint
+
+METHOD = "exact: linear damping, certified balls"
+
+
+def linear_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> MotionPoint:
+    """x and v at the time t >= 0, all digits correctly rounded.  InputError for another law, or t < 0.
+
+    A value that is exactly 0 at an irrational moment cannot be rounded: UndecidedError.
+    """
+    moment = time_of(t)
+    _require_linear(oscillator)
+
+    def evaluate() -> tuple[arb, arb]:
+        now, x0, v0 = moment.ball(), oscillator.x0.ball(), oscillator.v0.ball()
+        if not moment > 0:
+            return x0, v0
+        gamma = oscillator.law.terms[0].b.ball() / (2 * oscillator.mass.ball())
+        stiffness = oscillator.stiffness.ball() / oscillator.mass.ball()
+        root = acb((stiffness - gamma**2) * now**2).sqrt()
+        C, S, decay = root.cos().real, now * root.sinc().real, (-gamma * now).exp()
+        x = decay * (x0 * C + (v0 + gamma * x0) * S)
+        return x, decay * (v0 * C - (gamma * v0 + stiffness * x0) * S)
+
+    return certified_point(evaluate, digits, METHOD)
+
+
+def regime(oscillator: Oscillator) -> str:
+    """"underdamped", "critically damped" or "overdamped", decided exactly for rational b, m, k; else by balls."""
+    _require_linear(oscillator)
+    b, m, k = oscillator.law.terms[0].b, oscillator.mass, oscillator.stiffness
+    if b.is_rational and m.is_rational and k.is_rational:
+        excess = b.rational**2 - 4 * m.rational * k.rational
+        return "critically damped" if excess == 0 else "overdamped" if excess > 0 else "underdamped"
+    with ctx.workprec(1000):
+        ball = b.ball() ** 2 - 4 * m.ball() * k.ball()
+    return "overdamped" if ball > 0 else "underdamped" if ball < 0 else "critically damped to 300 digits"
+
+
+def _require_linear(oscillator: Oscillator) -> None:
+    terms = oscillator.law.terms
+    moving = [t for t in terms if t.b > 0 or t.b < 0]
+    if any(not t.alpha.is_rational or t.alpha.rational != 1 for t in moving):
+        raise InputError("law", f"{oscillator.law} is not linear damping alone", "alpha = 1")
+    if moving and moving[0] is not terms[0]:
+        raise InputError("law", "the linear term stands after a term of strength 0", "the linear term alone")

@@ -1,0 +1,331 @@
+"""The waveform Z(psi, delta) of the turning-point gauge, for any exponents: every coefficient by one quadrature.
+
+X - i X' = A e^(i psi) Z, Z = 1 + sum_n delta^n Z_n(psi), Z_n pi-periodic, Z(0) = 1 (DESIGN 3).  Put Z = P + i Q and
+s = sin psi, c = cos psi.  On 0 < psi < pi the equation of motion is, with U = d ln A/d psi and W = d tau/d psi,
+
+    P' = -(W-1) Q - (U + U D) P - W s F,     F = sum_i delta_i s^alpha_i g^alpha_i,
+    Q' = (W-1) P - (U + U D) Q - W c F,
+
+where D multiplies delta^n by sum_i n_i (alpha_i - 1) and |X'| = A s g, g = P + (c/s) Q.  In this gauge X' vanishes at
+psi = 0 and pi for every delta, so g = 1 + O(delta) is bounded and g^alpha may be expanded for every alpha >= 0: order
+by order the right-hand sides are known, and Z_n is an integral from 0.  Reversibility gives the second half,
+
+    Z_n(pi - psi) = (-1)^n conj Z_n(psi),
+
+which is a check as well: the odd P_n and the even Q_n must vanish at pi/2, and they do so only for the right U and W.
+
+*Quadrature.*  The integrands have powers of psi at 0.  In l = ln psi they are analytic up to Re l = ln pi; on panels
+whose half-width is 0.55 of that distance m Chebyshev nodes give about 5.4^-m, and summing from the left keeps the
+relative accuracy near psi = 0 that g needs.  Heuristic arithmetic (doubles, or midpoints of balls), no proved error.
+
+>>> from asymptotics.half_swings.exact import exact_half_swing
+>>> from asymptotics.normal_form.flow import flow_of
+>>> from flint import ctx
+>>> flow = ball_flow(flow_of(exact_half_swing((2,), 3)))
+>>> Z = waveform_at(flow, arb(1), 1)[(1,)]                    # Im Z_1 = -sin^(alpha+1)/(alpha+1)
+>>> abs(Z[1] + arb(1).sin() ** 3 / 3) < arb(10) ** -12
+True
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from math import ceil, log, pi
+from typing import Any
+
+import numpy as np
+from flint import arb, arb_mat, ctx
+from scipy.interpolate import CubicSpline
+
+from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.normal_form.flow import Flow
+from asymptotics.series import Key, accumulate
+
+Parts = list[dict[Key, Any]]
+Ends = dict[int, tuple[dict[Key, Any], dict[Key, Any]]]
+_LN_PI = log(pi)
+_TABLE = 4096
+
+
+@dataclass(frozen=True)
+class Arithmetic:
+    """Doubles or balls for arrays of samples: the elementary functions, and a number as a sample."""
+
+    exp: Callable[[Any], Any]
+    sin: Callable[[Any], Any]
+    cos: Callable[[Any], Any]
+    number: Callable[[arb], Any]
+    bits: int
+
+
+def doubles() -> Arithmetic:
+    """NumPy doubles."""
+    return Arithmetic(np.exp, np.sin, np.cos, lambda x: float(x.mid()), 60)
+
+
+def balls() -> Arithmetic:
+    """Midpoints of balls at the current precision, in object arrays."""
+    exp, sin, cos = (np.frompyfunc(f, 1, 1) for f in (_mid(arb.exp), _mid(arb.sin), _mid(arb.cos)))
+    return Arithmetic(exp, sin, cos, lambda x: x.mid(), ctx.prec)
+
+
+def ball_flow(flow: Flow) -> Flow:
+    """A flow with exact coefficients as one with balls at the current precision."""
+    U, W = (series.map(_ball) for series in (flow.U, flow.W))
+    return Flow(tuple(_ball(a) for a in flow.alphas), U, W)
+
+
+def waveform_at(flow: Flow, psi: arb, order: int) -> dict[Key, tuple[arb, arb]]:
+    """(P_n, Q_n) at the phase psi (any real number) for all multi-indices n of degree 1 ... ``order``.
+
+    ``flow`` is the flow of the turning-point gauge with ball coefficients.
+    """
+    turns = int((psi / arb.pi()).floor().mid().str(40, radius=False).split(".")[0])
+    chi = (psi - turns * arb.pi()).mid()
+    mirrored = bool(chi > arb.pi() / 2)
+    if mirrored:
+        chi = (arb.pi() - chi).mid()
+    if not chi > arb(2) ** -ctx.prec:
+        return {k: (arb(0), arb(0)) for part in _keys(flow, order) for k in part}
+    samples = _Samples.of(flow, chi.log(), order, balls())
+    found: dict[Key, tuple[arb, arb]] = {}
+    for n in range(1, order + 1):
+        for key, (p, q) in samples.end(n).items():
+            found[key] = ((-1) ** n * p, -((-1) ** n) * q) if mirrored else (p, q)
+    return found
+
+
+@dataclass(frozen=True)
+class WaveformTable:
+    """P_n and Q_n on 0 <= psi <= pi/2 as cubic splines in u = (2 psi/pi)^(1/4), to about 1e-13; doubles.
+
+    The fourth root makes psi^(alpha+1) at least four times differentiable.
+    """
+
+    keys: tuple[Key, ...]
+    coefficients: Any
+
+    @classmethod
+    def of(cls, flow: Flow, order: int) -> "WaveformTable":
+        """Tabulate all coefficients through ``order``."""
+        keys = tuple(k for part in _keys(flow, order)[1:] for k in part)
+        if not keys:
+            return cls((), None)
+        samples = _Samples.of(flow, arb(pi / 2).log(), order, doubles())
+        u = np.linspace(0.0, 1.0, _TABLE + 1)
+        with np.errstate(divide="ignore"):
+            values = samples.interpolate(np.log(pi / 2) + 4 * np.log(u), keys)
+        spline = CubicSpline(u, values)
+        return cls(keys, np.ascontiguousarray(np.moveaxis(spline.c, 0, 1)))  # interval, power, function
+
+    def at(self, chi: Any) -> Any:
+        """Array (functions, points): P_n, Q_n, P_n', Q_n' ... for 0 <= chi <= pi, in the order of ``keys``."""
+        side = np.where(chi > pi / 2, -1.0, 1.0)
+        position = np.sqrt(np.sqrt(np.maximum(np.minimum(chi, pi - chi), 0.0) * (2 / pi))) * _TABLE
+        index = np.minimum(position.astype(np.intp), _TABLE - 1)
+        d = ((position - index) / _TABLE)[:, None]
+        rows = self.coefficients[index]
+        values = rows[:, 0] * d
+        for power in (1, 2):
+            values += rows[:, power]
+            values *= d
+        values += rows[:, 3]
+        columns = values.T
+        for j, key in enumerate(self.keys):  # (-1)^n P_n and -(-1)^n Q_n on the second half
+            columns[2 * j + (sum(key) + 1) % 2] *= side
+        return columns
+
+
+@dataclass(frozen=True)
+class _Samples:
+    """P and Q by degree, sampled on panels in ln psi up to a right end; rows are panels, columns nodes."""
+
+    P: Parts
+    Q: Parts
+    ends: Ends
+    edges: tuple[float, ...]
+    nodes: int
+
+    @classmethod
+    def of(cls, flow: Flow, right: arb, order: int, arithmetic: Arithmetic) -> "_Samples":
+        top = max(float(a.mid()) for a in flow.alphas) * order + 2
+        m = ceil(arithmetic.bits * 0.42) + 4
+        edges = _edges(float(right.mid()), arithmetic.bits * log(2), min(3.0, 0.3 * m / top))
+        grid = _grid(right, edges, m, arithmetic)
+        P, Q, ends = _solve(flow, grid, order)
+        return cls(P, Q, ends, tuple(edges), m)
+
+    def end(self, n: int) -> dict[Key, tuple[Any, Any]]:
+        """(P, Q) of degree n at the right end."""
+        p, q = self.ends[n]
+        return {k: (p[k], q[k]) for k in p}
+
+    def interpolate(self, l: Any, keys: tuple[Key, ...]) -> Any:  # noqa: E741 (the letter of the docstring)
+        """P_n, Q_n at l = ln psi, columns in the order of ``keys``; 0 left of the first panel (doubles)."""
+        edges = np.array(self.edges)
+        panel = np.clip(np.searchsorted(edges, l) - 1, 0, len(edges) - 2)
+        low, high = edges[panel], edges[panel + 1]
+        x = np.clip((2 * l - low - high) / (high - low), -1.0, 1.0)
+        basis = np.cos(np.arange(self.nodes)[None, :] * np.arccos(x)[:, None])
+        transform = np.array(_chebyshev_transform(self.nodes, 80), dtype=float)
+        columns = []
+        for key in keys:
+            for part in (self.P[sum(key)][key], self.Q[sum(key)][key]):
+                columns.append(np.einsum("ij,ij->i", (part @ transform.T)[panel], basis))
+        return np.where((l > edges[0])[:, None], np.array(columns).T, 0.0)
+
+
+@dataclass(frozen=True)
+class _Grid:
+    """psi, sin, cos, ln sin at the nodes, the half-widths of the panels, and the matrix of integration."""
+
+    psi: Any
+    s: Any
+    c: Any
+    ln_s: Any
+    half: Any
+    matrix: Any
+    total: Any
+    arithmetic: Arithmetic
+
+    def integrate(self, f: Any) -> tuple[Any, Any]:
+        """(int_0^psi f d psi at the nodes, the same at the right end); f psi is integrated over ln psi."""
+        weighted = f * self.psi * self.half
+        sums = weighted @ self.total
+        before = (f * self.psi)[0, 0] + np.concatenate([sums[:1] * 0, np.cumsum(sums)])
+        return weighted @ self.matrix.T + before[:-1, None], before[-1]
+
+
+def _grid(right: arb, edges: list[float], m: int, arithmetic: Arithmetic) -> _Grid:
+    bits = max(80, arithmetic.bits)
+    nodes, matrix, total = _integration(m, bits)
+    number = np.frompyfunc(arithmetic.number, 1, 1)
+    shape: Any = (lambda x: number(x).astype(float)) if arithmetic.bits == 60 else number
+    ends = [arb(e) for e in edges[:-1]] + [right.mid()]
+    middles = np.array([[(a + b) / 2] for a, b in zip(ends, ends[1:])], dtype=object)
+    halves = np.array([[(b - a) / 2] for a, b in zip(ends, ends[1:])], dtype=object)
+    l = shape(middles + halves * np.array(nodes, dtype=object)[None, :])  # noqa: E741
+    psi = arithmetic.exp(l)
+    s, c = arithmetic.sin(psi), arithmetic.cos(psi)
+    ln_s: Any = np.log(s) if arithmetic.bits == 60 else np.frompyfunc(_mid(arb.log), 1, 1)(s)
+    return _Grid(psi, s, c, ln_s, shape(halves), shape(np.array(matrix)), shape(np.array(total)), arithmetic)
+
+
+def _solve(flow: Flow, grid: _Grid, order: int) -> tuple[Parts, Parts, Ends]:
+    """P and Q by degree at the nodes, and at the right end."""
+    one = grid.psi * 0 + 1
+    zero = (0,) * flow.U.variables
+    number = grid.arithmetic.number
+    alphas = [number(a) for a in flow.alphas]
+    U, W = (_numbers(series, order, number) for series in (flow.U, flow.W))
+    P: Parts = [{zero: one}]
+    Q: Parts = [{zero: one * 0}]
+    ends: Ends = {}
+    cot = grid.c / grid.s
+    powers: list[Parts] = [[{zero: one}] for _ in alphas]
+    sines = [grid.arithmetic.exp(grid.ln_s * a) for a in alphas]
+    forces: Parts = [{}]
+    for n in range(1, order + 1):
+        forces.append(_force(sines, [p[n - 1] for p in powers]))
+        F: dict[Key, Any] = dict(forces[n])
+        for j in range(1, n):
+            accumulate(F, W[j].items(), forces[n - j].items())
+        dP = {k: -(grid.s * f) for k, f in F.items()}
+        dQ = {k: -(grid.c * f) for k, f in F.items()}
+        for j in range(1, n + 1):
+            minus_U = [(k, -u) for k, u in U[j].items()]
+            accumulate(dP, minus_U, _weighted(P[n - j], alphas).items())
+            accumulate(dQ, minus_U, _weighted(Q[n - j], alphas).items())
+            accumulate(dP, [(k, -w) for k, w in W[j].items()], Q[n - j].items())
+            accumulate(dQ, W[j].items(), P[n - j].items())
+        p, q = ({k: grid.integrate(f) for k, f in d.items()} for d in (dP, dQ))
+        P.append({k: v[0] for k, v in p.items()})
+        Q.append({k: v[0] for k, v in q.items()})
+        ends[n] = ({k: v[1] for k, v in p.items()}, {k: v[1] for k, v in q.items()})
+        g = [{k: P[d][k] + cot * Q[d][k] for k in P[d]} for d in range(n + 1)]
+        for a, power in zip(alphas, powers):
+            power.append(_power_part(g, power, a, n))
+    return P, Q, ends
+
+
+def _force(sines: list[Any], parts: list[dict[Key, Any]]) -> dict[Key, Any]:
+    """The part of F = sum_i delta_i s^alpha_i g^alpha_i whose degree is one more than that of ``parts``."""
+    F: dict[Key, Any] = {}
+    for i, (sine, part) in enumerate(zip(sines, parts)):
+        step = tuple(int(j == i) for j in range(len(sines)))
+        accumulate(F, [(step, sine)], part.items())
+    return F
+
+
+def _power_part(g: Parts, power: Parts, a: Any, n: int) -> dict[Key, Any]:
+    """Degree n of g^a from n y_n = sum_(j=1..n) (a j - (n - j)) g_j y_(n-j), g_0 = 1."""
+    total: dict[Key, Any] = {}
+    for j in range(1, n + 1):
+        accumulate(total, [(k, x * (a * j - (n - j))) for k, x in g[j].items()], power[n - j].items())
+    return {k: x / n for k, x in total.items()}
+
+
+def _weighted(part: dict[Key, Any], alphas: list[Any]) -> dict[Key, Any]:
+    """1 + D: delta^n times 1 + sum_i n_i (alpha_i - 1)."""
+    return {k: x * (1 + sum(n * (a - 1) for n, a in zip(k, alphas))) for k, x in part.items()}
+
+
+def _numbers(series: Any, order: int, number: Callable[[arb], Any]) -> Parts:
+    parts: Parts = [{} for _ in range(order + 1)]
+    for key, c in series.coefficients.items():
+        if sum(key) <= order:
+            parts[sum(key)][key] = number(arb(c))
+    return parts
+
+
+def _keys(flow: Flow, order: int) -> list[list[Key]]:
+    """The multi-indices by degree."""
+    shapes: list[list[Key]] = [[(0,) * flow.U.variables]]
+    for _ in range(order):
+        grown = {tuple(n + (i == j) for j, n in enumerate(k)) for k in shapes[-1] for i in range(len(k))}
+        shapes.append(sorted(grown))
+    return shapes
+
+
+def _edges(right: float, depth: float, widest: float) -> list[float]:
+    """Panel edges from the right end down to ln psi = -depth, half-widths 0.55 (ln pi - edge), at most ``widest``."""
+    edges = [right]
+    while edges[-1] > right - depth:
+        edges.append(edges[-1] - 2 * min(0.55 * (_LN_PI - edges[-1]), widest))
+    return edges[::-1]
+
+
+@lru_cache(maxsize=16)
+def _chebyshev_transform(m: int, bits: int) -> list[list[arb]]:
+    """The matrix from values at x_j = -cos((2j+1) pi/(2m)) to Chebyshev coefficients."""
+    with ctx.workprec(bits):
+        angles = [arb.pi() - arb.pi() * (2 * j + 1) / (2 * m) for j in range(m)]
+        return [[(k * t).cos() * (2 if k else 1) / m for t in angles] for k in range(m)]
+
+
+@lru_cache(maxsize=16)
+def _integration(m: int, bits: int) -> tuple[list[arb], list[list[arb]], list[arb]]:
+    """Nodes x_j on [-1, 1], the matrix of int_-1^(x_i), and the weights of int_-1^1."""
+    with ctx.workprec(bits):
+        angles = [arb.pi() - arb.pi() * (2 * j + 1) / (2 * m) for j in range(m)]
+        primitive = [[_primitive(k, t) - _primitive(k, arb.pi()) for k in range(m)] for t in [*angles, arb(0)]]
+        product = arb_mat(primitive) * arb_mat(_chebyshev_transform(m, bits))
+        rows = [[product[i, j].mid() for j in range(m)] for i in range(m + 1)]
+        return [t.cos().mid() for t in angles], rows[:m], rows[m]
+
+
+def _primitive(k: int, t: arb) -> arb:
+    """A primitive of T_k at cos t."""
+    if k == 0:
+        return t.cos()
+    if k == 1:
+        return (2 * t).cos() / 4
+    return ((k + 1) * t).cos() / (2 * (k + 1)) - ((k - 1) * t).cos() / (2 * (k - 1))
+
+
+def _ball(c: Any) -> arb:
+    return c.ball() if isinstance(c, PiNumber) else arb(c)
+
+
+def _mid(f: Callable[[arb], arb]) -> Callable[[arb], arb]:
+    return lambda x: f(x).mid()

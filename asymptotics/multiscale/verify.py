@@ -1,0 +1,79 @@
+"""What the classical route can say of itself: the residual in the equation of motion, exact.
+
+Whole series are multiplied here, D X is formed from p, Omega and X as they stand, and nothing of the recurrence of
+``exact`` is used.  The near miss is a published one: the package oscilate takes D_1 D_2 for D_2 D_1 and reports
+p_3 = 567/8192 for x'^3 with the waveform for which 351/8192 is right.  The residual shows it, and shows its size,
+27/512 a^7 sin psi, which is the commutator of the slow derivatives.
+
+>>> from asymptotics.multiscale.exact import odd_hierarchy
+>>> solved = odd_hierarchy((3,), 6)
+>>> equation_residual(solved)
+<Outcome.CONFIRMED: 'confirmed'>
+>>> wrong = with_amplitude_coefficient(solved, (3,), fmpq(567, 8192))
+>>> equation_residual(wrong), residual(wrong)[3,]
+(<Outcome.REFUTED: 'refuted'>, {1: 27/512})
+"""
+
+from dataclasses import replace
+
+from flint import fmpq, fmpq_poly
+
+from asymptotics.multiscale.exact import OddHierarchy, Part, real_harmonics, rotated, sign
+from asymptotics.series import Key, Series
+from asymptotics.verdict import Outcome
+
+
+def residual(hierarchy: OddHierarchy) -> dict[Key, dict[int, fmpq]]:
+    """D^2 X + X + sum_i epsilon_i (D X)^alpha_i through the order of the hierarchy, in units of a delta^k.
+
+    Exponent k -> {m: coefficient of cos(m psi) (total degree even) or sin(m psi) (odd)}, without zeros.
+    """
+    X = _series(hierarchy, hierarchy.X)
+    velocity = _derivative(hierarchy, X)
+    total = X - _derivative(hierarchy, velocity)
+    for i, a in enumerate(hierarchy.alphas):
+        total = total + _force(hierarchy, velocity, i, a)
+    parts = {k: real_harmonics(p, sum(k), hierarchy.spread) for k, p in total.coefficients.items()}
+    return {k: harmonics for k, harmonics in parts.items() if harmonics}
+
+
+def equation_residual(hierarchy: OddHierarchy) -> Outcome:
+    """CONFIRMED if the residual is exactly zero through the order of the hierarchy, else REFUTED."""
+    return Outcome.REFUTED if residual(hierarchy) else Outcome.CONFIRMED
+
+
+def residual_order(hierarchy: OddHierarchy) -> int:
+    """The lowest order with a residual; one more than the order of the hierarchy if there is none."""
+    return min((sum(k) for k in residual(hierarchy)), default=hierarchy.order + 1)
+
+
+def with_amplitude_coefficient(hierarchy: OddHierarchy, key: Key, value: fmpq) -> OddHierarchy:
+    """The same hierarchy with one coefficient of p replaced: a near miss, to see the residual fail."""
+    changed = {**hierarchy.p_hat.coefficients, key: value * sign(sum(key))}
+    return replace(hierarchy, p_hat=hierarchy.p_hat.with_coefficients(changed))
+
+
+def _series(hierarchy: OddHierarchy, parts: tuple[Part, ...]) -> Series:
+    return Series({k: p for part in parts for k, p in part.items()}, len(hierarchy.alphas), hierarchy.order)
+
+
+def _derivative(hierarchy: OddHierarchy, f: Series) -> Series:
+    """Dhat f = (1 + Omegahat) q d_q f - phat E f, each coefficient of degree n stored as q^(h_n) times itself."""
+    spread = hierarchy.spread
+    turned = f.map_keys(lambda k, p: rotated(p, 1 + sum(k) * spread))
+    scaled = f + f.weighted(tuple(a - 1 for a in hierarchy.alphas))
+    return (_lifted(hierarchy.Omega_hat, spread) + fmpq_poly([1])) * turned - _lifted(hierarchy.p_hat, spread) * scaled
+
+
+def _lifted(series: Series, spread: int) -> Series:
+    """The coefficients of degree n times q^(n spread), as polynomials in q^2."""
+    return series.map_keys(lambda k, c: fmpq_poly([c]).left_shift(sum(k) * spread // 2))
+
+
+def _force(hierarchy: OddHierarchy, velocity: Series, i: int, a: int) -> Series:
+    """(-1)^((alpha_i+1)/2) eta_i (Dhat Xhat)^alpha_i."""
+    shift, parity = (hierarchy.spread + 1 - a) // 2, (-1) ** ((a + 1) // 2)
+    power = velocity
+    for _ in range(a - 1):
+        power = power * velocity
+    return power.shift(i).truncate(hierarchy.order).map(lambda p: (p * parity).left_shift(shift))

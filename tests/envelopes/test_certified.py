@@ -1,0 +1,179 @@
+"""Balls of the averaged law: against mpmath, against each other, narrow enough, near misses outside."""
+
+from fractions import Fraction
+
+import mpmath
+import pytest
+import sympy
+from flint import arb, ctx, fmpq
+from mpmath import mp
+
+from asymptotics.envelopes import certified
+from asymptotics.envelopes.certified import F
+from asymptotics.envelopes.explicit import explicit_amplitude
+from asymptotics.envelopes.symbolic import tau as tau_symbol
+from asymptotics.errors import InputError, LimitError
+from asymptotics.moments.certified import moment
+from asymptotics.numbers.exact import parse_real
+
+SETS = [
+    "0", "1", "3/2", "1/2", "sqrt(2)", "0 1", "0 2", "1 2", "1 3", "2 3", "0 1/2", "1/2 sqrt(2)", "sqrt(2) sqrt(3)",
+    "0 1 2", "1/3 2/3 3", "1 2 3", "3/2 2 5/2",
+]  # fmt: skip
+KAPPAS = ("1/10", "1/4", "1/7")
+
+
+def laws_of(text, kappas=KAPPAS):
+    return [(parse_real(a, "alpha"), parse_real(k, "kappa").ball()) for a, k in zip(text.split(), kappas)]
+
+
+def mp_laws(text):
+    pairs = [(parse_real(a, "alpha"), Fraction(k)) for a, k in zip(text.split(), KAPPAS)]
+    return [(mp.mpf(a.ball().mid().str(35, radius=False)), mp.mpf(k.numerator) / k.denominator) for a, k in pairs]
+
+
+def close(ball, value, digits):
+    return abs(mp.mpf(ball.mid().str(40, radius=False)) - value) < mp.mpf(10) ** -digits * (1 + abs(value))
+
+
+@pytest.mark.parametrize("text", SETS)
+def test_time_against_quadrature_and_back(text):
+    with mp.workdps(30), ctx.workprec(120):
+        pairs = mp_laws(text)
+        for A in (Fraction(9, 10), Fraction(1, 20)):
+            a = arb(fmpq(A.numerator, A.denominator))
+            t = certified.time(laws_of(text), a)
+            ends = [mp.mpf(A.numerator) / A.denominator, 0.3, 1]
+            want = mpmath.quad(lambda x: 1 / sum(k * x**e for e, k in pairs), ends)
+            assert close(t, want, 22)
+            assert not close(t, want * (1 + mp.mpf(10) ** -15), 22)
+            assert t.rad() < 1e-28 * abs(t)
+            back = certified.amplitude(laws_of(text), t)
+            assert back.contains(a)
+            assert back.rad() < 1e-25
+            assert not certified.amplitude(laws_of(text), t * (1 + arb("1e-12"))).contains(a)
+
+
+@pytest.mark.parametrize("text", ["0", "1/2", "0 1", "0 2", "0 1/2", "1/2 sqrt(2)", "0 1 2", "1/3 2/3 3"])
+def test_extinction(text):
+    with mp.workdps(30), ctx.workprec(120):
+        laws, pairs = laws_of(text), mp_laws(text)
+        end = certified.extinction_time(laws)
+        below = 1 - pairs[0][0]
+        powers = [((e - pairs[0][0]) / below, k) for e, k in pairs]
+        want = mpmath.quad(lambda u: 1 / (below * sum(k * u**e for e, k in powers)), [0, 0.001, 0.1, 1])
+        assert close(end, want, 10)  # the quadrature is the coarse side: an algebraic singularity at 0
+        # the certified route: tau(A) + what is left lies between the bounds of the pure smallest exponent
+        small, power = arb("1e-9"), 1 - laws[0][0].ball()
+        rest = end - certified.time(laws, small)
+        bound = small**power / (power * laws[0][1])
+        assert 0.9 * bound < rest < 1.000001 * bound
+        assert end.rad() < 1e-28 * end
+        assert certified.amplitude(laws, end * 1.001) == 0
+        around = certified.amplitude(laws, arb(end.mid(), arb("1e-3")))
+        assert around.contains(0)
+        assert around < 0.1
+
+
+def test_too_little_precision_is_an_enclosure():
+    for text in ("0 1", "1 2", "0 1 2"):
+        with ctx.workprec(120):
+            sharp = certified.amplitude(laws_of(text), arb(2))
+        with ctx.workprec(12):
+            assert certified.amplitude(laws_of(text), arb(2)).contains(sharp)
+        assert certified.amplitude(laws_of(text), arb(0)) == 1
+
+
+def test_no_extinction_at_or_above_one():
+    for text in ("1", "3/2", "1 2", "2 3", "1 2 3"):
+        assert certified.extinction_time(laws_of(text)) is None
+
+
+def test_integral_and_hypergeometric_routes_overlap():
+    with ctx.workprec(200):
+        for text in ("0 1", "1 2", "2 3", "1/3 7/5", "sqrt(2) sqrt(3)"):
+            laws = laws_of(text)
+            for A in (arb(9) / 10, arb(1) / 30):
+                two, quad = certified.time(laws, A), certified._integral(laws, [], -A.log())
+                assert two.overlaps(quad)
+                assert two.rad() < arb("1e-50")
+                assert quad.rad() < arb("1e-50")
+                assert not (two * (1 + arb("1e-40"))).overlaps(quad)
+
+
+@pytest.mark.parametrize("z", ["-1/10", "-3/10", "-1", "-50", "-1000000"])
+@pytest.mark.parametrize("a", [Fraction(1), Fraction(1, 2), Fraction(5, 3), Fraction(7, 2), Fraction(3)])
+def test_log_form_against_arb(a, z):
+    with ctx.workprec(300):
+        w = parse_real(z, "z").ball()
+        ball = arb(fmpq(a.numerator, a.denominator))
+        log_form = certified._log_form(a.numerator, a.denominator, -w)
+        assert log_form.overlaps(w.hypgeom_2f1(1, ball, ball + 1, abc=True))
+        assert F(a, w).overlaps(log_form)
+        assert F(a, w).rad() < arb("1e-70")
+        assert not (log_form * (1 + arb("1e-60"))).overlaps(F(a, w))
+
+
+def test_explicit_forms_agree_with_the_inversion():
+    for text in ("0 1", "0 2", "1 3", "2 3", "0 1 2"):
+        laws = {sympy.sympify(a): sympy.Rational(k) for a, k in zip(text.split(), KAPPAS)}
+        value = explicit_amplitude(laws).expression.subs(tau_symbol, 2)
+        with ctx.workprec(120), mp.workdps(30):
+            assert close(certified.amplitude(laws_of(text), arb(2)), mp.mpf(str(sympy.re(value.evalf(35)))), 26)
+
+
+@pytest.mark.parametrize("text", ["0", "1", "3", "3/2", "1/2", "1 2", "0 2", "2 3", "0 1 2"])
+def test_phase_against_quadrature(text):
+    """phi = -int sum w_ij delta_i delta_j dtau, the integrand from DESIGN 2, by mpmath."""
+    with mp.workdps(25), ctx.workprec(120):
+        laws, pairs = laws_of(text), mp_laws(text)
+        strengths = [k / moment(a.ball() + 1) for a, k in laws]
+
+        def M(p):
+            return mpmath.gamma((p + 1) / 2) / (mp.sqrt(mp.pi) * mpmath.gamma(p / 2 + 1))
+
+        def slope(A):
+            d = [(a, k / M(a + 1) * A ** (a - 1)) for a, k in pairs]
+            w = sum(a * b * M(a + b) * x * y / ((a + 1) * (b + 1)) for a, x in d for b, y in d)
+            return w / sum(k * A**a for a, k in pairs)
+
+        A = mp.mpf(1) / 4
+        want = -mpmath.quad(slope, [A, 0.5, 1])
+        got = certified.phase(laws, strengths, arb(1) / 4)
+        assert close(got, want, 20)
+        if text != "0":
+            assert not close(got, want * (1 + mp.mpf(10) ** -12), 20)
+
+
+def test_decay_rate_is_the_derivative():
+    with ctx.workprec(200):
+        laws, h = laws_of("0 1 2"), arb("1e-9")
+        slope = (certified.amplitude(laws, arb(1) + h) - certified.amplitude(laws, arb(1) - h)) / (2 * h)
+        A = certified.amplitude(laws, arb(1))
+        assert abs(-slope / A - certified.decay_rate(laws, A)) < arb("1e-15")
+
+
+def test_limit_alpha_to_one_is_smooth():
+    with ctx.workprec(300):
+        at, near = (certified.amplitude(laws_of(a), arb(5)) for a in ("1", f"{10**30 + 1}/{10**30}"))
+        assert not at.overlaps(near)
+        assert abs(at - near) < arb("1e-30")
+        assert near.rad() < arb("1e-55")  # 30 of 90 digits go into alpha - 1
+
+
+def test_refusals():
+    laws = laws_of("1 2")
+    with pytest.raises(InputError, match="amplitude"):
+        certified.time(laws, arb(0))
+    with pytest.raises(InputError, match="time"):
+        certified.amplitude(laws, arb(-1))
+    with pytest.raises(LimitError, match="e\\^-600"):
+        certified.amplitude(laws, arb(10000))
+    with pytest.raises(InputError, match="strength"):
+        certified.time(laws_of("1 2", ("1", "-1")), arb(1) / 2)
+    with pytest.raises(InputError, match="every strength is zero"):
+        certified.time(laws_of("1 2", ("0", "0")), arb(1) / 2)
+    with pytest.raises(InputError, match="amplitude"):
+        certified.phase(laws, [arb(1), arb(1)], arb(0))
+    zero_dropped = certified.time(laws_of("1 2", ("1/10", "0")), arb(1) / 2)
+    assert zero_dropped.overlaps(arb(2).log() * 10)

@@ -1,0 +1,195 @@
+"""The expansion against the reference motion: measured orders, gauges, starts, arrays, extinction."""
+
+from fractions import Fraction
+from math import cos, log, sqrt
+
+import numpy as np
+import pytest
+
+from asymptotics.errors import InputError
+from asymptotics.law import Law, Oscillator
+from asymptotics.motions.asymptotic import AsymptoticMotion
+from asymptotics.motions.reference import reference_motion, reference_states
+from asymptotics.normal_form.gauges import GAUGES
+from asymptotics.numbers.exact import ExactReal
+
+DRAG = Oscillator.of(Law.of([("1/10", "3/2")]), mass="3/2", stiffness="30", x0="1/5")
+
+
+def oscillator(*pairs, **rest):
+    return Oscillator.of(Law.of([(b, a) for a, b in pairs]), **rest)
+
+
+def error(system, order, t, gauge="turning-point"):
+    point, exact = AsymptoticMotion.of(system, order, gauge).at(t, 12), reference_motion(system, t, 15)
+    return abs(Fraction(point.x) - Fraction(exact.x)), Fraction(point.error), point
+
+
+def test_order_one_is_lancaster_13():
+    """alpha = 2: x = x0 cos(tau)/(1 + kappa tau), kappa = 4 eps/(3 pi); alpha = 1: x0 e^(-eps tau/2) cos tau."""
+    found = AsymptoticMotion.of(oscillator(("2", "1/10")), 1).at("5", 15)
+    assert float(found.x) == pytest.approx(cos(5) / (1 + 4 * 0.1 * 5 / (3 * np.pi)), abs=1e-14)
+    found = AsymptoticMotion.of(oscillator(("1", "1/10"), x0="-2"), 1).at("5", 15)
+    assert float(found.x) == pytest.approx(-2 * np.exp(-0.25) * cos(5), abs=1e-14)
+    assert found.gauge == "turning-point" and found.order == 1
+
+
+def largest_error(alphas, epsilon, order):
+    """sup |x_N - x| over 0 < tau <= 10 at forty times, in doubles."""
+    system = oscillator(*[(a, epsilon) for a in alphas])
+    times = [Fraction(n, 4) for n in range(1, 41)]
+    exact = reference_states(system, [ExactReal(t) for t in times], 14).x
+    found = AsymptoticMotion.of(system, order).sample([float(t) for t in times]).x
+    return float(np.max(np.abs(found - np.array([float(x) for x in exact]))))
+
+
+@pytest.mark.parametrize("alphas", [("1/2",), ("3/2",), ("2",), ("3",), ("1", "2")])
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_measured_order(alphas, order):
+    """The largest error falls like eps^N: the waveform term delta^N is the first that is missing."""
+    slope = log(largest_error(alphas, "1/40", order) / largest_error(alphas, "1/80", order)) / log(2)
+    assert order - 0.1 < slope < order + 0.7
+
+
+def test_dry_friction_is_exact_from_order_two_on():
+    """Order 1 misses the shift of the centre; Z = 1 - delta ... ends there, and so does the amplitude law."""
+    assert largest_error(("0",), "1/40", 1) > 0.02
+    assert largest_error(("0",), "1/40", 2) < 1e-15 and largest_error(("0",), "1/40", 3) < 1e-15
+
+
+@pytest.mark.parametrize("gauge", GAUGES)
+def test_gauges_agree_to_their_order_and_differ_in_amplitude_and_phase(gauge):
+    for start in ({"x0": "1/5"}, {"x0": "-1/10", "v0": "1"}):
+        system = oscillator(("3/2", "1/10"), mass="3/2", stiffness="30", **start)
+        true, estimate, point = error(system, 3, "7", gauge)
+        assert true < 3 * estimate and estimate < Fraction(1, 10**6)
+        assert point.gauge == gauge
+    phases = {AsymptoticMotion.of(DRAG, 2, g).at("7", 8).phase for g in GAUGES}
+    assert len(phases) == 3
+
+
+@pytest.mark.parametrize(
+    "pairs", [(("1/2", "1/20"),), (("3/2", "1/5"),), (("3", "1/5"),), (("0", "1/100"), ("2", "1/10"))]
+)
+def test_the_error_estimate_is_of_the_right_size(pairs):
+    for order in (1, 2, 3):
+        true, estimate, _ = error(oscillator(*pairs), order, "6")
+        assert true < 2 * estimate < 2000 * max(true, Fraction(1, 10**11))
+
+
+def test_a_strength_beyond_the_series_is_said_to_be_so():
+    """delta = 100: the mass creeps near x = 1 while the averaged amplitude has long decayed."""
+    true, estimate, point = error(oscillator(("3/2", "100")), 3, "1")
+    assert true > Fraction(9, 10) and estimate >= true and "not small" in point.notes[0]
+
+
+def test_the_start_is_met_exactly_in_the_turning_point_gauge():
+    for start in (("3/10", "-2"), ("0", "1"), ("-1/5", "0")):
+        point = AsymptoticMotion.of(oscillator(("3/2", "1/20"), x0=start[0], v0=start[1]), 3).at("0", 20)
+        assert abs(Fraction(point.x) - Fraction(start[0])) < Fraction(1, 10**19)
+        assert abs(Fraction(point.v) - Fraction(start[1])) < Fraction(1, 10**19)
+
+
+def test_decimals_and_arrays_agree():
+    for system in (DRAG, oscillator(("1/2", "1/20"), x0="-1", v0="1/3"), oscillator(("0", "1/50"), ("2", "1/10"))):
+        for gauge in GAUGES[:2]:
+            motion = AsymptoticMotion.of(system, 2, gauge)
+            times = ["0", "4"]
+            array = motion.sample([float(Fraction(t)) for t in times])
+            for i, t in enumerate(times):
+                point = motion.at(t, 15)
+                for name in ("x", "v", "amplitude", "phase"):
+                    assert float(getattr(point, name)) == pytest.approx(getattr(array, name)[i], abs=1e-11)
+
+
+def test_fewer_digits_are_a_rounding_of_more():
+    few, many = (AsymptoticMotion.of(DRAG, 3).at("7", digits) for digits in (15, 60))
+    for name in ("x", "v", "amplitude", "phase"):
+        a, b = Fraction(getattr(few, name)), Fraction(getattr(many, name))
+        assert abs(a - b) <= abs(b) / 10**14
+
+
+def test_nan_stays_in_its_place_and_shapes_are_kept():
+    found = AsymptoticMotion.of(DRAG, 3).sample([[0.0, np.nan], [7.0, 1.0]])
+    assert found.x.shape == (2, 2) and np.isnan(found.x[0, 1]) and found.missing == 1
+    assert not np.isnan(found.x[1, 0]) and "NaN" in found.notes[0]
+    assert found.to_dict()["x"][1] is None
+    assert AsymptoticMotion.of(DRAG, 3).sample([]).x.size == 0
+
+
+def test_a_time_before_the_start_is_refused_by_name():
+    motion = AsymptoticMotion.of(DRAG, 2)
+    with pytest.raises(InputError, match="time"):
+        motion.at("-1")
+    with pytest.raises(InputError, match=r"-2\.0 \(and 1 more\)"):
+        motion.sample([1.0, -2.0, -3.0])
+    with pytest.raises(InputError, match="inf"):
+        motion.sample([np.inf])
+
+
+def test_beyond_the_fictitious_extinction_the_answer_says_so():
+    """alpha = 0, order 1: A = 1 - (2/pi) eps tau is extinct at tau = pi/(2 eps) = 15.708 for eps = 1/10."""
+    motion = AsymptoticMotion.of(oscillator(("0", "1/10")), 1)
+    found = motion.sample([15.0, 15.7, 15.71, 1e6])
+    assert found.extinction == pytest.approx(5 * np.pi, rel=1e-12) and found.extinct == 2
+    assert found.amplitude[1] == pytest.approx(1 - 0.2 / np.pi * 15.7, abs=1e-12)
+    assert list(found.x[2:]) == [0, 0] and "extinction" in found.notes[0]
+    point = motion.at("16", 10)
+    assert (point.x, point.v, point.amplitude, point.phase) == ("0", "0", "0", None) and "extinction" in point.notes[0]
+
+
+def test_no_damping_and_a_term_of_strength_zero():
+    free = AsymptoticMotion.of(oscillator(("3/2", "0"), stiffness="4"), 3)
+    assert float(free.at("1", 15).x) == pytest.approx(cos(2), abs=1e-14)
+    assert free.sample([1.0]).x[0] == pytest.approx(cos(2), abs=1e-14)
+    both = AsymptoticMotion.of(oscillator(("3/2", "1/10"), ("2", "0")), 3).at("2", 12)
+    assert both.x == AsymptoticMotion.of(oscillator(("3/2", "1/10")), 3).at("2", 12).x
+
+
+def test_bad_choices_are_refused():
+    for kind, name in (({"gauge": "energy"}, "gauge"), ({"order": 0}, "order"), ({"order": 99}, "order")):
+        with pytest.raises(InputError, match=name):
+            AsymptoticMotion.of(DRAG, **kind)
+    with pytest.raises(InputError, match="negative"):
+        AsymptoticMotion.of(oscillator(("2", "-1")))
+    with pytest.raises(InputError, match="digits"):
+        AsymptoticMotion.of(DRAG).at("1", 0)
+
+
+@pytest.mark.parametrize(
+    ("pairs", "rest", "name"),
+    [
+        ((("3/2", "1/10"),), {"x0": "1e400"}, "x0"),
+        ((("3/2", "1e-400"),), {}, "law"),
+        ((("3/2", "1"),), {"stiffness": "1e300"}, "stiffness"),
+    ],
+)
+def test_sizes_that_doubles_cannot_hold_are_refused(pairs, rest, name):
+    with pytest.raises(InputError, match=f"argument {name}: .* out of range"):
+        AsymptoticMotion.of(oscillator(*pairs, **rest), 2)
+
+
+def test_long_times():
+    """alpha = 2: A = 1/(1 + kappa tau) at 1e30, also with a linear term that has long won; alpha = 1 at 1e6."""
+    point = AsymptoticMotion.of(oscillator(("2", "1/10")), 1).at("1e30", 12)
+    assert float(point.amplitude) == pytest.approx(3 * np.pi / 4 / 0.1 / 1e30, rel=1e-10)
+    far = [AsymptoticMotion.of(oscillator(("2", "1/10")), 1).at("1e60", digits).x for digits in (6, 40)]
+    assert float(far[0]) == pytest.approx(float(far[1]), rel=1e-5)  # the phase keeps its digits
+    linear = AsymptoticMotion.of(oscillator(("1", "1/10")), 1).at("1e6", 12)
+    assert linear.amplitude.endswith("e-21715")  # e^-50000
+    with pytest.raises(InputError, match="time"):
+        AsymptoticMotion.of(DRAG, 1).at("1e400", 5)
+
+
+def test_a_million_times_agree_with_a_few():
+    motion = AsymptoticMotion.of(DRAG, 3)
+    times = np.linspace(0, 1000, 10**6)
+    assert np.allclose(motion.sample(times).x[::250_000], motion.sample(times[::250_000]).x, rtol=0, atol=1e-12)
+
+
+def test_units_scale():
+    """The same dimensionless motion in other units: eps = b omega_0^alpha x0^(alpha-1)/k is 1/20 in both."""
+    one = AsymptoticMotion.of(oscillator(("2", "1/20")), 3).at("3", 12)
+    two = AsymptoticMotion.of(oscillator(("2", "1/10"), mass="4", stiffness="1", x0="2"), 3).at("6", 12)
+    assert float(two.x) == pytest.approx(2 * float(one.x), rel=1e-11)
+    assert float(two.v) == pytest.approx(2 * float(one.v) / sqrt(4), rel=1e-11)

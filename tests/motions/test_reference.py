@@ -1,0 +1,119 @@
+"""Reference motion against exact solutions and an ordinary integrator; its error against a run with more digits."""
+
+from fractions import Fraction
+
+import pytest
+from flint import arb, ctx
+from scipy.integrate import solve_ivp
+
+from asymptotics.errors import InputError, LimitError
+from asymptotics.law import Law, Oscillator
+from asymptotics.motions.reference import reference_motion, reference_states
+from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.turning.local_expansion import Damping
+from asymptotics.turning.swing import orbit
+
+
+def oscillator(*pairs, **rest):
+    return Oscillator.of(Law.of([(b, a) for a, b in pairs]), **rest)
+
+
+def gap(a, b):
+    """|a - b|/|b| of two decimals."""
+    return abs(Fraction(a) - Fraction(b)) / abs(Fraction(b))
+
+
+@pytest.mark.parametrize("alpha", ["0", "1", "2"])
+@pytest.mark.parametrize("t", ["1/3", "2", "9"])
+def test_the_integrator_agrees_with_the_certified_motion(alpha, t):
+    """The integrated states against closed forms, Lambert W and quadrature: no code in common."""
+    system = oscillator((alpha, "1/5"), mass="3/2", stiffness="5", x0="-2")
+    exact = reference_motion(system, t, 20)
+    states = reference_states(system, [parse_real(t, "t")], 22)
+    assert exact.certified and exact.order is None and exact.amplitude is None
+    with ctx.workprec(200):
+        assert abs(states.x[0] - arb(exact.x)) <= arb(exact.error) * 2
+        assert abs(states.v[0] - arb(exact.v)) < abs(arb(exact.v)) * arb(10) ** -19
+
+
+def test_a_wrong_strength_is_seen():
+    near, there = (oscillator(("2", b)) for b in ("1/5", "0.2000000001"))
+    assert gap(reference_motion(near, "9", 20).x, reference_motion(there, "9", 20).x) > 1e-11
+
+
+@pytest.mark.parametrize(
+    ("pairs", "start"),
+    [
+        ((("3/2", "1/10"),), ("1", "0")),
+        ((("1/2", "1/10"), ("3", "1/20")), ("1", "-1/2")),
+        ((("0", "1/30"), ("sqrt(2)", "1/10")), ("-1", "2")),
+    ],
+)
+def test_against_an_ordinary_integrator(pairs, start):
+    """Doubles with tight tolerances and |v| as it stands: good to about six digits."""
+    point = reference_motion(oscillator(*pairs, x0=start[0], v0=start[1]), "4", 15)
+    terms = [(float(parse_real(a, "a").ball()), float(Fraction(b))) for a, b in pairs]
+
+    def slope(_, state):
+        v = state[1]
+        force = sum(b * abs(v) ** a * (1 if v > 0 else -1 if v < 0 else 0) for a, b in terms)
+        return [v, -state[0] - force]
+
+    run = solve_ivp(slope, (0, 4), [float(Fraction(s)) for s in start], rtol=1e-11, atol=1e-12, max_step=0.01)
+    assert float(point.x) == pytest.approx(run.y[0, -1], abs=2e-5)
+    assert float(point.v) == pytest.approx(run.y[1, -1], abs=2e-5)
+    assert not point.certified
+
+
+@pytest.mark.parametrize(("alpha", "t"), [("3/2", "30"), ("1/2", "20"), ("5/3", "7"), ("3", "50")])
+def test_the_error_covers_the_difference_to_more_digits(alpha, t):
+    system = oscillator((alpha, "1/10"))
+    few, many = (reference_motion(system, t, digits) for digits in (12, 30))
+    assert abs(Fraction(few.x) - Fraction(many.x)) <= Fraction(few.error) + Fraction(many.error)
+    assert Fraction(few.error) < abs(Fraction(few.x)) / 10**11
+
+
+def test_two_precisions_differ_and_the_difference_falls():
+    system, t = oscillator(("3/2", "1/10")), [ExactReal(Fraction(7))]
+    low, high = (reference_states(system, t, digits) for digits in (10, 40))
+    assert low.bits < high.bits and high.difference < arb(10) ** -42
+
+
+def test_thirty_digits_over_ten_swings():
+    point = reference_motion(oscillator(("3/2", "1/10")), "63", 30)
+    assert point.x.startswith("0.1667553142184398873377862") and Fraction(point.error) < Fraction(1, 10**29)
+
+
+def test_many_times_come_back_in_their_order():
+    system = oscillator(("3/2", "1/10"))
+    times = [ExactReal(Fraction(n, 2)) for n in (9, 0, 4, 9)]
+    states = reference_states(system, times, 15)
+    assert states.x[0] == states.x[3] and states.x[1] == 1
+    assert gap(states.x[2].str(20, radius=False), reference_motion(system, "2", 15).x) < 1e-14
+
+
+def test_creep_follows_its_law_and_strong_damping_comes_back():
+    """Creep (alpha = 1/2, eps = 1): x tau -> 1 by the law of DESIGN 6.  alpha = 3, b = 30: x passes 0 all the same."""
+    slow = reference_motion(oscillator(("1/2", "1")), "200", 12)
+    assert abs(float(slow.x) * 200 - 1) < 0.05
+    strong = oscillator(("3", "30"), x0="1")
+    assert float(reference_motion(strong, "1", 12).x) > 0.5 and float(reference_motion(strong, "6", 12).x) < 0
+
+
+def test_no_damping_is_certified():
+    point = reference_motion(oscillator(("3/2", "0")), "1", 20)
+    assert point.certified and point.x == "0.54030230586813971740"  # cos 1
+
+
+def test_refusals():
+    system = oscillator(("3/2", "1/10"))
+    for bad, name in ((("-1", 10), "time"), (("1", 0), "digits"), (("1e9", 30), "time")):
+        with pytest.raises((InputError, LimitError), match=name):
+            reference_motion(system, *bad)
+    with pytest.raises(InputError, match="negative"):
+        reference_motion(oscillator(("3/2", "-1")), "1", 10)
+    with pytest.raises(InputError, match="static"):
+        reference_motion(system, "1", 10, static="1")
+    with pytest.raises(LimitError, match="stiff"), ctx.workprec(64):
+        stiff = Damping.of([(arb(10) ** 12, parse_real("3/2", "a"))])
+        list(orbit(stiff, arb(1), arb(0), pieces=20))

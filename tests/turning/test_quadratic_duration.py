@@ -1,0 +1,97 @@
+import mpmath
+import pytest
+from flint import arb, ctx
+from hypothesis import given
+from hypothesis import strategies as st
+
+from asymptotics.turning.quadratic_duration import duration, elapsed
+from asymptotics.turning.quadratic_large import large_amplitude_coefficient
+from asymptotics.turning.quadratic_map import next_amplitude
+from asymptotics.turning.quadratic_series import half_period_series
+
+
+def _quadrature(p: float) -> mpmath.mpf:
+    """The half period by mpmath: Smith (55) corrected, t = t* sin^2(phi), with the raw speed; only (43) in common."""
+    with mpmath.workdps(40):
+        p = mpmath.mpf(p)
+        q = 1 + mpmath.re(mpmath.lambertw(-(1 + p) * mpmath.exp(-(1 + p))))
+
+        def integrand(phi):
+            t = (p + q) * mpmath.sin(phi) ** 2
+            return (p + q) * mpmath.sin(2 * phi) / mpmath.sqrt(abs(2 * ((1 + p) * -mpmath.expm1(-t) - t)))
+
+        return mpmath.quad(integrand, [0, mpmath.pi / 4, mpmath.pi / 2])
+
+
+@pytest.mark.parametrize("p", [0.01, 0.5, 2, 10, 40])
+def test_against_mpmath_quadrature(p):
+    with ctx.workprec(160):
+        ball = duration(arb(p), next_amplitude(arb(p)))
+        assert abs(ball - arb(mpmath.nstr(_quadrature(p), 30))) < arb("1e-15")
+        assert ball.rel_accuracy_bits() > 130
+
+
+@given(st.fractions(min_value=1e-5, max_value=100), st.integers(60, 300))
+def test_two_precisions_meet(q, bits):
+    values = []
+    for precision in (bits, bits + 150):
+        with ctx.workprec(precision):
+            p = arb(q.numerator) / q.denominator
+            values.append(duration(p, next_amplitude(p)))
+    assert values[0].overlaps(values[1])
+    assert values[0].rel_accuracy_bits() > bits - 40
+
+
+@pytest.mark.parametrize("q", ["0.001", "0.02", "0.05"])
+def test_against_the_exact_power_series(q):
+    # T(p) = pi sum t_k p^k; |T| < 5 on |p| = 1/4 (quadratic_abel), so the tail after p^60 is below 5 (4p)^61/(1-4p).
+    with ctx.workprec(300):
+        p = arb(q)
+        total = arb.pi() * sum((arb(c) * p**k for k, c in enumerate(half_period_series(60))), arb(0))
+        tail = 5 * (4 * p) ** 61 / (1 - 4 * p)
+        ball = duration(p, next_amplitude(p))
+        assert abs(ball - total) < tail + arb("1e-80")
+
+
+def test_a_half_swing_lasts_as_long_seen_from_its_end():
+    # T(p) = T(-q): the series at -q for p = 0.02.
+    with ctx.workprec(200):
+        p = arb("0.02")
+        q = next_amplitude(p)
+        total = arb.pi() * sum((arb(c) * (-q) ** k for k, c in enumerate(half_period_series(40))), arb(0))
+        assert abs(total - duration(p, q)) < arb("1e-40")
+
+
+@pytest.mark.parametrize("terms", [1, 2, 3, 4])
+def test_the_large_amplitude_expansion_has_the_measured_order(terms):
+    errors = []
+    with ctx.workprec(200):
+        for y in (400, 800):
+            exact = duration(arb(y - 1), next_amplitude(arb(y - 1)))
+            tail = [_coefficient(k) * arb(y) ** (-k) for k in range(terms)]
+            errors.append(abs(exact - (arb(2) * y).sqrt() - sum(tail, arb(0)) * (arb(2) / y).sqrt()))
+        order = (errors[0] / errors[1]).log() / arb(2).log()
+    assert abs(order - terms - 0.5) < 0.06
+
+
+def _coefficient(k: int) -> arb:
+    return arb(str(large_amplitude_coefficient(k).evalf(50)))
+
+
+def test_elapsed_time_is_additive_and_ends_at_the_half_period():
+    with ctx.workprec(120):
+        p = arb(2)
+        q = next_amplitude(p)
+        assert elapsed(p, q, arb(0)).contains(0)
+        assert elapsed(p, q, arb.pi()).overlaps(duration(p, q))
+        assert elapsed(p, q, arb(1)) < elapsed(p, q, arb(2))
+
+
+def test_a_planted_fault_is_seen():
+    # Half the nodes that the error bound wants: the enclosure must widen, never move.
+    with ctx.workprec(30):
+        coarse = duration(arb(2), next_amplitude(arb(2)))
+    with ctx.workprec(200):
+        fine = duration(arb(2), next_amplitude(arb(2)))
+        assert coarse.contains(fine.mid())
+        assert not (coarse + arb("1e-6")).contains(fine.mid())
