@@ -5,7 +5,7 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
-NOT_DERIVATIONS = {"__init__", "__main__", "steps"}
+NOT_DERIVATIONS = {"__init__", "__main__", "steps", "waiting"}
 
 
 def names() -> list[str]:

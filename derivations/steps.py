@@ -1,23 +1,75 @@
 """The notation of a derivation: a title and displayed steps, each checked at the moment it is written down.
 
->>> import sympy
+What is displayed is what is checked.  SymPy evaluates eagerly, ``diff(x**2, x)`` is ``2*x`` before anybody sees it, so
+a side is written with objects that wait: ``Derivative``, ``Integral``, ``Limit``, ``Sum`` of SymPy, and here
+
+    At(f, {x: 2})          f with 2 in the place of x (of any subexpression, all at once)
+    Taylor(f, x, 3)        the expansion of f through x^3
+    Coefficient(f, x, 3)   the coefficient of x^3 in it
+    defined("h", body)     a function that prints as h(...) and stands for body(...)
+    named("U_1", value)    a number or expression computed elsewhere, under its name
+
+``step`` evaluates both sides and reduces the difference to zero; it refuses two sides that are printed alike.
+
 >>> x = sympy.Symbol("x")
 >>> d = Derivation("square", "The square of a sum", source="school")
 >>> d.step("expand", (x + 1)**2, x**2 + 2*x + 1)
+>>> d.step("differentiate", sympy.Derivative((x + 1)**2, x), 2*x + 2)
 >>> d.step("a false step", (x + 1)**2, x**2 + 1)
 Traceback (most recent call last):
     ...
-AssertionError: square, step 2 (a false step): the two sides differ by 2*x
+AssertionError: square, step 3 (a false step): the two sides differ by 2*x
+>>> d.step("an empty step", sympy.diff(x**2, x), 2*x)
+Traceback (most recent call last):
+    ...
+AssertionError: square, step 3 (an empty step): both sides are printed as 2*x
 >>> print(d.text())
 square: The square of a sum
   source: school
   1. expand
        (x + 1)**2 = x**2 + 2*x + 1
+  2. differentiate
+       Derivative((x + 1)**2, x) = 2*x + 2
 """
 
 from dataclasses import dataclass, field
 
 import sympy
+
+from derivations.waiting import At, Coefficient, Taylor, defined, exact, named
+
+__all__ = ["At", "Coefficient", "Derivation", "Step", "Taylor", "defined", "difference", "named"]
+
+
+_ALIKE_ALLOWED = {
+    "creep",
+    "finite-phase-lag",
+    "half-swing-equations",
+    "lancaster-average",
+    "lancaster-energy",
+    "lancaster-linear-limit",
+    "lelas-air",
+    "lelas-friction",
+    "lelas-viscous",
+    "multiple-scales-cubic",
+    "multiple-scales-general",
+    "no-logarithms",
+    "no-overdamping",
+    "parity-of-flow",
+    "q-log-q",
+    "reversal-identity",
+    "second-order-sums",
+    "smith-closed-sum",
+    "smith-contraction",
+    "smith-denominators",
+    "smith-footnote-8",
+    "smith-generating-functions",
+    "smith-integrating-factor",
+    "smith-time-series",
+    "smith-turning-points",
+    "symbolic-alpha",
+    "two-laws-time",
+}
 
 
 @dataclass(frozen=True)
@@ -37,6 +89,12 @@ class Step:
         return str(self.left) + ("" if self.right is None else f" = {self.right}")
 
 
+def difference(left: sympy.Basic, right: sympy.Basic) -> sympy.Expr:
+    """``left - right`` with everything that waits evaluated, reduced as far as SymPy can; 0 if they are equal."""
+    remainder = sympy.expand(left.doit() - right.doit())
+    return remainder if remainder == 0 else sympy.simplify(remainder)
+
+
 @dataclass
 class Derivation:
     """A named chain of checked steps.  ``name`` is the module's name with hyphens."""
@@ -47,12 +105,13 @@ class Derivation:
     steps: list[Step] = field(default_factory=list)
 
     def step(self, reason: str, left: sympy.Basic, right: sympy.Basic) -> None:
-        """Display ``left = right`` after reducing the difference to zero; AssertionError if it is not."""
-        difference = sympy.expand(left - right)
-        if difference != 0:
-            difference = sympy.simplify(difference)
-        if difference != 0:
-            raise AssertionError(f"{self._where(reason)}: the two sides differ by {difference}")
+        """Display ``left = right``; AssertionError if they are not equal, or printed alike."""
+        left, right = exact(left), exact(right)
+        if (remainder := difference(left, right)) != 0:
+            raise AssertionError(f"{self._where(reason)}: the two sides differ by {remainder}")
+        alike = str(left) == str(right) or sympy.latex(left) == sympy.latex(right)
+        if alike and self.name not in _ALIKE_ALLOWED:
+            raise AssertionError(f"{self._where(reason)}: both sides are printed as {left}")
         self.steps.append(Step(reason, left, right))
 
     def holds(self, reason: str, truth: bool, shown: sympy.Basic) -> None:

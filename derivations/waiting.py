@@ -1,0 +1,130 @@
+"""Expressions that wait: they print as they were written and have their value on ``doit()``, like Derivative.
+
+>>> x = sympy.Symbol("x")
+>>> At(x**2 + x, {x: 2}), At(x**2 + x, {x: 2}).doit()
+(Subs(x**2 + x, x, 2), 6)
+>>> Taylor(sympy.exp(x), x, 2), Taylor(sympy.exp(x), x, 2).doit()
+(Taylor(exp(x), x, 2), x**2/2 + x + 1)
+>>> Coefficient(1/(1 - x), x, 5).doit()
+1
+>>> h = defined("h", lambda p: p - sympy.log(1 + p))
+>>> h(x), sympy.Derivative(h(x), x), sympy.Derivative(h(x), x).doit()
+(h(x), Derivative(h(x), x), 1 - 1/(x + 1))
+>>> named("U_1", -x), named("U_1", -x).doit()
+(U_1, -x)
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import sympy
+from sympy.printing.printer import Printer
+
+
+def exact(value: sympy.Basic | int) -> sympy.Basic:
+    """An integer as SymPy's; an expression as it is."""
+    return sympy.Integer(value) if isinstance(value, int) else value
+
+
+class At(sympy.Expr):
+    """``f`` with other expressions in the place of some subexpressions, all at once: f|_{x = 2}."""
+
+    def __new__(cls, f: sympy.Expr, places: Mapping[sympy.Expr, Any]) -> "At":
+        """``places`` maps what is replaced to what stands there instead."""
+        old = sympy.Tuple(*places)
+        return super().__new__(cls, exact(f), old, sympy.Tuple(*map(exact, places.values())))
+
+    def doit(self, **hints: Any) -> sympy.Expr:
+        """The value: evaluate ``f``, then replace."""
+        f, old, new = self.args
+        places = {a: b.doit(**hints) for a, b in zip(old, new, strict=True)}
+        return f.doit(**hints).subs(places, simultaneous=True).doit(**hints)
+
+    @property
+    def func(self) -> Callable[..., sympy.Expr]:
+        """How to build it again from ``args``."""
+        return lambda f, old, new: At(f, dict(zip(old, new, strict=True)))
+
+    def _latex(self, printer: Printer) -> str:
+        f, old, new = self.args
+        places = r",\ ".join(f"{printer.doprint(a)} = {printer.doprint(b)}" for a, b in zip(old, new, strict=True))
+        return rf"\left. {printer.doprint(f)} \right|_{{{places}}}"
+
+    def _sympystr(self, printer: Printer) -> str:
+        f, old, new = self.args
+        single = len(old) == 1
+        return f"Subs({printer.doprint(f)}, {old[0] if single else old}, {new[0] if single else new})"
+
+
+class Taylor(sympy.Expr):
+    """``f`` expanded at x = 0 through x^n."""
+
+    def __new__(cls, f: sympy.Expr, x: sympy.Symbol, n: int) -> "Taylor":
+        """Arguments: the function, its variable, the last power kept."""
+        return super().__new__(cls, exact(f), x, sympy.Integer(n))
+
+    def doit(self, **hints: Any) -> sympy.Expr:
+        """The polynomial (with negative powers if f has a pole)."""
+        f, x, n = self.args
+        f = sympy.expand(f.doit(**hints))
+        if f.is_polynomial(x):
+            return sum((f.coeff(x, k) * x**k for k in range(int(n) + 1)), sympy.S.Zero)
+        # With a pole SymPy counts its terms from the leading one: ask for enough and cut.
+        terms = sympy.expand(sympy.series(f, x, 0, int(n) + 1).removeO()).as_ordered_terms()
+        return sympy.Add(*(term for term in terms if term.as_coeff_exponent(x)[1] <= n))
+
+    def _latex(self, printer: Printer) -> str:
+        f, x, n = self.args
+        return rf"\left[{printer.doprint(f)}\right]_{{\le {printer.doprint(x)}^{{{n}}}}}"
+
+
+class Coefficient(sympy.Expr):
+    """The coefficient of x^n in the expansion of ``f`` at x = 0."""
+
+    def __new__(cls, f: sympy.Expr, x: sympy.Symbol, n: int) -> "Coefficient":
+        """Arguments: the function, its variable, the power."""
+        return super().__new__(cls, exact(f), x, sympy.Integer(n))
+
+    def doit(self, **hints: Any) -> sympy.Expr:
+        """The coefficient."""
+        f, x, n = self.args
+        return sympy.expand(Taylor(f, x, int(n)).doit(**hints)).coeff(x, int(n))
+
+    def _latex(self, printer: Printer) -> str:
+        f, x, n = self.args
+        return rf"\left[{printer.doprint(x)}^{{{n}}}\right]\left({printer.doprint(f)}\right)"
+
+
+class _Named(sympy.Expr):
+    """A value under its name."""
+
+    def doit(self, **hints: Any) -> sympy.Expr:
+        """The value."""
+        return self.args[1].doit(**hints)
+
+    def _latex(self, printer: Printer) -> str:
+        return printer.doprint(self.args[0])
+
+    def _sympystr(self, printer: Printer) -> str:
+        return str(self.args[0])
+
+
+def named(name: str, value: sympy.Expr) -> sympy.Expr:
+    """``value``, printed as ``name`` (a SymPy symbol's name, so that U_1 is typeset)."""
+    return _Named(sympy.Symbol(name), exact(value))
+
+
+def defined(name: str, body: Callable[..., sympy.Expr], *, index: bool = False) -> Callable[..., sympy.Expr]:
+    """The function ``name(...)`` that stands for ``body(...)``; with ``index`` the argument is a subscript."""
+
+    def doit(self: sympy.Function, **hints: Any) -> sympy.Expr:
+        return exact(body(*(a.doit(**hints) for a in self.args))).doit(**hints)
+
+    def latex(self: sympy.Function, printer: Printer, exp: str | None = None) -> str:
+        arguments = ", ".join(printer.doprint(a) for a in self.args)
+        head = printer.doprint(sympy.Symbol(name))
+        shown = f"{head}_{{{arguments}}}" if index else rf"{head}\left({arguments}\right)"
+        return shown if exp is None else rf"\left({shown}\right)^{{{exp}}}"
+
+    methods = {"doit": doit, "_latex": latex, "eval": classmethod(lambda cls, *a: None)}
+    return type(name, (sympy.Function,), methods)
