@@ -5,7 +5,7 @@ WORKERS ?= auto
 PIP = $(VENV)/bin/python -m pip install --disable-pip-version-check --quiet
 RUN = $(VENV)/bin/python -m
 
-.PHONY: reproduce test test-thorough lint benchmarks clean
+.PHONY: reproduce test test-thorough lint benchmarks mutants clean
 
 reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
@@ -23,6 +23,11 @@ lint: $(VENV)/.test
 benchmarks: $(VENV)/.test
 	$(RUN) benchmarks
 
+# A sample of planted faults in each group of modules, and how many the tests notice; SAMPLE=500 for a longer look.
+SAMPLE ?= 60
+mutants: $(VENV)/.mutants
+	$(RUN) benchmarks.mutants --sample $(SAMPLE)
+
 # Each environment is the one before it and what its lock adds.
 $(VENV)/.reproduce: requirements/reproduce.txt pyproject.toml
 	@$(PYTHON) -c "import sys; sys.exit(None if sys.version_info >= (3, 11) else 'Python 3.11 or later is needed: make PYTHON=python3.x')"
@@ -35,6 +40,10 @@ $(VENV)/.reproduce: requirements/reproduce.txt pyproject.toml
 $(VENV)/.test: requirements/test.txt $(VENV)/.reproduce
 	@echo "Adding the tools of the tests to $(VENV) (once) ..."
 	$(PIP) --require-hashes --only-binary :all: -r requirements/test.txt
+	touch $@
+
+$(VENV)/.mutants: requirements/mutants.txt $(VENV)/.test
+	$(PIP) --require-hashes --only-binary :all: -r requirements/mutants.txt
 	touch $@
 
 clean:

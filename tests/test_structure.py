@@ -107,10 +107,11 @@ def _locks() -> dict[str, set[str]]:
     groups, extras = project["dependency-groups"], project["project"]["optional-dependencies"]
     core = {*project["project"]["dependencies"], *extras["plot"], *extras["report"], *groups["build"]}
     used = {wanted for name in ("pandas", "parquet", "cluster", "identify") for wanted in extras[name]}
-    return {"reproduce": core, "test": {*used, *groups["dev"]} - core, "docs": set(extras["docs"])}
+    test = {*used, *groups["dev"]} - core
+    return {"reproduce": core, "test": test, "docs": set(extras["docs"]), "mutants": set(groups["mutants"])}
 
 
-@pytest.mark.parametrize("name", ["reproduce", "test", "docs"])
+@pytest.mark.parametrize("name", ["reproduce", "test", "docs", "mutants"])
 def test_the_lock_is_compiled_from_the_project_and_names_no_host(name: str):
     wanted = _locks()[name]
     lines = (ROOT / f"requirements/{name}.in").read_text().splitlines()

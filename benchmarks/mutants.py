@@ -1,0 +1,168 @@
+"""``python -m benchmarks.mutants [GROUP ...]``: how many planted faults the tests notice, group by group.
+
+mutmut plants one fault at a time (an operator, a constant, an argument) in a copy of the project in ``build/mutants``
+and runs the tests that mirror the group.  A seeded sample is taken of all mutants but those that change only a text.
+
+A survivor is listed in ``benchmarks/equivalent_mutants.json`` with the reason why no test can notice it, or shown.
+
+    score = killed / (sampled - equivalent)
+"""
+
+import argparse
+import json
+import random
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from benchmarks.table import Table
+
+ROOT = Path(__file__).parents[1]
+BUILD = ROOT / "build" / "mutants"
+EQUIVALENT = Path(__file__).with_name("equivalent_mutants.json")
+WANTED = 0.9
+GROUPS: dict[str, tuple[list[str], list[str]]] = {  # name: what is mutated, which tests must notice
+    "numbers": (["asymptotics/numbers"], ["tests/numbers", "asymptotics/numbers"]),
+    "verdict": (["asymptotics/verdict.py"], ["tests/test_verdict.py", "asymptotics/verdict.py"]),
+    **{
+        room: ([f"asymptotics/{room}"], [f"tests/{room}", f"asymptotics/{room}"])
+        for room in ("invariants", "half_swings", "normal_form", "swing", "turning", "envelopes")
+    },
+}
+
+
+@dataclass(frozen=True)
+class Survivor:
+    """A mutant that no test noticed: where, and the line without and with the fault."""
+
+    function: str
+    line: str
+    mutated: str
+
+
+@dataclass(frozen=True)
+class Score:
+    """What became of the sample of one group; mutants that ran out of time count as killed, untested ones as alive."""
+
+    group: str
+    mutants: int
+    sampled: int
+    killed: int
+    equivalent: int
+    survivors: tuple[Survivor, ...]
+    seconds: float
+
+    @property
+    def ratio(self) -> float:
+        """killed / (sampled - equivalent)."""
+        return self.killed / max(1, self.sampled - self.equivalent)
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Run the groups; 0 if every score is at least ``WANTED``, else 1."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.mutants", description=__doc__)
+    parser.add_argument("groups", nargs="*", help=", ".join(GROUPS))
+    parser.add_argument("--sample", type=int, default=60, help="mutants of each group (default 60)")
+    parser.add_argument("--seconds", type=int, default=240, help="time limit of each group (default 240)")
+    parser.add_argument("--seed", type=int, default=0, help="another seed draws another sample (default 0)")
+    options = parser.parse_args(argv)
+    unknown = sorted(set(options.groups) - set(GROUPS))
+    if unknown:
+        parser.error(f"no group {unknown[0]!r}: {', '.join(GROUPS)}")
+    scores = [measure(name, options.sample, options.seed, options.seconds) for name in options.groups or GROUPS]
+    (BUILD / "scores.json").write_text(json.dumps([asdict(score) for score in scores], indent=2))
+    print(_table(scores, options.sample, options.seed).text())
+    for score in scores:
+        for s in score.survivors:
+            print(f"\n{s.function}\n  - {s.line}\n  + {s.mutated}")
+    return int(any(score.ratio < WANTED for score in scores))
+
+
+def measure(group: str, sample: int, seed: int, seconds: int) -> Score:
+    """Plant the sample of one group and run its tests."""
+    start = time.monotonic()
+    folder = _copy(group)
+    _mutmut(folder, ["no mutant has this name"], seconds)  # writes the mutants and runs none
+    names = sorted(_outcomes(folder))
+    chosen: list[str] = []
+    faults: dict[str, Survivor] = {}
+    for name in random.Random(f"{seed} {group}").sample(names, len(names)):
+        if len(chosen) == sample:
+            break
+        fault = _fault(folder, name)
+        if not _only_text(fault):
+            chosen.append(name)
+            faults[name] = fault
+    _mutmut(folder, chosen, seconds)
+    codes = {name: code for name, code in _outcomes(folder).items() if name in faults and code is not None}
+    alive = [faults[name] for name, code in codes.items() if code in (0, 33)]  # 33: no test reaches it
+    known = json.loads(EQUIVALENT.read_text())
+    surviving = tuple(s for s in alive if f"{s.line} -> {s.mutated}" not in known.get(s.function, {}))
+    killed, equivalent = len(codes) - len(alive), len(alive) - len(surviving)
+    return Score(group, len(names), len(codes), killed, equivalent, surviving, time.monotonic() - start)
+
+
+def _copy(group: str) -> Path:
+    """The tracked files under build/mutants/GROUP, with the settings of mutmut for this group."""
+    folder = BUILD / group
+    shutil.rmtree(folder, ignore_errors=True)
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    for name in filter(None, listed.split("\0")):
+        if (ROOT / name).is_file():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / name, folder / name)
+    sources, tests = GROUPS[group]
+    top = sorted(path.name for path in folder.iterdir() if path.name != "pyproject.toml")
+    settings = {
+        "source_paths": sources,
+        "also_copy": top,
+        "pytest_add_cli_args_test_selection": [test for test in tests if (folder / test).exists()],
+        "pytest_add_cli_args": ["-p", "no:xdist", "-p", "no:cacheprovider", "-m", "not slow"],
+    }
+    lines = [f"{key} = {json.dumps(value)}" for key, value in settings.items()]
+    with (folder / "pyproject.toml").open("a") as file:
+        file.write("\n".join(["", "[tool.mutmut]", *lines, ""]))
+    return folder
+
+
+def _mutmut(folder: Path, names: list[str], seconds: int) -> None:
+    command = [sys.executable, "-m", "mutmut", "run", *names]
+    try:
+        subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds)
+    except subprocess.TimeoutExpired:
+        print(f"{folder.name}: stopped after {seconds} s; the score is that of the mutants done", file=sys.stderr)
+
+
+def _outcomes(folder: Path) -> dict[str, int | None]:
+    found: dict[str, int | None] = {}
+    for path in (folder / "mutants" / "asymptotics").rglob("*.meta"):
+        found |= json.loads(path.read_text())["exit_code_by_key"]
+    return found
+
+
+def _fault(folder: Path, name: str) -> Survivor:
+    command = [sys.executable, "-m", "mutmut", "show", name]
+    shown = subprocess.run(command, cwd=folder, capture_output=True, text=True).stdout.splitlines()
+    minus = " ".join(line[1:].strip() for line in shown if line.startswith("-") and not line.startswith("---"))
+    plus = " ".join(line[1:].strip() for line in shown if line.startswith("+") and not line.startswith("+++"))
+    return Survivor(name.split("__mutmut_")[0], minus, plus)
+
+
+def _only_text(fault: Survivor) -> bool:
+    """Whether the fault changes a message or a name in one only: the wording of errors is not what is measured."""
+    message = any(word in fault.line for word in ("Error(", "accepted =", "reason =", "description=", "help="))
+    return message or "XX" in fault.mutated
+
+
+def _table(scores: list[Score], sample: int, seed: int) -> Table:
+    columns = ("group", "mutants", "sampled", "killed", "equivalent", "score", "seconds")
+    counts = [(s.mutants, s.sampled, s.killed, s.equivalent) for s in scores]
+    rows = [(s.group, *map(str, n), f"{s.ratio:.0%}", f"{s.seconds:.0f}") for s, n in zip(scores, counts)]
+    return Table(f"planted faults, at most {sample} a group, seed {seed}", columns, tuple(rows))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
