@@ -1,28 +1,32 @@
-"""Damping laws sum_i b_i x'|x'|^(alpha_i - 1), and the oscillator they act in, with units in and out.
+"""Laws of damping and springs, and the oscillator they act in, with units in and out.
 
-    m x'' + k x + sum_i b_i x'|x'|^(alpha_i - 1) = 0        [b_i] = N (s/m)^alpha_i = kg m^(1-alpha_i) s^(alpha_i-2)
+    m x'' + k x + sum_i b_i |x|^m_i x'|x'|^(alpha_i-1) + sum_j c_j x|x|^(p_j-1) |x'|^q_j = 0
 
-Dimensionless, with omega_0^2 = k/m, X = x/x0 and tau = omega_0 t, the strengths are
+Dimensionless, with omega_0^2 = k/m, X = x/x0 and tau = omega_0 t, the strength of a term of degree d (``terms``) is
 
-    epsilon_i = b_i omega_0^alpha_i x0^(alpha_i-1)/k,
-    delta_i = epsilon_i A^(alpha_i-1),   kappa_i = M_(alpha_i+1) epsilon_i.
+    epsilon_i = b_i omega_0^alpha_i x0^(d_i-1)/k,   delta_i = epsilon_i A^(d_i-1),   kappa_i = M_(alpha_i+1) epsilon_i.
+
+A strength b (SI) and an epsilon are different things: a ``Law`` holds epsilons, a ``PhysicalLaw`` holds b's, an
+``Oscillator`` turns one into the other, and each is refused by name where the other is meant.
 
 alpha = 0 is Coulomb friction: x'/|x'| is the sign of x', and any value in [-1, 1] at rest (so the mass can stick).
 alpha = 1 is linear: delta = epsilon for all time; under-, critically or over-damped for epsilon below, at or above 2.
 
->>> law = Law.of([("1/10", "3/2"), ("1/5", "2"), ("1/10", "3/2")])
->>> print(law)
-1/5 x'|x'|^(3/2 - 1) + 1/5 x'|x'|^(2 - 1)
->>> law.notes
-('equal exponents merged: alpha = 3/2',)
->>> oscillator = Oscillator.of(law, mass="3/2", stiffness="30", x0="1/5")
->>> [e.str(10) for e in oscillator.epsilons()]
-['[0.02819656703 +/- ...]', '[0.02666666667 +/- ...]']
+>>> law = Law({"3/2": "1/10", 2: 0.2})                          # exponent -> strength
+>>> print(law, law.notes)
+1/10 x'|x'|^(1/2) + 1/5 x'|x'| ('strength: the float 0.2 was read as 1/5',)
+>>> oscillator = Oscillator(law, mass="3/2", stiffness=30, x0="1/5")     # the same numbers, read as b in SI
+>>> print(oscillator)
+3/2 x'' + 30 x + 1/10 x'|x'|^(1/2) + 1/5 x'|x'| = 0, x(0) = 1/5, x'(0) = 0
+>>> [e.str(10, radius=False) for e in oscillator.epsilons()]
+['0.01409828351', '0.02666666667']
+>>> print(Law({1: "1/10"}, spring={3: "-1/6"}))                 # Duffing, softening
+1/10 x' - 1/6 x^3
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
+from typing import Any, Self
 
 import sympy
 from flint import arb
@@ -30,170 +34,206 @@ from flint import arb
 from asymptotics.errors import InputError
 from asymptotics.moments.certified import moment
 from asymptotics.numbers.bridge import to_sympy
-from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_real
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import Number, exact_number, float_notes
+from asymptotics.terms import Scaled, Term, Units, signed_sum
 
-Number = str | int | Fraction | ExactReal
-
-
-def exact_number(value: Number, argument: str) -> ExactReal:
-    """Text, int, Fraction or ExactReal as an exact number; InputError for a float, which is not what was meant.
-
-    >>> exact_number(1.5, "alpha")
-    Traceback (most recent call last):
-        ...
-    asymptotics.errors.InputError: argument alpha: 1.5 is a float, not an exact number (accepted: text such as ...)
-    """
-    if isinstance(value, ExactReal):
-        return value
-    if isinstance(value, str):
-        return parse_real(value, argument)
-    if isinstance(value, bool) or not isinstance(value, int | Fraction):
-        kind = f"a {type(value).__name__}"
-        raise InputError(argument, f"{value!r} is {kind}, not an exact number", "text such as 3/2 or 1.5")
-    return ExactReal(Fraction(value))
+PENDULUM = "pendulum"
+_FORMS = 'exponent -> strength, such as {"3/2": "1/10"} or {(1, 2): "1/10"} for |x|^2 x\''
+_SPRING_FORMS = f'power -> strength, such as {{3: "1/10"}}, or "{PENDULUM}"'
 
 
-@dataclass(frozen=True)
-class Term:
-    """One term b x'|x'|^(alpha - 1), alpha >= 0; b in N (s/m)^alpha, or epsilon when m = k = x0 = 1."""
-
-    b: ExactReal
-    alpha: ExactReal
-
-    def __str__(self) -> str:
-        known = {"0": "sign(x')", "1": "x'", "3": "x'^3"}
-        shape = known.get(str(self.alpha), f"x'|x'|^({self.alpha} - 1)")
-        return f"{self.b} {shape}"
-
-    def latex(self) -> str:
-        """The term in LaTeX."""
-        b, a = sympy.latex(to_sympy(self.b)), self.alpha
-        if str(a) == "0":
-            return rf"{b}\,\operatorname{{sgn}}\dot x"
-        if str(a) == "1":
-            return rf"{b}\,\dot x"
-        return rf"{b}\,\dot x|\dot x|^{{{sympy.latex(to_sympy(a) - 1)}}}"
-
-
-@dataclass(frozen=True)
-class Law:
-    """A finite sum of terms with distinct exponents, in the order given; ``notes`` says what was changed on the way."""
+@dataclass(frozen=True, init=False)
+class _Sum:
+    """What both kinds of law share: distinct terms, losses first, in the order given; ``notes`` of what was changed."""
 
     terms: tuple[Term, ...]
-    notes: tuple[str, ...] = ()
+    notes: tuple[str, ...]
+
+    def __init__(self, law: "Mapping[Any, Any] | _Sum", spring: "Mapping[Any, Any] | str | None" = None) -> None:
+        given = law.terms if isinstance(law, _Sum) else tuple(_losses(law))
+        terms, notes = _merged([*given, *_springs(spring)])
+        if not terms:
+            raise InputError("law", "there is no term", _FORMS)
+        noted = law.notes if isinstance(law, _Sum) else _float_notes(law, "alpha")
+        object.__setattr__(self, "terms", terms)
+        object.__setattr__(self, "notes", tuple(dict.fromkeys([*noted, *_float_notes(spring, "spring"), *notes])))
 
     @classmethod
-    def of(cls, pairs: Iterable[tuple[Number, Number]]) -> "Law":
-        """A law from (b, alpha) pairs; equal exponents are merged.
+    def from_terms(cls, terms: Iterable[Term], notes: Iterable[str] = ()) -> Self:
+        """A law from terms, which may repeat an exponent; InputError when there is none."""
+        made, more = _merged(terms)
+        if not made:
+            raise InputError("law", "there is no term", _FORMS)
+        law = object.__new__(cls)
+        object.__setattr__(law, "terms", made)
+        object.__setattr__(law, "notes", tuple(dict.fromkeys([*notes, *more])))
+        return law
 
-        Raises InputError for no term, a negative exponent, and numbers that are not exact.  b may be 0 or negative.
+    @property
+    def losses(self) -> tuple[Term, ...]:
+        """The terms odd in the velocity."""
+        return tuple(t for t in self.terms if t.sign < 0)
+
+    @property
+    def springs(self) -> tuple[Term, ...]:
+        """The terms odd in the position."""
+        return tuple(t for t in self.terms if t.sign > 0)
+
+    @property
+    def is_pure(self) -> bool:
+        """Whether every term is b x'|x'|^(alpha-1): the spring is linear, and no loss depends on the position."""
+        return all(t.is_power_of_velocity for t in self.terms)
+
+    def require_pure(self, purpose: str) -> None:
+        """InputError if a spring or a position-dependent loss stands in the law: ``purpose`` knows the linear spring.
+
+        >>> Law({2: 1}, spring={3: 1}).require_pure("the exact solution")
+        Traceback (most recent call last):
+            ...
+        asymptotics.errors.InputError: argument law: x^3 is not a power of the velocity, and the exact solution ...
         """
-        merged: list[Term] = []
-        notes: list[str] = []
-        for b, alpha in pairs:
-            term = Term(exact_number(b, "b"), _exponent(alpha))
-            place = next((i for i, t in enumerate(merged) if t.alpha == term.alpha), None)
-            if place is None:
-                merged.append(term)
-            else:
-                merged[place] = Term(_sum(merged[place].b, term.b), term.alpha)
-                notes.append(f"equal exponents merged: alpha = {term.alpha}")
-        if not merged:
-            raise InputError("law", "there is no term", "at least one pair of strength and exponent")
-        return cls(tuple(merged), tuple(dict.fromkeys(notes)))
+        for t in self.terms:
+            if not t.is_power_of_velocity:
+                reason = f"{t.shape()} is not a power of the velocity, and {purpose} knows nothing else"
+                raise InputError("law", reason, "terms b x'|x'|^(alpha-1) and the linear spring")
 
     @property
     def alphas(self) -> tuple[ExactReal, ...]:
-        """The exponents."""
-        return tuple(t.alpha for t in self.terms)
+        """The exponents of a sum of powers of the velocity; InputError when the law has other terms."""
+        self.require_pure("this method")
+        return tuple(t.velocity for t in self.terms)
 
     @property
     def integer_alphas(self) -> tuple[int, ...] | None:
         """The exponents as integers, or None if one of them is not an integer: then there is no exact arithmetic."""
-        if all(a.is_rational and a.rational.denominator == 1 for a in self.alphas):
+        if all(a.is_integer for a in self.alphas):
             return tuple(a.rational.numerator for a in self.alphas)
         return None
 
     @property
     def is_dissipative(self) -> bool:
-        """Whether no strength is negative."""
-        return not any(t.b < 0 for t in self.terms)
+        """Whether no strength of a loss is negative."""
+        return not any(t.strength.sign < 0 for t in self.losses)
 
     def require_dissipative(self, purpose: str) -> None:
-        """InputError by name if a strength is negative (anti-damping): the formal series exist, ``purpose`` does not.
+        """InputError by name if a loss is negative (anti-damping): the formal series exist, ``purpose`` does not.
 
-        >>> Law.of([("-1", "2")]).require_dissipative("a sequence of turning points to rest")
+        >>> Law({2: -1}).require_dissipative("a sequence of turning points to rest")
         Traceback (most recent call last):
             ...
         asymptotics.errors.InputError: argument b: -1 is negative: anti-damping has no ... (accepted: b >= 0)
         """
-        for t in self.terms:
-            if t.b < 0:
-                raise InputError("b", f"{t.b} is negative: anti-damping has no {purpose}", "b >= 0")
+        for t in self.losses:
+            if t.strength.sign < 0:
+                raise InputError("b", f"{t.strength} is negative: anti-damping has no {purpose}", "b >= 0")
 
     def to_dict(self) -> dict[str, object]:
         """JSON-ready: numbers are strings."""
-        return {"terms": [{"b": str(t.b), "alpha": str(t.alpha)} for t in self.terms], "notes": list(self.notes)}
+        return {"terms": [t.to_dict() for t in self.terms], "notes": list(self.notes)}
 
     def __str__(self) -> str:
-        return " + ".join(str(t) for t in self.terms)
+        return signed_sum(self.terms)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self})"
 
     def _repr_latex_(self) -> str:
-        return "$" + " + ".join(t.latex() for t in self.terms) + "$"
+        return f"${signed_sum(self.terms, latex=True)}$"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False, repr=False)
+class Law(_Sum):
+    """A dimensionless law: the strengths are epsilon (losses) and c (springs), in units m = k = x0 = 1.
+
+    ``Law({exponent: strength})``; a key may be a pair (A, M) for |x|^M x'|x'|^(A-1).  ``spring={P: strength}`` adds
+    c x|x|^(P-1), a key (P, Q) a factor |x'|^Q, and ``spring="pendulum"`` has sin x in place of x (x0 = 1 rad).
+    Equal exponents are merged.  InputError for no term, a negative exponent, and what is not an exact number.
+    """
+
+    @classmethod
+    def read(cls, value: "Law | Mapping[Any, Any]") -> "Law":
+        """A law, or a mapping that makes one; InputError for strengths in SI, which are something else."""
+        if isinstance(value, Law):
+            return value
+        if isinstance(value, PhysicalLaw):
+            raise InputError("law", "its strengths are b in SI, and epsilon is meant", "oscillator.dimensionless")
+        return cls(value)
+
+
+@dataclass(frozen=True, init=False, repr=False)
+class PhysicalLaw(_Sum):
+    """A law in SI: strengths b in N (s/m)^alpha (per m^M), c in N/m^P; it belongs to an ``Oscillator``."""
+
+
+@dataclass(frozen=True, init=False, repr=False)
 class Oscillator:
     """m x'' + k x + law = 0 with x(0) = x0, x'(0) = v0 (SI units, exact numbers).
 
-    The unit of length is |x0| when v0 = 0, else the radius sqrt(x0^2 + m v0^2/k) of the starting point.
+    ``Oscillator(law or mapping, mass=, stiffness=, x0=, v0=, spring=)`` reads the strengths as b in SI, whatever they
+    were before; the defaults make b = epsilon.  The unit of length is |x0| when v0 = 0, else the radius
+    sqrt(x0^2 + m v0^2/k) of the starting point.  InputError for m <= 0, k <= 0, or a start at rest at 0.
     """
 
-    law: Law
+    law: PhysicalLaw
     mass: ExactReal
     stiffness: ExactReal
     x0: ExactReal
     v0: ExactReal
+    notes: tuple[str, ...]
 
-    @classmethod
-    def of(
-        cls, law: Law, *, mass: Number = 1, stiffness: Number = 1, x0: Number = 1, v0: Number = 0
-    ) -> "Oscillator":
-        """From exact numbers; the defaults make b_i = epsilon_i.  InputError for m <= 0, k <= 0, or rest at 0."""
-        values = [exact_number(v, n) for v, n in ((mass, "mass"), (stiffness, "stiffness"), (x0, "x0"), (v0, "v0"))]
-        for value, name in zip(values[:2], ("mass", "stiffness")):
-            if not value > 0:
-                raise InputError(name, f"{value} is not positive", "a positive number")
-        if all(not (v < 0 or v > 0) for v in values[2:]):
+    def __init__(
+        self, law: Mapping[Any, Any] | _Sum, *, mass: Number = 1, stiffness: Number = 1, x0: Number = 1, v0: Number = 0,
+        spring: Mapping[Any, Any] | str | None = None,
+    ) -> None:  # fmt: skip
+        if isinstance(law, _Sum) and any(isinstance(t.strength, Scaled) for t in law.terms):
+            raise InputError("law", "its strengths belong to another oscillator", "strengths b as exact numbers")
+        given: dict[str, Any] = {"mass": mass, "stiffness": stiffness, "x0": x0, "v0": v0}
+        values = {name: exact_number(value, name) for name, value in given.items()}
+        for name in ("mass", "stiffness"):
+            if not values[name] > 0:
+                raise InputError(name, f"{values[name]} is not positive", "a positive number")
+        if values["x0"].is_zero and values["v0"].is_zero:
             raise InputError("x0", "with x0 = 0 and v0 = 0 nothing moves", "a start away from rest at the origin")
-        return cls(law, *values)
+        physical = PhysicalLaw(law, spring)
+        for name, value in {"law": physical, **values, "notes": physical.notes + float_notes(**given)}.items():
+            object.__setattr__(self, name, value)
+
+    def with_law(self, law: Mapping[Any, Any] | _Sum) -> "Oscillator":
+        """The same mass, spring and start under another law."""
+        return Oscillator(law, mass=self.mass, stiffness=self.stiffness, x0=self.x0, v0=self.v0)
+
+    @property
+    def units(self) -> Units:
+        """The numbers that set the units of length and time."""
+        return Units(self.mass, self.stiffness, self.x0, self.v0)
+
+    @property
+    def dimensionless(self) -> Law:
+        """The law in units m = k = x0 = 1: epsilon = b omega_0^velocity length^weight/k, exact where it can be."""
+        return Law.from_terms([self.units.without(t) for t in self.law.terms], self.notes)
 
     def omega_0(self) -> arb:
         """sqrt(k/m) in rad/s, as a ball."""
-        return (self.stiffness.ball() / self.mass.ball()).sqrt()
+        return self.units.omega_0()
 
     def length(self) -> arb:
         """The unit of length in m, as a ball."""
-        if not (self.v0 < 0 or self.v0 > 0):
-            return abs(self.x0.ball())
-        return (self.x0.ball() ** 2 + (self.v0.ball() / self.omega_0()) ** 2).sqrt()
+        return self.units.length()
 
     def epsilons(self) -> tuple[arb, ...]:
-        """epsilon_i = b_i omega_0^alpha_i length^(alpha_i - 1)/k, as balls."""
-        return tuple(
-            t.b.ball() * _power(self.omega_0(), t.alpha, 0) * _power(self.length(), t.alpha, 1) / self.stiffness.ball()
-            for t in self.law.terms
-        )
+        """The dimensionless strengths of the terms, as balls."""
+        return tuple(t.strength.ball() for t in self.dimensionless.terms)
 
     def deltas(self, amplitude: arb) -> tuple[arb, ...]:
-        """delta_i = epsilon_i A^(alpha_i - 1) at the slow amplitude A > 0, in units of ``length``; InputError else."""
+        """delta_i = epsilon_i A^(d_i-1) at the slow amplitude A > 0, in units of ``length``; InputError else."""
         if not amplitude > 0:
             raise InputError("amplitude", f"{amplitude.str(5)} is not certainly positive", "a positive number")
-        return tuple(e * _power(amplitude, t.alpha, 1) for e, t in zip(self.epsilons(), self.law.terms))
+        return tuple(t.delta(amplitude) for t in self.dimensionless.terms)
 
     def kappas(self) -> tuple[arb, ...]:
         """Lancaster's kappa_i = M_(alpha_i+1) epsilon_i (Lancaster 2020, below (8)), as balls."""
-        return tuple(moment(t.alpha.ball() + 1) * e for e, t in zip(self.epsilons(), self.law.terms))
+        return tuple(moment(a.ball() + 1) * e for a, e in zip(self.law.alphas, self.epsilons()))
 
     def to_si(self, X: arb, tau: arb) -> tuple[arb, arb]:
         """Dimensionless displacement and time -> (x in m, t in s)."""
@@ -205,31 +245,56 @@ class Oscillator:
         return {"law": self.law.to_dict(), **{n: str(getattr(self, n)) for n in names}}
 
     def __str__(self) -> str:
-        return f"{self.mass} x'' + {self.stiffness} x + {self.law} = 0, x(0) = {self.x0}, x'(0) = {self.v0}"
+        left = Term(self.mass, 0, 1, "position"), Term(self.stiffness, 0, 1, "position")
+        force, start = signed_sum((left[1], *self.law.terms)), f"x(0) = {self.x0}, x'(0) = {self.v0}"
+        return f"{left[0]}'' + {force} = 0, {start}"
+
+    def __repr__(self) -> str:
+        return f"Oscillator({self})"
 
     def _repr_latex_(self) -> str:
-        m, k = (sympy.latex(to_sympy(v)) for v in (self.mass, self.stiffness))
-        terms = " + ".join(t.latex() for t in self.law.terms)
-        return rf"${m}\,\ddot x + {k}\,x + {terms} = 0$"
+        mass = {"1": ""}.get(str(self.mass), sympy.latex(to_sympy(self.mass)) + r"\,")
+        force = signed_sum((Term(self.stiffness, 0, 1, "position"), *self.law.terms), latex=True)
+        return rf"${mass}\ddot x + {force} = 0$"
 
 
-def _exponent(alpha: Number) -> ExactReal:
-    value = exact_number(alpha, "alpha")
-    if value < 0:
-        raise InputError("alpha", f"{value} is negative", f"alpha >= 0: {REAL_FORMS}")
-    return value
+def _losses(law: Any) -> Iterable[Term]:
+    if not isinstance(law, Mapping):
+        raise InputError("law", f"{type(law).__name__} is neither a law nor a mapping", _FORMS)
+    for key, strength in law.items():
+        velocity, position = key if isinstance(key, tuple) and len(key) == 2 else (key, 0)
+        yield Term(exact_number(strength, "strength"), velocity, position)
 
 
-def _power(base: arb, alpha: ExactReal, less: int) -> arb:
-    """base^(alpha - less): an integer exponent stays one, so that exact powers stay exact."""
-    if alpha.is_rational and alpha.rational.denominator == 1:
-        return base ** (alpha.rational.numerator - less)
-    return (base.log() * (alpha.ball() - less)).exp()
+def _springs(spring: Any) -> Iterable[Term]:
+    if spring is None:
+        return
+    if isinstance(spring, str) and spring == PENDULUM:
+        yield Term(1, 0, 3, "position", "pendulum")
+        return
+    if not isinstance(spring, Mapping):
+        raise InputError("spring", f"{spring!r:.40} is no spring", _SPRING_FORMS)
+    for key, strength in spring.items():
+        position, velocity = key if isinstance(key, tuple) and len(key) == 2 else (key, 0)
+        yield Term(exact_number(strength, "strength"), velocity, position, "position")
 
 
-def _sum(a: ExactReal, b: ExactReal) -> ExactReal:
-    """a + b; InputError when the sum is not rational or a rational multiple of one root."""
-    if a.radicand == b.radicand:
-        total = a.coefficient + b.coefficient
-        return ExactReal(total, a.radicand if total else Fraction(1))
-    raise InputError("b", f"{a} + {b} for equal exponents is not a single root", "strengths that add up exactly")
+def _merged(terms: Iterable[Term]) -> tuple[tuple[Term, ...], list[str]]:
+    """Losses before springs, equal exponents added; InputError when a sum of strengths is not one exact number."""
+    found: dict[object, Term] = {}
+    notes = []
+    for t in sorted(terms, key=lambda t: t.sign):
+        if t.key in found:
+            name = "alpha" if t.sign < 0 else "spring"
+            notes.append(f"equal exponents merged: {name} = {t.velocity if t.sign < 0 else t.position}")
+            t = t.plus(found[t.key])
+        found[t.key] = t
+    return tuple(found.values()), notes
+
+
+def _float_notes(mapping: Any, name: str) -> tuple[str, ...]:
+    if not isinstance(mapping, Mapping):
+        return ()
+    keys = [k for key in mapping for k in (key if isinstance(key, tuple) else (key,))]
+    of_keys = (float_notes(**{name: k}) for k in keys)
+    return tuple(n for notes in (*of_keys, *(float_notes(strength=s) for s in mapping.values())) for n in notes)

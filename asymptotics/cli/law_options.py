@@ -3,7 +3,7 @@
 >>> parser = argparse.ArgumentParser()
 >>> add_law(parser, "epsilon", "E", "the strength")
 >>> print(read_law(parser.parse_args(["--law", "0:1/20", "--law", "3/2:0.1"]), "epsilon"))
-1/20 sign(x') + 1/10 x'|x'|^(3/2 - 1)
+1/20 sign(x') + 1/10 x'|x'|^(1/2)
 """
 
 import argparse
@@ -12,6 +12,7 @@ from asymptotics.cli.laws import MAX_LAWS, read_alpha
 from asymptotics.errors import InputError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_real
+from asymptotics.terms import Term
 
 
 def add_law(parser: argparse.ArgumentParser, strength: str, letter: str, meaning: str) -> None:
@@ -27,7 +28,7 @@ def read_law(options: argparse.Namespace, strength: str) -> Law:
     if options.law:
         if any(value is not None for value in single):
             raise InputError("--law", "it stands next to --alpha", f"either --law, or --alpha and --{strength}")
-        law = Law.of([_pair(text) for text in options.law])
+        law = Law.from_terms([_term(text) for text in options.law])
         if len(law.terms) > MAX_LAWS:
             raise InputError("--law", f"{len(law.terms)} different exponents are too many", f"at most {MAX_LAWS}")
         return law
@@ -35,14 +36,14 @@ def read_law(options: argparse.Namespace, strength: str) -> Law:
     for name, value in zip(("alpha", strength), single):
         if value is None:
             raise InputError(f"--{name}", "it is missing", f"--alpha and --{strength}, or --law A:{letter}")
-    return Law.of([(_strength(single[1], f"--{strength}"), read_alpha(single[0], "--alpha"))])
+    return Law({read_alpha(single[0], "--alpha"): _strength(single[1], f"--{strength}")})
 
 
-def _pair(text: str) -> tuple[ExactReal, ExactReal]:
+def _term(text: str) -> Term:
     alpha, colon, strength = text.partition(":")
     if not colon:
         raise InputError("--law", f"{text[:60]!r} has no colon", "exponent:strength, such as 3/2:0.1")
-    return _strength(strength, "--law"), read_alpha(alpha, "--law")
+    return Term(_strength(strength, "--law"), read_alpha(alpha, "--law"))
 
 
 def _strength(text: str, argument: str) -> ExactReal:

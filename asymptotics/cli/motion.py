@@ -66,16 +66,16 @@ def run(options: argparse.Namespace) -> Answer:
 
 def _run(options: argparse.Namespace) -> Answer:
     law = read_law(options, "damping")
-    numbers = {name: parse_real(getattr(options, name), f"--{name}") for name in _QUANTITIES}
+    numbers: dict[str, Any] = {name: parse_real(getattr(options, name), f"--{name}") for name in _QUANTITIES}
     time, digits = time_of(numbers.pop("time")), read_digits(options, MAX_DIGITS)
     order, gauge = _order_and_gauge(options, digits)
     files = {name: _file(getattr(options, name), f"--{name}") for name in ("plot", "csv")}
     if not any(numbers[n] < 0 or numbers[n] > 0 for n in ("x0", "v0")):
-        Oscillator.of(law, **(numbers | {"x0": 1}))  # the other values are checked all the same
+        Oscillator(law, **(numbers | {"x0": 1}))  # the other values are checked all the same
         return _answer(_rest(options.reference, order, gauge), options, [])
     if any(files.values()) and not time > 0:
         raise InputError("--time", "0 leaves nothing to draw or to tabulate", "a time > 0 with --plot or --csv")
-    oscillator = Oscillator.of(law, **numbers)
+    oscillator = Oscillator(law, **numbers)
     if options.reference:
         point = reference_motion(oscillator, time, digits, static=options.static)
     else:

@@ -2,7 +2,7 @@
 
 >>> from asymptotics.law import Law
 >>> from fractions import Fraction
->>> drag = Oscillator.of(Law.of([("1/10", "3/2")]))
+>>> drag = Oscillator(Law({"3/2": "1/10"}))
 >>> csv_of(drag, ExactReal(Fraction(1)), 3, "turning-point").splitlines()[:2]
 ['t,x,v,amplitude,phase', '0.0,1.0,-0.0,1.0,0.0']
 """
@@ -72,7 +72,7 @@ def _reference(
     if seconds > _MAX_SECONDS:
         reason = f"a reference motion through {time} s would take about {seconds:.0f} s"
         raise LimitError("--time", reason, f"at most {_MAX_SECONDS:.0f} s of work for files")
-    times = [ExactReal(time.coefficient * Fraction(i, rows), time.radicand) for i in range(rows + 1)]
+    times = [time * Fraction(i, rows) for i in range(rows + 1)]
     if oscillator.law.integer_alphas == (0,):  # exact, with sticking
         points = [reference_motion(oscillator, t, _REFERENCE_DIGITS, static=static) for t in times]
         x, v = (np.array([float(Fraction(text)) for text in column]) for column in zip(*((p.x, p.v) for p in points)))

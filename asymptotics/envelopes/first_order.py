@@ -5,11 +5,11 @@ not 0: the averaged law sees the energy, not the phase).  Digits are certified f
 averaged law is from the motion is a matter of ``validity`` and of higher orders.
 
 >>> from asymptotics.law import Law, Oscillator
->>> drag = Oscillator.of(Law.of([("1/10", "3/2")]), mass="3/2", stiffness="30", x0="1/5")
+>>> drag = Oscillator(Law({"3/2": "1/10"}), mass="3/2", stiffness="30", x0="1/5")
 >>> envelope = FirstOrderEnvelope(drag)
 >>> envelope.amplitude("7", 20), envelope.phase("7", 8)
 ('0.16499144423436389044', '-0.00086348062')
->>> friction = Oscillator.of(Law.of([("0.14715", "0")]), mass="3/2", stiffness="30", x0="0.2")   # Lelas, mu = 0.01
+>>> friction = Oscillator(Law({"0": "0.14715"}), mass="3/2", stiffness="30", x0="0.2")   # Lelas, mu = 0.01
 >>> FirstOrderEnvelope(friction).extinction_time(5), FirstOrderEnvelope(friction, "lelas").extinction_time(5)
 ('14.322', '12.894')
 >>> FirstOrderEnvelope(friction).amplitude("15", 5), FirstOrderEnvelope(drag).extinction_time(5)
@@ -24,9 +24,10 @@ from asymptotics.envelopes import certified
 from asymptotics.envelopes.numeric import Array, NumericEnvelope
 from asymptotics.envelopes.symbolic import LELAS, MEAN, require_averaging
 from asymptotics.errors import InputError
-from asymptotics.law import Number, Oscillator, exact_number
+from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import Number, exact_number
 
 
 @dataclass(frozen=True)
@@ -65,7 +66,7 @@ class FirstOrderEnvelope:
         """t in s at which A(t) equals an exact amplitude in m, correctly rounded; InputError unless 0 < A <= A(0)."""
         metres, start = exact_number(amplitude, "amplitude"), self.oscillator.x0
         released = not (self.oscillator.v0 < 0 or self.oscillator.v0 > 0)
-        if released and metres == ExactReal(abs(start.coefficient), start.radicand):
+        if released and metres == abs(start):
             return "0"
 
         def seconds() -> arb:

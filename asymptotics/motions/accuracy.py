@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.law import Law, Oscillator
+from asymptotics.law import Oscillator
 from asymptotics.moments.certified import moment
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import reference_motion, reference_states
@@ -77,8 +77,8 @@ def _reference(oscillator: Oscillator, times: Sequence[Fraction]) -> Any:
 def unit_oscillator(alphas: Sequence[str], kappa: Fraction) -> Oscillator:
     """m = k = x0 = 1 with sum kappa_i = kappa; epsilon_i = kappa_i / M_(alpha_i+1), rounded to a rational."""
     share = kappa / len(alphas)
-    pairs = [(share * Fraction(1 / _moment(a)).limit_denominator(10**9), a) for a in alphas]
-    return Oscillator.of(Law.of(pairs), mass=1, stiffness=1, x0=1)
+    strengths = {a: share * Fraction(1 / _moment(a)).limit_denominator(10**9) for a in alphas}
+    return Oscillator(strengths)
 
 
 def _moment(alpha: str) -> float:

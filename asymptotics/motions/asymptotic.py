@@ -14,7 +14,7 @@ If some alpha < 1 the averaged amplitude vanishes at a fictitious extinction tim
 and said to be so.
 
 >>> from asymptotics.law import Law
->>> drag = Oscillator.of(Law.of([("1/10", "3/2")]), mass="3/2", stiffness="30", x0="1/5")
+>>> drag = Oscillator(Law({"3/2": "1/10"}), mass="3/2", stiffness="30", x0="1/5")
 >>> first = AsymptoticMotion.of(drag, order=1).at("7", 8)
 >>> first.x, first.amplitude                         # Lancaster (13): 0.2 A cos(7 sqrt(20))
 ('0.16397652', '0.16499144')
@@ -35,7 +35,7 @@ from flint import acb, arb, ctx
 
 from asymptotics.errors import InputError, LimitError
 from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.law import Number, Oscillator, exact_number
+from asymptotics.law import Oscillator
 from asymptotics.motions.certify import half_unit
 from asymptotics.motions.result import MotionPoint, MotionSamples
 from asymptotics.motions.slow_flow import ExponentialSum, SlowLaw, SlowTable
@@ -44,6 +44,7 @@ from asymptotics.normal_form.expansion import Expansion, expansion_of
 from asymptotics.normal_form.flow import Flow
 from asymptotics.normal_form.gauges import TURNING_POINT, require_gauge
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.series import Key
 
 MAX_ORDER, MAX_DIGITS = 12, 300

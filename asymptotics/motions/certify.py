@@ -14,10 +14,10 @@ from fractions import Fraction
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, UndecidedError
-from asymptotics.law import Number, exact_number
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import Number, exact_number
 
 MAX_BITS = 1 << 16
 

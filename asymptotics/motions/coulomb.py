@@ -11,7 +11,7 @@ centre in general.  A start with v0 != 0 joins its half-swing in the middle, R^2
 Certified: balls, and the number of half-swings until rest is decided exactly when r_0, c and h are rational.
 
 >>> from asymptotics.law import Law
->>> mass = Oscillator.of(Law.of([("3", "0")]), mass=1, stiffness=10, x0=1)               # c = 3/10
+>>> mass = Oscillator(Law({"0": "3"}), mass=1, stiffness=10, x0=1)               # c = 3/10
 >>> [(m.x, m.v) for m in (coulomb_motion(mass, t, 10) for t in ("1", "5"))]
 [('-0.3999786073', '0.006540706969'), ('-0.2000000000', '0')]
 >>> stop = coulomb_stop(mass, 10)
@@ -28,10 +28,11 @@ from math import ceil
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, UndecidedError
-from asymptotics.law import Number, Oscillator, exact_number
+from asymptotics.law import Oscillator
 from asymptotics.motions.certify import certified_point, certified_values, time_of
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.numbers.rationals import to_fmpq
 
 METHOD = "exact: dry friction, certified balls"
@@ -127,8 +128,9 @@ def coulomb_stop(oscillator: Oscillator, digits: int = 30, *, static: Number | N
 
 
 def _hold(oscillator: Oscillator, static: Number | None) -> ExactReal:
+    oscillator.law.require_pure("the exact solution")
     terms = oscillator.law.terms
-    if len(terms) != 1 or terms[0].alpha > 0 or not terms[0].b > 0:
+    if len(terms) != 1 or terms[0].velocity > 0 or not terms[0].b > 0:
         raise InputError("law", f"{oscillator.law} is not dry friction alone", "one term, alpha = 0 and b > 0")
     force = terms[0].b if static is None else exact_number(static, "static")
     if force < terms[0].b:

@@ -8,7 +8,7 @@ Smith 2012: u = gamma x, gamma = b/m, p = 2|u| at a turning point.  On the half-
 chi is enclosed between two numbers at which ``elapsed`` is certainly below and certainly above the time asked for.
 
 >>> from asymptotics.law import Law
->>> unit = Oscillator.of(Law.of([("1", "2")]))
+>>> unit = Oscillator(Law({"2": "1"}))
 >>> quadratic_motion(unit, "2", 15).x
 '-0.0320021521515164'
 """
@@ -16,10 +16,11 @@ chi is enclosed between two numbers at which ``elapsed`` is certainly below and 
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.law import Number, Oscillator
+from asymptotics.law import Oscillator
 from asymptotics.motions.certify import certified_point, time_of
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.decimals import bits_for
+from asymptotics.numbers.policy import Number
 from asymptotics.turning.quadratic_duration import duration, elapsed, node_count
 from asymptotics.turning.quadratic_map import next_amplitude
 
@@ -34,8 +35,9 @@ def quadratic_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Mot
     InputError for another law, v0 != 0 or t < 0; LimitError for more than ``MAX_HALF_SWINGS``.
     """
     moment = time_of(t)
+    oscillator.law.require_pure("the exact solution")
     terms = oscillator.law.terms
-    if len(terms) != 1 or not terms[0].alpha.is_rational or terms[0].alpha.rational != 2 or not terms[0].b > 0:
+    if len(terms) != 1 or not terms[0].velocity.is_rational or terms[0].velocity.rational != 2 or not terms[0].b > 0:
         raise InputError("law", f"{oscillator.law} is not quadratic damping alone", "one term, alpha = 2 and b > 0")
     if oscillator.v0 < 0 or oscillator.v0 > 0:
         raise InputError("v0", f"{oscillator.v0}: the certified motion starts at a turning point", "0")

@@ -8,7 +8,7 @@
 Against a naive |v| (PEERS 4): heyoka without an event is wrong in the third digit, mpmath.odefun in the fourth.
 
 >>> from asymptotics.law import Law
->>> drag = Oscillator.of(Law.of([("1/10", "3/2")]), mass="3/2", stiffness="30", x0="1/5")
+>>> drag = Oscillator(Law({"3/2": "1/10"}), mass="3/2", stiffness="30", x0="1/5")
 >>> point = reference_motion(drag, "7", 25)
 >>> point.x, point.v, point.certified
 ('0.1638530834465485203993630', '0.08231344544936238811035480', False)
@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.law import Law, Number, Oscillator
+from asymptotics.law import Oscillator, PhysicalLaw
 from asymptotics.motions.certify import half_unit, time_of
 from asymptotics.motions.coulomb import coulomb_motion
 from asymptotics.motions.linear import linear_motion
@@ -29,6 +29,7 @@ from asymptotics.motions.quadratic import quadratic_is_feasible, quadratic_motio
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import Number
 from asymptotics.turning.local_expansion import Damping
 from asymptotics.turning.swing import orbit
 
@@ -58,6 +59,7 @@ def reference_motion(
     InputError for t < 0 or anti-damping, LimitError for too much work, UndecidedError if the precisions disagree.
     """
     moment = time_of(t)
+    oscillator.law.require_pure("the reference motion")
     oscillator.law.require_dissipative("reference motion to rest")
     exact = _exact(oscillator, moment, digits, static)
     if exact is not None:
@@ -123,14 +125,12 @@ def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> li
 
 
 def _exact(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | None) -> MotionPoint | None:
-    acting = tuple(term for term in oscillator.law.terms if term.b > 0)
-    if len(acting) > 1 or (acting and not acting[0].alpha.is_rational):
+    acting = tuple(term for term in oscillator.law.terms if term.strength.sign > 0)
+    if len(acting) > 1 or (acting and not acting[0].velocity.is_rational):
         return None
-    alone = Oscillator(
-        Law(acting or oscillator.law.terms[:1], oscillator.law.notes),
-        oscillator.mass, oscillator.stiffness, oscillator.x0, oscillator.v0,
-    )  # fmt: skip
-    alpha = acting[0].alpha.rational if acting else 1
+    law = PhysicalLaw.from_terms(acting or oscillator.law.terms[:1], oscillator.law.notes)
+    alone = oscillator.with_law(law)
+    alpha = acting[0].velocity.rational if acting else 1
     if alpha == 0:
         return coulomb_motion(alone, t, digits, static=static)
     if alpha == 1:

@@ -46,13 +46,13 @@ class TurningPointErrors:
 
 def turning_point_errors(alpha: str, epsilon: str, order: int, tau_max: float) -> TurningPointErrors:
     """The errors of ``order`` at all turning points with tau <= ``tau_max`` (at most about tau_max/pi of them)."""
-    law = Law.of([(epsilon, alpha)])
+    law = Law({alpha: epsilon})
     table = _reference(law, int(tau_max / np.pi) + 2)
     rows = [(p.n, _number(p.x), _number(p.tau or "0")) for p in table.points[1:]]
     n, x, tau = (np.array(column) for column in zip(*rows)) if rows else (np.array([]),) * 3
     kept = (tau <= tau_max) & (x != 0)
     n, x, tau = n[kept], x[kept], tau[kept]
-    motion = AsymptoticMotion.of(Oscillator.of(law, mass=1, stiffness=1, x0=1), order).sample(tau)
+    motion = AsymptoticMotion.of(Oscillator(law, mass=1, stiffness=1, x0=1), order).sample(tau)
     with np.errstate(invalid="ignore"):
         amplitude = np.abs(motion.amplitude / np.abs(x) - 1)
     return TurningPointErrors(tau, amplitude, np.abs(motion.phase + tau - n * np.pi), table.ended)

@@ -33,7 +33,7 @@ def to_sympy(q: Fraction | fmpq | ExactReal | int) -> sympy.Expr:
     (1/3, sqrt(6)/2)
     """
     if isinstance(q, ExactReal):
-        return to_sympy(q.coefficient) * sympy.sqrt(to_sympy(q.radicand))
+        return to_sympy(q.coefficient) * sympy.sqrt(to_sympy(q.radicand)) + to_sympy(q.offset)
     if isinstance(q, fmpq):
         return sympy.Rational(int(q.p), int(q.q))
     return sympy.Rational(q.numerator, q.denominator)

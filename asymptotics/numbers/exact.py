@@ -1,4 +1,4 @@
-"""What a user may type as a number, read exactly.
+"""What a user may type as a number, read exactly, and the numbers that come of it.
 
 >>> parse_rational("-2.5e-3", "--epsilon")
 Fraction(-1, 400)
@@ -10,13 +10,16 @@ Traceback (most recent call last):
 asymptotics.errors.InputError: argument --alpha: "__import__('os')" is not an exact number (accepted: ...)
 
 The grammar is a regular expression: nothing that is typed is ever evaluated.  Exponents have at most three digits and
-a number at most a thousand characters, so reading one cannot exhaust the machine.
+a number at most a thousand characters, so reading one cannot exhaust the machine.  What other libraries call a number
+is read by ``numbers.policy``.
 """
 
 import re
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
 from math import isqrt
+from operator import mul
 
 from flint import arb, fmpq
 
@@ -31,22 +34,61 @@ RATIONAL_FORMS = "3, 3/2, 0.1, -2.5e-3"
 REAL_FORMS = RATIONAL_FORMS + ", sqrt(2), sqrt(3/2)"
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, init=False, repr=False, eq=False)
 class ExactReal:
-    """The real number ``coefficient * sqrt(radicand)``, exactly; ``radicand`` is 1 or not a rational square.
+    """The real number ``coefficient * sqrt(radicand) + offset``, exactly; a rational number is its ``coefficient``.
+
+    Equality and order are those of the numbers, decided by signs and squares, so no integer is ever factored.  Sums and
+    products stay exact as long as one root suffices; InputError otherwise.
 
     >>> x = parse_real("sqrt(2)", "x")
-    >>> str(x), x.is_rational, x > 1
-    ('sqrt(2)', False, True)
+    >>> str(x), x.is_rational, x > 1, x * x == 2, x + parse_real("sqrt(8)", "y") == 3 * x
+    ('sqrt(2)', False, True, True, True)
+    >>> ExactReal(Fraction(1), Fraction(4)), x - 1, 1 / (x - 1) == x + 1
+    (ExactReal('2'), ExactReal('sqrt(2) - 1'), True)
+    >>> x + parse_real("sqrt(3)", "y")
+    Traceback (most recent call last):
+        ...
+    asymptotics.errors.InputError: argument sum: sqrt(2) + sqrt(3) needs two roots (accepted: ...)
     """
 
     coefficient: Fraction
-    radicand: Fraction = Fraction(1)
+    radicand: Fraction
+    offset: Fraction
+
+    def __init__(
+        self, coefficient: Fraction | int, radicand: Fraction | int = 1, offset: Fraction | int = 0
+    ) -> None:
+        for name, value in (("coefficient", coefficient), ("radicand", radicand), ("offset", offset)):
+            if isinstance(value, bool) or not isinstance(value, int | Fraction):
+                raise InputError(name, f"{value!r:.40} is a {type(value).__name__}", "a Fraction or an int")
+        if radicand < 0:
+            raise InputError("radicand", f"{radicand} is negative: its root is not real", "a number >= 0")
+        root = _rational_root(Fraction(radicand)) if coefficient else Fraction(0)
+        parts = (coefficient, radicand, offset) if root is None else (coefficient * root + offset, 1, 0)
+        for name, value in zip(("coefficient", "radicand", "offset"), parts):
+            object.__setattr__(self, name, Fraction(value))
 
     @property
     def is_rational(self) -> bool:
         """Whether the number is rational (then it equals ``coefficient``)."""
         return self.radicand == 1
+
+    @property
+    def is_integer(self) -> bool:
+        """Whether the number is an integer."""
+        return self.is_rational and self.coefficient.denominator == 1
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the number is 0."""
+        return not self.coefficient
+
+    @property
+    def sign(self) -> int:
+        """-1, 0 or 1: of the greater in size of the two parts, root and offset."""
+        root, square = _sign(self.coefficient), self.coefficient**2 * self.radicand
+        return root if square > self.offset**2 else _sign(self.offset)
 
     @property
     def rational(self) -> Fraction:
@@ -60,23 +102,91 @@ class ExactReal:
         q = arb(fmpq(self.coefficient.numerator, self.coefficient.denominator))
         if self.is_rational:
             return q
-        return q * arb(fmpq(self.radicand.numerator, self.radicand.denominator)).sqrt()
+        root = arb(fmpq(self.radicand.numerator, self.radicand.denominator)).sqrt()
+        return q * root + fmpq(self.offset.numerator, self.offset.denominator)
 
-    def _signed_square(self) -> Fraction:
-        square = self.coefficient**2 * self.radicand
-        return square if self.coefficient >= 0 else -square
+    def _compared(self, other: "int | Fraction | ExactReal") -> int:
+        """The sign of self - other, whatever the two roots."""
+        y = _exact(other)
+        if y.is_rational:
+            return (self - y).sign
+        rest = self - y.offset  # against the root of y: by signs, else by squares
+        root = _sign(y.coefficient)
+        if rest.sign != root:
+            return rest.sign - root
+        return root * (rest * rest - y.coefficient**2 * y.radicand).sign
+
+    def __eq__(self, other: object) -> bool:
+        return self._compared(other) == 0 if isinstance(other, int | Fraction | ExactReal) else NotImplemented
+
+    def __hash__(self) -> int:
+        if self.is_rational:
+            return hash(self.coefficient)
+        return hash((self.offset, _sign(self.coefficient), self.coefficient**2 * self.radicand))
 
     def __lt__(self, other: "int | Fraction | ExactReal") -> bool:
-        return self._signed_square() < _exact(other)._signed_square()
+        return self._compared(other) < 0
 
     def __gt__(self, other: "int | Fraction | ExactReal") -> bool:
-        return self._signed_square() > _exact(other)._signed_square()
+        return self._compared(other) > 0
+
+    def __le__(self, other: "int | Fraction | ExactReal") -> bool:
+        return self._compared(other) <= 0
+
+    def __ge__(self, other: "int | Fraction | ExactReal") -> bool:
+        return self._compared(other) >= 0
+
+    def __neg__(self) -> "ExactReal":
+        return ExactReal(-self.coefficient, self.radicand, -self.offset)
+
+    def __abs__(self) -> "ExactReal":
+        return -self if self.sign < 0 else self
+
+    def __add__(self, other: "int | Fraction | ExactReal") -> "ExactReal":
+        a, b, root, c, d = _over_one_root(self, _exact(other), "+")
+        return ExactReal(a + c, root, b + d)
+
+    def __mul__(self, other: "int | Fraction | ExactReal") -> "ExactReal":
+        y = _exact(other)
+        if not self.offset and not y.offset:
+            return ExactReal(self.coefficient * y.coefficient, self.radicand * y.radicand)
+        a, b, root, c, d = _over_one_root(self, y, "*")
+        return ExactReal(a * d + b * c, root, a * c * root + b * d)
+
+    def _inverse(self) -> "ExactReal":
+        """By the conjugate; ZeroDivisionError for 0."""
+        if self.is_rational:
+            return ExactReal(1 / self.coefficient)
+        norm = self.offset**2 - self.coefficient**2 * self.radicand
+        return ExactReal(-self.coefficient / norm, self.radicand, self.offset / norm)
+
+    def __sub__(self, other: "int | Fraction | ExactReal") -> "ExactReal":
+        return self + -_exact(other)
+
+    def __rsub__(self, other: "int | Fraction") -> "ExactReal":
+        return _exact(other) + -self
+
+    def __truediv__(self, other: "int | Fraction | ExactReal") -> "ExactReal":
+        return self * _exact(other)._inverse()
+
+    def __rtruediv__(self, other: "int | Fraction") -> "ExactReal":
+        return _exact(other) * self._inverse()
+
+    def __pow__(self, n: int) -> "ExactReal":
+        base = self if n >= 0 else self._inverse()
+        if not base.offset:
+            half, odd = divmod(abs(n), 2)
+            return ExactReal(base.coefficient ** abs(n) * base.radicand**half, base.radicand if odd else Fraction(1))
+        return reduce(mul, [base] * abs(n), ExactReal(Fraction(1)))
+
+    __radd__, __rmul__ = __add__, __mul__
 
     def __str__(self) -> str:
         if self.is_rational:
             return str(self.coefficient)
         factor = {"1": "", "-1": "-"}.get(str(self.coefficient), f"{self.coefficient}*")
-        return f"{factor}sqrt({self.radicand})"
+        rest = f" {'-' if self.offset < 0 else '+'} {abs(self.offset)}" if self.offset else ""
+        return f"{factor}sqrt({self.radicand}){rest}"
 
     def __repr__(self) -> str:
         return f"ExactReal({str(self)!r})"
@@ -86,16 +196,56 @@ def _exact(x: "int | Fraction | ExactReal") -> ExactReal:
     return x if isinstance(x, ExactReal) else ExactReal(Fraction(x))
 
 
+def _sign(q: Fraction) -> int:
+    return (q > 0) - (q < 0)
+
+
+def _over_one_root(
+    x: ExactReal, y: ExactReal, operation: str
+) -> tuple[Fraction, Fraction, Fraction, Fraction, Fraction]:
+    """(a, b, r, c, d) with x = a sqrt(r) + b and y = c sqrt(r) + d; InputError when there is no such r."""
+    if y.is_rational:
+        parts = (x.coefficient, x.offset) if not x.is_rational else (Fraction(0), x.coefficient)
+        return *parts, x.radicand, Fraction(0), y.coefficient
+    if x.is_rational:
+        return Fraction(0), x.coefficient, y.radicand, y.coefficient, y.offset
+    ratio = _rational_root(y.radicand / x.radicand)
+    if ratio is None:
+        name = "sum" if operation == "+" else "product"
+        raise InputError(name, f"{x} {operation} {y} needs two roots", "numbers with one square root between them")
+    return x.coefficient, x.offset, x.radicand, y.coefficient * ratio, y.offset
+
+
+def _rational_root(q: Fraction) -> Fraction | None:
+    """The square root of q >= 0 when it is rational, else None."""
+    a, b = isqrt(q.numerator), isqrt(q.denominator)
+    return Fraction(a, b) if a * a == q.numerator and b * b == q.denominator else None
+
+
 def square_root(q: Fraction) -> ExactReal:
     """The square root of a rational q >= 0, reduced when q is a square.
 
     >>> square_root(Fraction(9, 4)), square_root(Fraction(3, 2))
     (ExactReal('3/2'), ExactReal('sqrt(3/2)'))
     """
-    a, b = isqrt(q.numerator), isqrt(q.denominator)
-    if a * a == q.numerator and b * b == q.denominator:
-        return ExactReal(Fraction(a, b))
     return ExactReal(Fraction(1), q)
+
+
+def exact_power(base: ExactReal, exponent: ExactReal) -> ExactReal | None:
+    """base^exponent for base > 0 when it is a rational multiple of one root, else None (not known to be one).
+
+    >>> half = ExactReal(Fraction(1, 2))
+    >>> exact_power(ExactReal(Fraction(8)), half), exact_power(half, half / 2)
+    (ExactReal('sqrt(8)'), None)
+    """
+    if base == 1 or exponent.is_zero:
+        return ExactReal(Fraction(1))
+    if exponent.is_integer and abs(exponent.rational) <= 1000:
+        return base ** int(exponent.rational)
+    twice = exponent * 2
+    if base.is_rational and twice.is_integer and abs(twice.rational) <= 1000:
+        return square_root(base.rational ** int(twice.rational))
+    return None
 
 
 def parse_rational(text: str, argument: str, accepted: str = RATIONAL_FORMS) -> Fraction:
@@ -117,8 +267,7 @@ def parse_real(text: str, argument: str) -> ExactReal:
     radicand = parse_rational(root["radicand"], argument, REAL_FORMS)
     if radicand < 0:
         raise InputError(argument, f"{_shown(text)} is not real", REAL_FORMS)
-    value = square_root(radicand)
-    return ExactReal(-value.coefficient, value.radicand) if root["sign"] == "-" else value
+    return -square_root(radicand) if root["sign"] == "-" else square_root(radicand)
 
 
 def parse_integer(text: str, argument: str, low: int, high: int) -> int:

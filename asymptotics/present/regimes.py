@@ -20,7 +20,7 @@ def draw(axes: Any) -> None:
     panels = figure.subplots(1, len(CASES), sharey=True)
     for panel, (alpha, epsilon, tau_max) in zip(panels, CASES):
         tau = [Fraction(tau_max * k, _POINTS) for k in range(1, _POINTS + 1)]
-        oscillator = Oscillator.of(Law.of([(epsilon, alpha)]), mass=1, stiffness=1, x0=1)
+        oscillator = Oscillator(Law({alpha: epsilon}), mass=1, stiffness=1, x0=1)
         states = reference_states(oscillator, [ExactReal(t) for t in tau], _DIGITS)
         x = np.array([1.0, *(float(x.mid()) for x in states.x)])
         times = np.array([0.0, *map(float, tau)])

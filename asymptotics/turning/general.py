@@ -12,10 +12,10 @@ That is strong evidence, not a proof: ``certified`` is then False.
 
 For alpha > 1 alone the sequence never ends, however strong the damping (derivation ``no-overdamping``).
 
->>> table = turning_points(Law.of([("1/10", "3/2")]), 2, 20, times=True)
+>>> table = turning_points(Law({"3/2": "1/10"}), 2, 20, times=True)
 >>> table.points[1], table.certified
 (TurningPoint(n=1, x='-0.87019329198866231436', tau='3.1460821722171718997'), False)
->>> half = turning_points(Law.of([("1", "1/2")]), 4, 10)
+>>> half = turning_points(Law({"1/2": "1"}), 4, 10)
 >>> [p.x for p in half.points], half.ended
 (['1.000000000'], {'n': 0, 'reason': 'creeps'})
 """
@@ -28,6 +28,7 @@ from flint import arb, ctx
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.coulomb import coulomb_turning_points
 from asymptotics.turning.linear import linear_turning_points
 from asymptotics.turning.local_expansion import Damping
@@ -55,17 +56,20 @@ def turning_points(
     ``progress`` is called with the number of points finished.  Raises InputError for a negative strength, LimitError
     for more work than the stated limits, UndecidedError if the two precisions do not agree.
     """
+    law = Law.read(law)
     law.require_dissipative("a sequence of turning points to rest")
-    acting = [t for t in law.terms if t.b > 0] or [law.terms[0]]
-    if len(acting) == 1 and acting[0].alpha.is_rational:
-        epsilon, alpha = acting[0].b, acting[0].alpha.rational
+    law.require_pure("this sequence of turning points")
+    acting = [t for t in law.terms if t.strength.sign > 0] or [law.terms[0]]
+    epsilon = acting[0].strength
+    if len(acting) == 1 and acting[0].velocity.is_rational and isinstance(epsilon, ExactReal):
+        alpha = acting[0].velocity.rational
         if alpha == 0:
             return coulomb_turning_points(epsilon, count, digits, start=start, times=times)
         if alpha == 1:
             return linear_turning_points(epsilon, count, digits, start=start, times=times)
         if alpha == 2:
             return quadratic_turning_points(epsilon, count, digits, start=start, times=times, progress=progress)
-    return _integrated(Law(tuple(acting)), count, digits, start, times, progress)
+    return _integrated(Law.from_terms(acting), count, digits, start, times, progress)
 
 
 def _integrated(
@@ -79,7 +83,8 @@ def _integrated(
         rows, ended = _run(law, start + count, bits, progress)
         if len(rows) == len(previous) and all(_agree(a, b, digits) for a, b in zip(rows, previous)):
             points = tuple(_point(n, rows[n], digits, times) for n in range(start, min(start + count, len(rows))))
-            alpha, epsilon = (",".join(map(str, column)) for column in zip(*((t.alpha, t.b) for t in law.terms)))
+            columns = zip(*((t.velocity, t.strength) for t in law.terms))
+            alpha, epsilon = (",".join(map(str, column)) for column in columns)
             method = f"half-swing by half-swing, agreement of {bits - step} and {bits} bits"
             return TurningPoints(alpha, epsilon, digits, points, method, False, ended)
         previous = rows
@@ -91,7 +96,7 @@ def _run(
 ) -> tuple[Rows, dict[str, Any] | None]:
     """(x_n, tau_n) for n < last, and how the sequence ended if there is no turning point n = last."""
     with ctx.workprec(bits):
-        damping = Damping.of([(t.b.ball(), t.alpha) for t in law.terms])
+        damping = Damping.of([(t.strength.ball(), t.velocity) for t in law.terms])
         rows = [(arb(1), arb(0))]
         for piece in orbit(damping, arb(1), arb(0)):
             if piece.trapped is not None:
@@ -117,7 +122,7 @@ def _point(n: int, row: tuple[arb, arb], digits: int, times: bool) -> TurningPoi
 def estimated_seconds(law: Law, last: int, digits: int) -> float:
     """The expected time, from measurements at 30 and 60 digits; good to a factor of about three."""
     bits = bits_for(digits, 40)
-    apart = 1 + 5 * sum(not (t.alpha.is_rational and t.alpha.rational.denominator <= 20) for t in law.terms)
+    apart = 1 + 5 * sum(not (t.velocity.is_rational and t.velocity.rational.denominator <= 20) for t in law.terms)
     seconds: float = 2.5 * (last + 1) * 0.04 * (bits / 150) ** 2.5 * apart * len(law.terms)
     return seconds
 

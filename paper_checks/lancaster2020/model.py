@@ -95,11 +95,11 @@ def dimension(expression: sympy.Expr) -> sympy.Expr:
 @cache
 def exact_states(laws: tuple[tuple[str, str], ...], times: tuple[str, ...]) -> tuple[tuple[float, float], ...]:
     """(X, X') at ascending dimensionless times for laws (alpha, epsilon), from rest at X = 1; heuristic."""
-    law = Law.of([(epsilon, a) for a, epsilon in laws])
+    law = Law(dict(laws))
     states: list[tuple[float, float]] = []
     with ctx.workprec(BITS):
         wanted = [arb(sympy.Rational(time).p) / sympy.Rational(time).q for time in times]
-        damping = Damping.of([(term.b.ball(), term.alpha) for term in law.terms])
+        damping = Damping.of([(term.strength.ball(), term.velocity) for term in law.terms])
         for piece in orbit(damping, arb(1), arb(0)):
             while len(states) < len(wanted) and (piece.end is None or wanted[len(states)] <= piece.end):
                 states.append(tuple(float(c.mid()) for c in piece.at(wanted[len(states)])))

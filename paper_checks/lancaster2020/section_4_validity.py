@@ -155,7 +155,7 @@ def valid_for_any_strength(form: sympy.Expr) -> Outcome:
 def _within(epsilon: int, earliest: sympy.Expr, tolerance: str) -> bool:
     """Whether (13) meets |X| at the first turning point after ``earliest``, alpha = 2, certified."""
     count = int(earliest / 3) + 2  # a half-swing takes at least pi
-    table = quadratic_turning_points(Law.of([(epsilon, 2)]).terms[0].b, 1, 20, start=count, times=True)
+    table = quadratic_turning_points(Law({2: epsilon}).terms[0].strength, 1, 20, start=count, times=True)
     return _close(epsilon, table.points[0].x, table.points[0].tau, tolerance)
 
 
@@ -228,7 +228,7 @@ def large_strength(form: sympy.Expr) -> Outcome:
     for epsilon in (sympy.Rational(1, 10), 1, 2, 5, 100):
         if epsilon > form:
             break
-        table = quadratic_turning_points(Law.of([(str(epsilon), 2)]).terms[0].b, 6, 20, times=True)
+        table = quadratic_turning_points(Law({2: str(epsilon)}).terms[0].strength, 6, 20, times=True)
         if not all(_close(epsilon, point.x, point.tau, "0.05") for point in table.points[1:]):
             return Outcome.REFUTED
     return Outcome.CONFIRMED

@@ -167,7 +167,7 @@ def _turning_points_of_figure_2() -> list[tuple[float, float, float]]:
     epsilon = sympy.Rational(4152, 10000)
     with ctx.workprec(80):
         kappa = float((closed_form_ball(mean(THREE_HALVES)) * arb(4152) / 10000).mid())
-    table = turning_points(Law.of([(from_sympy(epsilon), "3/2")]), 10, 12, times=True)
+    table = turning_points(Law({"3/2": from_sympy(epsilon)}), 10, 12, times=True)
     return [(abs(float(point.x)), float(point.tau or 0), kappa) for point in table.points[1:]]
 
 

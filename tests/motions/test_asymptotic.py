@@ -13,11 +13,11 @@ from asymptotics.motions.reference import reference_motion, reference_states
 from asymptotics.normal_form.gauges import GAUGES
 from asymptotics.numbers.exact import ExactReal
 
-DRAG = Oscillator.of(Law.of([("1/10", "3/2")]), mass="3/2", stiffness="30", x0="1/5")
+DRAG = Oscillator(Law({"3/2": "1/10"}), mass="3/2", stiffness="30", x0="1/5")
 
 
 def oscillator(*pairs, **rest):
-    return Oscillator.of(Law.of([(b, a) for a, b in pairs]), **rest)
+    return Oscillator(dict(pairs), **rest)
 
 
 def error(system, order, t, gauge="turning-point"):

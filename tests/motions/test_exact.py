@@ -15,7 +15,7 @@ from asymptotics.turning.general import turning_points
 
 
 def oscillator(alpha, b, **rest):
-    return Oscillator.of(Law.of([(b, alpha)]), **rest)
+    return Oscillator(Law({alpha: b}), **rest)
 
 
 MOTIONS = [("0", coulomb_motion), ("1", linear_motion), ("2", quadratic_motion)]
@@ -77,7 +77,7 @@ def test_linear_motion_against_sympy():
 def test_dry_friction_stops_where_the_turning_points_say():
     system = oscillator("0", "1/10", x0="1")
     stop = coulomb_stop(system, 12)
-    table = turning_points(Law.of([("1/10", "0")]), 99, 12, times=True)
+    table = turning_points(Law({"0": "1/10"}), 99, 12, times=True)
     assert stop.half_swings == table.ended["n"] == 5 and (stop.x, stop.t) == (table.points[-1].x, table.points[-1].tau)
     late = coulomb_motion(system, "1000", 12)
     assert (late.x, late.v) == (stop.x, "0")
@@ -109,7 +109,7 @@ def test_a_kicked_mass_under_dry_friction():
 
 
 def test_quadratic_motion_passes_the_turning_points():
-    table = turning_points(Law.of([("1", "2")]), 3, 10, times=True)
+    table = turning_points(Law({"2": "1"}), 3, 10, times=True)
     for point in table.points[1:]:
         near = quadratic_motion(oscillator("2", "1"), Fraction(point.tau), 6)
         assert abs(Fraction(near.x) - Fraction(point.x)) < Fraction(1, 10**6)

@@ -7,7 +7,7 @@ from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import InputError, LimitError
-from asymptotics.law import Law, Oscillator
+from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion, reference_states
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.turning.local_expansion import Damping
@@ -15,7 +15,7 @@ from asymptotics.turning.swing import orbit
 
 
 def oscillator(*pairs, **rest):
-    return Oscillator.of(Law.of([(b, a) for a, b in pairs]), **rest)
+    return Oscillator(dict(pairs), **rest)
 
 
 def gap(a, b):

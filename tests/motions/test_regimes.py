@@ -12,7 +12,7 @@ from asymptotics.turning.general import turning_points
 
 
 def states(epsilon: str, alpha: str, times: list[int]) -> list[float]:
-    oscillator = Oscillator.of(Law.of([(epsilon, alpha)]), mass=1, stiffness=1, x0=1)
+    oscillator = Oscillator(Law({alpha: epsilon}), mass=1, stiffness=1, x0=1)
     found = reference_states(oscillator, [ExactReal(Fraction(t)) for t in times], 10)
     return [float(x.mid()) for x in found.x]
 
@@ -32,14 +32,14 @@ def test_creep_follows_its_law(alpha):
 @pytest.mark.parametrize(("alpha", "epsilon"), [("2", "100"), ("3", "100"), ("3/2", "10")])
 def test_alpha_above_one_is_never_overdamped(alpha, epsilon):
     # However strong the damping, the mass passes the equilibrium: there is a next turning point, on the other side.
-    table = turning_points(Law.of([(epsilon, alpha)]), 3, 10, times=True)
+    table = turning_points(Law({alpha: epsilon}), 3, 10, times=True)
     assert table.ended is None
     assert [p.x.startswith("-") for p in table.points] == [False, True, False]
 
 
 def test_strong_quadratic_drag_creeps_at_first():
     # eps = 100: the first half-swing lasts sqrt(2) (sqrt(y) + log(2)/sqrt(y) + ...), y = 1 + 200, not about pi.
-    table = turning_points(Law.of([("100", "2")]), 3, 10, times=True)
+    table = turning_points(Law({"2": "100"}), 3, 10, times=True)
     first, second = (float(p.tau) for p in table.points[1:])
     with ctx.workprec(60):
         expected = arb(402).sqrt() + arb(2).log() * (arb(2) / 201).sqrt()

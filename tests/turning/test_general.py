@@ -17,7 +17,7 @@ from asymptotics.turning.swing import orbit, trap
 
 
 def law(*pairs):
-    return Law.of([(e, a) for a, e in pairs])
+    return Law(dict(pairs))
 
 
 def damping(*pairs):

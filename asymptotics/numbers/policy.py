@@ -1,0 +1,114 @@
+"""The one number policy: what every public entry accepts as an exact number, and what it refuses by name.
+
+Accepted: text (``"3/2"``, ``"0.1"``, ``"sqrt(2)"``), int, Fraction, Decimal, SymPy rationals and their square roots,
+NumPy integers, FLINT integers and rationals, ``ExactReal``.  A float is read as its shortest decimal, because 0.1 is
+what was typed and 3602879701896397/2^55 is not; whoever reads one says so in the notes of the result (``float_notes``).
+
+>>> [str(exact_number(x, "alpha")) for x in ("3/2", Decimal("1.5"), 1.5, sympy.Rational(3, 2), Fraction(3, 2), 2)]
+['3/2', '3/2', '3/2', '3/2', '3/2', '2']
+>>> exact_number(2 * sympy.sqrt(3), "alpha"), float_notes(alpha=0.1, b="0.1")
+(ExactReal('2*sqrt(3)'), ('alpha: the float 0.1 was read as 1/10',))
+>>> exact_number(float("nan"), "alpha")
+Traceback (most recent call last):
+    ...
+asymptotics.errors.InputError: argument alpha: nan is not a finite number (accepted: 3, 3/2, 0.1, ...)
+"""
+
+import math
+import numbers
+import reprlib
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import sympy
+from flint import fmpq, fmpz
+
+from asymptotics.errors import InputError
+from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_rational, parse_real
+
+Number = str | int | float | Fraction | Decimal | ExactReal | sympy.Expr | numbers.Integral
+_MAX_DIGITS = 1000  # as for text: reading a number must not exhaust the machine
+
+
+def exact_number(value: Any, argument: str) -> ExactReal:
+    """``value`` as an exact real number; InputError names ``argument`` for everything that is not one."""
+    if isinstance(value, ExactReal):
+        return value
+    if isinstance(value, str):
+        return parse_real(value, argument)
+    if isinstance(value, bool):
+        raise InputError(argument, f"{value} is a bool, not a number", REAL_FORMS)
+    if isinstance(value, Decimal):
+        return ExactReal(_decimal(value, argument))
+    if isinstance(value, fmpq | fmpz):
+        q = fmpq(value)
+        return ExactReal(Fraction(int(q.p), int(q.q)))
+    if isinstance(value, numbers.Rational):  # int, Fraction, SymPy and NumPy integers
+        return ExactReal(Fraction(int(value.numerator), int(value.denominator)))
+    if isinstance(value, sympy.Expr):
+        return _from_sympy(value, argument)
+    if isinstance(value, numbers.Real):  # float, numpy.float64, numpy.float32
+        if not math.isfinite(value):
+            raise InputError(argument, f"{value} is not a finite number", REAL_FORMS)
+        return ExactReal(parse_rational(str(value), argument))
+    raise InputError(argument, f"{_shown(value)} is not an exact number", REAL_FORMS)
+
+
+def exact_integer(value: Any, argument: str, low: int, high: int) -> int:
+    """``value`` as an int in [low, high]; InputError names ``argument`` otherwise (2.0 is 2, True is refused).
+
+    >>> exact_integer(4.0, "order", 1, 40)
+    4
+    """
+    accepted = f"an integer from {low} to {high}"
+    try:
+        number = exact_number(value, argument)
+    except InputError as error:
+        raise InputError(argument, error.reason, accepted) from None
+    if not number.is_integer:
+        raise InputError(argument, f"{number} is not an integer", accepted)
+    if not low <= number <= high:
+        raise InputError(argument, f"{number} is out of range", accepted)
+    return int(number.rational)
+
+
+def float_notes(**values: Any) -> tuple[str, ...]:
+    """One note for each keyword whose value is a float: what it was read as."""
+    return tuple(
+        f"{name}: the float {value!s} was read as {exact_number(value, name)}"
+        for name, value in values.items()
+        if isinstance(value, numbers.Real) and not isinstance(value, numbers.Rational | Decimal)
+    )
+
+
+def _decimal(value: Decimal, argument: str) -> Fraction:
+    if not value.is_finite():
+        raise InputError(argument, f"{value} is not a finite number", REAL_FORMS)
+    exponent = value.as_tuple().exponent
+    if abs(int(exponent)) > _MAX_DIGITS or len(value.as_tuple().digits) > _MAX_DIGITS:
+        raise InputError(argument, f"it has more than {_MAX_DIGITS} digits", REAL_FORMS)
+    return Fraction(value)
+
+
+def _from_sympy(value: sympy.Expr, argument: str) -> ExactReal:
+    """A SymPy rational, or a rational times a square root plus a rational."""
+    if value.is_Float:
+        if not value.is_finite:
+            raise InputError(argument, f"{value} is not a finite number", REAL_FORMS)
+        raise InputError(argument, f"{value} is a SymPy Float, a binary number", REAL_FORMS)
+    offset, rest = value.as_coeff_Add()
+    coefficient, root = rest.as_coeff_Mul()
+    square = root**2
+    if all(part.is_Rational for part in (offset, coefficient, square)) and root.is_positive:
+        parts = (Fraction(int(part.p), int(part.q)) for part in (coefficient, square, offset))
+        return ExactReal(*parts)
+    raise InputError(argument, f"{_shown(value)} is not made of rationals and one square root", REAL_FORMS)
+
+
+def _shown(value: Any) -> str:
+    """The offending value for a one-line message: of foreign objects only the type, whose repr may be anything."""
+    kind = type(value).__name__
+    if value is None or isinstance(value, bool | complex | list | tuple | dict | bytes):
+        return f"{reprlib.repr(value)} ({kind})"
+    return f"a {kind}"
