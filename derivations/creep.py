@@ -6,9 +6,9 @@ On the slow curve w = m(y) = (y/e)^(1/alpha) friction balances the spring
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation, defined
 
-y, e, C, kappa = sympy.symbols("y e C kappa", positive=True)
+y, e, C, w = sympy.symbols("y e C w", positive=True)
 a = sympy.Symbol("a", positive=True)
 tau = sympy.Symbol("tau", positive=True)
 powsimp, diff = sympy.powsimp, sympy.diff
@@ -21,23 +21,25 @@ derivation = Derivation(
 step, holds = derivation.step, derivation.holds
 
 m = (y / e) ** (1 / a)
-step("On the slow curve w = m(y) = (y/e)^(1/alpha) friction balances the spring", y - e * m**a, 0)
+slow = defined("m", lambda y: (y / e) ** (1 / a))
+step("On the slow curve w = m(y) = (y/e)^(1/alpha) friction balances the spring", e * slow(y) ** a, y)
 boundary = C * m
-drift = y - e * (C**a * y / e) - C * diff(m, y) * (-boundary)
+drift = sympy.Symbol("D")
+rate = y - e * (C**a * y / e) - C * diff(m, y) * (-boundary)
 step(
     "The trap 0 <= w <= C m(y), y > 0: on its upper boundary w - C m(y) changes at the rate w' - C m'(y) y',"
     " w^alpha = C^alpha y/e",
-    sympy.simplify(drift / y),
+    rate / y,
     sympy.simplify(1 - C**a + C**2 / a * y ** (2 / a - 2) * e ** (-2 / a)),
 )
 step(
     "It is negative if C^2 y^(2/alpha-2) < alpha (C^alpha - 1) e^(2/alpha); for C^alpha = 2/(2-alpha) the bound is",
-    sympy.simplify(a * (C**a - 1).subs(C**a, 2 / (2 - a)) * e ** (2 / a)),
+    At(a * (C**a - 1) * e ** (2 / a), {C**a: 2 / (2 - a)}),
     a**2 / (2 - a) * e ** (2 / a),
 )
 step(
     "This C allows the largest y: (C^alpha - 1)/C^2 has its maximum there",
-    sympy.simplify((diff((C**a - 1) / C**2, C) * C**3).subs(C**a, 2 / (2 - a))),
+    At(sympy.Derivative((C**a - 1) / C**2, C) * C**3, {C**a: 2 / (2 - a)}),
     0,
 )
 holds(
@@ -46,17 +48,20 @@ holds(
     and sympy.simplify(2 / a - 2 - 2 * (1 - a) / a) == 0,
     sympy.Gt(2 / a - 2, 0),
 )
-step("On the lower boundary w = 0 the speed grows at the rate y > 0: the orbit does not turn", y - e * 0**a, y)
-w = sympy.Symbol("w", positive=True)
+step(
+    "On the lower boundary w = 0 the speed grows at the rate y > 0: the orbit does not turn",
+    At(y - e * w**a, {w: 0}),
+    y,
+)
 step(
     "Nor is y = 0 reached in finite time: inside, -y' = w <= C m(y), so d y^(1-1/alpha)/d tau <= "
     "(1/alpha - 1) C e^(-1/alpha), bounded",
-    sympy.simplify(diff(y ** (1 - 1 / a), y) * (-boundary)),
+    sympy.Derivative(y ** (1 - 1 / a), y) * -boundary,
     sympy.simplify((1 / a - 1) * C * e ** (-1 / a)),
 )
 more = sympy.Symbol("N_2", nonnegative=True)
 step("A further term N_2 >= 0 lowers the rate on the upper boundary: the trap of one term is a trap of the sum",
-     (drift - more) - drift, -more)  # fmt: skip
+     sympy.Add(drift, -more, -drift, evaluate=False), -more)  # fmt: skip
 x = (a / (1 - a)) ** (a / (1 - a)) * e ** (1 / (1 - a)) * tau ** (-a / (1 - a))
 law = e * (-diff(x, tau)) ** a / x
 value = [sympy.simplify(law.subs(a, q)) for q in (sympy.Rational(1, 3), sympy.Rational(1, 2), sympy.Rational(3, 4))]
@@ -67,4 +72,4 @@ holds(
     sympy.Eq(sympy.Symbol("x"), x),
 )
 half = x.subs({a: sympy.Rational(1, 2), e: 1})
-step("For alpha = 1/2 and e = 1: x = 1/tau", (sympy.Function("x")(tau) * tau).subs(sympy.Function("x")(tau), half), 1)
+step("For alpha = 1/2 and e = 1: x = 1/tau", At(sympy.Function("x")(tau) * tau, {sympy.Function("x")(tau): half}), 1)

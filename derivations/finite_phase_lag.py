@@ -1,7 +1,7 @@
 """The uniform first-order phase for any exponent, and why the total lag is finite for alpha > 1.
 
->>> derivation.steps[-1].text()
-'15*epsilon/64 = 15*epsilon/64'
+>>> print(derivation.steps[4].text())
+-w_2/(p_1*(1 - alpha)) = w_2/(p_1*(alpha - 1))
 """
 
 import sympy
@@ -9,7 +9,7 @@ import sympy
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.symbolic import alpha as exponent
 from asymptotics.normal_form.symbolic import omega_2
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation
 
 alpha, epsilon, tau, p_1, w_2, mu, x, r, e = sympy.symbols("alpha epsilon tau p_1 w_2 mu x r e", positive=True)
 delta = sympy.Function("delta", positive=True)(tau)
@@ -31,19 +31,19 @@ step(
 local = epsilon / (1 + (alpha - 1) * p_1 * epsilon * tau)
 step("is solved by delta(tau)", diff(local, tau), -(alpha - 1) * p_1 * local**2)
 phase = -w_2 / ((alpha - 1) * p_1) * (epsilon - local)
-step("dphi/dtau = Omega_2 delta^2 = -w_2 delta^2", diff(phase, tau), -w_2 * local**2)
-step("phi(0) = 0", phase.subs(tau, 0), sympy.Integer(0))
+step("dphi/dtau = Omega_2 delta^2 = -w_2 delta^2", sympy.Derivative(phase, tau), -w_2 * local**2)
+step("phi(0) = 0", At(phase, {tau: 0}), sympy.Integer(0))
 step(
     "Same by elimination of the time: dphi/ddelta is constant",
     -w_2 * x**2 / (-(alpha - 1) * p_1 * x**2),
     w_2 / ((alpha - 1) * p_1),
 )
 lag = w_2 * epsilon / (mu * p_1)
-step("mu = alpha - 1 > 0: the total lag", -sympy.limit(phase.subs(alpha, 1 + mu), tau, sympy.oo), lag)
+step("mu = alpha - 1 > 0: the total lag", -sympy.Limit(At(phase, {alpha: 1 + mu}), tau, sympy.oo), lag)
 half = 1 / (mu * p_1 * epsilon)
 step(
     "half of it has come when delta has halved, at tau = 1/((alpha-1) p_1 epsilon)",
-    -phase.subs(alpha, 1 + mu).subs(tau, half),
+    -At(At(phase, {alpha: 1 + mu}), {tau: half}),
     lag / 2,
 )
 below = -w_2 / (-mu * p_1) * (epsilon - x)
@@ -54,7 +54,7 @@ holds(
 )
 step(
     "The rest is of third order, uniformly: int_0^infinity delta^4 dtau",
-    sympy.integrate((epsilon / (1 + mu * p_1 * epsilon * tau)) ** 4, (tau, 0, sympy.oo)),
+    sympy.Integral((epsilon / (1 + mu * p_1 * epsilon * tau)) ** 4, (tau, 0, sympy.oo)),
     epsilon**3 / (3 * mu * p_1),
 )
 step(
@@ -64,11 +64,11 @@ step(
 )
 step(
     "with its start psi(0) = chi_1 epsilon the phase at infinity, where delta = 0, is the same in every gauge",
-    (chi * epsilon + phase + chi * (local - epsilon)).subs(alpha, 1 + mu).limit(tau, sympy.oo),
+    sympy.Limit(At(chi * epsilon + phase + chi * (local - epsilon), {alpha: 1 + mu}), tau, sympy.oo),
     -lag,
 )
-averaged = sympy.integrate(sympy.sin(x) ** 6, (x, 0, sympy.pi)) / sympy.pi
+averaged = sympy.Integral(sympy.sin(x) ** 6, (x, 0, sympy.pi)) / sympy.pi
 step("alpha = 3: w_2 = (3/4)^2 M_6", sympy.Rational(9, 16) * averaged, sympy.Rational(45, 256))
-step("which is the engine's -Omega_2", -omega_2().subs(exponent, 3), sympy.Rational(45, 256))
+step("which is the engine's -Omega_2", -At(omega_2(), {exponent: 3}), sympy.Rational(45, 256))
 cubic = {w_2: sympy.Rational(45, 256), p_1: moment(4), mu: 2}
-step("alpha = 3: the total lag", lag.subs(cubic), sympy.Rational(15, 64) * epsilon)
+step("alpha = 3: the total lag", At(lag, cubic), sympy.Rational(15, 64) * epsilon)

@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation
 
 r, s, e, delta = sympy.symbols("r s epsilon delta", positive=True)
 c, drag, X, velocity = sympy.symbols("c drag X X'", real=True)
@@ -32,7 +32,7 @@ def on_circle(expression: sympy.Expr) -> sympy.Expr:
 acceleration = -X - sum(b * velocity * sympy.Abs(velocity) ** (a - 1) for b, a in laws)
 step(
     "The mirror image of a motion is a motion: X'' changes sign with (X, X'), so one half-swing tells all",
-    acceleration.subs({X: -X, velocity: -velocity}, simultaneous=True),
+    At(acceleration, {X: -X, velocity: -velocity}),
     -acceleration,
 )
 friction = sum(b * (r * s) ** a for b, a in laws)
@@ -56,7 +56,11 @@ step(
 r_rate = c * (-r * s) - s * (drag - r * c)
 angle_rate = (-s * (-r * s) - c * (drag - r * c)) / r
 step("With dX/d tau = -r s and dX'/d tau = drag - r c, the radius falls at the rate", r_rate, -s * drag)
-step("and the angle grows at the rate", on_circle(angle_rate), 1 - c * drag / r)
+step(
+    "and the angle, with c^2 + s^2 = 1",
+    At(sympy.expand(angle_rate), {c**2: 1 - s**2}),
+    1 - c * drag / r,
+)
 
 rho = [b * r ** (a - 1) for b, a in laws]
 N = sum(p * s**a for p, (_, a) in zip(rho, laws, strict=True))

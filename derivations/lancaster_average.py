@@ -1,13 +1,13 @@
 """The average (12): <|sin|^(alpha+1)> = 2^(alpha+1) B(alpha/2+1, alpha/2+1)/pi = M_(alpha+1).
 
->>> derivation.steps[-1].text()
-'3/8 = 3/8'
+>>> print(derivation.steps[6].text())
+Integral(y**2*(1 - y)**2, (y, 0, 1)) = 1/30
 """
 
 import sympy
 
 from asymptotics.moments.symbolic import moment
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation, defined
 
 alpha, p = sympy.symbols("alpha p", positive=True)
 z = sympy.Symbol("z", positive=True)
@@ -24,41 +24,42 @@ step, holds = derivation.step, derivation.holds
 u = (1 - cos(theta)) / 2
 step("With u = sin^2(theta/2) the sine is 2 sqrt(u(1-u))", 4 * u * (1 - u), sympy.expand(1 - cos(theta) ** 2))
 step("1 - cos^2 = sin^2", 1 - cos(theta) ** 2, sin(theta) ** 2)
-step("and du = (sin theta/2) dtheta", diff(u, theta), sin(theta) / 2)
+step("and du = (sin theta/2) dtheta", sympy.Derivative(u, theta), sin(theta) / 2)
 integrand = (2 * sqrt(y * (1 - y))) ** (alpha + 1) / sqrt(y * (1 - y))
 step(
     "so sin^(alpha+1) dtheta = 2^(alpha+1) [u(1-u)]^(alpha/2) du on 0 <= theta <= pi, 0 <= u <= 1",
-    sympy.powsimp(sympy.expand_power_base(integrand, force=True)),
+    integrand,
     sympy.powsimp(sympy.expand_power_base(2 ** (alpha + 1) * (y * (1 - y)) ** (alpha / 2), force=True)),
 )
+M = defined("M", moment, index=True)
 beta = gamma(alpha / 2 + 1) ** 2 / gamma(alpha + 2)
 for n in (0, 2, 4):
     step(
         f"alpha = {n}: the beta integral",
-        sympy.integrate(sympy.expand((y * (1 - y)) ** (n // 2)), (y, 0, 1)),
+        sympy.Integral((y * (1 - y)) ** (n // 2), (y, 0, 1)),
         beta.subs(alpha, n),
     )
 printed = 2 ** (alpha + 1) * beta / pi
 double = 2 ** (2 * z - 1) * gamma(z) * gamma(z + sympy.Rational(1, 2)) / sqrt(pi)
 for n in (1, 2, 5):
-    step(f"Legendre's duplication, at z = {n}", gamma(2 * sympy.Integer(n)), double.subs(z, n))
+    step(f"Legendre's duplication, at z = {n}", At(gamma(2 * z), {z: n}), At(double, {z: n}))
 step(
     "with z = alpha/2 + 1 in the denominator: M_(alpha+1)",
-    sympy.powsimp(printed.subs(gamma(alpha + 2), double.subs(z, alpha / 2 + 1)), force=True),
+    At(printed, {gamma(alpha + 2): At(double, {z: alpha / 2 + 1})}),
     moment(alpha + 1),
 )
 power = sin(theta) ** (p + 1) * cos(theta)
 step(
     "Second route: (sin^(p+1) cos)' = (p+1) sin^p - (p+2) sin^(p+2), so M_(p+2) = (p+1)/(p+2) M_p",
-    sympy.powsimp(diff(power, theta).subs(cos(theta) ** 2, 1 - sin(theta) ** 2).expand()),
+    At(sympy.Derivative(power, theta), {cos(theta) ** 2: 1 - sin(theta) ** 2}),
     sympy.powsimp(((p + 1) * sin(theta) ** p - (p + 2) * sin(theta) ** (p + 2)).expand()),
 )
 step(
     "which the closed form obeys",
-    sympy.simplify(sympy.gammasimp(sympy.expand_func(moment(p + 2)) / moment(p))),
+    M(p + 2) / M(p),
     (p + 1) / (p + 2),
 )
-step("and it starts right: M_0 = 1", moment(0), sympy.integrate(1, (theta, 0, pi)) / pi)
-step("M_1 = 2/pi", moment(1), sympy.integrate(sin(theta), (theta, 0, pi)) / pi)
+step("and it starts right", M(0), sympy.Integral(1, (theta, 0, pi)) / pi)
+step("and so does the odd chain", M(1), sympy.Integral(sin(theta), (theta, 0, pi)) / pi)
 for n in range(4):
-    step(f"(12) at alpha = {n}", sympy.gammasimp(printed.subs(alpha, n)), moment(n + 1))
+    step(f"(12) at alpha = {n}", At(printed, {alpha: n}), moment(n + 1))

@@ -1,13 +1,13 @@
 """The limit alpha -> 1 of the envelope, the time and the phase: no new integration, no gap.
 
->>> derivation.steps[1].text()
-'exp(-kappa*tau) = exp(-kappa*tau)'
+>>> print(derivation.steps[7].text())
+b*t*M_2/m = b*t/(2*m)
 """
 
 import sympy
 
 from asymptotics.moments.symbolic import moment
-from derivations.steps import Derivation
+from derivations.steps import Derivation, Taylor, named
 
 alpha, kappa, tau, A, epsilon = sympy.symbols("alpha kappa tau A epsilon", positive=True)
 mu, w_2, p_1, nu = sympy.symbols("mu w_2 p_1 nu", positive=True)
@@ -23,34 +23,36 @@ step, holds = derivation.step, derivation.holds
 envelope = (1 + mu * kappa * tau) ** (-1 / mu)  # mu = alpha - 1
 step(
     "With mu = alpha - 1, ln A = -ln(1 + mu kappa tau)/mu",
-    sympy.expand_log(sympy.log(envelope), force=True),
+    sympy.log(envelope),
     -sympy.log(1 + mu * kappa * tau) / mu,
 )
-step("mu -> 0", sympy.limit(envelope, mu, 0, "+"), sympy.exp(-kappa * tau))
+step("mu -> 0", sympy.Limit(envelope, mu, 0, "+"), sympy.exp(-kappa * tau))
 below = (1 - nu * kappa * tau) ** (1 / nu)
-step("and from below, alpha = 1 - nu", sympy.limit(below, nu, 0, "+"), sympy.exp(-kappa * tau))
-series = sympy.series(-sympy.log(1 + mu * kappa * tau) / mu, mu, 0, 2).removeO()
+step("and from below, alpha = 1 - nu", sympy.Limit(below, nu, 0, "+"), sympy.exp(-kappa * tau))
 step(
-    "the first correction is mu (kappa tau)^2/2: not uniform in tau", series, -kappa * tau + mu * (kappa * tau) ** 2 / 2
+    "the first correction is mu (kappa tau)^2/2: not uniform in tau",
+    Taylor(-sympy.log(1 + mu * kappa * tau) / mu, mu, 1),
+    -kappa * tau + mu * (kappa * tau) ** 2 / 2,
 )
 time = (A**-mu - 1) / (mu * kappa)
-step("The time", sympy.limit(time, mu, 0, "+"), -sympy.log(A) / kappa)
+step("The time", sympy.Limit(time, mu, 0, "+"), -sympy.log(A) / kappa)
 paper = (sympy.exp((1 - alpha) * sympy.log(A)) - 1) / (1 - alpha)
-step("the paper's way: expand e^{(1-alpha) ln A}", sympy.limit(paper, alpha, 1), sympy.log(A))
-step("M_2 = 1/2", moment(2), sympy.Rational(1, 2))
+step("the paper's way: expand e^{(1-alpha) ln A}", sympy.Limit(paper, alpha, 1), sympy.log(A))
+M_2 = named("M_2", moment(2))
+step("The mean of the squared sine", M_2, sympy.Rational(1, 2))
 omega_0 = sympy.sqrt(k / m)
 step(
     "kappa tau = b t/(2m): Table I",
-    (moment(2) * b * omega_0 / k * omega_0 * t),
+    (M_2 * b * omega_0 / k * omega_0 * t),
     b * t / (2 * m),
 )
 delta = epsilon / (1 + mu * p_1 * epsilon * tau)
 phase = -w_2 / (mu * p_1) * (epsilon - delta)
-step("The phase", sympy.limit(phase, mu, 0, "+"), -w_2 * epsilon**2 * tau)
-step("w_2 at alpha = 1 is 1/8", sympy.Rational(1, 4) * moment(2), sympy.Rational(1, 8))
+step("The phase", sympy.Limit(phase, mu, 0, "+"), -w_2 * epsilon**2 * tau)
+step("w_2 at alpha = 1 is 1/8", sympy.Rational(1, 4) * M_2, sympy.Rational(1, 8))
 exact = sympy.sqrt(1 - epsilon**2 / 4) - 1
 step(
     "and the exact frequency of linear damping has -epsilon^2/8",
-    sympy.series(exact, epsilon, 0, 4).removeO(),
+    Taylor(exact, epsilon, 3),
     -(epsilon**2) / 8,
 )

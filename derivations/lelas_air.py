@@ -7,7 +7,7 @@
 import sympy
 
 from asymptotics.moments.symbolic import lelas_moment, lelas_ratio, moment
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation, defined, named
 
 C, m, k, x_0, omega_0, t, sine, f, r = sympy.symbols("C m k x_0 omega_0 t s f r", positive=True)
 alpha, epsilon, tau, q, y = sympy.symbols("alpha epsilon tau q y", positive=True)
@@ -21,27 +21,27 @@ derivation = Derivation(
 )
 step, holds = derivation.step, derivation.holds
 
+ratio = defined("rho", lambda alpha: lelas_ratio(alpha))
 unit = m * omega_0**2 * x_0**2 * f
 first = C * (omega_0 * x_0 * f) ** 3 * sine**3 / unit  # -df/dt, with sine = |sin(omega_0 t)|
-step("(38)", first, C * omega_0 * x_0 / m * f**2 * sine**3)
+step("(38)", named("-f'", first), C * omega_0 * x_0 / m * f**2 * sine**3)
 cosine = sqrt(1 - sine**2)
-second = first.subs(sine, cosine)
-powers = [sympy.powdenest(e**two_thirds, force=True) for e in (first, second)]
+size = sympy.Symbol("c", positive=True)  # |cos(omega_0 t)|
+second = first.subs(sine, size)
 scale = sympy.powdenest((C * omega_0 * x_0 / m * f**2) ** two_thirds, force=True)
-step("(40): to the power 2/3", powers[0], scale * sine**2)
-step("(41)", powers[1], scale * cosine**2)
-step("(40) + (41)", sum(powers), scale)
+step("(40): to the power 2/3", named("(-f')", first) ** two_thirds, scale * sine**2)
+step("(41)", named("(-f')", second) ** two_thirds, scale * size**2)
+step("(40) + (41)", At(scale * (sine**2 + size**2), {size: cosine}), scale)
 slope = C * omega_0 * x_0 / (2 * sqrt(2) * m) * f**2  # -df/dt
-step("(42), (43): one rate for both, 2 (-df/dt)^{2/3}", 2 * sympy.powdenest(slope**two_thirds, force=True), scale)
+step("(42), (43): one rate for both, 2 (-df/dt)^{2/3}", 2 * named("(-f')", slope) ** two_thirds, scale)
 solution = 1 / (1 + C * omega_0 * x_0 * t / (2 * sqrt(2) * m))
-step("(45) solves (43)", -diff(solution, t), slope.subs(f, solution))
-step("with f(0) = 1", solution.subs(t, 0), sympy.Integer(1))
-step("(46): |df/dt|/omega_0 at the start", slope.subs(f, 1) / omega_0, C * x_0 / (2 ** sympy.Rational(3, 2) * m))
+step("(45) solves (43)", -sympy.Derivative(solution, t), slope.subs(f, solution))
+step("with f(0) = 1", At(solution, {t: 0}), sympy.Integer(1))
+step("(46): |df/dt|/omega_0 at the start", At(slope, {f: 1}) / omega_0, C * x_0 / (2 ** sympy.Rational(3, 2) * m))
 bound = (2 * sqrt(2) * m / x_0).subs({m: sympy.Rational(3, 2), x_0: sympy.Rational(1, 5)})
 holds("(53): 21.21 to four digits", bool(abs(bound - sympy.Rational(2121, 100)) < sympy.Rational(1, 200)), bound)
 
 p = alpha + 1
-size = sympy.Symbol("c", positive=True)  # |cos(omega_0 t)|
 general, other = (epsilon ** (2 / p) * f ** (2 * alpha / p) * u**2 for u in (sine, size))
 for u, power in ((sine, general), (size, other)):
     step(
@@ -70,8 +70,8 @@ holds(
     bool((q * (q - 1)).subs(q, 2) > 0 and (q * (q - 1)).subs(q, sympy.Rational(1, 2)) < 0),
     sympy.Eq(q, (alpha + 1) / 2),
 )
-step("The ratio of the rates has no epsilon in it: alpha = 1", lelas_ratio(sympy.Integer(1)), sympy.Integer(1))
-step("alpha = 2", lelas_ratio(sympy.Integer(2)), 3 * sqrt(2) * sympy.pi / 16)
+step("The ratio of the rates has no epsilon in it: alpha = 1", ratio(1), 1)
+step("alpha = 2", ratio(2), 3 * sqrt(2) * sympy.pi / 16)
 holds(
     "0.833: the trick loses a sixth of the damping",
     bool(lelas_ratio(sympy.Integer(2)) < 1),

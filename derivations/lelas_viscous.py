@@ -1,12 +1,12 @@
 """Lelas' two initial conditions and the trick of adding dissipation rates, for viscous damping: (14)-(21).
 
->>> derivation.steps[-1].text()
-'b/(2*sqrt(k)*sqrt(m)) = b/(2*sqrt(k)*sqrt(m))'
+>>> print(derivation.steps[9].text())
+Derivative(exp(-b*t/(2*m)), t) = -b*exp(-b*t/(2*m))/(2*m)
 """
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation
 
 b, k, m, x_0, omega_0, t = sympy.symbols("b k m x_0 omega_0 t", positive=True)
 f = sympy.Function("f", positive=True)(t)
@@ -32,22 +32,22 @@ holds(
 energy = m * omega_0**2 * x_0**2 * f**2 / 2
 step("(14), first pair, with k = m omega_0^2", m * omega_0**2 * x1**2 / 2 + m * v1**2 / 2, energy)
 step("second pair", m * omega_0**2 * x2**2 / 2 + m * v2**2 / 2, energy)
-step("(15)", diff(energy, t), m * omega_0**2 * x_0**2 * f * diff(f, t))
+step("(15)", sympy.Derivative(energy, t), m * omega_0**2 * x_0**2 * f * diff(f, t))
 unit = m * omega_0**2 * x_0**2 * f
-first, second = -b * v1**2 / unit, -b * v2**2 / unit
+first, second = (sympy.Mul(-b, speed**2, 1 / unit, evaluate=False) for speed in (v1, v2))
 step("(18): (15) = -b v_1^2", first, -b / m * f * sin(omega_0 * t) ** 2)
 step("(19): (15) = -b v_2^2", second, -b / m * f * cos(omega_0 * t) ** 2)
 step("(20): half the sum", (first + second) / 2, -b / (2 * m) * f)
 solution = sympy.exp(-b * t / (2 * m))
-step("solved by f = e^{-bt/(2m)}, f(0) = 1", diff(solution, t), -b / (2 * m) * solution)
+step("solved by f = e^{-bt/(2m)}, f(0) = 1", sympy.Derivative(solution, t), -b / (2 * m) * solution)
 alone = sympy.exp(-b / m * (t / 2 - sin(2 * omega_0 * t) / (4 * omega_0)))
 step(
     "the first rate alone has f = e^{-(b/m)(t/2 - sin(2 omega_0 t)/(4 omega_0))}: the same decay with a ripple",
-    diff(alone, t).subs(cos(2 * omega_0 * t), 1 - 2 * sin(omega_0 * t) ** 2),
+    At(sympy.Derivative(alone, t), {cos(2 * omega_0 * t): 1 - 2 * sin(omega_0 * t) ** 2}),
     -b / m * sin(omega_0 * t) ** 2 * alone,
 )
 step(
     "(21): |df/dt| at the start, over omega_0, in k and m: small means b << 2 sqrt(k m)",
-    (-diff(solution, t).subs(t, 0) / omega_0).subs(omega_0, sqrt(k / m)),
+    At(-At(sympy.Derivative(solution, t), {t: 0}) / omega_0, {omega_0: sqrt(k / m)}),
     b / (2 * sqrt(k * m)),
 )

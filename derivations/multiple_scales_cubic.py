@@ -11,7 +11,7 @@ The vector fields D_n = f_n d/da + g_n d/d psi are applied as written; nothing c
 import sympy
 from sympy import cos, sin
 
-from derivations.steps import Derivation
+from derivations.steps import Derivation, defined, named
 
 a, eps = sympy.symbols("a epsilon", positive=True)
 psi = sympy.Symbol("psi", real=True)
@@ -64,41 +64,47 @@ rates: list[Field] = [(sympy.S.Zero, sympy.S.One)]
 X = [a * cos(psi)]
 
 # Order 1.
-step("Order 0: X_0 = a cos psi", sympy.diff(X[0], psi, 2) + X[0], sympy.S.Zero)
+step("Order 0: X_0 = a cos psi", sympy.Derivative(X[0], psi, 2) + X[0], sympy.S.Zero)
 V = [sympy.diff(X[0], psi)]
 f, g = sympy.symbols("f g")
+D_0, D_n = defined("D_0", lambda h: D(rates[0], h)), defined("D_n", lambda h: D((f, g), h))
+D_1, D_2 = defined("D_1", lambda h: D(rates[1], h)), defined("D_2", lambda h: D(rates[2], h))
+X_0, V_0, phase = named("X_0", X[0]), named("V_0", V[0]), named("psi", psi)
 step(
     "Any D_n = f d/da + g d/d psi enters order n by D_0 D_n + D_n D_0 on X_0, and -(...) is the secular handle",
-    -(D((sympy.S.Zero, sympy.S.One), D((f, g), X[0])) + D((f, g), V[0])),
+    -(D_0(D_n(X_0)) + D_n(V_0)),
     2 * f * sin(psi) + 2 * a * g * cos(psi),
 )
 right = -(V[0] ** 3)
-step("Order 1: -V_0^3", harmonics(right), R(3, 4) * a**3 * sin(psi) - R(1, 4) * a**3 * sin(3 * psi))
+step("Order 1: -V_0^3", -(V_0**3), R(3, 4) * a**3 * sin(psi) - R(1, 4) * a**3 * sin(3 * psi))
 rates.append((-secular(right)[0] / 2, -secular(right)[1] / (2 * a)))
-step("Solvability: D_1 a", rates[1][0], -R(3, 8) * a**3)
-step("D_1 psi", rates[1][1], sympy.S.Zero)
+step("Solvability", D_1(a), -R(3, 8) * a**3)
+step("and", D_1(phase), 0)
 X.append(solve(right))
-step("X_1", X[1], R(1, 32) * a**3 * sin(3 * psi))
+X_1 = named("X_1", X[1])
+step("The first wave", X_1, R(1, 32) * a**3 * sin(3 * psi))
 
 # Order 2.
 V.append(D(rates[0], X[1]) + D(rates[1], X[0]))
-step("V_1 = D_0 X_1 + D_1 X_0", V[1], R(3, 32) * a**3 * cos(3 * psi) - R(3, 8) * a**3 * cos(psi))
+V_1 = named("V_1", V[1])
+step("Its velocity", D_0(X_1) + D_1(X_0), R(3, 32) * a**3 * cos(3 * psi) - R(3, 8) * a**3 * cos(psi))
 right = -D(rates[1], D(rates[1], X[0])) - 2 * D(rates[1], D(rates[0], X[1])) - 3 * V[0] ** 2 * V[1]
 step(
     "Order 2: -D_1 D_1 X_0 - (D_0 D_1 + D_1 D_0) X_1 - 3 V_0^2 V_1",
-    harmonics(in_first_harmonic(right)),
+    -D_1(D_1(X_0)) - D_0(D_1(X_1)) - D_1(D_0(X_1)) - 3 * V_0**2 * (D_0(X_1) + D_1(X_0)),
     a**5 * (-R(9, 128) * cos(psi) - R(27, 128) * cos(3 * psi) + R(9, 128) * cos(5 * psi)),
 )
 rates.append((-secular(right)[0] / 2, -secular(right)[1] / (2 * a)))
-step("Solvability: D_2 a", rates[2][0], sympy.S.Zero)
-step("D_2 psi, gauge no-first-harmonic", rates[2][1], R(9, 256) * a**4)
+step("Solvability", D_2(a), 0)
+step("and, in the gauge no-first-harmonic,", D_2(phase), R(9, 256) * a**4)
 X.append(solve(right))
-step("X_2", X[2], a**5 * (R(27, 1024) * cos(3 * psi) - R(3, 1024) * cos(5 * psi)))
+X_2 = named("X_2", X[2])
+step("The second wave", X_2, a**5 * (R(27, 1024) * cos(3 * psi) - R(3, 1024) * cos(5 * psi)))
 
 # Order 3.
 V.append(D(rates[0], X[2]) + D(rates[1], X[1]) + D(rates[2], X[0]))
-step("The slow derivatives do not commute: D_1 D_2 psi", D(rates[1], rates[2][1]), -R(27, 512) * a**6)
-step("but D_2 D_1 psi", D(rates[2], rates[1][1]), sympy.S.Zero)
+step("The slow derivatives do not commute", D_1(D_2(phase)), -R(27, 512) * a**6)
+step("but", D_2(D_1(phase)), 0)
 rest = (
     -2 * D(rates[1], D(rates[0], X[2]))
     - D(rates[1], D(rates[1], X[1]))
@@ -107,13 +113,21 @@ rest = (
     - 3 * V[0] * V[1] ** 2
 )
 one_two, two_one = D(rates[1], D(rates[2], X[0])), D(rates[2], D(rates[1], X[0]))
-step("so D_1 D_2 X_0 and D_2 D_1 X_0 differ by", one_two - two_one, R(27, 512) * a**7 * sin(psi))
+step("so D_1 D_2 X_0 and D_2 D_1 X_0 differ by", D_1(D_2(X_0)) - D_2(D_1(X_0)), R(27, 512) * a**7 * sin(psi))
 right = rest - one_two - two_one
 rates.append((-secular(right)[0] / 2, -secular(right)[1] / (2 * a)))
-step("Solvability at order 3 with D_1 D_2 + D_2 D_1: D_3 a", rates[3][0], -R(351, 8192) * a**7)
-step("D_3 psi", rates[3][1], sympy.S.Zero)
+D_3 = defined("D_3", lambda h: D(rates[3], h))
+step("Solvability at order 3 with D_1 D_2 + D_2 D_1", D_3(a), -R(351, 8192) * a**7)
+step("and", D_3(phase), 0)
 X.append(solve(right))
-step("X_3 has no first harmonic", sympy.Add(*secular(X[3])), sympy.S.Zero)
+
+
+def first(f: sympy.Expr, wave: sympy.Expr) -> sympy.Expr:
+    """The Fourier coefficient of a first harmonic: the mean of f times it, doubled."""
+    return sympy.Integral(f * wave, (psi, 0, 2 * sympy.pi)) / sympy.pi
+
+
+step("X_3 has no first harmonic", sympy.Add(*(first(named("X_3", X[3]), wave(psi)) for wave in (sin, cos))), 0)
 
 
 def residual(third: sympy.Expr) -> sympy.Expr:
@@ -133,15 +147,20 @@ def truncated(f: sympy.Expr) -> sympy.Expr:
     return sum((eps**n * expanded.coeff(eps, n) for n in range(4)), sympy.S.Zero)
 
 
-step("Proof without any hierarchy: the residual of X in the equation at eps^3", residual(rates[3][0]), sympy.S.Zero)
+defect = defined("R", residual)
+step("Proof without any hierarchy: the residual R(D_3 a) of X in the equation at eps^3", defect(rates[3][0]), 0)
 
 # The near miss: derivatives taken as commuting.
 commuting_rate = -secular(rest - 2 * two_one)[0] / 2
 other_rate = -secular(rest - 2 * one_two)[0] / 2
-step("With 2 D_2 D_1 the solvability condition gives another D_3 a", commuting_rate, -R(567, 8192) * a**7)
-step("with 2 D_1 D_2 a third one", other_rate, -R(135, 8192) * a**7)
-step("and the right value is their mean", (commuting_rate + other_rate) / 2, rates[3][0])
-step("and the residual at eps^3 is not 0", residual(commuting_rate), R(27, 512) * a**7 * sin(psi))
+step(
+    "With 2 D_2 D_1 the solvability condition gives another D_3 a",
+    named("D_3(a)", commuting_rate),
+    -R(567, 8192) * a**7,
+)
+step("with 2 D_1 D_2 a third one", named("D_3(a)", other_rate), -R(135, 8192) * a**7)
+step("and the right value is their mean", (named("p", commuting_rate) + named("q", other_rate)) / 2, D_3(a))
+step("and the residual at eps^3 is not 0", defect(commuting_rate), R(27, 512) * a**7 * sin(psi))
 holds(
     "The published -567/8192 with this waveform is refuted; -351/8192 stands",
     residual(commuting_rate) != 0 and residual(rates[3][0]) == 0,

@@ -12,7 +12,7 @@ from sympy import QQ
 from sympy.polys.fields import field
 
 from asymptotics.series import Series
-from derivations.steps import Derivation
+from derivations.steps import At, Coefficient, Derivation, defined, named
 
 C, PL, PT, v2, v3, v4, delta = sympy.symbols("C PL PT v_2 v_3 v_4 delta")
 ORDER = 4
@@ -27,10 +27,10 @@ step, holds = derivation.step, derivation.holds
 
 # First proof.  P f(delta) = f(-delta), C f = f o F; F^(-1)(delta) = -F(-delta) says C^(-1) = P C P.
 G = sympy.Function("G")
-flip = sympy.Lambda(delta, -G(-delta))
+F_of = defined("F", lambda d: -G(-d))
 step(
     "C^(-1) = P C P: with G = F^(-1), G(delta) = -F(-delta) and F(delta) = -G(-delta) are the same statement",
-    -flip(-delta),
+    -F_of(-delta),
     G(delta),
 )
 log_quotient = sympy.log(C) / (C - 1)
@@ -52,6 +52,7 @@ step(
     log_quotient,
 )
 
+
 def time_pi(V: sympy.Expr, sign: int) -> sympy.Expr:
     """exp(sign pi V d/d delta) delta through delta^4."""
     total, term = delta, delta
@@ -65,10 +66,14 @@ V = v2 * delta**2 + v3 * delta**3 + v4 * delta**4
 broken = sympy.expand(time_pi(V, -1) + time_pi(V, 1).subs(delta, -delta))
 step(
     "In coefficients (alpha != 1): F^(-1)(delta) + F(-delta) for a field V with a cubic term",
-    broken.coeff(delta, 3),
+    Coefficient(broken, delta, 3),
     -2 * sympy.pi * v3,
 )
-step("so v_3 = 0, and then the next order vanishes by itself", broken.coeff(delta, 4).subs(v3, 0), sympy.Integer(0))
+step(
+    "so v_3 = 0, and then the next order vanishes by itself",
+    At(Coefficient(broken, delta, 4), {v3: 0}),
+    sympy.Integer(0),
+)
 
 
 # Second proof: a quarter-swing with indeterminate coefficients, exponent alpha = 1 + a.
@@ -104,10 +109,13 @@ generic = flow(L_generic, T_full)
 for name, parity, series in (("U", 0, generic[0]), ("W", 1, generic[1])):
     for n in range(1, ORDER + 1):
         if n % 2 == parity:
-            step(f"{name}_{n} = 0 for all R = r_1 delta + ..., T_q = pi/2 + t_1 delta + ...",
-                 (FIELD.one * series[n]).as_expr(), sympy.Integer(0))
-step("while U_1", generic[0][1].as_expr(), (2 * r1 / pi).as_expr())
-step("and W_2", generic[1][2].as_expr(), ((2 * t2 - 2 * a * r1 * t1) / pi).as_expr())
+            step(
+                f"{name}_{n} = 0 for all R = r_1 delta + ..., T_q = pi/2 + t_1 delta + ...",
+                named(f"{name}_{n}", (FIELD.one * series[n]).as_expr()),
+                sympy.Integer(0),
+            )
+step("while", named("U_1", generic[0][1].as_expr()), (2 * r1 / pi).as_expr())
+step("and", named("W_2", generic[1][2].as_expr()), ((2 * t2 - 2 * a * r1 * t1) / pi).as_expr())
 T_false = T_generic + T_generic
 holds(
     "With T = 2 T_q, a duration that ignores the reversal, W_1 does not vanish",

@@ -1,12 +1,12 @@
 """Quadratic damping, alpha = 2: q = e^(-u) gives q'' = -q ln q, and its energy is Smith's S.
 
->>> print(derivation.steps[1].text())
--q(tau)*log(q(tau)) = -q(tau)*log(q(tau))
+>>> print(derivation.steps[6].text())
+E*(r - 1)*exp(r - 1) = (r - 1)*exp(r)
 """
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation
 
 tau = sympy.Symbol("tau", real=True)
 s = sympy.Symbol("s", nonzero=True, real=True)
@@ -26,27 +26,27 @@ step = derivation.step
 acceleration = -u + s * diff(u, tau) ** 2
 step(
     "u'' = -u + s u'^2 with s = +1 for u' < 0 and s = -1 for u' > 0.  Put q = e^(-s u): the square of u' drops out",
-    diff(exp(-s * u), tau, 2).subs(diff(u, tau, 2), acceleration).expand(),
+    At(sympy.Derivative(exp(-s * u), tau, 2), {sympy.Derivative(u, tau, 2): acceleration}),
     s * u * exp(-s * u),
 )
 step(
     "that is q'' = -q ln q on either half-swing, since s u = -ln q",
-    (s * u * exp(-s * u)).subs(u, -log(Q) / s).doit(),
+    At(s * u * exp(-s * u), {u: -log(Q) / s}),
     -Q * log(Q),
 )
 U = q**2 * log(q) / 2 - q**2 / 4
-step("a conservative motion in the potential", diff(U, q), q * log(q))
+step("a conservative motion in the potential", sympy.Derivative(U, q), q * log(q))
 energy = diff(Q, tau) ** 2 / 2 + U.subs(q, Q)
 step(
     "so E = q'^2/2 + (q^2/2) ln q - q^2/4 is constant",
-    diff(energy, tau).subs(diff(Q, tau, 2), -Q * log(Q)).expand(),
+    At(sympy.Derivative(energy, tau), {sympy.Derivative(Q, tau, 2): -Q * log(Q)}),
     0,
 )
 v = sympy.Symbol("u_value", real=True)
 place = {q: exp(-s * v)}
 step(
     "back in u with w = u': E = e^(-2 s u) (s^2 w^2/2 - s u/2 - 1/4), Smith's constant S for s^2 = 1",
-    (sympy.expand_log((s * w * q) ** 2 / 2 + U, force=True)).subs(place).expand().subs(log(exp(-s * v)), -s * v),
+    At(At((s * w * q) ** 2 / 2 + U, place), {log(exp(-s * v)): -s * v}),
     (exp(-2 * s * v) * (s**2 * w**2 / 2 - s * v / 2 - sympy.Rational(1, 4))).expand(),
 )
 p, r = sympy.symbols("p r", positive=True)
@@ -67,6 +67,6 @@ square = sympy.solve(
 )[0]  # fmt: skip
 step(
     "and the speed at u = (p - t)/2: 2 w^2 = (1+p)(1 - e^(-t)) - t",
-    sympy.expand(sympy.powsimp(sympy.expand(2 * square.subs(v, (p - t) / 2)))),
+    2 * At(square, {v: (p - t) / 2}),
     sympy.expand((1 + p) * (1 - exp(-t)) - t),
 )

@@ -2,8 +2,8 @@
 
     L = R(delta) - R(-F),   T = T_q(delta) + T_q(-F),   F = -Q^(-1)(-Q(delta)).
 
->>> print(derivation.steps[6].text())
-4*delta**3*q_2**2 + 2*delta**2*q_2 + delta = 4*delta**3*q_2**2 + 2*delta**2*q_2 + delta
+>>> print(derivation.steps[7].text())
+Taylor(F(-F(-delta)), delta, 5) = delta
 """
 
 import sympy
@@ -11,10 +11,10 @@ import sympy
 from asymptotics.half_swings.orbit import Orbit
 from asymptotics.half_swings.theta_algebra import COSINE, SINE, THETA, ThetaTrig, sine_power
 from asymptotics.series import Series
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation, Taylor, defined, named
 
 s, rho_1, rho_2, a_1, a_2, e = sympy.symbols("s rho_1 rho_2 alpha_1 alpha_2 epsilon", positive=True)
-c, phi = sympy.symbols("c phi", real=True)
+c, phi, theta = sympy.symbols("c phi theta", real=True)
 delta = sympy.Symbol("delta")
 LAWS = {(0,): 5, (1,): 4, (2,): 4, (3,): 3, (1, 2): 3}
 """Exponents -> order through which the identity is checked on directly integrated half-swings."""
@@ -29,8 +29,8 @@ step, holds = derivation.step, derivation.holds
 N = rho_1 * s**a_1 + rho_2 * s**a_2
 opposite = {rho_1: -rho_1, rho_2: -rho_2}
 log_rate, time_rate = -N * s / (1 - N * c), 1 / (1 - N * c)
-step("theta = pi - phi leaves the sine as it is", sympy.sin(sympy.pi - phi), sympy.sin(phi))
-step("and changes the sign of the cosine", sympy.cos(sympy.pi - phi), -sympy.cos(phi))
+step("theta = pi - phi leaves the sine as it is", At(sympy.sin(theta), {theta: sympy.pi - phi}), sympy.sin(phi))
+step("and changes the sign of the cosine", At(sympy.cos(theta), {theta: sympy.pi - phi}), -sympy.cos(phi))
 step(
     "With d theta = -d phi, d ln r/d phi is the first-quarter equation with every rho_i replaced by -rho_i",
     -log_rate.subs(c, -c),
@@ -78,16 +78,18 @@ def solve_reversal(target: sympy.Expr) -> sympy.Expr:
 
 F = solve_reversal(-quarter(delta))
 reason = "Both quarters end at the same passage: Q(-F) = -Q(delta), so F = -Q^(-1)(-Q(delta))"
-step(reason, quarter(-F), -quarter(delta))
-step("F begins", truncated(F, 3), delta + 2 * q[2] * delta**2 + 4 * q[2] ** 2 * delta**3)
+Q = defined("Q", quarter)
+F_map = named("F", F)
+step(reason, Q(-F_map), -quarter(delta))
+step("F begins", Taylor(F_map, delta, 3), delta + 2 * q[2] * delta**2 + 4 * q[2] ** 2 * delta**3)
 backwards = truncated(-F.subs(delta, -delta))
 images = sum(F.coeff(delta, n) * backwards**n for n in range(1, ORDER + 1))
-step("F is reversible for any Q: F(-F(-delta)) = delta", truncated(images), delta)
+step("F is reversible for any Q: F(-F(-delta)) = delta", Taylor(named("F(-F(-delta))", images), delta, ORDER), delta)
 spoilt = truncated(F + delta**3)
 spoilt_back = truncated(-spoilt.subs(delta, -delta))
 step(
-    "F + delta^3 is not: there the same composition gives, through delta^3,",
-    truncated(sum(spoilt.coeff(delta, n) * spoilt_back**n for n in range(1, 4)), 3),
+    "G = F + delta^3 is not: there the same composition gives",
+    Taylor(named("G(-G(-delta))", sum(spoilt.coeff(delta, n) * spoilt_back**n for n in range(1, 4))), delta, 3),
     delta + 2 * delta**3,
 )
 
@@ -103,8 +105,6 @@ step(
     first_quarter + first_quarter.subs(e, -e),
     2 * sympy.pi / root,
 )
-
-
 
 
 # Half-swings integrated directly, theta from 0 to pi, against the identity.

@@ -12,7 +12,7 @@ from asymptotics.half_swings.exact import exact_quarter_swing
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.flow import flow_of
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation, defined, named
 
 x, y, s = sympy.symbols("x y s", positive=True)
 c = sympy.Symbol("c", real=True)
@@ -46,7 +46,8 @@ def second_order(f: sympy.Expr) -> sympy.Expr:
 # Start at the passage theta = pi/2 with r = 1 and rho = q; run back to the turning point theta = 0.
 log_r = -q_x * S_x - q_y * S_y
 N_1 = q_x * s**x + q_y * s**y
-step("d ln r/d theta = -N s/D begins with -N s, so ln r = -q_x S_x - q_y S_y + ...", rate(log_r), reduced(-s * N_1))
+slope = defined("D_theta", rate)
+step("d ln r/d theta = -N s/D begins with -N s, so ln r = -q_x S_x - q_y S_y + ...", slope(log_r), -s * N_1)
 N_2 = q_x * (x - 1) * log_r * s**x + q_y * (y - 1) * log_r * s**y
 integrand = second_order(N_2 * c + (N_1 * c) ** 2)
 step(
@@ -57,12 +58,12 @@ step(
 for a, b, S in ((x, y, S_y), (y, x, S_x)):
     step(
         "by parts, the boundary terms vanish (s = 0 at the turning point, S = 0 at the passage)",
-        rate(S * s ** (a + 1) / (a + 1)),
+        slope(S * s ** (a + 1) / (a + 1)),
         S * s**a * c + s ** (a + b + 2) / (a + 1),
     )
 step(
     "and M_(p+2) = (p+1)/(p+2) M_p from",
-    rate(s ** (x + y + 1) * c),
+    slope(s ** (x + y + 1) * c),
     reduced((x + y + 1) * s ** (x + y) - (x + y + 2) * s ** (x + y + 2)),
 )
 M_up = M * (x + y + 1) / (x + y + 2)
@@ -71,7 +72,7 @@ weight = sympy.factor(mean / M)
 step("so the mean over the quarter is 2 x y/((x+1)(y+1)) M_(x+y)", mean, 2 * x * y / ((x + 1) * (y + 1)) * M)
 step(
     "The same with x = y, half of it (one law: q_x^2 instead of q_x q_y): (x/(x+1))^2 M_(2x)",
-    sympy.simplify(weight.subs(y, x)) / 2,
+    At(weight, {y: x}) / 2,
     (x / (x + 1)) ** 2,
 )
 step(
@@ -80,7 +81,7 @@ step(
     2 * sympy.pi / 2 * mean,
     sympy.pi * weight * M,
 )
-step("alpha = 0 adds nothing: dry friction leaves the period", weight.subs(y, 0), sympy.Integer(0))
+step("alpha = 0 adds nothing: dry friction leaves the period", At(weight, {y: 0}), sympy.Integer(0))
 
 # U: L is odd in q; the second order in delta comes from q(delta) and from the flow, and cancels.
 start = {q_x: d_x * (1 - (x - 1) * (m_x * d_x + m_y * d_y)), q_y: d_y * (1 - (y - 1) * (m_x * d_x + m_y * d_y))}
@@ -96,18 +97,19 @@ DU = sum((a - 1) * d * U * sympy.diff(U, d) for a, d in ((x, d_x), (y, d_y)))
 step(
     "U = -(2/pi)(m_x d_x + m_y d_y) alone gives L through second order: pi U + (pi^2/2) D U with"
     " D = sum_i (alpha_i-1) d_i U d/d d_i",
-    sympy.expand(sympy.pi * U + sympy.pi**2 / 2 * DU),
+    sympy.pi * U + sympy.pi**2 / 2 * DU,
     L,
 )
 
+M_of = defined("M", moment, index=True)
 # Against the exact engine, which integrates polynomials in theta, s and c.
 for pair in ((1, 2), (0, 3), (2, 3), (1, 4)):
     flow = flow_of(half_swing(exact_quarter_swing(pair, 2)))
     values = {x: pair[0], y: pair[1]}
     step(
         f"Exact engine, alpha = {pair[0]}, {pair[1]}: the coefficient of delta_1 delta_2 in W",
-        sympy.Integer(0) if flow.W[1, 1] == 0 else flow.W[1, 1].to_sympy(),
-        weight.subs(values) * moment(sum(pair)),
+        named("W_11", sympy.Integer(0) if flow.W[1, 1] == 0 else flow.W[1, 1].to_sympy()),
+        At(weight, values) * M_of(sum(pair)),
     )
     holds("and U has no second order", flow.U[1, 1] == 0, sympy.Eq(sympy.Symbol("U_11"), 0, evaluate=False))
 holds(

@@ -8,7 +8,7 @@ True
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation, defined
 
 n, i, k = sympy.symbols("n i k", integer=True, positive=True)
 A, B, D = sympy.symbols("C_i^n C_{i-1}^{n-1} C_i^{n-2}")
@@ -43,7 +43,7 @@ recurrence = 2 * (n - 1) * B / (n + i) - (n - 2) * D / (n + i)
 step("(62a)", sympy.solve((n + i) * A - 2 * (n - 1) * B + (n - 2) * D, A)[0], recurrence)
 step(
     "n - i keeps its parity from C_i^n to C_{i-1}^{n-1} and to C_i^{n-2}; from C_0^1 on it is odd: else C = 0",
-    (n - 1) - (i - 1),
+    At(n - i, {n: n - 1, i: i - 1}),
     n - i,
 )
 step(
@@ -51,15 +51,19 @@ step(
     sympy.gammasimp(term(1)),
     2 * (n - 1) / (n + i),
 )
-ratio = sympy.gammasimp(sympy.simplify(term(k + 1) / term(k, n - 2)))
-step("t_{k+1}(n) = -(n-2)/(n+i) t_k(n-2): (62a) unrolled once more", ratio, -(n - 2) / (n + i))
-step("with the same coefficient, C_{i-1}^{(n-2)+1-2k} = C_{i-1}^{n+1-2(k+1)}", (n - 2) + 1 - 2 * k, n + 1 - 2 * (k + 1))
+t = defined("t", term)
+step("t_{k+1}(n) = -(n-2)/(n+i) t_k(n-2): (62a) unrolled once more", t(k + 1, n) / t(k, n - 2), -(n - 2) / (n + i))
+step(
+    "with the same coefficient, C_{i-1}^{(n-2)+1-2k} = C_{i-1}^{n+1-2(k+1)}",
+    At(n + 1 - 2 * k, {n: n - 2}),
+    At(n + 1 - 2 * k, {k: k + 1}),
+)
 step(
     "The last k is (n-i+1)/2, where the coefficient is C_{i-1}^i; beyond, C_{i-1}^m with m < i is 0",
-    (n + 1 - 2 * k).subs(k, (n - i + 1) / 2),
+    At(n + 1 - 2 * k, {k: (n - i + 1) / 2}),
     i,
 )
-step("and what remains of (62a) is C_i^{i-1} = 0", (n - 2 * k).subs(k, (n - i + 1) / 2), i - 1)
+step("and what remains of (62a) is C_i^{i-1} = 0", At(n - 2 * k, {k: (n - i + 1) / 2}), i - 1)
 printed = -term(1).subs({n: 2, i: 1})
 holds(
     "The printed sign gives C_1^2 = -2/3; (60b) has +2/3",

@@ -8,7 +8,7 @@ The bounds that ``asymptotics.turning`` relies on; the upper bound needed there 
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation, Taylor, named
 
 p, q, lam = sympy.symbols("p q lambda", positive=True)
 log, diff = sympy.log, sympy.diff
@@ -35,9 +35,13 @@ def k(q: sympy.Expr) -> sympy.Expr:
 u = sympy.Symbol("u", real=True)
 g = sympy.exp(-2 * u) * (1 + 2 * u)
 log_g = log(1 + 2 * u) - 2 * u
-step("Smith (43): g = e^{-2u}(1+2u) is the same at both ends; its logarithm", sympy.exp(log_g), g)
-step("is -h(p) at the start u = p/2", log_g.subs(u, p / 2), -h(p))
-step("and -k(q) at the end u = -q/2: h(p) = k(q)", log_g.subs(u, -q / 2), -k(q))
+step(
+    "Smith (43): g = e^{-2u}(1+2u) is the same at both ends; its logarithm",
+    named("ln(g)", sympy.expand_log(log(g), force=True)),
+    log_g,
+)
+step("is -h(p) at the start u = p/2", At(log_g, {u: p / 2}), -h(p))
+step("and -k(q) at the end u = -q/2: h(p) = k(q)", At(log_g, {u: -q / 2}), -k(q))
 step("h rises from 0 to infinity on p > 0", diff(h(p), p), p / (1 + p))
 step("k rises from 0 to infinity on 0 < q < 1: one q = F(p) for each p > 0", diff(k(q), q), q / (1 - q))
 trial = p / (1 + lam * p)
@@ -50,9 +54,9 @@ step(
     slope,
     p / (1 + p) - p / product,
 )
-step("lambda = 1: P = (1+p)^2", product.subs(lam, 1), (1 + p) ** 2)
+step("lambda = 1: P = (1+p)^2", At(product, {lam: 1}), (1 + p) ** 2)
 step("lambda = 2/3: P", product.subs(lam, 2 * third), 1 + p - 4 * third**3 * p**3)
-step("and lambda = 2: P", product.subs(lam, 2), (1 + p) * (1 + 2 * p) ** 2)
+step("and lambda = 2: P", At(product, {lam: 2}), (1 + p) * (1 + 2 * p) ** 2)
 for value in (1, 2):
     excess = sympy.factor(product.subs(lam, value) - (1 + p))
     holds(
@@ -66,7 +70,7 @@ holds(
     bool(deficit.is_positive) and bool((1 - p * third).subs(p, 3) == 0),
     deficit,
 )
-step("and for p >= 3, p/(1 + 2p/3) >= 1 > q", p - (1 + 2 * third * p), third * (p - 3))
+step("and for p >= 3, p/(1 + 2p/3) >= 1 > q", At(p - (1 + lam * p), {lam: 2 * third}), third * (p - 3))
 holds(
     "2/3 is sharp: the difference tends to it as p -> 0 (P - (1+p) has (3 lambda - 2) p in front) ...",
     bool(sympy.expand(product - 1 - p).coeff(p, 1) == 3 * lam - 2),
@@ -75,7 +79,7 @@ holds(
 q_of = p - 2 * third * p**2
 step(
     "... as the map itself begins F = p - (2/3) p^2 + ...",
-    sympy.series(h(p), p, 0, 4).removeO(),
+    Taylor(h(p), p, 3),
     sympy.series(sympy.series(k(q), q, 0, 4).removeO().subs(q, q_of), p, 0, 4).removeO(),
 )
 derivative = diff(h(p), p) / diff(k(q), q)

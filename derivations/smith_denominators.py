@@ -19,7 +19,7 @@ from fractions import Fraction
 import sympy
 from flint import fmpq_poly
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation
 
 n, i, k = sympy.symbols("n i k", integer=True, positive=True)
 B, D_below = sympy.symbols("C_{i-1}^{n-1} C_i^{n-2}")
@@ -72,8 +72,8 @@ step(
     sympy.expand((n + i) * q * (2 * (n - 1) * B - (n - 2) * D_below) / (n + i)),
     2 * (n - 1) * (q * B) - (n - 2) * (q * D_below),
 )
-step("and C_{i-1}^{n-1} has the same index sum n+i-2", (n - 1) + (i - 1), n + i - 2)
-step("as has C_i^{n-2}", (n - 2) + i, n + i - 2)
+step("and C_{i-1}^{n-1} has the same index sum n+i-2", At(n + i, {n: n - 1, i: i - 1}), n + i - 2)
+step("as has C_i^{n-2}", At(n + i, {n: n - 2}), n + i - 2)
 holds(
     "So A_i^n = (n+i)!! C_i^n obeys A_i^n = 2(n-1) A_{i-1}^{n-1} - (n-2) A_i^{n-2} with A_0^1 = 1: an"
     " integer for all n, i,"
@@ -90,7 +90,7 @@ step(
 step(
     "C_i^n is 0 unless n+i is odd, and i <= n-1: n+i = 2n-1-2j, an odd number not above 2n-1, so (n+i)!!"
     " divides (2n-1)!!",
-    (n + i).subs(i, n - 1 - 2 * k),
+    At(n + i, {i: n - 1 - 2 * k}),
     2 * n - 1 - 2 * k,
 )
 rows, exact = integer_rows(ROWS), rational_rows(ROWS)
@@ -121,9 +121,9 @@ holds(
 # Second proof: an integral.
 u, s = sympy.symbols("u s")
 acceleration = w**2 - u
-rate = w * sympy.diff(acceleration, u) + acceleration * sympy.diff(acceleration, w)
+rate = w * sympy.Derivative(acceleration, u) + acceleration * sympy.Derivative(acceleration, w)
 step("Along the motion the acceleration D = w^2 - u has dD/dtau = 2wD - w", rate, 2 * w * acceleration - w)
-step("dw = D dtau, ds = w dw with s = w^2/2: dD/ds = 2 - 1/D", sympy.expand((2 * w * D - w) / (D * w)), 2 - 1 / D)
+step("dw = D dtau, ds = w dw with s = w^2/2: dD/ds = 2 - 1/D", (2 * w * D - w) / (D * w), 2 - 1 / D)
 step("so E = 1/D obeys dE/ds = E^3 - 2E^2", (-(2 - 1 / D) / D**2).subs(D, 1 / E), E**3 - 2 * E**2)
 integrals = [sympy.integrate(sympy.expand((1 - t**2) ** power), (t, 0, 1)) for power in range(8)]
 b = sympy.Symbol("b", positive=True)
@@ -155,8 +155,8 @@ step(
 )
 step(
     "so tau = sum_k (-1)^k w^{2k+1} p_k(z/w)/(2k+1)!!; its monomial E^n = (z/w)^n gives z^n w^i with n+i = 2k+1",
-    (2 * k + 1) - n,
-    (i).subs(i, 2 * k + 1 - n),
+    At(n + i, {i: 2 * k + 1 - n}),
+    2 * k + 1,
 )
 holds(
     "Hence A_i^n = (-1)^k [E^n] p_k(E), 2k+1 = n+i: equal to the recurrence for all n+i <= 61",

@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import Derivation, defined
 
 m, k = sympy.symbols("m k", integer=True, positive=True)
 sign = sympy.Symbol("sigma")
@@ -35,19 +35,20 @@ def right(m: sympy.Expr) -> sympy.Expr:
     return odd_double(m + 1) / (3 * 2**m * sympy.factorial(m))
 
 
+t, r = defined("t", term), defined("r", right)
 holds(
     "(2N+1)!! = (2N+2)!/(2^{N+1}(N+1)!) for N = 0 ... 20, and both sides gain the factor 2N+3 from N to N+1",
     all(sympy.factorial2(2 * N + 1) == odd_double(sympy.Integer(N)) for N in range(21))
     and sympy.combsimp(odd_double(k + 1) / odd_double(k)) == 2 * k + 3,
     odd,
 )
-step("m = 0: one term", term(sympy.Integer(0)), right(sympy.Integer(0)))
-step("The ratio of right(m) to the term m", sympy.combsimp(right(m) / term(m)), (2 * m + 3) / sympy.Integer(3))
-step("of right(m-1)", sympy.combsimp(right(m - 1) / term(m)), 2 * m / sympy.Integer(3))
+step("m = 0: one term", t(0), r(0))
+step("The right side r over the summand t", r(m) / t(m), (2 * m + 3) / sympy.Integer(3))
+step("and one step before", r(m - 1) / t(m), 2 * m / sympy.Integer(3))
 step(
-    "so right(m) - right(m-1) is the term m: the sum telescopes",
-    (2 * m + 3) / sympy.Integer(3) - 2 * m / sympy.Integer(3),
-    sympy.Integer(1),
+    "so the difference is the summand: the sum telescopes",
+    (r(m) - r(m - 1)) / t(m),
+    1,
 )
 
 n = sympy.Symbol("n", integer=True, positive=True)

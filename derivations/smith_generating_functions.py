@@ -13,7 +13,7 @@ i = 2 on.
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import Derivation, named
 
 z, theta, t = sympy.symbols("z theta t", positive=True)
 c = sympy.Symbol("c", real=True)
@@ -39,19 +39,19 @@ step(
     ),
     (n + i) * A + (n - 2) * D - 2 * (n - 1) * B,
 )
-step("G_0 = arctan z, from C_0^n = (-1)^{(n-1)/2}/n", (1 + z**2) * diff(sympy.atan(z), z), sympy.Integer(1))
+step("G_0 = arctan z, from C_0^n = (-1)^{(n-1)/2}/n", (1 + z**2) * sympy.Derivative(sympy.atan(z), z), sympy.Integer(1))
 
 # 2. The angle.
 G, G_before = (sympy.Function(name)(theta) for name in ("G_i", "G_{i-1}"))
 H_before = sympy.Function("H_{i-1}")(theta)
 step(
     "z = tan(theta): z(1+z^2) d/dz = tan(theta) d/dtheta",
-    sympy.tan(theta) * (1 + sympy.tan(theta) ** 2) / diff(sympy.tan(theta), theta),
+    sympy.tan(theta) * (1 + sympy.tan(theta) ** 2) / sympy.Derivative(sympy.tan(theta), theta),
     sympy.tan(theta),
 )
 step(
     "and 2 z^2 d/dz = 2 sin^2(theta) d/dtheta",
-    sympy.trigsimp(2 * sympy.tan(theta) ** 2 / diff(sympy.tan(theta), theta)),
+    sympy.trigsimp(2 * sympy.tan(theta) ** 2 / sympy.Derivative(sympy.tan(theta), theta)),
     2 * sin(theta) ** 2,
 )
 step(
@@ -102,7 +102,7 @@ step(
     (1 - c**2) * diff(c**m, c) - c * c**m,
     m * c ** (m - 1) - (m + 1) * c ** (m + 1),
 )
-step("(the case m = 0)", (1 - c**2) * diff(sympy.Integer(1), c) - c, -c)
+step("(the case m = 0)", (1 - c**2) * sympy.Derivative(sympy.Integer(1), c) - c, -c)
 even, odd = c ** (2 * m), c ** (2 * m + 1)
 holds(
     "Parity: the slope has the parity of P_{i-1}, so P_i the opposite one; the known terms have the opposite parity of"
@@ -155,7 +155,7 @@ holds(
 )
 step(
     "i = 1: R_1 = (2/3)(1-c^2), G_1 = (2/3) sin^2(theta) = (2/3) z^2/(1+z^2), which is (68)",
-    closed[1][1],
+    named("R_1", closed[1][1]),
     sympy.Rational(2, 3) * (1 - c**2),
 )
 cosine = 1 / sympy.sqrt(1 + z**2)

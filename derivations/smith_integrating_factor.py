@@ -2,13 +2,13 @@
 
 Both half-swings at once: x'' = s gamma v^2 - omega^2 x with s = +1 for v < 0 and s = -1 for v > 0.
 
->>> print(derivation.steps[2].text())
-2*gamma*s*v = 2*gamma*s*v
+>>> print(derivation.steps[4].text())
+Derivative(exp(-2*gamma*s*x), x) = -2*gamma*s*exp(-2*gamma*s*x)
 """
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation
 
 x, gamma, omega = sympy.symbols("x gamma omega", positive=True)
 v, u, w = sympy.symbols("v u w", real=True)
@@ -28,11 +28,15 @@ coefficient_dx = omega**2 * x - s * gamma * v**2
 step(
     "The parity (x, v) -> (-x, -v) exchanges the two laws: a_{-s}(-x, -v) = -a_s(x, v), so -x(t) is a"
     " motion if x(t) is",
-    force.subs({s: -s, x: -x, v: -v}, simultaneous=True),
+    At(force, {s: -s, x: -x, v: -v}),
     -force,
 )
 step("(36): v dv + (omega^2 x - s gamma v^2) dx vanishes along dx = v dt, dv = a dt", v * force + coefficient_dx * v, 0)
-step("It is not closed: its cross derivatives differ", diff(v, x) - diff(coefficient_dx, v), 2 * s * gamma * v)
+step(
+    "It is not closed: its cross derivatives differ",
+    sympy.Derivative(v, x) - sympy.Derivative(coefficient_dx, v),
+    2 * s * gamma * v,
+)
 step(
     "(37) for a factor mu(x): the cross derivatives of mu times the form",
     diff(mu * v, x) - diff(mu * coefficient_dx, v),
@@ -41,16 +45,16 @@ step(
 factor = exp(-2 * s * gamma * x)
 step(
     "so mu' = -2 s gamma mu, mu = e^{-2 s gamma x}: the upper sign of e^{-+ 2 gamma x} belongs to v < 0",
-    diff(factor, x),
+    sympy.Derivative(factor, x),
     -2 * s * gamma * factor,
 )
 step(
     "(38a): the form is now closed",
-    diff(factor * v, x),
+    sympy.Derivative(factor * v, x),
     diff(sympy.expand(factor * coefficient_dx), v),
 )
 S = factor * (v**2 / 2 - omega**2 / (2 * s * gamma) * (x + 1 / (2 * s * gamma)))
-step("(38b): S integrates it: the coefficient of dv", diff(S, v), factor * v)
+step("(38b): S integrates it: the coefficient of dv", sympy.Derivative(S, v), factor * v)
 step("and that of dx", diff(S, x), factor * coefficient_dx)
 step("S is constant along the motion", v * diff(S, x) + force * diff(S, v), 0)
 step(

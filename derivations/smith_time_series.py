@@ -8,7 +8,7 @@ On the falling half-swing D = w^2 - u is the acceleration dw/dtau and z = w/D.
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation, defined, named
 
 u, w, z = sympy.symbols("u w z", real=True)
 n = sympy.Symbol("n", integer=True, positive=True)
@@ -28,10 +28,11 @@ def rate(expression: sympy.Expr) -> sympy.Expr:
 
 
 D = w**2 - u
-step("The acceleration", rate(w), D)
-step("changes as", rate(D), 2 * w * D - w)
+slope = defined("D_tau", rate)
+step("The acceleration", slope(w), D)
+step("changes as", slope(D), 2 * w * D - w)
 step("so z = w/D obeys dz/dtau = 1 - 2wz + z^2", rate(w / D), 1 - 2 * w * (w / D) + (w / D) ** 2)
-step("and dw/dtau = w/z", D, w / (w / D))
+step("and dw/dtau = w/z", slope(w), At(w / z, {z: w / D}))
 step(
     "One integration by parts: d(w/D) - dtau = w dD/D^2 with the sign of (56b)",
     rate(w / D) - 1,
@@ -52,7 +53,7 @@ terms = {  # what the terms n, n - 1, n - 2 contribute to z^(n-1)
 recurrence = sum(terms.values())
 step(
     "(59d), n >= 3: the coefficient of z^{n-1} in sum d(f_n z^n)/dtau = 1 vanishes",
-    recurrence,
+    named("[z^{n-1}]", recurrence),
     (n - 2) * h + w * df + n * f - 2 * w * (n - 1) * g,
 )
 step(
@@ -60,12 +61,12 @@ step(
     sympy.expand(recurrence * w ** (n - 1)),
     (n - 2) * w ** (n - 1) * h + (w**n * df + n * w ** (n - 1) * f) - 2 * (n - 1) * w**n * g,
 )
-step("(59c), n = 2: f_0 has the factor 0", recurrence.subs(n, 2), w * df + 2 * f - 2 * w * g)
+step("(59c), n = 2: f_0 has the factor 0", At(recurrence, {n: 2}), w * df + 2 * f - 2 * w * g)
 constant = sympy.Symbol("c")
 general = 1 + constant / w
 step(
     "(59b), n = 1: w f_1' + f_1 = 1, so f_1 = 1 + c/w; regular at the turning points w = 0 only for c = 0",
-    w * sympy.diff(general, w) + general,
+    w * sympy.Derivative(general, w) + general,
     sympy.Integer(1),
 )
 
@@ -78,7 +79,7 @@ for number in range(2, 8):
     row = polynomials[number]
     step(
         f"(60): f_{number}",
-        w * sympy.diff(row, w) + number * row,
+        w * sympy.Derivative(row, w) + number * row,
         sympy.expand(2 * (number - 1) * w * before - (number - 2) * twice),
     )
     holds(f"f_{number} = w^(-{number}) times the integral from 0", bool(row.as_poly(w).degree() == number - 1), row)

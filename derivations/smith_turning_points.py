@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation
 
 u0, q = sympy.symbols("u_0 q", positive=True)
 u, w, L = sympy.symbols("u w L", real=True)
@@ -21,6 +21,7 @@ derivation = Derivation(
 )
 step, holds = derivation.step, derivation.holds
 
+value = sympy.Symbol("S")
 S = exp(-2 * u) * (w**2 / 2 - u / 2 - quarter)
 g = exp(-2 * u) * (2 * u + 1)
 start = g.subs(u, u0)
@@ -32,7 +33,7 @@ holds(
     sympy.Interval.Lopen(-sympy.oo, 1),
 )
 squared = (u + half) - exp(2 * u) * start / 2
-step("The speed on the falling orbit from (u_0, 0)", S.subs(w, sqrt(squared)), -start / 4)
+step("The speed on the falling orbit from (u_0, 0)", At(S, {w: sqrt(squared)}), -start / 4)
 step(
     "is positive exactly where g(u) > g(u_0): between u_0 and the other root u_1 < 0 of (43)",
     squared,
@@ -40,16 +41,16 @@ step(
 )
 step(
     "(45): at u = 0 it is not zero, since g(u_0) < 1: the origin is passed, never approached",
-    squared.subs(u, 0),
+    At(squared, {u: 0}),
     (1 - start) / 2,
 )
 step(
     "The acceleration w^2 - u is S-linear and falls with u, so that it has one zero",
+    At(half + 2 * value * exp(2 * u), {value: S}),
     w**2 - u,
-    half + 2 * S * exp(2 * u),
 )
 turning = u0 - log(2 * u0 + 1) / 2
-step("(46c): that zero", sympy.simplify((half - start / 2 * exp(2 * u)).subs(u, turning)), sympy.Integer(0))
+step("(46c): that zero", At(half - start / 2 * exp(2 * u), {u: turning}), sympy.Integer(0))
 
 y = 1 + 2 * u0
 step(
@@ -60,7 +61,7 @@ step(
 step("the right side likewise", -start / exp(1), -y * exp(-y))
 step(
     "L = -y is one root, the branch W_{-1}, since y > 1: the starting point itself",
-    (L * exp(L)).subs(L, -y),
+    At(L * exp(L), {L: -y}),
     -y * exp(-y),
 )
 root = sympy.LambertW(-y * exp(-y))
@@ -74,7 +75,7 @@ step(
 )
 step(
     "At u_1 = -|u_1| g has the value it started with, by W e^W = -y e^{-y} (here W stands for L)",
-    (g.subs(u, -(1 + L) / 2) - start).subs(exp(L), -y * exp(-y) / L).simplify(),
+    At(At(g, {u: -(1 + L) / 2}) - start, {exp(L): -y * exp(-y) / L}),
     sympy.Integer(0),
 )
 holds(
@@ -93,7 +94,11 @@ for sign, reason in ((1, "u' < 0: q = e^{-u} obeys q'' = -q ln q"), (-1, "u' > 0
     velocity = diff(path, tau)
     acceleration = sign * velocity**2 - path
     carrier = exp(-sign * path)
-    step(reason, diff(carrier, tau, 2).subs(diff(path, tau, 2), acceleration), -carrier * (-sign * path))
+    step(
+        reason,
+        At(sympy.Derivative(carrier, tau, 2), {sympy.Derivative(path, tau, 2): acceleration}),
+        -carrier * (-sign * path),
+    )
 rate = sympy.Symbol("p", real=True)
 energy = rate**2 / 2 + q**2 * (2 * log(q) - 1) / 4
 step("whose energy", diff(energy, q), q * log(q))

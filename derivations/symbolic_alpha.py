@@ -15,7 +15,7 @@ from asymptotics.half_swings.odd_flow import odd_flow
 from asymptotics.half_swings.symbolic import nested_integral_exact
 from asymptotics.moments.symbolic import moment
 from asymptotics.series import Series
-from derivations.steps import Derivation
+from derivations.steps import At, Coefficient, Derivation, Taylor, defined, named
 
 alpha, s = sympy.symbols("alpha s", positive=True)
 c = sympy.Symbol("c", real=True)
@@ -47,6 +47,7 @@ def rate(f: sympy.Expr) -> sympy.Expr:
     return reduced(sum(sympy.diff(f, name) * slope for name, slope in slopes.items()))
 
 
+slope = defined("D_theta", rate)
 # ln r = q l_1 + q^2 l_2 + q^3 l_3.
 l_1 = -S
 l_2 = a * S**2 / 2 + b * (1 - s ** (2 * alpha + 2))
@@ -73,14 +74,14 @@ for n, value in ((1, l_1), (2, l_2), (3, l_3)):
     step(
         f"d ln r/d theta = -sum_n rho^n s^(n alpha+1) c^(n-1), order q^{n}: l_{n} = {value} has this derivative, and"
         " vanishes at the passage (s = 1, all S = 0)",
-        rate(value),
+        slope(value),
         reduced(-force(n)),
     )
-step("with l_2 at the passage", l_2.subs({S: 0, s: 1}), sympy.Integer(0))
+step("with l_2 at the passage", At(l_2, {S: 0, s: 1}), sympy.Integer(0))
 
 # Moments of the quarter-swing: <f> = (2/pi) int_0^(pi/2) f.
 p = sympy.Symbol("p", positive=True)
-step("<s^(p+2)> = (p+1)/(p+2) <s^p>", rate(s ** (p + 1) * c), reduced((p + 1) * s**p - (p + 2) * s ** (p + 2)))
+step("<s^(p+2)> = (p+1)/(p+2) <s^p>", slope(s ** (p + 1) * c), (p + 1) * s**p - (p + 2) * s ** (p + 2))
 M_22 = M2 * (2 * alpha + 1) / (2 * alpha + 2)
 M_33 = M3 * (3 * alpha + 2) / (3 * alpha + 3)
 M_42 = M4 * (4 * alpha + 1) / (4 * alpha + 2)
@@ -92,14 +93,20 @@ lam = {
     3: a**2 * m**3 / 3 + a * b * m + half * (M3 - (1 - a * b) * M_33),
 }
 for n, value in ((1, l_1), (2, l_2), (3, l_3)):
-    step(f"At the turning point (s = 0, S = -m, m = pi M_(alpha+1)/2): lambda_{n}",
-         value.subs(s ** (2 * alpha + 2), 0).subs(turning), lam[n])
+    step(
+        f"At the turning point (s = 0, S = -m, m = pi M_(alpha+1)/2): lambda_{n}",
+        At(At(value, {s ** (2 * alpha + 2): 0}), turning),
+        lam[n],
+    )
 
 # The duration of the quarter-swing, even orders.
 by_parts = -a * S * s ** (alpha + 1) / (alpha + 1)
 rest = a / (alpha + 1) * s ** (2 * alpha + 2) + s ** (2 * alpha) - s ** (2 * alpha + 2)
-step("d tau/d theta = 1 + sum_n rho^n s^(n alpha) c^n, order q^2; the first term by parts, with nothing at the ends,",
-     reduced(lag(2)), reduced(rate(by_parts) + rest))
+step(
+    "d tau/d theta = 1 + sum_n rho^n s^(n alpha) c^n, order q^2; the first term by parts, with nothing at the ends,",
+    named("[q^2](1/D)", reduced(lag(2))),
+    slope(by_parts) + rest,
+)
 t_2 = half * (a / (alpha + 1) * M_22 + M2 - M_22)
 step("so t_2 = (pi/2) (alpha/(alpha+1))^2 M_(2alpha)", t_2, half * M2 * (alpha / (alpha + 1)) ** 2)
 first = a * l_3 + a**2 * l_1 * l_2 + a**3 * l_1**3 / 6
@@ -107,25 +114,43 @@ second = 2 * a * l_2 + 2 * a**2 * l_1**2
 f, g = sympy.symbols("f g")
 step(
     "order q^4, with f = a l_3 + a^2 l_1 l_2 + a^3 l_1^3/6 and g = 2 a l_2 + 2 a^2 l_1^2",
-    lag(4).subs({power(1, 4): f, power(2, 4): g}),
+    At(lag(4), {power(1, 4): f, power(2, 4): g}),
     s**alpha * c * f + s ** (2 * alpha) * c**2 * g + 3 * a * l_1 * s ** (3 * alpha) * c**3 + s ** (4 * alpha) * c**4,
 )
-step("f itself is", first, -(a**3) * S**3 - 2 * a**2 * b * S + 3 * a**2 * b * S * s ** (2 * alpha + 2)
-     + a * (1 - a * b) * S_3 - a * S_1)
+step(
+    "f itself is",
+    first,
+    -(a**3) * S**3 - 2 * a**2 * b * S + 3 * a**2 * b * S * s ** (2 * alpha + 2) + a * (1 - a * b) * S_3 - a * S_1,
+)
 f_rate = (
-    -3 * a**3 * s ** (alpha + 1) * S**2 - 2 * a**2 * b * (s ** (alpha + 1) - s ** (3 * alpha + 3))
-    + 3 * a**2 * s ** (2 * alpha + 1) * c * S - a * s ** (3 * alpha + 1) + a * s ** (3 * alpha + 3)
+    -3 * a**3 * s ** (alpha + 1) * S**2
+    - 2 * a**2 * b * (s ** (alpha + 1) - s ** (3 * alpha + 3))
+    + 3 * a**2 * s ** (2 * alpha + 1) * c * S
+    - a * s ** (3 * alpha + 1)
+    + a * s ** (3 * alpha + 3)
 )
 step("first term: int s^alpha c f = -int s^(alpha+1) f'/(alpha+1), f' =", rate(first), f_rate)
-step("<s^(3 alpha+2) c S> = -M_(4 alpha+4)/(3 alpha+3)", rate(s ** (3 * alpha + 3) * S),
-     reduced((3 * alpha + 3) * s ** (3 * alpha + 2) * c * S + s ** (4 * alpha + 4)))
-step("<s^(2 alpha+2) S^2> from J = <s^(2 alpha) S^2>", rate(s ** (2 * alpha + 1) * c * S**2), reduced(
-    (2 * alpha + 1) * s ** (2 * alpha) * S**2 - (2 * alpha + 2) * s ** (2 * alpha + 2) * S**2
-    + 2 * s ** (3 * alpha + 2) * c * S))
+step(
+    "<s^(3 alpha+2) c S> = -M_(4 alpha+4)/(3 alpha+3)",
+    slope(s ** (3 * alpha + 3) * S),
+    ((3 * alpha + 3) * s ** (3 * alpha + 2) * c * S + s ** (4 * alpha + 4)),
+)
+step(
+    "<s^(2 alpha+2) S^2> from J = <s^(2 alpha) S^2>",
+    slope(s ** (2 * alpha + 1) * c * S**2),
+    (
+        (2 * alpha + 1) * s ** (2 * alpha) * S**2
+        - (2 * alpha + 2) * s ** (2 * alpha + 2) * S**2
+        + 2 * s ** (3 * alpha + 2) * c * S
+    ),
+)
 J_22 = ((2 * alpha + 1) * J - 2 * M_44 / (3 * alpha + 3)) / (2 * alpha + 2)
 odd = s ** (3 * alpha + 1) / (3 * alpha + 1) - s ** (3 * alpha + 3) / (3 * alpha + 3)
-step("third term: int s^(3 alpha) c^3 S = -int s^(alpha+1) (s^(3 alpha+1)/(3 alpha+1) - s^(3 alpha+3)/(3 alpha+3))",
-     rate(odd * S), reduced(s ** (3 * alpha) * c**3 * S + odd * s ** (alpha + 1)))
+step(
+    "third term: int s^(3 alpha) c^3 S = -int s^(alpha+1) (s^(3 alpha+1)/(3 alpha+1) - s^(3 alpha+3)/(3 alpha+3))",
+    slope(odd * S),
+    reduced(s ** (3 * alpha) * c**3 * S + odd * s ** (alpha + 1)),
+)
 f_mean = -3 * a**3 * J_22 - 2 * a**2 * b * (M_22 - M_44) - a**2 * M_44 / (alpha + 1) - a * (M_42 - M_44)
 means = {
     "first": -f_mean / (alpha + 1),
@@ -162,13 +187,16 @@ q_of_delta = (log_q.truncate(ORDER - 1) * weight).exp().shift(0)
 L = Series({(n,): -2 * element(lam[n]) for n in (1, 3)}, 1, ORDER).compose((q_of_delta,))
 T = Series({(0,): _pi, (2,): 2 * element(t_2), (4,): 2 * element(t_4)}, 1, ORDER).compose((q_of_delta,))
 reason = "By reversal L = lambda(-q) - lambda(q), T = t(q) + t(-q), delta = q exp(a lambda(q)): L_1"
-step(reason, expression(L[1]), -sympy.pi * M)
-step("L_2", expression(L[2]), a * sympy.pi**2 * M**2 / 2)
+step(reason, named("L_1", expression(L[1])), -sympy.pi * M)
+step("and", named("L_2", expression(L[2])), a * sympy.pi**2 * M**2 / 2)
 
 U_1, U_3 = -M, -alpha * (3 * alpha + 1) / (6 * (alpha + 1) ** 2) * M3
 W_2 = (alpha / (alpha + 1)) ** 2 * M2
-rational = alpha**2 * (35 * alpha**3 + 9 * alpha**2 - 17 * alpha - 3) / (
-    2 * (alpha + 1) ** 4 * (2 * alpha + 1) * (3 * alpha + 1))
+rational = (
+    alpha**2
+    * (35 * alpha**3 + 9 * alpha**2 - 17 * alpha - 3)
+    / (2 * (alpha + 1) ** 4 * (2 * alpha + 1) * (3 * alpha + 1))
+)
 W_4 = rational * M4 + 3 * (alpha * a / (alpha + 1)) ** 2 * I_4
 W_4_in_J = W_4.subs(I_4, J - sympy.pi**2 * M**2 * M2 / 12)
 
@@ -189,29 +217,37 @@ for name, there, here in (("L", L, over_half_swing(U, U)), ("T", T, over_half_sw
         step(
             f"{name}_{n} from the flow U = {U_1} delta + ({U_3}) delta^3, W = 1 + ({W_2}) delta^2 + W_4 delta^4,"
             " and from the half-swing",
-            expression(here[n]),
+            named(f"{name}_{n}", expression(here[n])),
             expression(there[n]),
         )
 shifted = over_half_swing(U, W + Series({(4,): FIELD.one}, 1, ORDER)) - over_half_swing(U, W)
 reason = "and no other flow: T_n is pi W_n plus lower coefficients, so W_4 + 1 would add to T_4"
-step(reason, expression(shifted[4]), sympy.pi)
+step(reason, named("T_4(W_4+1)-T_4(W_4)", expression(shifted[4])), sympy.pi)
 step(
     "Here I_4 = J - pi^2 M_(alpha+1)^2 M_(2alpha)/12 and W_4 is",
+    At(W_4_in_J, {J: I_4 + sympy.pi**2 * M**2 * M2 / 12}),
     W_4,
-    W_4_in_J.subs(J, I_4 + sympy.pi**2 * M**2 * M2 / 12),
 )
-step("p = -U/W: p_1 = M_(alpha+1), p_3 = -U_3 + U_1 W_2", sympy.expand(-U_3 + U_1 * W_2), sympy.expand(
-    alpha * (3 * alpha + 1) / (6 * (alpha + 1) ** 2) * M3 - (alpha / (alpha + 1)) ** 2 * M2 * M))
+step(
+    "p = -U/W: p_1 = M_(alpha+1), p_3 = -U_3 + U_1 W_2",
+    -U_3 + U_1 * W_2,
+    sympy.expand(alpha * (3 * alpha + 1) / (6 * (alpha + 1) ** 2) * M3 - (alpha / (alpha + 1)) ** 2 * M2 * M),
+)
 e = sympy.Symbol("delta")
-step("Omega = 1/W - 1: Omega_2 = -W_2, Omega_4 = W_2^2 - W_4", sympy.series(
-    1 / (1 + sympy.Symbol("W_2") * e**2 + sympy.Symbol("W_4") * e**4), e, 0, 5).removeO().coeff(e, 4),
-    sympy.Symbol("W_2") ** 2 - sympy.Symbol("W_4"))
+step(
+    "Omega = 1/W - 1: Omega_2 = -W_2, Omega_4 = W_2^2 - W_4",
+    Coefficient(Taylor(1 / (1 + sympy.Symbol("W_2") * e**2 + sympy.Symbol("W_4") * e**4), e, 4), e, 4),
+    sympy.Symbol("W_2") ** 2 - sympy.Symbol("W_4"),
+)
 cubic = odd_flow((3,), 4)
 exact = {M4: moment(12), M3: moment(10), M2: moment(6), M: moment(4), alpha: 3}
 exact[I_4] = nested_integral_exact(3).to_sympy()
 for name, series, n, value in (("U", cubic.U, 3, U_3), ("W", cubic.W, 2, W_2), ("W", cubic.W, 4, W_4)):
-    step(f"alpha = 3 by Fourier polynomials, which share nothing with the above: {name}_{n}",
-         value.subs(exact, simultaneous=True), series[n].to_sympy())
+    step(
+        f"alpha = 3 by Fourier polynomials, which share nothing with the above: {name}_{n}",
+        At(value, exact),
+        series[n].to_sympy(),
+    )
 holds(
     "I_4 is needed: without it W_4 at alpha = 3 is wrong",
     bool((rational * M4).subs(exact, simultaneous=True) != cubic.W[4].to_sympy()),

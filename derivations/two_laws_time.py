@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation, named
 
 c, d, x, x_0, tau, beta, alpha = sympy.symbols("c d x x_0 tau beta alpha", positive=True)  # d is the paper's c'
 a, k, z, F = sympy.symbols("a k z F", positive=True)
@@ -23,11 +23,11 @@ step, holds = derivation.step, derivation.holds
 term = a / (a + k)  # coefficient of z^k in F(a; z) = 2F1(1, a; a+1; z)
 step(
     "(1)_k (a)_k/((a+1)_k k!) = a/(a+k): the quotient of successive coefficients is that of 2F1",
-    term.subs(k, k + 1) / term,
+    At(term, {k: k + 1}) / term,
     (a + k) * (1 + k) / ((a + 1 + k) * (1 + k)),
 )
-step("and it starts with 1", term.subs(k, 0), sympy.Integer(1))
-step("(z d/dz + a) multiplies it by k + a: z F' + a F = a/(1-z)", (k + a) * term, a)
+step("and it starts with 1", At(term, {k: 0}), sympy.Integer(1))
+step("(z d/dz + a) multiplies it by k + a: z F' + a F = a/(1-z)", (k + a) * named("t_k", term), a)
 
 
 def derivative(factor: sympy.Expr, index: sympy.Expr, argument: sympy.Expr) -> sympy.Expr:
@@ -60,11 +60,11 @@ step("the companion at alpha = 1 (n = 0) and alpha = 1 + n gap > 1", other.subs(
 
 lam = x_0 / (c + d * x_0)
 A = c * lam * exp(-c * tau) / (1 - lam * d * exp(-c * tau))
-step("(21) with tau = t/(pi k) solves dA/dtau = -c A - c' A^2", diff(A, tau), -c * A - d * A**2)
+step("(21) with tau = t/(pi k) solves dA/dtau = -c A - c' A^2", sympy.Derivative(A, tau), -c * A - d * A**2)
 step("and starts at x_0", A.subs(tau, 0), x_0)
 step("(22): the limit of A e^{c tau}", sympy.limit(A * exp(c * tau), tau, sympy.oo), x_0 / (1 + d / c * x_0))
 b, b_prime, m, omega_0 = sympy.symbols("b b_prime m omega_0", positive=True)
-ratio = (4 * b_prime * omega_0 / 3) / (sympy.pi * b / 2)  # c'/c with k/m cancelled
+ratio = named("c'", 4 * b_prime * omega_0 * k / (3 * m)) / named("c", sympy.pi * b * k / (2 * m))
 step("c'/c = 8 b' omega_0/(3 b pi)", ratio, 8 * b_prime * omega_0 / (3 * b * sympy.pi))
 
 elementary = {
@@ -75,4 +75,4 @@ elementary = {
     (1, 3): log((c + d * x**2) / x**2) / (2 * c),
 }
 for (low, high), time in elementary.items():
-    step(f"({low},{high})", sympy.simplify(-diff(time, x)), 1 / (c * x**low + d * x**high))
+    step(f"({low},{high})", -sympy.Derivative(time, x), 1 / (c * x**low + d * x**high))

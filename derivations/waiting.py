@@ -29,6 +29,8 @@ def exact(value: sympy.Basic | int) -> sympy.Basic:
 class At(sympy.Expr):
     """``f`` with other expressions in the place of some subexpressions, all at once: f|_{x = 2}."""
 
+    is_commutative = True
+
     def __new__(cls, f: sympy.Expr, places: Mapping[sympy.Expr, Any]) -> "At":
         """``places`` maps what is replaced to what stands there instead."""
         old = sympy.Tuple(*places)
@@ -59,6 +61,8 @@ class At(sympy.Expr):
 class Taylor(sympy.Expr):
     """``f`` expanded at x = 0 through x^n."""
 
+    is_commutative = True
+
     def __new__(cls, f: sympy.Expr, x: sympy.Symbol, n: int) -> "Taylor":
         """Arguments: the function, its variable, the last power kept."""
         return super().__new__(cls, exact(f), x, sympy.Integer(n))
@@ -67,10 +71,10 @@ class Taylor(sympy.Expr):
         """The polynomial (with negative powers if f has a pole)."""
         f, x, n = self.args
         f = sympy.expand(f.doit(**hints))
-        if f.is_polynomial(x):
-            return sum((f.coeff(x, k) * x**k for k in range(int(n) + 1)), sympy.S.Zero)
-        # With a pole SymPy counts its terms from the leading one: ask for enough and cut.
-        terms = sympy.expand(sympy.series(f, x, 0, int(n) + 1).removeO()).as_ordered_terms()
+        terms = sympy.Add.make_args(f)
+        if any(term.as_coeff_exponent(x)[0].has(x) for term in terms):
+            # With a pole SymPy counts its terms from the leading one: ask for enough, then cut.
+            terms = sympy.Add.make_args(sympy.expand(sympy.series(f, x, 0, int(n) + 1).removeO()))
         return sympy.Add(*(term for term in terms if term.as_coeff_exponent(x)[1] <= n))
 
     def _latex(self, printer: Printer) -> str:
@@ -80,6 +84,8 @@ class Taylor(sympy.Expr):
 
 class Coefficient(sympy.Expr):
     """The coefficient of x^n in the expansion of ``f`` at x = 0."""
+
+    is_commutative = True
 
     def __new__(cls, f: sympy.Expr, x: sympy.Symbol, n: int) -> "Coefficient":
         """Arguments: the function, its variable, the power."""
@@ -97,6 +103,8 @@ class Coefficient(sympy.Expr):
 
 class _Named(sympy.Expr):
     """A value under its name."""
+
+    is_commutative = True
 
     def doit(self, **hints: Any) -> sympy.Expr:
         """The value."""

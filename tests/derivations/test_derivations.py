@@ -12,8 +12,13 @@ from derivations.steps import Derivation
 
 FOLDER = Path(__file__).parents[2] / "derivations"
 SMITH = {
-    "smith-integrating-factor", "smith-turning-points", "smith-time-series", "smith-generating-functions",
-    "smith-closed-sum", "smith-denominators", "smith-footnote-8",
+    "smith-integrating-factor",
+    "smith-turning-points",
+    "smith-time-series",
+    "smith-generating-functions",
+    "smith-closed-sum",
+    "smith-denominators",
+    "smith-footnote-8",
 }
 CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source states a formula
     ("smith_integrating_factor", "factor = exp(-2 * s * gamma * x)", "factor = exp(2 * s * gamma * x)"),

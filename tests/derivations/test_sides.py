@@ -1,0 +1,47 @@
+"""What is displayed is what is checked: the sides differ in print, and altering either side stops the step."""
+
+from importlib import import_module
+
+import pytest
+import sympy
+
+from derivations.__main__ import names
+from derivations.steps import Derivation
+
+
+def equalities(name):
+    derivation = import_module("derivations." + name.replace("-", "_")).derivation
+    return [step for step in derivation.steps if step.right is not None]
+
+
+@pytest.mark.parametrize("name", names())
+def test_the_sides_differ_in_print(name):
+    for step in equalities(name):
+        assert str(step.left) != str(step.right), step.reason
+        assert sympy.latex(step.left) != sympy.latex(step.right), step.reason
+        assert step.text().count(" = ") == 1, step.reason
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", names())
+def test_a_step_with_either_side_altered_stops(name):
+    altered = Derivation(name, "", source="")
+    for step in equalities(name):
+        left, right = step.left.doit(), step.right.doit()
+        for change in (lambda side: side + 1, lambda side: -side, lambda side: sympy.Rational(11, 10) * side):
+            for sides in ((change(left), right), (left, change(right))):
+                if left != 0 and right != 0:
+                    with pytest.raises(AssertionError, match="differ by"):
+                        altered.step(step.reason, *sides)
+    assert altered.steps == []
+
+
+def test_sides_that_look_alike_are_refused():
+    x = sympy.Symbol("x")
+    derivation = Derivation("d", "", source="")
+    with pytest.raises(AssertionError, match="printed as 2"):
+        derivation.step("nothing shown", sympy.diff(x**2, x), 2 * x)
+    with pytest.raises(AssertionError, match="differ by"):
+        derivation.step("false", sympy.Derivative(x**3, x), 2 * x)
+    derivation.step("shown", sympy.Derivative(x**2, x), 2 * x)
+    assert len(derivation.steps) == 1
