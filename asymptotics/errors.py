@@ -1,10 +1,29 @@
-"""The errors a user can meet; every message names the argument, the reason and what is accepted.
+"""The errors a user can meet; every message names the argument, the reason and what is accepted, on one short line.
 
 >>> raise InputError("--digits", "0 is not positive", "an integer from 1 to 10000")
 Traceback (most recent call last):
     ...
 asymptotics.errors.InputError: argument --digits: 0 is not positive (accepted: an integer from 1 to 10000)
+>>> str(InputError("--x0", "'\\x1b[2J' is no number" + 500 * "!", "3/2"))[:80]
+"argument --x0: '\\\\x1b[2J' is no number!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!!"
+
+What a user typed comes back in the message, so this is the one place where it is made harmless: control characters,
+line ends and what else does not print are escaped, and what is long loses its middle (`printable`).
 """
+
+MAX_ARGUMENT, MAX_REASON, MAX_ACCEPTED = 60, 240, 400
+
+
+def printable(text: str, limit: int) -> str:
+    """``text`` on one line: what does not print is escaped; beyond ``limit`` characters the middle is left out.
+
+    >>> printable("a\\tb" + chr(0x202e), 60), printable("0123456789" * 9, 21)
+    ('a\\\\tb\\\\u202e', '01234567 ... 23456789')
+    """
+    if len(text) > limit:
+        half = (limit - 5) // 2
+        text = f"{text[:half]} ... {text[-half:]}"
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 class InputError(ValueError):
@@ -15,7 +34,8 @@ class InputError(ValueError):
         self.argument, self.reason, self.accepted = argument, reason, accepted
 
     def __str__(self) -> str:
-        return f"argument {self.argument}: {self.reason} (accepted: {self.accepted})"
+        argument, reason = printable(self.argument, MAX_ARGUMENT), printable(self.reason, MAX_REASON)
+        return f"argument {argument}: {reason} (accepted: {printable(self.accepted, MAX_ACCEPTED)})"
 
 
 class LimitError(InputError):

@@ -1,9 +1,12 @@
 """``python -m derivations [NAME] [--latex]``: run a derivation and print it; without a name, list them."""
 
-import argparse
 import sys
 from importlib import import_module
 from pathlib import Path
+
+from asymptotics.cli.main import Parser
+from asymptotics.cli.shell import complain, emit, run_guarded
+from asymptotics.errors import InputError
 
 NOT_DERIVATIONS = {"__init__", "__main__", "steps", "waiting"}
 
@@ -16,22 +19,27 @@ def names() -> list[str]:
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; 0 if every step was asserted, 1 if one failed, 2 for an unknown name."""
-    parser = argparse.ArgumentParser(prog="python -m derivations", description=__doc__)
+    return run_guarded("derivations", lambda: _run(argv))
+
+
+def _run(argv: list[str] | None) -> int:
+    parser = Parser(prog="python -m derivations", description=__doc__)
     parser.add_argument("name", nargs="?", help="a derivation; without it, the list")
     parser.add_argument("--latex", action="store_true", help="print LaTeX instead of text")
     options = parser.parse_args(argv)
     if options.name is None:
-        print("\n".join(names()))
+        emit("\n".join(names()))
         return 0
     if options.name not in names():
-        print(f"argument name: no derivation {options.name!r} (accepted: {', '.join(names())})", file=sys.stderr)
+        error = InputError("name", f"no derivation {options.name!r}", "a name that the command without one lists")
+        complain(f"derivations: {error}")
         return 2
     try:
         derivation = import_module("derivations." + options.name.replace("-", "_")).derivation
     except AssertionError as failure:
-        print(f"failed: {failure}", file=sys.stderr)
+        complain(f"failed: {failure}")
         return 1
-    print(derivation.latex() if options.latex else derivation.text())
+    emit(derivation.latex() if options.latex else derivation.text())
     return 0
 
 

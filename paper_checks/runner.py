@@ -1,8 +1,18 @@
-"""Run checks, in this process or in a pool, with progress; results come back in reading order."""
+"""Run checks, in this process or in a pool, with progress; results come back in reading order.
 
+No worker outlives the program: Ctrl-C ends them at once (nobody waits for the checks that are running), and when the
+program is killed they notice that their parent is gone.
+"""
+
+import multiprocessing
+import os
+import signal
+import threading
 import time
-from collections.abc import Callable, Iterable
-from concurrent.futures import Executor
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager
+from multiprocessing.connection import wait
 
 from asymptotics.verdict import Outcome
 from paper_checks.registry import Entry, Statement, forms, load
@@ -34,3 +44,32 @@ def examine_all(
         results.append(Entry(entry, *futures[number].result()) if futures else examine(entry))
         progress(entry.id)
     return results
+
+
+@contextmanager
+def worker_pool() -> Iterator[Executor]:
+    """One process for each core; on any exception, an interrupt included, they are gone before it goes on."""
+    before = set(multiprocessing.active_children())
+    pool = ProcessPoolExecutor(os.cpu_count(), initializer=_follow_parent)
+    try:
+        yield pool
+    except BaseException:
+        for process in set(multiprocessing.active_children()) - before:
+            process.kill()
+        raise
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _follow_parent() -> None:
+    """In a worker: the terminal's Ctrl-C is the parent's business, and its end is the worker's end."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    threading.Thread(target=_exit_with_parent, daemon=True).start()
+
+
+def _exit_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        os._exit(1)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from asymptotics import __version__
+from asymptotics.cli.shell import emit
 from asymptotics.numbers.exact import parse_integer
 
 DEFAULT_DIGITS = 30
@@ -23,9 +24,9 @@ class Answer:
     def show(self, command: str) -> int:
         """Print the answer and return the exit code."""
         if self.as_json:
-            print(json.dumps({"command": command, "version": __version__, **self.data}, indent=2, ensure_ascii=False))
+            emit(json.dumps({"command": command, "version": __version__, **self.data}, indent=2, ensure_ascii=False))
         else:
-            print(self.text)
+            emit(self.text)
         return int(self.failed)
 
 

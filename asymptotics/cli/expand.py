@@ -50,13 +50,13 @@ def run(options: argparse.Namespace) -> Answer:
         raise InputError("--gauge", f"no gauge {options.gauge!r}", ", ".join(GAUGES))
     order = parse_integer(options.order, "--order", 1, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
+    seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
     if options.alpha == "symbolic":
         if options.law is not None or options.exact:
             given = "--law" if options.law is not None else "--exact"
             raise InputError(given, "cannot be combined with --alpha symbolic", "one law, in closed form")
         return _symbolic(options, order, digits)
     exponents = read_exponents(options)
-    seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
     found = expansion_coefficients(
         exponents.alphas, order, digits, options.gauge, exact_only=options.exact, max_seconds=seconds
     )

@@ -6,15 +6,14 @@ for an answer, 1 for a failed check or an undecided computation, 2 for a bad val
 """
 
 import argparse
-import os
 import re
 import sys
 from importlib import import_module
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from asymptotics import __version__
-from asymptotics.cli.answer import Answer
-from asymptotics.errors import InputError, UndecidedError
+from asymptotics.cli.shell import complain, emit, run_guarded
+from asymptotics.errors import MAX_ACCEPTED, InputError, UndecidedError, printable
 
 COMMANDS = {
     "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
@@ -33,11 +32,20 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Print one line that says what is wrong, and where help is; exit code 2."""
-        self.exit(2, f"{self.prog}: {' '.join(message.split())} (see {self.prog} --help)\n")
+        self.exit(2, f"{self.prog}: {printable(message, MAX_ACCEPTED)} (see {self.prog} --help)\n")
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """Help and version are answers too: argparse itself would lose them on a full disk without a word."""
+        (complain if file is None or file is sys.stderr else emit)(message.rstrip("\n"))
 
 
 def main(argv: list[str] | None = None) -> int:
     """Run one command; returns the exit code."""
+    return run_guarded("asymptotics", lambda: run(argv))
+
+
+def run(argv: list[str] | None = None) -> int:
+    """The same without the shell that answers interrupts and lost output; argparse leaves it by SystemExit."""
     arguments = _join_negative_values(list(sys.argv[1:] if argv is None else argv))
     top = Parser(prog="asymptotics", description=_description(), allow_abbrev=False, formatter_class=_Raw)
     top.add_argument("--version", action="version", version=f"asymptotics {__version__}")
@@ -46,40 +54,41 @@ def main(argv: list[str] | None = None) -> int:
     module = import_module("asymptotics.cli." + name.replace("-", "_"))  # only this command's libraries are loaded
     parser = Parser(prog=f"asymptotics {name}", description=module.__doc__, allow_abbrev=False, formatter_class=_Raw)
     module.configure(parser)
+    options = parser.parse_args(arguments[1:])
     try:
-        answer = module.run(parser.parse_args(arguments[1:]))
+        return int(module.run(options).show(name))
     except InputError as error:
-        print(f"asymptotics {name}: {_as_option(error, parser)}", file=sys.stderr)
+        complain(f"asymptotics {name}: {as_option(error, options)}")
         return 2
     except UndecidedError as error:
-        print(f"asymptotics {name}: undecided: {error}", file=sys.stderr)
+        complain(f"asymptotics {name}: undecided: {printable(str(error), MAX_ACCEPTED)}")
         return 1
-    except KeyboardInterrupt:
-        print(f"asymptotics {name}: interrupted, nothing was written", file=sys.stderr)
-        return 130
-    return _printed(answer, name)
 
 
-def _printed(answer: Answer, name: str) -> int:
-    """Print the answer; a reader that has gone (``| head``) is no error, a full disk is."""
-    try:
-        code = answer.show(name)
-        sys.stdout.flush()
-    except OSError as error:
-        sys.stdout = open(os.devnull, "w")  # noqa: PTH123, SIM115 (what is buffered must not be written at exit)
-        if isinstance(error, BrokenPipeError):
-            return 0
-        print(f"asymptotics {name}: cannot write the answer: {error.strerror}", file=sys.stderr)
-        return 2
-    return code
+def as_option(error: InputError, options: argparse.Namespace) -> InputError:
+    """The same error with the library's name of a parameter turned into the option that set it.
+
+    >>> line = argparse.Namespace(alpha=None, damping="-1", law=["2:-1"])
+    >>> str(as_option(InputError("b", "-1 is negative", "b >= 0"), line))
+    'argument --law: -1 is negative (accepted: b >= 0)'
+    """
+    names = _OPTIONS.get(error.argument, (error.argument,))
+    given = [name for name in names if getattr(options, name.replace("-", "_"), None) not in (None, False)]
+    known = given or [name for name in names if hasattr(options, name.replace("-", "_"))]
+    if error.argument.startswith("-") or not known:
+        return error
+    return type(error)(f"--{known[0]}", error.reason, error.accepted)
 
 
-def _as_option(error: InputError, parser: argparse.ArgumentParser) -> str:
-    """The message on one line, with the library's name of an argument turned into the option that set it."""
-    option = "--" + {"alphas": "alpha"}.get(error.argument, error.argument)
-    known = option in parser.format_help()
-    shown = InputError(option if known else error.argument, error.reason, error.accepted)
-    return " ".join(str(shown).split())
+_OPTIONS = {  # a parameter of the library: the options that may have set it
+    "alpha": ("law", "alpha"),
+    "alphas": ("law", "alpha"),
+    "law": ("law", "alpha"),
+    "b": ("law", "damping", "epsilon"),
+    "epsilon": ("law", "epsilon", "damping"),
+    "amplitude": ("amplitude", "x0"),
+    "max_seconds": ("max-seconds",),
+}
 
 
 def _description() -> str:

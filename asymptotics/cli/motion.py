@@ -27,7 +27,7 @@ from asymptotics.motions.reference import MAX_DIGITS, reference_motion
 from asymptotics.motions.result import MotionPoint
 from asymptotics.normal_form.gauges import TURNING_POINT
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
-from asymptotics.present.files import require_writable, write_atomically
+from asymptotics.present.files import require_different, target_file, write_all
 
 _QUANTITIES = {
     "mass": ("M", "1", "the mass in kg"),
@@ -56,22 +56,18 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    try:
-        return _run(options)
-    except InputError as error:  # the library names its arguments without dashes
-        if not error.argument.startswith("--") and hasattr(options, error.argument):
-            raise type(error)(f"--{error.argument}", error.reason, error.accepted) from error
-        raise
-
-
-def _run(options: argparse.Namespace) -> Answer:
     law = read_law(options, "damping")
     numbers: dict[str, Any] = {name: parse_real(getattr(options, name), f"--{name}") for name in _QUANTITIES}
     time, digits = time_of(numbers.pop("time")), read_digits(options, MAX_DIGITS)
     order, gauge = _order_and_gauge(options, digits)
     files = {name: _file(getattr(options, name), f"--{name}") for name in ("plot", "csv")}
+    require_different({f"--{name}": path for name, path in files.items()})
     if not any(numbers[n] < 0 or numbers[n] > 0 for n in ("x0", "v0")):
-        Oscillator(law, **(numbers | {"x0": 1}))  # the other values are checked all the same
+        if any(files.values()):
+            raise InputError("--x0", "with x0 = 0 and v0 = 0 nothing moves: nothing to draw", "a start that moves")
+        moving = Oscillator(law, **(numbers | {"x0": 1}))  # the other values are checked all the same
+        if options.static is not None:
+            reference_motion(moving, 0, static=options.static)
         return _answer(_rest(options.reference, order, gauge), options, [])
     if any(files.values()) and not time > 0:
         raise InputError("--time", "0 leaves nothing to draw or to tabulate", "a time > 0 with --plot or --csv")
@@ -84,7 +80,7 @@ def _run(options: argparse.Namespace) -> Answer:
 
 
 def _order_and_gauge(options: argparse.Namespace, digits: int) -> tuple[int, str]:
-    gauge = options.gauge or TURNING_POINT
+    gauge = TURNING_POINT if options.gauge is None else options.gauge
     if gauge not in GAUGES:
         raise InputError("--gauge", f"no gauge {gauge!r}", ", ".join(GAUGES))
     if options.reference and (options.order is not None or options.gauge is not None):
@@ -93,7 +89,7 @@ def _order_and_gauge(options: argparse.Namespace, digits: int) -> tuple[int, str
         raise InputError("--static", "the expansion knows no static friction", "--static with --reference")
     if not options.reference and digits > MAX_ASYMPTOTIC_DIGITS:
         raise InputError("--digits", f"{digits} is too large", f"at most {MAX_ASYMPTOTIC_DIGITS} for an expansion")
-    return parse_integer(options.order or "3", "--order", 1, MAX_ORDER), gauge
+    return parse_integer("3" if options.order is None else options.order, "--order", 1, MAX_ORDER), gauge
 
 
 def _rest(reference: bool, order: int, gauge: str) -> MotionPoint:
@@ -108,13 +104,9 @@ def _file(name: str | None, argument: str) -> Path | None:
     """The file of --plot or --csv, after proving that it can be written; InputError otherwise."""
     if name is None:
         return None
-    path = Path(name)
-    if argument == "--plot" and path.suffix.lower() not in KINDS:
-        raise InputError(argument, f"{path.name!r} has no suffix of a picture", " or ".join(KINDS))
-    if path.is_dir():
-        raise InputError(argument, f"{name} is a folder", "a file name")
-    require_writable(path.parent, argument)
-    return path
+    if argument == "--plot" and Path(name).suffix.lower() not in KINDS:
+        raise InputError(argument, f"{name!r} has no suffix of a picture", " or ".join(KINDS))
+    return target_file(name, argument)
 
 
 def _written(
@@ -125,11 +117,14 @@ def _written(
     order: int,
     gauge: str,
 ) -> list[str]:
+    contents: dict[Path, str | bytes] = {}
     if files["csv"] is not None:
         shown = None if options.reference else order
-        write_atomically(files["csv"], csv_of(oscillator, time, shown, gauge, options.static))
+        contents[files["csv"]] = csv_of(oscillator, time, shown, gauge, options.static)
     if files["plot"] is not None:
-        write_atomically(files["plot"], picture_of(oscillator, time, order, gauge, KINDS[files["plot"].suffix.lower()]))
+        kind = KINDS[files["plot"].suffix.lower()]
+        contents[files["plot"]] = picture_of(oscillator, time, order, gauge, kind)
+    write_all(contents, " and ".join(f"--{name}" for name, path in files.items() if path is not None))
     return [str(path) for path in files.values() if path is not None]
 
 

@@ -40,6 +40,7 @@ def run(options: argparse.Namespace) -> Answer:
 
 
 def _polynomial(options: argparse.Namespace) -> dict[str, Any]:
+    _refuse(options, "i", "c and g")
     n = _integer(options, "n", 1, MAX_ROW)
     row = {str(i): _text(c) for i, c in coefficients(n).items()}
     terms = "\n".join(f"  w^{i:<5}{c}" for i, c in row.items())
@@ -59,11 +60,18 @@ def _coefficient(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def _generating_function(options: argparse.Namespace) -> dict[str, Any]:
+    _refuse(options, "n", "f and c")
     i = _integer(options, "i", 0, MAX_G)
     symbolic = import_module("asymptotics.invariants.symbolic")  # loads SymPy, which f and c do without
     result = symbolic.generating_function(i).to_dict()
     text = f"G_{result['i']}(z) = {result['expression']}\nlimit of sin^i(theta) G_i at theta = pi: {result['limit']}"
     return {**result, "text": text}
+
+
+def _refuse(options: argparse.Namespace, name: str, users: str) -> None:
+    """An option that has no effect here is a mistake, not a decoration."""
+    if getattr(options, name) is not None:
+        raise InputError(f"--{name}", f"smith {options.what} does not use it", f"--{name} with {users}")
 
 
 def _integer(options: argparse.Namespace, name: str, low: int, high: int) -> int:

@@ -23,13 +23,16 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
+    digits = read_digits(options, MAX_DIGITS)
     if options.list:
+        if options.name is not None:
+            raise InputError("NAME", "--list shows all tables", "--list alone, or a name without it")
         width = max(map(len, names())) + 2
         text = "\n".join(f"{name:{width}}{title}" for name, title in names().items())
         return Answer({"tables": names()}, text, options.json)
     if options.name is None:
         raise InputError("NAME", "is missing", ", ".join(names()))
-    table = build(options.name, read_digits(options, MAX_DIGITS))
+    table = build(options.name, digits)
     printed = {"csv": Table.to_csv, "latex": Table.to_latex, "text": _text}[options.format](table)
     return Answer(table.to_dict(), printed.rstrip("\n"), options.json)
 

@@ -10,12 +10,10 @@ the last turning point there is, and why: sticks, creeps or overdamped.
 """
 
 import argparse
-import sys
-
-from tqdm import tqdm
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
 from asymptotics.cli.law_options import add_law, read_law
+from asymptotics.cli.progress import progress_bar
 from asymptotics.errors import LimitError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_integer
@@ -49,7 +47,7 @@ def run(options: argparse.Namespace) -> Answer:
 
 
 def _computed(law: Law, count: int, digits: int, start: int, times: bool) -> TurningPoints:
-    with tqdm(total=count, unit="point", leave=False, disable=not sys.stderr.isatty(), delay=1) as bar:
+    with progress_bar(count, unit="point") as bar:
         return turning_points(
             law, count, digits, start=start, times=times, progress=lambda done: bar.update(done - bar.n)
         )

@@ -11,7 +11,7 @@ import jinja2
 
 from asymptotics import __version__
 from asymptotics.present.figures import render
-from asymptotics.present.files import write_atomically
+from asymptotics.present.files import write_all
 from asymptotics.present.mathml import to_mathml
 from asymptotics.tables import build
 from asymptotics.verdict import Printed
@@ -35,9 +35,7 @@ def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda
     contents["report.json"] = json.dumps(data, indent=1, ensure_ascii=False)
     contents["report.tex"] = _template("report.tex.j2").render(data)
     contents |= _pages(data, contents)
-    for name, content in contents.items():
-        write_atomically(folder / name, content)
-        progress(name)
+    write_all({folder / name: content for name, content in contents.items()}, "--report")
     return [folder / name for name in contents]
 
 

@@ -1,0 +1,19 @@
+"""The first lines that run: nothing is imported before the shell that turns an interrupt into one line stands.
+
+Ctrl-C while the libraries load (a third of a second) would otherwise end in their tracebacks, so this file and
+``cli.shell`` import the standard library only, and the command line itself is loaded inside the shell.
+"""
+
+import sys
+from importlib import import_module
+
+from asymptotics.cli.shell import run_guarded
+
+
+def main(argv: list[str] | None = None) -> int:
+    """The console script ``asymptotics``; returns the exit code."""
+    return run_guarded("asymptotics", lambda: int(import_module("asymptotics.cli.main").run(argv)))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,131 @@
+"""What every program of the project does about interrupts and about output that cannot be written.
+
+============================  ==========================================================
+Ctrl-C, SIGTERM, at any time  one line on stderr, exit code 130 or 143
+stdout closed, ``| head``     silence: who closes the output does not want it
+``> /dev/full``, a full disk  one line on stderr, exit code 2
+a letter that the terminal's
+encoding does not have        its escape, never a UnicodeEncodeError
+============================  ==========================================================
+
+>>> run_guarded("program", lambda: 1)
+1
+"""
+
+import os
+import signal
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from types import FrameType
+from typing import Any, NoReturn
+
+_USUAL: dict[int, Any] = {signal.SIGINT: signal.default_int_handler, signal.SIGTERM: signal.SIG_DFL}
+
+
+class OutputError(Exception):
+    """The answer could not be written to stdout; ``reason`` is the system's word for why."""
+
+    def __init__(self, error: OSError) -> None:
+        super().__init__(error)
+        self.gone = isinstance(error, BrokenPipeError)
+        self.reason = error.strerror
+
+
+class Interrupts:
+    """Which signal came: a library may turn the KeyboardInterrupt inside it into any other exception."""
+
+    def __init__(self) -> None:
+        self.seen = 0
+
+    def __call__(self, number: int, frame: FrameType | None) -> NoReturn:
+        """The handler of SIGINT and SIGTERM: what is being written is taken back on the way out."""
+        self.seen = number
+        raise KeyboardInterrupt
+
+    def install(self) -> None:
+        """Answer the signals, unless somebody has chosen otherwise (``nohup``, a background job, a test runner)."""
+        with suppress(ValueError):  # not the main thread: whoever runs us there handles the signals
+            for number, usual in _USUAL.items():
+                if signal.getsignal(number) is usual:
+                    signal.signal(number, self)
+
+    def remove(self) -> None:
+        """As it was before ``install``."""
+        with suppress(ValueError):
+            for number, usual in _USUAL.items():
+                if signal.getsignal(number) is self:
+                    signal.signal(number, usual)
+
+
+def run_guarded(name: str, body: Callable[[], int]) -> int:
+    """Run ``body`` and return its exit code; interrupts and lost output as in the table of the module."""
+    interrupts = Interrupts()
+    interrupts.install()
+    try:
+        for stream in (sys.stdout, sys.stderr):
+            reconfigure = getattr(stream, "reconfigure", None)
+            if reconfigure is not None:
+                reconfigure(errors="backslashreplace")
+        return _finished(name, body)
+    except BaseException as error:
+        if not interrupts.seen and not isinstance(error, KeyboardInterrupt):
+            raise
+        complain(f"{name}: interrupted; no file was left half-written")
+        _drop_output()
+        return 128 + (interrupts.seen or signal.SIGINT)
+    finally:
+        interrupts.remove()
+
+
+def _finished(name: str, body: Callable[[], int]) -> int:
+    """``body``, and what it and argparse have left in the buffer of stdout."""
+    try:
+        try:
+            code = body()
+        except SystemExit as leaving:  # argparse leaves so, for --help and for bad options
+            code = leaving.code if isinstance(leaving.code, int) else int(leaving.code is not None)
+        _flush()
+    except OutputError as error:
+        _drop_output()
+        if error.gone:
+            return 0
+        complain(f"{name}: cannot write the answer: {error.reason}")
+        return 2
+    return code
+
+
+def emit(text: str) -> None:
+    """Print to stdout; OutputError when that fails, nothing at all when stdout is closed."""
+    if sys.stdout is None:
+        return
+    try:
+        print(text)
+    except OSError as error:
+        raise OutputError(error) from error
+    _flush()
+
+
+def complain(line: str) -> None:
+    """One line to stderr, if anybody listens."""
+    with suppress(OSError, ValueError):
+        if sys.stderr is not None:
+            print(line, file=sys.stderr, flush=True)
+
+
+def _flush() -> None:
+    if sys.stdout is None:
+        return
+    try:
+        sys.stdout.flush()
+    except OSError as error:
+        raise OutputError(error) from error
+
+
+def _drop_output() -> None:
+    """What is still buffered must not be written at exit, where the failure could no longer be caught."""
+    if sys.stdout is not None:
+        with suppress(OSError, ValueError):
+            sys.stdout.flush()
+            return
+        sys.stdout = open(os.devnull, "w")  # noqa: PTH123, SIM115 (it lives until the interpreter ends)
