@@ -4,7 +4,6 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
-from asymptotics.cli.main import Parser
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import InputError
 
@@ -23,7 +22,9 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(argv: list[str] | None) -> int:
-    parser = Parser(prog="python -m derivations", description=__doc__)
+    parser = import_module("asymptotics.cli.main").Parser(
+        prog="python -m derivations", description=__doc__
+    )  # loaded inside the shell, which answers Ctrl-C from here on
     parser.add_argument("name", nargs="?", help="a derivation; without it, the list")
     parser.add_argument("--latex", action="store_true", help="print LaTeX instead of text")
     options = parser.parse_args(argv)
