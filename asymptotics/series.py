@@ -105,10 +105,6 @@ class Series:
         """Apply ``f(exponent, coefficient)`` to every coefficient."""
         return self.with_coefficients({k: f(k, c) for k, c in self.coefficients.items()})
 
-    def reflect(self) -> "Series":
-        """delta -> -delta in all variables together."""
-        return self.map_keys(lambda k, c: -c if sum(k) % 2 else c)
-
     def weighted(self, weights: tuple[Any, ...]) -> "Series":
         """sum_i w_i delta_i d/d delta_i: each coefficient times sum_i n_i w_i."""
         return self.map_keys(lambda k, c: c * sum((n * w for n, w in zip(k, weights)), start=0))

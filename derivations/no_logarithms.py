@@ -94,7 +94,7 @@ for alpha in (0, 2, 3):
         all(x == 0 for x in defect.coefficients.values()),
         -1 / ((alpha - 1) * flow.U[1].to_sympy() * delta),
     )
-wrong = Flow(flow.alphas, flow.U + Series({(5,): PI}, 1, ORDER), flow.W)
+wrong = Flow(flow.grading, flow.U + Series({(5,): PI}, 1, ORDER), flow.W)
 first = next(iter(abel_defect(wrong, half.L, 2, half.F[0]).coefficients.items()))
 holds(
     "With another U_5 (alpha = 3) psi does not grow by pi: the defect begins with",

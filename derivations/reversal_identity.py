@@ -111,7 +111,8 @@ step(
 def flight(alphas: tuple[int, ...], order: int) -> tuple[Series, ...]:
     """R, T_q (theta = pi/2) and L, T (theta = pi) of one and the same orbit."""
     powers = tuple(sine_power(a) for a in alphas)
-    orbit = Orbit.solve(alphas, order, powers, COSINE, lambda m: -(SINE * m).integral())
+    weights = tuple(a - 1 for a in alphas)
+    orbit = Orbit.solve(weights, order, powers, COSINE, lambda m: -(SINE * m).integral())
     log_r = orbit.series(orbit.log_r, lambda f: f)
     time = orbit.series(orbit.m, lambda m: (COSINE * m).integral()) + THETA
     return tuple(f.map(at) for at in (ThetaTrig.at_quarter, ThetaTrig.at_half) for f in (log_r, time))

@@ -11,7 +11,7 @@ import sympy
 from sympy import QQ
 from sympy.polys.fields import field
 
-from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.fourier_flow import fourier_flow
 from asymptotics.half_swings.symbolic import nested_integral_exact
 from asymptotics.moments.symbolic import moment
 from asymptotics.series import Series
@@ -239,7 +239,7 @@ step(
     Coefficient(Taylor(1 / (1 + sympy.Symbol("W_2") * e**2 + sympy.Symbol("W_4") * e**4), e, 4), e, 4),
     sympy.Symbol("W_2") ** 2 - sympy.Symbol("W_4"),
 )
-cubic = odd_flow((3,), 4)
+cubic = fourier_flow((3,), 4)
 exact = {M4: moment(12), M3: moment(10), M2: moment(6), M: moment(4), alpha: 3}
 exact[I_4] = nested_integral_exact(3).to_sympy()
 for name, series, n, value in (("U", cubic.U, 3, U_3), ("W", cubic.W, 2, W_2), ("W", cubic.W, 4, W_4)):

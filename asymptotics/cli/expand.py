@@ -16,10 +16,10 @@ from typing import Any
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
 from asymptotics.cli.laws import add_law, read_exponents
 from asymptotics.errors import InputError
-from asymptotics.half_swings.odd_flow import GAUGES
+from asymptotics.gauges import GAUGES, TURNING_POINT
 from asymptotics.normal_form.closed_forms import MAX_SYMBOLIC_ORDER, symbolic_coefficients
-from asymptotics.normal_form.coefficients import ExpansionCoefficients, Row, expansion_coefficients
-from asymptotics.normal_form.gauges import TURNING_POINT
+from asymptotics.normal_form.coefficients import expansion_coefficients
+from asymptotics.normal_form.results import ExpansionCoefficients, Row
 from asymptotics.numbers.exact import parse_integer
 
 MAX_DIGITS, MAX_ORDER, MAX_SECONDS = 1000, 200, 3600

@@ -18,14 +18,13 @@ from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
 from asymptotics.cli.law_options import add_law, read_law
 from asymptotics.cli.motion_files import KINDS, csv_of, picture_of
 from asymptotics.errors import InputError
-from asymptotics.half_swings.odd_flow import GAUGES
+from asymptotics.gauges import GAUGES, TURNING_POINT
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import MAX_DIGITS as MAX_ASYMPTOTIC_DIGITS
 from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.certify import time_of
 from asymptotics.motions.reference import MAX_DIGITS, reference_motion
 from asymptotics.motions.result import MotionPoint
-from asymptotics.normal_form.gauges import TURNING_POINT
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 from asymptotics.present.files import require_different, target_file, write_all
 

@@ -35,9 +35,9 @@ from flint import arb, fmpq
 from sympy import Symbol, latex
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.normal_form.expansion import Expansion
-from asymptotics.normal_form.gauges import TURNING_POINT
 from asymptotics.normal_form.symbolic import symbolic_expansion
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.series import Series, divided
@@ -118,9 +118,9 @@ def laurent_envelope(expansion: Expansion) -> LaurentEnvelope:
     Raises InputError for a sum of laws, and for alpha = 1, where delta does not change: A = exp(-epsilon tau/2) and
     psi = tau sqrt(1 - epsilon^2/4) exactly.
     """
-    if len(expansion.alphas) != 1:
+    if len(expansion.degrees) != 1:
         raise InputError("law", "a sum of laws has no single strength delta", "one law")
-    return envelope_of_series(expansion.alphas[0], expansion.p, expansion.Omega, expansion.gauge)
+    return envelope_of_series(expansion.degrees[0], expansion.p, expansion.Omega, expansion.gauge)
 
 
 def envelope_of_series(alpha: Any, p: Series, Omega: Series, gauge: str = TURNING_POINT) -> LaurentEnvelope:

@@ -38,6 +38,7 @@ from asymptotics.half_swings.certified_orders import (
     order_series,
     power_series_ring,
 )
+from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.quarter import QuarterSwing
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Series
@@ -77,7 +78,7 @@ def quarter_swing(
         sums = truncated_sums([a.ball() for a in alphas], order, kept, moments)
         enclosed = [enclose(s, b, radius, kept) for s, b in zip(sums, bounds, strict=True)]
     R, T_q, *K = [Series(c, len(alphas), max(map(sum, c))) for c in enclosed]
-    return QuarterSwing(tuple(a.ball() for a in alphas), R, T_q, tuple(zip(K[::2], K[1::2], strict=True)))
+    return QuarterSwing(Grading.of(a.ball() for a in alphas), R, T_q, tuple(zip(K[::2], K[1::2], strict=True)))
 
 
 def truncated_sums(alphas: Sequence[arb], order: int, terms: int, moments: bool) -> list[Orders]:

@@ -52,7 +52,8 @@ from flint import arb
 
 from asymptotics.errors import InputError
 from asymptotics.half_swings.certified import MAX_WORK, quarter_swing
-from asymptotics.half_swings.quarter import HalfSwing, half_swing, strengths
+from asymptotics.half_swings.grading import Grading
+from asymptotics.half_swings.quarter import HalfSwing, half_swing
 from asymptotics.numbers.bridge import to_fmpq
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series
@@ -73,10 +74,10 @@ def certified_half_swing(alphas: Sequence[ExactReal], order: int, *, max_work: i
         L, T = half.L, half.T
     L = without(L, lambda n: log_ratio_vanishes(alphas, n))
     T = without(T, lambda n: duration_vanishes(alphas, n))
-    balls = tuple(a.ball() for a in alphas)
-    maps = strengths(balls, L)
+    grading = Grading.of(a.ball() for a in alphas)
+    maps = grading.strengths(L)
     F = tuple(without(f, lambda n, i=i: map_vanishes(alphas, i, n)) for i, f in enumerate(maps))  # type: ignore[misc]
-    return HalfSwing(balls, L, F, T)
+    return HalfSwing(grading, L, F, T)
 
 
 def is_value(a: ExactReal, value: int) -> bool:

@@ -4,7 +4,7 @@ Three algebras, the smallest that is closed:
 
 * all alpha_i even: ln r is a polynomial in c, so L and F are rational and T is in pi Q;
 * all alpha_i odd: the vector field is smooth and pi-periodic in theta, so the flow (U, W) is rational
-  (``odd_flow``) and L = (exp(pi D) - 1)/D U, T = (exp(pi D) - 1)/D W with D = V d/d delta are in Q[pi];
+  (``fourier_flow``) and L = (exp(pi D) - 1)/D U, T = (exp(pi D) - 1)/D W with D = V d/d delta are in Q[pi];
 * any integers, also mixed: polynomials in theta, s, c (``theta_algebra``), then the reversal identity.  This is also
   the independent route for the other two, and the only one that gives the quarter-swing and its waveform moments.
 
@@ -22,10 +22,11 @@ from math import comb
 from flint import fmpq, fmpq_poly
 
 from asymptotics.errors import InputError
-from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.fourier_flow import fourier_flow
+from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.orbit import Orbit
 from asymptotics.half_swings.pi_ring import PI, PiNumber
-from asymptotics.half_swings.quarter import HalfSwing, QuarterSwing, half_swing, strengths
+from asymptotics.half_swings.quarter import HalfSwing, QuarterSwing, half_swing
 from asymptotics.half_swings.theta_algebra import COSINE, ONE, SINE, THETA, ThetaTrig, sine_power
 from asymptotics.series import Series
 
@@ -48,10 +49,10 @@ def even_half_swing(alphas: tuple[int, ...], order: int) -> HalfSwing:
     """
     c = fmpq_poly([0, 1])
     powers = tuple(fmpq_poly([1, 0, -1]) ** (a // 2) for a in alphas)
-    orbit = Orbit.solve(alphas, order, powers, c, _from_one)
+    orbit = Orbit.solve(_grading(alphas).weights, order, powers, c, _from_one)
     L = orbit.series(orbit.log_r, lambda p: PiNumber.rational(p(fmpq(-1))))
     T = orbit.series(orbit.m, lambda m: PI * _mean_of_cosines(c * m)) + PI
-    return _assemble(alphas, L, T)
+    return _assemble(_grading(alphas), L, T)
 
 
 def _from_one(m: fmpq_poly) -> fmpq_poly:
@@ -67,23 +68,25 @@ def _mean_of_cosines(p: fmpq_poly) -> fmpq:
 
 def odd_half_swing(alphas: tuple[int, ...], order: int) -> HalfSwing:
     """Odd exponents: from the rational flow, L = sum_j pi^(j+1)/(j+1)! D^j U and T likewise from W."""
-    flow = odd_flow(alphas, order)
-    weights = tuple(a - 1 for a in alphas)
-    return _assemble(alphas, *(_integrate_flow(flow.U, weights, f) for f in (flow.U, flow.W)))
+    flow = fourier_flow(alphas, order)
+    return _assemble(flow.grading, *(_integrate_flow(flow.U, flow.grading, f) for f in (flow.U, flow.W)))
 
 
-def _integrate_flow(U: Series, weights: tuple[int, ...], f: Series) -> Series:
+def _integrate_flow(U: Series, grading: Grading, f: Series) -> Series:
     """int_0^pi f(delta(psi)) d psi along d delta_i/d psi = (alpha_i - 1) delta_i U."""
     total, term, factor = Series({}, U.variables, U.order), f, PI
     for j in range(U.order + 1):
         total = total + term * factor
-        term, factor = U * term.weighted(weights), factor * PI / (j + 2)
+        term, factor = U * grading.weighted(term), factor * PI / (j + 2)
     return total
 
 
-def _assemble(alphas: tuple[int, ...], L: Series, T: Series) -> HalfSwing:
-    exact = tuple(fmpq(a) for a in alphas)
-    return HalfSwing(exact, L, strengths(exact, L), T)
+def _assemble(grading: Grading, L: Series, T: Series) -> HalfSwing:
+    return HalfSwing(grading, L, grading.strengths(L), T)
+
+
+def _grading(alphas: tuple[int, ...]) -> Grading:
+    return Grading.of(fmpq(a) for a in alphas)
 
 
 def exact_quarter_swing(alphas: tuple[int, ...], order: int, *, moments: bool = False) -> QuarterSwing:
@@ -93,10 +96,11 @@ def exact_quarter_swing(alphas: tuple[int, ...], order: int, *, moments: bool = 
     pi/2 + 1/3*d + (-2/9 + pi/12)*d^2 + O(3)
     """
     _require_integers(alphas)
-    orbit = Orbit.solve(alphas, order, tuple(sine_power(a) for a in alphas), COSINE, lambda m: -(SINE * m).integral())
+    grading, powers = _grading(alphas), tuple(sine_power(a) for a in alphas)
+    orbit = Orbit.solve(grading.weights, order, powers, COSINE, lambda m: -(SINE * m).integral())
     R = orbit.series(orbit.log_r, ThetaTrig.at_quarter)
     T_q = orbit.series(orbit.m, lambda m: (COSINE * m).integral().at_quarter()) + PI / 2
-    return QuarterSwing(tuple(fmpq(a) for a in alphas), R, T_q, _waveform_moments(orbit) if moments else ())
+    return QuarterSwing(grading, R, T_q, _waveform_moments(orbit) if moments else ())
 
 
 def _waveform_moments(orbit: Orbit) -> tuple[tuple[Series, Series], ...]:

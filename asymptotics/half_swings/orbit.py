@@ -7,7 +7,7 @@ Along the half-swing, started with r(0) = 1, the quotient m = N/D (see ``quarter
 Each degree in delta needs lower degrees only.  The algebra supplies s^alpha_i, c and the integral of -s m.
 
 >>> from flint import fmpq_poly                      # alpha = 2: everything is a polynomial in c
->>> orbit = Orbit.solve((2,), 2, (fmpq_poly([1, 0, -1]),), fmpq_poly([0, 1]), lambda m: m.integral() - m.integral()(1))
+>>> orbit = Orbit.solve((1,), 2, (fmpq_poly([1, 0, -1]),), fmpq_poly([0, 1]), lambda m: m.integral() - m.integral()(1))
 >>> orbit.log_r[1], orbit.log_r[1][(1,)](-1)         # L = -4/3 delta + ...
 ({(1,): (-1/3)*x^3 + x + (-2/3)}, -4/3)
 """
@@ -32,14 +32,14 @@ class Orbit:
     @classmethod
     def solve(
         cls,
-        alphas: tuple[int, ...],
+        weights: tuple[int, ...],
         order: int,
         sine_powers: tuple[Any, ...],
         cosine: Any,
         integrate: Callable[[Any], Any],
     ) -> "Orbit":
         """ln r and m through degree ``order``; ``integrate(m)`` is -int_0^theta s m d theta."""
-        zero = (0,) * len(alphas)
+        zero = (0,) * len(weights)
         log_r: list[Part] = [{}]
         strengths: list[list[Part]] = [[{zero: s}] for s in sine_powers]  # s^alpha_i exp((alpha_i - 1) ln r)
         n: list[Part] = [{}]
@@ -50,9 +50,9 @@ class Orbit:
             for j in range(1, d):
                 accumulate(m[d], n[j].items(), [(k, cosine * x) for k, x in m[d - j].items()])
             log_r.append({k: integrate(x) for k, x in m[d].items()})
-            for i, alpha in enumerate(alphas):
-                strengths[i].append(_exponential_part(strengths[i], log_r, alpha - 1, d))
-        return cls(tuple(log_r), tuple(m), len(alphas))
+            for i, weight in enumerate(weights):
+                strengths[i].append(_exponential_part(strengths[i], log_r, weight, d))
+        return cls(tuple(log_r), tuple(m), len(weights))
 
     def series(self, parts: tuple[Part, ...], value: Callable[[Any], Any]) -> Series:
         """The series in delta of a functional of theta applied to each coefficient."""

@@ -1,7 +1,7 @@
 """From the quarter-swing to the half-swing: the reversal identity, for any sum of laws and any coefficient ring.
 
 With X = r cos(theta), X' = -r sin(theta), s = sin(theta), c = cos(theta), rho_i = epsilon_i r^(alpha_i - 1), the motion
-between two turning points, 0 <= theta <= pi, obeys (DESIGN 2)
+between two turning points, 0 <= theta <= pi, obeys (derivation ``half-swing-equations``)
 
     d ln r/d theta = - N s/D,   d tau/d theta = 1/D,   N = sum_i rho_i s^alpha_i,   D = 1 - N c.
 
@@ -18,13 +18,15 @@ It starts at phi = 0 with -rho_i(pi) = -F_i and ends at the same equilibrium pas
     L = ln r(pi)/r(0) = R(delta) - R(-F),   F_i = delta_i exp((alpha_i - 1) L),   T = T_q(delta) + T_q(-F).
 
 R has no constant term, so L is fixed order by order, also at alpha_i = 1 where F_i = delta_i: L is the primary object.
+The exponents enter through the weights alpha_i - 1 and the signs of ``grading`` alone.
 
 Coulomb friction, alpha = 0: X circles about the shifted centre delta with radius 1 - delta, so |X'|^2 = 1 - 2 delta at
 the passage and R = ln(1 - 2 delta)/2.  (Only R is needed for F; any T_q will do in this example.)
 
 >>> from flint import fmpq
 >>> d = Series.variable(0, 1, 4, fmpq(1))
->>> half_swing(QuarterSwing((fmpq(0),), (1 - 2*d).log() / 2, T_q=d)).F[0]      # delta/(1 - 2 delta): A falls by 2 delta
+>>> coulomb = QuarterSwing(Grading.of((0,)), (1 - 2*d).log() / 2, T_q=d)
+>>> half_swing(coulomb).F[0]                                     # delta/(1 - 2 delta): A falls by 2 delta
 1*d + 2*d^2 + 4*d^3 + 8*d^4 + O(5)
 
 *Waveform moments.*  The gauges other than the turning-point gauge need means over the waveform.  All of them follow
@@ -41,8 +43,8 @@ the moments of X' follow by parts (X = 0 at the passage): int tau^k e^(-i tau) X
 """
 
 from dataclasses import dataclass
-from typing import Any
 
+from asymptotics.half_swings.grading import Grading
 from asymptotics.series import Series, compose_all
 
 
@@ -50,12 +52,12 @@ from asymptotics.series import Series, compose_all
 class QuarterSwing:
     """The quarter-swing from a turning point to the equilibrium passage.
 
-    ``alphas``: the exponents, as numbers of the coefficient ring (fmpq or arb);
-    ``R``: ln r(pi/2)/r(0), no constant term; ``T_q``: its duration, constant term pi/2;
+    ``grading``: the weights and signs of the strengths; ``R``: ln r(pi/2)/r(0), no constant term; ``T_q``: its
+    duration, constant term pi/2;
     ``K``: pairs (Re K_k, Im K_k) of waveform moments, empty if they were not asked for.
     """
 
-    alphas: tuple[Any, ...]
+    grading: Grading
     R: Series
     T_q: Series
     K: tuple[tuple[Series, Series], ...] = ()
@@ -63,14 +65,14 @@ class QuarterSwing:
     @property
     def Q(self) -> tuple[Series, ...]:
         """rho_i at the equilibrium passage: Q_i = delta_i exp((alpha_i - 1) R)."""
-        return strengths(self.alphas, self.R)
+        return self.grading.strengths(self.R)
 
 
 @dataclass(frozen=True)
 class HalfSwing:
     """From one turning point to the next: L = ln(A_(n+1)/A_n), F_i = delta_i exp((alpha_i - 1) L), duration T."""
 
-    alphas: tuple[Any, ...]
+    grading: Grading
     L: Series
     F: tuple[Series, ...]
     T: Series
@@ -80,34 +82,23 @@ class HalfSwing:
         """The order through which L, F and T are known."""
         return self.L.order
 
-    @property
-    def weights(self) -> tuple[Any, ...]:
-        """alpha_i - 1: the monomial delta^n is multiplied by exp(sum_i n_i (alpha_i - 1) L) on a half-swing."""
-        return tuple(a - 1 for a in self.alphas)
-
-
-def strengths(alphas: tuple[Any, ...], log_ratio: Series) -> tuple[Series, ...]:
-    """delta_i exp((alpha_i - 1) log_ratio), through the order of ``log_ratio``: the local strengths further on."""
-    below = log_ratio.truncate(log_ratio.order - 1) if log_ratio.order else log_ratio
-    return tuple((below * (a - 1)).exp().shift(i).truncate(log_ratio.order) for i, a in enumerate(alphas))
-
 
 def half_swing(quarter: QuarterSwing) -> HalfSwing:
-    """The half-swing by the reversal identity L = R(delta) - R(-F), T = T_q(delta) + T_q(-F).
+    """The half-swing by the reversal identity L = R(delta) - R(S F), T = T_q(delta) + T_q(S F).
 
-    L is found by Newton's iteration on G(L) = L - R(delta) + R(-F(L)), whose derivative is
-    G' = 1 + (sum_i (alpha_i - 1) delta_i d_i R)(-F).  From L = O(delta) the number of right orders doubles at each
+    L is found by Newton's iteration on G(L) = L - R(delta) + R(S F(L)), whose derivative is
+    G' = 1 + (sum_i (d_i - 1) delta_i d_i R)(S F).  From L = O(delta) the number of right orders doubles at each
     step; every step is a ring operation, so balls stay enclosures.
     """
-    R, alphas = quarter.R.without_constant(), quarter.alphas
-    weighted = R.weighted(tuple(a - 1 for a in alphas))
+    R, grading = quarter.R.without_constant(), quarter.grading
+    weighted = grading.weighted(R)
     L, known = Series({}, R.variables, 0), 0
     while known < R.order:
         known = min(2 * known + 1, R.order)
         L = L.extend(known)
-        images = tuple(-f for f in strengths(alphas, L))
+        images = grading.reversed(grading.strengths(L))
         there, slope = compose_all((R.truncate(known), weighted.truncate(known)), images)
         L = L - (L - R.truncate(known) + there) * (slope + 1).inverse()
-    F = strengths(alphas, L)
-    T = quarter.T_q + quarter.T_q.compose(tuple(-f for f in F))
-    return HalfSwing(alphas, L, F, T)
+    F = grading.strengths(L)
+    T = quarter.T_q + quarter.T_q.compose(grading.reversed(F))
+    return HalfSwing(grading, L, F, T)

@@ -48,8 +48,9 @@ from sympy import QQ, Expr, Function, Integral, Symbol, pi, sin
 from sympy.polys.fields import field
 
 from asymptotics.errors import InputError
+from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PI, PiNumber
-from asymptotics.half_swings.quarter import HalfSwing, strengths
+from asymptotics.half_swings.quarter import HalfSwing
 from asymptotics.half_swings.theta_algebra import sine_power
 from asymptotics.moments.certified import moment as moment_ball
 from asymptotics.moments.symbolic import moment
@@ -61,6 +62,7 @@ ORDER = 4
 
 # Q(alpha)(pi, M_(alpha+1), M_(2 alpha), M_(3 alpha+1), M_(4 alpha), J), with J = <s^(2 alpha) S^2>
 FIELD, _alpha, _pi, _M, _M2, _M3, _M4, _J = field("alpha,pi,M,M2,M3,M4,J", QQ)
+_GRADING = Grading.of((_alpha,))
 
 
 def nested_integral_definition() -> Expr:
@@ -90,7 +92,7 @@ def symbolic_half_swing() -> HalfSwing:
     """L, F, T through fourth order as SymPy expressions in ``alpha``; T_4 contains ``I_4(alpha)``."""
     half = field_half_swing()
     L, T, *F = (s.map(lambda x: to_expression(x * FIELD.one)) for s in (half.L, half.T, *half.F))
-    return HalfSwing((alpha,), L, tuple(F), T)
+    return HalfSwing(Grading.of((alpha,)), L, tuple(F), T)
 
 
 @cache
@@ -99,12 +101,12 @@ def field_half_swing() -> HalfSwing:
     minus_lambda = Series({(n,): -x for n, x in _lambda().items()}, 1, ORDER)
     log_mid = minus_lambda  # ln(q/delta)/a as a series in delta: its fixed point gains one order a pass
     for _ in range(ORDER):
-        log_mid = minus_lambda.compose(strengths((_alpha,), log_mid))
-    q = strengths((_alpha,), log_mid)
+        log_mid = minus_lambda.compose(_GRADING.strengths(log_mid))
+    q = _GRADING.strengths(log_mid)
     odd = Series({(n,): -2 * x for n, x in _lambda().items() if n % 2}, 1, ORDER)
     even = Series({(0,): _pi, (2,): 2 * _t_2(), (4,): 2 * _t_4()}, 1, ORDER)
     L, T = odd.compose(q), even.compose(q)
-    return HalfSwing((_alpha,), L, strengths((_alpha,), L), T)
+    return HalfSwing(_GRADING, L, _GRADING.strengths(L), T)
 
 
 def _lambda() -> dict[int, Any]:

@@ -34,6 +34,7 @@ import numpy as np
 from flint import acb, arb, ctx
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import half_unit
@@ -42,7 +43,6 @@ from asymptotics.motions.slow_flow import ExponentialSum, SlowLaw, SlowTable
 from asymptotics.motions.waveform import WaveformTable, waveform_at
 from asymptotics.normal_form.expansion import Expansion, expansion_of
 from asymptotics.normal_form.flow import Flow
-from asymptotics.normal_form.gauges import TURNING_POINT, require_gauge
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.series import Key
@@ -194,10 +194,9 @@ class _Frame:
         """From the certified expansion through ``order``; only midpoints are used."""
         expansion = _expansion(oscillator, order, gauge)
         epsilons = tuple(e.mid() for e in oscillator.epsilons())
-        alphas = tuple(a.ball() for a in oscillator.law.alphas)
 
         def sums(series: Any, top: int) -> ExponentialSum:
-            return ExponentialSum.of(series, epsilons, alphas, top)
+            return ExponentialSum.of(series, epsilons, expansion.flow.grading, top)
 
         law = SlowLaw(sums(expansion.p, order), sums(expansion.Omega, order))
         there, back = expansion.gauge_map, expansion.gauge_map.inverse()
@@ -220,9 +219,9 @@ class _Frame:
     def monomial(self, key: Key, s: arb) -> arb:
         """delta^key at A = e^-s."""
         value = arb(1)
-        for n, e, a in zip(key, self.epsilons, self.flow.alphas):
+        for n, e, weight in zip(key, self.epsilons, self.flow.grading.weights):
             if n:
-                value = value * (e * (-(a - 1) * s).exp()) ** n
+                value = value * (e * (-weight * s).exp()) ** n
         return value
 
     def start(self, doubles: "_Doubles | None", near: _State | None = None) -> _State:
@@ -264,9 +263,7 @@ class _Frame:
 
     def _miss(self, s: arb, psi: arb) -> acb:
         """ln target - ln(A e^(i psi) Z) in the turning-point gauge."""
-        free = _Frame(
-            self.order, self.target, self.epsilons, self.flow, self.law, *[ExponentialSum(())] * 4
-        )
+        free = _Frame(self.order, self.target, self.epsilons, self.flow, self.law, *[ExponentialSum(())] * 4)
         value = self.target / _State(s, psi).point(free)
         return acb(value.log().real.mid(), value.log().imag.mid())
 
@@ -337,8 +334,8 @@ class _Doubles:
         P, Q = np.ones_like(psi), np.zeros_like(psi)
         if self.table.keys:
             rows = self.table.at(np.mod(psi, np.pi))
-            alphas = (float(a) for a in self.frame.flow.alphas)
-            deltas = [float(e) * np.exp((1 - a) * s) for e, a in zip(self.frame.epsilons, alphas)]
+            weights = (float(w) for w in self.frame.flow.grading.weights)
+            deltas = [float(e) * np.exp(-w * s) for e, w in zip(self.frame.epsilons, weights)]
             for j, key in enumerate(self.table.keys):
                 factor = reduce(np.multiply, [d for d, n in zip(deltas, key) for _ in range(n)])
                 P += factor * rows[2 * j]

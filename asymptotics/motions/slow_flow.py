@@ -29,7 +29,7 @@ import numpy as np
 from flint import acb, arb, ctx
 
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.normal_form.flow import may_vanish
+from asymptotics.half_swings.grading import Grading, may_vanish
 from asymptotics.series import Series
 
 _KNOTS = 2048
@@ -45,7 +45,7 @@ class ExponentialSum:
     terms: tuple[tuple[arb, arb], ...]
 
     @classmethod
-    def of(cls, series: Series, epsilons: tuple[arb, ...], alphas: tuple[arb, ...], order: int) -> "ExponentialSum":
+    def of(cls, series: Series, epsilons: tuple[arb, ...], grading: Grading, order: int) -> "ExponentialSum":
         """A series in delta_i = epsilon_i e^(-(alpha_i - 1) s), through degree ``order``.
 
         A ball around 0 counts as 0: those are the zeros by theorem (dry friction has p = (2/pi) delta and no more), and
@@ -55,10 +55,9 @@ class ExponentialSum:
         for key, c in series.coefficients.items():
             absent = may_vanish(c) or any(e == 0 for e, n in zip(epsilons, key) if n)
             if 0 < sum(key) <= order and not absent:
-                rate = sum((n * (a - 1) for n, a in zip(key, alphas)), arb(0))
                 for e, n in zip(epsilons, key):
                     c = c * e**n
-                terms.append((arb(c).mid(), rate.mid()))
+                terms.append((arb(c).mid(), arb(grading.weight(key)).mid()))
         return cls(tuple(terms))
 
     def __call__(self, s: Any) -> Any:
@@ -187,4 +186,3 @@ class SlowLaw:
 def _lost_sign() -> InputError:
     reason = "the amplitude law of this order loses its sign before that time: delta is too large for it"
     return InputError("order", reason, "order 1, weaker damping, or the reference motion")
-

@@ -28,7 +28,7 @@ True
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import ceil, log, pi
 from typing import Any
@@ -37,6 +37,7 @@ import numpy as np
 from flint import arb, arb_mat, ctx
 from scipy.interpolate import CubicSpline
 
+from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.normal_form.flow import Flow
 from asymptotics.series import Key, accumulate
@@ -72,7 +73,7 @@ def balls() -> Arithmetic:
 def ball_flow(flow: Flow) -> Flow:
     """A flow with exact coefficients as one with balls at the current precision."""
     U, W = (series.map(_ball) for series in (flow.U, flow.W))
-    return Flow(tuple(_ball(a) for a in flow.alphas), U, W)
+    return Flow(replace(flow.grading, weights=tuple(_ball(w) for w in flow.grading.weights)), U, W)
 
 
 def waveform_at(flow: Flow, psi: arb, order: int) -> dict[Key, tuple[arb, arb]]:
@@ -148,7 +149,7 @@ class _Samples:
 
     @classmethod
     def of(cls, flow: Flow, right: arb, order: int, arithmetic: Arithmetic) -> "_Samples":
-        top = max(float(a.mid()) for a in flow.alphas) * order + 2
+        top = max(float(a.mid()) for a in flow.grading.degrees) * order + 2
         m = ceil(arithmetic.bits * 0.42) + 4
         edges = _edges(float(right.mid()), arithmetic.bits * log(2), min(3.0, 0.3 * m / top))
         grid = _grid(right, edges, m, arithmetic)
@@ -216,7 +217,8 @@ def _solve(flow: Flow, grid: _Grid, order: int) -> tuple[Parts, Parts, Ends]:
     one = grid.psi * 0 + 1
     zero = (0,) * flow.U.variables
     number = grid.arithmetic.number
-    alphas = [number(a) for a in flow.alphas]
+    alphas = [number(a) for a in flow.grading.degrees]
+    weigh = replace(flow.grading, weights=tuple(number(w) for w in flow.grading.weights))
     U, W = (_numbers(series, order, number) for series in (flow.U, flow.W))
     P: Parts = [{zero: one}]
     Q: Parts = [{zero: one * 0}]
@@ -234,8 +236,8 @@ def _solve(flow: Flow, grid: _Grid, order: int) -> tuple[Parts, Parts, Ends]:
         dQ = {k: -(grid.c * f) for k, f in F.items()}
         for j in range(1, n + 1):
             minus_U = [(k, -u) for k, u in U[j].items()]
-            accumulate(dP, minus_U, _weighted(P[n - j], alphas).items())
-            accumulate(dQ, minus_U, _weighted(Q[n - j], alphas).items())
+            accumulate(dP, minus_U, _weighted(P[n - j], weigh).items())
+            accumulate(dQ, minus_U, _weighted(Q[n - j], weigh).items())
             accumulate(dP, [(k, -w) for k, w in W[j].items()], Q[n - j].items())
             accumulate(dQ, W[j].items(), P[n - j].items())
         p, q = ({k: grid.integrate(f) for k, f in d.items()} for d in (dP, dQ))
@@ -265,9 +267,9 @@ def _power_part(g: Parts, power: Parts, a: Any, n: int) -> dict[Key, Any]:
     return {k: x / n for k, x in total.items()}
 
 
-def _weighted(part: dict[Key, Any], alphas: list[Any]) -> dict[Key, Any]:
+def _weighted(part: dict[Key, Any], grading: Grading) -> dict[Key, Any]:
     """1 + D: delta^n times 1 + sum_i n_i (alpha_i - 1)."""
-    return {k: x * (1 + sum(n * (a - 1) for n, a in zip(k, alphas))) for k, x in part.items()}
+    return {k: x * (1 + grading.weight(k)) for k, x in part.items()}
 
 
 def _numbers(series: Any, order: int, number: Callable[[arb], Any]) -> Parts:

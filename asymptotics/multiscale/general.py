@@ -53,6 +53,7 @@ from sympy import (
 )
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, require_gauge
 from asymptotics.moments.symbolic import moment
 from asymptotics.multiscale.exact import GAUGE
 from asymptotics.multiscale.harmonics import harmonic_closed_form, turning_sum
@@ -70,7 +71,6 @@ from asymptotics.multiscale.orders import (
     solution_symbol,
     velocity_equation,
 )
-from asymptotics.normal_form.gauges import AVERAGING, NO_FIRST_HARMONIC, require_gauge
 from asymptotics.series import Key, monomials
 
 _j = Symbol("j", integer=True, positive=True)

@@ -20,9 +20,11 @@ from math import factorial
 
 from flint import fmpq
 
+from asymptotics.gauges import TURNING_POINT
+from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.multiscale.exact import GAUGE, OddHierarchy, Part, sign
-from asymptotics.normal_form.gauges import TURNING_POINT, GaugeMap
+from asymptotics.normal_form.gauges import GaugeMap
 from asymptotics.series import Series
 
 
@@ -49,8 +51,8 @@ def map_to_turning_points(hierarchy: OddHierarchy) -> GaugeMap:
         sigma = sigma + _at(velocity, sigma)
     log_modulus = _at(_taylor(hierarchy, hierarchy.X), sigma).log()
     lam, psi_0 = (s.map_keys(lambda k, c: PiNumber.rational(c * sign(sum(k)))) for s in (log_modulus, sigma))
-    alphas = tuple(fmpq(a) for a in hierarchy.alphas)
-    return GaugeMap(GAUGE, TURNING_POINT, alphas, lam, -psi_0)
+    grading = Grading.of(fmpq(a) for a in hierarchy.alphas)
+    return GaugeMap(GAUGE, TURNING_POINT, grading, lam, -psi_0)
 
 
 def _taylor(hierarchy: OddHierarchy, parts: tuple[Part, ...]) -> list[Series]:

@@ -20,26 +20,21 @@ from dataclasses import replace
 
 from flint import fmpq
 
+from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
+from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PI, PiNumber
 from asymptotics.half_swings.quarter import HalfSwing
 from asymptotics.multiscale.exact import GAUGE, OddHierarchy
 from asymptotics.multiscale.initial import map_to_turning_points
 from asymptotics.normal_form.flow import Flow
-from asymptotics.normal_form.gauges import (
-    AVERAGING,
-    NO_FIRST_HARMONIC,
-    GaugeMap,
-    identity_map,
-    map_of_bracket,
-    require_gauge,
-)
+from asymptotics.normal_form.gauges import GaugeMap, identity_map, map_of_bracket
 from asymptotics.series import Series
 
 
 def flow_of(hierarchy: OddHierarchy) -> Flow:
     """U = -p/(1 + Omega), W = 1/(1 + Omega) in the gauge of the hierarchy."""
     W = (hierarchy.Omega.map(PiNumber.rational) + 1).inverse()
-    return Flow(tuple(fmpq(a) for a in hierarchy.alphas), -(hierarchy.p.map(PiNumber.rational) * W), W)
+    return Flow(Grading.of(fmpq(a) for a in hierarchy.alphas), -(hierarchy.p.map(PiNumber.rational) * W), W)
 
 
 def map_to(hierarchy: OddHierarchy, gauge: str) -> GaugeMap:
@@ -60,7 +55,7 @@ def flow_in(hierarchy: OddHierarchy, gauge: str) -> Flow:
 
 def half_swing_of(hierarchy: OddHierarchy) -> HalfSwing:
     """L = ln(A_(n+1)/A_n) and the duration T between turning points: observable, the same for every method."""
-    return flow_in(hierarchy, "turning-point").half_swing(PI)
+    return flow_in(hierarchy, TURNING_POINT).half_swing(PI)
 
 
 def _averaging_bracket(hierarchy: OddHierarchy) -> Series:

@@ -13,9 +13,9 @@ import sympy
 from flint import arb, fmpq
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.symbolic import nested_integral, nested_integral_definition
-from asymptotics.normal_form.coefficients import Coefficient, Row, row_to_dict
-from asymptotics.normal_form.gauges import TURNING_POINT
+from asymptotics.normal_form.results import Coefficient, Row, row_to_dict
 from asymptotics.normal_form.symbolic import omega_2, symbolic_expansion
 from asymptotics.numbers.decimals import certified_decimal
 
@@ -62,7 +62,7 @@ def symbolic_coefficients(order: int, gauge: str, digits: int) -> SymbolicCoeffi
     highest = MAX_SYMBOLIC_ORDER if gauge == TURNING_POINT else 2
     if not 1 <= order <= highest:
         reason = f"{order}: in the gauge {gauge} closed forms in alpha are known through order {highest}"
-        raise InputError("--order", reason, f"an integer from 1 to {highest}")
+        raise InputError("order", reason, f"an integer from 1 to {highest}")
     source = symbolic_expansion()
     p = {k: v for k, v in source.p.items() if k <= order}
     Omega = {k: v for k, v in source.Omega.items() if k <= order}

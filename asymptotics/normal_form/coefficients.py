@@ -14,13 +14,13 @@ Coefficient(value='-0.152788745368', expression=-12/(25*pi))
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import sympy
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.certified import WORK_PER_SECOND, quarter_swing
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.pi_ring import PiNumber
@@ -35,85 +35,12 @@ from asymptotics.normal_form.expansion import (
     require_size,
 )
 from asymptotics.normal_form.flow import flow_of
-from asymptotics.normal_form.gauges import TURNING_POINT, require_gauge
+from asymptotics.normal_form.results import ZERO, Coefficient, ExpansionCoefficients, HalfSwingCoefficients, Row
 from asymptotics.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
 from asymptotics.numbers.bridge import to_fraction, to_sympy
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series, monomials
-
-
-@dataclass(frozen=True)
-class Coefficient:
-    """One coefficient: correctly rounded digits, and its exact form (None if none is known)."""
-
-    value: str | None
-    expression: sympy.Expr | None
-
-    @property
-    def exact(self) -> str | None:
-        """The exact form as text that SymPy reads."""
-        return None if self.expression is None else str(self.expression)
-
-    def to_dict(self) -> dict[str, str | None]:
-        """Digits and exact form as text."""
-        return {"value": self.value, "exact": self.exact}
-
-
-ZERO = Coefficient("0", sympy.Integer(0))
-Row = dict[str, Coefficient]
-
-
-def row_to_dict(row: Row) -> dict[str, dict[str, str | None]]:
-    """A row of coefficients as JSON data."""
-    return {key: c.to_dict() for key, c in row.items()}
-
-
-@dataclass(frozen=True)
-class ExpansionCoefficients:
-    """p_k (``amplitude``) and Omega_k (``frequency``) for k <= ``order``; keys "k", or "k1,k2" for sums of laws."""
-
-    gauge: str
-    order: int
-    arithmetic: str
-    amplitude: Row
-    frequency: Row
-
-    def to_dict(self) -> dict[str, Any]:
-        """The coefficients as the JSON of the command line."""
-        head = {"gauge": self.gauge, "order": self.order, "arithmetic": self.arithmetic}
-        return {**head, "amplitude": row_to_dict(self.amplitude), "frequency": row_to_dict(self.frequency)}
-
-    def latex(self) -> str:
-        """The two equations in LaTeX; exact coefficients where known, else their digits."""
-        p, Omega = (_latex_sum(row) for row in (self.amplitude, self.frequency))
-        return rf"\frac{{dA}}{{d\tau}} = -A\left({p}\right),\quad \frac{{d\psi}}{{d\tau}} = 1 + {Omega}"
-
-    def _repr_latex_(self) -> str:
-        return f"${self.latex()}$"
-
-
-@dataclass(frozen=True)
-class HalfSwingCoefficients:
-    """The half-swing map through delta^order: ``map`` and ``V`` have one row per law."""
-
-    order: int
-    arithmetic: str
-    log_ratio: Row
-    map: tuple[Row, ...]
-    duration: Row
-    U: Row
-    V: tuple[Row, ...]
-    W: Row
-
-    def to_dict(self) -> dict[str, Any]:
-        """The coefficients as the JSON of the command line; one law has its rows of map and V directly."""
-        data: dict[str, Any] = {"order": self.order, "arithmetic": self.arithmetic}
-        data |= {name: row_to_dict(getattr(self, name)) for name in ("log_ratio", "duration", "U", "W")}
-        for name in ("map", "V"):
-            rows = [row_to_dict(row) for row in getattr(self, name)]
-            data[name] = rows[0] if len(rows) == 1 else rows
-        return data
 
 
 def expansion_coefficients(
@@ -209,11 +136,11 @@ def _integers(
     """The exponents if the exact engine is to be used: integers, and not too much work (or no other choice)."""
     if not all(a.is_rational and a.rational.denominator == 1 for a in alphas):
         if exact_only:
-            raise InputError("--exact", "there are no exact coefficients at this order", "integer exponents")
+            raise InputError("exact", "there are no exact coefficients at this order", "integer exponents")
         return None
     integers = tuple(int(a.rational) for a in alphas)
     if any(a < 0 for a in integers):
-        raise InputError("--alpha", "an exponent is negative", "exponents >= 0")
+        raise InputError("alpha", "an exponent is negative", "exponents >= 0")
     if exact_only:
         require_size(integers, order, gauge, max_seconds)
     return integers if estimated_seconds(integers, order, gauge) <= max_seconds else None
@@ -273,17 +200,6 @@ def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, sympy.Expr]) -> Row
         return sympy.Integer(0) if text == "0" else known.get(key)
 
     return {_name(key): Coefficient(text, exact(key, text)) for key, text in row.items()}
-
-
-def _latex_sum(row: Row) -> str:
-    terms = []
-    for key, c in row.items():
-        powers = [int(k) for k in key.split(",")]
-        names = [r"\delta"] if len(powers) == 1 else [rf"\delta_{{{i}}}" for i in range(1, len(powers) + 1)]
-        monomial = " ".join(n + (f"^{{{k}}}" if k > 1 else "") for n, k in zip(names, powers) if k)
-        number = c.value if c.expression is None else sympy.latex(c.expression)
-        terms.append(rf"\left({number}\right) {monomial}")
-    return " + ".join(terms) or "0"
 
 
 def _name(key: Key) -> str:

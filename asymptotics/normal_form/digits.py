@@ -56,7 +56,6 @@ def certified_digits(
     keys are multi-indices; ``names`` selects some.  UndecidedError names the coefficient that could not be decided.
     """
 
-
     def evaluate() -> dict[str, Series]:
         series = expansions(alphas, order, max_work)
         return {name: series[name] for name in names or series}
@@ -70,7 +69,7 @@ def expansions(alphas: Sequence[ExactReal], order: int, max_work: int = MAX_WORK
     U, W = _flow(half, alphas)
     inverse = W.inverse()
     per_law = {f"F_{i}": f for i, f in enumerate(half.F)}
-    for i, weight in enumerate(half.weights):
+    for i, weight in enumerate(half.grading.weights):
         per_law[f"V_{i}"] = (U * weight).shift(i).truncate(order)
     p = without(-(U * inverse), lambda n: sum(n) % 2 == 0 or (sum(n) > 1 and only(alphas, n, {1})))
     Omega = without(inverse, lambda n: sum(n) % 2 == 1)

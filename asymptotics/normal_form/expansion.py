@@ -21,18 +21,17 @@ from flint import arb
 from sympy import latex
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
-from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.fourier_flow import fourier_flow
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.half_swings.quarter import HalfSwing, QuarterSwing, half_swing
 from asymptotics.normal_form.flow import Flow, flow_of
 from asymptotics.normal_form.gauges import (
-    TURNING_POINT,
     GaugeMap,
     gauge_map,
     identity_map,
     map_of_bracket,
-    require_gauge,
 )
 from asymptotics.series import Series
 
@@ -55,9 +54,9 @@ class Expansion:
     gauge_map: GaugeMap
 
     @property
-    def alphas(self) -> tuple[Any, ...]:
-        """The exponents, as numbers of the coefficient ring."""
-        return self.flow.alphas
+    def degrees(self) -> tuple[Any, ...]:
+        """The degrees of homogeneity (the exponents of pure losses), as numbers of the coefficient ring."""
+        return self.flow.grading.degrees
 
     @property
     def p(self) -> Series:
@@ -79,12 +78,12 @@ class Expansion:
         return self.gauge_map.inverse().apply(self.flow)
 
     def _repr_latex_(self) -> str:
-        names = [r"\delta"] if len(self.alphas) == 1 else [rf"\delta_{{{i}}}" for i in range(len(self.alphas))]
+        names = [r"\delta"] if len(self.degrees) == 1 else [rf"\delta_{{{i}}}" for i in range(len(self.degrees))]
         p, Omega = (latex_series(s, names) for s in (self.p, self.Omega))
         return rf"$\frac{{dA}}{{d\tau}} = -A\left({p}\right),\quad \frac{{d\psi}}{{d\tau}} = 1 + {Omega}$"
 
     def __str__(self) -> str:
-        alphas = ", ".join(str(a) for a in self.alphas)
+        alphas = ", ".join(str(a) for a in self.degrees)
         head = f"alpha = {alphas}, gauge {self.gauge}, {self.arithmetic}, order {self.order}"
         return f"{head}\np: {self.p}\nOmega: {self.Omega}"
 
@@ -134,8 +133,8 @@ def exact_expansion(
 def _odd_expansion(alphas: tuple[int, ...], order: int, gauge: str) -> Expansion:
     """Odd exponents: the bracket is the mean of the turning-point waveform, a rational Fourier polynomial."""
     half = exact_half_swing(alphas, order)
-    source = odd_flow(alphas, order)
-    flow = Flow(half.alphas, source.U, source.W)
+    source = fourier_flow(alphas, order)
+    flow = Flow(half.grading, source.U, source.W)
     if gauge == TURNING_POINT:
         return Expansion(gauge, "exact", order, flow, half, identity_map(flow))
     change = map_of_bracket(flow, source.bracket(gauge), gauge)

@@ -23,10 +23,8 @@ At alpha = 1 all a_n vanish and U = L/pi, W = T/pi.  t -> -t with epsilon -> -ep
 from dataclasses import dataclass
 from typing import Any
 
-from flint import acb, arb
-
-from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.quarter import HalfSwing, strengths
+from asymptotics.half_swings.grading import Grading
+from asymptotics.half_swings.quarter import HalfSwing
 from asymptotics.series import Key, Series, accumulate, is_exact_zero, monomials
 
 
@@ -34,7 +32,7 @@ from asymptotics.series import Key, Series, accumulate, is_exact_zero, monomials
 class Flow:
     """U = d ln A/d psi (odd) and W = d tau/d psi (even) as series in the delta_i of one gauge."""
 
-    alphas: tuple[Any, ...]
+    grading: Grading
     U: Series
     W: Series
 
@@ -46,8 +44,8 @@ class Flow:
     @property
     def V(self) -> tuple[Series, ...]:
         """V_i = d delta_i/d psi = (alpha_i - 1) delta_i U."""
-        shifted = (self.U.shift(i).truncate(self.order) for i in range(len(self.alphas)))
-        return tuple(without_zeros(s * (a - 1)) for s, a in zip(shifted, self.alphas))
+        shifted = (self.U.shift(i).truncate(self.order) for i in range(self.grading.variables))
+        return tuple(without_zeros(s * w) for s, w in zip(shifted, self.grading.weights))
 
     @property
     def p(self) -> Series:
@@ -61,7 +59,7 @@ class Flow:
 
     def derivative(self, f: Series) -> Series:
         """D f = sum_i V_i d f/d delta_i, the rate of change of f along the flow."""
-        return self.U * f.weighted(tuple(a - 1 for a in self.alphas))
+        return self.U * self.grading.weighted(f)
 
     def half_swing(self, pi: Any) -> HalfSwing:
         """The time-pi map of the flow: L = sum_j pi^(j+1)/(j+1)! D^j U, T likewise, F = delta exp((alpha - 1) L).
@@ -69,7 +67,7 @@ class Flow:
         For a flow in the turning-point gauge this is the half-swing between turning points.
         """
         L, T = (self._accumulated(f, pi) for f in (self.U, self.W))
-        return HalfSwing(self.alphas, L, strengths(self.alphas, L), T)
+        return HalfSwing(self.grading, L, self.grading.strengths(L), T)
 
     def _accumulated(self, f: Series, pi: Any) -> Series:
         total, term, factor = Series({}, f.variables, f.order), f, pi
@@ -88,15 +86,14 @@ def flow_of(half: HalfSwing) -> Flow:
     columns = _columns(half)
     U = _log_quotient(half.L, columns).map(lambda x: x / pi)
     W = _log_quotient(half.T.without_constant(), columns).map(lambda x: x / pi) + 1
-    return Flow(half.alphas, of_parity(U, 1), of_parity(W, 0))
+    return Flow(half.grading, half.grading.of_parity(U, 1), half.grading.of_parity(W, 0))
 
 
 def _columns(half: HalfSwing) -> dict[Key, tuple[tuple[Key, Any], ...]]:
     """The matrix of C - 1 on monomials: delta^n -> delta^n (exp(a_n L) - 1) for every n of degree 1, ..., order - 1."""
     columns = {}
-    for key in (k for d in range(1, half.order) for k in monomials(len(half.alphas), d)):
-        weight = sum((n * w for n, w in zip(key, half.weights)), start=0)
-        growth = (half.L.truncate(half.order - sum(key)) * weight).exp().without_constant()
+    for key in (k for d in range(1, half.order) for k in monomials(half.grading.variables, d)):
+        growth = (half.L.truncate(half.order - sum(key)) * half.grading.weight(key)).exp().without_constant()
         columns[key] = tuple((tuple(p + q for p, q in zip(key, k)), c) for k, c in growth.coefficients.items())
     return columns
 
@@ -114,19 +111,6 @@ def _log_quotient(f: Series, columns: dict[Key, tuple[tuple[Key, Any], ...]]) ->
         term = without_zeros(Series(image, f.variables, f.order))
         total = total + term * (-1) ** k / (k + 1)
     return total
-
-
-def of_parity(series: Series, parity: int) -> Series:
-    """Keep the degrees of one parity; the others vanish by reversibility, and that is checked, not assumed."""
-    for key, c in series.coefficients.items():
-        if sum(key) % 2 != parity and not may_vanish(c):
-            raise UndecidedError(f"the coefficient of degree {key} should vanish by reversibility and is {c}")
-    return series.with_coefficients({k: c for k, c in series.coefficients.items() if sum(k) % 2 == parity})
-
-
-def may_vanish(c: Any) -> bool:
-    """Whether a coefficient is an exact zero, or a ball that contains 0."""
-    return bool(c.contains(0)) if isinstance(c, arb | acb) else bool(c == 0)
 
 
 def without_zeros(series: Series) -> Series:

@@ -32,6 +32,7 @@ delta_g = delta e^((alpha - 1) lambda), U_g = (U + D lambda)/(1 + D chi), W_g = 
 >>> from asymptotics.normal_form.flow import flow_of
 >>> quarter = exact_quarter_swing((3,), 2, moments=True)
 >>> flow = flow_of(half_swing(quarter))
+>>> from asymptotics.gauges import GAUGES
 >>> for gauge in GAUGES:                                        # Omega_2 of x'^3: right, all three of them
 ...     print(gauge, gauge_map(flow, quarter.K, gauge).apply(flow).Omega)
 turning-point -45/256*d^2 + O(3)
@@ -41,16 +42,13 @@ no-first-harmonic 9/256*d^2 + O(3)
 
 from dataclasses import dataclass
 from math import factorial
-from typing import Any
 
 from asymptotics.errors import InputError
-from asymptotics.half_swings.odd_flow import GAUGES
-from asymptotics.half_swings.quarter import strengths
+from asymptotics.gauges import AVERAGING, TURNING_POINT, require_gauge
+from asymptotics.half_swings.grading import Grading
 from asymptotics.normal_form.flow import Flow
 from asymptotics.normal_form.tau_polynomial import TauPolynomial
 from asymptotics.series import Series, divided, is_exact_zero
-
-TURNING_POINT, AVERAGING, NO_FIRST_HARMONIC = GAUGES
 
 
 @dataclass(frozen=True)
@@ -59,20 +57,20 @@ class GaugeMap:
 
     source: str
     target: str
-    alphas: tuple[Any, ...]
+    grading: Grading
     log_modulus: Series
     argument: Series
 
     @property
     def strengths(self) -> tuple[Series, ...]:
         """delta_i of the target gauge as series in those of the source gauge."""
-        return strengths(self.alphas, self.log_modulus)
+        return self.grading.strengths(self.log_modulus)
 
     def inverse(self) -> "GaugeMap":
         """The map back, as series in the target gauge's delta."""
-        back = _inverse_log_modulus(self.alphas, self.log_modulus)
-        argument = -self.argument.compose(strengths(self.alphas, back))
-        return GaugeMap(self.target, self.source, self.alphas, back, argument)
+        back = _inverse_log_modulus(self.grading, self.log_modulus)
+        argument = -self.argument.compose(self.grading.strengths(back))
+        return GaugeMap(self.target, self.source, self.grading, back, argument)
 
     def then(self, other: "GaugeMap") -> "GaugeMap":
         """First this map, then ``other``; InputError if the gauges do not meet."""
@@ -80,20 +78,20 @@ class GaugeMap:
             raise InputError("gauge", f"{other.source} is not the target of the first map", self.target)
         log_modulus = self.log_modulus + other.log_modulus.compose(self.strengths)
         argument = self.argument + other.argument.compose(self.strengths)
-        return GaugeMap(self.source, other.target, self.alphas, log_modulus, argument)
+        return GaugeMap(self.source, other.target, self.grading, log_modulus, argument)
 
     def apply(self, flow: Flow) -> Flow:
         """The flow of the source gauge, written in the target gauge."""
         rate = flow.derivative(self.argument) + 1
         U, W = (flow.U + flow.derivative(self.log_modulus)) / rate, flow.W / rate
         images = self.inverse().strengths
-        return Flow(self.alphas, U.compose(images), W.compose(images))
+        return Flow(self.grading, U.compose(images), W.compose(images))
 
 
 def identity_map(flow: Flow, gauge: str = TURNING_POINT) -> GaugeMap:
     """The map from a gauge to itself."""
     nothing = Series({}, flow.U.variables, flow.order)
-    return GaugeMap(gauge, gauge, flow.alphas, nothing, nothing)
+    return GaugeMap(gauge, gauge, flow.grading, nothing, nothing)
 
 
 def gauge_map(flow: Flow, K: tuple[tuple[Series, Series], ...], gauge: str) -> GaugeMap:
@@ -107,22 +105,17 @@ def gauge_map(flow: Flow, K: tuple[tuple[Series, Series], ...], gauge: str) -> G
         return identity_map(flow)
     c = _bracket_of_x(flow, K)
     if gauge == AVERAGING:
-        W_inverse = _hat(flow.W, 0).inverse()
+        W_inverse = _hat(flow.grading, flow.W, 0).inverse()
         c = (c * (W_inverse + 1) + _d1(flow, c).truncate(flow.order) * W_inverse) / 2
     return map_of_bracket(flow, c, gauge)
 
 
-def require_gauge(gauge: str) -> None:
-    """InputError unless ``gauge`` is one of the three."""
-    if gauge not in GAUGES:
-        raise InputError("gauge", f"{gauge!r} is unknown", ", ".join(GAUGES))
-
-
 def map_of_bracket(flow: Flow, c: Series, gauge: str) -> GaugeMap:
     """The map from the turning-point gauge given c^(eta), the bracket at delta = i eta (real, constant term 1)."""
-    even = c.map_keys(lambda k, x: x * _sign(sum(k)) if sum(k) % 2 == 0 else 0 * x)
-    odd = c.map_keys(lambda k, x: -x * _sign(sum(k) - 1) if sum(k) % 2 else 0 * x)
-    return GaugeMap(TURNING_POINT, gauge, flow.alphas, *_logarithm(even.without_constant() + 1, odd))
+    l = flow.grading.loss_degree  # noqa: E741 (the letter of ``grading``)
+    even = c.map_keys(lambda k, x: x * _sign(l(k)) if l(k) % 2 == 0 else 0 * x)
+    odd = c.map_keys(lambda k, x: -x * _sign(l(k) - 1) if l(k) % 2 else 0 * x)
+    return GaugeMap(TURNING_POINT, gauge, flow.grading, *_logarithm(even.without_constant() + 1, odd))
 
 
 def _sign(n: int) -> int:
@@ -130,15 +123,15 @@ def _sign(n: int) -> int:
     return -1 if n % 4 == 2 else 1
 
 
-def _hat(series: Series, parity: int) -> Series:
-    """f^ with f(i eta) = i^parity f^(eta), for a series of that parity in delta."""
-    return series.map_keys(lambda k, x: x * _sign(sum(k) - parity))
+def _hat(grading: Grading, series: Series, parity: int) -> Series:
+    """f^ with f(i eta) = i^parity f^(eta), for a series of that parity."""
+    return series.map_keys(lambda k, x: x * _sign(grading.loss_degree(k) - parity))
 
 
 def _d1(flow: Flow, f: Series) -> Series:
     """D^_1 f = U^ (1 + sum_i (alpha_i - 1) eta_i d_i) f, known through one order more than f."""
     raised = f.extend(min(f.order + 1, flow.order))
-    return _hat(flow.U, 1) * (raised + raised.weighted(tuple(a - 1 for a in flow.alphas)))
+    return _hat(flow.grading, flow.U, 1) * (raised + flow.grading.weighted(raised))
 
 
 def _bracket_of_x(flow: Flow, K: tuple[tuple[Series, Series], ...]) -> Series:
@@ -147,7 +140,7 @@ def _bracket_of_x(flow: Flow, K: tuple[tuple[Series, Series], ...]) -> Series:
     if len(K) <= order:
         raise ValueError(f"{order + 1} waveform moments are needed, {len(K)} are given")
     pi = K[0][0].constant_term * 4
-    hatted = [_hat_moment(K[k], k) for k in range(order + 1)]
+    hatted = [_hat_moment(flow.grading, K[k], k) for k in range(order + 1)]
     ratio, kernel = _phase_kernel(flow)
     terms = []
     for j in range(order + 1):
@@ -159,24 +152,23 @@ def _bracket_of_x(flow: Flow, K: tuple[tuple[Series, Series], ...]) -> Series:
     return total.map(lambda x: divided(x * 4, pi))
 
 
-def _hat_moment(K: tuple[Series, Series], k: int) -> Series:
-    """K^_k: the coefficient of eta^m is Re(i^(m-k) K_(k,m)), the only part that survives adding the second quarter."""
+def _hat_moment(grading: Grading, K: tuple[Series, Series], k: int) -> Series:
+    """K^_k: the coefficient of eta^m is Re(i^(l(m)-k) K_(k,m)): only that survives adding the second quarter."""
     real, imaginary = K
     sources = (real, -imaginary, -real, imaginary)
     keys = set(real.coefficients) | set(imaginary.coefficients)
-    values = {key: sources[(sum(key) - k) % 4].coefficients.get(key, 0) for key in keys}
+    values = {key: sources[(grading.loss_degree(key) - k) % 4].coefficients.get(key, 0) for key in keys}
     return real.with_coefficients({key: x for key, x in values.items() if not is_exact_zero(x)})
 
 
 def _phase_kernel(flow: Flow) -> tuple[Series, Series]:
     """Psi^/sigma and exp(Psi^ - sigma) d Psi^/d sigma, as series whose coefficients are polynomials in sigma."""
-    W_inverse, U = _hat(flow.W, 0).inverse(), _hat(flow.U, 1)
-    weights = tuple(a - 1 for a in flow.alphas)
+    W_inverse, U = _hat(flow.grading, flow.W, 0).inverse(), _hat(flow.grading, flow.U, 1)
     ratio, rate, term = Series({}, U.variables, flow.order), Series({}, U.variables, flow.order), W_inverse
     for j in range(flow.order + 1):  # term = (-G^)^j (1/W^), the coefficient of sigma^(j+1)/(j+1)!
         ratio = ratio + _at_power(term, j, factorial(j + 1))
         rate = rate + _at_power(term, j, factorial(j))
-        term = -(W_inverse * U * term.weighted(weights))
+        term = -(W_inverse * U * flow.grading.weighted(term))
     lag = ratio.without_constant().map(lambda p: p.shift())
     return ratio, lag.exp() * rate
 
@@ -206,9 +198,10 @@ def _logarithm(even: Series, odd: Series) -> tuple[Series, Series]:
     return modulus.log() / 2, turn.without_constant().map_keys(lambda k, x: divided(x, sum(k)))
 
 
-def _inverse_log_modulus(alphas: tuple[Any, ...], log_modulus: Series) -> Series:
-    """mu with mu(delta_g) = -lambda(delta_g exp((alpha - 1) mu)); lambda is even, so each pass gains two orders."""
+def _inverse_log_modulus(grading: Grading, log_modulus: Series) -> Series:
+    """mu with mu(delta_g) = -lambda(delta_g exp((d - 1) mu)); each pass gains the lowest degree of lambda."""
+    degrees = [sum(k) for k, c in log_modulus.coefficients.items() if not is_exact_zero(c)]
     mu = -log_modulus
-    for _ in range(log_modulus.order // 2):
-        mu = -log_modulus.compose(strengths(alphas, mu))
+    for _ in range(log_modulus.order // min(degrees, default=log_modulus.order + 1)):
+        mu = -log_modulus.compose(grading.strengths(mu))
     return mu

@@ -55,9 +55,9 @@ class Truncation:
 
 def slope(expansion: Expansion) -> float:
     """|alpha - 1| p_1/2, the growth rate of the coefficients; InputError for sums of laws and for alpha = 0, 1."""
-    if len(expansion.alphas) != 1:
+    if len(expansion.degrees) != 1:
         raise InputError("law", "large orders are known for one law only", "one law")
-    alpha, p_1 = _float(expansion.alphas[0]), _float(expansion.p[1])
+    alpha, p_1 = _float(expansion.degrees[0]), _float(expansion.p[1])
     if alpha in (0.0, 1.0):
         raise InputError("alpha", f"at alpha = {alpha:.0f} the series does not diverge", "alpha > 0 other than 1")
     return abs(alpha - 1) * p_1 / 2
@@ -74,7 +74,7 @@ def optimal_truncation(expansion: Expansion, delta: float) -> Truncation:
     """The predicted k* = 2/(|alpha - 1| p_1 delta) beside the smallest term of V actually found."""
     star = 1 / (slope(expansion) * delta)
     U = _mpf_coefficients(expansion.turning_point_flow().U)
-    alpha = _float(expansion.alphas[0])
+    alpha = _float(expansion.degrees[0])
     terms = {k + 1: abs(float((alpha - 1) * u * mpmath.mpf(delta) ** (k + 1))) for k, u in enumerate(U) if u}
     index = min(terms, key=lambda k: terms[k])
     return Truncation(delta, round(star), exp(-star), index, terms[index])

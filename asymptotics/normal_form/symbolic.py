@@ -24,6 +24,7 @@ D(chi_1 delta) = -(alpha - 1) p_1 chi_1 delta^2:
 45/4096
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -32,11 +33,11 @@ from flint import arb
 from sympy import Expr, factor
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
 from asymptotics.half_swings.symbolic import FIELD, I_4, ORDER, alpha, field_half_swing, nested_integral, to_expression
 from asymptotics.moments.certified import moment as moment_ball
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.flow import Flow, flow_of
-from asymptotics.normal_form.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
 
 
 @dataclass(frozen=True)
@@ -65,15 +66,21 @@ def symbolic_expansion() -> SymbolicExpansion:
     the equation of motion is asserted by the tests for the whole field, not at single exponents.
     """
     a = alpha
-    U = {
-        1: -moment(a + 1),
-        3: -a * (3 * a + 1) / (6 * (a + 1) ** 2) * moment(3 * a + 1),
-    }
+    U, W = _flow(a, moment, I_4(a))
+    return SymbolicExpansion(U, W, *_rates(U, W))
+
+
+def _flow(a: Any, moment: Callable[[Any], Any], I4: Any) -> tuple[dict[int, Any], dict[int, Any]]:
+    """U_1, U_3 and W_2, W_4 of the module docstring, in expressions or in balls."""
+    U_3 = -a * (3 * a + 1) / (6 * (a + 1) ** 2) * moment(3 * a + 1)
     W_4 = a**2 * (35 * a**3 + 9 * a**2 - 17 * a - 3) / (2 * (a + 1) ** 4 * (2 * a + 1) * (3 * a + 1)) * moment(4 * a)
-    W_4 += 3 * (a * (a - 1) / (a + 1)) ** 2 * I_4(a)
-    W = {2: (a / (a + 1)) ** 2 * moment(2 * a), 4: W_4}
-    p = {1: -U[1], 3: -U[3] + U[1] * W[2]}
-    return SymbolicExpansion(U, W, p, {2: -W[2], 4: W[2] ** 2 - W[4]})
+    W_4 += 3 * (a * (a - 1) / (a + 1)) ** 2 * I4
+    return {1: -moment(a + 1), 3: U_3}, {2: (a / (a + 1)) ** 2 * moment(2 * a), 4: W_4}
+
+
+def _rates(U: dict[int, Any], W: dict[int, Any]) -> tuple[dict[int, Any], dict[int, Any]]:
+    """p = -U/W and Omega = 1/W - 1 through fourth order."""
+    return {1: -U[1], 3: -U[3] + U[1] * W[2]}, {2: -W[2], 4: W[2] ** 2 - W[4]}
 
 
 def derived_coefficient(series: str, k: int) -> Expr:
@@ -124,10 +131,5 @@ def certified_coefficients(exponent: arb) -> dict[str, dict[int, arb]]:
     """
     if not exponent >= 0:
         raise InputError("alpha", f"{exponent.str(5)} is not certainly >= 0", "alpha >= 0")
-    a = exponent
-    M, M2, M3, M4 = (moment_ball(q) for q in (a + 1, 2 * a, 3 * a + 1, 4 * a))
-    U_3 = -a * (3 * a + 1) / (6 * (a + 1) ** 2) * M3
-    W_2 = (a / (a + 1)) ** 2 * M2
-    W_4 = a**2 * (35 * a**3 + 9 * a**2 - 17 * a - 3) / (2 * (a + 1) ** 4 * (2 * a + 1) * (3 * a + 1)) * M4
-    W_4 += 3 * (a * (a - 1) / (a + 1)) ** 2 * nested_integral(a)
-    return {"p": {1: M, 3: -U_3 - M * W_2}, "Omega": {2: -W_2, 4: W_2**2 - W_4}}
+    p, Omega = _rates(*_flow(exponent, moment_ball, nested_integral(exponent)))
+    return {"p": p, "Omega": Omega}

@@ -27,11 +27,11 @@ from flint import arb, fmpq, fmpq_poly
 from scipy.integrate import solve_ivp
 
 from asymptotics.half_swings.exact import exact_quarter_swing
-from asymptotics.half_swings.odd_flow import OddFlow, odd_flow
+from asymptotics.half_swings.fourier_flow import FourierFlow, fourier_flow
+from asymptotics.half_swings.grading import may_vanish
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.half_swings.quarter import HalfSwing, half_swing
 from asymptotics.normal_form.expansion import Expansion
-from asymptotics.normal_form.flow import may_vanish
 from asymptotics.series import Series
 from asymptotics.verdict import Outcome
 
@@ -86,20 +86,20 @@ def map_residual(expansion: Expansion, reference: HalfSwing) -> Outcome:
 def equation_residual(alphas: tuple[int, ...], order: int, gauge: str) -> Outcome:
     """The residual of (d_psi + D_1 + i) Z = i W (Z + Phi) for odd exponents, formed afresh from Z, U and W.
 
-    The recurrence of ``odd_flow`` never forms the full series; here whole series are multiplied and subtracted.
+    The recurrence of ``fourier_flow`` never forms the full series; here whole series are multiplied and subtracted.
     """
-    flow = odd_flow(alphas, order, gauge)
+    flow = fourier_flow(alphas, order, gauge)
     residual = _waveform_residual(alphas, flow)
     zero = all(c == 0 for c in residual.coefficients.values())
     return Outcome.CONFIRMED if zero else Outcome.REFUTED
 
 
-def _waveform_residual(alphas: tuple[int, ...], flow: OddFlow) -> Series:
+def _waveform_residual(alphas: tuple[int, ...], flow: FourierFlow) -> Series:
     """(2 q d_q + D^_1 + 1) Z - W^ (Z + Phi^), each coefficient of degree n times q^(shift n + 1)."""
     M, variables, order = flow.shift, len(alphas), flow.U.order
     Z = Series({k: p for part in flow.Z for k, p in part.items()}, variables, order)
     rotation = Z.map_keys(lambda k, p: 2 * (p.derivative().left_shift(1) - M * sum(k) * p))
-    growth = Z + Z.weighted(tuple(a - 1 for a in alphas))
+    growth = Z + flow.grading.weighted(Z)
     U = _shifted(flow.U, 1, M)
     W = _shifted(flow.W, 0, M)
     mirrored = Z.map_keys(lambda k, p: (-1) ** sum(k) * _mirror(p, 2 * M * sum(k)))
@@ -149,7 +149,7 @@ def measured_order(expansion: Expansion, levels: int = 8) -> float:
     delta runs through 0.3, 0.3/sqrt(2), ...; of the errors above rounding the smallest pair is used.
     """
     half = expansion.turning_point_flow().half_swing(expansion.pi)
-    alphas = [_float(a) for a in expansion.alphas]
+    alphas = [_float(d) for d in expansion.degrees]
     found = []
     for j in range(levels):
         delta = 0.3 * 2 ** (-j / 2)

@@ -6,8 +6,8 @@ from typing import Any
 
 from flint import ctx
 
+from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.odd_flow import GAUGES
 from asymptotics.motions.accuracy import measured_errors
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.expansion import Expansion, exact_expansion, expansion_of

@@ -10,8 +10,9 @@ from flint import arb, fmpq
 from asymptotics.envelopes.laurent import envelope_of_series, laurent_envelope, symbolic_envelope
 from asymptotics.errors import InputError
 from asymptotics.half_swings.certified_zeros import certified_half_swing
+from asymptotics.half_swings.grading import may_vanish
 from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.normal_form.flow import flow_of, may_vanish
+from asymptotics.normal_form.flow import flow_of
 from asymptotics.numbers.exact import parse_real
 from asymptotics.series import Series, divided
 from asymptotics.turning.quadratic import quadratic_turning_points

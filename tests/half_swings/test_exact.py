@@ -3,7 +3,8 @@ from flint import arb, ctx, fmpq
 
 from asymptotics.errors import InputError
 from asymptotics.half_swings.exact import even_half_swing, exact_half_swing, exact_quarter_swing, odd_half_swing
-from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.fourier_flow import fourier_flow
+from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PI
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.normal_form.verify import numerical_half_swing
@@ -25,7 +26,7 @@ def test_two_algebras_agree(alphas, order):
 def test_the_map_is_reversible(alphas):
     """F^-1(delta) = -F(-delta)."""
     half = exact_half_swing(alphas, 5)
-    back = tuple(-f.reflect() for f in half.F)
+    back = half.grading.reversed(half.grading.flip(f) for f in half.F)
     for i, f in enumerate(half.F):
         identity = f.compose(back)
         assert identity.coefficients == {tuple(int(j == i) for j in range(len(alphas))): 1}
@@ -84,9 +85,8 @@ def test_ball_pipeline_contains_the_exact_one():
     """The generic reversal identity in balls encloses the rational result."""
     quarter = exact_quarter_swing((3,), 6)
     with ctx.workprec(200):
-        balls = type(quarter)(
-            (arb(3),), quarter.R.map(lambda x: x.ball()), quarter.T_q.map(lambda x: x.ball())
-        )
+        R, T_q = (s.map(lambda x: x.ball()) for s in (quarter.R, quarter.T_q))
+        balls = type(quarter)(Grading.of((arb(3),)), R, T_q)
         half = half_swing(balls)
         exact = half_swing(quarter)
         for n in range(1, 7):
@@ -97,4 +97,4 @@ def test_ball_pipeline_contains_the_exact_one():
 def test_the_fourier_route_refuses_what_is_not_odd(alphas):
     # It would otherwise return U = delta/2 for alpha = 2, where -4/(3 pi) delta is right.
     with pytest.raises(InputError, match="odd integers"):
-        odd_flow(alphas, 2)
+        fourier_flow(alphas, 2)

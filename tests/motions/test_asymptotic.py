@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import GAUGES
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import reference_motion, reference_states
-from asymptotics.normal_form.gauges import GAUGES
 from asymptotics.numbers.exact import ExactReal
 
 DRAG = Oscillator(Law({"3/2": "1/10"}), mass="3/2", stiffness="30", x0="1/5")

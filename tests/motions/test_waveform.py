@@ -33,7 +33,7 @@ def test_reversibility_holds_for_the_right_flow(laws):
 def test_a_wrong_frequency_breaks_it():
     with ctx.workprec(100):
         right = flow(("3/2",))
-        wrong = Flow(right.alphas, right.U, Series({**right.W.coefficients, (2,): right.W[2] * 1.0001}, 1, 4))
+        wrong = Flow(right.grading, right.U, Series({**right.W.coefficients, (2,): right.W[2] * 1.0001}, 1, 4))
         assert abs(waveform_at(wrong, (arb.pi() / 2).mid(), 2)[(2,)][1]) > arb(10) ** -6
 
 

@@ -5,6 +5,7 @@ from flint import arb, ctx
 from sympy import Float, I, Integer, Rational, Symbol, gammasimp, pi, simplify, sqrt
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.certified_zeros import certified_half_swing
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.multiscale.exact import odd_hierarchy
@@ -13,7 +14,6 @@ from asymptotics.multiscale.harmonics import velocity_sum
 from asymptotics.multiscale.initial import initial_conditions
 from asymptotics.multiscale.orders import a, epsilon
 from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.normal_form.gauges import GAUGES
 from asymptotics.normal_form.symbolic import alpha, omega_2, second_order_sum
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
 from asymptotics.numbers.exact import parse_real

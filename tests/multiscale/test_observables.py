@@ -3,6 +3,7 @@
 import pytest
 from flint import fmpq
 
+from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.multiscale.exact import odd_hierarchy
@@ -10,7 +11,6 @@ from asymptotics.multiscale.initial import initial_conditions, map_to_turning_po
 from asymptotics.multiscale.observables import flow_in, half_swing_of
 from asymptotics.multiscale.verify import with_amplitude_coefficient
 from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.normal_form.gauges import GAUGES
 
 LAWS = [((1,), 6), ((3,), 6), ((5,), 6), ((1, 3), 4), ((3, 5), 4)]
 

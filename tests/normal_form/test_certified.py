@@ -4,11 +4,11 @@ import pytest
 import sympy
 from flint import ctx
 
+from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.grading import may_vanish
 from asymptotics.half_swings.symbolic import alpha
 from asymptotics.normal_form.expansion import exact_expansion, expansion_of
-from asymptotics.normal_form.flow import may_vanish
-from asymptotics.normal_form.gauges import GAUGES
 from asymptotics.normal_form.symbolic import certified_coefficients, omega_2
 from asymptotics.normal_form.verify import measured_order
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy

@@ -5,11 +5,11 @@ import sympy
 from flint import ctx
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.normal_form.coefficients import closed_forms, expansion_coefficients, half_swing_coefficients
 from asymptotics.normal_form.digits import certified_digits
-from asymptotics.normal_form.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.decimals import decimal_of_ball
 from asymptotics.numbers.exact import parse_real

@@ -100,7 +100,7 @@ def test_flow_reproduces_the_half_swing(texts: tuple[str, ...]) -> None:
                 term = (
                     term * (arb.pi() / (k + 1))
                     if k == 0
-                    else term.weighted(half.weights) * s["U"] * (arb.pi() / (k + 1))
+                    else half.grading.weighted(term) * s["U"] * (arb.pi() / (k + 1))
                 )
                 total = total + term
             for n in {*total.coefficients, *expected.coefficients}:

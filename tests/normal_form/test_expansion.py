@@ -4,9 +4,9 @@ import pytest
 from flint import arb
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.normal_form.gauges import GAUGES
 from asymptotics.normal_form.large_orders import borel_pade, growth_ratios, optimal_truncation
 from asymptotics.normal_form.observables import observables
 from asymptotics.normal_form.verify import (

@@ -4,9 +4,10 @@ from sympy import coth, pi, series, sqrt, symbols
 
 from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.exact import exact_half_swing
-from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.fourier_flow import fourier_flow
+from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PI
-from asymptotics.normal_form.flow import flow_of, of_parity
+from asymptotics.normal_form.flow import flow_of
 from asymptotics.series import Series
 
 
@@ -46,7 +47,7 @@ def _sympy(found, key):
 
 @pytest.mark.parametrize(("alphas", "order"), [((3,), 9), ((5,), 6), ((1, 3), 5), ((1, 3, 5), 3)])
 def test_log_of_the_map_is_the_fourier_flow(alphas, order):
-    flow, direct = flow_of(exact_half_swing(alphas, order)), odd_flow(alphas, order)
+    flow, direct = flow_of(exact_half_swing(alphas, order)), fourier_flow(alphas, order)
     assert (flow.U - direct.U).coefficients == {} and (flow.W - direct.W).coefficients == {}
 
 
@@ -59,7 +60,7 @@ def test_exp_of_the_flow_is_the_map(alphas):
 
 def test_parity_is_checked_not_assumed():
     half = exact_half_swing((2,), 4)
-    spoiled = type(half)(half.alphas, half.L + Series({(2,): fmpq(1)}, 1, 4), half.F, half.T)
+    spoiled = type(half)(half.grading, half.L + Series({(2,): fmpq(1)}, 1, 4), half.F, half.T)
     with pytest.raises(UndecidedError):
         flow_of(spoiled)
-    assert of_parity(Series({(1,): arb(1), (2,): arb(0, 1)}, 1, 2), 1).coefficients.keys() == {(1,)}
+    assert Grading.of((2,)).of_parity(Series({(1,): arb(1), (2,): arb(0, 1)}, 1, 2), 1).coefficients.keys() == {(1,)}

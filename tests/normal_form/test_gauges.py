@@ -2,13 +2,14 @@ import pytest
 from flint import fmpq
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import AVERAGING, GAUGES, NO_FIRST_HARMONIC, TURNING_POINT
 from asymptotics.half_swings.exact import exact_quarter_swing
-from asymptotics.half_swings.odd_flow import odd_flow
+from asymptotics.half_swings.fourier_flow import fourier_flow
 from asymptotics.half_swings.pi_ring import PI
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.flow import flow_of
-from asymptotics.normal_form.gauges import AVERAGING, GAUGES, NO_FIRST_HARMONIC, TURNING_POINT, gauge_map
+from asymptotics.normal_form.gauges import gauge_map
 from asymptotics.normal_form.observables import observables
 
 # x'^3: Omega_2 and p_3 in the three gauges (PEERS 3.1: a' = -567/8192, -351/8192; 45/4096 from the closed form of p_3)
@@ -32,7 +33,7 @@ def test_waveform_moments_against_the_fourier_waveform(gauge, alphas, order):
     """The bracket from quarter-swing integrals, and the homological equation solved in each gauge: same flow."""
     quarter = exact_quarter_swing(alphas, order, moments=True)
     flow = flow_of(half_swing(quarter))
-    converted, direct = gauge_map(flow, quarter.K, gauge).apply(flow), odd_flow(alphas, order, gauge)
+    converted, direct = gauge_map(flow, quarter.K, gauge).apply(flow), fourier_flow(alphas, order, gauge)
     assert (converted.U - direct.U).coefficients == {} and (converted.W - direct.W).coefficients == {}
 
 

@@ -3,11 +3,11 @@ import sympy
 from flint import arb, ctx, fmpq
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.symbolic import I_4, alpha, nested_integral_exact
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.flow import flow_of
-from asymptotics.normal_form.gauges import GAUGES
 from asymptotics.normal_form.symbolic import (
     certified_coefficients,
     derived_coefficient,

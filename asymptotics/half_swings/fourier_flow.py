@@ -17,12 +17,12 @@ Z_n, and the gauge fixes the mean of Z_n: Z(psi = 0) = 1, or mean 0, or no first
 
 A Fourier polynomial of degree n in eta is stored as q^(M n) times itself, M = (max alpha + 1)/2: a plain ``fmpq_poly``.
 
->>> flow = odd_flow((3,), 4)
+>>> flow = fourier_flow((3,), 4)
 >>> flow.U                                     # x'^3: p_1 = 3/8
 -3/8*d + -315/4096*d^3 + O(5)
 >>> flow.W                                     # Omega_2 = -45/256
 1 + 45/256*d^2 + 2079/262144*d^4 + O(5)
->>> odd_flow((1,), 4).W                        # 1/sqrt(1 - delta^2/4)
+>>> fourier_flow((1,), 4).W                        # 1/sqrt(1 - delta^2/4)
 1 + 1/8*d^2 + 3/128*d^4 + O(5)
 """
 
@@ -31,20 +31,22 @@ from dataclasses import dataclass
 from flint import fmpq, fmpq_poly
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
+from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.series import Key, Series, accumulate, is_exact_zero
 
 Part = dict[Key, fmpq_poly]
-GAUGES = ("turning-point", "averaging", "no-first-harmonic")
 
 
 @dataclass(frozen=True)
-class OddFlow:
+class FourierFlow:
     """U = d ln A/d psi and W = d tau/d psi (coefficients rational), and the waveform Z, in one gauge.
 
     ``Z[n]`` maps an exponent of total degree n to the polynomial q^(shift n) Z_n(q), in the variable eta = delta/i.
     """
 
+    grading: Grading
     U: Series
     W: Series
     Z: tuple[Part, ...]
@@ -53,21 +55,21 @@ class OddFlow:
     def bracket(self, gauge: str) -> Series:
         """c^(eta) = <Z> (averaging) or <Z + conj(Z) e^(-2 i psi)> (no-first-harmonic), from the waveform of this gauge.
 
-        >>> odd_flow((3,), 2).bracket("averaging")
+        >>> fourier_flow((3,), 2).bracket("averaging")
         1 + 3/32*d + -75/1024*d^2 + O(3)
         """
         values: dict[Key, PiNumber] = {}
         for n, part in enumerate(self.Z):
             for k, p in part.items():
                 mean = p[self.shift * n]
-                if gauge == "no-first-harmonic" and n:
+                if gauge == NO_FIRST_HARMONIC and n:
                     mean += (-1) ** n * p[self.shift * n - 1]
                 values[k] = PiNumber.rational(mean)
         nonzero = {k: x for k, x in values.items() if not is_exact_zero(x)}
         return Series(nonzero, self.U.variables, self.U.order)
 
 
-def odd_flow(alphas: tuple[int, ...], order: int, gauge: str = "turning-point") -> OddFlow:
+def fourier_flow(alphas: tuple[int, ...], order: int, gauge: str = TURNING_POINT) -> FourierFlow:
     """Solve the homological equation through degree ``order`` for odd alpha_i >= 1 in one of the three gauges.
 
     Raises InputError for any other exponent: Y^alpha is a Laurent polynomial for odd integers only.
@@ -75,6 +77,8 @@ def odd_flow(alphas: tuple[int, ...], order: int, gauge: str = "turning-point") 
     for alpha in alphas:
         if alpha != int(alpha) or alpha < 1 or alpha % 2 == 0:
             raise InputError("alpha", f"{alpha} has no smooth flow in theta", "odd integers >= 1")
+    require_gauge(gauge)
+    grading = Grading.of(fmpq(a) for a in alphas)
     M, zero = (max(alphas) + 1) // 2, (0,) * len(alphas)
     Z: list[Part] = [{zero: fmpq_poly([1])}]
     powers: list[list[Part]] = [[{zero: fmpq_poly([1])}]]
@@ -84,14 +88,14 @@ def odd_flow(alphas: tuple[int, ...], order: int, gauge: str = "turning-point") 
     forcing: list[Part] = [{}]  # Z_n + Phi_n
     for n in range(1, order + 1):
         forcing.append(_phi(alphas, powers, n, M))
-        rest = _right_side(alphas, Z, U, W, forcing, n, M)
+        rest = _right_side(grading, Z, U, W, forcing, n, M)
         U.append({k: p[M * n] for k, p in rest.items()} if n % 2 else {})
         W.append({k: -p[M * n] for k, p in rest.items()} if n % 2 == 0 else {})
         Z.append({k: _integrate(p, n, M, gauge) for k, p in rest.items()})
         for k, p in Z[n].items():
             forcing[n][k] = forcing[n].get(k, fmpq_poly([])) + p
         _extend_powers(powers, Z, n, M)
-    return OddFlow(_real(U, len(alphas), order, 1), _real(W, len(alphas), order, 0), tuple(Z), M)
+    return FourierFlow(grading, _real(U, len(alphas), order, 1), _real(W, len(alphas), order, 0), tuple(Z), M)
 
 
 def _phi(alphas: tuple[int, ...], powers: list[list[Part]], n: int, M: int) -> Part:
@@ -107,7 +111,7 @@ def _phi(alphas: tuple[int, ...], powers: list[list[Part]], n: int, M: int) -> P
 
 
 def _right_side(
-    alphas: tuple[int, ...],
+    grading: Grading,
     Z: list[Part],
     U: list[dict[Key, fmpq]],
     W: list[dict[Key, fmpq]],
@@ -119,25 +123,25 @@ def _right_side(
     total = dict(forcing[n])
     for j in range(1, n):
         if j % 2:
-            known, parts = {k: -u for k, u in U[j].items()}, _first_order(alphas, Z[n - j])
+            known, parts = {k: -u for k, u in U[j].items()}, _first_order(grading, Z[n - j])
         else:
             known, parts = W[j], forcing[n - j]
         accumulate(total, known.items(), [(key, p.left_shift(M * j)) for key, p in parts.items()])
     return total
 
 
-def _first_order(alphas: tuple[int, ...], part: Part) -> Part:
+def _first_order(grading: Grading, part: Part) -> Part:
     """(1 + sum_i (alpha_i - 1) eta_i d_i) Z."""
-    return {k: p * (1 + sum(e * (a - 1) for e, a in zip(k, alphas))) for k, p in part.items()}
+    return {k: p * (1 + grading.weight(k)) for k, p in part.items()}
 
 
 def _integrate(p: fmpq_poly, n: int, M: int, gauge: str) -> fmpq_poly:
     """Z_n from 2 q d_q Z_n = p - mean(p); the gauge fixes the mean of Z_n."""
     z = [c / (2 * (m - M * n)) if m != M * n else fmpq(0) for m, c in enumerate(p.coeffs())]
     z += [fmpq(0)] * (M * n + 1 - len(z))
-    if gauge == "turning-point":
+    if gauge == TURNING_POINT:
         z[M * n] = -sum(z, start=fmpq(0))
-    elif gauge == "no-first-harmonic":  # mean of Z_n + q^-1 conj(Z_n), and conj(Z_n)(q) = (-1)^n Z_n(1/q)
+    elif gauge == NO_FIRST_HARMONIC:  # mean of Z_n + q^-1 conj(Z_n), and conj(Z_n)(q) = (-1)^n Z_n(1/q)
         z[M * n] = -((-1) ** n) * z[M * n - 1]
     return fmpq_poly(z)
 
