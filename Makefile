@@ -20,8 +20,9 @@ lint: $(VENV)/.test
 	$(RUN) ruff check .
 	$(RUN) mypy
 
-benchmarks: $(VENV)/.test
-	$(RUN) benchmarks
+# Ratios beside the peers; they live in an environment of their own, and what cannot be installed is said to be missing.
+benchmarks: $(VENV)/.test .peers/.ready
+	$(RUN) benchmarks --report build/benchmarks
 
 # A sample of planted faults in each group of modules, and how many the tests notice; SAMPLE=500 for a longer look.
 SAMPLE ?= 60
@@ -42,9 +43,14 @@ $(VENV)/.test: requirements/test.txt $(VENV)/.reproduce
 	$(PIP) --require-hashes --only-binary :all: -r requirements/test.txt
 	touch $@
 
+.peers/.ready: requirements/peers.txt
+	$(PYTHON) -m venv --clear .peers
+	.peers/bin/python -m pip install --disable-pip-version-check --quiet --require-hashes --only-binary :all: -r $< || echo "no peers: only our own times are measured"
+	touch $@
+
 $(VENV)/.mutants: requirements/mutants.txt $(VENV)/.test
 	$(PIP) --require-hashes --only-binary :all: -r requirements/mutants.txt
 	touch $@
 
 clean:
-	rm -rf build $(VENV)
+	rm -rf build .peers $(VENV)

@@ -1,11 +1,21 @@
-"""``python -m benchmarks [NAME] [--json]``: run one benchmark or all, and print tables of ratios."""
+"""``python -m benchmarks [NAME] [--json | --report FOLDER]``: run one benchmark or all, and print tables of ratios."""
 
 import argparse
 import json
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
-from benchmarks import cost_against_order, cubic_damping, smith_rows, turning_point_tables
+from benchmarks import (
+    cost_against_order,
+    cubic_damping,
+    hypergeometric,
+    integrators,
+    smith_rows,
+    start_up,
+    turning_point_tables,
+)
+from benchmarks.report import write
 from benchmarks.table import Table
 
 BENCHMARKS: dict[str, Callable[..., Table]] = {
@@ -13,6 +23,9 @@ BENCHMARKS: dict[str, Callable[..., Table]] = {
     "cubic-damping": cubic_damping.run,
     "cost-against-order": cost_against_order.run,
     "turning-points": turning_point_tables.run,
+    "integrators": integrators.run,
+    "hypergeometric": hypergeometric.run,
+    "start-up": start_up.run,
 }
 
 
@@ -22,6 +35,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("name", nargs="?", help=", ".join(BENCHMARKS) + "; without it, all of them")
     parser.add_argument("--size", type=int, help="largest row, order or number of points (default: the stated one)")
     parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.add_argument("--report", metavar="FOLDER", help="write JSON, Markdown and a picture there as well")
     options = parser.parse_args(argv)
     if options.name is not None and options.name not in BENCHMARKS:
         print(f"argument name: no benchmark {options.name!r} (accepted: {', '.join(BENCHMARKS)})", file=sys.stderr)
@@ -32,6 +46,8 @@ def main(argv: list[str] | None = None) -> int:
     sizes = () if options.size is None else (options.size,)
     names = [options.name] if options.name else list(BENCHMARKS)
     tables = {name: BENCHMARKS[name](*sizes) for name in names}
+    if options.report is not None:
+        write(Path(options.report), tables)
     if options.json:
         print(json.dumps({name: table.to_dict() for name, table in tables.items()}, indent=2))
     else:

@@ -6,9 +6,7 @@
 
 import shutil
 import subprocess
-import sys
 from functools import partial
-from importlib.util import find_spec
 from math import inf, nan
 from time import perf_counter
 
@@ -16,12 +14,14 @@ import sympy
 from sympy import I, Symbol
 
 from asymptotics.normal_form.expansion import exact_expansion
+from benchmarks.peers import ask
 from benchmarks.table import Table, best_time, with_ratios
 
 q = Symbol("q")
-TIMEOUT = 120
+TIMEOUT = 30
 
 OSCILATE = """
+start = perf_counter()
 from sympy import Function, symbols
 from oscilate import MMS
 omega0, b, eps = symbols("omega0 b epsilon", positive=True)
@@ -30,6 +30,7 @@ x = Function("x", real=True)(t)
 system = MMS.Dynamical_system(t, x, x.diff(t, 2) + omega0**2 * x + b * x.diff(t)**3, omega0)
 _, scaled = MMS.scale_parameters((b,), (1,), eps)
 MMS.Multiple_scales_oscillator(system, eps, {order}, omega0, scaled).apply_MMS(orders_polar=0)
+answer = {{"seconds": perf_counter() - start}}
 """
 MAXIMA = 'load("rand/averm.mac")$ averm();\ny;\ny;\n1;\n-zdot^3;\n{order};\n'
 
@@ -79,10 +80,8 @@ def slow_derivative(
 
 
 def oscilate_seconds(order: int) -> float | None:
-    """One run of oscilate in a process of its own (its start included), None if it is not installed."""
-    if find_spec("oscilate") is None:
-        return None
-    return process_seconds([sys.executable, "-c", OSCILATE.format(order=order)], "")
+    """One run of oscilate (its imports included), None if it is not installed."""
+    return ask(OSCILATE.format(order=order))["seconds"]
 
 
 def maxima_seconds(order: int) -> float | None:
@@ -94,6 +93,7 @@ def maxima_seconds(order: int) -> float | None:
 def process_seconds(command: list[str], text: str, timeout: float = TIMEOUT) -> float:
     """Seconds of one process; nan if it fails or prints an error, infinity if it is stopped after ``timeout`` seconds.
 
+    >>> import sys
     >>> process_seconds([sys.executable, "-c", "raise SystemExit(1)"], "")
     nan
     """

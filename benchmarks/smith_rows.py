@@ -9,13 +9,13 @@ All routes compute every row up to n, keep two, and end with row n as fractions 
 from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
-from importlib import import_module
-from importlib.util import find_spec
+from inspect import getsource
 from typing import Any
 
 import sympy
 
 from asymptotics.invariants.exact import coefficients
+from benchmarks.peers import ask
 from benchmarks.table import Table, best_time, with_ratios
 
 ONCE_ABOVE = 200
@@ -36,10 +36,23 @@ def rational_rows(last: int, number: Callable[[int, int], Any]) -> list[Any]:
     return row
 
 
-def arithmetics() -> dict[str, Callable[[int, int], Any] | None]:
-    """The rational types by name; None for one that is not installed."""
-    gmpy2 = import_module("gmpy2").mpq if find_spec("gmpy2") else None
-    return {"fractions.Fraction": Fraction, "gmpy2.mpq": gmpy2, "sympy.Rational": sympy.Rational}
+PEERS = {
+    "gmpy2.mpq": "import gmpy2; number = gmpy2.mpq",
+    "PARI": "from cypari import pari; number = lambda p, q: pari(p) / q",
+}
+ROUTE = """
+from typing import Any
+from collections.abc import Callable
+{setup}
+{source}
+seconds, row = best(lambda: rational_rows(last, number), 1)
+answer = {{"seconds": seconds}}
+"""
+
+
+def peer_seconds(last: int, setup: str) -> float | None:
+    """The same function in the peers' environment, with their rational type."""
+    return ask(ROUTE.format(setup=setup, source=getsource(rational_rows)), last=last)["seconds"]
 
 
 def run(size: int = 800) -> Table:
@@ -49,11 +62,9 @@ def run(size: int = 800) -> Table:
         timings: list[tuple[str, float | None]] = [
             (f"n = {n}, integer kernel", best_time(partial(coefficients, n)))
         ]
-        for name, number in arithmetics().items():
-            label = f"n = {n}, {name}"
-            if number is None:
-                timings.append((label, None))
-            else:
-                timings.append((label, best_time(partial(rational_rows, n, number), 3 if n <= ONCE_ABOVE else 1)))
+        for number in (Fraction, sympy.Rational):
+            once = best_time(partial(rational_rows, n, number), 3 if n <= ONCE_ABOVE else 1)
+            timings.append((f"n = {n}, {number.__module__.split('.')[0]}.{number.__name__}", once))
+        timings += [(f"n = {n}, {name}", peer_seconds(n, setup)) for name, setup in PEERS.items()]
         rows.extend(with_ratios(timings))
     return Table("Smith's coefficients, all rows up to n", ("what", "seconds", "ratio"), tuple(rows))

@@ -11,22 +11,37 @@ import pytest
 
 from asymptotics.invariants.exact import coefficients
 from asymptotics.normal_form.expansion import exact_expansion
+from benchmarks import cubic_damping, peers
 from benchmarks.__main__ import BENCHMARKS, main
 from benchmarks.cubic_damping import expand_by_hand, process_seconds
+from benchmarks.report import write
 from benchmarks.smith_rows import rational_rows
-from benchmarks.table import with_ratios
+from benchmarks.table import Table, with_ratios
 from benchmarks.turning_point_tables import wrong_digits
 
-TINY = {"smith-rows": 16, "cubic-damping": 2, "cost-against-order": 4, "turning-points": 5}
+TINY = {
+    "smith-rows": 16, "cubic-damping": 2, "cost-against-order": 4, "turning-points": 5,
+    "integrators": 2, "hypergeometric": 20, "start-up": 1,
+}  # fmt: skip
 MODULES = sorted(path.stem for path in (Path(__file__).parents[1] / "benchmarks").glob("*.py"))
 
 
 @pytest.mark.parametrize("name", BENCHMARKS)
-def test_runs_and_returns_rows(name, capsys):
+def test_runs_and_returns_rows(name, capsys, monkeypatch):
+    monkeypatch.setattr(peers, "PYTHON", "no/peers/here")  # and without the peers, which have their own make target
+    monkeypatch.setattr(cubic_damping, "TIMEOUT", 0.01)
     assert main([name, "--size", str(TINY[name]), "--json"]) == 0
     table = json.loads(capsys.readouterr().out)[name]
     assert table["rows"]
     assert all(len(row) == len(table["columns"]) and all(isinstance(x, str) for x in row) for row in table["rows"])
+
+
+def test_the_report_names_the_machine(tmp_path):
+    write(tmp_path, {"x": Table("Title", ("what", "ratio"), (("a", "1.0"), ("b", "-"), ("c", "30")))})
+    found = json.loads((tmp_path / "benchmarks.json").read_text())
+    assert "python-flint" in found["machine"]["package"]
+    assert "| c | 30 |" in (tmp_path / "benchmarks.md").read_text()
+    assert "<svg" in (tmp_path / "benchmarks.svg").read_text()
 
 
 def test_text_and_bad_input(capsys):

@@ -1,0 +1,65 @@
+"""The tools this package is measured against, in an environment of their own (``.peers``, made by ``make benchmarks``).
+
+A peer is asked by a few lines of Python that leave ``seconds`` and what they found in ``answer``; the clock runs inside
+the peer's process, so that neither side pays for starting an interpreter.
+
+>>> import sys
+>>> ask("answer = {'seconds': 0.5, 'right': limit}", limit=30, python=sys.executable)
+{'seconds': 0.5, 'right': 30}
+>>> ask("raise SystemExit(1)", python=sys.executable), ask("", python="nothing/here")
+({'seconds': nan}, {'seconds': None})
+"""
+
+import json
+import shutil
+import subprocess
+from math import inf, nan
+from pathlib import Path
+from typing import Any
+
+PYTHON = Path(__file__).parents[1] / ".peers" / "bin" / "python"
+TIMEOUT = 60
+CLOCK = """
+import json, sys
+from time import perf_counter
+def best(work, repeats=3):
+    times = []
+    for _ in range(repeats):
+        start = perf_counter(); result = work(); times.append(perf_counter() - start)
+    return min(times), result
+globals().update(json.loads(sys.argv[1]))
+"""
+
+
+def ask(code: str, *, python: str | Path = "", timeout: float = TIMEOUT, **arguments: Any) -> dict[str, Any]:
+    """Run ``code`` in the peers' environment; ``seconds``: None if it is missing, nan if it fails, inf if too slow."""
+    program = str(python or PYTHON)
+    if shutil.which(program) is None:
+        return {"seconds": None}
+    command = [program, "-c", CLOCK + code + "\nprint(json.dumps(answer))", json.dumps(arguments)]
+    try:
+        run = subprocess.run(command, capture_output=True, text=True, timeout=timeout, check=False)
+    except subprocess.TimeoutExpired:
+        return {"seconds": inf}
+    if run.returncode:
+        missing = "ModuleNotFoundError" in run.stderr
+        return {"seconds": None if missing else nan}
+    return dict(json.loads(run.stdout.splitlines()[-1]))
+
+
+def versions(*names: str, python: str | Path = "") -> dict[str, str]:
+    """The versions of installed distributions, by name; what is not installed is left out.
+
+    >>> import sys
+    >>> list(versions("numpy", "no-such-peer", python=sys.executable))
+    ['numpy']
+    """
+    code = """
+from importlib.metadata import PackageNotFoundError, version
+answer = {"seconds": 0}
+for name in names:
+    try: answer[name] = version(name)
+    except PackageNotFoundError: pass
+"""
+    found = ask(code, python=python, names=list(names))
+    return {name: str(found[name]) for name in names if name in found}
