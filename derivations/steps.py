@@ -94,6 +94,19 @@ class Derivation:
     def _where(self, reason: str) -> str:
         return f"{self.name}, step {len(self.steps) + 1} ({reason})"
 
+    def to_dict(self) -> dict[str, object]:
+        """The derivation as the JSON of ``asymptotics derive``."""
+        steps = [
+            {
+                "reason": s.reason,
+                "left": str(s.left),
+                "right": None if s.right is None else str(s.right),
+                "latex": s.latex(),
+            }
+            for s in self.steps
+        ]
+        return {"name": self.name, "title": self.title, "source": self.source, "steps": steps}
+
     def text(self) -> str:
         """The derivation as plain text."""
         lines = [f"{self.name}: {self.title}", f"  source: {self.source}"]

@@ -28,12 +28,14 @@ open                                    nothing is claimed
 reported as open and the run ends with exit code 1.
 """
 
+import inspect
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from importlib import import_module
 from typing import Any
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.forms import guarded
 
 Check = Callable[[Any], Outcome]
 
@@ -104,6 +106,7 @@ class Statement:
     corrected_latex: str | None = None
     note: str = ""
     derivation: str | None = None
+    extent: str = ""
     digits: int | None = None
     order: str | None = None
     methods: tuple[str, ...] = ()
@@ -134,7 +137,12 @@ def add(entry: Statement) -> None:
         raise ValueError(f"two entries with the id {entry.id}")
     if entry.check is None and entry.verdict not in (Printed.DEFINITION, Printed.OPEN):
         raise ValueError(f"{entry.id}: the verdict {entry.verdict} needs a check")
-    _REGISTRY[entry.id] = entry
+    _REGISTRY[entry.id] = entry if entry.check is None else replace(entry, check=guarded(entry.check, own_forms(entry)))
+
+
+def own_forms(entry: Statement) -> list[Any]:
+    """The forms that a statement states: as printed, corrected, and its near miss."""
+    return [entry.printed] + [form for form in (entry.corrected, entry.near_miss) if form is not None]
 
 
 def load(paper: str | None = None) -> dict[str, Statement]:
@@ -152,7 +160,7 @@ def load(paper: str | None = None) -> dict[str, Statement]:
 
     def reading_order(numbered: tuple[int, Statement]) -> tuple[int, int, int]:
         number, entry = numbered
-        stack = first_seen.setdefault(entry.check or entry.id, number)
+        stack = first_seen.setdefault(inspect.unwrap(entry.check) if entry.check else entry.id, number)
         return place.get(getattr(entry.check, "__module__", ""), len(place)), stack, -number
 
     ordered = sorted(enumerate(_REGISTRY.values()), key=reading_order)

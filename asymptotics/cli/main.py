@@ -16,10 +16,12 @@ from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import MAX_ACCEPTED, InputError, UndecidedError, printable
 
 COMMANDS = {
+    "derive": "the derivations, each displayed step asserted (in a checkout)",
     "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
     "half-swing": "the map from one turning point to the next, its duration and its flow, as series",
     "moment": "the averages of |sin|^p",
     "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
+    "papers": "the statements of the three papers with their verdicts: list, look up, search",
     "smith": "Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly",
     "table": "reference tables with provenance",
     "turning-points": "turning points and times, to any number of certified digits",

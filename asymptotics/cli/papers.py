@@ -1,0 +1,97 @@
+"""The statements of the three papers with their verdicts: list them, or look one up.
+
+asymptotics papers                           how many statements have which verdict
+asymptotics papers smith2012                 all statements of one paper
+asymptotics papers smith2012:43              one statement: printed form, verdict, evidence, what is true instead
+asymptotics papers 43  |  papers Lambert     by number, or by words in text and formulas
+asymptotics papers smith2012:43 --check      run its check again (in a checkout)
+"""
+
+import argparse
+import textwrap
+from collections import Counter
+from importlib import import_module
+from importlib.util import find_spec
+
+from asymptotics.cli.answer import Answer, add_json
+from asymptotics.errors import InputError
+from asymptotics.papers.lookup import find, papers, statements
+from asymptotics.papers.statement import PaperStatement
+
+VERDICTS = ("holds", "misprint", "transcription", "partly", "refuted", "open", "definition")
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("query", nargs="*", metavar="WHAT", help="a paper, an id, a number, or words")
+    parser.add_argument("--verdict", choices=VERDICTS, help="only statements with this verdict")
+    parser.add_argument("--latex", action="store_true", help="print the formulas alone, as LaTeX")
+    parser.add_argument("--check", action="store_true", help="run the checks again (in a checkout)")
+    add_json(parser)
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    query = " ".join(options.query)
+    chosen = statements(query or None) if not query or query in papers() else find(query)
+    chosen = tuple(s for s in chosen if options.verdict in (None, s.printed))
+    data: dict[str, object] = {"query": query, "entries": [s.to_dict() for s in chosen]}
+    if options.check:
+        return _checked(chosen, data, options.json)
+    if options.latex:
+        return Answer(data, "\n".join(s.corrected or s.latex for s in chosen), options.json)
+    if not query and options.verdict is None:
+        return Answer(data, _summary(chosen), options.json)
+    return Answer(data, _in_full(chosen[0]) if len(chosen) == 1 else _listed(chosen), options.json)
+
+
+def _summary(chosen: tuple[PaperStatement, ...]) -> str:
+    lines = []
+    for key, reference in papers().items():
+        counts = Counter(s.printed for s in chosen if s.paper == key)
+        shown = ", ".join(f"{counts[v]} {v}" for v in VERDICTS if counts[v])
+        lines += [f"{key}: {reference}", f"  {sum(counts.values())} statements: {shown}"]
+    return "\n".join(
+        [*lines, "", "`asymptotics papers smith2012` lists one paper, `asymptotics papers Lambert` searches."]
+    )
+
+
+def _listed(chosen: tuple[PaperStatement, ...]) -> str:
+    width = max((len(s.id) for s in chosen), default=0)
+    rows = [f"{s.id:{width}}  {s.printed:13}  {s.title}" for s in chosen]
+    return "\n".join([*rows, f"{len(chosen)} statements"])
+
+
+def _in_full(s: PaperStatement) -> str:
+    rows = [
+        ("as printed", s.latex),
+        ("verdict", f"{s.printed} ({s.kind}; {s.evidence}{', ' + s.extent if s.extent else ''})"),
+        ("what is true", s.corrected),
+        ("conditions", s.conditions),
+        ("note", s.note),
+        ("methods", "; ".join(s.methods)),
+        ("near miss", s.near_miss and f"refuted by the same check: {s.near_miss}"),
+        ("order", s.order),
+        ("digits", s.digits),
+        ("derivation", s.derivation and f"asymptotics derive {s.derivation}"),
+        ("source", s.source),
+    ]
+    lines = [f"{s.id}: {s.title}"]
+    for name, value in rows:
+        if value:
+            lines += textwrap.wrap(f"{name:12}  {value}", 118, subsequent_indent=" " * 14, break_long_words=False)
+    return "\n".join(lines)
+
+
+def _checked(chosen: tuple[PaperStatement, ...], data: dict[str, object], as_json: bool) -> Answer:
+    if find_spec("paper_checks") is None:
+        raise InputError("--check", "the checks are not part of the installed package", "a checkout of the repository")
+    registry, runner = import_module("paper_checks.registry"), import_module("paper_checks.runner")
+    results = runner.examine_all([registry.load(s.paper)[s.id] for s in chosen])
+    outcomes = {r.statement.id: {name: str(outcome) for name, outcome in r.outcomes.items()} for r in results}
+    failed = [r.statement.id for r in results if not r.agrees]
+    shown = [f"{key}: " + ", ".join(f"{name} {o}" for name, o in found.items()) for key, found in outcomes.items()]
+    last = f"disagrees: {', '.join(failed)}" if failed else "the verdicts are borne out"
+    return Answer(
+        {**data, "outcomes": outcomes, "agrees": not failed}, "\n".join([*shown, last]), as_json, bool(failed)
+    )

@@ -1,0 +1,102 @@
+"""Find a statement by its id, by its number alone, or by words in its text and formulas.
+
+>>> paper("smith2012:45").title
+'The velocity at the first passage through equilibrium'
+>>> [found.id for found in find("(43)")]
+['lelas2024:43', 'smith2012:43']
+>>> paper("smith2012:433")
+Traceback (most recent call last):
+    ...
+asymptotics.errors.InputError: argument id: no statement 'smith2012:433' (accepted: did you mean smith2012:43, ...?)
+"""
+
+import json
+import re
+from difflib import get_close_matches
+from functools import cache
+from importlib.resources import files
+
+from asymptotics.errors import InputError
+from asymptotics.papers.statement import PaperStatement
+
+MAX_QUERY = 200
+"""Characters of a query that are looked at."""
+
+
+@cache
+def _data() -> dict[str, object]:
+    return dict(json.loads(files("asymptotics.papers").joinpath("data.json").read_text(encoding="utf-8")))
+
+
+@cache
+def _all() -> dict[str, PaperStatement]:
+    records = _data()["statements"]
+    assert isinstance(records, list)
+    return {r["id"]: PaperStatement(**{**r, "methods": tuple(r["methods"])}) for r in records}
+
+
+def papers() -> dict[str, str]:
+    """The keys of the papers with their references."""
+    references = _data()["papers"]
+    assert isinstance(references, dict)
+    return dict(references)
+
+
+def statements(paper: str | None = None) -> tuple[PaperStatement, ...]:
+    """All statements, of one paper or of all three, in reading order; InputError for an unknown paper."""
+    if paper is not None and paper not in papers():
+        raise InputError("paper", f"no paper {paper!r}", ", ".join(papers()))
+    return tuple(s for s in _all().values() if paper in (None, s.paper))
+
+
+def paper(id: str) -> PaperStatement:  # noqa: A002 (the papers' own word)
+    """The statement with this id (``smith2012:43``); InputError that suggests the nearest ids."""
+    if not isinstance(id, str):
+        raise InputError("id", "is not text", "an id such as smith2012:43")
+    if id not in _all():
+        raise InputError("id", f"no statement {id[:MAX_QUERY]!r}", _suggestion(id[:MAX_QUERY]))
+    return _all()[id]
+
+
+def find(query: str) -> tuple[PaperStatement, ...]:
+    """The statements with this id or number, else those that contain every word; InputError if there is none."""
+    wanted = query.strip()[:MAX_QUERY]
+    if not wanted:
+        raise InputError("query", "is empty", "an id (smith2012:43), a number (43) or words (Lambert)")
+    if wanted in _all():
+        return (_all()[wanted],)
+    number = re.fullmatch(r"\(?([\w.]+)\)?", wanted)
+    exact = [s for s in _all().values() if number and s.id.partition(":")[2].lower() == number[1].lower()]
+    if exact:
+        return tuple(exact)
+    words = [_plain(word) for word in wanted.split()]
+    found = tuple(s for s in _all().values() if all(word in _searched(s.id) for word in words))
+    if not found:
+        raise InputError("query", f"nothing found for {wanted!r}", _suggestion(wanted))
+    return found
+
+
+@cache
+def _searched(key: str) -> str:
+    s = _all()[key]
+    return _plain(" ".join((s.id, s.title, s.latex, s.corrected or "", s.note, s.conditions, " ".join(s.methods))))
+
+
+def _plain(text: str) -> str:
+    r"""Lower case, without the marks of LaTeX, so that S_3 is found in \hat{S}_3 and omega in \omega."""
+    text = re.sub(r"\\(hat|dot|ddot|tilde|text|mathrm|left|right)\b", "", text)
+    return re.sub(r"[{}\\$]", "", text).lower()
+
+
+def _suggestion(wanted: str) -> str:
+    near = get_close_matches(wanted, _all(), n=3, cutoff=0.6) or get_close_matches(
+        wanted, _vocabulary(), n=3, cutoff=0.7
+    )
+    return f"did you mean {', '.join(near)}?" if near else "an id (smith2012:43), a number (43) or words (Lambert)"
+
+
+@cache
+def _vocabulary() -> tuple[str, ...]:
+    return tuple(
+        sorted({word for s in _all().values() for word in re.findall(r"[A-Za-z]{4,}", s.title + " " + s.note)})
+    )

@@ -1,0 +1,133 @@
+"""Every form mutated automatically: a check that confirms a mutant confirms a falsehood, or the mutant says the same.
+
+A mutant differs from the confirmed form of its statement in one place: its sign, a factor 2 or 11/10, one exponent, one
+number, one digit, one index or bound; or it is NaN, 0, or empty.
+
+>>> import sympy
+>>> x = sympy.Symbol("x")
+>>> [str(mutant) for _, mutant in mutants(3 * x**2)]
+['-3*x**2', '6*x**2', '33*x**2/10', 'nan', '0', '()', '3*x**3', '3*x', '4*x**2']
+>>> [mutant for name, mutant in mutants("0.12") if name.startswith("digit")]
+['0.22', '0.13']
+"""
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+from asymptotics.verdict import Outcome, Printed
+from paper_checks.registry import Statement
+
+Mutant = tuple[str, Any]
+TENTH = sympy.Rational(11, 10)
+
+
+def confirmed_form(entry: Statement) -> Any:
+    """The form that the check confirms: the printed one, or the corrected one where that is true instead."""
+    return entry.printed if entry.verdict in (Printed.HOLDS, Printed.DEFINITION) else entry.corrected
+
+
+def survivors(entry: Statement) -> Iterator[Mutant]:
+    """The mutants of the confirmed form that the check does not refute."""
+    if entry.check is None or entry.verdict == Printed.OPEN:
+        return
+    for name, mutant in mutants(confirmed_form(entry)):
+        try:
+            outcome = entry.check(mutant)
+        except (ArithmeticError, ValueError, TypeError, NotImplementedError, LookupError, AttributeError) as error:
+            outcome = type(error).__name__  # not even a form: the check stops
+        if outcome == Outcome.CONFIRMED or outcome == Outcome.UNDECIDED:
+            yield f"{name}: {outcome}", mutant
+
+
+def mutants(form: Any) -> Iterator[Mutant]:
+    """All mutants of a form, each with the name of what was changed."""
+    if isinstance(form, tuple):
+        yield from _of_tuple(form)
+    elif isinstance(form, dict):
+        yield "empty", {}
+        for key, value in form.items():
+            yield from ((f"{key}: {name}", {**form, key: other}) for name, other in mutants(value) if name != "empty")
+    elif isinstance(form, str):
+        yield from _of_text(form)
+    elif isinstance(form, bool | type(None)):
+        return
+    elif isinstance(form, int | float | Fraction):
+        yield from _of_number(form)
+    elif isinstance(form, sympy.Interval):
+        yield from _of_interval(form)
+    elif isinstance(form, sympy.Expr):
+        yield from _of_expression(form)
+    elif callable(form):
+        yield "always", lambda *values: True
+        yield "never", lambda *values: False
+        yield "the contrary", lambda *values: not form(*values)
+
+
+def _of_tuple(form: tuple[Any, ...]) -> Iterator[Mutant]:
+    yield "empty", ()
+    for i, part in enumerate(form):
+        yield f"without {i}", form[:i] + form[i + 1 :]
+        for name, other in mutants(part):
+            yield f"{i}: {name}", (*form[:i], other, *form[i + 1 :])
+
+
+def _of_text(form: str) -> Iterator[Mutant]:
+    yield "empty", ""
+    if not form.lstrip("+-").replace(".", "").isdigit():
+        return  # a name, not a number
+    yield "nan", "nan"
+    yield "sign", form[1:] if form.startswith("-") else "-" + form
+    yield "zero", "0"
+    for i, digit in enumerate(form):
+        if digit.isdigit() and (i > 0 or len(form) == 1 or form[0] != "0"):
+            yield f"digit {i}", f"{form[:i]}{(int(digit) + 1) % 10}{form[i + 1 :]}"
+
+
+def _of_number(form: int | float | Fraction) -> Iterator[Mutant]:
+    yield "nan", float("nan")
+    yield "empty", ()
+    if form != 0:
+        yield "sign", -form
+        yield "twice", 2 * form
+        yield "zero", 0 * form
+    if isinstance(form, int):
+        yield "plus 1", form + 1
+        yield "minus 1", form - 1
+    else:
+        yield "11/10", form * (Fraction(11, 10) if isinstance(form, Fraction) else 1.1)
+
+
+def _of_interval(form: sympy.Interval) -> Iterator[Mutant]:
+    yield "empty", sympy.S.EmptySet
+    yield "left", sympy.Interval(form.start - 1, form.end, form.left_open, form.right_open)
+    yield "right", sympy.Interval(form.start, form.end + 1, form.left_open, form.right_open)
+    yield "left end", sympy.Interval(form.start, form.end, not form.left_open, form.right_open)
+    yield "right end", sympy.Interval(form.start, form.end, form.left_open, not form.right_open)
+
+
+def _of_expression(form: sympy.Expr) -> Iterator[Mutant]:
+    seen = {form}
+    for name, mutant in _changed(form):
+        if mutant not in seen:
+            seen.add(mutant)
+            yield name, mutant
+
+
+def _changed(form: sympy.Expr) -> Iterator[Mutant]:
+    yield "sign", -form
+    yield "twice", 2 * form
+    yield "11/10", TENTH * form
+    yield "nan", sympy.nan
+    yield "zero", sympy.S.Zero
+    yield "empty", sympy.Tuple()
+    exponents: set[sympy.Expr] = set()
+    for node in sympy.preorder_traversal(form):
+        if isinstance(node, sympy.Pow) and node.base != sympy.E:
+            exponents.add(node.exp)
+            for change in (1, -1):
+                yield f"exponent of {node}", form.xreplace({node: node.base ** (node.exp + change)})
+    for number in sorted(form.atoms(sympy.Rational) - exponents - {sympy.S.NegativeOne}, key=sympy.default_sort_key):
+        yield f"number {number}", form.xreplace({number: number + 1})

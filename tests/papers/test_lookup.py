@@ -1,0 +1,102 @@
+"""The statements as installed data: fresh, complete, found by id, number and words, in less than a second."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+from asymptotics.cli.main import main
+from asymptotics.errors import InputError
+from asymptotics.papers.lookup import find, paper, papers, statements
+from paper_checks.data import DATA, written
+from paper_checks.registry import PAPERS, load
+
+
+def test_the_data_are_those_of_the_registry():
+    assert DATA.read_text(encoding="utf-8") == written(), "run python -m paper_checks --data"
+
+
+def test_every_statement_is_there():
+    assert set(papers()) == set(PAPERS)
+    assert [s.id for s in statements()] == list(load())
+    assert {s.paper for s in statements("lelas2024")} == {"lelas2024"}
+
+
+@pytest.mark.parametrize(
+    ("query", "wanted"),
+    [
+        ("smith2012:62b", "smith2012:62b"),
+        ("62b", "smith2012:62b"),
+        ("(43)", "smith2012:43"),
+        ("fn22", "lancaster2020:fn22"),
+        ("Lambert", "smith2012:table1.u1"),
+        ("S_3", "smith2012:table1.S3"),
+        ("critically damped never", "smith2012:claim.never-overdamped"),
+    ],
+)
+def test_found_by_id_number_and_words(query, wanted):
+    assert wanted in [s.id for s in find(query)]
+
+
+@pytest.mark.parametrize(
+    "query", ["smith2012:433", "Lambbert", "zzzz", "", "   ", "x" * 10_000, "\x00", "((((", "\\frac{"]
+)
+def test_what_is_not_found_is_said_in_one_line(query, capsys):
+    assert main(["papers", query, "--verdict", "open"]) in (0, 2)
+    shown = capsys.readouterr()
+    assert "Traceback" not in shown.err
+    assert shown.err.count("\n") <= 1
+    assert len(shown.err) < 600
+
+
+def test_near_words_are_suggested():
+    with pytest.raises(InputError, match="smith2012:43"):
+        paper("smith2012:433")
+    with pytest.raises(InputError, match="Lambert"):
+        find("Lambbert")
+    for bad in (None, 43, 1.5, True):
+        with pytest.raises(InputError):
+            paper(bad)
+
+
+def test_a_record_shows_itself():
+    record = paper("smith2012:48")
+    assert record.printed == "misprint"
+    assert repr(record).startswith("<smith2012:48")
+    assert record._repr_latex_().startswith("$")
+    assert json.loads(json.dumps(record.to_dict()))["corrected"]
+
+
+def test_command(capsys):
+    assert main(["papers"]) == 0
+    assert "smith2012" in capsys.readouterr().out
+    assert main(["papers", "smith2012:48", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["command"] == "papers"
+    assert [e["id"] for e in data["entries"]] == ["smith2012:48"]
+    assert main(["papers", "smith2012:48", "--check"]) == 0
+    assert "borne out" in capsys.readouterr().out
+    assert main(["papers", "smith2012:48"]) == 0
+    assert "near miss" in capsys.readouterr().out
+    assert main(["papers", "48", "--latex"]) == 0
+    assert "e^{2u_1}" in capsys.readouterr().out
+
+
+def test_derive(capsys):
+    assert main(["derive"]) == 0
+    assert "smith-turning-points" in capsys.readouterr().out.split()
+    assert main(["derive", "smith-footnote-8"]) == 0
+    assert " = " in capsys.readouterr().out
+    assert main(["derive", "smith-footnote-8", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["steps"]
+    assert main(["derive", "smith-footnot"]) == 2
+    assert "smith-footnote-8" in capsys.readouterr().err
+
+
+def test_looking_up_loads_no_heavy_library():
+    probe = (
+        "import sys; from asymptotics.cli.main import main; main(['papers', 'smith2012:43']);"
+        "assert not {'sympy', 'numpy', 'mpmath', 'matplotlib', 'scipy'} & set(sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", probe], check=True, capture_output=True)
