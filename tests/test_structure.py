@@ -15,9 +15,27 @@ from paper_checks.registry import load
 
 ROOT = Path(__file__).parents[1]
 LAYERS = [  # a module may import its own folder and what stands before it
-    "errors", "verdict", "gauges", "numbers", "series", "moments", "terms", "law", "half_swings", "normal_form",
-    "multiscale", "turning", "envelopes", "motions", "invariants", "tables", "papers", "present", "cli",
-]  # fmt: skip
+    "errors",
+    "verdict",
+    "gauges",
+    "numbers",
+    "series",
+    "moments",
+    "terms",
+    "law",
+    "half_swings",
+    "normal_form",
+    "multiscale",
+    "turning",
+    "envelopes",
+    "motions",
+    "invariants",
+    "tables",
+    "papers",
+    "present",
+    "testing",
+    "cli",
+]
 TOP = {"asymptotics": [], "derivations": ["asymptotics"], "paper_checks": ["asymptotics", "derivations"]}
 
 
