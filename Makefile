@@ -29,18 +29,24 @@ SAMPLE ?= 60
 mutants: $(VENV)/.mutants
 	$(RUN) benchmarks.mutants --sample $(SAMPLE)
 
-# Each environment is the one before it and what its lock adds.
-$(VENV)/.reproduce: requirements/reproduce.txt pyproject.toml
+# Each environment is the one before it and what its lock adds; a change of pyproject.toml alone installs the package anew.
+$(VENV)/.lock: requirements/reproduce.txt
 	@$(PYTHON) -c "import sys; sys.exit(None if sys.version_info >= (3, 11) else 'Python 3.11 or later is needed: make PYTHON=python3.x')"
 	@echo "Creating the environment in $(VENV) (once; about half a minute) ..."
 	$(PYTHON) -m venv --clear $(VENV)
 	$(PIP) --require-hashes --only-binary :all: -r requirements/reproduce.txt
+	touch $@
+
+$(VENV)/.reproduce: pyproject.toml $(VENV)/.lock
 	$(PIP) --no-deps --no-build-isolation -e .
 	touch $@
 
-$(VENV)/.test: requirements/test.txt $(VENV)/.reproduce
+$(VENV)/.tools: requirements/test.txt $(VENV)/.lock
 	@echo "Adding the tools of the tests to $(VENV) (once) ..."
 	$(PIP) --require-hashes --only-binary :all: -r requirements/test.txt
+	touch $@
+
+$(VENV)/.test: $(VENV)/.tools $(VENV)/.reproduce
 	touch $@
 
 .peers/.ready: requirements/peers.txt

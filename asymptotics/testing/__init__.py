@@ -6,7 +6,7 @@
 ``assertions``  ``assert_digits`` and ``assert_order``: how many digits are right, and which order an error has
 ==============  ==================================================================================================
 
-A recurrence, an integrator or a hand-made expansion is tested like this (the averaged law is right to five digits, not to nine):
+A recurrence, an integrator or an expansion is tested like this (the averaged law has five right digits, not nine):
 
 >>> from asymptotics.law import Law
 >>> from asymptotics.testing.oracles import check_turning_points
