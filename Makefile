@@ -5,7 +5,7 @@ WORKERS ?= auto
 PIP = $(VENV)/bin/python -m pip install --disable-pip-version-check --quiet
 RUN = $(VENV)/bin/python -m
 
-.PHONY: reproduce test test-thorough lint benchmarks mutants clean
+.PHONY: reproduce test test-thorough matrix lint benchmarks mutants clean
 
 reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
@@ -15,6 +15,18 @@ test: $(VENV)/.test
 
 test-thorough: $(VENV)/.test
 	HYPOTHESIS_PROFILE=thorough $(RUN) pytest -n $(WORKERS)
+	$(MAKE) matrix
+
+# The tests under every Python that is installed and both number types of SymPy, which must not change a result.
+PYTHONS ?= python3.11 python3.12 python3.13 python3.14
+matrix:
+	@for python in $(PYTHONS); do \
+	    command -v $$python >/dev/null || { echo "$$python is not installed: not tested"; continue; }; \
+	    for types in flint python; do \
+	        echo "$$python, SymPy on $$types numbers"; \
+	        SYMPY_GROUND_TYPES=$$types $(MAKE) --no-print-directory test PYTHON=$$python VENV=.venv-$$(basename $$python) || exit 1; \
+	    done; \
+	done
 
 lint: $(VENV)/.test
 	$(RUN) ruff check .
@@ -59,4 +71,4 @@ $(VENV)/.mutants: requirements/mutants.txt $(VENV)/.test
 	touch $@
 
 clean:
-	rm -rf build .peers $(VENV)
+	rm -rf build .peers $(VENV) .venv-*
