@@ -34,7 +34,8 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "papers",
     "present",
     "testing",
-    "cli",
+   
+    "sweeps", "comparison", "cli",
 ]
 TOP = {"asymptotics": [], "derivations": ["asymptotics"], "paper_checks": ["asymptotics", "derivations"]}
 

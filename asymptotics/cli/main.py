@@ -23,6 +23,7 @@ COMMANDS = {
     "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
     "papers": "the statements of the three papers with their verdicts: list, look up, search",
     "smith": "Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly",
+    "sweep": "any of these commands at many points, resumable, from one core to a cluster",
     "table": "reference tables with provenance",
     "turning-points": "turning points and times, to any number of certified digits",
 }

@@ -1,0 +1,128 @@
+"""The commands that can be swept: their options as axes, and one point of a sweep as one run of the command.
+
+>>> read_axes("moment", ["--p", "0:1:1/2", "--digits=20"])
+{'p': ('0', '1/2', '1'), 'digits': ('20',)}
+>>> run_point("moment", {"p": "2", "digits": "5"})
+{'p': '2', 'value': '0.50000', 'exact': '1/2'}
+"""
+
+import argparse
+import re
+from collections.abc import Mapping
+from functools import lru_cache
+from importlib import import_module
+from typing import Any, NoReturn
+
+from asymptotics.errors import InputError, UndecidedError
+from asymptotics.numbers.exact import parse_real
+from asymptotics.sweeps.grid import Point, values
+
+SWEPT = ("turning-points", "half-swing", "expand", "moment", "motion", "smith", "envelope")
+EXCLUDED = ("json", "plot", "csv", "latex", "points", "save", "report", "quiet", "list", "store", "export")
+_WORD = re.compile(r"[a-z][a-z0-9-]{0,39}\Z")
+_NAMED = ("gauge", "parameter", "average")  # options whose values are words
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser that raises what it has to say."""
+
+    def error(self, message: str) -> NoReturn:
+        raise InputError("COMMAND", " ".join(message.split()), f"the options of asymptotics {self.prog}")
+
+
+@lru_cache
+def _command(name: str) -> tuple[Any, argparse.ArgumentParser, dict[str, argparse.Action]]:
+    """The module of a command, its parser, and its options by name."""
+    module = import_module("asymptotics.cli." + name.replace("-", "_"))  # only this command's libraries are loaded
+    parser = _Parser(prog=name, allow_abbrev=False, add_help=False)
+    module.configure(parser)
+    actions = {flag[2:]: action for flag, action in parser._option_string_actions.items() if flag.startswith("--")}
+    return module, parser, actions
+
+
+def read_axes(command: str, arguments: list[str]) -> dict[str, tuple[str, ...]]:
+    """The axes of a grid from the options of the command; a repeated option gives axes law.1, law.2, ..."""
+    given: list[tuple[str, str]] = []
+    rest = list(arguments)
+    while rest:
+        text = rest.pop(0)
+        name, equals, value = text[2:].partition("=")
+        if not text.startswith("--"):
+            name, value = "", text  # what a command takes without an option name
+        elif not equals and not _is_flag(command, name):
+            if not rest:
+                raise InputError(text, "it has no value", "a value, a list or a range")
+            value = rest.pop(0)
+        given.append((name, value))
+    names = [name for name, _ in given]
+    axes: dict[str, tuple[str, ...]] = {}
+    for name, text in given:
+        repeated = names.count(name) > 1 and name
+        label = f"{name}.{1 + sum(key.startswith(name + '.') for key in axes)}" if repeated else name
+        axes[label] = _axis(command, name, text)
+    return axes
+
+
+def _is_flag(command: str, name: str) -> bool:
+    action = _command(command)[2].get(name)
+    if action is None or name in EXCLUDED:
+        raise InputError(f"--{name}", "it cannot be swept", f"the options of asymptotics {command} that are numbers")
+    return action.nargs == 0
+
+
+def _axis(command: str, name: str, text: str) -> tuple[str, ...]:
+    if name and _is_flag(command, name):
+        return ("",)
+    if name == "law":
+        if ":" not in text and command in ("expand", "half-swing"):  # they need no strength
+            return values(text, "--law")
+        return tuple(law for part in text.split(",") for law in _laws(part, text))
+    if name in ("", *_NAMED) or text == "symbolic":
+        words = tuple(text.split(","))
+        for word in words:
+            if not _WORD.match(word):
+                argument = f"--{name}" if name else "COMMAND"
+                raise InputError(argument, f"{word[:60]!r} is not a word", "the command's words, with commas")
+        return words
+    return values(text, f"--{name}")
+
+
+def _laws(part: str, text: str) -> tuple[str, ...]:
+    """A:E, A:start:stop:step, or (after a comma) another strength E for the exponent that came first."""
+    first, colon, _ = text.partition(":")
+    if not colon:
+        raise InputError("--law", f"{text[:60]!r} has no colon", "A:E, A:E,E,... or A:start:stop:step")
+    alpha, has_exponent, strengths = part.partition(":")
+    if not has_exponent:
+        alpha, strengths = first, part
+    exponent = str(parse_real(alpha, "--law"))
+    return tuple(f"{exponent}:{strength}" for strength in values(strengths, "--law"))
+
+
+def point_options(command: str, row: Mapping[str | None, Any]) -> Point:
+    """A row of a list of points: each cell a number, empty cells left out."""
+    point: Point = {}
+    for name, cell in row.items():
+        if name is None or cell is None:
+            raise InputError("--list", "a row is longer or shorter than the header", "a cell for each column")
+        if cell.strip():
+            axis = _axis(command, name.partition(".")[0].strip(), cell.strip())
+            if len(axis) != 1:
+                raise InputError("--list", f"{cell[:60]!r} is more than one value", "one value in a cell")
+            point[name.strip()] = axis[0]
+    return point
+
+
+def typed_options(command: str, point: Point) -> argparse.Namespace:
+    """The options as if they had been typed; InputError for one that is unknown, or missing."""
+    flags = [v if not n else f"--{n.partition('.')[0]}" + (f"={v}" if v else "") for n, v in point.items()]
+    return _command(command)[1].parse_args(flags)
+
+
+def run_point(command: str, point: Point) -> dict[str, Any]:
+    """One run of the command: its JSON, without what every command adds.  This is the task of a sweep."""
+    answer = _command(command)[0].run(typed_options(command, point))
+    if answer.failed:
+        raise UndecidedError("the command's own check failed")
+    data: dict[str, Any] = answer.data
+    return data

@@ -1,0 +1,215 @@
+"""The driver of a sweep: hand out points, write down what comes back, survive what can be survived.
+
+Points go out in batches that take about a quarter of a second, so that a point costs little beyond its own work and a
+kill costs little beyond a batch.  Results are written as they arrive, by the driver alone; their order on the disk
+depends on the workers, what is read from the store does not.  When a worker dies, the points it may have died of are
+tried again one at a time, and given up after the second death.
+
+>>> import tempfile
+>>> from asymptotics.sweeps.grid import Grid
+>>> folder = Path(tempfile.mkdtemp())
+>>> def square(point):
+...     return {"square": str(int(point["n"]) ** 2)}
+>>> sweep(square, "square", Grid({"n": ("1", "2", "3")}), folder, workers=1).computed
+3
+>>> again = sweep(square, "square", Grid({"n": ("1", "2", "3", "4")}), folder, workers=1)
+>>> again.points, again.reused, again.computed, again.failed
+(4, 3, 1, 0)
+"""
+
+import os
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
+from contextlib import AbstractContextManager, ExitStack, nullcontext
+from dataclasses import asdict, dataclass
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from asymptotics.errors import InputError
+from asymptotics.sweeps.grid import Point
+from asymptotics.sweeps.plan import Job, Plan
+from asymptotics.sweeps.shard import record_of
+from asymptotics.sweeps.store import Store, task_of
+from asymptotics.sweeps.workers import Crew, Outcome, Task, one_process, process_pool, run_batch
+
+_BATCH_SECONDS = 0.25
+_MAX_BATCH = 500
+_PAUSE = 0.2  # seconds between two looks at a shard that another driver holds
+_DEATHS = 2  # lonely deaths of a worker before its point is given up
+
+Progress = Callable[[int, int], None]
+OpenCrew = Callable[[], AbstractContextManager[Crew]]
+
+
+@dataclass(frozen=True)
+class SweepResult:
+    """What a sweep did: ``points`` asked for, ``reused`` from the store, ``computed`` now, ``failed`` of both.
+
+    ``failures`` has the parameters and the reason of the first twenty.
+    """
+
+    points: int
+    reused: int
+    computed: int
+    failed: int
+    failures: tuple[dict[str, Any], ...]
+    seconds: str
+    store: str
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready."""
+        return {**asdict(self), "failures": list(self.failures)}
+
+
+def sweep(
+    task: Task,
+    command: str,
+    points: Sequence[Point],
+    folder: Path,
+    *,
+    workers: int | None = None,
+    executor: Executor | None = None,
+    crew: OpenCrew | None = None,
+    progress: Progress = lambda done, total: None,
+) -> SweepResult:
+    """Compute ``task`` at every point that the store in ``folder`` does not hold yet.
+
+    ``task`` takes a point and returns JSON-ready data; with a pool it must be a function of a module.  Its results are
+    filed under ``command``.  Any ``executor`` of concurrent.futures may be given, and is left open; otherwise there are
+    ``workers`` processes (default: one for each core; 1: this process), or the ``crew`` that is opened, and opened
+    again when it breaks.  ``progress`` is called with the numbers of points done and asked for.
+    Raises InputError for an unusable store or a full disk; everything finished is then in the store.
+    """
+    start = time.perf_counter()
+    store = Store(folder, create=True)
+    count = workers or os.cpu_count() or 1
+    if executor is not None:
+        given = Crew(executor, getattr(executor, "_max_workers", count))
+        opened: OpenCrew = lambda: nullcontext(given)  # noqa: E731
+    else:
+        opened = crew or (one_process if count == 1 else lambda: process_pool(count))
+    driver = _Driver(task, Plan(command, points, store), opened, progress)
+    driver.run()
+    plan = driver.plan
+    failures = tuple({"point": point, "reason": reason} for _, point, reason in plan.failures.first)
+    seconds = f"{time.perf_counter() - start:.3f}"
+    return SweepResult(
+        len(points), plan.reused, driver.computed, plan.failures.count, failures, seconds, str(folder)
+    )
+
+
+class _Driver:
+    """One run of a sweep."""
+
+    def __init__(self, task: Task, plan: Plan, opened: OpenCrew, progress: Progress) -> None:
+        self.task, self.plan, self.opened, self.progress = task, plan, opened, progress
+        self.computed = 0
+        self.jobs = plan.jobs()
+        self.flying: dict[Future[Any], list[Job]] = {}
+        self.suspects: deque[Job] = deque()  # a worker died with them
+        self.batch, self.exhausted = 1, False
+        self.broken = False
+        self.stack = ExitStack()
+
+    def run(self) -> None:
+        """Until nothing is left."""
+        try:
+            with self.stack:
+                self.crew = self.stack.enter_context(self.opened())
+                while not self.exhausted or self.flying or self.suspects:
+                    self._hand_out()
+                    self._collect()
+                    if self.broken:
+                        self._replace_crew()
+        except BaseException:
+            self._settle({future for future in self.flying if future.done()}, last=True)
+            raise
+        finally:
+            self.plan.close()
+
+    def _hand_out(self) -> None:
+        """Keep twice as many batches under way as there are slots; suspects go alone."""
+        while self.suspects and not self.flying and not self.broken:
+            self._submit([self.suspects.popleft()])
+        while not (self.exhausted or self.suspects or self.broken) and len(self.flying) < 2 * self.crew.slots:
+            found = list(islice(self.jobs, self.batch))
+            self.exhausted = not found
+            jobs = [job for job in found if job is not None]
+            if jobs:
+                self._submit(jobs)
+            elif found:  # what is left is held by another driver
+                if not self.flying:
+                    time.sleep(_PAUSE)
+                return
+
+    def _submit(self, jobs: list[Job]) -> None:
+        try:
+            future = self.crew.executor.submit(run_batch, self.task, [job.point for job in jobs])
+        except BrokenExecutor:
+            self.suspects.extend(jobs)
+            self.broken = True
+            return
+        self.flying[future] = jobs
+
+    def _collect(self) -> None:
+        if self.flying:
+            self._settle(wait(self.flying, return_when=FIRST_COMPLETED).done)
+        self.progress(self.plan.reused + self.computed, len(self.plan.points))
+
+    def _settle(self, done: set[Future[Any]], *, last: bool = False) -> None:
+        """Write down what came back; what did not come back is suspect."""
+        for future in done:
+            jobs, alone = self.flying.pop(future), len(self.flying) == 0
+            try:
+                outcomes, seconds = future.result()
+            except (Exception, CancelledError) as error:
+                self.broken = self.broken or isinstance(error, BrokenExecutor)
+                if not last:
+                    self._suspect(jobs, error, alone)
+                continue
+            for job, outcome in zip(jobs, outcomes, strict=True):
+                self._write(job, outcome)
+            self._pace(len(jobs), seconds)
+
+    def _suspect(self, jobs: list[Job], error: BaseException, alone: bool) -> None:
+        for job in jobs:
+            job.tries += alone and len(jobs) == 1
+            if job.tries < _DEATHS:
+                self.suspects.append(job)
+                continue
+            reason = f"the worker died of it ({type(error).__name__}: {str(error)[:120]})"
+            self.plan.failures.add(job.index, job.point, reason)
+            self.computed += 1
+            self.plan.release(job.shard)
+
+    def _write(self, job: Job, outcome: Outcome) -> None:
+        if outcome.lasting:
+            try:
+                job.shard.append(job.key, record_of(task_of(self.plan.command, job.point), outcome.record))
+            except OSError as error:
+                reason = f"cannot write to {self.plan.store.folder}: {error.strerror}"
+                accepted = "a disk with room: what is finished is safe, and the same command continues"
+                raise InputError("--store", reason, accepted) from error
+        self.computed += 1
+        if outcome.failed:
+            self.plan.failures.add(job.index, job.point, outcome.reason)
+        self.plan.release(job.shard)
+
+    def _pace(self, size: int, seconds: float) -> None:
+        """The next batches take about a quarter of a second, and grow at most twofold."""
+        wanted = int(_BATCH_SECONDS * size / max(seconds, 1e-6))
+        self.batch = max(1, min(wanted, 2 * self.batch, _MAX_BATCH))
+
+    def _replace_crew(self) -> None:
+        """A pool that has lost a worker takes no more work: all that was under way is suspect; a fresh one starts."""
+        self._settle(wait(self.flying).done)
+        self.stack.close()
+        self.crew, self.broken = self.stack.enter_context(self.opened()), False
+        try:
+            self.crew.executor.submit(int).result()
+        except BrokenExecutor as error:
+            accepted = "an executor that works: what is finished is safe in the store"
+            raise InputError("executor", f"it broke: {' '.join(str(error).split())[:120]}", accepted) from error

@@ -1,0 +1,146 @@
+"""One file of finished points: lines that prove themselves, appended under a lock.
+
+    KEY CHECKSUM {"task": {"command": ..., "point": ..., "version": ...}, "result": ...}      or "failed": the reason
+
+KEY is the SHA-256 of the task (what is computed, by which version, at which point) and CHECKSUM that of the rest of the
+line.  A line that was torn by a kill, cut by a full disk, or damaged later fails its checksum and is as if it had never
+been written: its point is computed again.  A line is in the file or it is not, so nothing finished can be lost.
+
+The lock (``flock``) belongs to the open file: the system releases it when a process ends, however it ends.
+"""
+
+import fcntl
+import hashlib
+import json
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from asymptotics.errors import InputError
+
+_HASH = 64
+
+
+def canonical(data: Mapping[str, Any]) -> str:
+    """JSON with sorted keys and no spaces: the same text for the same data."""
+    return json.dumps(data, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+
+
+def content_key(task: Mapping[str, Any]) -> str:
+    """The SHA-256 of a task in hexadecimal.
+
+    >>> content_key({"b": "1", "a": "2"}) == content_key({"a": "2", "b": "1"})
+    True
+    """
+    return hashlib.sha256(canonical(task).encode()).hexdigest()
+
+
+def record_of(task: Mapping[str, Any], outcome: str) -> str:
+    """The record of a task from what a worker made of it, {"result": ...} or {"failed": reason} in JSON.
+
+    >>> record_of({"command": "half"}, '{"failed":"no"}')
+    '{"failed":"no","task":{"command":"half"}}'
+    """
+    return f'{outcome[:-1]},"task":{canonical(task)}}}'
+
+
+def failure(record: str) -> str | None:
+    """The reason, if the record is that of a failed point."""
+    return str(json.loads(record)["failed"]) if record.startswith('{"failed":') else None
+
+
+def written(key: str, record: str) -> bytes:
+    """The line of a finished point."""
+    return f"{key} {_checksum(key, record)} {record}\n".encode()
+
+
+def verified(line: bytes) -> tuple[str, str] | None:
+    """(key, record) of a line that proves itself, else None.
+
+    >>> line = written("00" * 32, '{"result":"1.5"}')
+    >>> verified(line) is not None, verified(line[:-9]), verified(line.replace(b"1.5", b"1.4"))
+    (True, None, None)
+    """
+    try:
+        text = line.decode()
+    except UnicodeDecodeError:
+        return None
+    if len(text) < 2 * _HASH + 3 or not text.endswith("\n"):
+        return None
+    key, checksum, record = text[:_HASH], text[_HASH + 1 : 2 * _HASH + 1], text[2 * _HASH + 2 : -1]
+    return (key, record) if checksum == _checksum(key, record) else None
+
+
+def _checksum(key: str, record: str) -> str:
+    return hashlib.sha256(f"{key} {record}".encode()).hexdigest()
+
+
+def lines(path: Path) -> Iterator[tuple[int, str, str]]:
+    """(offset, key, record) of every line of a shard that proves itself; nothing if there is no file."""
+    if not path.exists():
+        return
+    offset = 0
+    with path.open("rb") as stream:
+        for line in stream:
+            found = verified(line)
+            if found is not None:
+                yield offset, *found
+            offset += len(line)
+
+
+class LockedShard:
+    """A shard that this process alone may write: ``keys`` are the points it holds, ``failed`` the reasons of some."""
+
+    def __init__(self, handle: int, path: Path) -> None:
+        self._handle, self._path = handle, path
+        self.waiting = 0  # points of this shard that are being computed
+        self.keys: set[str] = set()
+        self.failed: dict[str, str] = {}
+        size = 0
+        with path.open("rb") as stream:
+            for line in stream:
+                size += len(line)
+                found = verified(line)
+                if found is not None:
+                    self._note(*found)
+        self._end = size
+        self._torn = bool(size) and os.pread(handle, 1, size - 1) != b"\n"
+
+    @classmethod
+    def take(cls, path: Path) -> "LockedShard | None":
+        """Lock the shard at ``path``, which is created; None while another process has it."""
+        handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return cls(handle, path)
+        except BlockingIOError:
+            os.close(handle)
+            return None
+        except OSError as error:
+            os.close(handle)
+            raise InputError("--store", f"cannot lock {path.name}: {error.strerror}", "a disk with locks") from error
+
+    def append(self, key: str, record: str) -> None:
+        """Add a finished point; on an OSError (a full disk) the file is what it was before."""
+        data = (b"\n" if self._torn else b"") + written(key, record)
+        try:
+            done = 0
+            while done < len(data):
+                done += os.pwrite(self._handle, data[done:], self._end + done)
+        except OSError:
+            os.ftruncate(self._handle, self._end)
+            raise
+        self._end, self._torn = self._end + len(data), False
+        self._note(key, record)
+
+    def _note(self, key: str, record: str) -> None:
+        self.keys.add(key)
+        reason = failure(record)
+        if reason is not None:
+            self.failed[key] = reason
+
+    def close(self) -> None:
+        """Bring the file to the disk and release the lock."""
+        os.fsync(self._handle)
+        os.close(self._handle)

@@ -1,0 +1,82 @@
+"""The folder in which the finished points of sweeps lie.
+
+    store.json          what this folder is, and the version of the program whose results it holds
+    shards/0a.points    the points whose bucket is 0a (see ``shard``), in the order in which they were finished
+
+A point is found by the SHA-256 of its task, whatever sweep it was computed for.  Its *bucket* has one hexadecimal digit
+from its exponents alone and one from its key: at most 256 files however many points, and points that share the costly
+series of an exponent are computed near each other.
+"""
+
+import hashlib
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from asymptotics import __version__
+from asymptotics.errors import InputError
+from asymptotics.present.files import require_writable, write_atomically
+from asymptotics.sweeps.grid import Point
+from asymptotics.sweeps.shard import LockedShard, content_key, lines
+
+FORMAT = "asymptotics-sweep/1"
+ACCEPTED = "a new or empty folder, or one that a sweep of this version has made"
+
+
+class Store:
+    """A store on disk; ``create`` makes the folder if there is none.
+
+    InputError for a folder that is not a store, is unreadable, or holds the results of another version.
+    """
+
+    def __init__(self, folder: Path, *, create: bool = False) -> None:
+        self.folder = folder
+        about = folder / "store.json"
+        try:
+            if create and not about.exists() and not (folder.exists() and any(folder.iterdir())):
+                require_writable(folder / "shards", "--store")
+                write_atomically(about, json.dumps({"format": FORMAT, "version": __version__}) + "\n")
+            found = json.loads(about.read_text())
+        except (OSError, ValueError) as error:
+            reason = error.strerror if isinstance(error, OSError) else "store.json is damaged"
+            raise InputError("--store", f"{folder} is not a store: {reason}", ACCEPTED) from error
+        self._check(found)
+
+    def _check(self, found: Any) -> None:
+        if not isinstance(found, dict) or found.get("format") != FORMAT:
+            raise InputError("--store", f"{self.folder} is of another kind or format", ACCEPTED)
+        if found.get("version") != __version__:
+            reason = f"{self.folder} holds results of version {str(found.get('version'))[:20]}, this is {__version__}"
+            raise InputError("--store", reason, ACCEPTED)
+        if not (self.folder / "shards").is_dir():
+            raise InputError("--store", f"{self.folder} has no folder shards", ACCEPTED)
+
+    def path(self, bucket: int) -> Path:
+        """The file of a bucket."""
+        return self.folder / "shards" / f"{bucket:02x}.points"
+
+    def take(self, bucket: int) -> LockedShard | None:
+        """Lock a bucket for writing; None while another process has it."""
+        return LockedShard.take(self.path(bucket))
+
+    def read(self, bucket: int) -> Iterator[tuple[int, str, str]]:
+        """(offset, key, record) of the intact points of a bucket."""
+        return lines(self.path(bucket))
+
+
+def task_of(command: str, point: Point) -> dict[str, Any]:
+    """What the key of a point is made of."""
+    return {"command": command, "point": point, "version": __version__}
+
+
+def place(command: str, point: Point) -> tuple[int, str]:
+    """(bucket, key) of a point.
+
+    >>> a, b = (place("moment", {"p": p}) for p in "12")
+    >>> a == place("moment", {"p": "1"}), a == b
+    (True, False)
+    """
+    key = content_key(task_of(command, point))
+    exponents = " ".join(v.partition(":")[0] for n, v in point.items() if n == "alpha" or n.startswith("law"))
+    return 16 * (hashlib.sha256(exponents.encode()).digest()[0] // 16) + int(key[0], 16), key

@@ -1,0 +1,155 @@
+"""What runs in a worker, and the executors: in this process, a pool of processes, or a Dask cluster.
+
+A task takes and returns text: no number has to survive a pickle, and a worker need not share a disk with the driver.
+An error of one point becomes the record of that point; only the death of the worker itself is felt outside.
+
+>>> from fractions import Fraction
+>>> outcomes, seconds = run_batch(lambda point: {"half": str(Fraction(point["x"]) / 2)}, [{"x": "3"}, {"x": "1/0"}])
+>>> [o.record for o in outcomes]
+['{"result":{"half":"3/2"}}', '{"failed":"ZeroDivisionError: Fraction(1, 0)"}']
+"""
+
+import json
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from importlib import import_module
+from multiprocessing.process import BaseProcess
+from time import perf_counter
+from typing import Any
+
+from asymptotics.errors import InputError, UndecidedError
+from asymptotics.sweeps.grid import Point
+from asymptotics.sweeps.shard import canonical
+
+Task = Callable[[Point], dict[str, Any]]
+_REASON = 300  # characters of a reason that are kept
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a point: its record in JSON; ``lasting`` if a second try would end in the same way."""
+
+    record: str
+    reason: str = ""
+    lasting: bool = True
+
+    @property
+    def failed(self) -> bool:
+        """Whether there is a reason instead of a result."""
+        return bool(self.reason)
+
+
+def run_batch(task: Task, batch: list[Point]) -> tuple[list[Outcome], float]:
+    """The outcomes of some points, in order, and the seconds they took; this is what a worker is asked to do."""
+    start = perf_counter()
+    return [_run(task, point) for point in batch], perf_counter() - start
+
+
+def _run(task: Task, point: Point) -> Outcome:
+    try:
+        return Outcome(json.dumps({"result": task(point)}, ensure_ascii=False, separators=(",", ":")))
+    except (InputError, UndecidedError) as error:
+        return _failed(str(error))
+    except (MemoryError, OSError) as error:  # of the machine, not of the point: worth another try some day
+        return _failed(f"{type(error).__name__}: {error}", lasting=False)
+    except Exception as error:  # noqa: BLE001  (one point must not end a sweep of millions)
+        return _failed(f"{type(error).__name__}: {error}")
+
+
+def _failed(reason: str, *, lasting: bool = True) -> Outcome:
+    line = " ".join(reason.split())[:_REASON]
+    return Outcome(canonical({"failed": line}), line, lasting)
+
+
+class SerialExecutor(Executor):
+    """Runs each call at once, in this process."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> "Future[Any]":
+        """A future that is done."""
+        future: Future[Any] = Future()
+        try:
+            future.set_result(fn(*args, **kwargs))
+        except Exception as error:  # noqa: BLE001  (an executor keeps what was raised for the one who asks)
+            future.set_exception(error)
+        return future
+
+
+@dataclass(frozen=True)
+class Crew:
+    """An executor, and how many calls it can run at a time."""
+
+    executor: Executor
+    slots: int
+
+
+@contextmanager
+def one_process() -> Iterator[Crew]:
+    """No pool: the driver does the work."""
+    yield Crew(SerialExecutor(), 1)
+
+
+@contextmanager
+def process_pool(workers: int) -> Iterator[Crew]:
+    """A pool of processes that are fresh, die with this one, and leave Ctrl-C to it."""
+    method = "forkserver" if sys.platform == "linux" else "spawn"  # a fork would copy locks held by other threads
+    context = multiprocessing.get_context(method)
+    before = set(multiprocessing.active_children())
+    pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_attend_to_parent)
+    try:
+        yield Crew(pool, workers)
+    except BaseException:
+        pool.shutdown(wait=False, cancel_futures=True)
+        for process in set(multiprocessing.active_children()) - before:
+            process.terminate()
+        raise
+    pool.shutdown()
+
+
+def _attend_to_parent() -> None:
+    """A worker whose driver was killed would wait for ever: it ends instead."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        threading.Thread(target=_end_after, args=(parent,), daemon=True).start()
+
+
+def _end_after(parent: BaseProcess) -> None:
+    parent.join()
+    os._exit(1)
+
+
+@contextmanager
+def dask_executor(address: str, workers: int | None) -> Iterator[Crew]:
+    """An executor on the Dask scheduler at ``address`` (tcp://...), or on a cluster of its own for ``local``.
+
+    InputError if Dask is not installed or nothing answers at the address.
+    """
+    dask = _distributed()
+    with ExitStack() as stack:
+        try:
+            scheduler: Any = address
+            if address == "local":
+                count = workers or os.cpu_count() or 1
+                scheduler = stack.enter_context(dask.LocalCluster(count, threads_per_worker=1, dashboard_address=None))
+            client = stack.enter_context(dask.Client(scheduler, timeout=5))
+            client.wait_for_workers(1, timeout=5)
+        except (OSError, ValueError) as error:
+            reason, accepted = f"no scheduler answers at {address[:80]!r}", "local, or a running one: tcp://host:port"
+            raise InputError("--dask", reason, accepted) from error
+        slots = sum(client.ncores().values())
+        yield Crew(client.get_executor(pure=False), slots or 1)
+
+
+def _distributed() -> Any:
+    try:
+        return import_module("distributed")  # an extra, and slow to import
+    except ImportError as error:
+        accepted = "an installation with the extra cluster: pip install 'power-law-oscillator[cluster]'"
+        raise InputError("--dask", "Dask is not installed", accepted) from error
