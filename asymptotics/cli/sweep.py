@@ -12,14 +12,13 @@ is reported with its reason and ends nothing.
 
 import argparse
 import csv
-import sys
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from tqdm import tqdm
-
 from asymptotics.cli.answer import Answer
+from asymptotics.cli.progress import progress_bar
+from asymptotics.cli.shell import complain
 from asymptotics.cli.swept import SWEPT, point_options, read_axes, run_point, typed_options
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
@@ -109,18 +108,15 @@ def _points(command: str, own: argparse.Namespace, rest: list[str]) -> Grid | li
 def _swept(command: str, points: Grid | list[Point], own: argparse.Namespace) -> SweepResult:
     workers = None if own.workers is None else parse_integer(own.workers, "--workers", 1, MAX_WORKERS)
     crew = None if own.dask is None else partial(dask_executor, own.dask, workers)
-    silent = own.quiet or not sys.stderr.isatty()
-    with tqdm(total=len(points), unit="point", disable=silent, smoothing=0.05) as bar:
+    with progress_bar(len(points), unit="point") as bar:
         try:
             return sweep(
                 partial(run_point, command), command, points, Path(own.store), workers=workers, crew=crew,
-                progress=lambda done, total: bar.update(done - bar.n),
+                progress=lambda done, total: None if own.quiet else bar.update(done - bar.n),
             )  # fmt: skip
         except KeyboardInterrupt:
-            bar.close()
-            again = f"what is finished is in {own.store}: the same command continues"
-            print(f"asymptotics sweep: interrupted; {again}", file=sys.stderr)
-            raise SystemExit(130) from None
+            complain(f"asymptotics sweep: what is finished is in {own.store}: the same command continues")
+            raise
 
 
 def _text(result: SweepResult, own: argparse.Namespace) -> str:
