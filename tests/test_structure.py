@@ -34,8 +34,9 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "papers",
     "present",
     "testing",
-   
-    "sweeps", "comparison", "cli",
+    "sweeps",
+    "comparison",
+    "cli",
 ]
 TOP = {"asymptotics": [], "derivations": ["asymptotics"], "paper_checks": ["asymptotics", "derivations"]}
 
