@@ -1,11 +1,99 @@
-"""Symbolic and certified asymptotics for oscillators with power-law damping.
+"""Symbolic and certified asymptotics for oscillators with power-law damping and springs.
 
-The one equation of this package, for any real alpha >= 0 and any finite sum of such terms, is
+    m x'' + k x + sum_i b_i |x|^m_i x'|x'|^(alpha_i-1) + sum_j c_j x|x|^(p_j-1) |x'|^q_j = 0,    any real alpha_i >= 0
 
-    m x'' + k x + sum_i b_i x'|x'|^(alpha_i - 1) = 0.
+>>> import asymptotics as asy
+>>> law = asy.Law({"3/2": "1/10"})                                    # exponent -> strength (epsilon)
+>>> osc = asy.Oscillator(law, mass="3/2", stiffness=30, x0="1/5")     # the strengths read as b, SI units
+>>> print(asy.expand("3/2", order=2))
+dA/dtau   = -A (0.4576558581 d)
+dpsi/dtau = 1 - 12/(25*pi) d^2
+d = epsilon A^(1/2)
+alpha = 3/2, gauge turning-point, order 2, certified coefficients; formal: no bound on the remainder
+>>> asy.turning_points({2: 1}, 2, digits=12).points[1].x, asy.motion(osc).at(7).x
+('-0.410719686061', '0.16385309')
 
-Import what you need from the folder that names the concept, for example
-``from asymptotics.turning import quadratic_turning_points``.  The README has the map.
+Every name of ``__all__`` is loaded when it is first used.  The README and the docs have the map.
 """
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from asymptotics.api.hierarchy import multiple_scales
+    from asymptotics.api.lookups import C, G, f, moment, table, tables
+    from asymptotics.api.motions import Events, Motion, Reference, motion, reference
+    from asymptotics.api.slow import Envelope, envelope
+    from asymptotics.api.swings import OscillatorTurningPoints, turning_points
+    from asymptotics.equations.build import expand
+    from asymptotics.equations.result import Equations
+    from asymptotics.errors import InputError, LimitError, UndecidedError
+    from asymptotics.law import Law, Oscillator, PhysicalLaw
+    from asymptotics.numbers.exact import ExactReal
+    from asymptotics.numbers.value import Coefficient
+    from asymptotics.papers.lookup import paper, statements
+    from asymptotics.papers.statement import PaperStatement
+
 __version__ = "0.1.0"
+
+_HOMES = {
+    "api.hierarchy": ("multiple_scales",),
+    "api.lookups": ("C", "G", "f", "moment", "table", "tables"),
+    "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
+    "api.slow": ("Envelope", "envelope"),
+    "api.swings": ("OscillatorTurningPoints", "turning_points"),
+    "equations.build": ("expand",),
+    "equations.result": ("Equations",),
+    "errors": ("InputError", "LimitError", "UndecidedError"),
+    "law": ("Law", "Oscillator", "PhysicalLaw"),
+    "numbers.exact": ("ExactReal",),
+    "numbers.value": ("Coefficient",),
+    "papers.lookup": ("paper", "statements"),
+    "papers.statement": ("PaperStatement",),
+}
+_HOME = {name: module for module, names in _HOMES.items() for name in names}
+
+__all__ = [
+    "C",
+    "Coefficient",
+    "Envelope",
+    "Equations",
+    "Events",
+    "ExactReal",
+    "G",
+    "InputError",
+    "Law",
+    "LimitError",
+    "Motion",
+    "Oscillator",
+    "OscillatorTurningPoints",
+    "PaperStatement",
+    "PhysicalLaw",
+    "Reference",
+    "UndecidedError",
+    "envelope",
+    "expand",
+    "f",
+    "moment",
+    "motion",
+    "multiple_scales",
+    "paper",
+    "reference",
+    "statements",
+    "table",
+    "tables",
+    "turning_points",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """A public name, from the module that owns it, on first use (PEP 562)."""
+    if name not in _HOME:
+        raise AttributeError(f"module 'asymptotics' has no attribute {name!r}")
+    value = getattr(import_module(f"asymptotics.{_HOME[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*__all__, "__version__"])

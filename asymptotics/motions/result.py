@@ -5,10 +5,13 @@
 ('0.1', False)
 """
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
+from importlib import import_module
 from typing import Any
 
 import numpy as np
+
+from asymptotics.numbers.value import rounded
 
 Array = Any
 
@@ -36,11 +39,22 @@ class MotionPoint:
         """JSON-ready."""
         return {f.name: _plain(getattr(self, f.name)) for f in fields(self)}
 
+    def noted(self, notes: tuple[str, ...]) -> "MotionPoint":
+        """The same with more notes."""
+        return replace(self, notes=(*self.notes, *notes))
+
+    def rounded_to_error(self) -> "MotionPoint":
+        """Every value cut down to the digits that the error of x leaves."""
+        digits = _known_digits(self.x, self.error)
+        names = ("x", "v", "amplitude", "phase")
+        values: dict[str, Any] = {n: getattr(self, n) for n in names if getattr(self, n) is not None}
+        return replace(self, **{n: rounded(v, digits) for n, v in values.items()})
+
     def _repr_latex_(self) -> str:
         return rf"$x = {self.x}\,\mathrm{{m}},\quad \dot x = {self.v}\,\mathrm{{m/s}}$"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class MotionSamples:
     """The motion at many times, SI units, doubles; all arrays have the shape of ``t``.
 
@@ -53,19 +67,50 @@ class MotionSamples:
     v: Array
     amplitude: Array
     phase: Array
-    order: int
-    gauge: str
+    order: int | None
+    gauge: str | None
     missing: int
     extinct: int
     extinction: float | None
     notes: tuple[str, ...]
 
+    def columns(self) -> dict[str, Array]:
+        """The arrays by name; reference motion has no amplitude and phase."""
+        named = {name: getattr(self, name) for name in ("t", "x", "v", "amplitude", "phase")}
+        return {name: column for name, column in named.items() if column is not None}
+
+    def to_pandas(self) -> Any:
+        """A pandas DataFrame with units in the column names; pandas comes with the extra of that name."""
+        pandas = import_module("pandas")  # loaded only where it is asked for
+        units = {"t": "t [s]", "x": "x [m]", "v": "v [m/s]", "amplitude": "amplitude [m]", "phase": "phase [rad]"}
+        return pandas.DataFrame({units[name]: np.ravel(column) for name, column in self.columns().items()})
+
+    def to_csv(self) -> str:
+        """CSV text: one row for each time, units in the header, shortest exact decimals."""
+        units = {"t": "t [s]", "x": "x [m]", "v": "v [m/s]", "amplitude": "amplitude [m]", "phase": "phase [rad]"}
+        columns = self.columns()
+        rows = zip(*(np.ravel(column) for column in columns.values()))
+        lines = [",".join(units[name] for name in columns), *(",".join(repr(float(x)) for x in row) for row in rows)]
+        return "\n".join(lines) + "\n"
+
+    def __repr__(self) -> str:
+        kind = "reference" if self.order is None else f"order {self.order}, gauge {self.gauge}"
+        return f"MotionSamples({np.size(self.t)} times, {kind})"
+
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: numbers as shortest exact strings, NaN as null."""
-        arrays = {name: _texts(getattr(self, name)) for name in ("t", "x", "v", "amplitude", "phase")}
+        arrays = {name: _texts(column) for name, column in self.columns().items()}
         extinction = None if self.extinction is None else repr(self.extinction)
         rest = {"order": self.order, "gauge": self.gauge, "missing": self.missing, "extinct": self.extinct}
         return {**arrays, **rest, "extinction": extinction, "notes": list(self.notes)}
+
+
+def _known_digits(x: str, error: str) -> int:
+    """How many significant digits of x its error leaves, at least one."""
+    size, unsure = abs(float(x)), float(error)
+    if not size or not unsure:
+        return 30
+    return max(1, int(np.floor(np.log10(size)) - np.floor(np.log10(unsure))) + 1)
 
 
 def _plain(value: Any) -> Any:

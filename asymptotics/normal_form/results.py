@@ -11,22 +11,9 @@ from typing import Any
 
 import sympy
 
+from asymptotics.numbers.value import Coefficient
 
-@dataclass(frozen=True)
-class Coefficient:
-    """One coefficient: correctly rounded digits, and its exact form (None if none is known)."""
-
-    value: str | None
-    expression: sympy.Expr | None
-
-    @property
-    def exact(self) -> str | None:
-        """The exact form as text that SymPy reads."""
-        return None if self.expression is None else str(self.expression)
-
-    def to_dict(self) -> dict[str, str | None]:
-        """Digits and exact form as text."""
-        return {"value": self.value, "exact": self.exact}
+__all__ = ["ZERO", "Coefficient", "ExpansionCoefficients", "HalfSwingCoefficients", "Row", "row_to_dict"]
 
 
 ZERO = Coefficient("0", sympy.Integer(0))

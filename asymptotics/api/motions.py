@@ -1,0 +1,234 @@
+"""x(t) and v(t) as objects one can sample, plot, differentiate and ask for events: asymptotic and reference alike.
+
+>>> osc = Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+>>> asymptotic, truth = motion(osc, order=3), reference(osc)
+>>> asymptotic.at(7).x, truth.at(7, digits=8).x
+('0.16385309', '0.16385308')
+>>> asymptotic.sample([0.0, 7.0]).x.round(8).tolist()
+[0.2, 0.16385309]
+>>> events = asymptotic.events(until=1.5)                          # turning points and passages through 0
+>>> events.turning.round(6).tolist(), events.zeros.round(6).tolist()
+([0.702498, 1.404994], [0.350..., 1.0529...])
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, Protocol
+
+import numpy as np
+
+from asymptotics.api.units import oscillator_of
+from asymptotics.errors import InputError, LimitError
+from asymptotics.law import Oscillator
+from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
+from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
+from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
+from asymptotics.motions.result import MotionPoint, MotionSamples
+from asymptotics.normal_form.gauges import TURNING_POINT
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
+
+Array = Any
+DIGITS, MAX_EVENTS, MAX_SECONDS = 15, 10_000, 120
+_PER_HALF_SWING = 16
+
+
+@dataclass(frozen=True, eq=False)
+class Events:
+    """Times in s up to ``until``: turning points with their x, passages through 0 with their v, and the stop if any.
+
+    Doubles, heuristic: found on a grid of 16 points a half-swing and refined by Newton's method.
+    """
+
+    turning: Array
+    turning_x: Array
+    zeros: Array
+    zeros_v: Array
+    stop: float | None
+    until: float
+
+
+class _Sampled(Protocol):
+    @property
+    def oscillator(self) -> Oscillator: ...
+
+    def sample(self, t: Any) -> MotionSamples: ...
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Motion:
+    """The asymptotic motion at ``order`` in ``gauge``: formal, with an error estimate at each time."""
+
+    oscillator: Oscillator
+    order: int
+    gauge: str
+    notes: tuple[str, ...] = field(default=())
+
+    def at(self, t: Number, *, digits: Any = None) -> MotionPoint:
+        """One time in s; without ``digits`` every value is rounded to the error estimate of x."""
+        time, notes = exact_number(t, "t"), float_notes(t=t)
+        if digits is not None:
+            return self._motion.at(time, exact_integer(digits, "digits", 1, 300)).noted(notes)
+        return self._motion.at(time).rounded_to_error().noted(notes)
+
+    def sample(self, t: Any) -> MotionSamples:
+        """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
+        return self._motion.sample(times_of(t))
+
+    def sol(self, t: Any) -> Array:
+        """The dense solution: array [x, v] at t, as the ``sol`` of SciPy's ``solve_ivp``."""
+        found = self.sample(t)
+        return np.array([found.x, found.v])
+
+    def events(self, until: Number) -> Events:
+        """Turning points, zeros and the stop in 0 < t <= until (s)."""
+        return events_of(self, until, None)
+
+    @cached_property
+    def _motion(self) -> AsymptoticMotion:
+        return AsymptoticMotion.of(self.oscillator, self.order, self.gauge)
+
+    def __repr__(self) -> str:
+        return f"Motion({self.oscillator}, order {self.order}, gauge {self.gauge}, formal)"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Reference:
+    """The motion without expansion: exact solutions where there are any, else certified or high-precision steps."""
+
+    oscillator: Oscillator
+    static: Number | None = None
+    notes: tuple[str, ...] = field(default=())
+
+    def at(self, t: Number, *, digits: Any = 30) -> MotionPoint:
+        """One time in s to ``digits`` significant digits; ``certified`` and ``method`` say what they are worth."""
+        point = reference_motion(
+            self.oscillator, exact_number(t, "t"), exact_integer(digits, "digits", 1, 1000), static=self.static
+        )
+        return point.noted(float_notes(t=t))
+
+    def sample(self, t: Any) -> MotionSamples:
+        """Many times (array-like, s): arrays x and v in doubles, from one computation; NaN stays in its place."""
+        times = times_of(t)
+        missing = np.isnan(times)
+        if np.any(times < 0):
+            raise InputError("time", "a time is negative", "times >= 0 in seconds")
+        x, v = self._values(np.where(missing, 0.0, times).ravel())
+        x, v = (np.where(missing, np.nan, values.reshape(times.shape)) for values in (x, v))
+        notes = (*self.notes, *([f"NaN times: {missing.sum()}"] if missing.any() else []))
+        return MotionSamples(times, x, v, None, None, None, None, int(missing.sum()), 0, None, notes)
+
+    def sol(self, t: Any) -> Array:
+        """The dense solution: array [x, v] at t."""
+        found = self.sample(t)
+        return np.array([found.x, found.v])
+
+    def events(self, until: Number) -> Events:
+        """Turning points, zeros and the stop in 0 < t <= until (s)."""
+        stop = None
+        if self._is_dry:
+            stop = float(coulomb_stop(self.oscillator, DIGITS, static=self.static).t)
+        return events_of(self, until, stop)
+
+    @property
+    def _is_dry(self) -> bool:
+        acting = [t for t in self.oscillator.law.terms if not t.b.is_zero]
+        return len(acting) == 1 and acting[0].is_power_of_velocity and acting[0].velocity.is_zero
+
+    def _values(self, times: Array) -> tuple[Array, Array]:
+        exact = [ExactReal(Fraction(float(t))) for t in times]  # the doubles, exactly
+        if self._is_dry:
+            points = [coulomb_motion(self.oscillator, t, DIGITS, static=self.static) for t in exact]
+            return np.array([float(p.x) for p in points]), np.array([float(p.v) for p in points])
+        if self.static is not None:
+            raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0")
+        self._require_size(exact)
+        states = reference_states(self.oscillator, exact, DIGITS)
+        return np.array([float(x) for x in states.x]), np.array([float(v) for v in states.v])
+
+    def _require_size(self, times: Sequence[ExactReal]) -> None:
+        last = max(times, default=ExactReal(0))
+        seconds = estimated_seconds(self.oscillator, last, DIGITS)
+        if seconds > MAX_SECONDS:
+            raise LimitError("time", f"{last} would take about {seconds:.0f} s", f"at most {MAX_SECONDS} s of work")
+
+    def __repr__(self) -> str:
+        return f"Reference({self.oscillator})"
+
+
+def motion(law: Any, *, order: Any = 3, gauge: str = TURNING_POINT) -> Motion:
+    """The asymptotic motion of an oscillator (SI) or of a law alone (m = k = x0 = 1); order 1 is Lancaster (13).
+
+    InputError for an unknown gauge, an order out of range, or anti-damping, at once.
+    """
+    oscillator = oscillator_of(law)
+    N = exact_integer(order, "order", 1, MAX_ORDER)
+    AsymptoticMotion.of(oscillator, N, gauge)
+    return Motion(oscillator, N, gauge, oscillator.notes)
+
+
+def reference(law: Any, *, static: Number | None = None) -> Reference:
+    """The reference motion of an oscillator (SI) or of a law alone; ``static``: a static friction force in N."""
+    oscillator = oscillator_of(law)
+    oscillator.law.require_dissipative("reference motion to rest")
+    return Reference(oscillator, None if static is None else exact_number(static, "static"), oscillator.notes)
+
+
+def times_of(t: Any) -> Array:
+    """An array of doubles; InputError for what is none."""
+    try:
+        times = np.asarray(t, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError("time", f"a {type(t).__name__} is not an array of numbers", "times in seconds") from None
+    if np.any(np.isinf(times)):
+        raise InputError("time", "a time is infinite", "times in seconds")
+    return times
+
+
+def events_of(moving: _Sampled, until: Number, stop: float | None) -> Events:
+    """Sign changes of v and x on a grid, refined by Newton's method with the acceleration of the equation."""
+    oscillator = moving.oscillator
+    end = exact_number(until, "until")
+    if not end > 0:
+        raise InputError("until", f"{end} is not positive", "a time > 0 in seconds")
+    last, omega = float(end.ball().mid()), float(oscillator.omega_0().mid())
+    swings = last * omega / np.pi
+    if swings > MAX_EVENTS:
+        raise LimitError("until", f"{swings:.3g} half-swings are too many", f"at most {MAX_EVENTS}")
+    if stop is not None:
+        last = min(last, stop)
+    grid = np.linspace(0.0, last, int(_PER_HALF_SWING * (swings + 1)) + 2)
+    found = moving.sample(grid)
+    turning = _crossings(moving, grid, found.v, of_velocity=True)
+    zeros = _crossings(moving, grid, found.x, of_velocity=False)
+    at_turning, at_zeros = moving.sample(turning), moving.sample(zeros)
+    ended = stop if stop is not None and stop <= float(end.ball().mid()) else None
+    return Events(turning, at_turning.x, zeros, at_zeros.v, ended, float(end.ball().mid()))
+
+
+def _crossings(moving: _Sampled, grid: Array, values: Array, *, of_velocity: bool) -> Array:
+    """Where ``values`` changes sign: the secant, then Newton steps kept inside the interval."""
+    i = np.nonzero(values[:-1] * values[1:] < 0)[0]
+    low, high = grid[i], grid[i + 1]
+    t = low - values[i] * (high - low) / (values[i + 1] - values[i])
+    for _ in range(4 if t.size else 0):
+        now = moving.sample(t)
+        step = now.v / _acceleration(moving.oscillator, now) if of_velocity else now.x / now.v
+        t = np.clip(t - np.where(np.isfinite(step), step, 0.0), low, high)
+    return t
+
+
+def _acceleration(oscillator: Oscillator, now: MotionSamples) -> Array:
+    """x'' = -(k x + sum of the forces)/m."""
+    force = float(oscillator.stiffness.ball().mid()) * now.x
+    for t in oscillator.law.terms:
+        b, velocity = float(t.b.ball().mid()), float(t.velocity.ball().mid())
+        if t.family:
+            force = force + float(oscillator.stiffness.ball().mid()) * (np.sin(now.x) - now.x)
+        elif t.sign < 0:
+            force = force + b * np.abs(now.x) ** t.position * np.sign(now.v) * np.abs(now.v) ** velocity
+        else:
+            force = force + b * np.sign(now.x) * np.abs(now.x) ** t.position * np.abs(now.v) ** velocity
+    return -force / float(oscillator.mass.ball().mid())

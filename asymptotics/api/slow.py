@@ -1,0 +1,109 @@
+"""The first-order envelope A(t) and phase phi(t) of any law: numbers, arrays, and the formula where one is known.
+
+>>> slow = envelope(Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5"))
+>>> slow.amplitude(7, digits=12), slow.formula
+('0.164991444234', ClosedForm(family='power', expression=(kappa_1*tau/2 + 1)**(-2)))
+>>> slow.sample([0.0, 7.0]).amplitude.round(8).tolist()
+[0.2, 0.16499144]
+"""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import sympy
+
+from asymptotics.api.motions import times_of
+from asymptotics.api.units import oscillator_of
+from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
+from asymptotics.envelopes.first_order import FirstOrderEnvelope
+from asymptotics.envelopes.symbolic import MEAN
+from asymptotics.errors import InputError
+from asymptotics.law import Oscillator
+from asymptotics.motions.asymptotic import AsymptoticMotion
+from asymptotics.motions.result import MotionSamples
+from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.policy import Number, exact_integer
+
+MAX_DIGITS = 1000
+
+
+@dataclass(frozen=True, repr=False)
+class Envelope:
+    """A(t) and phi(t) of dA/dtau = -sum kappa_i A^alpha_i, SI units for an oscillator.
+
+    Digits are certified for the averaged law; how far that is from the motion is what higher orders tell.
+    """
+
+    oscillator: Oscillator
+    averaging: str
+    notes: tuple[str, ...] = field(default=(), compare=False)
+
+    def amplitude(self, t: Number, *, digits: Any = 30) -> str:
+        """A(t) in m, correctly rounded; "0" from the extinction time of the averaged law on."""
+        return self._law.amplitude(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
+
+    def phase(self, t: Number, *, digits: Any = 30) -> str:
+        """phi(t) in rad, turning-point gauge."""
+        return self._law.phase(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
+
+    def time(self, amplitude: Number, *, digits: Any = 30) -> str:
+        """The time in s at which A falls to ``amplitude`` (m)."""
+        return self._law.time(amplitude, exact_integer(digits, "digits", 1, MAX_DIGITS))
+
+    def extinction_time(self, *, digits: Any = 30) -> str | None:
+        """When the averaged amplitude reaches 0 (some alpha < 1): the end of the averaged law, not of the motion."""
+        return self._law.extinction_time(exact_integer(digits, "digits", 1, MAX_DIGITS))
+
+    def kappas(self, *, digits: Any = 30) -> tuple[str, ...]:
+        """kappa_i = M_(alpha_i+1) epsilon_i, correctly rounded."""
+        D = exact_integer(digits, "digits", 1, MAX_DIGITS)
+        count = len(self.oscillator.law.terms)
+        return tuple(certified_decimal(lambda i=i: self.oscillator.kappas()[i], D) for i in range(count))  # type: ignore[misc]
+
+    @property
+    def formula(self) -> ClosedForm | None:
+        """A/A(0) as a function of tau = omega_0 t and the kappas, or None where no elementary form is known."""
+        terms = [t for t in self.oscillator.law.terms if not t.b.is_zero]
+        names = (sympy.Symbol(f"kappa_{i}", positive=True) for i in range(1, len(terms) + 1))
+        try:
+            return explicit_amplitude({to_sympy(t.velocity): name for t, name in zip(terms, names)})
+        except InputError:
+            return None
+
+    def sample(self, t: Any) -> MotionSamples:
+        """Arrays of amplitude and phase at many times (s), with the motion x = A cos(omega_0 t + phi): doubles."""
+        return AsymptoticMotion.of(self.oscillator, 1).sample(times_of(t))
+
+    def amplitudes(self, t: Any) -> Any:
+        """A in m at an array of times in s: doubles; NaN stays NaN, extinct is 0."""
+        return self._law.amplitudes(np.asarray(times_of(t)))
+
+    @cached_property
+    def _law(self) -> FirstOrderEnvelope:
+        return FirstOrderEnvelope(self.oscillator, self.averaging)
+
+    def __str__(self) -> str:
+        shown = "no elementary form" if self.formula is None else f"A/A(0) = {self.formula.expression}"
+        kappas = ", ".join(f"kappa_{i} = {k}" for i, k in enumerate(self.kappas(digits=10), start=1))
+        return f"{shown}\ntau = omega_0 t, {kappas}"
+
+    def __repr__(self) -> str:
+        return f"Envelope({self.oscillator}, averaging {self.averaging})"
+
+    def _repr_latex_(self) -> str:
+        form = self.formula
+        return r"$A(\tau)$: no elementary form" if form is None else rf"$A/A(0) = {sympy.latex(form.expression)}$"
+
+
+def envelope(law: Any, *, averaging: str = MEAN) -> Envelope:
+    """The first-order envelope of an oscillator (SI) or of a law alone; ``averaging`` "mean" (Lancaster) or "lelas".
+
+    InputError for anti-damping, springs and position-dependent losses, and an unknown averaging.
+    """
+    oscillator = oscillator_of(law)
+    oscillator.law.require_pure("the first-order envelope")
+    FirstOrderEnvelope(oscillator, averaging)
+    return Envelope(oscillator, averaging, oscillator.notes)

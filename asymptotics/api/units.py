@@ -1,0 +1,25 @@
+"""A law, an oscillator or a mapping, read as what is meant: epsilons stay epsilons, and b's need their m, k and x0.
+
+>>> oscillator_of({2: "1/10"})                           # a law alone: m = k = x0 = 1
+Oscillator(x'' + x + 1/10 x'|x'| = 0, x(0) = 1, x'(0) = 0)
+>>> oscillator_of(Oscillator({2: "1/10"}, mass=2).law)
+Traceback (most recent call last):
+    ...
+asymptotics.errors.InputError: argument law: its strengths are b in SI, and epsilon is meant (accepted: ...)
+"""
+
+from typing import Any
+
+from asymptotics.law import Law, Oscillator
+
+
+def oscillator_of(value: Any, spring: Any = None) -> Oscillator:
+    """An oscillator as it is; a law or mapping of epsilons as the oscillator with m = k = x0 = 1 (no units)."""
+    if isinstance(value, Oscillator):
+        return value
+    return Oscillator(law_of(value), spring=spring)
+
+
+def law_of(value: Any) -> Law:
+    """The dimensionless law of a law, a mapping, or an oscillator."""
+    return value.dimensionless if isinstance(value, Oscillator) else Law.read(value)

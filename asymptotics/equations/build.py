@@ -1,0 +1,102 @@
+"""From whatever names a law to its equations: an exponent, a list of them, a law, an oscillator, or "symbolic".
+
+>>> expand(3, order=3, gauge="no-first-harmonic").Omega[2].exact
+'9/256'
+>>> expand(["1", "2"], order=2).Omega[1, 1].exact
+'-8/(9*pi)'
+>>> expand("symbolic", order=2).Omega[2].exact
+'-alpha**2*gamma(alpha + 1/2)/(sqrt(pi)*(alpha + 1)**2*gamma(alpha + 1))'
+>>> expand(1.5) == expand("3/2"), expand(1.5).notes
+(True, ('alpha: the float 1.5 was read as 3/2',))
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+from asymptotics.equations.result import Equations
+from asymptotics.equations.row import Row
+from asymptotics.errors import InputError
+from asymptotics.half_swings.symbolic import alpha
+from asymptotics.law import Law, Oscillator
+from asymptotics.normal_form.closed_forms import symbolic_coefficients
+from asymptotics.normal_form.coefficients import expansion_coefficients
+from asymptotics.normal_form.gauges import TURNING_POINT, require_gauge
+from asymptotics.numbers.policy import exact_integer, float_notes
+from asymptotics.terms import Term
+
+MAX_ORDER, MAX_DIGITS, MAX_ALPHA, MAX_TERMS, MAX_SECONDS = 200, 1000, 1000, 4, 3600
+_FORMS = 'an exponent >= 0, a list of them, a Law, an Oscillator, a mapping exponent -> strength, or "symbolic"'
+
+
+def expand(
+    law: Any, *, order: Any = 4, gauge: str = TURNING_POINT, digits: Any = 30, spring: Any = None,
+    exact: bool = False, max_seconds: Any = 60,
+) -> Equations:  # fmt: skip
+    """The amplitude and phase equations through delta^order (derivations ``half-swing-equations``, ``no-logarithms``).
+
+    ``law``: an exponent (the coefficients need no strength), a list of exponents, a ``Law`` or mapping (epsilons), an
+    ``Oscillator`` (then amplitudes are in metres and times in seconds), or "symbolic".  ``digits`` correctly rounded
+    significant digits of every coefficient; ``exact=True`` demands exact ones (integer exponents).
+    InputError for anything else; LimitError when the estimate is above ``max_seconds``; UndecidedError where balls
+    cannot round a coefficient.
+    """
+    N, D = exact_integer(order, "order", 1, MAX_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
+    seconds = exact_integer(max_seconds, "max_seconds", 1, MAX_SECONDS)
+    require_gauge(gauge)
+    if isinstance(law, str) and law.strip() == "symbolic":
+        if exact or spring is not None:
+            raise InputError("alpha", "symbolic stands alone", "one law, in closed form")
+        return _symbolic(N, gauge, D)
+    terms, strengths, oscillator, notes = _read(law, spring)
+    if len(terms) > MAX_TERMS:
+        raise InputError("law", f"{len(terms)} different terms are too many", f"at most {MAX_TERMS}")
+    alphas = tuple(t.velocity for t in _pure(terms))
+    found = expansion_coefficients(alphas, N, D, gauge, exact_only=exact, max_seconds=seconds)
+    p, Omega = (Row({_key(k): c for k, c in row.items()}) for row in (found.amplitude, found.frequency))
+    return Equations(terms, gauge, N, found.arithmetic, p, Omega, strengths, oscillator, None, notes)
+
+
+def _symbolic(order: int, gauge: str, digits: int) -> Equations:
+    found = symbolic_coefficients(order, gauge, digits)
+    p, Omega = (Row({_key(k): c for k, c in row.items()}) for row in (found.amplitude, found.frequency))
+    return Equations((), gauge, order, "symbolic", p, Omega, symbol=alpha)
+
+
+def _read(law: Any, spring: Any) -> tuple[tuple[Term, ...], Law | None, Oscillator | None, tuple[str, ...]]:
+    """(terms, strengths if known, oscillator if there are units, notes)."""
+    if isinstance(law, Oscillator):
+        if spring is not None:
+            raise InputError("spring", "the oscillator has its springs", "Oscillator(law, spring=...)")
+        made = law.dimensionless
+        return made.terms, made, law, law.notes
+    if isinstance(law, Mapping) or hasattr(law, "terms"):
+        made = Law.read(law) if spring is None else Law(Law.read(law), spring)
+        return made.terms, made, None, made.notes
+    exponents = law if isinstance(law, list | tuple) else [law]
+    if not exponents and spring is None:
+        raise InputError("alpha", "no exponent is given", _FORMS)
+    if law is None:
+        raise InputError("alpha", "None is not an exponent", _FORMS)
+    bare = Law.from_terms([*[Term(1, a) for a in exponents], *_springs(spring)], float_notes_of(exponents))
+    for t in bare.terms:
+        if t.velocity > MAX_ALPHA:
+            raise InputError("alpha", f"{t.velocity} is out of range", f"a real number from 0 to {MAX_ALPHA}")
+    return bare.terms, None, None, bare.notes
+
+
+def _springs(spring: Any) -> tuple[Term, ...]:
+    return () if spring is None else Law({}, spring).terms
+
+
+def float_notes_of(exponents: Any) -> tuple[str, ...]:
+    """What the floats among the exponents were read as."""
+    return tuple(note for a in exponents for note in float_notes(alpha=a))
+
+
+def _pure(terms: tuple[Term, ...]) -> tuple[Term, ...]:
+    Law.from_terms(terms).require_pure("this expansion")
+    return terms
+
+
+def _key(key: str) -> tuple[int, ...]:
+    return tuple(int(k) for k in key.split(","))

@@ -1,0 +1,101 @@
+"""What an experiment sees on the half-swing from a turning amplitude A: the same numbers in every gauge.
+
+    half period T/omega_0,   decrement Lambda = ln(A_n/A_(n+2)) over a full swing,
+    energy loss of the half-swing 1 - (A_(n+1)/A_n)^2,   Q = 2 pi/(1 - e^(-2 Lambda)).
+
+The values are truncated series: heuristic doubles, with an error *estimate* (twice what two orders more change), to
+which they are rounded when they are printed.
+
+>>> from asymptotics.equations.build import expand
+>>> seen = expand({2: "1/10"}, order=4).observables()
+>>> print(seen.half_period, seen.decrement)                     # exact: 3.1462226, 0.2366843
+3.1462 0.2367
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import exp, floor, log10, pi
+from typing import Any
+
+from asymptotics.errors import InputError
+from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.quarter import HalfSwing, half_swing
+from asymptotics.law import Oscillator
+from asymptotics.terms import Term
+
+
+@dataclass(frozen=True)
+class Observable:
+    """A value with the estimated error that its printed digits respect, and its unit ("" if it has none)."""
+
+    value: float
+    error: float
+    unit: str = ""
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __str__(self) -> str:
+        places = 15 if self.error == 0 else max(0, -floor(log10(self.error)) - 1)
+        text = f"{self.value:.{min(places, 15)}f}" if self.error < abs(self.value) else f"{self.value:.1g}"
+        return f"{text} {self.unit}".strip()
+
+
+@dataclass(frozen=True)
+class Observables:
+    """The observables at one turning amplitude (m for an oscillator, else in units of x0)."""
+
+    amplitude: float
+    half_period: Observable
+    amplitude_ratio: Observable
+    decrement: Observable
+    energy_loss: Observable
+    Q: Observable
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: numbers are strings."""
+        names = ("half_period", "amplitude_ratio", "decrement", "energy_loss", "Q")
+        seen = {n: {"value": repr(getattr(self, n).value), "error": f"{getattr(self, n).error:.1e}"} for n in names}
+        return {"amplitude": repr(self.amplitude), **seen}
+
+    def __str__(self) -> str:
+        return (
+            f"half period {self.half_period}, decrement {self.decrement}, Q {self.Q}, energy loss {self.energy_loss}"
+            f" at A = {self.amplitude:g}"
+        )
+
+
+def observables_at(
+    terms: tuple[Term, ...], order: int, deltas: list[float], amplitude: float, oscillator: Oscillator | None
+) -> Observables:
+    """The observables of a law at local strengths ``deltas``, through ``order``."""
+    here, finer = (_values(_half(terms, n), deltas) for n in (order, order + 2))
+    if any(x != x for x in (*here, *finer)):
+        raise InputError("A", "the series give no number there", "a smaller amplitude")
+    time, unit = (1.0, "") if oscillator is None else (1 / float(oscillator.omega_0().mid()), "s")
+    period, ratio, decrement, loss, quality = (
+        Observable(a, 2 * abs(a - b) + 1e-15 * abs(a)) for a, b in zip(here, finer)
+    )
+    half_period = Observable(period.value * time, period.error * time, unit)
+    return Observables(amplitude, half_period, ratio, decrement, loss, quality)
+
+
+def _values(half: HalfSwing, deltas: list[float]) -> tuple[float, ...]:
+    """(T, e^L, Lambda, energy loss, Q) of a truncated half-swing map."""
+    balls = tuple(deltas)
+    L = float(half.L.map(_double).at(balls))
+    after = tuple(d * exp(float(w) * L) for d, w in zip(deltas, (_double(w) for w in half.weights)))
+    decrement = -(L + float(half.L.map(_double).at(after)))
+    T = float(half.T.map(_double).at(balls))
+    quality = 2 * pi / -(exp(-2 * decrement) - 1) if decrement else float("inf")
+    return T, exp(L), decrement, 1 - exp(2 * L), quality
+
+
+def _double(c: Any) -> float:
+    return float(c.mid()) if hasattr(c, "mid") else float(c)
+
+
+@lru_cache(maxsize=64)
+def _half(terms: tuple[Term, ...], order: int) -> HalfSwing:
+    """L, F, T of a law in balls."""
+    return half_swing(quarter_swing([t.velocity for t in terms], order))

@@ -1,0 +1,63 @@
+"""The coefficients of one series, keyed as one writes them: ``p[3]``, or ``p[2, 1]`` for several strengths.
+
+>>> row = Row({(1,): Coefficient("0.5", None), (3,): Coefficient("0.125", None)})
+>>> row[3].value, row["1"].value, list(row), len(row)
+('0.125', '0.5', [1, 3], 2)
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from asymptotics.equations.show import SHOWN_DIGITS
+from asymptotics.errors import InputError
+from asymptotics.numbers.value import Coefficient, rounded
+from asymptotics.series import Key
+
+
+class Row(Mapping[Any, Coefficient]):
+    """The coefficients of one series: ``row[3]`` for one law, ``row[2, 1]`` for several; text keys "2,1" work too."""
+
+    def __init__(self, coefficients: Mapping[Key, Coefficient]) -> None:
+        self._items = dict(coefficients)
+
+    def __getitem__(self, key: Any) -> Coefficient:
+        wanted = _key(key)
+        if wanted not in self._items:
+            known = ", ".join(",".join(map(str, k)) for k in self._items)
+            raise InputError("key", f"there is no coefficient {key!r:.40}", known or "none at this order")
+        return self._items[wanted]
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(k[0] if len(k) == 1 else k for k in self._items)
+
+    def __len__(self) -> int:
+        return len(self._items)
+
+    def keyed(self) -> dict[Key, Coefficient]:
+        """Exponents of the delta_i -> coefficient."""
+        return dict(self._items)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Row) and self._items == other._items
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def to_dict(self) -> dict[str, dict[str, str | None]]:
+        """JSON-ready: keys "k" or "k1,k2"."""
+        return {",".join(map(str, k)): c.to_dict() for k, c in self._items.items()}
+
+    def __repr__(self) -> str:
+        shown = ", ".join(f"{','.join(map(str, k))}: {_brief(c)}" for k, c in list(self._items.items())[:6])
+        return "{" + shown + (", ..." if len(self) > 6 else "") + "}"
+
+
+def _brief(c: Coefficient) -> str:
+    return rounded(c.value, SHOWN_DIGITS) if c.value is not None else str(c.exact)
+
+
+def _key(key: Any) -> Key:
+    try:
+        parts = key.split(",") if isinstance(key, str) else key if isinstance(key, tuple) else (key,)
+        return tuple(int(k) for k in parts)
+    except (TypeError, ValueError):
+        raise InputError("key", f"{key!r:.40} is no exponent", "an integer, or a tuple of integers") from None

@@ -1,0 +1,57 @@
+"""Sums as one writes them by hand: signs between the terms, no 1 in front of a power, exact numbers where short.
+
+>>> from sympy import Rational, pi
+>>> row = {(1,): Coefficient("0.5", Rational(1, 2)), (3,): Coefficient("-0.01", Rational(-1, 100))}
+>>> print(sum_text(row, ("d",)), "or", sum_latex(row, (r"\\delta",)))
+1/2 d - 1/100 d^3 or \\frac{1}{2} \\delta - \\frac{1}{100} \\delta^{3}
+>>> sum_text({(2,): Coefficient("-0.16666666666666666667", None)}, ("d",), lead="1")
+'1 - 0.1666666667 d^2'
+"""
+
+from collections.abc import Mapping, Sequence
+
+import sympy
+
+from asymptotics.numbers.value import Coefficient, rounded
+from asymptotics.series import Key
+
+SHOWN_DIGITS = 10
+_LONGEST_EXACT = 24  # a longer exact form hides the equation it stands in
+
+
+def sum_text(row: Mapping[Key, Coefficient], names: Sequence[str], lead: str = "") -> str:
+    """The sum of c times a monomial in ``names``, after ``lead``; "0" when nothing is left."""
+    return _joined([(_number(c), _monomial(k, names, "^", "")) for k, c in row.items() if not c.is_zero], lead)
+
+
+def sum_latex(row: Mapping[Key, Coefficient], names: Sequence[str], lead: str = "") -> str:
+    """The same in LaTeX."""
+    return _joined([(_latex(c), _monomial(k, names, "^{", "}")) for k, c in row.items() if not c.is_zero], lead)
+
+
+def _joined(terms: list[tuple[str, str]], lead: str) -> str:
+    text = lead
+    for number, power in terms:
+        sign, size = ("-", number[1:].lstrip()) if number.startswith("-") else ("+", number)
+        term = power if size == "1" else f"{size} {power}"
+        text += f" {sign} {term}" if text else term if sign == "+" else f"-{term}"
+    return text or "0"
+
+
+def _monomial(key: Key, names: Sequence[str], opened: str, closed: str) -> str:
+    return " ".join(name + (f"{opened}{n}{closed}" if n > 1 else "") for name, n in zip(names, key) if n)
+
+
+def _number(c: Coefficient) -> str:
+    exact = c.exact
+    if exact is not None and (c.value is None or len(exact) <= _LONGEST_EXACT):
+        return exact if c.expression is not None and not c.expression.is_Add else f"({exact})"
+    return rounded(c.text(), SHOWN_DIGITS)
+
+
+def _latex(c: Coefficient) -> str:
+    if c.expression is not None and (c.value is None or len(str(c.exact)) <= _LONGEST_EXACT):
+        text: str = sympy.latex(c.expression)
+        return rf"\left({text}\right)" if c.expression.is_Add else text
+    mantissa, e, exponent = rounded(c.text(), SHOWN_DIGITS).partition("e")
+    return mantissa + (rf" \cdot 10^{{{int(exponent)}}}" if e else "")
