@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from asymptotics.api.hierarchy import multiple_scales
-    from asymptotics.api.lookups import C, G, f, moment, table, tables
+    from asymptotics.api.lookups import C, G, f, moment, table, table_names
     from asymptotics.api.motions import Events, Motion, Reference, motion, reference
     from asymptotics.api.slow import Envelope, envelope
     from asymptotics.api.swings import OscillatorTurningPoints, turning_points
@@ -38,7 +38,7 @@ __version__ = "0.1.0"
 
 _HOMES = {
     "api.hierarchy": ("multiple_scales",),
-    "api.lookups": ("C", "G", "f", "moment", "table", "tables"),
+    "api.lookups": ("C", "G", "f", "moment", "table", "table_names"),
     "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
     "api.slow": ("Envelope", "envelope"),
     "api.swings": ("OscillatorTurningPoints", "turning_points"),
@@ -81,7 +81,7 @@ __all__ = [
     "reference",
     "statements",
     "table",
-    "tables",
+    "table_names",
     "turning_points",
 ]
 

@@ -40,13 +40,13 @@ def moment(p: Any, *, digits: Any = 30) -> Coefficient:
 
 
 def table(name: str, *, digits: Any = 30) -> registry.Table:
-    """A reference table by name (``tables()`` lists them): rows of certified strings with their provenance."""
+    """A reference table by name (``table_names`` lists them): rows of certified strings with their provenance."""
     if not isinstance(name, str):
         raise InputError("name", f"a {type(name).__name__} is no name", ", ".join(registry.names()))
     return registry.build(name, exact_integer(digits, "digits", 1, registry.MAX_DIGITS))
 
 
-def tables() -> dict[str, str]:
+def table_names() -> dict[str, str]:
     """The names of the tables and their titles."""
     return registry.names()
 

@@ -8,7 +8,7 @@
 [0.2, 0.16385309]
 >>> events = asymptotic.events(until=1.5)                          # turning points and passages through 0
 >>> events.turning.round(6).tolist(), events.zeros.round(6).tolist()
-([0.702498, 1.404994], [0.350..., 1.0529...])
+([0.702503, 1.405005], [0.352506, 1.054996])
 """
 
 from collections.abc import Sequence
@@ -21,12 +21,12 @@ import numpy as np
 
 from asymptotics.api.units import oscillator_of
 from asymptotics.errors import InputError, LimitError
+from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.motions.result import MotionPoint, MotionSamples
-from asymptotics.normal_form.gauges import TURNING_POINT
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
 

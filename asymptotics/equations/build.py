@@ -16,11 +16,11 @@ from typing import Any
 from asymptotics.equations.result import Equations
 from asymptotics.equations.row import Row
 from asymptotics.errors import InputError
+from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.symbolic import alpha
 from asymptotics.law import Law, Oscillator
 from asymptotics.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.normal_form.coefficients import expansion_coefficients
-from asymptotics.normal_form.gauges import TURNING_POINT, require_gauge
 from asymptotics.numbers.policy import exact_integer, float_notes
 from asymptotics.terms import Term
 

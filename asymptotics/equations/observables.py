@@ -84,7 +84,7 @@ def _values(half: HalfSwing, deltas: list[float]) -> tuple[float, ...]:
     """(T, e^L, Lambda, energy loss, Q) of a truncated half-swing map."""
     balls = tuple(deltas)
     L = float(half.L.map(_double).at(balls))
-    after = tuple(d * exp(float(w) * L) for d, w in zip(deltas, (_double(w) for w in half.weights)))
+    after = tuple(d * exp(float(w) * L) for d, w in zip(deltas, (_double(w) for w in half.grading.weights)))
     decrement = -(L + float(half.L.map(_double).at(after)))
     T = float(half.T.map(_double).at(balls))
     quality = 2 * pi / -(exp(-2 * decrement) - 1) if decrement else float("inf")

@@ -2,8 +2,8 @@
 
     dA/dtau = -A p(delta),    dpsi/dtau = 1 + Omega(delta),    delta_i = epsilon_i A^w_i
 
-with w_i the degree of term i less 1.  Dimensionless (m = k = x0 = 1) unless they were made from an oscillator: then A is
-in metres, the time in seconds, delta_i = b_i omega_0^alpha_i A^w_i/k, and both right sides carry the factor omega_0.
+with w_i the degree of term i less 1.  Dimensionless (m = k = x0 = 1) unless they were made from an oscillator: then A
+is in metres, the time in seconds, delta_i = b_i omega_0^alpha_i A^w_i/k, and both right sides carry a factor omega_0.
 
 The series are *formal*: no bound on what is cut off is claimed.  ``observables`` gives an estimate.
 

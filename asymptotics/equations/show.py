@@ -21,12 +21,17 @@ _LONGEST_EXACT = 24  # a longer exact form hides the equation it stands in
 
 def sum_text(row: Mapping[Key, Coefficient], names: Sequence[str], lead: str = "") -> str:
     """The sum of c times a monomial in ``names``, after ``lead``; "0" when nothing is left."""
-    return _joined([(_number(c), _monomial(k, names, "^", "")) for k, c in row.items() if not c.is_zero], lead)
+    return _joined([(_number(c), _monomial(k, names, "^", "")) for k, c in _ordered(row) if not c.is_zero], lead)
 
 
 def sum_latex(row: Mapping[Key, Coefficient], names: Sequence[str], lead: str = "") -> str:
     """The same in LaTeX."""
-    return _joined([(_latex(c), _monomial(k, names, "^{", "}")) for k, c in row.items() if not c.is_zero], lead)
+    return _joined([(_latex(c), _monomial(k, names, "^{", "}")) for k, c in _ordered(row) if not c.is_zero], lead)
+
+
+def _ordered(row: Mapping[Key, Coefficient]) -> list[tuple[Key, Coefficient]]:
+    """By degree, and within one degree the first strength first."""
+    return sorted(row.items(), key=lambda item: (sum(item[0]), [-n for n in item[0]]))
 
 
 def _joined(terms: list[tuple[str, str]], lead: str) -> str:

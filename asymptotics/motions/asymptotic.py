@@ -325,6 +325,7 @@ class _Doubles:
 
     def slow(self, tau_max: float) -> SlowTable:
         """The table of the slow flow, through ``tau_max`` at least; the last one is kept."""
+        tau_max = tau_max or 1.0  # a table has at least two nodes
         if not self.reached or self.reached[-1][0] < tau_max:
             self.reached[:] = [(tau_max, self.frame.law.table(self.start()[0], tau_max))]
         return self.reached[-1][1]

@@ -47,8 +47,8 @@ class MotionPoint:
         """Every value cut down to the digits that the error of x leaves."""
         digits = _known_digits(self.x, self.error)
         names = ("x", "v", "amplitude", "phase")
-        values: dict[str, Any] = {n: getattr(self, n) for n in names if getattr(self, n) is not None}
-        return replace(self, **{n: rounded(v, digits) for n, v in values.items()})
+        values: dict[str, Any] = {n: rounded(getattr(self, n), digits) for n in names if getattr(self, n) is not None}
+        return replace(self, **values)
 
     def _repr_latex_(self) -> str:
         return rf"$x = {self.x}\,\mathrm{{m}},\quad \dot x = {self.v}\,\mathrm{{m/s}}$"

@@ -76,7 +76,7 @@ from asymptotics.series import Key, monomials
 _j = Symbol("j", integer=True, positive=True)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class SecondOrder:
     """The laws through second order for any exponents; ``orders`` shows orders 0, 1, 2 (X_2 itself is not needed)."""
 
@@ -144,6 +144,9 @@ class SecondOrder:
             key = tuple((k == i) + (k == j) for k in range(len(self.alphas)))
             found[key] = found.get(key, Integer(0)) + value
         return found
+
+    def __repr__(self) -> str:
+        return f"SecondOrder(alpha = {', '.join(map(str, self.alphas))}, orders 0 to 2, gauge {self.gauge})"
 
     def _repr_latex_(self) -> str:
         rates = rf"\frac{{da}}{{d\tau}} = {latex(self.amplitude_rate)},\quad \frac{{d\psi}}{{d\tau}} = "

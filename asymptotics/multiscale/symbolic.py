@@ -46,7 +46,7 @@ from asymptotics.numbers.bridge import to_sympy
 from asymptotics.series import Series, monomials
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class MultipleScales:
     """The hierarchy solved through ``kernel.order``: orders 0, ..., N as objects, and their sums as expressions.
 
@@ -107,6 +107,10 @@ class MultipleScales:
     def _sum(self, parts: tuple[Expr, ...]) -> Expr:
         step = epsilon if len(self.kernel.alphas) == 1 else 1
         return Add(*[expand(step**n * part) for n, part in enumerate(parts)])
+
+    def __repr__(self) -> str:
+        exponents = ", ".join(map(str, self.kernel.alphas))
+        return f"MultipleScales(alpha = {exponents}, orders 0 to {len(self.orders) - 1}, gauge {self.gauge})"
 
     def _repr_latex_(self) -> str:
         rows = (

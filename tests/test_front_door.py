@@ -1,0 +1,208 @@
+"""The front door: the contract's calls, every kind of number, every bad value, instant reprs, a light import."""
+
+import subprocess
+import sys
+import time
+from decimal import Decimal
+from fractions import Fraction
+from importlib import import_module
+from pathlib import Path
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+import asymptotics as asy
+
+ROOT = Path(__file__).parents[1]
+BAD = [float("nan"), float("inf"), True, 1j, None, "x", [], -1]
+
+
+@pytest.fixture(scope="module")
+def osc():
+    return asy.Oscillator(asy.Law({"3/2": "1/10"}), mass="3/2", stiffness=30, x0="1/5", v0=0)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def every_submodule():
+    """A function must not turn into a module when a room is imported."""
+    for path in sorted((ROOT / "asymptotics").rglob("*.py")):
+        dotted = ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
+        if not dotted.endswith("__main__"):
+            import_module(dotted)
+
+
+def results(osc):
+    """One of every public result."""
+    eq = asy.expand("3/2", order=4, gauge="turning-point")
+    small = asy.expand(osc, order=2)
+    moving, truth = asy.motion(osc, order=3), asy.reference(osc)
+    return [
+        asy.Law({"3/2": "1/10"}), osc, osc.law, osc.dimensionless, eq, eq.p, eq.p[1], eq.Omega,
+        eq.observables(epsilon="0.1"), small, small.observables(), small.compare(asy.expand(osc, order=4)),
+        asy.expand("symbolic"),
+        asy.expand(["1", "2"]), asy.multiple_scales(3, order=6), asy.multiple_scales("3/2"), asy.envelope(osc), moving,
+        moving.at(7),
+        moving.sample(np.linspace(0, 9, 10_000)), moving.events(2), truth, truth.at(1), truth.sample([0, 1]),
+        asy.turning_points(osc, 10, digits=30), asy.turning_points({2: 1}, 3), asy.moment("5/2"), asy.f(500),
+        asy.C(31, 10), asy.G(5), asy.table("smith2012.table1"), asy.paper("smith2012:43"), asy.ExactReal(1, 2),
+    ]  # fmt: skip
+
+
+def test_every_name_is_there_and_none_is_a_module():
+    for name in asy.__all__:
+        assert type(getattr(asy, name)).__name__ != "module", name
+    assert set(asy.__all__) <= set(dir(asy)) and asy.__all__ == sorted(asy.__all__)
+    with pytest.raises(AttributeError, match="no attribute 'motoin'"):
+        _ = asy.motoin
+
+
+def test_the_repr_of_every_result_is_instant_and_short(osc):
+    for result in results(osc):
+        begin = time.process_time()
+        text = repr(result)
+        assert time.process_time() - begin < 0.02, type(result)
+        if type(result).__module__.startswith("asymptotics.api") or isinstance(result, asy.Equations):
+            assert len(text) < 300, type(result)
+        for show in ("_repr_latex_", "to_dict", "__str__"):
+            assert getattr(result, show, lambda: "")() is not None
+
+
+def test_the_contract(osc):
+    assert asy.turning_points(osc, 10, digits=30).points[1].x.startswith("-0.19")
+    eq = asy.expand("3/2", order=4, gauge="turning-point")
+    assert set(eq.p) == {1, 3} and set(eq.Omega) == {2, 4} and "A" in str(eq.to_sympy()[0])
+    assert r"\frac{dA}{d\tau}" in eq.latex() and "+ -" not in eq.latex() and "+/-" not in eq.latex()
+    assert asy.motion(osc, order=3).sample(np.array([0.0, 7.0])).x.shape == (2,)
+    assert asy.moment("5/2").exact == "gamma(7/4)/(sqrt(pi)*gamma(9/4))"
+    assert len(asy.multiple_scales(3, order=6).orders) == 7
+    assert asy.paper("smith2012:43") is not None and asy.table("smith2012.table1").rows
+
+
+@pytest.mark.parametrize("a", [Fraction(3, 2), Decimal("1.5"), 1.5, sympy.Rational(3, 2), np.float32(1.5)], ids=repr)
+def test_the_same_equations_for_every_kind_of_number(a):
+    assert asy.expand(a, order=3) == asy.expand("3/2", order=3)
+    assert asy.expand(a, order=np.int64(3)).notes == (
+        ("alpha: the float 1.5 was read as 3/2",) if isinstance(a, float | np.floating) else ()
+    )
+    assert asy.moment(a).value == asy.moment("3/2").value
+
+
+@pytest.mark.parametrize("bad", BAD, ids=str)
+def test_bad_values_are_refused_by_name(osc, bad):
+    calls = [
+        lambda: asy.expand(bad), lambda: asy.expand(3, order=bad), lambda: asy.expand(3, digits=bad),
+        lambda: asy.multiple_scales(bad), lambda: asy.multiple_scales(3, order=bad), lambda: asy.f(bad),
+        lambda: asy.G(bad), lambda: asy.C(bad, 1), lambda: asy.turning_points(bad),
+        lambda: asy.turning_points({2: 1}, bad),
+        lambda: asy.turning_points({2: 1}, digits=bad), lambda: asy.motion(bad), lambda: asy.motion(osc, order=bad),
+        lambda: asy.reference(bad), lambda: asy.envelope(bad), lambda: asy.Oscillator({2: 1}, mass=bad),
+        lambda: asy.moment(bad), lambda: asy.table(bad), lambda: asy.motion(osc).at(bad),
+        lambda: asy.motion(osc).events(bad), lambda: asy.reference(osc).at(bad),
+        lambda: asy.Law({bad: 1}) if bad != [] else asy.Law(bad),
+        lambda: asy.expand(3, gauge=bad), lambda: asy.expand({2: 1})(0.5, epsilon=bad if bad is not None else "x"),
+    ]  # fmt: skip
+    for call in calls:
+        with pytest.raises(asy.InputError) as caught:
+            call()
+        assert caught.value.argument and caught.value.accepted
+
+
+TIMES = {"text": "x", "ragged": [[1], [1, 2]], "function": lambda: 0, "negative": -1.0, "infinite": float("inf")}
+
+
+@pytest.mark.parametrize("bad", TIMES.values(), ids=TIMES)
+def test_bad_times_are_refused(osc, bad):
+    for moving in (asy.motion(osc), asy.reference(osc)):
+        with pytest.raises(asy.InputError):
+            moving.sample(bad)
+
+
+def test_nan_times_keep_their_place(osc):
+    for moving in (asy.motion(osc), asy.reference(osc)):
+        assert np.isnan(moving.sample([0.0, np.nan]).x).tolist() == [False, True]
+
+
+def test_si_and_dimensionless_do_not_mix(osc):
+    for call in (asy.expand, asy.turning_points, asy.motion, asy.envelope):
+        with pytest.raises(asy.InputError, match="epsilon is meant"):
+            call(osc.law)
+
+
+def test_an_oscillator_is_answered_in_its_units(osc):
+    # the same physics in centimetres: lengths scale by 100, times stay
+    cm = asy.Oscillator({"3/2": asy.ExactReal(Fraction(1, 100), 1)}, mass="3/2", stiffness=30, x0=20)
+    x, y = (asy.turning_points(o, 3, digits=15, times=True).points[2] for o in (osc, cm))
+    assert Fraction(y.x) == 100 * Fraction(x.x) and x.t == y.t
+    slow, fast = asy.expand(osc)(0.1), asy.expand(cm)(10.0)
+    assert np.allclose([slow[0] * 100, slow[1]], fast, rtol=1e-14)
+    unit = asy.turning_points(osc.dimensionless, 3, digits=15, times=True).points[2]
+    assert abs(float(unit.x) / 5 - float(x.x)) < 1e-15
+
+
+def test_equations_evaluate_convert_and_agree_with_an_integration(osc):
+    eq = asy.expand(osc, order=6)
+    dA, dpsi = eq(np.array([0.1, 0.2]))
+    symbolic = [sympy.lambdify(sympy.Symbol("A", positive=True), e, "mpmath")(0.2) for e in eq.to_sympy()]
+    assert np.allclose([dA[1], dpsi[1]], [float(s) for s in symbolic], rtol=1e-13)
+    precise = eq.lambdify("mpmath")(mpmath.mpf(1) / 5)
+    assert abs(float(precise[0]) - dA[1]) < 1e-15
+    rate, turn = eq.odes()
+    assert rate.lhs.has(sympy.Symbol("t", real=True)) and turn.rhs != 0
+    seen, table = eq.observables(), asy.turning_points(osc, 3, digits=15, times=True).points
+    assert abs(seen.half_period.value - float(table[1].t)) <= seen.half_period.error + 1e-12
+    decrement = np.log(float(table[0].x) / float(table[2].x))
+    assert abs(seen.decrement.value - decrement) <= seen.decrement.error + 1e-12
+    assert abs(seen.half_period.value - float(table[1].t) * (1 + 1e-5)) > seen.half_period.error  # near miss
+
+
+def test_gauges_are_compared_by_what_is_seen():
+    law = {3: "1/5"}
+    one, other = asy.expand(law, order=4), asy.expand(law, order=4, gauge="no-first-harmonic")
+    assert one != other and one.compare(other).agree
+    assert not one.compare(asy.expand({3: "1/4"}, order=4)).agree
+    with pytest.raises(asy.InputError, match="other"):
+        one.compare(3)
+    with pytest.raises(asy.InputError, match="the function failed"):
+        one.compare(lambda A, psi: 1)
+
+
+def test_numbers_are_handed_out_by_name():
+    c, pi_over = asy.expand(3, order=4).Omega[2], asy.expand(2, order=3).p[1]
+    assert c.fraction() == Fraction(-45, 256) and c.sympy() == sympy.Rational(-45, 256) and float(c) == -45 / 256
+    inside = pi_over.interval()
+    with mpmath.workdps(60):
+        truth, (low, high) = 4 / (3 * mpmath.pi), (mpmath.mpf(end) for end in inside._mpi_)
+        assert low < truth < high and high - low < 1e-29
+    with pytest.raises(asy.InputError, match="not rational"):
+        pi_over.fraction()
+    with pytest.raises(asy.InputError, match="depends on the exponent"):
+        float(asy.expand("symbolic").p[1])
+
+
+def test_reference_events_of_dry_friction():
+    osc = asy.Oscillator({0: "0.14715"}, mass="3/2", stiffness=30, x0="1/5")
+    events = asy.reference(osc).events(20)
+    assert events.stop is not None and events.stop < 20 and events.turning.max() <= events.stop + 1e-9
+    assert np.allclose(np.diff(events.turning), np.pi / np.sqrt(20), rtol=1e-9)
+
+
+def test_samples_become_tables(osc):
+    samples = asy.motion(osc).sample([0.0, 0.5])
+    frame = samples.to_pandas()
+    assert list(frame.columns)[:2] == ["t [s]", "x [m]"] and len(frame) == 2
+    assert samples.to_csv().splitlines()[0] == "t [s],x [m],v [m/s],amplitude [m],phase [rad]"
+    assert asy.reference(osc).sample([0.0]).to_csv().splitlines()[0] == "t [s],x [m],v [m/s]"
+
+
+def test_the_import_is_light_and_the_module_runs():
+    code = (
+        "import sys, time; t = time.process_time(); import asymptotics; dt = time.process_time() - t;"
+        "print(dt < 0.1, {'sympy', 'numpy', 'scipy', 'matplotlib', 'flint'} & set(sys.modules))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["True", "set()"]
+    command = [sys.executable, "-m", "asymptotics", "--version"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout.startswith(f"asymptotics {asy.__version__}")
