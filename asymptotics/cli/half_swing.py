@@ -4,15 +4,23 @@ log_ratio L = ln(A'/A),  map F: delta -> delta',  duration T,  and the smooth fl
 U = d ln A/dpsi,  V = d delta/dpsi,  W = dtau/dpsi  (turning-point gauge).
 
 asymptotics half-swing --alpha 3/2 --order 6 --digits 40
+
+With --delta, the numbers at that local strength instead: A'/A, L and T, certified, with the enclosure, the route, the
+number of terms and the tail; a sum takes one strength for each law.
+
+asymptotics half-swing --alpha 3/2 --delta 1/5 --digits 30
+asymptotics half-swing --law 1 --law 2 --delta 1/50,1/40
 """
 
 import argparse
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
 from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER, MAX_SECONDS, add_max_seconds, row_text
-from asymptotics.cli.laws import add_law, read_exponents
+from asymptotics.cli.laws import Exponents, add_law, read_exponents
+from asymptotics.errors import InputError
+from asymptotics.half_swings.finite_result import half_swing_at
 from asymptotics.normal_form.coefficients import half_swing_coefficients
-from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.exact import parse_integer, parse_real
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -20,6 +28,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_law(parser)
     parser.add_argument("--order", default="4", metavar="N", help=f"the highest power of delta, 1 to {MAX_ORDER}")
     parser.add_argument("--exact", action="store_true", help="demand exact coefficients (integer exponents)")
+    text = "the number at this local strength instead of the series; a sum: D_1,D_2,... in the order of the laws"
+    parser.add_argument("--delta", metavar="D", help=text)
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
     add_json(parser)
@@ -28,6 +38,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     exponents = read_exponents(options)
+    if options.delta is not None:
+        return _at(options, exponents)
     order = parse_integer(options.order, "--order", 1, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
     seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
@@ -38,3 +50,17 @@ def run(options: argparse.Namespace) -> Answer:
     lines = [f"turning-point gauge, {found.arithmetic}"] + [line for name, row in names for line in row_text(name, row)]
     data = {"alpha": exponents.shown, **found.to_dict(), "notes": list(exponents.notes)}
     return Answer(data, "\n".join([*lines, *exponents.notes]), options.json)
+
+
+def _at(options: argparse.Namespace, exponents: Exponents) -> Answer:
+    """The half-swing at a given strength."""
+    if options.exact:
+        raise InputError("--exact", "cannot be combined with --delta", "--delta alone: certified digits")
+    delta = [parse_real(text, "--delta") for text in options.delta.split(",")]
+    found = half_swing_at(exponents.alphas, delta, read_digits(options, MAX_DIGITS))
+    names = {"A'/A": "amplitude", "L": "log_ratio", "T": "duration"}
+    lines = [f"{shown:5} {getattr(found, name)}" for shown, name in names.items()]
+    lines.append(f"certified: {str(found.certified).lower()} ({found.route}, {found.terms} terms, tail {found.tail})")
+    return Answer(
+        {**found.to_dict(), "notes": list(exponents.notes)}, "\n".join([*lines, *exponents.notes]), options.json
+    )

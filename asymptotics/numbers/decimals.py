@@ -80,6 +80,17 @@ def rational_decimal(q: Fraction, digits: int) -> str:
     return _format(*_round_quotient(fmpz(q.numerator), fmpz(q.denominator), digits), digits)
 
 
+def directed_decimal(q: Fraction, digits: int, side: int) -> str:
+    """A decimal of ``digits`` significant digits next to q that is >= q (``side`` = 1) or <= q (``side`` = -1).
+
+    >>> directed_decimal(Fraction(1, 3), 2, 1), directed_decimal(Fraction(1, 3), 2, -1)
+    ('0.34', '0.33')
+    """
+    n, exponent = _round_quotient(fmpz(q.numerator), fmpz(q.denominator), digits)
+    shown = Fraction(int(n)) * Fraction(10) ** exponent
+    return _format(n + (side if (shown - q) * side < 0 else 0), exponent, digits)
+
+
 def _round_dyadic(mantissa: fmpz, shift: int, digits: int) -> tuple[fmpz, int]:
     if shift >= 0:
         return _round_quotient(mantissa << shift, fmpz(1), digits)

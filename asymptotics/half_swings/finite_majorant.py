@@ -1,0 +1,183 @@
+"""How far the series of a half-swing reach: a majorant of the motion for complex local strengths, enclosed by steps.
+
+With u_i = epsilon_i r^(alpha_i - 1), s = sin(theta), c = cos(theta) (see ``quarter``), for *complex* starting values
+delta_i in the polydisc |delta_i| <= rho_i, ln r = g obeys
+
+    g' = -N/(1 - C),   N = sum_i u_i s^(alpha_i+1),   C = sum_i u_i s^alpha_i c,   u_i = delta_i e^((alpha_i-1) g).
+
+Hence |g| <= G as long as the real majorant exists, where (derivation ``quarter-swing-tail``)
+
+    G' = N*/(1 - C*),   N* = sum_i v_i s^(alpha_i+1),   C* = sum_i v_i s^alpha_i |c|,   v_i = rho_i e^(|alpha_i-1| G),
+
+and G(0) = 0.
+While C* < 1 the motion is analytic in all delta_i, and Cauchy's inequality bounds every coefficient and every tail:
+
+    |R| <= G,   |T - (length)| <= int C*/(1 - C*),   |1/u - 1/delta| <= |alpha-1| int s^(alpha+1)/(1 - C*)  (one law).
+
+*Enclosure.*  On a piece of length h let N*, C* be taken with the largest s^(alpha_i+1) and s^alpha_i |c| on it.  If a
+number g satisfies G_j + h N*(g)/(1 - C*(g)) <= g, then G <= g on the whole piece: both sides grow with G, so G cannot
+reach g before the end.  The candidate g comes from floats, the inequality is decided in balls.
+
+>>> cube = majorant((arb(3),), (arb(1) / 2,))
+>>> (cube.growth < arb("0.7"), cube.excess < arb("0.3")) if cube else None
+(True, True)
+>>> majorant((arb(3),), (arb(7) / 10,)) is None                 # beyond the radius: no bound is claimed
+True
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from math import exp, inf
+from typing import Any
+
+from flint import arb, ctx, fmpq
+
+BITS = 64
+PIECES = 256
+"""Pieces of a quarter-swing: they decide how sharp the majorant is, not whether it is right."""
+
+
+@dataclass(frozen=True, eq=False)
+class Majorant:
+    """Bounds on the polydisc |delta_i| <= radii[i], at the end of the quarter (or, if ``whole``, the half) swing.
+
+    ``growth``: of |ln r(end)/r(0)|; ``excess``: of |duration - pi/2| (or pi); ``gains``: int s^(alpha_i+1)/(1 - C*).
+    """
+
+    alphas: tuple[arb, ...]
+    radii: tuple[arb, ...]
+    whole: bool
+    growth: arb
+    excess: arb
+    gains: tuple[arb, ...]
+
+    def ratio(self, delta: Sequence[arb]) -> arb:
+        """max |delta_i|/rho_i: how deep in the polydisc a point lies."""
+        with ctx.workprec(BITS):
+            quotients = [(abs(d) / r).upper() for d, r in zip(delta, self.radii, strict=True)]
+            return max(quotients, key=float)
+
+    def final(self, i: int) -> arb:
+        """A bound of |u_i| at the end."""
+        with ctx.workprec(BITS):
+            return (self.radii[i] * (abs(self.alphas[i] - 1) * self.growth).exp()).upper()
+
+    def inverse(self, i: int = 0) -> arb:
+        """A bound of |1/u_i| at the end on the circle |delta_i| = rho_i (one law)."""
+        with ctx.workprec(BITS):
+            return (1 / self.radii[i] + abs(self.alphas[i] - 1) * self.gains[i]).upper()
+
+
+def majorant(
+    alphas: Sequence[arb], radii: Sequence[arb], *, whole: bool = False, pieces: int = PIECES
+) -> Majorant | None:
+    """The majorant of the quarter-swing, or of the half-swing if ``whole``; None where it is not proved to exist."""
+    with ctx.workprec(BITS):
+        exponents = tuple(arb(a) for a in alphas)
+        balls = tuple(arb(arb(r).upper()) for r in radii)
+        if not all(r > 0 for r in balls):
+            return None
+        steps = _extremes(tuple((a.mid().man_exp(), a.rad().man_exp()) for a in exponents), pieces)
+        walk = [*steps, *reversed(steps)] if whole else list(steps)
+        h = arb.pi() / (2 * pieces)
+        growth, excess, gains = arb(0), arb(0), [arb(0)] * len(exponents)
+        slopes = [abs(a - 1) for a in exponents]
+        for sines, products in walk:
+            step = _Step(h, balls, slopes, sines, products)
+            reached = step.upper_end(growth)
+            if reached is None:
+                return None
+            growth, room = reached, 1 - step.C(reached)
+            excess = (excess + h * (1 / room - 1)).upper()
+            gains = [(g + h * s / room).upper() for g, s in zip(gains, sines, strict=True)]
+    return Majorant(exponents, balls, whole, growth, excess, tuple(gains))
+
+
+def widest(alphas: Sequence[arb], direction: Sequence[arb], *, whole: bool = False, share: float = 0.97) -> Majorant:
+    """A majorant on nearly the largest polydisc with radii proportional to ``direction`` (its largest entry is found).
+
+    ``share``: the part of the largest scale found by bisection; any value is right, it only moves the bounds.
+    """
+    low, high = 0.0, _first_guess(alphas, direction)
+    while high - low > 0.01 * high:
+        middle = (low + high) / 2
+        exists = majorant(alphas, [d * arb(middle) for d in direction], whole=whole, pieces=128) is not None
+        low, high = (middle, high) if exists else (low, middle)
+    while True:
+        found = majorant(alphas, [d * arb(low * share) for d in direction], whole=whole)
+        if found is not None:
+            return found
+        low *= share
+
+
+def _first_guess(alphas: Sequence[arb], direction: Sequence[arb]) -> float:
+    """A scale at which no majorant exists: C* >= 1 somewhere although nothing has grown."""
+    scale = 1.0
+    while majorant(alphas, [d * arb(scale) for d in direction], pieces=16) is not None:
+        scale *= 2
+    return scale
+
+
+@dataclass(frozen=True)
+class _Step:
+    """One piece: its length and the largest s^(alpha_i+1) and s^alpha_i |c| on it."""
+
+    h: arb
+    radii: Sequence[arb]
+    slopes: Sequence[arb]
+    sines: Sequence[arb]
+    products: Sequence[arb]
+
+    def C(self, g: arb) -> arb:
+        """C* at G = g."""
+        return sum((v * p for v, p in zip(self._strengths(g), self.products, strict=True)), arb(0))
+
+    def N(self, g: arb) -> arb:
+        """N* at G = g."""
+        return sum((v * s for v, s in zip(self._strengths(g), self.sines, strict=True)), arb(0))
+
+    def _strengths(self, g: arb) -> list[arb]:
+        return [r * (k * g).exp() for r, k in zip(self.radii, self.slopes, strict=True)]
+
+    def upper_end(self, start: arb) -> arb | None:
+        """A proved upper bound of G on the piece, or None."""
+        g = self._candidate(float(start))
+        if g == inf:
+            return None
+        end = arb(g * (1 + 1e-12) + 1e-15)
+        room = 1 - self.C(end)
+        if not (room > 0 and start + self.h * self.N(end) / room <= end):
+            return None
+        return end
+
+    def _candidate(self, start: float) -> float:
+        """The fixed point of g = G_j + h N*(g)/(1 - C*(g)) in floats: an oracle, checked afterwards."""
+        columns = (self.radii, self.slopes, self.sines, self.products)
+        rows = [tuple(map(float, row)) for row in zip(*columns, strict=True)]
+        h, g, previous = float(self.h), start, -1.0
+        for _ in range(200):
+            if g - previous <= 1e-14 * (1 + g):
+                return g
+            strengths = [r * exp(k * g) for r, k, _, _ in rows]
+            room = 1 - sum(v * row[3] for v, row in zip(strengths, rows, strict=True))
+            if room <= 0:
+                return inf
+            previous, g = g, start + h * sum(v * row[2] for v, row in zip(strengths, rows, strict=True)) / room
+            if g > 50:
+                return inf
+        return inf
+
+
+@lru_cache(maxsize=64)
+def _extremes(alphas: tuple[tuple[Any, Any], ...], pieces: int) -> tuple[tuple[tuple[arb, ...], tuple[arb, ...]], ...]:
+    """For each piece of the first quarter the largest s^(alpha_i+1) and s^alpha_i c, by the monotonicity of s and c."""
+    with ctx.workprec(BITS):
+        exponents = [arb(arb(m), arb(r)) for m, r in alphas]
+        found = []
+        for j in range(pieces):
+            s = arb.sin_pi(arb(fmpq(j + 1, 2 * pieces)))
+            c = arb.cos_pi(arb(fmpq(j, 2 * pieces)))
+            powers = [s**a for a in exponents]
+            found.append((tuple((p * s).upper() for p in powers), tuple((p * c).upper() for p in powers)))
+        return tuple(found)

@@ -1,0 +1,122 @@
+"""One half-swing at finite strength as a result: correctly rounded digits, enclosures, and how they were found.
+
+>>> from asymptotics.numbers.exact import parse_real
+>>> found = half_swing_at([parse_real("3/2", "--alpha")], [parse_real("1/10", "--delta")], 20)
+>>> found
+half-swing of alpha = 3/2 at delta = 1/10: A'/A = 0.87019329198866231436, T = 3.1460821722171718997 (certified)
+>>> found.route, found.amplitude == str(found.to_dict()["amplitude"]["value"])
+('series of the quarter-swing', True)
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb, ctx
+
+from asymptotics.errors import InputError, UndecidedError
+from asymptotics.half_swings.finite import SwingValue, finite_quarter
+from asymptotics.numbers.decimals import bits_for, decimal_of_ball, directed_decimal
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.rationals import bounds
+
+Evaluate = Callable[[int], SwingValue]
+_TRIES = 3
+
+
+@dataclass(frozen=True, repr=False)
+class HalfSwingAt:
+    """A'/A (``amplitude``), L = ln(A'/A) (``log_ratio``) and the duration T of one half-swing, in units of 1/omega_0.
+
+    ``enclosures``: for each of the three a pair of decimals that hold the number between them; ``terms``: the order of
+    the series (or what the route counts); ``tail``: the bound of what was cut off in L, rounded up.
+    """
+
+    alphas: tuple[str, ...]
+    delta: tuple[str, ...]
+    digits: int
+    log_ratio: str
+    amplitude: str
+    duration: str
+    enclosures: dict[str, tuple[str, str]]
+    route: str
+    terms: int
+    tail: str
+    certified: bool = True
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: numbers are strings."""
+        one = len(self.alphas) == 1
+        numbers = {n: {"value": getattr(self, n), "enclosure": list(self.enclosures[n])} for n in self.enclosures}
+        head = {
+            "alpha": self.alphas[0] if one else list(self.alphas),
+            "delta": self.delta[0] if one else list(self.delta),
+        }
+        rest = {"route": self.route, "terms": self.terms, "tail": self.tail, "certified": self.certified}
+        return {**head, "digits": self.digits, **numbers, **rest}
+
+    def __repr__(self) -> str:
+        law, strength = ", ".join(self.alphas), ", ".join(self.delta)
+        status = "certified" if self.certified else "not certified"
+        numbers = f"A'/A = {self.amplitude}, T = {self.duration} ({status})"
+        return f"half-swing of alpha = {law} at delta = {strength}: {numbers}"
+
+    def _repr_latex_(self) -> str:
+        return rf"$A'/A = {self.amplitude},\quad T = {self.duration}$"
+
+
+def half_swing_at(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], digits: int = 30) -> HalfSwingAt:
+    """The half-swing from the local strengths delta_i = epsilon_i A^(alpha_i - 1) >= 0, to ``digits`` digits.
+
+    X'' + X + sum_i delta_i X'|X'|^(alpha_i-1) = 0 from X = 1 at rest to the next turning point X = -A'/A.
+    InputError for a negative strength or a wrong number of them; LimitError outside the reach of the series.
+    """
+    if len(delta) != len(alphas):
+        raise InputError("delta", f"{len(delta)} strengths for {len(alphas)} laws", "one strength for each law")
+    for d in delta:
+        if d < 0:
+            raise InputError("delta", f"{d} is negative: anti-damping", "strengths >= 0")
+
+    def evaluate(bits: int) -> SwingValue:
+        quarter = finite_quarter(alphas, [d.ball() for d in delta], bits)
+        return quarter.half_swing([d.ball() for d in delta])
+
+    return certified_swing(alphas, delta, digits, evaluate)
+
+
+def certified_swing(
+    alphas: Sequence[ExactReal], delta: Sequence[ExactReal], digits: int, evaluate: Evaluate
+) -> HalfSwingAt:
+    """The result of a route: ``evaluate(bits)`` is called at growing precision until all digits are decided."""
+    bits = bits_for(digits, 24)
+    for _ in range(_TRIES):
+        with ctx.workprec(bits + 32):
+            swing = evaluate(bits)
+            balls = {"log_ratio": swing.log_ratio, "amplitude": swing.amplitude, "duration": swing.duration}
+            texts = [decimal_of_ball(ball, digits) for ball in balls.values()]
+            if None not in texts:
+                enclosures = {name: enclosure(ball, digits) for name, ball in balls.items()}
+                L, q, T = map(str, texts)
+                law, strength, tail = tuple(map(str, alphas)), tuple(map(str, delta)), rounded_up(swing.tail)
+                return HalfSwingAt(law, strength, digits, L, q, T, enclosures, swing.route, swing.terms, tail)
+        bits *= 2
+    raise UndecidedError(f"no certified {digits} digits at {bits // 2} bits")
+
+
+def enclosure(ball: arb, digits: int) -> tuple[str, str]:
+    """Two decimals with the ball between them, ``digits`` + 5 significant digits each, rounded outwards.
+
+    >>> enclosure(arb(1) / 3, 3)
+    ('0.33333333', '0.33333334')
+    """
+    low, high = bounds(ball)
+    return directed_decimal(low, digits + 5, -1), directed_decimal(high, digits + 5, 1)
+
+
+def rounded_up(x: arb, digits: int = 2) -> str:
+    """A decimal of ``digits`` digits that is at least every |number| of the ball.
+
+    >>> rounded_up(arb("0.0123")), rounded_up(arb(0))
+    ('0.013', '0')
+    """
+    return directed_decimal(max(abs(end) for end in bounds(x)), digits, 1)

@@ -1,0 +1,108 @@
+"""The half-swing from the truncated series of the quarter-swing: a majorant, a monotone equation, errors that add.
+
+>>> print(derivation.steps[3].text())
+Derivative(x/(-k*x + 1), x) = (-k*x + 1)**(-2)
+"""
+
+import sympy
+
+from derivations.steps import Derivation, Taylor, named
+
+x, k, n = sympy.symbols("x k n", real=True)
+X, K = sympy.symbols("X K", positive=True)
+theta, alpha, lam, y, w = sympy.symbols("theta alpha lambda y w", positive=True)
+g = sympy.Function("g")(theta)
+L = sympy.Symbol("L", real=True)
+
+derivation = Derivation(
+    "quarter-swing-tail",
+    "A half-swing at finite strength from the truncated series of the quarter-swing, with proved errors",
+    source="half_swings.finite, half_swings.finite_majorant; the equations are those of half-swing-equations",
+)
+step, holds = derivation.step, derivation.holds
+
+# 1. The majorant.
+delta = sympy.Symbol("delta")
+step(
+    "One law: u = delta e^((alpha-1) g), g = ln r; with g' = -u s^(alpha+1)/(1 - u s^alpha c) (half-swing-equations)",
+    sympy.Derivative(delta * sympy.exp((alpha - 1) * g), theta),
+    (alpha - 1) * delta * sympy.exp((alpha - 1) * g) * sympy.Derivative(g, theta),
+)
+partial = sympy.Sum(k**n, (n, 0, 5))
+step(
+    "For |k| < 1 the quotient 1/(1-k) is a geometric series, here with its remainder: all coefficients are >= 0, so",
+    partial + k**6 / (1 - k),
+    1 / (1 - k),
+)
+bound = Taylor(X / (1 - K), K, 4)
+holds(
+    "|x/(1-k)| <= X/(1-K) for complex |x| <= X, |k| <= K < 1. Hence |g|' <= N*/(1-C*), and |g| <= G as long as C* < 1:"
+    " the right-hand side grows with G and is smooth there (comparison of scalar equations)",
+    all(coefficient >= 0 for coefficient in sympy.Poly(bound.doit() / X, K).coeffs()),
+    bound,
+)
+
+# 2. The root equation.
+step(
+    "R falls in each delta_i: g' depends on N = sum u_i s^alpha_i through -s N/(1-cN), and",
+    sympy.Derivative(x / (1 - k * x), x),
+    1 / (1 - k * x) ** 2,
+)
+R = sympy.Function("R")
+weight, slope = sympy.symbols("a R'", real=True)
+F = delta * sympy.exp(weight * L)
+step(
+    "G(L) = L - R(delta) + R(-F(L)), F = delta e^(a L), a = alpha - 1, has the derivative (R' taken at -F)",
+    1 + sympy.Derivative(-F, L) * slope,
+    1 - weight * F * slope,
+)
+a_plus, F_plus, fall = sympy.symbols("a_+ F_+ D", nonnegative=True)
+holds(
+    "a >= 0, F >= 0 and R' = -D <= 0: G' = 1 + a F D >= 1. So |L - L^| <= |G(L^)| for every number L^",
+    bool((1 + a_plus * F_plus * fall - 1).is_nonnegative),
+    1 + a_plus * F_plus * fall,
+)
+start = sympy.Symbol("z", positive=True)
+passage = sympy.log(start) + sympy.log(1 + 2 * delta / start) / 2
+step(
+    "Any alpha: L + R(-F(L)) is ln r at the passage of the orbit of -epsilon that starts at r = e^L = z. Orbits do not"
+    " meet, so it increases: G has one root, enclosed by a change of sign. Shown for dry friction, R = ln(1-2 delta)/2",
+    sympy.Derivative(passage, start),
+    (start + delta) / (start * (start + 2 * delta)),
+)
+
+# 3. Errors along the orbit.
+energy = sympy.Symbol("E", positive=True)
+holds(
+    "Energy E = w^2/2 against -y: dE/d(-y) = y - N(w). N grows with w, so the right-hand side falls with E:"
+    " one motion forwards, and a larger N gives a smaller E",
+    bool(sympy.diff(y - sympy.sqrt(2 * energy) ** alpha, energy).simplify().is_negative),
+    sympy.Derivative(y - sympy.sqrt(2 * energy) ** alpha, energy),
+)
+step(
+    "L1b. Scale a motion that starts at lambda p, lambda >= 1, by 1/lambda: it obeys the same equation with N~(w) =",
+    (lam * w) ** alpha / lam,
+    lam ** (alpha - 1) * w**alpha,
+)
+excess = sympy.Symbol("m", nonnegative=True)
+holds(
+    "For alpha = 1 + m >= 1 this is at least N(w): E~ <= E, the scaled motion ends no later: q~/lambda <= q."
+    " With q~ >= q (orbits do not meet) 0 <= d ln q/d ln p <= 1: relative errors only add",
+    bool(sympy.expand_log(excess * sympy.log(1 + y)).is_nonnegative),
+    (1 + y) ** excess,
+)
+v1, v2, x1, x2 = sympy.symbols("v_1 v_2 x_1 x_2", real=True)
+force = sympy.Function("N")
+change = (x1 - x2) * (v1 - v2) + (v1 - v2) * (-(x1 - x2) - (force(v1) - force(v2)))
+step(
+    "L0. Any alpha >= 0: d/dt of (Delta x^2 + Delta v^2)/2 is <= 0, N being nondecreasing; so |Delta q| <= |Delta p|",
+    change,
+    -(v1 - v2) * (force(v1) - force(v2)),
+)
+top, ratio = sympy.symbols("M rho", positive=True)
+order = sympy.Symbol("J", positive=True, integer=True)
+step(
+    "Cauchy beyond the last order J, at x = |delta|/rho < 1: the sum of M x^n over n > J",
+    named("M (1/(1-x) - (1 - x^(J+1))/(1-x))", top * (1 / (1 - ratio) - (1 - ratio ** (order + 1)) / (1 - ratio))),
+    top * ratio ** (order + 1) / (1 - ratio),
+)
