@@ -16,6 +16,7 @@ from paper_checks.registry import load
 ROOT = Path(__file__).parents[1]
 LAYERS = [  # a module may import its own folder and what stands before it
     "errors",
+    "budget",
     "verdict",
     "gauges",
     "numbers",
@@ -27,6 +28,7 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "normal_form",
     "equations",
     "multiscale",
+    "swing",
     "turning",
     "envelopes",
     "motions",

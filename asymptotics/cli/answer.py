@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from asymptotics import __version__
+from asymptotics.budget import DEFAULT_SECONDS
 from asymptotics.cli.shell import emit
-from asymptotics.numbers.exact import parse_integer
+from asymptotics.errors import InputError
+from asymptotics.numbers.exact import parse_integer, parse_rational
 
 DEFAULT_DIGITS = 30
 
@@ -44,3 +46,17 @@ def add_digits(parser: argparse.ArgumentParser, high: int) -> None:
 def read_digits(options: argparse.Namespace, high: int) -> int:
     """The value of --digits; InputError outside 1 ... ``high``."""
     return parse_integer(options.digits, "--digits", 1, high)
+
+
+def add_max_seconds(parser: argparse.ArgumentParser) -> None:
+    """The option --max-seconds, the time that the whole request may take."""
+    text = f"the time the request may take, over all its passes (default {DEFAULT_SECONDS:g})"
+    parser.add_argument("--max-seconds", default=f"{DEFAULT_SECONDS:g}", metavar="S", help=text)
+
+
+def read_max_seconds(options: argparse.Namespace) -> float:
+    """The value of --max-seconds; InputError outside (0, 10^6]."""
+    seconds = parse_rational(options.max_seconds, "--max-seconds")
+    if not 0 < seconds <= 10**6:
+        raise InputError("--max-seconds", f"{seconds} is out of range", "a number of seconds > 0, at most 1000000")
+    return float(seconds)

@@ -4,14 +4,13 @@
   asymptotics turning-points --alpha 2 --epsilon 1/3 --count 1 --start 1000000000 --digits 50
   asymptotics turning-points --law 0:1/20 --law 3/2:1/10 --count 10
 
-X'' + X + sum_i epsilon_i X'|X'|^(alpha_i-1) = 0 starts from rest at X(0) = 1, which is turning point 0.  One law with
-alpha = 0, 1 or 2 is certified; other laws are integrated to high precision and say `certified: false`.  `ended` tells
-the last turning point there is, and why: sticks, creeps or overdamped.
+X'' + X + sum_i epsilon_i X'|X'|^(alpha_i-1) = 0 starts from rest at X(0) = 1, which is turning point 0.  All digits are
+proved, whatever the law.  `ended` tells the last turning point there is, and why: sticks, creeps or overdamped.
 """
 
 import argparse
 
-from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
+from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.law_options import add_law, read_law
 from asymptotics.cli.progress import progress_bar
 from asymptotics.errors import LimitError
@@ -27,6 +26,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--count", required=True, metavar="N", help=f"how many points (1 to {MAX_COUNT})")
     parser.add_argument("--start", default="0", metavar="N", help="the first point (default 0)")
     parser.add_argument("--times", action="store_true", help="the times as well")
+    add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
     add_json(parser)
 
@@ -38,7 +38,7 @@ def run(options: argparse.Namespace) -> Answer:
     start = parse_integer(options.start, "--start", 0, MAX_START)
     digits = read_digits(options, MAX_DIGITS)
     try:
-        result = _computed(law, count, digits, start, options.times)
+        result = _computed(law, count, digits, start, options.times, read_max_seconds(options))
     except LimitError as error:
         if error.argument == "time":  # the integrator speaks of its own argument
             raise LimitError("--epsilon", error.reason, "weaker damping") from error
@@ -46,11 +46,13 @@ def run(options: argparse.Namespace) -> Answer:
     return Answer(result.to_dict(), _text(result), options.json)
 
 
-def _computed(law: Law, count: int, digits: int, start: int, times: bool) -> TurningPoints:
+def _computed(law: Law, count: int, digits: int, start: int, times: bool, seconds: float) -> TurningPoints:
     with progress_bar(count, unit="point") as bar:
-        return turning_points(
-            law, count, digits, start=start, times=times, progress=lambda done: bar.update(done - bar.n)
-        )
+
+        def show(done: int) -> None:
+            bar.update(done - bar.n)
+
+        return turning_points(law, count, digits, start=start, times=times, max_seconds=seconds, progress=show)
 
 
 def _text(result: TurningPoints) -> str:

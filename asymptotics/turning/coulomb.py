@@ -21,8 +21,8 @@ from flint import arb
 from asymptotics.errors import InputError
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.swing.ends import STICKS
 from asymptotics.turning.quadratic import TurningPoint, TurningPoints
-from asymptotics.turning.swing import STICKS
 
 
 def last_turning_point(epsilon: ExactReal) -> int:

@@ -1,8 +1,7 @@
-"""Turning points for any alpha >= 0 and any sum of laws: exact where there is a closed form, else to high precision.
+"""Turning points for any alpha >= 0 and any sum of laws, certified: every digit is correctly rounded and proved to be.
 
-``turning_points`` chooses: one law with alpha = 0, 1 or 2 has its certified route; every other law is integrated half-
-swing by half-swing (``swing``) at two working precisions, and a table is given only if both agree in all its digits.
-That is strong evidence, not a proof: ``certified`` is then False.
+``turning_points`` chooses: one law with alpha = 0, 1 or 2 has its closed form or its Lambert W map; every other law is
+enclosed half-swing by half-swing (``swing``).  ``method`` names the route.
 
 ``ended`` names the last turning point if the sequence has ended before or at the last number asked for:
 
@@ -14,7 +13,7 @@ For alpha > 1 alone the sequence never ends, however strong the damping (derivat
 
 >>> table = turning_points(Law({"3/2": "1/10"}), 2, 20, times=True)
 >>> table.points[1], table.certified
-(TurningPoint(n=1, x='-0.87019329198866231436', tau='3.1460821722171718997'), False)
+(TurningPoint(n=1, x='-0.87019329198866231436', tau='3.1460821722171718997'), True)
 >>> half = turning_points(Law({"1/2": "1"}), 4, 10)
 >>> [p.x for p in half.points], half.ended
 (['1.000000000'], {'n': 0, 'reason': 'creeps'})
@@ -23,23 +22,24 @@ For alpha > 1 alone the sequence never ends, however strong the damping (derivat
 from collections.abc import Callable
 from typing import Any
 
-from flint import arb, ctx
+from flint import ctx
 
+from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds, tick
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.sequence import Turning, sequence
+from asymptotics.swing.taylor import GUARD
 from asymptotics.turning.coulomb import coulomb_turning_points
 from asymptotics.turning.linear import linear_turning_points
-from asymptotics.turning.local_expansion import Damping
-from asymptotics.turning.quadratic import TurningPoint, TurningPoints, quadratic_turning_points
-from asymptotics.turning.swing import orbit
+from asymptotics.turning.quadratic import TurningPoint, TurningPoints, quadratic_serves, quadratic_turning_points
 
-MAX_SECONDS = 600
-MAX_HEURISTIC_DIGITS = 1000
-_TRIES = 4
+MAX_GENERAL_DIGITS = 1000
+_TRIES = 6
 
-Rows = list[tuple[arb, arb]]
+Progress = Callable[[int], None]
 
 
 def turning_points(
@@ -49,89 +49,80 @@ def turning_points(
     *,
     start: int = 0,
     times: bool = False,
-    progress: Callable[[int], None] = lambda done: None,
+    max_seconds: float = DEFAULT_SECONDS,
+    progress: Progress = lambda done: None,
 ) -> TurningPoints:
     """Turning points n = start ... start + count - 1 as far as they exist, for the strengths epsilon_i of ``law``.
 
     ``progress`` is called with the number of points finished.  Raises InputError for a negative strength, LimitError
-    for more work than the stated limits, UndecidedError if the two precisions do not agree.
+    for more work than the stated limits or ``max_seconds``, UndecidedError where balls cannot tell how it goes on.
     """
     law = Law.read(law)
     law.require_dissipative("a sequence of turning points to rest")
     law.require_pure("this sequence of turning points")
     acting = [t for t in law.terms if t.strength.sign > 0] or [law.terms[0]]
-    epsilon = acting[0].strength
-    if len(acting) == 1 and acting[0].velocity.is_rational and isinstance(epsilon, ExactReal):
-        alpha = acting[0].velocity.rational
-        if alpha == 0:
-            return coulomb_turning_points(epsilon, count, digits, start=start, times=times)
-        if alpha == 1:
-            return linear_turning_points(epsilon, count, digits, start=start, times=times)
-        if alpha == 2:
-            return quadratic_turning_points(epsilon, count, digits, start=start, times=times, progress=progress)
-    return _integrated(Law.from_terms(acting), count, digits, start, times, progress)
+    epsilon, velocity = acting[0].strength, acting[0].velocity
+    with budget(max_seconds):
+        if len(acting) == 1 and velocity.is_rational and isinstance(epsilon, ExactReal):
+            alpha = velocity.rational
+            if alpha == 0:
+                return coulomb_turning_points(epsilon, count, digits, start=start, times=times)
+            if alpha == 1:
+                return linear_turning_points(epsilon, count, digits, start=start, times=times)
+            if alpha == 2 and quadratic_serves(epsilon):
+                return quadratic_turning_points(epsilon, count, digits, start=start, times=times, progress=progress)
+        return _enclosed(Law.from_terms(acting), count, digits, start, times, progress)
 
 
-def _integrated(
-    law: Law, count: int, digits: int, start: int, times: bool, progress: Callable[[int], None]
-) -> TurningPoints:
-    _require_size(law, start + count, digits)
-    bits, step = bits_for(digits, 40), bits_for(digits // 4, 40)
-    previous, ended = _run(law, start + count, bits, lambda done: None)
+def _enclosed(law: Law, count: int, digits: int, start: int, times: bool, progress: Progress) -> TurningPoints:
+    if digits > MAX_GENERAL_DIGITS:
+        reason = f"{digits} digits are too many for a law without a closed form"
+        raise LimitError("--digits", reason, f"at most {MAX_GENERAL_DIGITS} digits")
+    require_seconds(estimated_seconds(law, start + count, digits), f"{start + count} half-swings with {digits} digits")
+    bits = bits_for(digits, 40) + 2 * (start + count).bit_length()
     for _ in range(_TRIES):
-        bits += step
-        rows, ended = _run(law, start + count, bits, progress)
-        if len(rows) == len(previous) and all(_agree(a, b, digits) for a, b in zip(rows, previous)):
-            points = tuple(_point(n, rows[n], digits, times) for n in range(start, min(start + count, len(rows))))
+        points, ended, lacking = _pass(law, count, digits, start, times, bits, progress)
+        if not lacking:
             columns = zip(*((t.velocity, t.strength) for t in law.terms))
             alpha, epsilon = (",".join(map(str, column)) for column in columns)
-            method = f"half-swing by half-swing, agreement of {bits - step} and {bits} bits"
-            return TurningPoints(alpha, epsilon, digits, points, method, False, ended)
-        previous = rows
-    raise UndecidedError(f"{bits - step} and {bits} bits do not agree in {digits} digits")
+            method = f"half-swing by half-swing, local expansions and Taylor steps in balls of {bits} bits"
+            return TurningPoints(alpha, epsilon, digits, tuple(points), method, True, ended)
+        bits += max(lacking, digits)
+    raise UndecidedError(f"no certified {digits} digits at {bits} bits")
 
 
-def _run(
-    law: Law, last: int, bits: int, progress: Callable[[int], None]
-) -> tuple[Rows, dict[str, Any] | None]:
-    """(x_n, tau_n) for n < last, and how the sequence ended if there is no turning point n = last."""
+def _pass(
+    law: Law, count: int, digits: int, start: int, times: bool, bits: int, progress: Progress
+) -> tuple[list[TurningPoint], dict[str, Any] | None, int]:
+    """The points, how they end, and how many bits were lacking (0 if none) at the first that could not be rounded."""
+    points: list[TurningPoint] = []
     with ctx.workprec(bits):
-        damping = Damping.of([(t.strength.ball(), t.velocity) for t in law.terms])
-        rows = [(arb(1), arb(0))]
-        for piece in orbit(damping, arb(1), arb(0)):
-            if piece.trapped is not None:
-                return rows, {"n": len(rows) - 1, "reason": piece.trapped}
-            if piece.turning is not None and piece.end is not None:
-                if len(rows) == last:
-                    return rows, None
-                rows.append((piece.turning, piece.end))
-                progress(len(rows))
-    return rows, None
+        with ctx.workprec(bits + GUARD):
+            damping = Damping.of_law(law)
+        for here in sequence(damping):
+            tick(f"turning point {here.n}")
+            if here.n >= start:
+                point = _rounded(here, digits, times)
+                if point is None:
+                    return points, None, 40 + max(0, bits_for(digits, 8) - here.x.rel_accuracy_bits())
+                points.append(point)
+                progress(len(points))
+            if here.ended is not None:
+                return points, {"n": here.n, "reason": here.ended}, 0
+            if here.n == start + count - 1:
+                break
+    return points, None, 0
 
 
-def _agree(a: tuple[arb, arb], b: tuple[arb, arb], digits: int) -> bool:
-    close = arb(10) ** -(digits + 2)
-    return all(bool(abs(p - q) <= abs(p) * close) for p, q in zip(a, b))
-
-
-def _point(n: int, row: tuple[arb, arb], digits: int, times: bool) -> TurningPoint:
-    x, tau = (decimal_of_ball(value.mid(), digits) for value in row)
-    return TurningPoint(n, str(x), str(tau) if times else None)
+def _rounded(here: Turning, digits: int, times: bool) -> TurningPoint | None:
+    x = decimal_of_ball(here.x, digits)
+    tau = decimal_of_ball(here.tau, digits) if times else None
+    return None if x is None or (times and tau is None) else TurningPoint(here.n, x, tau)
 
 
 def estimated_seconds(law: Law, last: int, digits: int) -> float:
-    """The expected time, from measurements at 30 and 60 digits; good to a factor of about three."""
+    """The expected time, from measurements at 15, 30 and 60 digits; good to a factor of about three."""
     bits = bits_for(digits, 40)
-    apart = 1 + 5 * sum(not (t.velocity.is_rational and t.velocity.rational.denominator <= 20) for t in law.terms)
-    seconds: float = 2.5 * (last + 1) * 0.04 * (bits / 150) ** 2.5 * apart * len(law.terms)
+    apart = 1 + sum(not (t.velocity.is_rational and t.velocity.rational.denominator <= 20) for t in law.terms)
+    seconds: float = (last + 1) * 0.035 * (bits / 150) ** 2.2 * apart * (0.6 + 0.4 * len(law.terms))
     return seconds
-
-
-def _require_size(law: Law, last: int, digits: int) -> None:
-    if digits > MAX_HEURISTIC_DIGITS:
-        reason = f"{digits} digits are too many for a law without a closed form"
-        raise LimitError("--digits", reason, f"at most {MAX_HEURISTIC_DIGITS} digits")
-    seconds = estimated_seconds(law, last, digits)
-    if seconds > MAX_SECONDS:
-        reason = f"{last} half-swings with {digits} digits would take about {seconds:.0f} s"
-        raise LimitError("--count", reason, f"work of at most {MAX_SECONDS} s: fewer points or fewer digits")

@@ -18,8 +18,8 @@ from flint import arb
 from asymptotics.errors import InputError
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.swing.ends import OVERDAMPED
 from asymptotics.turning.quadratic import TurningPoint, TurningPoints
-from asymptotics.turning.swing import OVERDAMPED
 
 
 def linear_turning_points(

@@ -148,8 +148,13 @@ def _magnitude(epsilon: ExactReal) -> int:
         return ceil(abs(log2(float(epsilon.ball().mid())))) + 1
 
 
+def quadratic_serves(epsilon: ExactReal) -> bool:
+    """Whether the strength is in the range of the Lambert W map's tables."""
+    return not (epsilon < _SMALLEST or epsilon > _LARGEST)
+
+
 def _check(epsilon: ExactReal, count: int, digits: int, start: int, times: bool) -> None:
-    if epsilon < _SMALLEST or epsilon > _LARGEST:
+    if not quadratic_serves(epsilon):
         raise InputError("--epsilon", f"{epsilon} is out of range", "a real number from 1e-12 to 1e12")
     for argument, value, low, high in (
         ("--count", count, 1, MAX_COUNT),

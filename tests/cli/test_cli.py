@@ -64,7 +64,6 @@ def test_every_command_explains_itself(capsys, command):
 
 
 ERRORS = [
-    ("turning-points --alpha 2 --count 3 --epsilon 0", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon -1", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon -1/2", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon nan", "--epsilon"),
@@ -72,7 +71,6 @@ ERRORS = [
     ("turning-points --alpha 2 --count 3 --epsilon 1e9999", "--epsilon"),
     ("turning-points --alpha 3/2 --count 2 --epsilon 1e40", "--epsilon"),
     ("turning-points --alpha 1 --count 1 --epsilon 1 --start 1000000000000000000000000000000", "magnitude"),
-    ("turning-points --alpha 1e-20 --count 3 --epsilon 1/10", "--alpha"),
     ("turning-points --alpha 2 --count 3 --epsilon abc", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon __import__('os')", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon 1 --digits 0", "--digits"),

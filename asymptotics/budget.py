@@ -1,0 +1,64 @@
+"""One time budget for a whole request, whatever passes it takes: ``tick`` anywhere in the work.
+
+A loop that may run long calls ``tick("turning point 17 of 1000")`` at least a few times a second; without a budget in
+force this costs next to nothing.  Nested budgets: the earliest deadline counts.
+
+>>> with budget(60):
+...     tick("a step")
+>>> with budget(0):
+...     tick("turning point 17 of 1000")
+Traceback (most recent call last):
+    ...
+asymptotics.errors.LimitError: argument max-seconds: 0 s are over at turning point 17 of 1000 (accepted: ...)
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+from time import monotonic
+
+from asymptotics.errors import LimitError
+
+DEFAULT_SECONDS = 60.0
+
+
+@dataclass(frozen=True)
+class _Budget:
+    seconds: float
+    deadline: float
+    report: Callable[[str], None] | None
+
+
+_current: ContextVar[_Budget | None] = ContextVar("budget", default=None)
+
+
+@contextmanager
+def budget(seconds: float = DEFAULT_SECONDS, report: Callable[[str], None] | None = None) -> Iterator[None]:
+    """Everything inside has ``seconds`` together; ``report`` is handed what ``tick`` says, to show the progress."""
+    outer, own = _current.get(), _Budget(seconds, monotonic() + seconds, report)
+    token = _current.set(outer if outer is not None and outer.deadline < own.deadline else own)
+    try:
+        yield
+    finally:
+        _current.reset(token)
+
+
+def tick(stage: str) -> None:
+    """Report the stage; LimitError when the time is over."""
+    current = _current.get()
+    if current is None:
+        return
+    if current.report is not None:
+        current.report(stage)
+    if monotonic() >= current.deadline:
+        reason = f"{current.seconds:g} s are over at {stage}"
+        raise LimitError("max-seconds", reason, "a larger --max-seconds, fewer points, fewer digits or a shorter time")
+
+
+def require_seconds(estimate: float, work: str) -> None:
+    """LimitError at once when an estimate is more than twice what is left: no use in starting."""
+    current = _current.get()
+    if current is not None and estimate > 2 * (current.deadline - monotonic()):
+        reason = f"{work} would take about {estimate:.0f} s, more than the {current.seconds:g} s allowed"
+        raise LimitError("max-seconds", reason, "a larger --max-seconds, fewer points, fewer digits or a shorter time")

@@ -1,0 +1,17 @@
+"""One half-swing at any strength, as an enclosure: any real alpha >= 0, sums of laws, any amplitude.
+
+==============  ======================================================================================
+``damping``     the law in balls: N(w), and doubles that choose sizes
+``majorant``    the algebraic majorant of the local expansion at a turning point, its tail in balls
+``keys``        which terms of a local expansion are kept, by integer weights
+``expansion``   the motion next to a turning point, in powers of the speed: the branch point removed
+``taylor``      one Taylor step in between, with its error by the residual
+``ends``        when no turning point follows: sticks, creeps, overdamped, decided in balls
+``course``      a half-swing in pieces, from an exact state to the next turning point
+``arrival``     the far turning point: no bracketing, the family of orbits spreads
+``sequence``    turning points one after the other: errors only add (two motions never part)
+``dense``       (x, v) at many times in one pass
+==============  ======================================================================================
+
+Derivations ``motions-never-part``, ``turning-point-majorant``, ``taylor-residual`` and ``arrival``.
+"""

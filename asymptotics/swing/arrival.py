@@ -1,0 +1,104 @@
+"""The turning point ahead of a state that certainly turns, and the time until then: no bracketing is needed.
+
+Where y < 0 and w > 0, w' = y - N(w) <= y: the orbit turns.  Let y = Y(w; y_1) be the orbit that ends at y_1 < 0; then
+
+    d/dw (dY/dy_1) = (w/P^2) dY/dy_1,      so dY/dy_1 = exp(integral of w/P^2) >= 1:
+
+orbits with different turning points spread as w grows.  Hence any guess will do: the turning point y_1 of the orbit
+through (y, w) obeys |y_1 - guess| <= e := |Y(w; guess) - y|.  Between the two orbits |P| >= |y|, so their times differ
+by at most e w/y^2 with the smaller |y|.  Derivation ``arrival``.
+
+The guess comes from the secant method in doubled precisions.  It decides how good the enclosure is, not whether it
+holds.
+
+>>> from fractions import Fraction
+>>> from asymptotics.numbers.exact import ExactReal
+>>> with ctx.workprec(60):
+...     law = Damping.of([(arb(1) / 10, ExactReal(Fraction(3, 2)))])
+...     there = Expansion.at(law, arb(-1), arb("0.25"))
+...     y, tau = there.state(arb("0.25"))
+...     found = arrive(law, y.mid(), arb("0.25"))
+>>> abs(found.turning + 1) <= arb(1e-15), found.duration.overlaps(-tau)
+(True, True)
+"""
+
+from dataclasses import dataclass
+
+from flint import arb, ctx
+
+from asymptotics.errors import UndecidedError
+from asymptotics.swing.damping import Damping, dyadic, size_of, upper
+from asymptotics.swing.expansion import Expansion, plan_at
+
+_FIRST, _MOST = 40, 40
+
+
+@dataclass(frozen=True)
+class Arrival:
+    """The expansion at the dyadic guess ``turning``; the orbit through (y, w) turns within ``miss`` of it.
+
+    ``duration``: the time from (y, w) to the turning point; ``own_duration``: from (Y(w), w) to the guess.
+    """
+
+    expansion: Expansion
+    turning: arb
+    miss: arb
+    duration: arb
+    own_duration: arb
+
+
+def arrive(damping: Damping, y: arb, w: arb) -> Arrival:
+    """The turning point y_1 of the orbit through (y, w), y < 0 a ball, w > 0 exact, within the reach of y_1."""
+    guess = _guess(damping, y, w)
+    expansion = Expansion.at(damping, guess, w)
+    there, time = expansion.state(w)
+    miss = upper(there - y)
+    nearest = (abs(y) - miss).lower()
+    if not nearest > 0:
+        raise UndecidedError("the turning point ahead was not found: the enclosure reaches the place of rest")
+    late = upper(miss * w / nearest**2)
+    return Arrival(expansion, guess, miss, -time + arb(0, late), -time)
+
+
+def _guess(damping: Damping, y: arb, w: arb) -> arb:
+    """y_1 to about the working precision: secants, each at about twice the precision of what is known."""
+    goal, full, low = y.mid(), ctx.prec, min(_FIRST, ctx.prec)
+    with ctx.workprec(low):
+        drop = w * w / (2 * abs(goal))
+        a = (goal - drop).mid()
+        miss_a = _miss(damping, a, goal, w)
+        b = (a - miss_a).mid()
+    known, slope, bits = 0.0, arb(1), low
+    for _ in range(_MOST):
+        with ctx.workprec(bits):
+            miss_b = _miss(damping, b, goal, w)
+            if miss_b != miss_a and a != b:
+                slope = ((miss_b - miss_a) / (b - a)).mid()
+            following = (b - miss_b / slope).mid()
+        exact = miss_b == 0
+        if bits == full and (exact or b == following or 1.5 * known > full):
+            break
+        known = bits if exact else min(float(bits), size_of(goal) - size_of(miss_b))
+        bits = int(min(full, max(low, 2 * known + 30)))
+        a, b, miss_a = b, following, miss_b
+    return _rounded(b, full + 4)
+
+
+def _miss(damping: Damping, y1: arb, goal: arb, w: arb) -> arb:
+    return (Expansion.at(damping, y1, w).state(w)[0] - goal).mid()
+
+
+def _rounded(x: arb, bits: int) -> arb:
+    with ctx.workprec(bits):
+        return (x + 0).mid()
+
+
+def turns_within(damping: Damping, y: arb, w: arb) -> bool:
+    """Whether the turning point ahead is near enough for its expansion: a choice, in doubles."""
+    from_energy = dyadic((max(2 * size_of(y), 2 * size_of(w)) + 0.3) / 2)
+    return bool(y < 0) and bool(w < reach_at(damping, from_energy))
+
+
+def reach_at(damping: Damping, y0: arb) -> arb:
+    """The hand-over speed at a turning point of that size."""
+    return dyadic(plan_at(damping, y0).omega + size_of(y0))

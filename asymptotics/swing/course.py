@@ -1,0 +1,195 @@
+"""A half-swing in pieces, from an exact state to the next turning point; every piece encloses the true motion.
+
+Orientation: the motion goes towards smaller u = +-X, with the speed w >= 0; y = u - friction.  The state at the start
+of a piece is a pair of dyadic numbers, and ``error`` bounds the Euclidean distance of the true (u, w) from the
+piece's own orbit at the same time.  Two motions never part (derivation ``motions-never-part``), so errors of pieces
+only add: no ball is carried through a step.
+
+* ``Departure``: from rest, by the local expansion at the turning point;
+* ``Step``: a Taylor step;
+* ``Landing``: the last piece, by the local expansion at the turning point ahead.
+
+>>> from fractions import Fraction
+>>> from asymptotics.numbers.exact import ExactReal
+>>> with ctx.workprec(100):
+...     quadratic = Damping.of([(arb(1), ExactReal(Fraction(2)))])
+...     *_, last = course(quadratic, arb(1), arb(0))
+>>> arb(last.turn, last.miss).str(20), last.time.str(20)
+('[0.41071968606103944670 +/- ...]', '[3.3809710603589252128 +/- ...]')
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from flint import arb, ctx
+
+from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.swing.arrival import Arrival, arrive, turns_within
+from asymptotics.swing.damping import Damping, size_of, upper
+from asymptotics.swing.ends import may_trap, trap
+from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.taylor import TaylorStep
+
+MAX_PIECES = 20_000
+
+
+@dataclass(frozen=True)
+class Piece:
+    """The motion from the time ``begin`` to ``end`` (exact): its own orbit, within ``error`` of the truth."""
+
+    damping: Damping
+    begin: arb
+    end: arb
+    error: arb
+    trapped: str | None
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(y, w) of the piece's own orbit."""
+        raise NotImplementedError
+
+    def state(self, t: arb) -> tuple[arb, arb]:
+        """(u, w) of the true motion at a time (a ball) from ``begin`` to ``end``."""
+        y, w = self.own(t)
+        blur = arb(0, self.error)
+        return y + self.damping.friction + blur, w + blur
+
+
+@dataclass(frozen=True)
+class Departure(Piece):
+    """From a turning point at ``begin``."""
+
+    expansion: Expansion
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(y, w) by the local expansion."""
+        return at_time(self.expansion, t - self.begin)
+
+
+@dataclass(frozen=True)
+class Step(Piece):
+    """A Taylor step; ``error`` includes its own."""
+
+    taylor: TaylorStep
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(y, w) of the Taylor polynomials."""
+        return self.taylor.state(t - self.begin)
+
+
+@dataclass(frozen=True)
+class Landing(Piece):
+    """The last piece: its own orbit turns at the exact place u = -``turn`` and the time ``clock`` (middle: ``end``).
+
+    The orbit from the exact start of the course turns within ``miss`` of -``turn``, at a time in ``time``.
+    """
+
+    arrival: Arrival
+    turn: arb
+    miss: arb
+    clock: arb
+    time: arb
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(y, w) by the local expansion."""
+        return at_time(self.arrival.expansion, t - self.clock)
+
+
+def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces: int = MAX_PIECES) -> Iterator[Piece]:
+    """The pieces from the exact state (u, w >= 0) at time 0, at the precision current at each call, to the ``Landing``.
+
+    ``error`` bounds the distance of the true state.  A piece in a trap names it, and the course goes on.  LimitError
+    after ``pieces`` pieces, UndecidedError where the enclosures are too wide.
+    """
+    given = arb(0) if error is None else error
+    t, error = arb(0), given
+    scale, watch = upper(abs(u) + w), may_trap(damping)
+    if w == 0:
+        first = _departure(damping, u, error)
+        yield first
+        t = first.end
+        y, w = first.expansion.state(first.expansion.reach)
+        error = upper(first.error + y.rad())
+        u, w = (y + damping.friction).mid(), first.expansion.reach
+    for _ in range(pieces):
+        y = u - damping.friction
+        blur = arb(0, error)
+        if y + error < 0 and w > error and turns_within(damping, y, w):
+            yield _landing(damping, y, w, t, error, given)
+            return
+        reason = trap(damping, y + blur, w + blur) if watch else None
+        taylor = TaylorStep.at(damping, y, w, scale)
+        end = _later(t, taylor.length)
+        error = upper(error + taylor.error)
+        yield Step(damping, t, end, error, reason, taylor)
+        y, w = taylor.state(taylor.length)
+        error = upper(error + y.rad() + w.rad())
+        u, w, t = (y + damping.friction).mid(), w.mid(), end
+    reason = f"one half-swing takes more than {pieces} pieces: the motion is too stiff or too near a separatrix"
+    raise LimitError("time", reason, "weaker damping, another strength, or a shorter time")
+
+
+def _later(t: arb, length: arb) -> arb:
+    """t + length, exactly: a short step after a long time must not be lost."""
+    with ctx.workprec(160 + int(max(0.0, size_of(t) - size_of(length))) + t.bits()):
+        return t + length
+
+
+def _departure(damping: Damping, u: arb, error: arb) -> Departure:
+    y0 = u - damping.friction
+    if not y0 > error:
+        raise UndecidedError("whether dry friction holds the mass here is undecided")
+    expansion = Expansion.at(damping, y0)
+    _, tau = expansion.state(expansion.reach)
+    error = upper(error + tau.rad() * expansion.speed())
+    return Departure(damping, arb(0), tau.mid(), error, None, expansion)
+
+
+def _landing(damping: Damping, y: arb, w: arb, t: arb, error: arb, given: arb) -> Landing:
+    """Two orbits that are some distance apart turn within that distance; ``given`` is the part of the start."""
+    arrival = arrive(damping, y, w)
+    at = arrival.turning + damping.friction
+    turn, slack = -at.mid(), upper(at.rad() + arrival.miss)
+    clock = t + arrival.own_duration
+    local = upper(error + slack - given)
+    time = t + arrival.duration + arb(0, delay(turn, local, damping.friction))
+    own = upper(error + slack + clock.rad() * arrival.expansion.speed())
+    return Landing(damping, t, clock.mid(), own, None, arrival, turn, local, clock, time)
+
+
+def delay(amplitude: arb, distance: arb, friction: arb) -> arb:
+    """How much later the second of two orbits turns that are ``distance`` apart, one of them at -``amplitude``.
+
+    When the first turns the other moves with a speed of at most ``distance``, and y <= -(amplitude - 2 distance): its
+    speed falls at least at that rate.  UndecidedError where this is not positive.
+    """
+    rate = amplitude - 2 * distance + friction
+    if not rate > 0:
+        raise UndecidedError("the enclosure of a turning point reaches the place of rest: raise the precision")
+    return upper(distance / rate)
+
+
+def at_time(expansion: Expansion, s: arb) -> tuple[arb, arb]:
+    """(y, w) at the time s (a ball) from the turning point of an expansion, within its reach.
+
+    Newton's method in w finds a speed whose time is near; the rest of the time is bounded by the speed in phase space.
+    """
+    w = _speed_at(expansion, s.mid())
+    y, tau = expansion.state(w)
+    blur = arb(0, upper((s - tau) * expansion.speed()))
+    return y + blur, w + blur
+
+
+def _speed_at(expansion: Expansion, s: arb) -> arb:
+    """w with tau(w) near s; a choice."""
+    full, known = ctx.prec, 0
+    w = min(expansion.reach, abs(s * expansion.y0).mid())
+    while known < full:
+        bits = min(full, max(30, 4 * known))
+        with ctx.workprec(bits):
+            for _ in range(3 if known == 0 else 1):
+                y, tau = expansion.state(w)
+                step = (tau - s) * (y - expansion.damping.resistance(w))
+                w = abs((w - step).mid())
+                w = w if w < expansion.reach else expansion.reach
+        known = bits if known else 20
+    return w

@@ -1,0 +1,87 @@
+"""The law in balls, on a half-swing: the speed w >= 0, the displacement y from the centre that dry friction shifts.
+
+    y' = -w,    w' = y - N(w),    N(w) = sum_i epsilon_i w^alpha_i over alpha_i > 0          (units: amplitude, tau)
+
+Strengths and exponents are enclosures at the precision current when the ``Damping`` is made; the doubles beside them
+choose sizes and never enter a bound.
+
+>>> from fractions import Fraction
+>>> with ctx.workprec(60):
+...     law = Damping.of([(arb(1) / 10, ExactReal(Fraction(3, 2))), (arb(1) / 50, ExactReal(Fraction(0)))])
+...     law.resistance(arb(4)).str(10), law.friction.str(5)
+('[0.8000000000 +/- ...]', '[0.020000 +/- ...]')
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import log2
+
+from flint import arb, ctx
+
+from asymptotics.law import Law
+from asymptotics.numbers.exact import ExactReal
+
+
+@dataclass(frozen=True)
+class Damping:
+    """Strengths epsilon_i > 0 and exponents alpha_i > 0 of N(w); ``friction`` is the strength of the term alpha = 0."""
+
+    friction: arb
+    strengths: tuple[arb, ...]
+    alphas: tuple[ExactReal, ...]
+    exponents: tuple[arb, ...]
+
+    @classmethod
+    def of(cls, terms: list[tuple[arb, ExactReal]]) -> "Damping":
+        """From (epsilon_i, alpha_i), at the current precision; terms of strength exactly 0 are dropped."""
+        friction = sum((e for e, a in terms if not a > 0), arb(0))
+        moving = [(e, a) for e, a in terms if a > 0 and e != 0]
+        strengths, alphas = (tuple(column) for column in zip(*moving)) if moving else ((), ())
+        return cls(friction, strengths, alphas, tuple(a.ball() for a in alphas))
+
+    @classmethod
+    def of_law(cls, law: Law) -> "Damping":
+        """From a dimensionless law of powers of the velocity, at the current precision."""
+        return cls.of([(t.strength.ball(), t.velocity) for t in law.terms])
+
+    @cached_property
+    def sizes(self) -> tuple[tuple[float, float], ...]:
+        """(log2 epsilon_i, alpha_i) in doubles, for choosing sizes."""
+        return tuple((size_of(e), float(a.mid())) for e, a in zip(self.strengths, self.exponents))
+
+    @cached_property
+    def superlinear(self) -> bool:
+        """Whether N(w)/w is nondecreasing: every alpha_i >= 1, and no dry friction."""
+        return self.friction == 0 and all(not a < 1 for a in self.alphas)
+
+    def terms(self, w: arb) -> list[arb]:
+        """epsilon_i w^alpha_i for w > 0."""
+        ln_w = w.log()
+        return [e * (a * ln_w).exp() for e, a in zip(self.strengths, self.exponents)]
+
+    def resistance(self, w: arb) -> arb:
+        """N(w) for w >= 0."""
+        return sum(self.terms(w), arb(0)) if w != 0 else arb(0)
+
+
+def size_of(x: arb) -> float:
+    """log2 |midpoint|, also far outside the range of doubles; -inf for 0."""
+    mantissa, exponent = x.mid().man_exp()
+    return log2(abs(int(mantissa))) + int(exponent) if mantissa != 0 else float("-inf")
+
+
+def dyadic(size: float) -> arb:
+    """A dyadic number near 2^size, exact at any precision.
+
+    >>> dyadic(-1.0), dyadic(-2000.5) == 0
+    (0.500000000000000, False)
+    """
+    whole = int(size // 1)
+    with ctx.workprec(53):
+        return arb(2.0 ** (size - whole)) * arb((1, whole), 0)
+
+
+def upper(x: arb) -> arb:
+    """An exact upper bound of |x|, short: errors are added in 53 bits."""
+    with ctx.workprec(53):
+        return abs(x).upper()

@@ -1,0 +1,162 @@
+"""How far the local expansion at a turning point is used, and which of its terms are kept: choices, in doubles.
+
+In units of |P_0| the expansion depends on delta_i = epsilon_i |P_0|^(alpha_i - 1) alone; at the speed omega |P_0|
+
+    a = omega^2/2,      b_i = delta_i omega^alpha_i,        and it converges while 2 sqrt(a) + sum b_i < 1.
+
+A larger omega saves Taylor steps and costs terms.  Two shapes of the set of terms:
+
+* ``line``: all alpha_i are multiples of 1/q, the terms are powers of w^(1/q), and w is stretched by one factor;
+* ``simplex``: one index for z_0 = w^2 and one for each z_i = w^alpha_i, weights g_i = log2 of the room z_i has; kept
+  is sum n_i g_i < G.  Weights are integers, so that a term is either in or out.
+
+Nothing here enters a bound: ``expansion`` checks the convergence in balls and computes the tail from the first term
+left out.
+
+>>> plan = plan_for((-3.0,), (Fraction(3, 2),), (1.5,), 130)
+>>> plan.denominator, -4 < plan.omega < -1, plan.count < 200
+(2, True, True)
+>>> plan_for((-3.0,), (None,), (2**0.5,), 130).denominator
+0
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from math import factorial, inf, lcm, log, prod
+
+from asymptotics.errors import LimitError
+
+Key = tuple[int, ...]
+MAX_LINE, MAX_KEYS = 3000, 1500
+_UNIT = 1 << 16  # of the integer weights
+_LN2 = log(2)
+_HALVINGS = (0.2, 0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 13, 16, 20, 26, 32)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The hand-over speed 2^omega |P_0|; log2 of the stretch of w (with q, on a line) or of each z_i (with G)."""
+
+    omega: float
+    denominator: int
+    stretch: tuple[float, ...]
+    count: int
+    weights: Key = ()
+    top: int = 0
+
+
+@lru_cache(maxsize=4096)
+def plan_for(
+    ln2_delta: tuple[float, ...],
+    rational: tuple[Fraction | None, ...],
+    alphas: tuple[float, ...],
+    bits: int,
+    speed: float | None = None,
+) -> Plan:
+    """The cheapest plan for delta_i up to 2^ln2_delta, with the hand-over speed 2^``speed`` if it is given.
+
+    LimitError where every plan needs too many terms.
+    """
+    edge = _edge(ln2_delta, alphas)
+    best, cost = None, inf
+    for omega in [edge - h for h in _HALVINGS] if speed is None else [speed]:
+        for plan in (_line(omega, ln2_delta, rational, alphas, bits), _simplex(omega, ln2_delta, alphas, bits)):
+            if plan is not None and (total := _microseconds(plan, bits, len(alphas))) < cost:
+                best, cost = plan, total
+    if best is None:
+        shown = ", ".join(f"{a:.6g}" for a in alphas)
+        reason = f"the majorant of the expansion at a turning point needs more than {MAX_KEYS} terms for ({shown})"
+        raise LimitError("alpha", reason, "weaker damping or larger exponents")
+    return best
+
+
+def keys_of(weights: Key, top: int) -> tuple[Key, ...]:
+    """All n >= 0 with sum n_i weights_i < top, by ascending weight.
+
+    >>> keys_of((2, 3), 5)
+    ((0, 0), (1, 0), (0, 1), (2, 0))
+    """
+    return _cached_keys(weights, top)
+
+
+@lru_cache(maxsize=256)
+def _cached_keys(weights: Key, top: int) -> tuple[Key, ...]:
+    return tuple(sorted(_below(weights, top), key=lambda n: sum(i * g for i, g in zip(n, weights))))
+
+
+def _below(weights: Key, top: int) -> Iterator[Key]:
+    if not weights:
+        yield ()
+        return
+    for n in range(-(-top // weights[0])):
+        for rest in _below(weights[1:], top - n * weights[0]):
+            yield (n, *rest)
+
+
+def _sizes(omega: float, ln2_delta: tuple[float, ...], alphas: tuple[float, ...]) -> tuple[float, list[float]]:
+    """(log2 a, log2 b_i) at the speed 2^omega."""
+    return 2 * omega - 1, [d + a * omega for d, a in zip(ln2_delta, alphas)]
+
+
+def _converges(a: float, b: list[float], share: float = 0.92) -> bool:
+    return 2 * _power(a / 2) + sum(map(_power, b)) < share
+
+
+def _power(x: float) -> float:
+    power: float = 2.0 ** min(x, 99.0)
+    return power
+
+
+def _edge(ln2_delta: tuple[float, ...], alphas: tuple[float, ...]) -> float:
+    """log2 of the largest omega where the expansion converges."""
+    high = min([0.0] + [-d / a for d, a in zip(ln2_delta, alphas)])
+    drop = 1.0
+    while not _converges(*_sizes(high - drop, ln2_delta, alphas)):
+        drop *= 2
+    low = high - drop
+    for _ in range(40):
+        middle = (low + high) / 2
+        low, high = (middle, high) if _converges(*_sizes(middle, ln2_delta, alphas)) else (low, middle)
+    return low
+
+
+def _line(
+    omega: float, delta: tuple[float, ...], rational: tuple[Fraction | None, ...], alphas: tuple[float, ...], bits: int
+) -> Plan | None:
+    q = lcm(*(r.denominator for r in rational if r is not None)) if None not in rational else 0
+    if not 0 < q <= 200:
+        return None
+    stretch = _edge(delta, alphas) - omega
+    if stretch < 0.02:
+        return None
+    count = int((bits + 4) / stretch * q) + 2
+    return Plan(omega, q, (stretch,), count) if count <= MAX_LINE else None
+
+
+def _simplex(omega: float, delta: tuple[float, ...], alphas: tuple[float, ...], bits: int) -> Plan | None:
+    """The best of a few ways to share the room between z_0 and the z_i; a simplex has about G^d/(d! prod g) points."""
+    a, b = _sizes(omega, delta, alphas)
+    used, best = sum(map(_power, b)), None
+    for part in (0.2, 0.4, 0.6, 0.8):
+        target = used + (1 - used) * part
+        room = 0.9 * (1 - target) ** 2 / 4
+        extra = (target - used) / max(1, len(b))
+        stretch = (log(room) / _LN2 - a, *(log(_power(s) + extra) / _LN2 - s for s in b))
+        if min(stretch) < 0.02:
+            continue
+        top = bits + 4.0
+        count = prod(top / g + 1 for g in stretch) / factorial(len(stretch))
+        if count <= MAX_KEYS and (best is None or count < best.count):
+            weights = tuple(int(g * _UNIT) for g in stretch)
+            best = Plan(omega, 0, tuple(g / _UNIT for g in weights), int(count) + 1, weights, int(top * _UNIT))
+    return best
+
+
+def _microseconds(plan: Plan, bits: int, laws: int) -> float:
+    """A rough cost of a half-swing's two ends and of the Taylor steps that a small omega adds."""
+    order = 0.36 * bits + 6
+    step = 150 + 0.1 * order**2 * (1 + laws) * (1 + bits / 500)
+    one = (0.1 if plan.denominator else 0.3) * plan.count**2 * (1 + bits / 500) + 5 * plan.count
+    return 3.5 * one + 2 * 8.8 * _LN2 * max(0.0, -1 - plan.omega) * step

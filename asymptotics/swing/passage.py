@@ -1,0 +1,56 @@
+"""From one turning point to the next: the half-swing as a map and a duration, by whichever route is cheapest.
+
+>>> from fractions import Fraction
+>>> from flint import ctx
+>>> from asymptotics.numbers.exact import ExactReal
+>>> with ctx.workprec(100):
+...     quadratic = Damping.of([(arb(1), ExactReal(Fraction(2)))])
+...     found = integrated(quadratic, arb(1))
+>>> found.amplitude.str(20), found.duration.str(20), found.route
+('[0.41071968606103944670 +/- ...]', '[3.3809710603589252128 +/- ...]', 'local expansions and Taylor steps')
+"""
+
+from dataclasses import dataclass
+
+from flint import arb
+
+from asymptotics.errors import UndecidedError
+from asymptotics.swing.course import MAX_PIECES, Landing, course
+from asymptotics.swing.damping import Damping, upper
+from asymptotics.swing.ends import STICKS
+
+INTEGRATED = "local expansions and Taylor steps"
+
+
+@dataclass(frozen=True)
+class Passage:
+    """A half-swing from the amplitude p: ``amplitude`` encloses q/p, ``duration`` its time.
+
+    ``route``: how; ``terms``: Taylor pieces, or terms of the series; ``tail``: what was left out, in units of p.
+    ``ended``: why there is no next turning point (then the enclosures are None).
+    """
+
+    amplitude: arb | None
+    duration: arb | None
+    route: str
+    terms: int
+    tail: arb
+    ended: str | None = None
+
+
+def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: int = MAX_PIECES) -> Passage:
+    """The half-swing from rest at the exact amplitude p, by pieces.
+
+    With ``error``: whether it turns or ends holds for all amplitudes within that distance of p, or is undecided
+    (UndecidedError); the enclosures are those of p itself.
+    """
+    error = arb(0) if error is None else error
+    if p + error <= damping.friction:
+        return Passage(None, None, INTEGRATED, 0, arb(0), STICKS)
+    for count, piece in enumerate(course(damping, p, arb(0), error, pieces=pieces), start=1):
+        tail = upper((piece.error - error) / p)
+        if piece.trapped is not None:
+            return Passage(None, None, INTEGRATED, count, tail, piece.trapped)
+        if isinstance(piece, Landing):
+            return Passage(arb(piece.turn, piece.miss) / p, piece.time, INTEGRATED, count, tail)
+    raise UndecidedError("the half-swing has no end")

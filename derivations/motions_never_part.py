@@ -1,0 +1,84 @@
+"""Two motions never part: their Euclidean distance in the phase plane does not grow, whatever the law.
+
+For x' = v, v' = -x - g(v) with g nondecreasing (dry friction included: g(0) is then any value between the one-sided
+limits), and for approximants with a residual.  Turning points and half periods inherit the bound.
+
+>>> print(derivation.steps[0].text())
+V*X + V*(-X - g_1 + g_2) = -V*(g_1 - g_2)
+"""
+
+import sympy
+
+from derivations.steps import At, Derivation
+
+X, V, r1, r2 = sympy.symbols("X V r_1 r_2", real=True)
+v, v1, x1 = sympy.symbols("v v_1 x_1", real=True)
+g1, g2 = sympy.symbols("g_1 g_2", real=True)
+p, q, d, f, w, c = sympy.symbols("p q d f w c", positive=True)
+a = sympy.Symbol("a", positive=True)
+
+derivation = Derivation(
+    "motions-never-part",
+    "Two motions never part",
+    source="monotone operators (Brezis 1973) in one degree of freedom",
+)
+step, holds = derivation.step, derivation.holds
+
+step(
+    "X, V: the differences of two solutions in x and v.  Half the square of their distance changes at the rate",
+    sympy.Add(X * V, V * (-X - g1 + g2), evaluate=False),
+    -V * (g1 - g2),
+)
+step(
+    "The rate is <= 0, as V = v_1 - v_2 and g_1 - g_2 have the same sign: g is odd, and for v > 0 each term grows",
+    sympy.Derivative(w**a, w),
+    a * w ** (a - 1),
+)
+step(
+    "An approximant with the residual (r_1, r_2) adds to the rate, besides the part that is <= 0",
+    sympy.Add(X * (V + r1), V * (-X - g1 + g2 + r2), V * (g1 - g2), evaluate=False),
+    X * r1 + V * r2,
+)
+step(
+    "which is at most the distance times |(r_1, r_2)|: the distance grows at most by the integral of the residual",
+    (X**2 + V**2) * (r1**2 + r2**2) - (X * r1 + V * r2) ** 2,
+    (X * r2 - V * r1) ** 2,
+)
+step(
+    "The energy falls: |x| at a turning point is never exceeded later",
+    x1 * v1 + v1 * (-x1 - g1),
+    -v1 * g1,
+)
+step(
+    "Turning points of two orbits d apart: when the first turns, at -p, the second is at most at -p + d and falls on,"
+    " so it turns at -q with q >= p - d; the slack is",
+    At(p - q, {q: p - d}),
+    d,
+)
+step(
+    "and when the second turns, at -q, the first has turned and stays above -p, so -q >= -p - d: at the extreme",
+    At(q - p, {q: p + d}),
+    d,
+)
+step(
+    "Half periods: when one orbit turns the other moves with w <= d at y <= -(p - 2 d) - f (f: friction, y = u - f),"
+    " whichever of them it is; w' = y - N(w) <= y, so it turns within",
+    At(d / -v, {v: -(p - 2 * d) - f}),
+    d / (p - 2 * d + f),
+)
+step(
+    "Relative contraction: in units of c the orbit from c p has the damping N(c w)/c; for N = w^a",
+    (c * w) ** a / c,
+    c ** (a - 1) * w**a,
+)
+holds(
+    "For c > 1 this is at least N(w) if a >= 1 (every exponent of a sum), and w dw/dy = N(w) - y says that more damping"
+    " ends at a smaller amplitude: q(c p) <= c q(p), that is d ln q/d ln p <= 1",
+    all(bool((c ** (e - 1)).subs(c, 2) >= 1) for e in (1, sympy.Rational(3, 2), 2, 7)),
+    sympy.Ge(c ** (a - 1), 1),
+)
+holds(
+    "For a < 1 it fails: relative errors can grow, and the distance d itself is used",
+    bool((c ** (sympy.Rational(1, 2) - 1)).subs(c, 2) < 1),
+    sympy.Lt(At(c ** (a - 1), {a: sympy.Rational(1, 2)}), 1),
+)

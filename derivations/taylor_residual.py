@@ -1,0 +1,55 @@
+"""The error of a Taylor step, from the residual of the Taylor polynomials.
+
+>>> len(derivation.steps) > 4
+True
+"""
+
+import sympy
+
+from derivations.steps import Derivation
+
+t, h, R, w0, rho, a, N, c = sympy.symbols("t h R w_0 rho a N c", positive=True)
+n = sympy.Symbol("n", positive=True, integer=True)
+k = sympy.Symbol("k", integer=True, nonnegative=True)
+
+derivation = Derivation(
+    "taylor-residual",
+    "The error of a Taylor step by its residual",
+    source="derivation motions-never-part",
+)
+step, holds = derivation.step, derivation.holds
+
+y = sympy.symbols("y_0:4")
+w = sympy.symbols("w_0:4")
+Y = sum(y[i] * t**i for i in range(4))
+W = sum(w[i] * t**i for i in range(4))
+known = {y[i + 1]: -w[i] / (i + 1) for i in range(3)}
+step(
+    "y' = -w coefficient by coefficient, (k+1) y_(k+1) = -w_k for k < n: for n = 3 the residual of Y' = -W is",
+    sympy.Add(sympy.Derivative(Y.subs(known), t), W, evaluate=False),
+    w[3] * t**3,
+)
+force = sympy.symbols("N_0:3")
+solved = {w[i + 1]: (y[i] - force[i]) / (i + 1) for i in range(3)}
+step(
+    "and, as N(W) and N(w) agree below t^n, that of W' = Y - N(W) is -y_n t^n and the terms of N(W) from t^n on",
+    sympy.Add(sympy.Derivative(W.subs(solved), t), -Y, sum(force[i] * t**i for i in range(3)), evaluate=False),
+    -y[3] * t**3,
+)
+z = sympy.Symbol("z")
+step(
+    "Where |W - w_0| <= rho w_0 < w_0, W stays in the right half-plane, |W^a| = |W|^a: at most",
+    (w0 + rho * w0) ** a,
+    (w0 * (1 + rho)) ** a,
+)
+step(
+    "By Cauchy the k-th coefficient of N(W) is at most N_R R^-k, N_R = N(w_0 (1+rho)): from t^n on they add up to",
+    sympy.Sum(sympy.Rational(1, 3) ** k, (k, 4, sympy.oo)),
+    sympy.Rational(1, 3) ** 4 / (1 - sympy.Rational(1, 3)),
+)
+step("Integrated from 0 to h, the first part gives", sympy.Integral(t**n, (t, 0, h)), h ** (n + 1) / (n + 1))
+step(
+    "and the other, with 1/(1 - t/R) <= 1/(1 - h/R),",
+    sympy.Integral((t / R) ** n, (t, 0, h)) / (1 - h / R),
+    (h / R) ** n * h / ((n + 1) * (1 - h / R)),
+)
