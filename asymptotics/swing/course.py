@@ -113,7 +113,7 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
     for _ in range(pieces):
         y = u - damping.friction
         blur = arb(0, error)
-        if y + error < 0 and w > error and turns_within(damping, y, w):
+        if y + error < 0 and turns_within(damping, y, w):  # whatever the true speed: it turns, or just did
             yield _landing(damping, y, w, t, error, given)
             return
         reason = trap(damping, y + blur, w + blur) if watch else None
