@@ -4,10 +4,10 @@
 'The velocity at the first passage through equilibrium'
 >>> [found.id for found in find("(43)")]
 ['lelas2024:43', 'smith2012:43']
->>> paper("smith2012:433")
+>>> paper("smith:43")
 Traceback (most recent call last):
     ...
-asymptotics.errors.InputError: argument id: no statement 'smith2012:433' (accepted: did you mean smith2012:43, ...?)
+asymptotics.errors.InputError: argument id: no statement 'smith:43' (accepted: did you mean smith2012:43, ...?)
 """
 
 import json
