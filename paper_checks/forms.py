@@ -18,51 +18,71 @@ from typing import Any
 
 import sympy
 
+from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.verdict import Outcome
 
 DECIMAL = re.compile(r"[+-]?\d+(?:\.(\d+))?")
+STOPS = (ArithmeticError, AttributeError, LookupError, NotImplementedError, StopIteration, TypeError, ValueError)
 INFINITE = (sympy.oo, -sympy.oo, sympy.zoo)
 
 
-def guarded(check: Any, own: Iterable[Any]) -> Any:
-    """The check, answering REFUTED by itself for a form that has a defect beside the statement's ``own`` forms."""
+def guarded(check: Any, own: Iterable[Any], premises: tuple[int, ...] = ()) -> Any:
+    """The check, answering REFUTED by itself for a form that has a defect beside the statement's ``own`` forms.
+
+    A foreign form at which the check cannot even be evaluated (a name that does not exist, a division by zero) is
+    refuted as well; with the statement's own forms that would be an error in the check, and it is raised.
+    """
     models = list(own)
 
     @wraps(check)
     def checked(form: Any) -> Outcome:
-        return check(form) if defect(form, models) is None else Outcome.REFUTED
+        if any(form is model for model in models):
+            return check(form)
+        if defect(form, models, premises) is not None:
+            return Outcome.REFUTED
+        try:
+            return check(form)
+        except (LimitError, UndecidedError):
+            return Outcome.UNDECIDED
+        except STOPS:
+            return Outcome.REFUTED
 
     return checked
 
 
-def defect(form: Any, own: Iterable[Any]) -> str | None:
+def defect(form: Any, own: Iterable[Any], premises: tuple[int, ...] = ()) -> str | None:
     """Why ``form`` cannot be a form of a statement whose forms are ``own``; None if it can."""
     models = list(own)
-    if any(form is model for model in models):
-        return None
-    if not _finite(form, infinite=any(_infinite(model) for model in models)):
+    allowed = {end for model in models for end in _infinities(model)}
+    if not _finite(form, allowed):
         return "not finite"
     if _size(form) == 0 and all(_size(model) != 0 for model in models):
         return "empty"
     if not any(_alike(form, model) for model in models):
         return "of another shape"
+    if any(form[i] not in {model[i] for model in models} for i in premises):
+        return "about something else"
     places = {n for model in models for n in _decimals(model)}
     return None if set(_decimals(form)) <= places else "another number of decimals"
 
 
-def _finite(form: Any, *, infinite: bool) -> bool:
+def _finite(form: Any, allowed: set[Any]) -> bool:
+    """No NaN, and no infinity but those that the statement itself speaks of."""
     if isinstance(form, dict):
-        return all(_finite(value, infinite=infinite) for value in form.values())
+        return all(_finite(value, allowed) for value in form.values())
     if isinstance(form, tuple):
-        return all(_finite(part, infinite=infinite) for part in form)
+        return all(_finite(part, allowed) for part in form)
     if isinstance(form, sympy.Basic):
-        return not form.has(sympy.nan, sympy.zoo) and (infinite or not form.has(*INFINITE))
+        return not form.has(sympy.nan) and set(_infinities(form)) <= allowed
     return not isinstance(form, Real) or isfinite(form)
 
 
-def _infinite(form: Any) -> bool:
-    parts = form.values() if isinstance(form, dict) else form if isinstance(form, tuple) else (form,)
-    return any(isinstance(part, sympy.Basic) and part.has(*INFINITE) for part in parts)
+def _infinities(form: Any) -> Iterable[Any]:
+    if isinstance(form, dict | tuple):
+        for part in form.values() if isinstance(form, dict) else form:
+            yield from _infinities(part)
+    elif isinstance(form, sympy.Basic):
+        yield from (end for end in INFINITE if form.has(end))
 
 
 def _size(form: Any) -> int:
@@ -81,7 +101,8 @@ def _alike(form: Any, model: Any) -> bool:
 
 
 def _kind(form: Any) -> str:
-    for kind, types in (("text", str), ("value", (Real, sympy.Basic)), ("tuple", tuple), ("dict", dict)):
+    kinds = (("text", str), ("tuple", tuple | sympy.Tuple), ("value", (Real, sympy.Basic)), ("dict", dict))
+    for kind, types in kinds:
         if isinstance(form, types):
             return kind
     return "nothing" if form is None else "rule"

@@ -13,10 +13,11 @@ from fractions import Fraction
 from itertools import cycle
 
 import sympy
-from flint import ctx
+from flint import arb, ctx
 
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
 from asymptotics.verdict import Outcome
+from paper_checks.forms import DECIMAL
 
 POINTS = (Fraction(2, 7), Fraction(3, 5), Fraction(5, 3), Fraction(7, 11), Fraction(13, 9))
 
@@ -42,6 +43,32 @@ def all_confirmed(*outcomes: Outcome) -> Outcome:
         if outcome in outcomes:
             return outcome
     return Outcome.CONFIRMED
+
+
+def below(a: arb, b: arb) -> Outcome:
+    """Whether a < b, three-valued: two balls that overlap decide nothing, and neither does NaN.
+
+    >>> below(arb(1), arb(2)), below(arb(2), arb(1)), below(arb(1, 1), arb(2, 1)), below(arb("nan"), arb(1))
+    (<Outcome.CONFIRMED: 'confirmed'>, <Outcome.REFUTED: 'refuted'>, <Outcome.UNDECIDED: 'undecided'>, \
+<Outcome.UNDECIDED: 'undecided'>)
+    """
+    if bool(a < b):
+        return Outcome.CONFIRMED
+    return Outcome.REFUTED if bool(a >= b) else Outcome.UNDECIDED
+
+
+def rounds_to(printed: str, ball: arb) -> Outcome:
+    """Whether a printed decimal is the number rounded to the decimals that are printed.
+
+    >>> rounds_to("0.333", arb(1) / 3), rounds_to("0.334", arb(1) / 3), rounds_to("0", arb(1) / 3)
+    (<Outcome.CONFIRMED: 'confirmed'>, <Outcome.REFUTED: 'refuted'>, <Outcome.CONFIRMED: 'confirmed'>)
+    """
+    found = DECIMAL.fullmatch(printed)
+    if found is None:
+        return Outcome.REFUTED
+    value = Fraction(printed)
+    half = arb(1) / (2 * arb(10) ** len(found[1] or ""))
+    return below(abs(ball - arb(value.numerator) / value.denominator), half)
 
 
 def decided(truth: bool) -> Outcome:

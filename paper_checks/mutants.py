@@ -44,6 +44,10 @@ def survivors(entry: Statement) -> Iterator[Mutant]:
 
 def mutants(form: Any) -> Iterator[Mutant]:
     """All mutants of a form, each with the name of what was changed."""
+    return (found for found in _all(form) if isinstance(found[1], type(form)) is False or found[1] != form)
+
+
+def _all(form: Any) -> Iterator[Mutant]:
     if isinstance(form, tuple):
         yield from _of_tuple(form)
     elif isinstance(form, dict):

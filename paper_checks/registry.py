@@ -89,7 +89,8 @@ class Statement:
     ``latex`` and ``printed`` are what the paper prints; ``corrected_latex`` and ``corrected`` what is true instead;
     ``near_miss`` a nearby false form.  ``conditions`` are sufficient for the true form.  ``derivation`` names a script
     of ``derivations/``.  ``digits`` counts certified digits where a number is stated; ``order`` is the measured order
-    of convergence of an approximation ("0" if its error does not vanish).
+    of convergence of an approximation ("0" if its error does not vanish).  ``premises`` are the places of a form that
+    say what is asked, not what is claimed: a form with another premise is about something else.
     """
 
     id: str
@@ -107,6 +108,7 @@ class Statement:
     note: str = ""
     derivation: str | None = None
     extent: str = ""
+    premises: tuple[int, ...] = ()
     digits: int | None = None
     order: str | None = None
     methods: tuple[str, ...] = ()
@@ -137,7 +139,8 @@ def add(entry: Statement) -> None:
         raise ValueError(f"two entries with the id {entry.id}")
     if entry.check is None and entry.verdict not in (Printed.DEFINITION, Printed.OPEN):
         raise ValueError(f"{entry.id}: the verdict {entry.verdict} needs a check")
-    _REGISTRY[entry.id] = entry if entry.check is None else replace(entry, check=guarded(entry.check, own_forms(entry)))
+    check = entry.check and guarded(entry.check, own_forms(entry), entry.premises)
+    _REGISTRY[entry.id] = replace(entry, check=check)
 
 
 def own_forms(entry: Statement) -> list[Any]:

@@ -62,16 +62,26 @@ def phase_at_start(form: sympy.Expr) -> Outcome:
     id="lancaster2020:claim.phase-constant", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The phase remains equal to its initial value to lowest order in b",
     latex=r"\varphi(t) = \varphi(0) + O(b) \text{ for } \epsilon\omega_0 t \text{ of order } 1",
-    printed=sympy.cos(theta), near_miss=sympy.sin(theta), conditions="times of the order of 1/(epsilon omega_0)",
+    printed=-sympy.cos(theta), near_miss=-sympy.sin(theta), conditions="times of the order of 1/(epsilon omega_0)",
     methods=("first-order average of the phase rate",), derivation="symbolic-alpha",
-    note="d phi/d tau = epsilon A^(alpha-1) sin^alpha cos averages to zero, since cos changes sign under theta -> pi -"
+    note="d phi/d tau = -epsilon A^(alpha-1) sin^alpha cos averages to zero, since cos changes sign under theta -> pi -"
     " theta; what remains is Omega_2 = -(alpha/(alpha+1))^2 M_(2 alpha) delta^2. For alpha > 1 the whole lag stays"
-    " finite and O(epsilon); for alpha = 1 it grows like epsilon^2 tau/8. Form: the weight in the average with"
-    " sin^alpha.",
+    " finite and O(epsilon); for alpha = 1 it grows like epsilon^2 tau/8. Form: d phi/d tau divided by epsilon"
+    " A^(alpha-1) sin^alpha.",
 )
 def phase_constant(form: sympy.Expr) -> Outcome:
-    """sin^alpha times the form is odd about theta = pi/2, so its average over (0, pi) is zero."""
-    return vanishes(sympy.expand_trig(form + form.subs(theta, sympy.pi - theta)))
+    """The form is the phase rate by variation of constants, and odd about theta = pi/2, so that its average vanishes.
+
+    x = A cos(theta), x' = -A sin(theta): A' cos - A phi' sin = 0 and -A' sin - A phi' cos = g, the drag.
+    """
+    falling, turning, drag = sympy.symbols("A' phi' g")
+    equations = (
+        falling * sympy.cos(theta) - turning * sympy.sin(theta),
+        -falling * sympy.sin(theta) - turning * sympy.cos(theta) - drag,
+    )
+    rates = sympy.solve(equations, (falling, turning))
+    odd = vanishes(sympy.expand_trig(form + form.subs(theta, sympy.pi - theta)))
+    return all_confirmed(odd, vanishes(sympy.simplify(rates[turning] / drag - form)))
 
 
 @statement(
@@ -81,8 +91,9 @@ def phase_constant(form: sympy.Expr) -> Outcome:
     methods=("constant for b = 0",), note="Form: E as a function of x and v.",
 )
 def energy(form: sympy.Expr) -> Outcome:
-    """dE/dt = 0 along the undamped motion."""
-    return vanishes(sympy.diff(form, x) * v - sympy.diff(form, v) * k * x / m)
+    """dE/dt = 0 along the undamped motion, and E is the kinetic energy at x = 0."""
+    constant = vanishes(sympy.diff(form, x) * v - sympy.diff(form, v) * k * x / m)
+    return all_confirmed(constant, same(form.subs(x, 0), m * v**2 / 2))
 
 
 @statement(

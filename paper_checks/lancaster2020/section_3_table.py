@@ -18,12 +18,12 @@ def fractional(power: sympy.Rational) -> sympy.Expr:
 
 
 def agrees_with_13(form: sympy.Expr, alpha: sympy.Expr) -> Outcome:
-    """The entry and (13), both raised to the power 1 - alpha (the bracket is linear in t), at any m, omega_0, x0, b."""
+    """The entry starts from x0; it and (13), both raised to 1 - alpha: linear in t."""
     ours = sympy.powdenest((form / x0) ** (1 - alpha), force=True)
     theirs = sympy.powdenest((amplitude(alpha) / x0) ** (1 - alpha), force=True)
     reflection = sympy.pi * sympy.sqrt(2) / gamma(QUARTERS)  # Gamma(1/4) Gamma(3/4) = pi sqrt 2
     difference = sympy.expand_func(sympy.gammasimp((ours - theirs).subs(SI))).subs(gamma(QUARTERS / 3), reflection)
-    return zero(difference)
+    return all_confirmed(same(form.subs(t, 0), x0), zero(difference))  # the power does not see a sign
 
 
 @statement(

@@ -16,6 +16,7 @@ from paper_checks.lancaster2020.section_6_two_laws import DECAY, FRACTION, LAMBD
 from paper_checks.registry import statement
 
 X, rho = sympy.symbols("X rho", positive=True)  # rho = omega_0 x_0 b'/b
+LENGTH, ONE = sympy.Symbol("L", positive=True), sympy.Integer(1)
 RATIO = 8 * b2 * omega0 / (3 * b * sympy.pi)
 LONG_TIME = x0 / (1 + RATIO * x0) * sympy.exp(-b * t / (2 * m))
 
@@ -39,10 +40,12 @@ def late_amplitude(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     late, variable = form
     exact = FRACTION.subs({c: VISCOUS, d: QUADRATIC})
     z = sympy.Symbol("z", positive=True)
-    units = {b2: rho * b, m: 1, k: 1, omega0: 1, x0: 1}
+    linear = {alpha: 1, beta: 2}
+    units = {b2: rho * b, m: 2, k: 18, omega0: 3, x0: 5}  # consistent, and no two alike
+    pure = all_confirmed(same(dimension(late).subs(linear), LENGTH), same(dimension(variable).subs(linear), ONE))
     when = sympy.solve(variable.subs(units) - z, t)[0]
     quotient = sympy.simplify((late / exact).subs(units).subs(t, when).subs(b, z**-2))
-    return vanishes(sympy.limit(quotient, z, sympy.oo) - 1)
+    return all_confirmed(pure, vanishes(sympy.limit(quotient, z, sympy.oo) - 1))
 
 
 @statement(
@@ -171,6 +174,11 @@ def antiderivative(x: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr, s
     return factor, (beta - 1) / (beta - alpha), (1 + alpha - 2 * beta) / (alpha - beta), -c / d * x ** (alpha - beta)
 
 
+EXPONENT_PAIRS = (
+    (1, 2), (0, 2), (2, 3), ("3/2", 3), (0, "3/4"), (0, 1), ("1/2", 1), (0, "1/2"), (0, "2/3"), ("1/3", "2/3")
+)  # fmt: skip
+
+
 def _all_pairs(low: sympy.Rational, high: sympy.Rational) -> bool:
     return True
 
@@ -201,21 +209,17 @@ def _not_one(low: sympy.Rational, high: sympy.Rational) -> bool:
     " claimed.",
 )
 def hypergeometric(form: Claim) -> Outcome:
-    """The derivative, for F = 2F1(1, a; a+1; z); and both parameters and the factor finite for all pairs claimed."""
-    pairs = ((1, 2), (0, 2), (2, 3), ("3/2", 3), (0, "3/4"), (0, 1), ("1/2", 1), (0, "1/2"), (0, "2/3"), ("1/3", "2/3"))
+    """The derivative, for F = 2F1(1, a; a+1; z); and parameters and factor finite for just the pairs claimed."""
+    pairs = [tuple(map(sympy.Rational, pair)) for pair in EXPONENT_PAIRS]
     factor, a, lower, argument = antiderivative(X)
     F, z = sympy.symbols("F z", positive=True)
     slope = a / (1 - z) - a * F  # z F'
     derivative = sympy.diff(factor, X) * F + factor * slope * sympy.diff(argument, X) / argument
     residual = derivative.subs(z, argument) - 1 / (c * X**alpha + d * X**beta)
-    usable = []
-    for pair in pairs:
-        low, high = map(sympy.Rational, pair)
-        if form(low, high):
-            values = {alpha: low, beta: high}
-            bottom = lower.subs(values)
-            usable.append(high != 1 and not (bottom.is_integer and bottom <= 0))
-    return all_confirmed(zero(residual), vanishes(sympy.simplify(lower - a - 1)), decided(all(usable)))
+    bottoms = [lower.subs({alpha: low, beta: high}) for low, high in pairs]
+    usable = [high != 1 and not (z.is_integer and z <= 0) for (_, high), z in zip(pairs, bottoms)]
+    claimed = [form(*pair) for pair in pairs]
+    return all_confirmed(zero(residual), vanishes(sympy.simplify(lower - a - 1)), decided(claimed == usable))
 
 
 @statement(
@@ -225,10 +229,11 @@ def hypergeometric(form: Claim) -> Outcome:
     methods=("dimension of b x' and b' x'^2",), note="Form: what is compared with b.",
 )
 def compared(form: sympy.Expr) -> Outcome:
-    """The form has the dimension of b, and b v that of b' v^2."""
+    """The form has the dimension of b, and form/b is the quotient of the two forces at the speed omega_0 x0."""
     values = {alpha: 1, beta: 2}
     like = same(dimension(form).subs(values), dimension(b).subs(values))
-    return all_confirmed(like, same(dimension(b * v).subs(values), dimension(b2 * v**2).subs(values)))
+    scale = same(form / b, (b2 * v**2 / (b * v)).subs(v, omega0 * x0))  # the quotient of the forces at full speed
+    return all_confirmed(like, scale)
 
 
 @statement(
@@ -254,4 +259,8 @@ def figure_3(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
         first = max(first, abs(place - always(0.1, tau) * cos(tau)))
         if tau > 40:
             second = max(second, abs(place - late(0.1, tau) * cos(tau)))
-    return decided(first < 0.08 and second < 0.02)
+    values = {c: VISCOUS, d: QUADRATIC}
+    heavier = {b: m * b, b2: m * b2, k: m * k}  # (1) divided by m knows only these quotients
+    scaled = all_confirmed(*(vanishes(sympy.diff(f.subs(values).subs(heavier, simultaneous=True), m)) for f in form))
+    near = [abs(late(0.1, tau) / always(0.1, tau) - 1) for tau in (41.0, 60.0)]
+    return all_confirmed(scaled, decided(first < 0.08 and second < 0.02 and near[0] < 0.06 and near[1] < 0.025))

@@ -18,11 +18,9 @@ import sympy
 from flint import arb, ctx
 from mpmath import cos, log, mp, mpf, pi, sin, sqrt
 
-from asymptotics.numbers.decimals import decimal_of_ball
 from asymptotics.turning.quadratic_duration import duration, elapsed
 from asymptotics.turning.quadratic_map import amplitudes
 from asymptotics.verdict import Outcome
-from paper_checks.identities import decided
 
 PAPER = "lelas2024"
 m, k, g, mu, C, b, x0, A0, B0, t = sympy.symbols("m k g mu C b x_0 A_0 B_0 t", positive=True)
@@ -149,12 +147,3 @@ def air_error(form: sympy.Expr, angles: Sequence[Fraction]) -> Callable[[mpf], m
         return max(abs(value(eps, tau) - place) for tau, place in points)
 
     return error
-
-
-def rounds_to(printed: str, ball: arb) -> Outcome:
-    """Whether a printed decimal is the number, correctly rounded to the decimals that are printed."""
-    digits = len(printed.lstrip("+-0.").replace(".", ""))
-    rounded = decimal_of_ball(ball, digits)
-    if rounded is None:
-        return Outcome.UNDECIDED
-    return decided(Fraction(rounded) == Fraction(printed))

@@ -129,7 +129,7 @@ def energy(form: sympy.Expr) -> Outcome:
 def undamped_solution(frequency: sympy.Expr) -> Outcome:
     """m x'' + k x for the cosine, whose phase is free."""
     motion = sympy.cos(frequency * t + x0)
-    return vanishes(m * sympy.diff(motion, t, 2) + k * motion)
+    return all_confirmed(vanishes(m * sympy.diff(motion, t, 2) + k * motion), decided(frequency.is_positive is True))
 
 
 @statement(
@@ -351,7 +351,7 @@ def amplitude_not_negative(form: tuple[str, ...]) -> Outcome:
         "friction": 1 - mu * g * t / (sympy.sqrt(2) * w0 * x0),
         "air": 1 / (1 + C * w0 * x0 * t / (2 * sympy.sqrt(2) * m)),
     }
-    limits = [sympy.limit(slopes[name], t, sympy.oo) for name in form]
-    starts = [slopes[name].subs(t, 0) == 1 for name in form]
-    falls = [bool(sympy.simplify(sympy.diff(slopes[name], t)).is_negative) for name in form]
-    return decided(all(starts) and all(falls) and all(bool(limit >= 0) for limit in limits))
+    starts = [f.subs(t, 0) == 1 for f in slopes.values()]
+    falls = [bool(sympy.simplify(sympy.diff(f, t)).is_negative) for f in slopes.values()]
+    stay = tuple(name for name, f in slopes.items() if bool(sympy.limit(f, t, sympy.oo) >= 0))
+    return decided(all(starts) and all(falls) and form == stay)

@@ -41,14 +41,16 @@ def rate_of_energy(form: sympy.Expr) -> Outcome:
 
 
 @statement(
-    id="lelas2024:16", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="lelas2024:16", premises=(0,),
+    kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The power of viscous damping, first pair",
     latex=r"P_{d1}(t) = -b\omega_0^2x_0^2f^2(t)\sin^2(\omega_0t)", printed=(V1, -b * w0**2 * x0**2 * f**2 * sin**2),
     near_miss=(V1, -b * w0**2 * x0**2 * f**2 * cos**2), conditions="with (12)", methods=("-b v^2",),
     derivation="lelas-viscous",
 )
 @statement(
-    id="lelas2024:17", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="lelas2024:17", premises=(0,),
+    kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The power of viscous damping, second pair",
     latex=r"P_{d2}(t) = -b\omega_0^2x_0^2f^2(t)\cos^2(\omega_0t)", printed=(V2, -b * w0**2 * x0**2 * f**2 * cos**2),
     near_miss=(V2, -b * w0 * x0**2 * f**2 * cos**2), conditions="with (13)", methods=("-b v^2",),
@@ -60,14 +62,16 @@ def viscous_power(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 
 @statement(
-    id="lelas2024:18", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="lelas2024:18", premises=(0,),
+    kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The rate of f from the first pair", latex=r"\frac{df(t)}{dt} = -\frac{b}{m}f(t)\sin^2(\omega_0t)",
     printed=(V1, -b / m * f * sin**2), near_miss=(V1, -b / (2 * m) * f * sin**2), derivation="lelas-viscous",
     conditions="f > 0; a consequence of (15) and (16)", methods=("(15) = (16) solved for df/dt",),
     note="(18) and (19) are two different equations for one f; see claim.two-rates-contradict.",
 )
 @statement(
-    id="lelas2024:19", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="lelas2024:19", premises=(0,),
+    kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The rate of f from the second pair", latex=r"\frac{df(t)}{dt} = -\frac{b}{m}f(t)\cos^2(\omega_0t)",
     printed=(V2, -b / m * f * cos**2), near_miss=(V2, -b / (2 * m) * f * cos**2), derivation="lelas-viscous",
     conditions="f > 0; a consequence of (15) and (17)", methods=("(15) = (17) solved for df/dt",),
@@ -92,6 +96,8 @@ def viscous_rate(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 def two_rates(where: int) -> Outcome:
     """sin^2 - cos^2 vanishes identically (1), or its integral over the stated part of a period does (2, 3)."""
     difference = sympy.sin(theta) ** 2 - sympy.cos(theta) ** 2
+    if where not in (1, 2, 3):
+        return Outcome.REFUTED
     if where == 1:
         return vanishes(difference)
     return vanishes(sympy.integrate(difference, (theta, 0, sympy.pi / (2 * (where - 1)))))
@@ -155,7 +161,7 @@ def weak_viscous_damping(bound: sympy.Expr) -> Outcome:
 )
 def trick_fails(form: tuple[int, ...]) -> Outcome:
     """2 (1/2)^((n+1)/2) against 1; constant for n = 1, since sin^2 + cos^2 = 1."""
-    return decided(all(2 * sympy.sqrt(2) ** -(n + 1) != 1 for n in form))
+    return decided(form == tuple(n for n in range(3) if 2 * sympy.sqrt(2) ** -(n + 1) != 1))
 
 
 @statement(
@@ -167,7 +173,8 @@ def trick_fails(form: tuple[int, ...]) -> Outcome:
     note="Necessary too: sin^2(a) + sin^2(a + d) = 1 - cos(d) cos(2a + d), constant only for cos d = 0.",
 )
 @statement(
-    id="lelas2024:claim.equal-amplitudes", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="lelas2024:claim.equal-amplitudes", premises=(3, 4),
+    kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="For friction and air the trick also needs equal amplitudes", conditions="n = 0, 2; the two equations added",
     latex=r"n = 0, 2: \text{ our procedure works only if } A_0 = B_0 \text{ and } \beta_0 - \phi_0 = \pm\pi/2",
     printed=(A0, A0, sympy.pi / 2, 0, 2), near_miss=(A0, 2 * A0, sympy.pi / 2, 0, 2),
@@ -178,6 +185,8 @@ def trick_fails(form: tuple[int, ...]) -> Outcome:
 def procedure_works(form: tuple[sympy.Expr, ...]) -> Outcome:
     """r = f^n A^(n-1) |sin(theta + phase)|^(n+1) for each pair; the sum of the r^(2/(n+1)) must not depend on theta."""
     first, second, shift, *powers = form
+    if not (first.is_positive and second.is_positive):
+        return Outcome.REFUTED  # an amplitude is positive; a sign is a phase
     outcomes = []
     for n in powers or (1,):
         weights = [amplitude ** sympy.Rational(2 * (n - 1), n + 1) for amplitude in (first, second)]

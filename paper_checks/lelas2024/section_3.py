@@ -103,13 +103,15 @@ def friction_rate(form: tuple[str, sympy.Expr]) -> Outcome:
 
 
 @statement(
-    id="lelas2024:28", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="lelas2024:28", premises=(0,),
+    kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The square of the first rate", printed=(-STRENGTH * s, STRENGTH**2 * s**2),
     latex=r"\left(\frac{df(t)}{dt}\right)^2 = \left(\frac{\mu g}{\omega_0x_0}\right)^2|\sin(\omega_0t)|^2",
     near_miss=(-STRENGTH * s, STRENGTH * s**2), methods=("(26) squared",), derivation="lelas-friction",
 )
 @statement(
-    id="lelas2024:29", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="lelas2024:29", premises=(0,),
+    kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The square of the second rate", printed=(-STRENGTH * c, STRENGTH**2 * c**2),
     latex=r"\left(\frac{df(t)}{dt}\right)^2 = \left(\frac{\mu g}{\omega_0x_0}\right)^2|\cos(\omega_0t)|^2",
     near_miss=(-STRENGTH * c, STRENGTH**2 * s**2), methods=("(27) squared",), derivation="lelas-friction",
@@ -243,7 +245,7 @@ def unphysical_after_stop(sign: int) -> Outcome:
     """(f^2)' at t = tau + d is positive for every d > 0."""
     d = sympy.Symbol("d", positive=True)
     growth = sympy.simplify(sympy.diff(FRICTION_LINE**2, t).subs(t, TAU + d))
-    return decided(bool((sign * growth).is_positive))
+    return decided(bool(growth.is_positive) and sign == 1)
 
 
 @statement(

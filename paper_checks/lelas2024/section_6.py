@@ -14,8 +14,8 @@ from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.turning.quadratic_duration import duration
 from asymptotics.turning.quadratic_map import amplitudes
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
-from paper_checks.identities import all_confirmed, decided, same, vanishes
-from paper_checks.lelas2024.model import FRICTION, C, air_error, f, has_order, m, rounds_to, t, v, w0, x, x0
+from paper_checks.identities import all_confirmed, decided, rounds_to, same, vanishes
+from paper_checks.lelas2024.model import FRICTION, C, air_error, f, has_order, m, t, v, w0, x, x0
 from paper_checks.lelas2024.section_2 import X1
 from paper_checks.lelas2024.section_4 import HYPERBOLA, STRENGTH
 from paper_checks.lelas2024.section_5 import PANELS, strength

@@ -93,8 +93,12 @@ def without_sign(power: int) -> sympy.Expr:
 def force_without_sign(signs: tuple[int, ...]) -> Outcome:
     """Both expressions at v = sign V for n = 0 and 2."""
     pairs = [(without_sign(power), -sympy.sign(v) * abs(v) ** power) for power in (0, 2)]
-    values = [(a.subs(v, sign * speed), c.subs(v, sign * speed)) for a, c in pairs for sign in signs]
-    return decided(all(a != sympy.nan and a - c == 0 for a, c in values))
+
+    def agree(sign: int) -> bool:
+        values = [(a.subs(v, sign * speed), c.subs(v, sign * speed)) for a, c in pairs]
+        return all(a != sympy.nan and a - c == 0 for a, c in values)
+
+    return decided(signs == tuple(sign for sign in (1, 0, -1) if agree(sign)))
 
 
 @statement(

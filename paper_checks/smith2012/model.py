@@ -16,7 +16,6 @@ import sympy
 from flint import arb, ctx
 
 from asymptotics.numbers.bridge import closed_form_ball
-from asymptotics.numbers.decimals import decimal_of_ball
 from asymptotics.verdict import Outcome
 from paper_checks.identities import decided
 
@@ -95,13 +94,6 @@ def invariant(index: int, point: arb) -> arb:
     """S^- (even index) or S^+ (odd index) at a turning point, which starts the half-cycle with that index."""
     sign = 1 if index % 2 == 0 else -1
     return -(-2 * sign * point).exp() * (2 * sign * point + 1) / 4
-
-
-def rounds_to(printed: str, ball: arb) -> Outcome:
-    """Whether a printed decimal is the correct rounding of a number; its digits are counted as printed."""
-    digits = len(printed.lstrip("-0.").replace(".", ""))
-    rounded = decimal_of_ball(ball, digits)
-    return Outcome.UNDECIDED if rounded is None else decided(Fraction(rounded) == Fraction(printed))
 
 
 def excludes_zero_on_orbit(difference: sympy.Expr) -> bool:

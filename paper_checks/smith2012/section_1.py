@@ -180,7 +180,8 @@ def conservative_equation(form: sympy.Expr) -> Outcome:
 def energy_is_constant(form: sympy.Expr) -> Outcome:
     """v.grad S - grad phi.grad_v S/m, for an arbitrary phi."""
     change = dot(gradient(form, QS), VS) - dot(gradient(form, VS), gradient(phi, QS)) / M
-    return same_polynomial(change, sympy.Integer(0))
+    kinetic = [same_polynomial(diff(form, speed), M * speed) for speed in VS]  # and S is the energy, no multiple of it
+    return all_confirmed(same_polynomial(change, sympy.Integer(0)), *kinetic)
 
 
 @statement(
@@ -277,8 +278,9 @@ def integrability(form: sympy.Expr) -> Outcome:
     near_miss=omega * t + atan(omega * x / v), methods=("on the harmonic oscillator",), conditions="along the motion",
 )
 def constants(form: sympy.Expr) -> Outcome:
-    """The total time derivative of the example."""
-    return vanishes(along_harmonic(form))
+    """The total time derivative of the example, which is the energy, or a clock that runs like omega t (18a)."""
+    scale = same(diff(form, t), omega) if form.has(t) else same(diff(form, v), M * v)
+    return all_confirmed(vanishes(along_harmonic(form)), scale)
 
 
 S_value, T_value = sympy.symbols("S T", positive=True)

@@ -108,8 +108,8 @@ def convergence(radius: int) -> Outcome:
     conditions="between two turning points; at a turning point the principal value jumps by pi",
 )
 def second_constant(form: sympy.Expr) -> Outcome:
-    """The rate along the motion."""
-    return vanishes(along_harmonic(form))
+    """The rate along the motion; and the clock runs like omega t, (18a)."""
+    return all_confirmed(vanishes(along_harmonic(form)), same(diff(form, t), omega))
 
 
 @statement(
@@ -212,6 +212,7 @@ SPIRAL_CLOCK = omega * t - atan(omega * x / P)
     " whether print or transcription slipped. Form: (33) and omega^2.",
 )
 def viscous_constant(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
-    """The rate along the viscous motion, omega_0 eliminated."""
+    """The rate along the viscous motion, omega_0 eliminated; S is the energy at gamma = 0, T runs like omega t."""
     expression, squared = form
-    return vanishes(sympy.simplify(along_viscous(expression, squared)))
+    scale = same(diff(expression, t), omega) if expression.has(t) else same(expression.subs(gamma, 0), ENERGY)
+    return all_confirmed(scale, vanishes(sympy.simplify(along_viscous(expression, squared))))

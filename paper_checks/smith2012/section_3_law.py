@@ -6,7 +6,7 @@ A pair of forms is always (falling, rising), the order of the paper's double sig
 import sympy
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
-from paper_checks.identities import all_confirmed, same, vanishes
+from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.registry import statement
 from paper_checks.smith2012.model import (
     FALLING_FORCE,
@@ -84,7 +84,9 @@ def damping_opposes_velocity(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 )
 def mirrored_acceleration(sign: int) -> Outcome:
     """With y = sign x, falling motion of x is rising motion of y: sign a_falling(x, v) = a_rising(sign x, sign v)."""
-    return same(sign * FALLING_FORCE, RISING_FORCE.subs({x: sign * x, v: sign * v}, simultaneous=True))
+    mirrored = decided(sign**2 == 1)
+    rising = RISING_FORCE.subs({x: sign * x, v: sign * v}, simultaneous=True)
+    return all_confirmed(mirrored, same(sign * FALLING_FORCE, rising))
 
 
 @statement(
@@ -104,14 +106,14 @@ def pfaffian_forms(form: tuple[tuple[sympy.Expr, sympy.Expr], ...]) -> Outcome:
     id="smith2012:claim.not-quadratures", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The Pfaffian forms (36) do not obey the integrability condition",
     latex=r"\frac{\partial v}{\partial x} \ne \frac{\partial(\omega^2 x \mp \gamma v^2)}{\partial v}",
-    printed=PFAFFIAN, near_miss=((v, omega**2 * x), (v, omega**2 * x)), conditions="gamma > 0",
-    methods=("cross derivatives",), note="Near miss: the undamped form, which does obey it.",
+    printed=(2 * gamma * v, -2 * gamma * v), near_miss=(sympy.Integer(0), sympy.Integer(0)), conditions="gamma > 0",
+    methods=("cross derivatives",),
+    note="Form: the differences of the cross derivatives; near miss: those of the undamped form, which obeys it.",
 )
-def not_integrable(form: tuple[tuple[sympy.Expr, sympy.Expr], ...]) -> Outcome:
-    """The cross derivatives of both forms certainly differ somewhere."""
-    outcomes = [vanishes(sympy.diff(dv, x) - sympy.diff(dx, v)) for dv, dx in form]
-    flipped = {Outcome.REFUTED: Outcome.CONFIRMED, Outcome.CONFIRMED: Outcome.REFUTED}
-    return all_confirmed(*(flipped.get(outcome, Outcome.UNDECIDED) for outcome in outcomes))
+def not_integrable(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
+    """The cross derivatives of (36) differ by the form, which is not zero."""
+    defects = [sympy.diff(dv, x) - sympy.diff(dx, v) for dv, dx in PFAFFIAN]
+    return all_confirmed(*map(same, defects, form), decided(all(part != 0 for part in form)))
 
 
 def factor_residual(mu: sympy.Expr, sign: int) -> sympy.Expr:
@@ -146,8 +148,9 @@ def factor_equation(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     note=SIGN_NOTE + " As an unordered pair of factors the printed statement is right.",
 )
 def integrating_factors(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
-    """Each factor solves its equation (37)."""
-    return all_confirmed(*(vanishes(factor_residual(factor, sign)) for factor, sign in zip(form, (1, -1))))
+    """Each factor solves its equation (37), and is 1 at x = 0, where nothing has to be multiplied."""
+    solves = [vanishes(factor_residual(factor, sign)) for factor, sign in zip(form, (1, -1))]
+    return all_confirmed(*solves, *(same(factor.subs(x, 0), sympy.Integer(1)) for factor in form))
 
 
 @statement(

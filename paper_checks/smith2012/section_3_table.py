@@ -12,7 +12,7 @@ import sympy
 from flint import arb, ctx
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed, balls_agree
-from paper_checks.identities import all_confirmed, decided, same, vanishes
+from paper_checks.identities import all_confirmed, decided, rounds_to, same, vanishes
 from paper_checks.registry import Check, Statement, add, statement
 from paper_checks.smith2012.model import (
     QUARTER,
@@ -21,7 +21,6 @@ from paper_checks.smith2012.model import (
     invariant,
     orbit,
     rate,
-    rounds_to,
     u,
     u0,
     u1,

@@ -107,6 +107,8 @@ def column_zero(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     superscript, value = form
     for a in range(1, ROWS):
         candidates = {int(superscript.subs({n: a, m: j})) for j in range(1, ROWS)}
+        if a % 2 == 1 and a not in candidates | {1}:
+            return Outcome.REFUTED
         if a % 2 == 0 and all(coefficient(s, 0) != 0 for s in candidates):
             return Outcome.REFUTED
         if a % 2 == 1 and value.subs(n, a) != to_sympy(coefficient(a, 0)):

@@ -95,12 +95,12 @@ SUBSTITUTED = (  # the four sums of (58): first n, and the coefficient of z^n
     r" + 2\omega\left(\frac{\gamma v}{\omega}\right)\sum_{n=1}^{\infty}nf_n\left(\frac{\omega v}{\gamma v^2-"
     r"\omega^2 x}\right)^n",
     printed=SUBSTITUTED, near_miss=(*SUBSTITUTED[:3], (1, w * n * f(n))), conditions="formal power series",
-    methods=("coefficients of z^0 ... z^11 of dT/dtau, each linear in n",), derivation="smith-time-series",
+    methods=("coefficients of z^-2 ... z^11 of dT/dtau, each linear in n",), derivation="smith-time-series",
 )
 def substituted_series(form: tuple[tuple[int, sympy.Expr], ...]) -> Outcome:
     """dT/dtau = 1 - sum_n [w f_n' z^(n-1) + n f_n z^(n-1)(1 - 2wz + z^2)], compared power by power."""
     outcomes = []
-    for power in range(12):
+    for power in range(-2, 12):
         printed = sum((term.subs(n, power) for first, term in form if power >= first), sympy.Integer(power == 0))
         true = sympy.Integer(power == 0)
         for number in range(1, power + 2):
@@ -203,7 +203,7 @@ def printed_polynomial(form: tuple[int, Terms]) -> Outcome:
 def _add_polynomial(suffix: str, number: int, terms: Terms, latex: str, near_miss: Terms) -> None:
     @statement(
         id=f"smith2012:60{suffix}", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-        title=f"The polynomial f_{number}", printed=(number, terms), near_miss=(number, near_miss),
+        title=f"The polynomial f_{number}", premises=(0,), printed=(number, terms), near_miss=(number, near_miss),
         latex=f"f_{number} = " + latex.replace("W", r"\left(\frac{\gamma v}{\omega}\right)"),
         conditions="regular at w = 0", methods=("substitution in (59), exact rationals",),
         derivation="smith-time-series",
@@ -248,9 +248,10 @@ def degree(form: tuple[sympy.Expr | int, sympy.Expr]) -> Outcome:
     derivation="smith-time-series",
 )
 def rearranged(form: sympy.Expr) -> Outcome:
-    """The pairs (n, i) of both orders of summation carry the same nonzero coefficients."""
+    """The pairs (n, i) of both orders of summation carry the same nonzero coefficients, the first one included."""
     by_rows = {(number, j) for number in range(1, ROWS) for j, c in enumerate(polynomial_row(number)) if c}
     by_columns = {
         (number, j) for j in range(ROWS) for number in range(int(form.subs(i, j)), ROWS) if coefficient(number, j)
     }
-    return decided(by_rows == by_columns)
+    sharp = all(coefficient(int(form.subs(i, j)), j) for j in range(ROWS))
+    return decided(by_rows == by_columns and sharp)

@@ -73,14 +73,16 @@ def column_one(form: tuple[sympy.Expr, sympy.Expr, sympy.Expr]) -> Outcome:
 
 
 @statement(
-    id="smith2012:66", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="smith2012:66", premises=(0,),
+    kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The hypothesis of the induction", latex=r"C_1^{n-2} = (-1)^{(n-4)/2}\cdot\frac{2}{3}",
     printed=(-2, (-1) ** ((n - 4) / 2) * sympy.Rational(2, 3)), conditions="n even, n >= 4",
     near_miss=(-2, (-1) ** ((n - 2) / 2) * sympy.Rational(2, 3)), methods=(f"rows to n = {ROWS}", "induction step"),
     derivation="smith-footnote-8",
 )
 @statement(
-    id="smith2012:67", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="smith2012:67", premises=(0,),
+    kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The coefficients of column 1 in closed form", latex=r"C_1^n = (-1)^{(n-2)/2}\cdot\frac{2}{3}",
     printed=(0, (-1) ** ((n - 2) / 2) * sympy.Rational(2, 3)), conditions="n even, n >= 2",
     near_miss=(0, (-1) ** ((n - 2) / 2) * sympy.Rational(1, 3)), methods=(f"rows to n = {ROWS}", "induction step"),
