@@ -32,7 +32,8 @@ g, mu = sympy.symbols("g mu", positive=True)
 @statement(
     id="lancaster2020:claim.kappa-fig1", kind=Kind.NUMBER, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
     title="Figure 1: kappa", latex=r"\kappa \approx 0.042 \quad (\alpha = 0)", digits=2,
-    printed=("0.042", sympy.Integer(0), "0.06519", "0.06675"), near_miss=("0.042", sympy.Integer(0), "0.0659", "0.067"),
+    printed=("0.042", sympy.Integer(0), "0.06519", "0.06675"),
+    near_miss=("0.042", sympy.Integer(0), "0.06519", "0.06676"),
     conditions="0.0652 <= b/(k x_0) <= 0.0667", methods=("kappa = 2b/(pi k x0) at both ends of the range",),
     note="m, k, b, x0 are not given; this range of epsilon = b/(k x0), and no other, gives the printed kappa. Form:"
     " kappa, alpha, and the range of epsilon to four figures.",

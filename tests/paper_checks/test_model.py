@@ -7,7 +7,8 @@ import sympy
 from flint import arb, ctx
 
 from asymptotics.verdict import Outcome
-from paper_checks.smith2012.model import coefficient, invariant, orbit, polynomial_row, rounds_to
+from paper_checks.identities import rounds_to
+from paper_checks.smith2012.model import coefficient, invariant, orbit, polynomial_row
 from paper_checks.smith2012.section_4_sums import closed_sum, is_closed_sum
 
 
