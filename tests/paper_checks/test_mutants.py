@@ -50,8 +50,8 @@ def test_each_explained_mutant_survives(key):
         assert any(reason(key, name) == EQUIVALENT[key][pattern] for name in survived), pattern
 
 
-def test_a_near_miss_is_near_and_of_the_right_shape():
+def test_a_near_miss_is_a_form_of_its_own():
     for key, entry in STATEMENTS.items():
         own = [form for form in (entry.printed, entry.corrected) if form is not None]
         if entry.near_miss is not None and own:
-            assert defect(entry.near_miss, own) in (None, "of another shape"), key
+            assert defect(entry.near_miss, own) not in ("not finite", "empty"), key
