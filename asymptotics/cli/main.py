@@ -17,6 +17,7 @@ from asymptotics.errors import MAX_ACCEPTED, InputError, UndecidedError, printab
 
 COMMANDS = {
     "derive": "the derivations, each displayed step asserted (in a checkout)",
+    "compare": "your own values beside certified ones: right digits, and what the errors look like",
     "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
     "half-swing": "the map from one turning point to the next, its duration and its flow, as series",
     "moment": "the averages of |sin|^p",

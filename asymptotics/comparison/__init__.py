@@ -1,0 +1,15 @@
+"""One's own values beside certified ones: how many digits are right, and what the errors look like.
+
+============  ====================================================================================
+``digits``    right digits of a value: -log10 of the relative error, and its wrong digits marked
+``reading``   a CSV file with its columns: what is a key, what is a value, in which unit
+``truth``     the certified values: turning points, motion, named tables
+``errors``    errors of amplitude and of time, half-swing by half-swing, from either kind of file
+``look``      what the errors look like: rounding, truncation, phase drift or a wrong law
+``run``       all of it: ``compare_file``
+============  ====================================================================================
+"""
+
+from asymptotics.comparison.run import Comparison, Row, compare_file
+
+__all__ = ["Comparison", "Row", "compare_file"]

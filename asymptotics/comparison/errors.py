@@ -1,0 +1,73 @@
+"""Errors of amplitude and of time, half-swing by half-swing: what a table of turning points or of x(tau) gets wrong.
+
+A motion that is slightly wrong is, over one half-swing, the right one with a factor and a delay:
+
+    x_given(tau) = (1 + a) x(tau + s)   so that   x_given - x = a x + s v + (smaller)
+
+At turning points a and s are read off; from samples they are the least-squares solution around each turning point.
+Doubles: this judges errors, it certifies nothing.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+_SAMPLES = 4  # that a fit needs
+_WIDTHS = (0.5, 0.8, 1.2, np.pi / 2)
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Per point: error a of ln ``amplitude``, ``advance`` s (None if there are no times), true ``size`` and ``tau``."""
+
+    tau: Any
+    size: Any
+    amplitude: Any
+    advance: Any | None
+
+    def __len__(self) -> int:
+        return len(self.size)
+
+
+def of_turning_points(ns: Any, given: Any, x: Any, given_tau: Any | None = None, tau: Any | None = None) -> Errors:
+    """From amplitudes at the turning points ``ns``, given and true, and times if there are any."""
+    order = np.argsort(ns)
+    g, c = (np.abs(np.asarray(values, float))[order] for values in (given, x))
+    true = np.pi * np.asarray(ns, float)[order] if tau is None else np.asarray(tau, float)[order]
+    advance = None if given_tau is None else true - np.asarray(given_tau, float)[order]
+    with np.errstate(divide="ignore"):
+        return Errors(true, c, np.log(g / c), advance)
+
+
+def of_motion(tau: Any, given: Any, x: Any, v: Any, turning: tuple[Any, Any]) -> tuple[Errors, Any]:
+    """From samples of x(tau): an error of ln A and an advance at each turning point (times, sizes) that has enough.
+
+    Only samples near a turning point count: there a first-order waveform differs from the true one in third order, so
+    that a and s are those of the amplitude and the phase.  Also returns the numbers of the turning points.
+    """
+    order = np.argsort(tau)
+    tau, given, x, v = (np.asarray(values, float)[order] for values in (tau, given, x, v))
+    times, sizes = turning
+    found = []
+    for n, (time, size) in enumerate(zip(times, sizes)):
+        near = _near(tau, time)
+        if len(near) < _SAMPLES:
+            continue
+        columns = np.stack([x[near], v[near]], axis=1)
+        (a, s), *_ = np.linalg.lstsq(columns, (given - x)[near], rcond=None)
+        if a > -1:
+            found.append((time, size, np.log1p(a), s, n))
+    if not found:
+        return Errors(*np.zeros((4, 0))), np.zeros(0)
+    table = np.array(found).T
+    return Errors(*table[:4]), table[4]
+
+
+def _near(tau: Any, time: float) -> Any:
+    """The samples around a time: within 0.5, or as far as a quarter-swing if there are too few."""
+    for width in _WIDTHS:
+        near = np.arange(*np.searchsorted(tau, (time - width, time + width)))
+        if len(near) >= _SAMPLES:
+            break
+    return near

@@ -1,0 +1,142 @@
+"""A CSV file of somebody's values: which column is what, in which unit; what cannot be used is refused by line.
+
+Quantities: ``n`` (turning point) or ``tau``/``t`` (time) is the key of a row; ``x``, ``v``, ``tau``, ``t`` and
+``amplitude`` (= |x| at a turning point) are values.  tau = omega_0 t and X = x/x0 have no unit; with an oscillator in
+SI, t is in s, x in m and v in m/s; without one m = k = x0 = 1, and t is tau.  A header may carry units, ``x [m]``;
+lines that start with # are comments.
+
+>>> columns_of(["n", "x"], None), columns_of(["step", "pos"], "n,x"), columns_of(["k", "x", "time"], "n=k,tau=time")
+({'n': 0, 'x': 1}, {'n': 0, 'x': 1}, {'n': 0, 'tau': 2})
+"""
+
+import csv
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from asymptotics.errors import InputError, LimitError
+from asymptotics.numbers.exact import parse_rational
+
+QUANTITIES = ("n", "tau", "t", "x", "v", "amplitude")
+UNITS = {"t": "s", "x": "m", "amplitude": "m", "v": "m/s"}
+MAX_ROWS = 1_000_000
+_UNIT = re.compile(r"\s*[\[(](?P<unit>[^\])]*)[\])]\s*\Z")
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """The cells of a file: ``columns`` says which is what, ``lines`` are the line numbers of the rows."""
+
+    columns: dict[str, int]
+    lines: tuple[int, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+    def column(self, name: str) -> list[str]:
+        """The cells of a column, as text."""
+        place = self.columns[name]
+        return [row[place].strip() for row in self.rows]
+
+
+def read_sheet(path: Path, mapping: str | None, known: tuple[str, ...] = QUANTITIES, *, si: bool = False) -> Sheet:
+    """Read a CSV file; InputError for a file that is none, a column that is missing, and units that do not fit.
+
+    The cells of the columns that are used are proved to be numbers here, so that nothing is computed for a bad file.
+    """
+    rows, header = _rows(path)
+    if not rows:
+        raise InputError("FILE", f"{path} has no rows of values", "a CSV file with a header")
+    names, units = _names(header) if header else ([f"column {i + 1}" for i in range(len(rows[0][1]))], {})
+    if header is None and mapping is None:
+        accepted = f"--columns, such as n,x,tau (known: {', '.join(known)})"
+        raise InputError("FILE", f"{path} has no header", accepted)
+    columns = dict(sorted(columns_of(names, mapping, known).items(), key=lambda pair: pair[1]))
+    _require_units({name: units.get(place, "") for name, place in columns.items()}, si)
+    wanted = max(columns.values())
+    for line, cells in rows:
+        if len(cells) <= wanted:
+            raise InputError("FILE", f"line {line} has {len(cells)} cells", f"{wanted + 1} cells in each row")
+        for place in columns.values():
+            parse_rational(cells[place], f"FILE line {line}")
+    return Sheet(columns, tuple(line for line, _ in rows), tuple(tuple(cells) for _, cells in rows))
+
+
+def columns_of(names: list[str], mapping: str | None, known: tuple[str, ...] = QUANTITIES) -> dict[str, int]:
+    """Quantity -> place in the file, from the names in its header and what --columns says.
+
+    ``n,x`` are names of the header, or (where the header has other words) the meanings of its columns in their order;
+    ``n=k,x=pos`` maps quantities to names; a number is the place of a column, from 1.
+    """
+    if mapping is None:
+        found = {name: names.index(name) for name in known if name in names}
+        if len(found) < 2:
+            reason = f"its header ({', '.join(names)[:120]}) does not name a key and a value"
+            raise InputError("FILE", reason, f"columns {', '.join(known)}, or --columns to say which is what")
+        return found
+    pairs = [tuple(part.strip() for part in (item if "=" in item else f"{item}={item}").split("=", 1))
+             for item in mapping.split(",")]  # fmt: skip
+    for quantity, _ in pairs:
+        if quantity not in known:
+            raise InputError("--columns", f"{quantity!r} is no quantity that can be compared", ", ".join(known))
+    if len(pairs) < 2 or len({quantity for quantity, _ in pairs}) < len(pairs):
+        raise InputError("--columns", "it needs a key and a value, each once", "n,x  or  tau=time,x=pos")
+    meanings = [quantity for quantity, _ in pairs]
+    foreign = all(name == quantity or name not in known for name, quantity in zip(names, meanings))
+    if "=" not in mapping and len(pairs) == len(names) and foreign:
+        return {quantity: place for place, quantity in enumerate(meanings)}
+    return {quantity: _place(name, names) for quantity, name in pairs}
+
+
+def _place(name: str, names: list[str]) -> int:
+    if name in names:
+        return names.index(name)
+    if name.isdigit() and 1 <= int(name) <= len(names):
+        return int(name) - 1
+    raise InputError("--columns", f"the file has no column {name!r}", f"its columns: {', '.join(names)[:200]}")
+
+
+def _rows(path: Path) -> tuple[list[tuple[int, list[str]]], list[str] | None]:
+    """The rows of values with their line numbers, and the header if there is one."""
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as stream:
+            text = stream.read(4096)
+            stream.seek(0)
+            mark = max(",;\t", key=text.count)
+            reader = csv.reader(stream, delimiter=mark, strict=True)
+            rows = [(reader.line_num, row) for row in reader if any(row) and not row[0].startswith("#")]
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is not CSV text"
+        raise InputError("FILE", f"cannot read {path}: {reason}", "a CSV file in UTF-8") from error
+    if len(rows) > MAX_ROWS:
+        raise LimitError("FILE", f"{len(rows)} rows are too many", f"at most {MAX_ROWS} in one comparison")
+    if rows and not any(_is_number(cell) for cell in rows[0][1]):
+        return rows[1:], rows[0][1]
+    return rows, None
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        parse_rational(cell, "cell")
+    except InputError:
+        return False
+    return True
+
+
+def _names(header: list[str]) -> tuple[list[str], dict[int, str]]:
+    """The names of the columns without their units, and the units by place."""
+    names, units = [], {}
+    for place, cell in enumerate(header):
+        unit = _UNIT.search(cell)
+        names.append((cell[: unit.start()] if unit else cell).strip())
+        if unit:
+            units[place] = unit["unit"].strip()
+    return names, units
+
+
+def _require_units(units: dict[str, str], si: bool) -> None:
+    for name, unit in units.items():
+        expected = UNITS.get(name, "") if si else ""
+        if unit in ("", "1", expected):
+            continue
+        accepted = f"{name} [{expected}]" if expected else f"{name} without a unit"
+        hint = "" if si or name not in UNITS else "; values in SI need --mass, --stiffness and --x0"
+        raise InputError("FILE", f"{name} is in {unit[:40]!r}", accepted + hint)

@@ -1,0 +1,212 @@
+"""A file of somebody's values, compared: every value with its right digits, and what the errors look like together.
+
+>>> import tempfile
+>>> from asymptotics.law import Oscillator
+>>> path = Path(tempfile.mkdtemp()) / "mine.csv"
+>>> _ = path.write_text("n,x\\n0,1\\n1,-0.4107197\\n2,0.2635711\\n")
+>>> found = compare_file(path, Oscillator({2: 1}))
+>>> for row in found.rows:
+...     print(row.key, row.column, row.marked, row.certified, row.digits)
+0 x 1 1.0000000000000000000 20.00
+1 x -0.4107197 -0.41071968606103944670 7.47
+2 x 0.26357[11] 0.26356838641759692059 4.99
+>>> found.summary["values"], found.summary["worst_digits"], found.certified
+(3, '4.99', True)
+"""
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import numpy as np
+
+from asymptotics.comparison.digits import marked, relative_error, right_digits, short, significant
+from asymptotics.comparison.errors import Errors, of_motion, of_turning_points
+from asymptotics.comparison.look import Look, look_of
+from asymptotics.comparison.reading import Sheet, read_sheet
+from asymptotics.comparison.truth import Truth, at_times, at_turning_points
+from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.law import Oscillator
+from asymptotics.numbers.exact import parse_integer, parse_rational
+from asymptotics.turning.general import turning_points
+
+MAX_DIGITS, MAX_N = 1000, 10**30
+_LEAST_DIGITS, _GUARD = 20, 4
+_LOOKED_AT = 500  # half-swings whose errors are judged
+
+
+@dataclass(frozen=True)
+class Row:
+    """One value: where it stands, what it should be, and its right digits (-log10 of the relative error, two decimals).
+
+    ``certified`` is None where there is no such value (the motion has ended); ``marked`` has wrong digits in brackets.
+    """
+
+    line: int
+    key: str
+    column: str
+    given: str
+    certified: str | None
+    digits: str
+    error: str
+    marked: str
+    key_name: str = "n"
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready."""
+        key = int(self.key) if self.key_name == "n" else self.key
+        names = ("column", "given", "certified", "digits", "error", "marked")
+        return {"line": self.line, self.key_name: key, **{name: getattr(self, name) for name in names}}
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """All values of a file beside the truth; ``certified`` is whether every value beside them is."""
+
+    rows: tuple[Row, ...]
+    summary: dict[str, Any]
+    certified: bool
+    method: str
+
+    def to_csv(self) -> str:
+        """All rows as CSV."""
+        dicts = [row.to_dict() for row in self.rows]
+        text = io.StringIO()
+        writer = csv.DictWriter(text, list(dicts[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(dicts)
+        return text.getvalue()
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready."""
+        rows = [row.to_dict() for row in self.rows]
+        return {"rows": rows, "summary": self.summary, "certified": self.certified, "method": self.method}
+
+
+def compare_file(
+    path: Path, oscillator: Oscillator, *, columns: str | None = None, digits: int | None = None, si: bool = False
+) -> Comparison:
+    """Compare turning points (a column n) or a motion (a column tau or t) with the certified ones.
+
+    The file is in the units of the oscillator if ``si``, else dimensionless.  ``digits`` of the certified values: by
+    default four more than the longest value given.  InputError for what the file does not say or says wrongly.
+    """
+    sheet = read_sheet(path, columns, si=si)
+    key = next((name for name in ("n", "tau", "t") if name in sheet.columns), None)
+    values = [name for name in sheet.columns if name != key]
+    if key is None or not values:
+        raise InputError("--columns", "there is no key", "n or tau, and what is to be compared")
+    wanted = digits or min(MAX_DIGITS, max(_LEAST_DIGITS, *(_GUARD + _written(sheet, name) for name in values)))
+    if key == "n":
+        if "v" in values:
+            raise InputError("--columns", "v is 0 at every turning point", "x, amplitude, tau, t")
+        numbers = [parse_integer(cell, f"FILE line {n}", 0, MAX_N) for n, cell in zip(sheet.lines, sheet.column("n"))]
+        truth = at_turning_points(oscillator, numbers, wanted, set(values), si=si)
+        errors, shift = _of_turning(sheet, truth, numbers, values, oscillator, si)
+    else:
+        if set(values) - {"x", "v"}:
+            raise InputError("--columns", "at a time there are x and v", "tau,x  or  tau,x,v")
+        times = [parse_rational(cell, "FILE") for cell in sheet.column(key)]
+        truth = at_times(oscillator, times, wanted, si=si)
+        errors, shift = _of_motion(sheet, truth, times, oscillator, si)
+    rows = _rows(sheet, truth, key, values, wanted, si)
+    summary = summary_of(rows, _judged(rows, errors, shift))
+    summary |= {"ended": truth.ended} if truth.ended else {}
+    return Comparison(rows, summary, truth.certified, truth.method)
+
+
+def _written(sheet: Sheet, name: str) -> int:
+    return max(map(significant, sheet.column(name)))
+
+
+def _rows(sheet: Sheet, truth: Truth, key: str, values: Sequence[str], digits: int, si: bool) -> tuple[Row, ...]:
+    keys = sheet.column(key)
+    name = "t" if key == "t" and si else "n" if key == "n" else "tau"
+    found = []
+    for column in values:
+        cells, right = sheet.column(column), truth.columns[column]
+        found += [row_of(*where, column, name, digits) for where in zip(sheet.lines, keys, cells, right)]
+    return tuple(sorted(found, key=lambda row: row.line))
+
+
+def row_of(line: int, key: str, given: str, right: str | None, column: str, name: str, digits: int) -> Row:
+    """One value beside the right one."""
+    if right is None:
+        return Row(line, key, column, given, None, "0.00", "", given, name)
+    value, truth = parse_rational(given, "FILE"), parse_rational(right, "certified")
+    error = relative_error(value, truth)
+    right_ones, shown = right_digits(value, truth, digits), marked(given, truth)
+    return Row(line, key, column, given, right, right_ones, short(error), shown, name)
+
+
+def summary_of(rows: Sequence[Row], look: Look) -> dict[str, Any]:
+    """Counts, best, median and worst right digits, the worst row, and the look of the errors."""
+    digits = [float(row.digits) for row in rows]
+    worst = rows[int(np.argmin(digits))]
+    return {
+        "values": len(rows),
+        "all_right": sum("[" not in row.marked and row.certified is not None for row in rows),
+        "best_digits": f"{max(digits):.2f}",
+        "median_digits": f"{median(digits):.2f}",
+        "worst_digits": worst.digits,
+        "worst_line": worst.line,
+        "look": look.to_dict(),
+    }
+
+
+def _judged(rows: Sequence[Row], errors: Errors, shift: Any | None) -> Look:
+    lost = max(significant(row.given) - float(row.digits) for row in rows)
+    wrong = any("[" in row.marked for row in rows)
+    finite = len(errors) == 0 or bool(np.all(np.isfinite(errors.amplitude)))
+    if not finite:
+        return Look("undecided", "a turning point is given as 0")
+    return look_of(errors, shift, lost if wrong else 0.0)
+
+
+def _of_turning(
+    sheet: Sheet, truth: Truth, numbers: list[int], values: list[str], oscillator: Oscillator, si: bool
+) -> tuple[Errors, Any | None]:
+    size = next((name for name in ("x", "amplitude") if name in values), None)
+    time = next((name for name in ("tau", "t") if name in values), None)
+    scale = float(oscillator.omega_0().mid()) if time == "t" and si else 1.0
+    right = truth.columns[size] if size else []
+    there = [i for i, text in enumerate(right) if text is not None][:_LOOKED_AT]
+    if size is None or not there:
+        return Errors(*np.zeros((4, 0))), None
+    ns = np.array([numbers[i] for i in there], float)
+    given, x = _floats(sheet.column(size), there), _floats(right, there)
+    if time is None:
+        return of_turning_points(ns, given, x), None
+    taus = _floats(truth.columns[time], there) * scale
+    errors = of_turning_points(ns, given, x, _floats(sheet.column(time), there) * scale, taus)
+    return errors, np.sort(taus) - np.pi * np.sort(ns)
+
+
+def _of_motion(
+    sheet: Sheet, truth: Truth, times: list[Fraction], oscillator: Oscillator, si: bool
+) -> tuple[Errors, Any | None]:
+    """Errors at the true turning points, and the sum of T - pi there."""
+    nothing = Errors(*np.zeros((4, 0)))
+    if "x" not in sheet.columns:
+        return nothing, None
+    everything = list(range(len(times)))
+    omega, length = (float(ball.mid()) if si else 1.0 for ball in (oscillator.omega_0(), oscillator.length()))
+    tau = np.array([float(t) for t in times]) * omega
+    given, x, v = (_floats(cells, everything) for cells in (sheet.column("x"), truth.columns["x"], truth.columns["v"]))
+    last = min(int(tau.max() / np.pi) + 1, _LOOKED_AT)
+    try:
+        points = turning_points(oscillator.dimensionless, last + 1, 15, times=True).points
+    except (UndecidedError, LimitError):
+        return nothing, None
+    ts, sizes = (np.array([abs(float(text or 0)) for text in texts]) for texts in zip(*((p.tau, p.x) for p in points)))
+    errors, ns = of_motion(tau, given / length, x / length, v / (length * omega), (ts, sizes))
+    return errors, errors.tau - np.pi * ns
+
+
+def _floats(texts: Sequence[str | None], places: Sequence[int]) -> Any:
+    return np.array([float(texts[i] or "nan") for i in places])

@@ -1,0 +1,141 @@
+"""The certified values beside which somebody's values are held, in the units of the file.
+
+Whether they are certified is what the routes themselves say: one value that is not makes the comparison say so.
+
+>>> from asymptotics.law import Oscillator
+>>> values = at_turning_points(Oscillator({2: 1}), [0, 1], 10, {"x", "tau"}, si=False)
+>>> values.columns["x"], values.columns["tau"], values.certified
+(['1.000000000', '-0.4107196861'], ['0', '3.380971060'], True)
+"""
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from fractions import Fraction
+
+from flint import arb, ctx, fmpq
+
+from asymptotics.errors import InputError, UndecidedError
+from asymptotics.law import Oscillator
+from asymptotics.motions.reference import reference_motion, reference_states
+from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.exact import ExactReal, parse_rational
+from asymptotics.turning.general import turning_points
+
+_GUARDS = (4, 20, 60)  # digits that a change of units may cost; more where a value is nearly halfway between decimals
+_GAP = 1000  # turning points between two that are asked for, beyond which they are asked for separately
+_FEW = 300  # times that are worth their own certified run each
+
+
+@dataclass(frozen=True)
+class Truth:
+    """Columns of values in decimals, None where there is no such point, and where they come from."""
+
+    columns: dict[str, list[str | None]]
+    certified: bool
+    method: str
+    ended: str = ""
+
+
+def at_turning_points(
+    oscillator: Oscillator, numbers: Sequence[int], digits: int, wanted: set[str], *, si: bool
+) -> Truth:
+    """x, tau, t and amplitude at turning points; the units of ``oscillator`` if ``si``."""
+    if not si:
+        return _at_turning_points(oscillator, numbers, digits, wanted, _unchanged)
+    for guard in _GUARDS:
+        with suppress(UndecidedError), ctx.workprec(bits_for(digits + guard, 32)):
+            units = _Units(oscillator.x0.ball(), oscillator.omega_0(), digits)
+            return _at_turning_points(oscillator, numbers, digits + guard, wanted, units.changed)
+    raise UndecidedError(f"a value in SI is too near to a tie of {digits} digits")
+
+
+def _at_turning_points(
+    oscillator: Oscillator, numbers: Sequence[int], digits: int, wanted: set[str], change: Callable[[str, str], str]
+) -> Truth:
+    found: dict[int, tuple[str, str | None]] = {}
+    certified, methods, ended, law = True, [], "", oscillator.dimensionless
+    for first, last in _runs(sorted(set(numbers))):
+        table = turning_points(law, last - first + 1, digits, start=first, times=bool(wanted & {"tau", "t"}))
+        found |= {point.n: (point.x, point.tau) for point in table.points}
+        certified = certified and table.certified
+        methods.append(table.method)
+        if table.ended:
+            ended = f"turning point {table.ended['n']} is the last: {table.ended['reason']}"
+    columns: dict[str, list[str | None]] = {}
+    for name in wanted:
+        place = int(name in ("tau", "t"))
+        texts = [found[n][place] if n in found else None for n in numbers]
+        columns[name] = [None if text is None else change(name, text) for text in texts]
+    return Truth(columns, certified, "; ".join(dict.fromkeys(methods)), ended)
+
+
+def _unchanged(name: str, text: str) -> str:
+    return text.lstrip("-") if name == "amplitude" else text
+
+
+def at_times(oscillator: Oscillator, times: Sequence[Fraction], digits: int, *, si: bool) -> Truth:
+    """x and v at times, t in s if ``si`` and else tau; both columns are always given."""
+    acting = [t for t in oscillator.law.terms if t.strength.sign > 0]
+    few = len(times) <= _FEW and len(acting) <= 1 and all(str(t.velocity) in "012" for t in acting)
+    if si:
+        moved, scaled = oscillator, [ExactReal(t) for t in times]
+    else:
+        moved, scaled = Oscillator(oscillator.law), [ExactReal(t) for t in times]
+    for t in times:
+        if t < 0:
+            raise InputError("FILE", f"the time {t} is before the start", "times >= 0")
+    if few:
+        points = [reference_motion(moved, t, digits) for t in scaled]
+        columns: dict[str, list[str | None]] = {"x": [p.x for p in points], "v": [p.v for p in points]}
+        return Truth(columns, all(p.certified for p in points), "; ".join(dict.fromkeys(p.method for p in points)))
+    states = reference_states(moved, scaled, digits)
+    with ctx.workprec(states.bits):
+        columns = {
+            name: [decimal_of_ball(value.mid(), digits) for value in values]
+            for name, values in (("x", states.x), ("v", states.v))
+        }
+    return Truth(columns, False, f"half-swing by half-swing, two precisions up to {states.bits} bits agree")
+
+
+@dataclass(frozen=True)
+class _Units:
+    """The unit of length with the sign of the start, omega_0, and the digits wanted in SI."""
+
+    length: arb
+    omega: arb
+    digits: int
+
+    def changed(self, name: str, text: str) -> str:
+        """A decimal in SI, correctly rounded; UndecidedError if the dimensionless one has too few digits for that."""
+        value = ball_of(text)
+        if name in ("x", "amplitude"):
+            value *= self.length
+        elif name == "t":
+            value /= self.omega
+        found = decimal_of_ball(abs(value) if name == "amplitude" else value, self.digits)
+        if found is None and value != 0:
+            raise UndecidedError(f"{name} has no certified {self.digits} digits")
+        return found or "0"
+
+
+def ball_of(decimal: str) -> arb:
+    """Every number that rounds to a decimal: it, give or take half a unit of its last digit; "0" is exact."""
+    if decimal == "0":
+        return arb(0)
+    value = parse_rational(decimal, "decimal")
+    mantissa, _, exponent = decimal.lower().partition("e")
+    places = len(mantissa.partition(".")[2]) - int(exponent or 0)
+    half = Fraction(1, 2) / Fraction(10) ** places
+    return arb(fmpq(value.numerator, value.denominator)) + arb(0, 1) * arb(fmpq(half.numerator, half.denominator))
+
+
+def _runs(numbers: list[int]) -> list[tuple[int, int]]:
+    """The numbers in stretches without large gaps, as (first, last)."""
+    runs: list[tuple[int, int]] = []
+    for n in numbers:
+        if runs and n - runs[-1][1] <= _GAP:
+            runs[-1] = (runs[-1][0], n)
+        else:
+            runs.append((n, n))
+    return runs

@@ -1,0 +1,76 @@
+"""The command compare: its contract, its units, its refusals."""
+
+import json
+
+import pytest
+
+from asymptotics.cli.main import main
+
+
+def call(capsys, *arguments):
+    code = main(["compare", *map(str, arguments)])
+    return code, *capsys.readouterr()
+
+
+@pytest.fixture
+def mine(tmp_path):
+    path = tmp_path / "mine.csv"
+    path.write_text("n,x,tau\n0,1,0\n1,-0.4107197,3.38\n2,-0.2635711,6.58\n")
+    return path
+
+
+def test_the_contract(capsys, mine):
+    code, out, _ = call(capsys, mine, "--alpha", 2, "--epsilon", 1, "--columns", "n,x,tau", "--json")
+    found = json.loads(out)
+    assert code == 0
+    assert found["certified"] is True
+    row = found["rows"][2]
+    assert [row[k] for k in ("line", "n", "column", "given", "certified", "digits")] == [
+        3, 1, "x", "-0.4107197", "-0.41071968606103944670", "7.47"]  # fmt: skip
+    assert [r["digits"] for r in found["rows"] if r["n"] == 2 and r["column"] == "x"] == ["0.00"]  # the wrong sign
+    assert found["summary"]["values"] == 6
+
+
+def test_the_text_the_rows_and_the_plot(capsys, mine, tmp_path):
+    code, out, _ = call(capsys, mine, "--law", "2:1", "--plot", tmp_path / "lost.svg", "--csv", tmp_path / "rows.csv")
+    assert code == 0
+    assert "[" in out
+    assert "certified: true" in out
+    assert (tmp_path / "lost.svg").read_text().startswith("<?xml")
+    assert (tmp_path / "rows.csv").read_text().startswith("line,n,column,given,certified,digits")
+
+
+def test_units(capsys, tmp_path):
+    path = tmp_path / "lab.csv"
+    path.write_text("t [s],x [m]\n0,0.5\n1,-0.19\n")
+    si = ["--mass", 2, "--stiffness", 8, "--x0", "1/2"]
+    by_b = json.loads(call(capsys, path, "--alpha", 2, "--damping", "4/10", *si, "--json")[1])
+    by_epsilon = json.loads(call(capsys, path, "--alpha", 2, "--epsilon", "1/10", *si, "--json")[1])
+    assert by_b["rows"] == by_epsilon["rows"]
+    assert by_b["law"] == by_epsilon["law"] == "2 x'' + 8 x + 2/5 x'|x'| = 0, x(0) = 1/2, x'(0) = 0"
+    assert by_b["rows"][1]["t"] == "1"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["--alpha", 2],
+        ["--alpha", 2, "--epsilon", 1, "--columns", "n,y"],
+        ["--alpha", 2, "--epsilon", 1, "--columns", "n=k,x"],
+        ["--alpha", 2, "--epsilon", 1, "--plot", "a.pdf"],
+        ["--alpha", 2, "--epsilon", 1, "--plot", "no/such/folder.svg"],
+        ["--alpha", 2, "--epsilon", 1, "--digits", 0],
+        ["--alpha", 2, "--damping", 1],
+        ["--alpha", 2, "--damping", 1, "--epsilon", 1, "--mass", 1],
+        ["--alpha", 2, "--epsilon", 1, "--mass", 0],
+        ["--alpha", "3/2", "--epsilon", 1, "--stiffness", 2],
+        ["--alpha", 2, "--epsilon", -1],
+    ],
+)
+def test_bad_input_is_one_line_and_exit_2(capsys, mine, tmp_path, monkeypatch, arguments):
+    monkeypatch.chdir(tmp_path)
+    code, out, err = call(capsys, mine, *arguments)
+    assert (code, out) == (2, "")
+    assert err.count("\n") == 1
+    assert [p.name for p in tmp_path.iterdir()] == ["mine.csv"]
