@@ -211,7 +211,8 @@ def finite_quarter(alphas: Sequence[ExactReal], delta: Sequence[arb], bits: int)
     Tables of coefficients are kept per law and precision.  LimitError if the order would be too high: delta is too near
     the radius, or there are too many laws.
     """
-    radii = _polydisc(tuple(alphas), tuple(float(d) for d in delta))
+    direction = (1.0,) if len(alphas) == 1 else tuple(float(d) for d in delta)
+    radii = _polydisc(tuple(alphas), direction)
     order = _order(radii, delta, bits)
     highest = MAX_ORDER[len(alphas)]
     if order > highest:
@@ -230,14 +231,20 @@ def _order(bound: Majorant, delta: Sequence[arb], bits: int) -> int:
     return _STEP * ceil(max(needed, 1) / _STEP)
 
 
+def series_reach(alpha: ExactReal, bits: int, order: int) -> arb:
+    """The largest delta at which the series of one law needs no more than ``order`` for 2^-bits (by Cauchy's bound)."""
+    bound = _polydisc((alpha,), (1.0,))
+    with ctx.workprec(BITS):
+        return bound.radii[0] * arb(2) ** (-arb(bits + 8) / order)
+
+
 @lru_cache(maxsize=32)
 def _polydisc(alphas: tuple[ExactReal, ...], delta: tuple[float, ...]) -> Majorant:
-    """The largest polydisc found in the direction of ``delta``; for one law it does not depend on delta."""
+    """The largest polydisc found in the direction of ``delta``."""
     with ctx.workprec(BITS):
-        balls = [a.ball() for a in alphas]
         top = max(delta)
-        direction = [arb(1)] if len(alphas) == 1 or top == 0 else [arb(max(d / top, 1e-6)) for d in delta]
-        return widest(balls, direction * (len(balls) // len(direction)))
+        direction = [arb(max(d / top, 1e-6)) if top > 0 else arb(1) for d in delta]
+        return widest([a.ball() for a in alphas], direction)
 
 
 @lru_cache(maxsize=16)

@@ -5,7 +5,8 @@
 ``quadratic_map``       one half-swing of the amplitude: the Lambert W map, as a contraction of balls
 ``quadratic_duration``  the half period: a quadrature without end point singularities, with its error bound
 ``quadratic_series``    exact power series of the map, the half period and their Abel functions
-``quadratic_abel``      the n-th turning point for any n, with a rigorous bound of the truncated series
+``quadratic_abel``      the Abel function from the exact coefficients
+``abel``, ``far``       any alpha > 1: the n-th turning point for any n, with a rigorous bound of the truncated series
 ``quadratic_large``     the half period for large amplitudes
 ``general``             any law: the closed forms where they exist, else two agreeing precisions (not certified)
 ``coulomb``, ``linear`` alpha = 0 and alpha = 1: closed forms, exact and certified; sticking and overdamping

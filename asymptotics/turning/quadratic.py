@@ -18,12 +18,12 @@ from itertools import islice
 from math import ceil, log2
 from typing import Any
 
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, MAX_BITS, bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.turning.quadratic_abel import AbelFunction
+from asymptotics.turning.quadratic_abel import quadratic_abel
 from asymptotics.turning.quadratic_duration import duration, node_count
 from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
 
@@ -119,12 +119,12 @@ def _jump(p0: arb, start: int, times: bool) -> tuple[int, arb, arb]:
     """The turning point ``start`` through the Abel function, from a certified head of the orbit."""
     digits = int(ctx.prec / BITS_PER_DIGIT)
     head = list(islice(amplitudes(p0), min(7 * digits + 200, start)))
-    abel = AbelFunction(terms=12 + digits * 2 // 9, radius=fmpq(1, 4))
-    p = abel.advance(head[-1], start - len(head) + 1)
+    abel = quadratic_abel(terms=12 + digits * 2 // 9)
+    p = 2 * abel.advance(head[-1] / 2, start - len(head) + 1)
     if not times:
         return start, p, arb(0)
     tau = sum((duration(a, b) for a, b in zip(head, head[1:])), arb(0))
-    return start, p, tau + abel.time_between(head[-1], p)
+    return start, p, tau + abel.time_between(head[-1] / 2, p / 2)
 
 
 def _decimals(

@@ -1,0 +1,217 @@
+"""The n-th turning point without iterating, any alpha > 1: a truncated Abel function with a proved bound of its defect.
+
+In the local strength delta = epsilon A^(alpha-1) a half-swing is the map F, of duration T.  The odd Laurent polynomials
+
+    Psi = sum_(k<K) c_k delta^(2k-1),   Psi(F) - Psi - 1 = d,    Theta,  Theta(F) - Theta - T = d,    d = O(delta^(2K))
+
+would give amplitude and time of any turning point at once if the defects d vanished.  The full series diverge; the
+truncated ones are rigorous, because d is analytic near 0 (derivation ``abel-defect``):
+
+* **On a circle |delta| = rho** the majorant of the half-swing (``half_swings.finite_majorant``) bounds |F|, |1/F| and
+  |T|, hence |d| <= D = sum |c_k| (|F|^(2k-1) + rho^(2k-1)) + (1 or |T|).
+* **So** |d(delta)| <= sum_(2K <= m < J) |d_m| delta^m + D (delta/rho)^J/(1 - delta/rho): the next coefficients of the
+  defect as they are, Cauchy's inequality beyond them.
+* **Along the orbit** 1/delta_(j+1) >= 1/delta_j + g, g = (alpha-1) pi M_(alpha+1); (1/delta + g x)^(-m) is convex, so
+
+      sum_(j>=0) delta_j^m <= (1/delta_0 - g/2)^(1-m) / ((m-1) g).
+
+Hence Psi(delta_n) = Psi(delta_M) + (n - M) up to a sum that does not depend on n; delta_n follows by one step of the
+mean value theorem.
+
+>>> from asymptotics.numbers.exact import parse_real
+>>> with ctx.workprec(160):
+...     jump = abel_function(parse_real("3/2", "--alpha"), terms=8)
+...     far = jump.advance(arb(1) / 100, 10**9)
+>>> far.str(20)
+'[1.3910445426199116877e-9 +/- ...]'
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+from flint import arb, ctx
+
+from asymptotics.errors import InputError, UndecidedError
+from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.finite_majorant import BITS, Majorant, majorant, widest
+from asymptotics.half_swings.quarter import half_swing
+from asymptotics.moments.certified import moment
+from asymptotics.numbers.exact import ExactReal
+
+FOLLOWING = 8
+"""How many coefficients of a defect are kept as they are."""
+_SHARES = (0.5, 0.6, 0.7, 0.8, 0.9)
+
+
+@dataclass(frozen=True, eq=False)
+class Approximant:
+    """An odd Laurent polynomial sum c_k delta^(2k-1), the next coefficients of its defect, and D on the circle."""
+
+    coefficients: tuple[arb, ...]
+    following: tuple[arb, ...]
+    circle: arb
+
+    def __call__(self, delta: arb) -> arb:
+        """The value."""
+        square, total = delta * delta, arb(0)
+        for c in reversed(self.coefficients):
+            total = total * square + c
+        return total / delta
+
+    def slope(self, delta: arb) -> arb:
+        """The derivative."""
+        square, total = delta * delta, arb(0)
+        for k in reversed(range(len(self.coefficients))):
+            total = total * square + (2 * k - 1) * self.coefficients[k]
+        return total / square
+
+    def falls_up_to(self, delta: arb) -> bool:
+        """Whether sum_(k>=1) (2k-1) |c_k| delta^(2k) < c_0: then the value decreases on (0, delta]."""
+        rest = sum(((2 * k - 1) * abs(c) * delta ** (2 * k) for k, c in enumerate(self.coefficients) if k), arb(0))
+        return bool(rest < self.coefficients[0])
+
+
+@dataclass(frozen=True, eq=False)
+class AbelFunction:
+    """Psi and Theta of one law with alpha > 1, rigorous on 0 < delta < ``radius``; ``gain`` is g."""
+
+    psi: Approximant
+    theta: Approximant
+    radius: arb
+    gain: arb
+
+    def advance(self, delta: arb, steps: int) -> arb:
+        """The local strength ``steps`` half-swings after the ball ``delta``; ValueError outside (0, radius)."""
+        if not (delta > 0 and delta < self.radius):
+            raise ValueError(f"{delta.str(5)} is not in (0, {self.radius.str(5)})")
+        return self._solve(self.psi(delta) + steps + self.defects(self.psi, delta), delta)
+
+    def time_between(self, first: arb, last: arb) -> arb:
+        """The time from the turning point at ``first`` to a later one at ``last``, in units of 1/omega_0."""
+        return self.theta(last) - self.theta(first) - self.defects(self.theta, first)
+
+    def defects(self, f: Approximant, delta: arb) -> arb:
+        """The sum of all defects of f from the point ``delta`` on, as a ball around 0."""
+        with ctx.workprec(BITS):
+            top = arb(delta.upper())
+            m = 2 * len(f.coefficients)
+            total = sum((c * self.power_sum(top, m + i) for i, c in enumerate(f.following)), arb(0))
+            last, x = m + len(f.following), top / self.radius
+            beyond = f.circle / (1 - x) * self.power_sum(top, last) / self.radius**last
+            if not (x < 1 and beyond.is_finite()):
+                raise UndecidedError("delta is outside the circle on which the defect is bounded")
+            return arb(0, (total + beyond).upper())
+
+    def power_sum(self, delta: arb, m: int) -> arb:
+        """A bound of sum_j delta_j^m along the orbit from ``delta``, m >= 2."""
+        behind = 1 / delta - self.gain / 2
+        if not behind > 0:
+            raise UndecidedError("delta is too large for the sum along the orbit")
+        return behind ** (1 - m) / ((m - 1) * self.gain)
+
+    def _solve(self, value: arb, start: arb) -> arb:
+        """The only delta up to about ``start`` with Psi(delta) = value: Newton, then the mean value theorem."""
+        middle = (self.psi.coefficients[0] / value).mid()
+        for _ in range(ctx.prec.bit_length() + 3):
+            middle = (middle - (self.psi(middle) - value) / self.psi.slope(middle)).mid()
+        guess = middle * (1 + arb(0, arb(2) ** -10))
+        if not (guess < self.radius and self.psi.falls_up_to(arb(guess.union(start).upper()))):
+            raise UndecidedError("the truncated Abel function may not decrease here: use a later head or fewer terms")
+        root = middle + (value - self.psi(middle)) / self.psi.slope(guess)
+        if not guess.contains(root):
+            raise UndecidedError("the enclosure of the turning point was not verified: raise the precision")
+        return root
+
+
+def abel_function(alpha: ExactReal, terms: int) -> AbelFunction:
+    """Psi and Theta with K = ``terms`` coefficients at the current precision, for one law with alpha > 1.
+
+    InputError for alpha <= 1: no Abel function of this form exists there.
+    """
+    if not alpha > 1:
+        raise InputError("alpha", f"{alpha} is not above 1", "an exponent > 1")
+    return _abel_function(alpha, terms, ctx.prec)
+
+
+@lru_cache(maxsize=16)
+def _abel_function(alpha: ExactReal, terms: int, bits: int) -> AbelFunction:
+    with ctx.workprec(bits):
+        order = 2 * terms + FOLLOWING
+        half = half_swing(quarter_swing([alpha], order, max_work=2**62))
+        F = [half.F[0][k] for k in range(1, order + 1)]
+        T = [half.T[k] for k in range(order)]
+        return from_series(alpha, F, T, terms)
+
+
+def from_series(alpha: ExactReal, F: Sequence[arb], T: Sequence[arb], terms: int) -> AbelFunction:
+    """The Abel function from F_1, F_2, … and T_0, T_1, …, 2 ``terms`` of each at least."""
+    (psi, psi_rest), (theta, theta_rest) = (
+        _solved(rise, F, terms) for rise in ([arb(1)] + [arb(0)] * (len(F) - 1), list(T))
+    )
+    return of_coefficients(alpha, (psi, theta), (psi_rest, theta_rest))
+
+
+def of_coefficients(
+    alpha: ExactReal, coefficients: tuple[Sequence[arb], ...], following: tuple[Sequence[arb], ...]
+) -> AbelFunction:
+    """From the coefficients of Psi and Theta, and those of their defects that follow (as many as are known)."""
+    with ctx.workprec(BITS):
+        gain = (alpha.ball() - 1) * arb.pi() * moment(alpha.ball() + 1)
+        power = 2 * len(coefficients[0]) + len(following[0])
+        bound = _circle(alpha, coefficients[0], power)
+        drives = (arb(1), arb.pi() + bound.excess)
+        psi, theta = (
+            Approximant(tuple(c), tuple(abs(d).upper() for d in rest), (_on_circle(c, bound) + drive).upper())
+            for c, rest, drive in zip(coefficients, following, drives, strict=True)
+        )
+    return AbelFunction(psi, theta, bound.radii[0], arb(gain.lower()))
+
+
+def _circle(alpha: ExactReal, coefficients: Sequence[arb], power: int) -> Majorant:
+    """The circle, out of a few, on which the bound of what lies beyond delta^power is smallest."""
+    largest = widest([alpha.ball()], [arb(1)], whole=True).radii[0]
+    circles = [majorant([alpha.ball()], [largest * arb(share)], whole=True) for share in _SHARES]
+    found = [c for c in circles if c is not None]
+    return min(found, key=lambda c: float((_on_circle(coefficients, c) / c.radii[0] ** power).log()))
+
+
+def _on_circle(coefficients: Sequence[arb], bound: Majorant) -> arb:
+    """A bound of |f(F) - f(delta)| on the circle for f = sum c_k delta^(2k-1)."""
+    rho, high, low = bound.radii[0], bound.final(0), bound.inverse()
+    total = abs(coefficients[0]) * (low + 1 / rho)
+    for k, c in enumerate(coefficients[1:], 1):
+        total += abs(c) * (high ** (2 * k - 1) + rho ** (2 * k - 1))
+    return arb(total.upper())
+
+
+def _solved(rise: list[arb], F: Sequence[arb], terms: int) -> tuple[list[arb], list[arb]]:
+    """(c_0, …, c_(terms-1); the coefficients of the defect from delta^(2 terms) on) for f(F) - f = ``rise``.
+
+    Power by power: delta^(2k-1) grows by (2k-1) F_2 delta^(2k) + ….  The odd powers cancel because F is reversible.
+    """
+    n = len(F)
+    rest, found = [-x for x in rise[:n]], []
+    power, square = _inverse(F), _times(F, F)
+    for k in range(terms):
+        grown = [*power[1:], arb(0)] if k == 0 else [arb(0)] * (2 * k - 1) + [power[0] - 1, *power[1:]]
+        c = -rest[2 * k] / grown[2 * k]
+        found.append(c)
+        rest = [a + c * b for a, b in zip(rest, grown)]
+        power = _times(power, square)
+        if any(not rest[i].contains(0) for i in range(2 * k + 2)):
+            raise ArithmeticError("the increments leave a low power: the map is not reversible")
+    return found, rest[2 * terms : n - 1]
+
+
+def _times(a: Sequence[arb], b: Sequence[arb]) -> list[arb]:
+    """The product of two power series, to the length of the first."""
+    return [sum((a[j] * b[i - j] for j in range(i + 1)), arb(0)) for i in range(len(a))]
+
+
+def _inverse(a: Sequence[arb]) -> list[arb]:
+    """1/a for a power series that begins with 1."""
+    found = [arb(1)]
+    for i in range(1, len(a)):
+        found.append(-sum((a[j] * found[i - j] for j in range(1, i + 1)), arb(0)))
+    return found

@@ -1,0 +1,135 @@
+"""The jump lands where the steps do; the bound of its defect is nearly attained, so that half of it would be wrong."""
+
+from itertools import islice
+
+import pytest
+from flint import arb, ctx
+
+from asymptotics.errors import InputError, UndecidedError
+from asymptotics.half_swings.finite import finite_quarter
+from asymptotics.half_swings.finite_majorant import majorant
+from asymptotics.numbers.exact import parse_real
+from asymptotics.turning.abel import Approximant, abel_function
+from asymptotics.turning.far import Point, far_points, series_points
+from asymptotics.turning.quadratic_abel import quadratic_abel
+
+
+def real(text):
+    return parse_real(text, "alpha")
+
+
+def walk(alpha, start, steps):
+    """(delta after the steps, the time they take) by the series of the quarter-swing."""
+    quarter = finite_quarter([real(alpha)], [start], 100)
+    rows = list(islice(quarter.orbit([start], arb(0), arb(0)), steps + 1))
+    x, e, _ = rows[steps]
+    return start * (quarter.weights[0] * (x + arb(0, e))).exp(), sum((row[2] for row in rows[:steps]), arb(0))
+
+
+@pytest.mark.parametrize("alpha", ["3/2", "3", "sqrt(2)"])
+def test_a_ladder_of_jumps_lands_where_the_steps_do(alpha):
+    with ctx.workprec(130):
+        start = (arb(1) / 100).mid()
+        reached, time = walk(alpha, start, 300)
+    for bits, terms in ((40, 2), (80, 4), (120, 7)):
+        with ctx.workprec(bits):
+            abel = abel_function(real(alpha), terms)
+            jump = abel.advance(start, 300)
+            between = abel.time_between(start, jump)
+        assert jump.contains(reached.mid())
+        assert between.contains(time.mid())
+        assert jump.rel_accuracy_bits() > min(bits - 22, 8 * terms)
+
+
+# Found by search: exponent, K, delta, and the part of the bound that the defects along 600 half-swings attain.
+ATTAINED = [("3/2", 3, "0.005", 0.93), ("2", 2, "0.02", 0.9), ("3", 2, "0.005", 0.93), ("3", 3, "0.02", 0.75)]
+
+
+@pytest.mark.parametrize(("alpha", "terms", "delta", "share"), ATTAINED)
+def test_half_the_defect_or_one_coefficient_less_would_be_wrong(alpha, terms, delta, share):
+    with ctx.workprec(130):
+        abel, start = abel_function(real(alpha), terms), arb(delta).mid()
+        reached, time = walk(alpha, start, 600)
+        for f, rise in ((abel.psi, arb(600)), (abel.theta, time)):
+            bound = abel.defects(f, start).rad()
+            defect = abs(f(reached) - f(start) - rise)
+            assert bound * share < defect < bound
+            shorter = Approximant(f.coefficients[:-1], f.following, f.circle)
+            assert not abs(shorter(reached) - shorter(start) - rise) < bound
+
+
+@pytest.mark.parametrize(("alpha", "terms"), [("3/2", 2), ("3", 3)])
+def test_the_sum_along_the_orbit_is_a_bound_and_a_close_one(alpha, terms):
+    with ctx.workprec(100):
+        abel, start = abel_function(real(alpha), terms), arb("0.02").mid()
+        quarter = finite_quarter([real(alpha)], [start], 80)
+        deltas = [
+            start * (quarter.weights[0] * x).exp() for x, _, _ in islice(quarter.orbit([start], arb(0), arb(0)), 800)
+        ]
+        for m in (4, 6, 9):
+            total = sum((d**m for d in deltas), arb(0))
+            assert total < abel.power_sum(start, m) < total / arb("0.99")
+        steps = [1 / b - 1 / a for a, b in zip(deltas, deltas[1:])]
+        assert all(abel.gain < step < abel.gain * arb("1.001") for step in steps)
+
+
+def test_the_circle_bounds_the_map():
+    # alpha = 2 on the real points of the circle: F = delta - (4/3) delta^2 + …, exactly by the Lambert W function.
+    with ctx.workprec(100):
+        rho = arb("0.3").mid()
+        bound = majorant([arb(2)], [rho], whole=True)
+        for side in (1, -1):
+            y = -(1 + 2 * side * rho) * (-(1 + 2 * side * rho)).exp()
+            image = abs(1 + y.lambertw(0 if side > 0 else -1)) / 2
+            assert image < bound.final(0)
+            assert 1 / image < bound.inverse()
+        assert bound.final(0) < image * 2
+        assert bound.inverse() < 2 / rho
+
+
+def test_the_exact_coefficients_of_the_quadratic_law_are_contained():
+    with ctx.workprec(120):
+        general, exact = abel_function(real("2"), 6), quadratic_abel(6)
+        for f, g in ((general.psi, exact.psi), (general.theta, exact.theta)):
+            for a, b in zip(f.coefficients, g.coefficients, strict=True):
+                assert a.overlaps(b)
+                assert a.rad() < arb(10) ** -25
+        assert general.defects(general.psi, arb("0.01")).rad() < exact.defects(exact.psi, arb("0.01")).rad()
+
+
+def test_a_wrong_coefficient_is_noticed():
+    with ctx.workprec(130):
+        abel, start = abel_function(real("3"), 4), (arb(1) / 100).mid()
+        reached, _ = walk("3", start, 200)
+        psi = abel.psi
+        wrong = Approximant(
+            (*psi.coefficients[:2], psi.coefficients[2] * arb("1.01"), *psi.coefficients[3:]), psi.following, psi.circle
+        )
+        assert not type(abel)(wrong, abel.theta, abel.radius, abel.gain).advance(start, 200).overlaps(reached)
+
+
+def test_a_far_point_is_one_jump_from_any_head():
+    with ctx.workprec(130):
+        alpha, epsilon = real("3/2"), arb(1) / 40
+        origin = Point(0, arb(0), arb(0))
+        near = finite_quarter([alpha], [epsilon], 110)
+        lead = list(islice(series_points(near, epsilon, origin), 30))
+        found = [next(far_points(alpha, epsilon, head, 10**9)) for head in ([origin], lead[29:])]
+        assert found[0].log.overlaps(found[1].log)
+        assert found[0].tau.overlaps(found[1].tau)
+        assert min(found[0].log.rel_accuracy_bits(), found[0].tau.rel_accuracy_bits()) > 100
+        following = list(islice(far_points(alpha, epsilon, [origin], 10**9), 2))
+        assert following[1].n == 10**9 + 1
+        assert following[1].tau > following[0].tau + arb("3.14")
+        assert next(far_points(alpha, epsilon, lead, 7)).n == 7
+
+
+def test_what_is_out_of_reach_is_refused():
+    with ctx.workprec(80):
+        with pytest.raises(InputError, match="not above 1"):
+            abel_function(real("1"), 4)
+        abel = abel_function(real("3"), 4)
+        with pytest.raises(ValueError, match="is not in"):
+            abel.advance(arb("0.5"), 10)
+        with pytest.raises(UndecidedError, match="circle"):
+            abel.defects(abel.psi, abel.radius * arb("1.01"))
