@@ -5,7 +5,7 @@ WORKERS ?= auto
 PIP = $(VENV)/bin/python -m pip install --disable-pip-version-check --quiet
 RUN = $(VENV)/bin/python -m
 
-.PHONY: reproduce test test-thorough matrix lint benchmarks mutants clean
+.PHONY: reproduce test test-thorough matrix lint docs benchmarks mutants clean
 
 reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
@@ -31,6 +31,11 @@ matrix:
 lint: $(VENV)/.test
 	$(RUN) ruff check .
 	$(RUN) mypy
+
+# The pages in build/docs, offline and without a script; warnings are errors, every code block is run.
+docs: $(VENV)/.docs
+	$(RUN) sphinx -W --keep-going -q -b html docs build/docs
+	$(RUN) sphinx -W --keep-going -q -b doctest docs build/doctest
 
 # Ratios beside the peers; they live in an environment of their own, and what cannot be installed is said to be missing.
 benchmarks: $(VENV)/.test .peers/.ready
@@ -61,6 +66,11 @@ $(VENV)/.tools: requirements/test.txt $(VENV)/.lock
 $(VENV)/.test: $(VENV)/.tools $(VENV)/.reproduce
 	touch $@
 
+$(VENV)/.docs: requirements/docs.txt $(VENV)/.test
+	@echo "Adding the tools of the docs to $(VENV) (once) ..."
+	$(PIP) --require-hashes --only-binary :all: -r requirements/docs.txt
+	touch $@
+
 .peers/.ready: requirements/peers.txt
 	$(PYTHON) -m venv --clear .peers
 	.peers/bin/python -m pip install --disable-pip-version-check --quiet --require-hashes --only-binary :all: -r $< || echo "no peers: only our own times are measured"
@@ -71,4 +81,4 @@ $(VENV)/.mutants: requirements/mutants.txt $(VENV)/.test
 	touch $@
 
 clean:
-	rm -rf build .peers $(VENV) .venv-*
+	rm -rf build docs/auto_gallery .peers $(VENV) .venv-*

@@ -16,7 +16,7 @@ powsimp, diff = sympy.powsimp, sympy.diff
 derivation = Derivation(
     "creep",
     "Creep for 0 < alpha < 1",
-    source="DESIGN 6; turning_points.swing",
+    source="theory page ``finite_strength``; asymptotics.swing",
 )
 step, holds = derivation.step, derivation.holds
 

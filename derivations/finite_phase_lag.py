@@ -19,7 +19,7 @@ diff = sympy.diff
 derivation = Derivation(
     "finite-phase-lag",
     "The phase correction and its finite total",
-    source="DESIGN 2, phase correction; Lancaster 2020 neglects it, below (9)",
+    source="theory page ``slow_flow``; Lancaster 2020 neglects it, below (9)",
 )
 step, holds = derivation.step, derivation.holds
 

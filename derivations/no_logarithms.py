@@ -20,7 +20,7 @@ ORDER = 8
 derivation = Derivation(
     "no-logarithms",
     "Why no logarithm appears for a single law",
-    source="DESIGN 2; asymptotics.normal_form.flow",
+    source="theory page ``half_swing``; asymptotics.normal_form.flow",
 )
 step, holds = derivation.step, derivation.holds
 

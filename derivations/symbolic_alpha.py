@@ -28,7 +28,7 @@ ORDER = 4
 derivation = Derivation(
     "symbolic-alpha",
     "One law, any exponent: closed forms through fourth order",
-    source="DESIGN 2; asymptotics.half_swings.symbolic, asymptotics.normal_form.symbolic",
+    source="theory page ``closed_forms``; asymptotics.half_swings.symbolic, asymptotics.normal_form.symbolic",
 )
 step, holds = derivation.step, derivation.holds
 

@@ -1,4 +1,4 @@
-"""Envelopes: A(tau), tau(A) and phi(tau), first order for every law, higher order for one law (DESIGN 2).
+"""Envelopes: A(tau), tau(A) and phi(tau), first order for every law, any order for one (theory page ``slow_flow``).
 
 ====================  ==================================================================================
 ``symbolic``          one law, first order, any exponent: Lancaster (13), Table I, phase, total lag; Lelas

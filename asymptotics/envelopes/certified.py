@@ -4,7 +4,7 @@ With s = -ln A and g(s) = sum_i kappa_i e^(-(alpha_i-1)s) > 0 the law is ds/dtau
 
     tau(A) = int_0^s dr/g(r),    phi(A) = -int_0^s (sum_ij w_ij delta_i delta_j)/g dr,
     delta_i = eps_i e^(-(alpha_i-1)r),
-    w_ij = alpha_i alpha_j M_(alpha_i+alpha_j)/((alpha_i+1)(alpha_j+1))        (second order of W, DESIGN 2).
+    w_ij = alpha_i alpha_j M_(alpha_i+alpha_j)/((alpha_i+1)(alpha_j+1))        (derivation ``second-order-sums``).
 
 *One law*: closed forms.  *Two laws*: tau from 2F1(1, a; a+1; z) with z < 0 (``hypergeometric``): for rational a by q
 complex logarithms, else by Arb, which must be told that a+b-c = 0 (without the flag the enclosure is valid and

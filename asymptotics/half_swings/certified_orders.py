@@ -1,7 +1,7 @@
 """The orders of the quarter swing, computed twice by one recursion: in truncated power series, and in bounds.
 
 **Variables.**  On the quarter swing from the turning point (θ = 0) to the equilibrium passage (θ = π/2) put
-θ = (π/2) u, t = u², and R = ln r, P_i = e^{(α_i−1) R}, S = Σ δ_i P_i s^{α_i}, Y = S/(1 − c S).  DESIGN §2 becomes
+θ = (π/2) u, t = u², and R = ln r, P_i = e^{(α_i−1) R}, S = Σ δ_i P_i s^{α_i}, Y = S/(1 − c S).  The equations become
 
     Y = S (1 + c Y),   θ dR/dθ = −θ s Y,   θ dP_i/dθ = (1−α_i) θ s Y P_i,   θ dτ/dθ = θ (1 + c Y),
 

@@ -1,4 +1,4 @@
-"""The moments M_p = <|sin|^p>: the one family of averages everything is made of (DESIGN 1).
+"""The moments M_p = <|sin|^p>: the one family of averages everything is made of (theory page ``closed_forms``).
 
 ==============  ==========================================================================================
 ``symbolic``    M_p as a SymPy expression, rational or rational/pi for integer p; Lelas' replacement

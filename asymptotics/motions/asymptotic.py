@@ -6,7 +6,7 @@ Order N: dA/d tau and d psi/d tau with p_k and Omega_k for k <= N, and the wavef
 
 Order 1 is Lancaster (13), x = x0 A(t) cos(omega_0 t).  The start is part of the expansion: A(0) and phi(0) solve this
 equation at t = 0.  In another gauge than the turning-point gauge the slow equations are those of the gauge, and the
-waveform is reached through c(delta) (DESIGN 3: at fixed psi nothing else may be expanded).
+waveform is reached through c(delta) (theory page ``gauges``: at fixed psi nothing else may be expanded).
 
 ``error`` is an estimate, not a bound: twice what the orders N + 1 and N + 2 change in amplitude, phase and waveform;
 for delta > 1 at the start at least the whole unit of length, with a note.

@@ -5,7 +5,7 @@
   two working precisions; step sizes and the lengths of all series differ between them.  ``error`` is ten times the
   difference of the two, and half a unit of the last digit.  Strong evidence, not a proof: ``certified`` is False.
 
-Against a naive |v| (PEERS 4): heyoka without an event is wrong in the third digit, mpmath.odefun in the fourth.
+Against a naive |v|, measured: heyoka without an event is wrong in the third digit, mpmath.odefun in the fourth.
 
 >>> from asymptotics.law import Law
 >>> drag = Oscillator(Law({"3/2": "1/10"}), mass="3/2", stiffness="30", x0="1/5")

@@ -1,4 +1,4 @@
-"""The three gauges of the normal form, and the exact maps between them (DESIGN 3).
+"""The three gauges of the normal form, and the exact maps between them (theory page ``gauges``).
 
 z = X - i X' = A e^(i psi) Z(psi, delta) leaves one freedom: A e^(i psi) -> A e^(i psi) c(delta) with c(0) = 1.
 

@@ -124,7 +124,7 @@ def test_explicit_forms_agree_with_the_inversion():
 
 @pytest.mark.parametrize("text", ["0", "1", "3", "3/2", "1/2", "1 2", "0 2", "2 3", "0 1 2"])
 def test_phase_against_quadrature(text):
-    """phi = -int sum w_ij delta_i delta_j dtau, the integrand from DESIGN 2, by mpmath."""
+    """phi = -int sum w_ij delta_i delta_j dtau, the integrand from the theory page ``slow_flow``, by mpmath."""
     with mp.workdps(25), ctx.workprec(120):
         laws, pairs = laws_of(text), mp_laws(text)
         strengths = [k / moment(a.ball() + 1) for a, k in laws]

@@ -76,7 +76,7 @@ def mp_bounds(ball: arb) -> tuple[mpmath.mpf, mpmath.mpf]:
 
 @pytest.mark.parametrize("text", ALPHAS)
 def test_two_orders_by_quadrature(text: str) -> None:
-    """Expanding DESIGN §2: R_1' = −s^(α+1), R_2' = (α−1) R_1 R_1' − s^(2α+1) c, and
+    """Expanding the half-swing equations: R_1' = −s^(α+1), R_2' = (α−1) R_1 R_1' − s^(2α+1) c, and
 
     τ_1' = s^α c, τ_2' = (α−1) R_1 s^α c + s^(2α) c²; R_1(θ) = −½ B(sin²θ; (α+2)/2, 1/2), incomplete beta function.
     """

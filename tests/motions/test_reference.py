@@ -93,7 +93,7 @@ def test_many_times_come_back_in_their_order():
 
 
 def test_creep_follows_its_law_and_strong_damping_comes_back():
-    """Creep (alpha = 1/2, eps = 1): x tau -> 1 by the law of DESIGN 6.  alpha = 3, b = 30: x passes 0 all the same."""
+    """Creep (alpha = 1/2, eps = 1): x tau -> 1 (derivation ``creep``).  alpha = 3, b = 30: x passes 0 all the same."""
     slow = reference_motion(oscillator(("1/2", "1")), "200", 12)
     assert abs(float(slow.x) * 200 - 1) < 0.05
     strong = oscillator(("3", "30"), x0="1")

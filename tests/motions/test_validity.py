@@ -15,7 +15,8 @@ def test_the_third_order_is_better_than_the_first(alpha):
 
 
 def test_the_phase_lag_of_first_order_saturates_at_the_closed_form():
-    # alpha = 3: the total lag is 15/64 epsilon (DESIGN 2); order 1 has phase 0, so its error tends to it from below.
+    # alpha = 3: the total lag is 15/64 epsilon (derivation ``finite-phase-lag``);
+    # order 1 has phase 0, so its error tends to it from below.
     errors = turning_point_errors("3", "1/10", 1, 60)
     assert 0.8 * 15 / 640 < errors.phase[-1] < 15 / 640 * 1.05
     assert np.all(np.diff(errors.phase) > 0)

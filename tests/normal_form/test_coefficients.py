@@ -47,7 +47,7 @@ def test_closed_forms_round_to_the_certified_digits(text, gauge):
 
 
 def test_the_gauges_of_cubic_damping():
-    # PEERS 3.1: averaging (complex) variables -567/8192 and -27/256; no first harmonic in X: -351/8192 and +9/256.
+    # Other software: averaging (complex) -567/8192 and -27/256; no first harmonic in X: -351/8192 and +9/256.
     found = {g: expansion_coefficients(reals("3"), 3, 10, g, exact_only=True) for g in GAUGES}
     assert [found[g].frequency["2"].exact for g in GAUGES] == ["-45/256", "-27/256", "9/256"]
     assert [found[g].amplitude["3"].exact for g in GAUGES] == ["45/4096", "567/8192", "351/8192"]

@@ -23,7 +23,7 @@ def exponents(*texts: str) -> list[ExactReal]:
 
 
 def moment(p: arb) -> arb:
-    """M_p = Γ((p+1)/2)/(√π Γ(p/2+1)) (DESIGN §1)."""
+    """M_p = Γ((p+1)/2)/(√π Γ(p/2+1)) (theory page ``closed_forms``)."""
     return ((p + 1) / 2).gamma() / (arb.pi().sqrt() * (p / 2 + 1).gamma())
 
 
@@ -34,7 +34,7 @@ def agree(a: object, b: object) -> bool:
 
 @pytest.mark.parametrize("text", ["1/2", "3/4", "13/7", "5/3", "sqrt(2)", "2", "19/5", "7", "0", "1"])
 def test_closed_forms_for_one_law(text: str) -> None:
-    """DESIGN §2: U_1, U_3 and W_2 in moments; at α = 2, W_2 = (2/3)² M_4 = 1/6."""
+    """Theory page ``closed_forms``: U_1, U_3 and W_2 in moments; at α = 2, W_2 = (2/3)² M_4 = 1/6."""
     with ctx.workprec(160):
         a, s = exponents(text)[0].ball(), expansions(exponents(text), 4)
         assert agree(s["U"][1], -moment(a + 1))
@@ -47,7 +47,7 @@ def test_closed_forms_for_one_law(text: str) -> None:
 
 
 def test_second_order_for_two_laws() -> None:
-    """W = 1 + Σ_ij α_i α_j/((α_i+1)(α_j+1)) M_(α_i+α_j) δ_i δ_j (DESIGN §2)."""
+    """W = 1 + Σ_ij α_i α_j/((α_i+1)(α_j+1)) M_(α_i+α_j) δ_i δ_j (derivation ``second-order-sums``)."""
     for texts in combinations_with_replacement(["1/2", "1", "5/3", "sqrt(2)"], 2):
         if texts[0] != texts[1]:
             with ctx.workprec(160):

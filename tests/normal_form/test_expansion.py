@@ -30,7 +30,7 @@ def test_verify_confirms_and_measures_the_order(gauge, alphas, order):
 
 
 def test_verify_refutes_a_wrong_coefficient():
-    """PEERS: -567/8192 beside a no-first-harmonic waveform; here a flow of one gauge under the map of another."""
+    """Maxima: -567/8192 beside a no-first-harmonic waveform; here a flow of one gauge under the map of another."""
     right, other = exact_expansion((3,), 3, "no-first-harmonic"), exact_expansion((3,), 3, "averaging")
     wrong = type(right)(right.gauge, right.arithmetic, right.order, other.flow, right.half, right.gauge_map)
     found = verify(wrong)

@@ -12,7 +12,7 @@ from asymptotics.normal_form.flow import flow_of
 from asymptotics.normal_form.gauges import gauge_map
 from asymptotics.normal_form.observables import observables
 
-# x'^3: Omega_2 and p_3 in the three gauges (PEERS 3.1: a' = -567/8192, -351/8192; 45/4096 from the closed form of p_3)
+# x'^3: Omega_2 and p_3 in the three gauges (45/4096 from the closed form of p_3)
 CUBIC = {
     TURNING_POINT: (fmpq(-45, 256), fmpq(45, 4096)),
     AVERAGING: (fmpq(-27, 256), fmpq(567, 8192)),

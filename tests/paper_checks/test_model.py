@@ -22,7 +22,7 @@ def test_rows_obey_the_differential_equation_in_sympy():
 
 
 def test_leading_and_constant_coefficients():
-    # f_n(0) = (-1)^((n-1)/2)/n and C_(n-1)^n = product of 2(k-1)/(2k-1): KERNELS.md, closed forms
+    # f_n(0) = (-1)^((n-1)/2)/n and C_(n-1)^n = product of 2(k-1)/(2k-1): by induction from (60h)
     product = Fraction(1)
     for n in range(2, 30):
         product *= Fraction(2 * (n - 1), 2 * n - 1)

@@ -91,7 +91,7 @@ def test_against_an_ordinary_integrator(pairs):
 
 
 def test_the_peers_regression_values_and_their_silent_errors():
-    """PEERS 3.5 (alpha = 2, b = 1/10, restarted at each turn) and 4 (naive: T_2 = 6.28701 or 6.29050)."""
+    """Against DOP853 (alpha = 2, b = 1/10, restarted at each turn; naive: T_2 = 6.28701 or 6.29050)."""
     found, _ = turns(damping(("2", "1/10")), 6)
     assert gap(found[0][1], "3.146222556011008823268123806") < 1e-26
     assert gap(found[0][0], "-0.8821899862473063793189518542") < 1e-26
@@ -141,7 +141,7 @@ def test_no_overdamping_above_one_however_strong():
 
 
 def test_half_power_comes_to_rest_in_finite_time_at_a_discrete_strength():
-    """delta_0 = 0.8370887974... (DESIGN 6): below it the mass passes X = 0, above it creeps; at it, neither."""
+    """delta_0 = 0.8370887974... (theory page ``finite_strength``): passes X = 0 below it, creeps above it."""
     found, reason = turns(damping(("1/2", "0.8370887974")), 1)
     assert reason is None and -arb(10) ** -10 < found[0][0] < 0
     assert turns(damping(("1/2", "0.8370887975")), 1) == ([], "creeps")

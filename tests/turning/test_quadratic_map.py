@@ -45,7 +45,7 @@ def test_the_chain_keeps_its_digits_where_the_naive_one_dies():
         for _ in range(120):
             y = 1 + naive
             naive = 1 + (-y * (-y).exp()).lambertw()
-        assert not naive.is_finite()  # PEERS: NaN at step 32, 106, 419 with 50, 200, 1000 digits
+        assert not naive.is_finite()  # measured: NaN at step 32, 106, 419 with 50, 200, 1000 digits
 
 
 def test_against_mpmath_at_higher_precision():

@@ -1,0 +1,51 @@
+"""Sphinx: MyST pages, MathML without a network, executed code, a gallery that runs, warnings as errors."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent / "extensions"))
+
+from asymptotics import __version__
+
+project = "power-law-oscillator"
+author = "The power-law-oscillator authors"
+project_copyright = author
+release = __version__
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.doctest",
+    "sphinx_gallery.gen_gallery",
+    "offline_math",
+    "plain_docstrings",
+    "gallery_style",
+]
+exclude_patterns = ["extensions", "gallery"]
+myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence"]
+myst_heading_anchors = 3
+html_theme = "furo"
+html_title = "power-law-oscillator"
+html_math_renderer = "offline_mathml"
+html_show_sphinx = False
+html_copy_source = False
+templates_path: list[str] = []
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+doctest_global_setup = "import numpy as np\nimport sympy\nimport asymptotics as asy"
+doctest_default_flags = 8 | 4  # ELLIPSIS, NORMALIZE_WHITESPACE
+sphinx_gallery_conf = {
+    "examples_dirs": "gallery",
+    "gallery_dirs": "auto_gallery",
+    "filename_pattern": "plot_",
+    "download_all_examples": False,
+    "show_memory": False,
+    "show_signature": False,
+    "abort_on_example_error": True,
+    "plot_gallery": True,
+    "reset_modules": ("gallery_style.reset",),
+    "write_computation_times": False,
+    "min_reported_time": 1000,
+    "copyfile_regex": "",
+    "within_subsection_order": "FileNameSortKey",
+}

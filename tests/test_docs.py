@@ -1,0 +1,66 @@
+"""The docs: shell examples print what is shown, pages are reachable, references exist, the gallery asks."""
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from asymptotics.cli.main import main
+from derivations.__main__ import names
+
+ROOT = Path(__file__).parents[1]
+PAGES = sorted((ROOT / "docs").rglob("*.md"))
+GALLERY = sorted((ROOT / "docs/gallery").glob("plot_*.py"))
+EXAMPLES = [
+    (page.name, *example)
+    for page in PAGES
+    for block in re.findall(r"```console\n(.*?)```", page.read_text(), re.DOTALL)
+    for example in re.findall(r"^\$ asymptotics (.*?)\n(.*?)(?=^\$ |\Z)", block, re.DOTALL | re.MULTILINE)
+]
+
+
+@pytest.mark.parametrize(("page", "command", "output"), EXAMPLES, ids=lambda text: text[:40])
+def test_the_docs_show_what_is_printed(capsys, page, command, output):
+    assert main(shlex.split(command)) == 0
+    assert capsys.readouterr().out == output
+
+
+def test_every_page_stands_in_the_contents():
+    contents = (ROOT / "docs/index.md").read_text()
+    for page in PAGES:
+        name = str(page.relative_to(ROOT / "docs").with_suffix(""))
+        assert name == "index" or re.search(rf"^{name}$", contents, re.MULTILINE), name
+
+
+def test_every_gallery_page_asks_draws_and_asserts():
+    assert len(GALLERY) >= 12
+    for path in GALLERY:
+        text = path.read_text()
+        title = text.split("\n")[1]
+        assert "?" in title or "amplitude" in title or "Creep" in title, path.name
+        assert "plt.subplots" in text and re.search(r"^assert ", text, re.MULTILINE), path.name
+
+
+def test_the_derivations_that_the_docs_name_exist():
+    known, cited = set(names()), set()
+    for page in PAGES:
+        for group in re.findall(r"[Dd]erivations? (`[\w-]+`(?:, `[\w-]+`)*)", page.read_text()):
+            cited |= set(re.findall(r"`([\w-]+)`", group))
+    assert len(cited) >= 10 and cited <= known, cited - known
+
+
+def test_cited_theory_pages_exist():
+    pages = {path.stem for path in (ROOT / "docs/theory").glob("*.md")}
+    cited = set()
+    for folder in ("asymptotics", "derivations", "paper_checks", "tests"):
+        for path in (ROOT / folder).rglob("*.py"):
+            cited |= set(re.findall(r"theory page\s+``([\w-]+)``", path.read_text()))
+    assert cited and cited <= pages, cited - pages
+
+
+def test_no_document_outside_the_repository_is_cited():
+    for folder in ("asymptotics", "derivations", "paper_checks", "docs", "benchmarks"):
+        for path in [*(ROOT / folder).rglob("*.py"), *(ROOT / folder).rglob("*.md"), *(ROOT / folder).rglob("*.j2")]:
+            found = re.findall(r"\b(?:DESIGN|CERTIFY|SPRINGS|KERNELS|PEERS)(?: §?\d|\.md)", path.read_text())
+            assert not found, f"{path.relative_to(ROOT)} cites {found[0]}"
