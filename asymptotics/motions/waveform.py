@@ -1,7 +1,8 @@
 """The waveform Z(psi, delta) of the turning-point gauge, for any exponents: every coefficient by one quadrature.
 
 X - i X' = A e^(i psi) Z, Z = 1 + sum_n delta^n Z_n(psi), Z_n pi-periodic, Z(0) = 1 (theory page ``gauges``).  Put
-Z = P + i Q, s = sin psi, c = cos psi.  On 0 < psi < pi the equation of motion is, with U = d ln A/d psi and W = d tau/d psi,
+Z = P + i Q, s = sin psi, c = cos psi.  On 0 < psi < pi the equation of motion is, with U = d ln A/d psi and
+W = d tau/d psi,
 
     P' = -(W-1) Q - (U + U D) P - W s F,     F = sum_i delta_i s^alpha_i g^alpha_i,
     Q' = (W-1) P - (U + U D) Q - W c F,
