@@ -7,6 +7,7 @@
 ``hypergeometric``    two laws, first order: tau(A) by 2F1, printed and companion form, elementary form
 ``certified``         one or more laws, first order: tau(A), A(tau), extinction, phase as balls
 ``numeric``           the same for NumPy arrays: heuristic floats
+``slow_flow``         any laws, any order: the truncated equations solved, in balls and for arrays (``motions``)
 ``first_order``       all of it for an oscillator in SI units
 ``validity``          where dA/dt << omega_0 A
 ====================  ==================================================================================

@@ -3,7 +3,6 @@
 =================  ==========================================================================================
 ``asymptotic``     order N in a named gauge: amplitude, phase and waveform; arrays in doubles
 ``waveform``       Z_n(psi) of the turning-point gauge for any exponents, by quadrature
-``slow_flow``      the truncated amplitude and phase equations, solved; fictitious extinction
 ``reference``      any law to any number of digits, half-swing by half-swing; exact cases certified
 ``coulomb``        alpha = 0: exact, with sticking, static friction, stop time and place; certified
 ``linear``         alpha = 1: exact, under-, critically and over-damped; certified

@@ -128,14 +128,63 @@ def test_a_time_before_the_start_is_refused_by_name():
 
 
 def test_beyond_the_fictitious_extinction_the_answer_says_so():
-    """alpha = 0, order 1: A = 1 - (2/pi) eps tau is extinct at tau = pi/(2 eps) = 15.708 for eps = 1/10."""
-    motion = AsymptoticMotion.of(oscillator(("0", "1/10")), 1)
-    found = motion.sample([15.0, 15.7, 15.71, 1e6])
-    assert found.extinction == pytest.approx(5 * np.pi, rel=1e-12) and found.extinct == 2
-    assert found.amplitude[1] == pytest.approx(1 - 0.2 / np.pi * 15.7, abs=1e-12)
-    assert list(found.x[2:]) == [0, 0] and "extinction" in found.notes[0]
-    point = motion.at("16", 10)
+    """alpha = 1/2, order 1: sqrt(A) = 1 - kappa tau/2 is extinct at tau = 2/kappa."""
+    motion = AsymptoticMotion.of(oscillator(("1/2", "1/10")), 1)
+    end = 2 / float(motion.oscillator.kappas()[0])
+    found = motion.sample([end - 0.1, end + 0.1, 1e6])
+    assert found.extinction == pytest.approx(end, rel=1e-12) and found.extinct == 2
+    assert found.amplitude[0] == pytest.approx((0.05 / end * 2 * 1) ** 2, rel=0.01)
+    assert list(found.x[1:]) == [0, 0] and "extinction" in found.notes[0]
+    point = motion.at(str(round(end + 1, 3)), 10)
     assert (point.x, point.v, point.amplitude, point.phase) == ("0", "0", "0", None) and "extinction" in point.notes[0]
+    assert point.error == "1.0"  # all that the energy says of a motion that creeps
+
+
+STICKING = [  # law, start, time, order: the expansion knows the stop
+    ({"0": "0.22"}, {"x0": 1}, "7.1", 3),
+    ({"0": "0.3"}, {"x0": "0.46"}, "20", 3),  # back on the side it came from
+    ({"0": "0.3"}, {"x0": "0.46"}, "2", 2),
+    ({"0": "0.1"}, {"x0": "0.46", "v0": "-0.48"}, "30", 3),  # at -1/10
+    ({"0": 1}, {"x0": "0.5"}, "2", 3),  # it never starts
+    ({"0": "0.25"}, {"x0": "1.25"}, "9", 4),  # a tie: it sticks at eps itself
+]
+
+
+@pytest.mark.parametrize(("law", "start", "time", "order"), STICKING)
+def test_dry_friction_alone_is_exact_from_order_2_on(law, start, time, order):
+    found = AsymptoticMotion.of(Oscillator(law, **start), order)
+    expected = {"7.1": "0.12", "20": "0.14", "30": "-0.1", "9": "0.25"}.get(time)
+    point = found.at(time, 12)
+    if expected is not None:
+        assert Fraction(point.x) == Fraction(expected)
+        assert point.v == "0" and "dry friction holds" in point.notes[-1]
+    else:
+        exact = reference_motion(Oscillator(law, **start), time, 15)
+        assert float(point.x) == pytest.approx(float(exact.x), abs=1e-11)
+    assert float(point.error) < 1e-11
+    at = found.sample([0.0, float(time)])
+    assert at.x[1] == pytest.approx(float(point.x), abs=1e-7)
+    assert at.x[0] == pytest.approx(float(Fraction(start["x0"])), abs=1e-9)
+
+
+def test_friction_beside_another_law_stops_too():
+    """x'' + x + 0.22 sgn x' + 0.01 x' = 0 sticks at 0.1027338...: what the file of times shows, and the point says."""
+    motion = AsymptoticMotion.of(oscillator(("0", "0.22"), ("1", "0.01")), 5)
+    point = motion.at("6663/968", 12)
+    assert point.x == "0.102733784854" and point.v == "0"
+    found = motion.sample(np.linspace(6.4, 30, 7))
+    assert np.ptp(found.x) == 0 and found.x[0] == pytest.approx(0.102733784854, abs=1e-7)
+    assert set(found.v) == {0} and found.extinct == 0
+
+
+def test_samples_of_a_single_time_and_of_no_time():
+    motion = AsymptoticMotion.of(DRAG, 3)
+    assert motion.sample(0.0).x == pytest.approx(0.2) and motion.sample(0.0).x.shape == ()
+    assert motion.sample([]).x.shape == (0,)
+    assert np.isnan(motion.sample([np.nan]).x).all()
+    for bad in ("x", [None, "1"], [1j], [-1.0], [np.inf], object()):
+        with pytest.raises(InputError, match="time"):
+            motion.sample(bad)
 
 
 def test_no_damping_and_a_term_of_strength_zero():

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
+from asymptotics.envelopes.slow_flow import ExponentialSum, SlowLaw
 from asymptotics.errors import InputError
-from asymptotics.motions.slow_flow import ExponentialSum, SlowLaw
 
 
 def law(*terms, phase=()):

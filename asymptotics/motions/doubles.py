@@ -1,0 +1,153 @@
+"""The same frame for arrays of times, in doubles: tables of the waveform, and of the slow flow as far as it is asked.
+
+Heuristic floats throughout: nothing here is an enclosure.
+"""
+
+from dataclasses import dataclass
+from functools import reduce
+from typing import Any
+
+import numpy as np
+
+from asymptotics.envelopes.slow_flow import SlowTable
+from asymptotics.errors import InputError
+from asymptotics.motions.frame import Frame, Guess
+from asymptotics.motions.stopping import last_swing
+from asymptotics.motions.waveform import WaveformTable
+
+_CHUNK = 1 << 12
+FAR = 2.0
+"""The amplitude at the start is the radius of the starting point up to O(delta): a factor e^2 is no correction."""
+Array = Any
+
+
+def out_of_reach() -> InputError:
+    """delta is too large for the waveform or the gauge."""
+    return InputError("order", "the start is outside the reach of the waveform series", "a lower order")
+
+
+@dataclass(frozen=True, eq=False)
+class Doubles:
+    """The same frame for arrays: tables of the waveform, and of the slow flow as far as it is asked for."""
+
+    frame: Frame
+    table: WaveformTable
+    begin: tuple[float, float]
+    reached: list[tuple[float, SlowTable]]
+
+    @classmethod
+    def of(cls, frame: Frame) -> "Doubles":
+        """The tables of a frame; InputError if the waveform series does not reach the start."""
+        table = WaveformTable.of(frame.flow, frame.order - 1)
+        found = cls(frame, table, (0.0, 0.0), [])
+        return cls(frame, table, found._begin(), [])
+
+    def _begin(self) -> tuple[float, float]:
+        """(s, psi) in the turning-point gauge at t = 0, by iterating (s, psi) = -conj ln(target/Z(s, psi)).
+
+        InputError if that does not converge, or far away: then the series does not describe the start.
+        """
+        target = complex(float(self.frame.target.real), float(self.frame.target.imag))
+        if target.imag == 0:
+            return 0.0, 0.0 if target.real > 0 else float(np.pi)
+        s, psi, step = 0.0, float(np.angle(target)), np.inf
+        with np.errstate(all="ignore"):  # a series that does not reach the start runs away; that is caught below
+            for _ in range(500):
+                ratio = np.log(target / self._wave(s, psi))
+                step = max(abs(-ratio.real - s), abs(ratio.imag - psi))
+                s, psi = -ratio.real, psi + (ratio.imag - psi + np.pi) % (2 * np.pi) - np.pi
+                if step < 1e-15 or not abs(s) < FAR or not np.isfinite(psi):
+                    break
+        if not (step < 1e-12 and abs(s) < FAR):
+            raise out_of_reach()
+        return s, psi
+
+    def _wave(self, s: float, psi: float) -> complex:
+        """Z at one place."""
+        P, Q = self.waveform(np.array([s]), np.array([psi]))
+        return complex(P[0], Q[0])
+
+    def jacobian(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Derivatives of (Re, Im) of -s + i psi + ln Z with respect to s and psi, by central differences."""
+        s, psi = self.begin
+        h = 1e-5
+        by_s = (np.log(self._wave(s + h, psi)) - np.log(self._wave(s - h, psi))) / (2 * h)
+        by_psi = (np.log(self._wave(s, psi + h)) - np.log(self._wave(s, psi - h))) / (2 * h)
+        return (by_s.real - 1, by_psi.real), (by_s.imag, by_psi.imag + 1)
+
+    def guess(self) -> Guess:
+        """Where Newton's method for the start in balls begins."""
+        return Guess(self.begin, self.jacobian())
+
+    def start(self) -> tuple[float, float]:
+        """(s, psi) at t = 0 in the gauge."""
+        s, psi = self.begin
+        at = np.array([s])
+        change = float(self.frame.modulus.array(at)[0])
+        if not abs(change) < FAR:
+            raise out_of_reach()
+        return s - change, psi + float(self.frame.argument.array(at)[0])
+
+    def slow(self, tau_max: float) -> SlowTable:
+        """The table of the slow flow, through ``tau_max`` at least; the last one is kept."""
+        tau_max = max(tau_max, 1.0)
+        if not self.reached or self.reached[-1][0] < tau_max:
+            self.reached[:] = [(tau_max, self.frame.law.table(self.start()[0], tau_max))]
+        return self.reached[-1][1]
+
+    def waveform(self, s: Array, psi: Array) -> tuple[Array, Array]:
+        """Re and Im of Z at (s, psi) in the turning-point gauge."""
+        P, Q = np.ones_like(psi), np.zeros_like(psi)
+        if self.table.keys:
+            rows = self.table.at(np.mod(psi, np.pi))
+            weights = (float(w) for w in self.frame.flow.grading.weights)
+            deltas = [float(e) * np.exp(-w * s) for e, w in zip(self.frame.epsilons, weights)]
+            for j, key in enumerate(self.table.keys):
+                factor = reduce(np.multiply, [d for d, n in zip(deltas, key) for _ in range(n)])
+                P += factor * rows[2 * j]
+                Q += factor * rows[2 * j + 1]
+        return P, Q
+
+    def turning_point(self, table: SlowTable, tau: Array) -> tuple[Array, Array]:
+        """(s, psi) in the turning-point gauge at times inside a table of the slow flow."""
+        s, phi = table.at(tau)
+        psi = tau + phi + self.start()[1]
+        if not self.frame.back_argument.terms:
+            return s, psi
+        return s - self.frame.back_modulus.array(s), psi + self.frame.back_argument.array(s)
+
+    def evaluate(self, tau: Array) -> Array:
+        """Rows X, X', A, phi at an array of times; zero (phi: its last value) beyond the extinction.
+
+        Where dry friction stops the mass it stays: X held, X' = 0, A = |X| and phi NaN from the stop on.
+        """
+        with np.errstate(all="ignore"):
+            out = self._evaluated(tau)
+        if not np.isfinite(out[:3]).all():
+            bad = float(tau[int(np.argmin(np.isfinite(out[:3]).all(axis=0)))])
+            reason = f"the series of this order overflows at omega_0 t = {bad:.6g}: delta is too large for it"
+            raise InputError("order", reason, "a lower order, or the reference motion")
+        return out
+
+    def _evaluated(self, tau: Array) -> Array:
+        table, psi_0 = self.slow(float(tau.max(initial=0.0))), self.start()[1]
+        out = np.empty((4, tau.size))
+        for low in range(0, tau.size, _CHUNK):
+            part = tau[low : low + _CHUNK]
+            s, phi = table.at(np.minimum(part, table.tau[-1]))
+            here, psi = s, part + phi + psi_0
+            if self.frame.back_argument.terms:
+                here, psi = s - self.frame.back_modulus.array(s), psi + self.frame.back_argument.array(s)
+            P, Q = self.waveform(here, psi)
+            A, cosine, sine = np.exp(-here), np.cos(psi), np.sin(psi)
+            rows = out[:, low : low + _CHUNK]
+            rows[0], rows[1] = A * (P * cosine - Q * sine), -A * (P * sine + Q * cosine)
+            rows[2], rows[3] = A if here is s else np.exp(-s), phi + psi_0
+            rows[:3, part >= table.extinction] = 0.0
+        last = last_swing(self, float(tau.max(initial=0.0)))
+        if last is not None:
+            moving, over = (tau >= last.begin) & (tau < last.end), tau >= last.end
+            for where in (moving, over):
+                out[0, where], out[1, where] = last.at(tau[where])
+            out[2, over], out[3, over] = abs(last.hold), np.nan
+        return out
