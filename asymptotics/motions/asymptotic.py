@@ -137,8 +137,10 @@ class AsymptoticMotion:
         z, begin, error = frame.target, arb(0), arb(0)
         if last.turn is not None:
             begin, state = frame.turning_point(last.turn, arb(last.begin), start)
-            z = acb(state.point(frame).real.mid(), 0)
-            error = 2 * (self._estimate(begin, frame, start, state) + arb(last.doubt))
+            error = 2 * arb(last.doubt)
+            z = acb(0) if state is None else acb(state.point(frame).real.mid(), 0)
+            if state is not None:
+                error += 2 * self._estimate(begin, frame, start, state)
         X, V, held = friction_arc(z, frame.reach, tau - begin) if last.radius else (z.real, arb(0), True)
         if last.radius:
             error += 2 * frame.neglected(arb(last.radius))

@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 from flint import acb, arb, ctx
 
 from asymptotics.envelopes.slow_flow import ExponentialSum, SlowLaw
-from asymptotics.errors import UndecidedError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.grading import LOSS
@@ -142,13 +141,16 @@ class Frame:
         value = self.target / State(s, psi).point(free)
         return acb(value.log().real.mid(), value.log().imag.mid())
 
-    def turning_point(self, turn: int, near: arb, start: State) -> tuple[arb, State]:
-        """The time of the turning point psi = turn pi near ``near``, and the state there; X is stationary there."""
+    def turning_point(self, turn: int, near: arb, start: State) -> tuple[arb, State | None]:
+        """The time of the turning point psi = turn pi near ``near``, and the state there; X is stationary there.
+
+        The state is None when the amplitude vanishes just there: x0 may be a multiple of 2 eps_0.
+        """
         tau, state = near, start
         for _ in range(ctx.prec.bit_length() + 4):
             found = self.state(tau, start)
             if found is None:
-                raise UndecidedError(f"the turning point {turn} is lost near the extinction of the averaged law")
+                return tau, None
             state = found
             miss = state.turning_point(self)[1] - turn * arb.pi()
             tau = (tau - miss / (1 + self.law.Omega(state.s))).mid()

@@ -15,7 +15,8 @@ from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import reference_motion
 
-EXPONENTS = [*map(Fraction, (0, 0, 0, 1, 2, 3)), *(Fraction(n, 10) for n in range(1, 51, 7))]
+SOFT = [*map(Fraction, (0, 0, 0, 1, 2, 3)), *(Fraction(n, 10) for n in range(15, 51, 7))]
+ALL = [*SOFT, *(Fraction(n, 10) for n in range(1, 10, 2))]  # creep is too stiff for the integrator in doubles
 SLACK = 1e-8  # what the integrator in doubles may be wrong by
 
 
@@ -44,10 +45,10 @@ def integrated(law: dict[Fraction, Fraction], x: float, v: float, time: float) -
             return x
 
 
-def case(seed: int, swings: int) -> tuple[dict[Fraction, Fraction], Fraction, Fraction, Fraction, int]:
+def case(seed: int, swings: int, exponents: list[Fraction]) -> tuple[dict[Fraction, Fraction], Fraction, Fraction, Fraction, int]:
     """alpha in [0, 5], up to two laws, eps from 0.01 to 2 (log-uniform), v0 != 0 in half the cases, t to 30/eps."""
     random = Random(seed)
-    law = {random.choice(EXPONENTS): Fraction(round(1000 * 10 ** random.uniform(-2, 0.3)), 1000) for _ in range(2)}
+    law = {random.choice(exponents): Fraction(round(1000 * 10 ** random.uniform(-2, 0.3)), 1000) for _ in range(2)}
     if len(law) > 1 and random.random() < 0.6:
         law.popitem()
     x0 = Fraction(random.randint(-10, 10), 10)
@@ -58,7 +59,7 @@ def case(seed: int, swings: int) -> tuple[dict[Fraction, Fraction], Fraction, Fr
 
 
 def assert_covered(seed: int, swings: int, certified: bool) -> None:
-    law, x0, v0, time, order = case(seed, swings)
+    law, x0, v0, time, order = case(seed, swings, ALL if certified else SOFT)
     oscillator = Oscillator(law, x0=x0, v0=v0)
     told = f"{oscillator} at {time}, order {order}"
     try:
@@ -86,4 +87,4 @@ def test_the_error_is_at_most_the_printed_one(seed):
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(1000, 1500))
 def test_the_error_is_at_most_the_printed_one_at_length(seed):
-    assert_covered(seed, swings=1000, certified=seed % 2 == 0)
+    assert_covered(seed, swings=1000, certified=True)
