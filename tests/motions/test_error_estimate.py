@@ -45,7 +45,7 @@ def integrated(law: dict[Fraction, Fraction], x: float, v: float, time: float) -
             return x
 
 
-def case(seed: int, swings: int, exponents: list[Fraction]) -> tuple[dict[Fraction, Fraction], Fraction, Fraction, Fraction, int]:
+def case(seed: int, swings: int, exponents: list[Fraction]) -> tuple[dict[Fraction, Fraction], *tuple[Fraction, ...]]:
     """alpha in [0, 5], up to two laws, eps from 0.01 to 2 (log-uniform), v0 != 0 in half the cases, t to 30/eps."""
     random = Random(seed)
     law = {random.choice(exponents): Fraction(round(1000 * 10 ** random.uniform(-2, 0.3)), 1000) for _ in range(2)}
