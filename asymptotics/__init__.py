@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from asymptotics.equations.build import expand
     from asymptotics.equations.result import Equations
     from asymptotics.errors import InputError, LimitError, UndecidedError
+    from asymptotics.identification.identify import identify
+    from asymptotics.identification.result import Identification
     from asymptotics.law import Law, Oscillator, PhysicalLaw
     from asymptotics.numbers.exact import ExactReal
     from asymptotics.numbers.value import Coefficient
@@ -45,6 +47,8 @@ _HOMES = {
     "equations.build": ("expand",),
     "equations.result": ("Equations",),
     "errors": ("InputError", "LimitError", "UndecidedError"),
+    "identification.identify": ("identify",),
+    "identification.result": ("Identification",),
     "law": ("Law", "Oscillator", "PhysicalLaw"),
     "numbers.exact": ("ExactReal",),
     "numbers.value": ("Coefficient",),
@@ -61,6 +65,7 @@ __all__ = [
     "Events",
     "ExactReal",
     "G",
+    "Identification",
     "InputError",
     "Law",
     "LimitError",
@@ -74,6 +79,7 @@ __all__ = [
     "envelope",
     "expand",
     "f",
+    "identify",
     "moment",
     "motion",
     "multiple_scales",

@@ -40,6 +40,7 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "testing",
     "sweeps",
     "comparison",
+    "identification",
     "cli",
 ]
 TOP = {"asymptotics": [], "derivations": ["asymptotics"], "paper_checks": ["asymptotics", "derivations"]}

@@ -1,0 +1,80 @@
+"""Which damping law is it?  From a measured decay to exponents, strengths and honest intervals.
+
+  asymptotics identify DATA.csv                              # the columns say what it is
+  asymptotics identify DATA.csv --kind turning-points --laws 1 1,2 0,2 free --json
+  asymptotics identify RUN1.csv RUN2.csv --unit deg          # several runs of one oscillator
+
+Columns: record `t,x`; turning-points `n,x[,tau]`; decrement `amplitude,decrement[,resolution]` of half-swings.  Laws:
+exponents joined by commas (1,2 or 3/2), `free` (one exponent to be found), `AxM` for the loss |x|^M v|v|^(A-1), `sP`
+for a spring x|x|^(P-1).  By default every subset of 0, 1, 2, 3 and a free exponent compete, each with and without the
+springs x^3 and x^3, x^5 where there are times.  epsilon refers to x0 = 1 unit of the file; intervals are 95 %.
+"""
+
+import argparse
+
+from asymptotics.cli.answer import Answer, add_json
+from asymptotics.errors import InputError
+from asymptotics.identification.identify import identify
+from asymptotics.identification.reading import KINDS, UNITS
+from asymptotics.identification.result import Identification
+from asymptotics.numbers.exact import parse_rational
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("files", nargs="+", metavar="FILE", help="CSV with a header; several files: several runs")
+    parser.add_argument("--kind", metavar="KIND", help=f"{', '.join(KINDS)} (default: found from the columns)")
+    parser.add_argument("--unit", default="", metavar="U", help=f"the unit of x: {', '.join(UNITS)}")
+    parser.add_argument("--laws", nargs="+", metavar="LAW", help="candidate laws: 1 1,2 0,2 free 1,s3 ...")
+    parser.add_argument("--springs", nargs="+", default=[], metavar="P", help="springs to add to each law: 3 3,5")
+    parser.add_argument("--amplitudes-only", action="store_true", help="use no times; intervals widen by the cost")
+    parser.add_argument("--mass", metavar="M", help="mass in kg, if known")
+    parser.add_argument("--stiffness", metavar="K", help="stiffness in N/m, if known")
+    parser.add_argument("--omega0", metavar="W", help="sqrt(k/m) in rad/s, if known")
+    parser.add_argument("--noise", metavar="S", help="standard deviation of x, if known")
+    parser.add_argument("--no-bootstrap", action="store_true", help="keep the intervals of correlated residuals")
+    add_json(parser)
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    numbers = {name: _number(getattr(options, name), f"--{name}") for name in ("mass", "stiffness", "omega0", "noise")}
+    answer = identify(
+        list(options.files),
+        kind=options.kind,
+        unit=options.unit,
+        laws=options.laws,
+        springs=options.springs,
+        amplitudes_only=options.amplitudes_only,
+        omega_0=numbers.pop("omega0"),
+        bootstrap=not options.no_bootstrap,
+        **numbers,
+    )
+    return Answer(answer.to_dict(), _text(answer), options.json)
+
+
+def _number(text: str | None, argument: str) -> float | None:
+    if text is None:
+        return None
+    value = float(parse_rational(text, argument))
+    if not value > 0:
+        raise InputError(argument, f"{text} is not positive", "a positive number")
+    return value
+
+
+def _text(answer: Identification) -> str:
+    lines = [answer.verdict.text, *([answer.verdict.telling] if answer.verdict.telling else []), "", answer.table(), ""]
+    for law in answer.laws[:1]:
+        lines.append(law.law.candidate.formula())
+        shown = [law.physical(i) for i in range(len(law.law.epsilon))]
+        lines += [
+            f"  {name} of {a}: {ends.estimate:.4g} [{ends.low:.4g}, {ends.high:.4g}] (SI)"
+            for a, found in zip(law.law.candidate.alphas, shown)
+            if found is not None
+            for name, ends in [found]
+            if ends.low is not None and ends.high is not None
+        ]
+    for name, found in answer.textbook.items():
+        bias = "" if found["systematic_error"] is None else f", systematic error {', '.join(found['systematic_error'])}"
+        lines.append(f"{name}: epsilon of {','.join(found['alphas'])} = {', '.join(found['epsilon'])}{bias}")
+    return "\n".join([*lines, *(f"note: {note}" for note in answer.notes)])

@@ -1,0 +1,18 @@
+"""The inverse problem: from a measured decay to the damping law, its strengths, and how sure they are.
+
+==================  =========================================================================================
+``identify``        the whole way: data in, ``Identification`` out
+``sources``         what a file holds: ``reading`` (pandas), ``extraction`` (turning points of a record), ``defects``
+``observations``    turning points, times and passages of one run; ``printed``: decrements from tables
+``coefficients``    half-swing series in doubles, for losses and springs; ``quadrature`` where they do not reach
+``swing``           one half-swing at many amplitudes, with exact derivatives; ``sequence``: all turning points
+``candidates``      which laws compete; ``starting``, ``fitting``: each one's best strengths
+``profile``         intervals; ``correlation``: residuals that remember; ``amplitudes``: no times; ``runs``: several
+runs
+``comparison``      criteria, supports, held-out swings; ``verdicts``: the answer in words, or a refusal
+``synthetic``       runs of known laws with known noise
+``textbook``        the classical estimators, by name, with their systematic errors
+==================  =========================================================================================
+
+All numbers here are doubles, and all intervals statistical: none of them is a certificate.
+"""

@@ -1,0 +1,113 @@
+"""Candidate laws: which losses, which springs.
+
+>>> [str(c) for c in default_candidates(with_springs=False)][:6]
+['0', '1', '2', '3', '0,1', '0,2']
+>>> law = read_candidate("1,1x2,s3")
+>>> law.formula()
+"x'' + x + e1 x' + e2 x^2 x' + c3 x^3 = 0"
+"""
+
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+
+from asymptotics.errors import InputError
+from asymptotics.identification.coefficients import Element, loss, spring
+from asymptotics.identification.swing import MAX_FREE_ALPHA, Swing
+from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
+
+FREE = "free"
+MAX_TERMS = 6
+FORMS = "exponents joined by commas, as 1,2 or 3/2; free; AxM for the loss |x|^M v|v|^(A-1); sP for a spring x|x|^(P-1)"
+_SPRINGS: tuple[tuple[int, ...], ...] = ((), (3,), (3, 5))
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """``losses``: pairs (exponent as text, or "free"; power m of |x|); ``springs``: the powers p of x|x|^(p-1)."""
+
+    losses: tuple[tuple[str, int], ...]
+    springs: tuple[int, ...] = ()
+
+    @property
+    def free(self) -> bool:
+        """Whether the exponent is to be found."""
+        return self.losses[0][0] == FREE
+
+    @property
+    def alphas(self) -> tuple[str, ...]:
+        """The losses as text: exponents, with xM for a factor |x|^M."""
+        return tuple(a + (f"x{m}" if m else "") for a, m in self.losses)
+
+    @cached_property
+    def elements(self) -> tuple[Element, ...]:
+        """The terms of the forward model, losses first."""
+        losses = [loss(1.0 if a == FREE else _float(parse_real(a, "--laws")), m) for a, m in self.losses]
+        return (*losses, *(spring(p) for p in self.springs))
+
+    def swing(self, coarse: bool = False) -> Swing:
+        """The forward model's half-swing."""
+        return Swing(self.elements, self.free, coarse=coarse)
+
+    def is_within(self, other: "Candidate") -> bool:
+        """Whether ``other`` has all these terms and more."""
+        return self != other and set(self.losses) <= set(other.losses) and set(self.springs) <= set(other.springs)
+
+    def formula(self) -> str:
+        """The equation with letters for the strengths."""
+        terms = [_loss_text(i + 1, a, m) for i, (a, m) in enumerate(self.losses)]
+        terms += [f"c{p} x^{p}" if p % 2 else f"c{p} x|x|^{p - 1}" for p in self.springs]
+        return "x'' + x + " + " + ".join(terms) + " = 0"
+
+    def __str__(self) -> str:
+        return ",".join([*self.alphas, *(f"s{p}" for p in self.springs)])
+
+
+def _float(value: ExactReal) -> float:
+    return float(value.ball().mid())
+
+
+def _loss_text(number: int, alpha: str, m: int) -> str:
+    known = {"0": "sgn(x')", "1": "x'", "2": "x'|x'|", "3": "x'^3", FREE: "x'|x'|^(alpha-1)"}
+    text = known.get(alpha, f"x'|x'|^({alpha}-1)")
+    factor = "" if not m else f"x^{m} " if m % 2 == 0 else f"|x|^{m} " if m > 1 else "|x| "
+    return f"e{number} {factor}{text}"
+
+
+def default_candidates(with_springs: bool) -> list[Candidate]:
+    """Every subset of the exponents 0, 1, 2, 3, and one free exponent; each with the springs x^3 and x^3, x^5 too."""
+    exponents = ("0", "1", "2", "3")
+    sets = [chosen for size in range(1, 5) for chosen in combinations(exponents, size)] + [(FREE,)]
+    springs = _SPRINGS if with_springs else ((),)
+    return [Candidate(tuple((a, 0) for a in chosen), extra) for extra in springs for chosen in sets]
+
+
+def read_candidate(text: str) -> Candidate:
+    """A candidate from text such as ``1,2``, ``free,s3`` or ``1,1x2``; InputError for anything else."""
+    losses: list[tuple[str, int]] = []
+    springs: list[int] = []
+    for item in (part.strip() for part in text.split(",")):
+        if re.fullmatch(r"s\d+", item):
+            springs.append(parse_integer(item[1:], "--laws", 2, 9))
+        elif item == FREE:
+            losses.append((FREE, 0))
+        else:
+            losses.append(_read_loss(item))
+    if not losses:
+        raise InputError("--laws", f"{text[:40]!r} has no loss", FORMS)
+    if len(losses) > 1 and any(a == FREE for a, _ in losses):
+        raise InputError("--laws", f"{text[:40]!r} joins a free exponent with others", "free alone, or with springs")
+    if len(set(losses)) < len(losses) or len(set(springs)) < len(springs):
+        raise InputError("--laws", f"{text[:40]!r} names a term twice", FORMS)
+    if len(losses) + len(springs) > MAX_TERMS:
+        raise InputError("--laws", f"{text[:40]!r} has too many terms", f"at most {MAX_TERMS}")
+    return Candidate(tuple(losses), tuple(springs))
+
+
+def _read_loss(item: str) -> tuple[str, int]:
+    alpha_text, _, power = item.partition("x")
+    alpha = parse_real(alpha_text, "--laws")
+    if alpha < 0 or alpha > 10:
+        raise InputError("--laws", f"{alpha} is out of range", f"exponents from 0 to 10; free: 0 to {MAX_FREE_ALPHA:g}")
+    return str(alpha), parse_integer(power, "--laws", 1, 9) if power or "x" in item else 0

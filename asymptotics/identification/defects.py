@@ -1,0 +1,61 @@
+"""Defects of a record: what stops the analysis, and what the answer must mention."""
+
+import numpy as np
+
+from asymptotics.errors import InputError
+from asymptotics.identification.coefficients import Array
+
+_LEAST_ROWS = 50
+
+
+def require_usable(t: Array, x: Array, name: str) -> None:
+    """InputError for a record that is too short, constant, or clipped."""
+    if len(t) < _LEAST_ROWS:
+        raise InputError("FILE", f"{name} has {len(t)} rows with numbers", f"at least {_LEAST_ROWS} samples")
+    if not np.ptp(x) > 0:
+        raise InputError("FILE", f"{name}, column x: all values are {x[0]:g}", "a motion")
+    for extreme, word in ((x.max(), "largest"), (x.min(), "smallest")):
+        runs = _runs(x == extreme)
+        long = [run for run in runs if run[1] - run[0] >= 3]
+        if len(long) >= 3 and _is_cut(x, long, float(extreme)):
+            row = long[0][0] + 2
+            reason = f"{name}, row {row}, column x: {len(long)} peaks are clipped at the {word} value {extreme:g}"
+            raise InputError("FILE", reason, "a record whose peaks are whole")
+
+
+def _runs(flags: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> list[tuple[int, int]]:
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(int)))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist()))
+
+
+def _is_cut(x: Array, runs: list[tuple[int, int]], extreme: float) -> bool:
+    """Whether the record enters the plateau at speed: a whole peak, even a quantised one, rises slowly to its top."""
+    entries = []
+    for start, _ in runs:
+        before = x[max(start - 2, 0) : start]
+        if len(before) == 2:
+            entries.append(abs(extreme - before[1]) + abs(before[1] - before[0]))
+    steps = np.abs(np.diff(x))
+    quantum = float(steps[steps > 0].min())
+    return bool(entries) and float(np.median(entries)) > 4 * quantum and np.median([b - a for a, b in runs]) >= 3
+
+
+def shape_notes(t: Array, x: Array, turning: Array, sigma: Array, period: float) -> list[str]:
+    """Growth, and amplitudes that beat: signs of a second mode, of forcing, or of self-excitation."""
+    size = np.abs(turning)
+    notes = []
+    if size[-1] > size[0] + 5 * (sigma[0] + sigma[-1]):
+        notes.append("the amplitude grows: this is not a decay")
+    rise = np.diff(size[::2]) > 6 * (sigma[::2][1:] + sigma[::2][:-1]) + 1e-6 * size[0]
+    if rise.sum() >= 2:
+        notes.append(f"the amplitude rises {rise.sum()} times: a second mode, forcing, or an unquiet base")
+    gap = float(np.diff(t).max())
+    if gap > 0.2 * period:
+        notes.append(f"the longest gap between samples is {gap:.3g}, {gap / period:.2g} periods")
+    return notes
+
+
+def is_growing(size: Array) -> bool:
+    """Whether the last third of the amplitudes exceeds the first third."""
+    third = max(1, len(size) // 3)
+    return bool(np.mean(np.abs(size[-third:])) > np.mean(np.abs(size[:third])))

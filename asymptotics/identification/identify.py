@@ -1,0 +1,212 @@
+"""From measured data to a law: which one, with which strengths, and how sure.
+
+>>> n = np.arange(41)
+>>> x = (-1.0) ** n / (1 + 0.05 * n) + 1e-4 * np.random.default_rng(3).standard_normal(41)
+>>> answer = identify({"n": n, "x": x}, laws=["1", "2", "free"])
+>>> answer.law("1").law.verdict
+'refuted'
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from asymptotics.errors import InputError
+from asymptotics.identification.amplitudes import spring_bound, widened
+from asymptotics.identification.candidates import Candidate, default_candidates, read_candidate
+from asymptotics.identification.comparison import (
+    SUPPORT,
+    LawFit,
+    fit_decrements,
+    fit_laws,
+    judged,
+    minimal,
+    predicted_error,
+    strength,
+    verdict_by_intervals,
+)
+from asymptotics.identification.correlation import block_length, is_correlated, replicas, stretch
+from asymptotics.identification.defects import is_growing
+from asymptotics.identification.fitting import Noise
+from asymptotics.identification.observations import Observations
+from asymptotics.identification.printed import Decrements
+from asymptotics.identification.profile import coordinate
+from asymptotics.identification.reading import UNITS
+from asymptotics.identification.result import Identification, LawAnswer, Units, sorted_laws
+from asymptotics.identification.runs import common, verdict_of_runs
+from asymptotics.identification.sources import load
+from asymptotics.identification.textbook import textbook_estimates
+from asymptotics.identification.verdicts import NONE, verdict_of
+
+MAX_RUNS = 50
+ABOVE_NOISE = "its residuals exceed the noise"
+FEW = 8
+"""So many candidates get profile likelihoods all, whether the data support them or not."""
+
+
+def identify(
+    data: Any,
+    *,
+    kind: str | None = None,
+    unit: str = "",
+    laws: Sequence[str] | None = None,
+    springs: Sequence[str] = (),
+    amplitudes_only: bool = False,
+    mass: float | None = None,
+    stiffness: float | None = None,
+    omega_0: float | None = None,
+    noise: float | None = None,
+    bootstrap: bool = True,
+) -> Identification:
+    """The laws that are consistent with measured data, with intervals for their strengths, and a verdict in words.
+
+    ``data``: a CSV file, a data frame, a mapping of columns, observations, or a list of several runs of one oscillator.
+    ``kind``: record, turning-points or decrement (found from the columns if not given); ``unit`` of x: m, cm, mm,
+    rad, deg.
+    ``laws``: candidates such as "1,2", "free", "1,s3" (default: every subset of 0, 1, 2, 3 and one free exponent,
+    with and without the springs x^3 and x^3, x^5 when there are times); ``springs``: the springs to add to each of
+    ``laws``.
+    ``amplitudes_only``: times are not used; intervals are widened by what an unseen spring could do.
+    ``mass`` (kg), ``stiffness`` (N/m), ``omega_0`` (rad/s): whatever is known; b or b/m is given as far as it can be.
+    ``noise``: the standard deviation of x, if it is known; ``bootstrap``: lengthen the intervals of correlated
+    residuals.
+
+    epsilon_i refers to x0 = 1 unit of the data: x'' + x + sum epsilon_i x'|x'|^(alpha_i - 1) = 0 in the time omega_0 t.
+    InputError for data that cannot be used, naming the row and the column.
+    """
+    _check_positive(mass=mass, stiffness=stiffness, omega_0=omega_0, noise=noise)
+    sources = data if isinstance(data, list | tuple) else [data]
+    if not 1 <= len(sources) <= MAX_RUNS:
+        raise InputError("data", f"{len(sources)} runs", f"1 to {MAX_RUNS} runs")
+    runs = [load(source, kind, unit) for source in sources]
+    units = {run.unit for run in runs}
+    if len(units) > 1:
+        raise InputError("--unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
+    known = Units(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, _omega(mass, stiffness, omega_0))
+    times = not amplitudes_only and all(isinstance(r, Observations) and r.has_times for r in runs)
+    candidates = _candidates(laws, springs, times)
+    scale = None if noise is None else Noise(x=noise)
+    answers = [_one_run(r, candidates, known, amplitudes_only, scale, bootstrap) for r in runs]
+    return answers[0] if len(answers) == 1 else _together(answers, known)
+
+
+def _candidates(laws: Sequence[str] | None, springs: Sequence[str], times: bool) -> list[Candidate]:
+    chosen = default_candidates(times) if laws is None else [read_candidate(text) for text in laws]
+    if not chosen:
+        raise InputError("--laws", "no law is named", "at least one law")
+    extra = [read_candidate(f"0,{','.join('s' + p.strip() for p in text.split(','))}").springs for text in springs]
+    chosen += [Candidate(c.losses, s) for s in extra for c in chosen if not c.springs]
+    if not times and any(c.springs for c in chosen):
+        raise InputError("--laws", "springs need times", "laws without springs, or data with times")
+    return list(dict.fromkeys(chosen))
+
+
+def _one_run(
+    run: Observations | Decrements,
+    candidates: Sequence[Candidate],
+    units: Units,
+    amplitudes_only: bool,
+    noise: Noise | None,
+    bootstrap: bool,
+) -> Identification:
+    if isinstance(run, Decrements):
+        return _decrements(run, candidates, units, noise)
+    seen = run.without_times() if amplitudes_only else run
+    growing = is_growing(seen.x)
+    laws = judged(fit_laws(candidates, seen, noise), growing, everything=len(candidates) <= FEW)
+    notes = [*run.notes]
+    verdict = verdict_of(laws, seen, noise)
+    if verdict.kind == NONE:
+        laws = [law.judged_as("refuted", law.reason or ABOVE_NOISE, law.excess) if law.fit else law for law in laws]
+    if bootstrap:
+        laws, said = _corrected(laws)
+        notes += said
+    if not seen.has_times:
+        unknown = "amplitudes cannot tell a nonlinear spring from position-dependent loss, nor measure either"
+        if amplitudes_only:
+            bound, origin = spring_bound(run)
+            wide = [widened(law, bound) if law.excess <= SUPPORT else law for law in laws]
+            laws = [verdict_by_intervals(law, growing) if law.excess <= SUPPORT else law for law in wide]
+            unknown += f"; {origin}: the intervals are widened by it"
+        notes.append(unknown + ("" if amplitudes_only else "; the intervals hold for a linear spring"))
+    if growing:
+        notes.append("the amplitude grows: strengths may be negative (self-excitation)")
+    chosen = {law.candidate for law in minimal(laws)[:4]}
+    laws = [replace(law, held_out=predicted_error(law, seen)) if law.candidate in chosen else law for law in laws]
+    units = _measured(units, laws)
+    notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative, which is unphysical"
+              for law in laws if law.negative and law.verdict == "consistent" and not growing][:3]  # fmt: skip
+    answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
+    return Identification(verdict, answers, (run,), textbook_estimates(seen), tuple(notes), units)
+
+
+def _corrected(laws: list[LawFit]) -> tuple[list[LawFit], list[str]]:
+    """Intervals of the profiled laws, stretched where residuals are correlated."""
+    found, most = [], 1.0
+    for law in laws:
+        if not (law.profiled and law.fit is not None and is_correlated(law.fit)):
+            found.append(law)
+            continue
+        drawn, reference = replicas(law.fit), law.fit.model.seen.reference
+        functions = [strength(law.candidate, i, reference) for i in range(len(law.candidate.elements))]
+        factors = [stretch(law.fit, g, drawn) for g in functions]
+        most = max(most, *factors)
+        count = len(law.epsilon)
+        alpha = law.alpha
+        if alpha is not None:
+            alpha = alpha.stretched(stretch(law.fit, coordinate(1 + len(law.candidate.elements)), drawn))
+        found.append(replace(
+            law, alpha=alpha, epsilon=tuple(e.stretched(f) for e, f in zip(law.epsilon, factors)),
+            springs=tuple(e.stretched(f) for e, f in zip(law.springs, factors[count:])),
+        ))  # fmt: skip
+    lengths = [block_length(law.fit) for law in found if law.profiled and law.fit is not None]
+    said = f"correlated residuals: intervals stretched by up to {most:.2g} (blocks of {max(lengths, default=0)} swings)"
+    return found, [said] if most > 1 else []
+
+
+def _decrements(
+    table: Decrements, candidates: Sequence[Candidate], units: Units, noise: Noise | None
+) -> Identification:
+    fits = [fit_decrements(c, table, noise) for c in candidates]
+    laws = judged(fits, growing=False, everything=len(candidates) <= FEW)
+    verdict = verdict_of(laws, None, noise)
+    notes = [*table.notes, "decrements cannot tell a nonlinear spring from loss: the intervals hold for linear springs"]
+    answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
+    return Identification(verdict, answers, (table,), {}, tuple(notes), units)
+
+
+def _together(answers: Sequence[Identification], units: Units) -> Identification:
+    order = [a.law.candidate for a in answers[0].laws]
+    per_run = [[answer.law(str(c)).law for c in order] for answer in answers]
+    laws = common(per_run)
+    verdict = verdict_of_runs([a.verdict for a in answers], minimal(laws))
+    notes = [f"{a.runs[0].name}: {note}" for a in answers for note in a.notes]
+    omegas = [a.units.omega_0 for a in answers if a.units.omega_0 is not None]
+    units = replace(units, omega_0=float(np.mean(omegas)) if omegas else None)
+    shown = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
+    runs = tuple(a.runs[0] for a in answers)
+    return Identification(verdict, shown, runs, {}, tuple(notes), units, per_run=tuple(answers))
+
+
+def _measured(units: Units, laws: Sequence[LawFit]) -> Units:
+    """omega_0 from the times of the best law, if it is not given."""
+    best = min(laws, key=lambda law: law.criterion)
+    if units.omega_0 is None and best.fit is not None and best.fit.model.seen.has_times:
+        return replace(units, omega_0=float(np.exp(best.fit.theta[-2])))
+    return units
+
+
+def _omega(mass: float | None, stiffness: float | None, omega_0: float | None) -> float | None:
+    if mass is not None and stiffness is not None:
+        if omega_0 is not None:
+            raise InputError("--omega0", "it stands next to the mass and the stiffness", "either, not both")
+        return float(np.sqrt(stiffness / mass))
+    return omega_0
+
+
+def _check_positive(**values: float | None) -> None:
+    for name, value in values.items():
+        if value is not None and not (np.isfinite(value) and value > 0):
+            raise InputError("--" + name.replace("_", ""), f"{value} is not positive", "a positive number")

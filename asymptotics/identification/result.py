@@ -1,0 +1,170 @@
+"""What identification found: a frozen record with a table, LaTeX and JSON."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from asymptotics.identification.candidates import FREE
+from asymptotics.identification.comparison import LawFit
+from asymptotics.identification.observations import Observations
+from asymptotics.identification.printed import Decrements
+from asymptotics.identification.profile import Interval
+from asymptotics.identification.verdicts import Verdict
+
+
+@dataclass(frozen=True)
+class Units:
+    """What is known of the oscillator beside the record: mass, stiffness, omega_0 (SI), and the unit of x in SI."""
+
+    unit: str = ""
+    size: float = 1.0
+    mass: float | None = None
+    stiffness: float | None = None
+    omega_0: float | None = None
+
+    def physical(self, alpha: float, position: int, epsilon: Interval) -> tuple[str, Interval] | None:
+        """(name, interval) of b or b/m in SI: b/m = epsilon omega_0^(2-alpha) (unit of x)^(1-alpha-m)."""
+        omega = self.omega_0
+        if omega is None or not self.unit:
+            return None
+        factor = omega ** (2 - alpha) * self.size ** (1 - alpha - position)
+        name = "b/m"
+        if self.mass is not None:
+            name, factor = "b", factor * self.mass
+        low, high = (None if v is None else v * factor for v in (epsilon.low, epsilon.high))
+        return name, Interval(low, epsilon.estimate * factor, high)
+
+
+@dataclass(frozen=True)
+class LawAnswer:
+    """A candidate law for one run, as it is reported."""
+
+    law: LawFit
+    units: Units = field(default_factory=Units)
+    certified: bool = False
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: numbers are strings."""
+        law, candidate = self.law, self.law.candidate
+        found: dict[str, Any] = {
+            "alphas": list(candidate.alphas),
+            "springs": [str(p) for p in candidate.springs],
+            "verdict": law.verdict,
+            "reason": law.reason or None,
+            "epsilon": [e.to_dict() for e in law.epsilon],
+            "spring_strengths": [e.to_dict() for e in law.springs],
+            "alpha": None if law.alpha is None else law.alpha.to_dict(),
+            "criterion": _number(law.criterion),
+            "criterion_difference": _number(law.excess),
+            "bic": None if law.fit is None else _number(law.fit.bic),
+            "intervals": "certified set" if self.certified else "profile likelihood" if law.profiled else "curvature",
+            "unphysical": list(law.negative),
+            "held_out_error": None if law.held_out is None else _number(law.held_out),
+            "formula": candidate.formula(),
+        }
+        if law.fit is not None:
+            found["residual"] = {k: _number(v) for k, v in law.fit.scales.items()}
+        physical = [self.physical(i) for i in range(len(law.epsilon))]
+        if any(p is not None for p in physical):
+            found["physical"] = [None if p is None else {"quantity": p[0], **p[1].to_dict()} for p in physical]
+        return found
+
+    def physical(self, i: int) -> tuple[str, Interval] | None:
+        """b_i or b_i/m in SI, if the units are known and the exponent is given."""
+        element = self.law.candidate.elements[i]
+        if self.law.candidate.losses[i][0] == FREE:
+            return None
+        return self.units.physical(element.velocity, element.position, self.law.epsilon[i])
+
+    def row(self) -> tuple[str, ...]:
+        """One line of the table: law, verdict, strengths, AICc difference, held-out error."""
+        law = self.law
+        strengths = "  ".join(_shown(e) for e in (*law.epsilon, *law.springs))
+        if law.alpha is not None:
+            strengths = f"alpha {_shown(law.alpha)}  " + strengths
+        excess = f"{law.excess:.1f}" if np.isfinite(law.excess) else "-"
+        held = "-" if law.held_out is None else f"{law.held_out:.2f}"
+        return str(law.candidate), law.verdict, excess, held, strengths
+
+
+@dataclass(frozen=True)
+class Identification:
+    """The answer for one or several runs.
+
+    ``verdict``: one of four, in words; ``laws``: the candidates, best first; ``runs``: the data; ``textbook``: the
+    classical estimators by name; ``notes``: what was found, discarded, assumed; ``per_run``: for several runs, each
+    run's answer.
+    """
+
+    verdict: Verdict
+    laws: tuple[LawAnswer, ...]
+    runs: tuple[Observations | Decrements, ...]
+    textbook: dict[str, Any]
+    notes: tuple[str, ...]
+    units: Units
+    per_run: tuple["Identification", ...] = ()
+
+    @property
+    def best(self) -> LawAnswer:
+        """The law with the smallest criterion."""
+        return self.laws[0]
+
+    def law(self, text: str) -> LawAnswer:
+        """The answer for one candidate, by its name such as ``1,2`` or ``free,s3``; KeyError if it is not there."""
+        for answer in self.laws:
+            if str(answer.law.candidate) == text:
+                return answer
+        raise KeyError(text)
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: numbers are strings."""
+        found: dict[str, Any] = {
+            "verdict": self.verdict.text,
+            "verdict_kind": self.verdict.kind,
+            "telling": self.verdict.telling or None,
+            "laws": [law.to_dict() for law in self.laws],
+            "data": [_data(run) for run in self.runs],
+            "textbook": self.textbook,
+            "unit": self.units.unit or None,
+            "omega_0": None if self.units.omega_0 is None else _number(self.units.omega_0),
+            "notes": list(self.notes),
+        }
+        if self.per_run:
+            found["runs"] = [run.to_dict() for run in self.per_run]
+        return found
+
+    def table(self, count: int = 12) -> str:
+        """The first laws as a table of text."""
+        rows: list[tuple[str, ...]] = [("law", "verdict", "dAICc", "held-out", "strengths [interval]")]
+        rows += [answer.row() for answer in self.laws[:count]]
+        widths = [max(len(row[i]) for row in rows) for i in range(4)]
+        return "\n".join("  ".join([*(c.ljust(w) for c, w in zip(row, widths)), row[4]]).rstrip() for row in rows)
+
+    def __repr__(self) -> str:
+        return f"Identification({self.verdict.text})"
+
+    def _repr_latex_(self) -> str:
+        formula = self.best.law.candidate.formula().removesuffix(" = 0").replace("sgn(x')", r"\operatorname{sgn}(x')")
+        return f"${formula} = 0$"
+
+
+def _data(run: "Observations | Decrements") -> dict[str, Any]:
+    if isinstance(run, Decrements):
+        return {"name": run.name, "decrements": len(run.decrement)}
+    return {"name": run.name, "turning_points": len(run.n), "times": run.has_times, "first": _number(float(run.x[0]))}
+
+
+def _number(value: float) -> str | None:
+    return f"{value:.8g}" if np.isfinite(value) else None
+
+
+def _shown(interval: Interval) -> str:
+    ends = ["-" if v is None else f"{v:.4g}" for v in (interval.low, interval.high)]
+    return f"{interval.estimate:.4g} [{ends[0]}, {ends[1]}]"
+
+
+def sorted_laws(laws: Sequence[LawFit]) -> list[LawFit]:
+    """Best first; laws without a criterion last."""
+    return sorted(laws, key=lambda law: (law.criterion, len(law.candidate.losses)))

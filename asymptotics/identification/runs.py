@@ -1,0 +1,86 @@
+"""Several runs of one oscillator: a common law, each run's strengths, and an interval for their mean.
+
+The runs scatter by more than their own errors, so the mean has a random-effects interval: the variance between the runs
+by DerSimonian and Laird, the interval with Hartung and Knapp's variance and Student's t with (runs - 1) degrees.
+
+>>> mean, between = random_effects([1.0, 1.2, 0.9], [0.01, 0.01, 0.01])
+>>> mean.contains(1.0), between > 0.1
+(True, True)
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy import stats
+
+from asymptotics.identification.comparison import SUPPORT, LawFit, is_negative
+from asymptotics.identification.profile import Interval
+from asymptotics.identification.verdicts import NONE, SEVERAL, UNTOLD, Verdict
+
+
+def random_effects(estimates: Sequence[float], errors: Sequence[float], level: float = 0.95) -> tuple[Interval, float]:
+    """(interval of the mean, standard deviation between runs)."""
+    y, v = np.asarray(estimates, dtype=float), np.asarray(errors, dtype=float) ** 2
+    if len(y) < 2:
+        return Interval(None, float(y[0]), None), 0.0
+    v = np.maximum(v, 1e-300)
+    w = 1 / v
+    fixed = float(w @ y / w.sum())
+    excess = float(w @ (y - fixed) ** 2) - (len(y) - 1)
+    between = max(0.0, excess / float(w.sum() - (w**2).sum() / w.sum()))
+    w = 1 / (v + between)
+    mean = float(w @ y / w.sum())
+    variance = max(float(w @ (y - mean) ** 2) / (len(y) - 1), 1.0 if between == 0 else 0.0) / float(w.sum())
+    reach = float(stats.t.ppf((1 + level) / 2, len(y) - 1)) * float(np.sqrt(variance))
+    return Interval(mean - reach, mean, mean + reach), float(np.sqrt(between))
+
+
+def common(per_run: Sequence[Sequence[LawFit]]) -> list[LawFit]:
+    """One LawFit for each candidate: the criteria added, the strengths averaged over the runs."""
+    found = []
+    for laws in zip(*per_run, strict=True):
+        total = float(sum(law.criterion for law in laws))
+        first = laws[0]
+        if not np.isfinite(total):
+            found.append(LawFit(first.candidate, None, reason="not every run determines it"))
+            continue
+        epsilon = tuple(_mean([law.epsilon[i] for law in laws]) for i in range(len(first.epsilon)))
+        springs = tuple(_mean([law.springs[i] for law in laws]) for i in range(len(first.springs)))
+        exponents = [law.alpha for law in laws if law.alpha is not None]
+        alpha = _mean(exponents) if exponents else None
+        found.append(LawFit(first.candidate, None, "", "", 0.0, epsilon, springs, alpha, total=total))
+    least = min((f.criterion for f in found), default=float("inf"))
+    return [_judged(f, least) for f in found]
+
+
+def _mean(intervals: Sequence[Interval]) -> Interval:
+    errors = [(i.high - i.low) / 3.92 if i.low is not None and i.high is not None else np.inf for i in intervals]
+    if not np.isfinite(errors).all():
+        return Interval(None, float(np.mean([i.estimate for i in intervals])), None)
+    return random_effects([i.estimate for i in intervals], errors)[0]
+
+
+def _judged(law: LawFit, least: float) -> LawFit:
+    if not np.isfinite(law.criterion):
+        return law
+    excess = law.criterion - least
+    if excess > SUPPORT:
+        return law.judged_as("refuted", f"AICc exceeds the smallest by {excess:.4g}", excess)
+    negative = [a for a, e in zip(law.candidate.alphas, law.epsilon) if is_negative(e)]
+    if negative:
+        return law.judged_as("refuted", f"unphysical: the strength of {', '.join(negative)} is negative", excess)
+    return law.judged_as("consistent", "", excess)
+
+
+def verdict_of_runs(runs: Sequence[Verdict], chosen: Sequence[LawFit]) -> Verdict:
+    """One verdict for all runs: no better than that of the runs, if a run fits no law."""
+    names = "; ".join(str(law.candidate) for law in chosen[:6])
+    inadequate = sum(v.kind == NONE for v in runs)
+    if inadequate:
+        text = f"{NONE} at the noise level in {inadequate} of {len(runs)} runs (model inadequate); best: {names}"
+        return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
+    if len(chosen) == 1:
+        return Verdict("identified", f"identified in {len(runs)} runs: {names}")
+    if not chosen or len(chosen) > 3:
+        return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}")
+    return Verdict(SEVERAL, f"{SEVERAL} with {len(runs)} runs: {names}")
