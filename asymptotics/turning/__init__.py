@@ -8,6 +8,7 @@
 ``quadratic_abel``      the Abel function from the exact coefficients
 ``abel``, ``far``       any alpha > 1: the n-th turning point for any n, with a rigorous bound of the truncated series
 ``quadratic_large``     the half period for large amplitudes
+``routes``              by pieces, by the series or by one jump: the cheapest of the certified ways
 ``general``             any law: the closed forms where they exist, else two agreeing precisions (not certified)
 ``coulomb``, ``linear`` alpha = 0 and alpha = 1: closed forms, exact and certified; sticking and overdamping
 ``swing``               the motion half-swing by half-swing, sign of the velocity fixed; traps: no further turning point

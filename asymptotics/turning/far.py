@@ -26,7 +26,7 @@ from asymptotics.turning.abel import FOLLOWING, AbelFunction, abel_function
 
 HEAD = 300
 """Half-swings iterated before the jump, and one more for each bit."""
-LEAD_ORDER = 64
+LEAD_ORDER = 56
 """The order of the series at which they take over."""
 MAX_TERMS = 40
 

@@ -29,12 +29,11 @@ from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.sequence import Turning, sequence
-from asymptotics.swing.taylor import GUARD
+from asymptotics.swing.sequence import Turning
 from asymptotics.turning.coulomb import coulomb_turning_points
 from asymptotics.turning.linear import linear_turning_points
 from asymptotics.turning.quadratic import TurningPoint, TurningPoints, quadratic_serves, quadratic_turning_points
+from asymptotics.turning.routes import FAR, Plan
 
 MAX_GENERAL_DIGITS = 1000
 _TRIES = 6
@@ -78,28 +77,27 @@ def _enclosed(law: Law, count: int, digits: int, start: int, times: bool, progre
     if digits > MAX_GENERAL_DIGITS:
         reason = f"{digits} digits are too many for a law without a closed form"
         raise LimitError("--digits", reason, f"at most {MAX_GENERAL_DIGITS} digits")
-    require_seconds(estimated_seconds(law, start + count, digits), f"{start + count} half-swings with {digits} digits")
-    bits = bits_for(digits, 40) + 2 * (start + count).bit_length()
+    bits = bits_for(digits, 40) + 2 * (min(start, FAR) + count).bit_length()
+    plan = Plan.of(law, start, count, bits)
+    require_seconds(plan.seconds, f"{start + count} half-swings with {digits} digits")
     for _ in range(_TRIES):
-        points, ended, lacking = _pass(law, count, digits, start, times, bits, progress)
+        points, ended, lacking = _pass(plan, count, digits, start, times, bits, progress)
         if not lacking:
             columns = zip(*((t.velocity, t.strength) for t in law.terms))
             alpha, epsilon = (",".join(map(str, column)) for column in columns)
-            method = f"half-swing by half-swing, local expansions and Taylor steps in balls of {bits} bits"
+            method = f"half-swing by half-swing, {plan.method} in balls of {bits} bits"
             return TurningPoints(alpha, epsilon, digits, tuple(points), method, True, ended)
         bits += max(lacking, digits)
     raise UndecidedError(f"no certified {digits} digits at {bits} bits")
 
 
 def _pass(
-    law: Law, count: int, digits: int, start: int, times: bool, bits: int, progress: Progress
+    plan: Plan, count: int, digits: int, start: int, times: bool, bits: int, progress: Progress
 ) -> tuple[list[TurningPoint], dict[str, Any] | None, int]:
     """The points, how they end, and how many bits were lacking (0 if none) at the first that could not be rounded."""
     points: list[TurningPoint] = []
     with ctx.workprec(bits):
-        with ctx.workprec(bits + GUARD):
-            damping = Damping.of_law(law)
-        for here in sequence(damping):
+        for here in plan.turnings():
             tick(f"turning point {here.n}")
             if here.n >= start:
                 point = _rounded(here, digits, times)
@@ -119,10 +117,3 @@ def _rounded(here: Turning, digits: int, times: bool) -> TurningPoint | None:
     tau = decimal_of_ball(here.tau, digits) if times else None
     return None if x is None or (times and tau is None) else TurningPoint(here.n, x, tau)
 
-
-def estimated_seconds(law: Law, last: int, digits: int) -> float:
-    """The expected time, from measurements at 15, 30 and 60 digits; good to a factor of about three."""
-    bits = bits_for(digits, 40)
-    apart = 1 + sum(not (t.velocity.is_rational and t.velocity.rational.denominator <= 20) for t in law.terms)
-    seconds: float = (last + 1) * 0.035 * (bits / 150) ** 2.2 * apart * (0.6 + 0.4 * len(law.terms))
-    return seconds
