@@ -1,5 +1,6 @@
 """The README's console examples are run and compared, so that what a stranger reads is what the program prints."""
 
+import doctest
 import re
 import shlex
 from pathlib import Path
@@ -24,6 +25,21 @@ def test_there_are_examples():
 def test_the_readme_shows_what_is_printed(capsys, command, output):
     assert main(shlex.split(command)) == 0
     assert capsys.readouterr().out == output
+
+
+def test_the_python_of_the_readme_runs():
+    blocks = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+    assert blocks
+    for block in blocks:
+        test = doctest.DocTestParser().get_doctest(block, {}, "README", "README.md", 0)
+        found: list[str] = []
+        runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
+        assert runner.run(test, out=found.append).failed == 0, found
+
+
+def test_the_links_of_the_readme_lead_somewhere():
+    for target in re.findall(r"\]\((?!http)([^)#]+)\)", README):
+        assert (Path(__file__).parents[1] / target).exists(), target
 
 
 def test_the_commands_of_the_readme_are_in_the_makefile():

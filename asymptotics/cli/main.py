@@ -11,7 +11,6 @@ import sys
 from importlib import import_module
 from typing import Any, NoReturn
 
-from asymptotics import __version__
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import MAX_ACCEPTED, InputError, UndecidedError, printable
 
@@ -44,6 +43,15 @@ class Parser(argparse.ArgumentParser):
         (complain if file is None or file is sys.stderr else emit)(message.rstrip("\n"))
 
 
+class _Version(argparse.Action):
+    """Loads what it needs only when it is asked: reading the installed packages takes time."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *rest: Any) -> NoReturn:
+        """Print the version and leave."""
+        parser._print_message(import_module("asymptotics.cli.version").text(), sys.stdout)
+        parser.exit()
+
+
 def main(argv: list[str] | None = None) -> int:
     """Run one command; returns the exit code."""
     return run_guarded("asymptotics", lambda: run(argv))
@@ -53,7 +61,7 @@ def run(argv: list[str] | None = None) -> int:
     """The same without the shell that answers interrupts and lost output; argparse leaves it by SystemExit."""
     arguments = _join_negative_values(list(sys.argv[1:] if argv is None else argv))
     top = Parser(prog="asymptotics", description=_description(), allow_abbrev=False, formatter_class=_Raw)
-    top.add_argument("--version", action="version", version=f"asymptotics {__version__}")
+    top.add_argument("--version", action=_Version, nargs=0, help="the version; warns of a package of the same name")
     top.add_argument("command", choices=COMMANDS, metavar="COMMAND", help="one of the commands above")
     name = top.parse_args(arguments[:1]).command
     module = import_module("asymptotics.cli." + name.replace("-", "_"))  # only this command's libraries are loaded

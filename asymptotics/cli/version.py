@@ -1,0 +1,29 @@
+"""``--version``: the version, and a warning when another distribution's package of the same name is in the way.
+
+>>> clash(["power-law-oscillator"]) is None
+True
+>>> print(clash(["power-law-oscillator", "asymptotics"]))
+warning: asymptotics also installs a package named 'asymptotics'; the two cannot share an environment
+"""
+
+from collections.abc import Sequence
+from importlib.metadata import packages_distributions
+
+from asymptotics import __version__
+
+DISTRIBUTION = "power-law-oscillator"
+
+
+def text() -> str:
+    """The answer to ``--version``."""
+    warning = clash(packages_distributions().get("asymptotics", []))
+    return f"asymptotics {__version__}" + (f"\n{warning}" if warning else "")
+
+
+def clash(distributions: Sequence[str]) -> str | None:
+    """What to say about ``distributions``, all that install a package ``asymptotics``; None when it is ours alone."""
+    others = sorted(set(distributions) - {DISTRIBUTION})
+    if not others:
+        return None
+    named = " and ".join(others)
+    return f"warning: {named} also installs a package named 'asymptotics'; the two cannot share an environment"
