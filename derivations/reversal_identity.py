@@ -8,6 +8,7 @@ Taylor(F(-F(-delta)), delta, 5) = delta
 
 import sympy
 
+from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.orbit import Orbit
 from asymptotics.half_swings.theta_algebra import COSINE, SINE, THETA, ThetaTrig, sine_power
 from asymptotics.series import Series
@@ -111,8 +112,8 @@ step(
 def flight(alphas: tuple[int, ...], order: int) -> tuple[Series, ...]:
     """R, T_q (theta = pi/2) and L, T (theta = pi) of one and the same orbit."""
     powers = tuple(sine_power(a) for a in alphas)
-    weights = tuple(a - 1 for a in alphas)
-    orbit = Orbit.solve(weights, order, powers, COSINE, lambda m: -(SINE * m).integral())
+    grading, keys = Grading.of(alphas), (tuple(int(i == j) for j in range(len(alphas))) for i in range(len(alphas)))
+    orbit = Orbit.solve(grading, order, list(zip(keys, powers)), COSINE, lambda m: -(SINE * m).integral())
     log_r = orbit.series(orbit.log_r, lambda f: f)
     time = orbit.series(orbit.m, lambda m: (COSINE * m).integral()) + THETA
     return tuple(f.map(at) for at in (ThetaTrig.at_quarter, ThetaTrig.at_half) for f in (log_r, time))

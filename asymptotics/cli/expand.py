@@ -5,16 +5,20 @@
   asymptotics expand --alpha 3/2 --order 6 --digits 40
   asymptotics expand --alpha 3 --order 5 --gauge no-first-harmonic --exact
   asymptotics expand --law 0:1/10 --law 1:1/5 --order 4
+  asymptotics expand --alpha 2 --spring pendulum --order 4
+  asymptotics expand --law 1:-1 --law 1,2:1 --order 6
   asymptotics expand --alpha symbolic --order 4 --latex
 
-delta = epsilon A^(alpha-1); amplitude holds p_k, frequency Omega_k, for all k up to the order.
+delta = epsilon A^(alpha-1), for a spring c x|x|^(P-1) delta = c A^(P-1); amplitude holds p_k, frequency Omega_k, for
+all k up to the order.  With several forces k has one index for each: losses, then springs, in the order given; a
+pendulum counts powers of A^2.  Springs are always odd in x: P = 2 is x|x|, not x^2.
 """
 
 import argparse
 from typing import Any
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
-from asymptotics.cli.laws import add_law, read_exponents
+from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES, TURNING_POINT
 from asymptotics.normal_form.closed_forms import MAX_SYMBOLIC_ORDER, symbolic_coefficients
@@ -27,7 +31,7 @@ MAX_DIGITS, MAX_ORDER, MAX_SECONDS = 1000, 200, 3600
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    add_law(parser)
+    add_forces(parser)
     parser.add_argument("--order", default="4", metavar="N", help=f"the highest power of delta, 1 to {MAX_ORDER}")
     text = f"one of {', '.join(GAUGES)} (default: the first)"
     parser.add_argument("--gauge", default=TURNING_POINT, metavar="G", help=text)
@@ -52,16 +56,17 @@ def run(options: argparse.Namespace) -> Answer:
     digits = read_digits(options, MAX_DIGITS)
     seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
     if options.alpha == "symbolic":
-        if options.law is not None or options.exact:
-            given = "--law" if options.law is not None else "--exact"
-            raise InputError(given, "cannot be combined with --alpha symbolic", "one law, in closed form")
+        if options.law or options.spring or options.exact:
+            other = "--law" if options.law else "--spring" if options.spring else "--exact"
+            raise InputError(other, "cannot be combined with --alpha symbolic", "one law, in closed form")
         return _symbolic(options, order, digits)
-    exponents = read_exponents(options)
+    given = read_terms(options)
     found = expansion_coefficients(
-        exponents.alphas, order, digits, options.gauge, exact_only=options.exact, max_seconds=seconds
+        given.terms, order, digits, options.gauge, exact_only=options.exact, max_seconds=seconds
     )
-    data = {"alpha": exponents.shown, **found.to_dict(), "latex": found.latex(), "notes": list(exponents.notes)}
-    return Answer(data, found.latex() if options.latex else _text(found, exponents.notes), options.json)
+    head = {"alpha": given.shown, "terms": given.to_list()}
+    data = {**head, **found.to_dict(), "latex": found.latex(), "notes": list(given.notes)}
+    return Answer(data, found.latex() if options.latex else _text(found, given), options.json)
 
 
 def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:
@@ -72,10 +77,17 @@ def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:
     return Answer(found.to_dict(), found.latex() if options.latex else str(found), options.json)
 
 
-def _text(found: ExpansionCoefficients, notes: tuple[str, ...]) -> str:
-    lines = [f"gauge {found.gauge}, {found.arithmetic}"]
-    lines += [*row_text("p", found.amplitude), *row_text("Omega", found.frequency), *notes]
+def _text(found: ExpansionCoefficients, given: GivenTerms) -> str:
+    lines = [f"gauge {found.gauge}, {found.arithmetic}", *order_of(given)]
+    lines += [*row_text("p", found.amplitude), *row_text("Omega", found.frequency), *given.notes]
     return "\n".join(lines)
+
+
+def order_of(given: GivenTerms) -> list[str]:
+    """What the indices of the coefficients count, unless all forces are powers of the velocity."""
+    plain = all(t.is_power_of_velocity for t in given.terms)
+    names = (f"{t.shape()}, in A^2" if t.family else t.shape() for t in given.terms)
+    return [] if plain else [f"indices count {'; '.join(names)}"]
 
 
 def row_text(name: str, row: Row) -> list[str]:

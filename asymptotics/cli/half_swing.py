@@ -4,6 +4,7 @@ log_ratio L = ln(A'/A),  map F: delta -> delta',  duration T,  and the smooth fl
 U = d ln A/dpsi,  V = d delta/dpsi,  W = dtau/dpsi  (turning-point gauge).
 
 asymptotics half-swing --alpha 3/2 --order 6 --digits 40
+asymptotics half-swing --alpha 3/2 --spring 3 --order 4
 
 With --delta, the numbers at that local strength instead: A'/A, L and T, certified, with the enclosure, the route, the
 number of terms and the tail; a sum takes one strength for each law.
@@ -15,8 +16,8 @@ asymptotics half-swing --law 1 --law 2 --delta 1/50,1/40
 import argparse
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
-from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER, MAX_SECONDS, add_max_seconds, row_text
-from asymptotics.cli.laws import Exponents, add_law, read_exponents
+from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER, MAX_SECONDS, add_max_seconds, order_of, row_text
+from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.errors import InputError
 from asymptotics.half_swings.finite_result import half_swing_at
 from asymptotics.normal_form.coefficients import half_swing_coefficients
@@ -25,7 +26,7 @@ from asymptotics.numbers.exact import parse_integer, parse_real
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    add_law(parser)
+    add_forces(parser)
     parser.add_argument("--order", default="4", metavar="N", help=f"the highest power of delta, 1 to {MAX_ORDER}")
     parser.add_argument("--exact", action="store_true", help="demand exact coefficients (integer exponents)")
     text = "the number at this local strength instead of the series; a sum: D_1,D_2,... in the order of the laws"
@@ -37,30 +38,33 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    exponents = read_exponents(options)
+    given = read_terms(options)
     if options.delta is not None:
-        return _at(options, exponents)
+        return _at(options, given)
     order = parse_integer(options.order, "--order", 1, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
     seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
-    found = half_swing_coefficients(exponents.alphas, order, digits, exact_only=options.exact, max_seconds=seconds)
+    found = half_swing_coefficients(given.terms, order, digits, exact_only=options.exact, max_seconds=seconds)
     names = [("L", found.log_ratio), ("T", found.duration), ("U", found.U), ("W", found.W)]
-    suffixes = [""] if len(exponents.alphas) == 1 else [f"[{a}]" for a in exponents.alphas]
+    suffixes = [""] if len(given.terms) == 1 else [f"[{name}]" for name in given.names]
     names += [(f"{n}{s}", row) for n, rows in (("F", found.map), ("V", found.V)) for s, row in zip(suffixes, rows)]
-    lines = [f"turning-point gauge, {found.arithmetic}"] + [line for name, row in names for line in row_text(name, row)]
-    data = {"alpha": exponents.shown, **found.to_dict(), "notes": list(exponents.notes)}
-    return Answer(data, "\n".join([*lines, *exponents.notes]), options.json)
+    lines = [f"turning-point gauge, {found.arithmetic}", *order_of(given)]
+    lines += [line for name, row in names for line in row_text(name, row)]
+    data = {"alpha": given.shown, "terms": given.to_list(), **found.to_dict(), "notes": list(given.notes)}
+    return Answer(data, "\n".join([*lines, *given.notes]), options.json)
 
 
-def _at(options: argparse.Namespace, exponents: Exponents) -> Answer:
+def _at(options: argparse.Namespace, given: GivenTerms) -> Answer:
     """The half-swing at a given strength."""
     if options.exact:
         raise InputError("--exact", "cannot be combined with --delta", "--delta alone: certified digits")
+    other = next((t for t in given.terms if not t.is_power_of_velocity), None)
+    if other is not None:
+        option = "--law" if other.sign < 0 else "--spring"
+        raise InputError(option, f"{other.shape()} has no proved tail of its series", "--delta with --law A, no spring")
     delta = [parse_real(text, "--delta") for text in options.delta.split(",")]
-    found = half_swing_at(exponents.alphas, delta, read_digits(options, MAX_DIGITS))
+    found = half_swing_at([t.velocity for t in given.terms], delta, read_digits(options, MAX_DIGITS))
     names = {"A'/A": "amplitude", "L": "log_ratio", "T": "duration"}
     lines = [f"{shown:5} {getattr(found, name)}" for shown, name in names.items()]
     lines.append(f"certified: {str(found.certified).lower()} ({found.route}, {found.terms} terms, tail {found.tail})")
-    return Answer(
-        {**found.to_dict(), "notes": list(exponents.notes)}, "\n".join([*lines, *exponents.notes]), options.json
-    )
+    return Answer({**found.to_dict(), "notes": list(given.notes)}, "\n".join([*lines, *given.notes]), options.json)

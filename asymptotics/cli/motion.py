@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
-from asymptotics.cli.law_options import add_law, read_law
+from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.motion_files import KINDS, csv_of, picture_of
 from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES, TURNING_POINT
@@ -39,7 +39,7 @@ _QUANTITIES = {
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    add_law(parser, "damping", "B", "b in N (s/m)^alpha")
+    add_forces(parser, "damping", "B", "b in N (s/m)^alpha", springs=False)
     for name, (letter, default, text) in _QUANTITIES.items():
         note = "" if default is None else f" (default {default})"
         parser.add_argument(f"--{name}", required=default is None, default=default, metavar=letter, help=text + note)

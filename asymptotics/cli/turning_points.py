@@ -11,7 +11,7 @@ proved, whatever the law.  `ended` tells the last turning point there is, and wh
 import argparse
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
-from asymptotics.cli.law_options import add_law, read_law
+from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.progress import progress_bar
 from asymptotics.errors import LimitError
 from asymptotics.law import Law
@@ -22,7 +22,7 @@ from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, Turn
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    add_law(parser, "epsilon", "E", "b omega_0^alpha x0^(alpha-1) / k, e.g. 1/3")
+    add_forces(parser, "epsilon", "E", "b omega_0^alpha x0^(alpha-1) / k, e.g. 1/3", springs=False)
     parser.add_argument("--count", required=True, metavar="N", help=f"how many points (1 to {MAX_COUNT})")
     parser.add_argument("--start", default="0", metavar="N", help="the first point (default 0)")
     parser.add_argument("--times", action="store_true", help="the times as well")

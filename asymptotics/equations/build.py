@@ -50,8 +50,7 @@ def expand(
     terms, strengths, oscillator, notes = _read(law, spring)
     if len(terms) > MAX_TERMS:
         raise InputError("law", f"{len(terms)} different terms are too many", f"at most {MAX_TERMS}")
-    alphas = tuple(t.velocity for t in _pure(terms))
-    found = expansion_coefficients(alphas, N, D, gauge, exact_only=exact, max_seconds=seconds)
+    found = expansion_coefficients(terms, N, D, gauge, exact_only=exact, max_seconds=seconds)
     p, Omega = (Row({_key(k): c for k, c in row.items()}) for row in (found.amplitude, found.frequency))
     return Equations(terms, gauge, N, found.arithmetic, p, Omega, strengths, oscillator, None, notes)
 
@@ -91,11 +90,6 @@ def _springs(spring: Any) -> tuple[Term, ...]:
 def float_notes_of(exponents: Any) -> tuple[str, ...]:
     """What the floats among the exponents were read as."""
     return tuple(note for a in exponents for note in float_notes(alpha=a))
-
-
-def _pure(terms: tuple[Term, ...]) -> tuple[Term, ...]:
-    Law.from_terms(terms).require_pure("this expansion")
-    return terms
 
 
 def _key(key: str) -> tuple[int, ...]:

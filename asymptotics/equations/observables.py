@@ -1,7 +1,9 @@
 """What an experiment sees on the half-swing from a turning amplitude A: the same numbers in every gauge.
 
     half period T/omega_0,   decrement Lambda = ln(A_n/A_(n+2)) over a full swing,
-    energy loss of the half-swing 1 - (A_(n+1)/A_n)^2,   Q = 2 pi/(1 - e^(-2 Lambda)).
+    energy loss of the half-swing 1 - V(A_(n+1))/V(A_n),   Q = 2 pi V(A_n)/(V(A_n) - V(A_(n+2))),
+
+with V(A) = A^2/2 for the linear spring: the loss is 1 - (A_(n+1)/A_n)^2 and Q = 2 pi/(1 - e^(-2 Lambda)) there.
 
 The values are truncated series: heuristic doubles, with an error *estimate* (twice what two orders more change), to
 which they are rounded when they are printed.
@@ -17,10 +19,14 @@ from functools import lru_cache
 from math import exp, floor, log10, pi
 from typing import Any
 
+from flint import fmpq
+
 from asymptotics.errors import InputError
 from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.quarter import HalfSwing, half_swing
 from asymptotics.law import Oscillator
+from asymptotics.series import Series
 from asymptotics.terms import Term
 
 
@@ -69,7 +75,7 @@ def observables_at(
     terms: tuple[Term, ...], order: int, deltas: list[float], amplitude: float, oscillator: Oscillator | None
 ) -> Observables:
     """The observables of a law at local strengths ``deltas``, through ``order``."""
-    here, finer = (_values(_half(terms, n), deltas) for n in (order, order + 2))
+    here, finer = (_values(_half(terms, n), _potential(terms, n), deltas) for n in (order, order + 2))
     if any(x != x for x in (*here, *finer)):
         raise InputError("A", "the series give no number there", "a smaller amplitude")
     time, unit = (1.0, "") if oscillator is None else (1 / float(oscillator.omega_0().mid()), "s")
@@ -80,22 +86,32 @@ def observables_at(
     return Observables(amplitude, half_period, ratio, decrement, loss, quality)
 
 
-def _values(half: HalfSwing, deltas: list[float]) -> tuple[float, ...]:
-    """(T, e^L, Lambda, energy loss, Q) of a truncated half-swing map."""
+def _values(half: HalfSwing, potential: Series, deltas: list[float]) -> tuple[float, ...]:
+    """(T, e^L, Lambda, energy loss, Q) of a truncated half-swing map; ``potential`` is V(A)/(A^2/2)."""
     balls = tuple(deltas)
     L = float(half.L.map(_double).at(balls))
     after = tuple(d * exp(float(w) * L) for d, w in zip(deltas, (_double(w) for w in half.grading.weights)))
     decrement = -(L + float(half.L.map(_double).at(after)))
     T = float(half.T.map(_double).at(balls))
-    quality = 2 * pi / -(exp(-2 * decrement) - 1) if decrement else float("inf")
-    return T, exp(L), decrement, 1 - exp(2 * L), quality
+    last = tuple(d * exp(-float(w) * decrement) for d, w in zip(deltas, (_double(w) for w in half.grading.weights)))
+    start, half_way, end = (float(potential.map(_double).at(d)) for d in (balls, after, last))
+    swing_loss = 1 - exp(-2 * decrement) * end / start
+    quality = 2 * pi / swing_loss if decrement else float("inf")
+    return T, exp(L), decrement, 1 - exp(2 * L) * half_way / start, quality
+
+
+@lru_cache(maxsize=64)
+def _potential(terms: tuple[Term, ...], order: int) -> Series:
+    return Forces.read(terms, order).potential(order)
 
 
 def _double(c: Any) -> float:
+    if isinstance(c, fmpq):
+        return int(c.p) / int(c.q)
     return float(c.mid()) if hasattr(c, "mid") else float(c)
 
 
 @lru_cache(maxsize=64)
 def _half(terms: tuple[Term, ...], order: int) -> HalfSwing:
     """L, F, T of a law in balls."""
-    return half_swing(quarter_swing([t.velocity for t in terms], order))
+    return half_swing(quarter_swing(terms, order))

@@ -1,4 +1,4 @@
-"""The quarter swing for any real exponents α_i >= 0, alone or in sums, as series whose coefficients are proved balls.
+"""The quarter swing for any real exponents and any springs, in sums, as series whose coefficients are proved balls.
 
 R = ln r(π/2)/r(0), the duration T_q and the waveform moments K_k of `quarter` are power series in the local strengths
 δ_i.  `certified_orders` computes the first ``terms`` coefficients, in t = (2θ/π)², of the function that belongs to each
@@ -21,6 +21,10 @@ decide how narrow the balls are, not whether they are right.
 >>> two = quarter_swing([parse_real("1", "--alpha"), parse_real("sqrt(2)", "--alpha")], 2)
 >>> two.R[1, 0].overlaps(-arb.pi() / 4), two.R[1, 1].str(12)
 (True, '[-0.328899510902 +/- ...]')
+>>> from asymptotics.terms import Term
+>>> duffing = quarter_swing([Term(1, "3/2"), Term(1, 0, 3, "position")], 2)
+>>> duffing.T_q[0, 1].str(12), (-3 * arb.pi() / 16).str(12)
+('[-0.589048622548 +/- ...]', '[-0.589048622548 +/- ...]')
 """
 
 from collections.abc import Sequence
@@ -38,9 +42,8 @@ from asymptotics.half_swings.certified_orders import (
     order_series,
     power_series_ring,
 )
-from asymptotics.half_swings.grading import Grading
+from asymptotics.half_swings.forces import Forces, Given
 from asymptotics.half_swings.quarter import QuarterSwing
-from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Series
 
 BOUND_BITS = 64
@@ -51,7 +54,7 @@ MAX_WORK = 600 * WORK_PER_SECOND
 
 
 def quarter_swing(
-    alphas: Sequence[ExactReal],
+    given: Given,
     order: int,
     *,
     moments: bool = False,
@@ -61,50 +64,51 @@ def quarter_swing(
 ) -> QuarterSwing:
     """R, T_q and, if asked for, the moments K_k (k = 0 … order, through order − k) at the current precision.
 
-    ``alphas``: the exponents, all >= 0; the coefficient of δ_1^{n_1} δ_2^{n_2} … has the key (n_1, n_2, …).
-    ``terms`` (coefficients kept) and ``radius`` (ϱ = 2, 3 or 4) change the width of the balls only.
-    InputError for no exponent, a negative one, or order < 1; LimitError if the work would exceed ``max_work``.
+    ``given``: forces, terms, or the exponents of plain losses, all >= 0; the coefficient of δ_1^{n_1} δ_2^{n_2} … has
+    the key (n_1, n_2, …).  ``terms`` (coefficients kept) and ``radius`` (ϱ = 2, 3 or 4) change the width of the balls
+    only.  InputError for no force, a negative exponent, or order < 1; LimitError if the work would exceed ``max_work``.
     """
-    _check(alphas, order, radius)
-    products = _products(len(alphas), order, moments)
+    forces = Forces.read(given, order)
+    _check(order, radius)
+    products = _products(forces, order, moments)
     _check_work(products, terms or ctx.prec // 2, ctx.prec, max_work)  # the bounds themselves cost scalar products
     with ctx.workprec(BOUND_BITS):
-        bounds = tail_constants([a.ball() for a in alphas], order, radius, moments)
-        size = tail_constants([a.ball() for a in alphas], order, 1, moments)
+        bounds = tail_constants(forces, order, radius, moments)
+        size = tail_constants(forces, order, 1, moments)
     kept = terms or terms_needed(bounds, radius, ctx.prec)
     bits = ctx.prec + _guard_bits(size)
     _check_work(products, kept, bits, max_work)
     with ctx.workprec(bits):
-        sums = truncated_sums([a.ball() for a in alphas], order, kept, moments)
+        sums = truncated_sums(forces, order, kept, moments)
         enclosed = [enclose(s, b, radius, kept) for s, b in zip(sums, bounds, strict=True)]
-    R, T_q, *K = [Series(c, len(alphas), max(map(sum, c))) for c in enclosed]
-    return QuarterSwing(Grading.of(a.ball() for a in alphas), R, T_q, tuple(zip(K[::2], K[1::2], strict=True)))
+    R, T_q, *K = [Series(c, forces.variables, max(map(sum, c))) for c in enclosed]
+    return QuarterSwing(forces.ball_grading(), R, T_q, tuple(zip(K[::2], K[1::2], strict=True)))
 
 
-def truncated_sums(alphas: Sequence[arb], order: int, terms: int, moments: bool) -> list[Orders]:
+def truncated_sums(forces: Forces, order: int, terms: int, moments: bool) -> list[Orders]:
     """R, T_q, Re K_0, Im K_0, Re K_1, … from the first ``terms`` coefficients: balls around the truncated sums only."""
-    ring = power_series_ring(alphas, terms)
-    y = order_series(ring, alphas, indices(len(alphas), order))
+    ring = power_series_ring(forces, terms)
+    y = order_series(ring, indices(forces.variables, order))
     kappa = arb.pi() / 2
     R: Orders = {}
-    T: Orders = {(0,) * len(alphas): kappa}
-    for n, tau in duration_orders(ring, alphas, y).items():
-        exponent = dot(n, alphas)
+    T: Orders = {(0,) * forces.variables: kappa}
+    for n, tau in duration_orders(ring, y).items():
+        exponent = dot(n, ring.velocities)
         R[n] = -sum(ring.integrate(ring.cut(ring.turn * y[n]), exponent).coeffs(), arb(0)) * kappa**exponent
         T[n] = sum(tau.coeffs(), arb(0)) * kappa ** (exponent + 1)
-    K = moment_orders(ring, elementary_series(terms)[1], alphas, y, order) if moments else []
+    K = moment_orders(ring, elementary_series(terms)[1], y, order) if moments else []
     return [R, T, *(part for pair in K for part in pair)]
 
 
-def tail_constants(alphas: Sequence[arb], order: int, radius: int, moments: bool) -> list[Orders]:
+def tail_constants(forces: Forces, order: int, radius: int, moments: bool) -> list[Orders]:
     """B_n of the module docstring for R, T_q, Re K_0, Im K_0, Re K_1, … in the order of `truncated_sums`."""
-    ring = bound_ring(alphas, radius)
-    y = order_series(ring, alphas, indices(len(alphas), order))
+    ring = bound_ring(forces, radius)
+    y = order_series(ring, indices(forces.variables, order))
     kappa = arb.pi() / 2
-    scale = {n: kappa ** dot(n, alphas) for n in [(0,) * len(alphas), *y]}
+    scale = {n: kappa ** dot(n, ring.velocities) for n in [(0,) * forces.variables, *y]}
     R = {n: scale[n] * ring.turn * bound for n, bound in y.items()}
     T = {n: kappa * scale[n] * ring.cosine * bound for n, bound in y.items()}
-    K = moment_bounds(alphas, y, radius, order) if moments else []
+    K = moment_bounds(ring.velocities, y, radius, order) if moments else []
     scaled = [{n: kappa ** (k + 1) * scale[n] * bound for n, bound in part.items()} for k, part in enumerate(K)]
     return [R, T, *(part for part in scaled for _ in range(2))]
 
@@ -131,22 +135,18 @@ def _log2(x: arb) -> float:
     return log2(int(mantissa)) + int(exponent)
 
 
-def _check(alphas: Sequence[ExactReal], order: int, radius: int) -> None:
-    if not alphas:
-        raise InputError("alphas", "a law without terms", "at least one exponent")
-    for a in alphas:
-        if a < 0:
-            raise InputError("alphas", f"{a} is negative", "exponents >= 0")
+def _check(order: int, radius: int) -> None:
     if order < 1:
         raise InputError("order", f"{order} is not positive", "an integer >= 1")
     if radius not in (2, 3, 4):
         raise InputError("radius", f"{radius} is not a radius of proved analyticity", "2, 3 or 4")
 
 
-def _products(laws: int, order: int, moments: bool) -> int:
-    """Products of series: C(order + 2 laws, 2 laws) per convolution, laws + 1 of these, and those of the moments."""
-    products = (laws + 1) * comb(order + 2 * laws, 2 * laws)
-    return products + (4 * comb(order + 2 * laws + 1, 2 * laws + 1) if moments else 0)
+def _products(forces: Forces, order: int, moments: bool) -> int:
+    """Products of series: C(order + 2 k, 2 k) per convolution in k variables, one for each member and one for y."""
+    k, convolutions = forces.variables, len(forces.members) + 1
+    products = convolutions * comb(order + 2 * k, 2 * k)
+    return products + (4 * comb(order + 2 * k + 1, 2 * k + 1) if moments else 0)
 
 
 def _check_work(products: int, terms: int, bits: int, max_work: int) -> None:

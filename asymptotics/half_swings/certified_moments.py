@@ -37,17 +37,17 @@ def divide(f: arb_poly, exponent: arb, start: int) -> arb_poly:
     return arb_poly([x / (exponent + (start + 2 * j)) for j, x in enumerate(f.coeffs())])
 
 
-def duration_orders(ring: Ring, alphas: Sequence[arb], y: Mapping[Key, arb_poly]) -> Orders:
+def duration_orders(ring: Ring, y: Mapping[Key, arb_poly]) -> Orders:
     """τ_n, n ≠ 0: the orders of τ/θ."""
-    return {n: divide(ring.cut(ring.cosine * f), dot(n, alphas), 1) for n, f in y.items()}
+    return {n: divide(ring.cut(ring.cosine * f), dot(n, ring.velocities), 1) for n, f in y.items()}
 
 
 def moment_orders(
-    ring: Ring, sine_ratio: arb_poly, alphas: Sequence[arb], y: Mapping[Key, arb_poly], order: int
+    ring: Ring, sine_ratio: arb_poly, y: Mapping[Key, arb_poly], order: int
 ) -> list[tuple[Orders, Orders]]:
     """(Re K_k, Im K_k) for k = 0 … order, through order − k, without their tails."""
-    real, imaginary = _waveform(ring, sine_ratio, alphas, y)
-    tau: Orders = {(0,) * len(alphas): arb(1), **duration_orders(ring, alphas, y)}
+    real, imaginary = _waveform(ring, sine_ratio, y)
+    tau: Orders = {(0,) * len(ring.velocities): arb(1), **duration_orders(ring, y)}
     kappa = arb.pi() / 2
     moments = []
     for k in range(order + 1):
@@ -55,31 +55,33 @@ def moment_orders(
             real, imaginary = (
                 {n: ring.cut(convolve(tau, f, n)) for n in f if sum(n) <= order - k} for f in (real, imaginary)
             )
-        moments.append((_values(real, alphas, kappa, k + 1, 0), _values(imaginary, alphas, kappa, k + 1, 1)))
+        parts = ((real, 0), (imaginary, 1))
+        re, im = (_values(f, ring.velocities, kappa, k + 1, odd) for f, odd in parts)
+        moments.append((re, im))
     return moments
 
 
-def _values(f: Orders, alphas: Sequence[arb], kappa: arb, power: int, odd: int) -> Orders:
+def _values(f: Orders, velocities: Sequence[arb], kappa: arb, power: int, odd: int) -> Orders:
     """∫ of θ^{n·α + power − 1} u^odd f_n(t) dθ up to u = 1, without tails."""
     values = {}
     for n, series in f.items():
-        exponent = dot(n, alphas)
+        exponent = dot(n, velocities)
         total = sum(divide(series, exponent, power + odd).coeffs(), arb(0))
         values[n] = total * kappa ** (exponent + power)
     return values
 
 
 def _waveform(
-    ring: Ring, sine_ratio: arb_poly, alphas: Sequence[arb], y: Mapping[Key, arb_poly]
+    ring: Ring, sine_ratio: arb_poly, y: Mapping[Key, arb_poly]
 ) -> tuple[Orders, Orders]:
     """The orders of e^{−iθ} c · w D: (even part, odd part divided by i u)."""
-    zero, kappa, cut = (0,) * len(alphas), arb.pi() / 2, ring.cut
+    zero, kappa, cut = (0,) * len(ring.velocities), arb.pi() / 2, ring.cut
     cosine = kappa * ring.cosine
     a: Orders = {zero: arb_poly([1])}
     b: Orders = {zero: arb_poly()}
     for n in y:
         A, B = cut(convolve(y, a, n)), cut(convolve(y, b, n))
-        exponent = dot(n, alphas)
+        exponent = dot(n, ring.velocities)
         even = cut(ring.turn * A) - cut((cosine * B).left_shift(1))
         a[n] = -ring.integrate(even, exponent)
         b[n] = -divide(cut(ring.turn * B + cosine * A), exponent, 1)
@@ -93,17 +95,17 @@ def _waveform(
     return real, imaginary
 
 
-def moment_bounds(alphas: Sequence[arb], y: Mapping[Key, arb], radius: arb | int, order: int) -> list[Orders]:
+def moment_bounds(velocities: Sequence[arb], y: Mapping[Key, arb], radius: arb | int, order: int) -> list[Orders]:
     """For k = 0 … order: bounds of the integrand orders θ^{−n·α−k} (τ^k e^{−iθ} c w D)_n on |u| < √radius."""
     theta = arb.pi() / 2 * arb(radius).sqrt()
-    zero = (0,) * len(alphas)
+    zero = (0,) * len(velocities)
     w: Orders = {zero: arb(1)}
     tau: Orders = {zero: arb(1)}
     d: Orders = {zero: arb(1)}
     for n, bound in y.items():
-        w[n] = theta * theta.exp() * convolve(y, w, n) / (dot(n, alphas) + 1)
+        w[n] = theta * theta.exp() * convolve(y, w, n) / (dot(n, velocities) + 1)
         d[n] = theta.cosh() * bound
-        tau[n] = d[n] / (dot(n, alphas) + 1)
+        tau[n] = d[n] / (dot(n, velocities) + 1)
     last = {n: (1 + (2 * theta).exp()) / 2 * convolve(d, w, n) for n in w}
     bounds = [last]
     for k in range(1, order + 1):

@@ -1,18 +1,22 @@
 """The orders of the quarter swing, computed twice by one recursion: in truncated power series, and in bounds.
 
 **Variables.**  On the quarter swing from the turning point (θ = 0) to the equilibrium passage (θ = π/2) put
-θ = (π/2) u, t = u², and R = ln r, P_i = e^{(α_i−1) R}, S = Σ δ_i P_i s^{α_i}, Y = S/(1 − c S).  The equations become
+θ = (π/2) u, t = u², and R = ln r, Y = S/(1 − c S), where S = Σ_i δ^{k_i} P_i ϱ_i s^{v_i} c^{m_i} runs over the members
+of the forces (``forces``): key k_i, number ±ϱ_i, powers of s and c, and P_i = e^{a_i R} with the weight a_i of the key
+(for v|v|^{α−1}: s^α, a = α − 1; for a spring x|x|^{p−1}: −c^p, a = p − 1).  The motion (``quarter``) becomes
 
-    Y = S (1 + c Y),   θ dR/dθ = −θ s Y,   θ dP_i/dθ = (1−α_i) θ s Y P_i,   θ dτ/dθ = θ (1 + c Y),
+    Y = S (1 + c Y),   θ dR/dθ = −θ s Y,   θ dP_i/dθ = −a_i θ s Y P_i,   θ dτ/dθ = θ (1 + c Y),
 
 sums and products only.  With σ = sin θ/θ and g = θ sin θ, power series in t without negative powers, one finds order by
-order in the multi-index n (δⁿ = Π δ_i^{n_i}, n·α = Σ n_i α_i)
+order in the multi-index n (δⁿ = Π δ_i^{n_i}, and n·α = Σ n_i α_i counts the powers of the *velocity*: 0 for a force of
+the position alone)
 
     Y = Σ δⁿ θ^{n·α} y_n(t),   S = Σ δⁿ θ^{n·α} s_n(t),   P_i = Σ δⁿ θ^{n·α} p_{i,n}(t),   p_{i,0} = 1,
-    s_n = Σ_i σ^{α_i} p_{i, n−e_i},   y_n = s_n + c Σ_m s_m y_{n−m},   p_{i,n} = (1−α_i) I_n[ g Σ_m p_{i,m} y_{n−m} ],
+    s_n = Σ_i ϱ_i σ^{v_i} c^{m_i} p_{i,n−k_i},   y_n = s_n + c Σ_m s_m y_{n−m},
+    p_{i,n} = −a_i I_n[ g Σ_m p_{i,m} y_{n−m} ],
 
 where I_n divides the coefficient of t^j by n·α + 2j.  Here g = O(t), so j ≥ 1 and nothing is ever divided by zero, not
-even at α = 0.  All these functions are analytic in |t| < 4, because σ(t) = Π_k (1 − t/(4k²)) has no zero there; they
+even at n·α = 0.  All these functions are analytic in |t| < 4, because σ(t) = Π_k (1 − t/(4k²)) has no zero there; they
 are needed at t = 1.
 
 **The first K coefficients** of a product, and of I_n, depend on the first K coefficients of the factors only: they are
@@ -21,19 +25,19 @@ computed in balls without any truncation error.  What is missing at t = 1 is the
 **Bounds.**  Let |f| be the supremum of |f(t)| over |t| < ϱ, 1 < ϱ ≤ 4, and θ_ϱ = (π/2) √ϱ.  It is submultiplicative and
 
 1. |σ^α| ≤ (sinh θ_ϱ/θ_ϱ)^α for α ≥ 0: |1 − t/(4k²)| ≤ 1 + ϱ/(4k²) in the product, and |z^α| = |z|^α for real α;
-2. |c| ≤ cosh θ_ϱ and |g| ≤ θ_ϱ sinh θ_ϱ: replace each Taylor coefficient by its absolute value;
+2. |c^m| ≤ (cosh θ_ϱ)^m and |g| ≤ θ_ϱ sinh θ_ϱ: replace each Taylor coefficient by its absolute value;
 3. |I_n f| ≤ |f|/(n·α + 2) if f(0) = 0: I_n f(t) = ½ ∫_0^1 v^{n·α/2 − 1} f(vt) dv and |f(vt)| ≤ v |f| (Schwarz);
 4. the coefficients satisfy |f_j| ≤ |f| ϱ^{−j} (Cauchy), so Σ_{j≥K} |f_j| ≤ |f| ϱ^{−K}/(1 − 1/ϱ).
 
-Hence the same recursion, with the numbers 1–3 in the place of the functions and |1−α_i| in that of 1−α_i, yields upper
-bounds of |y_n| and |p_{i,n}| by induction, and 4 turns them into a bound of every tail.  `order_series` is that
-recursion; `power_series_ring` and `bound_ring` are its two arithmetics.
+Hence the same recursion, with the numbers 1–3 in the place of the functions and |a_i|, |ϱ_i| in that of −a_i, ϱ_i,
+yields upper bounds of |y_n| and |p_{i,n}| by induction, and 4 turns them into a bound of every tail.  `order_series` is
+that recursion; `power_series_ring` and `bound_ring` are its two arithmetics.
 
->>> one_law = [arb(2)]
->>> small = order_series(power_series_ring(one_law, 30), one_law, indices(1, 2))
+>>> drag = Forces.losses([2])
+>>> small = order_series(power_series_ring(drag, 30), indices(1, 2))
 >>> sum(small[(1,)].coeffs(), arb(0)).str(8)        # y_1 = σ^2, at θ = π/2: (2/π)^2 up to the tail
 '[0.40528473 +/- ...]'
->>> (order_series(bound_ring(one_law, 4), one_law, indices(1, 2))[(1,)]).str(5)     # (sinh(π)/π)^2
+>>> (order_series(bound_ring(drag, 4), indices(1, 2))[(1,)]).str(5)     # (sinh(π)/π)^2
 '[13.514 +/- ...]'
 """
 
@@ -44,15 +48,19 @@ from typing import Any
 
 from flint import arb, arb_poly
 
+from asymptotics.half_swings.forces import Forces, Member
 from asymptotics.series import Key, monomials
 
 
 @dataclass(frozen=True)
 class Ring:
-    """What `order_series` needs: the functions c, g, σ^{α_i}, the numbers ±(1−α_i), truncation, and I_n."""
+    """What `order_series` needs: the functions c and g, truncation and I_n; the velocity powers of the variables; and
+    of each member its key, its function ϱ σ^v c^m, and the factor ±a of its slope."""
 
     cosine: Any
     turn: Any
+    velocities: tuple[arb, ...]
+    keys: tuple[Key, ...]
     powers: tuple[Any, ...]
     slopes: tuple[arb, ...]
     cut: Callable[[Any], Any]
@@ -73,9 +81,9 @@ def minus(n: Key, m: Key) -> Key:
     return tuple(a - b for a, b in zip(n, m, strict=True))
 
 
-def dot(n: Key, alphas: Sequence[arb]) -> arb:
+def dot(n: Key, velocities: Sequence[arb]) -> arb:
     """The exponent n·α."""
-    return sum((k * a for k, a in zip(n, alphas, strict=True)), arb(0))
+    return sum((k * a for k, a in zip(n, velocities, strict=True)), arb(0))
 
 
 def convolve(f: Mapping[Key, Any], g: Mapping[Key, Any], n: Key) -> Any:
@@ -87,25 +95,27 @@ def convolve(f: Mapping[Key, Any], g: Mapping[Key, Any], n: Key) -> Any:
     return total
 
 
-def order_series(ring: Ring, alphas: Sequence[arb], orders: Sequence[Key]) -> dict[Key, Any]:
+def order_series(ring: Ring, orders: Sequence[Key]) -> dict[Key, Any]:
     """All y_n, n ≠ 0, of the module docstring in the arithmetic of ``ring``; ``orders`` as from `indices`."""
-    zero, laws = orders[0], range(len(alphas))
-    unit = [tuple(int(i == k) for k in laws) for i in laws]
+    zero, members = orders[0], range(len(ring.keys))
     s: dict[Key, Any] = {}
     y: dict[Key, Any] = {}
-    p: list[dict[Key, Any]] = [{zero: arb(1)} for _ in laws]
+    p: list[dict[Key, Any]] = [{zero: arb(1)} for _ in members]
+    top = sum(orders[-1])
     for n in orders[1:]:
-        terms = [ring.powers[i] * p[i][minus(n, unit[i])] for i in laws if n[i] and minus(n, unit[i]) in p[i]]
+        rests = ((i, minus(n, ring.keys[i])) for i in members)
+        terms = [ring.powers[i] * p[i][rest] for i, rest in rests if rest in p[i]]
         s[n] = ring.cut(sum(terms, start=0 * ring.cosine))
         y[n] = s[n] + ring.cut(ring.cosine * ring.cut(convolve(s, y, n)))
-        for i in laws:
-            if ring.slopes[i] != 0 or not ring.slopes[i].is_exact():
+        for i in members:
+            used = sum(n) + sum(ring.keys[i]) <= top
+            if used and (ring.slopes[i] != 0 or not ring.slopes[i].is_exact()):
                 drive = ring.cut(ring.turn * ring.cut(convolve(p[i], y, n)))
-                p[i][n] = ring.slopes[i] * ring.integrate(drive, dot(n, alphas))
+                p[i][n] = ring.slopes[i] * ring.integrate(drive, dot(n, ring.velocities))
     return y
 
 
-def power_series_ring(alphas: Sequence[arb], terms: int) -> Ring:
+def power_series_ring(forces: Forces, terms: int) -> Ring:
     """Polynomials in t with the first ``terms`` coefficients of each function, as balls."""
     cosine, sine_ratio = elementary_series(terms)
     square = (arb.pi() / 2) ** 2
@@ -113,9 +123,26 @@ def power_series_ring(alphas: Sequence[arb], terms: int) -> Ring:
     def cut(f: Any) -> Any:
         return (f + arb_poly()).truncate(terms)
 
+    def function(m: Member) -> arb_poly:
+        f = sine_ratio_power(m.velocity.ball(), terms) * (arb(m.ratio) * m.side)
+        for _ in range(m.position):
+            f = cut(f * cosine)
+        return f
+
     turn = cut((square * sine_ratio).left_shift(1))
-    powers = tuple(sine_ratio_power(a, terms) for a in alphas)
-    return Ring(cosine, turn, powers, tuple(1 - a for a in alphas), cut, integrate_series)
+    return Ring(
+        cosine, turn, *_variables(forces), tuple(map(function, forces.members)),
+        tuple(-a for a in _weights(forces)), cut, integrate_series,
+    )  # fmt: skip
+
+
+def _variables(forces: Forces) -> tuple[tuple[arb, ...], tuple[Key, ...]]:
+    return tuple(v.ball() for v in forces.velocities), tuple(m.key for m in forces.members)
+
+
+def _weights(forces: Forces) -> list[arb]:
+    """The weight of each member, exactly zero where it is."""
+    return [(m.degree - 1).ball() for m in forces.members]
 
 
 def elementary_series(terms: int) -> tuple[arb_poly, arb_poly]:
@@ -142,14 +169,12 @@ def integrate_series(f: arb_poly, exponent: arb) -> arb_poly:
     return arb_poly([arb(0)] + [x / (exponent + 2 * j) for j, x in enumerate(f.coeffs()[1:], 1)])
 
 
-def bound_ring(alphas: Sequence[arb], radius: arb | int) -> Ring:
+def bound_ring(forces: Forces, radius: arb | int) -> Ring:
     """Upper bounds of the functions on |t| < ``radius``, 1 < radius <= 4."""
     theta = arb.pi() / 2 * arb(radius).sqrt()
+    cosine, sine_ratio = theta.cosh(), theta.sinh() / theta
+    powers = tuple(abs(arb(m.ratio)) * sine_ratio ** m.velocity.ball() * cosine**m.position for m in forces.members)
     return Ring(
-        cosine=theta.cosh(),
-        turn=theta * theta.sinh(),
-        powers=tuple((theta.sinh() / theta) ** a for a in alphas),
-        slopes=tuple(abs(1 - a) for a in alphas),
-        cut=arb,
-        integrate=lambda f, exponent: f / (exponent + 2),
-    )
+        cosine, theta * theta.sinh(), *_variables(forces), powers, tuple(abs(a) for a in _weights(forces)), arb,
+        lambda f, exponent: f / (exponent + 2),
+    )  # fmt: skip

@@ -8,19 +8,26 @@ Y = X − ε_0 moves under the remaining laws alone and starts at 1 − ε_0 ins
 where L*, T* belong to the law without dry friction; e^L = 1 − 2δ_0 and T = π if nothing remains.  A binomial
 coefficient (n·(α−1) choose k) of a rational exponent is exact, so all zeros that it causes are exact.
 
-**Reversal.**  Put δ_i = d_i e^{(α_i−1) x}: a monomial dⁿ carries e^{wx}, w = n·(α−1) = n·α − |n|, and x ↦ G(x) = x + L
-is the half-swing.  Reversing time changes the sign of all δ_i, so G⁻¹(x) = x + L(−δ).
+This needs the linear spring and losses that do not see the position; with other forces α = 0 is a term like any other.
 
-* Lagrange's formula G⁻¹(x) = x + Σ_{k≥1} (−1)^k/k! (d/dx)^{k−1} L^k shows that at w = 0, where derivatives have no
-  coefficient, L(−δ) and −L(δ) agree: **L has no monomial of even degree with n·α = |n|** (α = 1: L is odd).
-* Let γ = α_i − 1 ≠ 0.  Substituting x = G(y) in the constant term of e^{γ G⁻¹(x) − wx} and integrating by parts, the
-  coefficient of weight w in e^{γ G⁻¹} is γ/w times that of weight −γ in e^{−wG}.  At w = −γ: minus that of e^{γG}.  As
-  e^{γG} stands for F_i(δ) and e^{γG⁻¹} for −F_i(−δ): **F_i has no monomial of odd degree with n·α + α_i = |n| + 1**.
+**Reversal.**  Let w_i be the weights, a_n = Σ n_i w_i, and ℓ(n) the loss degree (``grading``); for plain losses
+a_n = n·α − |n| and ℓ(n) = |n|.  Put δ_i = d_i e^{w_i x}: a monomial dⁿ carries e^{a_n x}, and x ↦ G(x) = x + L is the
+half-swing.  Reversing time changes the sign of all losses and of no spring: G⁻¹(x) = x + L(Sδ).
 
-**Durations.**  T has no first order, because T = T_q(δ) + T_q(−F) and F = δ + O(δ²).  For linear friction alone (only
-the law α = 1 occurs in the monomial) T is even, because F = δ.
+* Without losses the motion is periodic: **L has no monomial with ℓ(n) = 0**.
+* Lagrange's formula G⁻¹(x) = x + Σ_{k≥1} (−1)^k/k! (d/dx)^{k−1} L^k shows that at a_n = 0, where derivatives have no
+  coefficient, L(Sδ) and −L(δ) agree: **L has no monomial with a_n = 0 and even ℓ(n)** (α = 1: L is odd).
+* Let γ = w_i ≠ 0.  Substituting x = G(y) in the constant term of e^{γ G⁻¹(x) − ax} and integrating by parts, the
+  coefficient of weight a in e^{γ G⁻¹} is γ/a times that of weight −γ in e^{−aG}.  At a = −γ: minus that of e^{γG}.  As
+  e^{γG} stands for F_i(δ) and e^{γG⁻¹} for sign_i F_i(Sδ): **F_i has no monomial with a_n = −w_i and ℓ(n) − ℓ(e_i)
+  even**.  And **F_i = δ_i + monomials with ℓ(n) > ℓ(e_i)**, as L has no others.
 
-**Integer exponents with dry friction.**  With the turning amplitude a, δ_i = ε_i a^{α_i−1}, the formulas above say that
+**Durations.**  **T has no monomial that is a single loss**, because T = T_q(δ) + T_q(SF) and F = δ + O(δ²).  Where only
+forces of weight 0 occur in the monomial (linear friction, |x| sgn x', a change of the linear spring) F = δ, and **T is
+even in ℓ**.
+
+**Integer exponents with dry friction** (plain losses only).
+With the turning amplitude a, δ_i = ε_i a^{α_i−1}, the formulas above say that
 the next amplitude a e^L and T are polynomials in a at each order in the ε_i if all α_i are integers.  So is what is
 made of them by products and compositions: F_i = ε_i (a e^L)^{α_i−1} if α_i >= 1, and the field a U and W of
 ``normal_form.digits``.  In F_i, a U and W the monomial δⁿ carries the power w, w + 1 and w of a: it is absent if that
@@ -52,31 +59,33 @@ from flint import arb
 
 from asymptotics.errors import InputError
 from asymptotics.half_swings.certified import MAX_WORK, quarter_swing
-from asymptotics.half_swings.grading import Grading
+from asymptotics.half_swings.forces import Forces, Given
 from asymptotics.half_swings.quarter import HalfSwing, half_swing
 from asymptotics.numbers.bridge import to_fmpq
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series
 
 
-def certified_half_swing(alphas: Sequence[ExactReal], order: int, *, max_work: int = MAX_WORK) -> HalfSwing:
-    """L, F, T through ``order`` at the current precision; the exponents are >= 0 and all different.
+def certified_half_swing(given: Given, order: int, *, max_work: int = MAX_WORK) -> HalfSwing:
+    """L, F, T through ``order`` at the current precision; the forces are all different.
 
     A coefficient that vanishes by the module docstring is absent (reads as 0).  InputError as in `quarter_swing`.
     """
-    if any(a == b for a, b in combinations(alphas, 2)):
+    forces = Forces.read(given, order)
+    if any(a.key == b.key or a.shape == b.shape for a, b in combinations(forces.members, 2)):
         raise InputError("alphas", "equal exponents in one law", "different exponents (add their coefficients)")
-    dry = [i for i, a in enumerate(alphas) if is_value(a, 0)]
+    alphas = [m.velocity for m in forces.members]
+    dry = [i for i, a in enumerate(alphas) if is_value(a, 0)] if forces.is_pure else []
     if dry:
         L, T = _with_dry_friction(alphas, dry[0], order, max_work)
     else:
-        half = half_swing(quarter_swing(alphas, order, max_work=max_work))
+        half = half_swing(quarter_swing(forces, order, max_work=max_work))
         L, T = half.L, half.T
-    L = without(L, lambda n: log_ratio_vanishes(alphas, n))
-    T = without(T, lambda n: duration_vanishes(alphas, n))
-    grading = Grading.of(a.ball() for a in alphas)
+    L = without(L, lambda n: log_ratio_vanishes(forces, n))
+    T = without(T, lambda n: duration_vanishes(forces, n))
+    grading = forces.ball_grading()
     maps = grading.strengths(L)
-    F = tuple(without(f, lambda n, i=i: map_vanishes(alphas, i, n)) for i, f in enumerate(maps))  # type: ignore[misc]
+    F = tuple(without(f, lambda n, i=i: map_vanishes(forces, i, n)) for i, f in enumerate(maps))  # type: ignore[misc]
     return HalfSwing(grading, L, F, T)
 
 
@@ -94,56 +103,78 @@ def without(series: Series, vanishes: Callable[[Key], bool]) -> Series:
     return Series(kept, series.variables, series.order)
 
 
-def log_ratio_vanishes(alphas: Sequence[ExactReal], n: Key) -> bool:
+def log_ratio_vanishes(forces: Forces, n: Key) -> bool:
     """Whether the coefficient of δⁿ in L is zero by theorem."""
-    return sum(n) % 2 == 0 and _total(alphas, n) == sum(n)
+    losses = forces.loss_degree(n)
+    return not losses or (losses % 2 == 0 and is_zero_weight(forces, n))
 
 
-def duration_vanishes(alphas: Sequence[ExactReal], n: Key) -> bool:
+def duration_vanishes(forces: Forces, n: Key) -> bool:
     """Whether the coefficient of δⁿ in T is zero by theorem."""
-    return sum(n) == 1 or (only(alphas, n, {1}) and sum(n) % 2 == 1)
+    losses = forces.loss_degree(n)
+    weightless = all(not k or w.is_zero for w, k in zip(forces.weights, n, strict=True))
+    return sum(n) == losses == 1 or (weightless and losses % 2 == 1)
 
 
-def map_vanishes(alphas: Sequence[ExactReal], i: int, n: Key) -> bool:
-    """Whether the coefficient of δⁿ in F_i is zero by theorem; F_i = δ_i, exactly, if α_i = 1."""
-    if is_value(alphas[i], 1) or not alphas[i].is_rational or not n[i]:
+def map_vanishes(forces: Forces, i: int, n: Key) -> bool:
+    """Whether the coefficient of δⁿ in F_i is zero by theorem; F_i = δ_i, exactly, if its weight is 0."""
+    if forces.weights[i].is_zero or not n[i] or sum(n) == 1:
         return False
-    total = _total(alphas, n)
-    balanced = total is not None and sum(n) % 2 == 1 and total + alphas[i].rational == sum(n) + 1
-    return balanced or (not is_value(alphas[i], 0) and negative_power(alphas, n, 0))
+    unit = tuple(int(j == i) for j in range(len(n)))
+    more = forces.loss_degree(n) - forces.loss_degree(unit)
+    balanced = is_zero_weight(forces, tuple(a + b for a, b in zip(n, unit))) and more % 2 == 0
+    dry = is_pure_at(forces, n) and not is_value(forces.velocities[i], 0) and negative_power(forces, n, 0)
+    return not more or balanced or dry
 
 
-def negative_power(alphas: Sequence[ExactReal], n: Key, shift: int) -> bool:
-    """Whether all exponents that occur are integers and the power of the amplitude, n·α − |n| + shift, is negative."""
-    integers = all(a.is_rational and a.rational.denominator == 1 for a, k in zip(alphas, n, strict=True) if k)
-    total = _total(alphas, n)
-    return integers and total is not None and total - sum(n) + shift < 0
+def is_zero_weight(forces: Forces, n: Key) -> bool:
+    """Whether a_n = 0, exactly."""
+    weight = _weight(forces, n)
+    return weight is not None and weight == 0
 
 
-def dry_friction_cancels(alphas: Sequence[ExactReal], n: Key) -> bool:
+def is_pure_at(forces: Forces, n: Key) -> bool:
+    """Whether only plain losses v|v|^(α−1) occur in the monomial: the linear spring, for which more is known."""
+    return all(
+        s < 0 and w == v - 1
+        for s, w, v, k in zip(forces.signs, forces.weights, forces.velocities, n, strict=True)
+        if k
+    )
+
+
+def negative_power(forces: Forces, n: Key, shift: int) -> bool:
+    """Whether only plain losses of integer exponents occur, with a negative power a_n + shift of the amplitude."""
+    weight = _weight(forces, n)
+    integers = all(v.is_integer for v, k in zip(forces.velocities, n, strict=True) if k)
+    return is_pure_at(forces, n) and integers and weight is not None and weight + shift < 0
+
+
+def dry_friction_cancels(forces: Forces, n: Key) -> bool:
     """Whether the coefficient of δⁿ in W is zero because of dry friction (the last two paragraphs above)."""
-    others = [(a, k) for a, k in zip(alphas, n, strict=True) if k and not is_value(a, 0)]
-    degree, total = sum(k for _, k in others), _total(alphas, n)
-    if degree == sum(n) or total is None:
+    if not is_pure_at(forces, n):
         return False
-    power = total - degree
+    others = [(a, k) for a, k in zip(forces.velocities, n, strict=True) if k and not is_value(a, 0)]
+    degree, weight = sum(k for _, k in others), _weight(forces, n)
+    if degree == sum(n) or weight is None:
+        return False
+    power = weight + sum(n) - degree
     second = degree == 2 and power.denominator == 1 and 0 <= power < sum(n) - degree
     return second or (degree == 3 and len(others) == 1 and is_value(others[0][0], 3))
 
 
-def only(alphas: Sequence[ExactReal], n: Key, values: set[int]) -> bool:
-    """Whether all laws that occur in the monomial have their exponent among ``values``."""
-    return all(not k or any(is_value(a, v) for v in values) for a, k in zip(alphas, n, strict=True))
+def is_linear_friction(forces: Forces, n: Key) -> bool:
+    """Whether only linear friction occurs in the monomial."""
+    return is_pure_at(forces, n) and all(not k or w.is_zero for w, k in zip(forces.weights, n, strict=True))
 
 
-def _total(alphas: Sequence[ExactReal], n: Key) -> Fraction | None:
-    """n·α if all exponents that occur are rational, else None: then n·α is irrational.
+def _weight(forces: Forces, n: Key) -> Fraction | None:
+    """a_n if all weights that occur are rational, else None: then a_n is irrational.
 
     A sum of rationals and of positive multiples of square roots is rational only if each root is.
     """
-    if any(k and not a.is_rational for a, k in zip(alphas, n, strict=True)):
+    if any(k and not w.is_rational for w, k in zip(forces.weights, n, strict=True)):
         return None
-    return sum((k * a.rational for a, k in zip(alphas, n, strict=True) if k), Fraction(0))
+    return sum((k * w.rational for w, k in zip(forces.weights, n, strict=True) if k), Fraction(0))
 
 
 def _with_dry_friction(alphas: Sequence[ExactReal], dry: int, order: int, max_work: int) -> tuple[Series, Series]:
@@ -162,8 +193,7 @@ def _shifted(f: Series, others: Sequence[ExactReal], dry: int) -> Series:
     """f(δ*): the monomial δⁿ becomes δⁿ (1 − δ_0)^{n·(α−1)}."""
     result = {}
     for n, c in f.coefficients.items():
-        power = _total(others, n)
-        weight = None if power is None else power - sum(n)
+        weight = _weight(Forces.losses(others), n)
         exponent = sum((k * (a.ball() - 1) for a, k in zip(others, n, strict=True)), arb(0))
         for j in range(f.order - sum(n) + 1):
             factor = _binomial(exponent if weight is None else weight, j)

@@ -1,29 +1,36 @@
-"""Odd exponents: the flow (U, W) and the waveform Z directly, in rational Fourier polynomials, in each gauge.
+"""Smooth forces: the flow (U, W) and the waveform Z directly, in rational Fourier polynomials, in each gauge.
 
-For odd alpha_i the force epsilon_i X'^alpha_i is smooth, and z = X - i X' = A e^(i psi) Z(psi, delta) obeys
+Losses eps |x|^m v|v|^(alpha-1) with m even, alpha odd and springs c x|x|^(p-1) |v|^q with p odd, q even are
+polynomials in x and v (cubic damping, Duffing, the pendulum, van der Pol, Rayleigh).  Then
+z = X - i X' = A e^(i psi) Z(psi, delta) obeys
 
-    (d_psi + D_1 + i) Z = i W (Z + Phi),    D_1 = U (1 + sum_i (alpha_i - 1) delta_i d_i),
-    Phi = e^(-i psi) (sum_i epsilon_i X'^alpha_i)/A.
+    (d_psi + D_1 + i) Z = i W (Z + Phi),    D_1 = U (1 + sum_i (d_i - 1) delta_i d_i),
+    Phi = e^(-i psi) (sum of the forces)/A.
 
-Put delta_i = i eta_i and q = e^(2 i psi): all coefficients become rational.  With U(i eta) = i U^(eta) and
-W(i eta) = W^(eta),
+Put delta_i = i eta_i for the losses, leave the springs, and let q = e^(2 i psi): all coefficients become rational.
+With U = i U^ and W = W^,
 
     (2 q d_q + D^_1 + 1) Z = W^ (Z + Phi^),
-    Phi^ = sum_i (-1)^((alpha_i+1)/2) 2^(-alpha_i) eta_i q^(-(alpha_i+1)/2) Y^alpha_i,
-    Y(q, eta) = q Z(q, eta) - Z(1/q, -eta),
+    Phi^ = sum i^(1+alpha) 2^(-d) eta q^(-(d+1)/2) P^m Y^alpha  +  sum i^q 2^(-d) gamma q^(-(d+1)/2) P^p Y^q,
+    P = q Z(q, eta) + Z(1/q, -eta),    Y = q Z(q, eta) - Z(1/q, -eta),
 
-because the conjugate of Z is Z(1/q, -eta).  At degree n the mean (power q^0) fixes U^_n or W^_n, the other powers fix
-Z_n, and the gauge fixes the mean of Z_n: Z(psi = 0) = 1, or mean 0, or no first harmonic in X.
+because the conjugate of Z is Z(1/q, -eta); the powers of i are even.  At a monomial the mean (power q^0) fixes U^ if
+its loss degree is odd and W^ if it is even, the other powers fix Z, and the gauge fixes the mean of Z: Z(psi = 0) = 1,
+or mean 0, or no first harmonic in X.
 
-A Fourier polynomial of degree n in eta is stored as q^(M n) times itself, M = (max alpha + 1)/2: a plain ``fmpq_poly``.
+A Fourier polynomial of degree n in the strengths is stored as q^(M n) times itself, M the largest (d+1)/2 for each
+power of a strength: a plain ``fmpq_poly``.
 
 >>> flow = fourier_flow((3,), 4)
 >>> flow.U                                     # x'^3: p_1 = 3/8
 -3/8*d + -315/4096*d^3 + O(5)
 >>> flow.W                                     # Omega_2 = -45/256
 1 + 45/256*d^2 + 2079/262144*d^4 + O(5)
->>> fourier_flow((1,), 4).W                        # 1/sqrt(1 - delta^2/4)
+>>> fourier_flow((1,), 4).W                    # 1/sqrt(1 - delta^2/4)
 1 + 1/8*d^2 + 3/128*d^4 + O(5)
+>>> duffing = Term(1, 0, 3, "position")
+>>> fourier_flow([duffing], 3).W.inverse()       # omega of x'' + x + x^3 = 0 in powers of A^2
+1 + 3/8*d + -21/256*d^2 + 81/2048*d^3 + O(4)
 """
 
 from dataclasses import dataclass
@@ -32,9 +39,11 @@ from flint import fmpq, fmpq_poly
 
 from asymptotics.errors import InputError
 from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
+from asymptotics.half_swings.forces import Forces, Given, Member
 from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.series import Key, Series, accumulate, is_exact_zero
+from asymptotics.terms import Term as Term  # for the examples
 
 Part = dict[Key, fmpq_poly]
 
@@ -43,7 +52,7 @@ Part = dict[Key, fmpq_poly]
 class FourierFlow:
     """U = d ln A/d psi and W = d tau/d psi (coefficients rational), and the waveform Z, in one gauge.
 
-    ``Z[n]`` maps an exponent of total degree n to the polynomial q^(shift n) Z_n(q), in the variable eta = delta/i.
+    ``Z[n]`` maps an exponent of total degree n to the polynomial q^(shift n) Z_n(q), in eta = delta/i for the losses.
     """
 
     grading: Grading
@@ -63,107 +72,148 @@ class FourierFlow:
             for k, p in part.items():
                 mean = p[self.shift * n]
                 if gauge == NO_FIRST_HARMONIC and n:
-                    mean += (-1) ** n * p[self.shift * n - 1]
+                    mean += (-1) ** self.grading.loss_degree(k) * p[self.shift * n - 1]
                 values[k] = PiNumber.rational(mean)
         nonzero = {k: x for k, x in values.items() if not is_exact_zero(x)}
         return Series(nonzero, self.U.variables, self.U.order)
 
 
-def fourier_flow(alphas: tuple[int, ...], order: int, gauge: str = TURNING_POINT) -> FourierFlow:
-    """Solve the homological equation through degree ``order`` for odd alpha_i >= 1 in one of the three gauges.
+def is_smooth(forces: Forces) -> bool:
+    """Whether all forces are polynomials in x and v."""
+    return all(m.velocity.is_integer and _is_polynomial(m) for m in forces.members)
 
-    Raises InputError for any other exponent: Y^alpha is a Laurent polynomial for odd integers only.
+
+def _is_polynomial(m: Member) -> bool:
+    return m.integer_velocity % 2 == (m.sign < 0) and m.position % 2 == (m.sign > 0)
+
+
+def fourier_flow(
+    given: Given, order: int, gauge: str = TURNING_POINT
+) -> FourierFlow:
+    """Solve the homological equation through degree ``order`` for polynomial forces, in one of the three gauges.
+
+    Numbers in the place of forces are the exponents of plain losses.  Raises InputError for any other force: its
+    Fourier series does not end.
     """
-    for alpha in alphas:
-        if alpha != int(alpha) or alpha < 1 or alpha % 2 == 0:
-            raise InputError("alpha", f"{alpha} has no smooth flow in theta", "odd integers >= 1")
+    forces = Forces.read(given, order)
     require_gauge(gauge)
-    grading = Grading.of(fmpq(a) for a in alphas)
-    M, zero = (max(alphas) + 1) // 2, (0,) * len(alphas)
-    Z: list[Part] = [{zero: fmpq_poly([1])}]
-    powers: list[list[Part]] = [[{zero: fmpq_poly([1])}]]
-    powers += [[{zero: fmpq_poly([-1, 1]) ** k}] for k in range(1, max(alphas) + 1)]
-    U: list[dict[Key, fmpq]] = [{}]
-    W: list[dict[Key, fmpq]] = [{zero: fmpq(1)}]
-    forcing: list[Part] = [{}]  # Z_n + Phi_n
-    for n in range(1, order + 1):
-        forcing.append(_phi(alphas, powers, n, M))
-        rest = _right_side(grading, Z, U, W, forcing, n, M)
-        U.append({k: p[M * n] for k, p in rest.items()} if n % 2 else {})
-        W.append({k: -p[M * n] for k, p in rest.items()} if n % 2 == 0 else {})
-        Z.append({k: _integrate(p, n, M, gauge) for k, p in rest.items()})
-        for k, p in Z[n].items():
-            forcing[n][k] = forcing[n].get(k, fmpq_poly([])) + p
-        _extend_powers(powers, Z, n, M)
-    return FourierFlow(grading, _real(U, len(alphas), order, 1), _real(W, len(alphas), order, 0), tuple(Z), M)
+    if not is_smooth(forces):
+        accepted = "losses with alpha odd integers >= 1 and m even, springs with p odd and q even"
+        raise InputError("alpha", "a force is no polynomial in x and v: it has no smooth flow in theta", accepted)
+    return _Kernel(forces, order, gauge).solve()
 
 
-def _phi(alphas: tuple[int, ...], powers: list[list[Part]], n: int, M: int) -> Part:
-    """Phi^_n: the terms of Y^alpha_i of degree n - 1, times eta_i; q^(-(alpha_i+1)/2) against the shift M."""
-    total: Part = {}
-    for i, alpha in enumerate(alphas):
-        half = (alpha + 1) // 2
-        scale = fmpq((-1) ** half, 2**alpha)
-        for k, p in powers[alpha][n - 1].items():
-            key = (*k[:i], k[i] + 1, *k[i + 1 :])
-            total[key] = total.get(key, fmpq_poly([])) + (p * scale).left_shift(M - half)
-    return total
+class _Kernel:
+    """The state of the recurrence: lists by total degree."""
 
+    def __init__(self, forces: Forces, order: int, gauge: str) -> None:
+        self.grading, self.order, self.gauge = forces.exact_grading(), order, gauge
+        self.members = forces.through(order)
+        self.M = max((-(-(m.integer_velocity + m.position + 1) // (2 * m.order)) for m in self.members), default=1)
+        zero = (0,) * forces.variables
+        self.Z: list[Part] = [{zero: fmpq_poly([1])}]
+        self.P = self._powers(fmpq_poly([1, 1]), zero, {m.position: m.order for m in self.members[::-1]})
+        self.Y = self._powers(fmpq_poly([-1, 1]), zero, {m.integer_velocity: m.order for m in self.members[::-1]})
+        self.U: list[dict[Key, fmpq]] = [{}]
+        self.W: list[dict[Key, fmpq]] = [{zero: fmpq(1)}]
+        self.forcing: list[Part] = [{}]  # Z_n + Phi_n
 
-def _right_side(
-    grading: Grading,
-    Z: list[Part],
-    U: list[dict[Key, fmpq]],
-    W: list[dict[Key, fmpq]],
-    forcing: list[Part],
-    n: int,
-    M: int,
-) -> Part:
-    """Degree n of W^(Z + Phi^) - D^_1 Z without the unknown Z_n, U^_n, W^_n: equal to 2 q d_q Z_n + U^_n - W^_n."""
-    total = dict(forcing[n])
-    for j in range(1, n):
-        if j % 2:
-            known, parts = {k: -u for k, u in U[j].items()}, _first_order(grading, Z[n - j])
-        else:
-            known, parts = W[j], forcing[n - j]
-        accumulate(total, known.items(), [(key, p.left_shift(M * j)) for key, p in parts.items()])
-    return total
+    def _powers(self, base: fmpq_poly, zero: Key, used: dict[int, int]) -> list[tuple[list[Part], int]]:
+        """The powers 0, 1, ... of a factor, at degree 0, each with the degree through which it is needed."""
+        top = max([1, *used])
+        need = [self.order - min([n for k, n in used.items() if k >= e], default=0) for e in range(top + 1)]
+        return [([{zero: base**e}], need[e] if e > 1 else self.order) for e in range(top + 1)]
 
+    def solve(self) -> FourierFlow:
+        """All degrees, and the way back from eta to delta."""
+        l = self.grading.loss_degree  # noqa: E741 (the letter of ``grading``)
+        for n in range(1, self.order + 1):
+            self.forcing.append(self._phi(n))
+            rest = self._right_side(n)
+            middle = self.M * n
+            self.U.append({k: p[middle] for k, p in rest.items() if l(k) % 2})
+            self.W.append({k: -p[middle] for k, p in rest.items() if l(k) % 2 == 0})
+            self.Z.append({k: self._integrate(p, n, l(k)) for k, p in rest.items()})
+            for k, p in self.Z[n].items():
+                self.forcing[n][k] = self.forcing[n].get(k, fmpq_poly([])) + p
+            if n < self.order:
+                self._extend(n)
+        return FourierFlow(self.grading, self._real(self.U, 1), self._real(self.W, 0), tuple(self.Z), self.M)
 
-def _first_order(grading: Grading, part: Part) -> Part:
-    """(1 + sum_i (alpha_i - 1) eta_i d_i) Z."""
-    return {k: p * (1 + grading.weight(k)) for k, p in part.items()}
+    def _phi(self, n: int) -> Part:
+        """Phi^_n: for each member the product of powers whose degree its key completes to n."""
+        total: Part = {}
+        for m in self.members:
+            if m.order > n:
+                continue
+            alpha = m.integer_velocity
+            degree = alpha + m.position
+            turn = alpha + 1 if m.sign < 0 else alpha
+            scale, shift = m.ratio * fmpq((-1) ** (turn // 2), 2**degree), self.M * m.order - (degree + 1) // 2
+            for k, p in self._product(m.position, alpha, n - m.order).items():
+                key = tuple(a + b for a, b in zip(k, m.key))
+                total[key] = total.get(key, fmpq_poly([])) + (p * scale).left_shift(shift)
+        return total
 
-
-def _integrate(p: fmpq_poly, n: int, M: int, gauge: str) -> fmpq_poly:
-    """Z_n from 2 q d_q Z_n = p - mean(p); the gauge fixes the mean of Z_n."""
-    z = [c / (2 * (m - M * n)) if m != M * n else fmpq(0) for m, c in enumerate(p.coeffs())]
-    z += [fmpq(0)] * (M * n + 1 - len(z))
-    if gauge == TURNING_POINT:
-        z[M * n] = -sum(z, start=fmpq(0))
-    elif gauge == NO_FIRST_HARMONIC:  # mean of Z_n + q^-1 conj(Z_n), and conj(Z_n)(q) = (-1)^n Z_n(1/q)
-        z[M * n] = -((-1) ** n) * z[M * n - 1]
-    return fmpq_poly(z)
-
-
-def _extend_powers(powers: list[list[Part]], Z: list[Part], n: int, M: int) -> None:
-    """Append degree n of Y^k for every k, Y = q Z(q, eta) - Z(1/q, -eta)."""
-    Y = powers[1]
-    Y.append({k: p.left_shift(1) - (-1) ** n * _reversed(p, 2 * M * n) for k, p in Z[n].items()})
-    powers[0].append({})
-    for k in range(2, len(powers)):
+    def _product(self, position: int, velocity: int, n: int) -> Part:
+        """Degree n of P^position Y^velocity."""
+        P, Y = self.P[position][0], self.Y[velocity][0]
+        if not position or not velocity:
+            return (P if position else Y)[n]
         total: Part = {}
         for j in range(n + 1):
-            accumulate(total, powers[k - 1][j].items(), Y[n - j].items())
-        powers[k].append(total)
+            accumulate(total, P[j].items(), Y[n - j].items())
+        return total
+
+    def _right_side(self, n: int) -> Part:
+        """Degree n of W^(Z + Phi^) - D^_1 Z without the unknown Z_n, U^_n, W^_n: 2 q d_q Z_n + U^_n - W^_n."""
+        total = dict(self.forcing[n])
+        for j in range(1, n):
+            shift = self.M * j
+            if self.U[j]:
+                grown = [(k, (p * (1 + self.grading.weight(k))).left_shift(shift)) for k, p in self.Z[n - j].items()]
+                accumulate(total, [(k, -u) for k, u in self.U[j].items()], grown)
+            if self.W[j]:
+                accumulate(
+                    total, self.W[j].items(), [(k, p.left_shift(shift)) for k, p in self.forcing[n - j].items()]
+                )
+        return total
+
+    def _integrate(self, p: fmpq_poly, n: int, loss_degree: int) -> fmpq_poly:
+        """Z_n from 2 q d_q Z_n = p - mean(p); the gauge fixes the mean of Z_n."""
+        middle = self.M * n
+        z = [c / (2 * (m - middle)) if m != middle else fmpq(0) for m, c in enumerate(p.coeffs())]
+        z += [fmpq(0)] * (middle + 1 - len(z))
+        if self.gauge == TURNING_POINT:
+            z[middle] = -sum(z, start=fmpq(0))
+        elif self.gauge == NO_FIRST_HARMONIC:  # mean of Z_n + q^-1 conj(Z_n), and conj(Z_n)(q) = (-1)^l Z_n(1/q)
+            z[middle] = -((-1) ** loss_degree) * z[middle - 1]
+        return fmpq_poly(z)
+
+    def _extend(self, n: int) -> None:
+        """Append degree n of all powers of P and Y."""
+        turned = {k: p.left_shift(1) for k, p in self.Z[n].items()}
+        mirrored = {
+            k: (-1) ** self.grading.loss_degree(k) * _reversed(p, 2 * self.M * n) for k, p in self.Z[n].items()
+        }
+        for powers, side in ((self.P, 1), (self.Y, -1)):
+            powers[0][0].append({})
+            first = powers[1][0]
+            first.append({k: p + side * mirrored[k] for k, p in turned.items()})
+            for e in range(2, len(powers)):
+                total: Part = {}
+                for j in range(n + 1) if n <= powers[e][1] else ():
+                    accumulate(total, powers[e - 1][0][j].items(), first[n - j].items())
+                powers[e][0].append(total)
+
+    def _real(self, parts: list[dict[Key, fmpq]], parity: int) -> Series:
+        """Back from eta to delta: f(i eta) = i^parity f^(eta), so f_n = (-1)^((l - parity)/2) f^_n."""
+        l = self.grading.loss_degree  # noqa: E741 (the letter of ``grading``)
+        values = {k: PiNumber.rational(x * (-1) ** ((l(k) - parity) // 2)) for part in parts for k, x in part.items()}
+        nonzero = {k: x for k, x in values.items() if not is_exact_zero(x)}
+        return Series(nonzero, self.grading.variables, self.order)
 
 
 def _reversed(p: fmpq_poly, degree: int) -> fmpq_poly:
     coefficients = list(p.coeffs())
     return fmpq_poly([fmpq(0)] * (degree + 1 - len(coefficients)) + coefficients[::-1])
-
-
-def _real(parts: list[dict[Key, fmpq]], variables: int, order: int, parity: int) -> Series:
-    """Back from eta to delta: f(i eta) = i^parity f^(eta), so f_n = (-1)^((n - parity)/2) f^_n."""
-    values = {k: PiNumber.rational(x * (-1) ** ((n - parity) // 2)) for n, p in enumerate(parts) for k, x in p.items()}
-    return Series({k: x for k, x in values.items() if not is_exact_zero(x)}, variables, order)

@@ -124,5 +124,10 @@ THETA = ThetaTrig(((_ZERO, _ZERO), (fmpq_poly([1]), _ZERO)))
 
 def sine_power(n: int) -> ThetaTrig:
     """sin(theta)^n for an integer n >= 0."""
-    even = _SINE_SQUARED ** (n // 2)
+    return power_product(n, 0)
+
+
+def power_product(n: int, m: int) -> ThetaTrig:
+    """sin(theta)^n cos(theta)^m for integers n, m >= 0."""
+    even = _SINE_SQUARED ** (n // 2) * fmpq_poly([0, 1]) ** m
     return ThetaTrig(((even, _ZERO),)) if n % 2 == 0 else ThetaTrig(((_ZERO, even),))

@@ -23,9 +23,9 @@ from asymptotics.errors import InputError
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.certified import WORK_PER_SECOND, quarter_swing
 from asymptotics.half_swings.exact import exact_half_swing
+from asymptotics.half_swings.forces import Forces, Given
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.half_swings.symbolic import alpha
-from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.digits import certified_digits, round_all
 from asymptotics.normal_form.expansion import (
     MAX_SECONDS,
@@ -36,15 +36,15 @@ from asymptotics.normal_form.expansion import (
 )
 from asymptotics.normal_form.flow import flow_of
 from asymptotics.normal_form.results import ZERO, Coefficient, ExpansionCoefficients, HalfSwingCoefficients, Row
+from asymptotics.normal_form.spring_terms import first_order, second_order_p
 from asymptotics.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
 from asymptotics.numbers.bridge import to_fraction, to_sympy
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
-from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series, monomials
 
 
 def expansion_coefficients(
-    alphas: Sequence[ExactReal],
+    given: Given,
     order: int,
     digits: int,
     gauge: str = TURNING_POINT,
@@ -58,35 +58,41 @@ def expansion_coefficients(
     ``max_seconds``; UndecidedError for a coefficient that balls cannot round.
     """
     require_gauge(gauge)
-    integers = _integers(alphas, order, gauge, exact_only, max_seconds)
-    if integers is not None:
-        expansion = exact_expansion(integers, order, gauge, max_seconds=max_seconds)
+    forces = Forces.read(given, order)
+    if _is_exact(forces, order, gauge, exact_only, max_seconds):
+        expansion = exact_expansion(forces, order, gauge, max_seconds=max_seconds)
         p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
-        return _expansion(gauge, order, "exact", len(alphas), p, Omega)
-    work, exact = _work(max_seconds), _integer_part(alphas, order, gauge)
+        return _expansion(gauge, order, "exact", forces, p, Omega)
+    work, exact = _work(max_seconds), _integer_part(forces, order, gauge)
     decided = {name: {key: _exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
     if gauge == TURNING_POINT:
-        rounded = certified_digits(alphas, order, digits, max_work=work, names=("p", "Omega"), known=decided)
+        rounded = certified_digits(forces, order, digits, max_work=work, names=("p", "Omega"), known=decided)
     else:
-        rounded = round_all(partial(_in_gauge, alphas, order, gauge, work), digits, 4 * order + 32, decided)
-    known = closed_forms(alphas, order, gauge)
+        rounded = round_all(partial(_in_gauge, forces, order, gauge, work), digits, 4 * order + 32, decided, forces)
+    known = closed_forms(forces, order, gauge)
     for name, row in exact.items():
         known[name] |= {key: c.to_sympy() for key, c in row.items()}
     p, Omega = (_rounded_row(rounded[name], known[name]) for name in ("p", "Omega"))
-    return _expansion(gauge, order, "certified", len(alphas), p, Omega)
+    return _expansion(gauge, order, "certified", forces, p, Omega)
 
 
-def _expansion(gauge: str, order: int, arithmetic: str, laws: int, p: Row, Omega: Row) -> ExpansionCoefficients:
-    """All p_k of odd and Omega_k of even degree in their order, absent ones as the zeros they are."""
+def _expansion(gauge: str, order: int, arithmetic: str, forces: Forces, p: Row, Omega: Row) -> ExpansionCoefficients:
+    """All p_k of odd and Omega_k of even loss degree in their order, absent ones as the zeros they are."""
     rows = []
-    for row, start in ((p, 1), (Omega, 2)):
-        keys = [_name(key) for degree in range(start, order + 1, 2) for key in monomials(laws, degree)]
+    for row, parity in ((p, 1), (Omega, 0)):
+        keys = [_name(key) for key in _keys(forces, order, parity)]
         rows.append({key: row.get(key, ZERO) for key in keys})
     return ExpansionCoefficients(gauge, order, arithmetic, *rows)
 
 
+def _keys(forces: Forces, order: int, parity: int) -> list[Key]:
+    """The monomials of degree 1 ... ``order`` whose loss degree has the parity."""
+    keys = (key for degree in range(1, order + 1) for key in monomials(forces.variables, degree))
+    return [key for key in keys if forces.loss_degree(key) % 2 == parity]
+
+
 def half_swing_coefficients(
-    alphas: Sequence[ExactReal],
+    given: Given,
     order: int,
     digits: int,
     *,
@@ -94,16 +100,17 @@ def half_swing_coefficients(
     max_seconds: float = MAX_SECONDS,
 ) -> HalfSwingCoefficients:
     """L, F, T, U, V, W through delta^order of one law or a sum; errors as ``expansion_coefficients``."""
-    integers = _integers(alphas, order, TURNING_POINT, exact_only, max_seconds)
-    if integers is not None:
-        half = exact_half_swing(integers, order)
+    forces = Forces.read(given, order)
+    if _is_exact(forces, order, TURNING_POINT, exact_only, max_seconds):
+        half = exact_half_swing(forces, order)
         flow = flow_of(half)
         rows = [_exact_row(s, digits) for s in (half.L, half.T, flow.U, flow.W, *half.F, *flow.V)]
-        return _half_swing(order, "exact", len(alphas), rows)
-    rounded = certified_digits(alphas, order, digits, max_work=_work(max_seconds))
-    names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(len(alphas)))]
-    known = {"U": _closed_U(alphas), "T": {(0,) * len(alphas): sympy.pi}}
-    return _half_swing(order, "certified", len(alphas), [_rounded_row(rounded[n], known.get(n, {})) for n in names])
+        return _half_swing(order, "exact", forces.variables, rows)
+    rounded = certified_digits(forces, order, digits, max_work=_work(max_seconds))
+    names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(forces.variables))]
+    known = {"U": first_order(forces)[0], "T": {(0,) * forces.variables: sympy.pi}}
+    rows = [_rounded_row(rounded[n], known.get(n, {})) for n in names]
+    return _half_swing(order, "certified", forces.variables, rows)
 
 
 def _half_swing(order: int, arithmetic: str, laws: int, rows: list[Row]) -> HalfSwingCoefficients:
@@ -111,51 +118,45 @@ def _half_swing(order: int, arithmetic: str, laws: int, rows: list[Row]) -> Half
     return HalfSwingCoefficients(order, arithmetic, L, tuple(rest[:laws]), T, U, tuple(rest[laws:]), W)
 
 
-def closed_forms(alphas: Sequence[ExactReal], order: int, gauge: str) -> dict[str, dict[Key, sympy.Expr]]:
-    """What is known in closed form: first order always; of one law Omega_2 in any gauge, p_3 at turning points."""
-    known: dict[str, dict[Key, sympy.Expr]] = {"p": {k: -u for k, u in _closed_U(alphas).items()}, "Omega": {}}
-    exponents = [to_sympy(a) for a in alphas]
-    if len(alphas) == 1:
+def closed_forms(given: Given, order: int, gauge: str) -> dict[str, dict[Key, sympy.Expr]]:
+    """First order always, Omega_2 of one plain loss in any gauge; at turning points p_3 and second orders."""
+    forces = Forces.read(given, order)
+    U, W = first_order(forces)
+    known = {"p": {k: -u for k, u in U.items()}, "Omega": {k: -w for k, w in W.items()}}
+    exponents = [to_sympy(m.velocity) for m in forces.members]
+    if forces.is_pure and forces.variables == 1:
         known["Omega"][2,] = omega_2(gauge).subs(alpha, exponents[0])
         if gauge == TURNING_POINT:
             known["p"][3,] = symbolic_expansion().p[3].subs(alpha, exponents[0])
-    elif gauge == TURNING_POINT:
+    elif forces.is_pure and gauge == TURNING_POINT:
         known["Omega"] = {k: -w for k, w in second_order_sum(tuple(exponents)).items()}
+    elif gauge == TURNING_POINT:
+        known["p"] |= second_order_p(forces)
     return known
 
 
-def _closed_U(alphas: Sequence[ExactReal]) -> dict[Key, sympy.Expr]:
-    """U at first order: -M_(alpha_i + 1) delta_i."""
-    units = [tuple(int(i == j) for j in range(len(alphas))) for i in range(len(alphas))]
-    return {key: -moment(to_sympy(a) + 1) for key, a in zip(units, alphas)}
-
-
-def _integers(
-    alphas: Sequence[ExactReal], order: int, gauge: str, exact_only: bool, max_seconds: float
-) -> tuple[int, ...] | None:
-    """The exponents if the exact engine is to be used: integers, and not too much work (or no other choice)."""
-    if not all(a.is_rational and a.rational.denominator == 1 for a in alphas):
+def _is_exact(forces: Forces, order: int, gauge: str, exact_only: bool, max_seconds: float) -> bool:
+    """Whether the exact engine is to be used: integers, and not too much work (or no other choice)."""
+    if not forces.is_integer:
         if exact_only:
             raise InputError("exact", "there are no exact coefficients at this order", "integer exponents")
-        return None
-    integers = tuple(int(a.rational) for a in alphas)
-    if any(a < 0 for a in integers):
-        raise InputError("alpha", "an exponent is negative", "exponents >= 0")
+        return False
     if exact_only:
-        require_size(integers, order, gauge, max_seconds)
-    return integers if estimated_seconds(integers, order, gauge) <= max_seconds else None
+        require_size(forces, order, gauge, max_seconds)
+    return estimated_seconds(forces, order, gauge) <= max_seconds
 
 
-def _integer_part(alphas: Sequence[ExactReal], order: int, gauge: str) -> dict[str, dict[Key, PiNumber]]:
-    """The coefficients that involve only the laws with integer exponents: those of their own sum, exactly."""
-    places = [i for i, a in enumerate(alphas) if a.is_rational and a.rational.denominator == 1]
-    if not places or estimated_seconds(tuple(int(alphas[i].rational) for i in places), order, gauge) > MAX_SECONDS:
+def _integer_part(forces: Forces, order: int, gauge: str) -> dict[str, dict[Key, PiNumber]]:
+    """The coefficients that involve only the forces with integer exponents: those of their own sum, exactly."""
+    places = [i for i, v in enumerate(forces.velocities) if v.is_integer]
+    part = forces.only(places, order)
+    if not places or estimated_seconds(part, order, gauge) > MAX_SECONDS:
         return {}
-    part = exact_expansion(tuple(int(alphas[i].rational) for i in places), order, gauge)
+    expansion = exact_expansion(part, order, gauge)
     found: dict[str, dict[Key, PiNumber]] = {}
-    for name, series, start in (("p", part.p, 1), ("Omega", part.Omega, 2)):
-        keys = [key for degree in range(start, order + 1, 2) for key in monomials(len(places), degree)]
-        found[name] = {_embedded(key, places, len(alphas)): _pi_number(series[key]) for key in keys}
+    for name, series, parity in (("p", expansion.p, 1), ("Omega", expansion.Omega, 0)):
+        keys = _keys(part, order, parity)
+        found[name] = {_embedded(key, places, forces.variables): _pi_number(series[key]) for key in keys}
     return found
 
 
@@ -169,8 +170,8 @@ def _pi_number(c: Any) -> PiNumber:
     return c if isinstance(c, PiNumber) else PiNumber.rational(c)
 
 
-def _in_gauge(alphas: Sequence[ExactReal], order: int, gauge: str, max_work: int) -> Mapping[str, Series]:
-    quarter = quarter_swing(alphas, order, moments=True, max_work=max_work)
+def _in_gauge(forces: Forces, order: int, gauge: str, max_work: int) -> Mapping[str, Series]:
+    quarter = quarter_swing(forces, order, moments=True, max_work=max_work)
     expansion = expansion_of(quarter, gauge, arithmetic="certified")
     return {"p": expansion.p, "Omega": expansion.Omega}
 

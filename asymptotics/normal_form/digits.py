@@ -2,7 +2,7 @@
 
 The half-swing comes in balls from ``half_swings.certified_zeros``, the flow from it by ``flow.flow_of``.
 
-Zero by theorem, and therefore "0" or absent, besides what `certified_zeros` lists: U in even and W in odd degree
+Zero by theorem, and therefore "0" or absent, besides what `certified_zeros` lists: U in even and W in odd loss degree
 (t → −t with ε → −ε); for linear friction alone p = ε/2; and what would carry a negative power of the amplitude if
 all exponents are integers (`certified_zeros`), which is how U = −(2/π)δ for dry friction stops.  A coefficient that
 vanishes for a reason not known here, or that is exactly half way between two decimals, cannot be rounded from balls:
@@ -25,14 +25,14 @@ from asymptotics.half_swings.certified import MAX_WORK
 from asymptotics.half_swings.certified_zeros import (
     certified_half_swing,
     dry_friction_cancels,
+    is_linear_friction,
     negative_power,
-    only,
     without,
 )
+from asymptotics.half_swings.forces import Forces, Given
 from asymptotics.half_swings.quarter import HalfSwing
 from asymptotics.normal_form.flow import flow_of
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
-from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series, monomials
 
 MAX_RAISE = 6
@@ -42,7 +42,7 @@ Digits = dict[str, dict[Key, str]]
 
 
 def certified_digits(
-    alphas: Sequence[ExactReal],
+    given: Given,
     order: int,
     digits: int,
     *,
@@ -55,37 +55,43 @@ def certified_digits(
     Names: L, T, U, W, p (odd degrees), Omega (even degrees from 2 on), and F_i, V_i for each law i = 0, 1, …;
     keys are multi-indices; ``names`` selects some.  UndecidedError names the coefficient that could not be decided.
     """
+    forces = Forces.read(given, order)
 
     def evaluate() -> dict[str, Series]:
-        series = expansions(alphas, order, max_work)
+        series = expansions(forces, order, max_work)
         return {name: series[name] for name in names or series}
 
-    return round_all(evaluate, digits, 4 * order + 32, known or {})
+    return round_all(evaluate, digits, 4 * order + 32, known or {}, forces)
 
 
-def expansions(alphas: Sequence[ExactReal], order: int, max_work: int = MAX_WORK) -> dict[str, Series]:
+def expansions(given: Given, order: int, max_work: int = MAX_WORK) -> dict[str, Series]:
     """The same as balls at the current precision, zeros by theorem absent."""
-    half = certified_half_swing(alphas, order, max_work=max_work)
-    U, W = _flow(half, alphas)
-    inverse = W.inverse()
+    forces = Forces.read(given, order)
+    half = certified_half_swing(forces, order, max_work=max_work)
+    U, W = _flow(half, forces)
+    inverse, l = W.inverse(), forces.loss_degree  # noqa: E741 (the letter of ``grading``)
     per_law = {f"F_{i}": f for i, f in enumerate(half.F)}
     for i, weight in enumerate(half.grading.weights):
         per_law[f"V_{i}"] = (U * weight).shift(i).truncate(order)
-    p = without(-(U * inverse), lambda n: sum(n) % 2 == 0 or (sum(n) > 1 and only(alphas, n, {1})))
-    Omega = without(inverse, lambda n: sum(n) % 2 == 1)
+    p = without(-(U * inverse), lambda n: l(n) % 2 == 0 or (sum(n) > 1 and is_linear_friction(forces, n)))
+    Omega = without(inverse, lambda n: l(n) % 2 == 1)
     return {"L": half.L, "T": half.T, "U": U, "W": W, "p": p, "Omega": Omega.without_constant(), **per_law}
 
 
-def _flow(half: HalfSwing, alphas: Sequence[ExactReal]) -> tuple[Series, Series]:
+def _flow(half: HalfSwing, forces: Forces) -> tuple[Series, Series]:
     """U and W of the half-swing, zeros by theorem absent."""
     flow = flow_of(half)
-    U = without(flow.U, lambda n: negative_power(alphas, n, 1))
-    W = without(flow.W, lambda n: negative_power(alphas, n, 0) or dry_friction_cancels(alphas, n))
+    U = without(flow.U, lambda n: negative_power(forces, n, 1))
+    W = without(flow.W, lambda n: negative_power(forces, n, 0) or dry_friction_cancels(forces, n))
     return U, W
 
 
 def round_all(
-    evaluate: Callable[[], Mapping[str, Series]], digits: int, guard: int, known: Mapping[str, Mapping[Key, str]]
+    evaluate: Callable[[], Mapping[str, Series]],
+    digits: int,
+    guard: int,
+    known: Mapping[str, Mapping[Key, str]],
+    forces: Forces,
 ) -> Digits:
     """Raise the precision by what is missing until every coefficient of every series is rounded.
 
@@ -96,7 +102,7 @@ def round_all(
     while True:
         with ctx.workprec(bits):
             series = evaluate()
-        rounded = {name: _round(one, name, digits, known.get(name, {})) for name, one in series.items()}
+        rounded = {name: _round(one, name, digits, known.get(name, {}), forces) for name, one in series.items()}
         open_ones = [(name, n) for name, row in rounded.items() for n, text in row.items() if text is None]
         if not open_ones:
             return {name: {n: text for n, text in row.items() if text} for name, row in rounded.items()}
@@ -108,15 +114,16 @@ def round_all(
         bits = min(bits + max(16, min(missing, bits)), limit)
 
 
-def _round(series: Series, name: str, digits: int, known: Mapping[Key, str]) -> dict[Key, str | None]:
-    """Decimals of all coefficients, "0" for the absent ones; p in odd and Ω in even degrees only."""
+def _round(series: Series, name: str, digits: int, known: Mapping[Key, str], forces: Forces) -> dict[Key, str | None]:
+    """Decimals of all coefficients, "0" for the absent ones; p in odd and Ω in even loss degrees only."""
     parity = {"p": 1, "Omega": 0}.get(name)
     row: dict[Key, str | None] = {}
     for degree in range(series.order + 1):
-        if (parity is not None and degree % 2 != parity) or (degree == 0 and series[(0,) * series.variables] == 0):
-            continue
         for n in monomials(series.variables, degree):
             value = series[n]
+            other = parity is not None and forces.loss_degree(n) % 2 != parity
+            if other or (degree == 0 and value == 0):
+                continue
             if n in known:
                 row[n] = known[n]
                 continue

@@ -8,7 +8,7 @@
 >>> expansion.p, expansion.Omega
 (4/(3*pi)*d + 2/(135*pi)*d^3 + O(4), -1/6*d^2 + O(4))
 >>> print(exact_expansion((3,), 3, "no-first-harmonic"))
-alpha = 3, gauge no-first-harmonic, exact, order 3
+degrees 3, gauge no-first-harmonic, exact, order 3
 p: 3/8*d + 351/8192*d^3 + O(4)
 Omega: 9/256*d^2 + O(4)
 """
@@ -23,7 +23,8 @@ from sympy import latex
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
-from asymptotics.half_swings.fourier_flow import fourier_flow
+from asymptotics.half_swings.forces import Forces, Given
+from asymptotics.half_swings.fourier_flow import fourier_flow, is_smooth
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.half_swings.quarter import HalfSwing, QuarterSwing, half_swing
 from asymptotics.normal_form.flow import Flow, flow_of
@@ -83,8 +84,8 @@ class Expansion:
         return rf"$\frac{{dA}}{{d\tau}} = -A\left({p}\right),\quad \frac{{d\psi}}{{d\tau}} = 1 + {Omega}$"
 
     def __str__(self) -> str:
-        alphas = ", ".join(str(a) for a in self.degrees)
-        head = f"alpha = {alphas}, gauge {self.gauge}, {self.arithmetic}, order {self.order}"
+        degrees = ", ".join(str(d) for d in self.degrees)
+        head = f"degrees {degrees}, gauge {self.gauge}, {self.arithmetic}, order {self.order}"
         return f"{head}\np: {self.p}\nOmega: {self.Omega}"
 
 
@@ -112,28 +113,29 @@ def expansion_of(quarter: QuarterSwing, gauge: str = TURNING_POINT, *, arithmeti
 
 
 def exact_expansion(
-    alphas: tuple[int, ...], order: int, gauge: str = TURNING_POINT, *, max_seconds: float = MAX_SECONDS
+    given: Given, order: int, gauge: str = TURNING_POINT, *, max_seconds: float = MAX_SECONDS
 ) -> Expansion:
-    """The exact expansion for integer exponents >= 0 through ``order`` >= 1.
+    """The exact expansion for integer exponents >= 0 through ``order`` >= 1: exponents of losses, terms, or forces.
 
     Raises InputError for exponents that are not integers or an unknown gauge, LimitError when the estimated time is
     above ``max_seconds``.
     """
     require_gauge(gauge)
-    require_size(alphas, order, gauge, max_seconds)
-    if all(a % 2 == 1 for a in alphas):
-        return _odd_expansion(alphas, order, gauge)
+    forces = Forces.read(given, order)
+    require_size(forces, order, gauge, max_seconds)
+    if is_smooth(forces):
+        return _smooth_expansion(forces, order, gauge)
     if gauge == TURNING_POINT:
-        half = exact_half_swing(alphas, order)
+        half = exact_half_swing(forces, order)
         flow = flow_of(half)
         return Expansion(gauge, "exact", order, flow, half, identity_map(flow))
-    return expansion_of(exact_quarter_swing(alphas, order, moments=True), gauge, arithmetic="exact")
+    return expansion_of(exact_quarter_swing(forces, order, moments=True), gauge, arithmetic="exact")
 
 
-def _odd_expansion(alphas: tuple[int, ...], order: int, gauge: str) -> Expansion:
-    """Odd exponents: the bracket is the mean of the turning-point waveform, a rational Fourier polynomial."""
-    half = exact_half_swing(alphas, order)
-    source = fourier_flow(alphas, order)
+def _smooth_expansion(forces: Forces, order: int, gauge: str) -> Expansion:
+    """Smooth forces: the bracket is the mean of the turning-point waveform, a rational Fourier polynomial."""
+    half = exact_half_swing(forces, order)
+    source = fourier_flow(forces, order)
     flow = Flow(half.grading, source.U, source.W)
     if gauge == TURNING_POINT:
         return Expansion(gauge, "exact", order, flow, half, identity_map(flow))
@@ -145,21 +147,20 @@ def _in_gauge(flow: Flow, change: GaugeMap) -> Flow:
     return flow if change.target == TURNING_POINT else change.apply(flow)
 
 
-def estimated_seconds(alphas: tuple[int, ...], order: int, gauge: str = TURNING_POINT) -> float:
+def estimated_seconds(given: Given, order: int, gauge: str = TURNING_POINT) -> float:
     """A rough estimate of the time for an exact expansion: monomials^2 order^2, with measured rates; not a promise."""
-    work = order**2 * comb(order + len(alphas), len(alphas)) ** 2
-    largest = max(*alphas, 2) / 2
-    if all(a % 2 == 1 for a in alphas):
+    forces = Forces.read(given, order)
+    work = order**2 * comb(order + forces.variables, forces.variables) ** 2
+    largest = max(2, *(m.integer_velocity + m.position for m in forces.members if m.order == 1)) / 2
+    if is_smooth(forces):
         return 1e-6 * work * largest**2
     return (1e-6 if gauge == TURNING_POINT else 2e-5) * work * largest
 
 
-def require_size(
-    alphas: tuple[int, ...], order: int, gauge: str = TURNING_POINT, max_seconds: float = MAX_SECONDS
-) -> None:
+def require_size(given: Given, order: int, gauge: str = TURNING_POINT, max_seconds: float = MAX_SECONDS) -> None:
     """InputError for an order below 1, LimitError when the estimated time is above ``max_seconds``."""
     if order < 1:
         raise InputError("order", f"{order} is too small", "an integer >= 1")
-    seconds = estimated_seconds(alphas, order, gauge)
+    seconds = estimated_seconds(given, order, gauge)
     if seconds > max_seconds:
         raise LimitError("order", f"{order} would take about {seconds:.0f} s", f"an estimate below {max_seconds:.0f} s")

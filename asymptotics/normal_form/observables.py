@@ -10,13 +10,14 @@
 
 from dataclasses import dataclass
 
+from asymptotics.half_swings.forces import Forces
 from asymptotics.normal_form.expansion import Expansion
 from asymptotics.series import Series
 
 
 @dataclass(frozen=True)
 class Observables:
-    """Series in delta_i = epsilon_i A_n^(alpha_i - 1), A_n the observed turning amplitude.
+    """Series in the local strengths at A_n, the observed turning amplitude.
 
     ``amplitude_ratio``: A_(n+1)/A_n; ``half_period``: tau_(n+1) - tau_n; ``energy_loss``: the fraction of the energy
     lost on this half-swing; ``log_decrement``: ln(A_n/A_(n+2)), over a full swing.
@@ -28,12 +29,15 @@ class Observables:
     log_decrement: Series
 
 
-def observables(expansion: Expansion) -> Observables:
+def observables(expansion: Expansion, forces: Forces | None = None) -> Observables:
     """The observables of an expansion, from its flow carried back to the turning points by its gauge map.
 
-    A_(n+1)/A_n = e^L; the energy is proportional to A_n^2 at a turning point, so the loss is 1 - e^(2 L); two
-    half-swings give ln(A_n/A_(n+2)) = -(L + L o F).
+    A_(n+1)/A_n = e^L; two half-swings give ln(A_n/A_(n+2)) = -(L + L o F).  The energy at a turning point is V(A), so
+    the loss is 1 - e^(2 L) v(F)/v(delta), v = V(A)/(A^2/2): 1 for the linear spring, and from ``forces`` otherwise.
     """
     half = expansion.turning_point_flow().half_swing(expansion.pi)
-    loss = 1 - (half.L * 2).exp()
-    return Observables(half.L.exp(), half.T, loss, -(half.L + half.L.compose(half.F)))
+    kept = (half.L * 2).exp()
+    if forces is not None:
+        v = forces.potential(half.order)
+        kept = kept * v.compose(half.F) / v
+    return Observables(half.L.exp(), half.T, 1 - kept, -(half.L + half.L.compose(half.F)))

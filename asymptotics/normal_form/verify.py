@@ -19,7 +19,8 @@ Three checks, in falling strength:
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, log, pi, sin
+from fractions import Fraction
+from math import cos, log, pi, prod, sin
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,7 @@ from flint import arb, fmpq, fmpq_poly
 from scipy.integrate import solve_ivp
 
 from asymptotics.half_swings.exact import exact_quarter_swing
+from asymptotics.half_swings.forces import Forces, Given, Member
 from asymptotics.half_swings.fourier_flow import FourierFlow, fourier_flow
 from asymptotics.half_swings.grading import may_vanish
 from asymptotics.half_swings.pi_ring import PiNumber
@@ -57,9 +59,9 @@ def verify(expansion: Expansion, reference: HalfSwing | None = None) -> Verifica
     return Verification(good, order, expansion.arithmetic == "exact", measured_order(expansion))
 
 
-def exact_reference(alphas: tuple[int, ...], order: int) -> HalfSwing:
+def exact_reference(given: Given, order: int) -> HalfSwing:
     """The half-swing by polynomials in theta and the reversal identity: independent of the even and odd routes."""
-    return half_swing(exact_quarter_swing(alphas, order))
+    return half_swing(exact_quarter_swing(given, order))
 
 
 def _differences(expansion: Expansion, reference: HalfSwing) -> list[Series]:
@@ -83,46 +85,49 @@ def map_residual(expansion: Expansion, reference: HalfSwing) -> Outcome:
     return Outcome.CONFIRMED if all(bool(c.rad() < wide) for c in balls) else Outcome.UNDECIDED
 
 
-def equation_residual(alphas: tuple[int, ...], order: int, gauge: str) -> Outcome:
-    """The residual of (d_psi + D_1 + i) Z = i W (Z + Phi) for odd exponents, formed afresh from Z, U and W.
+def equation_residual(given: Given, order: int, gauge: str) -> Outcome:
+    """The residual of (d_psi + D_1 + i) Z = i W (Z + Phi) for smooth forces, formed afresh from Z, U and W.
 
     The recurrence of ``fourier_flow`` never forms the full series; here whole series are multiplied and subtracted.
     """
-    flow = fourier_flow(alphas, order, gauge)
-    residual = _waveform_residual(alphas, flow)
+    forces = Forces.read(given, order)
+    residual = _waveform_residual(forces, fourier_flow(forces, order, gauge))
     zero = all(c == 0 for c in residual.coefficients.values())
     return Outcome.CONFIRMED if zero else Outcome.REFUTED
 
 
-def _waveform_residual(alphas: tuple[int, ...], flow: FourierFlow) -> Series:
+def _waveform_residual(forces: Forces, flow: FourierFlow) -> Series:
     """(2 q d_q + D^_1 + 1) Z - W^ (Z + Phi^), each coefficient of degree n times q^(shift n + 1)."""
-    M, variables, order = flow.shift, len(alphas), flow.U.order
+    M, variables, order, grading = flow.shift, forces.variables, flow.U.order, flow.grading
     Z = Series({k: p for part in flow.Z for k, p in part.items()}, variables, order)
     rotation = Z.map_keys(lambda k, p: 2 * (p.derivative().left_shift(1) - M * sum(k) * p))
-    growth = Z + flow.grading.weighted(Z)
-    U = _shifted(flow.U, 1, M)
-    W = _shifted(flow.W, 0, M)
-    mirrored = Z.map_keys(lambda k, p: (-1) ** sum(k) * _mirror(p, 2 * M * sum(k)))
-    Y = Z.map(lambda p: p.left_shift(1)) - mirrored
+    growth = Z + grading.weighted(Z)
+    U, W = _shifted(flow, flow.U, 1), _shifted(flow, flow.W, 0)
+    mirrored = grading.flip(Z).map_keys(lambda k, p: _mirror(p, 2 * M * sum(k)))
+    turned = Z.map(lambda p: p.left_shift(1))
     phi = Series({}, variables, order)
-    for i, a in enumerate(alphas):
-        phi = phi + _force(Y, i, a, M)
+    for member in forces.through(order):
+        phi = phi + _force(turned + mirrored, turned - mirrored, member, M)
     return rotation + U * growth + Z - W * (Z + phi)
 
 
-def _force(Y: Series, i: int, a: int, M: int) -> Series:
-    """The term of Phi^ that belongs to the odd exponent a of the i-th law."""
-    half = (a + 1) // 2
-    scale = fmpq((-1) ** half, 2**a)
-    return (Y**a).shift(i).truncate(Y.order).map(lambda p: (p * scale).left_shift(M - half))
+def _force(P: Series, Y: Series, member: Member, M: int) -> Series:
+    """The term of Phi^ that belongs to one member: i^(alpha+1) or i^q times 2^-d q^(-(d+1)/2) P^m Y^alpha."""
+    alpha, d = member.integer_velocity, member.integer_velocity + member.position
+    scale = member.ratio * fmpq((-1) ** ((alpha + (member.sign < 0)) // 2), 2**d)
+    product = Y**alpha if not member.position else P**member.position * Y**alpha
+    for i, n in enumerate(member.key):
+        for _ in range(n):
+            product = product.shift(i).truncate(Y.order)
+    return product.map(lambda p: (p * scale).left_shift(M * member.order - (d + 1) // 2))
 
 
-def _shifted(series: Series, parity: int, M: int) -> Series:
+def _shifted(flow: FourierFlow, series: Series, parity: int) -> Series:
     """f^(eta) with the same shift q^(M n) as the waveform."""
 
     def lifted(key: tuple[int, ...], c: PiNumber) -> fmpq_poly:
-        n = sum(key)
-        return fmpq_poly([c.as_rational() * (-1) ** ((n - parity) // 2)]).left_shift(M * n)
+        sign = (-1) ** ((flow.grading.loss_degree(key) - parity) // 2)
+        return fmpq_poly([c.as_rational() * sign]).left_shift(flow.shift * sum(key))
 
     return series.map_keys(lifted)
 
@@ -131,29 +136,43 @@ def _mirror(p: fmpq_poly, degree: int) -> fmpq_poly:
     return sum((c * fmpq_poly([0, 1]) ** (degree - m) for m, c in enumerate(p.coeffs()) if c != 0), start=fmpq_poly([]))
 
 
-def numerical_half_swing(alphas: Sequence[float], deltas: Sequence[float]) -> tuple[float, float]:
-    """(L, T) from integrating d ln r/d theta and d tau/d theta in doubles: heuristic, for measuring orders."""
+def numerical_half_swing(given: Given | Sequence[float], deltas: Sequence[float]) -> tuple[float, float]:
+    """(L, T) from integrating d ln r/d theta and d tau/d theta in doubles: heuristic, for measuring orders.
+
+    Floats in the place of forces are the exponents of plain losses; named springs are summed as far as they go.
+    """
+    members = [_numbers(m, deltas) for m in Forces.read(given, 12).members]  # type: ignore[arg-type]
 
     def slopes(theta: float, state: np.ndarray) -> list[float]:
         s, c = abs(sin(theta)), cos(theta)
-        n = sum(d * np.exp((a - 1) * state[0]) * s**a for a, d in zip(alphas, deltas))
+        n = 0.0
+        for strength, weight, velocity, position, is_spring in members:
+            factor = (abs(c) ** (position - 1) * c) if is_spring else abs(c) ** position
+            n += strength * np.exp(weight * state[0]) * s**velocity * factor
         return [-n * s / (1 - n * c), n * c / (1 - n * c)]
 
     run = solve_ivp(slopes, (0.0, pi), [0.0, 0.0], method="DOP853", rtol=1e-13, atol=1e-15)
     return float(run.y[0, -1]), pi + float(run.y[1, -1])
 
 
-def measured_order(expansion: Expansion, levels: int = 8) -> float:
+def _numbers(m: Member, deltas: Sequence[float]) -> tuple[float, float, float, int, bool]:
+    strength = float(prod(d**n for d, n in zip(deltas, m.key))) * float(Fraction(int(m.ratio.p), int(m.ratio.q)))
+    velocity = float(m.velocity.ball().mid())
+    return strength * m.side, velocity + m.position - 1, velocity, m.position, m.sign > 0
+
+
+def measured_order(expansion: Expansion, given: Given | None = None, levels: int = 8) -> float:
     """The slope of ln(error) against ln(delta), errors of L and T together, all delta_i equal; nan if not measurable.
 
-    delta runs through 0.3, 0.3/sqrt(2), ...; of the errors above rounding the smallest pair is used.
+    ``given``: the forces, unless they are plain losses.  delta runs through 0.3, 0.3/sqrt(2), ...; of the errors above
+    rounding the smallest pair is used.
     """
     half = expansion.turning_point_flow().half_swing(expansion.pi)
-    alphas = [_float(d) for d in expansion.degrees]
+    forces = [_float(d) for d in expansion.degrees] if given is None else given
     found = []
     for j in range(levels):
         delta = 0.3 * 2 ** (-j / 2)
-        L, T = numerical_half_swing(alphas, [delta] * len(alphas))
+        L, T = numerical_half_swing(forces, [delta] * len(expansion.degrees))
         error = abs(L - _at(half.L, delta)) + abs(T - _at(half.T, delta))
         if error > 1e-11:
             found.append((delta, error))

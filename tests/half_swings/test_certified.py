@@ -13,6 +13,7 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.half_swings.certified import enclose, quarter_swing, tail_constants, truncated_sums
 from asymptotics.half_swings.certified_orders import bound_ring, indices, order_series, power_series_ring
 from asymptotics.half_swings.exact import exact_quarter_swing
+from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.half_swings.quarter import QuarterSwing
 from asymptotics.numbers.bridge import bounds, to_fmpq
@@ -212,13 +213,13 @@ def test_equal_exponents_merge() -> None:
 
 def test_a_missing_tail_bound_is_detected() -> None:
     """With few terms the truncated sums miss the truth; their enclosures do not: the tail bound is what saves them."""
-    alphas = [arb(fmpq(3, 2))]
+    forces = Forces.losses(exponents("3/2"))
     fine = swing("3/2", order=4, bits=300, moments=True)
     truth = [fine.R, fine.T_q, *(part for pair in fine.K for part in pair)]
     with ctx.workprec(200):
-        bound = tail_constants(alphas, 4, 4, moments=True)
+        bound = tail_constants(forces, 4, 4, moments=True)
         for terms in (6, 12, 24):
-            sums = truncated_sums(alphas, 4, terms, moments=True)
+            sums = truncated_sums(forces, 4, terms, moments=True)
             for right, naive, sure in zip(
                 truth, sums, [enclose(s, b, 4, terms) for s, b in zip(sums, bound, strict=True)], strict=True
             ):
@@ -231,11 +232,11 @@ def test_a_missing_tail_bound_is_detected() -> None:
 def test_every_coefficient_obeys_its_bound(alphas: list[fmpq]) -> None:
     """|y_n,j| <= |y_n| ϱ^(−j) for each ϱ, and the bound is no wild overestimate at j = 0 and ϱ = 1."""
     with ctx.workprec(200):
-        numbers = [arb(a) for a in alphas]
+        forces = Forces.losses([ExactReal(Fraction(int(a.p), int(a.q))) for a in alphas])
         orders = indices(len(alphas), 4)
-        y = order_series(power_series_ring(numbers, 40), numbers, orders)
+        y = order_series(power_series_ring(forces, 40), orders)
         for radius in (1, 2, 3, 4):
-            bound = order_series(bound_ring(numbers, radius), numbers, orders)
+            bound = order_series(bound_ring(forces, radius), orders)
             for n, f in y.items():
                 assert all(
                     abs(c) * arb(radius) ** j <= bound[n] * (1 + arb(2) ** -150) for j, c in enumerate(f.coeffs())

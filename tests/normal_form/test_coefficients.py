@@ -3,6 +3,7 @@
 import pytest
 import sympy
 from flint import ctx
+from sympy import Float
 
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT
@@ -13,6 +14,7 @@ from asymptotics.normal_form.digits import certified_digits
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.decimals import decimal_of_ball
 from asymptotics.numbers.exact import parse_real
+from asymptotics.terms import Term
 
 GAUGES = (TURNING_POINT, AVERAGING, NO_FIRST_HARMONIC)
 DIGITS = 25
@@ -129,3 +131,14 @@ def test_integer_laws_in_a_mixed_sum_keep_their_exact_coefficients(gauge):
         assert mixed.amplitude[f"{key},0"] == linear.amplitude[key]
     assert mixed.frequency["2,0"] == linear.frequency["2"]
     assert expansion_coefficients(reals("3", "1/2"), 1, 2, gauge).amplitude["1,0"].value == "0.38"
+
+
+@pytest.mark.parametrize("texts", [("3/2", 0, 3), ("1/2", 2, 5), ("sqrt(2)", 1, 2)])
+def test_closed_forms_of_a_loss_with_a_spring(texts):
+    alpha, m, p = texts
+    terms = [Term(1, alpha, m), Term(1, 0, p, "position")]
+    found, known = expansion_coefficients(terms, 2, 12), closed_forms(terms, 2, TURNING_POINT)
+    for row, name in ((found.amplitude, "p"), (found.frequency, "Omega")):
+        for key, expression in known[name].items():
+            assert abs(expression.evalf(20) - Float(row[",".join(map(str, key))].value)) < 1e-11
+    assert set(known["p"]) == {(1, 0), (1, 1)}

@@ -1,0 +1,181 @@
+"""The one reader of forces on the command line: losses and springs, with their strengths or without.
+
+    --alpha A --epsilon E     epsilon x'|x'|^(A-1)                 (--damping B in ``motion``)
+    --law A:E                 the same as one term of a sum, repeated
+    --law A,M:E               epsilon |x|^M x'|x'|^(A-1)
+    --spring P:C              c x|x|^(P-1), repeated
+    --spring P,Q:C            c x|x|^(P-1) |x'|^Q
+    --spring pendulum         sin x in place of x, the amplitude in rad
+
+Where a command needs no strengths, ``:E`` and ``:C`` may be left out.  M and P are integers, A and Q any real numbers.
+
+>>> parser = argparse.ArgumentParser()
+>>> add_forces(parser, "epsilon", "E", "the strength")
+>>> given = parser.parse_args(["--law", "0:1/20", "--law", "3/2,2:0.1", "--spring", "3:-1/6"])
+>>> print(read_law(given, "epsilon"))
+1/20 sign(x') + 1/10 x^2 x'|x'|^(1/2) - 1/6 x^3
+>>> [str(t) for t in read_terms(parser.parse_args(["--alpha", "2", "--spring", "pendulum"])).terms]
+["x'|x'|", '(sin x - x)']
+"""
+
+import argparse
+from dataclasses import dataclass
+
+from asymptotics.errors import InputError
+from asymptotics.law import PENDULUM, Law
+from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_integer, parse_real
+from asymptotics.terms import MAX_POSITION, Term
+
+MAX_FORCES, MAX_ALPHA = 4, 1000
+_LAW_FORMS = "A:E or A,M:E, such as 3/2:0.1 or 1,2:0.1 for |x|^2 x'"
+_SPRING_FORMS = f"P:C or P,Q:C, such as 3:-1/6 for x^3, or {PENDULUM}"
+
+
+@dataclass(frozen=True)
+class GivenTerms:
+    """The terms of a sum, all different, losses before springs, in the order given; ``notes`` says what was merged.
+
+    Strengths that were left out are 1.
+    """
+
+    terms: tuple[Term, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def shown(self) -> str | list[str]:
+        """The exponent of the one loss, or the list of all, as text."""
+        texts = [str(t.velocity) for t in self.terms if t.sign < 0]
+        return texts[0] if len(texts) == 1 else texts
+
+    @property
+    def names(self) -> list[str]:
+        """The forces without their strengths, as text."""
+        return [t.shape() for t in self.terms]
+
+    def to_list(self) -> list[dict[str, str | int]]:
+        """The terms as JSON data, without strengths."""
+        return [{k: v for k, v in t.to_dict().items() if k != "strength"} for t in self.terms]
+
+
+def add_forces(
+    parser: argparse.ArgumentParser,
+    strength: str = "epsilon",
+    letter: str = "E",
+    meaning: str = "",
+    *,
+    springs: bool = True,
+) -> None:
+    """The options --alpha, --``strength``, --law and (if the command knows them) --spring."""
+    meaning = meaning or "its strength; accepted as in the other commands, it does not enter the coefficients"
+    parser.add_argument("--alpha", metavar="A", help=f"the exponent of the damping law, A >= 0: {REAL_FORMS}")
+    parser.add_argument(f"--{strength}", metavar=letter, help=meaning)
+    text = f"one term of a sum, repeated: its exponent and its strength; A,M:{letter} has the factor |x|^M"
+    parser.add_argument("--law", action="append", metavar=f"A[,M]:{letter}", help=text)
+    if springs:
+        text = "a spring c x|x|^(P-1) beside the linear one, repeated; P,Q:C has |x'|^Q as well; pendulum: sin x for x"
+        parser.add_argument("--spring", action="append", metavar="P[,Q]:C", help=text)
+
+
+def read_law(options: argparse.Namespace, strength: str, *, negative: bool = False) -> Law:
+    """The law with its strengths; InputError for both forms at once, a missing half, too many terms, or bad numbers.
+
+    ``negative``: whether losses may be negative (anti-damping).
+    """
+    terms = [*_losses(options, strength, needed=True, negative=negative), *_springs(options, needed=True)]
+    law = Law.from_terms(terms)
+    _require_few(len(law.terms))
+    return law
+
+
+def read_terms(options: argparse.Namespace) -> GivenTerms:
+    """The terms of a command that needs no strengths; they are read, and may be negative or left out."""
+    terms: list[Term] = []
+    notes = []
+    for t in (*_losses(options, "epsilon", needed=False, negative=True), *_springs(options, needed=False)):
+        if t.key in {other.key for other in terms}:
+            name = f"exponents merged: alpha = {t.velocity}" if t.sign < 0 else f"springs merged: {t.shape()}"
+            notes.append(f"equal {name} (its delta is the sum of the strengths)")
+        else:
+            terms.append(t)
+    _require_few(len(terms))
+    return GivenTerms(tuple(terms), tuple(dict.fromkeys(notes)))
+
+
+def _require_few(count: int) -> None:
+    if count > MAX_FORCES:
+        raise InputError("--law", f"{count} different exponents are too many", f"at most {MAX_FORCES} terms")
+
+
+def _losses(options: argparse.Namespace, strength: str, *, needed: bool, negative: bool) -> list[Term]:
+    value = getattr(options, strength)
+    letter = "B" if strength == "damping" else "E"
+    forms = f"either --alpha and --{strength}, or --law A:{letter} once for each term"
+    if options.law:
+        if options.alpha is not None:
+            raise InputError("--alpha", "cannot be combined with --law", forms)
+        if value is not None:
+            raise InputError(f"--{strength}", "belongs to --alpha", forms)
+        return [_loss(text, needed, negative) for text in options.law]
+    if options.alpha is None:
+        if value is not None:
+            raise InputError("--alpha", "is missing", forms)
+        if getattr(options, "spring", None):
+            return []
+        raise InputError("--alpha", "is missing", forms)
+    if value is None and needed:
+        raise InputError(f"--{strength}", "is missing", forms)
+    number = ExactReal(1) if value is None else _strength(value, f"--{strength}", negative)
+    return [Term(number, read_alpha(options.alpha, "--alpha"))]
+
+
+def _loss(text: str, needed: bool, negative: bool) -> Term:
+    powers, strength = _split(text, "--law", needed, _LAW_FORMS)
+    alpha, _, position = powers.partition(",")
+    m = parse_integer(position, "--law", 0, MAX_POSITION) if position or "," in powers else 0
+    return Term(_strength(strength, "--law", negative), read_alpha(alpha, "--law"), m)
+
+
+def _springs(options: argparse.Namespace, *, needed: bool) -> list[Term]:
+    return [_spring(text, needed) for text in getattr(options, "spring", None) or []]
+
+
+def _spring(text: str, needed: bool) -> Term:
+    if text == PENDULUM:
+        return Term(1, 0, 3, "position", "pendulum")
+    powers, strength = _split(text, "--spring", needed, _SPRING_FORMS)
+    position, comma, velocity = powers.partition(",")
+    p = _spring_power(position)
+    q = read_alpha(velocity, "--spring") if comma else ExactReal(0)
+    return Term(parse_real(strength, "--spring"), q, p, "position")
+
+
+def _spring_power(text: str) -> int:
+    """P of x|x|^(P-1): an integer, because x^P must be a power series where the orbit passes x = 0."""
+    value = parse_real(text, "--spring")
+    if not value.is_integer or value < 1 or value > MAX_POSITION:
+        reason = f"the power {value} is not an integer >= 1: only such springs have a power series at the passage x = 0"
+        raise InputError("--spring", reason, f"{_SPRING_FORMS}; P from 1 to {MAX_POSITION}, odd in x: x|x|^(P-1)")
+    return int(value.rational)
+
+
+def _split(text: str, option: str, needed: bool, forms: str) -> tuple[str, str]:
+    """The powers and the strength of a term; "1" where the strength may be left out."""
+    powers, colon, strength = text.partition(":")
+    if not colon and needed:
+        raise InputError(option, f"{text[:60]!r} has no colon", forms)
+    return powers, strength if colon else "1"
+
+
+def read_alpha(text: str, argument: str) -> ExactReal:
+    """An exponent: a real number from 0 to 1000, given exactly."""
+    alpha = parse_real(text, argument)
+    if alpha < 0 or alpha > MAX_ALPHA:
+        raise InputError(argument, f"{alpha} is out of range", f"a real number from 0 to {MAX_ALPHA}: {REAL_FORMS}")
+    return alpha
+
+
+def _strength(text: str, argument: str, negative: bool) -> ExactReal:
+    value = parse_real(text, argument)
+    if value < 0 and not negative:
+        raise InputError(argument, f"{value} is negative: anti-damping", "a strength >= 0")
+    return value
