@@ -32,6 +32,7 @@ from flint import arb, arb_poly, ctx
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.half_swings.certified import RADIUS, enclose, tail_constants, truncated_sums
 from asymptotics.half_swings.finite_majorant import BITS, Majorant, majorant, widest
+from asymptotics.half_swings.forces import Forces
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series
 
@@ -251,18 +252,18 @@ def _polydisc(alphas: tuple[ExactReal, ...], delta: tuple[float, ...]) -> Majora
 def _table(alphas: tuple[ExactReal, ...], radii: tuple[float, ...], order: int, bits: int) -> FiniteQuarter:
     """Coefficients through order + K, good to 2^-``bits`` at strengths that need this order, and their tails."""
     with ctx.workprec(BITS):
-        balls = [a.ball() for a in alphas]
+        balls, forces = [a.ball() for a in alphas], Forces.losses(alphas)
         bound = majorant(balls, [arb(r) for r in radii])
         if bound is None:
             raise UndecidedError("the polydisc of the series was not verified")
         last = order + NEXT
-        tails, sizes = (tail_constants(balls, last, radius, False) for radius in (RADIUS, 1))
+        tails, sizes = (tail_constants(forces, last, radius, False) for radius in (RADIUS, 1))
         share = -bits / order  # log2 of the x at which the order is just enough
         terms = ceil((bits + _largest(tails, radii, share)) / log2(RADIUS)) + _EXTRA // 2
         guard = _EXTRA + ceil(_largest(sizes, radii, share))
     with ctx.workprec(bits + guard):
         exact = [a.ball() for a in alphas]
-        sums = truncated_sums(exact, last, terms, False)
+        sums = truncated_sums(forces, last, terms, False)
         series = [Series(enclose(s, b, RADIUS, terms), len(alphas), last) for s, b in zip(sums, tails, strict=True)]
         weights = tuple(a - 1 for a in exact)
     with ctx.workprec(BITS):
