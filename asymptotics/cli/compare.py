@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from asymptotics.cli.answer import Answer, add_json
-from asymptotics.cli.law_options import add_law, read_law
+from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.comparison.picture import KINDS, picture_of
 from asymptotics.comparison.run import MAX_DIGITS, Comparison, Row, compare_file
 from asymptotics.errors import InputError
@@ -31,7 +31,7 @@ _SI = ("mass", "stiffness", "x0")
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("file", metavar="FILE", help="a CSV file of values")
-    add_law(parser, "epsilon", "E", "its dimensionless strength, b omega_0^alpha x0^(alpha-1) / k")
+    add_forces(parser, "epsilon", "E", "its dimensionless strength, b omega_0^alpha x0^(alpha-1) / k", springs=False)
     parser.add_argument("--damping", metavar="B", help="its strength b in SI, in place of --epsilon")
     for name, unit in zip(_SI, ("m in kg", "k in N/m", "x(0) in m")):
         parser.add_argument(f"--{name}", metavar="V", help=f"{unit} (default 1): the file is in SI")
