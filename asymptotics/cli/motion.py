@@ -6,8 +6,7 @@
 
 The start is x(0) = x0, x'(0) = v0.  --order N (default 3): p_k and Omega_k for k <= N and the waveform through
 delta^(N-1); order 1 is x0 A(t) cos(omega_0 t).  `phase` is psi - omega_0 t, and `error` an estimate from the orders
-N + 1 and N + 2.  --reference: alpha = 0, 1 and 2 (from rest) exact and certified, every other law integrated half-
-swing by half-swing at two precisions.
+N + 1 and N + 2.  --reference: every digit proved, whatever the law and the start; closed forms where there are any.
 """
 
 import argparse

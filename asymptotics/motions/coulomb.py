@@ -31,7 +31,7 @@ from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import certified_point, certified_values, time_of
 from asymptotics.motions.result import MotionPoint
-from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.exact import ExactReal, square_root
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.numbers.rationals import to_fmpq
 
@@ -145,24 +145,37 @@ def _course(oscillator: Oscillator, hold: ExactReal) -> _Course | None:
     h = hold.ball() / k.ball()
     if not (oscillator.v0 < 0 or oscillator.v0 > 0):
         sign = -1 if oscillator.x0 < 0 else 1
-        exact = _rational_count(oscillator, hold)
+        exact = _rational_count(oscillator, hold, ExactReal(abs(oscillator.x0.coefficient), oscillator.x0.radicand))
         n, rest = (_count(abs(x0), c, h), None) if exact is None else exact
         return None if n == 0 else _Course(sign, c, abs(x0) - c, arb(0), omega, n, rest)
     sign = -1 if oscillator.v0 > 0 else 1
     y, w = sign * x0 - c, abs(v0) / omega
     R = (y * y + w * w).sqrt()
-    n = 1 + _count(R - c, c, h)
-    return _Course(sign, c, R, -arb.atan2(w, y) / omega, omega, n, None)
+    exact = _rational_count(oscillator, hold, _rational_radius(oscillator, sign))
+    n, rest = (_count(R - c, c, h), None) if exact is None else exact
+    return _Course(sign, c, R, -arb.atan2(w, y) / omega, omega, 1 + n, rest)
 
 
-def _rational_count(oscillator: Oscillator, hold: ExactReal) -> tuple[int, Fraction] | None:
-    """The smallest n with r = |x0| - 2 n c <= h, and that r, exactly; None if a number is irrational."""
-    numbers = (oscillator.x0, oscillator.law.terms[0].b, oscillator.stiffness, hold)
+def _rational_radius(oscillator: Oscillator, sign: int) -> ExactReal | None:
+    """R - c, the first turning point of a start with v0 != 0, if R^2 = (s x0 - c)^2 + m v0^2/k is a rational square."""
+    numbers = (oscillator.x0, oscillator.law.terms[0].b, oscillator.stiffness, oscillator.mass)
     if not all(q.is_rational for q in numbers):
         return None
-    x0, b, k, force = (q.rational for q in numbers)
-    n = max(0, ceil((abs(x0) - force / k) / (2 * b / k)))
-    return n, abs(x0) - 2 * n * b / k
+    x0, b, k, m = (q.rational for q in numbers)
+    R = square_root((sign * x0 - b / k) ** 2 + m / k * oscillator.v0.coefficient**2 * oscillator.v0.radicand)
+    return ExactReal(R.rational - b / k) if R.is_rational else None
+
+
+def _rational_count(
+    oscillator: Oscillator, hold: ExactReal, first: ExactReal | None
+) -> tuple[int, Fraction] | None:
+    """The smallest n with r = first - 2 n c <= h, and that r, exactly; None if a number is irrational."""
+    numbers = (first, oscillator.law.terms[0].b, oscillator.stiffness, hold)
+    if first is None or not all(q is not None and q.is_rational for q in numbers):
+        return None
+    r, b, k, force = (q.rational for q in numbers if q is not None)
+    n = max(0, ceil((r - force / k) / (2 * b / k)))
+    return n, r - 2 * n * b / k
 
 
 def _count(r: arb, c: arb, h: arb) -> int:

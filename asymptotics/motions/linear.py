@@ -15,10 +15,12 @@ entire functions of D t^2, so D > 0, = 0, < 0 need no distinction (cosh and sinh
 
 from flint import acb, arb, ctx
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import certified_point, time_of
 from asymptotics.motions.result import MotionPoint
+from asymptotics.numbers.decimals import MAX_EXPONENT
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
 
 METHOD = "exact: linear damping, certified balls"
@@ -31,6 +33,7 @@ def linear_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Motion
     """
     moment = time_of(t)
     _require_linear(oscillator)
+    _require_printable(oscillator, moment)
 
     def evaluate() -> tuple[arb, arb]:
         now, x0, v0 = moment.ball(), oscillator.x0.ball(), oscillator.v0.ball()
@@ -44,6 +47,19 @@ def linear_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Motion
         return x, decay * (v0 * C - (gamma * v0 + stiffness * x0) * S)
 
     return certified_point(evaluate, digits, METHOD)
+
+
+def _require_printable(oscillator: Oscillator, t: ExactReal) -> None:
+    """LimitError where the displacement is certainly too small to be written down."""
+    with ctx.workprec(4096):
+        gamma = oscillator.law.terms[0].b.ball() / (2 * oscillator.mass.ball())
+        stiffness = oscillator.stiffness.ball() / oscillator.mass.ball()
+        over = (gamma**2 - stiffness).nonnegative_part()
+        slowest = stiffness / (gamma + over.sqrt()) if over > 0 else gamma
+        halvings = slowest * t.ball() / arb.const_log2()
+        if halvings > MAX_EXPONENT:
+            reason = f"the displacement has halved {halvings.str(3, radius=False)} times"
+            raise LimitError("time", reason, f"at most {MAX_EXPONENT} times: a shorter time")
 
 
 def regime(oscillator: Oscillator) -> str:

@@ -51,11 +51,11 @@ def quadratic_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Mot
 
 
 def quadratic_is_feasible(oscillator: Oscillator, digits: int) -> bool:
-    """Whether the quadrature, whose cost grows like the square of its nodes, is a matter of seconds."""
+    """Whether p = 2|u| is of ordinary size: there the quadrature is a matter of seconds and W loses no digits."""
     with ctx.workprec(64):
         gamma = oscillator.law.terms[0].b.ball() / oscillator.mass.ball()
         p = 2 * gamma * abs(oscillator.x0.ball())
-        return bool(p < 1e9) and node_count(float(p.mid()) + 1, bits_for(digits, 48)) <= MAX_NODES
+        return bool(p < 1e9) and bool(p > 1e-3) and node_count(float(p.mid()) + 1, bits_for(digits, 48)) <= MAX_NODES
 
 
 def _state(oscillator: Oscillator, t: arb) -> tuple[arb, arb]:

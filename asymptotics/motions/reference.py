@@ -1,9 +1,8 @@
-"""Reference motion: any alpha >= 0, any sum of laws, any start, to any number of digits, with a tested error.
+"""Reference motion: any alpha >= 0, any sum of laws, any start, any number of digits; every digit is proved.
 
-* One law with alpha = 0, 1, or 2 (from rest), and no damping at all, have exact routes: certified.
-* Every other law is integrated half-swing by half-swing with the sign of v fixed inside (``turning.swing``), at
-  two working precisions; step sizes and the lengths of all series differ between them.  ``error`` is ten times the
-  difference of the two, and half a unit of the last digit.  Strong evidence, not a proof: ``certified`` is False.
+* One law with alpha = 0 or 1, alpha = 2 from rest, and no damping at all have closed forms or a quadrature.
+* Every other law is enclosed half-swing by half-swing (``swing``): the sign of v is fixed inside, the branch point at
+  v = 0 is removed by a local expansion, and two motions never part, so the errors of the pieces only add.
 
 Against a naive |v|, measured: heyoka without an event is wrong in the third digit, mpmath.odefun in the fourth.
 
@@ -11,16 +10,16 @@ Against a naive |v|, measured: heyoka without an event is wrong in the third dig
 >>> drag = Oscillator(Law({"3/2": "1/10"}), mass="3/2", stiffness="30", x0="1/5")
 >>> point = reference_motion(drag, "7", 25)
 >>> point.x, point.v, point.certified
-('0.1638530834465485203993630', '0.08231344544936238811035480', False)
+('0.1638530834465485203993630', '0.08231344544936238811035480', True)
 """
 
-from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from flint import arb, ctx
 
-from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds
+from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Oscillator, PhysicalLaw
 from asymptotics.motions.certify import half_unit, time_of
 from asymptotics.motions.coulomb import coulomb_motion
@@ -30,98 +29,117 @@ from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
-from asymptotics.turning.local_expansion import Damping
-from asymptotics.turning.swing import orbit
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.dense import states
+from asymptotics.swing.taylor import GUARD
 
-METHOD = "reference: half-swing by half-swing, two precisions compared"
+METHOD = "reference: half-swing by half-swing, local expansions and Taylor steps in balls"
 MAX_DIGITS = 1000
-MAX_SECONDS = 600
-_TRIES = 4
+_TRIES = 6
 
 State = tuple[arb, arb]
 
 
 @dataclass(frozen=True)
 class States:
-    """(x, v) in SI units at several times, and the largest difference of x between the two precisions."""
+    """Enclosures of x and v in SI units at several times; ``bits``: the precision that gave them."""
 
     x: tuple[arb, ...]
     v: tuple[arb, ...]
-    difference: arb
     bits: int
 
 
 def reference_motion(
-    oscillator: Oscillator, t: Number, digits: int = 30, *, static: Number | None = None
-) -> MotionPoint:
-    """x and v at the time t >= 0 to ``digits`` significant digits; ``static``: a static friction force (alpha = 0).
+    oscillator: Oscillator, t: Number, digits: int = 30, *, static: Number | None = None,
+    max_seconds: float = DEFAULT_SECONDS,
+) -> MotionPoint:  # fmt: skip
+    """x and v at the time t >= 0, correctly rounded; ``static``: a static friction force (alpha = 0).
 
-    InputError for t < 0 or anti-damping, LimitError for too much work, UndecidedError if the precisions disagree.
+    InputError for t < 0 or anti-damping, LimitError for more work than ``max_seconds``, UndecidedError where balls
+    cannot tell how the motion goes on.
     """
     moment = time_of(t)
-    oscillator.law.require_pure("the reference motion")
     oscillator.law.require_dissipative("reference motion to rest")
-    exact = _exact(oscillator, moment, digits, static)
-    if exact is not None:
-        return exact
-    if static is not None:
-        raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0")
-    _require_size(oscillator, moment, digits)
-    states = reference_states(oscillator, (moment,), digits)
-    with ctx.workprec(states.bits):
-        x, v = (decimal_of_ball(value, digits) or "0" for value in (states.x[0], states.v[0]))
-        error = 10 * states.difference + arb(half_unit(x, digits))
-        text = decimal_of_ball(error.mid(), 2) or "0"
-    return MotionPoint(x, v, None, None, None, None, METHOD, text, False, oscillator.law.notes)
+    if not 1 <= digits <= MAX_DIGITS:
+        raise InputError("digits", f"{digits} is out of range", f"an integer from 1 to {MAX_DIGITS}")
+    with budget(max_seconds):
+        exact = _exact(oscillator, moment, digits, static)
+        if exact is not None:
+            return exact
+        if static is not None:
+            raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0")
+        found = _decimals(oscillator, moment, digits)
+    x, v = found
+    return MotionPoint(x, v, None, None, None, None, METHOD, half_unit(x, digits), True, oscillator.law.notes)
 
 
-def reference_states(oscillator: Oscillator, times: Sequence[ExactReal], digits: int) -> States:
-    """(x, v) at several times, agreeing at two precisions to ``digits`` digits (x absolutely where it is small)."""
-    bits, step = bits_for(digits, 48), bits_for(digits // 4, 40)
-    coarse = _states(oscillator, times, bits)
+def reference_states(
+    oscillator: Oscillator, times: Sequence[ExactReal], digits: int, *, max_seconds: float = DEFAULT_SECONDS
+) -> States:
+    """Enclosures of (x, v) at many times in one pass, in the order given.
+
+    Relative to the amplitude at the start they are good to ``digits`` digits; InputError, LimitError, UndecidedError as
+    ``reference_motion``.
+    """
+    oscillator.law.require_dissipative("reference motion to rest")
+    with budget(max_seconds):
+        bits = bits_for(digits, 40)
+        for _ in range(_TRIES):
+            found = _states(oscillator, times, bits)
+            with ctx.workprec(64):
+                close, length = arb(10) ** -digits, oscillator.length()
+                limits = close * length, close * length * oscillator.omega_0()
+                if all(c.rad() <= limit for state in found for c, limit in zip(state, limits)):
+                    break
+            bits += 64
+        else:
+            raise UndecidedError(f"no enclosure of {digits} digits at {bits} bits")
+    return States(tuple(x for x, _ in found), tuple(v for _, v in found), bits)
+
+
+def _decimals(oscillator: Oscillator, t: ExactReal, digits: int) -> tuple[str, str]:
+    """x and v at one time to ``digits`` significant digits, at whatever precision that takes."""
+    require_seconds(estimated_seconds(oscillator, t, digits), f"{t} s with {digits} digits")
+    bits, reason = bits_for(digits, 56), ""
     for _ in range(_TRIES):
-        bits += step
-        fine = _states(oscillator, times, bits)
-        with ctx.workprec(bits):
-            gaps = [abs(a[0] - b[0]).mid() for a, b in zip(coarse, fine)]
-            close = arb(10) ** -(digits + 2)
-            scales = (oscillator.length(), oscillator.length() * oscillator.omega_0())
-            if all(_near(a, b, close, scales) for a, b in zip(coarse, fine)):
-                x, v = zip(*fine)
-                return States(x, v, _largest(gaps), bits)
-        coarse = fine
-    raise UndecidedError(f"{bits - step} and {bits} bits do not agree in {digits} digits")
-
-
-def _near(a: State, b: State, close: arb, scales: State) -> bool:
-    """Relative agreement, down to 10^-20 of the motion's own scale: below that the mass is at rest, up to rounding."""
-    floor = arb(10) ** -20
-    return all(bool(abs(p - q) <= close * (abs(q) + floor * s)) for p, q, s in zip(a, b, scales))
-
-
-def _largest(values: list[arb]) -> arb:
-    best = arb(0)
-    for value in values:
-        best = value if value > best else best
-    return best
+        try:
+            state = _states(oscillator, (t,), bits)[0]
+            texts = [decimal_of_ball(c, digits) for c in state]
+            if all(text is not None for text in texts):
+                return str(texts[0]), str(texts[1])
+            reason, lacking = "the enclosure is too wide", max(bits_for(digits) - c.rel_accuracy_bits() for c in state)
+        except UndecidedError as undecided:
+            reason, lacking = str(undecided), bits
+        bits += min(max(64, lacking + 40), 4 * bits)
+    raise UndecidedError(f"no certified {digits} digits at {bits} bits: {reason}")
 
 
 def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> list[State]:
-    """(x, v) at the times, integrated at one precision."""
-    with ctx.workprec(bits):
+    """(x, v) in SI units at the times, in their order, at one precision."""
+    with ctx.workprec(bits + GUARD):
+        damping = Damping.of_law(oscillator.dimensionless)
         omega, length = oscillator.omega_0(), oscillator.length()
-        damping = Damping.of(list(zip(oscillator.epsilons(), oscillator.law.alphas)))
-        taus = sorted((t.ball() * omega).mid() for t in times)
-        X, V = (oscillator.x0.ball() / length).mid(), (oscillator.v0.ball() / (omega * length)).mid()
-        found: list[State] = []
-        for piece in orbit(damping, X, V):
-            while len(found) < len(taus) and (piece.end is None or taus[len(found)] <= piece.end):
-                x, v = piece.at(taus[len(found)])
-                found.append(((x * length).mid(), (v * length * omega).mid()))
-            if len(found) == len(taus):
-                break
-        order = [bisect_right(taus, (t.ball() * omega).mid()) - 1 for t in times]
-        return [found[i] for i in order]
+        X, V = oscillator.x0.ball() / length, oscillator.v0.ball() / (omega * length)
+        if oscillator.v0.is_zero:
+            X = arb(1 if oscillator.x0 > 0 else -1)
+        taus = [t.ball() * omega for t in times]
+    order = sorted(range(len(times)), key=lambda i: _Ascending(taus[i].mid()))
+    with ctx.workprec(bits):
+        found = states(damping, X, V, [taus[i] for i in order])
+        scaled = [(x * length, v * length * omega) for x, v in found]
+    back = dict(zip(order, scaled))
+    start = oscillator.x0.ball(), oscillator.v0.ball()
+    return [start if t.is_zero else back[i] for i, t in enumerate(times)]
+
+
+class _Ascending:
+    """A sorting key for exact balls."""
+
+    def __init__(self, value: arb) -> None:
+        self.value = value
+
+    def __lt__(self, other: "_Ascending") -> bool:
+        return bool(self.value < other.value)
 
 
 def _exact(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | None) -> MotionPoint | None:
@@ -135,7 +153,7 @@ def _exact(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | N
         return coulomb_motion(alone, t, digits, static=static)
     if alpha == 1:
         return linear_motion(alone, t, digits)
-    if alpha == 2 and not (oscillator.v0 < 0 or oscillator.v0 > 0) and quadratic_is_feasible(alone, digits):
+    if alpha == 2 and oscillator.v0.is_zero and quadratic_is_feasible(alone, digits):
         return quadratic_motion(alone, t, digits)
     return None
 
@@ -144,15 +162,7 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     """The expected time, good to a factor of about three for weak damping; stiff motions have their own limit."""
     with ctx.workprec(64):
         swings = float((t.ball() * oscillator.omega_0() / arb.pi()).mid()) + 1
-    dense = 1 + 5 * sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
-    seconds: float = 2.5 * swings * 0.04 * (bits_for(digits, 48) / 150) ** 2.5 * dense * len(oscillator.law.terms)
+    apart = 1 + sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
+    terms = len(oscillator.law.terms)
+    seconds: float = swings * 0.035 * (bits_for(digits, 48) / 150) ** 2.2 * apart * (0.6 + 0.4 * terms)
     return seconds
-
-
-def _require_size(oscillator: Oscillator, t: ExactReal, digits: int) -> None:
-    if not 1 <= digits <= MAX_DIGITS:
-        raise InputError("digits", f"{digits} is out of range", f"an integer from 1 to {MAX_DIGITS}")
-    seconds = estimated_seconds(oscillator, t, digits)
-    if seconds > MAX_SECONDS:
-        reason = f"{t} s with {digits} digits would take about {seconds:.0f} s"
-        raise LimitError("time", reason, f"work of at most {MAX_SECONDS} s: a shorter time or fewer digits")

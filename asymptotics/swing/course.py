@@ -23,6 +23,7 @@ from dataclasses import dataclass
 
 from flint import arb, ctx
 
+from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.swing.arrival import Arrival, arrive, turns_within
 from asymptotics.swing.damping import Damping, size_of, upper
@@ -44,14 +45,8 @@ class Piece:
     trapped: str | None
 
     def own(self, t: arb) -> tuple[arb, arb]:
-        """(y, w) of the piece's own orbit."""
+        """(y, w) of the piece's own orbit at an exact time from ``begin`` to ``end``."""
         raise NotImplementedError
-
-    def state(self, t: arb) -> tuple[arb, arb]:
-        """(u, w) of the true motion at a time (a ball) from ``begin`` to ``end``."""
-        y, w = self.own(t)
-        blur = arb(0, self.error)
-        return y + self.damping.friction + blur, w + blur
 
 
 @dataclass(frozen=True)
@@ -93,6 +88,10 @@ class Landing(Piece):
         """(y, w) by the local expansion."""
         return at_time(self.arrival.expansion, t - self.clock)
 
+    def late(self, distance: arb) -> arb:
+        """How much the time differs at most for an orbit that starts ``distance`` away."""
+        return delay(self.turn, upper(distance + self.miss), self.damping.friction)
+
 
 def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces: int = MAX_PIECES) -> Iterator[Piece]:
     """The pieces from the exact state (u, w >= 0) at time 0, at the precision current at each call, to the ``Landing``.
@@ -110,7 +109,8 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         y, w = first.expansion.state(first.expansion.reach)
         error = upper(first.error + y.rad())
         u, w = (y + damping.friction).mid(), first.expansion.reach
-    for _ in range(pieces):
+    for count in range(pieces):
+        tick(f"piece {count} of a half-swing")
         y = u - damping.friction
         blur = arb(0, error)
         if y + error < 0 and turns_within(damping, y, w):  # whatever the true speed: it turns, or just did

@@ -48,9 +48,19 @@ def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: in
     if p + error <= damping.friction:
         return Passage(None, None, INTEGRATED, 0, arb(0), STICKS)
     for count, piece in enumerate(course(damping, p, arb(0), error, pieces=pieces), start=1):
-        tail = upper((piece.error - error) / p)
         if piece.trapped is not None:
-            return Passage(None, None, INTEGRATED, count, tail, piece.trapped)
+            return Passage(None, None, INTEGRATED, count, upper((piece.error - error) / p), piece.trapped)
         if isinstance(piece, Landing):
-            return Passage(arb(piece.turn, piece.miss) / p, piece.time, INTEGRATED, count, tail)
+            return of_landing(p, error, piece, count)
     raise UndecidedError("the half-swing has no end")
+
+
+def of_landing(p: arb, error: arb, piece: Landing, count: int) -> Passage:
+    """The half-swing whose last piece is known; ``error`` was the distance allowed at its start."""
+    tail = upper((piece.error - error) / p)
+    return Passage(arb(piece.turn, piece.miss) / p, piece.time, INTEGRATED, count, tail)
+
+
+def quick(damping: Damping, p: arb) -> Passage | None:
+    """The half-swing by a route that is cheaper than the pieces, or None."""
+    return None

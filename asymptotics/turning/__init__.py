@@ -9,9 +9,7 @@
 ``abel``, ``far``       any alpha > 1: the n-th turning point for any n, with a rigorous bound of the truncated series
 ``quadratic_large``     the half period for large amplitudes
 ``routes``              by pieces, by the series or by one jump: the cheapest of the certified ways
-``general``             any law: the closed forms where they exist, else two agreeing precisions (not certified)
+``general``             any law: the closed forms where they exist, else enclosures half-swing by half-swing
 ``coulomb``, ``linear`` alpha = 0 and alpha = 1: closed forms, exact and certified; sticking and overdamping
-``swing``               the motion half-swing by half-swing, sign of the velocity fixed; traps: no further turning point
-``local_expansion``     the motion next to a turning point, in powers of the speed: the branch point removed
 ======================  ==========================================================================================
 """

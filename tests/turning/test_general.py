@@ -11,9 +11,9 @@ from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.turning.coulomb import last_turning_point
 from asymptotics.turning.general import turning_points
-from asymptotics.turning.local_expansion import Damping, LocalExpansion
 from asymptotics.turning.quadratic import quadratic_turning_points
-from asymptotics.turning.swing import orbit, trap
+from tests.second_route.local_expansion import Damping, LocalExpansion
+from tests.second_route.orbit import orbit, trap
 
 
 def law(*pairs):

@@ -17,7 +17,7 @@ turn, and it can never reach y = 0 once it is inside a trap, a region w <= c(y) 
 
 More terms only slow the motion down, so a trap of one term is a trap of the sum.
 
-Heuristic arithmetic (midpoints of balls): nothing here is certified; ``motions.reference`` compares two precisions.
+Heuristic arithmetic (midpoints of balls): the independent second route of the tests.
 
 >>> from fractions import Fraction
 >>> from flint import ctx
@@ -37,7 +37,7 @@ from operator import mul
 from flint import arb, ctx
 
 from asymptotics.errors import LimitError
-from asymptotics.turning.local_expansion import Damping, LocalExpansion
+from tests.second_route.local_expansion import Damping, LocalExpansion
 
 MAX_PIECES = 8_000
 STICKS, CREEPS, OVERDAMPED = "sticks", "creeps", "overdamped"

@@ -1,0 +1,150 @@
+"""(X, X') at many times in one pass, as enclosures, from any start.
+
+The turning points are followed as in ``sequence``; every half-swing that holds a time asked for is laid out in pieces,
+at whose start the error of the turning point in place and time is one distance in the phase plane: within the window
+e about a turning point of amplitude a the state moves by at most e (V + 2 (a + friction)), where V = 2 e (a + friction)
+bounds the speed as long as N(V) <= a + friction.  An uncertain time is read as its lower end and a width: from there on
+the speed grows at most at the rate |X|.
+
+>>> from fractions import Fraction
+>>> from flint import ctx
+>>> from asymptotics.numbers.exact import ExactReal
+>>> with ctx.workprec(90):
+...     law = Damping.of([(arb(1) / 10, ExactReal(Fraction(3, 2)))])
+...     found = states(law, arb(1), arb(0), [arb(0), arb(9)])
+...     [value.str(12) for state in found for value in state]
+['[1.00000000000 +/- ...]', '[+/- ...]', '[-0.612550463671 +/- ...]', '[-0.288753570045 +/- ...]']
+"""
+
+from collections.abc import Sequence
+
+from flint import arb, ctx
+
+from asymptotics.budget import tick
+from asymptotics.errors import UndecidedError
+from asymptotics.swing.course import Landing, Piece, course
+from asymptotics.swing.damping import Damping, size_of, upper
+from asymptotics.swing.passage import of_landing, quick
+from asymptotics.swing.sequence import Turning, following
+
+State = tuple[arb, arb]
+
+
+def states(damping: Damping, X: arb, V: arb, times: Sequence[arb], hold: arb | None = None) -> list[State]:
+    """(X, X') at the ascending times tau >= 0 from the state (X, V) at tau = 0; ``hold``: where the mass sticks.
+
+    UndecidedError where the enclosures cannot tell how the motion goes on.
+    """
+    wanted = _Wanted(damping, times)
+    here = _first(damping, X, V, wanted)
+    while not wanted.done:
+        tick(f"turning point {here.n}")
+        if _sticks(here, damping.friction if hold is None else hold):
+            wanted.rest(here.x)
+        else:
+            here = _swing(damping, here, wanted)
+    return wanted.found
+
+
+class _Wanted:
+    """The times still to be answered, and the states found so far."""
+
+    def __init__(self, damping: Damping, times: Sequence[arb]) -> None:
+        self.damping = damping
+        self.queue = [(t.lower(), upper(2 * t.rad())) for t in times]
+        self.found: list[State] = []
+
+    @property
+    def done(self) -> bool:
+        return len(self.found) == len(self.queue)
+
+    @property
+    def following(self) -> arb:
+        return self.queue[len(self.found)][0]
+
+    def take(self, piece: Piece, side: int, start: arb) -> None:
+        """All times up to the end of a piece of the half-swing that begins at ``start``."""
+        last = exact_sum(start, piece.end)
+        while not self.done and self.following <= last:
+            low, width = self.queue[len(self.found)]
+            y, w = piece.own(exact_sum(low, -start))
+            u = y + self.damping.friction
+            blur = arb(0, upper(piece.error + _moved(self.damping, upper(u), upper(w) + piece.error, width)))
+            self.found.append((side * (u + blur), -side * (w + blur)))
+
+    def rest(self, X: arb) -> None:
+        """The mass sticks at X for all remaining times."""
+        self.found += [(X, arb(0))] * (len(self.queue) - len(self.found))
+
+
+def _first(damping: Damping, X: arb, V: arb, wanted: _Wanted) -> Turning:
+    """The first turning point at tau >= 0; times before it are answered."""
+    if V == 0:
+        side = 1 if X > 0 else -1
+        return Turning(0, side, abs(X).mid(), arb(0), X.rad(), arb(0))
+    if not (V > 0 or V < 0):
+        raise UndecidedError("the direction of the first motion is undecided")
+    side = -1 if V > 0 else 1
+    given = upper(X.rad() + V.rad())
+    for piece in course(damping, side * X.mid(), abs(V).mid(), given):
+        wanted.take(piece, side, arb(0))
+        if isinstance(piece, Landing):
+            time = piece.time.mid()
+            error = upper(piece.miss + given)
+            return Turning(0, -side, piece.turn, time, error, upper(piece.time.rad() + piece.late(given)))
+        if wanted.done:
+            break
+    return Turning(0, side, abs(X).mid(), arb(0), X.rad(), arb(0))
+
+
+def _swing(damping: Damping, here: Turning, wanted: _Wanted) -> Turning:
+    """The next turning point; the half-swing is laid out only if a time may fall into it."""
+    found = quick(damping, here.amplitude)
+    if found is not None:
+        there = following(damping, here, found)
+        if there.time < wanted.following:
+            return there
+    error = _distance(damping, here)
+    for count, piece in enumerate(course(damping, here.amplitude, arb(0), error), start=1):
+        wanted.take(piece, here.side, here.time)
+        if wanted.done:
+            return here
+        if isinstance(piece, Landing):
+            return following(damping, here, of_landing(here.amplitude, error, piece, count))
+    raise UndecidedError("the half-swing has no end")
+
+
+def _sticks(here: Turning, hold: arb) -> bool:
+    if here.amplitude + here.amplitude_error <= hold:
+        return True
+    if not here.amplitude - here.amplitude_error > hold:
+        raise UndecidedError(f"whether dry friction holds the mass at turning point {here.n} is undecided")
+    return False
+
+
+def _distance(damping: Damping, here: Turning) -> arb:
+    """How far the true state is at most from the turning point ``here``, at the time ``here``."""
+    if here.time_error == 0:
+        return here.amplitude_error
+    size = upper(here.amplitude + here.amplitude_error + damping.friction)
+    speed = upper(2 * here.time_error * size)
+    if not damping.resistance(speed) <= size:
+        raise UndecidedError(f"the time of turning point {here.n} is too uncertain: raise the precision")
+    return upper(here.amplitude_error + here.time_error * (speed + 2 * size))
+
+
+def _moved(damping: Damping, u: arb, w: arb, width: arb) -> arb:
+    """How far the state moves at most within ``width`` from |X| <= u, speed <= w."""
+    if width == 0:
+        return arb(0)
+    size = upper(u + w)
+    fastest = upper(w + size * width)
+    return upper(width * (size + fastest + damping.friction + damping.resistance(fastest)))
+
+
+def exact_sum(a: arb, b: arb) -> arb:
+    """a + b of two exact numbers, exactly."""
+    if a == 0 or b == 0:
+        return a if b == 0 else b
+    with ctx.workprec(a.bits() + b.bits() + int(abs(size_of(a) - size_of(b))) + 8):
+        return a + b
