@@ -5,7 +5,7 @@ WORKERS ?= auto
 PIP = $(VENV)/bin/python -m pip install --disable-pip-version-check --quiet
 RUN = $(VENV)/bin/python -m
 
-.PHONY: reproduce test test-thorough matrix lint docs benchmarks mutants clean
+.PHONY: reproduce test test-thorough matrix lint docs tables benchmarks mutants clean
 
 reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
@@ -27,6 +27,10 @@ matrix:
 	        SYMPY_GROUND_TYPES=$$types $(MAKE) --no-print-directory test PYTHON=$$python VENV=.venv-$$(basename $$python) || exit 1; \
 	    done; \
 	done
+
+# Every named table at 30 digits, with its provenance: build/tables/index.md says what there is.
+tables: $(VENV)/.reproduce
+	$(RUN) asymptotics.tables build/tables
 
 lint: $(VENV)/.test
 	$(RUN) ruff check .

@@ -22,7 +22,7 @@ from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.policy import exact_integer, exact_number
 from asymptotics.numbers.value import Coefficient
-from asymptotics.tables import registry
+from asymptotics.tables import Table, registry
 
 MAX_P, MAX_DIGITS, MAX_ROW, MAX_N, MAX_G = 10_000, 10_000, 5_000, 10_000, 100
 
@@ -39,7 +39,7 @@ def moment(p: Any, *, digits: Any = 30) -> Coefficient:
     return Coefficient(certified_decimal(lambda: moment_ball(number.ball()), D), moment_expression(to_sympy(number)))
 
 
-def table(name: str, *, digits: Any = 30) -> registry.Table:
+def table(name: str, *, digits: Any = 30) -> Table:
     """A reference table by name (``table_names`` lists them): rows of certified strings with their provenance."""
     if not isinstance(name, str):
         raise InputError("name", f"a {type(name).__name__} is no name", ", ".join(registry.names()))

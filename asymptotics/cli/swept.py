@@ -20,6 +20,7 @@ from asymptotics.sweeps.grid import Point, values
 SWEPT = ("turning-points", "half-swing", "expand", "moment", "motion", "smith", "envelope")
 EXCLUDED = ("json", "plot", "csv", "latex", "points", "save", "report", "quiet", "list", "store", "export")
 _WORD = re.compile(r"[a-z][a-z0-9-]{0,39}\Z")
+_FORMAL = ("expand", "half-swing")  # they need no strengths
 _NAMED = ("gauge", "parameter", "average")  # options whose values are words
 
 
@@ -73,10 +74,8 @@ def _is_flag(command: str, name: str) -> bool:
 def _axis(command: str, name: str, text: str) -> tuple[str, ...]:
     if name and _is_flag(command, name):
         return ("",)
-    if name == "law":
-        if ":" not in text and command in ("expand", "half-swing"):  # they need no strength
-            return values(text, "--law")
-        return tuple(law for part in text.split(",") for law in _laws(part, text))
+    if name in ("law", "spring"):
+        return _forces(command, name, text)
     if name in ("", *_NAMED) or text == "symbolic":
         words = tuple(text.split(","))
         for word in words:
@@ -87,16 +86,15 @@ def _axis(command: str, name: str, text: str) -> tuple[str, ...]:
     return values(text, f"--{name}")
 
 
-def _laws(part: str, text: str) -> tuple[str, ...]:
-    """A:E, A:start:stop:step, or (after a comma) another strength E for the exponent that came first."""
-    first, colon, _ = text.partition(":")
-    if not colon:
-        raise InputError("--law", f"{text[:60]!r} has no colon", "A:E, A:E,E,... or A:start:stop:step")
-    alpha, has_exponent, strengths = part.partition(":")
-    if not has_exponent:
-        alpha, strengths = first, part
-    exponent = str(parse_real(alpha, "--law"))
-    return tuple(f"{exponent}:{strength}" for strength in values(strengths, "--law"))
+def _forces(command: str, name: str, text: str) -> tuple[str, ...]:
+    """A term with a list or a range of strengths, A:E,E,... or A,M:start:stop:step; the powers are one pair."""
+    powers, colon, strengths = text.partition(":")
+    if text == "pendulum":
+        return (text,)
+    shape = ",".join(str(parse_real(power, f"--{name}")) for power in powers.split(","))
+    if not colon and command not in _FORMAL:
+        raise InputError(f"--{name}", f"{text[:60]!r} has no colon", "A:E, A:E,E,... or A:start:stop:step")
+    return tuple(f"{shape}:{strength}" for strength in values(strengths, f"--{name}")) if colon else (shape,)
 
 
 def point_options(command: str, row: Mapping[str | None, Any]) -> Point:

@@ -1,43 +1,101 @@
 """Reference tables, exact or certified, with their provenance.
 
-asymptotics table --list
-asymptotics table smith2012.table1 --digits 40 [--format text|csv|latex]
+  asymptotics table --list
+  asymptotics table smith2012.table1 --epsilon 1/2 --rows 20 --digits 40
+  asymptotics table turning-points --law 0:1/20 --law 3/2:1/10 --rows 8 --format csv --output points.csv
+  asymptotics table moments --alpha 0:4:1/4 --digits 12 --rounding interval --format latex
+
+--alpha and --epsilon take comma lists and ranges start:stop:step.  Roundings: nearest (ties to even), down (toward
+zero), up (away from zero), floor, ceil, interval (both ends).  Every file carries inputs, versions, commit and SHA-256.
 """
 
 import argparse
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
+from asymptotics.cli.forces import read_law
 from asymptotics.errors import InputError
-from asymptotics.tables import Table, build, names
-from asymptotics.tables.registry import MAX_DIGITS
+from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.rounding import MODES, require_mode
+from asymptotics.present.files import target_file, write_atomically
+from asymptotics.sweeps.grid import values
+from asymptotics.tables.inputs import MAX_ROWS, Inputs
+from asymptotics.tables.registry import MAX_DIGITS, build, description, names
+from asymptotics.tables.table import Table
+
+FORMATS = ("text", "csv", "json", "latex", "parquet")
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("name", nargs="?", metavar="NAME", help="which table; --list shows them")
-    parser.add_argument("--list", action="store_true", help="list the tables")
-    parser.add_argument("--format", choices=("text", "csv", "latex"), default="text", help="how to print it")
+    parser.add_argument("--list", action="store_true", help="what each table is: columns, units, routes, cost, options")
+    parser.add_argument("--alpha", metavar="LIST", help="exponents: 0,1/2,2 or 0:4:1/4")
+    parser.add_argument("--epsilon", metavar="LIST", help="strengths (u_0 for Smith's tables)")
+    parser.add_argument("--law", action="append", metavar="A:E", help="one term of a sum; repeat it")
+    parser.add_argument("--rows", metavar="N", help="how many rows (of each law), or the order")
+    parser.add_argument("--rounding", default="nearest", metavar="MODE", help=", ".join(MODES))
+    parser.add_argument("--format", default="text", metavar="FORMAT", help=", ".join(FORMATS))
+    parser.add_argument("--output", metavar="FILE", help="write it to a file, with its provenance")
     add_digits(parser, MAX_DIGITS)
     add_json(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    digits = read_digits(options, MAX_DIGITS)
     if options.list:
-        if options.name is not None:
-            raise InputError("NAME", "--list shows all tables", "--list alone, or a name without it")
-        width = max(map(len, names())) + 2
-        text = "\n".join(f"{name:{width}}{title}" for name, title in names().items())
-        return Answer({"tables": names()}, text, options.json)
+        return Answer({"tables": {name: description(name) for name in names()}}, _listed(), options.json)
     if options.name is None:
         raise InputError("NAME", "is missing", ", ".join(names()))
-    table = build(options.name, digits)
-    printed = {"csv": Table.to_csv, "latex": Table.to_latex, "text": _text}[options.format](table)
-    return Answer(table.to_dict(), printed.rstrip("\n"), options.json)
+    if options.format not in FORMATS:
+        raise InputError("--format", f"{options.format[:40]!r} is no format", ", ".join(FORMATS))
+    require_mode(options.rounding)
+    if options.format == "parquet" and options.output is None:
+        raise InputError("--format", "parquet is not text", "--output FILE with it")
+    target = None if options.output is None else target_file(options.output, "--output")
+    table = build(options.name, read_digits(options, MAX_DIGITS), _inputs(options), options.rounding)
+    if target is None:
+        return Answer(table.to_dict(), _printed(table, options.format), options.json)
+    write_atomically(target, _content(table, options.format), "--output")
+    return Answer({**table.to_dict(), "output": str(target)}, f"written: {target}", options.json)
 
 
-def _text(table: Table) -> str:
-    widths = [max(map(len, column)) for column in zip(table.columns, *table.rows)]
-    lines = ["  ".join(c.rjust(w) for c, w in zip(row, widths)) for row in (table.columns, *table.rows)]
-    return "\n".join([table.title, "", *lines, "", table.provenance])
+def _inputs(options: argparse.Namespace) -> Inputs:
+    alphas, epsilons = (
+        () if text is None else values(text, name)
+        for text, name in ((options.alpha, "--alpha"), (options.epsilon, "--epsilon"))
+    )
+    rows = None if options.rows is None else parse_integer(options.rows, "--rows", 1, MAX_ROWS)
+    law = None
+    if options.law:
+        if alphas or epsilons:
+            raise InputError("--law", "it stands next to --alpha or --epsilon", "one or the other")
+        law = read_law(argparse.Namespace(alpha=None, epsilon=None, law=options.law), "epsilon")
+    return Inputs.of(alphas, law, epsilons, rows)
+
+
+def _printed(table: Table, form: str) -> str:
+    printed = {"csv": Table.to_csv, "latex": Table.to_latex, "json": Table.to_json, "text": Table.to_text}[form](table)
+    return printed.rstrip("\n")
+
+
+def _content(table: Table, form: str) -> str | bytes:
+    if form == "parquet":
+        return table.to_parquet()
+    if form == "csv":
+        return table.to_csv_file()
+    if form == "text":
+        return table.to_text() + "\n\n" + "".join(f"{k}: {v}\n" for k, v in table.provenance.items() if k != "source")
+    return _printed(table, form) + "\n"
+
+
+def _listed() -> str:
+    lines = []
+    for name in names():
+        found = description(name)
+        units = (f"{c} [{u}]" if u else c for c, u in zip(found["columns"], found["units"]))
+        options = " ".join(f"--{use}" for use in found["uses"].split()) or "none"
+        lines += [
+            f"{name}: {found['title']}", f"  columns: {', '.join(units)}", f"  route:   {found['source']}",
+            f"  check:   {found['check']}", f"  cost:    {found['cost']}", f"  options: {options}", "",
+        ]  # fmt: skip
+    return "\n".join(lines).rstrip("\n")

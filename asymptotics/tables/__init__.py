@@ -1,12 +1,23 @@
-"""Reference tables: exact or certified rows as strings, with provenance, to any number of digits.
+"""Reference tables: exact or certified rows as strings, with provenance, to any number of digits, in any rounding.
+
+================  ==================================================================================
+``registry``      ``build(name, inputs, digits, rounding)``
+``recipes``       the list of the tables: columns, units, routes, cost
+``inputs``        exponents, laws, strengths, rows
+``cells``         what stands in a cell, and its rounding
+``table``         text, CSV, JSON (``schema.json``), LaTeX, Parquet
+``provenance``    inputs, versions, commit, SHA-256
+``moments`` ...   the rows: moments, coefficients, turning, slow, quadratic
+``__main__``      ``python -m asymptotics.tables FOLDER``: the standard set
+================  ==================================================================================
 
 >>> table = build("smith2012.table1", digits=6)
->>> table.columns
-('half_cycle', 'S_hat', 'u')
 >>> table.rows[1]
 ('2', '0.0987650', '-0.410720')
 """
 
-from asymptotics.tables.registry import Table, build, names
+from asymptotics.tables.inputs import Inputs
+from asymptotics.tables.registry import build, names
+from asymptotics.tables.table import Table
 
-__all__ = ["Table", "build", "names"]
+__all__ = ["Inputs", "Table", "build", "names"]

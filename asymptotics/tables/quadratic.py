@@ -1,38 +1,83 @@
-"""The tables for quadratic damping."""
+"""The tables for quadratic damping: Smith's Table I for any start and any length, and his coefficients."""
 
-from functools import partial
+from fractions import Fraction
 from itertools import islice
 
-from flint import arb, fmpq
+import sympy
+from flint import arb, ctx, fmpq
 
 from asymptotics.invariants.certified import first_constant
+from asymptotics.invariants.exact import coefficients
 from asymptotics.invariants.symbolic import generating_functions
-from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.rationals import to_fraction
+from asymptotics.tables.cells import Cell, Formula, Nearest
+from asymptotics.tables.inputs import Inputs
+from asymptotics.tables.recipe import Found
 from asymptotics.turning.quadratic_map import amplitudes
 
-_HALF_CYCLES = 6
-_ORDER = 24
+_HALF_CYCLES, _TRANSIT_ORDER, _ROWS = 6, 24, 12
+_ONE = ExactReal(Fraction(1))
 
 
-def smith_table_1(digits: int) -> tuple[tuple[str, ...], ...]:
-    """Rows (n, S_(n-1), u_(n-1)) of Smith's Table I for u_0 = 1; S_0 = 0 by definition."""
-    rows = []
-    for n in range(_HALF_CYCLES):
-        constant = certified_decimal(partial(smith_offset, n), digits) if n else "0"
-        amplitude = certified_decimal(partial(_amplitude, n), digits)
-        rows.append((str(n + 1), constant, "-" + amplitude if n % 2 else amplitude))
-    return tuple(rows)
+def smith_table_1(inputs: Inputs, digits: int) -> Found:
+    """Rows (u_0, n, S_(n-1), u_(n-1)) of Smith's Table I, S_0 = 0 by definition; u_0 is left out where it is 1."""
+    rows: list[tuple[Cell, ...]] = []
+    for u_0 in inputs.epsilons_or("1"):
+        for n, offset, u in _half_cycles(u_0, inputs.count(_HALF_CYCLES), digits):
+            start: Cell = u_0.rational if n == 0 and u_0.is_rational else Nearest(u)
+            rows.append((str(u_0), str(n + 1), Nearest(offset) if n else Fraction(0), start))
+    return Found(rows if inputs.epsilons else [row[1:] for row in rows], True)
 
 
-def smith_offset(n: int) -> arb:
-    """S_n = S - S^-(|u_n|): what makes the first constant continuous over the n-th turning point, for u_0 = 1."""
-    return first_constant(arb(1), arb(0)) - first_constant(_amplitude(n), arb(0))
+def _half_cycles(u_0: ExactReal, count: int, digits: int) -> list[tuple[int, str, str]]:
+    """(n, S_n, u_n) for n < count, at growing precision until all are decided."""
+    bits = bits_for(digits, 48) + 2 * count.bit_length()
+    while True:
+        with ctx.workprec(bits):
+            start = u_0.ball()
+            constant = first_constant(start, arb(0))
+            found = []
+            for n, p in enumerate(islice(amplitudes(2 * start), count)):
+                offset = constant - first_constant(p / 2, arb(0)) if n else arb(1)
+                texts = decimal_of_ball(offset, digits), decimal_of_ball(-p / 2 if n % 2 else p / 2, digits)
+                if None in texts:
+                    break
+                found.append((n, str(texts[0]), str(texts[1])))
+        if len(found) == count:
+            return found
+        bits *= 2
 
 
-def _amplitude(n: int) -> arb:
-    return next(islice(amplitudes(arb(2)), n, None)) / 2
+def smith_offset(n: int, u_0: ExactReal = _ONE) -> arb:
+    """S_n = S - S^-(|u_n|): what makes the first constant continuous over the n-th turning point."""
+    u_n = next(islice(amplitudes(2 * u_0.ball()), n, None)) / 2
+    return first_constant(u_0.ball(), arb(0)) - first_constant(u_n, arb(0))
 
 
-def transit_time(_digits: int) -> tuple[tuple[str, ...], ...]:
+def transit_time(inputs: Inputs, _digits: int) -> Found:
     """Rows (i, H_i(pi)/pi), exact; the number of digits does not matter."""
-    return tuple((str(g.i), str(g.P(fmpq(-1)))) for g in islice(generating_functions(), _ORDER + 1))
+    first = islice(generating_functions(), inputs.count(_TRANSIT_ORDER + 1))
+    return Found([(str(g.i), str(to_fraction(g.P(fmpq(-1))))) for g in first], True)
+
+
+def smith_c(inputs: Inputs, _digits: int) -> Found:
+    """Rows (n, i, C_i^n, value), n up to --rows."""
+    rows: list[tuple[Cell, ...]] = []
+    for n in range(1, inputs.count(_ROWS, per_row=inputs.rows or _ROWS) + 1):
+        rows += [(str(n), str(i), str(c), c) for i, c in coefficients(n).items()]
+    return Found(rows, True)
+
+
+def smith_f(inputs: Inputs, _digits: int) -> Found:
+    """Rows (n, f_n(w)), n up to --rows."""
+    w = sympy.Symbol("w")
+    rows: list[tuple[Cell, ...]] = []
+    for n in range(1, inputs.count(_ROWS, per_row=inputs.rows or _ROWS) + 1):
+        f = sum((to_sympy(ExactReal(c)) * w**i for i, c in coefficients(n).items()), sympy.S.Zero)
+        rows.append((str(n), Formula(str(f), sympy.latex(f))))
+    return Found(rows, True)
+
+

@@ -1,0 +1,65 @@
+"""What stands in a cell, and how it is rounded.
+
+A cell is an exact number (``Fraction``), a ``Nearest`` decimal (correctly rounded to the digits its recipe was asked
+for), a ``Formula``, or other text (names, exact forms, integers), which is printed as it is.
+
+>>> [printed(cell, 3, "floor") for cell in (Fraction(2, 3), Nearest("0.1239999"), "3/2", Formula("pi/2", r"\\pi/2"))]
+['0.666', '0.123', '3/2', 'pi/2']
+"""
+
+from collections.abc import Callable
+from fractions import Fraction
+
+from asymptotics.errors import UndecidedError
+from asymptotics.numbers.rounding import require_mode, rounded_decimal, rounded_rational
+
+_GUARDS = (6, 40, 200)
+
+
+class Nearest(str):
+    """A decimal that is the correct rounding of a number (ties to even); "0" is exactly zero."""
+
+    __slots__ = ()
+
+
+class Formula(str):
+    """A formula that SymPy reads, and its LaTeX."""
+
+    __slots__ = ("latex",)
+    latex: str
+
+    def __new__(cls, text: str, latex: str) -> "Formula":
+        """The text carries its LaTeX along."""
+        made = super().__new__(cls, text)
+        made.latex = latex
+        return made
+
+
+Cell = Fraction | str
+Rows = list[tuple[Cell, ...]]
+
+
+def printed(cell: Cell, digits: int, mode: str) -> str | None:
+    """The cell as text; None where a decimal does not decide its rounding."""
+    if isinstance(cell, Fraction):
+        return rounded_rational(cell, digits, mode)
+    if isinstance(cell, Nearest):
+        return str(cell) if mode == "nearest" else rounded_decimal(cell, digits, mode)
+    return cell
+
+
+def round_rows(compute: Callable[[int], Rows], digits: int, mode: str) -> tuple[tuple[str, ...], ...]:
+    """All rows of a recipe in the rounding wanted: with more digits inside until every cell is decided.
+
+    UndecidedError for a number that two hundred more digits do not tell from a decimal.
+    """
+    require_mode(mode)
+    for guard in (0,) if mode == "nearest" else _GUARDS:
+        rows = [[printed(cell, digits, mode) for cell in row] for row in compute(digits + guard)]
+        if all(cell is not None for row in rows for cell in row):
+            return tuple(tuple(map(_text, row)) for row in rows)
+    raise UndecidedError(f"a value is too near to a decimal of {digits} digits to be rounded by {mode!r}")
+
+
+def _text(cell: str | None) -> str:
+    return cell if isinstance(cell, Formula) else str(cell)

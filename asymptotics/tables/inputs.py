@@ -1,0 +1,89 @@
+"""What a table is asked for: exponents, laws, strengths, how many rows.
+
+>>> Inputs.of(alphas=["3/2"], epsilons=["1/10"]).laws_or(())[0]
+Law(1/10 x'|x'|^(1/2))
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+from asymptotics.errors import InputError, LimitError
+from asymptotics.law import Law
+from asymptotics.numbers.exact import ExactReal, parse_real
+
+MAX_ROWS, MAX_ALPHA, MAX_CELLS = 100_000, 1000, 1_000_000
+GRID = ("0", "1/2", "1", "3/2", "2", "5/2", "3", "4")
+SUMS = ((0, 1), (1, 2), (1, 3), (0, 1, 2))
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """``alphas``, ``law`` (one sum) and ``epsilons`` as given, empty or None where the table's own defaults rule."""
+
+    alphas: tuple[ExactReal, ...] = ()
+    law: Law | None = None
+    epsilons: tuple[ExactReal, ...] = ()
+    rows: int | None = None
+
+    @classmethod
+    def of(
+        cls, alphas: Sequence[str] = (), law: Law | None = None, epsilons: Sequence[str] = (), rows: int | None = None
+    ) -> "Inputs":
+        """From text; InputError for exponents outside [0, 1000], strengths <= 0 and rows outside [1, 10^5]."""
+        exponents = tuple(parse_real(text, "--alpha") for text in alphas)
+        for a in exponents:
+            if a < 0 or a > MAX_ALPHA:
+                raise InputError("--alpha", f"{a} is out of range", f"exponents from 0 to {MAX_ALPHA}")
+        strengths = tuple(parse_real(text, "--epsilon") for text in epsilons)
+        for e in strengths:
+            if not e > 0:
+                raise InputError("--epsilon", f"{e} is not positive", "strengths > 0")
+        if law is not None and (exponents or strengths):
+            raise InputError("--law", "it stands next to --alpha or --epsilon", "one or the other")
+        if rows is not None and not 1 <= rows <= MAX_ROWS:
+            raise InputError("--rows", f"{rows} is out of range", f"an integer from 1 to {MAX_ROWS}")
+        return cls(exponents, law, strengths, rows)
+
+    def alphas_or(self, default: Sequence[str]) -> tuple[ExactReal, ...]:
+        """The exponents asked for, or the default ones."""
+        if self.law is not None:
+            return self.law.alphas
+        return self.alphas or tuple(parse_real(a, "alpha") for a in default)
+
+    def epsilons_or(self, *default: str) -> tuple[ExactReal, ...]:
+        """The strengths asked for, or the default ones."""
+        return self.epsilons or tuple(parse_real(e, "epsilon") for e in default)
+
+    def laws_or(self, sums: Sequence[Sequence[int]], epsilons: Sequence[str] = ("1/10",)) -> list[Law]:
+        """The law asked for; or each exponent with each strength, and the default sums where nothing was asked for."""
+        if self.law is not None:
+            return [self.law]
+        strengths = self.epsilons_or(*epsilons)
+        laws = [Law({a: e}) for a, e in product(self.alphas_or(GRID), strengths)]
+        if self.alphas:
+            return laws
+        return laws + [Law({Fraction(a): e for a in exponents}) for exponents in sums for e in strengths]
+
+    def count(self, default: int, per_row: int = 1) -> int:
+        """The number of rows asked for; LimitError when all of them would be too many."""
+        rows = default if self.rows is None else self.rows
+        if rows * per_row > MAX_CELLS:
+            raise LimitError("--rows", f"{rows} times {per_row} rows are too many", f"at most {MAX_CELLS} in one table")
+        return rows
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready, for the provenance."""
+        return {
+            "alpha": [str(a) for a in self.alphas],
+            "law": None if self.law is None else label(self.law),
+            "epsilon": [str(e) for e in self.epsilons],
+            "rows": self.rows,
+        }
+
+
+def label(law: Law) -> str:
+    """A law as the command line writes it: 0:1/10,1:1/10."""
+    return ",".join(f"{t.velocity}:{t.strength}" for t in law.terms)
