@@ -11,8 +11,9 @@
 runs
 ``comparison``      criteria, supports, held-out swings; ``verdicts``: the answer in words, or a refusal
 ``synthetic``       runs of known laws with known noise
+``set_valued``      printed decrements: certified sets of strengths, by ``certified_ratio``
 ``textbook``        the classical estimators, by name, with their systematic errors
 ==================  =========================================================================================
 
-All numbers here are doubles, and all intervals statistical: none of them is a certificate.
+All numbers here are doubles and all intervals statistical, none of them a certificate; the exception is ``set_valued``.
 """

@@ -48,6 +48,11 @@ class LawFit:
         return replace(self, verdict=verdict, reason=reason, excess=excess)
 
     @property
+    def terms(self) -> int:
+        """How many terms the law has."""
+        return len(self.candidate.elements)
+
+    @property
     def negative(self) -> tuple[str, ...]:
         """The losses whose estimate is negative: unphysical, but not clipped."""
         return tuple(a for a, e in zip(self.candidate.alphas, self.epsilon) if e.estimate < 0)

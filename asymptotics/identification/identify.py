@@ -36,9 +36,11 @@ from asymptotics.identification.profile import coordinate
 from asymptotics.identification.reading import UNITS
 from asymptotics.identification.result import Identification, LawAnswer, Units, sorted_laws
 from asymptotics.identification.runs import common, verdict_of_runs
+from asymptotics.identification.set_valued import MAX_LAWS, strengths_that_fit
 from asymptotics.identification.sources import load
 from asymptotics.identification.textbook import textbook_estimates
-from asymptotics.identification.verdicts import NONE, verdict_of
+from asymptotics.identification.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict, verdict_of
+from asymptotics.numbers.exact import parse_real
 
 MAX_RUNS = 50
 ABOVE_NOISE = "its residuals exceed the noise"
@@ -169,12 +171,42 @@ def _corrected(laws: list[LawFit]) -> tuple[list[LawFit], list[str]]:
 def _decrements(
     table: Decrements, candidates: Sequence[Candidate], units: Units, noise: Noise | None
 ) -> Identification:
+    if table.resolution is not None:
+        return _certified(table, candidates, units)
     fits = [fit_decrements(c, table, noise) for c in candidates]
     laws = judged(fits, growing=False, everything=len(candidates) <= FEW)
     verdict = verdict_of(laws, None, noise)
     notes = [*table.notes, "decrements cannot tell a nonlinear spring from loss: the intervals hold for linear springs"]
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
     return Identification(verdict, answers, (table,), {}, tuple(notes), units)
+
+
+def _certified(table: Decrements, candidates: Sequence[Candidate], units: Units) -> Identification:
+    """Set-valued answers: every law is proved consistent, proved refuted, or undetermined."""
+    laws = [_set(c, table) for c in candidates]
+    chosen = minimal(laws)
+    names = "; ".join(str(law.candidate) for law in chosen)
+    open_laws = [str(law.candidate) for law in laws if law.verdict == "undetermined"]
+    if len(chosen) == 1:
+        verdict = Verdict(IDENTIFIED, f"{IDENTIFIED}: {names} meets every printed value (proved)")
+    elif chosen:
+        kind = SEVERAL if len(chosen) <= MANY else UNTOLD
+        verdict = Verdict(kind, f"{kind}: {names} meet every printed value", "one more printed digit, or more rows")
+    elif open_laws:
+        verdict = Verdict(UNTOLD, f"{UNTOLD} to tell: undetermined for {', '.join(open_laws)}")
+    else:
+        verdict = Verdict(NONE, f"{NONE}: no candidate law meets every printed value (proved in the searched box)")
+    order = sorted(laws, key=lambda law: (("consistent", "undetermined", "refuted").index(law.verdict), law.terms))
+    notes = (*table.notes, "decrements cannot tell a nonlinear spring from loss: the sets hold for linear springs")
+    answers = tuple(LawAnswer(law, units, certified=bool(law.epsilon)) for law in order)
+    return Identification(verdict, answers, (table,), {}, notes, units)
+
+
+def _set(candidate: Candidate, table: Decrements) -> LawFit:
+    if candidate.free or len(candidate.losses) > MAX_LAWS or any(m for _, m in candidate.losses):
+        return LawFit(candidate, None, reason=f"a certified set needs one to {MAX_LAWS} given exponents")
+    found = strengths_that_fit(tuple(parse_real(a, "--laws") for a, _ in candidate.losses), table)
+    return LawFit(candidate, None, found.verdict, found.reason, epsilon=found.epsilon)
 
 
 def _together(answers: Sequence[Identification], units: Units) -> Identification:

@@ -17,7 +17,7 @@ from asymptotics.identification.observations import Observations
 from asymptotics.identification.quadrature import TooStrongError
 
 IDENTIFIED, SEVERAL, NONE, UNTOLD = "identified", "several laws are consistent", "none fits", "too short or too noisy"
-_MANY = 3
+MANY = 3
 _LINE, _LONG = 0.55, 24
 """White residuals have a few per cent of their power in one line and its neighbours."""
 _DIFFERENT = 12.0
@@ -103,7 +103,7 @@ def verdict_of(laws: Sequence[LawFit], seen: Observations | None, noise: Noise |
     if len(chosen) == 1:
         return Verdict(IDENTIFIED, f"{IDENTIFIED}: {names}" + _richer(chosen[0], best))
     telling = "" if seen is None else what_would_tell(chosen[0], chosen[1], seen)
-    if len(chosen) > _MANY:
+    if len(chosen) > MANY:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}", telling)
     return Verdict(SEVERAL, f"{SEVERAL}: {names}", telling)
 
