@@ -20,8 +20,11 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from asymptotics import testing
+    from asymptotics.api.files import compare, derive
     from asymptotics.api.hierarchy import multiple_scales
     from asymptotics.api.lookups import C, G, f, moment, table, table_names
+    from asymptotics.api.maps import half_swing
     from asymptotics.api.motions import Events, Motion, Reference, motion, reference
     from asymptotics.api.slow import Envelope, envelope
     from asymptotics.api.swings import OscillatorTurningPoints, turning_points
@@ -35,12 +38,15 @@ if TYPE_CHECKING:
     from asymptotics.numbers.value import Coefficient
     from asymptotics.papers.lookup import paper, statements
     from asymptotics.papers.statement import PaperStatement
+    from asymptotics.sweeps.run import sweep
 
 __version__ = "0.1.0"
 
 _HOMES = {
+    "api.files": ("compare", "derive"),
     "api.hierarchy": ("multiple_scales",),
     "api.lookups": ("C", "G", "f", "moment", "table", "table_names"),
+    "api.maps": ("half_swing",),
     "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
     "api.slow": ("Envelope", "envelope"),
     "api.swings": ("OscillatorTurningPoints", "turning_points"),
@@ -54,6 +60,7 @@ _HOMES = {
     "numbers.value": ("Coefficient",),
     "papers.lookup": ("paper", "statements"),
     "papers.statement": ("PaperStatement",),
+    "sweeps.run": ("sweep",),
 }
 _HOME = {name: module for module, names in _HOMES.items() for name in names}
 
@@ -76,9 +83,12 @@ __all__ = [
     "PhysicalLaw",
     "Reference",
     "UndecidedError",
+    "compare",
+    "derive",
     "envelope",
     "expand",
     "f",
+    "half_swing",
     "identify",
     "moment",
     "motion",
@@ -86,14 +96,18 @@ __all__ = [
     "paper",
     "reference",
     "statements",
+    "sweep",
     "table",
     "table_names",
+    "testing",
     "turning_points",
 ]
 
 
 def __getattr__(name: str) -> Any:
     """A public name, from the module that owns it, on first use (PEP 562)."""
+    if name == "testing":  # the one room that is public as it is
+        return import_module("asymptotics.testing")
     if name not in _HOME:
         raise AttributeError(f"module 'asymptotics' has no attribute {name!r}")
     value = getattr(import_module(f"asymptotics.{_HOME[name]}"), name)

@@ -25,7 +25,7 @@ alpha = 1 is linear: delta = epsilon for all time; under-, critically or over-da
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import sympy
@@ -246,15 +246,19 @@ class Oscillator:
 
     def __str__(self) -> str:
         left = Term(self.mass, 0, 1, "position"), Term(self.stiffness, 0, 1, "position")
-        force, start = signed_sum((left[1], *self.law.terms)), f"x(0) = {self.x0}, x'(0) = {self.v0}"
+        force, start = signed_sum((left[1], *self._forces())), f"x(0) = {self.x0}, x'(0) = {self.v0}"
         return f"{left[0]}'' + {force} = 0, {start}"
+
+    def _forces(self) -> tuple[Term, ...]:
+        """The terms as they are written out: a named spring carries the stiffness."""
+        return tuple(replace(t, strength=t.b * self.stiffness) if t.family else t for t in self.law.terms)
 
     def __repr__(self) -> str:
         return f"Oscillator({self})"
 
     def _repr_latex_(self) -> str:
         mass = {"1": ""}.get(str(self.mass), sympy.latex(to_sympy(self.mass)) + r"\,")
-        force = signed_sum((Term(self.stiffness, 0, 1, "position"), *self.law.terms), latex=True)
+        force = signed_sum((Term(self.stiffness, 0, 1, "position"), *self._forces()), latex=True)
         return rf"${mass}\ddot x + {force} = 0$"
 
 

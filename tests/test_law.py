@@ -99,6 +99,7 @@ def test_springs_scale_by_their_degree():
     pendulum = Oscillator({2: "1/10"}, stiffness=7, x0="1/2", spring="pendulum").dimensionless
     assert str(pendulum.springs[0].strength) == "1/4" and str(pendulum.springs[0].weight) == "2"
     assert [t.sign for t in pendulum.terms] == [-1, 1]
+    assert "7 x + 1/10 x'|x'| + 7 (sin x - x)" in str(Oscillator({2: "1/10"}, stiffness=7, spring="pendulum"))
     with pytest.raises(InputError, match="sin x - x"):
         _ = pendulum.alphas
     position = Law({(1, 2): -1, 1: 1})

@@ -47,7 +47,7 @@ def expand(
         if exact or spring is not None:
             raise InputError("alpha", "symbolic stands alone", "one law, in closed form")
         return _symbolic(N, gauge, D)
-    terms, strengths, oscillator, notes = _read(law, spring)
+    terms, strengths, oscillator, notes = terms_of(law, spring)
     if len(terms) > MAX_TERMS:
         raise InputError("law", f"{len(terms)} different terms are too many", f"at most {MAX_TERMS}")
     found = expansion_coefficients(terms, N, D, gauge, exact_only=exact, max_seconds=seconds)
@@ -61,7 +61,7 @@ def _symbolic(order: int, gauge: str, digits: int) -> Equations:
     return Equations((), gauge, order, "symbolic", p, Omega, symbol=alpha)
 
 
-def _read(law: Any, spring: Any) -> tuple[tuple[Term, ...], Law | None, Oscillator | None, tuple[str, ...]]:
+def terms_of(law: Any, spring: Any = None) -> tuple[tuple[Term, ...], Law | None, Oscillator | None, tuple[str, ...]]:
     """(terms, strengths if known, oscillator if there are units, notes)."""
     if isinstance(law, Oscillator):
         if spring is not None:

@@ -1,0 +1,47 @@
+"""Data in, verdicts out: one's own values beside certified ones, and the derivations of a checkout.
+
+``identify`` and ``sweep`` are owned by their rooms (``identification``, ``sweeps``).
+"""
+
+from difflib import get_close_matches
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from asymptotics.api.units import oscillator_of
+from asymptotics.comparison.run import Comparison, compare_file
+from asymptotics.errors import InputError
+from asymptotics.law import Oscillator
+from asymptotics.numbers.policy import exact_integer
+
+MAX_DIGITS = 1000
+
+
+def compare(file: Any, law: Any, *, columns: str | None = None, digits: Any = None) -> Comparison:
+    """A CSV file of turning points (column n) or a motion (tau or t) beside the certified values.
+
+    The file is in SI units when ``law`` is an oscillator, else in units of x0 and tau.  InputError for what the file
+    does not say or says wrongly.
+    """
+    if not isinstance(file, str | Path):
+        raise InputError("file", f"a {type(file).__name__} is no file name", "a path")
+    wanted = None if digits is None else exact_integer(digits, "digits", 1, MAX_DIGITS)
+    si = isinstance(law, Oscillator)
+    return compare_file(Path(file), oscillator_of(law), columns=columns, digits=wanted, si=si)
+
+
+def derive(name: str | None = None) -> Any:
+    """A derivation by name, run as it is loaded (each displayed step asserted); without a name the list of names.
+
+    The derivations are part of a checkout, not of the installed package: InputError says so.
+    """
+    if find_spec("derivations") is None:
+        raise InputError("name", "the derivations are not part of the installed package", "a checkout")
+    names: list[str] = import_module("derivations.__main__").names()
+    if name is None:
+        return names
+    if name not in names:
+        near = get_close_matches(str(name), names, n=3) or names[:3]
+        raise InputError("name", f"no derivation {name!r:.60}", f"such as {', '.join(near)}")
+    return import_module("derivations." + name.replace("-", "_")).derivation
