@@ -18,8 +18,8 @@ from asymptotics.invariants.exact import coefficient, coefficients
 from asymptotics.invariants.symbolic import GeneratingFunction, generating_function
 from asymptotics.moments.certified import moment as moment_ball
 from asymptotics.moments.symbolic import moment as moment_expression
-from asymptotics.numbers.bridge import to_sympy
-from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.bridge import from_sympy, to_sympy
+from asymptotics.numbers.decimals import certified_decimal, rational_decimal
 from asymptotics.numbers.policy import exact_integer, exact_number
 from asymptotics.numbers.value import Coefficient
 from asymptotics.tables import Table, registry
@@ -36,7 +36,10 @@ def moment(p: Any, *, digits: Any = 30) -> Coefficient:
     if not number > -1 or number > MAX_P:
         reason = "the average diverges" if not number > -1 else "is out of range"
         raise InputError("p", f"{number}: {reason}", f"a real number above -1, at most {MAX_P}")
-    return Coefficient(certified_decimal(lambda: moment_ball(number.ball()), D), moment_expression(to_sympy(number)))
+    expression = moment_expression(to_sympy(number))
+    if expression.is_Rational:  # even p: exactly known, ties included
+        return Coefficient(rational_decimal(from_sympy(expression), D), expression)
+    return Coefficient(certified_decimal(lambda: moment_ball(number.ball()), D), expression)
 
 
 def table(name: str, *, digits: Any = 30) -> Table:

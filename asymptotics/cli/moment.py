@@ -5,15 +5,9 @@ asymptotics moment --p 5/2 --digits 40
 
 import argparse
 
+from asymptotics.api.lookups import MAX_DIGITS, MAX_P, moment
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
-from asymptotics.errors import InputError
-from asymptotics.moments.certified import moment as moment_ball
-from asymptotics.moments.symbolic import moment
-from asymptotics.numbers.bridge import to_sympy
-from asymptotics.numbers.decimals import certified_decimal
-from asymptotics.numbers.exact import REAL_FORMS, parse_real
-
-MAX_DIGITS, MAX_P = 10_000, 10_000
+from asymptotics.numbers.exact import parse_real
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -26,9 +20,6 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     p = parse_real(options.p, "--p")
-    if not p > -1 or p > MAX_P:
-        reason = "the average diverges" if not p > -1 else "is out of range"
-        raise InputError("--p", f"{p}: {reason}", f"a real number above -1, at most {MAX_P}: {REAL_FORMS}")
-    value = certified_decimal(lambda: moment_ball(p.ball()), read_digits(options, MAX_DIGITS))
-    exact = str(moment(to_sympy(p)))
-    return Answer({"p": str(p), "value": value, "exact": exact}, f"M_{p} = {value} = {exact}", options.json)
+    found = moment(p, digits=read_digits(options, MAX_DIGITS))
+    data = {"p": str(p), "value": found.value, "exact": found.exact}
+    return Answer(data, f"M_{p} = {found.value} = {found.exact}", options.json)

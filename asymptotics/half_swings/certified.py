@@ -44,6 +44,7 @@ from asymptotics.half_swings.certified_orders import (
 )
 from asymptotics.half_swings.forces import Forces, Given
 from asymptotics.half_swings.quarter import QuarterSwing
+from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.series import Series
 
 BOUND_BITS = 64
@@ -136,8 +137,7 @@ def _log2(x: arb) -> float:
 
 
 def _check(order: int, radius: int) -> None:
-    if order < 1:
-        raise InputError("order", f"{order} is not positive", "an integer >= 1")
+    require_integer(order, "order", 1, MAX_ORDER)
     if radius not in (2, 3, 4):
         raise InputError("radius", f"{radius} is not a radius of proved analyticity", "2, 3 or 4")
 

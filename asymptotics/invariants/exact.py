@@ -26,7 +26,10 @@ from math import comb, prod
 
 from flint import fmpq_poly, fmpz_poly
 
+from asymptotics.numbers.exact import require_integer
+
 Row = dict[int, Fraction]
+MAX_ROW, MAX_N = 10_000, 1_000_000
 
 
 def integer_rows() -> Iterator[tuple[int, fmpz_poly]]:
@@ -48,6 +51,7 @@ def integer_rows() -> Iterator[tuple[int, fmpz_poly]]:
 
 def coefficients(n: int) -> Row:
     """The nonzero coefficients {i: C_i^n} of f_n, in the memory of two rows (Smith (60h), (62a))."""
+    require_integer(n, "n", 1, MAX_ROW)
     row = next(row for m, row in integer_rows() if m == n)
     first = (n + 1) % 2
     scale, values = _odd_double_factorial(n + first), {}
@@ -70,6 +74,8 @@ def coefficient(n: int, i: int) -> Fraction:
     >>> coefficient(5, 4), coefficient(5, 2), coefficient(5, 3)
     (Fraction(128, 315), Fraction(-104, 105), Fraction(0, 1))
     """
+    require_integer(n, "n", 1, MAX_N)
+    require_integer(i, "i", -MAX_N, MAX_N)
     if i < 0 or i >= n or (n - i) % 2 == 0:
         return Fraction(0)
     line = [(-1) ** j * _odd_double_factorial(2 * j - 1) for j in range((n - i + 1) // 2)]  # E_0^(2j+1)

@@ -27,8 +27,10 @@ import sympy
 from flint import arb, fmpq, fmpq_poly
 
 from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.exact import require_integer
 
 Z, THETA = sympy.Symbol("z"), sympy.Symbol("theta")
+MAX_I = 1000
 _C = fmpq_poly([0, 1])
 _S2 = fmpq_poly([1, 0, -1])
 
@@ -93,6 +95,7 @@ def generating_function(i: int) -> GeneratingFunction:
     >>> [generating_function(i).limit for i in range(5)]
     [pi, 0, pi/6, -2*pi/9, 49*pi/144]
     """
+    require_integer(i, "i", 0, MAX_I)
     return next(g for g in generating_functions() if g.i == i)
 
 

@@ -57,18 +57,20 @@ class Arithmetic:
     sin: Callable[[Any], Any]
     cos: Callable[[Any], Any]
     number: Callable[[arb], Any]
+    log: Callable[[Any], Any]
     bits: int
+    in_doubles: bool
 
 
 def doubles() -> Arithmetic:
     """NumPy doubles."""
-    return Arithmetic(np.exp, np.sin, np.cos, lambda x: float(x.mid()), 60)
+    return Arithmetic(np.exp, np.sin, np.cos, lambda x: float(x.mid()), np.log, 60, in_doubles=True)
 
 
 def balls() -> Arithmetic:
     """Midpoints of balls at the current precision, in object arrays."""
-    exp, sin, cos = (np.frompyfunc(f, 1, 1) for f in (_mid(arb.exp), _mid(arb.sin), _mid(arb.cos)))
-    return Arithmetic(exp, sin, cos, lambda x: x.mid(), ctx.prec)
+    exp, sin, cos, log = (np.frompyfunc(_mid(f), 1, 1) for f in (arb.exp, arb.sin, arb.cos, arb.log))
+    return Arithmetic(exp, sin, cos, lambda x: x.mid(), log, ctx.prec, in_doubles=False)
 
 
 def ball_flow(flow: Flow) -> Flow:
@@ -202,15 +204,15 @@ def _grid(right: arb, edges: list[float], m: int, arithmetic: Arithmetic) -> _Gr
     bits = max(80, arithmetic.bits)
     nodes, matrix, total = _integration(m, bits)
     number = np.frompyfunc(arithmetic.number, 1, 1)
-    shape: Any = (lambda x: number(x).astype(float)) if arithmetic.bits == 60 else number
+    shape: Any = (lambda x: number(x).astype(float)) if arithmetic.in_doubles else number
     ends = [arb(e) for e in edges[:-1]] + [right.mid()]
     middles = np.array([[(a + b) / 2] for a, b in zip(ends, ends[1:])], dtype=object)
     halves = np.array([[(b - a) / 2] for a, b in zip(ends, ends[1:])], dtype=object)
     l = shape(middles + halves * np.array(nodes, dtype=object)[None, :])  # noqa: E741
     psi = arithmetic.exp(l)
     s, c = arithmetic.sin(psi), arithmetic.cos(psi)
-    ln_s: Any = np.log(s) if arithmetic.bits == 60 else np.frompyfunc(_mid(arb.log), 1, 1)(s)
-    return _Grid(psi, s, c, ln_s, shape(halves), shape(np.array(matrix)), shape(np.array(total)), arithmetic)
+    sums = shape(np.array(matrix)), shape(np.array(total))
+    return _Grid(psi, s, c, arithmetic.log(s), shape(halves), *sums, arithmetic)
 
 
 def _solve(flow: Flow, grid: _Grid, order: int) -> tuple[Parts, Parts, Ends]:

@@ -36,6 +36,7 @@ from dataclasses import dataclass
 from flint import fmpq, fmpq_poly
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.series import Key, Series, accumulate, monomials
 
 Part = dict[Key, fmpq_poly]
@@ -129,8 +130,7 @@ def require_odd(alphas: tuple[int, ...]) -> None:
 
 def require_order(alphas: tuple[int, ...], order: int, max_seconds: float) -> None:
     """InputError for an order below 1, LimitError for too much work (a rough estimate with a measured rate)."""
-    if not isinstance(order, int) or order < 1:
-        raise InputError("order", f"{order!r} is not an order", "an integer >= 1")
+    require_integer(order, "order", 1, MAX_ORDER)
     seconds = estimated_seconds(alphas, order)
     if seconds > max_seconds:
         raise LimitError("order", f"{order} would take about {seconds:.0f} s", f"an estimate below {max_seconds:.0f} s")

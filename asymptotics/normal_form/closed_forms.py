@@ -17,7 +17,8 @@ from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.symbolic import nested_integral, nested_integral_definition
 from asymptotics.normal_form.results import Coefficient, Row, row_to_dict
 from asymptotics.normal_form.symbolic import omega_2, symbolic_expansion
-from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.decimals import MAX_DIGITS, certified_decimal
+from asymptotics.numbers.exact import MAX_ORDER, require_integer
 
 MAX_SYMBOLIC_ORDER = 4
 _SAMPLES = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
@@ -59,8 +60,10 @@ class SymbolicCoefficients:
 
 def symbolic_coefficients(order: int, gauge: str, digits: int) -> SymbolicCoefficients:
     """The closed forms through ``order`` <= 4 (<= 2 outside the turning-point gauge); InputError above."""
+    require_integer(order, "order", 1, MAX_ORDER)
+    require_integer(digits, "digits", 1, MAX_DIGITS)
     highest = MAX_SYMBOLIC_ORDER if gauge == TURNING_POINT else 2
-    if not 1 <= order <= highest:
+    if order > highest:
         reason = f"{order}: in the gauge {gauge} closed forms in alpha are known through order {highest}"
         raise InputError("order", reason, f"an integer from 1 to {highest}")
     source = symbolic_expansion()

@@ -39,7 +39,8 @@ from asymptotics.normal_form.results import ZERO, Coefficient, ExpansionCoeffici
 from asymptotics.normal_form.spring_terms import first_order, second_order_p
 from asymptotics.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
 from asymptotics.numbers.bridge import to_fraction, to_sympy
-from asymptotics.numbers.decimals import certified_decimal, rational_decimal
+from asymptotics.numbers.decimals import MAX_DIGITS, certified_decimal, rational_decimal
+from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.series import Key, Series, monomials
 
 
@@ -58,6 +59,7 @@ def expansion_coefficients(
     ``max_seconds``; UndecidedError for a coefficient that balls cannot round.
     """
     require_gauge(gauge)
+    _require_counts(order, digits)
     forces = Forces.read(given, order)
     if _is_exact(forces, order, gauge, exact_only, max_seconds):
         expansion = exact_expansion(forces, order, gauge, max_seconds=max_seconds)
@@ -74,6 +76,11 @@ def expansion_coefficients(
         known[name] |= {key: c.to_sympy() for key, c in row.items()}
     p, Omega = (_rounded_row(rounded[name], known[name]) for name in ("p", "Omega"))
     return _expansion(gauge, order, "certified", forces, p, Omega)
+
+
+def _require_counts(order: int, digits: int) -> None:
+    require_integer(order, "order", 1, MAX_ORDER)
+    require_integer(digits, "digits", 1, MAX_DIGITS)
 
 
 def _expansion(gauge: str, order: int, arithmetic: str, forces: Forces, p: Row, Omega: Row) -> ExpansionCoefficients:
@@ -100,15 +107,20 @@ def half_swing_coefficients(
     max_seconds: float = MAX_SECONDS,
 ) -> HalfSwingCoefficients:
     """L, F, T, U, V, W through delta^order of one law or a sum; errors as ``expansion_coefficients``."""
+    _require_counts(order, digits)
     forces = Forces.read(given, order)
     if _is_exact(forces, order, TURNING_POINT, exact_only, max_seconds):
         half = exact_half_swing(forces, order)
         flow = flow_of(half)
         rows = [_exact_row(s, digits) for s in (half.L, half.T, flow.U, flow.W, *half.F, *flow.V)]
         return _half_swing(order, "exact", forces.variables, rows)
-    rounded = certified_digits(forces, order, digits, max_work=_work(max_seconds))
+    exact = _integer_half_swing(forces, order)
+    decided = {name: {key: _exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
     names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(forces.variables))]
-    known = {"U": first_order(forces)[0], "T": {(0,) * forces.variables: sympy.pi}}
+    rounded = certified_digits(forces, order, digits, max_work=_work(max_seconds), names=names, known=decided)
+    known = {"U": dict(first_order(forces)[0]), "T": {(0,) * forces.variables: sympy.pi}}
+    for name, row in exact.items():
+        known[name] = known.get(name, {}) | {key: c.to_sympy() for key, c in row.items()}
     rows = [_rounded_row(rounded[n], known.get(n, {})) for n in names]
     return _half_swing(order, "certified", forces.variables, rows)
 
@@ -158,6 +170,22 @@ def _integer_part(forces: Forces, order: int, gauge: str) -> dict[str, dict[Key,
         keys = _keys(part, order, parity)
         found[name] = {_embedded(key, places, forces.variables): _pi_number(series[key]) for key in keys}
     return found
+
+
+def _integer_half_swing(forces: Forces, order: int) -> dict[str, dict[Key, PiNumber]]:
+    """The same for L, T, U, W, F_i and V_i: what no ball can tell from a tie is known exactly."""
+    places = [i for i, v in enumerate(forces.velocities) if v.is_integer]
+    part = forces.only(places, order)
+    if not places or estimated_seconds(part, order, TURNING_POINT) > MAX_SECONDS:
+        return {}
+    half = exact_half_swing(part, order)
+    flow = flow_of(half)
+    series = {"L": half.L, "T": half.T, "U": flow.U, "W": flow.W}
+    series |= {f"F_{i}": f for i, f in zip(places, half.F)} | {f"V_{i}": v for i, v in zip(places, flow.V)}
+    return {
+        name: {_embedded(key, places, forces.variables): _pi_number(c) for part in one.parts for key, c in part}
+        for name, one in series.items()
+    }
 
 
 def _embedded(key: Key, places: Sequence[int], laws: int) -> Key:

@@ -20,7 +20,7 @@ from typing import Any
 from flint import arb
 from sympy import latex
 
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import LimitError
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
 from asymptotics.half_swings.forces import Forces, Given
@@ -34,6 +34,7 @@ from asymptotics.normal_form.gauges import (
     identity_map,
     map_of_bracket,
 )
+from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.series import Series
 
 MAX_SECONDS = 60.0
@@ -159,8 +160,7 @@ def estimated_seconds(given: Given, order: int, gauge: str = TURNING_POINT) -> f
 
 def require_size(given: Given, order: int, gauge: str = TURNING_POINT, max_seconds: float = MAX_SECONDS) -> None:
     """InputError for an order below 1, LimitError when the estimated time is above ``max_seconds``."""
-    if order < 1:
-        raise InputError("order", f"{order} is too small", "an integer >= 1")
+    require_integer(order, "order", 1, MAX_ORDER)
     seconds = estimated_seconds(given, order, gauge)
     if seconds > max_seconds:
         raise LimitError("order", f"{order} would take about {seconds:.0f} s", f"an estimate below {max_seconds:.0f} s")

@@ -23,9 +23,11 @@ from math import log2
 from flint import arb, ctx, fmpz
 
 from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.numbers.exact import require_integer
 
 BITS_PER_DIGIT = log2(10)
 MAX_BITS = 1 << 20
+MAX_DIGITS = 300_000  # what MAX_BITS can hold
 MAX_EXPONENT = 1 << 24  # beyond it the decimal expansion alone would fill the memory
 
 
@@ -39,6 +41,7 @@ def certified_decimal(evaluate: Callable[[], arb], digits: int, *, max_bits: int
 
     ``evaluate`` is called at growing precision until the rounding is decided.  Raises UndecidedError at ``max_bits``.
     """
+    require_integer(digits, "digits", 1, MAX_DIGITS)
     bits = min(bits_for(digits), max_bits)
     while True:
         with ctx.workprec(bits):
@@ -57,6 +60,7 @@ def decimal_of_ball(ball: arb, digits: int) -> str | None:
     >>> decimal_of_ball(arb(1) / 3, 10), decimal_of_ball(arb(1) / 3, 100)
     ('0.3333333333', None)
     """
+    require_integer(digits, "digits", 1, MAX_DIGITS)
     if not ball.is_finite():
         return None
     (middle, shift), (radius, radius_shift) = ball.mid().man_exp(), ball.rad().man_exp()
@@ -76,7 +80,8 @@ def decimal_of_ball(ball: arb, digits: int) -> str | None:
 
 
 def rational_decimal(q: Fraction, digits: int) -> str:
-    """A rational number correctly rounded to ``digits`` significant digits."""
+    """A rational number correctly rounded to ``digits`` significant digits; InputError for digits < 1."""
+    require_integer(digits, "digits", 1, MAX_DIGITS)
     return _format(*_round_quotient(fmpz(q.numerator), fmpz(q.denominator), digits), digits)
 
 

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from math import isqrt
-from operator import mul
+from operator import index, mul
 
 from flint import arb, fmpq
 
@@ -30,6 +30,8 @@ _RATIONAL = re.compile(_NUMBER + r"\Z", re.ASCII)
 _ROOT = re.compile(rf"(?P<sign>[+-]?)sqrt\((?P<radicand>{_NUMBER})\)\Z", re.ASCII)
 _INTEGER = re.compile(r"[+-]?\d{1,40}\Z", re.ASCII)
 
+MAX_ORDER = 100_000
+"""No series is that long; what an order costs is estimated where it is computed."""
 RATIONAL_FORMS = "3, 3/2, 0.1, -2.5e-3"
 REAL_FORMS = RATIONAL_FORMS + ", sqrt(2), sqrt(3/2)"
 
@@ -268,6 +270,29 @@ def parse_real(text: str, argument: str) -> ExactReal:
     if radicand < 0:
         raise InputError(argument, f"{_shown(text)} is not real", REAL_FORMS)
     return -square_root(radicand) if root["sign"] == "-" else square_root(radicand)
+
+
+def require_integer(value: object, argument: str, low: int, high: int) -> int:
+    """The one contract for counts, orders, starts and digits: an int in [low, high], or InputError by name.
+
+    >>> require_integer(True, "digits", 1, 100)
+    Traceback (most recent call last):
+        ...
+    asymptotics.errors.InputError: argument digits: True is a bool, not an integer (accepted: ... from 1 to 100)
+    """
+    accepted = f"an integer from {low} to {high}"
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        shown = f"{value} is a" if isinstance(value, bool | float) or value is None else "this is a"
+        raise InputError(argument, f"{shown} {type(value).__name__}, not an integer", accepted)
+    number = index(value)
+    if not low <= number <= high:
+        raise InputError(argument, f"{_shown_integer(number)} is out of range", accepted)
+    return number
+
+
+def _shown_integer(number: int) -> str:
+    """An integer of any size: Python refuses to print one of more than 4300 digits."""
+    return str(number) if abs(number) < 10**40 else f"an integer of {number.bit_length()} bits"
 
 
 def parse_integer(text: str, argument: str, low: int, high: int) -> int:

@@ -11,6 +11,7 @@ from dataclasses import asdict
 from typing import Any
 
 from asymptotics.errors import InputError
+from asymptotics.numbers.exact import require_integer
 from asymptotics.tables.cells import Rows, round_rows
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.provenance import checksum, provenance
@@ -37,8 +38,7 @@ def build(name: str, digits: int = 30, inputs: Inputs | None = None, rounding: s
     """Build a table; InputError for an unknown name, inputs the table has no use for, digits outside [1, 10000]."""
     recipe, given = _recipe(name), inputs or Inputs()
     _require_use(name, recipe, given)
-    if not 1 <= digits <= MAX_DIGITS:
-        raise InputError("--digits", f"{digits} is out of range", f"an integer from 1 to {MAX_DIGITS}")
+    require_integer(digits, "digits", 1, MAX_DIGITS)
     verdicts = []
 
     def compute(wanted: int) -> Rows:

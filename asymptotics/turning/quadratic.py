@@ -22,7 +22,7 @@ from flint import arb, ctx
 
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, MAX_BITS, bits_for, decimal_of_ball
-from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.turning.quadratic_abel import quadratic_abel
 from asymptotics.turning.quadratic_duration import duration, node_count
 from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
@@ -155,22 +155,21 @@ def quadratic_serves(epsilon: ExactReal) -> bool:
 
 def _check(epsilon: ExactReal, count: int, digits: int, start: int, times: bool) -> None:
     if not quadratic_serves(epsilon):
-        raise InputError("--epsilon", f"{epsilon} is out of range", "a real number from 1e-12 to 1e12")
+        raise InputError("epsilon", f"{epsilon} is out of range", "a real number from 1e-12 to 1e12")
     for argument, value, low, high in (
-        ("--count", count, 1, MAX_COUNT),
-        ("--digits", digits, 1, MAX_DIGITS),
-        ("--start", start, 0, MAX_START),
+        ("count", count, 1, MAX_COUNT),
+        ("digits", digits, 1, MAX_DIGITS),
+        ("start", start, 0, MAX_START),
     ):
-        if not low <= value <= high:
-            raise InputError(argument, f"{value} is out of range", f"an integer from {low} to {high}")
+        require_integer(value, argument, low, high)
     if start > _DIRECT and digits > MAX_JUMP_DIGITS:
         reason = f"{digits} digits are too many for a start beyond {_DIRECT}"
-        raise LimitError("--digits", reason, f"at most {MAX_JUMP_DIGITS} digits there")
+        raise LimitError("digits", reason, f"at most {MAX_JUMP_DIGITS} digits there")
     seconds = estimated_seconds(epsilon, count, digits, start, times)
     if seconds > MAX_SECONDS:
         reason = f"{count} points with {digits} digits would take about {seconds:.0f} s"
         accepted = f"work of at most {MAX_SECONDS} s: fewer points, fewer digits or no --times"
-        raise LimitError("--count", reason, accepted)
+        raise LimitError("count", reason, accepted)
 
 
 def estimated_seconds(epsilon: ExactReal, count: int, digits: int, start: int, times: bool) -> float:

@@ -184,7 +184,7 @@ def test_the_local_expansion_is_recovered_from_a_point_on_it(alpha):
 def test_bad_input_is_refused_by_name():
     with pytest.raises(InputError, match="negative"):
         turning_points(law(("3/2", "-1")), 2, 5)
-    with pytest.raises(LimitError, match="--digits"):
+    with pytest.raises(LimitError, match="digits"):
         turning_points(law(("3/2", "1")), 2, 5000)
     with pytest.raises(LimitError, match="max-seconds"):
         turning_points(law(("1", "1"), ("2", "1")), 90000, 30)
