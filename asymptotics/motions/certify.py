@@ -16,10 +16,10 @@ from flint import arb, ctx
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball, rational_decimal
-from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number, exact_number
 
-MAX_BITS = 1 << 16
+MAX_BITS, MAX_DIGITS = 1 << 16, 10_000
 
 
 def time_of(t: Number) -> ExactReal:
@@ -32,6 +32,7 @@ def time_of(t: Number) -> ExactReal:
 
 def certified_values(evaluate: Callable[[], tuple[arb, arb]], digits: int) -> tuple[str, str]:
     """Both numbers to ``digits`` digits, correctly rounded; UndecidedError at the last precision."""
+    require_integer(digits, "digits", 1, MAX_DIGITS)
     bits = bits_for(digits, 48)
     while bits <= MAX_BITS:
         with ctx.workprec(bits):

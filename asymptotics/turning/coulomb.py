@@ -8,7 +8,7 @@ and the mass sticks at the first turning point with 1 - 2 N epsilon <= epsilon, 
 force is there at most the friction.  x_N may lie on the side it came from (1 - 2 N epsilon < 0).
 
 >>> from asymptotics.numbers import parse_real
->>> table = coulomb_turning_points(parse_real("3/10", "--epsilon"), 5, 10, times=True)
+>>> table = coulomb_turning_points(parse_real("3/10", "epsilon"), 5, 10, times=True)
 >>> [(p.n, p.x, p.tau) for p in table.points], table.ended
 ([(0, '1.000000000', '0'), (1, '-0.4000000000', '3.141592654'), (2, '-0.2000000000', '6.283185307')],
  {'n': 2, 'reason': 'sticks'})
@@ -22,7 +22,7 @@ from asymptotics.errors import InputError
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.ends import STICKS
-from asymptotics.turning.quadratic import TurningPoint, TurningPoints
+from asymptotics.turning.quadratic import TurningPoint, TurningPoints, require_counts
 
 
 def last_turning_point(epsilon: ExactReal) -> int:
@@ -32,7 +32,7 @@ def last_turning_point(epsilon: ExactReal) -> int:
     (1, 2)
     """
     if not epsilon > 0:
-        raise InputError("--epsilon", f"{epsilon} never brings the mass to rest", "a positive number")
+        raise InputError("epsilon", f"{epsilon} never brings the mass to rest", "a positive number")
     low, high = -1, 1
     while _moves_on(epsilon, high):
         low, high = high, 2 * high
@@ -51,6 +51,7 @@ def coulomb_turning_points(
     epsilon: ExactReal, count: int, digits: int = 30, *, start: int = 0, times: bool = False
 ) -> TurningPoints:
     """Turning points n = start ... start + count - 1 as far as they exist; all digits are correctly rounded."""
+    require_counts(count, digits, start)
     last = last_turning_point(epsilon)
     points = []
     for n in range(start, min(start + count, last + 1)):

@@ -7,9 +7,9 @@ X'' + epsilon X' + X = 0 from rest at X = 1.  For epsilon < 2, with mu = (epsilo
 For epsilon >= 2 (critical damping included) X' has no zero after the start: the mass returns without passing X = 0.
 
 >>> from asymptotics.numbers import parse_real
->>> linear_turning_points(parse_real("1/5", "--epsilon"), 2, 12, times=True).points[1]
+>>> linear_turning_points(parse_real("1/5", "epsilon"), 2, 12, times=True).points[1]
 TurningPoint(n=1, x='-0.729247614288', tau='3.15741941700')
->>> linear_turning_points(parse_real("2", "--epsilon"), 2, 12).ended
+>>> linear_turning_points(parse_real("2", "epsilon"), 2, 12).ended
 {'n': 0, 'reason': 'overdamped'}
 """
 
@@ -19,7 +19,7 @@ from asymptotics.errors import InputError
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.ends import OVERDAMPED
-from asymptotics.turning.quadratic import TurningPoint, TurningPoints
+from asymptotics.turning.quadratic import TurningPoint, TurningPoints, require_counts
 
 
 def linear_turning_points(
@@ -29,8 +29,9 @@ def linear_turning_points(
 
     Raises InputError for a negative epsilon.
     """
+    require_counts(count, digits, start)
     if epsilon < 0:
-        raise InputError("--epsilon", f"{epsilon} is negative: the amplitude grows", "a number >= 0")
+        raise InputError("epsilon", f"{epsilon} is negative: the amplitude grows", "a number >= 0")
     oscillates = epsilon < 2
     numbers = range(start, start + count) if oscillates else range(start, min(start + count, 1))
     points = tuple(_point(epsilon, n, digits, times) for n in numbers)

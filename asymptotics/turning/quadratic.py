@@ -153,15 +153,17 @@ def quadratic_serves(epsilon: ExactReal) -> bool:
     return not (epsilon < _SMALLEST or epsilon > _LARGEST)
 
 
+def require_counts(count: int, digits: int, start: int) -> None:
+    """InputError unless count, digits and start are integers in range: the same for every law."""
+    require_integer(count, "count", 1, MAX_COUNT)
+    require_integer(digits, "digits", 1, MAX_DIGITS)
+    require_integer(start, "start", 0, MAX_START)
+
+
 def _check(epsilon: ExactReal, count: int, digits: int, start: int, times: bool) -> None:
     if not quadratic_serves(epsilon):
         raise InputError("epsilon", f"{epsilon} is out of range", "a real number from 1e-12 to 1e12")
-    for argument, value, low, high in (
-        ("count", count, 1, MAX_COUNT),
-        ("digits", digits, 1, MAX_DIGITS),
-        ("start", start, 0, MAX_START),
-    ):
-        require_integer(value, argument, low, high)
+    require_counts(count, digits, start)
     if start > _DIRECT and digits > MAX_JUMP_DIGITS:
         reason = f"{digits} digits are too many for a start beyond {_DIRECT}"
         raise LimitError("digits", reason, f"at most {MAX_JUMP_DIGITS} digits there")

@@ -1,0 +1,148 @@
+"""One contract for digits, order, count, start and index: what is no integer in range is an InputError, everywhere."""
+
+import importlib
+import inspect
+import pkgutil
+from fractions import Fraction
+
+import pytest
+import sympy
+from flint import arb
+
+import asymptotics
+from asymptotics.envelopes.first_order import FirstOrderEnvelope
+from asymptotics.errors import InputError
+from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.invariants.exact import coefficient, coefficients
+from asymptotics.invariants.symbolic import generating_function
+from asymptotics.law import Law, Oscillator
+from asymptotics.motions.asymptotic import AsymptoticMotion
+from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
+from asymptotics.motions.linear import linear_motion
+from asymptotics.motions.quadratic import quadratic_motion
+from asymptotics.motions.reference import reference_motion
+from asymptotics.multiscale.symbolic import multiple_scales
+from asymptotics.normal_form.closed_forms import symbolic_coefficients
+from asymptotics.normal_form.coefficients import expansion_coefficients, half_swing_coefficients
+from asymptotics.numbers.decimals import certified_decimal, decimal_of_ball, rational_decimal
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.tables.registry import build
+from asymptotics.turning.coulomb import coulomb_turning_points
+from asymptotics.turning.general import turning_points
+from asymptotics.turning.linear import linear_turning_points
+from asymptotics.turning.quadratic import quadratic_turning_points
+
+EPS, TWO = ExactReal(Fraction(1, 10)), (ExactReal(Fraction(2)),)
+AIR, DRY, LINEAR = (Oscillator({a: "1/10"}) for a in (2, 0, 1))
+LAW = Law({2: "1/10"})
+DIGITS = {
+    "decimal_of_ball": lambda d: decimal_of_ball(arb(2).sqrt(), d),
+    "rational_decimal": lambda d: rational_decimal(Fraction(1, 3), d),
+    "certified_decimal": lambda d: certified_decimal(lambda: arb(2).sqrt(), d),
+    "AsymptoticMotion.at": lambda d: AsymptoticMotion.of(AIR, 1).at(1, d),
+    "reference_motion": lambda d: reference_motion(AIR, 1, d),
+    "coulomb_motion": lambda d: coulomb_motion(DRY, 1, d),
+    "coulomb_stop": lambda d: coulomb_stop(DRY, d),
+    "linear_motion": lambda d: linear_motion(LINEAR, 1, d),
+    "quadratic_motion": lambda d: quadratic_motion(AIR, 1, d),
+    "FirstOrderEnvelope.amplitude": lambda d: FirstOrderEnvelope(AIR).amplitude(1, d),
+    "FirstOrderEnvelope.time": lambda d: FirstOrderEnvelope(AIR).time("1/2", d),
+    "FirstOrderEnvelope.phase": lambda d: FirstOrderEnvelope(AIR).phase(1, d),
+    "FirstOrderEnvelope.extinction_time": lambda d: FirstOrderEnvelope(DRY).extinction_time(d),
+    "turning_points": lambda d: turning_points(LAW, 2, d),
+    "quadratic_turning_points": lambda d: quadratic_turning_points(EPS, 2, d),
+    "coulomb_turning_points": lambda d: coulomb_turning_points(EPS, 2, d),
+    "linear_turning_points": lambda d: linear_turning_points(EPS, 2, d),
+    "expansion_coefficients": lambda d: expansion_coefficients(TWO, 2, d),
+    "half_swing_coefficients": lambda d: half_swing_coefficients(TWO, 2, d),
+    "symbolic_coefficients": lambda d: symbolic_coefficients(2, "turning-point", d),
+    "build": lambda d: build("smith2012.table1", d),
+    "api moment": lambda d: asymptotics.moment(2, digits=d),
+    "api moment 1/2": lambda d: asymptotics.moment("1/2", digits=d),
+    "api turning_points": lambda d: asymptotics.turning_points(LAW, 2, digits=d),
+    "api table": lambda d: asymptotics.table("smith2012.table1", digits=d),
+    "api Envelope.amplitude": lambda d: asymptotics.envelope(AIR).amplitude(1, digits=d),
+    "api Motion.at": lambda d: asymptotics.motion(AIR).at(1, digits=0 if d is None else d),
+}
+ORDERS = {
+    "AsymptoticMotion.of": lambda n: AsymptoticMotion.of(AIR, n),
+    "quarter_swing": lambda n: quarter_swing(TWO, n),
+    "expansion_coefficients": lambda n: expansion_coefficients(TWO, n, 5),
+    "half_swing_coefficients": lambda n: half_swing_coefficients(TWO, n, 5),
+    "symbolic_coefficients": lambda n: symbolic_coefficients(n, "turning-point", 5),
+    "multiple_scales": lambda n: multiple_scales((3,), n),
+    "api expand": lambda n: asymptotics.expand(2, order=n),
+    "api motion": lambda n: asymptotics.motion(AIR, order=n),
+    "api multiple_scales": lambda n: asymptotics.multiple_scales(3, order=n),
+}
+COUNTS = {
+    "turning_points": lambda n: turning_points(LAW, n, 5),
+    "quadratic_turning_points": lambda n: quadratic_turning_points(EPS, n, 5),
+    "coulomb_turning_points": lambda n: coulomb_turning_points(EPS, n, 5),
+    "linear_turning_points": lambda n: linear_turning_points(EPS, n, 5),
+    "api turning_points": lambda n: asymptotics.turning_points(LAW, n),
+    "coefficients": coefficients,
+}
+STARTS = {
+    "turning_points": lambda n: turning_points(LAW, 1, 5, start=n),
+    "quadratic_turning_points": lambda n: quadratic_turning_points(EPS, 1, 5, start=n),
+    "coulomb_turning_points": lambda n: coulomb_turning_points(EPS, 1, 5, start=n),
+    "linear_turning_points": lambda n: linear_turning_points(EPS, 1, 5, start=n),
+    "api turning_points": lambda n: asymptotics.turning_points(LAW, 1, start=n),
+    "generating_function": generating_function,
+}
+NEVER = (-1, 10**40, 2.5, float("nan"), True, None, "x", [], 1j, object())
+POSITIVE = (0, *NEVER)
+
+
+def _cases():
+    for group, values in ((DIGITS, POSITIVE), (ORDERS, POSITIVE), (COUNTS, POSITIVE), (STARTS, NEVER)):
+        for name, call in group.items():
+            yield pytest.param(call, values, id=name)
+
+
+@pytest.mark.parametrize(("call", "values"), list(_cases()))
+def test_what_is_no_integer_in_range_is_refused_by_name(call, values):
+    for value in values:
+        with pytest.raises(InputError):
+            call(value)
+
+
+INTERNAL = {  # helpers whose digits come from the functions above
+    "asymptotics.comparison", "asymptotics.testing", "asymptotics.half_swings", "asymptotics.motions.certify",
+    "asymptotics.normal_form", "asymptotics.numbers", "asymptotics.swing", "asymptotics.tables.quadratic",
+    "asymptotics.verdict", "asymptotics.cli", "asymptotics.equations", "asymptotics.turning.quadratic_map",
+}  # fmt: skip
+
+
+def test_no_public_function_with_digits_is_forgotten():
+    known = {name.removeprefix("api ").split(".")[-1].split()[0] for name in DIGITS}
+    forgotten = []
+    for found in pkgutil.walk_packages(asymptotics.__path__, "asymptotics."):
+        if found.name.endswith("__main__") or any(found.name.startswith(name) for name in INTERNAL):
+            continue
+        module = importlib.import_module(found.name)
+        for name, thing in vars(module).items():
+            if getattr(thing, "__module__", None) == found.name and inspect.isfunction(thing):
+                takes = "digits" in inspect.signature(thing).parameters
+                if takes and not name.startswith("_") and name not in known:
+                    forgotten.append(f"{found.name}.{name}")
+    allowed = ("require_counts", "estimated_seconds", "quadratic_is_feasible", "reference_states")
+    assert not [name for name in forgotten if not name.endswith(allowed)]
+
+
+def test_indices_of_smith_have_the_same_contract():
+    for bad in (2.5, True, None, "x"):
+        with pytest.raises(InputError):
+            coefficient(5, bad)
+    assert coefficient(5, 7) == coefficient(5, -1) == 0
+
+
+def test_exact_reals_are_exact_and_normal():
+    for bad in ((0.1,), (Fraction(1), 0.5), ("1",), (None,), (True,), (sympy.Integer(1),)):
+        with pytest.raises(InputError):
+            ExactReal(*bad)
+    with pytest.raises(InputError):
+        ExactReal(Fraction(1), Fraction(-2))
+    assert ExactReal(1, 4) == ExactReal(2)
+    assert ExactReal(1, 4).is_rational and str(ExactReal(Fraction(1), Fraction(4))) == "2"
