@@ -27,7 +27,7 @@ from asymptotics.motions.linear import linear_motion
 from asymptotics.motions.quadratic import quadratic_is_feasible, quadratic_motion
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
-from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
@@ -60,8 +60,7 @@ def reference_motion(
     """
     moment = time_of(t)
     oscillator.law.require_dissipative("reference motion to rest")
-    if not 1 <= digits <= MAX_DIGITS:
-        raise InputError("digits", f"{digits} is out of range", f"an integer from 1 to {MAX_DIGITS}")
+    require_integer(digits, "digits", 1, MAX_DIGITS)
     with budget(max_seconds):
         exact = _exact(oscillator, moment, digits, static)
         if exact is not None:

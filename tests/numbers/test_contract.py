@@ -110,7 +110,7 @@ def test_what_is_no_integer_in_range_is_refused_by_name(call, values):
 
 INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.comparison", "asymptotics.testing", "asymptotics.half_swings", "asymptotics.motions.certify",
-    "asymptotics.normal_form", "asymptotics.numbers", "asymptotics.swing", "asymptotics.tables.quadratic",
+    "asymptotics.normal_form", "asymptotics.numbers", "asymptotics.swing", "asymptotics.tables",
     "asymptotics.verdict", "asymptotics.cli", "asymptotics.equations", "asymptotics.turning.quadratic_map",
 }  # fmt: skip
 
