@@ -36,7 +36,6 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "papers",
     "present",
     "tables",
-    "api",
     "testing",
     "sweeps",
     "comparison",
