@@ -12,12 +12,12 @@ def in_words(entry: Entry) -> str:
     outcomes = ", ".join(f"{name}: {outcome}" for name, outcome in entry.outcomes.items())
     rows = [
         ("as printed", s.latex),
-        ("verdict", f"{entry.printed} ({s.kind}, {s.evidence})"),
+        ("verdict", f"{entry.printed} ({s.kind}, {entry.evidence})"),
         ("what is true", s.corrected_latex),
         ("conditions", s.conditions),
         ("note", s.note),
         ("methods", "; ".join(s.methods)),
-        ("order", s.order),
+        ("order", s.order and f"{s.order} ({entry.order_by})"),
         ("digits", s.digits),
         ("outcomes", outcomes),
         ("near miss", None if s.near_miss is None else textwrap.shorten(str(s.near_miss), 300)),

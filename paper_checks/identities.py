@@ -15,8 +15,10 @@ from itertools import cycle
 import sympy
 from flint import arb, ctx
 
+from asymptotics import verdict
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
-from asymptotics.verdict import Outcome
+from asymptotics.verdict import Evidence, Outcome
+from paper_checks.evidence import mark
 from paper_checks.forms import DECIMAL
 
 POINTS = (Fraction(2, 7), Fraction(3, 5), Fraction(5, 3), Fraction(7, 11), Fraction(13, 9))
@@ -28,6 +30,7 @@ def vanishes(difference: sympy.Expr, points: tuple[Fraction, ...] = POINTS) -> O
         if _excludes_zero(difference, points[shift:] + points[:shift]):
             return Outcome.REFUTED
     if difference.is_zero or sympy.expand(difference) == 0 or sympy.simplify(difference) == 0:
+        mark(Evidence.PROVED)
         return Outcome.CONFIRMED
     return Outcome.UNDECIDED
 
@@ -52,6 +55,7 @@ def below(a: arb, b: arb) -> Outcome:
     (<Outcome.CONFIRMED: 'confirmed'>, <Outcome.REFUTED: 'refuted'>, <Outcome.UNDECIDED: 'undecided'>, \
 <Outcome.UNDECIDED: 'undecided'>)
     """
+    mark(Evidence.CERTIFIED)
     if bool(a < b):
         return Outcome.CONFIRMED
     return Outcome.REFUTED if bool(a >= b) else Outcome.UNDECIDED
@@ -69,6 +73,12 @@ def rounds_to(printed: str, ball: arb) -> Outcome:
     value = Fraction(printed)
     half = arb(1) / (2 * arb(10) ** len(found[1] or ""))
     return below(abs(ball - arb(value.numerator) / value.denominator), half)
+
+
+def balls_agree(a: arb, b: arb, digits: int) -> Outcome:
+    """``asymptotics.verdict.balls_agree``, noted as certified evidence."""
+    mark(Evidence.CERTIFIED)
+    return verdict.balls_agree(a, b, digits)
 
 
 def decided(truth: bool) -> Outcome:

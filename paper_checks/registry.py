@@ -35,6 +35,7 @@ from importlib import import_module
 from typing import Any
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.evidence import weakest
 from paper_checks.forms import guarded
 
 Check = Callable[[Any], Outcome]
@@ -87,10 +88,11 @@ class Statement:
     """One statement of a paper: LaTeX for the reader, forms for the check.
 
     ``latex`` and ``printed`` are what the paper prints; ``corrected_latex`` and ``corrected`` what is true instead;
-    ``near_miss`` a nearby false form.  ``conditions`` are sufficient for the true form.  ``derivation`` names a script
-    of ``derivations/``.  ``digits`` counts certified digits where a number is stated; ``order`` is the measured order
-    of convergence of an approximation ("0" if its error does not vanish).  ``premises`` are the places of a form that
-    say what is asked, not what is claimed: a form with another premise is about something else.
+    ``near_miss`` a nearby false form.  ``conditions`` are sufficient for the true form; "none" is written out.
+    ``derivation`` names a script of ``derivations/``.  ``extent`` says how far a sample reaches.  ``digits`` counts
+    certified digits where a number is stated; ``order`` is the order of convergence of an approximation ("0" if its
+    error does not vanish).  ``premises`` are the places of a form that say what is asked, not what is claimed: a form
+    with another premise is about something else.
     """
 
     id: str
@@ -99,7 +101,7 @@ class Statement:
     latex: str
     verdict: Printed
     evidence: Evidence
-    conditions: str = ""
+    conditions: str
     variables: str = ""
     printed: Any = None
     corrected: Any = None
@@ -177,11 +179,29 @@ class Entry:
     statement: Statement
     outcomes: dict[str, Outcome]
     seconds: float
+    marks: tuple[Evidence, ...] | None = None
 
     @property
     def agrees(self) -> bool:
         """Whether the outcomes bear the recorded verdict out."""
         return self.outcomes == expected_outcomes(self.statement)
+
+    @property
+    def evidence(self) -> Evidence:
+        """What the verdict rests on: the weakest evidence that the check used, or a derivation that proves it."""
+        s = self.statement
+        if not self.agrees or s.verdict == Printed.OPEN:
+            return Evidence.NONE
+        if self.marks is None or (s.derivation is not None and s.evidence == Evidence.PROVED):
+            return s.evidence
+        return weakest(list(self.marks))
+
+    @property
+    def order_by(self) -> str | None:
+        """Whether the order of an approximation was measured by the check, or is argued in its note."""
+        if self.statement.order is None or self.marks is None:
+            return None
+        return "measured" if Evidence.MEASURED in self.marks else "argued"
 
     @property
     def printed(self) -> Printed:
@@ -195,10 +215,12 @@ class Entry:
             "id": s.id,
             "kind": str(s.kind),
             "printed": str(self.printed),
-            "evidence": str(s.evidence if self.agrees else Evidence.NONE),
+            "evidence": str(self.evidence),
+            "extent": s.extent,
             "corrected": s.corrected_latex,
             "digits": s.digits,
             "order": s.order,
+            "order_by": self.order_by,
             "methods": list(s.methods),
             "title": s.title,
             "latex": s.latex,

@@ -14,24 +14,28 @@ from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing.connection import wait
 
-from asymptotics.verdict import Outcome
+from asymptotics.verdict import Evidence, Outcome
+from paper_checks.evidence import recorded
 from paper_checks.registry import Entry, Statement, forms, load
 
 Progress = Callable[[str], None]
 
 
 def examine(entry: Statement) -> Entry:
-    """Run the check of one statement on all its forms."""
-    start = time.perf_counter()
-    check = entry.check
-    outcomes = {} if check is None else {name: check(form) for name, form in forms(entry)}
-    return Entry(entry, outcomes, time.perf_counter() - start)
+    """Run the check of one statement on all its forms; what evidence it used is noted on the form that it confirms."""
+    start, outcomes, used = time.perf_counter(), {}, ()
+    for name, form in forms(entry):
+        with recorded() as marks:
+            outcomes[name] = entry.check(form)
+        if outcomes[name] == Outcome.CONFIRMED:
+            used = tuple(marks)
+    return Entry(entry, outcomes, time.perf_counter() - start, used)
 
 
-def _examine_id(paper: str, key: str) -> tuple[dict[str, Outcome], float]:
+def _examine_id(paper: str, key: str) -> tuple[dict[str, Outcome], float, tuple[Evidence, ...] | None]:
     """In a worker: statements travel as ids, their checks are found again in the registry."""
     result = examine(load(paper)[key])
-    return result.outcomes, result.seconds
+    return result.outcomes, result.seconds, result.marks
 
 
 def examine_all(

@@ -25,7 +25,8 @@ from flint import arb, ctx
 from asymptotics.law import Law
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
-from asymptotics.verdict import Outcome
+from asymptotics.verdict import Evidence, Outcome
+from paper_checks.evidence import mark
 from paper_checks.identities import vanishes
 
 b, k, m, x0, omega0, t, alpha = sympy.symbols("b k m x_0 omega_0 t alpha", positive=True)
@@ -121,6 +122,7 @@ def measured_order(laws: tuple[tuple[str, str], ...], error: Error) -> float:
 
     ``laws`` are (alpha, multiple of epsilon).
     """
+    mark(Evidence.MEASURED)
     largest = []
     for epsilon in STRENGTHS:
         e, times = sympy.Rational(epsilon), slow_times(epsilon)

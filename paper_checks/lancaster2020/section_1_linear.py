@@ -8,6 +8,7 @@ from math import cos
 import sympy
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.evidence import mark
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lancaster2020.model import SI, alpha, b, dimension, k, linear_motion, m, numeric, omega0, t, v, x, x0
 from paper_checks.registry import statement
@@ -112,6 +113,7 @@ def weakly_damped(form: sympy.Expr) -> Outcome:
         times = [1 / e + phase for phase in (0.0, 0.8, 1.6, 2.4)]
         return max(abs(linear_motion(e, tau) - A(e, tau) * cos(tau)) for tau in times)
 
+    mark(Evidence.MEASURED)
     ratio = largest(0.01) / largest(0.005)
     return all_confirmed(per_mass, decided(1.8 < ratio < 2.2))
 

@@ -88,7 +88,7 @@ def phase_constant(form: sympy.Expr) -> Outcome:
     id="lancaster2020:4", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="The energy of the oscillator", latex=r"E(t) = \frac{1}{2}m\dot{x}^2(t) + \frac{1}{2}kx^2(t)",
     printed=m * v**2 / 2 + k * x**2 / 2, near_miss=m * v**2 / 2 + k * x**2,
-    methods=("constant for b = 0",), note="Form: E as a function of x and v.",
+    conditions="none", methods=("constant for b = 0",), note="Form: E as a function of x and v.",
 )
 def energy(form: sympy.Expr) -> Outcome:
     """dE/dt = 0 along the undamped motion, and E is the kinetic energy at x = 0."""
@@ -135,7 +135,7 @@ def energy_with_amplitude(form: sympy.Expr) -> Outcome:
     evidence=Evidence.PROVED, title="The limit of slow dissipation (above (9))",
     latex=r"\text{the limit of slow dissipation } (A \ll \omega_0 A)",
     corrected_latex=r"|\dot{A}| \ll \omega_0 A", printed=A, corrected=rate, near_miss=sympy.diff(A, t, 2),
-    methods=("dimension",),
+    conditions="none", methods=("dimension",),
     note="The dot was lost; it stands where the limit is introduced, below (5). There the modulus is missing, since A'"
     " is negative; (14) has it. Form: the left side.",
 )
@@ -164,7 +164,7 @@ def slow_energy(form: sympy.Expr) -> Outcome:
     id="lancaster2020:7", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The rate of change of the energy",
     latex=r"\dot{E} = \dot{x}[m\ddot{x} + kx] = f_{\alpha}(\dot{x})\dot{x}",
-    printed=1, near_miss=-1, methods=("(4) differentiated, (1) inserted",),
+    printed=1, near_miss=-1, conditions="none", methods=("(4) differentiated, (1) inserted",),
     note="Never positive: f v = -b|v|^(alpha+1). Form: the coefficient of f v.",
 )
 def energy_rate(form: int) -> Outcome:
@@ -179,7 +179,7 @@ def energy_rate(form: int) -> Outcome:
     id="lancaster2020:claim.energy-derivative", kind=Kind.IDENTITY, verdict=Printed.TRANSCRIPTION,
     evidence=Evidence.PROVED, title="The time derivative of (6)",
     latex=r"E = kAA", corrected_latex=r"\dot{E} = kA\dot{A}", printed=k * A * A, corrected=k * A * rate,
-    near_miss=k * A * rate / 2, methods=("(6) differentiated",),
+    near_miss=k * A * rate / 2, conditions="none", methods=("(6) differentiated",),
     note="The dots of E and of the second A were lost; (8) has them. Form: the right side.",
 )
 def derivative_of_slow_energy(form: sympy.Expr) -> Outcome:
@@ -247,7 +247,7 @@ def approximate_solution(form: sympy.Expr) -> Outcome:
     id="lancaster2020:claim.expansion-parameter", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The dimensionless damping coefficient", latex=r"\frac{b\omega_0^{\alpha}}{kx_0^{1-\alpha}}",
     printed=b * omega0**alpha / (k * x0 ** (1 - alpha)), near_miss=b * omega0**alpha / (k * x0 ** (alpha - 1)),
-    methods=("(1) rescaled by x0 and omega_0", "dimension"), derivation="symbolic-alpha",
+    conditions="none", methods=("(1) rescaled by x0 and omega_0", "dimension"), derivation="symbolic-alpha",
     note="At late times the expansion is in its local value, with A in the place of x0.",
 )
 def expansion_parameter(form: sympy.Expr) -> Outcome:

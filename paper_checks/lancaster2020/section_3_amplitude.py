@@ -7,8 +7,8 @@ import sympy
 from flint import acb, arb, ctx
 
 from asymptotics.numbers.bridge import closed_form_ball
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed, balls_agree
-from paper_checks.identities import all_confirmed, decided, same, vanishes
+from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.identities import all_confirmed, balls_agree, decided, same, vanishes
 from paper_checks.lancaster2020.model import (
     EPSILON,
     SI,
@@ -59,6 +59,7 @@ def separated(form: sympy.Expr) -> Outcome:
     title="The case alpha = 1 is the limit of (10)",
     latex=r"A^{1-\alpha} = e^{(1-\alpha)\ln A}, \quad \epsilon = 1 - \alpha \to 0",
     printed=(A / x0, sympy.Integer(1)), near_miss=(A * x0, sympy.Integer(1)),
+    conditions="none",
     methods=("limit of the left side",), note="Form: what stands in the logarithm of the limit, and its factor.",
 )
 def linear_limit(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
@@ -161,7 +162,7 @@ def amplitude_for_any_exponent(form: sympy.Expr) -> Outcome:
     title="The dimensionless parameter kappa",
     latex=r"\kappa \equiv 2b(2\omega_0)^{\alpha}B\left[\frac{\alpha}{2}+1,\frac{\alpha}{2}+1\right]"
     r"/(\pi kx_0^{1-\alpha})",
-    printed=kappa(alpha), near_miss=kappa(alpha) / 2, methods=("comparison with (13)", "dimension"),
+    printed=kappa(alpha), near_miss=kappa(alpha) / 2, conditions="none", methods=("comparison with (13)", "dimension"),
     note="(13) reads A = x0 [1 + (alpha-1) kappa omega_0 t]^(-1/(alpha-1)); kappa = M_(alpha+1) epsilon. In the"
     " supplied text the definition stands inside the display (13).",
 )
@@ -222,7 +223,8 @@ def slower_with_alpha(form: sympy.Expr) -> Outcome:
     title="The cases alpha = 0, 1, 2 are contained in (13)",
     latex=r"\langle|\sin|\rangle = \frac{2}{\pi}, \quad \langle\sin^2\rangle = \frac{1}{2}, \quad"
     r" \langle|\sin^3|\rangle = \frac{4}{3\pi}",
-    printed=BETA, near_miss=BETA * (alpha + 1) / 2, methods=("the integral worked out separately for each case",),
+    printed=BETA, near_miss=BETA * (alpha + 1) / 2,
+    conditions="none", methods=("the integral worked out separately for each case",),
     note="As ref. 16 does; alpha = 1 by the limit of claim.linear-limit. Form: the mean as a function of alpha.",
 )
 def three_cases(form: sympy.Expr) -> Outcome:
@@ -237,7 +239,8 @@ def three_cases(form: sympy.Expr) -> Outcome:
     latex=r"[A] = \text{length}, \quad \left[\frac{b\omega_0^{1+\alpha}}{k}t\right] = \text{length}^{1-\alpha},"
     r" \quad [\kappa\omega_0] = \text{time}^{-1}",
     printed=(amplitude(alpha), RATE * t, kappa(alpha) * omega0),
-    near_miss=(amplitude(alpha), RATE * t * omega0, kappa(alpha) * omega0), methods=("all units scaled at once",),
+    near_miss=(amplitude(alpha), RATE * t * omega0, kappa(alpha) * omega0),
+    conditions="none", methods=("all units scaled at once",),
 )
 def dimensions(form: tuple[sympy.Expr, ...]) -> Outcome:
     """Scaling of mass, length and time."""

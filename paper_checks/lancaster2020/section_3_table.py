@@ -45,7 +45,7 @@ def dry_friction(form: sympy.Expr) -> Outcome:
 @statement(
     id="lancaster2020:table1.alpha1", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Table I: linear damping", latex=r"x_0e^{-\frac{bt}{2m}}", printed=x0 * sympy.exp(-b * t / (2 * m)),
-    near_miss=x0 * sympy.exp(-b * t / m), methods=("limit of (13)",),
+    near_miss=x0 * sympy.exp(-b * t / m), conditions="none", methods=("limit of (13)",),
     note="The limit alpha -> 1 of x0 [1 + (alpha-1) kappa omega_0 t]^(-1/(alpha-1)) is x0 e^(-kappa omega_0 t).",
 )
 def linear_damping(form: sympy.Expr) -> Outcome:
@@ -62,7 +62,7 @@ def linear_damping(form: sympy.Expr) -> Outcome:
     latex=r"x_0\left[1 + \frac{3bt\sqrt{2x_0\omega_0}\,\Gamma^2\left(\frac{3}{4}\right)}{5\pi^{\frac{3}{2}}m}"
     r"\right]^{-2}",
     printed=fractional(THREE_HALVES), near_miss=fractional(sympy.Integer(1)),
-    methods=("(13) at alpha = 3/2", "Gamma(1/4) Gamma(3/4) = pi sqrt 2"),
+    conditions="none", methods=("(13) at alpha = 3/2", "Gamma(1/4) Gamma(3/4) = pi sqrt 2"),
 )
 def three_halves(form: sympy.Expr) -> Outcome:
     """(13) at alpha = 3/2."""
@@ -73,7 +73,8 @@ def three_halves(form: sympy.Expr) -> Outcome:
     id="lancaster2020:table1.alpha2", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Table I: quadratic damping", latex=r"\frac{x_0}{1 + \frac{4b\omega_0x_0t}{3\pi m}}",
     printed=x0 / (1 + 4 * b * omega0 * x0 * t / (3 * sympy.pi * m)),
-    near_miss=x0 / (1 + 8 * b * omega0 * x0 * t / (3 * sympy.pi * m)), methods=("(13) at alpha = 2",),
+    near_miss=x0 / (1 + 8 * b * omega0 * x0 * t / (3 * sympy.pi * m)),
+    conditions="none", methods=("(13) at alpha = 2",),
 )
 def quadratic_damping(form: sympy.Expr) -> Outcome:
     """(13) at alpha = 2."""
@@ -92,7 +93,8 @@ STRAY = sympy.Symbol("a_0", positive=True)
         (1 + 3 * STRAY * x0**2 / (3 * sympy.pi * m)) / x0, x0 / sympy.sqrt(1 + 3 * b * k * x0**2 * t / (4 * m**2)),
     ),
     corrected=(x0 / sympy.sqrt(1 + 3 * b * k * x0**2 * t / (4 * m**2)),),
-    near_miss=(x0 / sympy.sqrt(1 + 3 * b * k * x0**2 * t / (8 * m**2)),), methods=("(13) at alpha = 3", "dimension"),
+    near_miss=(x0 / sympy.sqrt(1 + 3 * b * k * x0**2 * t / (8 * m**2)),),
+    conditions="none", methods=("(13) at alpha = 3", "dimension"),
     note="The left member is a remnant of the entry above: no quantity a_0 occurs in the paper, and it is no length."
     " The right member is (13). Form: the members of the equation, each of which must be A(t).",
 )

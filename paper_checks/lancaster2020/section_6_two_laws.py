@@ -101,7 +101,7 @@ def slow_two_terms(form: sympy.Expr) -> Outcome:
     title="For two different exponents the equation is no longer separable",
     latex=r"\text{For } \alpha \neq \alpha' \text{, the approximate differential equation governing } A(t) \text{ is no"
     r" longer separable}",
-    printed=(1, 2), near_miss=(2, 2), methods=("d^2 ln(rate)/dA ds = 0 is necessary for a product",),
+    printed=(1, 2), near_miss=(2, 2), conditions="none", methods=("d^2 ln(rate)/dA ds = 0 is necessary for a product",),
     note="Form: two exponents, shown at alpha, alpha' = 1, 2; the mixed derivative has the factor (alpha' - alpha)^2.",
 )
 def not_separable(form: tuple[int, int]) -> Outcome:
@@ -138,7 +138,7 @@ def averaged(form: sympy.Expr) -> Outcome:
     latex=r"c = b(2\omega_0)^{\alpha+1}B\left(\frac{\alpha}{2}+1,\frac{\alpha}{2}+1\right), \quad c' ="
     r" b'(2\omega_0)^{\alpha'+1}B\left(\frac{\alpha'}{2}+1,\frac{\alpha'}{2}+1\right)",
     printed=constant(b, alpha), near_miss=constant(b, alpha) / (2 * omega0), derivation="lancaster-average",
-    methods=("c = pi k kappa omega_0 x0^(1-alpha)", "dimension"), note="Form: c.",
+    conditions="none", methods=("c = pi k kappa omega_0 x0^(1-alpha)", "dimension"), note="Form: c.",
 )
 def constants(form: sympy.Expr) -> Outcome:
     """c = pi b omega_0^(alpha+1) M_(alpha+1), and c x0^(alpha-1)/k is a rate."""
@@ -209,7 +209,7 @@ def viscous_and_quadratic(form: sympy.Expr) -> Outcome:
 @statement(
     id="lancaster2020:claim.lambda", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="The constant lambda", latex=r"\lambda \equiv \frac{x_0}{c + c'x_0}", printed=LAMBDA,
-    near_miss=x0 / (c - d * x0), methods=("A(0) = x0 in (21)",),
+    near_miss=x0 / (c - d * x0), conditions="none", methods=("A(0) = x0 in (21)",),
 )
 def definition_of_lambda(form: sympy.Expr) -> Outcome:
     """c lambda/(1 - c' lambda) = x0."""

@@ -9,6 +9,7 @@ from math import cos
 import sympy
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.evidence import mark
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lancaster2020.model import A, alpha, b, b2, dimension, exact_states, k, m, omega0, t, v, x0, zero
 from paper_checks.lancaster2020.model import alpha2 as beta
@@ -52,7 +53,7 @@ def late_amplitude(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     id="lancaster2020:claim.denominator-exponential", kind=Kind.CLAIM, verdict=Printed.HOLDS,
     evidence=Evidence.PROVED, title="In the long-time limit the exponential in the denominator may be neglected",
     latex=r"\lim_{t\to\infty}\frac{A(t)}{c\lambda e^{-ct/(\pi k)}} = 1", printed=c * LAMBDA * DECAY,
-    near_miss=c * LAMBDA * DECAY**2, methods=("limit of the quotient",), derivation="two-laws-time",
+    near_miss=c * LAMBDA * DECAY**2, conditions="none", methods=("limit of the quotient",), derivation="two-laws-time",
     note="And c lambda e^{-ct/(pi k)} is the right side of (22).",
 )
 def denominator(form: sympy.Expr) -> Outcome:
@@ -66,7 +67,8 @@ def denominator(form: sympy.Expr) -> Outcome:
 @statement(
     id="lancaster2020:claim.linear-recovered", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Negligible quadratic damping", latex=r"\omega_0 x_0b' \ll b: \quad A(t) \to x_0e^{-\frac{bt}{2m}}",
-    printed=(x0, 0), near_miss=(x0 / 2, 0), methods=("limit of (22)",), note="Form: A e^{bt/2m}, and the limit of rho.",
+    printed=(x0, 0), near_miss=(x0 / 2, 0),
+    conditions="none", methods=("limit of (22)",), note="Form: A e^{bt/2m}, and the limit of rho.",
 )
 @statement(
     id="lancaster2020:claim.strong-quadratic", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
@@ -127,7 +129,8 @@ def _any(exponents: tuple[sympy.Rational, ...]) -> bool:
 
 
 @statement(
-    id="lancaster2020:claim.single-term-slow", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    id="lancaster2020:claim.single-term-slow", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.MEASURED,
+    extent="sampled: 8 sets of exponents",
     title="When damping with alpha > 2 decays too slowly",
     latex=r"\text{the argument ... only holds when a } single \text{ damping term with } \alpha > 2 \text{ is present}",
     corrected_latex=r"\text{it holds when all terms present have } \alpha > 2", printed=_single, corrected=_smallest,
@@ -138,6 +141,7 @@ def _any(exponents: tuple[sympy.Rational, ...]) -> bool:
 )
 def slow_decay(form: Claim) -> Outcome:
     """t^(-1/(alpha-1)) with the smallest exponent alpha > 1; an exponential or an end at a finite time otherwise."""
+    mark(Evidence.MEASURED)
     sets = [tuple(map(sympy.Rational, e)) for e in ((3,), ("5/2",), (2,), (1, 3), (3, 4), (2, 3), (0, 3), (3, 5, 7))]
 
     def slow(exponents: tuple[sympy.Rational, ...]) -> bool:
@@ -250,6 +254,7 @@ def compared(form: sympy.Expr) -> Outcome:
 )
 def figure_3(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """The largest errors of the two curves, relative to x0 before omega_0 t = 40 and after."""
+    mark(Evidence.MEASURED)
     always, late = (envelope(curve) for curve in form)
     times = tuple(str(sympy.Rational(n, 4)) for n in range(1, 241))
     states = exact_states((("1", "1/10"), ("2", "1/10")), times)

@@ -78,7 +78,7 @@ def damping_law(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     id="lelas2024:4", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="The sign function", printed=(1, 0, -1), near_miss=(1, 1, -1),
     latex=r"\mathrm{sgn}[v(t)] = \begin{cases} 1 & \text{if } v(t) > 0 \\ 0 & \text{if } v(t) = 0 \\ -1 & \text{if }"
-    r" v(t) < 0 \end{cases}", methods=("sgn is odd and sgn(v) v = |v|",),
+    r" v(t) < 0 \end{cases}", conditions="none", methods=("sgn is odd and sgn(v) v = |v|",),
 )
 def sign_function(form: tuple[int, int, int]) -> Outcome:
     """The values for v = 2, 0, -2 make an odd function with sgn(v) v = |v|."""
@@ -112,7 +112,7 @@ def drag_constant(form: tuple[int, int]) -> Outcome:
 @statement(
     id="lelas2024:6", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="The energy", latex=r"E(t) = \frac{kx^2(t)}{2} + \frac{mv^2(t)}{2}", printed=ENERGY,
-    near_miss=k * x**2 / 2 - m * v**2 / 2, methods=("constant without damping", "m v^2/2 at x = 0"),
+    near_miss=k * x**2 / 2 - m * v**2 / 2, conditions="none", methods=("constant without damping", "m v^2/2 at x = 0"),
 )
 def energy(form: sympy.Expr) -> Outcome:
     """dE/dt = 0 for m a = -k x, and E is the kinetic energy at x = 0."""
@@ -147,7 +147,7 @@ def dissipation_rate(form: sympy.Expr) -> Outcome:
     title="The energy never increases, and dE/dt = 0 just where v = 0",
     latex=r"F_d(t)v(t) \le 0 \ \forall t, \quad \frac{dE(t)}{dt} = 0 \text{ holds at the turning points}",
     printed=(-b * v, -sign(v) * mu * m * g, -sign(v) * C * v**2),
-    near_miss=(-b * v, -mu * m * g, -sign(v) * C * v**2), methods=("power for v > 0, v = 0, v < 0",),
+    near_miss=(-b * v, -mu * m * g, -sign(v) * C * v**2), conditions="none", methods=("power for v > 0, v = 0, v < 0",),
     note="Near miss: a friction force without the sign function.",
 )
 def energy_decreases(form: tuple[sympy.Expr, ...]) -> Outcome:
@@ -161,7 +161,8 @@ def energy_decreases(form: tuple[sympy.Expr, ...]) -> Outcome:
     id="lelas2024:claim.equal-initial-energies", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Both pairs of initial conditions have the same energy",
     latex=r"E_0 = m\omega_0^2x_0^2/2 \text{ for } (x_0, 0) \text{ and for } (0, \omega_0x_0)",
-    printed=((x0, 0), (0, w0 * x0)), near_miss=((x0, 0), (0, x0)), methods=("(6) with k = m omega_0^2",),
+    printed=((x0, 0), (0, w0 * x0)), near_miss=((x0, 0), (0, x0)),
+    conditions="none", methods=("(6) with k = m omega_0^2",),
 )
 def equal_initial_energies(form: tuple[tuple[sympy.Expr, sympy.Expr], ...]) -> Outcome:
     """(6) at both initial states."""
@@ -257,7 +258,7 @@ def assumed_form(form: tuple[sympy.Expr, str]) -> Outcome:
     r"\right)",
     printed=(X1, -w0 * (x0 * f * sin + x0 * slope / w0 * cos)),
     corrected=(X1, -w0 * (x0 * f * sin - x0 * slope / w0 * cos)), derivation="lelas-viscous",
-    near_miss=(X1, w0 * (x0 * f * sin - x0 * slope / w0 * cos)), methods=("(8) differentiated",),
+    near_miss=(X1, w0 * (x0 * f * sin - x0 * slope / w0 * cos)), conditions="none", methods=("(8) differentiated",),
     note="The derivative of (8) is -omega_0 x_0 f sin + x_0 f' cos: inside the bracket the second sign is -. A slip of"
     " the paper (nothing in the text garbles a sign elsewhere), without effect, since the term is dropped in (12).",
 )
@@ -266,7 +267,7 @@ def assumed_form(form: tuple[sympy.Expr, str]) -> Outcome:
     title="The velocity of the second pair",
     latex=r"v_2(t) = \omega_0\left(x_0f(t)\cos(\omega_0t) + x_0\frac{\dot f(t)}{\omega_0}\sin(\omega_0t)\right)",
     printed=(X2, w0 * (x0 * f * cos + x0 * slope / w0 * sin)), derivation="lelas-viscous",
-    near_miss=(X2, w0 * (x0 * f * cos - x0 * slope / w0 * sin)), methods=("(9) differentiated",),
+    near_miss=(X2, w0 * (x0 * f * cos - x0 * slope / w0 * sin)), conditions="none", methods=("(9) differentiated",),
 )
 def velocity(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """The time derivative of the displacement."""
@@ -277,7 +278,7 @@ def velocity(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     id="lelas2024:claim.slope-small", kind=Kind.CLAIM, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
     title="The small quantity that lets the second terms of (10) and (11) be dropped",
     latex=r"|f(t)|/\omega_0 \ll 1", corrected_latex=r"|\dot f(t)|/\omega_0 \ll 1", printed=f / w0,
-    corrected=-slope / w0, near_miss=-slope, methods=("coefficients of (11)",),
+    corrected=-slope / w0, near_miss=-slope, conditions="none", methods=("coefficients of (11)",),
     note="The dot over f is lost: two lines earlier the text has |f'| << omega_0. Form: the ratio, with f' = -r < 0.",
 )
 def slope_small(form: sympy.Expr) -> Outcome:
@@ -323,7 +324,7 @@ def assumed_velocity(form: tuple[sympy.Expr, str]) -> Outcome:
 @statement(
     id="lelas2024:claim.initial-amplitude", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="f(0) = 1", latex=r"f(0) = 1", printed=sympy.Integer(1), near_miss=sympy.Integer(2),
-    methods=("(8) and (13) at t = 0",),
+    conditions="none", methods=("(8) and (13) at t = 0",),
     note="The exact velocity of the assumed x_1 is x_0 f'(0) at t = 0, not 0: the initial condition v_1(0) = 0 is met"
     " by (12) and only to first order by (8).",
 )

@@ -33,7 +33,8 @@ def approximate_energies(form: sympy.Expr) -> Outcome:
     id="lelas2024:15", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Their first derivatives",
     latex=r"\frac{dE_1(t)}{dt} = \frac{dE_2(t)}{dt} = m\omega_0^2x_0^2f(t)\frac{df(t)}{dt}",
-    printed=RATE_OF_ENERGY, near_miss=RATE_OF_ENERGY / 2, methods=("(14) differentiated",), derivation="lelas-viscous",
+    printed=RATE_OF_ENERGY, near_miss=RATE_OF_ENERGY / 2,
+    conditions="none", methods=("(14) differentiated",), derivation="lelas-viscous",
 )
 def rate_of_energy(form: sympy.Expr) -> Outcome:
     """d/dt of (14)."""
@@ -123,7 +124,8 @@ def sum_of_rates(form: sympy.Expr) -> Outcome:
 @statement(
     id="lelas2024:claim.exponential-decay", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The exponential decay of the amplitude", latex=r"f(t) = e^{-\frac{b}{2m}t}", derivation="lelas-viscous",
-    printed=sympy.exp(-b * t / (2 * m)), near_miss=sympy.exp(-b * t / m), methods=("(20) and f(0) = 1",),
+    printed=sympy.exp(-b * t / (2 * m)), near_miss=sympy.exp(-b * t / m),
+    conditions="none", methods=("(20) and f(0) = 1",),
 )
 def exponential_decay(form: sympy.Expr) -> Outcome:
     """f' = -(b/2m) f with f(0) = 1."""
@@ -134,7 +136,8 @@ def exponential_decay(form: sympy.Expr) -> Outcome:
     id="lelas2024:claim.exponential-energy", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="This version of the approach gives a purely exponential decay of energy",
     latex=r"E_1(t) = E_2(t) = E_0e^{-\frac{b}{m}t}", printed=sympy.exp(-b * t / m),
-    near_miss=sympy.exp(-b * t / (2 * m)), methods=("(14) with f = e^{-bt/2m}",), derivation="lelas-viscous",
+    near_miss=sympy.exp(-b * t / (2 * m)),
+    conditions="none", methods=("(14) with f = e^{-bt/2m}",), derivation="lelas-viscous",
 )
 def exponential_energy(form: sympy.Expr) -> Outcome:
     """f^2."""
@@ -144,7 +147,7 @@ def exponential_energy(form: sympy.Expr) -> Outcome:
 @statement(
     id="lelas2024:21", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The condition of weak viscous damping", latex=r"b \ll 2\sqrt{km}", printed=2 * sympy.sqrt(k * m),
-    near_miss=sympy.sqrt(k * m), methods=("|f'(0)| = omega_0",), derivation="lelas-viscous",
+    near_miss=sympy.sqrt(k * m), conditions="none", methods=("|f'(0)| = omega_0",), derivation="lelas-viscous",
     note="The bound is also that of critical damping. Form: the bound.",
 )
 def weak_viscous_damping(bound: sympy.Expr) -> Outcome:

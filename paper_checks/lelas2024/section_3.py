@@ -35,13 +35,14 @@ def power_holds(form: tuple[str, sympy.Expr], size: sympy.Expr) -> Outcome:
 @statement(
     id="lelas2024:22", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The power of friction, first pair", latex=r"P_{d1}(t) = -\mathrm{sgn}[v_1(t)]\mu mg\,v_1(t)",
-    printed=-sympy.sign(v) * mu * m * g * v, near_miss=sympy.sign(v) * mu * m * g * v, methods=("(3) times v",),
+    printed=-sympy.sign(v) * mu * m * g * v, near_miss=sympy.sign(v) * mu * m * g * v,
+    conditions="none", methods=("(3) times v",),
     derivation="lelas-friction",
 )
 @statement(
     id="lelas2024:23", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The power of friction, second pair", latex=r"P_{d2}(t) = -\mathrm{sgn}[v_2(t)]\mu mg\,v_2(t)",
-    printed=-sympy.sign(v) * mu * m * g * v, near_miss=-mu * m * g * v, methods=("(3) times v",),
+    printed=-sympy.sign(v) * mu * m * g * v, near_miss=-mu * m * g * v, conditions="none", methods=("(3) times v",),
     derivation="lelas-friction",
 )
 def friction_power(form: sympy.Expr) -> Outcome:
@@ -53,12 +54,12 @@ def friction_power(form: sympy.Expr) -> Outcome:
 @statement(
     id="lelas2024:claim.sign-times-velocity", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The sign function makes absolute values", latex=r"\mathrm{sgn}[v(t)]v(t) = |v(t)|",
-    printed=(1, sympy.Abs(v)), near_miss=(1, v), methods=("v > 0, v = 0, v < 0",),
+    printed=(1, sympy.Abs(v)), near_miss=(1, v), conditions="none", methods=("v > 0, v = 0, v < 0",),
 )
 @statement(
     id="lelas2024:claim.sign-times-cube", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The same for the cube", latex=r"\mathrm{sgn}[v(t)]v^3(t) = |v^3(t)| = |v(t)|^3",
-    printed=(3, sympy.Abs(v) ** 3), near_miss=(3, v**3), methods=("v > 0, v = 0, v < 0",),
+    printed=(3, sympy.Abs(v) ** 3), near_miss=(3, v**3), conditions="none", methods=("v > 0, v = 0, v < 0",),
 )
 def sign_times_power(form: tuple[int, sympy.Expr]) -> Outcome:
     """sgn(v) v^p against the form at v = V, 0, -V."""
@@ -107,14 +108,16 @@ def friction_rate(form: tuple[str, sympy.Expr]) -> Outcome:
     kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The square of the first rate", printed=(-STRENGTH * s, STRENGTH**2 * s**2),
     latex=r"\left(\frac{df(t)}{dt}\right)^2 = \left(\frac{\mu g}{\omega_0x_0}\right)^2|\sin(\omega_0t)|^2",
-    near_miss=(-STRENGTH * s, STRENGTH * s**2), methods=("(26) squared",), derivation="lelas-friction",
+    near_miss=(-STRENGTH * s, STRENGTH * s**2),
+    conditions="none", methods=("(26) squared",), derivation="lelas-friction",
 )
 @statement(
     id="lelas2024:29", premises=(0,),
     kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The square of the second rate", printed=(-STRENGTH * c, STRENGTH**2 * c**2),
     latex=r"\left(\frac{df(t)}{dt}\right)^2 = \left(\frac{\mu g}{\omega_0x_0}\right)^2|\cos(\omega_0t)|^2",
-    near_miss=(-STRENGTH * c, STRENGTH**2 * s**2), methods=("(27) squared",), derivation="lelas-friction",
+    near_miss=(-STRENGTH * c, STRENGTH**2 * s**2),
+    conditions="none", methods=("(27) squared",), derivation="lelas-friction",
 )
 def squared_rate(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """The square of the rate in the form."""
@@ -125,7 +128,7 @@ def squared_rate(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     id="lelas2024:30", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The sum of the squares",
     latex=r"\left(\frac{df(t)}{dt}\right)^2 = \frac{1}{2}\left(\frac{\mu g}{\omega_0x_0}\right)^2",
-    printed=STRENGTH**2 / 2, near_miss=STRENGTH**2, methods=("half the sum of (28) and (29)",),
+    printed=STRENGTH**2 / 2, near_miss=STRENGTH**2, conditions="none", methods=("half the sum of (28) and (29)",),
     derivation="lelas-friction",
     note="The mean of the two squares replaces the square of the mean: a quadratic mean 1/sqrt(2) of |sin| in the place"
     " of the arithmetic mean 2/pi.",
@@ -166,7 +169,7 @@ def constant_rate(form: sympy.Expr) -> Outcome:
     latex=r"f(t) = -\frac{\mu g}{\sqrt{2}}\frac{\mu g}{2\omega_0x_0}t + const.",
     corrected_latex=r"f(t) = -\frac{\mu g}{\sqrt{2}\,\omega_0x_0}t + const.",
     printed=-mu * g / root2 * mu * g / (2 * w0 * x0) * t, corrected=-STRENGTH / root2 * t,
-    near_miss=-STRENGTH / 2 * t, methods=("differentiated",), derivation="lelas-friction",
+    near_miss=-STRENGTH / 2 * t, conditions="none", methods=("differentiated",), derivation="lelas-friction",
     note="A fraction with a root was read twice; the same garble stands in |f'| before (33).",
 )
 @statement(
@@ -174,7 +177,7 @@ def constant_rate(form: sympy.Expr) -> Outcome:
     title="The slope of (32), for all t", latex=r"|\dot f(t)| = \frac{\mu g}{\sqrt{2}}\frac{\mu g}{2\omega_0x_0}",
     corrected_latex=r"|\dot f(t)| = \frac{\mu g}{\sqrt{2}\,\omega_0x_0}",
     printed=-mu * g / root2 * mu * g / (2 * w0 * x0) * t, corrected=-STRENGTH / root2 * t,
-    near_miss=-STRENGTH / 2 * t, methods=("(32) differentiated",), derivation="lelas-friction",
+    near_miss=-STRENGTH / 2 * t, conditions="none", methods=("(32) differentiated",), derivation="lelas-friction",
     note="As in the solution of (31), a fraction was read twice. Form: minus the slope, times t.",
 )
 def integrated_rate(form: sympy.Expr) -> Outcome:
@@ -220,7 +223,8 @@ def same_decay_friction(coefficient: sympy.Expr) -> Outcome:
     id="lelas2024:claim.stop-time-section-3", kind=Kind.CLAIM, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
     title="The instant at which the approximation stops", latex=r"\tau = \sqrt{2\omega_0x_0/(\mu g)}",
     corrected_latex=r"\tau = \sqrt{2}\,\omega_0x_0/(\mu g)", printed=sympy.sqrt(2 * w0 * x0 / (mu * g)), corrected=TAU,
-    near_miss=2 * w0 * x0 / (mu * g), methods=("zero of (32)",), derivation="lelas-friction", note=GARBLED,
+    near_miss=2 * w0 * x0 / (mu * g),
+    conditions="none", methods=("zero of (32)",), derivation="lelas-friction", note=GARBLED,
 )
 @statement(
     id="lelas2024:claim.everything-zero-at-stop", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
@@ -238,7 +242,8 @@ def approximate_stop(form: sympy.Expr) -> Outcome:
 @statement(
     id="lelas2024:claim.unphysical-after-stop", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="After tau the amplitude grows in magnitude", printed=1, near_miss=-1,
-    latex=r"t > \tau: \text{ the amplitude starts to increase in magnitude}", methods=("derivative of f^2 at 2 tau",),
+    latex=r"t > \tau: \text{ the amplitude starts to increase in magnitude}",
+    conditions="none", methods=("derivative of f^2 at 2 tau",),
     note="Form: the sign of the rate of |f| after tau.",
 )
 def unphysical_after_stop(sign: int) -> Outcome:
@@ -251,7 +256,8 @@ def unphysical_after_stop(sign: int) -> Outcome:
 @statement(
     id="lelas2024:33", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The condition of weak sliding friction", latex=r"\mu \ll \frac{\sqrt{2}kx_0}{mg}",
-    printed=root2 * k * x0 / (m * g), near_miss=k * x0 / (root2 * m * g), methods=("|f'| = omega_0",),
+    printed=root2 * k * x0 / (m * g), near_miss=k * x0 / (root2 * m * g),
+    conditions="none", methods=("|f'| = omega_0",),
     derivation="lelas-friction",
     note="In terms of eps = mu m g/(k x_0) it says eps << sqrt(2); the block does not move at all from eps = 1 on, and"
     " it makes about 1/(2 eps) half-swings. Form: the bound.",

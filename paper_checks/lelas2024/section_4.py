@@ -27,12 +27,13 @@ TWO_THIRDS = sympy.Rational(2, 3)
 @statement(
     id="lelas2024:34", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The power of air resistance, first pair", latex=r"P_{d1}(t) = -\mathrm{sgn}[v_1(t)]Cv_1^3(t)",
-    printed=-sympy.sign(v) * C * v**3, near_miss=-C * v**3, methods=("(5) times v",), derivation="lelas-air",
+    printed=-sympy.sign(v) * C * v**3, near_miss=-C * v**3,
+    conditions="none", methods=("(5) times v",), derivation="lelas-air",
 )
 @statement(
     id="lelas2024:35", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The power of air resistance, second pair", latex=r"P_{d2}(t) = -\mathrm{sgn}[v_2(t)]Cv_2^3(t)",
-    printed=-sympy.sign(v) * C * v**3, near_miss=-sympy.sign(v) * C * v**2, methods=("(5) times v",),
+    printed=-sympy.sign(v) * C * v**3, near_miss=-sympy.sign(v) * C * v**2, conditions="none", methods=("(5) times v",),
     derivation="lelas-air",
 )
 def air_power(form: sympy.Expr) -> Outcome:
@@ -98,7 +99,8 @@ def both_sides_positive(quarters: tuple[int, ...]) -> Outcome:
     latex=r"\left(-\frac{df(t)}{dt}\right)^{\frac{2}{3}} = \left(\frac{C\omega_0x_0}{m}\right)^{\frac{2}{3}}"
     r"f^{\frac{4}{3}}(t)|\sin(\omega_0t)|^2",
     printed=(STRENGTH * f**2 * s**3, STRENGTH**TWO_THIRDS * f ** (2 * TWO_THIRDS) * s**2),
-    near_miss=(STRENGTH * f**2 * s**3, STRENGTH**TWO_THIRDS * f**TWO_THIRDS * s**2), methods=("(38)^(2/3)",),
+    near_miss=(STRENGTH * f**2 * s**3, STRENGTH**TWO_THIRDS * f**TWO_THIRDS * s**2),
+    conditions="none", methods=("(38)^(2/3)",),
 )
 @statement(
     id="lelas2024:41", premises=(0,),
@@ -107,7 +109,8 @@ def both_sides_positive(quarters: tuple[int, ...]) -> Outcome:
     latex=r"\left(-\frac{df(t)}{dt}\right)^{\frac{2}{3}} = \left(\frac{C\omega_0x_0}{m}\right)^{\frac{2}{3}}"
     r"f^{\frac{4}{3}}(t)|\cos(\omega_0t)|^2",
     printed=(STRENGTH * f**2 * c**3, STRENGTH**TWO_THIRDS * f ** (2 * TWO_THIRDS) * c**2),
-    near_miss=(STRENGTH * f**2 * c**3, STRENGTH * f ** (2 * TWO_THIRDS) * c**2), methods=("(39)^(2/3)",),
+    near_miss=(STRENGTH * f**2 * c**3, STRENGTH * f ** (2 * TWO_THIRDS) * c**2),
+    conditions="none", methods=("(39)^(2/3)",),
 )
 def rate_to_two_thirds(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """The cubes of both sides, all of whose factors are positive: rate^2 = form^3."""
@@ -120,7 +123,8 @@ def rate_to_two_thirds(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     latex=r"\left(-\frac{df(t)}{dt}\right)^{\frac{2}{3}} = \frac{1}{2}\left(\frac{C\omega_0x_0}{m}\right)^{\frac{2}{3}}"
     r"f^{\frac{4}{3}}(t)",
     printed=STRENGTH**TWO_THIRDS * f ** (2 * TWO_THIRDS) / 2,
-    near_miss=STRENGTH**TWO_THIRDS * f ** (2 * TWO_THIRDS), methods=("half the sum of (40) and (41)",),
+    near_miss=STRENGTH**TWO_THIRDS * f ** (2 * TWO_THIRDS),
+    conditions="none", methods=("half the sum of (40) and (41)",),
     note="The power mean of |sin|^3 with exponent 2/3, 2^{-3/2} = 0.354, replaces the mean 4/(3 pi) = 0.424.",
 )
 def sum_of_powers(form: sympy.Expr) -> Outcome:
@@ -133,7 +137,7 @@ def sum_of_powers(form: sympy.Expr) -> Outcome:
     id="lelas2024:43", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="0",
     title="The rate of f", latex=r"\frac{df(t)}{dt} = -\left(\frac{C\omega_0x_0}{2^{\frac{3}{2}}m}\right)f^2(t)",
     printed=-STRENGTH / SLOW * f**2, near_miss=-STRENGTH / 2 * f**2, derivation="lelas-air",
-    methods=("(42)^(3/2)", "error of the amplitude at the exact turning points, two values of C"),
+    conditions="none", methods=("(42)^(3/2)", "error of the amplitude at the exact turning points, two values of C"),
     note="The rate of the averaged motion has 4/(3 pi): (43) is too slow by the factor 3 pi/(8 sqrt(2)) = 0.833, for"
     " every C.",
 )
@@ -161,7 +165,8 @@ def turning_error(factor: sympy.Expr) -> Callable[[mpf], mpf]:
     id="lelas2024:44", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The integration", derivation="lelas-air",
     latex=r"\int_0^tf^{-2}(t')df(t') = -\frac{C\omega_0x_0}{2^{\frac{3}{2}}m}\int_0^tdt'",
-    printed=(-2, -STRENGTH / SLOW), near_miss=(2, -STRENGTH / SLOW), methods=("(43) divided by f^2",),
+    printed=(-2, -STRENGTH / SLOW), near_miss=(2, -STRENGTH / SLOW),
+    conditions="none", methods=("(43) divided by f^2",),
     note="The limits of the left integral belong to t', those of f are 1 and f(t). Form: the power of f under the left"
     " integral and the factor on the right.",
 )
@@ -189,14 +194,14 @@ def hyperbolic_decay(form: sympy.Expr) -> Outcome:
 @statement(
     id="lelas2024:46", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The condition of weak air resistance", latex=r"C \ll \frac{2^{\frac{3}{2}}m}{x_0}", printed=SLOW * m / x0,
-    near_miss=m / (SLOW * x0), methods=("|f'(0)| = omega_0",), derivation="lelas-air",
+    near_miss=m / (SLOW * x0), conditions="none", methods=("|f'(0)| = omega_0",), derivation="lelas-air",
     note="In terms of eps = C x_0/m it says eps << 2.83. Slow decay over a period needs 2 pi |f'| << omega_0, about a"
     " sixth of that; see claim.slight-decrease. Form: the bound.",
 )
 @statement(
     id="lelas2024:claim.initial-slope", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The slope of (45) at t = 0, its largest", latex=r"\dot f(0) = -C\omega_0x_0/(2^{\frac{3}{2}}m)",
-    printed=SLOW * m / x0, near_miss=SLOW / x0, methods=("(45) differentiated", "|f'| decreases"),
+    printed=SLOW * m / x0, near_miss=SLOW / x0, conditions="none", methods=("(45) differentiated", "|f'| decreases"),
     derivation="lelas-air", note="Form: C omega_0/|f'(0)|.",
 )
 def weak_air(bound: sympy.Expr) -> Outcome:

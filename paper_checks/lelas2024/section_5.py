@@ -15,6 +15,7 @@ from mpmath import mp, mpf, pi
 
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.evidence import mark
 from paper_checks.identities import all_confirmed, below, decided, rounds_to, same, vanishes
 from paper_checks.lelas2024.model import (
     DIGITS,
@@ -89,7 +90,7 @@ def our_motion(form: sympy.Expr) -> Outcome:
     title="The force to which (47) belongs", printed=2, corrected=3, near_miss=5,
     latex=r"\text{our approximate solution of equation (1), with damping force (2), is (47)}",
     corrected_latex=r"\text{our approximate solution of equation (1), with damping force (3), is (47)}",
-    methods=("the letters of (47) are those of the force",),
+    conditions="none", methods=("the letters of (47) are those of the force",),
     note="(2) is viscous damping, (3) sliding friction: a wrong cross-reference, whose link goes to (2) as well, so a"
     " slip of the paper. Form: the number of the equation of the force.",
 )
@@ -172,6 +173,7 @@ def closed_form(form: sympy.Expr | None) -> Outcome:
     """The expression against the motion at 60 times, up to twice the stop time."""
     if form is None:
         return {Outcome.CONFIRMED: Outcome.REFUTED}.get(closed_form(ONE_LINE), Outcome.UNDECIDED)
+    mark(Evidence.MEASURED)
     with mp.workdps(DIGITS):
         value = sympy.lambdify((eps, tau), form, "mpmath")
         exact = coulomb(mpf("0.073575"))
@@ -182,7 +184,7 @@ def closed_form(form: sympy.Expr | None) -> Outcome:
 @statement(
     id="lelas2024:50", kind=Kind.NUMBER, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED, digits=2,
     title="The condition (33) in numbers", latex=r"\mu \ll 0.58", printed="0.58", near_miss="0.57",
-    methods=("(33) by balls",), note="0.57663...",
+    conditions="none", methods=("(33) by balls",), note="0.57663...",
 )
 def threshold(printed: str) -> Outcome:
     """sqrt(2) k x0/(m g)."""
@@ -190,7 +192,7 @@ def threshold(printed: str) -> Outcome:
 
 
 @statement(
-    id="lelas2024:fig1", kind=Kind.FIGURE, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
+    id="lelas2024:fig1", kind=Kind.FIGURE, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Friction: (47), (48) and the exact motion, (a) mu = 0.01, (b) mu = 0.03", printed=((20, 1), (7, 1)),
     latex=r"\text{Fig. 1. Solutions (47), (48) and (49) for (a) } \mu = 0.01 \text{ and (b) } \mu = 0.03",
     near_miss=((20, 1), (7, -1)), conditions="m = 1.5 kg, k = 30 N/m, x_0 = 0.2 m, g = 9.81 m/s^2",
@@ -210,7 +212,7 @@ def friction_figure(form: tuple[tuple[int, int], ...]) -> Outcome:
     title="The instant at which (47) stops", latex=r"\tau = \sqrt{2\omega_0x_0/(\mu g)}",
     corrected_latex=r"\tau = \sqrt{2}\,\omega_0x_0/(\mu g)", derivation="lelas-friction",
     printed=(sympy.sqrt(2 * w0 * x0 / (mu * g)), FRICTION_LINE), corrected=(TAU, FRICTION_LINE),
-    near_miss=(TAU / 2, FRICTION_LINE), methods=("zero of the amplitude of (47)",),
+    near_miss=(TAU / 2, FRICTION_LINE), conditions="none", methods=("zero of the amplitude of (47)",),
     note=GARBLED + " Here the text breaks the line between the root sign and 2 omega_0 x_0/(mu g).",
 )
 @statement(
@@ -218,7 +220,7 @@ def friction_figure(form: tuple[tuple[int, int], ...]) -> Outcome:
     kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The instant at which (48) stops", latex=r"\tilde{\tau} = \pi\omega_0x_0/(2\mu g)",
     printed=(TAU_TILDE, AVERAGED_LINE), near_miss=(TAU_TILDE / 2, AVERAGED_LINE),
-    methods=("zero of the amplitude of (48)",),
+    conditions="none", methods=("zero of the amplitude of (48)",),
     note="(48) stops at the equilibrium, like (47); the block stops at the turning point next to it.",
 )
 def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
@@ -231,20 +233,21 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     id="lelas2024:value.tau-a", premises=(1, 2),
     kind=Kind.NUMBER, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED, digits=3,
     title="tau for mu = 0.01", latex=r"\tau = 12.9\,\mathrm{s}", printed=("12.9", TAU, PANELS[0]),
-    near_miss=("12.8", TAU, PANELS[0]), methods=("balls",), note="12.8941 s.",
+    near_miss=("12.8", TAU, PANELS[0]), conditions="none", methods=("balls",), note="12.8941 s.",
 )
 @statement(
     id="lelas2024:value.tau-b", premises=(1, 2),
     kind=Kind.NUMBER, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED, digits=2,
     title="tau for mu = 0.03", latex=r"\tau = 4.3\,\mathrm{s}", printed=("4.3", TAU, PANELS[1]),
-    near_miss=("4.4", TAU, PANELS[1]), methods=("balls",), note="4.2980 s.",
+    near_miss=("4.4", TAU, PANELS[1]), conditions="none", methods=("balls",), note="4.2980 s.",
 )
 @statement(
     id="lelas2024:value.tau-tilde-a", premises=(1, 2),
     kind=Kind.NUMBER, verdict=Printed.MISPRINT, evidence=Evidence.CERTIFIED, digits=4,
     title="tau-tilde for mu = 0.01", latex=r"\tilde{\tau} = 14.33\,\mathrm{s}",
     corrected_latex=r"\tilde{\tau} = 14.32\,\mathrm{s}", printed=("14.33", TAU_TILDE, PANELS[0]),
-    corrected=("14.32", TAU_TILDE, PANELS[0]), near_miss=("14.34", TAU_TILDE, PANELS[0]), methods=("balls",),
+    corrected=("14.32", TAU_TILDE, PANELS[0]), near_miss=("14.34", TAU_TILDE, PANELS[0]),
+    conditions="none", methods=("balls",),
     note="14.3217 s with the numbers of the paper; the rounding or an intermediate value is off.",
 )
 @statement(
@@ -252,7 +255,8 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     kind=Kind.NUMBER, verdict=Printed.MISPRINT, evidence=Evidence.CERTIFIED, digits=3,
     title="tau-tilde for mu = 0.03", latex=r"\tilde{\tau} = 4.78\,\mathrm{s}",
     corrected_latex=r"\tilde{\tau} = 4.77\,\mathrm{s}", printed=("4.78", TAU_TILDE, PANELS[1]),
-    corrected=("4.77", TAU_TILDE, PANELS[1]), near_miss=("4.76", TAU_TILDE, PANELS[1]), methods=("balls",),
+    corrected=("4.77", TAU_TILDE, PANELS[1]), near_miss=("4.76", TAU_TILDE, PANELS[1]),
+    conditions="none", methods=("balls",),
     note="4.7739 s; a third of the misrounded 14.33 s would round to 4.78.",
 )
 @statement(
@@ -260,7 +264,7 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     kind=Kind.NUMBER, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED, digits=4,
     title="The exact stop time for mu = 0.01", latex=r"\tau_{ex} = 14.05\,\mathrm{s}",
     printed=("14.05", 20 * sympy.pi / w0, PANELS[0]), near_miss=("14.06", 20 * sympy.pi / w0, PANELS[0]),
-    methods=("20 half periods, see fig1", "balls"), note="14.0496 s.",
+    conditions="none", methods=("20 half periods, see fig1", "balls"), note="14.0496 s.",
 )
 @statement(
     id="lelas2024:value.tau-exact-b", premises=(1, 2),
@@ -268,7 +272,7 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     title="The exact stop time for mu = 0.03", latex=r"\tau_{ex} = 4.93\,\mathrm{s}",
     corrected_latex=r"\tau_{ex} = 4.92\,\mathrm{s}", printed=("4.93", 7 * sympy.pi / w0, PANELS[1]),
     corrected=("4.92", 7 * sympy.pi / w0, PANELS[1]), near_miss=("4.91", 7 * sympy.pi / w0, PANELS[1]),
-    methods=("7 half periods, see fig1", "balls"),
+    conditions="none", methods=("7 half periods, see fig1", "balls"),
     note="The stop is at a turning point, 7 T_0/2 = 4.9174 s. The paper reads 4.93 s directly from its graph.",
 )
 def stop_number(form: tuple[str, sympy.Expr, Fraction]) -> Outcome:
@@ -281,13 +285,13 @@ def stop_number(form: tuple[str, sympy.Expr, Fraction]) -> Outcome:
     id="lelas2024:value.rest-a", premises=(1,),
     kind=Kind.NUMBER, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED, digits=1,
     title="The exact place of rest for mu = 0.01", latex=r"+0.02x_0", printed=("0.02", PANELS[0]),
-    near_miss=("-0.02", PANELS[0]), methods=("1 - 40 eps, exact",), note="0.019 exactly.",
+    near_miss=("-0.02", PANELS[0]), conditions="none", methods=("1 - 40 eps, exact",), note="0.019 exactly.",
 )
 @statement(
     id="lelas2024:value.rest-b", premises=(1,),
     kind=Kind.NUMBER, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED, digits=1,
     title="The exact place of rest for mu = 0.03", latex=r"+0.03x_0", printed=("0.03", PANELS[1]),
-    near_miss=("-0.03", PANELS[1]), methods=("-(1 - 14 eps), exact",),
+    near_miss=("-0.03", PANELS[1]), conditions="none", methods=("-(1 - 14 eps), exact",),
     note="0.03005 exactly: the seventh half-swing, towards the left, starts at +0.117 x_0 and ends before it"
     " reaches the equilibrium.",
 )

@@ -54,7 +54,7 @@ def rate_for_all_laws(form: sympy.Expr) -> Outcome:
     id="lelas2024:claim.amplitude-cancels", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The amplitude can be crossed out for n = 1 only", printed=(1,), near_miss=(0, 1),
     latex=r"\text{in case } n = 1 \text{ amplitude } A_0 \text{ can be eliminated; for } n = 0, 2 \text{ it can not}",
-    methods=("powers of A_0 on both sides of (54)",), note="Form: the n for which it cancels.",
+    conditions="none", methods=("powers of A_0 on both sides of (54)",), note="Form: the n for which it cancels.",
 )
 def amplitude_cancels(form: tuple[int, ...]) -> Outcome:
     """A_0^2 on the left, A_0^(n+1) on the right."""
@@ -68,7 +68,8 @@ BOUNDS = {0: sympy.sqrt(2) * k * x0 / (m * g), 1: 2 * sympy.sqrt(k * m), 2: 2 * 
     id="lelas2024:claim.conditions-and-x0", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The weak damping conditions (33) and (46) depend on the initial displacement, (21) does not",
     latex=r"\text{(33) and (46) both depend on } x_0 \text{; initial conditions do not appear in (21)}",
-    printed=(0, 2), near_miss=(0, 1, 2), methods=("letters of the three bounds",), note="Form: the n of those that do.",
+    printed=(0, 2), near_miss=(0, 1, 2),
+    conditions="none", methods=("letters of the three bounds",), note="Form: the n of those that do.",
 )
 def conditions_and_displacement(form: tuple[int, ...]) -> Outcome:
     """The bounds as in (21), (33), (46); the strength b omega_0^n x_0^(n-1)/k contains x_0 for n != 1 alike."""

@@ -11,12 +11,18 @@ import jinja2
 
 from asymptotics import __version__
 from asymptotics.present.figures import render
-from asymptotics.present.files import write_all
+from asymptotics.present.files import write_atomically
 from asymptotics.present.mathml import to_mathml
 from asymptotics.tables import build
+from asymptotics.tables.cells import Formula
 from asymptotics.verdict import Printed
+from paper_checks.data import source
 from paper_checks.registry import PAPERS, Entry
+from paper_checks.report import pages
+from paper_checks.report.difference import marked
 from paper_checks.report.engine import engine_data, regimes_picture, validity_picture
+from paper_checks.report.tex import tex
+from paper_checks.report.words import OUTCOMES, evidence, typeset
 
 Progress = Callable[[str], None]
 
@@ -24,27 +30,77 @@ TABLES = {
     "lancaster2020": ("lancaster2020.table1",),
     "smith2012": ("smith2012.table1", "smith2012.transit-time"),
 }
-PAGES = ("index.html", "errata.html", "engine.html")
+HEADS = {  # columns as the papers write them
+    "alpha": r"\alpha", "A": "A(t)", "half_cycle": "n", "S_hat": r"\hat{S}_{n-1}", "u": "u_{n-1}", "i": "i",
+    "c_i": "c_i",
+}  # fmt: skip
+PAGES = ("index.html", "errata.html", "derivations.html", "engine.html")
+FOLDER = Path(__file__).parent
 SLIPS = (Printed.MISPRINT, Printed.TRANSCRIPTION, Printed.PARTLY, Printed.REFUTED)
+ERRATA = (
+    ("slips", "Slips of the papers", (Printed.MISPRINT, Printed.REFUTED)),
+    ("garbled", "Garbled in the text at hand", (Printed.TRANSCRIPTION,)),
+    ("conditions", "True under a condition that is omitted", (Printed.PARTLY,)),
+)
 
 
 def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda name: None) -> list[Path]:
     """Write the pages, report.json, report.tex and the figures into ``folder``, which exists; returns the paths."""
-    contents = dict(_figures(entries, progress))
+    contents: dict[str, bytes | str] = dict(_figures(entries, progress))
     data = report_data(entries)
     contents["report.json"] = json.dumps(data, indent=1, ensure_ascii=False)
     contents["report.tex"] = _template("report.tex.j2").render(data)
-    contents |= _pages(data, contents)
-    write_all({folder / name: content for name, content in contents.items()}, "--report")
+    contents["style.css"] = (FOLDER / "style.css").read_text(encoding="utf-8")
+    contents |= _pages(data, {e.statement.id: e for e in entries})
+    for name, content in contents.items():
+        write_atomically(folder / name, content)
+        progress(name)
     return [folder / name for name in contents]
 
 
-def _pages(data: dict[str, Any], figures: dict[str, bytes | str]) -> dict[str, str]:
-    """The site: an index of all statements, a page for each paper, the errata, and what goes beyond the papers."""
-    shown = {"figures": figures, "validity": validity_picture(), "regimes": regimes_picture()}
-    pages = {name: _template(f"{name}.j2").render(data, **shown) for name in PAGES}
-    paper = _template("paper.html.j2")
-    return pages | {f"{p['key']}.html": paper.render(data, paper=p, figures=figures) for p in data["papers"]}
+def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
+    """The site: an index, a page for each paper, the errata, the derivations, what goes beyond, and the sources."""
+    papers = [{**p, "entries": [{**e, **_shown(entries[e["id"]])} for e in p["entries"]]} for p in data["papers"]]
+    cards = [e for p in papers for e in p["entries"]]
+    shown = {**data, "papers": papers, "errata": [_slips(cards, *kind) for kind in ERRATA]}
+    made = {name: _template(f"{name}.j2").render(shown, derivations=pages.derivations()) for name in PAGES}
+    made |= {f"{p['key']}.html": _template("paper.html.j2").render(shown, paper=p) for p in papers}
+    for path in sorted({e["source"].partition(":")[0] for e in cards}):
+        page = _template("source.html.j2").render(shown, path=path, lines=pages.source_lines(path))
+        made[pages.source_name(path)] = page
+    index = json.dumps([_found(e) for e in cards], ensure_ascii=False)
+    made["search.js"] = (FOLDER / "search.js").read_text(encoding="utf-8").replace("{{ index }}", index)
+    return made
+
+
+def _shown(entry: Entry) -> dict[str, Any]:
+    """What a card shows beyond the data: the difference marked, the evidence in words, the near miss, the source."""
+    s, path = entry.statement, source(entry.statement)
+    plain = entry.to_dict()
+    return {
+        "marked": marked(s.latex, s.corrected_latex) if s.corrected_latex else None,
+        "evidence_words": evidence(plain),
+        "outcome_words": {name: OUTCOMES[str(outcome)] for name, outcome in entry.outcomes.items()},
+        "near_miss_form": pages.near_miss(s) if "near miss" in entry.outcomes else None,
+        "source": path,
+        "source_page": pages.source_name(path.partition(":")[0]) + "#L" + path.partition(":")[2],
+        "section": pages.section_of(s),
+    }
+
+
+def _slips(cards: list[dict[str, Any]], name: str, title: str, verdicts: tuple[Printed, ...]) -> dict[str, Any]:
+    return {"name": name, "title": title, "entries": [e for e in cards if e["printed"] in verdicts]}
+
+
+def _found(card: dict[str, Any]) -> dict[str, str]:
+    """One entry of the search index; the text is reduced as the query is, in search.js."""
+    text = " ".join(
+        (card["id"], card["title"], card["latex"], card["corrected"] or "", card["note"], card["conditions"])
+    )
+    for mark in (r"\hat", r"\ddot", r"\dot", r"\tilde", r"\text", r"\mathrm", r"\left", r"\right", *"{}\\$()"):
+        text = text.replace(mark, "")
+    page = card["id"].partition(":")[0] + ".html"
+    return {"id": card["id"], "title": card["title"], "page": page, "verdict": card["printed"], "text": text.lower()}
 
 
 def report_data(entries: list[Entry]) -> dict[str, Any]:
@@ -64,14 +120,29 @@ def _paper(key: str, entries: list[Entry]) -> dict[str, Any]:
         "name": key[:-4].capitalize() + " " + key[-4:],
         "reference": PAPERS[key][0],
         "summary": dict(Counter(str(e.printed) for e in entries)),
+        "sections": pages.sections(key),
         "entries": [e.to_dict() for e in entries],
         "slips": [e.statement.id for e in entries if e.printed in SLIPS],
         "disagreements": [e.statement.id for e in entries if not e.agrees],
-        "tables": [build(name, 30).to_dict() for name in TABLES.get(key, ())],
+        "tables": [_table(name) for name in TABLES.get(key, ())],
         "figures": [
             {"name": name, "file": f"{key}-{name}", "statement": _statement_of(key, name, entries), "caption": text}
             for name, (text, _) in _pictures(key).items()
         ],
+    }
+
+
+def _table(name: str) -> dict[str, Any]:
+    table = build(name, 30)
+    return {
+        "table": name,
+        "title": table.title,
+        "columns": list(table.columns),
+        "rows": [[str(cell) for cell in row] for row in table.rows],
+        "provenance": table.source,
+        "heads": [HEADS.get(column, rf"\text{{{column.replace('_', ' ')}}}") for column in table.columns],
+        "typeset": [[cell.latex if isinstance(cell, Formula) else cell for cell in row] for row in table.rows],
+        "tabular": table.to_latex(),
     }
 
 
@@ -95,11 +166,13 @@ def _figures(entries: list[Entry], progress: Progress) -> Iterator[tuple[str, by
             yield f"{key}-{name}.svg", render(draw).decode()
             yield f"{key}-{name}.png", render(draw, kind="png")
             progress(f"{key} {name}")
+    yield "engine-validity.svg", validity_picture()
+    yield "engine-regimes.svg", regimes_picture()
 
 
 def _template(name: str) -> jinja2.Template:
     environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(Path(__file__).parent),
+        loader=jinja2.FileSystemLoader(FOLDER),
         autoescape=name.endswith(".html.j2"),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
@@ -107,16 +180,6 @@ def _template(name: str) -> jinja2.Template:
     )
     environment.filters["inline_mathml"] = to_mathml
     environment.filters["mathml"] = lambda latex: to_mathml(latex, display=True)
-    environment.filters["tex"] = lambda text: "".join(_TEX.get(c, c) for c in str(text))
-    environment.filters["inline"] = lambda svg: svg[svg.index("<svg") :]
+    environment.filters["tex"] = tex
+    environment.filters["signs"] = typeset
     return environment.get_template(name)
-
-
-_GREEK = (
-    r"\alpha", r"\beta", r"\gamma", r"\delta", r"\varepsilon", r"\kappa", r"\mu", r"\pi", r"\tau",
-    r"\varphi", r"\psi", r"\omega", r"\Omega",
-)  # fmt: skip
-_TEX = {c: "\\" + c for c in "&%$#_{}"}
-_TEX |= {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}"}
-_TEX |= {"−": "$-$", "²": "$^2$", "′": "$'$", "₀": "$_0$", "≤": r"$\le$", "·": r"$\cdot$", "–": "--", "é": "\\'e"}
-_TEX |= {c: f"${command}$" for c, command in zip("αβγδεκμπτφψωΩ", _GREEK)}

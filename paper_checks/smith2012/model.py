@@ -16,7 +16,8 @@ import sympy
 from flint import arb, ctx
 
 from asymptotics.numbers.bridge import closed_form_ball
-from asymptotics.verdict import Outcome
+from asymptotics.verdict import Evidence, Outcome
+from paper_checks.evidence import mark
 from paper_checks.identities import decided
 
 PAPER = "smith2012"
@@ -54,6 +55,7 @@ def physical(expression: sympy.Expr) -> sympy.Expr:
 
 def same_polynomial(left: sympy.Expr, right: sympy.Expr) -> Outcome:
     """Equality of polynomials in whatever atoms occur (derivatives included): decided by expansion, both ways."""
+    mark(Evidence.PROVED)
     return decided(sympy.expand(left - right) == 0)
 
 
@@ -111,4 +113,5 @@ def vanishes_on_orbit(difference: sympy.Expr) -> Outcome:
         return Outcome.REFUTED
     partner = sympy.exp(-2 * u1) * (2 * u1 + 1) / (2 * u0 + 1)
     reduced = sympy.simplify(sympy.expand(difference).subs(sympy.exp(-2 * u0), partner))
+    mark(Evidence.PROVED)
     return Outcome.CONFIRMED if reduced == 0 else Outcome.UNDECIDED

@@ -46,12 +46,14 @@ def gradient(scalar: sympy.Expr, letters: tuple[sympy.Symbol, ...]) -> tuple[sym
 @statement(
     id="smith2012:1a", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="A derivative becomes a variable of its own", latex=r"\frac{dx^i}{dt} = y^i", printed=1, near_miss=2,
+    conditions="none",
     methods=("order of the derivative of x = e^{omega t}",), note="Form: the order of the derivative that y is.",
 )
 @statement(
     id="smith2012:1b", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Its own derivative is the second one", latex=r"\frac{d^2x^i}{dt^2} = \frac{dy^i}{dt}", printed=1,
-    near_miss=2, methods=("(1a) differentiated",), note="Form: the order of the derivative of x that y must be.",
+    near_miss=2,
+    conditions="none", methods=("(1a) differentiated",), note="Form: the order of the derivative of x that y must be.",
 )
 def first_order_system(order: int) -> Outcome:
     """x'' = y' for the y of that order, on x = sin(omega t)."""
@@ -67,7 +69,7 @@ CONSTANCY = diff(S_general, t) + dot(gradient(S_general, QS), DOTS)
     title="The partial differential equation of the constants of the motion",
     latex=r"0 = \frac{\partial S}{\partial t} + \sum_i\frac{\partial S}{\partial q^i}\frac{dq^i}{dt}, \quad"
     r" 1 \le i \le n",
-    printed=CONSTANCY, near_miss=2 * diff(S_general, t) - CONSTANCY, methods=("chain rule, n = 3",),
+    printed=CONSTANCY, near_miss=2 * diff(S_general, t) - CONSTANCY, conditions="none", methods=("chain rule, n = 3",),
 )
 def constants_equation(form: sympy.Expr) -> Outcome:
     """The total derivative of S(q(t), t), for S = exp(k_0 t + k.q) with all k."""
@@ -96,7 +98,7 @@ def number_of_constants(form: tuple[int, int]) -> Outcome:
 @statement(
     id="smith2012:3", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="Newton's second law", latex=r"m\ddot{x}^i = f^i(x^j, \dot{x}^j; t), \quad i, j \le 3", printed=1,
-    near_miss=-1, methods=("with f = -m omega^2 x",), note="Form: the sign of the force.",
+    near_miss=-1, conditions="none", methods=("with f = -m omega^2 x",), note="Form: the sign of the force.",
 )
 def newton(sign: int) -> Outcome:
     """x = sin(omega t) under the force -M omega^2 x."""
@@ -107,7 +109,7 @@ def newton(sign: int) -> Outcome:
 @statement(
     id="smith2012:4a", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="The first half of the expanded system", latex=r"v^i = \dot{x}^i", printed=1, near_miss=2,
-    methods=("as for (1a)",), note="Form: the order of the derivative.",
+    conditions="none", methods=("as for (1a)",), note="Form: the order of the derivative.",
 )
 def velocity(order: int) -> Outcome:
     """As (1a)."""
@@ -117,7 +119,7 @@ def velocity(order: int) -> Outcome:
 @statement(
     id="smith2012:4b", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="The second half of the expanded system", latex=r"m\dot{v}^i = ma^i = f^i(x^j, v^j; t)", printed=1,
-    near_miss=-1, methods=("with f = -m omega^2 x",), note="Form: the sign of the force.",
+    near_miss=-1, conditions="none", methods=("with f = -m omega^2 x",), note="Form: the sign of the force.",
 )
 def newton_expanded(sign: int) -> Outcome:
     """As (3)."""
@@ -132,7 +134,7 @@ STATE = diff(S_state, t) + dot(gradient(S_state, QS), VS) + dot(gradient(S_state
     title="Equation (2) for a particle",
     latex=r"0 = \frac{\partial S}{\partial t} + \sum_{i=1}^3\frac{\partial S}{\partial x^i}v^i +"
     r" \sum_{i=1}^3\frac{\partial S}{\partial v^i}a^i",
-    printed=STATE, near_miss=STATE - 2 * dot(gradient(S_state, VS), AS), methods=("chain rule",),
+    printed=STATE, near_miss=STATE - 2 * dot(gradient(S_state, VS), AS), conditions="none", methods=("chain rule",),
 )
 def state_equation(form: sympy.Expr) -> Outcome:
     """The total derivative of S(x(t), v(t), t), for S = exp(k_0 t + k.x + l.v) with all k and l; dx/dt = v."""
@@ -149,7 +151,7 @@ KINETIC = M * dot(VS, VS) / 2
 @statement(
     id="smith2012:6", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="Conservative forces", latex=r"a^i = -\frac{1}{m}\frac{\partial\phi}{\partial x^i}", printed=CONSERVATIVE,
-    near_miss=tuple(-a for a in CONSERVATIVE), methods=("the power is -d phi/dt",),
+    near_miss=tuple(-a for a in CONSERVATIVE), conditions="none", methods=("the power is -d phi/dt",),
 )
 def conservative_forces(form: tuple[sympy.Expr, ...]) -> Outcome:
     """m a.v + v.grad phi = 0."""
@@ -164,7 +166,8 @@ POTENTIAL_TERM = -dot(gradient(S_state, VS), gradient(phi, QS)) / M
     title="Equation (5) for conservative forces",
     latex=r"0 = \frac{\partial S}{\partial t} + \sum_{i=1}^3\frac{\partial S}{\partial x^i}v^i -"
     r" \frac{1}{m}\sum_{i=1}^3\frac{\partial S}{\partial v^i}\frac{\partial\phi}{\partial x^i}",
-    printed=POTENTIAL_TERM, near_miss=-POTENTIAL_TERM, methods=("(6) in (5)",), note="Form: the last sum.",
+    printed=POTENTIAL_TERM, near_miss=-POTENTIAL_TERM,
+    conditions="none", methods=("(6) in (5)",), note="Form: the last sum.",
 )
 def conservative_equation(form: sympy.Expr) -> Outcome:
     """(5) with (6), whatever S and phi are."""
@@ -175,7 +178,7 @@ def conservative_equation(form: sympy.Expr) -> Outcome:
     id="smith2012:8", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The energy is its immediate time-independent solution",
     latex=r"S = \frac{1}{2}m\sum_{i=1}^3v^iv^i + \phi", printed=KINETIC + phi, near_miss=KINETIC - phi,
-    methods=("substitution in (7)",),
+    conditions="none", methods=("substitution in (7)",),
 )
 def energy_is_constant(form: sympy.Expr) -> Outcome:
     """v.grad S - grad phi.grad_v S/m, for an arbitrary phi."""
@@ -188,7 +191,7 @@ def energy_is_constant(form: sympy.Expr) -> Outcome:
     id="smith2012:claim.angular-momentum", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Angular momentum is a constant of central force motion", printed=QS, near_miss=(QS[0], QS[1], -QS[2]),
     latex=r"\text{the case of total angular momentum } L^i \text{ for central force motion}",
-    methods=("derivative of x cross v",), note="Form: the direction of the force.",
+    conditions="none", methods=("derivative of x cross v",), note="Form: the direction of the force.",
 )
 def angular_momentum(form: tuple[sympy.Expr, ...]) -> Outcome:
     """d/dt (x cross v) = x cross a."""
@@ -198,12 +201,12 @@ def angular_momentum(form: tuple[sympy.Expr, ...]) -> Outcome:
 @statement(
     id="smith2012:9", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="One dimension, no explicit time", latex=r"m\dot{v} = f(x, v)", printed=force / M, near_miss=force,
-    methods=("(4b) in one dimension",), note="Form: the acceleration.",
+    conditions="none", methods=("(4b) in one dimension",), note="Form: the acceleration.",
 )
 @statement(
     id="smith2012:10", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="The identity by which it is multiplied", latex=r"v = \dot{x}", printed=force / M, near_miss=-force / M,
-    methods=("(9) times v dt is (11)",), note="Form: the acceleration for which v dv = a dx.",
+    conditions="none", methods=("(9) times v dt is (11)",), note="Form: the acceleration for which v dv = a dx.",
 )
 def one_dimension(acceleration: sympy.Expr) -> Outcome:
     """m a = f."""
@@ -213,7 +216,8 @@ def one_dimension(acceleration: sympy.Expr) -> Outcome:
 @statement(
     id="smith2012:11", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The law as a Pfaffian form", latex=r"mv\,dv = f(x, v)\,dx", printed=(M * v, -force),
-    near_miss=(M * v, force), methods=("dx = v dt, dv = f dt/m",), note="Form: coefficients of dv and dx.",
+    near_miss=(M * v, force),
+    conditions="none", methods=("dx = v dt, dv = f dt/m",), note="Form: coefficients of dv and dx.",
 )
 @statement(
     id="smith2012:12", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
@@ -259,7 +263,7 @@ INTEGRABILITY = M * diff(mu * v, x) + diff(mu * force, v)
     id="smith2012:13", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The integrability condition",
     latex=r"m\frac{\partial(\mu v)}{\partial x} = -\frac{\partial(\mu f)}{\partial v}", printed=INTEGRABILITY,
-    near_miss=M * diff(mu * v, x) - diff(mu * force, v), methods=("cross derivatives of (12)",),
+    near_miss=M * diff(mu * v, x) - diff(mu * force, v), conditions="none", methods=("cross derivatives of (12)",),
     derivation="smith-integrating-factor", note="It gives (37). Form: left minus right side.",
 )
 def integrability(form: sympy.Expr) -> Outcome:

@@ -22,13 +22,14 @@ z = sympy.Symbol("z", positive=True)
 @statement(
     id="smith2012:17", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The form of the second constant", latex=r"T(x, v; t) = \omega t + \tilde{T}(x, v)",
-    printed=omega * t + That, near_miss=omega * t**2 + That, methods=("(5): the equation for the rest is free of t",),
+    printed=omega * t + That, near_miss=omega * t**2 + That,
+    conditions="none", methods=("(5): the equation for the rest is free of t",),
     note="omega is here any constant with the dimension of a frequency; in section III it is the natural one.",
 )
 @statement(
     id="smith2012:18a", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The time derivative of T", latex=r"\frac{\partial T}{\partial t} = \omega", printed=omega * t + That,
-    near_miss=omega**2 * t + That, methods=("(17) differentiated",), note="Form: T.",
+    near_miss=omega**2 * t + That, conditions="none", methods=("(17) differentiated",), note="Form: T.",
 )
 def separated(form: sympy.Expr) -> Outcome:
     """dT/dt is omega."""
@@ -39,7 +40,8 @@ def separated(form: sympy.Expr) -> Outcome:
     id="smith2012:18b", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The equation of its other part",
     latex=r"v\frac{\partial T}{\partial x} + \frac{f}{m}\frac{\partial T}{\partial v} = -\omega", printed=-omega,
-    near_miss=omega, methods=("(17) in (5)", "on the harmonic oscillator"), note="Form: the right side.",
+    near_miss=omega,
+    conditions="none", methods=("(17) in (5)", "on the harmonic oscillator"), note="Form: the right side.",
 )
 def rest_of_second_constant(right: sympy.Expr) -> Outcome:
     """(5) leaves dT/dt + left = 0; the clock of the harmonic oscillator has this left side too."""

@@ -21,7 +21,7 @@ P = v + gamma * x
 @statement(
     id="smith2012:25", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="The simple harmonic oscillator", latex=r"m\dot{v} = -m\omega^2x", printed=-(omega**2) * x,
-    near_miss=omega**2 * x, methods=("x = sin(omega t)",), note="Form: the acceleration.",
+    near_miss=omega**2 * x, conditions="none", methods=("x = sin(omega t)",), note="Form: the acceleration.",
 )
 def harmonic_oscillator(form: sympy.Expr) -> Outcome:
     """The acceleration of sin(omega t)."""
@@ -33,7 +33,7 @@ def harmonic_oscillator(form: sympy.Expr) -> Outcome:
     id="smith2012:26", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Its first constant",
     latex=r"S = \frac{1}{2}m(v^2 + \omega^2x^2) = \frac{1}{2}m(v_0^2 + \omega^2x_0^2)", printed=ENERGY,
-    near_miss=M * (v**2 + omega * x**2) / 2, methods=("(12) with mu = 1: gradient and rate",),
+    near_miss=M * (v**2 + omega * x**2) / 2, conditions="none", methods=("(12) with mu = 1: gradient and rate",),
 )
 def first_constant(form: sympy.Expr) -> Outcome:
     """dS = m v dv + m omega^2 x dx, and the rate along the motion is 0."""
@@ -79,7 +79,8 @@ def partial_sum(sign: int, terms: int) -> sympy.Expr:
 def harmonic_series(sign: int) -> Outcome:
     """After N terms omega/v - d(sum)/dx is (-1)^N z^(2N) omega/v."""
     z = omega * x / speed
-    outcomes = []
+    j, ratio = sympy.symbols("j z", positive=True)
+    outcomes = [same(diff(ratio ** (2 * j + 1) / (2 * j + 1), ratio), ratio ** (2 * j))]  # the general term
     for terms in range(1, 7):
         derivative = diff(partial_sum(sign, terms), x).subs(diff(speed, x), -(omega**2) * x / speed)
         outcomes.append(same_polynomial(omega / speed - derivative, (-1) ** terms * z ** (2 * terms) * omega / speed))
@@ -89,7 +90,8 @@ def harmonic_series(sign: int) -> Outcome:
 @statement(
     id="smith2012:claim.convergence-of-27c", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The series converges for (omega x/v)^2 < 1", printed=1, near_miss=2,
-    latex=r"\text{The sequence converges for } (\omega x/v)^2 < 1", methods=("ratio of successive terms",),
+    latex=r"\text{The sequence converges for } (\omega x/v)^2 < 1",
+    conditions="none", methods=("ratio of successive terms",),
     note="It converges at (omega x/v)^2 = 1 as well, but not beyond: up to a phase of pi/4 from the passage of x = 0;"
     " the arctangent in (28) is a continuation. Form: the square of the radius of convergence.",
 )
@@ -159,7 +161,8 @@ def arctangent_identity(form: tuple[int, int]) -> Outcome:
 @statement(
     id="smith2012:claim.standard-motion", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Either form of T gives the standard motion", printed=SOLVED, near_miss=SOLVED.subs(t, -t),
-    latex=r"x = \frac{1}{\omega}\sqrt{\frac{2S}{m}}\sin(\omega t - T)", methods=("S and T of the motion",),
+    latex=r"x = \frac{1}{\omega}\sqrt{\frac{2S}{m}}\sin(\omega t - T)",
+    conditions="none", methods=("S and T of the motion",),
     note="The exercise left to the reader; with (30) the constant differs by pi/2, so that a cosine appears.",
 )
 def standard_motion(form: sympy.Expr) -> Outcome:

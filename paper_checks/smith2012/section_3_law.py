@@ -203,7 +203,7 @@ def first_constants(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 @statement(
     id="smith2012:claim.parity-S", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="S^- and S^+ are related by a parity transformation", latex=r"S^-(-x, -v) = S^+(x, v)",
-    printed=1, near_miss=-1, methods=("substitution",), derivation="smith-integrating-factor",
+    printed=1, near_miss=-1, conditions="none", methods=("substitution",), derivation="smith-integrating-factor",
     note="True of (38b) as printed and as corrected: the parity exchanges the exponents as well.",
 )
 def parity_of_constants(sign: int) -> Outcome:

@@ -11,8 +11,9 @@ Half-cycle n = 0, 1, 2, ... starts at the turning point u_n with S - S_n = S^-(u
 import sympy
 from flint import arb, ctx
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed, balls_agree
-from paper_checks.identities import all_confirmed, decided, rounds_to, same, vanishes
+from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.evidence import mark
+from paper_checks.identities import all_confirmed, balls_agree, below, decided, rounds_to, same, vanishes
 from paper_checks.registry import Check, Statement, add, statement
 from paper_checks.smith2012.model import (
     QUARTER,
@@ -54,7 +55,7 @@ def members(prefactor: sympy.Expr, left: sympy.Expr, right: sympy.Expr, sign: in
     r" = -\frac{1}{4}e^{-2u_{2n}}(2u_{2n}+1)",
     variables="u_1 stands for u_{2n+1}, u_0 for u_{2n}", printed=members(sympy.Integer(1), u1, u0, 1),
     corrected=members(-QUARTER, u1, u0, 1), near_miss=members(QUARTER, u1, u0, 1),
-    methods=("w = 0 in (52c)",), note=FACTOR_NOTE + GARBLED, derivation="smith-turning-points",
+    conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + GARBLED, derivation="smith-turning-points",
 )
 def falling_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """Both members are S^- at their turning points."""
@@ -69,7 +70,7 @@ def falling_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     r" = \frac{1}{4}e^{2u_{2n+1}}(2u_{2n+1}-1)",
     variables="u_2 stands for u_{2n+2}, u_1 for u_{2n+1}", printed=members(sympy.Integer(1), u2, u1, -1),
     corrected=members(QUARTER, u2, u1, -1), near_miss=members(-QUARTER, u2, u1, -1),
-    methods=("w = 0 in (52c)",), note=FACTOR_NOTE + GARBLED, derivation="smith-turning-points",
+    conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + GARBLED, derivation="smith-turning-points",
 )
 def rising_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """Both members are S^+ at their turning points."""
@@ -123,6 +124,7 @@ def check_decimal(column: str, index: int, printed: str) -> Outcome:
     with ctx.workprec(BITS):
         value = _table_value(column, index)
         if index == 0 and column != "S":
+            mark(Evidence.CERTIFIED)
             return decided(bool(value == arb(printed)))
         return rounds_to(printed, value)
 
@@ -183,7 +185,7 @@ def joined(constants: tuple[str, ...], tolerance: str = "1.6e-6") -> Outcome:
         defects = [
             abs(invariant(n, points[n]) + arb(S) - invariant(0, points[0])) for n, S in enumerate(constants)
         ]
-        return decided(all(bool(defect < arb(tolerance)) for defect in defects))
+        return all_confirmed(*(below(defect, arb(tolerance)) for defect in defects))
 
 
 PRINTED_CONSTANTS = tuple(printed for key, column, _, printed, *_ in TABLE if column == "S_n")
@@ -225,5 +227,6 @@ def cycles_join(constants: tuple[str, ...]) -> Outcome:
     """The arcs join, there is an even number of them, and the orbit has shrunk on the side where it started."""
     with ctx.workprec(BITS):
         points = orbit(len(constants) + 1)
-        inward = [bool(abs(b) < abs(a)) and bool(a * b < 0) for a, b in zip(points, points[1:])]
-        return all_confirmed(joined(constants), decided(all(inward) and len(constants) % 2 == 0))
+        inward = [below(abs(b), abs(a)) for a, b in zip(points, points[1:])]
+        turned = [below(a * b, arb(0)) for a, b in zip(points, points[1:])]
+        return all_confirmed(joined(constants), *inward, *turned, decided(len(constants) % 2 == 0))

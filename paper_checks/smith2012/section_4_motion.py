@@ -16,7 +16,8 @@ from flint import ctx
 from mpmath import cos, exp, expm1, lambertw, log, mp, mpf, pi, quad, sin, sqrt
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
-from paper_checks.identities import all_confirmed, decided, same, vanishes
+from paper_checks.evidence import mark
+from paper_checks.identities import all_confirmed, below, decided, same, vanishes
 from paper_checks.registry import statement
 from paper_checks.smith2012.model import FALLING_FORCE, Z_OF_STATE, gamma, invariant, n, omega, orbit, u0, v, x
 from paper_checks.smith2012.section_3_table import integration_constants
@@ -59,6 +60,7 @@ def half_period(start: mpf) -> mpf:
 
 def measured_order(error: Callable[[mpf], mpf]) -> float:
     """log_2 of the ratio of the errors at the two smallest of AMPLITUDES."""
+    mark(Evidence.MEASURED)
     with mp.workdps(DIGITS):
         coarse, fine = (abs(error(mpf(amplitude))) for amplitude in AMPLITUDES[-2:])
         return float(log(coarse / fine) / log(2))
@@ -197,6 +199,7 @@ def frequency(form: sympy.Expr) -> Outcome:
 def start_of_half_cycle(form: sympy.Expr) -> Outcome:
     """The turning point u_j with S^-+(u_j, 0) = S - S_n is u_n only, and u_j is reached at t = j pi/omega."""
     with ctx.workprec(300):
+        mark(Evidence.CERTIFIED)
         points, constants = orbit(5), integration_constants(5)
         energies = [invariant(0, points[0]) - constant for constant in constants]
         for number, energy in enumerate(energies[1:], 1):
@@ -290,6 +293,7 @@ def three_cycles(form: sympy.Expr) -> Outcome:
 def exponential_through(form: tuple[int, int]) -> Outcome:
     """The exponential u_0 (u_2/u_0)^k meets the maxima u_(2k), k = 0 ... 3, at the k of the form and nowhere else."""
     with ctx.workprec(300):
+        mark(Evidence.CERTIFIED)
         maxima = orbit(7)[::2]
         ratio = maxima[1] / maxima[0]
         agree = [k for k, top in enumerate(maxima) if (top - maxima[0] * ratio**k).contains(0)]
@@ -309,6 +313,6 @@ def slower_than_exponential(sign: int) -> Outcome:
     with ctx.workprec(300):
         maxima = orbit(21)[::2]
         ratios = [b / a for a, b in zip(maxima, maxima[1:])]
-        above = [bool(top > maxima[0] * ratios[0] ** k) for k, top in enumerate(maxima) if k > 1]
-        growing = [bool(b > a) for a, b in zip(ratios, ratios[1:])]
-    return decided(all(above) and all(growing) and sign == 1)
+        above = [below(maxima[0] * ratios[0] ** k, top) for k, top in enumerate(maxima) if k > 1]
+        growing = [below(a, b) for a, b in zip(ratios, ratios[1:])]
+    return all_confirmed(*above, *growing, decided(sign == 1))

@@ -129,13 +129,14 @@ def order_of_58(power: int) -> sympy.Expr:
 @statement(
     id="smith2012:59b", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Order zero", latex=r"0 = 1 - f_1 - wf_1'", printed=(1, 1 - f(1) - w * df(1)),
-    near_miss=(1, 1 - f(1) + w * df(1)), methods=("coefficient of z^0 in (58)",), derivation="smith-time-series",
+    near_miss=(1, 1 - f(1) + w * df(1)),
+    conditions="none", methods=("coefficient of z^0 in (58)",), derivation="smith-time-series",
     note="f_1 = 1 + c/w; only c = 0 is regular at the turning points. Form: (n, coefficient of z^{n-1}).",
 )
 @statement(
     id="smith2012:59c", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Order one", latex=r"0 = wf_2' + 2f_2 - 2wf_1", printed=(2, w * df(2) + 2 * f(2) - 2 * w * f(1)),
-    near_miss=(2, w * df(2) + f(2) - 2 * w * f(1)), methods=("coefficient of z^1 in (58)",),
+    near_miss=(2, w * df(2) + f(2) - 2 * w * f(1)), conditions="none", methods=("coefficient of z^1 in (58)",),
     derivation="smith-time-series",
 )
 def low_order(form: tuple[int, sympy.Expr]) -> Outcome:
@@ -220,7 +221,8 @@ for _polynomial in POLYNOMIALS:
     id="smith2012:60h", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="f_n is a polynomial of degree n - 1",
     latex=r"f_n = \sum_{i=0}^{n-1} C_i^n\left(\frac{\gamma v}{\omega}\right)^i", printed=(0, n - 1),
-    near_miss=(0, n - 2), methods=(f"rows to n = {ROWS}", "induction on (59d)"), derivation="smith-denominators",
+    near_miss=(0, n - 2),
+    conditions="none", methods=(f"rows to n = {ROWS}", "induction on (59d)"), derivation="smith-denominators",
     note="C_{n-1}^n is not zero for any n: it is the product of 2(k-1)/(2k-1) over k = 2 ... n. Form: limits of i.",
 )
 def degree(form: tuple[sympy.Expr | int, sympy.Expr]) -> Outcome:

@@ -59,7 +59,7 @@ def sum_zero(form: sympy.Expr) -> Outcome:
     r" - \frac{n-2}{n+1}C_1^{n-2}, & n = \text{even}, \\ 0, & n = \text{odd} \end{cases}",
     printed=(2 * (n - 1) / (n + 1), 2 * sign_power(2) / (n + 1), -(n - 2) / (n + 1)),
     near_miss=(2 * (n - 1) / (n + 1), 2 * sign_power(0) / (n + 1), -(n - 2) / (n + 1)),
-    methods=(f"rows to n = {ROWS}", "(62a) at i = 1 with (63)"), derivation="smith-closed-sum",
+    conditions="none", methods=(f"rows to n = {ROWS}", "(62a) at i = 1 with (63)"), derivation="smith-closed-sum",
 )
 def column_one(form: tuple[sympy.Expr, sympy.Expr, sympy.Expr]) -> Outcome:
     """Both members give C_1^n for even n, and C_1^n = 0 for odd n."""
@@ -101,6 +101,7 @@ def column_one_closed(form: tuple[int, sympy.Expr]) -> Outcome:
 @statement(
     id="smith2012:claim.induction-start", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="It is true for n = 2, hence for all even n", latex=r"C_1^2 = \frac{2}{3}", printed=2, near_miss=3,
+    conditions="none",
     methods=("f_2 = (2/3) w", "induction step"), derivation="smith-footnote-8", note="Form: the n where it starts.",
 )
 def induction_start(start: int) -> Outcome:

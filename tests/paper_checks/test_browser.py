@@ -5,6 +5,7 @@ import shutil
 import pytest
 from selenium import webdriver
 from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import Select
 
 CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
 pytestmark = pytest.mark.skipif(
@@ -27,34 +28,51 @@ def browser(tmp_path_factory):
     driver.quit()
 
 
-def test_clicking_through_the_report(browser, report):
-    browser.get((report / "index.html").as_uri())
-    pages = [a.get_attribute("href") for a in browser.find_elements(By.CSS_SELECTOR, "nav a")]
-    assert len(pages) >= 4
-    for page in pages:
-        browser.get(page)
+@pytest.mark.parametrize("width", [390, 768, 1280, 1920])
+def test_no_page_is_wider_than_its_window(browser, report, width):
+    browser.set_window_size(width, 844)
+    for page in sorted(report.glob("*.html")):
+        browser.get(page.as_uri())
         assert browser.find_element(By.TAG_NAME, "h1").text
         wide = browser.execute_script("return document.documentElement.scrollWidth - window.innerWidth")
-        assert wide <= 0, f"{page} is wider than a phone by {wide} pixels"
+        assert wide <= 0, f"{page.name} is wider than {width} by {wide} pixels"
 
 
 def test_formulas_and_figures_are_drawn(browser, report):
     browser.get((report / "smith2012.html").as_uri())
-    heights = [f.size["height"] for f in browser.find_elements(By.TAG_NAME, "math")]
+    heights = [f.size["height"] for f in browser.find_elements(By.CSS_SELECTOR, "article > .formula math")]
     assert len(heights) > 100
     assert min(heights) > 5
     fraction = browser.find_element(By.CSS_SELECTOR, "math mfrac").size["height"]
     assert fraction > 18  # two storeys: the browser lays MathML out, it does not print its text in a row
-    figures = browser.find_elements(By.CSS_SELECTOR, "figure svg")
+    figures = browser.find_elements(By.CSS_SELECTOR, "figure img")
     assert figures
-    assert all(f.size["height"] > 100 for f in figures)
+    for figure in figures:
+        browser.execute_script("arguments[0].scrollIntoView(); arguments[0].loading = 'eager'", figure)
+        assert browser.execute_async_script(
+            "const [image, done] = arguments; image.decode().then(() => done(image.naturalWidth))", figure
+        ) > 100
 
 
-def test_a_statement_is_found_and_opened(browser, report):
-    browser.get((report / "index.html").as_uri())
-    browser.find_element(By.ID, "search").send_keys("62b")
-    rows = [r for r in browser.find_elements(By.CSS_SELECTOR, ".statements tr td:first-child a") if r.is_displayed()]
-    assert [r.text for r in rows] == ["smith2012:62b"]
-    rows[0].click()
-    assert browser.current_url.endswith("smith2012.html#smith2012:62b")
-    assert "misprint" in browser.find_element(By.ID, "smith2012:62b").text
+@pytest.mark.parametrize(
+    ("query", "wanted"), [("62b", "smith2012:62b"), ("S_3", "smith2012:table1.S3"), ("(43)", "smith2012:43")]
+)
+@pytest.mark.parametrize("page", ["index", "lelas2024", "derivations"])
+def test_a_statement_is_found_from_every_page(browser, report, page, query, wanted):
+    browser.get((report / f"{page}.html").as_uri())
+    browser.find_element(By.ID, "search").send_keys(query)
+    links = browser.find_elements(By.CSS_SELECTOR, "#found a")
+    hit = next(a for a in links if a.get_attribute("href").endswith("#" + wanted))
+    browser.get(hit.get_attribute("href"))
+    assert browser.find_element(By.ID, wanted).is_displayed()
+
+
+def test_nothing_found_is_said_and_verdicts_are_filtered(browser, report):
+    browser.get((report / "smith2012.html").as_uri())
+    box = browser.find_element(By.ID, "search")
+    box.send_keys("zzzz")
+    assert "Nothing found" in browser.find_element(By.ID, "found").text
+    Select(browser.find_element(By.ID, "filter")).select_by_visible_text("misprint")
+    shown = [a for a in browser.find_elements(By.TAG_NAME, "article") if a.is_displayed()]
+    assert shown
+    assert {a.get_attribute("data-verdict") for a in shown} == {"misprint"}

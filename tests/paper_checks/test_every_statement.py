@@ -25,6 +25,8 @@ def test_the_check_bears_out_the_recorded_verdict_and_can_fail(key):
     assert result.printed == ENTRIES[key].verdict
     assert result.outcomes["near miss"] == Outcome.REFUTED
     assert result.outcomes["printed"] != Outcome.UNDECIDED
+    assert result.evidence == ENTRIES[key].evidence  # the label is what the check used, or a derivation
+    assert result.order_by != "argued" or ENTRIES[key].evidence != Evidence.MEASURED
 
 
 @pytest.mark.parametrize("key", OPEN)
@@ -43,6 +45,7 @@ def test_what_is_wrong_is_corrected_and_explained(key):
     assert bool(entry.note) or not wrong
     assert entry.evidence != Evidence.NONE
     assert entry.methods
+    assert entry.conditions
     assert entry.kind != Kind.APPROXIMATION or entry.order is not None
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
+from derivations.__main__ import names
 from paper_checks import registry
 from paper_checks.__main__ import main
 from paper_checks.registry import PAPERS, Entry, expected_outcomes, load
@@ -45,16 +46,41 @@ def test_every_page_is_well_formed_and_self_contained(report):
     for name, page in pages.items():
         page.feed((report / name).read_text())
         assert page.open == []
+    files = {path.name for path in report.iterdir()}
     for name, page in pages.items():
         for link in page.links:
             target, _, anchor = link.partition("#")
-            assert not target or target in pages, link
+            assert not target or target in files, link  # no address: nothing comes from a network
             assert not anchor or anchor in pages[target or name].ids, link
-    text = "".join((report / name).read_text() for name in pages)
-    assert text.count("<script") == text.count("<script>") == 1  # the search of the index; nothing is loaded
-    assert "src=" not in text
-    drawn = len(list(report.glob("*.svg")))
-    assert text.count("<svg") == 2 * drawn + 2  # on the index and on the page of the paper; and two on the engine
+        text = (report / name).read_text()
+        assert text.count("<script") == text.count('<script src="search.js">') == 1
+        assert text.count("<img") == text.count(' alt="')
+        assert 'alt=""' not in text
+        assert "<svg" not in text
+    drawn = {path.name for path in report.glob("*.svg")}
+    assert drawn <= {link for page in pages.values() for link in page.links}
+    assert "http" not in (report / "search.js").read_text() + (report / "style.css").read_text()
+
+
+def test_every_card_is_complete(report):
+    for key in PAPERS:
+        text = (report / f"{key}.html").read_text()
+        cards = text.count("<article")
+        assert cards == sum(entry.paper == key for entry in load().values())
+        for part in ("Conditions: ", "<summary>TeX</summary>", "Check: paper_checks/", "data-verdict="):
+            assert text.count(part) >= cards, part
+        assert "Near miss, refuted by the check" in text
+        assert text.count("<h2 id=") >= 7
+    errata = (report / "errata.html").read_text()
+    assert errata.index('id="slips"') < errata.index('id="garbled"') < errata.index('id="conditions"')
+    assert "mathcolor" in errata  # what a correction changes is coloured
+
+
+def test_derivations_are_rendered(report):
+    text = (report / "derivations.html").read_text()
+    for name in names():
+        assert f'id="{name}"' in text
+    assert text.count("<math") > 300
 
 
 def test_every_statement_is_on_the_page_and_in_the_data(report):

@@ -1,0 +1,63 @@
+"""What the pages show beyond the entries: sections, derivations step by step, and the source of each check."""
+
+import html
+import re
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import sympy
+
+from derivations.__main__ import names
+from paper_checks.data import ROOT
+from paper_checks.registry import SECTIONS, Statement
+from paper_checks.report.words import typeset
+
+
+def sections(key: str) -> list[dict[str, str]]:
+    """The sections of a paper: the name of the file and the first line of its lesson."""
+    found = []
+    for name in SECTIONS[key]:
+        lesson = (import_module(f"paper_checks.{key}.{name}").__doc__ or "").partition("\n")[0]
+        found.append({"name": name, "title": typeset(lesson.rstrip("."))})
+    return found
+
+
+def section_of(entry: Statement) -> str:
+    """The file in which a statement stands."""
+    return str(entry.check.__module__).rpartition(".")[2] if entry.check else ""
+
+
+@cache
+def derivations() -> tuple[dict[str, Any], ...]:
+    """All derivations with their steps in LaTeX, run as they are loaded."""
+    return tuple(_derivation(name) for name in names())
+
+
+def _derivation(name: str) -> dict[str, Any]:
+    derivation = import_module("derivations." + name.replace("-", "_")).derivation
+    steps = [{"reason": typeset(step.reason), "latex": step.latex()} for step in derivation.steps]
+    return {"name": name, "title": derivation.title, "source": typeset(derivation.source), "steps": steps}
+
+
+def near_miss(entry: Statement) -> dict[str, str]:
+    """The near miss as LaTeX if it is an expression, else as text."""
+    form = entry.near_miss
+    if isinstance(form, sympy.Basic):
+        return {"latex": sympy.latex(form), "text": ""}
+    if isinstance(form, tuple) and form and all(isinstance(part, sympy.Basic) for part in form):
+        return {"latex": r",\quad ".join(sympy.latex(part) for part in form), "text": ""}
+    if callable(form):
+        return {"latex": "", "text": form.__name__.strip("_").replace("_", " ")}
+    return {"latex": "", "text": typeset(re.sub(r"Fraction\((-?\d+), (\d+)\)", r"\1/\2", str(form)))}
+
+
+def source_name(path: str) -> str:
+    """The page that shows a source file."""
+    return "source-" + path.removeprefix("paper_checks/").removesuffix(".py").replace("/", "-") + ".html"
+
+
+def source_lines(path: str) -> list[str]:
+    """The lines of a source file, ready for a page."""
+    return [html.escape(line) for line in Path(ROOT / path).read_text(encoding="utf-8").splitlines()]

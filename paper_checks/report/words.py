@@ -1,0 +1,53 @@
+"""How a statement is put into words for a referee: its evidence as a sentence, its notes in printed signs.
+
+>>> typeset("alpha >= 1: omega_0 t -> infinity, e^(-b t/2m), x0 != u_1")
+'α ≥ 1: ω₀ t → ∞, e^(−b t/2m), x₀ ≠ u₁'
+"""
+
+import re
+from typing import Any
+
+GREEK = {
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "kappa": "κ", "lambda": "λ", "mu": "μ",
+    "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω", "theta": "θ", "eta": "η",
+    "Omega": "Ω",
+}  # fmt: skip
+SIGNS = (("->", "→"), ("<=", "≤"), (">=", "≥"), ("!=", "≠"), ("+-", "±"), ("-+", "∓"), ("infinity", "∞"), ("...", "…"))
+SUBSCRIPTS = str.maketrans("0123456789n", "₀₁₂₃₄₅₆₇₈₉ₙ")
+SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+OUTCOMES = {
+    "confirmed": "confirmed by the check",
+    "refuted": "refuted by the check",
+    "undecided": "left undecided by the check",
+}
+
+
+def typeset(text: str) -> str:
+    """ASCII mathematics in printed signs: Greek letters, relations, simple indices and powers, a true minus."""
+    for plain, sign in SIGNS:
+        text = text.replace(plain, sign)
+    text = re.sub(rf"\b({'|'.join(GREEK)})(?=\b|_|\d)", lambda m: GREEK[m[1]], text)
+    text = re.sub(r"(?<=[A-Za-zα-ωΩ])_(\d+|n)(?![\w}])", lambda m: m[1].translate(SUBSCRIPTS), text)
+    text = re.sub(r"\b([xv])0\b", r"\1₀", text)
+    text = re.sub(r"(?<=[\w)₀-₉'])\^(\d+)(?![\w/(])", lambda m: m[1].translate(SUPERSCRIPTS), text)
+    return re.sub(r"(?<![\w.)])-(?=[\w(√])|(?<= )-(?= )", "−", text)
+
+
+def evidence(entry: dict[str, Any]) -> str:
+    """What the verdict rests on, as a sentence."""
+    kinds = {
+        "proved": "Proved, by exact or symbolic computation",
+        "certified": "Certified, in ball arithmetic with proved error bounds",
+        "measured": "Measured numerically, not proved",
+        "none": "No evidence",
+    }
+    parts = [kinds[entry["evidence"]]]
+    if entry["extent"]:
+        parts.append(entry["extent"])
+    if entry["order"]:
+        zero = entry["order"] == "0"
+        how = f", {entry['order_by']}" if entry["order_by"] else ""
+        parts.append(f"the error does not vanish{how}" if zero else f"error of order {entry['order']}{how}")
+    if entry["digits"]:
+        parts.append(f"{entry['digits']} digits")
+    return "; ".join(parts) + "."
