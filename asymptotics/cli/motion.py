@@ -13,7 +13,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
+from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.motion_files import KINDS, csv_of, picture_of
 from asymptotics.errors import InputError
@@ -48,6 +48,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--static", metavar="F", help="--reference, alpha = 0: static friction force in N, >= b")
     parser.add_argument("--plot", metavar="FILE", help="waveform, envelope and error curve from 0 to T: PNG or SVG")
     parser.add_argument("--csv", metavar="FILE", help="t, x, v, amplitude, phase at 1001 times from 0 to T")
+    add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
     add_json(parser)
 
@@ -71,7 +72,8 @@ def run(options: argparse.Namespace) -> Answer:
         raise InputError("--time", "0 leaves nothing to draw or to tabulate", "a time > 0 with --plot or --csv")
     oscillator = Oscillator(law, **numbers)
     if options.reference:
-        point = reference_motion(oscillator, time, digits, static=options.static)
+        seconds = read_max_seconds(options)
+        point = reference_motion(oscillator, time, digits, static=options.static, max_seconds=seconds)
     else:
         point = AsymptoticMotion.of(oscillator, order, gauge).at(time, digits)
     return _answer(point, options, _written(files, oscillator, time, options, order, gauge))

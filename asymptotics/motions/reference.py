@@ -82,7 +82,7 @@ def reference_states(
     """
     oscillator.law.require_dissipative("reference motion to rest")
     with budget(max_seconds):
-        bits = bits_for(digits, 40)
+        bits = bits_for(digits, 28)
         for _ in range(_TRIES):
             found = _states(oscillator, times, bits)
             with ctx.workprec(64):

@@ -2,9 +2,9 @@
 
 The turning points are followed as in ``sequence``; every half-swing that holds a time asked for is laid out in pieces,
 at whose start the error of the turning point in place and time is one distance in the phase plane: within the window
-e about a turning point of amplitude a the state moves by at most e (V + 2 (a + friction)), where V = 2 e (a + friction)
-bounds the speed as long as N(V) <= a + friction.  An uncertain time is read as its lower end and a width: from there on
-the speed grows at most at the rate |X|.
+e about a turning point of amplitude a the state moves by at most e (V + a + friction + N(V)), where V = 2 e (a +
+friction) bounds the speed as long as N(V) <= a + friction.  An uncertain time is read as its lower end and a width:
+from there on the speed grows at most at the rate |X|.
 
 >>> from fractions import Fraction
 >>> from flint import ctx
@@ -128,9 +128,10 @@ def _distance(damping: Damping, here: Turning) -> arb:
         return here.amplitude_error
     size = upper(here.amplitude + here.amplitude_error + damping.friction)
     speed = upper(2 * here.time_error * size)
-    if not damping.resistance(speed) <= size:
+    resistance = upper(damping.resistance(speed))
+    if not resistance <= size:
         raise UndecidedError(f"the time of turning point {here.n} is too uncertain: raise the precision")
-    return upper(here.amplitude_error + here.time_error * (speed + 2 * size))
+    return upper(here.amplitude_error + here.time_error * (speed + size + resistance))
 
 
 def _moved(damping: Damping, u: arb, w: arb, width: arb) -> arb:

@@ -58,7 +58,8 @@ class Expansion:
         """
         plan = plan_at(damping, y0, w)
         reach = dyadic(plan.omega + size_of(y0)) if w is None else w
-        factor, bound = _stretched(damping, abs(y0), reach, plan)
+        with ctx.workprec(max(ctx.prec, 64)):
+            factor, bound = _stretched(damping, abs(y0), reach, plan)
         if plan.denominator:
             keys: Sequence[Key] = ()
             y, Q, slowness = _on_a_line(damping, y0, plan)

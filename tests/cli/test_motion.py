@@ -102,14 +102,14 @@ def test_text_for_people(capsys):
         ("motion --alpha 2 --damping 1 --x0 1 --time 1 --gauge energy", "--gauge"),
         ("motion --alpha 0 --damping 1 --x0 1 --time 1 --static 2", "--static"),
         ("motion --alpha 0 --damping 1 --x0 1 --time 1 --static 1/2 --reference", "--static"),
-        ("motion --alpha 3/2 --damping 1 --x0 1 --time 1e9 --reference", "--time"),
+        ("motion --alpha 3/2 --damping 1 --x0 1 --time 1e9 --reference", "--max-seconds"),
         ("motion --alpha 2 --damping 1 --x0 1 --time 1 --plot a.pdf", "--plot"),
         ("motion --alpha 2 --damping 1 --x0 1 --time 1 --csv /proc/none/a.csv", "--csv"),
         ("motion --alpha 2 --damping 1 --x0 1 --time 1 --digits 5000", "--digits"),
         ("turning-points --law 2 --count 3", "--law"),
         ("turning-points --law 2:1 --alpha 2 --epsilon 1 --count 3", "--law"),
         ("turning-points --alpha 3/2 --epsilon 1 --count 3 --digits 2000", "--digits"),
-        ("turning-points --alpha 3/2 --epsilon 1 --count 90000", "--max-seconds"),
+        ("turning-points --law 3/2:1 --law 2:1 --count 90000", "--max-seconds"),
     ],
 )
 def test_bad_input_is_one_line_that_names_the_argument(capsys, line, argument):

@@ -1,0 +1,211 @@
+"""Every bound of a half-swing bites: at parameters where it is nearly attained, half of it is refuted by the truth.
+
+Where a bound keeps a stated slack, its constant is evaluated a second time, without balls.
+"""
+
+import mpmath
+import pytest
+from flint import arb, ctx
+
+from asymptotics.numbers.exact import parse_real
+from asymptotics.swing import arrival as arrivals
+from asymptotics.swing import dense
+from asymptotics.swing.arrival import arrive
+from asymptotics.swing.course import Landing, course, delay
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.ends import trap
+from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.majorant import majorant
+from asymptotics.swing.passage import Passage
+from asymptotics.swing.sequence import Turning, following
+from asymptotics.swing.taylor import TaylorStep, _disc, residual
+
+
+def damping(*pairs):
+    with ctx.workprec(300):
+        return Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+
+
+NOTHING = (("3", "1e-300"),)
+
+
+@pytest.mark.parametrize("w", ["0.1", "0.5", "0.9"])
+def test_the_majorant_is_attained_without_damping(w):
+    """y = sqrt(1 - w^2): r = 1 - sqrt(1 - w^2) = S(w^2/2, 0)."""
+    truth = 1 - (1 - arb(w) ** 2).sqrt()
+    bound = majorant(arb(w) ** 2 / 2, arb(0))
+    assert truth <= bound * (1 + arb(1e-12)) and bound / 2 < truth
+
+
+@pytest.mark.parametrize("b", ["0.05", "0.5", "0.95"])
+def test_the_majorant_is_attained_without_inertia(b):
+    """With a -> 0, P = P_0 (1 - b) exactly."""
+    bound = majorant(arb(2) ** -40, arb(b))
+    assert arb(b) <= bound and bound / 2 < arb(b) and bound < arb(b) * arb(1.001)
+
+
+def test_the_majorant_knows_its_edge():
+    assert majorant(arb("0.1"), arb("0.36")) is not None  # 2 sqrt(a) + b = 0.992
+    assert majorant(arb("0.1"), arb("0.41")) is None
+    assert majorant(arb("0.49"), arb(0)) is not None and majorant(arb("0.51"), arb(0)) is None
+
+
+@pytest.mark.parametrize("law", [NOTHING, (("3/2", "1/5"),), (("2", "3"),), (("sqrt(2)", "1/10"),), (("1/2", "1/9"),)])
+@pytest.mark.parametrize("y0", [1, -1, "0.01"])
+def test_the_tail_of_the_expansion(law, y0):
+    """Few terms: what they lack is below the tail, which is the majorant's constant times the stretch, no less."""
+    d = damping(*law)
+    with ctx.workprec(250):
+        full = Expansion.at(d, arb(y0))
+    with ctx.workprec(14):
+        few = Expansion.at(d, arb(y0))
+    w = min(few.reach, full.reach)
+    with ctx.workprec(250):
+        (y, tau), (low_y, low_tau) = full.state(w), few.state(w)
+        assert low_y.contains(y) and low_tau.contains(tau)
+        missing = abs(low_y.mid() - y)
+        assert missing <= few.tail + low_y.rad()
+    assert 0.999 * _tail(d, few) <= float(few.tail) <= 1.02 * _tail(d, few)
+
+
+def _tail(d, expansion):
+    """lambda^-E |P_0| R* with mpmath, from the plan alone."""
+    plan, size, w = expansion.plan, abs(float(expansion.y0.mid())), float(expansion.reach)
+    a = w * w / 2 / size**2
+    b = [float(e.mid()) * w ** float(x.mid()) / size for e, x in zip(d.strengths, d.exponents)]
+    if plan.denominator:
+        g = [2 * plan.stretch[0], *(plan.stretch[0] * float(x.mid()) for x in d.exponents)]
+        factor = 2 ** (-plan.stretch[0] * plan.count / plan.denominator)
+    else:
+        g, factor = plan.stretch, 2 ** (-plan.top / 65536)
+    a, b = a * 2 ** g[0], sum(t * 2**s for t, s in zip(b, g[1:]))
+    found = []
+    if b < 1 and (1 - b) ** 2 > 4 * a:
+        found.append((1 + b - mpmath.sqrt((1 - b) ** 2 - 4 * a)) / 2)
+    if a + b < 0.5:
+        found.append(1 - mpmath.sqrt(1 - 2 * a - 2 * b))
+    return float(factor * size * min(found))
+
+
+@pytest.mark.parametrize("law", [NOTHING, (("3/2", "1/5"),), (("2", "3"),)])
+def test_a_wrong_guess_of_the_turning_point_is_paid_for(law, monkeypatch):
+    """|y_1 - guess| <= |Y - y| and |time| <= e w/y^2 with a guess that is off: attained to a few per cent."""
+    d, w, off = damping(*law), arb(2) ** -6, arb(2) ** -30
+    with ctx.workprec(120):
+        there = Expansion.at(d, arb(-1), w)
+        y, tau = there.state(w)
+        monkeypatch.setattr(arrivals, "_guess", lambda *given: arb(-1) + off)
+        found = arrive(d, y.mid(), w)
+        assert off <= found.miss and found.miss / 2 < off and found.miss < off * arb(1.2)
+        late = abs(found.own_duration + tau)
+        assert found.duration.contains(-tau.mid())
+        assert found.duration.rad() / 2 < late and found.duration.rad() < late * arb(1.3)
+
+
+@pytest.mark.parametrize("bits", [20, 53, 120])
+def test_the_cut_of_a_taylor_step(bits):
+    """Without damping the residual is the last coefficients': attained up to the square root of 2."""
+    d = damping(*NOTHING)
+    with ctx.workprec(bits):
+        step = TaylorStep.at(d, arb("0.5"), arb("0.75"), arb(1))
+    with ctx.workprec(400):
+        c, s, (y, w) = step.length.cos(), step.length.sin(), (arb("0.5"), arb("0.75"))
+        ys, ws = _coefficients(y, w, len(step.ys) - 1)
+        found_y, found_w = (sum((k * step.length**i for i, k in enumerate(v)), arb(0)) for v in (ys, ws))
+        truth = ((found_y - (y * c - w * s)) ** 2 + (found_w - (w * c + y * s)) ** 2).sqrt()
+        assert truth <= step.error and step.error / 2 < truth
+
+
+def _coefficients(y, w, order):
+    """Of the undamped motion."""
+    ys, ws = [y], [w]
+    for k in range(order):
+        ys.append(-ws[k] / (k + 1))
+        ws.append(ys[k] / (k + 1))
+    return ys, ws
+
+
+@pytest.mark.parametrize("law", [(("3/2", "2"),), (("1/2", "1/2"),), (("5/2", "3"), ("1", "1/2"))])
+def test_the_cauchy_part_of_a_taylor_step(law):
+    """N(w_0 (1+rho)) covers |N(W)| on the circle, found by sampling, within a factor of 4; the rest is an integral."""
+    d = damping(*law)
+    with ctx.workprec(90):
+        step = TaylorStep.at(d, arb("0.3"), arb("0.5"), arb(1))
+        radius, resistance = _disc(d, list(step.ws))
+        bound = residual(list(step.ys), list(step.ws), step.length, radius, resistance)
+    ws = [mpmath.mpf(str(float(c.mid()))) for c in step.ws]
+    laws = [(float(e.mid()), float(a.mid())) for e, a in zip(d.strengths, d.exponents)]
+
+    def size(angle):
+        W = mpmath.polyval(ws[::-1], float(radius) * mpmath.expj(angle))
+        assert W.real > 0
+        return abs(sum(e * W**a for e, a in laws))
+
+    largest = max(size(2 * mpmath.pi * k / 60) for k in range(60))
+    assert largest <= float(resistance) <= 4 * largest
+    n, h, R = len(ws) - 1, float(step.length), float(radius)
+    cut = (abs(ws[-1]) + abs(float(step.ys[-1].mid()))) * mpmath.mpf(h) ** (n + 1) / (n + 1)
+    rest = mpmath.quad(lambda t: float(resistance) * (t / R) ** n / (1 - h / R), [0, h])
+    assert float(bound) == pytest.approx(float(cut + rest), rel=1e-6)
+
+
+def test_a_shifted_orbit_turns_as_much_later_as_the_bound_says():
+    """Undamped, an orbit d ahead on its circle turns d/p earlier."""
+    p, d = arb(1), arb(2) ** -20
+    bound = delay(p, d, arb(0))
+    assert d / p <= bound and bound / 2 < d / p
+
+
+def test_the_error_of_a_start_reaches_the_turning_point():
+    """The enclosure from a start with an error contains the orbits from both of its ends, and half of it does not."""
+    law, d = damping(*NOTHING), arb(2) ** -20
+    with ctx.workprec(80):
+        *_, last = course(law, arb("0.5"), arb("0.5"), d)
+        *_, high = course(law, arb("0.5") + d * arb(0.7), arb("0.5") + d * arb(0.7))
+        assert isinstance(last, Landing) and isinstance(high, Landing)
+        apart = abs(high.turn - last.turn)
+        assert apart <= last.error and last.error / 2 < apart
+
+
+@pytest.mark.parametrize("law", [NOTHING, (("1", "1/10"),)])
+def test_amplitudes_carry_their_error_by_contraction(law):
+    d, error = damping(*law), arb(2) ** -30
+    ratio = arb("0.75")
+    here = Turning(3, -1, arb("0.5"), arb(9), error, arb(0))
+    there = following(d, here, Passage(ratio, arb(3), "", 1, arb(0)))
+    moved = ratio * error  # linear: the ratio is the same for all amplitudes
+    assert moved <= there.amplitude_error and there.amplitude_error / 2 < moved
+    friction = damping(("0", "1/100"), ("1", "1/10"))
+    by_distance = following(friction, here, Passage(ratio, arb(3), "", 1, arb(0)))
+    assert by_distance.amplitude_error >= error  # dry friction: relative errors grow, distances do not
+
+
+def test_the_error_of_a_time_becomes_a_distance():
+    """Near a turning point of amplitude a the state moves by a |t|."""
+    law, late = damping(*NOTHING), arb(2) ** -20
+    bound = dense._distance(law, Turning(1, -1, arb(2), arb(3), arb(0), late))
+    truth = 2 * (2 * (late / 2).sin())
+    assert truth <= bound and bound / 2 < truth
+
+
+def test_an_uncertain_time_widens_the_state():
+    law = damping(("2", "1/10"))
+    with ctx.workprec(100):
+        (low, _), (high, _) = dense.states(law, arb(1), arb(0), [arb("1.5"), arb("1.5") + arb(2) ** -20])
+        (x, v), = dense.states(law, arb(1), arb(0), [arb("1.5") + arb(2) ** -21 + arb(0, arb(2) ** -21)])
+        assert x.contains(low) and x.contains(high) and x.rad() < 4 * abs(high - low)
+
+
+def test_a_trap_is_announced_inside_its_condition_only():
+    law = damping(("1/2", "1"))
+    assert trap(law, arb("0.1"), arb("0.001")) == "creeps"
+    assert trap(law, arb("0.1"), arb("0.5")) is None and trap(law, arb("-0.1"), arb("0.001")) is None
+    edge = (arb(2) / arb("1.5")) ** 2 * arb("0.01")  # (w/c)^(1/2) = y, c^(1/2) = 4/3
+    assert trap(law, arb("0.1"), edge * arb("0.999")) == "creeps" and trap(law, arb("0.1"), edge * arb("1.001")) is None
+    steep = arb(9) / 96  # c^2 y^2 < 1/6 with c = 16/9
+    largest = (arb(1) / 6).sqrt() * 9 / 16
+    assert steep < largest
+    assert trap(law, largest * arb("0.999"), arb(0)) == "creeps" and trap(law, largest * arb("1.001"), arb(0)) is None
+    assert trap(damping(("1", "1.99")), arb(1), arb("0.001")) is None
+    assert trap(damping(("1", "2")), arb(1), arb("0.999")) == "overdamped"
+    assert trap(damping(("1", "2")), arb(1), arb("1.001")) is None
