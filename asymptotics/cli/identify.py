@@ -15,9 +15,11 @@ import argparse
 from asymptotics.cli.answer import Answer, add_json
 from asymptotics.errors import InputError
 from asymptotics.identification.identify import identify
+from asymptotics.identification.plots import picture, picture_kind
 from asymptotics.identification.reading import KINDS, UNITS
 from asymptotics.identification.result import Identification
 from asymptotics.numbers.exact import parse_rational
+from asymptotics.present.files import target_file, write_atomically
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -27,17 +29,22 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--unit", default="", metavar="U", help=f"the unit of x: {', '.join(UNITS)}")
     parser.add_argument("--laws", nargs="+", metavar="LAW", help="candidate laws: 1 1,2 0,2 free 1,s3 ...")
     parser.add_argument("--springs", nargs="+", default=[], metavar="P", help="springs to add to each law: 3 3,5")
+    parser.add_argument("--amplitudes", metavar="LOW:HIGH", help="use the turning points with |x| in this range only")
     parser.add_argument("--amplitudes-only", action="store_true", help="use no times; intervals widen by the cost")
     parser.add_argument("--mass", metavar="M", help="mass in kg, if known")
     parser.add_argument("--stiffness", metavar="K", help="stiffness in N/m, if known")
     parser.add_argument("--omega0", metavar="W", help="sqrt(k/m) in rad/s, if known")
     parser.add_argument("--noise", metavar="S", help="standard deviation of x, if known")
     parser.add_argument("--no-bootstrap", action="store_true", help="keep the intervals of correlated residuals")
+    parser.add_argument("--plot", metavar="FILE", help="decay, decrement plot, residuals, profiles (svg, png, pdf)")
     add_json(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
+    plot = None if options.plot is None else target_file(options.plot, "--plot")
+    if plot is not None:
+        picture_kind(plot)
     numbers = {name: _number(getattr(options, name), f"--{name}") for name in ("mass", "stiffness", "omega0", "noise")}
     answer = identify(
         list(options.files),
@@ -45,11 +52,14 @@ def run(options: argparse.Namespace) -> Answer:
         unit=options.unit,
         laws=options.laws,
         springs=options.springs,
+        amplitudes=_range(options.amplitudes),
         amplitudes_only=options.amplitudes_only,
         omega_0=numbers.pop("omega0"),
         bootstrap=not options.no_bootstrap,
         **numbers,
     )
+    if plot is not None:
+        write_atomically(plot, picture(answer, picture_kind(plot)), "--plot")
     return Answer(answer.to_dict(), _text(answer), options.json)
 
 
@@ -60,6 +70,15 @@ def _number(text: str | None, argument: str) -> float | None:
     if not value > 0:
         raise InputError(argument, f"{text} is not positive", "a positive number")
     return value
+
+
+def _range(text: str | None) -> tuple[float, float] | None:
+    if text is None:
+        return None
+    low, colon, high = text.partition(":")
+    if not colon:
+        raise InputError("--amplitudes", f"{text[:40]!r} has no colon", "LOW:HIGH, such as 0.05:0.2")
+    return float(parse_rational(low, "--amplitudes")), float(parse_rational(high, "--amplitudes"))
 
 
 def _text(answer: Identification) -> str:

@@ -10,8 +10,10 @@
 ``profile``         intervals; ``correlation``: residuals that remember; ``amplitudes``: no times; ``runs``: several
 runs
 ``comparison``      criteria, supports, held-out swings; ``verdicts``: the answer in words, or a refusal
+``identifiability`` what N turning points with noise can tell; ``examples``: a real record
 ``synthetic``       runs of known laws with known noise
 ``set_valued``      printed decrements: certified sets of strengths, by ``certified_ratio``
+``plots``           the four pictures
 ``textbook``        the classical estimators, by name, with their systematic errors
 ==================  =========================================================================================
 

@@ -37,7 +37,7 @@ from asymptotics.identification.reading import UNITS
 from asymptotics.identification.result import Identification, LawAnswer, Units, sorted_laws
 from asymptotics.identification.runs import common, verdict_of_runs
 from asymptotics.identification.set_valued import MAX_LAWS, strengths_that_fit
-from asymptotics.identification.sources import load
+from asymptotics.identification.sources import LEAST_POINTS, load
 from asymptotics.identification.textbook import textbook_estimates
 from asymptotics.identification.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict, verdict_of
 from asymptotics.numbers.exact import parse_real
@@ -55,6 +55,7 @@ def identify(
     unit: str = "",
     laws: Sequence[str] | None = None,
     springs: Sequence[str] = (),
+    amplitudes: tuple[float, float] | None = None,
     amplitudes_only: bool = False,
     mass: float | None = None,
     stiffness: float | None = None,
@@ -70,6 +71,7 @@ def identify(
     ``laws``: candidates such as "1,2", "free", "1,s3" (default: every subset of 0, 1, 2, 3 and one free exponent,
     with and without the springs x^3 and x^3, x^5 when there are times); ``springs``: the springs to add to each of
     ``laws``.
+    ``amplitudes``: (low, high), the range of |x_n| that is used, in the unit of the data.
     ``amplitudes_only``: times are not used; intervals are widened by what an unseen spring could do.
     ``mass`` (kg), ``stiffness`` (N/m), ``omega_0`` (rad/s): whatever is known; b or b/m is given as far as it can be.
     ``noise``: the standard deviation of x, if it is known; ``bootstrap``: lengthen the intervals of correlated
@@ -82,7 +84,7 @@ def identify(
     sources = data if isinstance(data, list | tuple) else [data]
     if not 1 <= len(sources) <= MAX_RUNS:
         raise InputError("data", f"{len(sources)} runs", f"1 to {MAX_RUNS} runs")
-    runs = [load(source, kind, unit) for source in sources]
+    runs = [_in_range(load(source, kind, unit), amplitudes) for source in sources]
     units = {run.unit for run in runs}
     if len(units) > 1:
         raise InputError("--unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
@@ -92,6 +94,18 @@ def identify(
     scale = None if noise is None else Noise(x=noise)
     answers = [_one_run(r, candidates, known, amplitudes_only, scale, bootstrap) for r in runs]
     return answers[0] if len(answers) == 1 else _together(answers, known)
+
+
+def _in_range(run: Observations | Decrements, amplitudes: tuple[float, float] | None) -> Observations | Decrements:
+    if amplitudes is None:
+        return run
+    low, high = amplitudes
+    size = np.abs(run.x) if isinstance(run, Observations) else run.amplitude
+    count = int(((size >= low) & (size <= high)).sum())
+    if not 0 <= low < high or count < LEAST_POINTS:
+        reason = f"{count} turning points have amplitudes from {low:g} to {high:g}"
+        raise InputError("--amplitudes", reason, f"a range LOW:HIGH with at least {LEAST_POINTS} of them")
+    return run.between(low, high)
 
 
 def _candidates(laws: Sequence[str] | None, springs: Sequence[str], times: bool) -> list[Candidate]:

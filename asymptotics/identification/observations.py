@@ -101,6 +101,26 @@ class Observations:
         }
         return replace(self, **cut, **crossings)
 
+    def between(self, low: float, high: float) -> "Observations":
+        """The longest stretch of turning points with low <= |x_n| <= high; the numbering starts with it."""
+        inside = np.flatnonzero((np.abs(self.x) >= low) & (np.abs(self.x) <= high))
+        pieces = np.split(inside, np.flatnonzero(np.diff(inside) > 1) + 1)
+        chosen = max(pieces, key=len)
+        passages = np.isin(self.passage_n, self.n[chosen[:-1]])
+        return Observations.of(
+            self.n[chosen],
+            self.x[chosen],
+            self.t[chosen] if len(self.t) else (),
+            passage_n=self.passage_n[passages],
+            passage_t=self.passage_t[passages],
+            sigma_x=self.sigma_x[chosen] if len(self.sigma_x) else (),
+            sigma_t=self.sigma_t[chosen] if len(self.sigma_t) else (),
+            sigma_passage=self.sigma_passage[passages] if len(self.sigma_passage) else (),
+            unit=self.unit,
+            name=self.name,
+            notes=(*self.notes, f"{len(chosen)} turning points with amplitudes from {low:.4g} to {high:.4g}"),
+        )
+
     def without_times(self) -> "Observations":
         """The amplitudes alone."""
         empty = np.array([])

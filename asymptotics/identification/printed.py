@@ -13,7 +13,7 @@ all rows at once by Newton's iteration, with exact derivatives by the parameters
 array([0.2, 0.2])
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -39,6 +39,12 @@ class Decrements:
     def reference(self) -> float:
         """The largest amplitude."""
         return float(self.amplitude.max())
+
+    def between(self, low: float, high: float) -> "Decrements":
+        """The rows with low <= amplitude <= high."""
+        keep = (self.amplitude >= low) & (self.amplitude <= high)
+        resolution = None if self.resolution is None else self.resolution[keep]
+        return replace(self, amplitude=self.amplitude[keep], decrement=self.decrement[keep], resolution=resolution)
 
 
 class DecrementModel(Model):

@@ -4,7 +4,7 @@
 logarithmic decrement  ln(A_n/A_(n+1)) = pi epsilon_1/2
 Froude                 D = A_n - A_(n+1) = (pi/2) epsilon_1 A + (4/3) epsilon_2 A^2, A the mean of both
 Bertin                 the square alone
-Feeny-Liang            (X_(n+1) - X_n)/(X_n - X_(n-1)) = -q, and friction from X_(n+1) + q X_n: dry and linear
+Feeny-Liang            (X_(n+1) + X_n)/(X_n + X_(n-1)) = -q, and friction from X_(n+1) + q X_n: dry and linear
 energy                 (A_n^2 - A_(n+1)^2)/2 = (pi/2) epsilon_1 A^2 + (4/3) epsilon_2 A^3
 =====================  ===================================================================================
 
@@ -52,8 +52,8 @@ def bertin(x: Array) -> Array:
 
 def feeny_liang(x: Array) -> Array:
     """(epsilon_0, epsilon_1): dry friction and linear damping from the signed extremes, least squares."""
-    steps = np.diff(x)
-    q = float(np.clip(-(steps[1:] @ steps[:-1]) / (steps[:-1] @ steps[:-1]), 1e-9, 1.0))
+    sums = x[1:] + x[:-1]
+    q = float(np.clip(-(sums[1:] @ sums[:-1]) / (sums[:-1] @ sums[:-1]), 1e-9, 1.0))
     side = np.sign(x[:-1])
     shift = float(np.mean((x[1:] + q * x[:-1]) * side)) / (1 + q)
     lag = -np.log(q) / np.pi  # (epsilon/2)/sqrt(1 - epsilon^2/4)

@@ -1,0 +1,60 @@
+"""What N turning points with noise sigma can tell, before anything is measured: the Fisher information of the map.
+
+The turning points x_n(theta) depend on theta = (ln A_0, strengths, offset) through the half-swing map; with independent
+normal errors the information is J^T J/sigma^2, J = dx_n/dtheta, and its inverse bounds every unbiased estimator's
+covariance (Cramer and Rao).  A term is needed, at 95 % with power 90 %, when its strength exceeds (1.96 + 1.28)
+standard errors.
+
+>>> errors = standard_errors("1,2", [0.01, 0.02], swings=100, noise=1e-3)
+>>> [float(e) for e in errors.round(6)]
+[3e-05, 8.1e-05]
+>>> swings_needed("1,2", [0.002, 0.03], term=0, noise=1e-3)      # is there linear loss beside the quadratic one?
+16
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from asymptotics.identification.candidates import read_candidate
+from asymptotics.identification.coefficients import Array
+from asymptotics.identification.fitting import Model
+from asymptotics.identification.observations import Observations
+from asymptotics.identification.quadrature import TooStrongError
+
+SIGNIFICANT = 1.96 + 1.28
+MOST_SWINGS = 4000
+
+
+def standard_errors(law: str, strengths: Sequence[float], *, swings: int, noise: float) -> Array:
+    """The smallest standard errors of the strengths (x0 = 1) from turning points 0 ... ``swings`` with this noise."""
+    candidate = read_candidate(law)
+    n = np.arange(swings + 1)
+    model = Model(candidate.swing(), Observations.of(n, np.where(n % 2, -1.0, 1.0)))
+    theta = np.array([0.0, *strengths, *([0.0] if model.offset else [])])
+    J = model.predict(theta)[1] / noise
+    size = np.linalg.norm(J, axis=0)
+    covariance = np.linalg.pinv((J / size).T @ (J / size), rcond=1e-14) / np.outer(size, size)
+    return np.asarray(np.sqrt(np.diag(covariance))[model.law])
+
+
+def swings_needed(law: str, strengths: Sequence[float], *, term: int, noise: float) -> int | None:
+    """The least number of swings that show that ``term`` is needed; None if no number up to the limit does."""
+
+    def enough(swings: int) -> bool:
+        try:
+            return bool(
+                strengths[term] > SIGNIFICANT * standard_errors(law, strengths, swings=swings, noise=noise)[term]
+            )
+        except TooStrongError:
+            return False
+
+    low, high = 4, 8
+    while not enough(high):
+        low, high = high, 2 * high
+        if high > MOST_SWINGS:
+            return None
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if enough(middle) else (middle, high)
+    return high

@@ -1,0 +1,125 @@
+"""Pictures of an identification: the decay, the decrement against amplitude with each law's curve and band, residuals.
+
+``picture`` draws four panels: turning points with the envelope of the best law; the classical plot of decrement against
+mean amplitude, with the band of the 95 % region for the laws of the verdict; the residuals of turning points (and
+times) against n; the profile of the first strength.  matplotlib is loaded when a picture is asked for.
+"""
+
+import io
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from asymptotics.errors import InputError
+from asymptotics.identification.coefficients import Array
+from asymptotics.identification.comparison import LawFit, strength
+from asymptotics.identification.fitting import Fit
+from asymptotics.identification.profile import profile_curve
+from asymptotics.identification.result import Identification
+from asymptotics.identification.sequence import turning_sequence
+
+KINDS = (".svg", ".png", ".pdf")
+_SHOWN = 3
+
+
+def picture(answer: Identification, kind: str = "svg") -> bytes:
+    """The four panels as SVG, PNG or PDF bytes; InputError for several runs or printed decrements (no sequence)."""
+    from matplotlib import rc_context  # noqa: PLC0415 (an extra: only pictures need it)
+    from matplotlib.figure import Figure  # noqa: PLC0415 (as above)
+
+    from asymptotics.present.figures import STYLE  # noqa: PLC0415 (imports matplotlib)
+
+    laws = [found.law for found in answer.laws if found.law.fit is not None and found.law.fit.model.alternating]
+    if answer.per_run or not laws:
+        raise InputError("--plot", "there is no single run of turning points to draw", "one record or turning points")
+    consistent = [law for law in laws if law.verdict == "consistent" and law.held_out is not None]
+    shown = (consistent or laws)[:_SHOWN]
+    with rc_context(STYLE):
+        figure = Figure(figsize=(10, 7.5), layout="constrained")
+        (decay, classical), (residuals, profile) = figure.subplots(2, 2)
+        _decay(decay, shown[0], answer.units.unit)
+        _decrements(classical, shown, answer.units.unit)
+        _residuals(residuals, shown[0])
+        _profile(profile, shown[0])
+        buffer = io.BytesIO()
+        metadata = {"Date": None, "Creator": None} if kind == "svg" else {}
+        figure.savefig(buffer, format=kind, dpi=160, metadata=metadata)
+    return buffer.getvalue()
+
+
+def picture_kind(path: Path) -> str:
+    """svg, png or pdf, by the name of the file; InputError else."""
+    if path.suffix.lower() not in KINDS:
+        raise InputError("--plot", f"{path.name!r} has no known ending", ", ".join(KINDS))
+    return path.suffix.lower()[1:]
+
+
+def _fit_of(law: LawFit) -> Fit:
+    assert law.fit is not None
+    return law.fit
+
+
+def _decay(axes: Any, law: LawFit, unit: str) -> None:
+    fit = _fit_of(law)
+    model, seen = fit.model, fit.model.seen
+    run = turning_sequence(model.swing, seen.last, fit.theta[: model.after])
+    centre = float(fit.theta[model.after]) if model.offset else 0.0
+    n = np.arange(seen.last + 1)
+    for sign in (1, -1):
+        axes.plot(
+            n, centre + sign * seen.reference * np.exp(run.a), color="C1", lw=1, label="envelope" if sign > 0 else None
+        )
+    axes.plot(seen.n, seen.x, "o", markersize=3, label="turning points")
+    axes.set(title=f"decay and envelope of {law.candidate}", xlabel="n", ylabel=f"x ({unit})" if unit else "x")
+    axes.legend()
+
+
+def decrement_band(fit: Fit) -> tuple[Array, Array, Array]:
+    """(mean amplitude, decrement, half-width of its 95 % band) of a law at the measured turning points."""
+    model = fit.model
+    run = turning_sequence(model.swing, model.seen.last, fit.theta[: model.after])
+    size = model.seen.reference * np.exp(run.a)
+    slopes = np.zeros((model.size, len(size) - 1))
+    slopes[: model.after] = size[:-1] * run.d_a[:, :-1] - size[1:] * run.d_a[:, 1:]
+    spread = np.sqrt(np.maximum(np.einsum("in,ij,jn->n", slopes, fit.covariance, slopes), 0.0))
+    return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], 1.96 * spread
+
+
+def _decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
+    fit = _fit_of(laws[0])
+    seen = fit.model.seen
+    size = np.abs(seen.x - (float(fit.theta[fit.model.after]) if fit.model.offset else 0.0))
+    next_ = np.diff(seen.n) == 1
+    mean, decrement = ((size[1:] + size[:-1]) / 2)[next_], (size[:-1] - size[1:])[next_]
+    axes.plot(mean, decrement, "o", markersize=3, color="0.5", label="measured")
+    for i, law in enumerate(laws):
+        amplitude, value, band = decrement_band(_fit_of(law))
+        axes.plot(amplitude, value, color=f"C{i}", label=str(law.candidate))
+        axes.fill_between(amplitude, value - band, value + band, color=f"C{i}", alpha=0.25, lw=0)
+    suffix = f" ({unit})" if unit else ""
+    axes.set(title="decrement against amplitude", xlabel="mean amplitude" + suffix, ylabel="decrement" + suffix)
+    axes.legend()
+
+
+def _residuals(axes: Any, law: LawFit) -> None:
+    fit = _fit_of(law)
+    numbers = {"x": fit.model.seen.n, "t": fit.model.seen.n, "passage": fit.model.seen.passage_n}
+    for kind, group in zip(fit.model.kinds, fit.model.groups):
+        axes.plot(numbers[kind], fit.weighted[group], "o", markersize=3, label=kind)
+    axes.axhline(0, color="0.5", lw=0.6)
+    axes.set(title=f"residuals of {law.candidate}, in standard deviations", xlabel="n")
+    axes.legend()
+
+
+def _profile(axes: Any, law: LawFit) -> None:
+    fit = _fit_of(law)
+    for i, name in enumerate(law.candidate.alphas):
+        values, rise = profile_curve(fit, strength(law.candidate, i, fit.model.seen.reference), count=13)
+        estimate = law.epsilon[i].estimate
+        axes.plot((values - estimate) / (abs(estimate) or 1.0), rise, label=f"strength of {name}")
+    axes.axhline(3.84, color="0.5", lw=0.6)
+    axes.set(
+        title=f"profiles of {law.candidate}", xlabel="relative change of the strength", ylabel="rise of chi squared"
+    )
+    axes.legend()

@@ -1,0 +1,113 @@
+"""Data that cannot be used: one line that names row and column, exit code 2; and answers that state a defect."""
+
+import numpy as np
+import pytest
+
+import asymptotics as asy
+from asymptotics.cli.main import main
+from asymptotics.errors import InputError
+
+POINTS = "\n".join(f"{n},{(-0.9) ** n:.6f}" for n in range(12))
+
+
+def record(seconds=60.0, rate=100, x=None):
+    t = np.arange(0, seconds, 1 / rate)
+    x = np.exp(-0.03 * t) * np.cos(3 * t) if x is None else x(t)
+    return "t,x\n" + "\n".join(f"{a:.4f},{b:.6f}" for a, b in zip(t, x))
+
+
+BAD = {
+    "empty": ("", "empty"),
+    "header only": ("n,x\n", "0 turning points"),
+    "short": ("n,x\n0,1\n1,-0.9\n", "2 turning points"),
+    "one column": ("n\n0\n1\n2\n", "1 column"),
+    "text cell": ("n,x\n0,1\n1,-0.9\n2,oops\n3,-0.7\n", "row 4, column x: 'oops'"),
+    "infinite": ("n,x\n0,1\n1,-inf\n2,0.8\n3,-0.7\n", "row 3, column x"),
+    "not whole": ("n,x\n0,1\n1.5,-0.9\n2,0.8\n3,-0.7\n", "row 3, column n"),
+    "not increasing": ("n,x\n0,1\n2,0.9\n1,-0.8\n3,-0.7\n", "row 4, column n"),
+    "constant": ("n,x\n" + "\n".join(f"{n},{(-1) ** n}" for n in range(9)), "column x: all values"),
+    "signs": ("n,x\n" + "\n".join(f"{n},{0.9**n * (1 if n < 6 else -1)}" for n in range(12)), "signs do not alternate"),
+    "unclear columns": ("a,b\n1,2\n2,3\n", "--kind"),
+    "negative amplitude": ("amplitude,decrement\n1,0.1\n-0.5,0.1\n0.3,0.1\n", "row 3, column amplitude"),
+    "non-monotone time": (
+        "t,x\n" + "\n".join(f"{i if i != 70 else 3},{np.cos(i / 9)}" for i in range(200)),
+        "row 72, column t",
+    ),
+    "constant record": ("t,x\n" + "\n".join(f"{i},3" for i in range(200)), "all values are 3"),
+    "short record": ("t,x\n0,1\n1,0\n2,-1\n", "3 rows"),
+    "clipped": (record(x=lambda t: np.clip(np.exp(-0.01 * t) * np.cos(3 * t), -1, 0.7)), "clipped"),
+    "too coarse": (record(rate=2), "samples a period"),
+    "no motion but noise": (record(x=lambda t: np.random.default_rng(0).standard_normal(len(t))), "samples a period"),
+    "ragged": ("n,x\n0,1\n1,-0.9,5\n2,0.8\n", "fields"),
+}
+
+
+@pytest.mark.parametrize("case", BAD)
+def test_bad_files_end_with_one_line_and_code_2(case, tmp_path, capsys):
+    text, expected = BAD[case]
+    path = tmp_path / "data.csv"
+    path.write_text(text)
+    assert main(["identify", str(path)]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.count("\n") == 1
+    assert expected in captured.err, captured.err
+
+
+BAD_OPTIONS = [
+    ["--kind", "movie"],
+    ["--unit", "kg"],
+    ["--laws", "1,1"],
+    ["--laws", "-1"],
+    ["--laws", "free,1"],
+    ["--laws", "1,s3"],
+    ["--laws", "__import__('os')"],
+    ["--mass", "-1"],
+    ["--noise", "0"],
+    ["--amplitudes", "3:4"],
+    ["--amplitudes", "half"],
+    ["--mass", "1", "--stiffness", "1", "--omega0", "1"],
+    ["--plot", "picture.bmp"],
+]
+
+
+@pytest.mark.parametrize("options", BAD_OPTIONS, ids=" ".join)
+def test_bad_options_end_with_one_line_and_code_2(options, tmp_path, capsys):
+    path = tmp_path / "data.csv"
+    path.write_text("n,x\n" + POINTS)
+    assert main(["identify", str(path), *options]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.count("\n") == 1
+    assert options[0] in captured.err or options[-2] in captured.err
+
+
+def test_units_that_do_not_fit_are_refused(tmp_path):
+    for name, header in (("a.csv", "n,x_deg"), ("b.csv", "n,x_m")):
+        (tmp_path / name).write_text(header + "\n" + POINTS)
+    with pytest.raises(InputError, match="does not fit"):
+        asy.identify(tmp_path / "a.csv", unit="m")
+    with pytest.raises(InputError, match="different units"):
+        asy.identify([tmp_path / "a.csv", tmp_path / "b.csv"], laws=["1"])
+
+
+def test_a_missing_file_and_a_binary_file_are_named(tmp_path, capsys):
+    assert main(["identify", str(tmp_path / "nothing.csv")]) == 2
+    (tmp_path / "binary.csv").write_bytes(bytes(range(256)))
+    assert main(["identify", str(tmp_path / "binary.csv")]) == 2
+    assert capsys.readouterr().err.count("\n") == 2
+
+
+def test_a_growing_decay_is_called_growing():
+    x = (-1.05) ** np.arange(30) * (1 + 1e-4 * np.random.default_rng(0).standard_normal(30))
+    answer = asy.identify({"n": np.arange(30), "x": x}, laws=["1", "2"])
+    assert any("grows" in note for note in answer.notes)
+    assert answer.law("1").law.epsilon[0].high < 0
+
+
+def test_exact_data_give_narrow_intervals_that_hold_the_truth():
+    q = np.exp(-np.pi * 0.01 / np.sqrt(1 - 0.01**2))
+    answer = asy.identify({"n": np.arange(40), "x": np.round((-q) ** np.arange(40), 8)}, laws=["1", "2", "free"])
+    assert answer.law("1").law.epsilon[0].contains(0.02)
+    assert answer.law("free").law.alpha.contains(1.0)
+    assert answer.law("2").law.verdict == "refuted"

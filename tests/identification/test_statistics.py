@@ -1,0 +1,87 @@
+"""Profiles against MINOS, textbook estimators against the exact map, pictures, and what swings can tell."""
+
+import numpy as np
+import pytest
+from iminuit import Minuit
+
+import asymptotics as asy
+from asymptotics.errors import InputError
+from asymptotics.identification.candidates import read_candidate
+from asymptotics.identification.comparison import fit_law, strength
+from asymptotics.identification.identifiability import standard_errors, swings_needed
+from asymptotics.identification.plots import decrement_band, picture
+from asymptotics.identification.profile import profile_interval, quantile
+from asymptotics.identification.runs import random_effects
+from asymptotics.identification.synthetic import exact, observed
+from asymptotics.identification.textbook import ESTIMATORS, textbook_estimates
+
+
+def test_profile_intervals_are_those_of_minos():
+    seen = observed("1,2", [0.01, 0.02], 60, 5e-3, seed=2)
+    fit = fit_law(read_candidate("1,2"), seen).fit
+    sigma = fit.model.scale_vector(fit.scales)
+
+    def chi2(theta):
+        return float((((fit.model.data - fit.model.predict(np.array(theta))[0]) / sigma) ** 2).sum())
+
+    minuit = Minuit(chi2, fit.theta)
+    minuit.errordef = quantile(fit, 0.95, "x") ** 2
+    minuit.migrad()
+    minuit.minos()
+    for i in (0, 1):
+        mine = profile_interval(fit, strength(fit_law(read_candidate("1,2"), seen).candidate, i, seen.reference))
+        scale = seen.reference ** -fit.model.swing.elements[i].weight
+        errors = minuit.merrors[1 + i]
+        assert mine.low - mine.estimate == pytest.approx(errors.lower * scale, rel=0.02)
+        assert mine.high - mine.estimate == pytest.approx(errors.upper * scale, rel=0.02)
+
+
+def test_textbook_estimators_have_the_errors_they_are_said_to_have():
+    # ordinary ship data: 10 % a half-swing, quadratic law; the decrement estimators are wrong by per cents
+    n = np.arange(13)
+    x = (-1.0) ** n * np.exp(exact("2", [0.08], 12).a)
+    bertin = ESTIMATORS["Bertin"][1](x)[0]
+    assert 0.0005 < abs(bertin / 0.08 - 1) < 0.05
+    said = textbook_estimates(observed("2", [0.08], 12, 0.0))
+    assert float(said["Bertin"]["systematic_error"][0]) == pytest.approx(bertin - 0.08, rel=1e-3)
+    # exact cases: logarithmic decrement up to (epsilon/2)^2/2, Feeny and Liang for dry and linear friction exactly
+    viscous = (-1.0) ** n * np.exp(exact("1", [0.1], 12).a)
+    assert ESTIMATORS["logarithmic decrement"][1](viscous)[0] == pytest.approx(0.1 / np.sqrt(1 - 0.05**2), rel=1e-9)
+    both = (-1.0) ** n * np.exp(exact("0,1", [0.01, 0.05], 12).a)
+    assert ESTIMATORS["Feeny-Liang"][1](both) == pytest.approx([0.01, 0.05], rel=1e-9)
+
+
+def test_the_scatter_of_estimates_is_the_fisher_bound():
+    bound = standard_errors("1,2", [0.01, 0.02], swings=60, noise=1e-3)
+    found = []
+    for seed in range(60):
+        fit = fit_law(read_candidate("1,2"), observed("1,2", [0.01, 0.02], 60, 1e-3, seed=seed)).fit
+        found.append(fit.theta[fit.model.law])
+    ratio = np.std(found, axis=0) / bound
+    assert ((ratio > 0.75) & (ratio < 1.3)).all()
+
+
+def test_more_noise_needs_more_swings():
+    needed = [swings_needed("1,2", [0.002, 0.02], term=0, noise=noise) for noise in (3e-4, 1e-3, 3e-3)]
+    assert needed == sorted(needed)
+    assert needed[0] < needed[-1]
+
+
+def test_random_effects_cover_runs_that_differ():
+    random, hits = np.random.default_rng(0), 0
+    for _ in range(300):
+        true = 1 + 0.1 * random.standard_normal(6)
+        mean, _ = random_effects(true + 0.01 * random.standard_normal(6), [0.01] * 6)
+        hits += mean.contains(1.0)
+    assert 0.90 <= hits / 300 <= 0.985
+
+
+def test_the_picture_is_drawn():
+    answer = asy.identify(observed("1,2", [0.01, 0.02], 40, 1e-3, seed=1), laws=["1", "1,2"])
+    svg = picture(answer)
+    assert svg.startswith(b"<?xml")
+    mean, decrement, band = decrement_band(answer.law("1,2").law.fit)
+    first_order = np.pi / 2 * 0.01 * mean + 4 / 3 * 0.02 * mean**2
+    assert (np.abs(decrement - first_order) < 3 * band + 0.02 * first_order).all()
+    with pytest.raises(InputError, match="--plot"):
+        picture(asy.identify([observed("1", [0.01], 30, 1e-3, seed=s) for s in (1, 2)], laws=["1"]))
