@@ -15,7 +15,7 @@ from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.progress import progress_bar
 from asymptotics.errors import LimitError
 from asymptotics.law import Law
-from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.turning.general import turning_points
 from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, TurningPoints
 
@@ -26,6 +26,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--count", required=True, metavar="N", help=f"how many points (1 to {MAX_COUNT})")
     parser.add_argument("--start", default="0", metavar="N", help="the first point (default 0)")
     parser.add_argument("--times", action="store_true", help="the times as well")
+    parser.add_argument("--x0", default="1", metavar="X", help="X(0), with --v0 (default 1)")
+    parser.add_argument("--v0", default="0", metavar="V", help="X'(0): then n = 0 is the first turning point")
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
     add_json(parser)
@@ -38,7 +40,7 @@ def run(options: argparse.Namespace) -> Answer:
     start = parse_integer(options.start, "--start", 0, MAX_START)
     digits = read_digits(options, MAX_DIGITS)
     try:
-        result = _computed(law, count, digits, start, options.times, read_max_seconds(options))
+        result = _computed(options, law, count, digits, start)
     except LimitError as error:
         if error.argument == "time":  # the integrator speaks of its own argument
             raise LimitError("--epsilon", error.reason, "weaker damping") from error
@@ -46,22 +48,29 @@ def run(options: argparse.Namespace) -> Answer:
     return Answer(result.to_dict(), _text(result), options.json)
 
 
-def _computed(law: Law, count: int, digits: int, start: int, times: bool, seconds: float) -> TurningPoints:
+def _computed(options: argparse.Namespace, law: Law, count: int, digits: int, start: int) -> TurningPoints:
+    state = {name: parse_real(getattr(options, name), f"--{name}") for name in ("x0", "v0")}
+    seconds = read_max_seconds(options)
     with progress_bar(count, unit="point") as bar:
 
         def show(done: int) -> None:
             bar.update(done - bar.n)
 
-        return turning_points(law, count, digits, start=start, times=times, max_seconds=seconds, progress=show)
+        return turning_points(
+            law, count, digits, start=start, times=options.times, max_seconds=seconds, progress=show, **state
+        )
 
 
 def _text(result: TurningPoints) -> str:
     rows = [(str(p.n), p.x) + (() if p.tau is None else (p.tau,)) for p in result.points]
     widths = [max(map(len, column)) for column in zip(*rows)]
     lines = ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
+    if result.first is not None:
+        lines.append("turning point 0 has the amplitude {amplitude}, at tau = {tau}".format_map(result.first))
     if result.ended is not None:
         last, reason = result.ended["n"], result.ended["reason"]
-        lines.append(f"ended: turning point {last} is the last: the motion {_WORDS[reason]}")
+        where = f"turning point {last} is the last" if last >= 0 else "there is no turning point"
+        lines.append(f"ended: {where}: the motion {_WORDS[reason]}")
     return "\n".join([*lines, f"certified: {str(result.certified).lower()} ({result.method})"])
 
 

@@ -25,7 +25,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.swing.course import Landing, Piece, course
 from asymptotics.swing.damping import Damping, size_of, upper
 from asymptotics.swing.passage import of_landing, quick
-from asymptotics.swing.sequence import Turning, following
+from asymptotics.swing.sequence import Turning, after_landing, following
 
 State = tuple[arb, arb]
 
@@ -89,9 +89,7 @@ def _first(damping: Damping, X: arb, V: arb, wanted: _Wanted) -> Turning:
     for piece in course(damping, side * X.mid(), abs(V).mid(), given):
         wanted.take(piece, side, arb(0))
         if isinstance(piece, Landing):
-            time = piece.time.mid()
-            error = upper(piece.miss + given)
-            return Turning(0, -side, piece.turn, time, error, upper(piece.time.rad() + piece.late(given)))
+            return after_landing(piece, side, given)
         if wanted.done:
             break
     return Turning(0, side, abs(X).mid(), arb(0), X.rad(), arb(0))

@@ -26,7 +26,8 @@ from dataclasses import dataclass
 
 from flint import arb
 
-from asymptotics.swing.course import delay
+from asymptotics.errors import UndecidedError
+from asymptotics.swing.course import Landing, course, delay
 from asymptotics.swing.damping import Damping, upper
 from asymptotics.swing.passage import Passage, integrated
 
@@ -60,6 +61,26 @@ class Turning:
 def first_turning() -> Turning:
     """X = 1 at rest, at tau = 0."""
     return Turning(0, 1, arb(1), arb(0), arb(0), arb(0))
+
+
+def first_from(damping: Damping, X: arb, V: arb) -> Turning | str:
+    """The first turning point at tau >= 0 from a state with V != 0, or why there is none."""
+    if not (V > 0 or V < 0):
+        raise UndecidedError("the direction of the first motion is undecided")
+    side = -1 if V > 0 else 1
+    given = upper(X.rad() + V.rad())
+    for piece in course(damping, side * X.mid(), abs(V).mid(), given):
+        if piece.trapped is not None:
+            return piece.trapped
+        if isinstance(piece, Landing):
+            return after_landing(piece, side, given)
+    raise UndecidedError("the first half-swing has no end")
+
+
+def after_landing(piece: Landing, side: int, given: arb) -> Turning:
+    """Turning point 0 at the end of a course that began in motion, within ``given`` of the truth."""
+    time = arb(piece.time.mid(), piece.time.rad() + piece.late(given))
+    return Turning(0, -side, piece.turn, time.mid(), upper(piece.miss + given), upper(time.rad()))
 
 
 def sequence(damping: Damping, start: Turning | None = None) -> Iterator[Turning]:

@@ -25,12 +25,14 @@ from typing import Any
 from flint import ctx
 
 from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds, tick
-from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.swing.sequence import Turning
 from asymptotics.turning.coulomb import coulomb_turning_points
+from asymptotics.turning.kicked import kicked_turning_points
 from asymptotics.turning.linear import linear_turning_points
 from asymptotics.turning.quadratic import TurningPoint, TurningPoints, quadratic_serves, quadratic_turning_points
 from asymptotics.turning.routes import FAR, Plan
@@ -48,11 +50,14 @@ def turning_points(
     *,
     start: int = 0,
     times: bool = False,
+    x0: Number = 1,
+    v0: Number = 0,
     max_seconds: float = DEFAULT_SECONDS,
     progress: Progress = lambda done: None,
 ) -> TurningPoints:
     """Turning points n = start ... start + count - 1 as far as they exist, for the strengths epsilon_i of ``law``.
 
+    With ``v0`` (dimensionless, as ``x0``) the start is in motion: n = 0 is the first turning point, see ``kicked``.
     ``progress`` is called with the number of points finished.  Raises InputError for a negative strength, LimitError
     for more work than the stated limits or ``max_seconds``, UndecidedError where balls cannot tell how it goes on.
     """
@@ -61,7 +66,12 @@ def turning_points(
     law.require_pure("this sequence of turning points")
     acting = [t for t in law.terms if t.strength.sign > 0] or [law.terms[0]]
     epsilon, velocity = acting[0].strength, acting[0].velocity
+    place, speed = exact_number(x0, "x0"), exact_number(v0, "v0")
+    if speed.is_zero and str(place) != "1":
+        raise InputError("x0", f"{x0}: from rest the unit of length is |x0|, X(0) = 1", "1, or a start with v0")
     with budget(max_seconds):
+        if not speed.is_zero:
+            return kicked_turning_points(Law.from_terms(acting), place, speed, count, digits, start=start, times=times)
         if len(acting) == 1 and velocity.is_rational and isinstance(epsilon, ExactReal):
             alpha = velocity.rational
             if alpha == 0:

@@ -47,7 +47,11 @@ class TurningPoint:
 
 @dataclass(frozen=True)
 class TurningPoints:
-    """Consecutive turning points; all digits are correctly rounded if ``certified``."""
+    """Consecutive turning points; all digits are correctly rounded if ``certified``.
+
+    ``first``: for a start in motion, amplitude and time of turning point 0, in units of x0 and of 1/omega_0; then x is
+    in units of that amplitude, and tau counts from there.
+    """
 
     alpha: str
     epsilon: str
@@ -56,6 +60,7 @@ class TurningPoints:
     method: str
     certified: bool = True
     ended: dict[str, Any] | None = None
+    first: dict[str, str] | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """The table as the JSON of the command line."""
@@ -68,6 +73,7 @@ class TurningPoints:
             "ended": self.ended,
             "certified": self.certified,
             "method": self.method,
+            **({} if self.first is None else {"first": self.first}),
         }
 
     def _repr_latex_(self) -> str:
