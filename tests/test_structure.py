@@ -26,6 +26,7 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "law",
     "half_swings",
     "normal_form",
+    "limit_cycles",
     "equations",
     "multiscale",
     "swing",

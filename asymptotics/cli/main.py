@@ -20,6 +20,7 @@ COMMANDS = {
     "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
     "half-swing": "the map from one turning point to the next, its duration and its flow, as series",
     "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
+    "limit-cycle": "limit cycles: amplitude, frequency, multiplier in powers of mu; certified at a number",
     "moment": "the averages of |sin|^p",
     "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
     "papers": "the statements of the three papers with their verdicts: list, look up, search",

@@ -1,0 +1,53 @@
+"""The limit cycle of x'' + x + mu sum_i E_i |x|^M_i x'|x'|^(A_i-1) = 0, where gains and losses of energy balance:
+
+turning amplitude and frequency as series in mu, the common factor of the laws, exactly; the multiplier of a small
+departure per period, and its logarithm.  With --mu the cycle itself at that number: turning amplitude, period,
+frequency and multiplier, certified by interval Newton.
+
+  asymptotics limit-cycle --law 1:-1 --law 1,2:1 --order 8             van der Pol
+  asymptotics limit-cycle --law 1:-1 --law 3:1 --order 8 --mu 1/2      Rayleigh
+
+The laws must be polynomials in x and x': M even, A odd.
+"""
+
+import argparse
+
+from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
+from asymptotics.cli.expand import row_text
+from asymptotics.cli.forces import add_forces, read_law
+from asymptotics.limit_cycles.result import LimitCycle, limit_cycle
+from asymptotics.limit_cycles.series import MAX_ORDER
+from asymptotics.numbers.exact import parse_integer, parse_real
+
+MAX_DIGITS = 200
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add_forces(parser, "epsilon", "E", "its strength, negative for a gain")
+    parser.add_argument("--order", default="8", metavar="N", help=f"the highest power of mu, 0 to {MAX_ORDER}")
+    parser.add_argument("--mu", metavar="M", help="a number: the cycle there as well, certified")
+    add_digits(parser, MAX_DIGITS)
+    add_json(parser)
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    law = read_law(options, "epsilon", negative=True)
+    order = parse_integer(options.order, "--order", 0, MAX_ORDER)
+    digits = read_digits(options, MAX_DIGITS)
+    mu = None if options.mu is None else parse_real(options.mu, "--mu")
+    found = limit_cycle(law, order, digits, mu)
+    return Answer(found.to_dict(), _text(found), options.json)
+
+
+def _text(found: LimitCycle) -> str:
+    lines = [f"x'' + x + mu ({found.law}) = 0, {found.arithmetic}; powers of mu"]
+    lines += [*row_text("A", found.amplitude), *row_text("omega", found.frequency)]
+    lines += row_text("log multiplier", found.log_multiplier)
+    if found.at is not None:
+        names = ("amplitude", "period", "frequency", "multiplier")
+        kind = {True: "stable", False: "unstable", None: "stability undecided"}[found.at.stable]
+        lines += [f"at mu = {found.at.mu}: certified, {kind}"]
+        lines += [f"{name:10}  {getattr(found.at, name)}" for name in names]
+    return "\n".join(lines)

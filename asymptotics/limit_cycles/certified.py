@@ -1,0 +1,272 @@
+"""The limit cycle at a number mu: its turning amplitude by interval Newton, with its period and multiplier, in balls.
+
+From the turning point (A, 0) the orbit of x'' + x + h(x, x') = 0, h = mu sum_i E_i x^m_i x'^alpha_i, runs to the next
+one, (-q(A), 0), in the time T(A).  h is odd, so a fixed point q(A) = A is a cycle of the period 2 T.  With J = int h_v
+d tau over the half-swing, Liouville's formula for the area gives q dq = A dA e^(-J), hence
+
+    F(A) = q(A) - A,    F'(A) = (A/q) e^(-J) - 1,
+
+and for an interval I with centre a: if a - F(a)/F'(I) lies inside I, then I contains exactly one turning amplitude of a
+limit cycle (interval Newton; F'(I) must not contain 0).  The multiplier of a whole period is e^(-2 J) at q = A.
+
+*The orbit in balls.*  Taylor steps for (x, v, J): over a step of length eta, a box B with z + [0, eta] f(B) inside B
+contains the orbit (Picard), and the remainder of the Taylor polynomial of degree n - 1 is the n-th coefficient of the
+same recurrence started from B, times eta^n.  On the first box the acceleration is negative, on the last it is positive,
+between them v is negative: v has no other zero on the way.  The last step ends at a time at which v is certainly small;
+the turning point is then |v|/min|x + h| away in time, and less than |v| times that in x.  Nothing but the width of the
+balls depends on the step, the degree and the precision, which floats choose.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import prod
+
+from flint import arb, arb_poly, ctx
+
+from asymptotics.errors import InputError, UndecidedError
+from asymptotics.law import Law
+from asymptotics.limit_cycles.series import require_polynomial
+from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.terms import Term
+
+MAX_MU = 3
+_STEPS_PER_TURN = 48
+_TRIES = 4
+_FLOAT_STEPS = 4000
+
+
+@dataclass(frozen=True)
+class HalfTurn:
+    """From (A, 0) to (-q, 0): q, the time T, and J = int h_v d tau."""
+
+    q: arb
+    T: arb
+    J: arb
+
+
+@dataclass(frozen=True)
+class CertifiedCycle:
+    """Turning amplitude, period, frequency 2 pi/period and multiplier as correctly rounded decimals, all proved.
+
+    ``stable``: whether the multiplier is below 1, None if undecided; ``radius``: of the interval with one cycle.
+    """
+
+    mu: str
+    amplitude: str
+    period: str
+    frequency: str
+    multiplier: str
+    stable: bool | None
+    radius: str
+
+    def to_dict(self) -> dict[str, str | bool | None]:
+        """JSON-ready."""
+        return {**self.__dict__, "certified": True}
+
+
+def certified_limit_cycle(law: Law, mu: ExactReal, digits: int, near: float) -> CertifiedCycle:
+    """The limit cycle whose turning amplitude is near ``near`` (a float, only a guess), at the number ``mu``.
+
+    Raises InputError for laws that are no polynomials or a mu that is 0 or too large, UndecidedError when the interval
+    Newton step does not close (no cycle near the guess, or a multiplier too near 1).
+
+    >>> van_der_pol = Law({1: -1, (1, 2): 1})
+    >>> certified_limit_cycle(van_der_pol, ExactReal(1), 20, 2.0).amplitude
+    '2.0086198608748431365'
+    """
+    terms = require_polynomial(law)
+    size = abs(mu)
+    if mu.is_zero or size > MAX_MU:
+        raise InputError("mu", f"{mu} is out of range", f"a number other than 0, at most {MAX_MU} in size")
+    guess = _float_fixed_point(terms, float(mu.ball().mid()), near)
+    bits = bits_for(digits, 64)
+    for _ in range(_TRIES):
+        with ctx.workprec(bits):
+            found = _interval_newton(terms, mu.ball(), guess, bits - 24)
+            if found is not None:
+                amplitude, radius, turn = found
+                values = (amplitude, 2 * turn.T, arb.pi() / turn.T, (-2 * turn.J).exp())
+                texts = [decimal_of_ball(v, digits) for v in values]
+                if all(texts) and radius > 0:
+                    shown = radius.str(3, radius=False)
+                    stable = True if values[3] < 1 else False if values[3] > 1 else None
+                    a, period, frequency, multiplier = (text or "" for text in texts)
+                    return CertifiedCycle(str(mu), a, period, frequency, multiplier, stable, shown)
+        bits += bits // 2
+    raise UndecidedError(f"no limit cycle was proved near A = {guess.str(8, radius=False)} at mu = {mu}")
+
+
+def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) -> tuple[arb, arb, HalfTurn] | None:
+    """(A, radius of the interval, half-turn over it) once a - F(a)/F'(I) lies inside I; None if it never does."""
+    a, turn_time = guess.mid(), None
+    for _ in range(12):  # Newton's method on midpoints finds the centre
+        turn = half_turn(terms, mu, a)
+        if turn is None:
+            return None
+        step = (turn.q - a) / ((a / turn.q) * (-turn.J).exp() - 1)
+        turn_time = turn
+        if abs(step.mid()) < arb(2) ** -good:
+            break
+        a = (a - step).mid()
+    if turn_time is None:
+        return None
+    radius = 64 * (abs(turn_time.q - a).upper() + arb(2) ** -good)
+    interval = arb(a, radius.upper())
+    wide = half_turn(terms, mu, interval)
+    if wide is None:
+        return None
+    slope = (interval / wide.q) * (-wide.J).exp() - 1
+    if slope.contains(0):
+        return None
+    newton = a - (turn_time.q - a) / slope
+    return (newton, radius, wide) if interval.contains_interior(newton) else None
+
+
+def half_turn(terms: tuple[Term, ...], mu: arb, A: arb) -> HalfTurn | None:
+    """The half-swing from (A, 0) in balls; None if an enclosure fails."""
+    field, size = _Field(terms, mu), abs(float(mu.mid()))
+    T = _float_map(terms, float(mu.mid()), float(A.mid()))[1]
+    z, degree = (A.mid() + arb(0, A.rad()), arb(0), arb(0)), max(16, int(ctx.prec * 0.22))
+    steps, time = int(_STEPS_PER_TURN * (1 + size)), arb(0)
+    for k in range(steps):
+        eta = arb(T / steps) if k < steps - 1 else _last_step(field, z, T / steps, degree)
+        box = _picard_box(field, z, eta)
+        if box is None or not _goes_on(field, box, k, steps):
+            return None
+        z, time = _step(field, z, box, eta, degree), time + eta
+    return _to_the_turn(field, *z, time)
+
+
+def _last_step(field: "_Field", z: tuple[arb, arb, arb], eta: float, degree: int) -> arb:
+    """Where the Taylor polynomial of v vanishes, by Newton's method on midpoints: a choice, not a claim."""
+    v = field.taylor((z[0].mid(), z[1].mid(), z[2].mid()), degree)[1]
+    slope, end = v.derivative(), arb(eta)
+    for _ in range(12):
+        end = (end - v(end) / slope(end)).mid()
+    return end
+
+
+def _to_the_turn(field: "_Field", x: arb, v: arb, J: arb, T: arb) -> HalfTurn | None:
+    """What is missing to v = 0: with |v| <= w and an acceleration >= g near the end, |dt| <= w/g."""
+    w = abs(v).upper()
+    box_v, box_x = arb(0, 2 * w), x + arb(0, 4 * w)
+    acceleration, divergence = field.at(box_x, box_v)
+    g = abs(acceleration).lower()
+    if not (g > 4 * w and g > 0):  # then |dt| < 1/4 and the orbit stays in the box
+        return None
+    dt = (w / g).upper()
+    more = arb(0, (abs(divergence).upper() * dt).upper())
+    return HalfTurn(-(x + arb(0, (2 * w * dt).upper())), T + arb(0, dt), J + more)
+
+
+class _Field:
+    """The right side (v, -x - h, h_v) and its Taylor recurrence."""
+
+    def __init__(self, terms: tuple[Term, ...], mu: arb) -> None:
+        self.parts = [(mu * t.strength.ball(), t.position, int(t.velocity.rational)) for t in terms]
+
+    def at(self, x: arb, v: arb) -> tuple[arb, arb]:
+        """(acceleration, h_v) at balls."""
+        low = [e * prod([x] * m + [v] * (a - 1), start=arb(1)) for e, m, a in self.parts]
+        h = sum((f * v for f in low), start=arb(0))
+        return -x - h, sum((f * a for f, (_, _, a) in zip(low, self.parts)), start=arb(0))
+
+    def taylor(self, z: tuple[arb, arb, arb], degree: int) -> tuple[arb_poly, arb_poly, arb_poly]:
+        """The Taylor polynomials of x, v, J in time through ``degree``: Picard's iteration, one order each."""
+        x, v = arb_poly([z[0]]), arb_poly([z[1]])
+        J = arb_poly([z[2]])
+        for n in range(1, degree + 1):
+            acceleration, divergence = self._products(x, v, n)
+            x, v = z[0] + v.integral().truncate(n + 1), z[1] + acceleration.integral().truncate(n + 1)
+            J = z[2] + divergence.integral().truncate(n + 1)
+        return x, v, J
+
+    def _products(self, x: arb_poly, v: arb_poly, n: int) -> tuple[arb_poly, arb_poly]:
+        h = divergence = arb_poly([])
+        for e, m, a in self.parts:
+            low = _product(x, v, m, a - 1, n)
+            h += (low * v).truncate(n) * e
+            divergence += low * (e * a)
+        return -x - h, divergence
+
+
+def _product(x: arb_poly, v: arb_poly, m: int, a: int, n: int) -> arb_poly:
+    total = arb_poly([1])
+    for factor, times in ((x, m), (v, a)):
+        for _ in range(times):
+            total = (total * factor).truncate(n)
+    return total
+
+
+def _goes_on(field: _Field, box: tuple[arb, arb, arb], k: int, steps: int) -> bool:
+    """Whether step k of the half-swing certainly has no turning point but its two ends."""
+    if 0 < k < steps - 1:
+        return bool(box[1] < 0)
+    acceleration = field.at(box[0], box[1])[0]
+    return bool(acceleration < 0 if k == 0 else acceleration > 0)
+
+
+def _step(
+    field: _Field, z: tuple[arb, arb, arb], box: tuple[arb, arb, arb], eta: arb, degree: int
+) -> tuple[arb, arb, arb]:
+    """One Taylor step of length ``eta`` with its remainder, ``box`` containing the orbit."""
+    near = field.taylor(z, degree - 1)
+    far = field.taylor(box, degree)
+    return tuple(p(eta) + r[degree] * eta**degree for p, r in zip(near, far))  # type: ignore[return-value]
+
+
+def _picard_box(field: _Field, z: tuple[arb, arb, arb], eta: arb) -> tuple[arb, arb, arb] | None:
+    """A box B with z + [0, eta] f(B) inside B: it contains the orbit over the step."""
+    span = arb(eta / 2, (eta / 2).upper())  # [0, eta]
+    x, v, J = z
+    box = (x, v, J)
+    for _ in range(20):
+        acceleration, divergence = field.at(box[0], box[1])
+        image = (x + span * box[1], v + span * acceleration, J + span * divergence)
+        if all(b.contains_interior(i) for b, i in zip(box, image)):
+            return image
+        box = tuple(arb(i.mid(), (i.rad() * 1.1 + arb(2) ** -30).upper()) for i in image)  # type: ignore[assignment]
+    return None
+
+
+def _rk4(f: Callable[[float, float], float], x: float, v: float, h: float) -> tuple[float, float]:
+    k1, l1 = v, f(x, v)
+    k2, l2 = v + h / 2 * l1, f(x + h / 2 * k1, v + h / 2 * l1)
+    k3, l3 = v + h / 2 * l2, f(x + h / 2 * k2, v + h / 2 * l2)
+    k4, l4 = v + h * l3, f(x + h * k3, v + h * l3)
+    return x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4), v + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
+
+
+def _float_map(terms: tuple[Term, ...], mu: float, A: float) -> tuple[float, float]:
+    """(q, T) in doubles: a guess."""
+    parts = [(mu * float(t.strength.ball().mid()), t.position, int(t.velocity.rational)) for t in terms]
+
+    def f(x: float, v: float) -> float:
+        return -x - sum(e * x**m * v**a for e, m, a in parts)
+
+    x, v, h, t = A, 0.0, 3.2 / _FLOAT_STEPS, 0.0
+    for k in range(40 * _FLOAT_STEPS):
+        before = (x, v)
+        x, v = _rk4(f, x, v, h)
+        t += h
+        if k and v >= 0:
+            share = before[1] / (before[1] - v)
+            return -(before[0] + share * (x - before[0])), t - h * (1 - share)
+        if abs(x) > 1e6:
+            break
+    raise UndecidedError(f"from A = {A:.6g} no next turning point was found")
+
+
+def _float_fixed_point(terms: tuple[Term, ...], mu: float, near: float) -> arb:
+    """A fixed point in doubles by the secant method: a guess."""
+    a, b = near, near * 1.01
+    fa, fb = (_float_map(terms, mu, s)[0] - s for s in (a, b))
+    for _ in range(30):
+        if abs(b - a) < 1e-11 * abs(b) or fb == fa:
+            break
+        a, fa, b = b, fb, b - fb * (b - a) / (fb - fa)
+        if not 0 < b < 1e6:
+            raise UndecidedError(f"no limit cycle was found near A = {near:.6g}")
+        fb = _float_map(terms, mu, b)[0] - b
+    return arb(b)

@@ -1,0 +1,126 @@
+"""A limit cycle for people and for JSON: rows of coefficients in mu, and what is proved at a number mu.
+
+>>> found = limit_cycle(Law({1: -1, (1, 2): 1}), 4, 12)
+>>> found.amplitude["2"], found.frequency["4"]
+(Coefficient(value='0.0104166666667', expression=1/96), Coefficient(value='0.00553385416667', expression=17/3072))
+>>> found.multiplier["1"].exact
+'-2*pi'
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from flint import arb, ctx, fmpq
+
+from asymptotics.errors import UndecidedError
+from asymptotics.half_swings.pi_ring import PI, PiNumber
+from asymptotics.law import Law
+from asymptotics.limit_cycles.certified import CertifiedCycle, certified_limit_cycle
+from asymptotics.limit_cycles.series import LimitCycleSeries, limit_cycle_series
+from asymptotics.normal_form.results import Coefficient, Row, row_to_dict
+from asymptotics.numbers.bridge import to_fraction, to_sympy
+from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.series import Series
+
+
+@dataclass(frozen=True)
+class LimitCycle:
+    """Series in mu through ``order``: turning amplitude, frequency, multiplier of a period and its logarithm.
+
+    Amplitude and frequency are even in mu, the logarithm is odd; ``at`` is what was proved at a number mu.
+    """
+
+    law: Law
+    order: int
+    arithmetic: str
+    amplitude: Row
+    frequency: Row
+    log_multiplier: Row
+    multiplier: Row
+    at: CertifiedCycle | None = None
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: numbers are strings."""
+        names = ("amplitude", "frequency", "multiplier", "log_multiplier")
+        head = {"law": str(self.law), "order": self.order, "arithmetic": self.arithmetic}
+        rows = {name: row_to_dict(getattr(self, name)) for name in names}
+        return {**head, **rows, "at": None if self.at is None else self.at.to_dict()}
+
+    def _repr_latex_(self) -> str:
+        a, w = (_latex(row) for row in (self.amplitude, self.frequency))
+        return rf"$A = {a},\quad \omega = {w}$"
+
+
+def limit_cycle(law: Law, order: int, digits: int, mu: ExactReal | None = None) -> LimitCycle:
+    """The limit cycle of x'' + x + mu (law) = 0 through mu^order, and at the number ``mu`` if it is given.
+
+    Raises InputError for a law without a limit cycle, with several, or that is no polynomial, and as
+    `certified_limit_cycle`.
+    """
+    series = limit_cycle_series(law, order)
+    at = None
+    if mu is not None:
+        near = float(arb(series.square).sqrt().mid())
+        at = certified_limit_cycle(law, mu, digits, near)
+    if series.is_exact:
+        return LimitCycle(law, order, "exact", *_exact_rows(series, digits), at)
+    return LimitCycle(law, order, "certified", *_ball_rows(law, order, digits), at)
+
+
+def _exact_rows(series: LimitCycleSeries, digits: int) -> tuple[Row, Row, Row, Row]:
+    root = sympy.sqrt(to_sympy(series.square))
+
+    def amplitude(c: Any) -> Coefficient:
+        if root.is_rational:
+            return _rational(c * fmpq(int(root.p), int(root.q)), digits)
+        value = certified_decimal(lambda: arb(c) * arb(series.square).sqrt(), digits) if c != 0 else "0"
+        return Coefficient(value, to_sympy(c) * root)
+
+    def over_pi(number: PiNumber) -> Coefficient:
+        exact = number.to_sympy()
+        if number.is_rational:
+            return _rational(number.as_rational(), digits)
+        return Coefficient(certified_decimal(number.ball, digits), exact)
+
+    logs = {k: PI * c for k, c in series.log_multiplier.items()}
+    power = Series({(k,): c for k, c in logs.items()}, 1, series.order).exp()
+    rows: tuple[dict[int, Any], ...] = (series.amplitude, series.frequency, logs)
+    makers: tuple[Any, ...] = (amplitude, lambda c: _rational(c, digits), over_pi)
+    made = [{str(k): make(c) for k, c in row.items()} for row, make in zip(rows, makers)]
+    multiplier = {str(k): over_pi(PiNumber.rational(0) + power[k]) for k in range(series.order + 1)}
+    return made[0], made[1], made[2], multiplier
+
+
+def _rational(c: Any, digits: int) -> Coefficient:
+    return Coefficient(rational_decimal(to_fraction(c), digits), to_sympy(c))
+
+
+def _ball_rows(law: Law, order: int, digits: int) -> tuple[Row, Row, Row, Row]:
+    """Digits from balls; the precision grows until all are rounded."""
+    bits = bits_for(digits, 16 * order + 64)
+    for _ in range(6):
+        with ctx.workprec(bits):
+            series = limit_cycle_series(law, order)
+            root, pi = arb(series.square).sqrt(), arb.pi()
+            logs = {k: c * pi for k, c in series.log_multiplier.items()}
+            power = Series({(k,): c for k, c in logs.items()}, 1, order).exp()
+            rows: list[dict[int, Any]] = [
+                {k: c * root for k, c in series.amplitude.items()}, series.frequency, logs,
+                {k: power[k] for k in range(order + 1)},
+            ]  # fmt: skip
+            texts = [{k: decimal_of_ball(arb(c), digits) for k, c in row.items()} for row in rows]
+        if all(text for row in texts for text in row.values()):
+            made = [{str(k): Coefficient(text, None) for k, text in row.items()} for row in texts]
+            return made[0], made[1], made[2], made[3]
+        bits *= 2
+    raise UndecidedError(f"no certified {digits} digits of the series at {bits} bits")
+
+
+def _latex(row: Row) -> str:
+    terms = []
+    for key, c in row.items():
+        number = c.value if c.expression is None else sympy.latex(c.expression)
+        terms.append(f"{number}" + (rf"\,\mu^{{{key}}}" if key != "0" else ""))
+    return " + ".join(terms)
