@@ -15,14 +15,16 @@ from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import MAX_ACCEPTED, InputError, UndecidedError, printable
 
 COMMANDS = {
-    "derive": "the derivations, each displayed step asserted (in a checkout)",
     "compare": "your own values beside certified ones: right digits, and what the errors look like",
+    "derive": "the derivations, each displayed step asserted (in a checkout)",
+    "envelope": "the first-order envelope and phase: formula, certified numbers, curve",
     "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
     "half-swing": "the map from one turning point to the next, its duration and its flow, as series",
     "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
     "limit-cycle": "limit cycles: amplitude, frequency, multiplier in powers of mu; certified at a number",
     "moment": "the averages of |sin|^p",
     "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
+    "multiple-scales": "the classical derivation, order by order, in text or LaTeX",
     "papers": "the statements of the three papers with their verdicts: list, look up, search",
     "smith": "Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly",
     "sweep": "any of these commands at many points, resumable, from one core to a cluster",

@@ -10,12 +10,12 @@ N + 1 and N + 2.  --reference: every digit proved, whatever the law and the star
 """
 
 import argparse
-from pathlib import Path
 from typing import Any
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
+from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
 from asymptotics.cli.forces import add_forces, read_law
-from asymptotics.cli.motion_files import KINDS, csv_of, picture_of
+from asymptotics.cli.motion_files import csv_of, picture_of, picture_of_reference
 from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES, TURNING_POINT
 from asymptotics.law import Oscillator
@@ -25,7 +25,6 @@ from asymptotics.motions.certify import time_of
 from asymptotics.motions.reference import MAX_DIGITS, reference_motion
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
-from asymptotics.present.files import require_different, target_file, write_all
 
 _QUANTITIES = {
     "mass": ("M", "1", "the mass in kg"),
@@ -46,8 +45,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--reference", action="store_true", help="exact or high-precision motion instead")
     parser.add_argument("--gauge", metavar="G", help=f"one of {', '.join(GAUGES)} (default: the first)")
     parser.add_argument("--static", metavar="F", help="--reference, alpha = 0: static friction force in N, >= b")
-    parser.add_argument("--plot", metavar="FILE", help="waveform, envelope and error curve from 0 to T: PNG or SVG")
-    parser.add_argument("--csv", metavar="FILE", help="t, x, v, amplitude, phase at 1001 times from 0 to T")
+    add_files(parser, "waveform, envelope and error curve from 0 to T", "t, x, v, amplitude, phase from 0 to T")
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
     add_json(parser)
@@ -58,25 +56,23 @@ def run(options: argparse.Namespace) -> Answer:
     law = read_law(options, "damping")
     numbers: dict[str, Any] = {name: parse_real(getattr(options, name), f"--{name}") for name in _QUANTITIES}
     time, digits = time_of(numbers.pop("time")), read_digits(options, MAX_DIGITS)
-    order, gauge = _order_and_gauge(options, digits)
-    files = {name: _file(getattr(options, name), f"--{name}") for name in ("plot", "csv")}
-    require_different({f"--{name}": path for name, path in files.items()})
+    (order, gauge), seconds = _order_and_gauge(options, digits), read_max_seconds(options)
+    files = read_files(options)
     if not any(numbers[n] < 0 or numbers[n] > 0 for n in ("x0", "v0")):
-        if any(files.values()):
+        if files:
             raise InputError("--x0", "with x0 = 0 and v0 = 0 nothing moves: nothing to draw", "a start that moves")
         moving = Oscillator(law, **(numbers | {"x0": 1}))  # the other values are checked all the same
         if options.static is not None:
             reference_motion(moving, 0, static=options.static)
         return _answer(_rest(options.reference, order, gauge), options, [])
-    if any(files.values()) and not time > 0:
+    if files and not time > 0:
         raise InputError("--time", "0 leaves nothing to draw or to tabulate", "a time > 0 with --plot or --csv")
     oscillator = Oscillator(law, **numbers)
     if options.reference:
-        seconds = read_max_seconds(options)
         point = reference_motion(oscillator, time, digits, static=options.static, max_seconds=seconds)
     else:
         point = AsymptoticMotion.of(oscillator, order, gauge).at(time, digits)
-    return _answer(point, options, _written(files, oscillator, time, options, order, gauge))
+    return _answer(point, options, write_files(files, _makers(oscillator, time, options, order, gauge)))
 
 
 def _order_and_gauge(options: argparse.Namespace, digits: int) -> tuple[int, str]:
@@ -100,32 +96,15 @@ def _rest(reference: bool, order: int, gauge: str) -> MotionPoint:
     return MotionPoint("0", "0", "0", None, order, gauge, method, "0", True)
 
 
-def _file(name: str | None, argument: str) -> Path | None:
-    """The file of --plot or --csv, after proving that it can be written; InputError otherwise."""
-    if name is None:
-        return None
-    if argument == "--plot" and Path(name).suffix.lower() not in KINDS:
-        raise InputError(argument, f"{name!r} has no suffix of a picture", " or ".join(KINDS))
-    return target_file(name, argument)
+def _makers(oscillator: Oscillator, time: ExactReal, options: argparse.Namespace, order: int, gauge: str) -> Makers:
+    shown, points = None if options.reference else order, read_points(options)
 
+    def picture(kind: str) -> bytes:
+        if options.reference:
+            return picture_of_reference(oscillator, time, kind, options.static)
+        return picture_of(oscillator, time, order, gauge, kind)
 
-def _written(
-    files: dict[str, Path | None],
-    oscillator: Oscillator,
-    time: ExactReal,
-    options: argparse.Namespace,
-    order: int,
-    gauge: str,
-) -> list[str]:
-    contents: dict[Path, str | bytes] = {}
-    if files["csv"] is not None:
-        shown = None if options.reference else order
-        contents[files["csv"]] = csv_of(oscillator, time, shown, gauge, options.static)
-    if files["plot"] is not None:
-        kind = KINDS[files["plot"].suffix.lower()]
-        contents[files["plot"]] = picture_of(oscillator, time, order, gauge, kind)
-    write_all(contents, " and ".join(f"--{name}" for name, path in files.items() if path is not None))
-    return [str(path) for path in files.values() if path is not None]
+    return {"--plot": picture, "--csv": lambda _: csv_of(oscillator, time, shown, gauge, options.static, points)}
 
 
 def _answer(point: MotionPoint, options: argparse.Namespace, written: list[str]) -> Answer:

@@ -20,19 +20,23 @@ from asymptotics.motions.reference import estimated_seconds, reference_motion, r
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.present.figures import render
 
-KINDS = {".png": "png", ".svg": "svg"}
 _ROWS, _REFERENCE_ROWS, _REFERENCE_DIGITS = 1000, 240, 14
 _MAX_SECONDS = 60.0
 
 
 def csv_of(
-    oscillator: Oscillator, time: ExactReal, order: int | None, gauge: str, static: str | None = None
+    oscillator: Oscillator,
+    time: ExactReal,
+    order: int | None,
+    gauge: str,
+    static: str | None = None,
+    points: int = _ROWS,
 ) -> str:
-    """t, x, v, amplitude, phase at 1001 times from 0 to ``time``; without ``order`` t, x, v of the reference motion."""
+    """t, x, v, amplitude, phase at points + 1 times from 0 to ``time``; without ``order`` t, x, v of the reference."""
     if order is None:
-        t, x, v = _reference(oscillator, time, _ROWS, static)
+        t, x, v = _reference(oscillator, time, points, static)
         return _lines("t,x,v", zip(t, x, v))
-    found = AsymptoticMotion.of(oscillator, order, gauge).sample(np.linspace(0.0, _float(time), _ROWS + 1))
+    found = AsymptoticMotion.of(oscillator, order, gauge).sample(np.linspace(0.0, _float(time), points + 1))
     return _lines("t,x,v,amplitude,phase", zip(found.t, found.x, found.v, found.amplitude, found.phase))
 
 
@@ -60,6 +64,23 @@ def picture_of(oscillator: Oscillator, time: ExactReal, order: int, gauge: str, 
             bottom.semilogy(error[0][1:], np.maximum(error[1][1:], 1e-17), color="#15803d")
             bottom.set_ylabel("|x - reference| (m)")
         bottom.set_xlabel("t (s)")
+
+    return render(draw, size=(6.4, 5.2), kind=kind)
+
+
+def picture_of_reference(oscillator: Oscillator, time: ExactReal, kind: str, static: str | None) -> bytes:
+    """x(t) and v(t) of the reference motion."""
+    t, x, v = _reference(oscillator, time, _ROWS, static)
+
+    def draw(axes: Any) -> None:
+        figure = axes.figure
+        axes.remove()
+        upper, lower = figure.subplots(2, 1, sharex=True)
+        upper.plot(t, x)
+        upper.set_ylabel("x (m)")
+        lower.plot(t, v, color="#15803d")
+        lower.set_ylabel("v (m/s)")
+        lower.set_xlabel("t (s)")
 
     return render(draw, size=(6.4, 5.2), kind=kind)
 

@@ -20,7 +20,7 @@ Eq(V_1, D_0*X_1 + D_1*X_0)
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Add, Derivative, Eq, Expr, Function, Symbol, cos, expand, latex
+from sympy import Add, Derivative, Eq, Expr, Function, Sum, Symbol, cos, expand, latex
 
 from asymptotics.series import Key
 
@@ -42,6 +42,11 @@ def rate_symbols(n: int) -> tuple[Symbol, Symbol]:
 def solution_symbol(n: int) -> Expr:
     """X_n(psi)."""
     return Function(f"X_{n}")(psi)
+
+
+def _latex(x: Any) -> str:
+    """LaTeX; beside an infinite sum the terms keep their order, because sorting them would evaluate the sum."""
+    return str(latex(x, order="none" if x.has(Sum) else None))
 
 
 @dataclass(frozen=True)
@@ -66,13 +71,14 @@ class Order:
     @property
     def lines(self) -> tuple[tuple[str, str], ...]:
         """(name, LaTeX) of every displayed line."""
-        shown = [(f"order {self.n}", latex(self.hierarchy))]
-        shown += [("velocity", latex(self.velocity))] if self.velocity is not None else []
-        shown += [("equation", latex(self.equation))]
+        shown = [(f"order {self.n}", _latex(self.hierarchy))]
+        shown += [("velocity", _latex(self.velocity))] if self.velocity is not None else []
+        shown += [("equation", _latex(self.equation))]
         waves = (r"$\sin\psi$", r"$\cos\psi$") if self.n else ()
-        shown += [(f"secular, {wave}", latex(c) + " = 0") for wave, c in zip(waves, self.secular)]
-        shown += [("solvability", f"D_{{{self.n}}} {x} = {latex(e)}") for x, e in zip(("a", r"\psi"), self.solvability)]
-        shown += [(f"solution, {self.gauge}", latex(self.solution))] if self.solution is not None else []
+        shown += [(f"secular, {wave}", _latex(c) + " = 0") for wave, c in zip(waves, self.secular)]
+        rates = zip(("a", r"\psi"), self.solvability)
+        shown += [("solvability", f"D_{{{self.n}}} {x} = {_latex(e)}") for x, e in rates]
+        shown += [(f"solution, {self.gauge}", _latex(self.solution))] if self.solution is not None else []
         return tuple(shown)
 
     def _repr_latex_(self) -> str:

@@ -60,7 +60,7 @@ def test_static_friction_and_extinction(capsys):
     assert answer(capsys, line + " --reference")["x"] == "-0.20000"
     assert answer(capsys, line + " --reference --static 5")["x"] == "-0.40000"
     data = answer(capsys, line)
-    assert (data["x"], data["amplitude"]) == ("0", "0") and "extinction" in data["notes"][0]
+    assert (data["x"], data["amplitude"]) == ("-0.20000", "0.20000") and "dry friction holds" in data["notes"][0]
 
 
 def test_files_appear_whole(capsys, tmp_path):

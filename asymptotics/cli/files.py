@@ -1,0 +1,56 @@
+"""The options --csv, --plot and --points: files refused before the work, written all together or not at all.
+
+>>> parser = argparse.ArgumentParser()
+>>> add_files(parser, "the motion from 0 to T")
+>>> read_files(parser.parse_args([]))
+{}
+"""
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+
+from asymptotics.errors import InputError
+from asymptotics.numbers.exact import parse_integer
+from asymptotics.present.files import require_different, target_file, write_all
+
+KINDS = {".png": "png", ".svg": "svg"}
+MAX_POINTS, DEFAULT_POINTS = 100_000, 1000
+Makers = dict[str, Callable[[str], str | bytes]]
+
+
+def add_files(parser: argparse.ArgumentParser, what: str, columns: str = "") -> None:
+    """The options --plot, --csv and --points."""
+    parser.add_argument("--plot", metavar="FILE", help=f"{what}: PNG or SVG")
+    parser.add_argument("--csv", metavar="FILE", help=f"{columns or what}, as a table of columns")
+    text = f"the table has POINTS + 1 rows (1 to {MAX_POINTS}; default {DEFAULT_POINTS})"
+    parser.add_argument("--points", metavar="POINTS", help=text)
+
+
+def read_files(options: argparse.Namespace) -> dict[str, Path]:
+    """The files asked for, by option, after proving that each can be written; InputError otherwise."""
+    named = {f"--{name}": getattr(options, name) for name in ("plot", "csv")}
+    found = {argument: _file(name, argument) for argument, name in named.items() if name is not None}
+    require_different(dict(found))
+    if options.points is not None and "--csv" not in found:
+        raise InputError("--points", "there is no table to give rows to", "--points with --csv")
+    read_points(options)
+    return found
+
+
+def read_points(options: argparse.Namespace) -> int:
+    """How many intervals the table has."""
+    return parse_integer(str(DEFAULT_POINTS) if options.points is None else options.points, "--points", 1, MAX_POINTS)
+
+
+def write_files(files: dict[str, Path], makers: Makers) -> list[str]:
+    """Make all contents, then write them; a maker gets the kind of its file (png, svg or csv)."""
+    contents = {path: makers[argument](KINDS.get(path.suffix.lower(), "csv")) for argument, path in files.items()}
+    write_all(contents, " and ".join(files))
+    return [str(path) for path in files.values()]
+
+
+def _file(name: str, argument: str) -> Path:
+    if argument == "--plot" and Path(name).suffix.lower() not in KINDS:
+        raise InputError(argument, f"{name!r} has no suffix of a picture", " or ".join(KINDS))
+    return target_file(name, argument)

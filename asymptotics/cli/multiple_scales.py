@@ -1,0 +1,82 @@
+"""The classical multiple-scale derivation, order by order: equation, secular terms, their removal, solution.
+
+  asymptotics multiple-scales --alpha 3 --order 4
+  asymptotics multiple-scales --alpha 3/2 --order 2 --latex
+  asymptotics multiple-scales --alpha symbolic
+  asymptotics multiple-scales --law 1 --law 3 --order 3 --json
+
+Scales T_n = epsilon^n tau, X = X_0 + epsilon X_1 + ..., X_0 = a cos psi.  Odd exponents go exactly to any order, every
+other exponent (and a symbolic one) to second order.  The gauge is no-first-harmonic: a is the coefficient of cos psi.
+"""
+
+import argparse
+from typing import Any
+
+import sympy
+
+from asymptotics.api.hierarchy import MAX_ORDER, multiple_scales
+from asymptotics.cli.answer import Answer, add_json
+from asymptotics.cli.forces import add_forces, read_terms
+from asymptotics.errors import InputError
+from asymptotics.multiscale.orders import Order
+from asymptotics.multiscale.symbolic import MultipleScales
+from asymptotics.numbers.exact import parse_integer
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    text = "accepted as in the other commands: the derivation holds for every strength"
+    add_forces(parser, "epsilon", "E", text, springs=False)
+    parser.add_argument("--order", default="2", metavar="N", help=f"1 to {MAX_ORDER}; above 2 for odd alpha")
+    parser.add_argument("--latex", action="store_true", help="print LaTeX instead of text")
+    add_json(parser)
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    order = parse_integer(options.order, "--order", 1, MAX_ORDER)
+    found = multiple_scales(_law(options), order=order)
+    rates = {"amplitude_rate": found.amplitude_rate, "phase_rate": found.phase_rate}
+    data: dict[str, Any] = {
+        "order": order,
+        "gauge": found.gauge,
+        **{name: str(rate) for name, rate in rates.items()},
+        "orders": [_order(one) for one in found.orders],
+        "latex": _latex(found.orders, rates),
+    }
+    text = "\n".join([*map(str, found.orders), f"da/dtau = {found.amplitude_rate}", f"dpsi/dtau = {found.phase_rate}"])
+    if isinstance(found, MultipleScales):
+        start = {"initial_amplitude": found.initial_amplitude, "initial_phase": found.initial_phase}
+        data |= {name: str(value) for name, value in start.items()}
+        text += f"\nstart at rest from X = 1: a(0) = {found.initial_amplitude}, psi(0) = {found.initial_phase}"
+    return Answer(data, data["latex"] if options.latex else f"{text}\ngauge: {found.gauge}", options.json)
+
+
+def _law(options: argparse.Namespace) -> Any:
+    if options.alpha == "symbolic":
+        if options.law is not None:
+            raise InputError("--law", "cannot be combined with --alpha symbolic", "one law with a symbolic exponent")
+        return "symbolic"
+    terms = read_terms(options).terms
+    for term in terms:
+        if not term.is_power_of_velocity:
+            raise InputError("--law", f"{term.shape()} is not a power of the velocity", "A or A:E")
+    return [term.velocity for term in terms]
+
+
+def _order(one: Order) -> dict[str, Any]:
+    """One order as JSON data: SymPy-readable text."""
+    solution = None if one.solution is None else str(one.solution.rhs)
+    return {
+        "n": one.n,
+        "equation": f"{one.equation.lhs} = {one.equation.rhs}",
+        "solvability": [f"{e.lhs} = {e.rhs}" for e in one.solvability],
+        "solution": solution,
+    }
+
+
+def _latex(orders: tuple[Order, ...], rates: dict[str, Any]) -> str:
+    lines = [one._repr_latex_().strip("$") for one in orders]
+    amplitude, phase = (sympy.latex(rate) for rate in rates.values())
+    rows = [rf"\frac{{da}}{{d\tau}} = {amplitude}", rf"\frac{{d\psi}}{{d\tau}} = {phase}"]
+    return "\n".join(rf"\[ {line} \]" for line in (*lines, *rows))

@@ -1,0 +1,127 @@
+"""The commands envelope and multiple-scales, and the files of motion."""
+
+import csv
+import json
+import math
+
+import pytest
+import sympy
+
+from asymptotics.cli.main import main
+
+
+def run(capsys, line: str) -> tuple[int, str, str]:
+    code = main(line.split())
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def answer(capsys, line: str) -> dict:
+    code, out, err = run(capsys, line + " --json")
+    assert code == 0, err
+    return json.loads(out)
+
+
+def test_the_envelope_of_lancaster_13(capsys):
+    """alpha = 3/2: A/A(0) = (1 + kappa tau/2)^-2, in SI and without units."""
+    si = answer(capsys, "envelope --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --time 7 --digits 12")
+    assert (si["units"], si["amplitude"], si["extinction"], si["certified"]) == ("SI", "0.164991444234", None, True)
+    bare = answer(capsys, "envelope --alpha 3/2 --epsilon 1/10 --time 7 --digits 12")
+    kappa = float(bare["kappas"][0])
+    assert bare["units"] is None
+    assert float(bare["amplitude"]) == pytest.approx((1 + kappa * 7 / 2) ** -2, rel=1e-11)
+    code, out, _ = run(capsys, "envelope --alpha 3/2 --epsilon 1/10")
+    assert (code, out.splitlines()[0]) == (0, "A/A(0) = (kappa_1*tau/2 + 1)**(-2)")
+
+
+def test_the_envelope_of_sums_extinction_and_certified_digits_at_irrational_exponents(capsys):
+    dry = answer(capsys, "envelope --law 0:0.01 --law 2:0.3 --time 40 --digits 8")
+    assert (dry["family"], dry["extinction"], dry["amplitude"]) == ("tangent", "47.445892", "0.048125088")
+    assert answer(capsys, "envelope --law 0:0.01 --law 2:0.3 --time 50")["amplitude"] == "0"
+    root = answer(capsys, "envelope --law 1:1/10 --law sqrt(3):1/10 --time 5 --digits 25")
+    assert (root["family"], len(root["amplitude"].lstrip("0."))) == ("bernoulli", 25)
+    assert answer(capsys, "envelope --law 0:1/10 --law sqrt(3):1/10 --time 5")["formula"] is None
+    lelas = answer(capsys, "envelope --alpha 0 --damping 0.14715 --mass 3/2 --stiffness 30 --x0 0.2 --lelas --digits 5")
+    assert (lelas["extinction"], lelas["phase"]) == ("12.894", None)
+
+
+def test_the_files_of_the_envelope(capsys, tmp_path, monkeypatch):
+    folder = tmp_path / "with a blank and ü"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    code, out, err = run(capsys, "envelope --alpha 2 --epsilon 1/5 --time 9 --plot e.svg --csv e.csv --points 30")
+    assert code == 0, err
+    rows = list(csv.reader((folder / "e.csv").read_text().splitlines()))
+    assert rows[0] == ["tau", "amplitude", "phase"]
+    assert len(rows) == 32
+    last = answer(capsys, "envelope --alpha 2 --epsilon 1/5 --time 9 --digits 15")
+    assert float(rows[-1][1]) == pytest.approx(float(last["amplitude"]), abs=1e-12)
+    assert float(rows[-1][2]) == pytest.approx(float(last["phase"]), abs=1e-9)
+    assert (folder / "e.svg").read_text().startswith("<?xml")
+
+
+def test_the_derivation_of_cubic_damping(capsys):
+    found = answer(capsys, "multiple-scales --alpha 3 --order 2")
+    a, epsilon = sympy.symbols("a epsilon", positive=True)
+    names = {"a": a, "epsilon": epsilon}
+    shown = sympy.sympify(found["amplitude_rate"], locals=names)
+    assert sympy.expand(shown + sympy.Rational(3, 8) * a**3 * epsilon) == 0
+    assert found["gauge"] == "no-first-harmonic"
+    assert [one["n"] for one in found["orders"]] == [0, 1, 2]
+    assert found["orders"][1]["solvability"] == ["f_1 = -3*a**3/8", "g_1 = 0"]
+    assert found["orders"][2]["solvability"][1] == "g_2 = 9*a**4/256"  # the gauge's own second order, 9/256
+    text = run(capsys, "multiple-scales --alpha 3 --order 2")[1]
+    assert "dpsi/dtau = 9*a**4*epsilon**2/256 + 1" in text
+
+
+@pytest.mark.parametrize("law", ["--alpha 3/2", "--alpha symbolic", "--law 1 --law 3 --order 3", "--law 1 --law 2"])
+def test_the_derivation_in_latex(capsys, law):
+    code, out, err = run(capsys, f"multiple-scales {law} --latex")
+    assert code == 0, err
+    assert out.count(r"\[") == out.count(r"\]") >= 4
+    assert out.count(r"\begin{aligned}") == out.count(r"\end{aligned}")
+
+
+def test_motion_draws_and_tabulates_the_reference(capsys, tmp_path):
+    target = tmp_path / "r.csv"
+    line = f"motion --alpha 0 --damping 3 --stiffness 10 --x0 1 --time 5 --reference --static 5 --csv {target}"
+    code, _, err = run(capsys, f"{line} --plot {tmp_path}/r.svg --points 50")
+    assert code == 0, err
+    rows = list(csv.reader(target.read_text().splitlines()))
+    assert len(rows) == 52
+    assert float(rows[-1][1]) == pytest.approx(-0.4)  # held at the first turning point, -(1 - 6/10): 4/10 <= 5/10
+    assert math.isclose(float(rows[-1][2]), 0, abs_tol=1e-12)
+    assert (tmp_path / "r.svg").stat().st_size > 5000
+
+
+BAD = [
+    ("envelope --alpha 2 --epsilon 1/5 --mass 2", "--epsilon"),
+    ("envelope --alpha 2 --epsilon 1/5 --plot a.svg", "--time"),
+    ("envelope --alpha 2 --epsilon 1/5 --time 1 --points 5", "--points"),
+    ("envelope --alpha 2 --epsilon 1/5 --time 1 --csv a.csv --points 0", "--points"),
+    ("envelope --alpha 2", "--damping"),
+    ("envelope --alpha 2 --epsilon -1", "--epsilon"),
+    ("envelope --alpha 2 --epsilon 1 --time -1", "--time"),
+    ("envelope --law 0:1 --law sqrt(3):1 --latex", "--latex"),
+    ("envelope --alpha 2 --epsilon 1 --digits 0", "--digits"),
+    ("multiple-scales --alpha 3/2 --order 3", "--order"),
+    ("multiple-scales --alpha 3 --order 0", "--order"),
+    ("multiple-scales", "--alpha"),
+    ("multiple-scales --alpha symbolic --law 2", "--law"),
+    ("multiple-scales --law 1,2", "--law"),
+    ("motion --alpha 2 --damping 1 --x0 1 --time 1 --csv no/such/folder/a.csv", "--csv"),
+    ("motion --alpha 2 --damping 1 --x0 1 --time 1 --csv a.svg --plot a.svg", "--csv"),
+    ("motion --alpha 2 --damping 1 --x0 0 --time 1 --csv a.csv", "--x0"),
+    ("smith f --n 7 --i x", "--i"),
+    ("smith g --i 2 --n 1", "--n"),
+]
+
+
+@pytest.mark.parametrize(("line", "argument"), BAD, ids=[line for line, _ in BAD])
+def test_bad_input_is_one_line_that_names_the_argument(capsys, tmp_path, monkeypatch, line, argument):
+    monkeypatch.chdir(tmp_path)
+    code, out, err = run(capsys, line)
+    assert (code, out) == (2, "")
+    assert err.count("\n") == 1
+    assert argument in err
+    assert list(tmp_path.iterdir()) == []
