@@ -90,6 +90,18 @@ def test_the_same_equations_for_every_kind_of_number(a):
     assert asy.moment(a).value == asy.moment("3/2").value
 
 
+def test_every_result_says_what_a_float_was_read_as():
+    osc = asy.Oscillator({1.5: "1/10"}, mass=1.5, stiffness=30, x0="1/5")
+    found = [
+        asy.expand(1.5), asy.moment(1.5), asy.half_swing(1.5), asy.half_swing(1.5, delta="1/10"),
+        asy.multiple_scales(1.5),
+        asy.turning_points({2: 1.5}, 2), asy.turning_points(osc, 2), asy.motion(osc), asy.motion(osc).at(1),
+        asy.reference(osc), asy.reference(osc).at(1, digits=5), asy.envelope(osc), asy.motion({2: "1/10"}).at(1.5),
+    ]  # fmt: skip
+    for result in found:
+        assert any("float 1.5 was read as 3/2" in note for note in result.notes), type(result)
+
+
 @pytest.mark.parametrize("bad", BAD, ids=str)
 def test_bad_values_are_refused_by_name(osc, bad):
     calls = [

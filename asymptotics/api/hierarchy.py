@@ -10,17 +10,18 @@ order 1: X_1(psi) + Derivative(X_1(psi), (psi, 2)) = ...
 a*epsilon**2*(-12/(25*pi) + 9*gamma(7/4)**2/(20*pi*gamma(9/4)**2)) + 1
 """
 
+from dataclasses import replace
 from typing import Any
 
+from asymptotics.equations.build import terms_of
 from asymptotics.errors import InputError
 from asymptotics.half_swings.symbolic import alpha
-from asymptotics.law import Law, Oscillator
+from asymptotics.law import Law
 from asymptotics.multiscale.general import SecondOrder, second_order
 from asymptotics.multiscale.symbolic import MultipleScales
 from asymptotics.multiscale.symbolic import multiple_scales as odd_multiple_scales
 from asymptotics.numbers.bridge import to_sympy
-from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import exact_integer, exact_number
+from asymptotics.numbers.policy import exact_integer
 
 MAX_ORDER = 60
 
@@ -34,29 +35,13 @@ def multiple_scales(law: Any, *, order: Any = 2) -> MultipleScales | SecondOrder
     N = exact_integer(order, "order", 1, MAX_ORDER)
     if isinstance(law, str) and law.strip() == "symbolic":
         return second_order((alpha,)) if N <= 2 else _no_more(N)
-    exponents = _exponents(law)
+    terms, _, _, notes = terms_of(law)
+    exponents = Law.from_terms(terms).alphas
     if all(a.is_integer and a.rational % 2 == 1 for a in exponents):
-        return odd_multiple_scales(tuple(int(a.rational) for a in exponents), N)
-    return second_order(tuple(to_sympy(a) for a in exponents)) if N <= 2 else _no_more(N)
-
-
-def _exponents(law: Any) -> tuple[ExactReal, ...]:
-    if isinstance(law, Oscillator):
-        return law.law.alphas
-    if isinstance(law, list | tuple):
-        if not law:
-            raise InputError("alpha", "no exponent is given", "an exponent >= 0, a list of them, or a law")
-        return tuple(_exponent(a) for a in law)
-    if isinstance(law, dict) or hasattr(law, "alphas"):
-        return Law.read(law).alphas
-    return (_exponent(law),)
-
-
-def _exponent(value: Any) -> ExactReal:
-    number = exact_number(value, "alpha")
-    if number < 0:
-        raise InputError("alpha", f"{number} is negative", "an exponent >= 0")
-    return number
+        return replace(odd_multiple_scales(tuple(int(a.rational) for a in exponents), N), notes=notes)
+    if N > 2:
+        return _no_more(N)
+    return replace(second_order(tuple(to_sympy(a) for a in exponents)), notes=notes)
 
 
 def _no_more(order: int) -> SecondOrder:

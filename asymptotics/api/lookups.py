@@ -20,7 +20,7 @@ from asymptotics.moments.certified import moment as moment_ball
 from asymptotics.moments.symbolic import moment as moment_expression
 from asymptotics.numbers.bridge import from_sympy, to_sympy
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
-from asymptotics.numbers.policy import exact_integer, exact_number
+from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
 from asymptotics.numbers.value import Coefficient
 from asymptotics.tables import Table, registry
 
@@ -38,8 +38,8 @@ def moment(p: Any, *, digits: Any = 30) -> Coefficient:
         raise InputError("p", f"{number}: {reason}", f"a real number above -1, at most {MAX_P}")
     expression = moment_expression(to_sympy(number))
     if expression.is_Rational:  # even p: exactly known, ties included
-        return Coefficient(rational_decimal(from_sympy(expression), D), expression)
-    return Coefficient(certified_decimal(lambda: moment_ball(number.ball()), D), expression)
+        return Coefficient(rational_decimal(from_sympy(expression), D), expression, float_notes(p=p))
+    return Coefficient(certified_decimal(lambda: moment_ball(number.ball()), D), expression, float_notes(p=p))
 
 
 def table(name: str, *, digits: Any = 30) -> Table:

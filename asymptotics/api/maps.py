@@ -8,6 +8,7 @@
 ('0.870193291989', True)
 """
 
+from dataclasses import replace
 from typing import Any
 
 from asymptotics.equations.build import terms_of
@@ -16,7 +17,7 @@ from asymptotics.half_swings.finite_result import HalfSwingAt, half_swing_at
 from asymptotics.law import Law
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.normal_form.results import HalfSwingCoefficients
-from asymptotics.numbers.policy import exact_integer, exact_number
+from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
 
 MAX_ORDER, MAX_DIGITS = 200, 1000
 
@@ -30,10 +31,13 @@ def half_swing(
     read, LimitError with the estimate, UndecidedError where balls cannot decide.
     """
     D = exact_integer(digits, "digits", 1, MAX_DIGITS)
-    terms = terms_of(law, spring)[0]
+    terms, _, _, notes = terms_of(law, spring)
     if delta is None:
-        return half_swing_coefficients(terms, exact_integer(order, "order", 1, MAX_ORDER), D, exact_only=exact)
+        found = half_swing_coefficients(terms, exact_integer(order, "order", 1, MAX_ORDER), D, exact_only=exact)
+        return replace(found, notes=notes)
     if exact:
         raise InputError("exact", "cannot be combined with delta", "delta alone: certified digits")
     given = delta if isinstance(delta, list | tuple) else [delta]
-    return half_swing_at(Law.from_terms(terms).alphas, [exact_number(d, "delta") for d in given], D)
+    notes = (*notes, *(note for d in given for note in float_notes(delta=d)))
+    at = half_swing_at(Law.from_terms(terms).alphas, [exact_number(d, "delta") for d in given], D)
+    return replace(at, notes=notes)

@@ -68,7 +68,7 @@ class Motion:
 
     def at(self, t: Number, *, digits: Any = None) -> MotionPoint:
         """One time in s; without ``digits`` every value is rounded to the error estimate of x."""
-        time, notes = exact_number(t, "t"), float_notes(t=t)
+        time, notes = exact_number(t, "t"), (*self.notes, *float_notes(t=t))
         if digits is not None:
             return self._motion.at(time, exact_integer(digits, "digits", 1, 300)).noted(notes)
         return self._motion.at(time).rounded_to_error().noted(notes)
@@ -107,7 +107,7 @@ class Reference:
         point = reference_motion(
             self.oscillator, exact_number(t, "t"), exact_integer(digits, "digits", 1, 1000), static=self.static
         )
-        return point.noted(float_notes(t=t))
+        return point.noted((*self.notes, *float_notes(t=t)))
 
     def sample(self, t: Any) -> MotionSamples:
         """Many times (array-like, s): arrays x and v in doubles, from one computation; NaN stays in its place."""

@@ -8,7 +8,7 @@
 '-0.410719686061'
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from flint import arb, ctx
@@ -49,6 +49,11 @@ class OscillatorTurningPoints:
         return self.dimensionless.certified
 
     @property
+    def notes(self) -> tuple[str, ...]:
+        """What was read or merged on the way."""
+        return self.dimensionless.notes
+
+    @property
     def ended(self) -> dict[str, Any] | None:
         """Where and why the sequence ends, or None."""
         return self.dimensionless.ended
@@ -56,7 +61,8 @@ class OscillatorTurningPoints:
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: numbers are strings."""
         points = [{"n": p.n, "x": p.x, "t": p.t} for p in self.points]
-        rest = {"ended": self.ended, "certified": self.certified, "method": self.dimensionless.method}
+        rest: dict[str, Any] = {"ended": self.ended, "certified": self.certified, "method": self.dimensionless.method}
+        rest |= {"notes": list(self.notes)}
         return {"oscillator": self.oscillator.to_dict(), "units": {"x": "m", "t": "s"}, "points": points, **rest}
 
     def __str__(self) -> str:
@@ -98,7 +104,8 @@ def turning_points(
 
 
 def _computed(law: Any, count: int, digits: int, start: int, times: bool) -> TurningPoints:
-    return general.turning_points(law_of(law), count, digits, start=start, times=times)
+    read = law_of(law)
+    return replace(general.turning_points(read, count, digits, start=start, times=times), notes=read.notes)
 
 
 def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[SwingPoint, ...] | None:

@@ -49,7 +49,10 @@ class Observable:
 
 @dataclass(frozen=True)
 class Observables:
-    """The observables at one turning amplitude (m for an oscillator, else in units of x0)."""
+    """The observables at one turning amplitude (m for an oscillator, else in units of x0).
+
+    ``energy_loss`` is the fraction lost on the half-swing, ``energy`` the amount: J, or in units of k x0^2.
+    """
 
     amplitude: float
     half_period: Observable
@@ -57,10 +60,11 @@ class Observables:
     decrement: Observable
     energy_loss: Observable
     Q: Observable
+    energy: Observable
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: numbers are strings."""
-        names = ("half_period", "amplitude_ratio", "decrement", "energy_loss", "Q")
+        names = ("half_period", "amplitude_ratio", "decrement", "energy_loss", "Q", "energy")
         seen = {n: {"value": repr(getattr(self, n).value), "error": f"{getattr(self, n).error:.1e}"} for n in names}
         return {"amplitude": repr(self.amplitude), **seen}
 
@@ -79,15 +83,20 @@ def observables_at(
     if any(x != x for x in (*here, *finer)):
         raise InputError("A", "the series give no number there", "a smaller amplitude")
     time, unit = (1.0, "") if oscillator is None else (1 / float(oscillator.omega_0().mid()), "s")
-    period, ratio, decrement, loss, quality = (
-        Observable(a, 2 * abs(a - b) + 1e-15 * abs(a)) for a, b in zip(here, finer)
+    size, joule = (1.0, "") if oscillator is None else (float(oscillator.stiffness.ball().mid()), "J")
+    factors = (time, 1.0, 1.0, 1.0, 1.0, size * amplitude**2)
+    units = (unit, "", "", "", "", joule)
+    return Observables(
+        amplitude,
+        *(
+            Observable(a * f, (2 * abs(a - b) + 1e-15 * abs(a)) * f, u)
+            for a, b, f, u in zip(here, finer, factors, units)
+        ),
     )
-    half_period = Observable(period.value * time, period.error * time, unit)
-    return Observables(amplitude, half_period, ratio, decrement, loss, quality)
 
 
 def _values(half: HalfSwing, potential: Series, deltas: list[float]) -> tuple[float, ...]:
-    """(T, e^L, Lambda, energy loss, Q) of a truncated half-swing map; ``potential`` is V(A)/(A^2/2)."""
+    """(T, e^L, Lambda, energy loss, Q, energy lost/A^2) of a truncated map; ``potential`` is V(A)/(A^2/2)."""
     balls = tuple(deltas)
     L = float(half.L.map(_double).at(balls))
     after = tuple(d * exp(float(w) * L) for d, w in zip(deltas, (_double(w) for w in half.grading.weights)))
@@ -97,7 +106,8 @@ def _values(half: HalfSwing, potential: Series, deltas: list[float]) -> tuple[fl
     start, half_way, end = (float(potential.map(_double).at(d)) for d in (balls, after, last))
     swing_loss = 1 - exp(-2 * decrement) * end / start
     quality = 2 * pi / swing_loss if decrement else float("inf")
-    return T, exp(L), decrement, 1 - exp(2 * L) * half_way / start, quality
+    loss = 1 - exp(2 * L) * half_way / start
+    return T, exp(L), decrement, loss, quality, loss * start / 2
 
 
 @lru_cache(maxsize=64)

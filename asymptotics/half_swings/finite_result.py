@@ -9,7 +9,7 @@ half-swing of alpha = 3/2 at delta = 1/10: A'/A = 0.87019329198866231436, T = 3.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from flint import arb, ctx
@@ -43,6 +43,7 @@ class HalfSwingAt:
     terms: int
     tail: str
     certified: bool = True
+    notes: tuple[str, ...] = field(default=(), compare=False)
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: numbers are strings."""

@@ -41,7 +41,7 @@ class MotionPoint:
 
     def noted(self, notes: tuple[str, ...]) -> "MotionPoint":
         """The same with more notes."""
-        return replace(self, notes=(*self.notes, *notes))
+        return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes))))
 
     def rounded_to_error(self) -> "MotionPoint":
         """Every value cut down to the digits that the error of x leaves."""

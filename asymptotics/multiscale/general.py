@@ -29,7 +29,7 @@ turning-point c_i = (alpha_i + 3)/(2 (alpha_i + 1)) p_i, which is minus the phas
 -6/pi**2
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from sympy import (
     Abs,
@@ -83,6 +83,7 @@ class SecondOrder:
     alphas: tuple[Expr, ...]
     orders: tuple[Order, ...]
     gauge: str = GAUGE
+    notes: tuple[str, ...] = field(default=(), compare=False)
 
     @property
     def p(self) -> tuple[Expr, ...]:

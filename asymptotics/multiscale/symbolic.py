@@ -21,7 +21,7 @@ exists here, its mixed derivatives differ:
 The D_n are vector fields on the (a, psi) plane, d/d tau is their sum along one solution, and order matters in D_i D_j.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from flint import fmpq
 from sympy import Add, Derivative, Eq, Expr, cos, diff, expand, latex, sin
@@ -57,6 +57,7 @@ class MultipleScales:
     kernel: OddHierarchy
     orders: tuple[Order, ...]
     start: InitialConditions
+    notes: tuple[str, ...] = field(default=(), compare=False)
 
     @property
     def gauge(self) -> str:

@@ -6,7 +6,7 @@
 ('4/(3*pi)', {'value': '0', 'exact': '0'})
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
@@ -61,6 +61,7 @@ class HalfSwingCoefficients:
     U: Row
     V: tuple[Row, ...]
     W: Row
+    notes: tuple[str, ...] = field(default=(), compare=False)
 
     def to_dict(self) -> dict[str, Any]:
         """The coefficients as the JSON of the command line; one law has its rows of map and V directly."""

@@ -14,7 +14,7 @@ Traceback (most recent call last):
 asymptotics.errors.InputError: argument coefficient: 4/(3*pi) is not rational (accepted: a rational number)
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -31,6 +31,7 @@ class Coefficient:
 
     value: str | None
     expression: sympy.Expr | None
+    notes: tuple[str, ...] = field(default=(), compare=False, repr=False)
 
     @property
     def exact(self) -> str | None:

@@ -12,7 +12,7 @@
 """
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import islice
 from math import ceil, log2
@@ -61,6 +61,7 @@ class TurningPoints:
     certified: bool = True
     ended: dict[str, Any] | None = None
     first: dict[str, str] | None = None
+    notes: tuple[str, ...] = field(default=(), compare=False)
 
     def to_dict(self) -> dict[str, Any]:
         """The table as the JSON of the command line."""
