@@ -156,6 +156,16 @@ def test_an_oscillator_is_answered_in_its_units(osc):
     assert abs(float(unit.x) / 5 - float(x.x)) < 1e-15
 
 
+def test_a_start_in_motion_turns_where_the_reference_turns():
+    kicked = asy.Oscillator({2: "1/5"}, mass=2, stiffness=8, x0="1/4", v0="3/2")
+    points = asy.turning_points(kicked, 3, digits=12, times=True)
+    events = asy.reference(kicked).events(8)
+    assert np.allclose([float(p.x) for p in points.points], events.turning_x[:3], rtol=1e-9)
+    assert np.allclose([float(p.t) for p in points.points], events.turning[:3] - events.turning[0], atol=1e-9)
+    with pytest.raises(asy.InputError, match="v0"):
+        asy.turning_points(asy.Oscillator({2: 1}, mass="sqrt(2)", v0=1))
+
+
 def test_equations_evaluate_convert_and_agree_with_an_integration(osc):
     eq = asy.expand(osc, order=6)
     dA, dpsi = eq(np.array([0.1, 0.2]))

@@ -15,8 +15,9 @@ from flint import arb, ctx
 
 from asymptotics.api.units import law_of
 from asymptotics.errors import InputError, UndecidedError
-from asymptotics.law import Oscillator
+from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.exact import ExactReal, square_root
 from asymptotics.numbers.policy import exact_integer
 from asymptotics.turning import general
 from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, TurningPoints
@@ -81,10 +82,11 @@ class OscillatorTurningPoints:
 def turning_points(
     law: Any, count: Any = 10, *, digits: Any = 30, start: Any = 0, times: bool = False
 ) -> TurningPoints | OscillatorTurningPoints:
-    """Turning points n = start ... start + count - 1 from a start at rest, as far as they exist.
+    """Turning points n = start ... start + count - 1, as far as they exist.
 
-    A law or mapping (epsilons) is answered in units of x0 and tau; an oscillator in m and s.  InputError for a start
-    with velocity, anti-damping and values out of range, LimitError with the estimate, UndecidedError.
+    A law or mapping (epsilons) starts at rest and is answered in units of x0 and tau; an oscillator in m and s, and
+    with v0 != 0 its n = 0 is the first turning point after the start, where t counts from.  InputError for anti-damping
+    and values out of range, LimitError with the estimate, UndecidedError.
     """
     sizes = (
         exact_integer(count, "count", 1, MAX_COUNT),
@@ -92,29 +94,41 @@ def turning_points(
         exact_integer(start, "start", 0, MAX_START),
     )
     if not isinstance(law, Oscillator):
-        return _computed(law, *sizes, times)
-    if not law.v0.is_zero:
-        raise InputError("v0", f"{law.v0}: the turning points are counted from a start at rest", "0")
+        return _computed(law_of(law), *sizes, times)
     for guard in _GUARDS:
-        found = _computed(law, sizes[0], sizes[1] + guard, sizes[2], times)
+        found = _computed(law.dimensionless, sizes[0], sizes[1] + guard, sizes[2], times, **_kick(law))
         points = _in_si(law, found, sizes[1])
         if points is not None:
             return OscillatorTurningPoints(law, sizes[1], points, found)
     raise UndecidedError(f"{sizes[1]} digits in SI units: a value lies too near a tie between two decimals")
 
 
-def _computed(law: Any, count: int, digits: int, start: int, times: bool) -> TurningPoints:
-    read = law_of(law)
-    return replace(general.turning_points(read, count, digits, start=start, times=times), notes=read.notes)
+def _computed(law: Law, count: int, digits: int, start: int, times: bool, **kick: Any) -> TurningPoints:
+    return replace(general.turning_points(law, count, digits, start=start, times=times, **kick), notes=law.notes)
+
+
+def _kick(oscillator: Oscillator) -> dict[str, ExactReal]:
+    """The start (X, X') in units of sqrt(x0^2 + m v0^2/k); nothing for a start at rest."""
+    x0, v0 = oscillator.x0, oscillator.v0
+    if v0.is_zero:
+        return {}
+    try:
+        ratio = oscillator.mass / oscillator.stiffness
+        square = (x0 * x0 + ratio * v0 * v0).rational
+        return {"x0": x0 / square_root(square), "v0": v0 * square_root(ratio.rational / square)}
+    except ValueError:
+        raise InputError("v0", "the unit of length is not a single root", "rational mass, stiffness, x0, v0") from None
 
 
 def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[SwingPoint, ...] | None:
     """The points in m and s; None if the digits known do not decide the rounding."""
     with ctx.workprec(bits_for(found.digits, 64)):
-        length, omega = oscillator.x0.ball(), oscillator.omega_0()
+        omega = oscillator.omega_0()
+        length = oscillator.x0.ball() if found.first is None else oscillator.length() * _ball(found.first["amplitude"])
         points = []
         for p in found.points:
-            x = decimal_of_ball((arb(1) if p.n == 0 else _ball(p.x)) * length, digits)
+            exactly = p.n == 0  # the unit itself, with its sign
+            x = decimal_of_ball((arb(-1 if p.x.startswith("-") else 1) if exactly else _ball(p.x)) * length, digits)
             t = None if p.tau is None else "0" if p.n == 0 else decimal_of_ball(_ball(p.tau) / omega, digits)
             if x is None or (t is None and p.tau is not None):
                 return None
