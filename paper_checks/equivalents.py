@@ -6,7 +6,6 @@ Keys are statements, and patterns of the names that ``mutants`` gives.
 from fnmatch import fnmatchcase
 
 FACTOR = ("sign", "twice", "11/10")
-NUMBERS = "a dimension knows no numerical factor"
 LARGE = "a numerical factor in front of what must be large changes nothing"
 MULTIPLE = "any multiple of a constant of the motion is one"
 SIGN_OF_X = "x -> -x has the same S, and the same T, which (28) determines up to pi"
@@ -19,13 +18,6 @@ EQUIVALENT: dict[str, dict[str, str]] = {
     "lancaster2020:15": {"twice": LARGE, "11/10": LARGE},
     "lancaster2020:22": {"1: twice": LARGE, "1: 11/10": LARGE, "1: number 1/2": LARGE},
     "lancaster2020:claim.not-separable": {"0: *": ANY_PAIR, "1: *": ANY_PAIR},
-    "lancaster2020:claim.table1": dict.fromkeys((*FACTOR, "number 2"), NUMBERS),
-    "lancaster2020:claim.dimensions": {
-        "?: sign": NUMBERS, "?: twice": NUMBERS, "?: 11/10": NUMBERS, "?: number *": NUMBERS,
-        "?: exponent of 1/pi": NUMBERS, "?: exponent of gamma(*": NUMBERS, "?: exponent of 1/gamma(*": NUMBERS,
-        "0: exponent of (b*": "the bracket is a pure number, and so is any power of it",
-        "0: exponent of 1/(alpha - 1)": "the exponent of a pure number",
-    },
     "lelas2024:claim.energy-decreases": {"?: *": "a stronger force against the velocity dissipates as well"},
     "lelas2024:claim.equal-amplitudes": {"2: sign": SHIFT, "2: number 1/2": SHIFT},
     "lelas2024:claim.shifted-pairs": {

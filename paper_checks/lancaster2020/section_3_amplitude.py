@@ -11,7 +11,6 @@ from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, balls_agree, decided, same, vanishes
 from paper_checks.lancaster2020.model import (
     EPSILON,
-    SI,
     alpha,
     amplitude,
     b,
@@ -231,19 +230,3 @@ def three_cases(form: sympy.Expr) -> Outcome:
     """The elementary integrals of sin, sin^2, sin^3 over (0, pi)."""
     integrals = [sympy.integrate(sympy.sin(t) ** (a + 1), (t, 0, sympy.pi)) / sympy.pi for a in range(3)]
     return all_confirmed(*(same(form.subs(alpha, a), value) for a, value in enumerate(integrals)))
-
-
-@statement(
-    id="lancaster2020:claim.dimensions", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="Dimensions of (10), (13), (14)",
-    latex=r"[A] = \text{length}, \quad \left[\frac{b\omega_0^{1+\alpha}}{k}t\right] = \text{length}^{1-\alpha},"
-    r" \quad [\kappa\omega_0] = \text{time}^{-1}",
-    printed=(amplitude(alpha), RATE * t, kappa(alpha) * omega0),
-    near_miss=(amplitude(alpha), RATE * t * omega0, kappa(alpha) * omega0),
-    conditions="none", methods=("all units scaled at once",),
-)
-def dimensions(form: tuple[sympy.Expr, ...]) -> Outcome:
-    """Scaling of mass, length and time."""
-    L, T = sympy.symbols("L T", positive=True)
-    wanted = (L, L ** (1 - alpha), 1 / T)
-    return all_confirmed(*(zero((dimension(e) - unit).subs(SI)) for e, unit in zip(form, wanted)))

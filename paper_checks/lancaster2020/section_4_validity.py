@@ -232,7 +232,7 @@ def quadratic_never_overdamped(form: int) -> Outcome:
     r" \text{ not for } \epsilon \ge 5", printed=ALL_STRENGTHS, corrected=ALL_STRENGTHS[:3],
     near_miss=ALL_STRENGTHS[:4], conditions="alpha = 2; the first five turning points",
     methods=("certified turning points, epsilon = 1/10, 1, 2, 5, 100",),
-    note="At epsilon = 1 the amplitudes agree to 0.03 %, and alpha = 3/2 and 3 behave alike. But at epsilon = 5 the"
+    note="At epsilon = 1 the amplitudes agree to 0.03 %. But at epsilon = 5 the"
     " first one is off by 17 %, at 100 by a factor 4.3, at 10^4 by 42: then it is not only the phase. Form: the"
     " epsilon of the list for which it is true.",
 )

@@ -82,6 +82,26 @@ def stops_off_centre(form: sympy.Expr) -> Outcome:
 
 
 @statement(
+    id="lancaster2020:claim.gradual-breakdown", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
+    title="Figure 1 depicts the gradual breakdown for alpha = 0 at long times",
+    latex=r"\text{Figure 1 depicts the gradual breakdown for the case } \alpha = 0",
+    corrected_latex=r"|x_n| = |x_0 - 2nb/k| = |A(n\pi/\omega_0)| \text{ for } n \le 8 \text{, where the mass stops}",
+    printed=0, corrected=8, near_miss=9, conditions="kappa = 0.042; gradual between the turning points only",
+    methods=("exact turning points and Table I at n pi/omega_0, balls",),
+    note="At the turning points Table I is exact until the mass stops, and wrong from then on: at n = 9 it is 3.4 times"
+    " too large, and it grows by 2 epsilon a half-swing. Between the turning points the error is the offset"
+    " epsilon of the centre, from the first swing on. Form: the last turning point at which Table I is exact.",
+)
+def breakdown(form: int) -> Outcome:
+    """|x_n| = |1 - 2 n epsilon| until the stop at n = 8, then constant; Table I is |1 - 2 n epsilon| always."""
+    with ctx.workprec(80):
+        epsilon = closed_form_ball(sympy.Rational(42, 1000) * sympy.pi / 2)
+        stop = all_confirmed(below(epsilon, 1 - 14 * epsilon), below(abs(1 - 16 * epsilon), epsilon))
+        beyond = below(abs(1 - 16 * epsilon), abs(1 - 18 * epsilon))
+    return all_confirmed(stop, beyond, decided(form == 8))
+
+
+@statement(
     id="lancaster2020:claim.friction-overwhelms", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The sliding friction can overwhelm the restoring force",
     latex=r"k|x| < b \text{ when the amplitude has decayed to a sufficiently small value}",

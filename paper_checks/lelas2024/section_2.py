@@ -46,6 +46,21 @@ def opposes(law: sympy.Expr, size: sympy.Expr) -> Outcome:
     return all_confirmed(*moving, vanishes(law.subs(v, 0)))
 
 
+HEADINGS = ("I", "II", "III", "IV", "V", "VI", "VII")  # Introduction ... Discussion and conclusion
+
+
+@statement(
+    id="lelas2024:claim.number-of-sections", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    title="How many sections the paper has", latex=r"\text{This paper is organized into six sections}",
+    corrected_latex=r"\text{This paper is organized into seven sections}", printed=6, corrected=7, near_miss=8,
+    conditions="the acknowledgments not counted", methods=("the numbered headings",),
+    note="The same paragraph goes on to describe sections II to VII; with the introduction they are seven.",
+)
+def number_of_sections(form: int) -> Outcome:
+    """The numbered headings before the acknowledgments."""
+    return decided(form == len(HEADINGS))
+
+
 @statement(
     id="lelas2024:1", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="The equation of motion", latex=r"ma(t) = F_d(t) - kx(t)", conditions="m, k > 0",
@@ -79,6 +94,8 @@ def damping_law(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     title="The sign function", printed=(1, 0, -1), near_miss=(1, 1, -1),
     latex=r"\mathrm{sgn}[v(t)] = \begin{cases} 1 & \text{if } v(t) > 0 \\ 0 & \text{if } v(t) = 0 \\ -1 & \text{if }"
     r" v(t) < 0 \end{cases}", conditions="none", methods=("sgn is odd and sgn(v) v = |v|",),
+    note="The value at 0 is a convention used at isolated instants only: with it (3) gives no force on"
+    " a block at rest, where friction in fact holds it.",
 )
 def sign_function(form: tuple[int, int, int]) -> Outcome:
     """The values for v = 2, 0, -2 make an odd function with sgn(v) v = |v|."""
@@ -191,8 +208,8 @@ def undamped_pair(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     latex=r"\text{the frequency and the initial phase remain approximately the same as in the undamped case}",
     printed=2, near_miss=1, conditions="viscous damping, exact frequency sqrt(omega_0^2 - b^2/(4m^2))",
     methods=("series of the exact frequency in b",),
-    note="For friction the frequency is exactly omega_0. The initial phase changes at first order in b for the first"
-    " pair and not at all for the second. Form: the order in b of the relative change of the frequency.",
+    note="For friction the frequency is exactly omega_0. For the phase see claim.initial-phase. Form: the"
+    " order in b of the relative change of the frequency.",
 )
 def frequency_unchanged(order: int) -> Outcome:
     """The first power of b in the expansion of the exact frequency at b = 0."""
@@ -200,6 +217,25 @@ def frequency_unchanged(order: int) -> Outcome:
     derivatives = [sympy.diff(exact, b, j).subs(b, 0) for j in (1, 2)]
     first = next(j for j, value in enumerate(derivatives, 1) if value != 0)
     return decided(first == order)
+
+
+@statement(
+    id="lelas2024:claim.initial-phase", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="In the weak regime the initial phase stays approximately that of the undamped system",
+    latex=r"\text{the initial phase remain[s] approximately the same as in the undamped case}",
+    printed=(1, sympy.oo), near_miss=(2, sympy.oo), conditions="viscous damping, b < 2 m omega_0",
+    methods=("phase of the exact motions, expanded in b",),
+    note="It changes by b/(2 m omega_0) + ... for the pair (x_0, 0), and not at all for (0, omega_0 x_0). Form: the"
+    " order in b of the change for both pairs, infinity for none.",
+)
+def initial_phase(form: tuple[int, sympy.Expr]) -> Outcome:
+    """cos(W t) + (beta/W) sin(W t) has the phase arctan(beta/W), sin(W t) the phase of the undamped sine."""
+    beta = b / (2 * m)
+    phase = sympy.atan(beta / sympy.sqrt(w0**2 - beta**2))
+    lower = [vanishes(sympy.diff(phase, b, order).subs(b, 0)) for order in range(form[0])]
+    leading = sympy.diff(phase, b, form[0]).subs(b, 0) if form[0] > 0 else sympy.Integer(0)
+    return all_confirmed(*lower, decided(leading.is_nonzero is True and form[1] == sympy.oo))
+
 
 
 @statement(

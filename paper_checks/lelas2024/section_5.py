@@ -248,7 +248,8 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     corrected_latex=r"\tilde{\tau} = 14.32\,\mathrm{s}", printed=("14.33", TAU_TILDE, PANELS[0]),
     corrected=("14.32", TAU_TILDE, PANELS[0]), near_miss=("14.34", TAU_TILDE, PANELS[0]),
     conditions="none", methods=("balls",),
-    note="14.3217 s with the numbers of the paper; the rounding or an intermediate value is off.",
+    note="14.3217 s with the numbers of the paper. The printed one is pi/(2 sqrt 2) times the rounded tau: 12.9 s times"
+    " 1.11072 is 14.328 s.",
 )
 @statement(
     id="lelas2024:value.tau-tilde-b", premises=(1, 2),
@@ -257,7 +258,7 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     corrected_latex=r"\tilde{\tau} = 4.77\,\mathrm{s}", printed=("4.78", TAU_TILDE, PANELS[1]),
     corrected=("4.77", TAU_TILDE, PANELS[1]), near_miss=("4.76", TAU_TILDE, PANELS[1]),
     conditions="none", methods=("balls",),
-    note="4.7739 s; a third of the misrounded 14.33 s would round to 4.78.",
+    note="4.7739 s. The printed one is pi/(2 sqrt 2) times the rounded tau: 4.3 s times 1.11072 is 4.776 s.",
 )
 @statement(
     id="lelas2024:value.tau-exact-a", premises=(1, 2),

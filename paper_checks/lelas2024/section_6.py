@@ -153,7 +153,8 @@ def _ordered(upper: sympy.Expr, lower: sympy.Expr, eps: Fraction) -> Outcome:
     latex=r"\text{(51) gives only a slightly slower amplitude decay compared to the solution (52)}",
     conditions="none", methods=("2^{-3/2} < 4/(3 pi)",),
     note="The rate is lower by 16.7 %, for all C. With friction it is the other way round: (47) decays faster than"
-    " (48), since 1/sqrt(2) > 2/pi. Form: the slower and the faster solution.",
+    " (48), since 1/sqrt(2) > 2/pi. 'Only slightly' has no scale in the paper: the amplitudes end up 20 % apart, see"
+    " claim.agrees-well. Form: the slower and the faster solution.",
 )
 def slower_decay(form: tuple[str, str]) -> Outcome:
     """The rates compared by balls."""
@@ -199,8 +200,9 @@ def integral_of_sin_cubed(weights: tuple[int, int]) -> Outcome:
     corrected_latex=r"\text{in the first period of the four panels it loses 0.098, 0.294, 0.066 and 0.417 of itself}",
     printed=("1a", "1b", "2a", "2b"), corrected=("1a", "2a"), near_miss=("1a", "2b"),
     conditions="2 pi |f'| << omega_0, not just |f'| << omega_0", methods=("exact turning points, balls",),
-    note="The conditions (33) and (46) compare |f'| with omega_0; what is lost in a period is 2 pi |f'|/omega_0. C = 2"
-    " is a tenth of the bound in (53), and the motion is far from weakly damped. Form: panels that lose below 10 %.",
+    note="As a definition of the weak regime nothing is wrong with it; the entry judges its use, for the four panels"
+    " shown as examples. The conditions (33) and (46) compare |f'| with omega_0; what is lost in a period is 2 pi"
+    " |f'|/omega_0. C = 2 is a tenth of the bound in (53), and the motion is far from weakly damped. Form: panels that lose below 10 %.",
 )
 def slight_decrease(panels: tuple[str, ...]) -> Outcome:
     """The loss to the second turning point: 4 eps with friction, exact; by Lambert's W in air."""
@@ -218,3 +220,22 @@ def _loss(panel: str) -> arb:
         return 1 - list(islice(amplitudes(start), 3))[2] / start
     eps = strength(dict(zip(("1a", "1b"), PANELS))[panel])
     return 4 * arb(eps.numerator) / eps.denominator
+
+
+@statement(
+    id="lelas2024:claim.one-integral", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="Averaging needs two integrals, the trick only one",
+    latex=r"\text{students don't need to calculate two integrals, but only one}", printed=(2, 1), near_miss=(2, 2),
+    conditions="the integral of dt' on the right of (44) not counted, in both approaches",
+    methods=("the mean in (52) is an integral, that in (51) is algebra",),
+    note="With friction no integral is left, since f' is constant. Form: the numbers for averaging and for the trick.",
+)
+def integrals_needed(form: tuple[int, int]) -> Outcome:
+    """The rate of (52) is a mean over a half period; that of (51) from sin^2 + cos^2 = 1; both then integrate f."""
+    phase = sympy.Symbol("phase", positive=True)
+    mean = sympy.integrate(sympy.sin(phase) ** 3, (phase, 0, sympy.pi)) / sympy.pi
+    half = sympy.simplify(sympy.sin(phase) ** 2 + sympy.cos(phase) ** 2) / 2
+    needed = (2, 1)  # the mean and f^-2; f^-2 alone
+    return all_confirmed(
+        same(mean, AVERAGE), same(half ** sympy.Rational(3, 2), RATES["51"]), decided(form == needed)
+    )

@@ -16,6 +16,7 @@ QS = sympy.symbols("q1:4")
 DOTS = sympy.symbols("qdot1:4")
 VS = sympy.symbols("v1:4")
 AS = sympy.symbols("a1:4")
+k = sympy.Symbol("k", positive=True)  # a damping rate
 WAVES = sympy.symbols("k0:7")
 S_general = sympy.exp(sympy.Add(*(k * q for k, q in zip(WAVES, (t, *QS)))))  # exponentials span all functions
 S_state = sympy.exp(sympy.Add(*(k * q for k, q in zip(WAVES, (t, *QS, *VS)))))
@@ -230,30 +231,28 @@ def pfaffian(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     return same_polynomial(form[0] * force / M, -form[1] * v)
 
 
-LOOP = sympy.Symbol("s", real=True)
-
-
 @statement(
     id="smith2012:claim.integrating-factor-exists", kind=Kind.CLAIM, verdict=Printed.PARTLY,
     evidence=Evidence.PROVED, title="Every Pfaffian form in two variables has an integrating factor",
     latex=r"\text{All two-variable Pfaffian forms can be transformed into total integrals by the use of an integrating"
     r" factor}",
-    corrected_latex=r"\oint\mu\,(v\,dv + (2\gamma v + \omega_0^2x)\,dx) = \frac{2\pi\gamma}{\omega} \ne 0",
-    printed=0, corrected=1, near_miss=2, conditions="locally, away from points where both coefficients vanish",
-    methods=("loop around the equilibrium of the viscously damped oscillator",),
-    note="Where v = f = 0 it can fail: around a spiral the closed form mu dA is not exact, because every orbit ends in"
-    " the equilibrium and a continuous constant would be one constant for all. That is why (32) has an arctangent,"
-    " which jumps. Form: the loop integral in units of 2 pi gamma/omega.",
+    corrected_latex=r"x_1 = x_0e^{-2\pi\gamma/\omega} \ne x_0, \text{ yet } S(x_1, 0) = S(x_0, 0)",
+    printed=sympy.Integer(1), corrected=sympy.exp(-2 * sympy.pi * k / omega),
+    near_miss=sympy.exp(-sympy.pi * k / omega), conditions="locally, away from points where both coefficients vanish",
+    methods=("an orbit of the viscously damped oscillator that comes round",),
+    note="Around the equilibrium of (32) there is none. Suppose mu is nowhere zero on a ring around it. On the axis v ="
+    " 0, x > 0 then dS = mu omega_0^2 x dx is nowhere zero, so S is strictly monotone in x; but the orbit from (x_0, 0)"
+    " comes back at (x_1, 0), and S has the same value there. That is why (32) has an arctangent, which jumps. One loop"
+    " integral would not be enough: it speaks of one factor only. Form: x_1/x_0; gamma is written k.",
 )
-def integrating_factor_exists(form: int) -> Outcome:
-    """mu = 1/(p^2 + omega^2 x^2), p = v + gamma x, on p = cos s, omega x = sin s; omega_0^2 = omega^2 + gamma^2."""
-    damping = sympy.Symbol("gamma", positive=True)
-    place = sympy.sin(LOOP) / omega
-    velocity = sympy.cos(LOOP) - damping * place
-    restoring = 2 * damping * velocity + (omega**2 + damping**2) * place
-    integrand = velocity * diff(velocity, LOOP) + restoring * diff(place, LOOP)
-    loop = sympy.integrate(sympy.expand(integrand), (LOOP, 0, 2 * sympy.pi))
-    return same(loop, form * 2 * sympy.pi * damping / omega)
+def integrating_factor_exists(form: sympy.Expr) -> Outcome:
+    """x = e^(-k t)(cos omega t + (k/omega) sin omega t) starts at rest from 1; at rest again at t = 2 pi/omega."""
+    motion = sympy.exp(-k * t) * (sympy.cos(omega * t) + k / omega * sympy.sin(omega * t))
+    once = {t: 2 * sympy.pi / omega}
+    return all_confirmed(
+        vanishes(diff(motion, t, 2) + 2 * k * diff(motion, t) + (omega**2 + k**2) * motion),
+        vanishes(diff(motion, t).subs(t, 0)), vanishes(diff(motion, t).subs(once)), same(motion.subs(once), form),
+    )
 
 
 INTEGRABILITY = M * diff(mu * v, x) + diff(mu * force, v)

@@ -27,6 +27,7 @@ from paper_checks.smith2012.model import (
 )
 
 exp = sympy.exp
+TAU = sympy.Symbol("tau", positive=True)
 mu = sympy.Function("mu")(x, v)
 FORCES = (FALLING_FORCE, RISING_FORCE)
 FACTORS = (exp(-2 * gamma * x), exp(2 * gamma * x))
@@ -260,3 +261,22 @@ def dimensionless_constants(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
         same(form[0], S_falling(u, w)),
         same(form[1], S_rising(u, w)),
     )
+
+
+@statement(
+    id="smith2012:claim.not-elementary", kind=Kind.CLAIM, verdict=Printed.OPEN, evidence=Evidence.NONE,
+    title="The equation of motion cannot be solved in terms of elementary functions",
+    latex=r"\text{this one is problematic because it cannot be solved in terms of elementary functions}",
+    printed=None, near_miss=sympy.cos(TAU), conditions="x(t) on a half-cycle, from general initial values",
+    methods=("substitution of what is proposed",),
+    note="Open: that no elementary x(t) exists is believed, and proved nowhere in the paper; a proof would need"
+    " Liouville's theory for the integral (54). One motion is elementary, u = tau^2/4 - 1/2 with S = 0, which has no"
+    " turning point before it. Form: an expression u(tau) proposed as the motion, None if there is said to be none.",
+)
+def not_elementary(form: sympy.Expr | None) -> Outcome:
+    """u'' = u'^2 - u for an expression; nothing is decided about all expressions."""
+    special = TAU**2 / 4 - HALF
+    known = vanishes(sympy.diff(special, TAU, 2) - sympy.diff(special, TAU) ** 2 + special)
+    if form is None:
+        return Outcome.UNDECIDED if known == Outcome.CONFIRMED else Outcome.REFUTED
+    return vanishes(sympy.diff(form, TAU, 2) - sympy.diff(form, TAU) ** 2 + form)

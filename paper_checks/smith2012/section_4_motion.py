@@ -279,8 +279,8 @@ def three_cycles(form: sympy.Expr) -> Outcome:
 @statement(
     id="smith2012:fig6", kind=Kind.FIGURE, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
     title="An exponential through u at the beginning and end of the first period",
-    latex=r"\text{Fig. 6. The exponential envelope set to intersect } u(t) \text{ at the beginning and at the end of"
-    r" the first period}", printed=(0, 1), near_miss=(0, 2), conditions="u_0 = 1",
+    latex=r"\text{Fig. 6. The exponential envelope for Fig. 5 has been set to intersect } u(t) \text{ at the beginning"
+    r" and at the end of the first period}", printed=(0, 1), near_miss=(0, 2), conditions="u_0 = 1",
     methods=("regenerated: maxima u_{2k} by balls",), note="Form: the cycles at whose ends the two agree.",
 )
 @statement(
