@@ -202,7 +202,8 @@ def integral_of_sin_cubed(weights: tuple[int, int]) -> Outcome:
     conditions="2 pi |f'| << omega_0, not just |f'| << omega_0", methods=("exact turning points, balls",),
     note="As a definition of the weak regime nothing is wrong with it; the entry judges its use, for the four panels"
     " shown as examples. The conditions (33) and (46) compare |f'| with omega_0; what is lost in a period is 2 pi"
-    " |f'|/omega_0. C = 2 is a tenth of the bound in (53), and the motion is far from weakly damped. Form: panels that lose below 10 %.",
+    " |f'|/omega_0. C = 2 is a tenth of the bound in (53), and the motion is far from weakly damped. Form:"
+    " panels that lose below 10 %.",
 )
 def slight_decrease(panels: tuple[str, ...]) -> Outcome:
     """The loss to the second turning point: 4 eps with friction, exact; by Lambert's W in air."""
