@@ -14,9 +14,10 @@ half a unit of it.
 
 import re
 from fractions import Fraction
-from math import log10
+from math import floor, log10
 
 _NUMBER = re.compile(r"(?P<sign>[+-]?)(?P<digits>[\d.]+)(?P<rest>.*)\Z", re.DOTALL)
+_NEAR = 1e-9
 
 
 def right_digits(given: Fraction, value: Fraction, known: int) -> str:
@@ -25,25 +26,23 @@ def right_digits(given: Fraction, value: Fraction, known: int) -> str:
         return f"{known:.2f}"
     if given * value <= 0:  # the wrong sign, or one of the two is 0
         return "0.00"
-    return f"{min(max(-_log10(relative_error(given, value)), 0.0), float(known)):.2f}"
+    return f"{min(max(_log10(abs(value)) - _log10(abs(given - value)), 0.0), float(known)):.2f}"
 
 
-def relative_error(given: Fraction, value: Fraction) -> Fraction:
-    """|given - value|/|value|; 1 for a value that is 0 while the given one is not."""
+def relative_error(given: Fraction, value: Fraction) -> str:
+    """|given - value|/|value| to two digits; 1 for a value that is 0 while the given one is not.
+
+    >>> relative_error(Fraction("1.00123"), Fraction(1)), relative_error(Fraction(2), Fraction(2))
+    ('1.2e-03', '0')
+    """
     if given == value:
-        return Fraction(0)
-    return abs(given - value) / abs(value) if value else Fraction(1)
-
-
-def short(error: Fraction) -> str:
-    """An error to two digits: 3.4e-09."""
-    if error == 0:
         return "0"
-    exponent = _floor_log10(error)
-    tens = round(error / Fraction(10) ** (exponent - 1))
-    if tens == 100:
-        tens, exponent = 10, exponent + 1
-    return f"{tens // 10}.{tens % 10}e{exponent:+03d}"
+    if not value:
+        return "1.0e+00"
+    log = _log10(abs(given - value)) - _log10(abs(value))
+    exponent = floor(log + 1e-12)
+    tens = round(10 ** (log - exponent + 1))
+    return f"{tens // 10}.{tens % 10}e{exponent:+03d}" if tens < 100 else f"1.0e{exponent + 1:+03d}"
 
 
 def significant(text: str) -> int:
@@ -52,21 +51,24 @@ def significant(text: str) -> int:
     return len(found["digits"].replace(".", "").lstrip("0")) if found else 0
 
 
-def marked(given: str, value: Fraction) -> str:
-    """What was given, with the digits that are wrong in brackets."""
+def marked(given: str, value: Fraction, number: Fraction | None = None) -> str:
+    """What was given, with the digits that are wrong in brackets; ``number`` is what it says, if that is known."""
     text = given.strip()
     found = _NUMBER.match(text)
     if not found:
         return text
-    wanted, number = _right_places(Fraction(text), value, significant(text)), ""
+    written = significant(text)
+    wanted, shown = _right_places(Fraction(text) if number is None else number, value, written), ""
+    if wanted == written:
+        return text
     seen, started = 0, False
     for place, letter in enumerate(found["digits"]):
         started = started or letter not in "0."
         if seen == wanted and started and letter != ".":
-            number = found["digits"][:place] + "[" + found["digits"][place:] + "]"
+            shown = found["digits"][:place] + "[" + found["digits"][place:] + "]"
             break
         seen += started and letter != "."
-    return found["sign"] + (number or found["digits"]) + found["rest"]
+    return found["sign"] + (shown or found["digits"]) + found["rest"]
 
 
 def _right_places(given: Fraction, value: Fraction, written: int) -> int:
@@ -74,22 +76,22 @@ def _right_places(given: Fraction, value: Fraction, written: int) -> int:
     error = abs(given - value)
     if error == 0 or not given:
         return written if error == 0 else 0
-    top = _floor_log10(abs(given))
-    right = 0
-    while right < written and 2 * error <= Fraction(10) ** (top - right):
-        right += 1
-    return right
+    exact = _floor_log10(abs(given)) - _log10(2 * error) + 1
+    right = floor(exact)
+    if abs(exact - round(exact)) < _NEAR:  # a double cannot tell
+        top = _floor_log10(abs(given))
+        right = round(exact)
+        right -= 2 * error > Fraction(10) ** (top + 1 - right)
+    return min(max(right, 0), written)
 
 
 def _log10(q: Fraction) -> float:
     """log10 of a positive rational of any size."""
-    shift = q.numerator.bit_length() - q.denominator.bit_length()
-    scaled = q / (Fraction(2) ** shift)
-    return log10(scaled) + shift * log10(2)
+    return log10(q.numerator) - log10(q.denominator)
 
 
 def _floor_log10(q: Fraction) -> int:
-    guess = int(_log10(q)) - 1
-    while Fraction(10) ** (guess + 1) <= q:
-        guess += 1
-    return guess
+    log = _log10(q)
+    if abs(log - round(log)) > _NEAR:
+        return floor(log)
+    return round(log) - (q < Fraction(10) ** round(log))

@@ -25,7 +25,7 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.comparison.digits import marked, relative_error, right_digits, short, significant
+from asymptotics.comparison.digits import marked, relative_error, right_digits, significant
 from asymptotics.comparison.errors import Errors, of_motion, of_turning_points
 from asymptotics.comparison.look import Look, look_of
 from asymptotics.comparison.reading import Sheet, read_sheet
@@ -138,10 +138,9 @@ def row_of(line: int, key: str, given: str, right: str | None, column: str, name
     """One value beside the right one."""
     if right is None:
         return Row(line, key, column, given, None, "0.00", "", given, name)
-    value, truth = parse_rational(given, "FILE"), parse_rational(right, "certified")
-    error = relative_error(value, truth)
-    right_ones, shown = right_digits(value, truth, digits), marked(given, truth)
-    return Row(line, key, column, given, right, right_ones, short(error), shown, name)
+    value, truth = parse_rational(given, "FILE"), Fraction(right)
+    right_ones, error = right_digits(value, truth, digits), relative_error(value, truth)
+    return Row(line, key, column, given, right, right_ones, error, marked(given, truth, value), name)
 
 
 def summary_of(rows: Sequence[Row], look: Look) -> dict[str, Any]:

@@ -24,7 +24,6 @@ from asymptotics.turning.general import turning_points
 
 _GUARDS = (4, 20, 60)  # digits that a change of units may cost; more where a value is nearly halfway between decimals
 _GAP = 1000  # turning points between two that are asked for, beyond which they are asked for separately
-_FEW = 300  # times that are worth their own certified run each
 
 
 @dataclass(frozen=True)
@@ -76,26 +75,29 @@ def _unchanged(name: str, text: str) -> str:
 
 def at_times(oscillator: Oscillator, times: Sequence[Fraction], digits: int, *, si: bool) -> Truth:
     """x and v at times, t in s if ``si`` and else tau; both columns are always given."""
-    acting = [t for t in oscillator.law.terms if t.strength.sign > 0]
-    few = len(times) <= _FEW and len(acting) <= 1 and all(str(t.velocity) in "012" for t in acting)
-    if si:
-        moved, scaled = oscillator, [ExactReal(t) for t in times]
-    else:
-        moved, scaled = Oscillator(oscillator.law), [ExactReal(t) for t in times]
     for t in times:
         if t < 0:
             raise InputError("FILE", f"the time {t} is before the start", "times >= 0")
-    if few:
-        points = [reference_motion(moved, t, digits) for t in scaled]
-        columns: dict[str, list[str | None]] = {"x": [p.x for p in points], "v": [p.v for p in points]}
-        return Truth(columns, all(p.certified for p in points), "; ".join(dict.fromkeys(p.method for p in points)))
-    states = reference_states(moved, scaled, digits)
-    with ctx.workprec(states.bits):
-        columns = {
-            name: [decimal_of_ball(value.mid(), digits) for value in values]
-            for name, values in (("x", states.x), ("v", states.v))
-        }
-    return Truth(columns, False, f"half-swing by half-swing, two precisions up to {states.bits} bits agree")
+    moved, exact = (oscillator if si else Oscillator(oscillator.law)), [ExactReal(t) for t in times]
+    method, texts = "", {"x": dict[int, str](), "v": dict[int, str]()}
+    left = list(range(len(times)))
+    for guard in _GUARDS:  # a value next to a zero, or next to a tie, asks for more
+        states = reference_states(moved, [exact[i] for i in left], digits + guard)
+        method = method or f"half-swing by half-swing, balls of {states.bits} bits"
+        for i, x, v in zip(left, states.x, states.v):
+            for name, ball in (("x", x), ("v", v)):
+                text = "0" if ball == 0 else decimal_of_ball(ball, digits)
+                if text is not None:
+                    texts[name][i] = text
+        left = [i for i in left if i not in texts["x"] or i not in texts["v"]]
+        if not left:
+            break
+    certified = not left
+    for i in left:
+        point = reference_motion(moved, exact[i], digits)
+        texts["x"][i], texts["v"][i] = point.x, point.v
+        certified, method = point.certified, f"{method}; {point.method}"
+    return Truth({name: [column[i] for i in range(len(times))] for name, column in texts.items()}, certified, method)
 
 
 @dataclass(frozen=True)

@@ -89,12 +89,16 @@ def sequence(damping: Damping, start: Turning | None = None) -> Iterator[Turning
     UndecidedError where the enclosures cannot tell whether there is a next one.
     """
     here = first_turning() if start is None else start
+    endless = damping.friction == 0 and bool(damping.alphas) and all(a > 1 for a in damping.alphas)
     while True:
+        if endless:  # derivation ``no-overdamping``: there is a next one, whether or not anybody asks for it
+            yield here
         found = integrated(damping, here.amplitude, here.amplitude_error)
         if found.ended is not None:
             yield Turning(**{**vars(here), "ended": found.ended})
             return
-        yield here
+        if not endless:
+            yield here
         here = following(damping, here, found)
 
 
