@@ -2,6 +2,7 @@
 
   asymptotics compare mine.csv --alpha 2 --epsilon 1/10 --columns n,x,tau
   asymptotics compare motion.csv --law 0:1/20 --law 2:1/10 --columns tau=time,x=pos --plot lost.svg
+  asymptotics compare table_one.csv --table smith2012.table1 --columns half_cycle,S_hat,u
   asymptotics compare lab.csv --alpha 3/2 --damping 1/10 --mass 3/2 --stiffness 30 --x0 1/5 --columns t,x
 
 FILE is CSV.  A row is a turning point (n, with x, amplitude, tau or t) or a moment (tau or t, with x or v).
@@ -17,8 +18,10 @@ from typing import Any
 
 from asymptotics.cli.answer import Answer, add_json
 from asymptotics.cli.forces import add_forces, read_law
+from asymptotics.cli.table import table_inputs
 from asymptotics.comparison.picture import KINDS, picture_of
 from asymptotics.comparison.run import MAX_DIGITS, Comparison, Row, compare_file
+from asymptotics.comparison.tabled import compare_table
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
@@ -35,6 +38,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--damping", metavar="B", help="its strength b in SI, in place of --epsilon")
     for name, unit in zip(_SI, ("m in kg", "k in N/m", "x(0) in m")):
         parser.add_argument(f"--{name}", metavar="V", help=f"{unit} (default 1): the file is in SI")
+    parser.add_argument("--table", metavar="NAME", help="compare with this table instead (asymptotics table --list)")
     parser.add_argument("--columns", metavar="LIST", help="n,x,tau or n=index,x=pos: which column is what")
     parser.add_argument("--digits", metavar="D", help="digits of the certified values (default: four more than yours)")
     parser.add_argument("--plot", metavar="FILE", help="digits lost against time: .svg or .png")
@@ -48,16 +52,29 @@ def run(options: argparse.Namespace) -> Answer:
     if plot is not None and plot.suffix not in KINDS:
         raise InputError("--plot", f"{plot.name} has no known ending", ", ".join(KINDS))
     digits = None if options.digits is None else parse_integer(options.digits, "--digits", 1, MAX_DIGITS)
-    oscillator, si = _oscillator(options)
-    found = compare_file(Path(options.file), oscillator, columns=options.columns, digits=digits, si=si)
+    found, equation = _compared(options, digits)
     contents: dict[Path, str | bytes] = {}
     if plot is not None:
         contents[plot] = picture_of(found, KINDS[plot.suffix])
     if table is not None:
         contents[table] = found.to_csv()
     write_all(contents)
-    equation = str(oscillator) if si else str(oscillator.law)
-    return Answer({"law": equation, **found.to_dict()}, _text(found, equation), options.json)
+    beside = "law" if options.table is None else "table"
+    return Answer({beside: equation, **found.to_dict()}, _text(found, equation), options.json)
+
+
+def _compared(options: argparse.Namespace, digits: int | None) -> tuple[Comparison, str]:
+    """The comparison, and what the values were held against."""
+    path = Path(options.file)
+    if options.table is None:
+        oscillator, si = _oscillator(options)
+        found = compare_file(path, oscillator, columns=options.columns, digits=digits, si=si)
+        return found, str(oscillator) if si else str(oscillator.law)
+    for name in ("damping", *_SI):
+        if getattr(options, name) is not None:
+            raise InputError(f"--{name}", "a table has its own units", "no such option with --table")
+    inputs = table_inputs(options.alpha, options.epsilon, options.law, None)
+    return compare_table(path, options.table, inputs, columns=options.columns, digits=digits), options.table
 
 
 def _target(name: str | None, argument: str) -> Path | None:

@@ -52,25 +52,23 @@ def run(options: argparse.Namespace) -> Answer:
     if options.format == "parquet" and options.output is None:
         raise InputError("--format", "parquet is not text", "--output FILE with it")
     target = None if options.output is None else target_file(options.output, "--output")
-    table = build(options.name, read_digits(options, MAX_DIGITS), _inputs(options), options.rounding)
+    inputs = table_inputs(options.alpha, options.epsilon, options.law, options.rows)
+    table = build(options.name, read_digits(options, MAX_DIGITS), inputs, options.rounding)
     if target is None:
         return Answer(table.to_dict(), _printed(table, options.format), options.json)
     write_atomically(target, _content(table, options.format), "--output")
     return Answer({**table.to_dict(), "output": str(target)}, f"written: {target}", options.json)
 
 
-def _inputs(options: argparse.Namespace) -> Inputs:
-    alphas, epsilons = (
-        () if text is None else values(text, name)
-        for text, name in ((options.alpha, "--alpha"), (options.epsilon, "--epsilon"))
-    )
-    rows = None if options.rows is None else parse_integer(options.rows, "--rows", 1, MAX_ROWS)
-    law = None
-    if options.law:
-        if alphas or epsilons:
-            raise InputError("--law", "it stands next to --alpha or --epsilon", "one or the other")
-        law = read_law(argparse.Namespace(alpha=None, epsilon=None, law=options.law), "epsilon")
-    return Inputs.of(alphas, law, epsilons, rows)
+def table_inputs(alpha: str | None, epsilon: str | None, laws: list[str] | None, rows: str | None) -> Inputs:
+    """What a table is asked for, from the texts of the options; InputError as they say."""
+    alphas = () if alpha is None else values(alpha, "--alpha")
+    epsilons = () if epsilon is None else values(epsilon, "--epsilon")
+    count = None if rows is None else parse_integer(rows, "--rows", 1, MAX_ROWS)
+    if laws and (alphas or epsilons):
+        raise InputError("--law", "it stands next to --alpha or --epsilon", "one or the other")
+    law = read_law(argparse.Namespace(alpha=None, epsilon=None, law=laws), "epsilon") if laws else None
+    return Inputs.of(alphas, law, epsilons, count)
 
 
 def _printed(table: Table, form: str) -> str:

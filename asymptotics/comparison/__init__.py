@@ -7,9 +7,12 @@
 ``errors``    errors of amplitude and of time, half-swing by half-swing, from either kind of file
 ``look``      what the errors look like: rounding, truncation, phase drift or a wrong law
 ``run``       all of it: ``compare_file``
+``tabled``    the same for a named table: ``compare_table``
+``picture``   digits lost against time
 ============  ====================================================================================
 """
 
 from asymptotics.comparison.run import Comparison, Row, compare_file
+from asymptotics.comparison.tabled import compare_table
 
-__all__ = ["Comparison", "Row", "compare_file"]
+__all__ = ["Comparison", "Row", "compare_file", "compare_table"]

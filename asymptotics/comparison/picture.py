@@ -19,7 +19,7 @@ def lost_digits(found: Comparison) -> dict[str, tuple[list[float], list[float]]]
     for row in found.rows:
         if row.certified is not None:
             keys, lost = columns.setdefault(row.column, ([], []))
-            keys.append(float(row.key))
+            keys.append(float(row.key) if row.key_name in _NAMES else len(keys))
             lost.append(max(0.0, significant(row.given) - float(row.digits)))
     return columns
 
@@ -30,7 +30,7 @@ def picture_of(found: Comparison, kind: str) -> bytes:
     def draw(axes: Any) -> None:
         for column, (keys, lost) in lost_digits(found).items():
             axes.plot(keys, lost, marker=".", markersize=3, linewidth=0.8, label=column)
-        axes.set_xlabel(_NAMES[found.rows[0].key_name])
+        axes.set_xlabel(_NAMES.get(found.rows[0].key_name, "value"))
         axes.set_ylabel("digits lost")
         axes.set_title(f"looks like {found.summary['look']['kind']}")
         axes.legend()

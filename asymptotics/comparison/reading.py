@@ -37,10 +37,18 @@ class Sheet:
         return [row[place].strip() for row in self.rows]
 
 
-def read_sheet(path: Path, mapping: str | None, known: tuple[str, ...] = QUANTITIES, *, si: bool = False) -> Sheet:
+def read_sheet(
+    path: Path,
+    mapping: str | None,
+    known: tuple[str, ...] = QUANTITIES,
+    *,
+    si: bool = False,
+    words: tuple[str, ...] = (),
+) -> Sheet:
     """Read a CSV file; InputError for a file that is none, a column that is missing, and units that do not fit.
 
-    The cells of the columns that are used are proved to be numbers here, so that nothing is computed for a bad file.
+    The cells of the columns that are used are proved to be numbers here, except those of ``words``, so that nothing is
+    computed for a bad file.
     """
     rows, header = _rows(path)
     if not rows:
@@ -50,13 +58,15 @@ def read_sheet(path: Path, mapping: str | None, known: tuple[str, ...] = QUANTIT
         accepted = f"--columns, such as n,x,tau (known: {', '.join(known)})"
         raise InputError("FILE", f"{path} has no header", accepted)
     columns = dict(sorted(columns_of(names, mapping, known).items(), key=lambda pair: pair[1]))
-    _require_units({name: units.get(place, "") for name, place in columns.items()}, si)
+    if not words:
+        _require_units({name: units.get(place, "") for name, place in columns.items()}, si)
     wanted = max(columns.values())
     for line, cells in rows:
         if len(cells) <= wanted:
             raise InputError("FILE", f"line {line} has {len(cells)} cells", f"{wanted + 1} cells in each row")
-        for place in columns.values():
-            parse_rational(cells[place], f"FILE line {line}")
+        for name, place in columns.items():
+            if name not in words:
+                parse_rational(cells[place], f"FILE line {line}")
     return Sheet(columns, tuple(line for line, _ in rows), tuple(tuple(cells) for _, cells in rows))
 
 

@@ -36,7 +36,7 @@ from asymptotics.numbers.exact import parse_integer, parse_rational
 from asymptotics.turning.general import turning_points
 
 MAX_DIGITS, MAX_N = 1000, 10**30
-_LEAST_DIGITS, _GUARD = 20, 4
+LEAST_DIGITS, GUARD = 20, 4
 _LOOKED_AT = 500  # half-swings whose errors are judged
 
 
@@ -45,6 +45,7 @@ class Row:
     """One value: where it stands, what it should be, and its right digits (-log10 of the relative error, two decimals).
 
     ``certified`` is None where there is no such value (the motion has ended); ``marked`` has wrong digits in brackets.
+    ``key_name`` is n, tau or t; for a table the names of its keys with commas, and ``key`` their values with ", ".
     """
 
     line: int
@@ -59,9 +60,11 @@ class Row:
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready."""
-        key = int(self.key) if self.key_name == "n" else self.key
+        keys: dict[str, Any] = dict(zip(self.key_name.split(","), self.key.split(", ")))
+        if self.key_name == "n":
+            keys = {"n": int(self.key)}
         names = ("column", "given", "certified", "digits", "error", "marked")
-        return {"line": self.line, self.key_name: key, **{name: getattr(self, name) for name in names}}
+        return {"line": self.line, **keys, **{name: getattr(self, name) for name in names}}
 
 
 @dataclass(frozen=True)
@@ -101,7 +104,7 @@ def compare_file(
     values = [name for name in sheet.columns if name != key]
     if key is None or not values:
         raise InputError("--columns", "there is no key", "n or tau, and what is to be compared")
-    wanted = digits or min(MAX_DIGITS, max(_LEAST_DIGITS, *(_GUARD + _written(sheet, name) for name in values)))
+    wanted = digits or min(MAX_DIGITS, max(LEAST_DIGITS, *(GUARD + _written(sheet, name) for name in values)))
     if key == "n":
         if "v" in values:
             raise InputError("--columns", "v is 0 at every turning point", "x, amplitude, tau, t")

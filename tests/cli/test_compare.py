@@ -74,3 +74,45 @@ def test_bad_input_is_one_line_and_exit_2(capsys, mine, tmp_path, monkeypatch, a
     assert (code, out) == (2, "")
     assert err.count("\n") == 1
     assert [p.name for p in tmp_path.iterdir()] == ["mine.csv"]
+
+
+def test_table_one_of_smith_has_two_wrong_digits(capsys, tmp_path):
+    path = tmp_path / "printed.csv"
+    printed = ["0.0987650,-0.410720", "0.123863,0.263568", "0.133834,-0.194566", "0.138780,0.154318"]
+    rows = [f"{n},{row}\n" for n, row in enumerate([*printed, "0.141589,-0.127908"], start=2)]
+    path.write_text("half_cycle,S_hat,u\n" + "".join(rows))
+    code, out, _ = call(capsys, path, "--table", "smith2012.table1", "--json")
+    found = json.loads(out)
+    assert code == 0
+    assert [row["given"] for row in found["rows"] if "[" in row["marked"]] == ["0.133834", "0.141589"]
+    assert found["rows"][0]["half_cycle"] == "2"
+    assert found["certified"] is True
+
+
+def test_coefficients_are_found_by_their_names(capsys, tmp_path):
+    path = tmp_path / "mine.csv"
+    path.write_text("alpha,coefficient,value\n3/2,p_1,0.4576558581\n2,Omega_2,-0.1666\n1.5,Omega_2,-0.2\n")
+    code, out, _ = call(capsys, path, "--table", "normal-form", "--alpha", "3/2,2", "--json")
+    assert code == 0
+    assert [float(row["digits"]) > 9 for row in json.loads(out)["rows"]] == [True, False, False]
+
+
+@pytest.mark.parametrize(
+    ("text", "more"),
+    [
+        ("half_cycle,u\n0,1\n", []),
+        ("half_cycle,u\na,1\n", []),
+        ("half_cycle,u\n1,a\n", []),
+        ("half_cycle,v\n1,1\n", []),
+        ("half_cycle,u\n1,1\n", ["--mass", "2"]),
+        ("half_cycle,u\n1,1\n", ["--alpha", "2"]),
+        ("u_0,half_cycle,u\n1,1,1\n", []),
+        ("half_cycle,u\n1,1\n", ["--epsilon", "1,2"]),
+    ],
+)
+def test_what_a_table_does_not_have_is_refused(capsys, tmp_path, text, more):
+    path = tmp_path / "mine.csv"
+    path.write_text(text)
+    code, out, err = call(capsys, path, "--table", "smith2012.table1", *more)
+    assert (code, out) == (2, "")
+    assert err.count("\n") == 1

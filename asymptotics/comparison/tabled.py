@@ -1,0 +1,91 @@
+"""Values beside a named table: rows are found by the table's own keys, values compared cell by cell.
+
+>>> import tempfile
+>>> path = Path(tempfile.mkdtemp()) / "mine.csv"
+>>> _ = path.write_text("half_cycle,S_hat,u\\n2,0.098765,-0.41072\\n4,0.133834,-0.194566\\n")
+>>> for row in compare_table(path, "smith2012.table1").rows:
+...     print(row.key, row.column, row.marked, row.certified, row.digits)
+2 S_hat 0.098765 0.098764961172177998811 6.41
+2 u -0.41072 -0.41071968606103944670 6.12
+4 S_hat 0.13383[4] 0.13383308270665046999 5.16
+4 u -0.194566 -0.19456584187398814694 6.09
+"""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+from asymptotics.comparison.digits import significant
+from asymptotics.comparison.look import Look
+from asymptotics.comparison.reading import Sheet, read_sheet
+from asymptotics.comparison.run import GUARD, LEAST_DIGITS, MAX_DIGITS, Comparison, Row, row_of, summary_of
+from asymptotics.errors import InputError
+from asymptotics.numbers.exact import parse_real
+from asymptotics.tables.inputs import MAX_ROWS, Inputs
+from asymptotics.tables.registry import build, description
+from asymptotics.tables.table import Table
+
+Key = tuple[object, ...]
+_GRIDS = {"alpha", "law", "epsilon", "u_0", "A"}  # keys that are no counters
+
+
+def compare_table(
+    path: Path, name: str, inputs: Inputs | None = None, *, columns: str | None = None, digits: int | None = None
+) -> Comparison:
+    """Compare a file with the table ``name``; InputError for rows and columns that the table does not have."""
+    about = description(name)
+    names = tuple(about["columns"])
+    sheet = read_sheet(path, columns, names, words=tuple(about["keys"]))
+    keys = [column for column in sheet.columns if column in about["keys"]]
+    values = [column for column in sheet.columns if column not in keys and about["units"][names.index(column)]]
+    if not keys or not values:
+        raise InputError("--columns", f"{name} needs a key and a value", f"keys {', '.join(about['keys'])}; {names}")
+    given = inputs or Inputs()
+    if "rows" in about["uses"] and given.rows is None:
+        given = replace(given, rows=min(MAX_ROWS, _counted(sheet, keys)))
+    longest = max(significant(cell) for column in values for cell in sheet.column(column))
+    wanted = digits or min(MAX_DIGITS, max(LEAST_DIGITS, GUARD + longest))
+    table = build(name, wanted, given)
+    rows = _rows(sheet, table, keys, values, wanted)
+    wrong = any("[" in row.marked for row in rows)
+    reason = "a table is judged value by value" if wrong else "every value is right to the digits written"
+    look = Look("undecided" if wrong else "rounding", reason)
+    return Comparison(rows, summary_of(rows, look), table.certified, table.source)
+
+
+def _rows(sheet: Sheet, table: Table, keys: list[str], values: list[str], digits: int) -> tuple[Row, ...]:
+    missing = [key for key in keys + values if key not in table.columns]
+    if missing:
+        raise InputError("FILE", f"the table has no column {missing[0]!r} here", ", ".join(table.columns))
+    found: dict[Key, list[tuple[str, ...]]] = {}
+    for entry in table.rows:
+        found.setdefault(tuple(_same(entry[table.columns.index(key)]) for key in keys), []).append(entry)
+    rows = []
+    cells = {column: sheet.column(column) for column in keys + values}
+    for place, line in enumerate(sheet.lines):
+        texts = [cells[key][place] for key in keys]
+        entries = found.get(tuple(map(_same, texts)), [])
+        if len(entries) != 1:
+            what = "no row" if not entries else f"{len(entries)} rows"
+            accepted = f"keys that name one row: {', '.join(table.keys)}"
+            raise InputError("FILE", f"line {line}: the table has {what} for {', '.join(texts)[:80]}", accepted)
+        for column in values:
+            right = entries[0][table.columns.index(column)] or None
+            key, name = ", ".join(texts), ",".join(keys)
+            rows.append(row_of(line, key, cells[column][place], right, column, name, digits))
+    return tuple(rows)
+
+
+def _same(cell: str) -> object:
+    """A number however it is written, or the text."""
+    try:
+        return str(parse_real(cell, "cell"))
+    except InputError:
+        return cell.strip()
+
+
+def _counted(sheet: Sheet, keys: list[str]) -> int:
+    """How many rows reach as far as the file does: the largest integer in a key that counts, and one more."""
+    cells = (cell for key in keys if key not in _GRIDS for cell in sheet.column(key))
+    numbers = (int(digits) for cell in cells for digits in re.findall(r"\d{1,6}", cell))
+    return 1 + max(numbers, default=0)
