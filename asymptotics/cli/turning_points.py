@@ -4,8 +4,13 @@
   asymptotics turning-points --alpha 2 --epsilon 1/3 --count 1 --start 1000000000 --digits 50
   asymptotics turning-points --law 0:1/20 --law 3/2:1/10 --count 10
 
+  asymptotics turning-points --law 2:1/10 --spring pendulum --x0 2.967 --count 10
+
 X'' + X + sum_i epsilon_i X'|X'|^(alpha_i-1) = 0 starts from rest at X(0) = 1, which is turning point 0.  All digits are
 proved, whatever the law.  `ended` tells the last turning point there is, and why: sticks, creeps or overdamped.
+
+With --spring (quadratic drag and dry friction, in any combination) the motion starts at rest at X(0) = x0 inside the
+well, and x is in the units in which the strengths are given: rad for a pendulum.
 """
 
 import argparse
@@ -22,11 +27,11 @@ from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, Turn
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    add_forces(parser, "epsilon", "E", "b omega_0^alpha x0^(alpha-1) / k, e.g. 1/3", springs=False)
+    add_forces(parser, "epsilon", "E", "b omega_0^alpha x0^(alpha-1) / k, e.g. 1/3")
     parser.add_argument("--count", required=True, metavar="N", help=f"how many points (1 to {MAX_COUNT})")
     parser.add_argument("--start", default="0", metavar="N", help="the first point (default 0)")
     parser.add_argument("--times", action="store_true", help="the times as well")
-    parser.add_argument("--x0", default="1", metavar="X", help="X(0), with --v0 (default 1)")
+    parser.add_argument("--x0", default="1", metavar="X", help="X(0), with --v0 or --spring (default 1)")
     parser.add_argument("--v0", default="0", metavar="V", help="X'(0): then n = 0 is the first turning point")
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)

@@ -7,6 +7,7 @@
 ``quadratic_series``    exact power series of the map, the half period and their Abel functions
 ``quadratic_abel``      the Abel function from the exact coefficients
 ``abel``, ``far``       any alpha > 1: the n-th turning point for any n, with a rigorous bound of the truncated series
+``drag_exact``          quadratic drag and dry friction beside any spring, such as a pendulum in air
 ``quadratic_large``     the half period for large amplitudes
 ``routes``              by pieces, by the series or by one jump: the cheapest of the certified ways
 ``general``             any law: the closed forms where they exist, else enclosures half-swing by half-swing

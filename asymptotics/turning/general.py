@@ -32,6 +32,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.swing.sequence import Turning
 from asymptotics.turning.coulomb import coulomb_turning_points
+from asymptotics.turning.drag_exact import drag_turning_points
 from asymptotics.turning.kicked import kicked_turning_points
 from asymptotics.turning.linear import linear_turning_points
 from asymptotics.turning.quadratic import TurningPoint, TurningPoints, quadratic_serves, quadratic_turning_points
@@ -57,16 +58,23 @@ def turning_points(
 ) -> TurningPoints:
     """Turning points n = start ... start + count - 1 as far as they exist, for the strengths epsilon_i of ``law``.
 
+    With springs: quadratic drag and dry friction, from rest at ``x0`` in the units of the strengths (``drag_exact``).
     With ``v0`` (dimensionless, as ``x0``) the start is in motion: n = 0 is the first turning point, see ``kicked``.
     ``progress`` is called with the number of points finished.  Raises InputError for a negative strength, LimitError
     for more work than the stated limits or ``max_seconds``, UndecidedError where balls cannot tell how it goes on.
     """
     law = Law.read(law)
     law.require_dissipative("a sequence of turning points to rest")
+    place, speed = exact_number(x0, "x0"), exact_number(v0, "v0")
+    if law.springs:
+        if times or not speed.is_zero:
+            name = "times" if times else "v0"
+            raise InputError(name, "beside a nonlinear spring the places are known, from rest", "places from rest")
+        with budget(max_seconds):
+            return drag_turning_points(law, place, count, digits, start=start, progress=progress)
     law.require_pure("this sequence of turning points")
     acting = [t for t in law.terms if t.strength.sign > 0] or [law.terms[0]]
     epsilon, velocity = acting[0].strength, acting[0].velocity
-    place, speed = exact_number(x0, "x0"), exact_number(v0, "v0")
     if speed.is_zero and str(place) != "1":
         raise InputError("x0", f"{x0}: from rest the unit of length is |x0|, X(0) = 1", "1, or a start with v0")
     with budget(max_seconds):

@@ -1,0 +1,253 @@
+"""Any spring with quadratic drag and dry friction, exactly: turning points from one elementary function.
+
+    x'' + V'(x) + eps_0 sgn x' + eps_2 x'|x'| = 0,    V'(x) = x + sum_j c_j x|x|^(p_j-1), or with sin x in place of x.
+
+On a swing to the left v < 0, and u = v^2/2 obeys the *linear* equation du/dx = -V'(x) + eps_0 + 2 eps_2 u, so that
+from rest at x = a > 0
+
+    u(x) e^(-2 eps_2 x) = int_x^a (V'(y) - eps_0) e^(-2 eps_2 y) dy,
+
+and the next turning point -q is the next zero of the right side, an elementary function.  For the pendulum in air
+(cos x + 2 eps_2 sin x) e^(-2 eps_2 x) has equal values at x = a and x = -q: with x in place of sin x and 1 in place of
+cos x this is the equation of the linear spring, which the Lambert W function solves (``quadratic_map``).
+
+*In balls.*  V' is convex or concave with V'(0) = 0, so V' > eps_0 holds from one place x* on: the integral grows from a
+down to x*, falls from there on (on both sides of the centre), and has one zero.  A guess q is enclosed by its signs at
+q - eta and q + eta.  q(a) grows with a, since dq/da = (V'(a) - eps_0) e^(-2 eps_2 a)/((V'(q) + eps_0) e^(2 eps_2 q)) > 0,
+so the image of a ball is the hull of the images of its ends.  V(q) <= V(a): the orbit stays in its well.
+
+>>> law = Law({2: "1/5"}, spring="pendulum")
+>>> [p.x for p in drag_turning_points(law, ExactReal(2), 3, 12).points]
+['2.00000000000', '-1.20380409635', '0.891896868559']
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from flint import arb, ctx
+
+from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.law import Law
+from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.turning.quadratic import TurningPoint, TurningPoints
+
+MAX_DIGITS, MAX_LAST = 1000, 10_000
+_TRIES, _PIECES = 6, 4096
+
+
+@dataclass(frozen=True)
+class Well:
+    """The spring and the two losses in balls; ``pendulum`` tells whether sin x stands in the place of x."""
+
+    springs: tuple[tuple[arb, int], ...]
+    pendulum: bool
+    dry: arb
+    drag: arb
+
+    @classmethod
+    def of(cls, law: Law) -> "Well":
+        """At the current precision; InputError by name for a force that this method cannot take."""
+        dry, drag, springs, pendulum = arb(0), arb(0), [], False
+        for t in law.terms:
+            if t.family:
+                pendulum = True
+            elif t.sign > 0 and t.velocity.is_zero:
+                springs.append((t.strength.ball(), t.position))
+            elif t.is_power_of_velocity and t.velocity == 2:
+                drag = t.strength.ball()
+            elif t.is_power_of_velocity and t.velocity.is_zero:
+                dry = t.strength.ball()
+            else:
+                known = "alpha = 0 and 2 with springs c x|x|^(P-1) or a pendulum; expand takes every force"
+                raise InputError("law", f"{t.shape()}: with a nonlinear spring there is no exact swing", known)
+        _require_one_branch(law, pendulum)
+        return cls(tuple(springs), pendulum, dry, drag)
+
+    def force(self, x: arb) -> arb:
+        """V'(x) for x >= 0."""
+        linear = x.sin() if self.pendulum else x
+        return sum((c * x**p for c, p in self.springs), start=linear)
+
+    def work(self, low: arb, high: arb) -> arb:
+        """int_low^high (V'(y) - eps_0) e^(-2 eps_2 y) dy; ``low`` may be negative, ``high`` >= 0."""
+        if low >= 0:
+            return self._primitive(high, 1) - self._primitive(low, 1)
+        return self._primitive(high, 1) - self._primitive(arb(0), 1) + self._other_side(-low)
+
+    def _other_side(self, q: arb) -> arb:
+        """int_-q^0: with y = -z, int_0^q (-V'(z) - eps_0) e^(2 eps_2 z) dz."""
+        return self._primitive(q, -1) - self._primitive(arb(0), -1)
+
+    def _primitive(self, x: arb, side: int) -> arb:
+        """A primitive of (side V'(x) - eps_0) e^(-2 side eps_2 x), x >= 0."""
+        k = 2 * side * self.drag
+        powers = [(side * c, p) for c, p in self.springs] + [(-self.dry, 0)]
+        if not self.pendulum:
+            powers.append((arb(side), 1))
+        total = sum((c * _power_primitive(x, p, k) for c, p in powers), start=arb(0))
+        if self.pendulum:
+            sine, cosine = x.sin_cos()
+            total -= side * (-(k * x)).exp() * (cosine + k * sine) / (1 + k * k)
+        return total
+
+
+def _require_one_branch(law: Law, pendulum: bool) -> None:
+    """InputError for dry friction in a well whose force may cross eps_0 more than once on the way to the centre.
+
+    V' with V'(0) = 0 is convex if all c >= 0 without a pendulum, and concave (up to x = pi) if all c <= 0: V' > eps_0
+    then holds exactly from one place on.
+    """
+    signs = {t.strength.sign for t in law.springs if not t.family} | ({-1} if pendulum else set())
+    dry = any(t.velocity.is_zero and t.strength.sign > 0 for t in law.losses)
+    if dry and {-1, 1} <= signs:
+        raise InputError("spring", "dry friction with springs of both signs is undecided", "springs of one sign")
+
+
+def _power_primitive(x: arb, p: int, k: arb) -> arb:
+    """A primitive of x^p e^(-k x): -e^(-k x) sum_j p!/(p-j)! x^(p-j)/k^(j+1), or x^(p+1)/(p+1) at k = 0."""
+    if k == 0:
+        return x ** (p + 1) / (p + 1)
+    total, factor = arb(0), 1 / k
+    for j in range(p + 1):
+        total += factor * x ** (p - j)
+        factor = factor * (p - j) / k
+    return -(-(k * x)).exp() * total
+
+
+def drag_turning_points(
+    law: Law,
+    x0: ExactReal,
+    count: int,
+    digits: int,
+    *,
+    start: int = 0,
+    progress: Callable[[int], None] = lambda done: None,
+) -> TurningPoints:
+    """Turning points n = start ... from rest at X(0) = x0, in the units of the strengths, certified.
+
+    InputError for a force other than alpha = 0, 2 and springs of the position, or a start outside the well (V' > 0 from
+    0 to x0); LimitError for the sizes; UndecidedError where balls cannot tell.
+    """
+    if digits > MAX_DIGITS or start + count > MAX_LAST:
+        raise LimitError("digits", f"{digits} digits of {start + count} points", f"{MAX_DIGITS} and {MAX_LAST}")
+    law.require_dissipative("a sequence of turning points to rest")
+    bits = bits_for(digits, 48) + 2 * (start + count).bit_length()
+    for _ in range(_TRIES):
+        points, ended, done = _pass(law, x0, count, digits, start, bits, progress)
+        if done:
+            losses = law.losses
+            alpha, epsilon = (",".join(str(getattr(t, n)) for t in losses) for n in ("velocity", "strength"))
+            method = f"primitive of the energy equation in balls of {bits} bits"
+            return TurningPoints(alpha, epsilon, digits, tuple(points), method, True, ended)
+        bits *= 2
+    raise UndecidedError(f"no certified {digits} digits at {bits} bits")
+
+
+def _pass(
+    law: Law, x0: ExactReal, count: int, digits: int, start: int, bits: int, progress: Callable[[int], None]
+) -> tuple[list[TurningPoint], dict[str, object] | None, bool]:
+    """The points, how they end, and whether all could be rounded."""
+    points: list[TurningPoint] = []
+    with ctx.workprec(2 * bits):  # the primitive cancels as the amplitude falls
+        well = Well.of(law)
+        _require_well(well, x0)
+        for n, (x, stays) in enumerate(_swings(well, x0.ball(), bits)):
+            if n >= start:
+                text = decimal_of_ball(x, digits)
+                if text is None or stays is None:
+                    return points, None, False
+                points.append(TurningPoint(n, text, None))
+                progress(len(points))
+            if stays:
+                return points, {"n": n, "reason": "sticks"}, True
+            if n == start + count - 1:
+                return points, None, True
+    return points, None, False
+
+
+def _swings(well: Well, x: arb, bits: int) -> Iterator[tuple[arb, bool | None]]:
+    """(x_n, whether the mass sticks there, None if undecided) for n = 0, 1, ...; ends where balls cannot go on."""
+    side = 1 if x > 0 else -1
+    a = side * x
+    while True:
+        force = abs(well.force(abs(a)))
+        stays = True if force <= well.dry else False if force > well.dry and a > 0 else None
+        yield side * a, stays
+        if stays is not False:
+            return
+        low, high = (_next(well, end, bits) for end in (a.lower(), a.upper()))
+        if low is None or high is None:
+            return
+        a, side = low.union(high), -side
+
+
+def _next(well: Well, a: arb, bits: int) -> arb | None:
+    """The next turning distance q from a dyadic a with V'(a) > eps_0; negative q if it stops before the centre."""
+    q = _guess(well, a)
+    if q is None:
+        return None
+    eta = abs(q) * arb(2) ** (24 - bits)
+    inner, outer = well.work(-(q - eta), a), well.work(-(q + eta), a)
+    return arb(q, eta.upper()) if inner > 0 and outer < 0 else None
+
+
+def _guess(well: Well, a: arb) -> arb | None:
+    """Bisection in doubles' width, then Newton's method on midpoints: a choice, not a claim."""
+    low, high = _falling_from(well, a), a
+    for _ in range(40):
+        middle = ((low + high) / 2).mid()
+        low, high = (middle, high) if well.work(-middle, a).mid() > 0 else (low, middle)
+    q = low
+    for _ in range(12):
+        slope = (well.force(abs(q)) * (1 if q > 0 else -1) + well.dry) * (2 * well.drag * q).exp()
+        if not abs(slope.mid()) > 0:
+            return None
+        step = (well.work(-q, a) / slope).mid()
+        q = (q + step).mid()
+        if abs(step) < abs(q) * arb(2) ** (8 - ctx.prec):
+            break
+    return q if q.is_finite() and q <= a else None
+
+
+def _falling_from(well: Well, a: arb) -> arb:
+    """-x at the place x > 0 where V' = eps_0: from there on the integral falls; 0 without dry friction."""
+    if well.dry == 0:
+        return arb(0)
+    low, high = arb(0), a
+    for _ in range(60):
+        middle = ((low + high) / 2).mid()
+        low, high = (low, middle) if well.force(middle) > well.dry else (middle, high)
+    return -high
+
+
+def _require_well(well: Well, x0: ExactReal) -> None:
+    """InputError unless V' > 0 from 0 to |x0|, decided by balls on pieces of V'(x)/x."""
+    if x0.is_zero:
+        raise InputError("x0", "0 is the place of rest", "a start at rest away from 0")
+    end = abs(x0.ball())
+    stack, pieces = [(arb(0), end.upper())], 0
+    while stack:
+        low, high = stack.pop()
+        pieces += 1
+        ratio = _stiffness(well, low.union(high))
+        if ratio > 0:
+            continue
+        edge = _stiffness(well, high)
+        if edge <= 0 or pieces > _PIECES:
+            what = "it rotates" if well.pendulum else "it escapes"
+            raise InputError("x0", f"{x0} lies outside the well, V' > 0 fails on the way: {what}", "a start inside it")
+        middle = ((low + high) / 2).mid()
+        stack += [(low, middle), (middle, high)]
+
+
+def _stiffness(well: Well, x: arb) -> arb:
+    """V'(x)/x for a ball x >= 0."""
+    linear = x.sinc() if well.pendulum else arb(1)
+    total = linear
+    for c, p in well.springs:
+        power = arb(1)
+        for _ in range(p - 1):
+            power = power * x
+        total = total + c * power
+    return total

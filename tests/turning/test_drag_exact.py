@@ -1,0 +1,116 @@
+"""Turning points with quadratic drag, dry friction and a spring: the equation, an integrator, ends, hostile input."""
+
+import time
+
+import numpy as np
+import pytest
+from flint import arb, ctx
+from scipy.integrate import solve_ivp
+
+from asymptotics.cli.main import main
+from asymptotics.errors import InputError
+from asymptotics.law import Law
+from asymptotics.numbers.exact import parse_real
+from asymptotics.turning.drag_exact import Well, drag_turning_points
+from asymptotics.turning.general import turning_points
+
+LAWS = {
+    "pendulum in air": (Law({2: "1/10"}, spring="pendulum"), "2.967", np.sin),
+    "hardening, both losses": (Law({2: "1/10", 0: "1/50"}, spring={3: "1/2"}), "1", lambda x: x + x**3 / 2),
+    "softening, dry": (Law({0: "1/20"}, spring={3: "-1/2"}), "1", lambda x: x - x**3 / 2),
+    "x|x|": (Law({2: "1/3"}, spring={2: "1/4"}), "3/2", lambda x: x + x * abs(x) / 4),
+}
+
+
+def exact(text):
+    return parse_real(text, "x0")
+
+
+def integrated(law, force, x):
+    """The next turning point in doubles."""
+    drag, dry = (sum(float(t.b.rational) for t in law.losses if t.velocity == a) for a in (2, 0))
+
+    def stop(t, y):
+        return y[1]
+
+    stop.terminal, stop.direction = True, 1
+    run = solve_ivp(lambda t, y: [y[1], -force(y[0]) + drag * y[1] ** 2 + dry], (0, 40), [x, -1e-13], events=stop,
+                    rtol=1e-12, atol=1e-14)  # fmt: skip
+    return float(run.y[0, -1])
+
+
+@pytest.mark.parametrize(("law", "x0", "force"), LAWS.values(), ids=LAWS)
+def test_against_an_integrator(law, x0, force):
+    points = [float(p.x) for p in drag_turning_points(law, exact(x0), 5, 15).points]
+    for here, after in zip(points, points[1:]):
+        side = 1 if here > 0 else -1
+        assert integrated(law, force, side * here) == pytest.approx(side * after, abs=1e-9)
+
+
+def test_the_pendulum_keeps_its_function():
+    """(cos x + 2 eps sin x) e^(-2 eps x) at a and -q, and a wrong factor would be seen."""
+    table = drag_turning_points(LAWS["pendulum in air"][0], exact("2.967"), 2, 40)
+    with ctx.workprec(200):
+        a, b = (arb(p.x) for p in table.points)
+
+        def function(x, k):
+            return (x.cos() + k * x.sin()) * (-k * x).exp()
+
+        assert abs(function(a, arb("0.2")) - function(b, arb("0.2"))) < arb(10) ** -38
+        assert abs(function(a, arb("0.1")) - function(b, arb("0.1"))) > arb(10) ** -3
+
+
+def test_a_weak_spring_is_the_linear_one():
+    """With c = 10^-40 the certified Lambert W table of the linear spring comes out."""
+    linear = turning_points(Law({2: "1/3"}), 6, 30)
+    weak = turning_points(Law({2: "1/3"}, spring={3: "1e-40"}), 6, 30)
+    assert [p.x for p in weak.points] == [p.x for p in linear.points]
+    strong = turning_points(Law({2: "1/3"}, spring={3: "1e-20"}), 6, 30)
+    assert strong.points[5].x != linear.points[5].x
+
+
+def test_a_ball_is_mapped_to_a_ball_that_contains_it():
+    law = LAWS["pendulum in air"][0]
+    short, long = (drag_turning_points(law, exact("2"), 12, d) for d in (10, 40))
+    for p, q in zip(short.points, long.points):
+        assert abs(arb(p.x) - arb(q.x)) <= abs(arb(q.x)) * arb(10) ** -9 / 2
+
+
+def test_dry_friction_holds_where_the_force_is_at_most_the_friction():
+    table = drag_turning_points(LAWS["softening, dry"][0], exact("1"), 40, 20)
+    assert table.ended == {"n": len(table.points) - 1, "reason": "sticks"}
+    with ctx.workprec(100):
+        well = Well.of(LAWS["softening, dry"][0])
+        assert well.force(abs(arb(table.points[-1].x))) < well.dry < well.force(abs(arb(table.points[-2].x)))
+
+
+def test_a_hundred_points_of_a_pendulum_in_air_take_less_than_a_second():
+    start = time.process_time()
+    drag_turning_points(LAWS["pendulum in air"][0], exact("2.967"), 100, 30)
+    assert time.process_time() - start < 1
+
+
+@pytest.mark.parametrize(
+    ("law", "x0", "reason"),
+    [
+        (Law({2: 1}, spring="pendulum"), "3.15", "rotates"),
+        (Law({2: 1}, spring={3: -1}), "1", "escapes"),
+        (Law({2: 1}, spring={3: -1, 5: "1/8"}), "3", "escapes"),
+        (Law({"3/2": 1}, spring={3: 1}), "1", "no exact swing"),
+        (Law({2: 1, (2, 1): 1}, spring={3: 1}), "1", "no exact swing"),
+        (Law({0: "1/10"}, spring={3: 1, 5: -1}), "1/2", "both signs"),
+        (Law({2: 1}, spring="pendulum"), "0", "place of rest"),
+        (Law({2: -1}, spring="pendulum"), "1", "negative"),
+    ],
+)
+def test_what_cannot_be_taken_is_refused_by_name(law, x0, reason):
+    with pytest.raises(InputError, match=reason):
+        turning_points(law, 3, 10, x0=x0)
+
+
+def test_the_command(capsys):
+    line = ["turning-points", "--law", "2:1/5", "--spring", "pendulum", "--x0", "2", "--count", "2", "--digits", "10"]
+    assert main(line) == 0
+    assert "-1.203804096" in capsys.readouterr().out
+    assert main([*line, "--times"]) == 2
+    assert main([*line[:6], "4", "--count", "2"]) == 2
