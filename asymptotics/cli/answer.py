@@ -37,15 +37,16 @@ def add_json(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print JSON (numbers are strings, never floats)")
 
 
-def add_digits(parser: argparse.ArgumentParser, high: int) -> None:
+def add_digits(parser: argparse.ArgumentParser, high: int, default: str = f"{DEFAULT_DIGITS}") -> None:
     """The option --digits, an integer from 1 to ``high``."""
-    text = f"significant digits, correctly rounded and proved to be (1 to {high}; default {DEFAULT_DIGITS})"
-    parser.add_argument("--digits", default=str(DEFAULT_DIGITS), metavar="D", help=text)
+    text = f"significant digits, correctly rounded (1 to {high}; default {default}); certified: whether that is proved"
+    parser.add_argument("--digits", metavar="D", help=text)
 
 
 def read_digits(options: argparse.Namespace, high: int) -> int:
     """The value of --digits; InputError outside 1 ... ``high``."""
-    return parse_integer(options.digits, "--digits", 1, high)
+    text = str(DEFAULT_DIGITS) if options.digits is None else options.digits
+    return parse_integer(text, "--digits", 1, high)
 
 
 def add_max_seconds(parser: argparse.ArgumentParser) -> None:

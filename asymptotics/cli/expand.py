@@ -66,7 +66,8 @@ def run(options: argparse.Namespace) -> Answer:
     )
     head = {"alpha": given.shown, "terms": given.to_list()}
     data = {**head, **found.to_dict(), "latex": found.latex(), "notes": list(given.notes)}
-    return Answer(data, found.latex() if options.latex else _text(found, given), options.json)
+    data["delta"] = [{"name": name, "force": force, "value": value} for name, force, value in _deltas(given, options)]
+    return Answer(data, found.latex() if options.latex else _text(found, given, options), options.json)
 
 
 def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:
@@ -77,10 +78,43 @@ def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:
     return Answer(found.to_dict(), found.latex() if options.latex else str(found), options.json)
 
 
-def _text(found: ExpansionCoefficients, given: GivenTerms) -> str:
-    lines = [f"gauge {found.gauge}, {found.arithmetic}", *order_of(given)]
-    lines += [*row_text("p", found.amplitude), *row_text("Omega", found.frequency), *given.notes]
+def _text(found: ExpansionCoefficients, given: GivenTerms, options: argparse.Namespace) -> str:
+    lines = [f"gauge {found.gauge}, {found.arithmetic}; formal (no bound on the remainder)"]
+    deltas = _deltas(given, options)
+    names = [name for name, _, _ in deltas]
+    p, Omega = (_sum(name, row, names) for name, row in (("p", found.amplitude), ("Omega", found.frequency)))
+    lines += [f"dA/dtau = -A ({p or 0})", f"dpsi/dtau = {' + '.join(['1', *([Omega] if Omega else [])])}"]
+    lines += [f"{name} = {value} for {force}" for name, force, value in deltas]
+    lines += [*order_of(given), *row_text("p", found.amplitude), *row_text("Omega", found.frequency), *given.notes]
     return "\n".join(lines)
+
+
+def _deltas(given: GivenTerms, options: argparse.Namespace) -> list[tuple[str, str, str]]:
+    """(name, force, value) of each local strength; the letter epsilon where no strength was given, or several were."""
+    texts = [*(options.law or []), *(options.spring or [])]
+    known = options.epsilon is not None or all(":" in text for text in texts) and bool(texts)
+    found = []
+    for i, term in enumerate(given.terms, start=1):
+        mark = "" if len(given.terms) == 1 else f"_{i}"
+        strength = str(term.strength) if known and not given.notes and not term.family else f"epsilon{mark}"
+        found.append((f"delta{mark}", term.shape(), "A^2" if term.family else strength + _power(str(term.weight))))
+    return found
+
+
+def _power(weight: str) -> str:
+    """A to a power, as it is written."""
+    return {"0": "", "1": " A"}.get(weight, f" A^{weight}" if weight.isdigit() else f" A^({weight})")
+
+
+def _sum(name: str, row: Row, deltas: list[str]) -> str:
+    """p_1 delta + p_3 delta^3: the terms that do not vanish."""
+    terms = []
+    for key, c in row.items():
+        if c.value == "0":
+            continue
+        powers = [(delta, int(n)) for delta, n in zip(deltas, key.split(",")) if int(n)]
+        terms.append(" ".join([f"{name}_{key}", *(d if n == 1 else f"{d}^{n}" for d, n in powers)]))
+    return " + ".join(terms)
 
 
 def order_of(given: GivenTerms) -> list[str]:

@@ -47,7 +47,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--static", metavar="F", help="--reference, alpha = 0: static friction force in N, >= b")
     add_files(parser, "waveform, envelope and error curve from 0 to T", "t, x, v, amplitude, phase from 0 to T")
     add_max_seconds(parser)
-    add_digits(parser, MAX_DIGITS)
+    add_digits(parser, MAX_DIGITS, "30 with --reference, else what the error leaves")
     add_json(parser)
 
 
@@ -72,6 +72,8 @@ def run(options: argparse.Namespace) -> Answer:
         point = reference_motion(oscillator, time, digits, static=options.static, max_seconds=seconds)
     else:
         point = AsymptoticMotion.of(oscillator, order, gauge).at(time, digits)
+        if options.digits is None:
+            point = point.rounded_to_error()
     return _answer(point, options, write_files(files, _makers(oscillator, time, options, order, gauge)))
 
 

@@ -52,7 +52,7 @@ def test_tables(capsys):
     assert "smith2012.table1" in answer(capsys, "table", "--list")["tables"]
     assert answer(capsys, "table", "smith2012.table1", "--digits", "5")["rows"][1] == ["2", "0.098765", "-0.41072"]
     _, out, _ = run(capsys, "table", "smith2012.table1", "--format", "latex")
-    assert out.startswith(r"\begin{tabular}")
+    assert r"\begin{tabular}" in out
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -69,7 +69,7 @@ ERRORS = [
     ("turning-points --alpha 2 --count 3 --epsilon nan", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon 1e999999", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon 1e9999", "--epsilon"),
-    ("turning-points --alpha 3/2 --count 2 --epsilon 1e40", "--epsilon"),
+    ("turning-points --alpha 3/2 --count 2 --epsilon 1e40 --max-seconds 1", "--max-seconds"),
     ("turning-points --alpha 1 --count 1 --epsilon 1 --start 1000000000000000000000000000000", "magnitude"),
     ("turning-points --alpha 2 --count 3 --epsilon abc", "--epsilon"),
     ("turning-points --alpha 2 --count 3 --epsilon __import__('os')", "--epsilon"),
