@@ -37,7 +37,7 @@ def test_expand(capsys):
     assert data["frequency"]["2"] == {"value": "-0.1757812500", "exact": "-45/256"}
     strong = answer(capsys, "expand --alpha 3 --epsilon 1/10 --order 4 --digits 10 --exact")
     assert (data["delta"][0]["value"], strong["delta"][0]["value"]) == ("epsilon A^2", "1/10 A^2")
-    assert strong | {"delta": None} == data | {"delta": None}  # the coefficients of powers of delta hold for any strength
+    assert strong | {"delta": None} == data | {"delta": None}  # the coefficients hold for any strength
     assert answer(capsys, "expand --alpha 3/2 --order 3")["amplitude"]["3"]["exact"] is not None
     assert answer(capsys, "expand --alpha 3/2 --order 5")["amplitude"]["5"]["exact"] is None
 
