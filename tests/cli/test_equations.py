@@ -12,19 +12,22 @@ delta_2 = 3 A for x'|x'|
 
 
 def test_a_sum_with_its_strengths(capsys):
-    assert main("expand --law 1:1/10 --law 2:3 --order 2 --digits 10".split()) == 0
+    assert main(["expand", "--law", "1:1/10", "--law", "2:3", "--order", "2", "--digits", "10"]) == 0
     assert capsys.readouterr().out.startswith(SUM)
 
 
 def test_without_strengths_the_letter_stays(capsys):
-    assert main("expand --law 1/2 --law 5/2 --order 2 --digits 5".split()) == 0
+    assert main(["expand", "--law", "1/2", "--law", "5/2", "--order", "2", "--digits", "5"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[3:5] == ["delta_1 = epsilon_1 A^(-1/2) for x'|x'|^(-1/2)", "delta_2 = epsilon_2 A^(3/2) for x'|x'|^(3/2)"]
+    assert lines[3:5] == [
+        "delta_1 = epsilon_1 A^(-1/2) for x'|x'|^(-1/2)",
+        "delta_2 = epsilon_2 A^(3/2) for x'|x'|^(3/2)",
+    ]
 
 
 def test_what_vanishes_is_left_out(capsys):
     """alpha = 1: p_3 = 0 by theorem, and delta is the strength for all time."""
-    assert main("expand --alpha 1 --epsilon 1/10 --order 3".split()) == 0
+    assert main(["expand", "--alpha", "1", "--epsilon", "1/10", "--order", "3"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[1:4] == ["dA/dtau = -A (p_1 delta)", "dpsi/dtau = 1 + Omega_2 delta^2", "delta = 1/10 for x'"]
 
