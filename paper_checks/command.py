@@ -12,6 +12,7 @@ from asymptotics.cli.progress import progress_bar
 from asymptotics.cli.shell import complain, emit
 from asymptotics.errors import InputError
 from asymptotics.present.files import require_writable, write_atomically
+from paper_checks import reader
 from paper_checks.data import DATA, written
 from paper_checks.details import in_words
 from paper_checks.registry import PAPERS, Entry, Statement, load
@@ -50,12 +51,16 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--id", metavar="ID", help="one statement, e.g. smith2012:62b")
     parser.add_argument("--json", action="store_true", help="print the entries as JSON")
     parser.add_argument("--markdown", action="store_true", help="print the summary table of the README")
+    parser.add_argument("--compared", action="store_true", help="write the ledger of formulas compared by hand")
     parser.add_argument("--data", action="store_true", help="write the statements for the installed package, no check")
     parser.add_argument("--report", metavar="DIR", help="write the report into this folder")
     return parser
 
 
 def _run(options: argparse.Namespace) -> int:
+    if options.compared:
+        write_atomically(reader.LEDGER, reader.written(load().values()))
+        return 0
     if options.data:
         write_atomically(DATA, written())
         return 0
