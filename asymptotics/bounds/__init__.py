@@ -1,0 +1,8 @@
+"""Error bounds of the expansions that are theorems: constants and ranges, computed in balls and rounded up.
+
+================  ====================================================================================
+``local``         one half-swing: the truncated equations against the motion, |error| <= C delta^m
+``turning``       all turning points: how these errors add up, for every n
+``motion``        |x - x_N| at a given time, by an enclosure of x
+================  ====================================================================================
+"""

@@ -1,0 +1,155 @@
+"""How the errors of an expansion add up over all turning points: a theorem for every n, no iteration.
+
+Let A_n, tau_n be the turning points of the motion (units of x0 and 1/omega_0) and A^_n, tau^_n those of the truncated
+equations of order N, psi = n pi, from the same start A = 1; all exponents >= 1, w = min alpha_i - 1, |delta_0| = sum
+epsilon_i <= delta_max.  With C_A, C_T, a, b of ``local`` (derivation ``expansion-bounds``):
+
+* |ln A_(n+1) - ln A^_(n+1)| <= lambda |ln A_n - ln A^_n| + C_A |delta^_n|^a with lambda <= 1 (quarter-swing-tail, L1b);
+* along the truncated orbit 1/|delta^| grows by at least g = w pi inf p_N/(|delta| (1 + Omega_N)) a half-swing, so that
+
+      sum_(j<n) |delta^_j|^m <= S_m(n) = ((Y - g/2)^(1-m) - (Y + g (n - 1/2))^(1-m))/((m-1) g),   Y = 1/|delta_0|,
+
+  bounded for all n if w > 0, and at most n |delta_0|^m in any case: |ln A_n - ln A^_n| <= e = C_A S_a(n);
+* one law, alpha > 1: lambda <= exp(-(alpha-1) k delta), k = inf -L', and 1/delta^ grows by at most G: the errors fade,
+
+      |ln A_n - ln A^_n| <= C_A ((G/g)(1 + g delta_0)/(Y + G n))^q S_(a-q)(n),   q = (alpha-1) k e^(-(alpha-1) e)/G;
+
+* times: |tau_n - tau^_n| <= C_T S_b(n) + B e' exp(2 e') S_2(n), e' = max(alpha_i - 1) e, because amplitudes that differ
+  by a factor e^e at most have |T - T^| <= B e' (|delta^| e^e')^2, B = sup sum_i |delta_i dT/d delta_i|/|delta|^2.
+
+>>> from asymptotics.numbers.exact import parse_real
+>>> quadratic = turning_bounds([parse_real("2", "--alpha")], 3, [arb(1) / 10])
+>>> [quadratic.log_amplitude(n).str(2, radius=False) for n in (1, 10, 10**9)]
+['1.3e-7', '5.4e-7', '1.5e-15']
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from flint import arb, ctx
+
+from asymptotics.bounds.local import BITS, LocalBounds, local_bounds
+from asymptotics.errors import InputError, LimitError
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.series import Series
+
+
+@dataclass(frozen=True, eq=False)
+class TurningBounds:
+    """Bounds of |ln A_n - ln A^_n|, |tau_n - tau^_n| and of the phase error, for every n >= 0."""
+
+    local: LocalBounds
+    delta: arb
+    C_A: arb
+    C_T: arb
+    slowest: arb
+    fastest: arb
+    g: arb
+    G: arb
+    fading: arb
+    B: arb
+
+    def log_amplitude(self, n: int) -> arb:
+        """A bound of |ln A_n - ln A^_n|."""
+        with ctx.workprec(BITS):
+            plain = self._crude(n)
+            if not (self.fading > 0 and self.g > 0):
+                return plain
+            q = self.fading * (-self.slowest * plain).exp() / self.G
+            a = self.local.amplitude.power
+            ratio = self.G / self.g * (1 + self.g * self.delta) / (1 / self.delta + self.G * n)
+            return min(plain, (self.C_A * ratio**q * self._sum(a - q, n)).upper(), key=float)
+
+    def time(self, n: int) -> arb:
+        """A bound of |tau_n - tau^_n|."""
+        with ctx.workprec(BITS):
+            e = self.fastest * self._crude(n)
+            late = self.B * e * (2 * e).exp() * self._sum(arb(2), n)
+            return (self.C_T * self._sum(arb(self.local.duration.power), n) + late).upper()
+
+    def phase(self, n: int) -> arb:
+        """A bound of |psi^(tau_n) - n pi|: the phase that order N gives to the true turning point."""
+        with ctx.workprec(BITS):
+            Omega = _value(self.local.flow.Omega.truncate(self.local.order), self.delta)
+            return (self.time(n) * (1 + Omega)).upper()
+
+    def _crude(self, n: int) -> arb:
+        return (self.C_A * self._sum(arb(self.local.amplitude.power), n)).upper()
+
+    def _sum(self, m: arb, n: int) -> arb:
+        """A bound of the sum of |delta^_j|^m over j < n."""
+        if n == 0:
+            return arb(0)
+        plain = (n * self.delta**m).upper()
+        Y = 1 / self.delta
+        if not (self.g > 0 and Y > self.g / 2):
+            return plain
+        whole = ((Y - self.g / 2) ** (1 - m) - (Y + self.g * (n - arb(1) / 2)) ** (1 - m)) / ((m - 1) * self.g)
+        return min(plain, whole.upper(), key=float)
+
+
+def turning_bounds(alphas: Sequence[ExactReal], order: int, epsilons: Sequence[arb]) -> TurningBounds:
+    """The bounds for strengths epsilon_i >= 0 of exponents alpha_i >= 1.
+
+    InputError for an exponent below 1, where errors need not fade; LimitError above delta_max.
+    """
+    if any(a < 1 for a in alphas):
+        raise InputError("alpha", f"{min(alphas, key=_float)} is below 1", "exponents >= 1 for a bound at all times")
+    local = local_bounds(alphas, order)
+    with ctx.workprec(BITS):
+        delta = arb(sum(epsilons, arb(0)).upper())
+        if not (delta > 0 and delta <= local.limit):
+            reason = f"sum epsilon_i = {delta.str(3, radius=False)} is not in the range of the theorem"
+            raise LimitError("epsilon", reason, f"0 < sum epsilon_i <= {float(local.delta_max):g} at order {order}")
+        weights = [a.ball() - 1 for a in alphas]
+        slowest, fastest = min(weights, key=float), max(weights, key=float)
+        low, high = _rates(local, delta)
+        if not (low > 0 and high > 0):
+            raise LimitError("epsilon", f"order {order} may lose its sign at delta = {delta.str(3)}", "weaker damping")
+        g, G = (slowest * arb.pi() * low).lower(), (fastest * arb.pi() * high).upper()
+        C_A, C_T = local.amplitude.constant(delta), local.duration.constant(delta)
+        fading = arb(0)
+        if len(alphas) == 1 and slowest > 0:
+            fading = (slowest * _steepness(local, delta)).lower()
+        B = _sensitivity(local, delta)
+    return TurningBounds(local, delta, C_A, C_T, slowest, fastest, arb(g), arb(G), arb(fading), B)
+
+
+def _rates(local: LocalBounds, delta: arb) -> tuple[arb, arb]:
+    """The infimum and supremum of p_N/(|delta| (1 + Omega_N)) over 0 < |delta| <= ``delta``."""
+    p, Omega = (f.truncate(local.order) for f in (local.flow.p, local.flow.Omega))
+    first = [arb(c) for k, c in p.coefficients.items() if sum(k) == 1]
+    rest = _value(Series({k: c for k, c in p.coefficients.items() if sum(k) > 1}, p.variables, p.order), delta) / delta
+    swing = _value(Omega, delta)
+    low = (min(first, key=float) - rest) / (1 + swing)
+    return arb(low.lower()), arb(((max(first, key=float) + rest) / (1 - swing)).upper())
+
+
+def _steepness(local: LocalBounds, delta: arb) -> arb:
+    """A lower bound of -L'(delta) on (0, delta] (one law): the first coefficient against all others, Cauchy beyond."""
+    L = local.half.L
+    others = sum((abs(c) * k * delta ** (k - 1) for (k,), c in L.coefficients.items() if k > 1), arb(0))
+    return arb((-L[1] - others - _beyond(local.amplitude.cauchy, local.amplitude.radius, L.order, delta) / delta).lower())
+
+
+def _sensitivity(local: LocalBounds, delta: arb) -> arb:
+    """A bound of sum_i |delta_i d T/d delta_i|/|delta|^2 for |delta| <= ``delta``."""
+    T = local.half.T.without_constant()
+    known = sum((abs(c) * sum(k) * delta ** (sum(k) - 2) for k, c in T.coefficients.items() if sum(k) > 1), arb(0))
+    return arb((known + _beyond(local.duration.cauchy, local.duration.radius, T.order, delta) / delta**2).upper())
+
+
+def _beyond(M: arb, rho: arb, order: int, delta: arb) -> arb:
+    """The sum of k M x^k over k > order, x = delta/rho."""
+    x = delta / rho
+    J = order + 1
+    return M * x**J * (J - (J - 1) * x) / (1 - x) ** 2
+
+
+def _value(f: Series, delta: arb) -> arb:
+    """A bound of |f| for |delta| <= ``delta``: each degree by its largest coefficient over the multinomial one."""
+    return sum((abs(arb(c)) * delta ** sum(k) for k, c in f.coefficients.items()), arb(0))
+
+
+def _float(a: ExactReal) -> float:
+    return float(a.ball())
