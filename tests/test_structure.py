@@ -33,6 +33,7 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "turning",
     "envelopes",
     "motions",
+    "bounds",
     "invariants",
     "papers",
     "present",

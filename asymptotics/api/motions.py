@@ -20,6 +20,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from asymptotics.api.units import oscillator_of
+from asymptotics.bounds.motion import proved_bound
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Oscillator
@@ -72,6 +73,13 @@ class Motion:
         if digits is not None:
             return self._motion.at(time, exact_integer(digits, "digits", 1, 300)).noted(notes)
         return self._motion.at(time).rounded_to_error().noted(notes)
+
+    def bound(self, t: Number, *, digits: Any = 30) -> str:
+        """A proved bound, rounded up, of |x(t) - x_N| in m, where x_N is ``at(t, digits=digits).x``.
+
+        LimitError where no enclosure of x(t) is within a minute's reach.
+        """
+        return proved_bound(self.oscillator, self.at(t, digits=digits).x, t)
 
     def sample(self, t: Any) -> MotionSamples:
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""

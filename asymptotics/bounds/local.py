@@ -8,18 +8,18 @@ psi = 0, to psi = pi.  Let L_N and T_N be ln(A(pi)/A(0)) and the time this takes
 a = N + 2, b = N + 1 for odd N and a = N + 1, b = N + 2 for even N.  (Derivation ``expansion-bounds``.)
 
 *Proof.*  The four functions are analytic on the polydisc |delta_i| <= rho: L and T by ``half_swings.finite_majorant``,
-L_N and T_N because G' = P(v)/(1 - O(v)), v_i = rho e^(|alpha_i-1| G), is a majorant of their equations, P and O being
+L_N and T_N because G' = P(v)/(1 - Q(v)), v_i = rho e^(|alpha_i-1| G), is a majorant of their equations, P and Q being
 p_N and Omega_N with the absolute values of the coefficients.  The differences begin with degree a and b.  Their next
 coefficients are computed in balls, and Cauchy's inequality bounds what is beyond:
 
-    C(delta) = sum_(m <= k <= J) max_n |c_n|/binomial(k; n) |delta|^(k-m) + M rho^(-J-1) |delta|^(J+1-m)/(1 - |delta|/rho)
+    C = sum_(m <= k <= J) max_n |c_n|/binomial(k; n) |delta|^(k-m) + M rho^(-J-1) |delta|^(J+1-m)/(1 - |delta|/rho)
 
-with the multinomial coefficient of n, |n| = k: then sum_(|n|=k) |c_n| delta^n <= max_n (...) |delta|^k.  ``delta_max`` is
-chosen such that C is at most twice its largest term, wherever that is possible: the constants are nearly the best.
+with the multinomial coefficient of n, |n| = k: then sum_(|n|=k) |c_n| delta^n <= max_n (...) |delta|^k.  ``delta_max``
+is chosen such that C is at most twice its largest term, wherever that is possible: the constants are nearly the best.
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> local_bounds([parse_real("2", "--alpha")], 3).to_dict()
-{'delta_max': '0.14', 'amplitude': '0.0042', 'frequency': '0.073', 'amplitude_power': 5, 'frequency_power': 4}
+{'delta_max': '0.11', 'amplitude': '0.019', 'frequency': '0.071', 'amplitude_power': 5, 'frequency_power': 4}
 """
 
 from collections.abc import Callable, Sequence
@@ -43,7 +43,7 @@ from asymptotics.series import Key, Series
 
 BITS = 128
 NEXT = 8
-"""How many orders of the difference are computed before Cauchy's inequality takes over; fewer for three laws or more."""
+"""Orders of the difference that are computed before Cauchy's inequality takes over; half of it from three laws on."""
 _PIECES = 256
 _GRID = 100
 
@@ -104,7 +104,10 @@ class LocalBounds:
 
     def __str__(self) -> str:
         d = self.to_dict()
-        parts = [f"|{f} - {f}_{self.order}| <= {d[n]} d^{d[n + '_power']}" for f, n in (("L", "amplitude"), ("T", "frequency"))]
+        parts = [
+            f"|{f} - {f}_{self.order}| <= {d[n]} d^{d[n + '_power']}"
+            for f, n in (("L", "amplitude"), ("T", "frequency"))
+        ]
         return f"proved for d = sum delta_i <= {d['delta_max']}, on each half-swing: " + ", ".join(parts)
 
 
@@ -135,7 +138,8 @@ def _local_bounds(alphas: tuple[ExactReal, ...], order: int) -> LocalBounds:
         if exact:
             found = [Remainder(f.power, (arb(0),), arb(0), arb(1) / 2) for f in found]
         limit = Fraction(49, 100) if exact else _limit(found)
-        return LocalBounds(alphas, order, limit, *found, flow, half)
+        amplitude, duration = found
+        return LocalBounds(alphas, order, limit, amplitude, duration, flow, half)
 
 
 def truncated_flow(full: Flow, order: int) -> Flow:
@@ -175,12 +179,12 @@ def _cauchy(alphas: list[arb], full: Flow, order: int) -> list[tuple[arb, arb]]:
 
 def flow_majorant(full: Flow, order: int, rho: arb, pieces: int = _PIECES) -> tuple[arb, arb] | None:
     """Bounds of |L_N| and |T_N - pi| for complex |delta_i| <= rho, or None where they are not verified."""
-    P, O = (_absolute(f.truncate(order)) for f in (full.p, full.Omega))
+    P, Q = (_absolute(f.truncate(order)) for f in (full.p, full.Omega))
     slopes = [abs(w) for w in full.grading.weights]
 
     def rates(growth: arb) -> tuple[arb, arb]:
         v = tuple(rho * (k * growth).exp() for k in slopes)
-        room = 1 - O.at(v) if O.coefficients else arb(1)
+        room = 1 - Q.at(v) if Q.coefficients else arb(1)
         return P.at(v) / room, 1 / room - 1
 
     growth, excess, h = arb(0), arb(0), arb.pi() / pieces

@@ -20,7 +20,7 @@ epsilon_i <= delta_max.  With C_A, C_T, a, b of ``local`` (derivation ``expansio
 >>> from asymptotics.numbers.exact import parse_real
 >>> quadratic = turning_bounds([parse_real("2", "--alpha")], 3, [arb(1) / 10])
 >>> [quadratic.log_amplitude(n).str(2, radius=False) for n in (1, 10, 10**9)]
-['1.3e-7', '5.4e-7', '1.5e-15']
+['1.6e-7', '2.4e-7', '8.4e-14']
 """
 
 from collections.abc import Sequence
@@ -82,7 +82,7 @@ class TurningBounds:
             return arb(0)
         plain = (n * self.delta**m).upper()
         Y = 1 / self.delta
-        if not (self.g > 0 and Y > self.g / 2):
+        if not (self.g > 0 and self.g / 2 < Y):
             return plain
         whole = ((Y - self.g / 2) ** (1 - m) - (Y + self.g * (n - arb(1) / 2)) ** (1 - m)) / ((m - 1) * self.g)
         return min(plain, whole.upper(), key=float)
@@ -129,7 +129,9 @@ def _steepness(local: LocalBounds, delta: arb) -> arb:
     """A lower bound of -L'(delta) on (0, delta] (one law): the first coefficient against all others, Cauchy beyond."""
     L = local.half.L
     others = sum((abs(c) * k * delta ** (k - 1) for (k,), c in L.coefficients.items() if k > 1), arb(0))
-    return arb((-L[1] - others - _beyond(local.amplitude.cauchy, local.amplitude.radius, L.order, delta) / delta).lower())
+    return arb(
+        (-L[1] - others - _beyond(local.amplitude.cauchy, local.amplitude.radius, L.order, delta) / delta).lower()
+    )
 
 
 def _sensitivity(local: LocalBounds, delta: arb) -> arb:

@@ -9,6 +9,10 @@
   asymptotics expand --law 1:-1 --law 1,2:1 --order 6
   asymptotics expand --alpha symbolic --order 4 --latex
 
+--bound adds what the O() holds, proved: on each half-swing ln(A'/A) and the time differ from those of the truncated
+equations by at most amplitude delta^amplitude_power and frequency delta^frequency_power, for delta (of a sum: the sum
+of all delta_i) up to delta_max.
+
 delta = epsilon A^(alpha-1), for a spring c x|x|^(P-1) delta = c A^(P-1); amplitude holds p_k, frequency Omega_k, for
 all k up to the order.  With several forces k has one index for each: losses, then springs, in the order given; a
 pendulum counts powers of A^2.  Springs are always odd in x: P = 2 is x|x|, not x^2.
@@ -17,6 +21,7 @@ pendulum counts powers of A^2.  Springs are always odd in x: P = 2 is x|x|, not 
 import argparse
 from typing import Any
 
+from asymptotics.bounds.local import LocalBounds, local_bounds
 from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.errors import InputError
@@ -27,6 +32,7 @@ from asymptotics.normal_form.results import ExpansionCoefficients, Row
 from asymptotics.numbers.exact import parse_integer
 
 MAX_DIGITS, MAX_ORDER, MAX_SECONDS = 1000, 200, 3600
+MAX_BOUND_ORDER = 12
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -37,6 +43,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--gauge", default=TURNING_POINT, metavar="G", help=text)
     parser.add_argument("--exact", action="store_true", help="demand exact coefficients (integer exponents)")
     parser.add_argument("--latex", action="store_true", help="print the expansion as LaTeX")
+    text = "what the O() holds, proved: constants and the largest delta (turning-point gauge, powers of the velocity)"
+    parser.add_argument("--bound", action="store_true", help=text)
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
     add_json(parser)
@@ -59,6 +67,8 @@ def run(options: argparse.Namespace) -> Answer:
         if options.law or options.spring or options.exact:
             other = "--law" if options.law else "--spring" if options.spring else "--exact"
             raise InputError(other, "cannot be combined with --alpha symbolic", "one law, in closed form")
+        if options.bound:
+            raise InputError("--bound", "a bound needs a number", "an exponent instead of --alpha symbolic")
         return _symbolic(options, order, digits)
     given = read_terms(options)
     found = expansion_coefficients(
@@ -67,7 +77,21 @@ def run(options: argparse.Namespace) -> Answer:
     head = {"alpha": given.shown, "terms": given.to_list()}
     data = {**head, **found.to_dict(), "latex": found.latex(), "notes": list(given.notes)}
     data["delta"] = [{"name": name, "force": force, "value": value} for name, force, value in _deltas(given, options)]
-    return Answer(data, found.latex() if options.latex else _text(found, given, options), options.json)
+    text = found.latex() if options.latex else _text(found, given, options)
+    if options.bound:
+        proved = _bound(given, order, options.gauge)
+        data["bound"], text = proved.to_dict(), f"{text}\n{proved}"
+    return Answer(data, text, options.json)
+
+
+def _bound(given: GivenTerms, order: int, gauge: str) -> LocalBounds:
+    if gauge != TURNING_POINT:
+        raise InputError("--bound", f"it is not known in the gauge {gauge}", f"the gauge {TURNING_POINT}")
+    if not all(t.is_power_of_velocity for t in given.terms):
+        raise InputError("--bound", "it is known for powers of the velocity alone", "--alpha, or --law A:E")
+    if order > MAX_BOUND_ORDER:
+        raise InputError("--bound", f"order {order} is too high", f"an order up to {MAX_BOUND_ORDER}")
+    return local_bounds([t.velocity for t in given.terms], order)
 
 
 def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:

@@ -6,12 +6,14 @@
 
 The start is x(0) = x0, x'(0) = v0.  --order N (default 3): p_k and Omega_k for k <= N and the waveform through
 delta^(N-1); order 1 is x0 A(t) cos(omega_0 t).  `phase` is psi - omega_0 t, and `error` an estimate from the orders
-N + 1 and N + 2.  --reference: every digit proved, whatever the law and the start; closed forms where there are any.
+N + 1 and N + 2; with --bound, `bound` is a proved bound of |x - x_N| at that time, rounded up.  --reference:
+every digit proved, whatever the law and the start; closed forms where there are any.
 """
 
 import argparse
 from typing import Any
 
+from asymptotics.bounds.motion import proved_bound
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
 from asymptotics.cli.forces import add_forces, read_law
@@ -42,6 +44,9 @@ def configure(parser: argparse.ArgumentParser) -> None:
         note = "" if default is None else f" (default {default})"
         parser.add_argument(f"--{name}", required=default is None, default=default, metavar=letter, help=text + note)
     parser.add_argument("--order", metavar="N", help=f"order of the expansion, 1 to {MAX_ORDER} (default 3)")
+    parser.add_argument(
+        "--bound", action="store_true", help="with an order: a proved bound of the error of x at that time"
+    )
     parser.add_argument("--reference", action="store_true", help="exact or high-precision motion instead")
     parser.add_argument("--gauge", metavar="G", help=f"one of {', '.join(GAUGES)} (default: the first)")
     parser.add_argument("--static", metavar="F", help="--reference, alpha = 0: static friction force in N, >= b")
@@ -64,7 +69,7 @@ def run(options: argparse.Namespace) -> Answer:
         moving = Oscillator(law, **(numbers | {"x0": 1}))  # the other values are checked all the same
         if options.static is not None:
             reference_motion(moving, 0, static=options.static)
-        return _answer(_rest(options.reference, order, gauge), options, [])
+        return _answer(_rest(options.reference, order, gauge), options, [], "0" if options.bound else None)
     if files and not time > 0:
         raise InputError("--time", "0 leaves nothing to draw or to tabulate", "a time > 0 with --plot or --csv")
     oscillator = Oscillator(law, **numbers)
@@ -74,7 +79,9 @@ def run(options: argparse.Namespace) -> Answer:
         point = AsymptoticMotion.of(oscillator, order, gauge).at(time, digits)
         if options.digits is None:
             point = point.rounded_to_error()
-    return _answer(point, options, write_files(files, _makers(oscillator, time, options, order, gauge)))
+    proved = proved_bound(oscillator, point.x, time, max_seconds=seconds) if options.bound else None
+    written = write_files(files, _makers(oscillator, time, options, order, gauge))
+    return _answer(point, options, written, proved)
 
 
 def _order_and_gauge(options: argparse.Namespace, digits: int) -> tuple[int, str]:
@@ -83,6 +90,8 @@ def _order_and_gauge(options: argparse.Namespace, digits: int) -> tuple[int, str
         raise InputError("--gauge", f"no gauge {gauge!r}", ", ".join(GAUGES))
     if options.reference and (options.order is not None or options.gauge is not None):
         raise InputError("--reference", "it has neither order nor gauge", "--reference alone, or --order and --gauge")
+    if options.reference and options.bound:
+        raise InputError("--bound", "the reference motion is certified by itself", "--bound with --order N")
     if options.static is not None and not options.reference:
         raise InputError("--static", "the expansion knows no static friction", "--static with --reference")
     if not options.reference and digits > MAX_ASYMPTOTIC_DIGITS:
@@ -109,10 +118,13 @@ def _makers(oscillator: Oscillator, time: ExactReal, options: argparse.Namespace
     return {"--plot": picture, "--csv": lambda _: csv_of(oscillator, time, shown, gauge, options.static, points)}
 
 
-def _answer(point: MotionPoint, options: argparse.Namespace, written: list[str]) -> Answer:
+def _answer(point: MotionPoint, options: argparse.Namespace, written: list[str], proved: str | None = None) -> Answer:
     data: dict[str, Any] = {**point.to_dict(), "files": written}
+    if proved is not None:
+        data["bound"] = proved
     units = {"x": "m", "v": "m/s", "amplitude": "m", "phase": "rad", "error": "m"}
     lines = [f"{name:9}  {data[name]} {unit}" for name, unit in units.items() if data[name] is not None]
+    lines += [f"bound      {proved} m (proved: |x - x_N| is at most this)"] if proved is not None else []
     order = "" if point.order is None or options.reference else f", order {point.order}, gauge {point.gauge}"
     certified = f"certified: {str(point.certified).lower()}"
     lines += [f"{certified} ({point.method}{order})", *point.notes, *written]

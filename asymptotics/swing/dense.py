@@ -36,7 +36,15 @@ def states(damping: Damping, X: arb, V: arb, times: Sequence[arb], hold: arb | N
     UndecidedError where the enclosures cannot tell how the motion goes on.
     """
     wanted = _Wanted(damping, times)
-    here = _first(damping, X, V, wanted)
+    return _followed(damping, _first(damping, X, V, wanted), wanted, hold)
+
+
+def states_from(damping: Damping, here: Turning, times: Sequence[arb]) -> list[State]:
+    """(X, X') at the ascending times tau >= here.tau, from a known turning point."""
+    return _followed(damping, here, _Wanted(damping, times), None)
+
+
+def _followed(damping: Damping, here: Turning, wanted: "_Wanted", hold: arb | None) -> list[State]:
     while not wanted.done:
         tick(f"turning point {here.n}")
         if _sticks(here, damping.friction if hold is None else hold):
