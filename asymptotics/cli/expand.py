@@ -103,7 +103,8 @@ def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:
 
 
 def _text(found: ExpansionCoefficients, given: GivenTerms, options: argparse.Namespace) -> str:
-    lines = [f"gauge {found.gauge}, {found.arithmetic}; formal (no bound on the remainder)"]
+    remainder = "a bound below" if options.bound else "no bound on the remainder"
+    lines = [f"gauge {found.gauge}, {found.arithmetic}; formal ({remainder})"]
     deltas = _deltas(given, options)
     names = [name for name, _, _ in deltas]
     p, Omega = (_sum(name, row, names) for name, row in (("p", found.amplitude), ("Omega", found.frequency)))
