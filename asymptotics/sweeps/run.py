@@ -36,6 +36,7 @@ from asymptotics.sweeps.store import Store, task_of
 from asymptotics.sweeps.workers import Crew, Outcome, Task, one_process, process_pool, run_batch
 
 _BATCH_SECONDS = 0.25
+_SLOT_SECONDS = 2e-3  # a scheduler needs about a millisecond for a task: batches grow with the slots it has to feed
 _MAX_BATCH = 500
 _PAUSE = 0.2  # seconds between two looks at a shard that another driver holds
 _DEATHS = 2  # lonely deaths of a worker before its point is given up
@@ -199,8 +200,9 @@ class _Driver:
         self.plan.release(job.shard)
 
     def _pace(self, size: int, seconds: float) -> None:
-        """The next batches take about a quarter of a second, and grow at most twofold."""
-        wanted = int(_BATCH_SECONDS * size / max(seconds, 1e-6))
+        """The next batches take about a quarter of a second (longer on large clusters), and grow at most twofold."""
+        pace = max(_BATCH_SECONDS, _SLOT_SECONDS * self.crew.slots)
+        wanted = int(pace * size / max(seconds, 1e-6))
         self.batch = max(1, min(wanted, 2 * self.batch, _MAX_BATCH))
 
     def _replace_crew(self) -> None:
