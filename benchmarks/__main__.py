@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from benchmarks import (
+    certified_motion,
     cost_against_order,
     cubic_damping,
     hypergeometric,
@@ -24,6 +25,7 @@ BENCHMARKS: dict[str, Callable[..., Table]] = {
     "cost-against-order": cost_against_order.run,
     "turning-points": turning_point_tables.run,
     "integrators": integrators.run,
+    "certified-motion": certified_motion.run,
     "hypergeometric": hypergeometric.run,
     "start-up": start_up.run,
 }

@@ -82,18 +82,24 @@ def reference_states(
     """
     oscillator.law.require_dissipative("reference motion to rest")
     with budget(max_seconds):
-        bits = bits_for(digits, 28)
+        bits, reason = bits_for(digits, 28), ""
         for _ in range(_TRIES):
-            found = _states(oscillator, times, bits)
-            with ctx.workprec(64):
-                close, length = arb(10) ** -digits, oscillator.length()
-                limits = close * length, close * length * oscillator.omega_0()
-                if all(c.rad() <= limit for state in found for c, limit in zip(state, limits)):
-                    break
-            bits += 64
-        else:
-            raise UndecidedError(f"no enclosure of {digits} digits at {bits} bits")
-    return States(tuple(x for x, _ in found), tuple(v for _, v in found), bits)
+            try:
+                found = _states(oscillator, times, bits)
+                if _within(oscillator, found, digits):
+                    return States(tuple(x for x, _ in found), tuple(v for _, v in found), bits)
+                reason, bits = "the enclosures are too wide", bits + 64
+            except UndecidedError as undecided:
+                reason, bits = str(undecided), 2 * bits
+    raise UndecidedError(f"no enclosure of {digits} digits at {bits} bits: {reason}")
+
+
+def _within(oscillator: Oscillator, found: Sequence[State], digits: int) -> bool:
+    """Whether all radii are at most 10^-digits, in units of the start's amplitude."""
+    with ctx.workprec(64):
+        close = arb(10) ** -digits * oscillator.length()
+        limits = close, close * oscillator.omega_0()
+        return all(bool(c.rad() <= limit) for state in found for c, limit in zip(state, limits, strict=True))
 
 
 def _decimals(oscillator: Oscillator, t: ExactReal, digits: int) -> tuple[str, str]:

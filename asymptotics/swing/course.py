@@ -31,7 +31,7 @@ from asymptotics.swing.ends import may_trap, trap
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.taylor import TaylorStep
 
-MAX_PIECES = 20_000
+MAX_PIECES, MAX_FREE = 200_000, 5000
 
 
 @dataclass(frozen=True)
@@ -117,6 +117,9 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
             yield _landing(damping, y, w, t, error, given)
             return
         reason = trap(damping, y + blur, w + blur) if watch else None
+        if watch and reason is None and (count > MAX_FREE or upper(abs(y) + w) < 4 * error):
+            where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
+            raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
         taylor = TaylorStep.at(damping, y, w, scale)
         end = _later(t, taylor.length)
         error = upper(error + taylor.error)

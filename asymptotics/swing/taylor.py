@@ -22,6 +22,7 @@ The true motion may meanwhile have turned: nothing above needs its speed to stay
 (True, True, True)
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from operator import mul
@@ -52,8 +53,10 @@ class TaylorStep:
         with ctx.workprec(ctx.prec + GUARD):
             ys, ws = coefficients(damping, y, w, order_for(ctx.prec - GUARD))
         with ctx.workprec(_LOW):
-            radius, resistance = _disc(damping, ws)
-            length = _length(ys, ws, radius, resistance, tolerance)
+            radius, resistance, length = max(
+                ((*disc, _length(ys, ws, *disc, tolerance)) for disc in discs(damping, ws)),
+                key=lambda found: size_of(found[2]),
+            )
             error = residual(ys, ws, length, radius, resistance)
         return cls(tuple(ys), tuple(ws), length, error)
 
@@ -89,8 +92,11 @@ def coefficients(damping: Damping, y: arb, w: arb, order: int) -> tuple[list[arb
     return ys, ws
 
 
-def _disc(damping: Damping, ws: list[arb]) -> tuple[arb, arb]:
-    """(R, N(w_0 (1+rho))) for the largest R of a few with rho certainly below 1."""
+def discs(damping: Damping, ws: list[arb]) -> Iterator[tuple[arb, arb]]:
+    """(R, N(w_0 (1+rho))) for the largest R of a few with rho certainly below 1.
+
+    For large exponents, where N(w_0 (1+rho)) is huge, also for smaller ones.
+    """
     w = ws[0]
     start = size_of(w)
     sizes = [(start - size_of(c)) / k for k, c in enumerate(ws[1:], start=1) if c.mid() != 0]
@@ -100,8 +106,14 @@ def _disc(damping: Damping, ws: list[arb]) -> tuple[arb, arb]:
         radius = dyadic(widest) * arb(share)
         moved = upper(moving(radius))
         if moved < w:
-            return radius, upper(damping.resistance(w + moved))
-    raise UndecidedError("the Taylor coefficients of a step are too wide")
+            yield radius, upper(damping.resistance(w + moved))
+            break
+    else:
+        raise UndecidedError("the Taylor coefficients of a step are too wide")
+    steepest = max((a for _, a in damping.sizes), default=0.0)
+    for part in (16, 8, 4, 2, 1) if steepest > 8 else ():
+        smaller = radius * arb(min(1.0, part / steepest))
+        yield smaller, upper(damping.resistance(w + upper(moving(smaller))))
 
 
 def _length(ys: list[arb], ws: list[arb], radius: arb, resistance: arb, tolerance: float) -> arb:

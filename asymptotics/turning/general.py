@@ -98,15 +98,19 @@ def _enclosed(law: Law, count: int, digits: int, start: int, times: bool, progre
     bits = bits_for(digits, 40) + 2 * (min(start, FAR) + count).bit_length()
     plan = Plan.of(law, start, count, bits)
     require_seconds(plan.seconds, f"{start + count} half-swings with {digits} digits")
+    reason = ""
     for _ in range(_TRIES):
-        points, ended, lacking = _pass(plan, count, digits, start, times, bits, progress)
+        try:
+            points, ended, lacking = _pass(plan, count, digits, start, times, bits, progress)
+        except UndecidedError as undecided:
+            lacking, reason = bits, f": {undecided}"
         if not lacking:
             columns = zip(*((t.velocity, t.strength) for t in law.terms))
             alpha, epsilon = (",".join(map(str, column)) for column in columns)
             method = f"half-swing by half-swing, {plan.method} in balls of {bits} bits"
             return TurningPoints(alpha, epsilon, digits, tuple(points), method, True, ended)
         bits += max(lacking, digits)
-    raise UndecidedError(f"no certified {digits} digits at {bits} bits")
+    raise UndecidedError(f"no certified {digits} digits at {bits} bits{reason}")
 
 
 def _pass(

@@ -18,7 +18,7 @@ from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.majorant import majorant
 from asymptotics.swing.passage import Passage
 from asymptotics.swing.sequence import Turning, following
-from asymptotics.swing.taylor import TaylorStep, _disc, residual
+from asymptotics.swing.taylor import TaylorStep, discs, residual
 
 
 def damping(*pairs):
@@ -131,7 +131,7 @@ def test_the_cauchy_part_of_a_taylor_step(law):
     d = damping(*law)
     with ctx.workprec(90):
         step = TaylorStep.at(d, arb("0.3"), arb("0.5"), arb(1))
-        radius, resistance = _disc(d, list(step.ws))
+        radius, resistance = next(discs(d, list(step.ws)))
         bound = residual(list(step.ys), list(step.ws), step.length, radius, resistance)
     ws = [mpmath.mpf(str(float(c.mid()))) for c in step.ws]
     laws = [(float(e.mid()), float(a.mid())) for e, a in zip(d.strengths, d.exponents)]

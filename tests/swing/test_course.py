@@ -1,13 +1,19 @@
 """Half-swings as enclosures: at low precision they contain what is known at high precision, by routes without balls."""
 
+import tracemalloc
+from fractions import Fraction
+
 import pytest
 from flint import arb, ctx
 
+from asymptotics.errors import UndecidedError
+from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing.course import Landing, course
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.sequence import sequence
 from asymptotics.swing.taylor import GUARD
+from asymptotics.turning.general import turning_points
 from asymptotics.turning.quadratic_duration import duration
 from asymptotics.turning.quadratic_map import next_amplitude
 
@@ -89,3 +95,44 @@ def test_errors_only_add():
                 assert low.x.contains(high.x) and low.tau.contains(high.tau)
                 assert low.x.rad() <= abs(high.x) * 60 * arb(2) ** -60 * 16
                 assert low.tau.rad() <= 60 * 60 * arb(2) ** -60 * 16
+
+
+def test_near_a_separatrix_the_precision_rises_until_it_is_decided():
+    """alpha = 1/2: delta_0 = 0.83708879743... is known to 11 digits only; then it is a matter of bits, not of luck."""
+    law = Law({"1/2": "0.83708879743"})
+    table = turning_points(law, 3, 10)
+    assert table.certified and table.ended == {"n": 1, "reason": "creeps"}
+    assert Fraction(table.points[1].x) == pytest.approx(-2.834442194e-12, rel=1e-9)
+    with ctx.workprec(110):
+        low = damping((("1/2", "0.83708879743"),))
+    with pytest.raises(UndecidedError, match="separatrix|place of rest|undecided"), ctx.workprec(30):
+        list(sequence(low))
+
+
+def test_exponents_at_the_rims():
+    """Near 0 it is dry friction, near 1 linear damping, near each other one law; far above, N hardly acts."""
+    near = {"1e-20": ("0", "1/10"), "1.00000000000000000001": ("1", "1/10")}
+    for alpha, (limit, epsilon) in near.items():
+        a, b = (turning_points(Law({x: epsilon}), 2, 15).points[1].x for x in (alpha, limit))
+        assert abs(Fraction(a) - Fraction(b)) <= Fraction(1, 10**14)
+    pair = turning_points(Law({"3/2": "1/10", "1.50000000000000000001": "1/10"}), 2, 15).points[1].x
+    assert abs(Fraction(pair) - Fraction(turning_points(Law({"3/2": "1/5"}), 2, 15).points[1].x)) <= Fraction(1, 10**14)
+    assert Fraction(turning_points(Law({1000: "1/1000"}), 2, 10).points[1].x) < Fraction(-99, 100)
+
+
+@pytest.mark.slow
+def test_a_long_sequence_loses_nothing_and_memory_stays_flat():
+    """Two laws by pieces only: 1000 half-swings at 60 bits keep 50, and the second half needs no more memory."""
+    with ctx.workprec(100):
+        law = damping((("1", "1/50"), ("2", "1/5")))
+    tracemalloc.start()
+    with ctx.workprec(60):
+        for here in sequence(law):
+            assert here.x.rel_accuracy_bits() > 44
+            if here.n == 500:
+                half = tracemalloc.get_traced_memory()[0]
+            if here.n == 1000:
+                break
+    full = tracemalloc.get_traced_memory()[0]
+    tracemalloc.stop()
+    assert full < 1.5 * half + 10**6
