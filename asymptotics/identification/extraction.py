@@ -88,7 +88,7 @@ def _points(t: Array, x: Array, period: float) -> _Points:
     """Extremes, one in each lobe of the smoothed record, and the passages between them."""
     step = float(np.median(np.diff(t)))
     width = max(1, int(0.05 * period / step)) | 1
-    smooth = np.convolve(np.pad(x, width // 2, mode="edge"), np.ones(width) / width, mode="valid")
+    smooth = _moving_mean(x, width)
     crossing = np.flatnonzero(np.signbit(smooth[1:]) != np.signbit(smooth[:-1])) + 1
     crossing = crossing[np.diff(t[crossing], append=np.inf) > 0.2 * period]
     peaks = [
@@ -109,6 +109,12 @@ def _points(t: Array, x: Array, period: float) -> _Points:
     e = np.array(good).reshape(-1, 5)
     p = np.array(roots).reshape(-1, 5)
     return _Points(e[:, 0], e[:, 1], e[:, 2] * noise, e[:, 3] * noise, p[:, 0], p[:, 2] * noise, noise)
+
+
+def _moving_mean(x: Array, width: int) -> Array:
+    """The mean over ``width`` samples (odd) about each, by sums: the cost does not grow with the width."""
+    total = np.concatenate([[0.0], np.cumsum(np.pad(x, width // 2, mode="edge"))])
+    return np.asarray((total[width:] - total[:-width]) / width)
 
 
 def _local(t: Array, x: Array, centre: float, half: float, *, extreme: bool) -> tuple[float, ...] | None:

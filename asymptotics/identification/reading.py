@@ -25,9 +25,10 @@ UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "rad": 1.0, "deg": float(np.pi / 180
 """Units of x, with their size in m or rad."""
 _LENGTHS = ("m", "cm", "mm")
 MAX_BYTES = 2_000_000_000
+MAX_SIZE = 1e60
 _COLUMNS = {"record": ("t", "x"), "turning-points": ("n", "x"), "decrement": ("amplitude", "decrement")}
 _OPTIONAL = {"record": (), "turning-points": ("tau",), "decrement": ("resolution",)}
-_OTHER_NAMES = {"t": ("time",), "x": ("phi", "position", "angle"), "tau": ("t", "time"), "n": ("index",)}
+_OTHER_NAMES = {"t": ("time", "tau"), "x": ("phi", "position", "angle"), "tau": ("t", "time"), "n": ("index",)}
 
 Table = dict[str, Array]
 
@@ -106,7 +107,7 @@ def _kind_of(columns: list[str], name: str) -> str:
         return "decrement"
     if "n" in bases:
         return "turning-points"
-    if bases & {"t", "time"}:
+    if bases & {"t", "time", "tau"}:
         return "record"
     shown = ", ".join(columns[:5])
     raise InputError("--kind", f"{name} has the columns {shown[:60]}: what they are is not clear", ", ".join(KINDS))
@@ -144,9 +145,13 @@ def _numbers(values: Any, column: str, name: str, first_row: int) -> Array:
         reason = f"{name}, row {text[0] + first_row}, column {column}: {cell[:30]!r} is not a number"
         raise InputError("FILE", reason, "numbers")
     found = numeric.to_numpy(dtype=float)
-    infinite = np.flatnonzero(np.isinf(found))
-    if len(infinite):
-        raise InputError("FILE", f"{name}, row {infinite[0] + first_row}, column {column}: infinite", "finite numbers")
+    with np.errstate(invalid="ignore"):
+        wild = np.flatnonzero((np.abs(found) > MAX_SIZE) | ((np.abs(found) < 1 / MAX_SIZE) & (found != 0)))
+    if len(wild):
+        reason = f"{name}, row {wild[0] + first_row}, column {column}: {found[wild[0]]:g} is out of range"
+        raise InputError(
+            "FILE", reason, f"0, and absolute values from {1 / MAX_SIZE:g} to {MAX_SIZE:g}: change the unit"
+        )
     return np.asarray(found)
 
 

@@ -15,6 +15,7 @@ from asymptotics.identification.sequence import turning_sequence
 from asymptotics.identification.swing import Swing
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
+from asymptotics.terms import Term
 from asymptotics.turning.general import turning_points
 
 
@@ -34,6 +35,16 @@ def test_series_in_doubles_agree_with_certified_balls(law):
         (loss(float(Fraction(law[0])) + 1e-6), *(loss(float(Fraction(a))) for a in law[1:])), 5
     )
     assert max(abs(near_miss.L[0] - found.L[0])) > 1e-8
+
+
+def test_series_with_springs_agree_with_certified_balls():
+    quarter = quarter_swing([Term(1, "3/2"), Term(1, 0, 3, "position")], 4)
+    half = half_swing(quarter)
+    found = swing_coefficients((loss(1.5), spring(3)), 4)
+    for name, series in {"L": half.L, "T": half.T, "R": quarter.R, "T_q": quarter.T_q}.items():
+        for i, key in enumerate(found.keys):
+            if any(key) or name.startswith("T"):
+                assert abs(getattr(found, name)[0, i] - float(series[key])) < 1e-11 * (1 + abs(float(series[key])))
 
 
 def moment(p):
