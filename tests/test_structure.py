@@ -27,6 +27,7 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "half_swings",
     "normal_form",
     "limit_cycles",
+    "straightening",
     "equations",
     "multiscale",
     "swing",

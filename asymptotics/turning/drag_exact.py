@@ -13,8 +13,8 @@ cos x this is the equation of the linear spring, which the Lambert W function so
 
 *In balls.*  V' is convex or concave with V'(0) = 0, so V' > eps_0 holds from one place x* on: the integral grows from a
 down to x*, falls from there on (on both sides of the centre), and has one zero.  A guess q is enclosed by its signs at
-q - eta and q + eta.  q(a) grows with a, since
-dq/da = (V'(a) - eps_0) e^(-2 eps_2 a)/((V'(q) + eps_0) e^(2 eps_2 q)) > 0, so the image of a ball is the hull of the images of its ends.  V(q) <= V(a): the orbit stays in its well.
+q - eta and q + eta.  q(a) grows with a, since dq/da = (V'(a) - eps_0) e^(-2 eps_2 a)/((V'(q) + eps_0) e^(2 eps_2 q)),
+so the image of a ball is the hull of the images of its ends.  V(q) <= V(a): the orbit stays in its well.
 
 >>> law = Law({2: "1/5"}, spring="pendulum")
 >>> [p.x for p in drag_turning_points(law, ExactReal(2), 3, 12).points]

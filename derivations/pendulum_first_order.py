@@ -1,0 +1,64 @@
+"""The pendulum with any loss: first order in the loss, exact in the amplitude.
+
+>>> print(derivation.steps[0].text())
+1 - cos(a) = 2*sin(a/2)**2
+"""
+
+import sympy
+
+from asymptotics.moments.symbolic import moment
+from derivations.steps import Derivation, named
+
+a, k, theta, epsilon = sympy.symbols("a k theta epsilon", positive=True)
+alpha = sympy.Symbol("alpha", positive=True)
+n = sympy.Symbol("n", integer=True, nonnegative=True)
+
+derivation = Derivation(
+    "pendulum-first-order",
+    "A pendulum in any loss, to first order in the loss",
+    source="asymptotics.straightening.pendulum",
+)
+step, holds = derivation.step, derivation.holds
+
+step("The energy at the turning angle is 2 k^2, k = sin(a/2)", 1 - sympy.cos(a), 2 * sympy.sin(a / 2) ** 2)
+x = 2 * sympy.asin(k * sympy.sin(theta))
+step(
+    "With sin(x/2) = k sin(theta), v^2 = 2 (cos x - cos a) = 4 (k^2 - sin^2(x/2))",
+    4 * (k**2 - (k * sympy.sin(theta)) ** 2),
+    4 * k**2 * sympy.cos(theta) ** 2,
+)
+step(
+    "and dx/dtheta",
+    sympy.Derivative(x, theta),
+    2 * k * sympy.cos(theta) / sympy.sqrt(1 - k**2 * sympy.sin(theta) ** 2),
+)
+
+# int_{-pi/2}^{pi/2} cos^(alpha+1) (1 - k^2 sin^2)^(-1/2), term by term in k^2.
+coefficient = sympy.rf(sympy.Rational(1, 2), n) / sympy.factorial(n)
+beta = sympy.gamma((alpha + 2) / 2) * sympy.gamma(n + sympy.Rational(1, 2)) / sympy.gamma((alpha + 3) / 2 + n)
+series = sympy.pi * moment(alpha + 1) * coefficient * sympy.rf(sympy.Rational(1, 2), n) / sympy.rf((alpha + 3) / 2, n)
+step(
+    "int cos^(alpha+1) = pi M_(alpha+1), for example alpha = 2",
+    sympy.Integral(sympy.cos(theta) ** 3, (theta, -sympy.pi / 2, sympy.pi / 2)),
+    sympy.Rational(4, 3),
+)
+for order in range(1, 4):
+    step(
+        f"J_{order} = (1/2)_{order}/{order}! int cos^(alpha+1) sin^{2 * order} is pi M_(alpha+1) times the coefficient"
+        f" of k^{2 * order} in 2F1(1/2, 1/2; (alpha+3)/2; k^2)",
+        named(f"J_{order}", (coefficient * beta).subs(n, order)),
+        sympy.gammasimp(series.subs(n, order)),
+    )
+step(
+    "From d(2 k^2) = -epsilon (2 k)^(alpha+1) times that: d ln k",
+    -epsilon * (2 * k) ** (alpha + 1) / (4 * k**2),
+    -epsilon * (2 * k) ** (alpha - 1),
+)
+closed = (sympy.sin(a) - a * sympy.cos(a)) / (1 - sympy.cos(a))
+work = sympy.Integral((sympy.cos(theta) - sympy.cos(a)) * 2, (theta, -a, a))
+step(
+    "alpha = 2 is elementary: int v^2 dx over twice the energy 1 - cos a",
+    work / (2 * (1 - sympy.cos(a))),
+    2 * closed,
+)
+holds("A factor 2^alpha too much would be seen at alpha = 2", bool(2 * closed != 8 * closed), 2 * closed)

@@ -1,0 +1,71 @@
+"""Straightening: any even well is a linear spring in xi = sgn(x) sqrt(2 V(x)), with losses that depend on the place.
+
+>>> print(derivation.steps[1].text())
+sqrt(2)*Derivative(V(x), x)/(2*sqrt(V(x))) = Derivative(sqrt(2)*sqrt(V(x)), x)
+"""
+
+import sympy
+
+from asymptotics.half_swings.exact import exact_half_swing
+from asymptotics.half_swings.forces import Forces
+from asymptotics.straightening.series import straighten
+from asymptotics.terms import Term
+from derivations.steps import Derivation
+
+x, h, xi, c, A = sympy.symbols("x h xi c A", positive=True)
+V = sympy.Function("V", positive=True)(x)
+root = sympy.sqrt(2 * V)
+
+derivation = Derivation(
+    "straightening",
+    "Every even potential is a linear spring in its own coordinate",
+    source="asymptotics.straightening",
+)
+step, holds = derivation.step, derivation.holds
+
+step("For x > 0 put xi = sqrt(2 V): xi xi' = V'", root * sympy.Derivative(root, x), sympy.Derivative(V, x))
+step("so that xi'(x) is", sympy.Derivative(V, x) / root, sympy.Derivative(root, x))
+slope = sympy.Derivative(root, x)
+step(
+    "With d sigma = xi' dt: d xi/d sigma = v, and d v/d sigma = (-V' - h)/xi' is linear but for the loss",
+    (-sympy.Derivative(V, x) - h) / slope,
+    -root - h / slope,
+)
+step("Pendulum, V = 1 - cos x: xi^2 = 2 V is (2 sin(x/2))^2", 2 * (1 - sympy.cos(x)), 4 * sympy.sin(x / 2) ** 2)
+step(
+    "x = 2 arcsin(xi/2) has the slope (1 - xi^2/4)^(-1/2)",
+    sympy.Derivative(2 * sympy.asin(xi / 2), xi),
+    1 / sympy.sqrt(1 - xi**2 / 4),
+)
+step(
+    "Duffing, V = x^2/2 + c x^4/4, at the turning point: xi_A^2",
+    2 * (A**2 / 2 + c * A**4 / 4),
+    A**2 * (1 + c * A**2 / 2),
+)
+
+# The theorem on the engine: the same turning amplitudes, after the relabelling A -> xi_A.
+ORDER = 4
+
+
+def defect(forces: Forces, straight: Forces) -> bool:
+    """Whether L in xi differs from the L of the straightened loss."""
+    log = forces.potential(ORDER).log() / 2
+    swing = exact_half_swing(forces, ORDER)
+    there = exact_half_swing(straight, ORDER).L.compose(forces.exact_grading().strengths(log))
+    return any(y != 0 for y in (swing.L + log.compose(swing.F) - log - there).coefficients.values())
+
+
+pendulum = Forces.read([Term(1, 2), Term(1, 0, 3, "position", "pendulum")], ORDER)
+duffing = Forces.read([Term(1, 1), Term(1, 0, 3, "position")], ORDER)
+for name, forces in (("a pendulum with quadratic loss", pendulum), ("a Duffing oscillator with linear loss", duffing)):
+    holds(
+        f"{name}: both half-swings agree through order {ORDER}",
+        not defect(forces, straighten(forces, ORDER)),
+        sympy.Eq(sympy.Symbol("L_xi(A)"), sympy.Symbol("L_straight(xi_A)")),
+    )
+bare = Forces(pendulum.weights, pendulum.signs, pendulum.velocities, pendulum.members[:1])
+holds(
+    "Without the factor x'(xi) they do not",
+    defect(pendulum, bare),
+    sympy.Ne(sympy.Symbol("L_xi(A)"), sympy.Symbol("L_linear(xi_A)")),
+)
