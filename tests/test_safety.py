@@ -57,8 +57,9 @@ def test_nothing_evaluates_text(path: Path):
 
 @pytest.mark.parametrize("text", [
     "eval(x)", "import pickle", "from pickle import loads", "sympy.sympify(x)", "from sympy import sympify",
-    "sympy.S(f'{x}')", "sympy.lambdify(a, f'{b}')", "subprocess.run(x, shell=True)", "__import__('os')", "builtins.exec(x)",
-    "os.system(x)", "from sympy.parsing.sympy_parser import parse_expr", "compile(x, 'f', 'eval')", "runpy.run_path(x)",
+    "sympy.S(f'{x}')", "sympy.lambdify(a, f'{b}')", "subprocess.run(x, shell=True)", "__import__('os')",
+    "builtins.exec(x)", "os.system(x)", "from sympy.parsing.sympy_parser import parse_expr",
+    "compile(x, 'f', 'eval')", "runpy.run_path(x)",
 ])  # fmt: skip
 def test_the_walk_finds_what_it_looks_for(text: str):
     assert faults(ast.parse(text))

@@ -113,7 +113,7 @@ def test_a_wrong_parity_needs_no_work(capsys):
 
 @pytest.mark.parametrize(("command", "code"), [("smith f --n 800 | head -1", 0), ("smith f --n 8 > /dev/full", 2)])
 def test_a_reader_that_leaves_and_a_full_disk_are_no_tracebacks(command, code):
-    line = f"set -o pipefail; {sys.executable} -m asymptotics.cli.main {command}"
+    line = f"set -o pipefail; '{sys.executable}' -m asymptotics.cli.main {command}"
     done = subprocess.run(["bash", "-c", line], capture_output=True, text=True, check=False)
     assert done.returncode == code
     assert "Traceback" not in done.stderr

@@ -177,6 +177,21 @@ def test_friction_beside_another_law_stops_too():
     assert set(found.v) == {0} and found.extinct == 0
 
 
+@pytest.mark.parametrize("gauge", GAUGES)
+@pytest.mark.parametrize("law", [{"5": 300}, {"1/2": 3}, {"2": 40, "0": 1}])
+def test_where_delta_is_large_no_amplitude_grows_and_no_warning_escapes(law, gauge):
+    """Warnings are errors here; the series may refuse, but may not print kilometres for a start of 32 cm."""
+    system = Oscillator(law, x0="0.1", v0="0.3")
+    try:
+        motion = AsymptoticMotion.of(system, 2, gauge)
+        point, table = motion.at("3", 8), motion.sample(np.linspace(0, 20, 41))
+    except InputError as refused:
+        assert refused.argument == "order"
+        return
+    assert max(float(point.amplitude), np.max(table.amplitude)) < 8 * float(system.length())
+    assert float(point.error) >= abs(float(point.x)) and any("not small" in note for note in point.notes)
+
+
 def test_samples_of_a_single_time_and_of_no_time():
     motion = AsymptoticMotion.of(DRAG, 3)
     assert motion.sample(0.0).x == pytest.approx(0.2) and motion.sample(0.0).x.shape == ()
