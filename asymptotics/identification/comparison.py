@@ -114,7 +114,10 @@ def judged(fits: Sequence[LawFit], growing: bool, everything: bool = False) -> l
 
 def _profiled(law: LawFit, growing: bool) -> LawFit:
     assert law.fit is not None
-    return verdict_by_intervals(_with_intervals(law, law.fit, profiled=True), growing)
+    found = _with_intervals(law, law.fit, profiled=True)
+    if law.excess > SUPPORT and any(e.low is None or e.high is None for e in found.epsilon):
+        return law  # far from the data the profile may leave the model's domain: the curvature serves
+    return verdict_by_intervals(found, growing)
 
 
 def _judged(law: LawFit, least: float, growing: bool) -> LawFit:

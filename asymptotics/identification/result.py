@@ -161,8 +161,11 @@ def _number(value: float) -> str | None:
 
 
 def _shown(interval: Interval) -> str:
-    ends = ["-" if v is None else f"{v:.4g}" for v in (interval.low, interval.high)]
-    return f"{interval.estimate:.4g} [{ends[0]}, {ends[1]}]"
+    size = abs(interval.estimate)
+    width = min((abs(v - interval.estimate) for v in (interval.low, interval.high) if v is not None), default=size)
+    digits = 4 if not 0 < width < size else min(12, max(4, 2 + int(np.ceil(np.log10(size / width)))))
+    ends = ["-" if v is None else f"{v:.{digits}g}" for v in (interval.low, interval.high)]
+    return f"{interval.estimate:.{digits}g} [{ends[0]}, {ends[1]}]"
 
 
 def sorted_laws(laws: Sequence[LawFit]) -> list[LawFit]:

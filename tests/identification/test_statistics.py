@@ -85,3 +85,20 @@ def test_the_picture_is_drawn():
     assert (np.abs(decrement - first_order) < 3 * band + 0.02 * first_order).all()
     with pytest.raises(InputError, match="--plot"):
         picture(asy.identify([observed("1", [0.01], 30, 1e-3, seed=s) for s in (1, 2)], laws=["1"]))
+
+
+TABLE = [  # the table of the theory page: percent, without and with an ignored spring of 1 % drift
+    ("1", [0.1], "logarithmic decrement", [0.13], [-0.29]),
+    ("2", [0.1], "Bertin", [-0.17], [-0.82]),
+    ("1,2", [0.06, 0.2], "Froude", [1.41, -2.00], [2.74, -3.73]),
+    ("1,2", [0.06, 0.2], "energy", [2.21, -2.38], [4.26, -4.47]),
+    ("0,1", [0.01, 0.05], "Feeny-Liang", [0, 0], [4.56, -3.34]),
+]
+
+
+@pytest.mark.parametrize(("law", "strengths", "name", "alone", "sprung"), TABLE)
+def test_the_errors_of_the_theory_page(law, strengths, name, alone, sprung):
+    sign = np.where(np.arange(13) % 2, -1.0, 1.0)
+    for text, given, expected in ((law, strengths, alone), (law + ",s3", [*strengths, 8 / 300], sprung)):
+        found = ESTIMATORS[name][1](sign * np.exp(exact(text, given, 12).a))
+        assert 100 * (found / np.array(strengths) - 1) == pytest.approx(expected, abs=0.006)
