@@ -62,14 +62,36 @@ step(
 more = sympy.Symbol("N_2", nonnegative=True)
 step("A further term N_2 >= 0 lowers the rate on the upper boundary: the trap of one term is a trap of the sum",
      sympy.Add(drift, -more, -drift, evaluate=False), -more)  # fmt: skip
-x = (a / (1 - a)) ** (a / (1 - a)) * e ** (1 / (1 - a)) * tau ** (-a / (1 - a))
-law = e * (-diff(x, tau)) ** a / x
-value = [sympy.simplify(law.subs(a, q)) for q in (sympy.Rational(1, 3), sympy.Rational(1, 2), sympy.Rational(3, 4))]
+
+# Inside the trap the orbit approaches the slow curve: r = w/m(y) tends to 1.
+r = sympy.Symbol("r", positive=True)
+speed = r * m  # w = r m(y), so w^alpha = r^alpha y/e
+ratio_rate = (y - e * (r**a * y / e)) / m + r * diff(m, y) * speed / m
+step(
+    "r = w/m(y) changes at the rate w'/m - r m'(y) y'/m; in the clock d sigma = (y/m) d tau that is",
+    ratio_rate * m / y,
+    1 - r**a + r**2 / a * (m / y) ** 2,
+)
+step("The last term fades as y -> 0:", (m / y) ** 2, y ** (2 / a - 2) * e ** (-2 / a))
+step(
+    "and sigma runs to infinity, because y/m grows without bound while y takes for ever to reach 0 (alpha = 1/2)",
+    sympy.Limit((m / y).subs(a, sympy.Rational(1, 2)), y, 0),
+    0,
+)
 holds(
-    "On the slow curve e (-x')^alpha = x, solved by x = [alpha/(1-alpha)]^(alpha/(1-alpha)) e^(1/(1-alpha))"
-    " tau^(-alpha/(1-alpha))  (alpha = 1/3, 1/2, 3/4)",
-    all(v == 1 for v in value),
-    sympy.Eq(sympy.Symbol("x"), x),
+    "So from some sigma on r falls wherever r > 1 + eta and rises wherever r < 1 - eta, at a rate away from 0, for"
+    " any eta > 0: r -> 1, and every orbit of the trap approaches the slow curve",
+    bool(diff(1 - r**a, r) == -a * r**a / r and (1 - r**a).subs(r, 1) == 0),
+    sympy.Eq(sympy.Symbol("r"), 1, evaluate=False),
+)
+x = (a / (1 - a)) ** (a / (1 - a)) * e ** (1 / (1 - a)) * tau ** (-a / (1 - a))
+step("On the slow curve e (-x')^alpha = x.  For this x:", -sympy.Derivative(x, tau), a / (1 - a) * x / tau)
+log_a, log_e, log_tau, log_x = sympy.symbols("ln(alpha/(1-alpha)) ln(e) ln(tau) ln(x)")
+solved = a / (1 - a) * log_a + log_e / (1 - a) - a / (1 - a) * log_tau
+step(
+    "so ln[e (-x')^alpha] = ln e + alpha (ln(alpha/(1-alpha)) + ln x - ln tau), which is ln x: alpha < 1",
+    At(log_e + a * (log_a + log_x - log_tau), {log_x: solved}),
+    solved,
 )
 half = x.subs({a: sympy.Rational(1, 2), e: 1})
 step("For alpha = 1/2 and e = 1: x = 1/tau", At(sympy.Function("x")(tau) * tau, {sympy.Function("x")(tau): half}), 1)

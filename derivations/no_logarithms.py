@@ -1,7 +1,7 @@
 """No logarithm for one law: phase and time as functions of delta are odd Laurent series, because V is even.
 
 >>> print(derivation.steps[7].text())
-pi - pi*f_3/f_2**2 = pi*(1 - f_3/f_2**2)
+v_3 = (-f_2**2 + f_3)/pi
 """
 
 import sympy
@@ -54,6 +54,14 @@ step(
 )
 time = sympy.integrate(laurent(even, 1 + w2 * delta**2 + w4 * delta**4), delta)
 step("and with W even so is tau = int W/V d delta", time + At(time, {delta: -delta}), sympy.Integer(0))
+
+k, c_k = sympy.Symbol("k", integer=True), sympy.Symbol("c_k")
+step(
+    "At every order: V even means that the coefficient c_k of delta^k in 1/V equals (-1)^k c_k; the one of 1/delta"
+    " (k = -1) is its own negative, hence 0",
+    At((-1) ** k * c_k, {k: -1}),
+    -c_k,
+)
 
 # The same in terms of the map: the residue is an invariant of F.
 field_of_map = f2 / sympy.pi * delta**2 + v3 * delta**3

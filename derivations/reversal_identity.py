@@ -3,7 +3,7 @@
     L = R(delta) - R(-F),   T = T_q(delta) + T_q(-F),   F = -Q^(-1)(-Q(delta)).
 
 >>> print(derivation.steps[7].text())
-Taylor(F(-F(-delta)), delta, 5) = delta
+Taylor(F, delta, 3) = 4*delta**3*q_2**2 + 2*delta**2*q_2 + delta
 """
 
 import sympy
@@ -48,6 +48,28 @@ step(
     -(-rho_1 * growth.subs(c, -c)),
     (rho_1 * growth).subs(opposite, simultaneous=True),
 )
+
+
+class Passage(sympy.Function):
+    """Q, any invertible function: Q(Q^(-1)(x)) = x."""
+
+    @classmethod
+    def eval(cls, x: sympy.Expr) -> sympy.Expr | None:
+        """What cancels."""
+        return x.args[0] if isinstance(x, Return) else None
+
+
+class Return(sympy.Function):
+    """Q^(-1)."""
+
+    @classmethod
+    def eval(cls, x: sympy.Expr) -> sympy.Expr | None:
+        """What cancels."""
+        return x.args[0] if isinstance(x, Passage) else None
+
+
+half = defined("F", lambda x: -Return(-Passage(x)))
+step("In general, in one line: F = -Q^(-1)(-Q) is reversible whatever Q is", half(-half(-delta)), delta)
 
 # Both quarters end at the same passage: Q(-F) = -Q(delta), as power series with symbolic coefficients.
 ORDER = 5
