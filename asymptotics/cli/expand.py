@@ -8,6 +8,7 @@
   asymptotics expand --alpha 2 --spring pendulum --order 4
   asymptotics expand --law 1:-1 --law 1,2:1 --order 6
   asymptotics expand --alpha symbolic --order 4 --latex
+  asymptotics expand --alpha symbolic --spring 3 --order 2
 
 --bound adds what the O() holds, proved: on each half-swing ln(A'/A) and the time differ from those of the truncated
 equations by at most amplitude delta^amplitude_power and frequency delta^frequency_power, for delta (of a sum: the sum
@@ -26,7 +27,11 @@ from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES, TURNING_POINT
-from asymptotics.normal_form.closed_forms import MAX_SYMBOLIC_ORDER, symbolic_coefficients
+from asymptotics.normal_form.closed_forms import (
+    MAX_SYMBOLIC_ORDER,
+    symbolic_coefficients,
+    symbolic_with_spring,
+)
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.results import ExpansionCoefficients, Row
 from asymptotics.numbers.exact import parse_integer
@@ -64,8 +69,8 @@ def run(options: argparse.Namespace) -> Answer:
     digits = read_digits(options, MAX_DIGITS)
     seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
     if options.alpha == "symbolic":
-        if options.law or options.spring or options.exact:
-            other = "--law" if options.law else "--spring" if options.spring else "--exact"
+        if options.law or options.exact:
+            other = "--law" if options.law else "--exact"
             raise InputError(other, "cannot be combined with --alpha symbolic", "one law, in closed form")
         if options.bound:
             raise InputError("--bound", "a bound needs a number", "an exponent instead of --alpha symbolic")
@@ -98,8 +103,21 @@ def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:
     if order > MAX_SYMBOLIC_ORDER:
         reason = f"{order}: closed forms in alpha are known through order {MAX_SYMBOLIC_ORDER}"
         raise InputError("--order", reason, f"an integer from 1 to {MAX_SYMBOLIC_ORDER} with --alpha symbolic")
-    found = symbolic_coefficients(order, options.gauge, digits)
+    if options.spring:
+        found = symbolic_with_spring(_one_spring(options), order)
+    else:
+        found = symbolic_coefficients(order, options.gauge, digits)
     return Answer(found.to_dict(), found.latex() if options.latex else str(found), options.json)
+
+
+def _one_spring(options: argparse.Namespace) -> int:
+    """P of the one spring x|x|^(P-1) that stands beside a symbolic exponent."""
+    options.alpha = None
+    terms = read_terms(options).terms
+    if len(terms) > 1 or terms[0].family or not terms[0].velocity.is_zero or options.gauge != TURNING_POINT:
+        accepted = f"one --spring P in the gauge {TURNING_POINT}, through order 2"
+        raise InputError("--spring", "with a symbolic exponent closed forms are known for one force of x", accepted)
+    return terms[0].position
 
 
 def _text(found: ExpansionCoefficients, given: GivenTerms, options: argparse.Namespace) -> str:

@@ -14,11 +14,15 @@ from flint import arb, fmpq
 
 from asymptotics.errors import InputError
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.half_swings.symbolic import nested_integral, nested_integral_definition
+from asymptotics.half_swings.symbolic import alpha, nested_integral, nested_integral_definition
+from asymptotics.moments.symbolic import moment
+from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.results import Coefficient, Row, row_to_dict
+from asymptotics.normal_form.spring_terms import cross_term
 from asymptotics.normal_form.symbolic import omega_2, symbolic_expansion
 from asymptotics.numbers.decimals import MAX_DIGITS, certified_decimal
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.terms import Term
 
 MAX_SYMBOLIC_ORDER = 4
 _SAMPLES = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
@@ -73,6 +77,28 @@ def symbolic_coefficients(order: int, gauge: str, digits: int) -> SymbolicCoeffi
     if 2 in Omega:
         Omega[2] = omega_2(gauge)
     return SymbolicCoefficients(gauge, order, _row(p), _row(Omega), _row(W), _integrals(order, digits))
+
+
+def symbolic_with_spring(p: int, order: int) -> SymbolicCoefficients:
+    """One loss of symbolic exponent and the spring x|x|^(p-1): closed forms through second order, turning-point gauge.
+
+    Keys count the loss, then the spring.  InputError above second order.
+
+    >>> found = symbolic_with_spring(3, 2)
+    >>> found.frequency["0,1"].exact, found.amplitude["1,1"].expression.subs(alpha, 1)
+    ('3/8', -5/32)
+    """
+    if not 1 <= order <= 2:
+        raise InputError("order", f"{order}: with a spring closed forms in alpha are known through order 2", "1 or 2")
+    p_1, shift = moment(alpha + 1), moment(p + 1)
+    amplitude: dict[str, sympy.Expr] = {"1,0": p_1}
+    frequency: dict[str, sympy.Expr] = {"0,1": shift}
+    if order == 2:
+        amplitude["1,1"] = p_1 * shift - cross_term(alpha, 0, p)
+        spring = exact_expansion([Term(1, 0, p, "position")], 2).Omega[2]
+        frequency |= {"0,2": spring.to_sympy(), "2,0": omega_2()}
+    p_row, Omega_row = ({k: Coefficient(None, v) for k, v in row.items()} for row in (amplitude, frequency))
+    return SymbolicCoefficients(TURNING_POINT, order, p_row, Omega_row, {}, {})
 
 
 def _row(values: dict[int, sympy.Expr]) -> Row:

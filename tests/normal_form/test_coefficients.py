@@ -7,8 +7,9 @@ from sympy import Float
 
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT
+from asymptotics.half_swings.symbolic import alpha as symbolic_alpha
 from asymptotics.moments.symbolic import moment
-from asymptotics.normal_form.closed_forms import symbolic_coefficients
+from asymptotics.normal_form.closed_forms import symbolic_coefficients, symbolic_with_spring
 from asymptotics.normal_form.coefficients import closed_forms, expansion_coefficients, half_swing_coefficients
 from asymptotics.normal_form.digits import certified_digits
 from asymptotics.numbers.bridge import closed_form_ball
@@ -142,3 +143,16 @@ def test_closed_forms_of_a_loss_with_a_spring(texts):
         for key, expression in known[name].items():
             assert abs(expression.evalf(20) - Float(row[",".join(map(str, key))].value)) < 1e-11
     assert set(known["p"]) == {(1, 0), (1, 1)}
+
+
+@pytest.mark.parametrize(("text", "p"), [("3/2", 3), ("1/2", 5), ("2", 2)])
+def test_a_symbolic_exponent_beside_a_spring(text, p):
+    found = symbolic_with_spring(p, 2)
+    numbers = expansion_coefficients([Term(1, text), Term(1, 0, p, "position")], 2, 15)
+    for row, other in ((found.amplitude, numbers.amplitude), (found.frequency, numbers.frequency)):
+        assert set(row) == set(other)
+        for key, c in row.items():
+            value = c.expression.subs(symbolic_alpha, sympy.Rational(text)).evalf(20)
+            assert abs(value - Float(other[key].value)) < 1e-13
+    with pytest.raises(InputError, match="order"):
+        symbolic_with_spring(p, 3)
