@@ -65,11 +65,13 @@ def test_the_tail_of_the_expansion(law, y0):
         assert low_y.contains(y) and low_tau.contains(tau)
         missing = abs(low_y.mid() - y)
         assert missing <= few.tail + low_y.rad()
-    assert 0.999 * _tail(d, few) <= float(few.tail) <= 1.02 * _tail(d, few)
+    tail, time_tail = _tails(d, few)
+    assert 0.999 * tail <= float(few.tail) <= 1.02 * tail
+    assert 0.999 * time_tail <= float(few.time_tail) <= 1.03 * time_tail
 
 
-def _tail(d, expansion):
-    """lambda^-E |P_0| R* with mpmath, from the plan alone."""
+def _tails(d, expansion):
+    """lambda^-E |P_0| R* and lambda^-E R*/(1 - R*)/|P_0| with mpmath, from the plan alone."""
     plan, size, w = expansion.plan, abs(float(expansion.y0.mid())), float(expansion.reach)
     a = w * w / 2 / size**2
     b = [float(e.mid()) * w ** float(x.mid()) / size for e, x in zip(d.strengths, d.exponents)]
@@ -84,7 +86,8 @@ def _tail(d, expansion):
         found.append((1 + b - mpmath.sqrt((1 - b) ** 2 - 4 * a)) / 2)
     if a + b < 0.5:
         found.append(1 - mpmath.sqrt(1 - 2 * a - 2 * b))
-    return float(factor * size * min(found))
+    R = min(found)
+    return float(factor * size * R), float(factor * R / (1 - R) / size)
 
 
 @pytest.mark.parametrize("law", [NOTHING, (("3/2", "1/5"),), (("2", "3"),)])
@@ -147,6 +150,29 @@ def test_the_cauchy_part_of_a_taylor_step(law):
     cut = (abs(ws[-1]) + abs(float(step.ys[-1].mid()))) * mpmath.mpf(h) ** (n + 1) / (n + 1)
     rest = mpmath.quad(lambda t: float(resistance) * (t / R) ** n / (1 - h / R), [0, h])
     assert float(bound) == pytest.approx(float(cut + rest), rel=1e-6)
+
+
+def test_the_parts_of_a_residual():
+    """Each of the two alone, against its integral: nothing else of the Taylor polynomials enters."""
+    h, R, n = 0.25, 0.5, 6
+    nothing, one = [arb(1)] + [arb(0)] * n, [arb(1)] + [arb(0)] * (n - 1) + [arb(3)]
+    cut = residual(nothing, one, arb(h), arb(R), arb(0))
+    rest = residual(nothing, nothing, arb(h), arb(R), arb(2))
+    assert float(cut) == pytest.approx(float(mpmath.quad(lambda t: 3 * t**n, [0, h])), rel=1e-9)
+    assert float(rest) == pytest.approx(float(mpmath.quad(lambda t: 2 * (t / R) ** n / (1 - h / R), [0, h])), rel=1e-9)
+
+
+def test_errors_of_pieces_add_up():
+    """Each piece has at least the error of the one before it and its own, rounding of the restart included."""
+    with ctx.workprec(24):
+        first, *steps, last = course(damping(("3/2", "1/5")), arb(1), arb(0))
+    before = first.error
+    for step in steps:
+        assert step.error >= before + step.taylor.error
+        before = step.error
+    assert last.error >= before + last.arrival.miss and before > first.error
+    rounding = sum((s.taylor.state(s.taylor.length)[0].rad() for s in steps), arb(0))
+    assert last.error >= rounding + sum((s.taylor.error for s in steps), arb(0))
 
 
 def test_a_shifted_orbit_turns_as_much_later_as_the_bound_says():
