@@ -17,7 +17,7 @@ from asymptotics.errors import InputError, UndecidedError
 from asymptotics.numbers.exact import parse_real
 from asymptotics.sweeps.grid import Point, values
 
-SWEPT = ("turning-points", "half-swing", "expand", "moment", "motion", "smith", "envelope")
+SWEPT = ("turning-points", "half-swing", "expand", "moment", "motion", "smith", "envelope", "limit-cycle")
 EXCLUDED = ("json", "plot", "csv", "latex", "points", "save", "report", "quiet", "list", "store", "export")
 _WORD = re.compile(r"[a-z][a-z0-9-]{0,39}\Z")
 _FORMAL = ("expand", "half-swing")  # they need no strengths

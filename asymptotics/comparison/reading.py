@@ -107,6 +107,8 @@ def _place(name: str, names: list[str]) -> int:
 def _rows(path: Path) -> tuple[list[tuple[int, list[str]]], list[str] | None]:
     """The rows of values with their line numbers, and the header if there is one."""
     try:
+        if path.is_char_device() or path.is_block_device():
+            raise InputError("FILE", f"{path} is a device", "a CSV file in UTF-8")
         with path.open(newline="", encoding="utf-8-sig") as stream:
             text = stream.read(4096)
             stream.seek(0)

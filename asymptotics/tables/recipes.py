@@ -1,5 +1,6 @@
 """The list of the tables: what each is, by which route, checked by which other one, and what it costs."""
 
+from asymptotics.tables.bounds import error_bounds
 from asymptotics.tables.coefficients import half_swing, normal_form
 from asymptotics.tables.moments import lelas_ratios, moments
 from asymptotics.tables.quadratic import smith_c, smith_f, smith_table_1, transit_time
@@ -28,6 +29,13 @@ RECIPES = {
         "the quarter-swing as a power series and the reversal identity: exact or in balls with proved tails",
         "F by integrating the half-swing at small strength; Coulomb and linear damping in closed form",
         "a second for order 4; --rows is the order", half_swing, "alpha law rows",
+    ),
+    "error-bounds": Recipe(
+        "Error bounds of the expansion of order N on a half-swing: |L - L_N| <= C_L d^m_L, |T - T_N| <= C_T d^m_T",
+        ("alpha", "order", "delta_max", "C_L", "m_L", "C_T", "m_T"), ("alpha", "order"), ("1",) * 7,
+        "the next coefficients in balls and Cauchy's inequality beyond; constants rounded up, two digits",
+        "the half-swing itself, certified, against the first-order formula",
+        "seconds; --rows is the highest order", error_bounds, "alpha rows",
     ),
     "turning-points": Recipe(
         "Turning points x_n (units of x0) and times tau_n = omega_0 t",

@@ -20,7 +20,7 @@ from asymptotics.turning.quadratic_series import half_period_series
 CHECKED = {
     "moments", "lelas-ratios", "normal-form", "half-swing", "turning-points", "half-periods", "stops", "phase-lags",
     "extinction-times", "two-law-times", "lancaster2020.table1", "smith2012.table1", "smith2012.transit-time",
-    "smith2012.c", "smith2012.f",
+    "smith2012.c", "smith2012.f", "error-bounds",
 }  # fmt: skip
 
 
@@ -113,6 +113,23 @@ def test_the_half_swing_series_gives_the_half_swing():
         assert sum(found[f"L_{k}"] * e**k for k in range(1, 5)) == pytest.approx(np.log(q), abs=1e-10)
         assert sum(found.get(f"T_{k}", 0) * e**k for k in range(5)) == pytest.approx(T, abs=1e-6)
         assert sum(found[f"F_{k}"] * e**k for k in range(1, 5)) == pytest.approx(e * q ** (a - 1), rel=1e-7)
+
+
+def test_error_bounds_hold_and_are_nearly_attained():
+    """Order 1: A = (1 + (alpha-1) p_1 delta tau)^(-1/(alpha-1)) at tau = pi, T = pi; the truth is certified."""
+    for alpha, order, limit, C_L, m_L, C_T, m_T in build("error-bounds", 5, Inputs.of(rows=1)).rows:
+        a, d = Fraction(alpha), Fraction(limit) / 2
+        if alpha == "0":
+            continue
+        p_1 = float(mean_of_sine(float(a) + 1))
+        fall = np.pi * p_1 * float(d)
+        L_1 = -fall if a == 1 else -np.log1p(float(a - 1) * fall) / float(a - 1)
+        ((_, ratio, T, _, _),) = build("half-periods", 20, Inputs.of(alphas=[alpha], epsilons=[str(d)])).rows
+        for wrong, C, m in ((np.log(float(ratio)) - L_1, C_L, m_L), (float(T) - np.pi, C_T, m_T)):
+            bound = float(C) * float(d) ** int(m)
+            assert abs(wrong) <= bound
+            assert abs(wrong) > bound / 8  # C is that at delta_max: the next order is in it
+        assert order == "1"
 
 
 def test_stops_in_rationals():

@@ -28,7 +28,8 @@ from asymptotics.tables.registry import description
 TABLE_1 = [("0", "1.00000"), ("0.0987650", "-0.410720"), ("0.123863", "0.263568"), ("0.133833", "-0.194566"),
            ("0.138780", "0.154318"), ("0.141588", "-0.127908")]  # fmt: skip
 SCHEMA = json.loads((Path(asymptotics.tables.__file__).parent / "schema.json").read_text())
-CHEAP = [name for name in names() if name not in {"turning-points", "half-periods", "normal-form", "half-swing"}]
+SLOW = {"turning-points", "half-periods", "normal-form", "half-swing", "error-bounds"}
+CHEAP = [name for name in names() if name not in SLOW]
 
 
 @pytest.fixture(scope="module")
