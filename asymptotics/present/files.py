@@ -91,8 +91,6 @@ def write_all(contents: Mapping[Path, str | bytes], argument: str = "FILE") -> N
             parts.append(_Part.written(name, data, argument))
         for part in parts:
             part.put()
-        for part in parts:
-            part.old.unlink(missing_ok=True)
     except BaseException as error:
         for part in parts:
             part.undo()
@@ -100,6 +98,17 @@ def write_all(contents: Mapping[Path, str | bytes], argument: str = "FILE") -> N
             reason = f"cannot write {error.filename or 'the file'}: {error.strerror}"
             raise InputError(argument, reason, "a folder with room for the files; none of them was changed") from error
         raise
+    try:
+        _forget(parts)
+    except BaseException:  # an interrupt: everything is in place, only the second names are left
+        _forget(parts)
+        raise
+
+
+def _forget(parts: list["_Part"]) -> None:
+    """The second names of what was replaced."""
+    for part in parts:
+        part.old.unlink(missing_ok=True)
 
 
 def write_atomically(path: Path, content: str | bytes, argument: str = "FILE") -> None:

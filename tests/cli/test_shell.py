@@ -134,3 +134,24 @@ def test_the_workers_of_the_checks_do_not_outlive_them(number):
     while _alive(process.pid) and time.monotonic() - start < 20:
         time.sleep(0.1)
     assert not _alive(process.pid)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("delay", [0.1, 0.3, 0.6, 0.9, 1.2, 1.5, 2.0, 2.5])
+def test_a_signal_at_any_moment_leaves_the_old_files_or_the_new_ones(tmp_path, delay):
+    for name in ("a.csv", "a.svg"):
+        (tmp_path / name).write_text("old")
+    line = "motion --alpha 3/2 --damping 1/10 --x0 1 --time 20 --csv a.csv --plot a.svg"
+    with subprocess.Popen(
+        [sys.executable, "-m", "asymptotics.cli.entry", *line.split()],
+        cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    ) as process:  # fmt: skip
+        time.sleep(delay)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+    assert process.returncode in (0, 130, -signal.SIGINT)  # the last: before the interpreter itself stood
+    if process.returncode == 130:
+        assert said == "asymptotics: interrupted; no file was left half-written\n"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.csv", "a.svg"]
+    old = [(tmp_path / name).read_text() == "old" for name in ("a.csv", "a.svg")]
+    assert old in ([True, True], [False, False])
