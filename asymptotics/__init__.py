@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from asymptotics.api.files import compare, derive
     from asymptotics.api.hierarchy import multiple_scales
     from asymptotics.api.lookups import C, G, f, moment, table, table_names
-    from asymptotics.api.maps import half_swing
+    from asymptotics.api.maps import half_swing, limit_cycle
     from asymptotics.api.motions import Events, Motion, Reference, motion, reference
     from asymptotics.api.slow import Envelope, envelope
     from asymptotics.api.swings import OscillatorTurningPoints, turning_points
@@ -46,7 +46,7 @@ _HOMES = {
     "api.files": ("compare", "derive"),
     "api.hierarchy": ("multiple_scales",),
     "api.lookups": ("C", "G", "f", "moment", "table", "table_names"),
-    "api.maps": ("half_swing",),
+    "api.maps": ("half_swing", "limit_cycle"),
     "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
     "api.slow": ("Envelope", "envelope"),
     "api.swings": ("OscillatorTurningPoints", "turning_points"),
@@ -90,6 +90,7 @@ __all__ = [
     "f",
     "half_swing",
     "identify",
+    "limit_cycle",
     "moment",
     "motion",
     "multiple_scales",

@@ -46,7 +46,8 @@ def results(osc):
         moving.at(7),
         moving.sample(np.linspace(0, 9, 10_000)), moving.events(2), truth, truth.at(1), truth.sample([0, 1]),
         asy.turning_points(osc, 10, digits=30), asy.turning_points({2: 1}, 3), asy.moment("5/2"), asy.f(500),
-        asy.half_swing(2), asy.half_swing(2, delta="1/10"), asy.C(31, 10), asy.G(5),
+        asy.limit_cycle({1: -1, (1, 2): 1}), asy.half_swing(2), asy.half_swing(2, delta="1/10"), asy.C(31, 10),
+        asy.G(5),
         asy.table("smith2012.table1"), asy.paper("smith2012:43"), asy.ExactReal(1, 2),
     ]  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""The half-swing: the map from one turning point to the next, as series in the local strengths or at given ones.
+"""The half-swing, as series in the local strengths or at given ones, and the cycle that a law of negative damping has.
 
 >>> series = half_swing(2, order=3)
 >>> series.log_ratio["1"].exact, series.duration["2"].exact
@@ -6,6 +6,9 @@
 >>> at = half_swing("3/2", delta="1/10", digits=12)
 >>> at.amplitude, at.certified
 ('0.870193291989', True)
+>>> van_der_pol = limit_cycle({1: -1, (1, 2): 1}, order=4)
+>>> van_der_pol.amplitude["2"].exact, van_der_pol.frequency["2"].exact
+('1/96', '-1/16')
 """
 
 from dataclasses import replace
@@ -15,6 +18,8 @@ from asymptotics.equations.build import terms_of
 from asymptotics.errors import InputError
 from asymptotics.half_swings.finite_result import HalfSwingAt, half_swing_at
 from asymptotics.law import Law
+from asymptotics.limit_cycles.result import LimitCycle
+from asymptotics.limit_cycles.result import limit_cycle as of_law
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.normal_form.results import HalfSwingCoefficients
 from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
@@ -41,3 +46,14 @@ def half_swing(
     notes = (*notes, *(note for d in given for note in float_notes(delta=d)))
     at = half_swing_at(Law.from_terms(terms).alphas, [exact_number(d, "delta") for d in given], D)
     return replace(at, notes=notes)
+
+
+def limit_cycle(law: Any, *, order: Any = 8, digits: Any = 30, mu: Any = None, spring: Any = None) -> LimitCycle:
+    """Amplitude, frequency and multiplier of the limit cycle of x'' + x + mu (law) = 0 as series in mu.
+
+    With a number ``mu`` also a certified fixed point of the half-swing.  InputError for a law without a limit cycle,
+    with several, or that is no polynomial.
+    """
+    made = Law.read(law) if spring is None else Law(Law.read(law), spring)
+    N, D = exact_integer(order, "order", 1, MAX_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
+    return of_law(made, N, D, None if mu is None else exact_number(mu, "mu"))
