@@ -11,7 +11,7 @@ from asymptotics.numbers.exact import parse_real
 from asymptotics.swing import arrival as arrivals
 from asymptotics.swing import dense
 from asymptotics.swing.arrival import arrive
-from asymptotics.swing.course import Landing, course, delay
+from asymptotics.swing.course import Landing, at_time, course, delay
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import trap
 from asymptotics.swing.expansion import Expansion
@@ -204,6 +204,32 @@ def test_amplitudes_carry_their_error_by_contraction(law):
     friction = damping(("0", "1/100"), ("1", "1/10"))
     by_distance = following(friction, here, Passage(ratio, arb(3), "", 1, arb(0)))
     assert by_distance.amplitude_error >= error  # dry friction: relative errors grow, distances do not
+
+
+def test_radii_of_a_passage_are_kept():
+    """What the midpoints drop: the radius of q, that of T, and the time that the error of p may cost, error/q."""
+    law, error = damping(("1", "1/10")), arb(2) ** -30
+    found = Passage(arb("0.75", arb(2) ** -20), arb(3, arb(2) ** -21), "", 1, arb(0))
+    there = following(law, Turning(0, 1, arb(1), arb(0), arb(0), arb(0)), found)
+    assert there.amplitude_error >= arb(2) ** -20 and there.time_error >= arb(2) ** -21
+    exact = Passage(arb("0.75"), arb(3), "", 1, arb(0))
+    late = following(law, Turning(0, 1, arb("0.5"), arb(0), error, arb(0)), exact).time_error
+    assert error / arb("0.375") <= late and late < error / arb("0.375") * arb(1.01)
+
+
+@pytest.mark.parametrize("law", [NOTHING, (("3/2", "1/2"),), (("0", "1/10"), ("2", "1"))])
+def test_a_wide_time_near_a_turning_point(law):
+    """The states at both ends of the time are contained; the speed in phase space is bounded within a factor of 4."""
+    with ctx.workprec(90):
+        expansion = Expansion.at(damping(*law), arb("0.75"))
+        middle, width = expansion.reach.mid() / 2, arb(2) ** -18
+        y, w = at_time(expansion, middle + arb(0, width))
+        for end in (middle - width, middle + width):
+            exact_y, exact_w = at_time(expansion, end.mid())
+            assert y.contains(exact_y) and w.contains(exact_w)
+        assert w.rad() < 10 * width
+        largest = abs(expansion.y0) + expansion.damping.friction
+        assert largest <= expansion.speed() and expansion.speed() < 4 * largest
 
 
 def test_the_error_of_a_time_becomes_a_distance():
