@@ -8,6 +8,7 @@ from pathlib import Path
 
 from benchmarks import (
     certified_motion,
+    certified_orbits,
     cost_against_order,
     cubic_damping,
     hypergeometric,
@@ -24,6 +25,7 @@ BENCHMARKS: dict[str, Callable[..., Table]] = {
     "cubic-damping": cubic_damping.run,
     "cost-against-order": cost_against_order.run,
     "turning-points": turning_point_tables.run,
+    "certified-orbits": certified_orbits.run,
     "integrators": integrators.run,
     "certified-motion": certified_motion.run,
     "hypergeometric": hypergeometric.run,

@@ -6,6 +6,7 @@ from typing import Any
 
 from flint import ctx
 
+from asymptotics.bounds.local import local_bounds
 from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.motions.accuracy import measured_errors
@@ -20,6 +21,8 @@ from asymptotics.present.figures import render
 EXPONENTS = ("0", "1/2", "3/4", "1", "3/2", "5/3", "2", "5/2", "3", "4", "5", "7", "sqrt(2)")
 LAWS = (["0"], ["1/2"], ["3/2"], ["2"], ["3"], ["1", "2"])
 ORDER, DIGITS = 4, 12
+BOUNDED = [([alpha], range(1, 7)) for alpha in ("1/2", "3/2", "2", "5/2", "3")]
+BOUNDED += [(laws, range(1, 3)) for laws in (["0", "1"], ["1", "2"], ["1", "3"])]
 GAUGE_USERS = {
     "turning-point": "this package's default; Lancaster's initial condition φ(0) = 0, A(0) = x0",
     "averaging": "direct complex normal form (z = X − iX'); the complex form of `oscilate`; Maxima's averaging",
@@ -30,7 +33,8 @@ GAUGE_USERS = {
 @cache
 def engine_data() -> dict[str, Any]:
     """All tables of the page, as text."""
-    return {"coefficients": _coefficients(), "gauges": _gauges(), "growth": _growth(), "accuracy": _accuracy()}
+    found = {"coefficients": _coefficients(), "gauges": _gauges(), "growth": _growth()}
+    return {**found, "accuracy": _accuracy(), "bounds": _bounds()}
 
 
 @cache
@@ -79,6 +83,19 @@ def _accuracy() -> list[dict[str, str]]:
             fitted = "exact" if isnan(m.fitted_order) else f"{m.fitted_order:.2f}"
             errors = {f"kappa = {float(k):g}": f"{e:.1e}" for k, e in zip(m.kappas, m.errors)}
             rows.append({"alpha": ", ".join(laws), "order": str(m.order), **errors, "fitted order": fitted})
+    return rows
+
+
+def _bounds() -> list[dict[str, str]]:
+    """What the O() of each order holds on a half-swing: constants and range, proved and rounded up."""
+    rows = []
+    for laws, orders in BOUNDED:
+        for order in orders:
+            found = local_bounds([parse_real(text, "alpha") for text in laws], order).to_dict()
+            amplitude = f"{found['amplitude']} δ^{found['amplitude_power']}"
+            time = f"{found['frequency']} δ^{found['frequency_power']}"
+            row = {"alpha": ", ".join(laws), "order": str(order), "δ up to": found["delta_max"]}
+            rows.append({**row, "|L − L_N| at most": amplitude, "|T − T_N| at most": time})
     return rows
 
 

@@ -39,7 +39,8 @@ def test_a_late_time_is_reached_by_a_jump():
 def test_the_front_door_and_the_command_line(capsys):
     motion = asy.motion(MOTIONS[0][0], order=2)
     assert motion.bound(7) == "2.1e-8"
-    law = ["--alpha", "3/2", "--mass", "3/2", "--stiffness", "30", "--damping", "1/10", "--x0", "1/5", "--time", "7", "--digits", "30"]
+    quantities = {"alpha": "3/2", "mass": "3/2", "stiffness": "30", "damping": "1/10", "x0": "1/5", "time": "7"}
+    law = [text for name, value in quantities.items() for text in (f"--{name}", value)] + ["--digits", "30"]
     assert main(["motion", *law, "--order", "2", "--bound", "--json"]) == 0
     shown = capsys.readouterr().out
     assert '"bound": "2.1e-8"' in shown
