@@ -1,7 +1,7 @@
 """The defect of a truncated Abel function, summed along an orbit that is never computed.
 
 >>> print(derivation.steps[1].text())
-1/(k*u_2 + 1) + 1/(-k*u_1 + 1) - 2 = (k*(u_1 - u_2) + 2*k**2*u_1*u_2)/((-k*u_1 + 1)*(k*u_2 + 1))
+-2 + 1/(k*u_2 + 1) + 1/(-k*u_1 + 1) = (2*k**2*u_1*u_2 + k*(u_1 - u_2))/((-k*u_1 + 1)*(k*u_2 + 1))
 """
 
 import sympy

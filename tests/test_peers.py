@@ -20,9 +20,7 @@ from asymptotics.errors import InputError
 from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
 from asymptotics.half_swings.fourier_flow import fourier_flow
 from asymptotics.half_swings.pi_ring import PiNumber
-from asymptotics.law import Oscillator
 from asymptotics.moments.certified import moment
-from asymptotics.motions.reference import reference_motion
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.flow import Flow
 from asymptotics.normal_form.verify import (
@@ -227,8 +225,6 @@ def test_9_odefun_with_a_naive_absolute_value_reproduced():
 
 
 def test_what_has_no_exact_or_smooth_treatment_is_refused_by_name():
-    with pytest.raises(InputError, match="x\\^3 is not a power of the velocity"):
-        reference_motion(Oscillator({1: 1}, spring={3: "-1/10"}), 1)
     with pytest.raises(InputError, match="alpha"):
         exact_half_swing((Fraction(3, 2),), 2)
     with pytest.raises(InputError, match="gauge"):
