@@ -12,6 +12,7 @@ lines that start with # are comments.
 import csv
 import re
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 
 from asymptotics.errors import InputError, LimitError
@@ -25,11 +26,15 @@ _UNIT = re.compile(r"\s*[\[(](?P<unit>[^\])]*)[\])]\s*\Z")
 
 @dataclass(frozen=True)
 class Sheet:
-    """The cells of a file: ``columns`` says which is what, ``lines`` are the line numbers of the rows."""
+    """The cells of a file: ``columns`` says which is what, ``lines`` are the line numbers of the rows.
+
+    ``numbers`` are the columns that hold numbers, exactly.
+    """
 
     columns: dict[str, int]
     lines: tuple[int, ...]
     rows: tuple[tuple[str, ...], ...]
+    numbers: dict[str, tuple[Fraction, ...]]
 
     def column(self, name: str) -> list[str]:
         """The cells of a column, as text."""
@@ -64,10 +69,12 @@ def read_sheet(
     for line, cells in rows:
         if len(cells) <= wanted:
             raise InputError("FILE", f"line {line} has {len(cells)} cells", f"{wanted + 1} cells in each row")
-        for name, place in columns.items():
-            if name not in words:
-                parse_rational(cells[place], f"FILE line {line}")
-    return Sheet(columns, tuple(line for line, _ in rows), tuple(tuple(cells) for _, cells in rows))
+    numbers = {
+        name: tuple(parse_rational(cells[place], f"FILE line {line}") for line, cells in rows)
+        for name, place in columns.items()
+        if name not in words
+    }
+    return Sheet(columns, tuple(line for line, _ in rows), tuple(tuple(cells) for _, cells in rows), numbers)
 
 
 def columns_of(names: list[str], mapping: str | None, known: tuple[str, ...] = QUANTITIES) -> dict[str, int]:

@@ -32,7 +32,7 @@ from asymptotics.comparison.reading import Sheet, read_sheet
 from asymptotics.comparison.truth import Truth, at_times, at_turning_points
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator
-from asymptotics.numbers.exact import parse_integer, parse_rational
+from asymptotics.numbers.exact import parse_integer
 from asymptotics.turning.general import turning_points
 
 MAX_DIGITS, MAX_N = 1000, 10**30
@@ -114,7 +114,7 @@ def compare_file(
     else:
         if set(values) - {"x", "v"}:
             raise InputError("--columns", "at a time there are x and v", "tau,x  or  tau,x,v")
-        times = [parse_rational(cell, "FILE") for cell in sheet.column(key)]
+        times = list(sheet.numbers[key])
         truth = at_times(oscillator, times, wanted, si=si)
         errors, shift = _of_motion(sheet, truth, times, oscillator, si)
     rows = _rows(sheet, truth, key, values, wanted, si)
@@ -133,15 +133,18 @@ def _rows(sheet: Sheet, truth: Truth, key: str, values: Sequence[str], digits: i
     found = []
     for column in values:
         cells, right = sheet.column(column), truth.columns[column]
-        found += [row_of(*where, column, name, digits) for where in zip(sheet.lines, keys, cells, right)]
+        numbers = sheet.numbers[column]
+        found += [row_of(*where, column, name, digits) for where in zip(sheet.lines, keys, cells, numbers, right)]
     return tuple(sorted(found, key=lambda row: row.line))
 
 
-def row_of(line: int, key: str, given: str, right: str | None, column: str, name: str, digits: int) -> Row:
-    """One value beside the right one."""
+def row_of(
+    line: int, key: str, given: str, value: Fraction, right: str | None, column: str, name: str, digits: int
+) -> Row:
+    """One value, as text and as a number, beside the right one."""
     if right is None:
         return Row(line, key, column, given, None, "0.00", "", given, name)
-    value, truth = parse_rational(given, "FILE"), Fraction(right)
+    truth = Fraction(right)
     right_ones, error = right_digits(value, truth, digits), relative_error(value, truth)
     return Row(line, key, column, given, right, right_ones, error, marked(given, truth, value), name)
 

@@ -72,7 +72,8 @@ def _rows(sheet: Sheet, table: Table, keys: list[str], values: list[str], digits
         for column in values:
             right = entries[0][table.columns.index(column)] or None
             key, name = ", ".join(texts), ",".join(keys)
-            rows.append(row_of(line, key, cells[column][place], right, column, name, digits))
+            number = sheet.numbers[column][place]
+            rows.append(row_of(line, key, cells[column][place], number, right, column, name, digits))
     return tuple(rows)
 
 
