@@ -3,6 +3,7 @@
 import doctest
 import re
 import shlex
+from fnmatch import fnmatch
 from pathlib import Path
 
 import pytest
@@ -40,6 +41,19 @@ def test_the_python_of_the_readme_runs():
 def test_the_links_of_the_readme_lead_somewhere():
     for target in re.findall(r"\]\((?!http)([^)#]+)\)", README):
         assert (Path(__file__).parents[1] / target).exists(), target
+
+
+def test_the_table_of_arithmetics_names_every_file():
+    root = Path(__file__).parents[1] / "asymptotics"
+    rows = [line.split("|")[2] for line in README.splitlines() if line.startswith("|") and "/`" in line]
+    named = [re.findall(r"`([\w/*.]+)`", row) for row in rows]
+    for path in root.rglob("*.py"):
+        name = str(path.relative_to(root))
+        if path.name.startswith("__"):
+            continue
+        as_file = [row for row in named if any(p.endswith(".py") and fnmatch(name, p) for p in row)]
+        as_folder = [row for row in named if any(p.endswith("/") and name.startswith(p) for p in row)]
+        assert len(as_file or as_folder) == 1, f"{name} stands in {len(as_file or as_folder)} rows"
 
 
 def test_the_commands_of_the_readme_are_in_the_makefile():
