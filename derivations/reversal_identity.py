@@ -2,7 +2,7 @@
 
     L = R(delta) - R(-F),   T = T_q(delta) + T_q(-F),   F = -Q^(-1)(-Q(delta)).
 
->>> print(derivation.steps[7].text())
+>>> print(derivation.steps[8].text())
 Taylor(F, delta, 3) = 4*delta**3*q_2**2 + 2*delta**2*q_2 + delta
 """
 
@@ -70,6 +70,15 @@ class Return(sympy.Function):
 
 half = defined("F", lambda x: -Return(-Passage(x)))
 step("In general, in one line: F = -Q^(-1)(-Q) is reversible whatever Q is", half(-half(-delta)), delta)
+
+# Springs and position-dependent losses: only the losses change their sign.
+rho, gamma, m, p, alpha, q_v = sympy.symbols("rho gamma m p alpha q", positive=True)
+mixed = rho * sympy.Abs(c) ** m * s**alpha - gamma * c * sympy.Abs(c) ** (p - 1) * s**q_v
+step(
+    "A loss |x|^m v|v|^(alpha-1) and a spring x|x|^(p-1) |v|^q: c -> -c turns N into -N with rho -> -rho, gamma kept",
+    At(mixed, {c: -c}),
+    -mixed.subs(rho, -rho),
+)
 
 # Both quarters end at the same passage: Q(-F) = -Q(delta), as power series with symbolic coefficients.
 ORDER = 5

@@ -18,7 +18,11 @@ It starts at phi = 0 with -rho_i(pi) = -F_i and ends at the same equilibrium pas
     L = ln r(pi)/r(0) = R(delta) - R(-F),   F_i = delta_i exp((alpha_i - 1) L),   T = T_q(delta) + T_q(-F).
 
 R has no constant term, so L is fixed order by order, also at alpha_i = 1 where F_i = delta_i: L is the primary object.
-The exponents enter through the weights alpha_i - 1 and the signs of ``grading`` alone.
+
+*Springs.*  Losses |x|^m v|v|^(alpha-1) and springs c x|x|^(p-1) |v|^q put rho |c|^m s^alpha and -gamma c|c|^(p-1) s^q
+into N.  The reflection turns N into -N with rho -> -rho and the same gamma: S changes the sign of the losses only, and
+the identity reads L = R(delta) - R(S F), F_i = delta_i exp((d_i - 1) L), T = T_q(delta) + T_q(S F) (derivation
+``reversal-identity``).  The forces enter through the weights d_i - 1 and the signs of ``grading`` alone.
 
 Coulomb friction, alpha = 0: X circles about the shifted centre delta with radius 1 - delta, so |X'|^2 = 1 - 2 delta at
 the passage and R = ln(1 - 2 delta)/2.  (Only R is needed for F; any T_q will do in this example.)

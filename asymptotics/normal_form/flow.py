@@ -10,7 +10,8 @@ because ln A and tau grow by int_0^pi U d psi and int_0^pi W d psi on the half-s
     U = (1/pi) (log C)/(C - 1) L,    W = (1/pi) (log C)/(C - 1) T,    (log C)/(C - 1) = sum_k (-1)^k/(k + 1) (C - 1)^k,
 
 finite at each order, since C - 1 raises the degree: C delta^n = delta^n exp(a_n L), a_n = sum_i n_i (alpha_i - 1).
-At alpha = 1 all a_n vanish and U = L/pi, W = T/pi.  t -> -t with epsilon -> -epsilon makes U odd and W even.
+At alpha = 1 all a_n vanish and U = L/pi, W = T/pi.  t -> -t with epsilon -> -epsilon makes
+U odd and W even in the losses; springs keep their sign.
 
 >>> from asymptotics.half_swings.exact import exact_half_swing
 >>> flow = flow_of(exact_half_swing((0,), 6))
