@@ -17,6 +17,9 @@ SHIFT = "-pi/2 is the other sign of the claim, and 3 pi/2 the same angle"
 EQUIVALENT: dict[str, dict[str, str]] = {
     "lancaster2020:15": {"twice": LARGE, "11/10": LARGE},
     "lancaster2020:22": {"1: twice": LARGE, "1: 11/10": LARGE, "1: number 1/2": LARGE},
+    "lancaster2020:claim.valid-for-any-b": {
+        "twice": LARGE, "11/10": LARGE, "number 1": LARGE, "exponent of 1/q": LARGE,
+    },
     "lancaster2020:claim.not-separable": {"0: *": ANY_PAIR, "1: *": ANY_PAIR},
     "lelas2024:claim.energy-decreases": {"?: *": "a stronger force against the velocity dissipates as well"},
     "lelas2024:claim.equal-amplitudes": {"2: sign": SHIFT, "2: number 1/2": SHIFT},

@@ -159,7 +159,7 @@ def _ordered(upper: sympy.Expr, lower: sympy.Expr, eps: Fraction) -> Outcome:
 def slower_decay(form: tuple[str, str]) -> Outcome:
     """The rates compared by balls."""
     slower, faster = (closed_form_ball(RATES[name]) for name in form)
-    return below(slower, faster)
+    return all_confirmed(decided(form[0] != form[1]), below(slower, faster))
 
 
 @statement(
