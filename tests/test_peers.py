@@ -20,7 +20,9 @@ from asymptotics.errors import InputError
 from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
 from asymptotics.half_swings.fourier_flow import fourier_flow
 from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.law import Law, Oscillator
 from asymptotics.moments.certified import moment
+from asymptotics.motions.reference import reference_motion, reference_states
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.flow import Flow
 from asymptotics.normal_form.verify import (
@@ -30,8 +32,9 @@ from asymptotics.normal_form.verify import (
     measured_order,
     residual_order,
 )
-from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series
+from asymptotics.swing.damping import Damping
 from asymptotics.turning.quadratic import quadratic_turning_points
 from asymptotics.verdict import Outcome
 
@@ -222,6 +225,16 @@ def test_9_odefun_with_a_naive_absolute_value_reproduced():
         orbit = mpmath.odefun(lambda _, y: [y[1], -y[0] - b * y[1] * abs(y[1])], 0, [1, 0])
         naive = mpmath.findroot(lambda t: orbit(t)[1], (6.28, 6.3))
     assert abs(naive - EXACT_T2) > 1e-6
+
+
+@pytest.mark.parametrize("strength", ["1/10", "-1/10"])
+def test_no_spring_is_left_out_silently(strength):
+    bent = Oscillator({1: 1}, spring={3: strength})
+    for answer in (reference_motion, lambda o, t: reference_states(o, [ExactReal(Fraction(t))], 10)):
+        with pytest.raises(InputError, match="x\\^3 is not a power of the velocity"):
+            answer(bent, 1)
+    with pytest.raises(InputError, match="x\\^3 is not a power of the velocity"):
+        Damping.of_law(Law({1: 1}, spring={3: strength}))
 
 
 def test_what_has_no_exact_or_smooth_treatment_is_refused_by_name():

@@ -60,6 +60,7 @@ def reference_motion(
     """
     moment = time_of(t)
     oscillator.law.require_dissipative("reference motion to rest")
+    oscillator.law.require_pure("this reference motion")
     require_integer(digits, "digits", 1, MAX_DIGITS)
     with budget(max_seconds):
         exact = _exact(oscillator, moment, digits, static)
@@ -81,6 +82,7 @@ def reference_states(
     ``reference_motion``.
     """
     oscillator.law.require_dissipative("reference motion to rest")
+    oscillator.law.require_pure("this reference motion")
     with budget(max_seconds):
         bits, reason = bits_for(digits, 28), ""
         for _ in range(_TRIES):

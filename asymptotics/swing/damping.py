@@ -41,7 +41,8 @@ class Damping:
 
     @classmethod
     def of_law(cls, law: Law) -> "Damping":
-        """From a dimensionless law of powers of the velocity, at the current precision."""
+        """From a dimensionless law of powers of the velocity (InputError for any other), at the current precision."""
+        law.require_pure("this half-swing")
         return cls.of([(t.strength.ball(), t.velocity) for t in law.terms])
 
     @cached_property

@@ -1,0 +1,91 @@
+"""A spring or a position-dependent loss is served or refused by name; it is never read and left out.
+
+Each command is asked with and without the force: the answers must differ, or the second is one line with exit code 2.
+"""
+
+import json
+
+import pytest
+
+import asymptotics as asy
+from asymptotics.cli.main import run
+
+COMMANDS = {"expand", "half-swing", "turning-points", "motion", "envelope", "multiple-scales"}
+START = "--x0 1"
+ASKED = {
+    "expand": "--law 2:1/10 --order 2",
+    "expand-bound": "--law 2:1/10 --order 2 --bound",
+    "half-swing": "--law 2:1/10 --order 2",
+    "half-swing-delta": "--law 2 --delta 1/10",
+    "turning-points": "--law 2:1/10 --count 2 --times --digits 12",
+    "turning-points-two": "--law 2:1/10 --law 3/2:1/10 --count 2 --times --digits 12",
+    "motion": f"--law 2:1/10 {START} --time 7",
+    "motion-bound": f"--law 2:1/10 {START} --time 7 --bound",
+    "motion-reference": f"--law 2:1/10 {START} --time 7 --reference",
+    "motion-linear": f"--law 1:1/10 {START} --time 7 --reference",
+    "motion-dry": f"--law 0:1/10 {START} --time 7 --reference",
+    "envelope": f"--law 2:1/10 {START} --time 7",
+    "multiple-scales": "--law 3:1/10 --order 2",
+    "multiple-scales-general": "--law 3/2:1/10 --order 2",
+}
+FORCES = {"spring": ["--spring", "3:1/10"], "soft": ["--spring", "3:-1/10"], "position": ["--law", "1,2:1/10"]}
+
+
+def answer(arguments, capsys):
+    """(exit code, JSON without what merely echoes the question)."""
+    code = run([*arguments, "--json"])
+    captured = capsys.readouterr()
+    if code:
+        assert len(captured.err.strip().splitlines()) == 1, captured.err
+        return code, captured.err
+    return code, json.loads(captured.out)
+
+
+@pytest.mark.parametrize("force", FORCES)
+@pytest.mark.parametrize("name", ASKED)
+def test_a_force_changes_the_answer_or_is_refused(name, force, capsys):
+    command = next(c for c in sorted(COMMANDS, key=len, reverse=True) if name.startswith(c))
+    arguments = [command, *ASKED[name].split()]
+    try:
+        code, found = answer([*arguments, *FORCES[force]], capsys)
+    except SystemExit as stopped:  # the parser knows no such option: refused
+        assert stopped.code == 2
+        return
+    if code:
+        assert code == 2, found
+        return
+    _, plain = answer(arguments, capsys)
+    assert numbers(found) != numbers(plain)
+
+
+CALLS = {
+    "expand": lambda o: asy.expand(o, order=2).p,
+    "motion": lambda o: asy.motion(o, order=1).at(7).x,
+    "reference": lambda o: asy.reference(o).at(7).x,
+    "turning_points": lambda o: [p.x for p in asy.turning_points(o, 2, digits=12).points],
+    "half_swing": lambda o: asy.half_swing(o.dimensionless, order=2).to_dict(),
+    "envelope": lambda o: asy.envelope(o).to_dict(),
+    "multiple_scales": lambda o: asy.multiple_scales(o, order=1),
+}
+
+
+@pytest.mark.parametrize("name", CALLS)
+@pytest.mark.parametrize("losses", [{2: "1/10"}, {1: "1/10"}])
+def test_python_serves_a_spring_or_refuses_it(name, losses):
+    plain, bent = asy.Oscillator(losses), asy.Oscillator(losses, spring={3: "1/10"})
+    try:
+        found = CALLS[name](bent)
+    except asy.InputError as refused:
+        assert str(refused).isprintable()
+        return
+    assert str(found) != str(CALLS[name](plain))
+
+
+def numbers(data):
+    """All that was computed: every text that reads as a number, in order, not the question's own words."""
+    if isinstance(data, dict):
+        asked = ("law", "terms", "alpha", "epsilon", "notes")
+        return [n for key, value in data.items() if key not in asked for n in numbers(value)]
+    if isinstance(data, list):
+        return [n for value in data for n in numbers(value)]
+    return [data] if isinstance(data, str) and any(ch.isdigit() for ch in data) else []
