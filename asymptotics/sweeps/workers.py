@@ -29,6 +29,7 @@ from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.shard import canonical
 
 Task = Callable[[Point], dict[str, Any]]
+_PATIENCE = 120  # seconds that workers may take to join a scheduler
 _REASON = 300  # characters of a reason that are kept
 
 
@@ -138,11 +139,15 @@ def dask_executor(address: str, workers: int | None) -> Iterator[Crew]:
             if address == "local":
                 count = workers or os.cpu_count() or 1
                 scheduler = stack.enter_context(dask.LocalCluster(count, threads_per_worker=1, dashboard_address=None))
-            client = stack.enter_context(dask.Client(scheduler, timeout=5))
-            client.wait_for_workers(1, timeout=5)
+            client = stack.enter_context(dask.Client(scheduler, timeout=10))
         except (OSError, ValueError) as error:
             reason, accepted = f"no scheduler answers at {address[:80]!r}", "local, or a running one: tcp://host:port"
             raise InputError("--dask", reason, accepted) from error
+        try:
+            client.wait_for_workers(1, timeout=_PATIENCE)
+        except OSError as error:
+            reason = f"no worker has joined {address[:80]!r} in {_PATIENCE} s"
+            raise InputError("--dask", reason, "a scheduler with workers") from error
         slots = sum(client.ncores().values())
         yield Crew(client.get_executor(pure=False), slots or 1)
 
