@@ -27,7 +27,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key
 
 BITS = 80
-_ORDERS = {1: 20, 2: 13, 3: 8}
+_ORDERS = {1: 20, 2: 12, 3: 7}
 _REACHES = [arb(k) / 10 for k in range(1, 21)]
 
 

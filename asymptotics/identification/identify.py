@@ -19,6 +19,7 @@ from asymptotics.identification.candidates import Candidate, default_candidates,
 from asymptotics.identification.comparison import (
     SUPPORT,
     LawFit,
+    contains,
     fit_decrements,
     fit_laws,
     judged,
@@ -201,7 +202,15 @@ def _certified(table: Decrements, candidates: Sequence[Candidate], units: Units)
     chosen = minimal(laws)
     names = "; ".join(str(law.candidate) for law in chosen)
     open_laws = [str(law.candidate) for law in laws if law.verdict == "undetermined"]
-    if len(chosen) == 1:
+    rivals = [
+        str(law.candidate)
+        for law in laws
+        if law.verdict == "undetermined" and not any(contains(law, other) for other in chosen)
+    ]
+    if len(chosen) == 1 and rivals:
+        text = f"{SEVERAL} or undecided: {names} meets every printed value (proved); undecided: {'; '.join(rivals)}"
+        verdict = Verdict(SEVERAL, text, "fewer candidates, smaller amplitudes, or one more printed digit")
+    elif len(chosen) == 1:
         verdict = Verdict(IDENTIFIED, f"{IDENTIFIED}: {names} meets every printed value (proved)")
     elif chosen:
         kind = SEVERAL if len(chosen) <= MANY else UNTOLD
