@@ -25,7 +25,7 @@ alpha = 1 is linear: delta = epsilon for all time; under-, critically or over-da
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
 import sympy
@@ -48,7 +48,7 @@ class _Sum:
     """What both kinds of law share: distinct terms, losses first, in the order given; ``notes`` of what was changed."""
 
     terms: tuple[Term, ...]
-    notes: tuple[str, ...]
+    notes: tuple[str, ...] = field(compare=False)
 
     def __init__(self, law: "Mapping[Any, Any] | _Sum", spring: "Mapping[Any, Any] | str | None" = None) -> None:
         given = law.terms if isinstance(law, _Sum) else tuple(_losses(law))
@@ -180,7 +180,7 @@ class Oscillator:
     stiffness: ExactReal
     x0: ExactReal
     v0: ExactReal
-    notes: tuple[str, ...]
+    notes: tuple[str, ...] = field(compare=False)
 
     def __init__(
         self, law: Mapping[Any, Any] | _Sum, *, mass: Number = 1, stiffness: Number = 1, x0: Number = 1, v0: Number = 0,

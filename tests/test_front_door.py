@@ -1,5 +1,7 @@
 """The front door: the contract's calls, every kind of number, every bad value, instant reprs, a light import."""
 
+import copy
+import pickle
 import subprocess
 import sys
 import time
@@ -181,6 +183,23 @@ def test_equations_evaluate_convert_and_agree_with_an_integration(osc):
     decrement = np.log(float(table[0].x) / float(table[2].x))
     assert abs(seen.decrement.value - decrement) <= seen.decrement.error + 1e-12
     assert abs(seen.half_period.value - float(table[1].t) * (1 + 1e-5)) > seen.half_period.error  # near miss
+
+
+def test_rows_are_mappings_and_amplitudes_are_checked():
+    eq = asy.expand({"1/2": "1/10"}, order=3)
+    assert 1 in eq.p and 2 not in eq.p and "x" not in eq.p and eq.p.get(7) is None and dict(eq.p).keys() == {1, 3}
+    for bad in ("x", None, [[1], [1, 2]], -0.5, [0.5, -1.0], 1j):
+        with pytest.raises(asy.InputError, match="argument A"):
+            eq(bad)
+    assert np.isnan(eq([0.5, float("nan")])[0]).tolist() == [False, True]
+    assert asy.Law({1.5: 1}) == asy.Law({"3/2": 1}) and asy.expand({1.5: 1}) == asy.expand({"3/2": 1})
+    assert len({asy.Law({1.5: 1}), asy.Law({"3/2": 1})}) == 1
+
+
+def test_results_survive_copying_and_pickling(osc):
+    for thing in (osc, osc.dimensionless, asy.expand(osc, order=2), asy.moment(2), asy.motion(osc).sample([0.0, 1.0])):
+        again = pickle.loads(pickle.dumps(thing))
+        assert copy.deepcopy(thing).__class__ is again.__class__ and repr(again) == repr(thing)
 
 
 def test_gauges_are_compared_by_what_is_seen():

@@ -90,7 +90,7 @@ class Equations:
         p, Omega = ([(k, as_number(c)) for k, c in row.keyed().items()] for row in (self.p, self.Omega))
 
         def rates(A: Any, psi: Any = 0.0) -> tuple[Any, Any]:
-            amplitude = np.asarray(A, dtype=float) if modules == "numpy" and np.ndim(A) else A
+            amplitude = _amplitudes(A) if modules == "numpy" else A
             deltas = [s * amplitude**w for s, w in zip(strengths, weights)]
             return -scale * amplitude * _sum(p, deltas), scale * (1 + _sum(Omega, deltas))
 
@@ -181,6 +181,19 @@ class Equations:
     def _names(self, symbol: str, index: str) -> tuple[str, ...]:
         count = self.strengths.count
         return (symbol,) if count == 1 else tuple(symbol + index % i for i in range(1, count + 1))
+
+
+def _amplitudes(A: Any) -> Any:
+    """A number or array of doubles >= 0 (NaN stays); InputError for anything else."""
+    try:
+        values = np.asarray([] if A is None else A, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError("A", f"a {type(A).__name__} is no amplitude", "a number or an array of numbers") from None
+    if A is None:
+        raise InputError("A", "it is None", "a number or an array of numbers")
+    if np.any(values < 0):
+        raise InputError("A", f"{values[values < 0].flat[0]:g} is negative", "amplitudes >= 0")
+    return values if values.ndim else float(values)
 
 
 def _amplitude(A: Any) -> float:

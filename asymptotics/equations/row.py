@@ -27,6 +27,17 @@ class Row(Mapping[Any, Coefficient]):
             raise InputError("key", f"there is no coefficient {key!r:.40}", known or "none at this order")
         return self._items[wanted]
 
+    def __contains__(self, key: object) -> bool:
+        try:
+            return _key(key) in self._items
+        except InputError:
+            return False
+
+    def get(self, key: Any, default: Any = None) -> Any:
+        """The coefficient, or ``default`` where there is none."""
+        known = key in self  # Mapping.get waits for a KeyError, and a malformed key is an InputError here
+        return self[key] if known else default
+
     def __iter__(self) -> Iterator[Any]:
         return iter(k[0] if len(k) == 1 else k for k in self._items)
 
