@@ -62,6 +62,8 @@ DIGITS = {
     "api turning_points": lambda d: asymptotics.turning_points(LAW, 2, digits=d),
     "api table": lambda d: asymptotics.table("smith2012.table1", digits=d),
     "api Envelope.amplitude": lambda d: asymptotics.envelope(AIR).amplitude(1, digits=d),
+    "api half_swing": lambda d: asymptotics.half_swing(2, digits=d),
+    "api limit_cycle": lambda d: asymptotics.limit_cycle({1: -1, (1, 2): 1}, order=2, digits=d),
     "api Motion.at": lambda d: asymptotics.motion(AIR).at(1, digits=0 if d is None else d),
 }
 ORDERS = {
@@ -74,6 +76,8 @@ ORDERS = {
     "api expand": lambda n: asymptotics.expand(2, order=n),
     "api motion": lambda n: asymptotics.motion(AIR, order=n),
     "api multiple_scales": lambda n: asymptotics.multiple_scales(3, order=n),
+    "api half_swing": lambda n: asymptotics.half_swing(2, order=n),
+    "api limit_cycle": lambda n: asymptotics.limit_cycle({1: -1, (1, 2): 1}, order=n),
 }
 COUNTS = {
     "turning_points": lambda n: turning_points(LAW, n, 5),
@@ -112,6 +116,7 @@ INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.comparison", "asymptotics.testing", "asymptotics.half_swings", "asymptotics.motions.certify",
     "asymptotics.normal_form", "asymptotics.numbers", "asymptotics.swing", "asymptotics.tables",
     "asymptotics.verdict", "asymptotics.cli", "asymptotics.equations", "asymptotics.turning.quadratic_map",
+    "asymptotics.turning.drag_exact", "asymptotics.turning.kicked", "asymptotics.limit_cycles", "asymptotics.bounds",
 }  # fmt: skip
 
 
@@ -127,7 +132,7 @@ def test_no_public_function_with_digits_is_forgotten():
                 takes = "digits" in inspect.signature(thing).parameters
                 if takes and not name.startswith("_") and name not in known:
                     forgotten.append(f"{found.name}.{name}")
-    allowed = ("require_counts", "estimated_seconds", "quadratic_is_feasible", "reference_states")
+    allowed = ("compare", "require_counts", "estimated_seconds", "quadratic_is_feasible", "reference_states")
     assert not [name for name in forgotten if not name.endswith(allowed)]
 
 
