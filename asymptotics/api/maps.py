@@ -16,13 +16,14 @@ from typing import Any
 
 from asymptotics.equations.build import terms_of
 from asymptotics.errors import InputError
-from asymptotics.half_swings.finite_result import HalfSwingAt, half_swing_at
+from asymptotics.half_swings.finite_result import HalfSwingAt
 from asymptotics.law import Law
 from asymptotics.limit_cycles.result import LimitCycle
 from asymptotics.limit_cycles.result import limit_cycle as of_law
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.normal_form.results import HalfSwingCoefficients
 from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
+from asymptotics.turning.half_swing import half_swing_result
 
 MAX_ORDER, MAX_DIGITS = 200, 1000
 
@@ -44,7 +45,7 @@ def half_swing(
         raise InputError("exact", "cannot be combined with delta", "delta alone: certified digits")
     given = delta if isinstance(delta, list | tuple) else [delta]
     notes = (*notes, *(note for d in given for note in float_notes(delta=d)))
-    at = half_swing_at(Law.from_terms(terms).alphas, [exact_number(d, "delta") for d in given], D)
+    at = half_swing_result(Law.from_terms(terms).alphas, [exact_number(d, "delta") for d in given], D)
     return replace(at, notes=notes)
 
 

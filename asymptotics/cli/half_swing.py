@@ -19,9 +19,9 @@ from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
 from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER, MAX_SECONDS, add_max_seconds, order_of, row_text
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.errors import InputError
-from asymptotics.half_swings.finite_result import half_swing_at
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.turning.half_swing import half_swing_result
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -63,7 +63,7 @@ def _at(options: argparse.Namespace, given: GivenTerms) -> Answer:
         option = "--law" if other.sign < 0 else "--spring"
         raise InputError(option, f"{other.shape()} has no proved tail of its series", "--delta with --law A, no spring")
     delta = [parse_real(text, "--delta") for text in options.delta.split(",")]
-    found = half_swing_at([t.velocity for t in given.terms], delta, read_digits(options, MAX_DIGITS))
+    found = half_swing_result([t.velocity for t in given.terms], delta, read_digits(options, MAX_DIGITS))
     names = {"A'/A": "amplitude", "L": "log_ratio", "T": "duration"}
     lines = [f"{shown:5} {getattr(found, name)}" for shown, name in names.items()]
     lines.append(f"certified: {str(found.certified).lower()} ({found.route}, {found.terms} terms, tail {found.tail})")

@@ -72,17 +72,22 @@ def half_swing_at(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], digit
     X'' + X + sum_i delta_i X'|X'|^(alpha_i-1) = 0 from X = 1 at rest to the next turning point X = -A'/A.
     InputError for a negative strength or a wrong number of them; LimitError outside the reach of the series.
     """
-    if len(delta) != len(alphas):
-        raise InputError("delta", f"{len(delta)} strengths for {len(alphas)} laws", "one strength for each law")
-    for d in delta:
-        if d < 0:
-            raise InputError("delta", f"{d} is negative: anti-damping", "strengths >= 0")
+    require_strengths(alphas, delta)
 
     def evaluate(bits: int) -> SwingValue:
         quarter = finite_quarter(alphas, [d.ball() for d in delta], bits)
         return quarter.half_swing([d.ball() for d in delta])
 
     return certified_swing(alphas, delta, digits, evaluate)
+
+
+def require_strengths(alphas: Sequence[ExactReal], delta: Sequence[ExactReal]) -> None:
+    """InputError unless there is one strength >= 0 for each law."""
+    if len(delta) != len(alphas):
+        raise InputError("delta", f"{len(delta)} strengths for {len(alphas)} laws", "one strength for each law")
+    for d in delta:
+        if d < 0:
+            raise InputError("delta", f"{d} is negative: anti-damping", "strengths >= 0")
 
 
 def certified_swing(

@@ -9,6 +9,7 @@
 ``abel``, ``far``       any alpha > 1: the n-th turning point for any n, with a rigorous bound of the truncated series
 ``drag_exact``          quadratic drag and dry friction beside any spring, such as a pendulum in air
 ``quadratic_large``     the half period for large amplitudes
+``half_swing``          one half-swing at any strength as a result object
 ``routes``              by pieces, by the series or by one jump: the cheapest of the certified ways
 ``general``             any law: the closed forms where they exist, else enclosures half-swing by half-swing
 ``coulomb``, ``linear`` alpha = 0 and alpha = 1: closed forms, exact and certified; sticking and overdamping
