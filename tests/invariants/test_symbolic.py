@@ -6,7 +6,7 @@ import sympy
 from flint import arb, arb_series, ctx, fmpq
 
 from asymptotics.invariants.exact import coefficient
-from asymptotics.invariants.symbolic import Z, generating_function, generating_functions
+from asymptotics.invariants.symbolic import THETA, Z, generating_function, generating_functions
 from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.turning.quadratic_series import half_period_series
 
@@ -65,6 +65,30 @@ def test_the_scaled_form_is_finite_at_pi():
     for g in islice(generating_functions(), 8):
         value = g.scaled_at(arb.pi())
         assert value.overlaps(arb.pi() * arb(g.P(fmpq(-1))))
+
+
+@pytest.mark.parametrize("i", range(6))
+def test_every_printed_form_is_the_sum_of_its_series(i: int):
+    # tan(3/10) < 0.31 and |C_i^n| < 2^i: the terms from n = i + 60 on are below 10^-25.
+    theta = sympy.Rational(3, 10)
+    z = sympy.tan(theta).evalf(40)
+    total = sum(sympy.Rational(*coefficient(n, i).as_integer_ratio()) * z**n for n in range(max(1, i), i + 60))
+    g = generating_function(i)
+    assert abs(g.in_angle().subs(THETA, theta).evalf(40) - total) < 1e-25
+    assert abs(g.in_z().subs(Z, z).evalf(40) - total) < 1e-25
+    scaled = g.scaled_at(arb(fmpq(3, 10)))
+    assert scaled.rad() < 1e-14 and scaled.overlaps(arb(str((total * sympy.sin(theta) ** i).evalf(30)) + " +/- 1e-25"))
+
+
+@pytest.mark.parametrize("theta", [0.4, 1.5, 2.0, 3.0])
+def test_beyond_a_quarter_turn_the_forms_are_the_integral(theta: float):
+    # H_1 = 2 s^3/3, so the equation for H_2 is H_2' = 2 s^2 c (2 s^2 c) - 2 s c^2 (2 s^3/3) = (8/3) s^4 c^2,
+    # and int s^4 c^2 = theta/16 - sin(4 theta)/64 - sin^3(2 theta)/48.
+    x = arb(theta)
+    H_2 = (x / 16 - (4 * x).sin() / 64 - (2 * x).sin() ** 3 / 48) * 8 / 3
+    g = generating_function(2)
+    assert g.scaled_at(x).overlaps(H_2) and H_2.rad() < 1e-14 and g.scaled_at(x).rad() < 1e-13
+    assert abs(g.in_angle().subs(THETA, theta).evalf() - float((H_2 / x.sin() ** 2).mid())) < 1e-11
 
 
 def test_a_result_shows_itself():

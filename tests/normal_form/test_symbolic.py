@@ -6,6 +6,7 @@ from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.symbolic import I_4, alpha, nested_integral_exact
+from asymptotics.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.flow import flow_of
 from asymptotics.normal_form.symbolic import (
@@ -68,3 +69,21 @@ def test_refusals():
         omega_2("energy")
     with pytest.raises(InputError):
         certified_coefficients(arb(fmpq(-1, 2)))
+
+
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
+def test_each_symbolic_order_has_exactly_its_coefficients(order):
+    # By parity p is odd and Omega, W are even in delta; the averaging gauge is known through second order only.
+    found, full = symbolic_coefficients(order, "turning-point", 6), symbolic_expansion()
+    odd, even = [k for k in (1, 3) if k <= order], [k for k in (2, 4) if k <= order]
+    assert {k: c.expression for k, c in found.amplitude.items()} == {str(k): full.p[k] for k in odd}
+    assert {k: c.expression for k, c in found.frequency.items()} == {str(k): full.Omega[k] for k in even}
+    assert {k: c.expression for k, c in found.W.items()} == {str(k): full.W[k] for k in even}
+    assert list(found.integrals) == (["I_4"] if order == 4 else [])
+    if order > 2:
+        with pytest.raises(InputError, match="through order 2"):
+            symbolic_coefficients(order, "averaging", 6)
+    else:
+        other = symbolic_coefficients(order, "averaging", 6)
+        assert [c.expression for c in other.frequency.values()] == [omega_2("averaging")][: len(even)]
+        assert not other.W

@@ -26,6 +26,8 @@ shifts = st.integers(-80, 40)
 
 @given(mantissas, shifts, st.integers(0, 2**29), st.integers(-120, 30), st.integers(1, 12))
 @example(1, 0, 0, 0, 1)
+@example(3, -1, 0, 0, 2)  # 1.5: the shift nearest to an integer
+@example(3, -1, 1, -1, 1)  # [1, 2]
 @example(3, -2, 1, -2, 1)  # [1/2, 1]: the ends round to different numbers
 @example(1, 10, 1, -60, 3)  # the radius has the smaller exponent
 @example(2**40, -40, 1, 0, 1)  # [0, 2]: the lower end is 0

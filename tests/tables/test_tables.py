@@ -17,7 +17,7 @@ from jsonschema import Draft202012Validator
 import asymptotics.tables
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.numbers.decimals import rational_decimal
-from asymptotics.numbers.rounding import MODES, rounded_decimal, rounded_rational
+from asymptotics.numbers.rounding import MODES, half_unit, rounded_decimal, rounded_rational
 from asymptotics.tables import Inputs, build, names
 from asymptotics.tables.__main__ import standard_set
 from asymptotics.tables.cells import Nearest, round_rows
@@ -148,8 +148,11 @@ def test_directed_roundings_are_the_tightest_decimals(q, digits):
 
 @given(st.fractions(min_value=-1000, max_value=1000), st.integers(1, 12), st.sampled_from(MODES))
 def test_a_decimal_decides_only_what_it_proves(q, digits, mode):
-    found = rounded_decimal(rational_decimal(q, digits + 6), digits, mode)
-    assert found is None or found == rounded_rational(q, digits, mode)
+    shown = rational_decimal(q, digits + 6)
+    found = rounded_decimal(shown, digits, mode)
+    half = half_unit(shown) if q else 0
+    ends = {rounded_rational(Fraction(shown) + s * half, digits, mode) for s in (-1, 1)}
+    assert found == (rounded_rational(q, digits, mode) if len(ends) == 1 else None)
 
 
 def test_a_value_at_a_decimal_is_never_guessed():
