@@ -43,6 +43,10 @@ def _room(name: str, *ignored: str) -> Group:
 GROUPS = {
     "numbers": _room("numbers", "tests/numbers/test_contract.py"),  # it inspects signatures, which mutmut hides
     "verdict": Group(("asymptotics/verdict.py",), ("tests/test_verdict.py", "asymptotics/verdict.py")),
+    "grading": Group(  # the part of half_swings on which every sign rests, with the tests that are quick
+        ("asymptotics/half_swings/grading.py", "asymptotics/half_swings/quarter.py"),
+        ("tests/half_swings/test_grading.py", "tests/half_swings/test_exact.py", "asymptotics/half_swings/grading.py"),
+    ),
     **{room: _room(room) for room in ("invariants", "half_swings", "normal_form", "swing", "turning", "envelopes")},
 }
 
@@ -100,16 +104,10 @@ def measure(group: str, sample: int, seed: int, seconds: int) -> Score:
     folder = _copy(group)
     _mutmut(folder, ["no mutant has this name"], seconds)  # writes the mutants and runs none
     names = sorted(_outcomes(folder))
-    chosen: list[str] = []
-    faults: dict[str, Survivor] = {}
-    for name in random.Random(f"{seed} {group}").sample(names, len(names)):
-        if len(chosen) == sample:
-            break
-        fault = _fault(folder, name)
-        if not _only_text(fault):
-            chosen.append(name)
-            faults[name] = fault
-    _mutmut(folder, chosen, seconds)
+    drawn = random.Random(f"{seed} {group}").sample(names, min(len(names), 3 * sample))
+    planted = {name: fault for name, fault in _faults(folder, drawn).items() if not _only_text(fault)}
+    faults = dict(list(planted.items())[:sample])
+    _mutmut(folder, [*faults], seconds)
     codes = {name: code for name, code in _outcomes(folder).items() if name in faults and code is not None}
     alive = [faults[name] for name, code in codes.items() if code in (0, 33)]  # 33: no test reaches it
     known = json.loads(EQUIVALENT.read_text())
@@ -156,12 +154,21 @@ def _outcomes(folder: Path) -> dict[str, int | None]:
     return found
 
 
-def _fault(folder: Path, name: str) -> Survivor:
-    command = [sys.executable, "-m", "mutmut", "show", name]
-    shown = subprocess.run(command, cwd=folder, capture_output=True, text=True).stdout.splitlines()
-    minus = " ".join(line[1:].strip() for line in shown if line.startswith("-") and not line.startswith("---"))
-    plus = " ".join(line[1:].strip() for line in shown if line.startswith("+") and not line.startswith("+++"))
-    return Survivor(name.split("__mutmut_")[0], minus, plus)
+def _faults(folder: Path, names: list[str]) -> dict[str, Survivor]:
+    """The changed lines of each mutant; all are asked for in one process, for starting one takes seconds."""
+    program = (
+        "import sys; from mutmut.mutation.diff_apply import get_diff_for_mutant as diff\n"
+        "for name in sys.argv[1:]: print('#mutant', name); print(diff(name))"
+    )
+    command = [sys.executable, "-c", program, *names]
+    shown = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True).stdout
+    found = {}
+    for part in shown.split("#mutant ")[1:]:
+        name, *lines = part.splitlines()
+        minus = " ".join(line[1:].strip() for line in lines if line.startswith("-") and not line.startswith("---"))
+        plus = " ".join(line[1:].strip() for line in lines if line.startswith("+") and not line.startswith("+++"))
+        found[name] = Survivor(name.split("__mutmut_")[0], minus, plus)
+    return found
 
 
 def _only_text(fault: Survivor) -> bool:

@@ -23,6 +23,7 @@ import sympy
 
 from asymptotics.errors import InputError
 from asymptotics.numbers.bridge import from_sympy
+from asymptotics.numbers.decimals import rational_decimal
 
 
 @dataclass(frozen=True)
@@ -104,5 +105,4 @@ def rounded(value: str, digits: int) -> str:
     >>> rounded("0.45765585810108791284", 6), rounded("-1.5e-30", 6), rounded("0", 3)
     ('0.457656', '-1.5e-30', '0')
     """
-    with mpmath.workdps(len(value) + 5):
-        return str(mpmath.nstr(mpmath.mpf(value), digits, strip_zeros=False)) if len(value) > digits + 2 else value
+    return rational_decimal(Fraction(value), digits) if len(value) > digits + 2 else value

@@ -1,0 +1,69 @@
+"""A coefficient handed out: intervals of half a unit, exact forms, and what each refuses."""
+
+from fractions import Fraction
+
+import mpmath
+import pytest
+import sympy
+
+from asymptotics.errors import InputError
+from asymptotics.numbers.value import Coefficient, rounded
+
+
+@pytest.mark.parametrize(
+    ("text", "middle", "half"),
+    [
+        ("0.125", Fraction(1, 8), Fraction(1, 2000)),
+        ("-1.25e-3", Fraction(-5, 4000), Fraction(1, 200000)),
+        ("1.2e5", Fraction(120000), Fraction(5000)),
+        ("7", Fraction(7), Fraction(1, 2)),
+        ("0", Fraction(0), Fraction(0)),
+    ],
+)
+def test_the_interval_is_half_a_unit_to_either_side(text: str, middle: Fraction, half: Fraction):
+    precision = mpmath.iv.prec
+    found = Coefficient(text, None).interval()
+    assert mpmath.iv.prec == precision
+    with mpmath.workprec(300):
+        for end, exact in ((found.a, middle - half), (found.b, middle + half)):
+            error = abs(mpmath.mpf(end) - mpmath.mpf(exact.numerator) / exact.denominator)
+            assert error <= mpmath.mpf(2) ** -40 * abs(mpmath.mpf(exact.numerator) / exact.denominator)
+        low, high = (Fraction(*map(int, (mpmath.mpf(e).man, 1))) * Fraction(2) ** int(mpmath.mpf(e).exp)
+                     * (-1 if mpmath.mpf(e) < 0 else 1) for e in (found.a, found.b))  # fmt: skip
+    assert low <= middle - half and middle + half <= high
+
+
+def test_the_exact_form_and_the_digits():
+    third = Coefficient("0.333333", sympy.Rational(1, 3), ("a note",))
+    assert third.fraction() == Fraction(1, 3) and third.sympy() == sympy.Rational(1, 3) and third.exact == "1/3"
+    assert third == Coefficient("0.333333", sympy.Rational(1, 3)) and third._repr_latex_() == r"$\frac{1}{3}$"
+    assert third.to_dict() == {"value": "0.333333", "exact": "1/3"} and str(third) == "0.333333"
+    measured = Coefficient("-0.00123456789012345678901", None)
+    assert measured.exact is None and measured._repr_latex_() == "$-0.00123456789012345678901$"
+    assert str(measured.sympy()) == "-0.00123456789012345678901"
+    assert mpmath.nstr(measured.mpf(), 21) == "-0.00123456789012345678901"
+    for inexact in (measured, Coefficient(None, sympy.sqrt(2))):
+        with pytest.raises(InputError, match="is not rational"):
+            inexact.fraction()
+
+
+def test_a_symbolic_coefficient_has_no_digits():
+    alpha = sympy.Symbol("alpha")
+    symbolic = Coefficient(None, alpha / 2)
+    assert str(symbolic) == "alpha/2" and symbolic.sympy() == alpha / 2
+    assert symbolic._repr_latex_() == r"$\frac{\alpha}{2}$"
+    for refused in (symbolic.text, symbolic.mpf, symbolic.interval, symbolic.__float__):
+        with pytest.raises(InputError, match="depends on the exponent"):
+            refused()
+
+
+def test_zero_is_zero_by_theorem_only():
+    zeros = [Coefficient("0", None), Coefficient(None, sympy.Integer(0)), Coefficient("0", sympy.Integer(0))]
+    others = [Coefficient("0.0", None), Coefficient(None, sympy.Symbol("alpha")), Coefficient("1", sympy.Integer(1))]
+    assert [c.is_zero for c in zeros + others] == [True] * 3 + [False] * 3
+
+
+def test_a_text_is_cut_down_only_when_it_is_longer():
+    assert rounded("0.125", 3) == "0.125" and rounded("12345", 3) == "12345" and rounded("123456", 3) == "1.23e5"
+    assert rounded("1234.5678", 4) == "1235"
+    assert rounded("1.00049999999999999999999999", 4) == "1.000" and rounded("2.00050000000000000000001", 4) == "2.001"
