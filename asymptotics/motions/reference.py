@@ -67,7 +67,7 @@ def reference_motion(
         if exact is not None:
             return exact
         if static is not None:
-            raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0")
+            raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0, b > 0")
         found = _decimals(oscillator, moment, digits)
     x, v = found
     return MotionPoint(x, v, None, None, None, None, METHOD, half_unit(x, digits), True, oscillator.law.notes)
@@ -158,6 +158,8 @@ def _exact(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | N
     alpha = acting[0].velocity.rational if acting else 1
     if alpha == 0:
         return coulomb_motion(alone, t, digits, static=static)
+    if static is not None:
+        return None  # the other closed forms know no static friction
     if alpha == 1:
         return linear_motion(alone, t, digits)
     if alpha == 2 and oscillator.v0.is_zero and quadratic_is_feasible(alone, digits):

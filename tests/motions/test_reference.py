@@ -147,6 +147,9 @@ def test_refusals():
         reference_motion(oscillator(("3/2", "-1")), "1", 10)
     with pytest.raises(InputError, match="static"):
         reference_motion(system, "1", 10, static="1")
+    for closed in (("1", "1/10"), ("2", "1/10"), ("0", "0")):  # these closed forms know no static friction
+        with pytest.raises(InputError, match="static"):
+            reference_motion(oscillator(closed), "1", 10, static="3/4")
     with pytest.raises(LimitError, match="stiff"), ctx.workprec(64):
         stiff = Damping.of([(arb(10) ** 12, parse_real("3/2", "a"))])
         list(course(stiff, arb(1), arb(0), pieces=20))
