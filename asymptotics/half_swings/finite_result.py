@@ -12,16 +12,17 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from flint import arb, ctx
+from flint import arb
 
-from asymptotics.errors import InputError, UndecidedError
+from asymptotics.errors import InputError
 from asymptotics.half_swings.finite import SwingValue, finite_quarter
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball, directed_decimal
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.rationals import bounds
 
 Evaluate = Callable[[int], SwingValue]
-_TRIES = 3
+_TRIES, _GUARD = 3, 32
 
 
 @dataclass(frozen=True, repr=False)
@@ -94,19 +95,19 @@ def certified_swing(
     alphas: Sequence[ExactReal], delta: Sequence[ExactReal], digits: int, evaluate: Evaluate
 ) -> HalfSwingAt:
     """The result of a route: ``evaluate(bits)`` is called at growing precision until all digits are decided."""
-    bits = bits_for(digits, 24)
-    for _ in range(_TRIES):
-        with ctx.workprec(bits + 32):
-            swing = evaluate(bits)
-            balls = {"log_ratio": swing.log_ratio, "amplitude": swing.amplitude, "duration": swing.duration}
-            texts = [decimal_of_ball(ball, digits) for ball in balls.values()]
-            if None not in texts:
-                enclosures = {name: enclosure(ball, digits) for name, ball in balls.items()}
-                L, q, T = map(str, texts)
-                law, strength, tail = tuple(map(str, alphas)), tuple(map(str, delta)), rounded_up(swing.tail)
-                return HalfSwingAt(law, strength, digits, L, q, T, enclosures, swing.route, swing.terms, tail)
-        bits *= 2
-    raise UndecidedError(f"no certified {digits} digits at {bits // 2} bits")
+
+    def attempt(bits: int) -> HalfSwingAt | None:
+        swing = evaluate(bits - _GUARD)
+        balls = {"log_ratio": swing.log_ratio, "amplitude": swing.amplitude, "duration": swing.duration}
+        L, q, T = (decimal_of_ball(ball, digits) for ball in balls.values())
+        if L is None or q is None or T is None:
+            return None
+        enclosures = {name: enclosure(ball, digits) for name, ball in balls.items()}
+        law, strength, tail = tuple(map(str, alphas)), tuple(map(str, delta)), rounded_up(swing.tail)
+        return HalfSwingAt(law, strength, digits, L, q, T, enclosures, swing.route, swing.terms, tail)
+
+    bits = bits_for(digits, 24) + _GUARD
+    return at_growing_precision(attempt, digits, bits, max_bits=bits << (_TRIES - 1))
 
 
 def enclosure(ball: arb, digits: int) -> tuple[str, str]:

@@ -11,9 +11,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 
-from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.pi_ring import PI, PiNumber
 from asymptotics.law import Law
 from asymptotics.limit_cycles.certified import CertifiedCycle, certified_limit_cycle
@@ -22,6 +21,7 @@ from asymptotics.normal_form.results import Coefficient, Row, row_to_dict
 from asymptotics.numbers.bridge import to_fraction, to_sympy
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.series import Series
 
 
@@ -99,23 +99,24 @@ def _rational(c: Any, digits: int) -> Coefficient:
 
 def _ball_rows(law: Law, order: int, digits: int) -> tuple[Row, Row, Row, Row]:
     """Digits from balls; the precision grows until all are rounded."""
+
+    def attempt(_bits: int) -> tuple[Row, Row, Row, Row] | None:
+        series = limit_cycle_series(law, order)
+        root, pi = arb(series.square).sqrt(), arb.pi()
+        logs = {k: c * pi for k, c in series.log_multiplier.items()}
+        power = Series({(k,): c for k, c in logs.items()}, 1, order).exp()
+        rows: list[dict[int, Any]] = [
+            {k: c * root for k, c in series.amplitude.items()}, series.frequency, logs,
+            {k: power[k] for k in range(order + 1)},
+        ]  # fmt: skip
+        texts = [{k: decimal_of_ball(arb(c), digits) for k, c in row.items()} for row in rows]
+        if not all(text for row in texts for text in row.values()):
+            return None
+        made = [{str(k): Coefficient(text, None) for k, text in row.items()} for row in texts]
+        return made[0], made[1], made[2], made[3]
+
     bits = bits_for(digits, 16 * order + 64)
-    for _ in range(6):
-        with ctx.workprec(bits):
-            series = limit_cycle_series(law, order)
-            root, pi = arb(series.square).sqrt(), arb.pi()
-            logs = {k: c * pi for k, c in series.log_multiplier.items()}
-            power = Series({(k,): c for k, c in logs.items()}, 1, order).exp()
-            rows: list[dict[int, Any]] = [
-                {k: c * root for k, c in series.amplitude.items()}, series.frequency, logs,
-                {k: power[k] for k in range(order + 1)},
-            ]  # fmt: skip
-            texts = [{k: decimal_of_ball(arb(c), digits) for k, c in row.items()} for row in rows]
-        if all(text for row in texts for text in row.values()):
-            made = [{str(k): Coefficient(text, None) for k, text in row.items()} for row in texts]
-            return made[0], made[1], made[2], made[3]
-        bits *= 2
-    raise UndecidedError(f"no certified {digits} digits of the series at {bits} bits")
+    return at_growing_precision(attempt, digits, bits, max_bits=32 * bits)
 
 
 def _latex(row: Row) -> str:

@@ -11,13 +11,14 @@ asymptotics.errors.InputError: argument time: -1 is before the start, ... (accep
 from collections.abc import Callable
 from fractions import Fraction
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number, exact_number
+from asymptotics.numbers.precision import TooWideError, at_growing_precision
 
 MAX_BITS, MAX_DIGITS = 1 << 16, 10_000
 
@@ -33,18 +34,15 @@ def time_of(t: Number) -> ExactReal:
 def certified_values(evaluate: Callable[[], tuple[arb, arb]], digits: int) -> tuple[str, str]:
     """Both numbers to ``digits`` digits, correctly rounded; UndecidedError at the last precision."""
     require_integer(digits, "digits", 1, MAX_DIGITS)
-    bits = bits_for(digits, 48)
-    while bits <= MAX_BITS:
-        with ctx.workprec(bits):
-            try:
-                texts = [decimal_of_ball(value, digits) for value in evaluate()]
-                reason = "the enclosure is too wide"
-            except UndecidedError as undecided:
-                texts, reason = [None], str(undecided)
-        if all(text is not None for text in texts):
-            return str(texts[0]), str(texts[1])
-        bits *= 2
-    raise UndecidedError(f"no certified {digits} digits at {bits // 2} bits: {reason}")
+
+    def attempt(_bits: int) -> tuple[str, str] | None:
+        try:
+            x, v = (decimal_of_ball(value, digits) for value in evaluate())
+        except UndecidedError as undecided:  # which way the motion goes on may show at a higher precision
+            raise TooWideError(str(undecided)) from undecided
+        return None if x is None or v is None else (x, v)
+
+    return at_growing_precision(attempt, digits, bits_for(digits, 48), max_bits=MAX_BITS)
 
 
 def certified_point(evaluate: Callable[[], tuple[arb, arb]], digits: int, method: str) -> MotionPoint:

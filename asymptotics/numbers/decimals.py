@@ -20,10 +20,11 @@ from collections.abc import Callable
 from fractions import Fraction
 from math import log2
 
-from flint import arb, ctx, fmpz
+from flint import arb, fmpz
 
-from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.errors import LimitError
 from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.precision import TooWideError, at_growing_precision
 
 BITS_PER_DIGIT = log2(10)
 MAX_BITS = 1 << 20
@@ -42,16 +43,15 @@ def certified_decimal(evaluate: Callable[[], arb], digits: int, *, max_bits: int
     ``evaluate`` is called at growing precision until the rounding is decided.  Raises UndecidedError at ``max_bits``.
     """
     require_integer(digits, "digits", 1, MAX_DIGITS)
-    bits = min(bits_for(digits), max_bits)
-    while True:
-        with ctx.workprec(bits):
-            ball = evaluate()
+
+    def attempt(_bits: int) -> str:
+        ball = evaluate()
         text = decimal_of_ball(ball, digits)
-        if text is not None:
-            return text
-        if bits >= max_bits:
-            raise UndecidedError(f"no certified {digits} digits at {bits} bits: the enclosure is {ball.str(5)}")
-        bits = min(2 * bits, max_bits)
+        if text is None:
+            raise TooWideError(f"the enclosure is {ball.str(5)}")
+        return text
+
+    return at_growing_precision(attempt, digits, bits_for(digits), max_bits=max_bits)
 
 
 def decimal_of_ball(ball: arb, digits: int) -> str | None:

@@ -58,9 +58,7 @@ class ExactReal:
     radicand: Fraction
     offset: Fraction
 
-    def __init__(
-        self, coefficient: Fraction | int, radicand: Fraction | int = 1, offset: Fraction | int = 0
-    ) -> None:
+    def __init__(self, coefficient: Fraction | int, radicand: Fraction | int = 1, offset: Fraction | int = 0) -> None:
         for name, value in (("coefficient", coefficient), ("radicand", radicand), ("offset", offset)):
             if isinstance(value, bool) or not isinstance(value, int | Fraction):
                 raise InputError(name, f"{value!r:.40} is a {type(value).__name__}", "a Fraction or an int")

@@ -4,14 +4,15 @@ from fractions import Fraction
 from itertools import islice
 
 import sympy
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 
 from asymptotics.invariants.certified import first_constant
 from asymptotics.invariants.exact import coefficients
 from asymptotics.invariants.symbolic import generating_functions
 from asymptotics.numbers.bridge import to_sympy
-from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.decimals import MAX_BITS, bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.rationals import to_fraction
 from asymptotics.tables.cells import Cell, Formula, Nearest
 from asymptotics.tables.inputs import Inputs
@@ -34,21 +35,20 @@ def smith_table_1(inputs: Inputs, digits: int) -> Found:
 
 def _half_cycles(u_0: ExactReal, count: int, digits: int) -> list[tuple[int, str, str]]:
     """(n, S_n, u_n) for n < count, at growing precision until all are decided."""
-    bits = bits_for(digits, 48) + 2 * count.bit_length()
-    while True:
-        with ctx.workprec(bits):
-            start = u_0.ball()
-            constant = first_constant(start, arb(0))
-            found = []
-            for n, p in enumerate(islice(amplitudes(2 * start), count)):
-                offset = constant - first_constant(p / 2, arb(0)) if n else arb(1)
-                texts = decimal_of_ball(offset, digits), decimal_of_ball(-p / 2 if n % 2 else p / 2, digits)
-                if None in texts:
-                    break
-                found.append((n, str(texts[0]), str(texts[1])))
-        if len(found) == count:
-            return found
-        bits *= 2
+
+    def attempt(_bits: int) -> list[tuple[int, str, str]] | None:
+        start = u_0.ball()
+        constant = first_constant(start, arb(0))
+        found = []
+        for n, p in enumerate(islice(amplitudes(2 * start), count)):
+            offset = constant - first_constant(p / 2, arb(0)) if n else arb(1)
+            S, u = decimal_of_ball(offset, digits), decimal_of_ball(-p / 2 if n % 2 else p / 2, digits)
+            if S is None or u is None:
+                return None
+            found.append((n, S, u))
+        return found
+
+    return at_growing_precision(attempt, digits, bits_for(digits, 48) + 2 * count.bit_length(), max_bits=MAX_BITS)
 
 
 def smith_offset(n: int, u_0: ExactReal = _ONE) -> arb:
@@ -79,5 +79,3 @@ def smith_f(inputs: Inputs, _digits: int) -> Found:
         f = sum((to_sympy(ExactReal(c)) * w**i for i, c in coefficients(n).items()), sympy.S.Zero)
         rows.append((str(n), Formula(str(f), sympy.latex(f))))
     return Found(rows, True)
-
-

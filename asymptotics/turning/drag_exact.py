@@ -26,10 +26,11 @@ from dataclasses import dataclass
 
 from flint import arb, ctx
 
-from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.turning.quadratic import TurningPoint, TurningPoints
 
 MAX_DIGITS, MAX_LAST = 1000, 10_000
@@ -132,16 +133,17 @@ def drag_turning_points(
     if digits > MAX_DIGITS or start + count > MAX_LAST:
         raise LimitError("digits", f"{digits} digits of {start + count} points", f"{MAX_DIGITS} and {MAX_LAST}")
     law.require_dissipative("a sequence of turning points to rest")
-    bits = bits_for(digits, 48) + 2 * (start + count).bit_length()
-    for _ in range(_TRIES):
+
+    def attempt(bits: int) -> TurningPoints | None:
         points, ended, done = _pass(law, x0, count, digits, start, bits, progress)
-        if done:
-            losses = law.losses
-            alpha, epsilon = (",".join(str(getattr(t, n)) for t in losses) for n in ("velocity", "strength"))
-            method = f"primitive of the energy equation in balls of {bits} bits"
-            return TurningPoints(alpha, epsilon, digits, tuple(points), method, True, ended)
-        bits *= 2
-    raise UndecidedError(f"no certified {digits} digits at {bits} bits")
+        if not done:
+            return None
+        alpha, epsilon = (",".join(str(getattr(t, n)) for t in law.losses) for n in ("velocity", "strength"))
+        method = f"primitive of the energy equation in balls of {bits} bits"
+        return TurningPoints(alpha, epsilon, digits, tuple(points), method, True, ended)
+
+    bits = bits_for(digits, 48) + 2 * (start + count).bit_length()
+    return at_growing_precision(attempt, digits, bits, max_bits=bits << (_TRIES - 1))
 
 
 def _pass(

@@ -20,9 +20,10 @@ from typing import Any
 
 from flint import arb, ctx
 
-from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, MAX_BITS, bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal, require_integer
+from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.turning.quadratic_abel import quadratic_abel
 from asymptotics.turning.quadratic_duration import duration, node_count
 from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
@@ -98,15 +99,14 @@ def quadratic_turning_points(
     """
     _check(epsilon, count, digits, start, times)
     bits = bits_for(digits, 48) + 2 * (start + count).bit_length() + _magnitude(epsilon)
-    while bits <= MAX_BITS:
-        with ctx.workprec(bits):
-            balls = islice(_balls(epsilon, start, times), count)
-            points = _decimals(balls, times, digits, progress)
-        if points is not None:
-            method = "iterated map" if start <= _DIRECT else "Abel function"
-            return TurningPoints("2", str(epsilon), digits, points, f"{method}, balls of {bits} bits")
-        bits *= 2
-    raise UndecidedError(f"no certified {digits} digits at {bits // 2} bits")
+
+    def attempt(bits: int) -> TurningPoints | None:
+        points = _decimals(islice(_balls(epsilon, start, times), count), times, digits, progress)
+        method = "iterated map" if start <= _DIRECT else "Abel function"
+        method = f"{method}, balls of {bits} bits"
+        return None if points is None else TurningPoints("2", str(epsilon), digits, points, method)
+
+    return at_growing_precision(attempt, digits, bits, max_bits=MAX_BITS)
 
 
 def _balls(epsilon: ExactReal, start: int, times: bool) -> Iterator[tuple[int, arb, arb]]:
