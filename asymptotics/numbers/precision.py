@@ -30,8 +30,8 @@ def at_growing_precision(
 ) -> Found:
     """``attempt(bits)`` at a working precision of ``bits``, 2 ``bits``, ... up to ``max_bits`` until it has a result.
 
-    None and ``TooWideError`` ask for more precision; at the limit UndecidedError says how far it went and why.  Any other
-    UndecidedError of the attempt is final.
+    None and ``TooWideError`` ask for more precision; at the limit UndecidedError says how far it went and why.  Any
+    other UndecidedError of the attempt is final.
     """
     bits = min(bits, max_bits)
     while True:
