@@ -9,6 +9,7 @@ from pathlib import Path
 from benchmarks import (
     certified_motion,
     certified_orbits,
+    comparing,
     cost_against_order,
     cubic_damping,
     hypergeometric,
@@ -29,6 +30,7 @@ BENCHMARKS: dict[str, Callable[..., Table]] = {
     "integrators": integrators.run,
     "certified-motion": certified_motion.run,
     "hypergeometric": hypergeometric.run,
+    "comparing": comparing.run,
     "start-up": start_up.run,
 }
 

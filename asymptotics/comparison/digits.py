@@ -13,20 +13,42 @@ half a unit of it.
 """
 
 import re
+from dataclasses import dataclass
 from fractions import Fraction
 from math import floor, log10
 
 _NUMBER = re.compile(r"(?P<sign>[+-]?)(?P<digits>[\d.]+)(?P<rest>.*)\Z", re.DOTALL)
-_NEAR = 1e-9
+_NEAR, _LOG_2 = 1e-9, log10(2)
+
+Ratio = tuple[int, int]
+"""A numerator and a positive denominator, not in lowest terms: a common divisor costs more than all the rest."""
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """One value judged: its right ``digits``, its relative ``error``, and its wrong digits ``marked``."""
+
+    digits: str
+    error: str
+    marked: str
+
+
+def judged(text: str, given: Fraction, value: Fraction, known: int) -> Verdict:
+    """``right_digits``, ``relative_error`` and ``marked`` at once, by the same difference and its logarithm.
+
+    >>> judged("0.41072111", Fraction("0.41072111"), Fraction("0.41071968606103944670"), 20)
+    Verdict(digits='5.46', error='3.5e-06', marked='0.41072[111]')
+    """
+    error = _difference(given, value)
+    if error[0] == 0:
+        return Verdict(f"{known:.2f}", "0", text.strip())
+    log, size = _log10(error), _log10(_size(value)) if value else 0.0
+    return Verdict(_digits(given, value, known, log, size), _error(value, log, size), _marked(text, given, error, log))
 
 
 def right_digits(given: Fraction, value: Fraction, known: int) -> str:
     """-log10 of the relative error with two decimals, between 0 and ``known``, the digits that ``value`` has."""
-    if given == value:
-        return f"{known:.2f}"
-    if given * value <= 0:  # the wrong sign, or one of the two is 0
-        return "0.00"
-    return f"{min(max(_log10(abs(value)) - _log10(abs(given - value)), 0.0), float(known)):.2f}"
+    return judged("", given, value, known).digits
 
 
 def relative_error(given: Fraction, value: Fraction) -> str:
@@ -35,30 +57,48 @@ def relative_error(given: Fraction, value: Fraction) -> str:
     >>> relative_error(Fraction("1.00123"), Fraction(1)), relative_error(Fraction(2), Fraction(2))
     ('1.2e-03', '0')
     """
-    if given == value:
-        return "0"
-    if not value:
-        return "1.0e+00"
-    log = _log10(abs(given - value)) - _log10(abs(value))
-    exponent = floor(log + 1e-12)
-    tens = round(10 ** (log - exponent + 1))
-    return f"{tens // 10}.{tens % 10}e{exponent:+03d}" if tens < 100 else f"1.0e{exponent + 1:+03d}"
+    return judged("", given, value, 0).error
+
+
+def marked(given: str, value: Fraction) -> str:
+    """What was given, with the digits that are wrong in brackets."""
+    if not _NUMBER.match(given.strip()):
+        return given.strip()
+    return judged(given, Fraction(given), value, 0).marked
 
 
 def significant(text: str) -> int:
     """The number of significant digits written."""
     found = _NUMBER.match(text.strip())
-    return len(found["digits"].replace(".", "").lstrip("0")) if found else 0
+    return _written(found) if found else 0
 
 
-def marked(given: str, value: Fraction, number: Fraction | None = None) -> str:
-    """What was given, with the digits that are wrong in brackets; ``number`` is what it says, if that is known."""
+def _written(found: re.Match[str]) -> int:
+    return len(found["digits"].replace(".", "").lstrip("0"))
+
+
+def _digits(given: Fraction, value: Fraction, known: int, log: float, size: float) -> str:
+    """From log10 of the error and of the value."""
+    if given.numerator * value.numerator <= 0:  # the wrong sign, or one of the two is 0
+        return "0.00"
+    return f"{min(max(size - log, 0.0), float(known)):.2f}"
+
+
+def _error(value: Fraction, log: float, size: float) -> str:
+    if not value:
+        return "1.0e+00"
+    exponent = floor(log - size + 1e-12)
+    tens = round(10 ** (log - size - exponent + 1))
+    return f"{tens // 10}.{tens % 10}e{exponent:+03d}" if tens < 100 else f"1.0e{exponent + 1:+03d}"
+
+
+def _marked(given: str, number: Fraction, error: Ratio, log: float) -> str:
     text = given.strip()
     found = _NUMBER.match(text)
     if not found:
         return text
-    written = significant(text)
-    wanted, shown = _right_places(Fraction(text) if number is None else number, value, written), ""
+    written = _written(found)
+    wanted, shown = _right_places(number, error, log, written), ""
     if wanted == written:
         return text
     seen, started = 0, False
@@ -71,27 +111,53 @@ def marked(given: str, value: Fraction, number: Fraction | None = None) -> str:
     return found["sign"] + (shown or found["digits"]) + found["rest"]
 
 
-def _right_places(given: Fraction, value: Fraction, written: int) -> int:
-    """How many of the digits written are right: the error is within half a unit of the last of them."""
-    error = abs(given - value)
-    if error == 0 or not given:
-        return written if error == 0 else 0
-    exact = _floor_log10(abs(given)) - _log10(2 * error) + 1
+def _right_places(given: Fraction, error: Ratio, log: float, written: int) -> int:
+    """How many of the digits written are right: the error, > 0, is within half a unit of the last of them."""
+    if not given:
+        return 0
+    top = _floor_log10(_size(given))
+    exact = top - log - _LOG_2 + 1
     right = floor(exact)
     if abs(exact - round(exact)) < _NEAR:  # a double cannot tell
-        top = _floor_log10(abs(given))
         right = round(exact)
-        right -= 2 * error > Fraction(10) ** (top + 1 - right)
+        right -= not _at_most((2 * error[0], error[1]), top + 1 - right)
     return min(max(right, 0), written)
 
 
-def _log10(q: Fraction) -> float:
+def _difference(a: Fraction, b: Fraction) -> Ratio:
+    """|a - b|."""
+    return abs(a.numerator * b.denominator - b.numerator * a.denominator), a.denominator * b.denominator
+
+
+def _size(q: Fraction) -> Ratio:
+    return abs(q.numerator), q.denominator
+
+
+def _log10(q: Ratio) -> float:
     """log10 of a positive rational of any size."""
-    return log10(q.numerator) - log10(q.denominator)
+    return log10(q[0]) - log10(q[1])
 
 
-def _floor_log10(q: Fraction) -> int:
+def _floor_log10(q: Ratio) -> int:
     log = _log10(q)
     if abs(log - round(log)) > _NEAR:
         return floor(log)
-    return round(log) - (q < Fraction(10) ** round(log))
+    return round(log) - (not _at_least(q, round(log)))
+
+
+def _at_most(q: Ratio, power: int) -> bool:
+    """q <= 10^power, exactly."""
+    up, down = _powers(power)
+    return q[0] * down <= q[1] * up
+
+
+def _at_least(q: Ratio, power: int) -> bool:
+    """q >= 10^power, exactly."""
+    up, down = _powers(power)
+    return q[0] * down >= q[1] * up
+
+
+def _powers(power: int) -> Ratio:
+    """10^power as a quotient of integers."""
+    tens: int = 10 ** abs(power)
+    return (tens, 1) if power >= 0 else (1, tens)

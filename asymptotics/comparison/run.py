@@ -25,7 +25,7 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.comparison.digits import marked, relative_error, right_digits, significant
+from asymptotics.comparison.digits import judged, significant
 from asymptotics.comparison.errors import Errors, of_motion, of_turning_points
 from asymptotics.comparison.look import Look, look_of
 from asymptotics.comparison.reading import Sheet, read_sheet
@@ -115,7 +115,7 @@ def compare_file(
         if set(values) - {"x", "v"}:
             raise InputError("--columns", "at a time there are x and v", "tau,x  or  tau,x,v")
         times = list(sheet.numbers[key])
-        truth = at_times(oscillator, times, wanted, si=si)
+        truth = at_times(oscillator, times, wanted, values, si=si)
         errors, shift = _of_motion(sheet, truth, times, oscillator, si)
     rows = _rows(sheet, truth, key, values, wanted, si)
     summary = summary_of(rows, _judged(rows, errors, shift))
@@ -144,9 +144,8 @@ def row_of(
     """One value, as text and as a number, beside the right one."""
     if right is None:
         return Row(line, key, column, given, None, "0.00", "", given, name)
-    truth = Fraction(right)
-    right_ones, error = right_digits(value, truth, digits), relative_error(value, truth)
-    return Row(line, key, column, given, right, right_ones, error, marked(given, truth, value), name)
+    found = judged(given, value, Fraction(right), digits)
+    return Row(line, key, column, given, right, found.digits, found.error, found.marked, name)
 
 
 def summary_of(rows: Sequence[Row], look: Look) -> dict[str, Any]:
@@ -202,7 +201,8 @@ def _of_motion(
     everything = list(range(len(times)))
     omega, length = (float(ball.mid()) if si else 1.0 for ball in (oscillator.omega_0(), oscillator.length()))
     tau = np.array([float(t) for t in times]) * omega
-    given, x, v = (_floats(cells, everything) for cells in (sheet.column("x"), truth.columns["x"], truth.columns["v"]))
+    given, x = (_floats(cells, everything) for cells in (sheet.column("x"), truth.columns["x"]))
+    v = np.array(truth.speeds)
     last = min(int(tau.max() / np.pi) + 1, _LOOKED_AT)
     try:
         points = turning_points(oscillator.dimensionless, last + 1, 15, times=True).points

@@ -28,12 +28,16 @@ _GAP = 1000  # turning points between two that are asked for, beyond which they 
 
 @dataclass(frozen=True)
 class Truth:
-    """Columns of values in decimals, None where there is no such point, and where they come from."""
+    """Columns of values in decimals, None where there is no such point, and where they come from.
+
+    ``speeds``: of a motion, v in doubles, for judging errors.
+    """
 
     columns: dict[str, list[str | None]]
     certified: bool
     method: str
     ended: str = ""
+    speeds: tuple[float, ...] = ()
 
 
 def at_turning_points(
@@ -73,31 +77,38 @@ def _unchanged(name: str, text: str) -> str:
     return text.lstrip("-") if name == "amplitude" else text
 
 
-def at_times(oscillator: Oscillator, times: Sequence[Fraction], digits: int, *, si: bool) -> Truth:
-    """x and v at times, t in s if ``si`` and else tau; both columns are always given."""
+def at_times(
+    oscillator: Oscillator, times: Sequence[Fraction], digits: int, wanted: Sequence[str], *, si: bool
+) -> Truth:
+    """What is ``wanted`` of x and v at times, t in s if ``si`` and else tau."""
     for t in times:
         if t < 0:
             raise InputError("FILE", f"the time {t} is before the start", "times >= 0")
     moved, exact = (oscillator if si else Oscillator(oscillator.law)), [ExactReal(t) for t in times]
-    method, texts = "", {"x": dict[int, str](), "v": dict[int, str]()}
+    method, texts, speeds = "", {name: dict[int, str]() for name in wanted}, dict[int, float]()
     left = list(range(len(times)))
     for guard in _GUARDS:  # a value next to a zero, or next to a tie, asks for more
         states = reference_states(moved, [exact[i] for i in left], digits + guard)
         method = method or f"half-swing by half-swing, balls of {states.bits} bits"
         for i, x, v in zip(left, states.x, states.v):
-            for name, ball in (("x", x), ("v", v)):
+            speeds[i] = float(v.mid())
+            for name, column in texts.items():
+                ball = x if name == "x" else v
                 text = "0" if ball == 0 else decimal_of_ball(ball, digits)
                 if text is not None:
-                    texts[name][i] = text
-        left = [i for i in left if i not in texts["x"] or i not in texts["v"]]
+                    column[i] = text
+        left = [i for i in left if any(i not in column for column in texts.values())]
         if not left:
             break
     certified = not left
     for i in left:
         point = reference_motion(moved, exact[i], digits)
-        texts["x"][i], texts["v"][i] = point.x, point.v
+        for name, column in texts.items():
+            column[i] = point.x if name == "x" else point.v
         certified, method = point.certified, f"{method}; {point.method}"
-    return Truth({name: [column[i] for i in range(len(times))] for name, column in texts.items()}, certified, method)
+    places = range(len(times))
+    columns: dict[str, list[str | None]] = {name: [column[i] for i in places] for name, column in texts.items()}
+    return Truth(columns, certified, method, speeds=tuple(speeds[i] for i in places))
 
 
 @dataclass(frozen=True)

@@ -34,6 +34,7 @@ MAX_ORDER = 100_000
 """No series is that long; what an order costs is estimated where it is computed."""
 RATIONAL_FORMS = "3, 3/2, 0.1, -2.5e-3"
 REAL_FORMS = RATIONAL_FORMS + ", sqrt(2), sqrt(3/2)"
+_ZERO, _ONE = Fraction(0), Fraction(1)
 
 
 @dataclass(frozen=True, init=False, repr=False, eq=False)
@@ -64,10 +65,14 @@ class ExactReal:
                 raise InputError(name, f"{value!r:.40} is a {type(value).__name__}", "a Fraction or an int")
         if radicand < 0:
             raise InputError("radicand", f"{radicand} is negative: its root is not real", "a number >= 0")
-        root = _rational_root(Fraction(radicand)) if coefficient else Fraction(0)
-        parts = (coefficient, radicand, offset) if root is None else (coefficient * root + offset, 1, 0)
+        parts: tuple[Fraction | int, ...]
+        if radicand == 1:
+            parts = (coefficient + offset if offset else coefficient, _ONE, _ZERO)
+        else:
+            root = _rational_root(Fraction(radicand)) if coefficient else _ZERO
+            parts = (coefficient, radicand, offset) if root is None else (coefficient * root + offset, _ONE, _ZERO)
         for name, value in zip(("coefficient", "radicand", "offset"), parts):
-            object.__setattr__(self, name, Fraction(value))
+            object.__setattr__(self, name, value if type(value) is Fraction else Fraction(value))
 
     @property
     def is_rational(self) -> bool:
@@ -256,7 +261,7 @@ def parse_rational(text: str, argument: str, accepted: str = RATIONAL_FORMS) -> 
     number, _, denominator = stripped.partition("/")
     if denominator and not int(denominator):
         raise InputError(argument, f"{_shown(text)} has a zero denominator", accepted)
-    return Fraction(number) / (int(denominator) if denominator else 1)
+    return Fraction(number) / int(denominator) if denominator else Fraction(number)
 
 
 def parse_real(text: str, argument: str) -> ExactReal:

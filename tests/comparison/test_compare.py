@@ -3,7 +3,6 @@
 import csv
 import io
 import sys
-import time
 from fractions import Fraction
 from pathlib import Path
 
@@ -191,14 +190,6 @@ def test_the_rows_as_csv_and_as_a_picture(tmp_path):
     assert [row["digits"] for row in rows] == [row.digits for row in found.rows]
     assert lost_digits(found)["x"][0] == [0, 1, 2]
     assert picture_of(found, "svg").startswith(b"<?xml")
-
-
-def test_a_hundred_thousand_values_in_seconds(tmp_path):
-    points = turning_points(Law({1: "1/1000"}), 2000, 20, times=True).points
-    rows = [f"{p.n},{p.x[:14]},{float(p.tau)!r}" for p in points]
-    start = time.process_time()
-    compare_file(file_of(tmp_path, "n,x,tau", rows), Oscillator({1: "1/1000"}))
-    assert (time.process_time() - start) * 100_000 / 4000 < 20  # 10^5 values, with room for a busy machine
 
 
 # --- digits
