@@ -109,6 +109,8 @@ def measure(group: str, sample: int, seed: int, seconds: int) -> Score:
     faults = dict(list(planted.items())[:sample])
     _mutmut(folder, [*faults], seconds)
     codes = {name: code for name, code in _outcomes(folder).items() if name in faults and code is not None}
+    if not codes:
+        print(f"{group}: no mutant was judged: see {(folder / 'mutmut.log').relative_to(ROOT)}", file=sys.stderr)
     alive = [faults[name] for name, code in codes.items() if code in (0, 33)]  # 33: no test reaches it
     known = json.loads(EQUIVALENT.read_text())
     surviving = tuple(s for s in alive if f"{s.line} -> {s.mutated}" not in known.get(s.function, {}))
@@ -142,7 +144,8 @@ def _copy(group: str) -> Path:
 def _mutmut(folder: Path, names: list[str], seconds: int) -> None:
     command = [sys.executable, "-m", "mutmut", "run", *names]
     try:
-        subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds)
+        with (folder / "mutmut.log").open("w") as log:
+            subprocess.run(command, cwd=folder, stdout=log, stderr=log, timeout=seconds)
     except subprocess.TimeoutExpired:
         print(f"{folder.name}: stopped after {seconds} s; the score is that of the mutants done", file=sys.stderr)
 

@@ -20,6 +20,7 @@ from typing import Any
 
 import mpmath
 import sympy
+from sympy import Expr
 
 from asymptotics.errors import InputError
 from asymptotics.numbers.bridge import from_sympy
@@ -31,7 +32,7 @@ class Coefficient:
     """Correctly rounded digits ``value`` (None for a symbolic exponent) and the exact form (None if none is known)."""
 
     value: str | None
-    expression: sympy.Expr | None
+    expression: Expr | None
     notes: tuple[str, ...] = field(default=(), compare=False, repr=False)
 
     @property
@@ -67,7 +68,7 @@ class Coefficient:
         finally:
             mpmath.iv.prec = precision
 
-    def sympy(self) -> sympy.Expr:
+    def sympy(self) -> Expr:
         """The exact form where one is known, else a SymPy Float with the digits."""
         if self.expression is not None:
             return self.expression
