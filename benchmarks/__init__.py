@@ -8,6 +8,7 @@
 ``integrators``             1000 turning points beside heyoka, SciPy and mpmath, and their right digits
 ``hypergeometric``          2F1(1, a; a+1; z): balls beside mpmath and PARI
 ``comparing``               ``compare`` of 10^5 values beside certified ones
+``promises``                what is promised in a stated time, and the time it takes
 ``start_up``                seconds and memory of a process that imports, starts, answers
 ``peers``                   asks a peer in the environment ``.peers``
 ``report``                  JSON, Markdown and a picture, with machine and versions

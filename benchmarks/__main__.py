@@ -14,6 +14,7 @@ from benchmarks import (
     cubic_damping,
     hypergeometric,
     integrators,
+    promises,
     smith_rows,
     start_up,
     turning_point_tables,
@@ -32,6 +33,7 @@ BENCHMARKS: dict[str, Callable[..., Table]] = {
     "hypergeometric": hypergeometric.run,
     "comparing": comparing.run,
     "start-up": start_up.run,
+    "promises": promises.run,
 }
 
 

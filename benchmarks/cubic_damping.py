@@ -56,25 +56,20 @@ def expand_by_hand(order: int) -> list[sympy.Expr]:
     return [(p if n % 2 else frequency)[n] for n in range(1, order + 1)]
 
 
-def residual_term(
-    X: list[sympy.Expr], p: list[sympy.Expr], frequency: list[sympy.Expr], n: int
-) -> sympy.Expr:
+def residual_term(X: list[sympy.Expr], p: list[sympy.Expr], frequency: list[sympy.Expr], n: int) -> sympy.Expr:
     """The coefficient of epsilon^n a^(2n+1) in x'' + x + epsilon x'^3."""
     velocity = slow_derivative(X, p, frequency)
     acceleration = slow_derivative(velocity, p, frequency)
-    cube = sum(
-        velocity[i] * velocity[j] * velocity[n - 1 - i - j] for i in range(n) for j in range(n - i)
-    )
+    cube = sum(velocity[i] * velocity[j] * velocity[n - 1 - i - j] for i in range(n) for j in range(n - i))
     return acceleration[n] + X[n] + cube
 
 
-def slow_derivative(
-    f: list[sympy.Expr], p: list[sympy.Expr], frequency: list[sympy.Expr]
-) -> list[sympy.Expr]:
+def slow_derivative(f: list[sympy.Expr], p: list[sympy.Expr], frequency: list[sympy.Expr]) -> list[sympy.Expr]:
     """d/d tau of a sum_k delta^k f_k(q): psi' i q d/dq on f_k, and a' acting on a^(2k+1)."""
     return [
-        sympy.expand(sum(frequency[n - k] * I * q * sympy.diff(f[k], q) - (2 * k + 1) * p[n - k] * f[k]
-                         for k in range(n + 1)))
+        sympy.expand(
+            sum(frequency[n - k] * I * q * sympy.diff(f[k], q) - (2 * k + 1) * p[n - k] * f[k] for k in range(n + 1))
+        )
         for n in range(len(f))
     ]
 
@@ -111,10 +106,12 @@ def run(size: int = 5) -> Table:
     rows = []
     for order in range(1, size + 1):
         exact = partial(exact_expansion, (3,), order, "no-first-harmonic")
-        rows += with_ratios([
-            (f"order {order}, exact engine", best_time(exact)),
-            (f"order {order}, SymPy by hand", best_time(partial(expand_by_hand, order), 3 if order < 4 else 1)),
-            (f"order {order}, oscilate", oscilate_seconds(order)),
-            (f"order {order}, Maxima averm", maxima_seconds(order)),
-        ])
+        rows += with_ratios(
+            [
+                (f"order {order}, exact engine", best_time(exact)),
+                (f"order {order}, SymPy by hand", best_time(partial(expand_by_hand, order), 3 if order < 4 else 1)),
+                (f"order {order}, oscilate", oscilate_seconds(order)),
+                (f"order {order}, Maxima averm", maxima_seconds(order)),
+            ]
+        )
     return Table("x'^3, amplitude and phase law in one gauge", ("what", "seconds", "ratio"), tuple(rows))

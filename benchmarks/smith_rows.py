@@ -30,9 +30,10 @@ def rational_rows(last: int, number: Callable[[int, int], Any]) -> list[Any]:
     for n in range(2, last + 1):
         shifted = [zero, *row]
         below = [*before, zero, zero]
-        before, row = row, [
-            (2 * (n - 1) * shifted[i] - (n - 2) * below[i]) / (n + i) if (n - i) % 2 else zero for i in range(n)
-        ]
+        before, row = (
+            row,
+            [(2 * (n - 1) * shifted[i] - (n - 2) * below[i]) / (n + i) if (n - i) % 2 else zero for i in range(n)],
+        )
     return row
 
 
@@ -59,9 +60,7 @@ def run(size: int = 800) -> Table:
     """Rows 1 ... n in the integer kernel and in rationals, for n = size/8, size/4, size/2 and size."""
     rows = []
     for n in (max(2, size // 8), max(2, size // 4), max(2, size // 2), size):
-        timings: list[tuple[str, float | None]] = [
-            (f"n = {n}, integer kernel", best_time(partial(coefficients, n)))
-        ]
+        timings: list[tuple[str, float | None]] = [(f"n = {n}, integer kernel", best_time(partial(coefficients, n)))]
         for number in (Fraction, sympy.Rational):
             once = best_time(partial(rational_rows, n, number), 3 if n <= ONCE_ABOVE else 1)
             timings.append((f"n = {n}, {number.__module__.split('.')[0]}.{number.__name__}", once))

@@ -1,6 +1,5 @@
 """Springs and position-dependent losses: two exact routes, exact in balls, integrals, disguises, and near misses."""
 
-import time
 from dataclasses import replace
 from fractions import Fraction
 
@@ -166,16 +165,6 @@ def test_near_misses():
     by_total_degree = replace(flow_of(right).grading, signs=(-1, -1))
     with pytest.raises(ArithmeticError, match="reversibility"):
         by_total_degree.of_parity(flow_of(right).U, 1)
-
-
-def test_speed():
-    start = time.process_time()
-    exact_half_swing([loss(2), PENDULUM], 8)
-    assert time.process_time() - start < 0.5
-    start = time.process_time()
-    with ctx.workprec(140):
-        certified_half_swing([loss("3/2"), spring(3)], 6)
-    assert time.process_time() - start < 1
 
 
 @pytest.mark.parametrize("terms", [[], [Term(1, "3/2")], [loss(2), spring(2, "1/2")]])

@@ -1,6 +1,5 @@
 """The forward model: against certified balls, closed forms, other integrations, and differences."""
 
-import time
 from fractions import Fraction
 
 import numpy as np
@@ -126,14 +125,3 @@ def test_the_derivatives_of_the_sequence_are_exact():
 def test_motion_that_sticks_has_no_next_turning_point():
     with pytest.raises(TooStrongError):
         turning_sequence(Swing((loss(0),)), 6, np.array([0.0, 0.1]))  # from 1 by 0.2: five swings
-
-
-def test_a_hundred_turning_points_with_gradients_take_milliseconds():
-    swing, p = Swing((loss(1), loss(2))), np.array([0.0, 0.01, 0.02])
-    run = turning_sequence(swing, 100, p)
-    seconds = []
-    for _ in range(20):
-        start = time.process_time()
-        run = turning_sequence(swing, 100, p * 1.0001, run.a)
-        seconds.append(time.process_time() - start)
-    assert min(seconds) < 2e-3

@@ -1,0 +1,65 @@
+"""What the package promises to do in a stated time: seconds of processor time, the promise, and their ratio.
+
+The first run of each makes the coefficients that later runs share; it is not timed where they are shared in use too.
+"""
+
+from collections.abc import Callable
+from time import process_time
+
+import numpy as np
+from flint import ctx
+
+import asymptotics as asy
+from asymptotics.half_swings.certified_zeros import certified_half_swing
+from asymptotics.half_swings.exact import exact_half_swing
+from asymptotics.identification.coefficients import loss
+from asymptotics.identification.sequence import turning_sequence
+from asymptotics.identification.swing import Swing
+from asymptotics.identification.synthetic import observed
+from asymptotics.law import Law
+from asymptotics.limit_cycles.series import limit_cycle_series
+from asymptotics.numbers.exact import parse_real
+from asymptotics.terms import Term
+from asymptotics.turning.drag_exact import drag_turning_points
+from benchmarks.table import Table, seconds_text
+
+AIR = Law({2: "1/10"}, spring="pendulum")
+DUFFING = Law({"3/2": 1}, spring={3: 1})
+VAN_DER_POL = Law({1: -1, (1, 2): 1})
+
+
+def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
+    """What is done, and in how many seconds it shall be done, at the stated size 8."""
+    swing, p = Swing((loss(1), loss(2))), np.array([0.0, 0.01, 0.02])
+    seen = observed("1,2", [0.005, 0.015], 18 * size + 5, 1e-3, 1e-2, seed=8)
+    orbit = turning_sequence(swing, 100, p)
+    return {
+        f"alpha = 2 and a pendulum, order {size}, exact": (lambda: exact_half_swing(_unit(AIR), size), 0.5),
+        "alpha = 3/2 and x^3, order 6, certified": (lambda: certified_half_swing(_unit(DUFFING), min(6, size)), 1),
+        f"van der Pol through mu^{3 * size}": (lambda: limit_cycle_series(VAN_DER_POL, 3 * size), 2),
+        "100 turning points, pendulum in air from 170 degrees, 30 digits": (
+            lambda: drag_turning_points(AIR, parse_real("2.967", "x0"), 100, 30), 1,
+        ),
+        "100 turning points with gradients, doubles": (lambda: turning_sequence(swing, 100, p * 1.01, orbit.a), 0.002),
+        "identify: 149 turning points, every law, no bootstrap": (lambda: asy.identify(seen, bootstrap=False), 2),
+    }  # fmt: skip
+
+
+def run(size: int = 8) -> Table:
+    """The best of two runs of each promise."""
+    rows = []
+    for name, (work, promised) in promises(size).items():
+        seconds = min(_seconds(work), _seconds(work))
+        rows.append((name, seconds_text(seconds), f"{promised:g}", f"{seconds / promised:.2f}"))
+    return Table("Promises kept (a ratio below 1)", ("what", "seconds", "promised", "of the promise"), tuple(rows))
+
+
+def _seconds(work: Callable[[], object]) -> float:
+    start = process_time()
+    with ctx.workprec(140):
+        work()
+    return process_time() - start
+
+
+def _unit(law: Law) -> list[Term]:
+    return list(law.terms)
