@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from asymptotics.errors import InputError
-from asymptotics.numbers.exact import ExactReal, parse_integer, parse_rational, parse_real, square_root
+from asymptotics.numbers.exact import ExactReal, parse_integer, parse_rational, parse_real, require_integer, square_root
 
 
 @given(st.fractions())
@@ -54,3 +54,31 @@ def test_integers_have_bounds():
     for text in ("8", "0", "1.0", "1e3", "-3", "x"):
         with pytest.raises(InputError, match=r"--n.*integer from 1 to 7"):
             parse_integer(text, "--n", 1, 7)
+
+
+def test_equal_numbers_are_neither_above_nor_below():
+    # sqrt(8)/2 = sqrt(2) with different parts; 99/70 > sqrt(2) since 99^2 = 2 * 70^2 + 1.
+    x, y, near = square_root(Fraction(2)), ExactReal(Fraction(1, 2), 8), Fraction(99, 70)
+    assert x >= y and x <= y and not x > y and not x < y
+    assert near >= x and x <= near and not x >= near and x < near
+
+
+def test_a_text_has_at_most_a_thousand_characters():
+    assert parse_real("sqrt(2)".ljust(1000), "--x") == square_root(Fraction(2))
+    assert parse_rational("1".ljust(1200), "--x") == 1  # only what remains without the blanks is counted
+    with pytest.raises(InputError, match="--x"):
+        parse_real("sqrt(2)".ljust(1001), "--x")
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [(6, "6 is out"), (0, "0 is out"), (10**40 - 1, "9" * 40 + " is out"), (10**40, "of 133 bits"),
+     (10**5000, "of 16610 bits"), (-(10**5000), "of 16610 bits"), (True, "True is a bool"), (2.0, "2.0 is a float"),
+     ("2", "this is a str")],
+    ids=range(9),
+)  # fmt: skip
+def test_integers_of_any_size_are_refused_in_one_line(value, shown: str):
+    # 10^40 has floor(40 log2 10) + 1 = 133 bits; Python prints no integer of more than 4300 digits.
+    with pytest.raises(InputError, match=f"argument n: .*{shown}.*an integer from 1 to 5"):
+        require_integer(value, "n", 1, 5)
+    assert require_integer(1, "n", 1, 5) == 1 and require_integer(5, "n", 1, 5) == 5

@@ -45,7 +45,7 @@ def test_integers_out_of_range_are_refused(bad):
 
 @pytest.mark.parametrize("bad", [(0.1,), (1, 0.5), (1, -2), (True,), ("1",), (1, 1, "2")])
 def test_the_constructor_takes_only_exact_parts(bad):
-    with pytest.raises(InputError):
+    with pytest.raises(InputError, match=f"argument {('coefficient', 'radicand', 'offset')[len(bad) - 1]}: "):
         ExactReal(*bad)
 
 
@@ -85,3 +85,11 @@ def test_exact_power_is_exact_or_none():
     assert exact_power(ExactReal(2), ExactReal(Fraction(1, 4))) is None is exact_power(ExactReal(2), ExactReal(1, 2))
     with ctx.workprec(100):
         assert exact_power(ExactReal(3), ExactReal(Fraction(3, 2))).ball().overlaps(arb(27).sqrt())
+
+
+def test_a_sympy_float_is_refused_as_binary():
+    with pytest.raises(InputError, match="SymPy Float, a binary number"):
+        exact_number(sympy.Float("0.5"), "x")
+    for endless in (sympy.oo, sympy.nan, sympy.zoo):
+        with pytest.raises(InputError, match="argument x"):
+            exact_number(endless, "x")
