@@ -4,9 +4,14 @@
   asymptotics multiple-scales --alpha 3/2 --order 2 --latex
   asymptotics multiple-scales --alpha symbolic
   asymptotics multiple-scales --law 1 --law 3 --order 3 --json
+  asymptotics multiple-scales --law 1 --spring 3 --order 4
+  asymptotics multiple-scales --law 1 --law 1,2 --order 4
 
-Scales T_n = epsilon^n tau, X = X_0 + epsilon X_1 + ..., X_0 = a cos psi.  Odd exponents go exactly to any order, every
-other exponent (and a symbolic one) to second order.  The gauge is no-first-harmonic: a is the coefficient of cos psi.
+Scales T_n = epsilon^n tau, X = X_0 + epsilon X_1 + ..., X_0 = a cos psi.  Polynomial forces go exactly to any order:
+losses |x|^M x'^A with A odd and M even, springs x^P x'^Q with P odd and Q even, the pendulum (x in units of theta_0).
+Powers x'|x'|^(A-1) with any other exponent (or a symbolic one) go to second order, beside the linear spring.  Strengths
+stay symbols: epsilon_i of the losses, c_j of the springs, in the order given.  The gauge is no-first-harmonic: a is the
+coefficient of cos psi.
 """
 
 import argparse
@@ -18,6 +23,7 @@ from asymptotics.api.hierarchy import MAX_ORDER, multiple_scales
 from asymptotics.cli.answer import Answer, add_json
 from asymptotics.cli.forces import add_forces, read_terms
 from asymptotics.errors import InputError
+from asymptotics.law import Law
 from asymptotics.multiscale.orders import Order
 from asymptotics.multiscale.symbolic import MultipleScales
 from asymptotics.numbers.exact import parse_integer
@@ -26,8 +32,8 @@ from asymptotics.numbers.exact import parse_integer
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     text = "accepted as in the other commands: the derivation holds for every strength"
-    add_forces(parser, "epsilon", "E", text, springs=False)
-    parser.add_argument("--order", default="2", metavar="N", help=f"1 to {MAX_ORDER}; above 2 for odd alpha")
+    add_forces(parser, "epsilon", "E", text)
+    parser.add_argument("--order", default="2", metavar="N", help=f"1 to {MAX_ORDER}; above 2 for polynomial forces")
     parser.add_argument("--latex", action="store_true", help="print LaTeX instead of text")
     add_json(parser)
 
@@ -54,14 +60,12 @@ def run(options: argparse.Namespace) -> Answer:
 
 def _law(options: argparse.Namespace) -> Any:
     if options.alpha == "symbolic":
-        if options.law is not None:
-            raise InputError("--law", "cannot be combined with --alpha symbolic", "one law with a symbolic exponent")
+        for name in ("law", "spring"):
+            if getattr(options, name) is not None:
+                raise InputError(f"--{name}", "cannot be combined with --alpha symbolic", "one law, symbolic exponent")
         return "symbolic"
-    terms = read_terms(options).terms
-    for term in terms:
-        if not term.is_power_of_velocity:
-            raise InputError("--law", f"{term.shape()} is not a power of the velocity", "A or A:E")
-    return [term.velocity for term in terms]
+    given = read_terms(options)
+    return Law.from_terms(given.terms, given.notes)
 
 
 def _order(one: Order) -> dict[str, Any]:

@@ -80,10 +80,13 @@ class FourierFlow:
 
 def is_smooth(forces: Forces) -> bool:
     """Whether all forces are polynomials in x and v."""
-    return all(m.velocity.is_integer and _is_polynomial(m) for m in forces.members)
+    return all(is_polynomial(m) for m in forces.members)
 
 
-def _is_polynomial(m: Member) -> bool:
+def is_polynomial(m: Member) -> bool:
+    """Whether a force is a polynomial in x and v: alpha odd and m even, or p odd and q even."""
+    if not m.velocity.is_integer:
+        return False
     return m.integer_velocity % 2 == (m.sign < 0) and m.position % 2 == (m.sign > 0)
 
 

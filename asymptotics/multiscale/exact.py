@@ -1,25 +1,30 @@
-"""The kernel of the classical route for odd exponents: Fourier coefficients and flow, exact, order by order.
+"""The kernel of the classical route for smooth forces: Fourier coefficients and flow, exact, order by order.
 
-With odd alpha_i the force epsilon_i X'^alpha_i is a polynomial.  Put
+Losses epsilon |x|^m v|v|^(alpha-1) with alpha odd and m even, springs c x|x|^(p-1) |v|^q with p odd and q even are
+polynomials in X and X'.  Put
 
     X = a sum_k delta^k x_k(psi),    da/d tau = -a p(delta),    d psi/d tau = 1 + Omega(delta),
-    delta_i = epsilon_i a^(alpha_i - 1),    x_0 = cos psi,    no first harmonic in the other x_k.
+    delta_i = epsilon_i a^(d_i - 1),    x_0 = cos psi,    no first harmonic in the other x_k,
 
-On a delta^k x_k the total time derivative is D = (1 + Omega) d_psi - p E with E = 1 + sum_i k_i (alpha_i - 1).  It is
-one vector field, and the slow derivatives D_n are its parts of degree n: nobody has to remember that D_1 D_2 and
-D_2 D_1 differ.  Order n of D^2 X + X + sum_i epsilon_i (D X)^alpha_i = 0 is
+d_i the degree of the force, and c_j for epsilon_j where it is a spring.  On a delta^k x_k the total time derivative is
+D = (1 + Omega) d_psi - p E with E = 1 + sum_i k_i (d_i - 1).  It is one vector field, and the slow derivatives D_n are
+its parts of degree n: nobody has to remember that D_1 D_2 and D_2 D_1 differ.  Order n of
+D^2 X + X + sum_i epsilon_i X^m_i (D X)^alpha_i + sum_j c_j X^p_j (D X)^q_j = 0 is
 
     x_n'' + x_n = (what the lower orders give) + 2 p_n-terms sin psi + 2 Omega_n-terms cos psi;
 
 the first harmonic of the right side must vanish (solvability), the other harmonics m give x_n by division by 1 - m^2.
 
-*Rational arithmetic.*  t -> -t with epsilon -> -epsilon makes x_n a cosine series for even n and a sine series for odd
-n.  So with delta = i eta, X = sum_k eta^k xhat_k(q), q = e^(i psi), D = i Dhat, all coefficients are rational:
+*Rational arithmetic.*  Let l be the degree in the losses alone.  t -> -t changes the sign of every loss and of no
+spring, hence x_k is a cosine series for even l and a sine series for odd l; p has odd l, Omega even l, and with a
+spring both have terms of every total degree.  So with delta = i eta for the losses and the springs as they are,
+X = sum_k eta^k xhat_k(q), q = e^(i psi), D = i Dhat, all coefficients are rational:
 
     Dhat = (1 + Omegahat) q d_q - phat E,
-    Xhat - Dhat^2 Xhat + sum_i (-1)^((alpha_i+1)/2) eta_i (Dhat Xhat)^alpha_i = 0.
+    Xhat - Dhat^2 Xhat + sum_i (-1)^((alpha_i+1)/2) eta_i Xhat^m_i (Dhat Xhat)^alpha_i
+                       + sum_j (-1)^(q_j/2) c_j Xhat^p_j (Dhat Xhat)^q_j = 0.
 
-xhat_n has the odd harmonics |m| <= h_n = 1 + n (max alpha - 1) and is stored as q^(h_n) xhat_n, a polynomial in q^2.
+xhat_n has the odd harmonics |m| <= h_n = 1 + n max(d - 1) and is stored as q^(h_n) xhat_n, a polynomial in q^2.
 
 >>> solved = odd_hierarchy((3,), 4)
 >>> solved.p, solved.Omega
@@ -28,6 +33,9 @@ xhat_n has the odd harmonics |m| <= h_n = 1 + n (max alpha - 1) and is stored as
 {3: 1/32}
 >>> odd_hierarchy((1,), 4).Omega                    # sqrt(1 - delta^2/4) - 1
 -1/8*d^2 + -1/128*d^4 + O(5)
+>>> duffing = odd_hierarchy([Term(1, 0, 3, "position")], 2)
+>>> duffing.Omega, duffing.harmonics((1,))          # Duffing: X_1 = a^3 cos(3 psi)/32
+(3/8*d + -15/256*d^2 + O(3), {3: 1/32})
 """
 
 from collections.abc import Callable
@@ -36,8 +44,12 @@ from dataclasses import dataclass
 from flint import fmpq, fmpq_poly
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.half_swings.forces import Forces, Given, Member
+from asymptotics.half_swings.fourier_flow import is_polynomial
+from asymptotics.half_swings.grading import Grading
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.series import Key, Series, accumulate, monomials
+from asymptotics.terms import Term
 
 Part = dict[Key, fmpq_poly]
 GAUGE = "no-first-harmonic"
@@ -48,12 +60,12 @@ MAX_SECONDS = 60.0
 class OddHierarchy:
     """Everything that orders 0, ..., N of the hierarchy determine, gauge no-first-harmonic.
 
-    ``p_hat``, ``Omega_hat``: the flow in eta, coefficients fmpq.  ``X[n]``, ``Y[n]``, ``known[n]``: exponent of total
-    degree n -> polynomial of xhat_n, of the velocity Dhat Xhat, and of minus the right side of the equation for x_n
-    before the terms with p_n and Omega_n.
+    ``forces``: what acts beside the linear spring; ``p_hat``, ``Omega_hat``: the flow in eta, coefficients fmpq.
+    ``X[n]``, ``Y[n]``, ``known[n]``: exponent of total degree n -> polynomial of xhat_n, of the velocity Dhat Xhat, and
+    of minus the right side of the equation for x_n before the terms with p_n and Omega_n.
     """
 
-    alphas: tuple[int, ...]
+    forces: Forces
     order: int
     p_hat: Series
     Omega_hat: Series
@@ -65,82 +77,103 @@ class OddHierarchy:
     @property
     def p(self) -> Series:
         """p(delta) in da/d tau = -a p(delta)."""
-        return self.p_hat.map_keys(lambda k, c: c * sign(sum(k)))
+        return self.real(self.p_hat)
 
     @property
     def Omega(self) -> Series:
         """Omega(delta) in d psi/d tau = 1 + Omega(delta)."""
-        return self.Omega_hat.map_keys(lambda k, c: c * sign(sum(k)))
+        return self.real(self.Omega_hat)
 
     def harmonics(self, key: Key) -> dict[int, fmpq]:
-        """x_k: the coefficients of sin(m psi) (total degree odd) or cos(m psi) (even), m >= 1, without zeros."""
-        return real_harmonics(self.X[sum(key)].get(key, fmpq_poly([])), sum(key), self.spread)
+        """x_k: the coefficients of sin(m psi) (loss degree odd) or cos(m psi) (even), m >= 1, without zeros."""
+        return self.real_harmonics(key, self.X[sum(key)].get(key, fmpq_poly([])))
 
     def right_side(self, key: Key) -> dict[int, fmpq]:
         """The part of x_k'' + x_k that the lower orders give: coefficients like those of ``harmonics``."""
-        return real_harmonics(-self.known[sum(key)].get(key, fmpq_poly([])), sum(key), self.spread)
+        return self.real_harmonics(key, -self.known[sum(key)].get(key, fmpq_poly([])))
+
+    @property
+    def grading(self) -> Grading:
+        """The weights d_i - 1 and the signs of the strengths."""
+        return self.forces.exact_grading()
 
     @property
     def spread(self) -> int:
-        """max alpha - 1: how many harmonics an order adds."""
-        return max(self.alphas) - 1
+        """max (d - 1): how many harmonics an order adds."""
+        return spread_of(self.forces, self.order)
+
+    def real(self, series: Series) -> Series:
+        """A series of real quantities, or of i times such, from eta = -i delta back to delta."""
+        return series.map_keys(lambda k, c: c * sign(self.forces.loss_degree(k)))
+
+    def real_harmonics(self, key: Key, p: fmpq_poly) -> dict[int, fmpq]:
+        """(-i)^l sum_m c_m e^(i m psi) in sin(m psi) or cos(m psi): the coefficients 2 (-1)^floor(l/2) c_m."""
+        h, turn = 1 + sum(key) * self.spread, 2 * sign(self.forces.loss_degree(key))
+        return {m: turn * p[(m + h) // 2] for m in range(1, h + 1, 2) if p[(m + h) // 2] != 0}
 
     def keys(self, n: int) -> list[Key]:
         """The exponents of total degree n that occur."""
-        return [k for k in monomials(len(self.alphas), n) if k in self.X[n]]
+        return [k for k in monomials(self.forces.variables, n) if k in self.X[n]]
 
 
 def sign(n: int) -> int:
-    """(-1)^floor(n/2): from eta = -i delta back to delta, for series of either parity.
+    """(-1)^floor(n/2): from eta = -i delta back to delta, for series of either parity of the loss degree n.
 
     Omega(i eta) = Omegahat and p(i eta) = i phat, so Omega_n = (-1)^(n/2) Omegahat_n, p_n = (-1)^((n-1)/2) phat_n.
     """
     return -1 if n % 4 >= 2 else 1
 
 
-def real_harmonics(p: fmpq_poly, n: int, spread: int) -> dict[int, fmpq]:
-    """x_n = (-i)^n sum_m xhat_m e^(i m psi): 2 (-1)^floor(n/2) xhat_m is the coefficient of cos or sin(m psi)."""
-    h = 1 + n * spread
-    return {m: 2 * sign(n) * p[(m + h) // 2] for m in range(1, h + 1, 2) if p[(m + h) // 2] != 0}
+def spread_of(forces: Forces, order: int) -> int:
+    """How many harmonics an order adds: the largest d - 1, a member of a family counted for each power of its key."""
+    return max((-(-(_degree(m) - 1) // m.order) for m in forces.through(order)), default=0)
 
 
-def odd_hierarchy(alphas: tuple[int, ...], order: int, *, max_seconds: float = MAX_SECONDS) -> OddHierarchy:
-    """Solve the hierarchy through order ``order`` >= 1 for odd exponents alpha_i >= 1.
+def odd_hierarchy(given: Given, order: int, *, max_seconds: float = MAX_SECONDS) -> OddHierarchy:
+    """Solve the hierarchy through order ``order`` >= 1 for polynomial forces; numbers are exponents of plain losses.
 
-    Raises InputError for other exponents or orders, LimitError when the estimated time is above ``max_seconds``.
+    Raises InputError for other forces or orders, LimitError when the estimated time is above ``max_seconds``.
     """
-    require_odd(alphas)
-    require_order(alphas, order, max_seconds)
-    kernel = _Kernel(alphas)
-    for n in range(1, order + 1):
-        kernel.advance(n)
-    p, Omega = (_series(parts, len(alphas), order) for parts in (kernel.p, kernel.Omega))
-    return OddHierarchy(alphas, order, p, Omega, tuple(kernel.X), tuple(kernel.Y), tuple(kernel.known))
-
-
-def require_odd(alphas: tuple[int, ...]) -> None:
-    """InputError unless there is an exponent and all are odd integers >= 1."""
-    accepted = "odd integers >= 1; general.second_order takes any alpha >= 0"
-    if not alphas:
-        raise InputError("alpha", "no exponent is given", accepted)
-    for a in alphas:
-        if not isinstance(a, int) or a < 1 or a % 2 == 0:
-            raise InputError("alpha", f"{a!r} has no exact hierarchy", accepted)
-
-
-def require_order(alphas: tuple[int, ...], order: int, max_seconds: float) -> None:
-    """InputError for an order below 1, LimitError for too much work (a rough estimate with a measured rate)."""
     require_integer(order, "order", 1, MAX_ORDER)
-    seconds = estimated_seconds(alphas, order)
+    forces = require_smooth(given, order)
+    seconds = estimated_seconds(forces, order)
     if seconds > max_seconds:
         raise LimitError("order", f"{order} would take about {seconds:.0f} s", f"an estimate below {max_seconds:.0f} s")
+    kernel = _Kernel(forces, order)
+    for n in range(1, order + 1):
+        kernel.advance(n)
+    p, Omega = (_series(parts, forces.variables, order) for parts in (kernel.p, kernel.Omega))
+    return OddHierarchy(forces, order, p, Omega, tuple(kernel.X), tuple(kernel.Y), tuple(kernel.known))
 
 
-def estimated_seconds(alphas: tuple[int, ...], order: int) -> float:
+def require_smooth(given: Given, order: int) -> Forces:
+    """The forces, if they are polynomials in x and v; InputError for anything else, or for nothing."""
+    accepted = "losses |x|^M x'^A, A odd and M even, springs x^P x'^Q, P odd and Q even"
+    if not isinstance(given, Forces):
+        if not given:
+            raise InputError("alpha", "no exponent is given", accepted)
+        for a in given:
+            if not isinstance(a, Term) and (not isinstance(a, int) or a < 0):
+                raise InputError("alpha", f"{a!r} has no exact hierarchy", accepted)
+    forces = Forces.read(given, order)
+    for m in forces.members:
+        if not is_polynomial(m):
+            name = "spring" if m.sign > 0 else "law" if m.position else "alpha"
+            factors = f"velocity to the power {m.velocity}" + (f", position to {m.position}" if m.position else "")
+            raise InputError(name, f"{factors}: no polynomial, so its Fourier series does not end", accepted)
+    return forces
+
+
+def estimated_seconds(forces: Forces, order: int) -> float:
     """(powers) x (pairs of monomials) x (length of the polynomials), times a measured rate."""
-    count = len(monomials(len(alphas) + 1, order))
-    length = 1 + order * max(alphas) // 2
-    return 3e-7 * max(alphas) * count**2 * length
+    count = len(monomials(forces.variables + 1, order))
+    powers = max(max(m.integer_velocity, 1) + m.position for m in forces.through(order))
+    length = 1 + order * (spread_of(forces, order) + 1) // 2
+    return 3e-7 * powers * count**2 * length
+
+
+def _degree(m: Member) -> int:
+    return m.integer_velocity + m.position
 
 
 def rotated(p: fmpq_poly, h: int) -> fmpq_poly:
@@ -151,15 +184,23 @@ def rotated(p: fmpq_poly, h: int) -> fmpq_poly:
 class _Kernel:
     """The state of the recurrence: lists by total degree, extended by ``advance``."""
 
-    def __init__(self, alphas: tuple[int, ...]) -> None:
-        zero = (0,) * len(alphas)
-        self.alphas, self.spread = alphas, max(alphas) - 1
+    def __init__(self, forces: Forces, order: int) -> None:
+        zero = (0,) * forces.variables
+        self.forces, self.grading, self.spread = forces, forces.exact_grading(), spread_of(forces, order)
+        self.members, self.order = forces.through(order), order
         self.X: list[Part] = [{zero: fmpq_poly([fmpq(1, 2), fmpq(1, 2)])}]  # cos psi
         self.Y: list[Part] = [{zero: fmpq_poly([fmpq(-1, 2), fmpq(1, 2)])}]  # Dhat Xhat: q d_q of it
-        self.powers: list[list[Part]] = [[{zero: self.Y[0][zero] ** k}] for k in range(max(alphas) + 1)]
+        self.X_powers = self._powers(self.X[0][zero], zero, [(m.position, m.order) for m in self.members])
+        self.Y_powers = self._powers(self.Y[0][zero], zero, [(m.integer_velocity, m.order) for m in self.members])
         self.p: list[dict[Key, fmpq]] = [{}]
         self.Omega: list[dict[Key, fmpq]] = [{}]
         self.known: list[Part] = [{}]
+
+    def _powers(self, base: fmpq_poly, zero: Key, used: list[tuple[int, int]]) -> list[tuple[int, list[Part]]]:
+        """The powers 0, 1, ... of a factor, each with the degree through which some member needs it."""
+        top = max(1, *(e for e, _ in used))
+        need = [self.order - min((n for e, n in used if e >= k), default=self.order) for k in range(top + 1)]
+        return [(need[k], [{zero: base**k}]) for k in range(top + 1)]
 
     def advance(self, n: int) -> None:
         """Order n: the right side, solvability, division by m^2 - 1, and the new velocity."""
@@ -170,34 +211,41 @@ class _Kernel:
         for k, part in _sum(_map(velocity, lambda p: rotated(p, h)), self._slow(self.Y, n)).items():
             R[k] = R.get(k, fmpq_poly([])) - part
         self.known.append(R)
-        self.p.append({k: -p[first] for k, p in R.items()} if n % 2 else {})
-        self.Omega.append({} if n % 2 else {k: p[first] for k, p in R.items()})
+        odd = {k for k in R if self.forces.loss_degree(k) % 2}
+        self.p.append({k: -R[k][first] for k in odd})
+        self.Omega.append({k: p[first] for k, p in R.items() if k not in odd})
         self.X.append(_map(R, lambda p: _divided(p, h)))
         self.Y.append(_sum(_sum(_map(self.X[n], lambda p: rotated(p, h)), velocity), self._newest(n)))
         self._extend_powers(n)
 
     def _force(self, n: int) -> Part:
-        """sum_i (-1)^((alpha_i+1)/2) eta_i Y^alpha_i at degree n."""
+        """The forces at degree n: (-1)^((alpha+1)/2) eta X^m Y^alpha and (-1)^(q/2) c X^p Y^q."""
         total: Part = {}
-        for i, a in enumerate(self.alphas):
-            for k, p in self.powers[a][n - 1].items():
-                key = (*k[:i], k[i] + 1, *k[i + 1 :])
-                shifted = (p * (-1) ** ((a + 1) // 2)).left_shift((self.spread + 1 - a) // 2)
-                total[key] = total.get(key, fmpq_poly([])) + shifted
+        for member in self.members:
+            if member.order > n:
+                continue
+            scale, shift = in_eta(member), (member.order * self.spread + 1 - _degree(member)) // 2
+            for k, p in self._product(member, n - member.order).items():
+                key = tuple(i + j for i, j in zip(k, member.key))
+                total[key] = total.get(key, fmpq_poly([])) + (p * scale).left_shift(shift)
         return total
+
+    def _product(self, member: Member, n: int) -> Part:
+        """Degree n of X^position Y^velocity."""
+        X, Y = self.X_powers[member.position][1], self.Y_powers[member.integer_velocity][1]
+        if not member.position or not member.integer_velocity:
+            return (X if member.position else Y)[n]
+        return _convolution(X, Y, n)
 
     def _slow(self, parts: list[Part], n: int) -> Part:
         """sum_(0<j<n) (Omegahat_j q d_q - phat_j E) of the part of degree n - j: the known slow derivatives."""
         total: Part = {}
         for j in range(1, n):
-            shift = j * self.spread // 2
-            if j % 2:
-                image = {k: p.left_shift(shift) * -self._weight(k) for k, p in parts[n - j].items()}
-                accumulate(total, self.p[j].items(), image.items())
-            else:
-                h = 1 + (n - j) * self.spread
-                turned = _map(parts[n - j], lambda p, h=h, s=shift: rotated(p, h).left_shift(s))  # type: ignore[misc]
-                accumulate(total, self.Omega[j].items(), turned.items())
+            shift, h = j * self.spread // 2, 1 + (n - j) * self.spread
+            grown = {k: p.left_shift(shift) * -(1 + self.grading.weight(k)) for k, p in parts[n - j].items()}
+            turned = {k: rotated(p, h).left_shift(shift) for k, p in parts[n - j].items()}
+            accumulate(total, self.p[j].items(), grown.items())
+            accumulate(total, self.Omega[j].items(), turned.items())
         return total
 
     def _newest(self, n: int) -> Part:
@@ -207,18 +255,29 @@ class _Kernel:
         slow = {k: -c * cosine.left_shift(shift) for k, c in self.p[n].items()}
         return _sum(slow, {k: c * sine.left_shift(shift) for k, c in self.Omega[n].items()})
 
-    def _weight(self, key: Key) -> int:
-        """E = 1 + sum_i k_i (alpha_i - 1): the power of a in a delta^k."""
-        return 1 + sum(k * (a - 1) for k, a in zip(key, self.alphas))
-
     def _extend_powers(self, n: int) -> None:
-        self.powers[0].append({})
-        self.powers[1].append(self.Y[n])
-        for k in range(2, len(self.powers)):
-            total: Part = {}
-            for j in range(n + 1):
-                accumulate(total, self.powers[k - 1][j].items(), self.Y[n - j].items())
-            self.powers[k].append(total)
+        for powers, newest in ((self.X_powers, self.X[n]), (self.Y_powers, self.Y[n])):
+            first = powers[1][1]
+            powers[0][1].append({})
+            first.append(newest)
+            for k in range(2, len(powers)):
+                need, parts = powers[k]
+                if n <= need:
+                    parts.append(_convolution(powers[k - 1][1], first, n))
+
+
+def in_eta(member: Member) -> fmpq:
+    """What stands before eta^key X^position Y^velocity: the ratio times i^(alpha+1) of a loss or i^q of a spring."""
+    turns = member.integer_velocity + (member.sign < 0)
+    return -member.ratio if turns % 4 == 2 else member.ratio
+
+
+def _convolution(left: list[Part], right: list[Part], n: int) -> Part:
+    """Degree n of a product."""
+    total: Part = {}
+    for j in range(n + 1):
+        accumulate(total, left[j].items(), right[n - j].items())
+    return total
 
 
 def _divided(p: fmpq_poly, h: int) -> fmpq_poly:

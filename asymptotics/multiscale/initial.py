@@ -1,7 +1,8 @@
 """Initial conditions X(0) = 1, X'(0) = 0 to the order of the expansion, and with them the map to the turning points.
 
 A turning point of X = a sum_k delta^k x_k(psi) near psi = 0 is at a phase psi_0(delta), where the amplitude seen is
-a x(psi_0).  Its phase solves X' = 0; with psi = i sigma, delta = i eta, q = e^(-sigma) it is a rational fixed point,
+a x(psi_0).  Its phase solves X' = 0; with psi = i sigma, q = e^(-sigma) and delta = i eta for the losses alone it is a
+rational fixed point,
 
     sigma = sigma + Yhat(e^(-sigma), eta),      Yhat = -sinh sigma + O(eta),
 
@@ -21,9 +22,8 @@ from math import factorial
 from flint import fmpq
 
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PiNumber
-from asymptotics.multiscale.exact import GAUGE, OddHierarchy, Part, sign
+from asymptotics.multiscale.exact import GAUGE, OddHierarchy, Part
 from asymptotics.normal_form.gauges import GaugeMap
 from asymptotics.series import Series
 
@@ -44,15 +44,14 @@ def initial_conditions(hierarchy: OddHierarchy) -> InitialConditions:
 
 def map_to_turning_points(hierarchy: OddHierarchy) -> GaugeMap:
     """The map from this gauge to the turning-point gauge, found from the waveform of the hierarchy alone."""
-    order, variables = hierarchy.order, len(hierarchy.alphas)
+    order, variables = hierarchy.order, hierarchy.forces.variables
     velocity = _taylor(hierarchy, hierarchy.Y)
     sigma = Series({}, variables, order)
     for _ in range(order):
         sigma = sigma + _at(velocity, sigma)
     log_modulus = _at(_taylor(hierarchy, hierarchy.X), sigma).log()
-    lam, psi_0 = (s.map_keys(lambda k, c: PiNumber.rational(c * sign(sum(k)))) for s in (log_modulus, sigma))
-    grading = Grading.of(fmpq(a) for a in hierarchy.alphas)
-    return GaugeMap(GAUGE, TURNING_POINT, grading, lam, -psi_0)
+    lam, psi_0 = (hierarchy.real(s).map(PiNumber.rational) for s in (log_modulus, sigma))
+    return GaugeMap(GAUGE, TURNING_POINT, hierarchy.grading, lam, -psi_0)
 
 
 def _taylor(hierarchy: OddHierarchy, parts: tuple[Part, ...]) -> list[Series]:
@@ -65,7 +64,7 @@ def _taylor(hierarchy: OddHierarchy, parts: tuple[Part, ...]) -> list[Series]:
             for k, p in part.items():
                 total = sum((c * (h - 2 * i) ** j for i, c in enumerate(p.coeffs())), start=fmpq(0))
                 values[k] = total / factorial(j)
-        found.append(Series({k: c for k, c in values.items() if c != 0}, len(hierarchy.alphas), order))
+        found.append(Series({k: c for k, c in values.items() if c != 0}, hierarchy.forces.variables, order))
     return found
 
 

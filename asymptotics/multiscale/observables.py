@@ -21,7 +21,6 @@ from dataclasses import replace
 from flint import fmpq
 
 from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
-from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PI, PiNumber
 from asymptotics.half_swings.quarter import HalfSwing
 from asymptotics.multiscale.exact import GAUGE, OddHierarchy
@@ -34,7 +33,7 @@ from asymptotics.series import Series
 def flow_of(hierarchy: OddHierarchy) -> Flow:
     """U = -p/(1 + Omega), W = 1/(1 + Omega) in the gauge of the hierarchy."""
     W = (hierarchy.Omega.map(PiNumber.rational) + 1).inverse()
-    return Flow(Grading.of(fmpq(a) for a in hierarchy.alphas), -(hierarchy.p.map(PiNumber.rational) * W), W)
+    return Flow(hierarchy.grading, -(hierarchy.p.map(PiNumber.rational) * W), W)
 
 
 def map_to(hierarchy: OddHierarchy, gauge: str) -> GaugeMap:

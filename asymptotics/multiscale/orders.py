@@ -11,27 +11,42 @@ vector fields that do *not* commute.  At order n
 
 and D_0 D_n + D_n D_0 on X_0 gives 2 (D_n a) sin psi + 2 a (D_n psi) cos psi, by which the secular terms are removed.
 
->>> operator_equation(2, odd_force((3,), 2)).rhs                # D_1 D_1 X_0, D_0 D_2 X_0, D_2 D_0 X_0, ...
+>>> force = smooth_force(Forces.losses([3]), (epsilon,), 2)
+>>> operator_equation(2, force).rhs                             # D_1 D_1 X_0, D_0 D_2 X_0, D_2 D_0 X_0, ...
 -3*V_0**2*V_1 - D_0*D_1*X_1 - D_0*D_2*X_0 - D_1*D_0*X_1 - D_1**2*X_0 - D_2*D_0*X_0
 >>> velocity_equation(1)
 Eq(V_1, D_0*X_1 + D_1*X_0)
 """
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Add, Derivative, Eq, Expr, Function, Sum, Symbol, cos, expand, latex
+from sympy import Add, Derivative, Eq, Expr, Function, Mul, Sum, Symbol, cos, expand, latex
 
+from asymptotics.half_swings.forces import Forces, Member
+from asymptotics.numbers.bridge import to_sympy
 from asymptotics.series import Key
+from asymptotics.terms import Term
 
 a = Symbol("a", positive=True)
 psi = Symbol("psi", real=True)
 epsilon = Symbol("epsilon", positive=True)
+theta_0 = Symbol("theta_0", positive=True)
 
 
 def law_symbols(count: int) -> tuple[Expr, ...]:
     """The epsilon_i of several laws; for one law there is only the expansion parameter."""
     return (epsilon,) if count == 1 else tuple(Symbol(f"epsilon_{i}", positive=True) for i in range(count))
+
+
+def strength_symbols(terms: Sequence[Term]) -> tuple[Expr, ...]:
+    """epsilon or epsilon_i of the losses, c or c_j of the springs; theta_0^2 (in rad) of a pendulum's angle unit."""
+    losses = [t for t in terms if t.sign < 0]
+    springs = [t for t in terms if t.sign > 0 and not t.family]
+    numbered = [Symbol(f"c_{j}", real=True) for j in range(len(springs))]
+    names = iter((*law_symbols(len(losses)), *([Symbol("c", real=True)] if len(springs) == 1 else numbered)))
+    return tuple(theta_0**2 if t.family else next(names) for t in terms)
 
 
 def rate_symbols(n: int) -> tuple[Symbol, Symbol]:
@@ -100,6 +115,11 @@ def _unknown(n: int) -> Symbol:
     return Symbol(f"X_{n}", commutative=False)
 
 
+def _displacement(n: int) -> Symbol:
+    """X_n as a factor of a force, where it is a number and no operator acts on it."""
+    return Symbol(f"X_{n}", real=True)
+
+
 def _velocity(n: int) -> Symbol:
     return Symbol(f"V_{n}", real=True)
 
@@ -116,19 +136,23 @@ def velocity_equation(n: int) -> Eq:
     return Eq(_velocity(n), Add(*[_operator(j) * _unknown(n - j) for j in range(n + 1)]), evaluate=False)
 
 
-def odd_force(alphas: tuple[int, ...], n: int) -> Expr:
-    """The force sum_i epsilon_i X'^alpha_i at order n in terms of V_0, ..., V_(n-1); one law: epsilon taken out."""
-    if n == 0:
-        return Add()
-    factors = (1,) if len(alphas) == 1 else law_symbols(len(alphas))
-    return Add(*[f * _power_part(alpha, n - 1) for f, alpha in zip(factors, alphas)])
+def smooth_force(forces: Forces, symbols: tuple[Expr, ...], n: int) -> Expr:
+    """All forces at order n in terms of X_k and V_k = (X')_k, k < n; of one variable the strength is taken out."""
+    return Add(*[_at_order(m, symbols, n) for m in forces.through(n)])
 
 
-def _power_part(alpha: int, degree: int) -> Expr:
-    """The coefficient of eps^degree in (V_0 + eps V_1 + ...)^alpha."""
+def _at_order(member: Member, symbols: tuple[Expr, ...], n: int) -> Expr:
+    strength = Mul(*[s**k for s, k in zip(symbols, member.key)]) if len(symbols) > 1 else 1
+    factors: list[Callable[[int], Symbol]] = [_displacement] * member.position
+    factors += [_velocity] * member.integer_velocity
+    return expand(to_sympy(member.ratio) * strength * _product_part(factors, n - member.order))
+
+
+def _product_part(factors: list[Callable[[int], Symbol]], degree: int) -> Expr:
+    """The coefficient of eps^degree in a product of series X_0 + eps X_1 + ... and V_0 + eps V_1 + ...."""
     parts: list[Expr] = [Add(1)] + [Add()] * degree
-    for _ in range(alpha):
-        parts = [expand(Add(*[_velocity(j) * parts[d - j] for j in range(d + 1)])) for d in range(degree + 1)]
+    for factor in factors:
+        parts = [expand(Add(*[factor(j) * parts[d - j] for j in range(d + 1)])) for d in range(degree + 1)]
     return parts[degree]
 
 
@@ -143,12 +167,12 @@ def general_force(alphas: tuple[Expr, ...], n: int) -> Expr:
     return total
 
 
-def monomial(alphas: tuple[Any, ...], key: Key, power: int = 1) -> Expr:
-    """a^power delta^k in powers of a, times the epsilon_i of several laws (for one law epsilon^n is left out)."""
-    total = a ** (power + sum(k * (alpha - 1) for k, alpha in zip(key, alphas)))
-    if len(alphas) == 1:
+def monomial(degrees: tuple[Any, ...], key: Key, power: int = 1, symbols: tuple[Expr, ...] = ()) -> Expr:
+    """a^power delta^k in powers of a, times the strengths of several forces (of one force epsilon^n is left out)."""
+    total = a ** (power + sum(k * (d - 1) for k, d in zip(key, degrees)))
+    if len(degrees) == 1:
         return total
-    for symbol, k in zip(law_symbols(len(alphas)), key):
+    for symbol, k in zip(symbols or law_symbols(len(degrees)), key):
         total = total * symbol**k
     return total
 

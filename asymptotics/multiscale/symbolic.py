@@ -1,4 +1,4 @@
-"""The classical route for odd exponents, in SymPy: every order displayed, laws, waveform and initial conditions.
+"""The classical route for smooth forces, in SymPy: every order displayed, laws, waveform and initial conditions.
 
 >>> result = multiple_scales((3,), 3)
 >>> result.orders[1].equation.rhs
@@ -19,8 +19,15 @@ exists here, its mixed derivatives differ:
 (0, -27*a**6/512)
 
 The D_n are vector fields on the (a, psi) plane, d/d tau is their sum along one solution, and order matters in D_i D_j.
+
+A spring stands beside the losses with its own strength c, and turns the phase at first order:
+
+>>> van_der_pol, cubic = (Term(1, 1), Term(1, 1, 2)), Term(1, 0, 3, "position")
+>>> multiple_scales((*van_der_pol, cubic), 1).phase_rate
+3*a**2*c/8 + 1
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from flint import fmpq
@@ -31,29 +38,30 @@ from asymptotics.multiscale.initial import InitialConditions, initial_conditions
 from asymptotics.multiscale.orders import (
     Order,
     a,
-    epsilon,
-    law_symbols,
     leading_order,
     monomial,
-    odd_force,
     operator_equation,
     psi,
     rate_symbols,
+    smooth_force,
     solution_symbol,
+    strength_symbols,
     velocity_equation,
 )
 from asymptotics.numbers.bridge import to_sympy
-from asymptotics.series import Series, monomials
+from asymptotics.series import Key, Series, monomials
+from asymptotics.terms import Term
 
 
 @dataclass(frozen=True, repr=False)
 class MultipleScales:
     """The hierarchy solved through ``kernel.order``: orders 0, ..., N as objects, and their sums as expressions.
 
-    ``orders[n]`` holds X_n; for several laws X_n collects all terms of total degree n in epsilon_0, epsilon_1, ....
-    ``rates[n]`` = (D_n a, D_n psi).
+    ``orders[n]`` holds X_n; for several forces X_n collects all terms of total degree n in their strengths ``symbols``
+    (of one force epsilon^n or c^n is taken out).  ``rates[n]`` = (D_n a, D_n psi).
     """
 
+    terms: tuple[Term, ...]
     kernel: OddHierarchy
     orders: tuple[Order, ...]
     start: InitialConditions
@@ -65,18 +73,23 @@ class MultipleScales:
         return self.kernel.gauge
 
     @property
+    def symbols(self) -> tuple[Expr, ...]:
+        """The strengths: epsilon or epsilon_i, c or c_j, and theta_0^2 for a pendulum with x in units of theta_0."""
+        return strength_symbols(self.terms)
+
+    @property
     def rates(self) -> tuple[tuple[Expr, Expr], ...]:
         """(D_n a, D_n psi) for n = 0, ..., N, with D_0 psi = 1."""
         return tuple((e[0].rhs, e[1].rhs) for e in (order.solvability for order in self.orders))
 
     @property
     def amplitude_rate(self) -> Expr:
-        """da/d tau as a polynomial in epsilon and a."""
+        """da/d tau as a polynomial in a and the strengths."""
         return self._sum(tuple(rate for rate, _ in self.rates))
 
     @property
     def phase_rate(self) -> Expr:
-        """d psi/d tau as a polynomial in epsilon and a."""
+        """d psi/d tau as a polynomial in a and the strengths."""
         return self._sum(tuple(rate for _, rate in self.rates))
 
     @property
@@ -87,12 +100,12 @@ class MultipleScales:
     @property
     def initial_amplitude(self) -> Expr:
         """a(0) for X(0) = 1, X'(0) = 0."""
-        return _in_epsilon(self.start.amplitude)
+        return _in_strengths(self.start.amplitude, self.symbols)
 
     @property
     def initial_phase(self) -> Expr:
         """psi(0) = phi(0) for X(0) = 1, X'(0) = 0."""
-        return _in_epsilon(self.start.phase)
+        return _in_strengths(self.start.phase, self.symbols)
 
     def slow_derivative(self, n: int, f: Expr) -> Expr:
         """D_n f = (D_n a) df/da + (D_n psi) df/d psi for an expression in a and psi; n = 0 is the fast derivative."""
@@ -106,12 +119,12 @@ class MultipleScales:
         return of_a, of_psi
 
     def _sum(self, parts: tuple[Expr, ...]) -> Expr:
-        step = epsilon if len(self.kernel.alphas) == 1 else 1
+        step = self.symbols[0] if len(self.terms) == 1 else 1
         return Add(*[expand(step**n * part) for n, part in enumerate(parts)])
 
     def __repr__(self) -> str:
-        exponents = ", ".join(map(str, self.kernel.alphas))
-        return f"MultipleScales(alpha = {exponents}, orders 0 to {len(self.orders) - 1}, gauge {self.gauge})"
+        forces = ", ".join(t.shape() for t in self.terms)
+        return f"MultipleScales({forces}, orders 0 to {len(self.orders) - 1}, gauge {self.gauge})"
 
     def _repr_latex_(self) -> str:
         rows = (
@@ -125,52 +138,78 @@ class MultipleScales:
         return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
 
 
-def multiple_scales(alphas: tuple[int, ...], order: int, *, max_seconds: float = MAX_SECONDS) -> MultipleScales:
-    """Solve X'' + X + sum_i epsilon_i X'^alpha_i = 0 for odd alpha_i >= 1 through ``order``, orders shown one by one.
+def multiple_scales(
+    given: Sequence[int | Term], order: int, *, max_seconds: float = MAX_SECONDS
+) -> MultipleScales:
+    """Solve X'' + X + the forces = 0 for polynomial forces through ``order``, orders shown one by one.
 
-    Raises InputError for exponents that are not odd or an order below 1, LimitError for more than ``max_seconds``.
+    ``given``: terms (losses with alpha odd and m even, springs with p odd and q even; a pendulum) or odd exponents.
+    Raises InputError for other forces or an order below 1, LimitError for more than ``max_seconds``.
     """
-    kernel = odd_hierarchy(alphas, order, max_seconds=max_seconds)
-    orders = (leading_order(kernel.gauge), *(_order(kernel, n) for n in range(1, order + 1)))
-    return MultipleScales(kernel, orders, initial_conditions(kernel))
+    kernel = odd_hierarchy(tuple(given), order, max_seconds=max_seconds)
+    terms = tuple(t if isinstance(t, Term) else Term(1, t) for t in given)
+    made = _Display(kernel, strength_symbols(terms))
+    orders = (leading_order(kernel.gauge), *(made.order(n) for n in range(1, order + 1)))
+    return MultipleScales(terms, kernel, orders, initial_conditions(kernel))
 
 
-def _order(kernel: OddHierarchy, n: int) -> Order:
-    alphas = kernel.alphas
-    rate, turn = rate_symbols(n)
-    known = {key: kernel.right_side(key) for key in kernel.keys(n)}
-    right = 2 * rate * sin(psi) + 2 * a * turn * cos(psi) + _trigonometric(alphas, n, known)
-    first = Add(*[to_sympy(c.get(1, fmpq(0))) * monomial(alphas, k) for k, c in known.items()])
-    secular = (2 * rate + first, 2 * a * turn) if n % 2 else (2 * rate, 2 * a * turn + first)
-    solved = (-_homogeneous(alphas, kernel.p, n, 1), _homogeneous(alphas, kernel.Omega, n, 0))
-    X_n = solution_symbol(n)
-    return Order(
-        n,
-        operator_equation(n, odd_force(alphas, n)),
-        velocity_equation(n - 1),
-        Eq(Derivative(X_n, (psi, 2)) + X_n, right, evaluate=False),
-        secular,
-        tuple(Eq(s, v, evaluate=False) for s, v in zip((rate, turn), solved)),
-        Eq(X_n, _trigonometric(alphas, n, {key: kernel.harmonics(key) for key in kernel.keys(n)}), evaluate=False),
-        kernel.gauge,
-    )
+@dataclass(frozen=True)
+class _Display:
+    """The results of the kernel as SymPy expressions in a, psi and the strengths."""
+
+    kernel: OddHierarchy
+    symbols: tuple[Expr, ...]
+
+    def order(self, n: int) -> Order:
+        """Order n: nothing is computed here, everything is shown."""
+        kernel, (rate, turn) = self.kernel, rate_symbols(n)
+        known = {key: kernel.right_side(key) for key in kernel.keys(n)}
+        first = {key: c.get(1, fmpq(0)) for key, c in known.items()}
+        sine, cosine = (self._sum({k: c for k, c in first.items() if self._is_odd(k) == odd}) for odd in (True, False))
+        solved = (-self._homogeneous(kernel.p, n, 1), self._homogeneous(kernel.Omega, n, 0))
+        X_n = solution_symbol(n)
+        return Order(
+            n,
+            operator_equation(n, smooth_force(kernel.forces, self.symbols, n)),
+            velocity_equation(n - 1),
+            Eq(
+                Derivative(X_n, (psi, 2)) + X_n,
+                2 * rate * sin(psi) + 2 * a * turn * cos(psi) + self._waves(known),
+                evaluate=False,
+            ),
+            (2 * rate + sine, 2 * a * turn + cosine),
+            tuple(Eq(s, v, evaluate=False) for s, v in zip((rate, turn), solved)),
+            Eq(X_n, self._waves({key: kernel.harmonics(key) for key in kernel.keys(n)}), evaluate=False),
+            kernel.gauge,
+        )
+
+    def _is_odd(self, key: Key) -> bool:
+        return self.kernel.forces.loss_degree(key) % 2 == 1
+
+    def _monomial(self, key: Key, power: int = 1) -> Expr:
+        degrees = tuple(to_sympy(d) for d in self.kernel.grading.degrees)
+        return monomial(degrees, key, power, self.symbols)
+
+    def _sum(self, parts: dict[Key, fmpq], power: int = 1) -> Expr:
+        return Add(*[to_sympy(c) * self._monomial(k, power) for k, c in parts.items()])
+
+    def _waves(self, parts: dict[Key, dict[int, fmpq]]) -> Expr:
+        """sum of c a delta^k sin(m psi) for odd loss degree, cos(m psi) for even."""
+        total = [
+            to_sympy(c) * self._monomial(k) * (sin if self._is_odd(k) else cos)(m * psi)
+            for k, line in parts.items()
+            for m, c in line.items()
+        ]
+        return Add(*total)
+
+    def _homogeneous(self, series: Series, n: int, power: int) -> Expr:
+        """a^power times the terms of total degree n of p or Omega."""
+        keys = monomials(series.variables, n)
+        return self._sum({k: series.coefficients[k] for k in keys if k in series.coefficients}, power)
 
 
-def _trigonometric(alphas: tuple[int, ...], n: int, parts: dict[tuple[int, ...], dict[int, fmpq]]) -> Expr:
-    """sum of c a delta^k sin(m psi) for odd n, cos(m psi) for even n."""
-    wave = sin if n % 2 else cos
-    terms = [to_sympy(c) * monomial(alphas, k) * wave(m * psi) for k, line in parts.items() for m, c in line.items()]
-    return Add(*terms)
-
-
-def _homogeneous(alphas: tuple[int, ...], series: Series, n: int, power: int) -> Expr:
-    """a^power times the terms of total degree n of p or Omega."""
-    found = [(k, series.coefficients[k]) for k in monomials(len(alphas), n) if k in series.coefficients]
-    return Add(*[to_sympy(c) * monomial(alphas, k, power) for k, c in found])
-
-
-def _in_epsilon(series: Series) -> Expr:
-    symbols, total = law_symbols(series.variables), Add()
+def _in_strengths(series: Series, symbols: tuple[Expr, ...]) -> Expr:
+    total = Add()
     for key, c in series.coefficients.items():
         term = to_sympy(c)
         for symbol, k in zip(symbols, key):

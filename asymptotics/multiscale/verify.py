@@ -15,26 +15,35 @@ p_3 = 567/8192 for x'^3 with the waveform for which 351/8192 is right.  The resi
 """
 
 from dataclasses import replace
+from math import prod
 
 from flint import fmpq, fmpq_poly
 
-from asymptotics.multiscale.exact import OddHierarchy, Part, real_harmonics, rotated, sign
+from asymptotics.half_swings.forces import Member
+from asymptotics.multiscale.exact import OddHierarchy, Part, in_eta, rotated, sign
 from asymptotics.series import Key, Series
 from asymptotics.verdict import Outcome
 
 
 def residual(hierarchy: OddHierarchy) -> dict[Key, dict[int, fmpq]]:
-    """D^2 X + X + sum_i epsilon_i (D X)^alpha_i through the order of the hierarchy, in units of a delta^k.
+    """D^2 X + X + the forces at X and D X, through the order of the hierarchy, in units of a delta^k.
 
-    Exponent k -> {m: coefficient of cos(m psi) (total degree even) or sin(m psi) (odd)}, without zeros.
+    Exponent k -> {m: coefficient of cos(m psi) (loss degree even) or sin(m psi) (odd)}, without zeros.
     """
     X = _series(hierarchy, hierarchy.X)
     velocity = _derivative(hierarchy, X)
     total = X - _derivative(hierarchy, velocity)
-    for i, a in enumerate(hierarchy.alphas):
-        total = total + _force(hierarchy, velocity, i, a)
-    parts = {k: real_harmonics(p, sum(k), hierarchy.spread) for k, p in total.coefficients.items()}
+    for member in hierarchy.forces.through(hierarchy.order):
+        total = total + _force(hierarchy, X, velocity, member)
+    parts = {k: _harmonics(hierarchy, k, p) for k, p in total.coefficients.items()}
     return {k: harmonics for k, harmonics in parts.items() if harmonics}
+
+
+def _harmonics(hierarchy: OddHierarchy, key: Key, p: fmpq_poly) -> dict[int, fmpq]:
+    h = 1 + sum(key) * hierarchy.spread
+    parity = -1 if hierarchy.forces.loss_degree(key) % 2 else 1
+    broken = {-m: p[(h - m) // 2] - parity * p[(h + m) // 2] for m in range(1, h + 1, 2)}
+    return hierarchy.real_harmonics(key, p) | {m: c for m, c in broken.items() if c != 0}
 
 
 def equation_residual(hierarchy: OddHierarchy) -> Outcome:
@@ -49,19 +58,19 @@ def residual_order(hierarchy: OddHierarchy) -> int:
 
 def with_amplitude_coefficient(hierarchy: OddHierarchy, key: Key, value: fmpq) -> OddHierarchy:
     """The same hierarchy with one coefficient of p replaced: a near miss, to see the residual fail."""
-    changed = {**hierarchy.p_hat.coefficients, key: value * sign(sum(key))}
+    changed = {**hierarchy.p_hat.coefficients, key: value * sign(hierarchy.forces.loss_degree(key))}
     return replace(hierarchy, p_hat=hierarchy.p_hat.with_coefficients(changed))
 
 
 def _series(hierarchy: OddHierarchy, parts: tuple[Part, ...]) -> Series:
-    return Series({k: p for part in parts for k, p in part.items()}, len(hierarchy.alphas), hierarchy.order)
+    return Series({k: p for part in parts for k, p in part.items()}, hierarchy.forces.variables, hierarchy.order)
 
 
 def _derivative(hierarchy: OddHierarchy, f: Series) -> Series:
     """Dhat f = (1 + Omegahat) q d_q f - phat E f, each coefficient of degree n stored as q^(h_n) times itself."""
     spread = hierarchy.spread
     turned = f.map_keys(lambda k, p: rotated(p, 1 + sum(k) * spread))
-    scaled = f + f.weighted(tuple(a - 1 for a in hierarchy.alphas))
+    scaled = f + hierarchy.grading.weighted(f)
     return (_lifted(hierarchy.Omega_hat, spread) + fmpq_poly([1])) * turned - _lifted(hierarchy.p_hat, spread) * scaled
 
 
@@ -70,10 +79,11 @@ def _lifted(series: Series, spread: int) -> Series:
     return series.map_keys(lambda k, c: fmpq_poly([c]).left_shift(sum(k) * spread // 2))
 
 
-def _force(hierarchy: OddHierarchy, velocity: Series, i: int, a: int) -> Series:
-    """(-1)^((alpha_i+1)/2) eta_i (Dhat Xhat)^alpha_i."""
-    shift, parity = (hierarchy.spread + 1 - a) // 2, (-1) ** ((a + 1) // 2)
-    power = velocity
-    for _ in range(a - 1):
-        power = power * velocity
-    return power.shift(i).truncate(hierarchy.order).map(lambda p: (p * parity).left_shift(shift))
+def _force(hierarchy: OddHierarchy, X: Series, velocity: Series, member: Member) -> Series:
+    """One force in eta: its sign and ratio times eta^key X^position (Dhat Xhat)^velocity."""
+    factors = [X] * member.position + [velocity] * member.integer_velocity
+    power = prod(factors[1:], start=factors[0])
+    for i in (i for i, n in enumerate(member.key) for _ in range(n)):
+        power = power.shift(i).truncate(hierarchy.order)
+    shift = (member.order * hierarchy.spread + 1 - len(factors)) // 2
+    return power.map(lambda p: (p * in_eta(member)).left_shift(shift))
