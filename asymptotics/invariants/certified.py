@@ -15,7 +15,7 @@ True
 
 **Where the series converges.**  With z = w / (w^2 - u) and A = 2w/z - 1 the time is
 F(w, z) = int_0^w 2 dw' / (1 + W(A e^A e^(-2(w^2 - w'^2)))), singular where the level reaches that of the equilibrium on
-another sheet, A e^A = -e^(2 w^2 - 1).  Hence for real w
+another sheet, A e^A = -e^(2 w^2 - 1).  Hence for real w (derivation ``smith-series-radii``)
 
 * sum_n f_n(w) z^n  (57) converges for |z| < R(w) = |2w / (1 + W_0(-e^(2w^2-1)))| and diverges for |z| > R(w);
 * the double sum (61) converges absolutely for |z| < rho(|w|) = 2|w| / (-1 - W_(-1)(-e^(-1-2w^2))) <= R(w); the signs of

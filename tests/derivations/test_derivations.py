@@ -32,6 +32,11 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("smith_closed_sum", "return 2 * (-1) ** (k - 1) * top", "return 2 * (-1) ** k * top"),
     ("smith_denominators", "fmpq_poly([0, 0, -2, 1])", "fmpq_poly([0, 0, -2, 2])"),
     ("smith_denominators", "return N * double_factorial(N - 2)", "return N * double_factorial(N - 1)"),
+    ("smith_series_radii", "elapsed = (log_size + 1) / 2", "elapsed = (log_size - 1) / 2"),
+    ("smith_series_radii", "curve = -eta * sympy.cot(eta)", "curve = eta * sympy.cot(eta)"),
+    ("smith_series_radii", "exp(-1 - 2 * p**2) / (1 + b)", "exp(1 - 2 * p**2) / (1 + b)"),
+    ("smith_series_radii", "sign * C_1 - (n - 2)", "sign * C_1 + (n - 2)"),
+    ("smith_series_radii", "2 * (b - sympy.log(1 + b)) / b**2,\n)", "2 * (b + sympy.log(1 + b)) / b**2,\n)"),
     ("smith_footnote_8", "/ (3 * 2**m * sympy.factorial(m))", "/ (2**m * sympy.factorial(m))"),
 ]
 
