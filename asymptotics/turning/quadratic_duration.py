@@ -1,5 +1,6 @@
 """The duration of a half-swing for alpha = 2, enclosed: a quadrature with its end point singularities removed exactly.
 
+Every step is in the derivation ``quadratic-trapezoid``.
 With p = 2|u_n|, q = F(p) and t = p - 2u running from 0 to t* = p + q, the first integral gives the speed
 
     2 w^2 = (1+p)(1 - e^(-t)) - t = 2 t (t* - t) K(t),
