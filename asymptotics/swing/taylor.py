@@ -71,8 +71,8 @@ class TaylorStep:
 
 
 def order_for(bits: int) -> int:
-    """The degree at which full precision is reached at about e^-2 of the radius."""
-    return int(0.36 * bits) + 6
+    """The degree at which full precision is reached near e^-1.65 of the radius."""
+    return int(0.42 * bits) + 6
 
 
 def coefficients(damping: Damping, y: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
@@ -98,10 +98,10 @@ def discs(damping: Damping, ws: list[arb]) -> Iterator[tuple[arb, arb]]:
     For large exponents, where N(w_0 (1+rho)) is huge, also for smaller ones.
     """
     w = ws[0]
-    start = size_of(w)
-    sizes = [(start - size_of(c)) / k for k, c in enumerate(ws[1:], start=1) if c.mid() != 0]
+    start, bounds = size_of(w), [abs(c).upper() for c in ws[1:]]
+    sizes = [(start - size_of(c)) / k for k, c in enumerate(bounds, start=1) if c != 0]
     widest = min(sizes, default=0.0)
-    moving = arb_poly([arb(0), *(upper(c) for c in ws[1:])])
+    moving = arb_poly([arb(0), *bounds])
     for share in _SHARES:
         radius = dyadic(widest) * arb(share)
         moved = upper(moving(radius))

@@ -40,6 +40,7 @@ from asymptotics.turning.routes import FAR, Plan
 
 MAX_GENERAL_DIGITS = 1000
 _TRIES = 6
+_SPARE = 20  # bits beyond the digits: one value in thousands is too near a tie for them, and is tried again
 
 Progress = Callable[[int], None]
 
@@ -95,7 +96,7 @@ def _enclosed(law: Law, count: int, digits: int, start: int, times: bool, progre
     if digits > MAX_GENERAL_DIGITS:
         reason = f"{digits} digits are too many for a law without a closed form"
         raise LimitError("--digits", reason, f"at most {MAX_GENERAL_DIGITS} digits")
-    bits = bits_for(digits, 40) + 2 * (min(start, FAR) + count).bit_length()
+    bits = bits_for(digits, _SPARE) + 2 * (min(start, FAR) + count).bit_length()
     plan = Plan.of(law, start, count, bits)
     require_seconds(plan.seconds, f"{start + count} half-swings with {digits} digits")
     reason = ""
