@@ -27,7 +27,7 @@ from flint import arb, arb_poly, ctx
 
 from asymptotics.errors import UndecidedError
 from asymptotics.swing.damping import Damping, dyadic, size_of, upper
-from asymptotics.swing.keys import Key, Plan, keys_of, plan_for
+from asymptotics.swing.keys import Key, Plan, keys_of, plan_for, sums_below
 from asymptotics.swing.majorant import majorant
 
 _STEPS = 4  # delta is rounded up to a quarter of a power of two: plans are shared
@@ -122,15 +122,20 @@ def _stretched(damping: Damping, size: arb, w: arb, plan: Plan) -> tuple[arb, ar
 
 
 def _on_a_line(damping: Damping, y0: arb, plan: Plan) -> tuple[list[arb], list[arb], list[arb]]:
-    """Coefficients of y, Q and tau/w in powers of w^(1/q)."""
+    """Coefficients of y, Q and tau/w in powers of w^(1/q); what no sum of 2q and the alpha_i q reaches is exactly 0."""
     q = plan.denominator
     force = {int(a.rational * q): e for a, e in zip(damping.alphas, damping.strengths)}
-    P, Q, y = [y0], [1 / y0], [y0]
+    Q, y, reached = [1 / y0], [y0], sums_below(plan.count, (2 * q, *force))
     scale, none = -1 / y0, arb(0)
+    places: list[int] = []  # of the coefficients of P, after the first, that are not 0
+    P: list[arb] = []
     for k in range(1, plan.count):
-        y.append(-Q[k - 2 * q] * q / k if k >= 2 * q else none)
-        P.append(y[k] - force[k] if k in force else y[k])
-        Q.append(scale * sum(map(mul, P[1:], reversed(Q)), none))
+        squared = k >= 2 * q and reached[k - 2 * q]
+        y.append(-Q[k - 2 * q] * q / k if squared else none)
+        if squared or k in force:
+            places.append(k)
+            P.append(y[k] - force[k] if k in force else y[k])
+        Q.append(scale * sum(map(mul, P, [Q[k - f] for f in places]), none) if reached[k] else none)
     return y, Q, [c * q / (k + q) for k, c in enumerate(Q)]
 
 

@@ -63,7 +63,7 @@ def plan_for(
     best, cost = None, inf
     for omega in [edge - h for h in _HALVINGS] if speed is None else [speed]:
         for plan in (_line(omega, ln2_delta, rational, alphas, bits), _simplex(omega, ln2_delta, alphas, bits)):
-            if plan is not None and (total := _microseconds(plan, bits, len(alphas))) < cost:
+            if plan is not None and (total := _microseconds(plan, bits, alphas)) < cost:
                 best, cost = plan, total
     if best is None:
         shown = ", ".join(f"{a:.6g}" for a in alphas)
@@ -154,9 +154,23 @@ def _simplex(omega: float, delta: tuple[float, ...], alphas: tuple[float, ...], 
     return best
 
 
-def _microseconds(plan: Plan, bits: int, laws: int) -> float:
+def sums_below(count: int, parts: tuple[int, ...]) -> list[bool]:
+    """Which k < count are sums of the parts, 0 among them.
+
+    >>> [k for k, reached in enumerate(sums_below(12, (4, 5))) if reached]
+    [0, 4, 5, 8, 9, 10]
+    """
+    reached = [True]
+    for k in range(1, count):
+        reached.append(any(k >= part and reached[k - part] for part in parts))
+    return reached
+
+
+def _microseconds(plan: Plan, bits: int, alphas: tuple[float, ...]) -> float:
     """A rough cost of a half-swing's two ends and of the Taylor steps that a small omega adds."""
-    order = 0.36 * bits + 6
-    step = 150 + 0.1 * order**2 * (1 + laws) * (1 + bits / 500)
-    one = (0.1 if plan.denominator else 0.3) * plan.count**2 * (1 + bits / 500) + 5 * plan.count
+    order, q, terms = 0.42 * bits + 6, plan.denominator, plan.count
+    step = 150 + 0.1 * order**2 * (1 + len(alphas)) * (1 + bits / 500)
+    if q:
+        terms = sum(sums_below(plan.count, (2 * q, *(round(a * q) for a in alphas))))
+    one = (0.1 if q else 0.3) * terms**2 * (1 + bits / 500) + 5 * terms + plan.count
     return 3.5 * one + 2 * 8.8 * _LN2 * max(0.0, -1 - plan.omega) * step
