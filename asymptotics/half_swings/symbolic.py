@@ -14,7 +14,8 @@ lambda and the even part of t only.  In t_4 the integral of s^(2 alpha) S^2 rema
 
 the mean over 0 < theta < pi.  (pi^2 M^2/12 is the mean of (M (theta - pi/2))^2, the secular part of S^2.)
 
-*Does I_4 reduce?*  In moments with coefficients rational in alpha: no.  Write J = <s^(2 alpha) S^2>, and suppose
+*Does I_4 reduce?*  Not to the products of moments that stand beside it in t_4, with coefficients rational in alpha
+(derivation ``nested-integral``; other polynomials in moments are not excluded).  Write J = <s^(2 alpha) S^2>; suppose
 J = r_1 pi^2 M_(alpha+1)^2 M_(2 alpha) + r_2 M_(4 alpha) + r_3 M_(alpha+1) M_(3 alpha+1) with r_i in Q(alpha).
 
 * alpha an odd integer: S = M_(alpha+1) (theta - pi/2) + trigonometric polynomial, all M involved are rational, and J =
@@ -26,7 +27,7 @@ J = r_1 pi^2 M_(alpha+1)^2 M_(2 alpha) + r_2 M_(4 alpha) + r_3 M_(alpha+1) M_(3 
   (Chudnovsky), so r_1 = 1/4 at all large half-integers.
 
 A rational function cannot do both.  So I_4 has a closed form in moments at every integer and half-integer alpha, and
-no such form holds for all alpha.  At a single other exponent nothing is proved; an integer-relation search with 105
+none of this kind holds for all alpha.  At another exponent nothing is proved; an integer-relation search with 105
 digits at alpha = 1/4, 2/3, 4/3 finds none below 10^12 (evidence, not proof).  Whether a generalised hypergeometric
 value counts as closed is a matter of taste: it is evaluated here with certificates instead.
 
