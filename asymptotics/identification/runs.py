@@ -80,7 +80,7 @@ def verdict_of_runs(runs: Sequence[Verdict], chosen: Sequence[LawFit]) -> Verdic
         text = f"{NONE} at the noise level in {inadequate} of {len(runs)} runs (model inadequate); best: {names}"
         return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
     if len(chosen) == 1:
-        return Verdict("identified", f"identified in {len(runs)} runs: {names}")
+        return Verdict("identified", f"identified in {len(runs)} runs: {names}, among the laws tried")
     if not chosen or len(chosen) > 3:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}")
     return Verdict(SEVERAL, f"{SEVERAL} with {len(runs)} runs: {names}")

@@ -101,7 +101,7 @@ def verdict_of(laws: Sequence[LawFit], seen: Observations | None, noise: Noise |
     if all(e.contains(0.0) for f in chosen for e in f.epsilon):
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")
     if len(chosen) == 1:
-        return Verdict(IDENTIFIED, f"{IDENTIFIED}: {names}" + _richer(chosen[0], best))
+        return Verdict(IDENTIFIED, f"{IDENTIFIED}: {names}, among the laws tried" + _richer(chosen[0], best))
     telling = "" if seen is None else what_would_tell(chosen[0], chosen[1], seen)
     if len(chosen) > MANY:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}", telling)

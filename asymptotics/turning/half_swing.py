@@ -18,11 +18,13 @@ from asymptotics.half_swings.finite import SwingValue, finite_quarter, series_re
 from asymptotics.half_swings.finite_result import HalfSwingAt, certified_swing, require_strengths
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.ends import CREEPS, OVERDAMPED, STICKS
 from asymptotics.swing.passage import integrated
 
 MAX_DELTA = 1000
 CHEAP_ORDER = 24
 """The order up to which the coefficients cost less than a second."""
+_ENDS = {STICKS: "sticks there", CREEPS: "creeps from there on", OVERDAMPED: "is overdamped"}
 
 
 def half_swing_result(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], digits: int = 30) -> HalfSwingAt:
@@ -41,7 +43,7 @@ def half_swing_result(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], d
             return finite_quarter(alphas, balls, bits).half_swing(balls)
         found = integrated(Damping.of(list(zip(balls, alphas, strict=True))), arb(1))
         if found.amplitude is None or found.duration is None:
-            raise InputError("delta", f"no turning point follows: it {found.ended}", "a smaller delta")
+            raise InputError("delta", f"no turning point follows: the motion {_ENDS[found.ended]}", "a smaller delta")
         return SwingValue(found.amplitude.log(), found.amplitude, found.duration, found.route, found.terms, found.tail)
 
     return certified_swing(alphas, delta, digits, evaluate)
