@@ -43,7 +43,8 @@ def half_swing_result(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], d
             return finite_quarter(alphas, balls, bits).half_swing(balls)
         found = integrated(Damping.of(list(zip(balls, alphas, strict=True))), arb(1))
         if found.amplitude is None or found.duration is None:
-            raise InputError("delta", f"no turning point follows: the motion {_ENDS[str(found.ended)]}", "a smaller delta")
+            how = _ENDS[str(found.ended)]
+            raise InputError("delta", f"no turning point follows: the motion {how}", "a smaller delta")
         return SwingValue(found.amplitude.log(), found.amplitude, found.duration, found.route, found.terms, found.tail)
 
     return certified_swing(alphas, delta, digits, evaluate)
