@@ -2,12 +2,16 @@
 
   asymptotics motion --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --time 7
   asymptotics motion --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --time 7 --reference --digits 40
+  asymptotics motion --alpha 2 --damping 0.1 --spring 3:0.5 --x0 1 --time 7
   asymptotics motion --law 0:0.01 --law 2:0.3 --x0 1/5 --v0 -1 --time 10 --order 2 --plot motion.svg --csv motion.csv
 
 The start is x(0) = x0, x'(0) = v0.  --order N (default 3): p_k and Omega_k for k <= N and the waveform through
 delta^(N-1); order 1 is x0 A(t) cos(omega_0 t).  `phase` is psi - omega_0 t, and `error` an estimate from the orders
 N + 1 and N + 2; with --bound, `bound` is a proved bound of |x - x_N| at that time, rounded up.  --reference:
-every digit proved, whatever the law and the start; closed forms where there are any.
+every digit proved, whatever the law of the velocity and the start; closed forms where there are any.
+
+--spring P:C adds C x|x|^(P-1) (C in N/m^P), pendulum has K sin x in place of K x (rad); the expansion knows them,
+--reference and --bound do not.
 """
 
 import argparse
@@ -39,7 +43,7 @@ _QUANTITIES = {
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    add_forces(parser, "damping", "B", "b in N (s/m)^alpha", springs=False)
+    add_forces(parser, "damping", "B", "b in N (s/m)^alpha")
     for name, (letter, default, text) in _QUANTITIES.items():
         note = "" if default is None else f" (default {default})"
         parser.add_argument(f"--{name}", required=default is None, default=default, metavar=letter, help=text + note)

@@ -41,11 +41,12 @@ def csv_of(
 
 
 def picture_of(oscillator: Oscillator, time: ExactReal, order: int, gauge: str, kind: str) -> bytes:
-    """x(t) with +-A(t) above, |x_N - x_reference| below (left out where the reference would take too long)."""
+    """x(t) with +-A(t) above, |x_N - x_reference| below (left out without a reference in reach)."""
     motion = AsymptoticMotion.of(oscillator, order, gauge)
     dense = motion.sample(np.linspace(0.0, _float(time), 4 * _ROWS + 1))
     error = None
-    if estimated_seconds(oscillator, time, _REFERENCE_DIGITS) < _MAX_SECONDS and time > 0:
+    known = oscillator.law.is_pure and estimated_seconds(oscillator, time, _REFERENCE_DIGITS) < _MAX_SECONDS
+    if known and time > 0:
         t, x, _ = _reference(oscillator, time, _REFERENCE_ROWS)
         error = t, np.abs(motion.sample(t).x - x)
 

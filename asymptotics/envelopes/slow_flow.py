@@ -113,7 +113,8 @@ class SlowLaw:
         """Knots from s = ``start`` until tau reaches ``tau_max`` or the amplitude is extinct; doubles."""
         if not self.p.terms:
             knots = np.array([0.0, max(tau_max, 1.0)])
-            return SlowTable(knots, knots * 0 + start, knots * 0, knots * 0, knots * 0, inf)
+            rate = knots * 0 + float(self.Omega.array(np.array(start)))
+            return SlowTable(knots, knots * 0 + start, rate * knots, knots * 0, rate, inf)
         stop, extinction = self._reach(start, tau_max)
         s = np.linspace(start, stop, _KNOTS + 1)
         tau = np.concatenate([[0.0], np.cumsum(self._panels(s, lambda _: 1.0))])
@@ -160,8 +161,8 @@ class SlowLaw:
 
     def solve(self, tau: arb, start: arb) -> tuple[arb, arb] | None:
         """(s, phi) at the time ``tau`` from s = ``start`` at the current precision, or None beyond the extinction."""
-        if tau == 0 or not self.p.terms:
-            return start, arb(0)
+        if tau == 0 or not self.p.terms:  # no loss: the amplitude stays, and springs turn the phase steadily
+            return start, (self.Omega(start) * tau).mid()
         table = self.table(float(start), float(tau))
         if float(tau) >= table.extinction:
             return None

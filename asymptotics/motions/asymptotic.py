@@ -1,4 +1,4 @@
-"""x(t) and v(t) from the expansion: amplitude, phase and waveform at order N, any law, any start.
+"""x(t) and v(t) from the expansion: amplitude, phase and waveform at order N, any law and spring, any start.
 
 Order N: dA/d tau and d psi/d tau with p_k and Omega_k for k <= N, and the waveform through delta^(N-1),
 
@@ -10,7 +10,8 @@ waveform is reached through c(delta) (theory page ``gauges``: at fixed psi nothi
 
 ``error`` is an estimate, not a bound: twice what the orders N + 1 and N + 2 change in amplitude, phase and waveform.
 It is at most what the energy allows, |x| + the unit of length, and exactly that for delta > 1 at the start, with a
-note: the series says nothing there.  With dry friction the motion ends where the expansion ends it (``stopping``).
+note: the series says nothing there.  With springs the phase is shifted from the first order on; what is not served
+beside them is in ``admission``.  With dry friction the motion ends where the expansion ends it (``stopping``).
 Without it, if some alpha < 1, the averaged amplitude vanishes at a fictitious extinction time; from then on x = v = 0
 is returned and said to be so.
 
@@ -24,6 +25,10 @@ is returned and said to be so.
 ('0.163853086570', '1.2e-8')
 >>> [f"{x:.10f}" for x in third.sample([0, 7, float("nan")]).x]
 ['0.2000000000', '0.1638530866', 'nan']
+>>> duffing = Oscillator({2: "1/10"}, spring={3: "1/2"})
+>>> point = AsymptoticMotion.of(duffing, order=3).at("7", 12)
+>>> point.x, point.error
+('-0.0478528565936', '0.016')
 """
 
 from dataclasses import dataclass
@@ -37,6 +42,7 @@ from flint import acb, arb, ctx
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.law import Oscillator
+from asymptotics.motions.admission import local_strength, require_served
 from asymptotics.motions.certify import half_unit
 from asymptotics.motions.doubles import Doubles
 from asymptotics.motions.frame import Frame, State
@@ -47,7 +53,7 @@ from asymptotics.numbers.policy import Number, exact_integer, exact_number
 
 MAX_ORDER, MAX_DIGITS = 12, 300
 SMALL = 1
-"""The sum of the delta_i at the start above which the series is not asked for an error."""
+"""The sum of the |delta_i| at the start above which the series is not asked for an error."""
 METHOD = "asymptotic expansion"
 _GUARD = 64
 _LARGEST = arb(10) ** 100
@@ -69,6 +75,7 @@ class AsymptoticMotion:
         order = exact_integer(order, "order", 1, MAX_ORDER)
         oscillator.law.require_dissipative("amplitude that falls")
         _require_sizes(oscillator)
+        require_served(oscillator, order)
         return cls(oscillator, order, gauge)
 
     def at(self, t: Number, digits: int = 30) -> MotionPoint:
@@ -153,8 +160,8 @@ class AsymptoticMotion:
         """X, X', A and phi in decimals and SI units; the estimate is clipped to what the energy allows."""
         oscillator = self.oscillator
         length, omega = oscillator.length(), oscillator.omega_0()
-        delta = self._delta
-        most = 1 + abs(values[0])  # |X| <= 1: friction only takes energy
+        delta = local_strength(oscillator)
+        most = 1 + abs(values[0])  # |X| <= 1: friction only takes energy, and ``admission`` keeps the start in the well
         if delta > SMALL:  # the terms of the series grow from the start: their differences say nothing
             estimate, notes = most, (*notes, f"delta = {float(delta):.3g} at the start is not small")
         elif not estimate < most:
@@ -165,12 +172,6 @@ class AsymptoticMotion:
         shown = None if phase is None else decimal_of_ball(phase.mid(), digits) or "0"
         notes = (*oscillator.law.notes, *notes)
         return MotionPoint(x, v, amplitude, shown, self.order, self.gauge, METHOD, error, False, notes)
-
-    @property
-    def _delta(self) -> arb:
-        """The sum of the local strengths at the start; 0 for dry friction alone, whose series ends."""
-        losses = self.oscillator.law.terms
-        return arb(0) if all(t.degree == 0 for t in losses) else sum(self.oscillator.epsilons(), arb(0))
 
     def _estimate(self, tau: arb, frame: Frame, start: State, state: State) -> arb:
         """2 A (|change of ln A| + |change of psi| + |next terms of the waveform|), the change from N to N + 2."""
@@ -191,7 +192,7 @@ class AsymptoticMotion:
 def _require_sizes(oscillator: Oscillator) -> None:
     """The tables are doubles: refuse strengths and units that those cannot hold."""
     units = {"x0": oscillator.length(), "stiffness": oscillator.omega_0()}
-    strengths = [("law", e) for e in oscillator.epsilons() if e > 0]
+    strengths = [("law", abs(e)) for e in oscillator.epsilons() if e != 0]
     for name, value in [*units.items(), *strengths]:
         if not (value < _LARGEST and value > 1 / _LARGEST):
             meaning = {"x0": "the length", "stiffness": "omega_0", "law": "epsilon"}[name]

@@ -38,7 +38,7 @@ class Doubles:
     @classmethod
     def of(cls, frame: Frame) -> "Doubles":
         """The tables of a frame; InputError if the waveform series does not reach the start."""
-        table = WaveformTable.of(frame.flow, frame.order - 1)
+        table = WaveformTable.of(frame.flow, frame.forces, frame.order - 1)
         found = cls(frame, table, (0.0, 0.0), [])
         return cls(frame, table, found._begin(), [])
 

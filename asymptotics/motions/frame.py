@@ -8,7 +8,7 @@ arithmetic: only midpoints are kept, at the precision of the context.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from flint import acb, arb, ctx
@@ -16,12 +16,14 @@ from flint import acb, arb, ctx
 from asymptotics.envelopes.slow_flow import ExponentialSum, SlowLaw
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.grading import LOSS
 from asymptotics.law import Oscillator
 from asymptotics.motions.waveform import waveform_at
 from asymptotics.normal_form.expansion import Expansion, expansion_of
 from asymptotics.normal_form.flow import Flow
 from asymptotics.series import Key
+
 
 
 class Guess(NamedTuple):
@@ -57,6 +59,7 @@ class Frame:
     target: acb
     epsilons: tuple[arb, ...]
     flow: Flow
+    forces: Forces
     law: SlowLaw
     modulus: ExponentialSum
     argument: ExponentialSum
@@ -78,7 +81,8 @@ class Frame:
         length, omega = oscillator.length(), oscillator.omega_0()
         target = acb(oscillator.x0.ball() / length, -oscillator.v0.ball() / (omega * length))
         flow = expansion.turning_point_flow() if gauge != TURNING_POINT else expansion.flow
-        return cls(order, acb(target.real.mid(), target.imag.mid()), epsilons, flow, law, *maps)
+        forces = Forces.of(oscillator.law.terms, order)
+        return cls(order, acb(target.real.mid(), target.imag.mid()), epsilons, flow, forces, law, *maps)
 
     def terms(self, state: State) -> dict[Key, acb]:
         """delta^n Z_n(psi) for 1 <= |n| < order."""
@@ -86,7 +90,7 @@ class Frame:
             return {}
         s, psi = state.turning_point(self)
         found = {}
-        for key, (p, q) in waveform_at(self.flow, psi, self.order - 1).items():
+        for key, (p, q) in waveform_at(self.flow, self.forces, psi, self.order - 1).items():
             found[key] = acb(p, q) * self.monomial(key, s)
         return found
 
@@ -137,7 +141,8 @@ class Frame:
 
     def _miss(self, s: arb, psi: arb) -> acb:
         """ln target - ln(A e^(i psi) Z) in the turning-point gauge."""
-        free = Frame(self.order, self.target, self.epsilons, self.flow, self.law, *[ExponentialSum(())] * 4)
+        none = ExponentialSum(())
+        free = replace(self, modulus=none, argument=none, back_modulus=none, back_argument=none)
         value = self.target / State(s, psi).point(free)
         return acb(value.log().real.mid(), value.log().imag.mid())
 
@@ -180,5 +185,5 @@ class Frame:
 
 
 def _expansion(oscillator: Oscillator, order: int, gauge: str) -> Expansion:
-    quarter = quarter_swing(oscillator.law.alphas, order, moments=gauge != TURNING_POINT)
+    quarter = quarter_swing(oscillator.law.terms, order, moments=gauge != TURNING_POINT)
     return expansion_of(quarter, gauge, arithmetic="certified")

@@ -1,19 +1,21 @@
-"""The waveform Z(psi, delta) of the turning-point gauge, for any exponents: every coefficient by one quadrature.
+"""The waveform Z(psi, delta) of the turning-point gauge, for any forces: every coefficient by one quadrature.
 
 X - i X' = A e^(i psi) Z, Z = 1 + sum_n delta^n Z_n(psi), Z_n pi-periodic, Z(0) = 1 (theory page ``gauges``).  Put
 Z = P + i Q, s = sin psi, c = cos psi.  On 0 < psi < pi the equation of motion is, with U = d ln A/d psi and
 W = d tau/d psi,
 
-    P' = -(W-1) Q - (U + U D) P - W s F,     F = sum_i delta_i s^alpha_i g^alpha_i,
+    P' = -(W-1) Q - (U + U D) P - W s F,     F = sum_i delta_i s^alpha_i g^alpha_i  (losses x'|x'|^(alpha-1)),
     Q' = (W-1) P - (U + U D) Q - W c F,
 
-where D multiplies delta^n by sum_i n_i (alpha_i - 1) and |X'| = A s g, g = P + (c/s) Q.  In this gauge X' vanishes at
-psi = 0 and pi for every delta, so g = 1 + O(delta) is bounded and g^alpha may be expanded for every alpha >= 0: order
-by order the right-hand sides are known, and Z_n is an integral from 0.  Reversibility gives the second half,
+where D multiplies delta^n by sum_i n_i (d_i - 1) and |X'| = A s g, g = P + (c/s) Q; other forces are in
+``orbit_force``.  In this gauge X' vanishes at psi = 0 and pi for every delta, so g = 1 + O(delta) is bounded and
+g^alpha may be expanded for every alpha >= 0: order by order the right-hand sides are known, and Z_n is an integral
+from 0.  Reversibility gives the second half, with l(n) the number of losses in delta^n,
 
-    Z_n(pi - psi) = (-1)^n conj Z_n(psi),
+    Z_n(pi - psi) = (-1)^l(n) conj Z_n(psi),
 
-which is a check as well: the odd P_n and the even Q_n must vanish at pi/2, and they do so only for the right U and W.
+which is a check as well: P_n for odd l(n) and Q_n for even l(n) must vanish at pi/2, and they do so only for the right
+U and W.
 
 *Quadrature.*  The integrands have powers of psi at 0.  In l = ln psi they are analytic up to Re l = ln pi; on panels
 whose half-width is 0.55 of that distance m Chebyshev nodes give about 5.4^-m, and summing from the left keeps the
@@ -23,7 +25,7 @@ relative accuracy near psi = 0 that g needs.  Heuristic arithmetic (doubles, or 
 >>> from asymptotics.normal_form.flow import flow_of
 >>> from flint import ctx
 >>> flow = ball_flow(flow_of(exact_half_swing((2,), 3)))
->>> Z = waveform_at(flow, arb(1), 1)[(1,)]                    # Im Z_1 = -sin^(alpha+1)/(alpha+1)
+>>> Z = waveform_at(flow, Forces.losses((2,)), arb(1), 1)[(1,)]                    # Im Z_1 = -sin^(alpha+1)/(alpha+1)
 >>> abs(Z[1] + arb(1).sin() ** 3 / 3) < arb(10) ** -12
 True
 """
@@ -38,8 +40,10 @@ import numpy as np
 from flint import arb, arb_mat, ctx
 from scipy.interpolate import CubicSpline
 
+from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.motions.orbit_force import OrbitForce
 from asymptotics.normal_form.flow import Flow
 from asymptotics.series import Key, accumulate
 
@@ -79,10 +83,10 @@ def ball_flow(flow: Flow) -> Flow:
     return Flow(replace(flow.grading, weights=tuple(_ball(w) for w in flow.grading.weights)), U, W)
 
 
-def waveform_at(flow: Flow, psi: arb, order: int) -> dict[Key, tuple[arb, arb]]:
+def waveform_at(flow: Flow, forces: Forces, psi: arb, order: int) -> dict[Key, tuple[arb, arb]]:
     """(P_n, Q_n) at the phase psi (any real number) for all multi-indices n of degree 1 ... ``order``.
 
-    ``flow`` is the flow of the turning-point gauge with ball coefficients.
+    ``flow`` is the flow of the turning-point gauge with ball coefficients, that of ``forces``.
     """
     turns = int((psi / arb.pi()).floor().mid().str(40, radius=False).split(".")[0])
     chi = (psi - turns * arb.pi()).mid()
@@ -91,11 +95,12 @@ def waveform_at(flow: Flow, psi: arb, order: int) -> dict[Key, tuple[arb, arb]]:
         chi = (arb.pi() - chi).mid()
     if not chi > arb(2) ** -ctx.prec:
         return {k: (arb(0), arb(0)) for part in _keys(flow, order) for k in part}
-    samples = _Samples.of(flow, chi.log(), order, balls())
+    samples = _Samples.of(flow, forces, chi.log(), order, balls())
     found: dict[Key, tuple[arb, arb]] = {}
     for n in range(1, order + 1):
         for key, (p, q) in samples.end(n).items():
-            found[key] = ((-1) ** n * p, -((-1) ** n) * q) if mirrored else (p, q)
+            sign = (-1) ** flow.grading.loss_degree(key)
+            found[key] = (sign * p, -sign * q) if mirrored else (p, q)
     return found
 
 
@@ -107,20 +112,22 @@ class WaveformTable:
     """
 
     keys: tuple[Key, ...]
+    flips: tuple[int, ...]
     coefficients: Any
 
     @classmethod
-    def of(cls, flow: Flow, order: int) -> "WaveformTable":
+    def of(cls, flow: Flow, forces: Forces, order: int) -> "WaveformTable":
         """Tabulate all coefficients through ``order``."""
         keys = tuple(k for part in _keys(flow, order)[1:] for k in part)
         if not keys:
-            return cls((), None)
-        samples = _Samples.of(flow, arb(pi / 2).log(), order, doubles())
+            return cls((), (), None)
+        samples = _Samples.of(flow, forces, arb(pi / 2).log(), order, doubles())
         u = np.linspace(0.0, 1.0, _TABLE + 1)
         with np.errstate(divide="ignore"):
             values = samples.interpolate(np.log(pi / 2) + 4 * np.log(u), keys)
         spline = CubicSpline(u, values)
-        return cls(keys, np.ascontiguousarray(np.moveaxis(spline.c, 0, 1)))  # interval, power, function
+        flips = tuple(2 * j + (flow.grading.loss_degree(key) + 1) % 2 for j, key in enumerate(keys))
+        return cls(keys, flips, np.ascontiguousarray(np.moveaxis(spline.c, 0, 1)))  # interval, power, function
 
     def at(self, chi: Any) -> Any:
         """Array (functions, points): P_n, Q_n, P_n', Q_n' ... for 0 <= chi <= pi, in the order of ``keys``."""
@@ -135,8 +142,8 @@ class WaveformTable:
             values *= d
         values += rows[:, 3]
         columns = values.T
-        for j, key in enumerate(self.keys):  # (-1)^n P_n and -(-1)^n Q_n on the second half
-            columns[2 * j + (sum(key) + 1) % 2] *= side
+        for row in self.flips:  # (-1)^l P_n and -(-1)^l Q_n on the second half
+            columns[row] *= side
         return columns
 
 
@@ -151,12 +158,12 @@ class _Samples:
     nodes: int
 
     @classmethod
-    def of(cls, flow: Flow, right: arb, order: int, arithmetic: Arithmetic) -> "_Samples":
-        top = max(float(a.mid()) for a in flow.grading.degrees) * order + 2
+    def of(cls, flow: Flow, forces: Forces, right: arb, order: int, arithmetic: Arithmetic) -> "_Samples":
+        top = max(float(m.degree.ball().mid()) / m.order for m in forces.members) * order + 2
         m = ceil(arithmetic.bits * 0.42) + 4
         edges = _edges(float(right.mid()), arithmetic.bits * log(2), min(3.0, 0.3 * m / top))
         grid = _grid(right, edges, m, arithmetic)
-        P, Q, ends = _solve(flow, grid, order)
+        P, Q, ends = _solve(flow, forces, grid, order)
         return cls(P, Q, ends, tuple(edges), m)
 
     def end(self, n: int) -> dict[Key, tuple[Any, Any]]:
@@ -215,26 +222,23 @@ def _grid(right: arb, edges: list[float], m: int, arithmetic: Arithmetic) -> _Gr
     return _Grid(psi, s, c, arithmetic.log(s), shape(halves), *sums, arithmetic)
 
 
-def _solve(flow: Flow, grid: _Grid, order: int) -> tuple[Parts, Parts, Ends]:
+def _solve(flow: Flow, forces: Forces, grid: _Grid, order: int) -> tuple[Parts, Parts, Ends]:
     """P and Q by degree at the nodes, and at the right end."""
     one = grid.psi * 0 + 1
     zero = (0,) * flow.U.variables
     number = grid.arithmetic.number
-    alphas = [number(a) for a in flow.grading.degrees]
     weigh = replace(flow.grading, weights=tuple(number(w) for w in flow.grading.weights))
     U, W = (_numbers(series, order, number) for series in (flow.U, flow.W))
     P: Parts = [{zero: one}]
     Q: Parts = [{zero: one * 0}]
     ends: Ends = {}
-    cot = grid.c / grid.s
-    powers: list[Parts] = [[{zero: one}] for _ in alphas]
-    sines = [grid.arithmetic.exp(grid.ln_s * a) for a in alphas]
-    forces: Parts = [{}]
+    force = OrbitForce(forces, order, grid.s, grid.c, lambda v: grid.arithmetic.exp(grid.ln_s * v), number)
+    forced: Parts = [{}]
     for n in range(1, order + 1):
-        forces.append(_force(sines, [p[n - 1] for p in powers]))
-        F: dict[Key, Any] = dict(forces[n])
+        forced.append(force.part(n))
+        F: dict[Key, Any] = dict(forced[n])
         for j in range(1, n):
-            accumulate(F, W[j].items(), forces[n - j].items())
+            accumulate(F, W[j].items(), forced[n - j].items())
         dP = {k: -(grid.s * f) for k, f in F.items()}
         dQ = {k: -(grid.c * f) for k, f in F.items()}
         for j in range(1, n + 1):
@@ -247,31 +251,12 @@ def _solve(flow: Flow, grid: _Grid, order: int) -> tuple[Parts, Parts, Ends]:
         P.append({k: v[0] for k, v in p.items()})
         Q.append({k: v[0] for k, v in q.items()})
         ends[n] = ({k: v[1] for k, v in p.items()}, {k: v[1] for k, v in q.items()})
-        g = [{k: P[d][k] + cot * Q[d][k] for k in P[d]} for d in range(n + 1)]
-        for a, power in zip(alphas, powers):
-            power.append(_power_part(g, power, a, n))
+        force.extend(P[n], Q[n])
     return P, Q, ends
 
 
-def _force(sines: list[Any], parts: list[dict[Key, Any]]) -> dict[Key, Any]:
-    """The part of F = sum_i delta_i s^alpha_i g^alpha_i whose degree is one more than that of ``parts``."""
-    F: dict[Key, Any] = {}
-    for i, (sine, part) in enumerate(zip(sines, parts)):
-        step = tuple(int(j == i) for j in range(len(sines)))
-        accumulate(F, [(step, sine)], part.items())
-    return F
-
-
-def _power_part(g: Parts, power: Parts, a: Any, n: int) -> dict[Key, Any]:
-    """Degree n of g^a from n y_n = sum_(j=1..n) (a j - (n - j)) g_j y_(n-j), g_0 = 1."""
-    total: dict[Key, Any] = {}
-    for j in range(1, n + 1):
-        accumulate(total, [(k, x * (a * j - (n - j))) for k, x in g[j].items()], power[n - j].items())
-    return {k: x / n for k, x in total.items()}
-
-
 def _weighted(part: dict[Key, Any], grading: Grading) -> dict[Key, Any]:
-    """1 + D: delta^n times 1 + sum_i n_i (alpha_i - 1)."""
+    """1 + D: delta^n times 1 + sum_i n_i (d_i - 1)."""
     return {k: x * (1 + grading.weight(k)) for k, x in part.items()}
 
 

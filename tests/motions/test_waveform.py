@@ -8,6 +8,7 @@ from flint import acb, arb, ctx
 
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.exact import exact_half_swing
+from asymptotics.half_swings.forces import Forces
 from asymptotics.motions.waveform import WaveformTable, ball_flow, waveform_at
 from asymptotics.normal_form.expansion import expansion_of
 from asymptotics.normal_form.flow import Flow, flow_of
@@ -21,11 +22,15 @@ def flow(laws, order=4):
     return expansion_of(quarter_swing([parse_real(a, "a") for a in laws], order), arithmetic="certified").flow
 
 
+def losses(*laws):
+    return Forces.losses([parse_real(a, "a") for a in laws])
+
+
 @pytest.mark.parametrize("laws", LAWS)
 def test_reversibility_holds_for_the_right_flow(laws):
     """Odd P_n and even Q_n vanish at pi/2: this needs the right p_k and Omega_k, found by another route."""
     with ctx.workprec(100):
-        found = waveform_at(flow(laws), (arb.pi() / 2).mid(), 3)
+        found = waveform_at(flow(laws), losses(*laws), (arb.pi() / 2).mid(), 3)
         for key, (p, q) in found.items():
             assert abs(p if sum(key) % 2 else q) < arb(10) ** -26
 
@@ -34,7 +39,7 @@ def test_a_wrong_frequency_breaks_it():
     with ctx.workprec(100):
         right = flow(("3/2",))
         wrong = Flow(right.grading, right.U, Series({**right.W.coefficients, (2,): right.W[2] * 1.0001}, 1, 4))
-        assert abs(waveform_at(wrong, (arb.pi() / 2).mid(), 2)[(2,)][1]) > arb(10) ** -6
+        assert abs(waveform_at(wrong, losses("3/2"), (arb.pi() / 2).mid(), 2)[(2,)][1]) > arb(10) ** -6
 
 
 @pytest.mark.parametrize("alpha", ["0", "1/2", "3/2", "7/2"])
@@ -42,7 +47,7 @@ def test_first_order_in_closed_form(alpha):
     """Im Z_1 = -sin^(alpha+1)/(alpha+1); Re Z_1 = p_1 psi - int sin^(alpha+1), here by acb.integral."""
     with ctx.workprec(80):
         a, psi = parse_real(alpha, "a").ball(), arb("1.3")
-        p, q = waveform_at(flow((alpha,)), psi, 1)[(1,)]
+        p, q = waveform_at(flow((alpha,)), losses(alpha), psi, 1)[(1,)]
         assert abs(q + psi.sin() ** (a + 1) / (a + 1)) < arb(10) ** -20
         power = 2 * (a + 1)  # sin = y^2 near 0: no branch point left for even powers
         integral = acb.integral(lambda y, f: 2 * y * (y * y).sin().pow(a + 1, analytic=f), arb("0.001"), psi.sqrt())
@@ -55,7 +60,7 @@ def test_linear_damping_exactly():
     """alpha = 1, e = 2 sin b: A = e^(-psi tan b), X = A (cos psi + tan b sin psi), X' = -A sin psi/cos b."""
     with ctx.workprec(80):
         e, psi = arb(1) / 50, arb("2.1")
-        terms = waveform_at(flow(("1",), 6), psi, 5)
+        terms = waveform_at(flow(("1",), 6), losses("1"), psi, 5)
         Z = sum((acb(p, q) * e ** key[0] for key, (p, q) in terms.items()), acb(1))
         b = (e / 2).asin()
         exact = acb(psi.cos() + b.tan() * psi.sin(), psi.sin() / b.cos()) * (acb(0, -1) * psi).exp()
@@ -66,11 +71,11 @@ def test_linear_damping_exactly():
 def test_the_table_agrees_with_the_balls_and_keeps_its_symmetry():
     with ctx.workprec(80):
         for laws in (("1/2",), ("3/2",), ("0", "3/2")):
-            table = WaveformTable.of(flow(laws), 2)
+            table = WaveformTable.of(flow(laws), losses(*laws), 2)
             chi = np.array([1e-6, 0.01, 0.7, 1.5, 2.9])
             rows = table.at(chi)
             for j, x in enumerate(chi):
-                exact = waveform_at(flow(laws), arb(float(x)), 2)
+                exact = waveform_at(flow(laws), losses(*laws), arb(float(x)), 2)
                 for i, key in enumerate(table.keys):
                     assert abs(float(exact[key][0]) - rows[2 * i, j]) < 2e-13
                     assert abs(float(exact[key][1]) - rows[2 * i + 1, j]) < 2e-13
@@ -79,6 +84,6 @@ def test_the_table_agrees_with_the_balls_and_keeps_its_symmetry():
 
 def test_exact_coefficients_serve_as_well():
     with ctx.workprec(80):
-        one = waveform_at(ball_flow(flow_of(exact_half_swing((2,), 3))), arb(1), 2)
-        two = waveform_at(flow(("2",)), arb(1), 2)
+        one = waveform_at(ball_flow(flow_of(exact_half_swing((2,), 3))), losses("2"), arb(1), 2)
+        two = waveform_at(flow(("2",)), losses("2"), arb(1), 2)
         assert all(abs(one[k][i] - two[k][i]) < arb(10) ** -20 for k in one for i in (0, 1))
