@@ -25,7 +25,6 @@ from asymptotics.normal_form.flow import Flow
 from asymptotics.series import Key
 
 
-
 class Guess(NamedTuple):
     """(s, psi) of the turning-point gauge at t = 0 in doubles, and the derivatives of ln(A e^(i psi) Z) there."""
 
