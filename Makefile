@@ -34,6 +34,7 @@ tables: $(VENV)/.reproduce
 
 lint: $(VENV)/.test
 	$(RUN) ruff check .
+	$(RUN) ruff format --check --quiet .
 	$(RUN) mypy
 
 # The pages in build/docs, offline and without a script; warnings are errors, every code block is run.

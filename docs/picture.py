@@ -1,6 +1,6 @@
 """The picture of the README: four laws with the same decrement at the start, each with its amplitude.
 
-    python docs/picture.py        writes docs/decay.svg, the same bytes each time
+python docs/picture.py        writes docs/decay.svg, the same bytes each time
 """
 
 from pathlib import Path

@@ -42,7 +42,8 @@ Check = Callable[[Any], Outcome]
 
 PAPERS = {
     "lancaster2020": (
-        "J. L. Lancaster, Slow-dissipation limit of the harmonic oscillator with general power-law damping (2020)", (),
+        "J. L. Lancaster, Slow-dissipation limit of the harmonic oscillator with general power-law damping (2020)",
+        (),
     ),
     "lelas2024": ("K. Lelas, Decay of amplitude of a harmonic oscillator with weak nonlinear damping (2024)", ()),
     "smith2012": ("B. R. Smith, Jr., The quadratically damped oscillator, Am. J. Phys. 80, 816 (2012)", ()),

@@ -43,6 +43,7 @@ TIGHT = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-14}
 
 def swings(alpha, epsilon, count):
     """[(tau_n, |x_n|)] and the first passage through x = 0, the sign of v constant in each half-swing."""
+
     def at_rest(_, y):
         return y[1]
 
@@ -52,8 +53,13 @@ def swings(alpha, epsilon, count):
     at_rest.terminal, at_rest.direction = True, 1.0
     points, first_passage, tau, size = [], None, 0.0, 1.0
     for _ in range(count):  # always the half-swing with v <= 0: the others are its mirror images
-        run = solve_ivp(lambda _, y: [y[1], -y[0] + epsilon * abs(y[1]) ** alpha], (0, 10), [size, 0.0],
-                        events=[at_rest, passage], **TIGHT)
+        run = solve_ivp(
+            lambda _, y: [y[1], -y[0] + epsilon * abs(y[1]) ** alpha],
+            (0, 10),
+            [size, 0.0],
+            events=[at_rest, passage],
+            **TIGHT,
+        )
         tau, size = tau + run.t_events[0][0], -run.y_events[0][0][0]
         first_passage = run.t_events[1][0] if first_passage is None else first_passage
         points.append((tau, size))
@@ -77,9 +83,14 @@ RIGHT_P = {1: (3, 8), 3: (351, 8192), 5: (43281, 4194304)}
 RIGHT_OMEGA = {2: (9, 256), 4: (1755, 262144)}
 
 
-@pytest.mark.parametrize(("order", "p", "Omega"), [
-    (3, {3: (567, 8192)}, {}), (4, {}, {4: (-1485, 262144)}), (5, {5: (43605, 4194304)}, {}),
-])
+@pytest.mark.parametrize(
+    ("order", "p", "Omega"),
+    [
+        (3, {3: (567, 8192)}, {}),
+        (4, {}, {4: (-1485, 262144)}),
+        (5, {5: (43605, 4194304)}, {}),
+    ],
+)
 def test_1_oscilate_from_third_order_on(order, p, Omega):
     gauge = "no-first-harmonic"
     reference = exact_reference((3,), order)
@@ -211,10 +222,15 @@ def test_8_and_9_second_turning_point_three_ways():
     assert float(p / 0.2) == pytest.approx(float(table[2].x), abs=1e-12)
 
 
-@pytest.mark.parametrize(("theirs", "error"), [
-    ("6.28701", "4e-3"),  # 8: heyoka, select(v > 0, 1, -1) v^2 without an event
-    ("6.29050", "9e-4"), ("6.29146704", "4e-7"), ("6.29095", "5e-4"),  # 9: odefun with v|v| at 15, 30, 50 digits
-])
+@pytest.mark.parametrize(
+    ("theirs", "error"),
+    [
+        ("6.28701", "4e-3"),  # 8: heyoka, select(v > 0, 1, -1) v^2 without an event
+        ("6.29050", "9e-4"),
+        ("6.29146704", "4e-7"),
+        ("6.29095", "5e-4"),  # 9: odefun with v|v| at 15, 30, 50 digits
+    ],
+)
 def test_8_and_9_quoted_times_are_refuted(theirs, error):
     assert abs(mpmath.mpf(theirs) - EXACT_T2) > mpmath.mpf(error)
 

@@ -86,9 +86,7 @@ def picture_of_reference(oscillator: Oscillator, time: ExactReal, kind: str, sta
     return render(draw, size=(6.4, 5.2), kind=kind)
 
 
-def _reference(
-    oscillator: Oscillator, time: ExactReal, rows: int, static: str | None = None
-) -> tuple[Any, Any, Any]:
+def _reference(oscillator: Oscillator, time: ExactReal, rows: int, static: str | None = None) -> tuple[Any, Any, Any]:
     """(t, x, v) of the reference motion at rows + 1 equally spaced times, in doubles."""
     seconds = estimated_seconds(oscillator, time, _REFERENCE_DIGITS)
     if seconds > _MAX_SECONDS:

@@ -132,5 +132,3 @@ def _text(result: SweepResult, own: argparse.Namespace) -> str:
     if own.export is not None:
         lines.append(f"written: {own.export}")
     return "\n".join(lines)
-
-

@@ -47,9 +47,7 @@ def compare_rows(mine: Observables, theirs: Observables, mine_name: str, their_n
     return Comparison(not apart, differences, f"{mine_name} against {their_name}: {verdict}")
 
 
-def compare_functions(
-    rates: Callable[..., tuple[Any, Any]], other: Callable[..., Any], A: float
-) -> Comparison:
+def compare_functions(rates: Callable[..., tuple[Any, Any]], other: Callable[..., Any], A: float) -> Comparison:
     """``rates`` against a user's (A, psi) -> (dA/dtau, dpsi/dtau), at A and A/2."""
     gaps = [_gap(rates, other, A / 2**i) for i in (2, 3)]
     differences = dict(zip(("dA/dtau", "dpsi/dtau"), _gap(rates, other, A)))

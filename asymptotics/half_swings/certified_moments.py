@@ -71,9 +71,7 @@ def _values(f: Orders, velocities: Sequence[arb], kappa: arb, power: int, odd: i
     return values
 
 
-def _waveform(
-    ring: Ring, sine_ratio: arb_poly, y: Mapping[Key, arb_poly]
-) -> tuple[Orders, Orders]:
+def _waveform(ring: Ring, sine_ratio: arb_poly, y: Mapping[Key, arb_poly]) -> tuple[Orders, Orders]:
     """The orders of e^{−iθ} c · w D: (even part, odd part divided by i u)."""
     zero, kappa, cut = (0,) * len(ring.velocities), arb.pi() / 2, ring.cut
     cosine = kappa * ring.cosine

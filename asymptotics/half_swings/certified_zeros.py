@@ -136,9 +136,7 @@ def is_zero_weight(forces: Forces, n: Key) -> bool:
 def is_pure_at(forces: Forces, n: Key) -> bool:
     """Whether only plain losses v|v|^(α−1) occur in the monomial: the linear spring, for which more is known."""
     return all(
-        s < 0 and w == v - 1
-        for s, w, v, k in zip(forces.signs, forces.weights, forces.velocities, n, strict=True)
-        if k
+        s < 0 and w == v - 1 for s, w, v, k in zip(forces.signs, forces.weights, forces.velocities, n, strict=True) if k
     )
 
 

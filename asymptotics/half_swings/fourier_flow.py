@@ -90,9 +90,7 @@ def is_polynomial(m: Member) -> bool:
     return m.integer_velocity % 2 == (m.sign < 0) and m.position % 2 == (m.sign > 0)
 
 
-def fourier_flow(
-    given: Given, order: int, gauge: str = TURNING_POINT
-) -> FourierFlow:
+def fourier_flow(given: Given, order: int, gauge: str = TURNING_POINT) -> FourierFlow:
     """Solve the homological equation through degree ``order`` for polynomial forces, in one of the three gauges.
 
     Numbers in the place of forces are the exponents of plain losses.  Raises InputError for any other force: its
@@ -177,9 +175,7 @@ class _Kernel:
                 grown = [(k, (p * (1 + self.grading.weight(k))).left_shift(shift)) for k, p in self.Z[n - j].items()]
                 accumulate(total, [(k, -u) for k, u in self.U[j].items()], grown)
             if self.W[j]:
-                accumulate(
-                    total, self.W[j].items(), [(k, p.left_shift(shift)) for k, p in self.forcing[n - j].items()]
-                )
+                accumulate(total, self.W[j].items(), [(k, p.left_shift(shift)) for k, p in self.forcing[n - j].items()])
         return total
 
     def _integrate(self, p: fmpq_poly, n: int, loss_degree: int) -> fmpq_poly:
@@ -196,9 +192,7 @@ class _Kernel:
     def _extend(self, n: int) -> None:
         """Append degree n of all powers of P and Y."""
         turned = {k: p.left_shift(1) for k, p in self.Z[n].items()}
-        mirrored = {
-            k: (-1) ** self.grading.loss_degree(k) * _reversed(p, 2 * self.M * n) for k, p in self.Z[n].items()
-        }
+        mirrored = {k: (-1) ** self.grading.loss_degree(k) * _reversed(p, 2 * self.M * n) for k, p in self.Z[n].items()}
         for powers, side in ((self.P, 1), (self.Y, -1)):
             powers[0][0].append({})
             first = powers[1][0]

@@ -76,7 +76,7 @@ def lelas_ratio(alpha: Expr) -> Expr:
 
 
 def lelas_verdict(alpha: ExactReal | Expr) -> str:
-    """"overestimates", "exact" or "underestimates" the damping, by monotonicity of power means (module docstring).
+    """ "overestimates", "exact" or "underestimates" the damping, by monotonicity of power means (module docstring).
 
     >>> lelas_verdict(Rational(1, 2)), lelas_verdict(Integer(1)), lelas_verdict(Integer(3))
     ('overestimates', 'exact', 'underestimates')

@@ -83,9 +83,7 @@ class _Course:
         return self.sign * (-1) ** n * r, t
 
 
-def coulomb_motion(
-    oscillator: Oscillator, t: Number, digits: int = 30, *, static: Number | None = None
-) -> MotionPoint:
+def coulomb_motion(oscillator: Oscillator, t: Number, digits: int = 30, *, static: Number | None = None) -> MotionPoint:
     """x and v at the time t >= 0, all digits correctly rounded; ``static``: the static friction force (N), >= b.
 
     InputError for another law, b < 0, a static force below b, or t < 0.
@@ -166,9 +164,7 @@ def _rational_radius(oscillator: Oscillator, sign: int) -> ExactReal | None:
     return ExactReal(R.rational - b / k) if R.is_rational else None
 
 
-def _rational_count(
-    oscillator: Oscillator, hold: ExactReal, first: ExactReal | None
-) -> tuple[int, Fraction] | None:
+def _rational_count(oscillator: Oscillator, hold: ExactReal, first: ExactReal | None) -> tuple[int, Fraction] | None:
     """The smallest n with r = first - 2 n c <= h, and that r, exactly; None if a number is irrational."""
     numbers = (first, oscillator.law.terms[0].b, oscillator.stiffness, hold)
     if first is None or not all(q is not None and q.is_rational for q in numbers):

@@ -63,7 +63,7 @@ def _require_printable(oscillator: Oscillator, t: ExactReal) -> None:
 
 
 def regime(oscillator: Oscillator) -> str:
-    """"underdamped", "critically damped" or "overdamped", decided exactly for rational b, m, k; else by balls."""
+    """ "underdamped", "critically damped" or "overdamped", decided exactly for rational b, m, k; else by balls."""
     _require_linear(oscillator)
     b, m, k = oscillator.law.terms[0].b, oscillator.mass, oscillator.stiffness
     if b.is_rational and m.is_rational and k.is_rational:

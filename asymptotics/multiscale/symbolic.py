@@ -138,9 +138,7 @@ class MultipleScales:
         return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
 
 
-def multiple_scales(
-    given: Sequence[int | Term], order: int, *, max_seconds: float = MAX_SECONDS
-) -> MultipleScales:
+def multiple_scales(given: Sequence[int | Term], order: int, *, max_seconds: float = MAX_SECONDS) -> MultipleScales:
     """Solve X'' + X + the forces = 0 for polynomial forces through ``order``, orders shown one by one.
 
     ``given``: terms (losses with alpha odd and m even, springs with p odd and q even; a pendulum) or odd exponents.

@@ -97,9 +97,7 @@ def sweep(
     plan = driver.plan
     failures = tuple({"point": point, "reason": reason} for _, point, reason in plan.failures.first)
     seconds = f"{time.perf_counter() - start:.3f}"
-    return SweepResult(
-        len(points), plan.reused, driver.computed, plan.failures.count, failures, seconds, str(folder)
-    )
+    return SweepResult(len(points), plan.reused, driver.computed, plan.failures.count, failures, seconds, str(folder))
 
 
 class _Driver:

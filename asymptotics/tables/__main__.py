@@ -1,6 +1,6 @@
 """The standard set: every table at 30 digits as CSV, JSON and LaTeX, and an index.
 
-    python -m asymptotics.tables build/tables
+python -m asymptotics.tables build/tables
 """
 
 import argparse

@@ -139,4 +139,3 @@ def _rounded(here: Turning, digits: int, times: bool) -> TurningPoint | None:
     x = decimal_of_ball(here.x, digits)
     tau = decimal_of_ball(here.tau, digits) if times else None
     return None if x is None or (times and tau is None) else TurningPoint(here.n, x, tau)
-

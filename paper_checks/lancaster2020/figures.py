@@ -74,9 +74,7 @@ class Run:
     @cached_property
     def phase(self) -> Array:
         """phi by the trapezoidal rule."""
-        laws = [
-            (a / (a + 1) * e * self.amplitude ** (a - 1), a) for a, e in zip(self.alphas, self.strengths)
-        ]
+        laws = [(a / (a + 1) * e * self.amplitude ** (a - 1), a) for a, e in zip(self.alphas, self.strengths)]
         rate = -sum((_moment(a + c) * f * g for f, a in laws for g, c in laws), np.zeros_like(self.tau))
         steps = np.diff(self.tau) * (rate[1:] + rate[:-1]) / 2
         return np.concatenate([[0.0], np.cumsum(steps)])

@@ -38,6 +38,7 @@ def dop853_by_half_swings(alpha, epsilon, end, points, rtol=1e-13):
     """The same method with the sign of v fixed on each half-swing, stopped and restarted where v = 0."""
     grid, tau, state, sign, found = np.linspace(0, end, points), 0.0, [1.0, 0.0], -1.0, []
     while len(found) < points:
+
         def rhs(_, y, sign=sign):
             return [y[1], -y[0] - sign * epsilon * max(sign * y[1], 0.0) ** alpha]
 

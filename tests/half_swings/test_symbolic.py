@@ -46,6 +46,7 @@ def test_nested_integral_against_quadrature(p):
         return lambda t: mpmath.sin(t) ** e
 
     M = mpmath.quad(power(a + 1), [0, mpmath.pi]) / mpmath.pi
+
     def integrand(t):
         inner = mpmath.quad(power(a + 1), [mpmath.pi / 2, t])
         return mpmath.sin(t) ** (2 * a) * (inner**2 - (mpmath.pi * M) ** 2 / 12)

@@ -1,6 +1,5 @@
 """The recurrence on Fourier coefficients: against the engine, closed forms and the equation of motion."""
 
-
 import pytest
 from flint import fmpq
 
@@ -78,4 +77,3 @@ def test_other_orders_are_refused(order):
 def test_too_much_work_is_refused_before_it_begins():
     with pytest.raises(LimitError, match="would take about"):
         odd_hierarchy((3,), 10**4)
-

@@ -49,9 +49,12 @@ def test_formulas_and_figures_are_drawn(browser, report):
     assert figures
     for figure in figures:
         browser.execute_script("arguments[0].scrollIntoView(); arguments[0].loading = 'eager'", figure)
-        assert browser.execute_async_script(
-            "const [image, done] = arguments; image.decode().then(() => done(image.naturalWidth))", figure
-        ) > 100
+        assert (
+            browser.execute_async_script(
+                "const [image, done] = arguments; image.decode().then(() => done(image.naturalWidth))", figure
+            )
+            > 100
+        )
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,8 @@ def cited(text):
 def test_the_pattern_finds_ids_and_nothing_else():
     paper = "smith2012"
     assert cited(f"see {paper}:62b, {paper}:claim.never-overdamped.") == {
-        f"{paper}:62b", f"{paper}:claim.never-overdamped"
+        f"{paper}:62b",
+        f"{paper}:claim.never-overdamped",
     }
     assert cited(paper + ":60{letter} and " + paper + ":table1.{key}") <= {f"{paper}:6", f"{paper}:table"}
 
@@ -27,7 +28,9 @@ def test_cited_ids_exist():
     known = set(load())
     files = [path for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")] + list(ROOT.glob("*.md"))
     missing = {
-        (path.name, key) for path in files for key in cited(path.read_text(encoding="utf-8"))
+        (path.name, key)
+        for path in files
+        for key in cited(path.read_text(encoding="utf-8"))
         if key not in known and path != Path(__file__)
     }
     assert not missing

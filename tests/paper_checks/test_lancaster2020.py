@@ -17,14 +17,25 @@ SOUND = (Printed.HOLDS, Printed.DEFINITION)
 
 TABLE = ["table1.alpha0", "table1.alpha1", "table1.alpha3-2", "table1.alpha2", "table1.alpha3"]
 NOT_HOLDING = {  # found by hand from the paper's own equations, see the notes of the entries
-    "8": "partly", "15": "partly", "17": "partly", "22": "partly", "fn22": "partly",
+    "8": "partly",
+    "15": "partly",
+    "17": "partly",
+    "22": "partly",
+    "fn22": "partly",
     "table1.alpha3": "transcription",
-    "claim.solvable-only-linear": "partly", "claim.phase-at-start": "partly",
-    "claim.slow-dissipation": "transcription", "claim.energy-derivative": "transcription",
-    "claim.weak-equals-slow": "transcription", "claim.valid-for-any-b": "partly",
-    "claim.large-b-agreement": "partly", "claim.gradual-breakdown": "partly",
-    "claim.fails-at-long-times": "partly", "claim.velocity-sign": "misprint",
-    "claim.single-term-slow": "partly", "claim.no-exact-solutions": "partly", "claim.fn20-speed": "open",
+    "claim.solvable-only-linear": "partly",
+    "claim.phase-at-start": "partly",
+    "claim.slow-dissipation": "transcription",
+    "claim.energy-derivative": "transcription",
+    "claim.weak-equals-slow": "transcription",
+    "claim.valid-for-any-b": "partly",
+    "claim.large-b-agreement": "partly",
+    "claim.gradual-breakdown": "partly",
+    "claim.fails-at-long-times": "partly",
+    "claim.velocity-sign": "misprint",
+    "claim.single-term-slow": "partly",
+    "claim.no-exact-solutions": "partly",
+    "claim.fn20-speed": "open",
 }
 
 

@@ -15,8 +15,16 @@ def check(form):
 
 def entry(**data):
     plain = {
-        "id": "test:1", "kind": Kind.IDENTITY, "title": "", "latex": "", "verdict": Printed.HOLDS,
-        "conditions": "none", "evidence": Evidence.PROVED, "printed": 1, "near_miss": 0, "check": check,
+        "id": "test:1",
+        "kind": Kind.IDENTITY,
+        "title": "",
+        "latex": "",
+        "verdict": Printed.HOLDS,
+        "conditions": "none",
+        "evidence": Evidence.PROVED,
+        "printed": 1,
+        "near_miss": 0,
+        "check": check,
     }
     return Statement(**{**plain, **data})
 

@@ -39,9 +39,7 @@ def test_found_by_id_number_and_words(query, wanted):
     assert wanted in [s.id for s in find(query)]
 
 
-@pytest.mark.parametrize(
-    "query", ["smith:43", "Lambbert", "zzzz", "", "   ", "x" * 10_000, "\x00", "((((", "\\frac{"]
-)
+@pytest.mark.parametrize("query", ["smith:43", "Lambbert", "zzzz", "", "   ", "x" * 10_000, "\x00", "((((", "\\frac{"])
 def test_what_is_not_found_is_said_in_one_line(query, capsys):
     assert main(["papers", query, "--verdict", "open"]) in (0, 2)
     shown = capsys.readouterr()

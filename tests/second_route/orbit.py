@@ -73,9 +73,7 @@ class Piece:
         return self.sign * (y + self.damping.friction), -self.sign * w
 
 
-def orbit(
-    damping: Damping, X: arb, V: arb, *, static: arb | None = None, pieces: int = MAX_PIECES
-) -> Iterator[Piece]:
+def orbit(damping: Damping, X: arb, V: arb, *, static: arb | None = None, pieces: int = MAX_PIECES) -> Iterator[Piece]:
     """The pieces of the motion from (X, V) at tau = 0, without end or until the mass sticks.
 
     ``static``: where the mass sticks (|X| <= static, at least the friction, which is the default).

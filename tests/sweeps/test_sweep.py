@@ -135,7 +135,7 @@ def test_a_driver_killed_on_the_way_loses_nothing_finished(log, folder):
     result = sweep(tasks.square, "square", points, folder, workers=1)
     assert result.reused == len(finished)
     assert result.computed == LAST - len(finished)
-    assert not set(tasks.computed(log)[len(before):]) & set(finished)  # nothing finished is computed twice
+    assert not set(tasks.computed(log)[len(before) :]) & set(finished)  # nothing finished is computed twice
     all_right(folder, points)
 
 

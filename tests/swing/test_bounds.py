@@ -241,7 +241,7 @@ def test_an_uncertain_time_widens_the_state():
     law = damping(("2", "1/10"))
     with ctx.workprec(100):
         (low, _), (high, _) = dense.states(law, arb(1), arb(0), [arb("1.5"), arb("1.5") + arb(2) ** -20])
-        (x, v), = dense.states(law, arb(1), arb(0), [arb("1.5") + arb(2) ** -21 + arb(0, arb(2) ** -21)])
+        ((x, v),) = dense.states(law, arb(1), arb(0), [arb("1.5") + arb(2) ** -21 + arb(0, arb(2) ** -21)])
         assert x.contains(low) and x.contains(high) and x.rad() < 4 * abs(high - low)
 
 

@@ -1,6 +1,5 @@
 """Turning points with quadratic drag, dry friction and a spring: the equation, an integrator, ends, hostile input."""
 
-
 import numpy as np
 import pytest
 from flint import arb, ctx

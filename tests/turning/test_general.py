@@ -62,7 +62,7 @@ def test_a_nearby_strength_is_told_apart():
 def test_one_half_swing_against_the_certified_series(alpha):
     """L and T of the normal form at delta = 1/200 through order 10: a remainder of 1e-25 times the coefficients."""
     epsilon = "1/200"
-    (x, tau), = turns(damping((alpha, epsilon)), 1)[0]
+    ((x, tau),) = turns(damping((alpha, epsilon)), 1)[0]
     with ctx.workprec(110):
         half = half_swing(quarter_swing([parse_real(alpha, "a")], 10))
         delta = (arb(1) / 200,)
@@ -136,16 +136,16 @@ def test_linear_damping_ends_at_two():
 def test_no_overdamping_above_one_however_strong():
     """Derivation no-overdamping: for alpha > 1 the second turning point exists for any strength."""
     for alpha, epsilon in (("3/2", "100"), ("11/10", "3"), ("3", "1000")):
-        (x, _), = turns(damping((alpha, epsilon)), 1, bits=64)[0]
+        ((x, _),) = turns(damping((alpha, epsilon)), 1, bits=64)[0]
         assert x < 0
 
 
 def test_half_power_comes_to_rest_in_finite_time_at_a_discrete_strength():
     """delta_0 = 0.8370887974... (theory page ``finite_strength``): passes X = 0 below it, creeps above it."""
     found, reason = turns(damping(("1/2", "0.8370887974")), 1)
-    assert reason is None and -arb(10) ** -10 < found[0][0] < 0
+    assert reason is None and -(arb(10) ** -10) < found[0][0] < 0
     assert turns(damping(("1/2", "0.8370887975")), 1) == ([], "creeps")
-    assert turns(damping(("1/2", "0.83708")), 1)[0][0][0] < -arb(10) ** -6
+    assert turns(damping(("1/2", "0.83708")), 1)[0][0][0] < -(arb(10) ** -6)
 
 
 def test_creep_ends_the_sequence_and_keeps_to_its_law():
