@@ -60,7 +60,8 @@ def test_results_carry_gauge_arithmetic_and_order():
     [
         ((2,), 0, "averaging", InputError),
         ((2,), 5, "energy", InputError),
-        ((2,), 10**6, "turning-point", LimitError),
+        ((2,), 10**6, "turning-point", InputError),
+        ((2,), 900, "turning-point", LimitError),
         ((0, 1, 2, 3), 40, "averaging", LimitError),
         ((-1,), 3, "turning-point", InputError),
     ],
