@@ -96,6 +96,10 @@ def one_process() -> Iterator[Crew]:
     yield Crew(SerialExecutor(), 1)
 
 
+_PATIENCE = 2.0
+"""Seconds given to a worker with nothing left to do before it is ended."""
+
+
 @contextmanager
 def process_pool(workers: int) -> Iterator[Crew]:
     """A pool of processes that are fresh, die with this one, and leave Ctrl-C to it."""
@@ -103,14 +107,17 @@ def process_pool(workers: int) -> Iterator[Crew]:
     context = multiprocessing.get_context(method)
     before = set(multiprocessing.active_children())
     pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_attend_to_parent)
+    patience = 0.0
     try:
         yield Crew(pool, workers)
-    except BaseException:
+        patience = _PATIENCE
+    finally:
+        # Waiting for the pool itself can last for ever: a worker that was killed may have held the lock of the queue.
         pool.shutdown(wait=False, cancel_futures=True)
         for process in set(multiprocessing.active_children()) - before:
-            process.terminate()
-        raise
-    pool.shutdown()
+            process.join(patience)
+            if process.is_alive():
+                process.kill()
 
 
 def _attend_to_parent() -> None:
