@@ -96,7 +96,7 @@ def one_process() -> Iterator[Crew]:
     yield Crew(SerialExecutor(), 1)
 
 
-_PATIENCE = 2.0
+_GRACE = 2.0
 """Seconds given to a worker with nothing left to do before it is ended."""
 
 
@@ -110,7 +110,7 @@ def process_pool(workers: int) -> Iterator[Crew]:
     patience = 0.0
     try:
         yield Crew(pool, workers)
-        patience = _PATIENCE
+        patience = _GRACE
     finally:
         # Waiting for the pool itself can last for ever: a worker that was killed may have held the lock of the queue.
         pool.shutdown(wait=False, cancel_futures=True)
