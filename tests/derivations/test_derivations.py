@@ -45,6 +45,9 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("smith_series_radii", "exp(-1 - 2 * p**2) / (1 + b)", "exp(1 - 2 * p**2) / (1 + b)"),
     ("smith_series_radii", "sign * C_1 - (n - 2)", "sign * C_1 + (n - 2)"),
     ("smith_series_radii", "2 * (b - sympy.log(1 + b)) / b**2,\n)", "2 * (b + sympy.log(1 + b)) / b**2,\n)"),
+    ("energy_contraction", "    -fv * wronskian,", "    fv * wronskian,"),
+    ("energy_contraction", "constant = sympy.exp(-2 *", "constant = sympy.exp(2 *"),
+    ("energy_contraction", "root = sympy.sqrt(4 - epsilon**2)", "root = sympy.sqrt(4 + epsilon**2)"),
     ("smith_footnote_8", "/ (3 * 2**m * sympy.factorial(m))", "/ (2**m * sympy.factorial(m))"),
 ]
 
