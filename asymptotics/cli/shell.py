@@ -32,6 +32,13 @@ class OutputError(Exception):
         self.reason = error.strerror
 
 
+class Interrupted(KeyboardInterrupt):
+    """Not KeyboardInterrupt itself: one that passes through ``exec`` makes the interpreter end as by SIGINT.
+
+    Libraries call ``exec`` while they load (every dataclass does), and CPython remembers the exact type for its exit.
+    """
+
+
 class Interrupts:
     """Which signal came: a library may turn the KeyboardInterrupt inside it into any other exception."""
 
@@ -41,7 +48,7 @@ class Interrupts:
     def __call__(self, number: int, frame: FrameType | None) -> NoReturn:
         """The handler of SIGINT and SIGTERM: what is being written is taken back on the way out."""
         self.seen = number
-        raise KeyboardInterrupt
+        raise Interrupted
 
     def install(self) -> None:
         """Answer the signals, unless somebody has chosen otherwise (``nohup``, a background job, a test runner)."""

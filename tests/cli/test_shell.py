@@ -68,6 +68,22 @@ def test_a_signal_while_the_libraries_load_is_one_line(name, number):
     assert code == 128 + number
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_inside_exec_keeps_its_exit_code(tmp_path, number):
+    """An exact KeyboardInterrupt through ``exec`` ends ``python -m`` by SIGINT, whatever the program returns."""
+    inside = f"import os; os.kill(os.getpid(), {int(number)})\nwhile True: pass"
+    (tmp_path / "program.py").write_text(
+        "import sys\n"
+        "from asymptotics.cli.shell import run_guarded\n"
+        f"sys.exit(run_guarded('program', lambda: exec({inside!r})))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-m", "program"],
+        capture_output=True, text=True, check=False, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (128 + number, "program: interrupted; no file was left half-written\n")
+
+
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-8"])
 def test_any_encoding_of_the_terminal(encoding):
     environment = {**os.environ, "PYTHONIOENCODING": encoding, "LC_ALL": "C"}
