@@ -74,7 +74,7 @@ def layer(module: str) -> str:
 @pytest.mark.parametrize("path", files("asymptotics"), ids=lambda p: str(p.relative_to(ROOT)))
 def test_data_flows_one_way(path: Path):
     parts = path.relative_to(ROOT / "asymptotics").with_suffix("").parts
-    if parts in (("__init__",), ("__main__",)):
+    if parts == ("__init__",) or parts[-1] == "__main__":  # the front door, and programs: they stand on everything
         return
     own = LAYERS.index(parts[0])
     for module in imports(path):

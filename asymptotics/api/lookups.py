@@ -22,7 +22,8 @@ from asymptotics.numbers.bridge import from_sympy, to_sympy
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
 from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
 from asymptotics.numbers.value import Coefficient
-from asymptotics.tables import Table, registry
+from asymptotics.tables import registry
+from asymptotics.tables.table import Table
 
 MAX_P, MAX_DIGITS, MAX_ROW, MAX_N, MAX_G = 10_000, 10_000, 5_000, 10_000, 100
 

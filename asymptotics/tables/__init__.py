@@ -8,16 +8,11 @@
 ``table``         text, CSV, JSON (``schema.json``), LaTeX, Parquet
 ``provenance``    inputs, versions, commit, SHA-256
 ``moments`` ...   the rows: moments, coefficients, turning, slow, quadratic
-``__main__``      ``python -m asymptotics.tables FOLDER``: the standard set
+``standard_set``  ``python -m asymptotics.tables FOLDER``: every table in three forms
 ================  ==================================================================================
 
+>>> from asymptotics.tables.registry import build
 >>> table = build("smith2012.table1", digits=6)
 >>> table.rows[1]
 ('2', '0.0987650', '-0.410720')
 """
-
-from asymptotics.tables.inputs import Inputs
-from asymptotics.tables.registry import build, names
-from asymptotics.tables.table import Table
-
-__all__ = ["Inputs", "Table", "build", "names"]

@@ -1,59 +1,30 @@
-"""The standard set: every table at 30 digits as CSV, JSON and LaTeX, and an index.
+"""``python -m asymptotics.tables FOLDER``: every table at 30 digits as CSV, JSON and LaTeX, and an index."""
 
-python -m asymptotics.tables build/tables
-"""
-
-import argparse
 import sys
+from importlib import import_module
 from pathlib import Path
 
-from tqdm import tqdm
-
+from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import InputError
-from asymptotics.present.files import require_writable, write_all
-from asymptotics.tables.registry import build, names
-from asymptotics.tables.table import Table
-
-DIGITS = 30
 
 
-def standard_set(folder: Path, digits: int = DIGITS) -> list[Table]:
-    """Write all tables into ``folder`` and return them."""
-    require_writable(folder, "FOLDER")
-    tables = []
-    for name in tqdm(names(), unit="table", disable=not sys.stderr.isatty()):
-        table = build(name, digits)
-        contents: dict[Path, str | bytes] = {
-            folder / f"{name}.csv": table.to_csv_file(),
-            folder / f"{name}.json": table.to_json(),
-            folder / f"{name}.tex": table.to_latex() + "\n",
-        }
-        write_all(contents)
-        tables.append(table)
-    write_all({folder / "index.md": _index(tables)})
-    return tables
+def main(argv: list[str] | None = None) -> int:
+    """Run the command; 0, or 2 for a folder that cannot be written."""
+    return run_guarded("tables", lambda: _run(argv))
 
 
-def _index(tables: list[Table]) -> str:
-    lines = ["# Reference tables", "", "| table | what | rows | certified | SHA-256 |", "|---|---|---|---|---|"]
-    for t in tables:
-        files = " ".join(f"[{suffix}]({t.name}.{suffix})" for suffix in ("csv", "json", "tex"))
-        sha = t.provenance["sha256"][:16]
-        lines.append(f"| `{t.name}` {files} | {t.title} | {len(t.rows)} | {str(t.certified).lower()} | {sha}… |")
-    return "\n".join(lines) + "\n"
-
-
-def main() -> int:
-    """Run ``python -m asymptotics.tables``."""
-    parser = argparse.ArgumentParser(prog="python -m asymptotics.tables", description=__doc__)
-    parser.add_argument("folder", type=Path)
-    folder = parser.parse_args().folder
+def _run(argv: list[str] | None) -> int:
+    parser = import_module("asymptotics.cli.main").Parser(prog="python -m asymptotics.tables", description=__doc__)
+    parser.add_argument("folder", help="made if it does not exist")
+    folder = parser.parse_args(argv).folder
     try:
-        tables = standard_set(folder)
+        if not folder:
+            raise InputError("FOLDER", "the name is empty", "a folder")
+        tables = import_module("asymptotics.tables.standard_set").standard_set(Path(folder))  # loaded inside the shell
     except InputError as error:
-        print(f"tables: {error}", file=sys.stderr)
+        complain(f"tables: {error}")
         return 2
-    print(f"{len(tables)} tables in {folder}")
+    emit(f"{len(tables)} tables in {folder}")
     return 0
 
 

@@ -13,8 +13,8 @@ from asymptotics import __version__
 from asymptotics.present.figures import render
 from asymptotics.present.files import write_atomically
 from asymptotics.present.mathml import to_mathml
-from asymptotics.tables import build
 from asymptotics.tables.cells import Formula
+from asymptotics.tables.registry import build
 from asymptotics.verdict import Printed
 from paper_checks.data import source
 from paper_checks.registry import PAPERS, Entry

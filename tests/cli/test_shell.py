@@ -17,6 +17,7 @@ PROGRAMS = {
     "paper_checks": ["-m", "paper_checks", "lelas2024", "--id", "lelas2024:4"],
     "derivations": ["-m", "derivations"],
 }
+WRITERS = {**PROGRAMS, "tables": ["-m", "asymptotics.tables", "build/tables"]}
 
 
 def shell(line: str, **options: object) -> subprocess.CompletedProcess[str]:
@@ -40,21 +41,21 @@ def test_lost_output(name):
     assert (silent.returncode, silent.stderr) == (2, "")
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("name", WRITERS)
 def test_help_and_bad_options_on_a_full_disk(name):
-    command = " ".join([f"'{sys.executable}'", *PROGRAMS[name][:2]])
+    command = " ".join([f"'{sys.executable}'", *WRITERS[name][:2]])
     full = shell(f"{command} --help > /dev/full")
     assert full.returncode == 2
     assert full.stderr.count("\n") == 1
     assert "Traceback" not in shell(f"{command} --no-such-option > /dev/full").stderr
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("name", WRITERS)
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_while_the_libraries_load_is_one_line(name, number):
     """The shell stands as soon as the interpreter does; -X importtime tells when that is."""
     with subprocess.Popen(
-        [sys.executable, "-X", "importtime", *PROGRAMS[name]],
+        [sys.executable, "-X", "importtime", *WRITERS[name]],
         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=ROOT,
     ) as process:  # fmt: skip
         assert process.stderr is not None

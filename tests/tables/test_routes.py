@@ -14,7 +14,8 @@ from asymptotics.envelopes.symbolic import averaged_law
 from asymptotics.half_swings.symbolic import alpha as symbol
 from asymptotics.invariants.exact import coefficient_by_closed_sum, rows_by_integration
 from asymptotics.normal_form.symbolic import omega_2
-from asymptotics.tables import Inputs, build, names
+from asymptotics.tables.inputs import Inputs
+from asymptotics.tables.registry import build, names
 from asymptotics.turning.quadratic_series import half_period_series
 
 CHECKED = {

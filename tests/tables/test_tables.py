@@ -18,11 +18,11 @@ import asymptotics.tables
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.numbers.decimals import rational_decimal
 from asymptotics.numbers.rounding import MODES, half_unit, rounded_decimal, rounded_rational
-from asymptotics.tables import Inputs, build, names
-from asymptotics.tables.__main__ import standard_set
 from asymptotics.tables.cells import Nearest, round_rows
+from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.provenance import checksum
-from asymptotics.tables.registry import description
+from asymptotics.tables.registry import build, description, names
+from asymptotics.tables.standard_set import standard_set
 
 # Table I as printed (six digits).  The paper's last digits of S_3 and S_5 differ: 0.133834, 0.141589.
 TABLE_1 = [("0", "1.00000"), ("0.0987650", "-0.410720"), ("0.123863", "0.263568"), ("0.133833", "-0.194566"),
@@ -194,7 +194,7 @@ def test_an_empty_pause_of_motion_is_said_and_not_left_out():
 
 
 def test_the_standard_set_is_written_whole(tmp_path, monkeypatch):
-    monkeypatch.setattr("asymptotics.tables.__main__.names", lambda: dict.fromkeys(CHEAP, ""))
+    monkeypatch.setattr("asymptotics.tables.standard_set.names", lambda: dict.fromkeys(CHEAP, ""))
     made = standard_set(tmp_path / "tables", 12)
     assert len(list((tmp_path / "tables").iterdir())) == 3 * len(made) + 1
     again = standard_set(tmp_path / "again", 12)
