@@ -39,20 +39,23 @@ _TRIES, _PIECES = 6, 4096
 
 @dataclass(frozen=True)
 class Well:
-    """The spring and the two losses in balls; ``pendulum`` tells whether sin x stands in the place of x."""
+    """The spring and the two losses in balls; ``rate`` is r if sin(r x)/r stands in the place of x, else None.
+
+    r is the unit of length in rad: 1 where x is an angle.
+    """
 
     springs: tuple[tuple[arb, int], ...]
-    pendulum: bool
+    rate: arb | None
     dry: arb
     drag: arb
 
     @classmethod
     def of(cls, law: Law) -> "Well":
         """At the current precision; InputError by name for a force that this method cannot take."""
-        dry, drag, springs, pendulum = arb(0), arb(0), [], False
+        dry, drag, springs, rate = arb(0), arb(0), [], None
         for t in law.terms:
             if t.family:
-                pendulum = True
+                rate = t.strength.ball().sqrt()
             elif t.sign > 0 and t.velocity.is_zero:
                 springs.append((t.strength.ball(), t.position))
             elif t.is_power_of_velocity and t.velocity == 2:
@@ -62,12 +65,12 @@ class Well:
             else:
                 known = "alpha = 0 and 2 with springs c x|x|^(P-1) or a pendulum; expand takes every force"
                 raise InputError("law", f"{t.shape()}: with a nonlinear spring there is no exact swing", known)
-        _require_one_branch(law, pendulum)
-        return cls(tuple(springs), pendulum, dry, drag)
+        _require_one_branch(law, rate is not None)
+        return cls(tuple(springs), rate, dry, drag)
 
     def force(self, x: arb) -> arb:
         """V'(x) for x >= 0."""
-        linear = x.sin() if self.pendulum else x
+        linear = x if self.rate is None else (self.rate * x).sin() / self.rate
         return sum((c * x**p for c, p in self.springs), start=linear)
 
     def work(self, low: arb, high: arb) -> arb:
@@ -84,12 +87,12 @@ class Well:
         """A primitive of (side V'(x) - eps_0) e^(-2 side eps_2 x), x >= 0."""
         k = 2 * side * self.drag
         powers = [(side * c, p) for c, p in self.springs] + [(-self.dry, 0)]
-        if not self.pendulum:
+        if self.rate is None:
             powers.append((arb(side), 1))
         total = sum((c * _power_primitive(x, p, k) for c, p in powers), start=arb(0))
-        if self.pendulum:
-            sine, cosine = x.sin_cos()
-            total -= side * (-(k * x)).exp() * (cosine + k * sine) / (1 + k * k)
+        if self.rate is not None:
+            r, (sine, cosine) = self.rate, (self.rate * x).sin_cos()
+            total -= side * (-(k * x)).exp() * (r * cosine + k * sine) / (r * (r * r + k * k))
         return total
 
 
@@ -237,7 +240,7 @@ def _require_well(well: Well, x0: ExactReal) -> None:
             continue
         edge = _stiffness(well, high)
         if edge <= 0 or pieces > _PIECES:
-            what = "it rotates" if well.pendulum else "it escapes"
+            what = "it rotates" if well.rate is not None else "it escapes"
             raise InputError("x0", f"{x0} lies outside the well, V' > 0 fails on the way: {what}", "a start inside it")
         middle = ((low + high) / 2).mid()
         stack += [(low, middle), (middle, high)]
@@ -245,7 +248,7 @@ def _require_well(well: Well, x0: ExactReal) -> None:
 
 def _stiffness(well: Well, x: arb) -> arb:
     """V'(x)/x for a ball x >= 0."""
-    linear = x.sinc() if well.pendulum else arb(1)
+    linear = arb(1) if well.rate is None else (well.rate * x).sinc()
     total = linear
     for c, p in well.springs:
         power = arb(1)

@@ -7,7 +7,7 @@ from scipy.integrate import solve_ivp
 
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError
-from asymptotics.law import Law
+from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning.drag_exact import Well, drag_turning_points
 from asymptotics.turning.general import turning_points
@@ -65,6 +65,15 @@ def test_a_weak_spring_is_the_linear_one():
     assert [p.x for p in weak.points] == [p.x for p in linear.points]
     strong = turning_points(Law({2: "1/3"}, spring={3: "1e-20"}), 6, 30)
     assert strong.points[5].x != linear.points[5].x
+
+
+def test_a_pendulum_in_other_units_of_length_is_the_same_pendulum():
+    """x = 2 X: sin(2 X)/2 and twice the drag; sin X from X = 1 would be another motion."""
+    angle = turning_points(Law({2: "1/5", 0: "1/50"}, spring="pendulum"), 4, 20, x0=2)
+    units = turning_points(Oscillator({2: "1/5", 0: "1/50"}, spring="pendulum", x0=2).dimensionless, 4, 20)
+    with ctx.workprec(120):
+        for p, q in zip(angle.points, units.points, strict=True):
+            assert abs(arb(p.x) - 2 * arb(q.x)) <= arb(10) ** -19
 
 
 def test_a_ball_is_mapped_to_a_ball_that_contains_it():
