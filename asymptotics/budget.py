@@ -16,18 +16,21 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from math import inf
 from time import monotonic
 
 from asymptotics.errors import LimitError
 
 DEFAULT_SECONDS = 60.0
+_ACCEPTED = "a larger --max-seconds, a lower order, fewer points, fewer digits or a shorter time"
 
 
-@dataclass(frozen=True)
+@dataclass
 class _Budget:
     seconds: float
     deadline: float
     report: Callable[[str], None] | None
+    stage: str = "the start"
 
 
 _current: ContextVar[_Budget | None] = ContextVar("budget", default=None)
@@ -44,21 +47,27 @@ def budget(seconds: float = DEFAULT_SECONDS, report: Callable[[str], None] | Non
         _current.reset(token)
 
 
-def tick(stage: str) -> None:
-    """Report the stage; LimitError when the time is over."""
+def tick(stage: str | None = None) -> None:
+    """Report the stage (None: the one before goes on); LimitError when the time is over."""
     current = _current.get()
     if current is None:
         return
+    current.stage = stage or current.stage
     if current.report is not None:
-        current.report(stage)
+        current.report(current.stage)
     if monotonic() >= current.deadline:
-        reason = f"{current.seconds:g} s are over at {stage}"
-        raise LimitError("max-seconds", reason, "a larger --max-seconds, fewer points, fewer digits or a shorter time")
+        raise LimitError("max-seconds", f"{current.seconds:g} s are over at {current.stage}", _ACCEPTED)
+
+
+def seconds_left() -> float:
+    """What is left of the budget in force, infinity without one."""
+    current = _current.get()
+    return inf if current is None else current.deadline - monotonic()
 
 
 def require_seconds(estimate: float, work: str) -> None:
     """LimitError at once when an estimate is more than twice what is left: no use in starting."""
     current = _current.get()
-    if current is not None and estimate > 2 * (current.deadline - monotonic()):
+    if current is not None and estimate > 2 * seconds_left():
         reason = f"{work} would take about {estimate:.0f} s, more than the {current.seconds:g} s allowed"
-        raise LimitError("max-seconds", reason, "a larger --max-seconds, fewer points, fewer digits or a shorter time")
+        raise LimitError("max-seconds", reason, _ACCEPTED)

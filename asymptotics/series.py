@@ -23,6 +23,8 @@ from typing import Any
 
 from flint import fmpq
 
+from asymptotics.budget import tick
+
 Key = tuple[int, ...]
 
 
@@ -155,6 +157,7 @@ class Series:
     def __mul__(self, other: Any) -> "Series":
         if not isinstance(other, Series):
             return self.map(lambda c: c * other)
+        tick()
         order = min(self.order, other.order)
         total: dict[Key, Any] = {}
         for d, left in enumerate(self.parts[: order + 1]):
@@ -218,6 +221,7 @@ class Series:
         """y with y_d = (1/divisor) sum_(j=1..d) a_j y_(d-j) and y_0 = start."""
         known: list[dict[Key, Any]] = [start]
         for d in range(1, self.order + 1):
+            tick()
             total: dict[Key, Any] = {}
             for j in range(1, d + 1):
                 accumulate(total, a.parts[j], known[d - j].items())

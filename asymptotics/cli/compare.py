@@ -16,7 +16,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from asymptotics.cli.answer import Answer, add_json
+from asymptotics.cli.answer import Answer, add_json, add_max_seconds
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.table import table_inputs
 from asymptotics.comparison.picture import KINDS, picture_of
@@ -43,6 +43,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--digits", metavar="D", help="digits of the certified values (default: four more than yours)")
     parser.add_argument("--plot", metavar="FILE", help="digits lost against time: .svg or .png")
     parser.add_argument("--csv", metavar="FILE", help="all rows as CSV")
+    add_max_seconds(parser)
     add_json(parser)
 
 

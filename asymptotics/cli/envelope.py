@@ -16,7 +16,7 @@ import numpy as np
 import sympy
 
 from asymptotics.api.slow import MAX_DIGITS, Envelope, envelope
-from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
+from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
 from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
 from asymptotics.cli.quantities import Given, add_oscillator, read_oscillator
 from asymptotics.envelopes.symbolic import LELAS, MEAN
@@ -35,6 +35,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--latex", action="store_true", help="print the formula as LaTeX")
     add_files(parser, "A(t) and x = A cos(omega_0 t + phi) from 0 to T", "t, amplitude, phase from 0 to T")
     add_digits(parser, MAX_DIGITS)
+    add_max_seconds(parser)
     add_json(parser)
 
 

@@ -23,7 +23,7 @@ import argparse
 from typing import Any
 
 from asymptotics.bounds.local import LocalBounds, local_bounds
-from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
+from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES, TURNING_POINT
@@ -36,7 +36,7 @@ from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.results import ExpansionCoefficients, Row
 from asymptotics.numbers.exact import parse_integer
 
-MAX_DIGITS, MAX_ORDER, MAX_SECONDS = 1000, 200, 3600
+MAX_DIGITS, MAX_ORDER = 1000, 200
 MAX_BOUND_ORDER = 12
 
 
@@ -55,19 +55,13 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_json(parser)
 
 
-def add_max_seconds(parser: argparse.ArgumentParser) -> None:
-    """The option --max-seconds."""
-    text = f"refuse work estimated above this (default 60, at most {MAX_SECONDS})"
-    parser.add_argument("--max-seconds", default="60", metavar="S", help=text)
-
-
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     if options.gauge not in GAUGES:
         raise InputError("--gauge", f"no gauge {options.gauge!r}", ", ".join(GAUGES))
     order = parse_integer(options.order, "--order", 1, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
-    seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
+    seconds = read_max_seconds(options)
     if options.alpha == "symbolic":
         if options.law or options.exact:
             other = "--law" if options.law else "--exact"

@@ -15,8 +15,8 @@ asymptotics half-swing --law 1 --law 2 --delta 1/50,1/40
 
 import argparse
 
-from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
-from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER, MAX_SECONDS, add_max_seconds, order_of, row_text
+from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
+from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER, order_of, row_text
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.errors import InputError
 from asymptotics.normal_form.coefficients import half_swing_coefficients
@@ -43,7 +43,7 @@ def run(options: argparse.Namespace) -> Answer:
         return _at(options, given)
     order = parse_integer(options.order, "--order", 1, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
-    seconds = parse_integer(options.max_seconds, "--max-seconds", 1, MAX_SECONDS)
+    seconds = read_max_seconds(options)
     found = half_swing_coefficients(given.terms, order, digits, exact_only=options.exact, max_seconds=seconds)
     names = [("L", found.log_ratio), ("T", found.duration), ("U", found.U), ("W", found.W)]
     suffixes = [""] if len(given.terms) == 1 else [f"[{name}]" for name in given.names]

@@ -12,7 +12,7 @@ springs x^3 and x^3, x^5 where there are times.  epsilon refers to x0 = 1 unit o
 
 import argparse
 
-from asymptotics.cli.answer import Answer, add_json
+from asymptotics.cli.answer import Answer, add_json, add_max_seconds
 from asymptotics.errors import InputError
 from asymptotics.identification.identify import identify
 from asymptotics.identification.plots import picture, picture_kind
@@ -37,6 +37,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--noise", metavar="S", help="standard deviation of x, if known")
     parser.add_argument("--no-bootstrap", action="store_true", help="keep the intervals of correlated residuals")
     parser.add_argument("--plot", metavar="FILE", help="decay, decrement plot, residuals, profiles (svg, png, pdf)")
+    add_max_seconds(parser)
     add_json(parser)
 
 

@@ -12,7 +12,7 @@ The laws must be polynomials in x and x': M even, A odd.
 
 import argparse
 
-from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
+from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
 from asymptotics.cli.expand import row_text
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.limit_cycles.result import LimitCycle, limit_cycle
@@ -28,6 +28,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--order", default="8", metavar="N", help=f"the highest power of mu, 0 to {MAX_ORDER}")
     parser.add_argument("--mu", metavar="M", help="a number: the cycle there as well, certified")
     add_digits(parser, MAX_DIGITS)
+    add_max_seconds(parser)
     add_json(parser)
 
 

@@ -72,13 +72,20 @@ def run(argv: list[str] | None = None) -> int:
     module.configure(parser)
     options = parser.parse_args(arguments[1:])
     try:
-        return int(module.run(options).show(name))
+        return int(_answer(module, options).show(name))
     except InputError as error:
         complain(f"asymptotics {name}: {as_option(error, options)}")
         return 2
     except UndecidedError as error:
         complain(f"asymptotics {name}: undecided: {printable(str(error), MAX_ACCEPTED)}")
         return 1
+
+
+def _answer(module: Any, options: argparse.Namespace) -> Any:
+    if "max_seconds" not in options:
+        return module.run(options)
+    with import_module("asymptotics.cli.clock").timed(options):  # loaded only here: --help and --version stay instant
+        return module.run(options)
 
 
 def as_option(error: InputError, options: argparse.Namespace) -> InputError:

@@ -20,7 +20,7 @@ from typing import Any
 import sympy
 
 from asymptotics.api.hierarchy import MAX_ORDER, multiple_scales
-from asymptotics.cli.answer import Answer, add_json
+from asymptotics.cli.answer import Answer, add_json, add_max_seconds
 from asymptotics.cli.forces import add_forces, read_terms
 from asymptotics.errors import InputError
 from asymptotics.law import Law
@@ -35,6 +35,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_forces(parser, "epsilon", "E", text)
     parser.add_argument("--order", default="2", metavar="N", help=f"1 to {MAX_ORDER}; above 2 for polynomial forces")
     parser.add_argument("--latex", action="store_true", help="print LaTeX instead of text")
+    add_max_seconds(parser)
     add_json(parser)
 
 

@@ -1,6 +1,8 @@
 """Progress for people: on stderr, only when that is a terminal, and only after a second."""
 
 import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from tqdm import tqdm
 
@@ -9,3 +11,17 @@ def progress_bar(total: int | None, *, unit: str, title: str = "") -> tqdm:
     """A tqdm bar that shows nothing in files, pipes and tests, and nothing for work of less than a second."""
     hidden = sys.stderr is None or not sys.stderr.isatty()
     return tqdm(total=total, unit=unit, desc=title or None, leave=False, disable=hidden, delay=1)
+
+
+@contextmanager
+def status_line(seconds: float) -> Iterator[Callable[[str], None]]:
+    """A line that is handed the stage of the work and shows it with the time gone, under the same conditions."""
+    hidden = sys.stderr is None or not sys.stderr.isatty()
+    form = f"{{desc}}, {{elapsed}} of {seconds:g} s"
+    with tqdm(bar_format=form, leave=False, disable=hidden, delay=1) as line:
+
+        def show(stage: str) -> None:
+            line.set_description_str(stage, refresh=False)
+            line.update()
+
+        yield show

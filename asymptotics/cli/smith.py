@@ -14,7 +14,7 @@ from importlib import import_module
 from math import log2
 from typing import Any
 
-from asymptotics.cli.answer import Answer, add_json
+from asymptotics.cli.answer import Answer, add_json, add_max_seconds
 from asymptotics.errors import InputError, LimitError
 from asymptotics.invariants.exact import coefficient, coefficients
 from asymptotics.numbers.exact import parse_integer
@@ -29,6 +29,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("what", choices=("f", "c", "g"), help="polynomial, coefficient or generating function")
     parser.add_argument("--n", metavar="N", help=f"1 to {MAX_ROW} for f, 1 to {MAX_N} for c")
     parser.add_argument("--i", metavar="I", help=f"0 to n-1 for c, 0 to {MAX_G} for g")
+    add_max_seconds(parser)
     add_json(parser)
 
 

@@ -13,6 +13,8 @@ from functools import lru_cache
 from importlib import import_module
 from typing import Any, NoReturn
 
+from asymptotics.budget import budget
+from asymptotics.cli.answer import read_max_seconds
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.numbers.exact import parse_real
 from asymptotics.sweeps.grid import Point, values
@@ -119,7 +121,9 @@ def typed_options(command: str, point: Point) -> argparse.Namespace:
 
 def run_point(command: str, point: Point) -> dict[str, Any]:
     """One run of the command: its JSON, without what every command adds.  This is the task of a sweep."""
-    answer = _command(command)[0].run(typed_options(command, point))
+    options = typed_options(command, point)
+    with budget(read_max_seconds(options)):
+        answer = _command(command)[0].run(options)
     if answer.failed:
         raise UndecidedError("the command's own check failed")
     data: dict[str, Any] = answer.data

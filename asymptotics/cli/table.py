@@ -11,7 +11,7 @@ zero), up (away from zero), floor, ceil, interval (both ends).  Every file carri
 
 import argparse
 
-from asymptotics.cli.answer import Answer, add_digits, add_json, read_digits
+from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
 from asymptotics.cli.forces import read_law
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
@@ -37,6 +37,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--format", default="text", metavar="FORMAT", help=", ".join(FORMATS))
     parser.add_argument("--output", metavar="FILE", help="write it to a file, with its provenance")
     add_digits(parser, MAX_DIGITS)
+    add_max_seconds(parser)
     add_json(parser)
 
 

@@ -17,7 +17,6 @@ import argparse
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.forces import add_forces, read_law
-from asymptotics.cli.progress import progress_bar
 from asymptotics.errors import LimitError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_integer, parse_real
@@ -54,16 +53,9 @@ def run(options: argparse.Namespace) -> Answer:
 
 
 def _computed(options: argparse.Namespace, law: Law, count: int, digits: int, start: int) -> TurningPoints:
-    state = {name: parse_real(getattr(options, name), f"--{name}") for name in ("x0", "v0")}
+    x0, v0 = (parse_real(getattr(options, name), f"--{name}") for name in ("x0", "v0"))
     seconds = read_max_seconds(options)
-    with progress_bar(count, unit="point") as bar:
-
-        def show(done: int) -> None:
-            bar.update(done - bar.n)
-
-        return turning_points(
-            law, count, digits, start=start, times=options.times, max_seconds=seconds, progress=show, **state
-        )
+    return turning_points(law, count, digits, start=start, times=options.times, x0=x0, v0=v0, max_seconds=seconds)
 
 
 def _text(result: TurningPoints) -> str:

@@ -32,6 +32,7 @@ from fractions import Fraction
 
 from flint import acb, arb, ctx, fmpq
 
+from asymptotics.budget import tick
 from asymptotics.envelopes.numeric import NumericEnvelope
 from asymptotics.errors import InputError, LimitError
 from asymptotics.moments.certified import moment
@@ -42,6 +43,10 @@ Laws = Sequence[tuple[ExactReal, arb]]
 ROUGH_BITS = 64
 MAX_S = 600.0
 """Amplitudes below e^-600 are refused: the double-precision guess of the inversion ends there."""
+
+
+EVALUATIONS_PER_BIT = 200
+"""A hundred times what envelopes need: FLINT goes on to this limit after an error in the integrand."""
 
 
 def time(laws: Laws, A: arb) -> arb:
@@ -226,11 +231,13 @@ def _integral(laws: Laws, numerator: Sequence[tuple[arb, arb]], s: arb) -> arb:
     terms = [(1 - a.ball(), k) for a, k in laws]
 
     def integrand(r: acb, analytic: bool) -> acb:
+        tick("an integral over the envelope")
         top = sum((c * (-beta * r).exp() for beta, c in numerator), acb(0)) if numerator else acb(1)
         return top / sum((k * (e * r).exp() for e, k in terms), acb(0))
 
     middle = s.mid()
-    return acb.integral(integrand, acb(0), acb(middle)).real + integrand(acb(s), False).real * (s - middle)
+    whole = acb.integral(integrand, acb(0), acb(middle), eval_limit=EVALUATIONS_PER_BIT * ctx.prec).real
+    return whole + integrand(acb(s), False).real * (s - middle)
 
 
 def _rate(laws: Laws, s: arb) -> arb:

@@ -28,6 +28,8 @@ from typing import Any
 import numpy as np
 from flint import acb, arb, ctx
 
+from asymptotics.budget import tick
+from asymptotics.envelopes.certified import EVALUATIONS_PER_BIT
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.half_swings.grading import Grading, may_vanish
 from asymptotics.series import Series
@@ -178,10 +180,16 @@ class SlowLaw:
     def _integral(self, numerator: Callable[[acb], acb], low: arb, high: arb) -> arb:
         if not (self.p(low) > 0 and self.p(high) > 0):
             raise _lost_sign()
-        value = acb.integral(lambda r, _: numerator(r) / self.p(r), acb(low), acb(high)).real
-        if not value.is_finite():
+
+        def integrand(r: acb, analytic: bool) -> acb:
+            tick("an integral along the slow flow")
+            value: acb = numerator(r) / self.p(r)
+            return value
+
+        found = acb.integral(integrand, acb(low), acb(high), eval_limit=EVALUATIONS_PER_BIT * ctx.prec).real
+        if not found.is_finite():
             raise UndecidedError("the time integral of the amplitude law did not converge")
-        return value.mid()
+        return found.mid()
 
 
 def _lost_sign() -> InputError:

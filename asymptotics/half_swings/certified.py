@@ -32,6 +32,7 @@ from math import comb, log2
 
 from flint import arb, ctx
 
+from asymptotics.budget import require_seconds
 from asymptotics.errors import InputError, LimitError
 from asymptotics.half_swings.certified_moments import Orders, duration_orders, moment_bounds, moment_orders
 from asymptotics.half_swings.certified_orders import (
@@ -150,9 +151,11 @@ def _products(forces: Forces, order: int, moments: bool) -> int:
 
 
 def _check_work(products: int, terms: int, bits: int, max_work: int) -> None:
-    """Refuse what is too large before it starts."""
+    """Refuse what is too large before it starts, at all or for the time that is left."""
     work = products * terms * (1 + bits // 64)
+    seconds, limit = (w // WORK_PER_SECOND for w in (work, max_work))
+    told = f"{products} products of series of {terms} terms at {bits} bits"
     if work > max_work:
-        seconds, limit = (w // WORK_PER_SECOND for w in (work, max_work))
-        reason = f"{products} products of series of {terms} terms at {bits} bits would take about {seconds} s"
-        raise LimitError("order", reason, f"work of at most {limit} s: a lower order, fewer digits, or a higher limit")
+        accepted = f"work of at most {limit} s: a lower order, fewer digits, or a higher limit"
+        raise LimitError("order", f"{told} would take about {seconds} s", accepted)
+    require_seconds(seconds, told)

@@ -48,6 +48,7 @@ from typing import Any
 
 from flint import arb, arb_poly
 
+from asymptotics.budget import tick
 from asymptotics.half_swings.forces import Forces, Member
 from asymptotics.series import Key, monomials
 
@@ -88,6 +89,7 @@ def dot(n: Key, velocities: Sequence[arb]) -> arb:
 
 def convolve(f: Mapping[Key, Any], g: Mapping[Key, Any], n: Key) -> Any:
     """Σ_m f_m g_{n−m} over the orders that both have so far; the integer 0 if there is none."""
+    tick()
     total: Any = 0
     for m in product(*(range(k + 1) for k in n)):
         if m in f and (rest := minus(n, m)) in g:
@@ -103,6 +105,7 @@ def order_series(ring: Ring, orders: Sequence[Key]) -> dict[Key, Any]:
     p: list[dict[Key, Any]] = [{zero: arb(1)} for _ in members]
     top = sum(orders[-1])
     for n in orders[1:]:
+        tick(f"order {sum(n)} of {top} of the quarter swing")
         rests = ((i, minus(n, ring.keys[i])) for i in members)
         terms = [ring.powers[i] * p[i][rest] for i, rest in rests if rest in p[i]]
         s[n] = ring.cut(sum(terms, start=0 * ring.cosine))
@@ -160,6 +163,7 @@ def sine_ratio_power(alpha: arb, terms: int) -> arb_poly:
     slope = [arb(0)] + [-alpha * arb(2 * j).zeta() / arb(4) ** j for j in range(1, terms)]
     f = [arb(1)]
     for j in range(1, terms):
+        tick(f"term {j} of a power of the sine")
         f.append(sum((slope[i] * f[j - i] for i in range(1, j + 1)), arb(0)) / j)
     return arb_poly(f)
 

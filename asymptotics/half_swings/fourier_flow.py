@@ -37,6 +37,7 @@ from dataclasses import dataclass
 
 from flint import fmpq, fmpq_poly
 
+from asymptotics.budget import tick
 from asymptotics.errors import InputError
 from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
 from asymptotics.half_swings.forces import Forces, Given, Member
@@ -129,6 +130,7 @@ class _Kernel:
         """All degrees, and the way back from eta to delta."""
         l = self.grading.loss_degree  # noqa: E741 (the letter of ``grading``)
         for n in range(1, self.order + 1):
+            tick(f"order {n} of {self.order} of the smooth flow")
             self.forcing.append(self._phi(n))
             rest = self._right_side(n)
             middle = self.M * n

@@ -18,6 +18,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from asymptotics.budget import tick
 from asymptotics.half_swings.grading import Grading
 from asymptotics.series import Key, Series, accumulate, is_exact_zero
 
@@ -48,9 +49,11 @@ class Orbit:
         n: list[Part] = [{}]
         m: list[Part] = [{}]
         for d in range(1, order + 1):
+            tick(f"order {d} of {order} of the orbit")
             n.append(_numerator(shapes, grown, d))
             m.append(dict(n[d]))
             for j in range(1, d):
+                tick()
                 accumulate(m[d], n[j].items(), [(k, cosine * x) for k, x in m[d - j].items()])
             log_r.append({k: integrate(x) for k, x in m[d].items()})
             for (key, _), known in zip(shapes, grown):

@@ -26,6 +26,7 @@ from math import comb, prod
 
 from flint import fmpq_poly, fmpz_poly
 
+from asymptotics.budget import tick
 from asymptotics.numbers.exact import require_integer
 
 Row = dict[int, Fraction]
@@ -43,6 +44,7 @@ def integer_rows() -> Iterator[tuple[int, fmpz_poly]]:
     previous, row = fmpz_poly([]), fmpz_poly([1])
     n = 1
     while True:
+        tick(f"row {n}")
         yield n, row
         n += 1
         upper = 2 * (n - 1) * row

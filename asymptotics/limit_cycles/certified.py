@@ -23,6 +23,7 @@ from math import prod
 
 from flint import arb, arb_poly, ctx
 
+from asymptotics.budget import tick
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.limit_cycles.series import require_polynomial
@@ -130,6 +131,7 @@ def half_turn(terms: tuple[Term, ...], mu: arb, A: arb) -> HalfTurn | None:
     z, degree = (A.mid() + arb(0, A.rad()), arb(0), arb(0)), max(16, int(ctx.prec * 0.22))
     steps, time = int(_STEPS_PER_TURN * (1 + size)), arb(0)
     for k in range(steps):
+        tick(f"step {k} of {steps} around the cycle")
         eta = arb(T / steps) if k < steps - 1 else _last_step(field, z, T / steps, degree)
         box = _picard_box(field, z, eta)
         if box is None or not _goes_on(field, box, k, steps):

@@ -35,6 +35,7 @@ from typing import Any
 
 from flint import arb, arb_poly, fmpq, fmpq_poly
 
+from asymptotics.budget import tick
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.bridge import to_fmpq
@@ -163,6 +164,7 @@ class _Solver:
         self.X = self._powers(self.y[0], max(t.position for t in terms))
         self.V = self._powers(self.poly([-half, half]), max(int(t.velocity.rational) for t in terms))
         for k in range(1, order + 1):
+            tick(f"power {k} of {order} of mu")
             self._advance(k)
 
     def _powers(self, base: Any, top: int) -> list[list[Any]]:

@@ -43,6 +43,7 @@ from dataclasses import dataclass
 
 from flint import fmpq, fmpq_poly
 
+from asymptotics.budget import tick
 from asymptotics.errors import InputError, LimitError
 from asymptotics.half_swings.forces import Forces, Given, Member
 from asymptotics.half_swings.fourier_flow import is_polynomial
@@ -141,6 +142,7 @@ def odd_hierarchy(given: Given, order: int, *, max_seconds: float = MAX_SECONDS)
         raise LimitError("order", f"{order} would take about {seconds:.0f} s", f"an estimate below {max_seconds:.0f} s")
     kernel = _Kernel(forces, order)
     for n in range(1, order + 1):
+        tick(f"order {n} of {order} of the hierarchy")
         kernel.advance(n)
     p, Omega = (_series(parts, forces.variables, order) for parts in (kernel.p, kernel.Omega))
     return OddHierarchy(forces, order, p, Omega, tuple(kernel.X), tuple(kernel.Y), tuple(kernel.known))

@@ -15,13 +15,15 @@ Coefficient(value='-0.152788745368', expression=-12/(25*pi))
 
 from collections.abc import Mapping, Sequence
 from functools import partial
+from math import inf
 from typing import Any
 
 import sympy
 
+from asymptotics.budget import budget, seconds_left
 from asymptotics.errors import InputError
 from asymptotics.gauges import TURNING_POINT, require_gauge
-from asymptotics.half_swings.certified import WORK_PER_SECOND, quarter_swing
+from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.forces import Forces, Given
 from asymptotics.half_swings.pi_ring import PiNumber
@@ -55,22 +57,26 @@ def expansion_coefficients(
 ) -> ExpansionCoefficients:
     """p_k and Omega_k of one law or a sum, in any gauge.
 
-    Raises InputError for bad exponents, or with ``exact_only`` where no exact form exists; LimitError for work above
-    ``max_seconds``; UndecidedError for a coefficient that balls cannot round.
+    Raises InputError for bad exponents, or with ``exact_only`` where no exact form exists; LimitError where all passes
+    together would take or take more than ``max_seconds``; UndecidedError for a coefficient that balls cannot round.
     """
     require_gauge(gauge)
     _require_counts(order, digits)
-    forces = Forces.read(given, order)
-    if _is_exact(forces, order, gauge, exact_only, max_seconds):
-        expansion = exact_expansion(forces, order, gauge, max_seconds=max_seconds)
+    with budget(max_seconds):
+        return _coefficients(Forces.read(given, order), order, digits, gauge, exact_only)
+
+
+def _coefficients(forces: Forces, order: int, digits: int, gauge: str, exact_only: bool) -> ExpansionCoefficients:
+    if _is_exact(forces, order, gauge, exact_only):
+        expansion = exact_expansion(forces, order, gauge, max_seconds=inf)
         p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
         return _expansion(gauge, order, "exact", forces, p, Omega)
-    work, exact = _work(max_seconds), _integer_part(forces, order, gauge)
+    exact = _integer_part(forces, order, gauge)
     decided = {name: {key: _exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
     if gauge == TURNING_POINT:
-        rounded = certified_digits(forces, order, digits, max_work=work, names=("p", "Omega"), known=decided)
+        rounded = certified_digits(forces, order, digits, names=("p", "Omega"), known=decided)
     else:
-        rounded = round_all(partial(_in_gauge, forces, order, gauge, work), digits, 4 * order + 32, decided, forces)
+        rounded = round_all(partial(_in_gauge, forces, order, gauge), digits, 4 * order + 32, decided, forces)
     known = closed_forms(forces, order, gauge)
     for name, row in exact.items():
         known[name] |= {key: c.to_sympy() for key, c in row.items()}
@@ -108,8 +114,12 @@ def half_swing_coefficients(
 ) -> HalfSwingCoefficients:
     """L, F, T, U, V, W through delta^order of one law or a sum; errors as ``expansion_coefficients``."""
     _require_counts(order, digits)
-    forces = Forces.read(given, order)
-    if _is_exact(forces, order, TURNING_POINT, exact_only, max_seconds):
+    with budget(max_seconds):
+        return _half_swing_coefficients(Forces.read(given, order), order, digits, exact_only)
+
+
+def _half_swing_coefficients(forces: Forces, order: int, digits: int, exact_only: bool) -> HalfSwingCoefficients:
+    if _is_exact(forces, order, TURNING_POINT, exact_only):
         half = exact_half_swing(forces, order)
         flow = flow_of(half)
         rows = [_exact_row(s, digits) for s in (half.L, half.T, flow.U, flow.W, *half.F, *flow.V)]
@@ -117,7 +127,7 @@ def half_swing_coefficients(
     exact = _integer_half_swing(forces, order)
     decided = {name: {key: _exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
     names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(forces.variables))]
-    rounded = certified_digits(forces, order, digits, max_work=_work(max_seconds), names=names, known=decided)
+    rounded = certified_digits(forces, order, digits, names=names, known=decided)
     known = {"U": dict(first_order(forces)[0]), "T": {(0,) * forces.variables: sympy.pi}}
     for name, row in exact.items():
         known[name] = known.get(name, {}) | {key: c.to_sympy() for key, c in row.items()}
@@ -147,22 +157,28 @@ def closed_forms(given: Given, order: int, gauge: str) -> dict[str, dict[Key, sy
     return known
 
 
-def _is_exact(forces: Forces, order: int, gauge: str, exact_only: bool, max_seconds: float) -> bool:
+def _is_exact(forces: Forces, order: int, gauge: str, exact_only: bool) -> bool:
     """Whether the exact engine is to be used: integers, and not too much work (or no other choice)."""
     if not forces.is_integer:
         if exact_only:
             raise InputError("exact", "there are no exact coefficients at this order", "integer exponents")
         return False
     if exact_only:
-        require_size(forces, order, gauge, max_seconds)
-    return estimated_seconds(forces, order, gauge) <= max_seconds
+        require_size(forces, order, gauge, seconds_left())
+        return True
+    return _is_quick(forces, order, gauge)
+
+
+def _is_quick(forces: Forces, order: int, gauge: str) -> bool:
+    """Whether the exact engine leaves at least half of the time for the other one."""
+    return estimated_seconds(forces, order, gauge) <= seconds_left() / 2
 
 
 def _integer_part(forces: Forces, order: int, gauge: str) -> dict[str, dict[Key, PiNumber]]:
     """The coefficients that involve only the forces with integer exponents: those of their own sum, exactly."""
     places = [i for i, v in enumerate(forces.velocities) if v.is_integer]
     part = forces.only(places, order)
-    if not places or estimated_seconds(part, order, gauge) > MAX_SECONDS:
+    if not places or not _is_quick(part, order, gauge):
         return {}
     expansion = exact_expansion(part, order, gauge)
     found: dict[str, dict[Key, PiNumber]] = {}
@@ -176,7 +192,7 @@ def _integer_half_swing(forces: Forces, order: int) -> dict[str, dict[Key, PiNum
     """The same for L, T, U, W, F_i and V_i: what no ball can tell from a tie is known exactly."""
     places = [i for i, v in enumerate(forces.velocities) if v.is_integer]
     part = forces.only(places, order)
-    if not places or estimated_seconds(part, order, TURNING_POINT) > MAX_SECONDS:
+    if not places or not _is_quick(part, order, TURNING_POINT):
         return {}
     half = exact_half_swing(part, order)
     flow = flow_of(half)
@@ -198,14 +214,10 @@ def _pi_number(c: Any) -> PiNumber:
     return c if isinstance(c, PiNumber) else PiNumber.rational(c)
 
 
-def _in_gauge(forces: Forces, order: int, gauge: str, max_work: int) -> Mapping[str, Series]:
-    quarter = quarter_swing(forces, order, moments=True, max_work=max_work)
+def _in_gauge(forces: Forces, order: int, gauge: str) -> Mapping[str, Series]:
+    quarter = quarter_swing(forces, order, moments=True)
     expansion = expansion_of(quarter, gauge, arithmetic="certified")
     return {"p": expansion.p, "Omega": expansion.Omega}
-
-
-def _work(max_seconds: float) -> int:
-    return int(max_seconds * WORK_PER_SECOND)
 
 
 def _exact_row(series: Series, digits: int) -> Row:

@@ -20,6 +20,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from flint import arb, ctx
 
+from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.certified import MAX_WORK
 from asymptotics.half_swings.certified_zeros import (
@@ -100,6 +101,7 @@ def round_all(
     bits = bits_for(digits, guard)
     limit = MAX_RAISE * bits
     while True:
+        tick(f"coefficients at {bits} bits")
         with ctx.workprec(bits):
             series = evaluate()
         rounded = {name: _round(one, name, digits, known.get(name, {}), forces) for name, one in series.items()}

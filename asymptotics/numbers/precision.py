@@ -16,6 +16,7 @@ from typing import TypeVar
 
 from flint import ctx
 
+from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
 
 Found = TypeVar("Found")
@@ -35,6 +36,7 @@ def at_growing_precision(
     """
     bits = min(bits, max_bits)
     while True:
+        tick(f"{bits} bits")
         reason = "the enclosure is too wide"
         with ctx.workprec(bits):
             try:

@@ -6,6 +6,7 @@ from itertools import islice
 import sympy
 from flint import arb, fmpq
 
+from asymptotics.budget import tick
 from asymptotics.invariants.certified import first_constant
 from asymptotics.invariants.exact import coefficients
 from asymptotics.invariants.symbolic import generating_functions
@@ -41,6 +42,7 @@ def _half_cycles(u_0: ExactReal, count: int, digits: int) -> list[tuple[int, str
         constant = first_constant(start, arb(0))
         found = []
         for n, p in enumerate(islice(amplitudes(2 * start), count)):
+            tick(f"row {n} of {count}")
             offset = constant - first_constant(p / 2, arb(0)) if n else arb(1)
             S, u = decimal_of_ball(offset, digits), decimal_of_ball(-p / 2 if n % 2 else p / 2, digits)
             if S is None or u is None:

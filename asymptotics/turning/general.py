@@ -64,6 +64,11 @@ def turning_points(
     ``progress`` is called with the number of points finished.  Raises InputError for a negative strength, LimitError
     for more work than the stated limits or ``max_seconds``, UndecidedError where balls cannot tell how it goes on.
     """
+
+    def finished(done: int) -> None:
+        tick(f"turning point {done} of {count}")
+        progress(done)
+
     law = Law.read(law)
     law.require_dissipative("a sequence of turning points to rest")
     place, speed = exact_number(x0, "x0"), exact_number(v0, "v0")
@@ -72,7 +77,7 @@ def turning_points(
             name = "times" if times else "v0"
             raise InputError(name, "beside a nonlinear spring the places are known, from rest", "places from rest")
         with budget(max_seconds):
-            return drag_turning_points(law, place, count, digits, start=start, progress=progress)
+            return drag_turning_points(law, place, count, digits, start=start, progress=finished)
     law.require_pure("this sequence of turning points")
     acting = [t for t in law.terms if t.strength.sign > 0] or [law.terms[0]]
     epsilon, velocity = acting[0].strength, acting[0].velocity
@@ -88,7 +93,7 @@ def turning_points(
             if alpha == 1:
                 return linear_turning_points(epsilon, count, digits, start=start, times=times)
             if alpha == 2 and quadratic_serves(epsilon):
-                return quadratic_turning_points(epsilon, count, digits, start=start, times=times, progress=progress)
+                return quadratic_turning_points(epsilon, count, digits, start=start, times=times, progress=finished)
         return _enclosed(Law.from_terms(acting), count, digits, start, times, progress)
 
 
