@@ -6,7 +6,8 @@ With w as the variable, P = y - N(w) and Q = 1/P (coefficients by exponent e),
     P_e = -Q_(e-2)/e - [e = alpha_i] epsilon_i,   Q_e = -(1/P_0) sum_(0<f<=e) P_f Q_(e-f),   tau_(e+1) = Q_e/(e+1).
 
 The same series serves both ends: P_0 = y_0 > 0 where a half-swing begins, P_0 < 0 where it ends (then tau <= 0).
-The coefficients are balls; what is left out is bounded by the majorant (``majorant``), stretched as ``keys`` proposes.
+Where the powers are kept apart, the coefficients belong to the exponents alone and are shared (``rows``).  They are
+balls; what is left out is bounded by the majorant (``majorant``), stretched as ``keys`` proposes.
 
 >>> from fractions import Fraction
 >>> from asymptotics.numbers.exact import ExactReal
@@ -18,18 +19,19 @@ The coefficients are balls; what is left out is bounded by the majorant (``major
 ('[0.998043212541 +/- ...]', '[0.0625799720549 +/- ...]')
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from math import ceil
+from math import ceil, prod
 from operator import mul
 
 from flint import arb, arb_poly, ctx
 
 from asymptotics.errors import UndecidedError
 from asymptotics.swing.damping import Damping, dyadic, size_of, upper
-from asymptotics.swing.keys import Key, Plan, keys_of, plan_for, sums_below
+from asymptotics.swing.keys import Plan, plan_for, sums_below
 from asymptotics.swing.majorant import majorant
+from asymptotics.swing.rows import Row, rows_below
 
+_SUMMED = 12  # bits more for sums of hundreds of terms
 _STEPS = 4  # delta is rounded up to a quarter of a power of two: plans are shared
 
 
@@ -37,16 +39,15 @@ _STEPS = 4  # delta is rounded up to a quarter of a power of two: plans are shar
 class Expansion:
     """y(w) and tau(w)/w at the turning point ``y0`` for 0 <= w <= ``reach``, with the bounds of their tails.
 
-    ``terms`` many coefficients, of the powers of w^(1/q) on a line, else of the monomials ``keys`` in w^2, w^alpha_i.
+    ``terms`` many coefficients: of the powers of w^(1/q) on a ``line`` (y, tau/w), else of the ``rows``.
     """
 
     damping: Damping
     y0: arb
     reach: arb
     plan: Plan
-    keys: Sequence[Key]
-    y: arb_poly
-    slowness: arb_poly
+    line: tuple[arb_poly, arb_poly] | None
+    rows: tuple[Row, ...]
     tail: arb
     time_tail: arb
 
@@ -60,20 +61,16 @@ class Expansion:
         reach = dyadic(plan.omega + size_of(y0)) if w is None else w
         with ctx.workprec(max(ctx.prec, 64)):
             factor, bound = _stretched(damping, abs(y0), reach, plan)
-        if plan.denominator:
-            keys: Sequence[Key] = ()
-            y, Q, slowness = _on_a_line(damping, y0, plan)
-        else:
-            keys = keys_of(plan.weights, plan.top)
-            y, Q, slowness = _on_a_simplex(damping, y0, keys)
+        line = _on_a_line(damping, y0, plan) if plan.denominator else None
+        rows = () if line else rows_below(damping.alphas, plan.weights, plan.top, ctx.prec + _SUMMED)
         small = upper(factor * bound * abs(y0))
         slow = upper(factor * bound / (1 - bound) / abs(y0))
-        return cls(damping, y0, reach, plan, keys, arb_poly(y), arb_poly(slowness), small, slow)
+        return cls(damping, y0, reach, plan, line, rows, small, slow)
 
     @property
     def terms(self) -> int:
         """How many terms are kept."""
-        return len(self.keys) or self.plan.count
+        return self.plan.count if self.line else sum(len(y) for _, y, _ in self.rows)
 
     def speed(self) -> arb:
         """A bound of |(y', w')| within the reach, on both sides of the turning point: |P| <= 2 |P_0| where r < 1."""
@@ -85,13 +82,24 @@ class Expansion:
             return self.y0, arb(0)
         if not w <= self.reach:
             raise ValueError("the speed is beyond the reach of the expansion")
-        if self.plan.denominator:
+        if self.line is not None:
             s = (w.log() / self.plan.denominator).exp()
-            y, slowness = self.y(s), self.slowness(s)
+            y, slowness = (polynomial(s) for polynomial in self.line)
         else:
-            powers = _monomials(self.damping, self.keys, w)
-            y, slowness = (sum(map(mul, c.coeffs(), powers), arb(0)) for c in (self.y, self.slowness))
+            with ctx.workprec(ctx.prec + _SUMMED):
+                y, slowness = self._by_rows(w)
         return y + arb(0, self.tail), w * (slowness + arb(0, self.time_tail))
+
+    def _by_rows(self, w: arb) -> tuple[arb, arb]:
+        """(y, tau/w) without the tails."""
+        square, *others = (z / self.y0 for z in (w * w / self.y0, *self.damping.terms(w)))
+        powers = [_powers(z, max(m[i] for m, _, _ in self.rows)) for i, z in enumerate(others)]
+        y, slowness = arb(0), arb(0)
+        for m, row, slow_row in self.rows:
+            monomial = prod(map(list.__getitem__, powers, m), start=arb(1))
+            y += monomial * row(square)
+            slowness += monomial * slow_row(square)
+        return y * self.y0, slowness / self.y0
 
 
 def plan_at(damping: Damping, y0: arb, w: arb | None = None) -> Plan:
@@ -121,8 +129,8 @@ def _stretched(damping: Damping, size: arb, w: arb, plan: Plan) -> tuple[arb, ar
     return factor, room
 
 
-def _on_a_line(damping: Damping, y0: arb, plan: Plan) -> tuple[list[arb], list[arb], list[arb]]:
-    """Coefficients of y, Q and tau/w in powers of w^(1/q); what no sum of 2q and the alpha_i q reaches is exactly 0."""
+def _on_a_line(damping: Damping, y0: arb, plan: Plan) -> tuple[arb_poly, arb_poly]:
+    """y and tau/w in powers of w^(1/q); what no sum of 2q and the alpha_i q reaches is exactly 0."""
     q = plan.denominator
     force = {int(a.rational * q): e for a, e in zip(damping.alphas, damping.strengths)}
     Q, y, reached = [1 / y0], [y0], sums_below(plan.count, (2 * q, *force))
@@ -136,49 +144,12 @@ def _on_a_line(damping: Damping, y0: arb, plan: Plan) -> tuple[list[arb], list[a
             places.append(k)
             P.append(y[k] - force[k] if k in force else y[k])
         Q.append(scale * sum(map(mul, P, [Q[k - f] for f in places]), none) if reached[k] else none)
-    return y, Q, [c * q / (k + q) for k, c in enumerate(Q)]
+    return arb_poly(y), arb_poly([c * q / (k + q) for k, c in enumerate(Q)])
 
 
-def _on_a_simplex(damping: Damping, y0: arb, keys: Sequence[Key]) -> tuple[list[arb], list[arb], list[arb]]:
-    """The same for the monomials ``keys`` in z_0 = w^2, z_i = w^alpha_i."""
-    axes = len(keys[0])
-    force = {tuple(int(i == j) for j in range(axes)): e for i, e in enumerate(damping.strengths, start=1)}
-    zero, none = keys[0], arb(0)
-    P, Q, y = {zero: y0}, {zero: 1 / y0}, {zero: y0}
-    scale, live = -1 / y0, []
-    exponents = _exponents(damping, keys)
-    for key, e in zip(keys[1:], exponents[1:]):
-        before = Q[(key[0] - 1, *key[1:])] if key[0] else None
-        y[key] = none if before is None else -before / e
-        P[key] = y[key] - force[key] if key in force else y[key]
-        if before is not None or key in force:
-            live.append((key, P[key]))
-        total = none
-        for f, c in live:
-            rest = tuple(map(int.__sub__, key, f))
-            if min(rest) >= 0:
-                total += c * Q[rest]
-        Q[key] = scale * total
-    return [y[k] for k in keys], [Q[k] for k in keys], [Q[k] / (e + 1) for k, e in zip(keys, exponents)]
-
-
-def _exponents(damping: Damping, keys: Sequence[Key]) -> list[arb]:
-    return [sum((n * a for n, a in zip(key[1:], damping.exponents)), arb(2 * key[0])) for key in keys]
-
-
-def _monomials(damping: Damping, keys: Sequence[Key], w: arb) -> list[arb]:
-    ln_w = w.log()
-    bases = [w * w, *((a * ln_w).exp() for a in damping.exponents)]
-    tables = []
-    for i, z in enumerate(bases):
-        table = [arb(1)]
-        for _ in range(max(key[i] for key in keys)):
-            table.append(table[-1] * z)
-        tables.append(table)
-    found = []
-    for key in keys:
-        value = tables[0][key[0]]
-        for table, n in zip(tables[1:], key[1:]):
-            value = value * table[n]
-        found.append(value)
+def _powers(z: arb, highest: int) -> list[arb]:
+    """1, z, z^2, ..."""
+    found = [arb(1)]
+    for _ in range(highest):
+        found.append(found[-1] * z)
     return found

@@ -8,23 +8,22 @@ A larger omega saves Taylor steps and costs terms.  Two shapes of the set of ter
 
 * ``line``: all alpha_i are multiples of 1/q, the terms are powers of w^(1/q), and w is stretched by one factor;
 * ``simplex``: one index for z_0 = w^2 and one for each z_i = w^alpha_i, weights g_i = log2 of the room z_i has; kept
-  is sum n_i g_i < G.  Weights are integers, so that a term is either in or out.
+  is sum n_i g_i < G.  Weights are integers, so that a term is either in or out; coefficients are shared (``rows``).
 
 Nothing here enters a bound: ``expansion`` checks the convergence in balls and computes the tail from the first term
 left out.
 
->>> plan = plan_for((-3.0,), (Fraction(3, 2),), (1.5,), 130)
->>> plan.denominator, -4 < plan.omega < -1, plan.count < 200
+>>> plan = plan_for((-3.0,), (Fraction(3, 2),), (1.5,), 1000)
+>>> plan.denominator, -4 < plan.omega < -1, plan.count < 2000
 (2, True, True)
->>> plan_for((-3.0,), (None,), (2**0.5,), 130).denominator
-0
+>>> [plan_for((-3.0,), (alpha,), (1.5,), 130).denominator for alpha in (Fraction(3, 2), None)]
+[0, 0]
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from math import factorial, inf, lcm, log, prod
+from math import factorial, gcd, inf, lcm, log, prod
 
 from asymptotics.errors import LimitError
 
@@ -32,6 +31,7 @@ Key = tuple[int, ...]
 MAX_LINE, MAX_KEYS = 3000, 1500
 _UNIT = 1 << 16  # of the integer weights
 _LN2 = log(2)
+_ALONE = 0.25  # the share of its coefficients that a half-swing pays for, where others use them too
 _HALVINGS = (0.2, 0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 13, 16, 20, 26, 32)
 
 
@@ -60,9 +60,9 @@ def plan_for(
     LimitError where every plan needs too many terms.
     """
     edge = _edge(ln2_delta, alphas)
-    best, cost = None, inf
+    best, cost, most = None, inf, MAX_KEYS if speed is None else 2 * MAX_KEYS
     for omega in [edge - h for h in _HALVINGS] if speed is None else [speed]:
-        for plan in (_line(omega, ln2_delta, rational, alphas, bits), _simplex(omega, ln2_delta, alphas, bits)):
+        for plan in (_line(omega, ln2_delta, rational, alphas, bits), _simplex(omega, ln2_delta, alphas, bits, most)):
             if plan is not None and (total := _microseconds(plan, bits, alphas)) < cost:
                 best, cost = plan, total
     if best is None:
@@ -70,29 +70,6 @@ def plan_for(
         reason = f"the majorant of the expansion at a turning point needs more than {MAX_KEYS} terms for ({shown})"
         raise LimitError("alpha", reason, "weaker damping or larger exponents")
     return best
-
-
-def keys_of(weights: Key, top: int) -> tuple[Key, ...]:
-    """All n >= 0 with sum n_i weights_i < top, by ascending weight.
-
-    >>> keys_of((2, 3), 5)
-    ((0, 0), (1, 0), (0, 1), (2, 0))
-    """
-    return _cached_keys(weights, top)
-
-
-@lru_cache(maxsize=256)
-def _cached_keys(weights: Key, top: int) -> tuple[Key, ...]:
-    return tuple(sorted(_below(weights, top), key=lambda n: sum(i * g for i, g in zip(n, weights))))
-
-
-def _below(weights: Key, top: int) -> Iterator[Key]:
-    if not weights:
-        yield ()
-        return
-    for n in range(-(-top // weights[0])):
-        for rest in _below(weights[1:], top - n * weights[0]):
-            yield (n, *rest)
 
 
 def _sizes(omega: float, ln2_delta: tuple[float, ...], alphas: tuple[float, ...]) -> tuple[float, list[float]]:
@@ -135,7 +112,7 @@ def _line(
     return Plan(omega, q, (stretch,), count) if count <= MAX_LINE else None
 
 
-def _simplex(omega: float, delta: tuple[float, ...], alphas: tuple[float, ...], bits: int) -> Plan | None:
+def _simplex(omega: float, delta: tuple[float, ...], alphas: tuple[float, ...], bits: int, most: int) -> Plan | None:
     """The best of a few ways to share the room between z_0 and the z_i; a simplex has about G^d/(d! prod g) points."""
     a, b = _sizes(omega, delta, alphas)
     used, best = sum(map(_power, b)), None
@@ -148,7 +125,7 @@ def _simplex(omega: float, delta: tuple[float, ...], alphas: tuple[float, ...], 
             continue
         top = bits + 4.0
         count = prod(top / g + 1 for g in stretch) / factorial(len(stretch))
-        if count <= MAX_KEYS and (best is None or count < best.count):
+        if count <= most and (best is None or count < best.count):
             weights = tuple(int(g * _UNIT) for g in stretch)
             best = Plan(omega, 0, tuple(g / _UNIT for g in weights), int(count) + 1, weights, int(top * _UNIT))
     return best
@@ -171,6 +148,9 @@ def _microseconds(plan: Plan, bits: int, alphas: tuple[float, ...]) -> float:
     order, q, terms = 0.42 * bits + 6, plan.denominator, plan.count
     step = 150 + 0.1 * order**2 * (1 + len(alphas)) * (1 + bits / 500)
     if q:
-        terms = sum(sums_below(plan.count, (2 * q, *(round(a * q) for a in alphas))))
-    one = (0.1 if q else 0.3) * terms**2 * (1 + bits / 500) + 5 * terms + plan.count
-    return 3.5 * one + 2 * 8.8 * _LN2 * max(0.0, -1 - plan.omega) * step
+        parts = (2 * q, *(round(a * q) for a in alphas))
+        terms = min(plan.count // gcd(*parts), int(prod(plan.count / p + 1 for p in parts) / factorial(len(parts))))
+        ends = 3.5 * (0.1 * terms**2 * (1 + bits / 500) + 5 * terms + plan.count)
+    else:
+        ends = _ALONE * (0.025 * terms**2 * (1 + bits / 500) + 8 * terms) + 4 * (20 + 0.3 * terms)
+    return ends + 2 * 8.8 * _LN2 * max(0.0, -1 - plan.omega) * step
