@@ -6,8 +6,8 @@ is not smooth at a turning point (0 < alpha < 1) both are taken on the sections 
 smooth, and eta -> 0: J converges by step 7.  A kink |x|^m or x|x|^(p-1) at x = 0 is crossed once, and f_x has left the
 formula.
 
->>> print(derivation.steps[0].text())
-v*y_2 - v_2*y = -f_v*(v*y_1 - v_1*y)
+>>> print(derivation.steps[0].right)
+-f_v*(v*y_1 - v_1*y)
 """
 
 import sympy

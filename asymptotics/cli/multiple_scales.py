@@ -6,12 +6,14 @@
   asymptotics multiple-scales --law 1 --law 3 --order 3 --json
   asymptotics multiple-scales --law 1 --spring 3 --order 4
   asymptotics multiple-scales --law 1 --law 1,2 --order 4
+  asymptotics multiple-scales --alpha 3/2 --spring pendulum
+  asymptotics multiple-scales --alpha symbolic --spring 3
 
 Scales T_n = epsilon^n tau, X = X_0 + epsilon X_1 + ..., X_0 = a cos psi.  Polynomial forces go exactly to any order:
 losses |x|^M x'^A with A odd and M even, springs x^P x'^Q with P odd and Q even, the pendulum (x in units of theta_0).
-Powers x'|x'|^(A-1) with any other exponent (or a symbolic one) go to second order, beside the linear spring.  Strengths
-stay symbols: epsilon_i of the losses, c_j of the springs, in the order given.  The gauge is no-first-harmonic: a is the
-coefficient of cos psi.
+Powers x'|x'|^(A-1) with any other exponent (or a symbolic one) go to second order, beside springs x|x|^(P-1) of any P
+and the pendulum.  Strengths stay symbols: epsilon_i of the losses, c_j of the springs, in the order given.  The gauge
+is no-first-harmonic: a is the coefficient of cos psi.
 """
 
 import argparse
@@ -19,11 +21,12 @@ from typing import Any
 
 import sympy
 
-from asymptotics.api.hierarchy import MAX_ORDER, multiple_scales
+from asymptotics.api.hierarchy import MAX_ORDER, multiple_scales, symbolic_multiple_scales
 from asymptotics.cli.answer import Answer, add_json, add_max_seconds
 from asymptotics.cli.forces import add_forces, read_terms
 from asymptotics.errors import InputError
 from asymptotics.law import Law
+from asymptotics.multiscale.general import SecondOrder
 from asymptotics.multiscale.orders import Order
 from asymptotics.multiscale.symbolic import MultipleScales
 from asymptotics.numbers.exact import parse_integer
@@ -42,31 +45,31 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     order = parse_integer(options.order, "--order", 1, MAX_ORDER)
-    found = multiple_scales(_law(options), order=order)
+    found = _found(options, order)
     rates = {"amplitude_rate": found.amplitude_rate, "phase_rate": found.phase_rate}
+    start = {"initial_amplitude": found.initial_amplitude, "initial_phase": found.initial_phase}
     data: dict[str, Any] = {
         "order": order,
         "gauge": found.gauge,
-        **{name: str(rate) for name, rate in rates.items()},
+        **{name: str(rate) for name, rate in (rates | start).items()},
         "orders": [_order(one) for one in found.orders],
         "latex": _latex(found.orders, rates),
     }
     text = "\n".join([*map(str, found.orders), f"da/dtau = {found.amplitude_rate}", f"dpsi/dtau = {found.phase_rate}"])
-    if isinstance(found, MultipleScales):
-        start = {"initial_amplitude": found.initial_amplitude, "initial_phase": found.initial_phase}
-        data |= {name: str(value) for name, value in start.items()}
-        text += f"\nstart at rest from X = 1: a(0) = {found.initial_amplitude}, psi(0) = {found.initial_phase}"
+    text += f"\nstart at rest from X = 1: a(0) = {found.initial_amplitude}, psi(0) = {found.initial_phase}"
+    text += "" if isinstance(found, MultipleScales) else " (to first order)"
     return Answer(data, data["latex"] if options.latex else f"{text}\ngauge: {found.gauge}", options.json)
 
 
-def _law(options: argparse.Namespace) -> Any:
-    if options.alpha == "symbolic":
-        for name in ("law", "spring"):
-            if getattr(options, name) is not None:
-                raise InputError(f"--{name}", "cannot be combined with --alpha symbolic", "one law, symbolic exponent")
-        return "symbolic"
-    given = read_terms(options)
-    return Law.from_terms(given.terms, given.notes)
+def _found(options: argparse.Namespace, order: int) -> MultipleScales | SecondOrder:
+    """The derivation; a symbolic exponent stands alone or beside springs."""
+    if options.alpha != "symbolic":
+        given = read_terms(options)
+        return multiple_scales(Law.from_terms(given.terms, given.notes), order=order)
+    if options.law is not None:
+        raise InputError("--law", "cannot be combined with --alpha symbolic", "one symbolic exponent, and springs")
+    options.alpha = None
+    return symbolic_multiple_scales(read_terms(options).terms if options.spring else (), order)
 
 
 def _order(one: Order) -> dict[str, Any]:

@@ -25,9 +25,10 @@ with epsilon.
 """
 
 from fractions import Fraction
+from math import prod
 
 from flint import fmpq
-from sympy import Expr, Integer, Pow, Rational, gamma, pi, sqrt
+from sympy import Add, Expr, Integer, Pow, Rational, gamma, pi, sqrt
 
 from asymptotics.errors import InputError
 from asymptotics.numbers.bridge import from_sympy
@@ -49,6 +50,21 @@ def moment(p: Expr | int) -> Expr:
     if p.is_number and (p + 1).is_positive is not True:
         raise InputError("p", f"M_p diverges at p = {p}", "p > -1")
     return gamma((p + 1) / 2) / (sqrt(pi) * gamma(p / 2 + 1))
+
+
+def mean(a: Expr | int, b: Expr | int) -> Expr:
+    """<|c|^a |s|^b> = Gamma((a+1)/2) Gamma((b+1)/2)/(pi Gamma((a+b)/2 + 1)), for a, b > -1.
+
+    For an even a it is a rational multiple of M_b: <|c|^a |s|^b> = (a-1)/(a+b) <|c|^(a-2) |s|^b>.
+
+    >>> mean(2, 2), mean(0, 3), mean(1, 3)
+    (1/8, 4/(3*pi), 1/(2*pi))
+    """
+    a, b = Add(a, 0), Add(b, 0)
+    if a.is_even and a >= 0:
+        return prod((Rational(k - 1) / (k + b) for k in range(2, int(a) + 1, 2)), start=moment(b))
+    x, y = (a + 1) / 2, (b + 1) / 2
+    return gamma(x) * gamma(y) / (pi * gamma(x + y))
 
 
 def integer_moment(p: int) -> tuple[Fraction, bool]:

@@ -1,4 +1,4 @@
-"""Fourier coefficients of |sin|^alpha sgn sin for any alpha >= 0, and the two sums over them that the method needs.
+"""Fourier coefficients of |sin|^alpha sgn sin for any alpha >= 0, and the sums over them that the method needs.
 
     |sin psi|^alpha sgn sin psi = sum_(n odd) b_n sin n psi,
     b_n = (-1)^((n-1)/2) 2^(1-alpha) Gamma(alpha+1)/(Gamma((alpha+n)/2 + 1) Gamma((alpha-n)/2 + 1)),
@@ -17,6 +17,13 @@ F and G vanish at infinity, and sum_(n>=1) b_n c_n = 2 M_(alpha+beta) (Parseval)
     sum n^2 b_n c_n/(n^2-1) = [2 alpha beta M_(alpha+beta) + (1 - alpha - beta - 3 alpha beta) p q]/((alpha+1)(beta+1)),
     sum n b_n/(n^2-1) = (1-alpha)/(2 (alpha+1)) p,        p = M_(alpha+1), q = M_(beta+1).
 
+*A spring* x|x|^(p-1) sees the cosine: |cos psi|^p sgn cos psi = sum_(n odd) d_n cos n psi with d_n = (-1)^((n-1)/2) b_n
+of p, so d_(n+2)/d_n = -(n-p)/(n+p+2).  The same certificates with a sign, the value 1 of the series at psi = 0 and the
+mean N = <|cos|^(p-1) |sin|^(alpha+1)> = (1/(2 p)) sum_(n>=1) n b_n d_n give, b_n of alpha, d_n of p, q = M_(p+1),
+
+    sum n b_n d_n/(n^2-1) = [4 p_ q - 2 p N - (1-alpha) (1-p) p_ q]/((alpha+1)(p+1)),      p_ = M_(alpha+1),
+    sum d_n/(n^2-1) = [(p+3) q - 2]/(2 (p+1)),                                              again over n >= 3.
+
 >>> from sympy import Integer, Rational
 >>> [harmonic(Integer(3), n) for n in (1, 3, 5)], harmonic(Integer(0), 5)
 ([3/4, -1/4, 0], 4/(5*pi))
@@ -24,9 +31,13 @@ F and G vanish at infinity, and sum_(n>=1) b_n c_n = 2 M_(alpha+beta) (Parseval)
 9/128
 """
 
-from sympy import Expr, Integer, Pow, gamma
+from sympy import Add, Expr, Integer, Pow, Sum, Symbol, gamma, oo
 
-from asymptotics.moments.symbolic import moment
+from asymptotics.moments.symbolic import mean, moment
+
+_j = Symbol("j", integer=True, positive=True)
+N = 2 * _j + 1
+"""The odd n >= 3 of an open sum."""
 
 
 def harmonic(alpha: Expr, n: int) -> Expr:
@@ -41,6 +52,28 @@ def harmonic_closed_form(alpha: Expr, n: Expr) -> Expr:
     """b_n as printed, for a symbolic odd n; (-1)^((n-1)/2) is kept as a power."""
     sign = Pow(Integer(-1), (n - 1) / 2)
     return sign * 2 ** (1 - alpha) * gamma(alpha + 1) / (gamma((alpha + n) / 2 + 1) * gamma((alpha - n) / 2 + 1))
+
+
+def cosine_harmonic(p: Expr, n: int) -> Expr:
+    """d_n of |cos|^p sgn cos for an odd n >= 1."""
+    return harmonic(p, n) * (-1) ** ((n - 1) // 2)
+
+
+def cosine_closed_form(p: Expr, n: Expr) -> Expr:
+    """d_n as printed, for a symbolic odd n."""
+    return harmonic_closed_form(p, n) * Pow(Integer(-1), (n - 1) / 2)
+
+
+def harmonic_sum(summand: Expr, *exponents: Expr) -> Expr:
+    """sum over n = 3, 5, ... of an expression in ``N``; written out to the last harmonic of an odd exponent.
+
+    >>> harmonic_sum(harmonic_closed_form(Integer(5), N) / (N**2 - 1), Integer(5))
+    -7/192
+    """
+    ends = [int(x) for x in exponents if x.is_odd]
+    if not ends:
+        return Sum(summand, (_j, 1, oo))
+    return Add(*[summand.subs(_j, k) for k in range(1, (min(ends) - 1) // 2 + 1)])
 
 
 def velocity_certificate(alpha: Expr, beta: Expr, n: Expr) -> Expr:
@@ -62,3 +95,32 @@ def velocity_sum(alpha: Expr, beta: Expr) -> Expr:
 def turning_sum(alpha: Expr) -> Expr:
     """sum over odd n >= 3 of n b_n/(n^2 - 1): minus the velocity of X_1 at psi = 0, in closed form."""
     return (1 - alpha) / (2 * (alpha + 1)) * moment(alpha + 1)
+
+
+def cross_sum(alpha: Expr, p: Expr) -> Expr:
+    """sum over odd n >= 3 of n b_n d_n/(n^2 - 1), b_n of a loss alpha and d_n of a spring p: in closed form.
+
+    >>> cross_sum(Integer(3), Integer(3))                      # 3/8 b_3 d_3
+    -3/128
+    """
+    products = (4 - (1 - alpha) * (1 - p)) * moment(alpha + 1) * moment(p + 1)
+    return (products - 2 * p * mean(p - 1, alpha + 1)) / ((alpha + 1) * (p + 1))
+
+
+def spring_sum(p: Expr, r: Expr) -> Expr:
+    """sum over odd n >= 3 of d_n d_n'/(n^2 - 1) of two springs p and r: ``velocity_sum`` less Parseval's.
+
+    >>> spring_sum(Integer(3), Integer(3))                     # 1/8 d_3^2
+    1/128
+    """
+    products = moment(p + 1) * moment(r + 1)
+    return velocity_sum(p, r) - 2 * moment(p + r) + 4 * products
+
+
+def displacement_sum(p: Expr) -> Expr:
+    """sum over odd n >= 3 of d_n/(n^2 - 1): X_1/a^p of a spring at psi = 0, in closed form.
+
+    >>> displacement_sum(Integer(3))
+    1/32
+    """
+    return ((p + 3) * moment(p + 1) - 2) / (2 * (p + 1))

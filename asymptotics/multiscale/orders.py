@@ -42,11 +42,19 @@ def law_symbols(count: int) -> tuple[Expr, ...]:
 
 def strength_symbols(terms: Sequence[Term]) -> tuple[Expr, ...]:
     """epsilon or epsilon_i of the losses, c or c_j of the springs; theta_0^2 (in rad) of a pendulum's angle unit."""
-    losses = [t for t in terms if t.sign < 0]
-    springs = [t for t in terms if t.sign > 0 and not t.family]
-    numbered = [Symbol(f"c_{j}", real=True) for j in range(len(springs))]
-    names = iter((*law_symbols(len(losses)), *([Symbol("c", real=True)] if len(springs) == 1 else numbered)))
-    return tuple(theta_0**2 if t.family else next(names) for t in terms)
+    springs = [t for t in terms if t.sign > 0]
+    losses = len(terms) - len(springs)
+    found = symbols_of(losses, springs)
+    of_losses, of_springs = iter(found[:losses]), iter(found[losses:])
+    return tuple(next(of_losses if t.sign < 0 else of_springs) for t in terms)
+
+
+def symbols_of(losses: int, springs: Sequence[Term]) -> tuple[Expr, ...]:
+    """The same for losses that are only counted, then the springs."""
+    plain = sum(not t.family for t in springs)
+    numbered = [Symbol(f"c_{j}", real=True) for j in range(plain)]
+    names = iter([Symbol("c", real=True)] if plain == 1 else numbered)
+    return (*(law_symbols(losses) if losses else ()), *(theta_0**2 if t.family else next(names) for t in springs))
 
 
 def rate_symbols(n: int) -> tuple[Symbol, Symbol]:
@@ -156,14 +164,19 @@ def _product_part(factors: list[Callable[[int], Symbol]], degree: int) -> Expr:
     return parts[degree]
 
 
-def general_force(alphas: tuple[Expr, ...], n: int) -> Expr:
-    """The force at order n = 0, 1, 2 for any exponents: S_i(V) = V|V|^(alpha_i - 1) and its derivative S_i'."""
-    V_0, V_1 = _velocity(0), _velocity(1)
-    factors = (Add(1),) if len(alphas) == 1 else law_symbols(len(alphas))
-    total = Add()
-    for i, factor in enumerate(factors):
-        law = Function(f"S_{i}")(V_0)
-        total = total + factor * (Add(), law, Derivative(law, V_0) * V_1)[n]
+def general_force(members: Sequence[Any], strength: Callable[[Any], Expr], n: int) -> Expr:
+    """The forces at order n = 1, 2: S_i(V) = V|V|^(alpha_i-1), R_j(X) = X|X|^(p_j-1) and their derivatives.
+
+    ``members`` have ``key`` and ``sign``; ``strength`` is what stands before one.
+    """
+    total, counts = Add(), {-1: 0, 1: 0}
+    for m in members:
+        name = f"{'S' if m.sign < 0 else 'R'}_{counts[m.sign]}"
+        counts[m.sign] += 1
+        at = _velocity if m.sign < 0 else _displacement
+        force, later = Function(name)(at(0)), n - sum(m.key)
+        if later in (0, 1):
+            total = total + strength(m) * (force, Derivative(force, at(0)) * at(1))[later]
     return total
 
 

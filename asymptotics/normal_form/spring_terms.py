@@ -24,22 +24,10 @@ import sympy
 from sympy import Expr
 
 from asymptotics.half_swings.forces import Forces
-from asymptotics.moments.symbolic import moment
+from asymptotics.moments.symbolic import mean
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.series import Key
 from asymptotics.terms import Term as Term  # for the example
-
-
-def mean(a: Expr | int, b: Expr | int) -> Expr:
-    """<|c|^a |s|^b> = Gamma((a+1)/2) Gamma((b+1)/2)/(pi Gamma((a+b)/2 + 1)), for a, b > -1.
-
-    >>> mean(2, 2), mean(0, 3)
-    (1/8, 4/(3*pi))
-    """
-    if a == 0:
-        return moment(b)
-    x, y = (sympy.Add(v, 1) / 2 for v in (a, b))
-    return sympy.gamma(x) * sympy.gamma(y) / (sympy.pi * sympy.gamma(x + y))
 
 
 def cross_term(alpha: Expr | int, m: int, p: int) -> Expr:

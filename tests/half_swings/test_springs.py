@@ -16,8 +16,9 @@ from asymptotics.half_swings.forces import Forces, Member
 from asymptotics.half_swings.fourier_flow import fourier_flow
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.half_swings.quarter import half_swing
+from asymptotics.moments.symbolic import mean
 from asymptotics.normal_form.flow import flow_of
-from asymptotics.normal_form.spring_terms import cross_term, mean
+from asymptotics.normal_form.spring_terms import cross_term
 from asymptotics.normal_form.verify import numerical_half_swing
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.terms import Term

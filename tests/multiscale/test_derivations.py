@@ -9,6 +9,7 @@ from asymptotics.multiscale.symbolic import multiple_scales
 from asymptotics.normal_form.symbolic import alpha, omega_2
 from derivations import multiple_scales_cubic as cubic
 from derivations import multiple_scales_general as general
+from derivations import multiple_scales_springs as springs
 
 CORRUPTIONS = [
     (cubic, "right = rest - one_two - two_one", "right = rest - 2 * two_one"),
@@ -17,6 +18,13 @@ CORRUPTIONS = [
     (general, "rest = 2 * M - 4 * p * q", "rest = M - 4 * p * q"),
     (general, "weight = (alpha + beta + 1)", "weight = (alpha + beta + 2)"),
     (general, "chi = p + turn", "chi = p - turn"),
+    (
+        springs,
+        "fall, turn = (n - alpha) / (n + alpha + 2), -(n - p)",
+        "fall, turn = (n - alpha) / (n + alpha + 2), (n - p)",
+    ),
+    (springs, "+ (alpha + 1) * S * unit", "+ (alpha - 1) * S * unit"),
+    (springs, "observed = closed + P", "observed = closed - P"),
 ]
 
 
