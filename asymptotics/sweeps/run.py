@@ -32,7 +32,7 @@ from asymptotics.errors import InputError
 from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.plan import Job, Plan
 from asymptotics.sweeps.shard import record_of
-from asymptotics.sweeps.store import Store, task_of
+from asymptotics.sweeps.store import Store, require_usable, task_of
 from asymptotics.sweeps.workers import Crew, Outcome, Task, one_process, process_pool, run_batch
 
 _BATCH_SECONDS = 0.25
@@ -85,15 +85,17 @@ def sweep(
     Raises InputError for an unusable store or a full disk; everything finished is then in the store.
     """
     start = time.perf_counter()
-    store = Store(folder, create=True)
+    require_usable(folder)
     count = workers or os.cpu_count() or 1
     if executor is not None:
         given = Crew(executor, getattr(executor, "_max_workers", count))
         opened: OpenCrew = lambda: nullcontext(given)  # noqa: E731
     else:
         opened = crew or (one_process if count == 1 else lambda: process_pool(count))
-    driver = _Driver(task, Plan(command, points, store), opened, progress)
-    driver.run()
+    with ExitStack() as stack:
+        first_crew = stack.enter_context(opened())  # a store is made only when there is somebody to fill it
+        driver = _Driver(task, Plan(command, points, Store(folder, create=True)), opened, progress, stack, first_crew)
+        driver.run()
     plan = driver.plan
     failures = tuple({"point": point, "reason": reason} for _, point, reason in plan.failures.first)
     seconds = f"{time.perf_counter() - start:.3f}"
@@ -103,21 +105,22 @@ def sweep(
 class _Driver:
     """One run of a sweep."""
 
-    def __init__(self, task: Task, plan: Plan, opened: OpenCrew, progress: Progress) -> None:
+    def __init__(
+        self, task: Task, plan: Plan, opened: OpenCrew, progress: Progress, stack: ExitStack, crew: Crew
+    ) -> None:
         self.task, self.plan, self.opened, self.progress = task, plan, opened, progress
+        self.stack, self.crew = stack, crew
         self.computed = 0
         self.jobs = plan.jobs()
         self.flying: dict[Future[Any], list[Job]] = {}
         self.suspects: deque[Job] = deque()  # a worker died with them
         self.batch, self.exhausted = 1, False
         self.broken = False
-        self.stack = ExitStack()
 
     def run(self) -> None:
         """Until nothing is left."""
         try:
             with self.stack:
-                self.crew = self.stack.enter_context(self.opened())
                 while not self.exhausted or self.flying or self.suspects:
                     self._hand_out()
                     self._collect()

@@ -65,6 +65,15 @@ class Store:
         return lines(self.path(bucket))
 
 
+def require_usable(folder: Path) -> None:
+    """InputError for a folder that ``Store(folder, create=True)`` would refuse for what is in it; writes nothing."""
+    try:
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            Store(folder)
+    except OSError as error:
+        raise InputError("--store", f"{folder} is not a store: {error.strerror}", ACCEPTED) from error
+
+
 def task_of(command: str, point: Point) -> dict[str, Any]:
     """What the key of a point is made of."""
     return {"command": command, "point": point, "version": __version__}
