@@ -9,7 +9,9 @@
 ``candidates``      which laws compete; ``starting``, ``fitting``: each one's best strengths
 ``profile``         intervals; ``correlation``: residuals that remember; ``amplitudes``: no times; ``runs``: several
 runs
-``comparison``      criteria, supports, held-out swings; ``verdicts``: the answer in words, or a refusal
+``comparison``      one law: fit, criteria, intervals, held-out swings
+``judgement``       consistent, refuted, undetermined: by ``adequacy`` (residuals and noise) and ``contradiction``
+``verdicts``        the answer in words, or a refusal
 ``identifiability`` what N turning points with noise can tell; ``examples``: a real record
 ``synthetic``       runs of known laws with known noise
 ``set_valued``      printed decrements: certified sets of strengths, by ``certified_ratio``

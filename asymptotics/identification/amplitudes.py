@@ -33,12 +33,30 @@ def spring_bound(seen: Observations) -> tuple[float, str]:
     return 8 / 3 * ASSUMED_DRIFT, f"no times: a drift of {ASSUMED_DRIFT:g} of the frequency is assumed"
 
 
+def relieved(law: LawFit, bound: float) -> LawFit:
+    """The law with the share of its sum of squares that a cubic spring of at most this size would leave.
+
+    In between, the sum of squares is a parabola in the spring: three values give its least.
+    """
+    if law.fit is None:
+        return law
+    low, high = (_with_spring(law, sign * bound) for sign in (-1.0, 1.0))
+    if low is None or high is None:
+        return law
+    middle = law.fit.chi2
+    bend = low[1] + high[1] - 2 * middle
+    place = float(np.clip((low[1] - high[1]) / (2 * bend), -1, 1)) if bend > 0 else 0.0
+    parabola = middle + place * (high[1] - low[1]) / 2 + place**2 * bend / 2
+    least = max(min(low[1], high[1], parabola), 0.0)
+    return replace(law, left=min(least / middle, 1.0) if middle > 0 else 1.0)
+
+
 def widened(law: LawFit, bound: float) -> LawFit:
     """The intervals, longer by what a cubic spring of either sign and of this size would move the estimates."""
     if law.fit is None or not law.epsilon:
         return law
-    moved = [_strengths_with(law, sign * bound) for sign in (-1.0, 1.0)]
-    known = [m for m in moved if m is not None]
+    moved = [_with_spring(law, sign * bound) for sign in (-1.0, 1.0)]
+    known = [m[0] for m in moved if m is not None]
     if not known:
         return law
     at_zero = np.array([e.estimate for e in law.epsilon])
@@ -47,8 +65,8 @@ def widened(law: LawFit, bound: float) -> LawFit:
     return replace(law, epsilon=tuple(e.widened(float(b), float(a)) for e, b, a in zip(law.epsilon, below, above)))
 
 
-def _strengths_with(law: LawFit, gamma: float) -> Array | None:
-    """The strengths refitted with a cubic spring held at c A_ref^2 = gamma."""
+def _with_spring(law: LawFit, gamma: float) -> tuple[Array, float] | None:
+    """The strengths refitted with a cubic spring held at c A_ref^2 = gamma, and the weighted sum of squares."""
     assert law.fit is not None
     old, candidate = law.fit.model, law.candidate
     if 3 in candidate.springs:
@@ -56,7 +74,7 @@ def _strengths_with(law: LawFit, gamma: float) -> Array | None:
     larger = Candidate(candidate.losses, (*candidate.springs, 3))
     model = Model(Swing(larger.elements, larger.free), old.seen, old.offset)
     model.swing.tolerance = old.swing.tolerance
-    place = 1 + len(larger.elements) - 1
+    place = len(larger.elements)
     theta = np.insert(law.fit.theta, place, gamma)
 
     def held(at: Array) -> tuple[float, Array]:
@@ -66,7 +84,9 @@ def _strengths_with(law: LawFit, gamma: float) -> Array | None:
 
     try:
         theta, _ = minimise(model, theta, law.fit.scales, held)
+        r = (model.data - model.predict(theta)[0]) / model.scale_vector(law.fit.scales)
     except TooStrongError:
         return None
     reference = old.seen.reference
-    return np.array([strength(larger, i, reference)(theta)[0] for i in range(len(candidate.losses))])
+    strengths = [strength(larger, i, reference)(theta)[0] for i in range(len(candidate.losses))]
+    return np.array(strengths), float(r @ r)

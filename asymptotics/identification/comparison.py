@@ -7,6 +7,7 @@ import numpy as np
 
 from asymptotics.identification.candidates import Candidate
 from asymptotics.identification.coefficients import Array
+from asymptotics.identification.contradiction import Contradiction, further_parameters
 from asymptotics.identification.fitting import Fit, Model, Noise, fit
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import DecrementModel, Decrements, decrement_start
@@ -14,10 +15,7 @@ from asymptotics.identification.profile import Function, Interval, coordinate, p
 from asymptotics.identification.quadrature import TooStrongError
 from asymptotics.identification.starting import starting_values
 
-SUPPORT = 10.0
-"""A law whose AICc is larger than the smallest by more than this has essentially no support (a factor e^5)."""
-_ALWAYS, _MARGIN = 6, 40.0
-_PROFILED = 8
+_ALWAYS, _MARGIN, _WORSE = 6, 50.0, 1e-3
 
 
 @dataclass(frozen=True)
@@ -35,6 +33,12 @@ class LawFit:
     profiled: bool = False
     held_out: float | None = None
     total: float | None = None
+    against: Contradiction = Contradiction()
+    misfit: str = ""
+    residuals: str = ""
+    stretches: tuple[float, ...] = ()
+    left: float = 1.0
+    unneeded: tuple[str, ...] = ()
 
     @property
     def criterion(self) -> float:
@@ -43,14 +47,43 @@ class LawFit:
             return self.total
         return float("inf") if self.fit is None else self.fit.aicc
 
-    def judged_as(self, verdict: str, reason: str, excess: float) -> "LawFit":
+    @property
+    def usable(self) -> bool:
+        """Whether there is a fit with data to spare."""
+        return self.fit is not None and bool(np.isfinite(self.fit.aicc))
+
+    def judged_as(self, verdict: str, reason: str) -> "LawFit":
         """The same law, judged."""
-        return replace(self, verdict=verdict, reason=reason, excess=excess)
+        return replace(self, verdict=verdict, reason=reason)
 
     @property
     def terms(self) -> int:
         """How many terms the law has."""
         return len(self.candidate.elements)
+
+    @property
+    def parameters(self) -> int:
+        """How many numbers the law has: strengths, and the exponent if it is free."""
+        return self.terms + self.candidate.free
+
+    @property
+    def strengths(self) -> list[tuple[str, Interval]]:
+        """All strengths with the names of their terms."""
+        springs = [f"s{p}" for p in self.candidate.springs]
+        return [*zip(self.candidate.alphas, self.epsilon), *zip(springs, self.springs)]
+
+    @property
+    def functions(self) -> list[Function]:
+        """The strengths, and the exponent if it is free, as functions of the parameter vector of the fit."""
+        assert self.fit is not None
+        reference, first = self.fit.model.seen.reference, self.fit.model.law.start
+        found = [strength(self.candidate, i, reference, first) for i in range(self.terms)]
+        return [*found, coordinate(first + self.terms)] if self.candidate.free else found
+
+    @property
+    def inflation(self) -> float:
+        """By how much correlated residuals stretch its intervals at most."""
+        return max(self.stretches, default=1.0)
 
     @property
     def negative(self) -> tuple[str, ...]:
@@ -59,15 +92,58 @@ class LawFit:
 
 
 def fit_laws(candidates: Sequence[Candidate], seen: Observations, noise: Noise | None = None) -> list[LawFit]:
-    """All candidates: a coarse fit of each, by the series alone, then the full one of each that could have support."""
+    """All candidates: a coarse fit of each, by the series alone, then the full one of each that could have support.
+
+    A coarse fit is left as it is only if it is far from the best and what its series neglects is small beside its
+    residuals.  A law that fits worse than one it contains has missed its optimum and starts again from there.
+    """
     fits = [fit_law(c, seen, noise, coarse=True) for c in candidates]
     order = sorted(range(len(fits)), key=lambda i: fits[i].criterion)
     least = float("inf")
     for rank, i in enumerate(order):
-        if rank < _ALWAYS or fits[i].criterion < least + SUPPORT + _MARGIN or least == float("inf"):
-            fits[i] = fit_law(candidates[i], seen, noise, start=fits[i].fit)
+        if rank < _ALWAYS or fits[i].criterion < least + _MARGIN or not _is_good(fits[i].fit):
+            coarse = fits[i].fit
+            fits[i] = fit_law(candidates[i], seen, noise, start=None if coarse is None else coarse.theta)
             least = min(least, fits[i].criterion)
-    return fits
+    return _nested(fits, seen, noise)
+
+
+def _nested(fits: Sequence[LawFit], seen: Observations, noise: Noise | None) -> list[LawFit]:
+    """The same fits, none worse than that of a law it contains."""
+    found = list(fits)
+    for i in sorted(range(len(found)), key=lambda i: found[i].parameters):
+        inside = [law for law in found if law.usable and further_parameters(law.candidate, found[i].candidate) == 0]
+        best = max((law for law in inside if law.fit), key=_likelihood, default=found[i])
+        if best.fit is not None and _likelihood(best) > _likelihood(found[i]) + _WORSE:
+            start, coarse = _embedded(best.fit, best.candidate, found[i].candidate), best.fit.model.swing.coarse
+            again = fit_law(found[i].candidate, seen, noise, coarse=coarse, start=start)
+            found[i] = max(found[i], again, key=_likelihood)
+    return found
+
+
+def _likelihood(law: LawFit) -> float:
+    return -float("inf") if law.fit is None else law.fit.log_likelihood
+
+
+def _embedded(fit: Fit, law: Candidate, larger: Candidate) -> Array:
+    """The parameter vector of ``larger`` at which it is the fitted ``law``."""
+    strengths = dict(zip(law.elements, fit.theta[1:]))
+    first = [strengths.get(e, 0.0) for e in larger.elements]
+    rest = fit.theta[1 + len(law.elements) :]
+    if larger.free and not law.free:
+        first[0] = fit.theta[1]
+        first.append(law.elements[0].velocity)
+    elif law.free and not larger.free:
+        first[0] = fit.theta[1]
+        rest = rest[1:]
+    return np.concatenate([fit.theta[:1], first, rest])
+
+
+def _is_good(found: Fit | None) -> bool:
+    """Whether what the series of a coarse fit neglects is small beside the residuals it leaves."""
+    if found is None:
+        return False
+    return found.model.neglected(found.theta) < found.scales["x"] / found.model.seen.reference
 
 
 def fit_law(
@@ -76,16 +152,16 @@ def fit_law(
     noise: Noise | None = None,
     *,
     coarse: bool = False,
-    start: Fit | None = None,
+    start: Array | None = None,
 ) -> LawFit:
     """The fit of one candidate; without one if the data are too few or the motion of the law ends too early."""
     model = Model(candidate.swing(coarse), seen)
     if len(model.data) < model.size + 2:
         return LawFit(candidate, None, reason=f"{len(model.data)} data for {model.size} unknowns")
     try:
-        found = fit(model, starting_values(model) if start is None else start.theta, noise)
+        found = fit(model, starting_values(model) if start is None else start, noise)
     except (TooStrongError, np.linalg.LinAlgError) as error:
-        return LawFit(candidate, None, "refuted", f"no fit: {error}")
+        return LawFit(candidate, None, reason=f"no fit: {error}")
     if not np.isfinite(found.aicc):
         return LawFit(candidate, found, reason=f"{len(model.data)} data for {model.size} unknowns")
     return LawFit(candidate, found)
@@ -99,50 +175,7 @@ def fit_decrements(candidate: Candidate, table: Decrements, noise: Noise | None 
     try:
         return LawFit(candidate, fit(model, decrement_start(model), noise))
     except (TooStrongError, np.linalg.LinAlgError) as error:
-        return LawFit(candidate, None, "refuted", f"no fit: {error}")
-
-
-def judged(fits: Sequence[LawFit], growing: bool, everything: bool = False) -> list[LawFit]:
-    """Verdicts by AICc, and intervals: by profile likelihood for the laws that matter (or all), else by curvature."""
-    least = min((f.criterion for f in fits), default=float("inf"))
-    found = [_judged(f, least, growing) for f in fits]
-    supported = sorted((f for f in found if f.excess <= SUPPORT), key=lambda f: f.criterion)
-    chosen = found if everything else [*minimal(found), *supported][:_PROFILED]
-    matter = {f.candidate for f in chosen if np.isfinite(f.criterion)}
-    return [_profiled(f, growing) if f.candidate in matter else f for f in found]
-
-
-def _profiled(law: LawFit, growing: bool) -> LawFit:
-    assert law.fit is not None
-    found = _with_intervals(law, law.fit, profiled=True)
-    if law.excess > SUPPORT and any(e.low is None or e.high is None for e in found.epsilon):
-        return law  # far from the data the profile may leave the model's domain: the curvature serves
-    return verdict_by_intervals(found, growing)
-
-
-def _judged(law: LawFit, least: float, growing: bool) -> LawFit:
-    if law.fit is None or not np.isfinite(law.criterion):
-        return law
-    rough = _with_intervals(law, law.fit, profiled=False)
-    return verdict_by_intervals(replace(rough, excess=law.criterion - least), growing)
-
-
-def verdict_by_intervals(law: LawFit, growing: bool) -> LawFit:
-    """The law with its verdict: by AICc first, then by the signs of its strengths."""
-    if law.excess > SUPPORT:
-        return replace(law, verdict="refuted", reason=f"AICc exceeds the smallest by {law.excess:.4g}")
-    negative = [a for a, e in zip(law.candidate.alphas, law.epsilon) if is_negative(e)]
-    if negative and not growing:
-        return replace(law, verdict="refuted", reason=f"unphysical: the strength of {', '.join(negative)} is negative")
-    if all(e.low is None and e.high is None for e in law.epsilon):
-        return replace(law, verdict="undetermined", reason="the data set no limit to its strengths")
-    return replace(law, verdict="consistent", reason="")
-
-
-def is_negative(strength: Interval) -> bool:
-    """Whether a strength is negative beyond doubt: 0 lies outside the interval stretched to twice its length."""
-    high = strength.stretched(2.0).high
-    return high is not None and high < 0
+        return LawFit(candidate, None, reason=f"no fit: {error}")
 
 
 def strength(candidate: Candidate, index: int, reference: float, first: int = 1) -> Function:
@@ -163,18 +196,19 @@ def strength(candidate: Candidate, index: int, reference: float, first: int = 1)
     return g
 
 
-def _with_intervals(law: LawFit, found: Fit, profiled: bool) -> LawFit:
-    candidate, reference = law.candidate, found.model.seen.reference
-    clock = next((k for k in ("passage", "t") if k in found.model.kinds), "x")
+def with_intervals(law: LawFit, *, profiled: bool) -> LawFit:
+    """The law with the intervals of its strengths and exponent, by profile likelihood or by curvature."""
+    fit = law.fit
+    assert fit is not None
+    losses, terms = len(law.candidate.losses), law.terms
+    clock = next((k for k in ("passage", "t") if k in fit.model.kinds), "x")
     interval = profile_interval if profiled else wald_interval
-    losses = len(candidate.losses)
-    kinds = ["x"] * losses + [clock] * len(candidate.springs)
-    first = found.model.law.start
-    ends = [interval(found, strength(candidate, i, reference, first), kind=kind) for i, kind in enumerate(kinds)]
-    alpha = None
-    if candidate.free:
-        alpha = _within_range(interval(found, coordinate(first + len(candidate.elements)), kind="x"))
-    return replace(law, epsilon=tuple(ends[:losses]), springs=tuple(ends[losses:]), alpha=alpha, profiled=profiled)
+    kinds = ["x"] * losses + [clock] * len(law.candidate.springs) + ["x"] * law.candidate.free
+    ends = [interval(fit, g, kind=kind) for g, kind in zip(law.functions, kinds, strict=True)]
+    if law.stretches:
+        ends = [e.stretched(by) for e, by in zip(ends, law.stretches, strict=True)]
+    alpha = _within_range(ends[terms]) if law.candidate.free else None
+    return replace(law, epsilon=tuple(ends[:losses]), springs=tuple(ends[losses:terms]), alpha=alpha, profiled=profiled)
 
 
 def _within_range(alpha: Interval) -> Interval:
@@ -199,21 +233,3 @@ def predicted_error(law: LawFit, seen: Observations, share: float = 2 / 3) -> fl
     except TooStrongError:
         return None
     return float(np.sqrt(np.mean((seen.x - predicted[: len(seen.x)])[late] ** 2)) / law.fit.scales["x"])
-
-
-def contains(larger: LawFit, smaller: LawFit) -> bool:
-    """Whether ``smaller`` is a special case of ``larger``."""
-    if smaller.candidate.is_within(larger.candidate):
-        return True
-    one = smaller.candidate
-    if larger.candidate.free and not one.free and len(one.losses) == 1 and one.losses[0][1] == 0:
-        inside = larger.alpha is not None and larger.alpha.stretched(2.0).contains(one.elements[0].velocity)
-        return inside and set(one.springs) <= set(larger.candidate.springs)
-    return False
-
-
-def minimal(fits: Sequence[LawFit]) -> list[LawFit]:
-    """The consistent laws that contain no other consistent law, best first."""
-    consistent = [f for f in fits if f.verdict == "consistent"]
-    kept = [f for f in consistent if not any(contains(f, g) for g in consistent)]
-    return sorted(kept, key=lambda f: f.criterion)

@@ -92,6 +92,10 @@ class Model:
                 slopes[-1][:, -2] -= late
         return np.concatenate(values), np.concatenate(slopes)
 
+    def neglected(self, theta: Array) -> float:
+        """What the series lacks in ln(amplitude), all swings together, as they were at the last prediction."""
+        return 0.0 if self._guess is None else self.swing.neglected(self._guess[:-1], theta[self.law])
+
     def _time_slopes(self, rate: float, tau: Array, by: Array) -> Array:
         slopes = np.zeros((len(tau), self.size))
         slopes[:, : self.after] = rate * by.T

@@ -14,26 +14,16 @@ from typing import Any
 import numpy as np
 
 from asymptotics.errors import InputError
-from asymptotics.identification.amplitudes import spring_bound, widened
+from asymptotics.identification.adequacy import Levels, noise_levels
+from asymptotics.identification.amplitudes import relieved, spring_bound, widened
 from asymptotics.identification.candidates import Candidate, default_candidates, read_candidate
-from asymptotics.identification.comparison import (
-    SUPPORT,
-    LawFit,
-    contains,
-    fit_decrements,
-    fit_laws,
-    judged,
-    minimal,
-    predicted_error,
-    strength,
-    verdict_by_intervals,
-)
-from asymptotics.identification.correlation import block_length, is_correlated, replicas, stretch
+from asymptotics.identification.comparison import LawFit, fit_decrements, fit_laws, predicted_error
+from asymptotics.identification.correlation import block_length
 from asymptotics.identification.defects import is_growing
 from asymptotics.identification.fitting import Noise
+from asymptotics.identification.judgement import commented, contains, judged, minimal, relabelled
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import Decrements
-from asymptotics.identification.profile import coordinate
 from asymptotics.identification.reading import UNITS
 from asymptotics.identification.result import Identification, LawAnswer, Units, sorted_laws
 from asymptotics.identification.runs import common, verdict_of_runs
@@ -44,9 +34,6 @@ from asymptotics.identification.verdicts import IDENTIFIED, MANY, NONE, SEVERAL,
 from asymptotics.numbers.exact import parse_real
 
 MAX_RUNS = 50
-ABOVE_NOISE = "its residuals exceed the noise"
-FEW = 8
-"""So many candidates get profile likelihoods all, whether the data support them or not."""
 
 
 def identify(
@@ -132,22 +119,21 @@ def _one_run(
         return _decrements(run, candidates, units, noise)
     seen = run.without_times() if amplitudes_only else run
     growing = is_growing(seen.x)
-    laws = judged(fit_laws(candidates, seen, noise), growing, everything=len(candidates) <= FEW)
+    fits = fit_laws(candidates, seen, noise)
     notes = [*run.notes]
-    verdict = verdict_of(laws, seen, noise)
-    if verdict.kind == NONE:
-        laws = [law.judged_as("refuted", law.reason or ABOVE_NOISE, law.excess) if law.fit else law for law in laws]
-    if bootstrap:
-        laws, said = _corrected(laws)
-        notes += said
     if not seen.has_times:
         unknown = "amplitudes cannot tell a nonlinear spring from position-dependent loss, nor measure either"
-        if amplitudes_only:
-            bound, origin = spring_bound(run)
-            wide = [widened(law, bound) if law.excess <= SUPPORT else law for law in laws]
-            laws = [verdict_by_intervals(law, growing) if law.excess <= SUPPORT else law for law in wide]
-            unknown += f"; {origin}: the intervals are widened by it"
-        notes.append(unknown + ("" if amplitudes_only else "; the intervals hold for a linear spring"))
+        notes.append(unknown + ("" if amplitudes_only else "; intervals and verdicts hold for a linear spring"))
+    bound = None
+    if amplitudes_only:
+        bound, origin = spring_bound(run)
+        notes[-1] += f"; {origin}: intervals and verdicts allow for it"
+        fits = [relieved(law, bound) for law in fits]
+    laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap)
+    if bound is not None:
+        laws = relabelled([widened(law, bound) for law in laws], growing)
+    verdict = verdict_of(laws, seen)
+    notes += _memory(laws)
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
     chosen = {law.candidate for law in minimal(laws)[:4]}
@@ -159,28 +145,19 @@ def _one_run(
     return Identification(verdict, answers, (run,), textbook_estimates(seen), tuple(notes), units)
 
 
-def _corrected(laws: list[LawFit]) -> tuple[list[LawFit], list[str]]:
-    """Intervals of the profiled laws, stretched where residuals are correlated."""
-    found, most = [], 1.0
-    for law in laws:
-        if not (law.profiled and law.fit is not None and is_correlated(law.fit)):
-            found.append(law)
-            continue
-        drawn, reference = replicas(law.fit), law.fit.model.seen.reference
-        functions = [strength(law.candidate, i, reference) for i in range(len(law.candidate.elements))]
-        factors = [stretch(law.fit, g, drawn) for g in functions]
-        most = max(most, *factors)
-        count = len(law.epsilon)
-        alpha = law.alpha
-        if alpha is not None:
-            alpha = alpha.stretched(stretch(law.fit, coordinate(1 + len(law.candidate.elements)), drawn))
-        found.append(replace(
-            law, alpha=alpha, epsilon=tuple(e.stretched(f) for e, f in zip(law.epsilon, factors)),
-            springs=tuple(e.stretched(f) for e, f in zip(law.springs, factors[count:])),
-        ))  # fmt: skip
-    lengths = [block_length(law.fit) for law in found if law.profiled and law.fit is not None]
-    said = f"correlated residuals: intervals stretched by up to {most:.2g} (blocks of {max(lengths, default=0)} swings)"
-    return found, [said] if most > 1 else []
+def _levels(fits: Sequence[LawFit], noise: Noise | None) -> Levels:
+    model = next((law.fit.model for law in fits if law.fit is not None), None)
+    return {} if model is None else noise_levels(model, noise)
+
+
+def _memory(laws: Sequence[LawFit]) -> list[str]:
+    """What correlated residuals of the consistent laws do to their intervals."""
+    standing = [law for law in laws if law.verdict == "consistent" and law.inflation > 1]
+    if not standing:
+        return []
+    longest = max(block_length(law.fit) for law in standing if law.fit is not None)
+    most = max(law.inflation for law in standing)
+    return [f"correlated residuals: intervals stretched by up to {most:.2g} (blocks of {longest} swings)"]
 
 
 def _decrements(
@@ -189,8 +166,8 @@ def _decrements(
     if table.resolution is not None:
         return _certified(table, candidates, units)
     fits = [fit_decrements(c, table, noise) for c in candidates]
-    laws = judged(fits, growing=False, everything=len(candidates) <= FEW)
-    verdict = verdict_of(laws, None, noise)
+    laws = judged(fits, _levels(fits, noise))
+    verdict = verdict_of(laws, None)
     notes = [*table.notes, "decrements cannot tell a nonlinear spring from loss: the intervals hold for linear springs"]
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
     return Identification(verdict, answers, (table,), {}, tuple(notes), units)
@@ -198,7 +175,7 @@ def _decrements(
 
 def _certified(table: Decrements, candidates: Sequence[Candidate], units: Units) -> Identification:
     """Set-valued answers: every law is proved consistent, proved refuted, or undetermined."""
-    laws = [_set(c, table) for c in candidates]
+    laws = commented([_set(c, table) for c in candidates])
     chosen = minimal(laws)
     names = "; ".join(str(law.candidate) for law in chosen)
     open_laws = [str(law.candidate) for law in laws if law.verdict == "undetermined"]

@@ -58,6 +58,8 @@ class LawAnswer:
             "alpha": None if law.alpha is None else law.alpha.to_dict(),
             "criterion": _number(law.criterion),
             "criterion_difference": _number(law.excess),
+            "unneeded": list(law.unneeded),
+            "p_value": _number(law.against.p),
             "bic": None if law.fit is None else _number(law.fit.bic),
             "intervals": "certified set" if self.certified else "profile likelihood" if law.profiled else "curvature",
             "unphysical": list(law.negative),
@@ -86,7 +88,8 @@ class LawAnswer:
             strengths = f"alpha {_shown(law.alpha)}  " + strengths
         excess = f"{law.excess:.1f}" if np.isfinite(law.excess) else "-"
         held = "-" if law.held_out is None else f"{law.held_out:.2f}"
-        return str(law.candidate), law.verdict, excess, held, strengths
+        verdict = law.verdict + (f", {' and '.join(law.unneeded)} not needed" if law.unneeded else "")
+        return str(law.candidate), verdict, excess, held, strengths
 
 
 @dataclass(frozen=True)
@@ -108,7 +111,7 @@ class Identification:
 
     @property
     def best(self) -> LawAnswer:
-        """The law with the smallest criterion."""
+        """The first law of the verdict."""
         return self.laws[0]
 
     def law(self, text: str) -> LawAnswer:
@@ -169,5 +172,9 @@ def _shown(interval: Interval) -> str:
 
 
 def sorted_laws(laws: Sequence[LawFit]) -> list[LawFit]:
-    """Best first; laws without a criterion last."""
-    return sorted(laws, key=lambda law: (law.criterion, len(law.candidate.losses)))
+    """The laws of the verdict (consistent, no term too many) first, then by the criterion; laws without one last."""
+
+    def place(law: LawFit) -> tuple[bool, float, int]:
+        return law.verdict != "consistent" or bool(law.unneeded), law.criterion, len(law.candidate.losses)
+
+    return sorted(laws, key=place)

@@ -9,11 +9,14 @@ by DerSimonian and Laird, the interval with Hartung and Knapp's variance and Stu
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from scipy import stats
 
-from asymptotics.identification.comparison import SUPPORT, LawFit, is_negative
+from asymptotics.identification.comparison import LawFit
+from asymptotics.identification.contradiction import REFUTED, Contradiction
+from asymptotics.identification.judgement import against, commented, is_negative
 from asymptotics.identification.profile import Interval
 from asymptotics.identification.verdicts import NONE, SEVERAL, UNTOLD, Verdict
 
@@ -36,21 +39,22 @@ def random_effects(estimates: Sequence[float], errors: Sequence[float], level: f
 
 
 def common(per_run: Sequence[Sequence[LawFit]]) -> list[LawFit]:
-    """One LawFit for each candidate: the criteria added, the strengths averaged over the runs."""
-    found = []
-    for laws in zip(*per_run, strict=True):
-        total = float(sum(law.criterion for law in laws))
-        first = laws[0]
-        if not np.isfinite(total):
-            found.append(LawFit(first.candidate, None, reason="not every run determines it"))
-            continue
-        epsilon = tuple(_mean([law.epsilon[i] for law in laws]) for i in range(len(first.epsilon)))
-        springs = tuple(_mean([law.springs[i] for law in laws]) for i in range(len(first.springs)))
-        exponents = [law.alpha for law in laws if law.alpha is not None]
-        alpha = _mean(exponents) if exponents else None
-        found.append(LawFit(first.candidate, None, "", "", 0.0, epsilon, springs, alpha, total=total))
-    least = min((f.criterion for f in found), default=float("inf"))
-    return [_judged(f, least) for f in found]
+    """One LawFit for each candidate: the criteria added, the strengths averaged, the verdict of all runs together."""
+    found = [_common(laws) for laws in zip(*per_run, strict=True)]
+    least = min((law.criterion for law in found), default=float("inf"))
+    return commented([_judged(i, found, least, per_run) for i in range(len(found))])
+
+
+def _common(laws: Sequence[LawFit]) -> LawFit:
+    total = float(sum(law.criterion for law in laws))
+    first = laws[0]
+    if not np.isfinite(total):
+        return LawFit(first.candidate, None, reason="not every run determines it")
+    epsilon = tuple(_mean([law.epsilon[i] for law in laws]) for i in range(len(first.epsilon)))
+    springs = tuple(_mean([law.springs[i] for law in laws]) for i in range(len(first.springs)))
+    exponents = [law.alpha for law in laws if law.alpha is not None]
+    alpha = _mean(exponents) if exponents else None
+    return LawFit(first.candidate, None, epsilon=epsilon, springs=springs, alpha=alpha, total=total)
 
 
 def _mean(intervals: Sequence[Interval]) -> Interval:
@@ -60,24 +64,37 @@ def _mean(intervals: Sequence[Interval]) -> Interval:
     return random_effects([i.estimate for i in intervals], errors)[0]
 
 
-def _judged(law: LawFit, least: float) -> LawFit:
+def _judged(place: int, laws: Sequence[LawFit], least: float, per_run: Sequence[Sequence[LawFit]]) -> LawFit:
+    law = laws[place]
     if not np.isfinite(law.criterion):
         return law
-    excess = law.criterion - least
-    if excess > SUPPORT:
-        return law.judged_as("refuted", f"AICc exceeds the smallest by {excess:.4g}", excess)
+    found = [_combined([against(run[place], run[i]) for run in per_run]) for i in range(len(laws)) if i != place]
+    law = replace(law, excess=law.criterion - least, against=min(found, key=lambda c: c.p, default=Contradiction()))
+    if law.against.p < REFUTED:
+        return law.judged_as("refuted", f"{law.against}, in all runs together")
+    misfits = sum(bool(run[place].misfit) for run in per_run)
+    if misfits:
+        return law.judged_as("refuted", f"its residuals are not independent noise in {misfits} of {len(per_run)} runs")
     negative = [a for a, e in zip(law.candidate.alphas, law.epsilon) if is_negative(e)]
     if negative:
-        return law.judged_as("refuted", f"unphysical: the strength of {', '.join(negative)} is negative", excess)
-    return law.judged_as("consistent", "", excess)
+        return law.judged_as("refuted", f"unphysical: the strength of {', '.join(negative)} is negative")
+    return law.judged_as("consistent", "")
+
+
+def _combined(found: Sequence[Contradiction]) -> Contradiction:
+    """Fisher's combination: -2 sum ln(p) has chi-squared's distribution with two degrees of freedom for each run."""
+    logarithms = sum(np.log(max(c.p, 1e-300)) for c in found)
+    p = float(stats.chi2.sf(-2 * logarithms, 2 * len(found)))
+    return Contradiction(found[0].by, sum(c.ratio for c in found), sum(c.terms for c in found), p)
 
 
 def verdict_of_runs(runs: Sequence[Verdict], chosen: Sequence[LawFit]) -> Verdict:
     """One verdict for all runs: no better than that of the runs, if a run fits no law."""
     names = "; ".join(str(law.candidate) for law in chosen[:6])
+    best = f"; best: {names}" if names else ""
     inadequate = sum(v.kind == NONE for v in runs)
     if inadequate:
-        text = f"{NONE} at the noise level in {inadequate} of {len(runs)} runs (model inadequate); best: {names}"
+        text = f"{NONE} at the noise level in {inadequate} of {len(runs)} runs (model inadequate){best}"
         return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
     if len(chosen) == 1:
         return Verdict("identified", f"identified in {len(runs)} runs: {names}, among the laws tried")

@@ -82,6 +82,13 @@ class Swing:
                 part[..., wild] = replaced
         return found
 
+    def neglected(self, a: Array, parameters: Array) -> float:
+        """The last degree of the series, summed over swings from the amplitudes ``a``: what follows it is smaller."""
+        count = len(self.elements)
+        table = _table(self.elements, self.order, float(parameters[count]) if self.free else None)
+        delta = parameters[:count, None] * np.exp(np.clip(table.weights[:, None] * a, -50.0, 50.0))
+        return float((table.top @ np.abs(table.monomials(delta)[table.top_keys])).sum())
+
 
 @dataclass(frozen=True)
 class _Table:

@@ -1,0 +1,145 @@
+"""Each law against the data and against the others: consistent, refuted, or undetermined.
+
+*Refuted* means that the data contradict the law: its residuals exceed the noise, or another law explains the data
+better than chance allows, or one of its strengths is negative beyond doubt.  A law that contains a consistent law and
+is not contradicted itself is *consistent* too, and the answer says which of its terms are not needed.  *Undetermined*:
+the data set no limit to its strengths, or it could not be fitted.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from asymptotics.identification.adequacy import Levels, adequate
+from asymptotics.identification.comparison import LawFit, with_intervals
+from asymptotics.identification.contradiction import REFUTED, Contradiction, contradiction
+from asymptotics.identification.correlation import is_correlated, replicas, stretch
+from asymptotics.identification.profile import Interval
+
+_PROFILED = FEW = 8
+"""So many candidates get profile likelihoods all, whether the data support them or not."""
+_DISFAVOURED = 1e-2
+"""A law with more parameters, not refuted but less probable than this beside a simpler one, is not its rival."""
+
+
+def judged(fits: Sequence[LawFit], levels: Levels, *, growing: bool = False, bootstrap: bool = False) -> list[LawFit]:
+    """Verdicts and intervals: by profile likelihood for the laws that matter (or all, if few), else by curvature."""
+    found = [_measured(law, levels, bootstrap) for law in fits]
+    least = min((law.criterion for law in found), default=float("inf"))
+    found = [replace(law, excess=law.criterion - least) if law.usable else law for law in found]
+    found = [replace(law, against=worst(law, found)) for law in found]
+    rough = [labelled(law, growing) for law in found]
+    standing = sorted((law for law in rough if law.verdict == "consistent"), key=lambda law: law.criterion)
+    best = sorted((law for law in rough if law.usable), key=lambda law: law.criterion)[:1]
+    order = rough if len(rough) <= FEW else [*minimal(rough), *best, *standing]
+    matter = list(dict.fromkeys(law.candidate for law in order if law.usable))[:_PROFILED]
+    return relabelled([_profiled(law) if law.candidate in matter else law for law in rough], growing)
+
+
+def _measured(law: LawFit, levels: Levels, bootstrap: bool) -> LawFit:
+    """Intervals by curvature, whether the residuals are noise, and how much their memory stretches intervals."""
+    if law.fit is None or not law.usable:
+        return law
+    good, said = adequate(law.fit, levels, law.left)
+    stretches: tuple[float, ...] = ()
+    if bootstrap and is_correlated(law.fit):
+        drawn = replicas(law.fit)
+        stretches = tuple(stretch(law.fit, g, drawn) for g in law.functions)
+    law = replace(law, misfit="" if good else said, residuals=said, stretches=stretches)
+    return with_intervals(law, profiled=False)
+
+
+def worst(law: LawFit, others: Sequence[LawFit]) -> Contradiction:
+    """The law that contradicts ``law`` most."""
+    found = (against(law, other) for other in others if other.candidate != law.candidate)
+    return min(found, key=lambda c: c.p, default=Contradiction())
+
+
+def against(law: LawFit, other: LawFit) -> Contradiction:
+    """How far ``other`` contradicts ``law``; not at all if one of them has no fit."""
+    if law.fit is None or other.fit is None or not (law.usable and other.usable):
+        return Contradiction()
+    return contradiction(law.candidate, law.fit, other.candidate, other.fit, other.inflation, law.left)
+
+
+def _profiled(law: LawFit) -> LawFit:
+    found = with_intervals(law, profiled=True)
+    if law.verdict == "refuted" and any(e.low is None or e.high is None for e in found.epsilon):
+        return law  # far from the data the profile may leave the model's domain: the curvature serves
+    return found
+
+
+def labelled(law: LawFit, growing: bool) -> LawFit:
+    """The law with its verdict and the reason for it."""
+    if not law.usable:
+        return law
+    if law.against.p < REFUTED:
+        return law.judged_as("refuted", str(law.against))
+    if law.misfit:
+        return law.judged_as("refuted", f"its residuals are not independent noise: {law.misfit}")
+    negative = [a for a, e in zip(law.candidate.alphas, law.epsilon) if is_negative(e)]
+    if negative and not growing:
+        return law.judged_as("refuted", f"unphysical: the strength of {', '.join(negative)} is negative")
+    if all(e.low is None and e.high is None for e in law.epsilon):
+        return law.judged_as("undetermined", "the data set no limit to its strengths")
+    return law.judged_as("consistent", "")
+
+
+def relabelled(laws: Sequence[LawFit], growing: bool) -> list[LawFit]:
+    """The verdicts once more, after the intervals have changed."""
+    return commented([labelled(law, growing) for law in laws])
+
+
+def is_negative(strength: Interval) -> bool:
+    """Whether a strength is negative beyond doubt: 0 lies outside the interval stretched to twice its length."""
+    high = strength.stretched(2.0).high
+    return high is not None and high < 0
+
+
+def contains(larger: LawFit, smaller: LawFit) -> bool:
+    """Whether ``smaller`` is a special case of ``larger``."""
+    if smaller.candidate.is_within(larger.candidate):
+        return True
+    one = smaller.candidate
+    if larger.candidate.free and not one.free and len(one.losses) == 1 and one.losses[0][1] == 0:
+        inside = larger.alpha is not None and larger.alpha.stretched(2.0).contains(one.elements[0].velocity)
+        return inside and set(one.springs) <= set(larger.candidate.springs)
+    return False
+
+
+def minimal(laws: Sequence[LawFit]) -> list[LawFit]:
+    """The consistent laws that contain no other consistent law, best first."""
+    consistent = [law for law in laws if law.verdict == "consistent"]
+    kept = [law for law in consistent if not any(contains(law, other) for other in consistent)]
+    return sorted(kept, key=lambda law: law.criterion)
+
+
+def rivals(laws: Sequence[LawFit]) -> tuple[list[LawFit], list[LawFit]]:
+    """The minimal laws that compete, and those with more parameters that a simpler one makes improbable."""
+    chosen = minimal(laws)
+    beaten = [
+        law
+        for law in chosen
+        if any(other.parameters < law.parameters and against(law, other).p < _DISFAVOURED for other in chosen)
+    ]
+    return [law for law in chosen if law not in beaten], beaten
+
+
+def commented(laws: Sequence[LawFit]) -> list[LawFit]:
+    """Consistent laws that contain a smaller consistent one say which of their terms are not needed."""
+    smallest = minimal(laws)
+    return [_commented(law, smallest) if law.verdict == "consistent" else law for law in laws]
+
+
+def _commented(law: LawFit, smallest: Sequence[LawFit]) -> LawFit:
+    inside = next((other for other in smallest if contains(law, other)), None)
+    if inside is None:
+        return replace(law, reason="", unneeded=())
+    known = {name for name, _ in inside.strengths}
+    further = {name: ends.contains(0.0) for name, ends in law.strengths if name not in known}
+    if law.alpha is not None and not inside.candidate.free:
+        del further[law.candidate.alphas[0]]
+        further["a free exponent"] = law.alpha.contains(inside.candidate.elements[0].velocity)
+    excluded = [name for name, held in further.items() if not held]
+    beyond = f"; the interval of {', '.join(excluded)} excludes it, but not beyond doubt" if excluded else ""
+    reason = f"contains {inside.candidate}, which is consistent; not needed: {', '.join(further)}{beyond}"
+    return replace(law, reason=reason, unneeded=tuple(further))

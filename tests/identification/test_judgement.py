@@ -1,0 +1,101 @@
+"""Labels: a law that contains the truth is never called refuted, a wrong one is."""
+
+import numpy as np
+import pytest
+
+import asymptotics as asy
+from asymptotics.identification.adequacy import strongest_line
+from asymptotics.identification.candidates import default_candidates, read_candidate
+from asymptotics.identification.comparison import fit_law, fit_laws
+from asymptotics.identification.contradiction import REFUTED, contradiction, further_parameters
+from asymptotics.identification.observations import Observations
+from asymptotics.identification.synthetic import exact, observed
+
+
+def test_a_term_that_is_not_needed_does_not_refute_the_law():
+    answer = asy.identify(observed("1", [0.02], 60, 1e-3, 1e-3, seed=4))
+    assert answer.verdict.text.startswith("identified: 1,")
+    larger = [e.law for e in answer.laws if "1" in e.law.candidate.alphas and e.law.terms > 1]
+    assert len(larger) == 23
+    assert {law.verdict for law in larger} == {"consistent"}
+    assert all("contains 1, which is consistent; not needed: " in law.reason for law in larger)
+    assert answer.law("1,2").law.reason.endswith("not needed: 2")
+    assert answer.law("1,2").law.epsilon[1].contains(0.0)
+    assert answer.law("1,2").to_dict()["unneeded"] == ["2"]
+    assert answer.law("1").to_dict()["unneeded"] == []
+    assert "a free exponent" in answer.law("free").law.reason
+    wrong = [e.law for e in answer.laws if e.law.terms == 1 and str(e.law.candidate) in "023"]
+    assert {law.verdict for law in wrong} == {"refuted"}
+    assert all(law.against.p < REFUTED and "explains the data better" in law.reason for law in wrong)
+
+
+@pytest.mark.parametrize(("law", "strengths", "swings"), [("2", [1.5], 14), ("1,2", [0.3, 0.5], 10)])
+def test_strong_losses_leave_no_law_behind_the_laws_it_contains(law, strengths, swings):
+    fits = fit_laws(default_candidates(False), observed(law, strengths, swings, 1e-5, seed=1))
+    likelihood = {f.candidate: f.fit.log_likelihood for f in fits if f.fit is not None}
+    near = {candidate for candidate, value in likelihood.items() if value > max(likelihood.values()) - 60}
+    for smaller in near:
+        for larger in likelihood:
+            inside = further_parameters(smaller, larger) == 0
+            assert not inside or likelihood[larger] > likelihood[smaller] - 0.01, (str(larger), str(smaller))
+    answer = asy.identify(observed(law, strengths, swings, 1e-5, seed=1))
+    truth = read_candidate(law)
+    larger = [e.law for e in answer.laws if truth.is_within(e.law.candidate)]
+    assert {e.verdict for e in larger} <= {"consistent", "undetermined"}
+
+
+def test_the_p_value_of_a_nested_true_law_is_uniform():
+    # 9 turning points and four unknowns: chi-squared in place of F would reject three times as often
+    levels, large = [], []
+    for seed in range(300):
+        seen = observed("1", [0.05], 8, 1e-3, seed=seed)
+        small, big = (fit_law(read_candidate(t), seen).fit for t in ("1", "1,2"))
+        found = contradiction(read_candidate("1"), small, read_candidate("1,2"), big)
+        levels.append(found.p)
+        large.append(found.ratio > 3.84)
+    below = np.mean(np.array(levels) < 0.05)
+    assert 0.02 < below < 0.09  # 0.05 within three standard errors
+    assert np.mean(large) > 0.1
+
+
+def test_white_residuals_have_no_line_however_short_they_are():
+    # at 24 points the three strongest neighbours hold more than 55 % of the power in 6 % of all white records
+    random = np.random.default_rng(0)
+    found = [strongest_line(random.standard_normal(24)) for _ in range(2000)]
+    assert np.mean([share > 0.55 for share, _, _ in found]) > 0.03
+    assert np.mean([p < 1e-4 for _, _, p in found]) < 0.002
+    n = np.arange(24)
+    share, frequency, p = strongest_line(np.sin(2 * np.pi * n / 4) + 0.1 * random.standard_normal(24))
+    assert share > 0.9
+    assert frequency == pytest.approx(0.25)
+    assert p < 1e-10
+
+
+def test_amplitudes_alone_do_not_refute_what_an_unseen_spring_explains():
+    seen = observed("1,s3", [0.02, 0.05], 80, 1e-4, 1e-3, seed=3)
+    linear = asy.identify(seen.without_times(), laws=["1", "1,3"])
+    assert linear.law("1").law.verdict == "refuted"  # true of a linear spring, and said to be
+    assert any("verdicts hold for a linear spring" in note for note in linear.notes)
+    alone = asy.identify(seen, laws=["1", "1,3", "2"], amplitudes_only=True)
+    assert alone.law("1").law.verdict == "consistent"
+    assert alone.law("2").law.verdict == "refuted"
+
+
+def test_several_runs_keep_a_law_with_an_unneeded_term():
+    runs = [observed("1", [0.02], 60, 1e-3, seed=seed) for seed in (1, 2, 3)]
+    answer = asy.identify(runs, laws=["1", "2", "1,2"])
+    assert answer.verdict.text.startswith("identified in 3 runs: 1,")
+    assert answer.law("1,2").law.verdict == "consistent"
+    assert "not needed: 2" in answer.law("1,2").law.reason
+    assert answer.law("2").law.verdict == "refuted"
+
+
+def test_residuals_that_remember_weaken_a_contradiction():
+    run, random = exact("1", [0.02], 120), np.random.default_rng(1)
+    noise = np.convolve(random.standard_normal(140), np.ones(12) / 12, mode="valid")[:121] * 3e-3
+    n = np.arange(121)
+    seen = Observations.of(n, (-1.0) ** n * (np.exp(run.a) + noise))
+    white = asy.identify(seen, laws=["1", "0,1,2,3"], bootstrap=False).law("1").law.against
+    longer = asy.identify(seen, laws=["1", "0,1,2,3"]).law("1").law.against
+    assert longer.ratio < 0.7 * white.ratio
+    assert longer.p > white.p
