@@ -1,5 +1,7 @@
 """The certified half-swing with its zeros decided by theorem: what vanishes is absent, never a ball around zero.
 
+Each statement is derived step by step in the derivation ``zeros-by-theorem``.
+
 **Dry friction shifts the centre.**  On a half-swing with X' < 0 the Coulomb term (α_0 = 0) is the constant −ε_0, so
 Y = X − ε_0 moves under the remaining laws alone and starts at 1 − ε_0 instead of 1.  Hence, exactly,
 
@@ -7,39 +9,28 @@ Y = X − ε_0 moves under the remaining laws alone and starts at 1 − ε_0 ins
 
 where L*, T* belong to the law without dry friction; e^L = 1 − 2δ_0 and T = π if nothing remains.  A binomial
 coefficient (n·(α−1) choose k) of a rational exponent is exact, so all zeros that it causes are exact.
-
 This needs the linear spring and losses that do not see the position; with other forces α = 0 is a term like any other.
 
 **Reversal.**  Let w_i be the weights, a_n = Σ n_i w_i, and ℓ(n) the loss degree (``grading``); for plain losses
-a_n = n·α − |n| and ℓ(n) = |n|.  Put δ_i = d_i e^{w_i x}: a monomial dⁿ carries e^{a_n x}, and x ↦ G(x) = x + L is the
-half-swing.  Reversing time changes the sign of all losses and of no spring: G⁻¹(x) = x + L(Sδ).
+a_n = n·α − |n| and ℓ(n) = |n|.  The half-swing is x ↦ G(x) = x + L on x = ln A, and reversing time changes the sign of
+all losses and of no spring: G⁻¹(x) = x + L(Sδ).  With Lagrange's formula for G⁻¹ and constant terms under x = G(y):
 
-* Without losses the motion is periodic: **L has no monomial with ℓ(n) = 0**.
-* Lagrange's formula G⁻¹(x) = x + Σ_{k≥1} (−1)^k/k! (d/dx)^{k−1} L^k shows that at a_n = 0, where derivatives have no
-  coefficient, L(Sδ) and −L(δ) agree: **L has no monomial with a_n = 0 and even ℓ(n)** (α = 1: L is odd).
-* Let γ = w_i ≠ 0.  Substituting x = G(y) in the constant term of e^{γ G⁻¹(x) − ax} and integrating by parts, the
-  coefficient of weight a in e^{γ G⁻¹} is γ/a times that of weight −γ in e^{−aG}.  At a = −γ: minus that of e^{γG}.  As
-  e^{γG} stands for F_i(δ) and e^{γG⁻¹} for sign_i F_i(Sδ): **F_i has no monomial with a_n = −w_i and ℓ(n) − ℓ(e_i)
-  even**.  And **F_i = δ_i + monomials with ℓ(n) > ℓ(e_i)**, as L has no others.
-
-**Durations.**  **T has no monomial that is a single loss**, because T = T_q(δ) + T_q(SF) and F = δ + O(δ²).  Where only
-forces of weight 0 occur in the monomial (linear friction, |x| sgn x', a change of the linear spring) F = δ, and **T is
-even in ℓ**.
+* **L has no monomial with ℓ(n) = 0** (without losses the motion is periodic), **none with a_n = 0 and even ℓ(n)**
+  (α = 1: L is odd).
+* **F_i = δ_i + monomials with ℓ(n) > ℓ(e_i)**, and **none with a_n = −w_i ≠ 0 and ℓ(n) − ℓ(e_i) even**.
+* **T has no monomial that is a single loss**, because T = T_q(δ) + T_q(SF) and F = δ + O(δ²).  Where only forces of
+  weight 0 occur in the monomial (linear friction, |x| sgn x', a change of the linear spring) **T is even in ℓ**.
 
 **Integer exponents with dry friction** (plain losses only).
-With the turning amplitude a, δ_i = ε_i a^{α_i−1}, the formulas above say that
-the next amplitude a e^L and T are polynomials in a at each order in the ε_i if all α_i are integers.  So is what is
-made of them by products and compositions: F_i = ε_i (a e^L)^{α_i−1} if α_i >= 1, and the field a U and W of
-``normal_form.digits``.  In F_i, a U and W the monomial δⁿ carries the power w, w + 1 and w of a: it is absent if that
-is negative.  T has no order 1 in the other laws (|n| − n_0 = 1), so that W has none either and its order 2 is a mean
-along the straight orbit a − (2/π)ε_0 ψ, W_2 = (T_2/π) (D/sinh D) a^{w_2}, D = ε_0 d/da, for monomials with
-w_2 = w + n_0: for
-|n| − n_0 = 2 it is enough that w_2 is an integer >= 0.
+With the turning amplitude a, δ_i = ε_i a^{α_i−1}, the next amplitude a e^L and T are polynomials in a at each order in
+the ε_i if all α_i are integers.  So is what is made of them by products and compositions: F_i = ε_i (a e^L)^{α_i−1} if
+α_i >= 1, and the field a U and W of ``normal_form.digits``.  In F_i, a U and W the monomial δⁿ carries the power w,
+w + 1 and w of a: it is absent if that is negative.  T has no order 1 in the other laws (|n| − n_0 = 1), so that W has
+none either and its order 2 is a mean along the straight orbit a − (2/π)ε_0 ψ, W_2 = (T_2/π) (D/sinh D) a^{w_2},
+D = ε_0 d/da, for monomials with w_2 = w + n_0: for |n| − n_0 = 2 it is enough that w_2 is an integer >= 0.
 
 **Dry and cubic friction.**  The first order of the field is g_1 = (l_1/π) (D/sinh D) a^α, so W_2' = k g_1 if
-2α − 3 = α.  Then the third order of T is, with a_1' = g_1 on the straight orbit, ∫_0^π W_3 dψ + k ∫_0^π a_1 a_1' dψ,
-and the last term is (k/2) l_1² (a − ε_0)^6.  T_3 itself is proportional to (a − ε_0)^6 by the first paragraph, and at
-ε_0 = 0, where W_3 = 0 by parity, they agree.  Hence the mean of W_3 over each straight orbit vanishes, and with it W_3:
+2α − 3 = α.  Then the third order of T is ∫_0^π W_3 dψ + (k/2) l_1² (a − ε_0)^6, and proportional to (a − ε_0)^6:
 **W has no monomial δ_0^{n_0} δ_1^3 if α_1 = 3**.
 
 >>> from asymptotics.numbers.exact import parse_real

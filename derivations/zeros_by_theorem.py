@@ -1,0 +1,204 @@
+"""Which coefficients of the half-swing vanish whatever the exponents: reversal of time, and dry friction.
+
+delta_i = d_i e^(w_i x): a monomial delta^n is d^n e^(a x), a = sum n_i w_i, and x -> G(x) = x + L is the half-swing.
+l counts the losses of a monomial, S changes their signs.  The weights may be irrational: monomials are told apart by d.
+
+>>> derivation.steps[-1].text()
+'Ne(T_11, 0)'
+"""
+
+import sympy
+
+from asymptotics.half_swings.certified_zeros import duration_vanishes, log_ratio_vanishes, map_vanishes
+from asymptotics.half_swings.exact import exact_half_swing
+from asymptotics.half_swings.forces import Forces
+from asymptotics.normal_form.expansion import exact_expansion
+from asymptotics.series import monomials
+from asymptotics.terms import Term
+from derivations.steps import At, Coefficient, Derivation, Taylor, defined, named
+
+x, y, eta = sympy.symbols("x y eta")
+gamma, a, A = sympy.symbols("gamma a A", nonzero=True)
+e0, d0, k, l_1, D = sympy.symbols("epsilon_0 delta_0 k l_1 D", positive=True)
+c, f, t, delta = sympy.symbols("c f t delta")
+loss = sympy.Symbol("l", integer=True)
+L = sympy.Function("L")
+
+derivation = Derivation(
+    "zeros-by-theorem",
+    "Coefficients of the half-swing that vanish for all exponents",
+    source="asymptotics.half_swings.certified_zeros",
+)
+step, holds = derivation.step, derivation.holds
+ORDER = 3
+
+
+def shifted(g: sympy.Expr, move: sympy.Expr) -> sympy.Expr:
+    """g(x + move) by Taylor's formula through eta^3, move = O(eta)."""
+    total = sum((sympy.diff(g, x, j) * move**j / sympy.factorial(j) for j in range(ORDER + 1)), sympy.S.Zero)
+    return sympy.series(sympy.expand(total), eta, 0, ORDER + 1).removeO()
+
+
+# Lagrange's inversion, and the constant term under a substitution.
+small = eta * L(x)
+inverse = x + sum(
+    ((-1) ** j * sympy.diff(small**j, x, j - 1) / sympy.factorial(j) for j in range(1, ORDER + 1)), sympy.S.Zero
+)
+image = sympy.expand(inverse + shifted(small, inverse - x))
+for n in range(1, ORDER + 1):
+    step(
+        f"Lagrange: G^(-1)(x) = x + sum_k (-1)^k/k! (d/dx)^(k-1) L^k, L of size eta; in G(G^(-1)(x)) - x at eta^{n}",
+        named(f"c_{n}", image.coeff(eta, n)),
+        sympy.Integer(0),
+    )
+H = sympy.Function("h")(x)
+pulled = sympy.expand(shifted(H, small) * (1 + sympy.diff(small, x)))
+for n in (1, 2):
+    step(
+        "The constant term of h(G(y)) G'(y) is that of h: the other terms are derivatives; at eta^" + str(n),
+        named(f"h_{n}", pulled.coeff(eta, n)),
+        sympy.Derivative(L(x) ** n * sympy.diff(H, x, n - 1) / sympy.factorial(n), x),
+    )
+
+# Reversal: G^(-1)(x) = x + L(S delta).
+step(
+    "Reversal (derivation ``reversal-identity``): G^(-1)(x) = x + L(S delta).  Without losses S = 1 and G(G(x)) = x; at"
+    " the lowest order of L that is 2 L = 0: L has no monomial with l = 0",
+    Coefficient(eta * c + eta * c, eta, 1),
+    2 * c,
+)
+step(
+    "At a = 0 only k = 1 is left of Lagrange's sum, as e^(a x) has no derivative: (-1)^l c = -c",
+    sympy.Derivative(At(sympy.exp(a * x), {a: 0}), x),
+    sympy.Integer(0),
+)
+step("so c = 0 for even l: then (-1)^l c + c is", At((-1) ** loss * c + c, {loss: 2}), 2 * c)
+step("and for odd l nothing follows", At((-1) ** loss * c + c, {loss: 1}), sympy.Integer(0))
+G = sympy.Function("G")(y)
+step(
+    "The coefficient of weight a in e^(gamma G^(-1)) is the constant term of e^(gamma y - a G(y)) G'(y), x = G(y);"
+    " by parts, up to the derivative of e^(gamma y - a G),",
+    sympy.exp(gamma * y - a * G) * sympy.Derivative(G, y),
+    gamma / a * sympy.exp(gamma * y - a * G) - sympy.Derivative(sympy.exp(gamma * y - a * G), y) / a,
+)
+step(
+    "that is gamma/a times the coefficient of weight -gamma in e^(-a G); at a = -gamma: minus that of e^(gamma G)",
+    At(gamma / a, {a: -gamma}),
+    sympy.Integer(-1),
+)
+step(
+    "F_i(delta) = d_i e^(w_i G), s_i F_i(S delta) = d_i e^(w_i G^(-1)): with gamma = w_i the monomial at a = -w_i has"
+    " (-1)^(l - l_i) f = -f, so f = 0 when l - l_i is even",
+    At((-1) ** loss * f + f, {loss: 0}),
+    2 * f,
+)
+
+# Durations.
+T_q = defined("T_q", lambda z: t * z)
+step("T = T_q(delta) + T_q(S F), F = delta + ...: a single loss has", T_q(delta) + T_q(-delta), sympy.Integer(0))
+step("a single spring, which S leaves alone, has", 2 * T_q(delta), 2 * t * delta)
+step(
+    "Where all weights are 0, F = delta and the coefficient of T is (1 + (-1)^l) times that of T_q; l = 3",
+    At(1 + (-1) ** loss, {loss: 3}),
+    sympy.Integer(0),
+)
+
+# Dry friction beside losses v|v|^(alpha-1).
+X = sympy.Function("X")(x)
+step(
+    "Dry friction is the constant -eps_0 while X' < 0: X'' + X - eps_0 is Y'' + Y for Y = X - eps_0",
+    sympy.Derivative(X - e0, x, x) + X - e0,
+    sympy.Derivative(X, x, x) + X - e0,
+)
+turn = (A - e0) * c - e0
+step(
+    "Y turns at -(A - eps_0) c, c = e^(L*), so X turns at -A e^L with A e^L = (A - eps_0) c - eps_0; over A",
+    sympy.expand(turn / A).subs(e0, d0 * A),
+    (1 - d0) * c - d0,
+)
+step(
+    "the others have eps_i (A - eps_0)^w_i = delta_i (1 - delta_0)^w_i, the ratio of the amplitudes being",
+    At((A - e0) / A, {e0: d0 * A}),
+    1 - d0,
+)
+step(
+    "For integer powers the binomial ends: (1 - delta_0)^2 has no delta_0^3",
+    Coefficient((1 - d0) ** 2, d0, 3),
+    sympy.Integer(0),
+)
+step(
+    "For -1 it does not",
+    Coefficient(Taylor(1 / (1 - d0), d0, 3), d0, 3),
+    sympy.Integer(1),
+)
+u = sympy.Symbol("u")
+step(
+    "Along the straight orbit a - (2/pi) eps_0 psi, D = eps_0 d/da: the mean of e^(-2 D psi/pi)",
+    sympy.Integral(sympy.exp(-2 * D * u), (u, 0, 1)),
+    (1 - sympy.exp(-2 * D)) / (2 * D),
+)
+step(
+    "and T_2 = e^(-D) a^w T_2(0): so W_2 = (T_2/pi) (D/sinh D) a^w",
+    2 * D * sympy.exp(-D) / (1 - sympy.exp(-2 * D)),
+    (D / sympy.sinh(D)).rewrite(sympy.exp),
+)
+step(
+    "D/sinh D is even in D: of a^3 it leaves a^3 and a, of a^w with an integer w >= 0 no power below 0; D^2 has",
+    Coefficient(Taylor(D / sympy.sinh(D), D, 3), D, 2),
+    -sympy.Rational(1, 6),
+)
+first = sympy.Function("a_1")(y)
+step(
+    "Dry and cubic friction, W_2' = k g_1 (2 alpha - 3 = alpha): k int a_1 a_1' over the half-swing is (k/2) a_1(pi)^2",
+    k * first * sympy.Derivative(first, y),
+    sympy.Derivative(k * first**2 / 2, y),
+)
+end = sympy.Symbol("a_1(pi)")
+step(
+    "a_1(pi) = l_1 (a - eps_0)^3, and T_3 is proportional to (a - eps_0)^6; at eps_0 = 0, where W_3 = 0, both agree:"
+    " the mean of W_3 over each straight orbit vanishes, and with it W_3",
+    At(k * end**2 / 2, {end: l_1 * (A - e0) ** 3}),
+    k * l_1**2 * (A - e0) ** 6 / 2,
+)
+
+# The theorem on exact half-swings.
+LAWS = {
+    "dry friction and x|x|": [Term(1, 0), Term(1, 0, 2, "position")],
+    "linear and quadratic loss, x^3": [Term(1, 1), Term(1, 2), Term(1, 0, 3, "position")],
+    "|x| sgn x' and x x'^2": [Term(1, 0, 1), Term(1, 2, 1, "position")],
+    "quadratic loss and a pendulum": [Term(1, 2), Term(1, 0, 3, "position", "pendulum")],
+}
+
+
+def untrue(terms: list[Term], order: int = 4) -> list[tuple[str, tuple[int, ...]]]:
+    """The coefficients that the theorem lets vanish and that do not."""
+    forces, swing = Forces.of(terms, order), exact_half_swing(terms, order)
+    keys = [key for n in range(1, order + 1) for key in monomials(len(terms), n)]
+    found = [("L", key) for key in keys if log_ratio_vanishes(forces, key) and swing.L[key] != 0]
+    found += [("T", key) for key in keys if duration_vanishes(forces, key) and swing.T[key] != 0]
+    for i, F in enumerate(swing.F):
+        found += [(f"F_{i}", key) for key in keys if map_vanishes(forces, i, key) and F[key] != 0]
+    return found
+
+
+for name, terms in LAWS.items():
+    holds(f"{name}: all that must vanish does, through order 4", untrue(terms) == [], sympy.Eq(sympy.Symbol("c_n"), 0))
+dry_cubic = exact_expansion([Term(1, 0), Term(1, 3)], 5).flow.W
+holds(
+    "dry and cubic friction: W has no delta_0^n delta_1^3 through order 5",
+    all(dry_cubic[n, 3] == 0 for n in range(3)) and dry_cubic[0, 2] != 0,
+    sympy.Eq(sympy.Symbol("W_13"), 0),
+)
+balanced = exact_half_swing(LAWS["dry friction and x|x|"], 4)
+holds(
+    "Near miss, parity by total degree: rho gamma of dry friction and x|x| has a = 0 and total degree 2, and is there;"
+    " rho^2 gamma^2, with l = 2, is not",
+    balanced.L[1, 1] != 0 and balanced.L[2, 2] == 0,
+    sympy.Ne(sympy.Symbol("L_11"), 0),
+)
+air = exact_half_swing([Term(1, 2), Term(1, 0, 3, "position")], 2)
+holds(
+    "Near miss: rho gamma in T, one loss beside a spring, does not vanish; alpha = 2 with x^3: pi/2",
+    bool(air.T[1, 1].to_sympy() == sympy.pi / 2),
+    sympy.Ne(sympy.Symbol("T_11"), 0),
+)
