@@ -11,6 +11,8 @@ What a user typed comes back in the message, so this is the one place where it i
 line ends and what else does not print are escaped, and what is long loses its middle (`printable`).
 """
 
+from collections.abc import Iterable
+
 MAX_ARGUMENT, MAX_REASON, MAX_ACCEPTED = 60, 240, 400
 
 
@@ -44,3 +46,40 @@ class LimitError(InputError):
 
 class UndecidedError(ArithmeticError):
     """A certified computation could not decide within its precision limit; nothing is claimed."""
+
+
+def shown(value: object) -> str:
+    """An offending value for a message: what was typed, of foreign objects only the type, whose repr may be anything.
+
+    >>> shown("averag"), shown(None), shown(object())
+    ("'averag'", 'None (NoneType)', 'a object')
+    """
+    kind = type(value).__name__
+    if isinstance(value, str):
+        return repr(value[:60])
+    if isinstance(value, int) and not isinstance(value, bool):
+        return f"{value} ({kind})" if abs(value) < 10**40 else f"an integer of {value.bit_length()} bits"
+    if value is None or isinstance(value, bool | float | complex | bytes):
+        return f"{value!r:.60} ({kind})"
+    return f"a {kind}"
+
+
+def require_choice(value: object, argument: str, choices: Iterable[str]) -> str:
+    """``value`` if it is one of the texts ``choices``; InputError otherwise.
+
+    >>> require_choice("down", "rounding", ["up"])
+    Traceback (most recent call last):
+        ...
+    asymptotics.errors.InputError: argument rounding: 'down' is unknown (accepted: up)
+    """
+    accepted = tuple(choices)
+    if not isinstance(value, str) or value not in accepted:
+        raise InputError(argument, f"{shown(value)} is unknown", ", ".join(accepted))
+    return value
+
+
+def require_flag(value: object, argument: str) -> bool:
+    """``value`` if it is True or False; InputError for anything else, which would only be true in effect."""
+    if not isinstance(value, bool):
+        raise InputError(argument, f"{shown(value)} is no truth value", "True or False")
+    return value

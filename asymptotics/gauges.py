@@ -13,7 +13,7 @@ Traceback (most recent call last):
 asymptotics.errors.InputError: argument gauge: 'average' is unknown (accepted: turning-point, averaging, ...)
 """
 
-from asymptotics.errors import InputError
+from asymptotics.errors import require_choice
 
 GAUGES = ("turning-point", "averaging", "no-first-harmonic")
 TURNING_POINT, AVERAGING, NO_FIRST_HARMONIC = GAUGES
@@ -21,5 +21,4 @@ TURNING_POINT, AVERAGING, NO_FIRST_HARMONIC = GAUGES
 
 def require_gauge(gauge: str) -> None:
     """InputError unless ``gauge`` is one of the three."""
-    if gauge not in GAUGES:
-        raise InputError("gauge", f"{gauge!r} is unknown", ", ".join(GAUGES))
+    require_choice(gauge, "gauge", GAUGES)

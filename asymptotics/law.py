@@ -31,7 +31,7 @@ from typing import Any, Self
 import sympy
 from flint import arb
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.moments.certified import moment
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import ExactReal
@@ -61,8 +61,8 @@ class _Sum:
 
     @classmethod
     def from_terms(cls, terms: Iterable[Term], notes: Iterable[str] = ()) -> Self:
-        """A law from terms, which may repeat an exponent; InputError when there is none."""
-        made, more = _merged(terms)
+        """A law from terms, which may repeat an exponent; InputError when there is none, or something else."""
+        made, more = _merged(_terms(terms))
         if not made:
             raise InputError("law", "there is no term", _FORMS)
         law = object.__new__(cls)
@@ -227,6 +227,7 @@ class Oscillator:
 
     def deltas(self, amplitude: arb) -> tuple[arb, ...]:
         """delta_i = epsilon_i A^(d_i-1) at the slow amplitude A > 0, in units of ``length``; InputError else."""
+        _require_balls(amplitude=amplitude)
         if not amplitude > 0:
             raise InputError("amplitude", f"{amplitude.str(5)} is not certainly positive", "a positive number")
         return tuple(t.delta(amplitude) for t in self.dimensionless.terms)
@@ -237,6 +238,7 @@ class Oscillator:
 
     def to_si(self, X: arb, tau: arb) -> tuple[arb, arb]:
         """Dimensionless displacement and time -> (x in m, t in s)."""
+        _require_balls(X=X, tau=tau)
         return X * self.length(), tau / self.omega_0()
 
     def to_dict(self) -> dict[str, object]:
@@ -262,6 +264,20 @@ class Oscillator:
         return rf"${mass}\ddot x + {force} = 0$"
 
 
+def _require_balls(**values: Any) -> None:
+    for name, value in values.items():
+        if not isinstance(value, arb):
+            raise InputError(name, f"{shown(value)} is no ball", "an arb")
+
+
+def _terms(given: Any) -> list[Term]:
+    terms = list(given) if isinstance(given, Iterable) else [given]
+    for t in terms:
+        if not isinstance(t, Term):
+            raise InputError("terms", f"{shown(t)} is no term", "terms")
+    return terms
+
+
 def _losses(law: Any) -> Iterable[Term]:
     if not isinstance(law, Mapping):
         raise InputError("law", f"{type(law).__name__} is neither a law nor a mapping", _FORMS)
@@ -277,7 +293,7 @@ def _springs(spring: Any) -> Iterable[Term]:
         yield Term(1, 0, 3, "position", "pendulum")
         return
     if not isinstance(spring, Mapping):
-        raise InputError("spring", f"{spring!r:.40} is no spring", _SPRING_FORMS)
+        raise InputError("spring", f"{shown(spring)} is no spring", _SPRING_FORMS)
     for key, strength in spring.items():
         position, velocity = key if isinstance(key, tuple) and len(key) == 2 else (key, 0)
         yield Term(exact_number(strength, "strength"), velocity, position, "position")

@@ -22,7 +22,7 @@ from typing import Literal
 import sympy
 from flint import arb
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, exact_power
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
@@ -209,6 +209,8 @@ class Term:
 
     def plus(self, other: "Term") -> "Term":
         """The sum of two terms that differ in the strength; InputError when it is not one exact number."""
+        if not isinstance(other, Term):
+            raise InputError("other", f"{shown(other)} is no term", "a Term")
         a, b = self.strength, other.strength
         if self.family or isinstance(a, Scaled) or isinstance(b, Scaled):
             raise InputError("law", f"{self.shape()} stands in it twice", "each force once")

@@ -11,7 +11,7 @@ from typing import Any
 
 from asymptotics.api.units import oscillator_of
 from asymptotics.comparison.run import Comparison, compare_file
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.law import Oscillator
 from asymptotics.numbers.policy import exact_integer
 
@@ -41,7 +41,7 @@ def derive(name: str | None = None) -> Any:
     names: list[str] = import_module("derivations.__main__").names()
     if name is None:
         return names
-    if name not in names:
-        near = get_close_matches(str(name), names, n=3) or names[:3]
-        raise InputError("name", f"no derivation {name!r:.60}", f"such as {', '.join(near)}")
+    if not isinstance(name, str) or name not in names:
+        near = get_close_matches(name, names, n=3) if isinstance(name, str) else []
+        raise InputError("name", f"no derivation {shown(name)}", f"such as {', '.join(near or names[:3])}")
     return import_module("derivations." + name.replace("-", "_")).derivation

@@ -15,7 +15,7 @@ from dataclasses import replace
 from typing import Any
 
 from asymptotics.equations.build import terms_of
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, require_flag
 from asymptotics.half_swings.finite_result import HalfSwingAt
 from asymptotics.law import Law
 from asymptotics.limit_cycles.result import LimitCycle
@@ -37,6 +37,7 @@ def half_swing(
     read, LimitError with the estimate, UndecidedError where balls cannot decide.
     """
     D = exact_integer(digits, "digits", 1, MAX_DIGITS)
+    require_flag(exact, "exact")
     terms, _, _, notes = terms_of(law, spring)
     if delta is None:
         found = half_swing_coefficients(terms, exact_integer(order, "order", 1, MAX_ORDER), D, exact_only=exact)

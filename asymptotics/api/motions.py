@@ -28,6 +28,7 @@ from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.motions.result import MotionPoint, MotionSamples
+from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
 
@@ -186,10 +187,7 @@ def reference(law: Any, *, static: Number | None = None) -> Reference:
 
 def times_of(t: Any) -> Array:
     """An array of doubles; InputError for what is none."""
-    try:
-        times = np.asarray(t, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError("time", f"a {type(t).__name__} is not an array of numbers", "times in seconds") from None
+    times = real_array(t, "time")
     if np.any(np.isinf(times)):
         raise InputError("time", "a time is infinite", "times in seconds")
     return times

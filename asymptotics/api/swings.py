@@ -14,7 +14,7 @@ from typing import Any
 from flint import arb, ctx
 
 from asymptotics.api.units import law_of
-from asymptotics.errors import InputError, UndecidedError
+from asymptotics.errors import InputError, UndecidedError, require_flag
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal, square_root
@@ -93,6 +93,7 @@ def turning_points(
         exact_integer(digits, "digits", 1, MAX_DIGITS),
         exact_integer(start, "start", 0, MAX_START),
     )
+    require_flag(times, "times")
     if not isinstance(law, Oscillator):
         return _computed(law_of(law), *sizes, times)
     for guard in _GUARDS:

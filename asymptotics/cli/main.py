@@ -95,12 +95,12 @@ def as_option(error: InputError, options: argparse.Namespace) -> InputError:
     >>> str(as_option(InputError("b", "-1 is negative", "b >= 0"), line))
     'argument --law: -1 is negative (accepted: b >= 0)'
     """
-    names = _OPTIONS.get(error.argument, (error.argument,))
-    given = [name for name in names if getattr(options, name.replace("-", "_"), None) not in (None, False)]
-    known = given or [name for name in names if hasattr(options, name.replace("-", "_"))]
+    names = [name.replace("-", "_") for name in _OPTIONS.get(error.argument, (error.argument,))]
+    given = [name for name in names if getattr(options, name, None) not in (None, False)]
+    known = given or [name for name in names if hasattr(options, name)]
     if error.argument.startswith("-") or not known:
         return error
-    return type(error)(f"--{known[0]}", error.reason, error.accepted)
+    return type(error)(f"--{known[0].replace('_', '-')}", error.reason, error.accepted)
 
 
 _OPTIONS = {  # a parameter of the library: the options that may have set it
@@ -110,7 +110,7 @@ _OPTIONS = {  # a parameter of the library: the options that may have set it
     "b": ("law", "damping", "epsilon"),
     "epsilon": ("law", "epsilon", "damping"),
     "amplitude": ("amplitude", "x0"),
-    "max_seconds": ("max-seconds",),
+    "omega_0": ("omega0",),
 }
 
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import InputError, LimitError, shown
 from asymptotics.numbers.exact import parse_rational
 
 QUANTITIES = ("n", "tau", "t", "x", "v", "amplitude")
@@ -89,13 +89,15 @@ def columns_of(names: list[str], mapping: str | None, known: tuple[str, ...] = Q
             reason = f"its header ({', '.join(names)[:120]}) does not name a key and a value"
             raise InputError("FILE", reason, f"columns {', '.join(known)}, or --columns to say which is what")
         return found
+    if not isinstance(mapping, str):
+        raise InputError("columns", f"{shown(mapping)} is no text", "n,x  or  tau=time,x=pos")
     pairs = [tuple(part.strip() for part in (item if "=" in item else f"{item}={item}").split("=", 1))
              for item in mapping.split(",")]  # fmt: skip
     for quantity, _ in pairs:
         if quantity not in known:
-            raise InputError("--columns", f"{quantity!r} is no quantity that can be compared", ", ".join(known))
+            raise InputError("columns", f"{quantity!r} is no quantity that can be compared", ", ".join(known))
     if len(pairs) < 2 or len({quantity for quantity, _ in pairs}) < len(pairs):
-        raise InputError("--columns", "it needs a key and a value, each once", "n,x  or  tau=time,x=pos")
+        raise InputError("columns", "it needs a key and a value, each once", "n,x  or  tau=time,x=pos")
     meanings = [quantity for quantity, _ in pairs]
     foreign = all(name == quantity or name not in known for name, quantity in zip(names, meanings))
     if "=" not in mapping and len(pairs) == len(names) and foreign:
@@ -108,21 +110,29 @@ def _place(name: str, names: list[str]) -> int:
         return names.index(name)
     if name.isdigit() and 1 <= int(name) <= len(names):
         return int(name) - 1
-    raise InputError("--columns", f"the file has no column {name!r}", f"its columns: {', '.join(names)[:200]}")
+    raise InputError("columns", f"the file has no column {name!r}", f"its columns: {', '.join(names)[:200]}")
+
+
+def _refuse_devices(path: Path) -> None:
+    try:
+        device = path.is_char_device() or path.is_block_device()
+    except (OSError, ValueError):  # to be said when it is opened
+        return
+    if device:
+        raise InputError("FILE", f"{path} is a device", "a CSV file in UTF-8")
 
 
 def _rows(path: Path) -> tuple[list[tuple[int, list[str]]], list[str] | None]:
     """The rows of values with their line numbers, and the header if there is one."""
+    _refuse_devices(path)
     try:
-        if path.is_char_device() or path.is_block_device():
-            raise InputError("FILE", f"{path} is a device", "a CSV file in UTF-8")
         with path.open(newline="", encoding="utf-8-sig") as stream:
             text = stream.read(4096)
             stream.seek(0)
             mark = max(",;\t", key=text.count)
             reader = csv.reader(stream, delimiter=mark, strict=True)
             rows = [(reader.line_num, row) for row in reader if any(row) and not row[0].startswith("#")]
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
+    except (OSError, ValueError, csv.Error) as error:  # ValueError: a name or a text that no encoding has
         reason = error.strerror if isinstance(error, OSError) else "it is not CSV text"
         raise InputError("FILE", f"cannot read {path}: {reason}", "a CSV file in UTF-8") from error
     if len(rows) > MAX_ROWS:

@@ -103,17 +103,17 @@ def compare_file(
     key = next((name for name in ("n", "tau", "t") if name in sheet.columns), None)
     values = [name for name in sheet.columns if name != key]
     if key is None or not values:
-        raise InputError("--columns", "there is no key", "n or tau, and what is to be compared")
+        raise InputError("columns", "there is no key", "n or tau, and what is to be compared")
     wanted = digits or min(MAX_DIGITS, max(LEAST_DIGITS, *(GUARD + _written(sheet, name) for name in values)))
     if key == "n":
         if "v" in values:
-            raise InputError("--columns", "v is 0 at every turning point", "x, amplitude, tau, t")
+            raise InputError("columns", "v is 0 at every turning point", "x, amplitude, tau, t")
         numbers = [parse_integer(cell, f"FILE line {n}", 0, MAX_N) for n, cell in zip(sheet.lines, sheet.column("n"))]
         truth = at_turning_points(oscillator, numbers, wanted, set(values), si=si)
         errors, shift = _of_turning(sheet, truth, numbers, values, oscillator, si)
     else:
         if set(values) - {"x", "v"}:
-            raise InputError("--columns", "at a time there are x and v", "tau,x  or  tau,x,v")
+            raise InputError("columns", "at a time there are x and v", "tau,x  or  tau,x,v")
         times = list(sheet.numbers[key])
         truth = at_times(oscillator, times, wanted, values, si=si)
         errors, shift = _of_motion(sheet, truth, times, oscillator, si)

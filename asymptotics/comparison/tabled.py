@@ -39,7 +39,7 @@ def compare_table(
     keys = [column for column in sheet.columns if column in about["keys"]]
     values = [column for column in sheet.columns if column not in keys and about["units"][names.index(column)]]
     if not keys or not values:
-        raise InputError("--columns", f"{name} needs a key and a value", f"keys {', '.join(about['keys'])}; {names}")
+        raise InputError("columns", f"{name} needs a key and a value", f"keys {', '.join(about['keys'])}; {names}")
     given = inputs or Inputs()
     if "rows" in about["uses"] and given.rows is None:
         given = replace(given, rows=min(MAX_ROWS, _counted(sheet, keys)))

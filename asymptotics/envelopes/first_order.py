@@ -18,6 +18,7 @@ averaged law is from the motion is a matter of ``validity`` and of higher orders
 
 from dataclasses import dataclass
 
+import numpy as np
 from flint import arb
 
 from asymptotics.envelopes import certified
@@ -111,4 +112,5 @@ class FirstOrderEnvelope:
     def amplitudes(self, t: Array) -> Array:
         """A in m at an array of times in s, in double precision: heuristic.  NaN stays NaN, extinct is 0."""
         omega_0, length = (float(x.mid()) for x in (self.oscillator.omega_0(), self.oscillator.length()))
-        return self.numeric().amplitude(omega_0 * t) * length
+        with np.errstate(over="ignore"):  # beyond the range of doubles is at infinity, where nothing is left
+            return self.numeric().amplitude(omega_0 * t) * length

@@ -28,7 +28,7 @@ from dataclasses import dataclass
 
 from sympy import Expr, Integer, S, Symbol, exp, latex, log, powsimp, simplify, sqrt, symbols
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, require_choice
 from asymptotics.moments.symbolic import lelas_moment, moment
 
 MEAN = "mean"
@@ -152,5 +152,4 @@ def averaged_law(exponent: Expr | int, averaging: str = MEAN) -> AveragedLaw:
 
 def require_averaging(averaging: str) -> None:
     """InputError unless ``averaging`` is one of ``AVERAGINGS``."""
-    if averaging not in AVERAGINGS:
-        raise InputError("averaging", f"{averaging!r} is unknown", " or ".join(AVERAGINGS))
+    require_choice(averaging, "averaging", AVERAGINGS)

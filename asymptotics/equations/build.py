@@ -15,7 +15,7 @@ from typing import Any
 
 from asymptotics.equations.result import Equations
 from asymptotics.equations.row import Row
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, require_flag
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.symbolic import alpha
 from asymptotics.law import Law, Oscillator
@@ -43,6 +43,7 @@ def expand(
     N, D = exact_integer(order, "order", 1, MAX_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
     seconds = exact_integer(max_seconds, "max_seconds", 1, MAX_SECONDS)
     require_gauge(gauge)
+    require_flag(exact, "exact")
     if isinstance(law, str) and law.strip() == "symbolic":
         if exact or spring is not None:
             raise InputError("alpha", "symbolic stands alone", "one law, in closed form")

@@ -16,7 +16,7 @@ which they are rounded when they are printed.
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import exp, floor, log10, pi
+from math import exp, floor, inf, isfinite, log10, nan, pi
 from typing import Any
 
 from flint import fmpq
@@ -42,6 +42,8 @@ class Observable:
         return self.value
 
     def __str__(self) -> str:
+        if self.value == inf:
+            return "inf"
         places = 15 if self.error == 0 else max(0, -floor(log10(self.error)) - 1)
         text = f"{self.value:.{min(places, 15)}f}" if self.error < abs(self.value) else f"{self.value:.1g}"
         return f"{text} {self.unit}".strip()
@@ -79,9 +81,12 @@ def observables_at(
     terms: tuple[Term, ...], order: int, deltas: list[float], amplitude: float, oscillator: Oscillator | None
 ) -> Observables:
     """The observables of a law at local strengths ``deltas``, through ``order``."""
-    here, finer = (_values(_half(terms, n), _potential(terms, n), deltas) for n in (order, order + 2))
-    if any(x != x for x in (*here, *finer)):
-        raise InputError("A", "the series give no number there", "a smaller amplitude")
+    try:
+        here, finer = (_values(_half(terms, n), _potential(terms, n), deltas) for n in (order, order + 2))
+    except (OverflowError, ZeroDivisionError):
+        here = finer = (nan,)
+    if not all(isfinite(x) or x == inf == y for x, y in zip(here, finer)):
+        raise InputError("A", "the series give no number there", "a smaller amplitude or strength")
     time, unit = (1.0, "") if oscillator is None else (1 / float(oscillator.omega_0().mid()), "s")
     size, joule = (1.0, "") if oscillator is None else (float(oscillator.stiffness.ball().mid()), "J")
     factors = (time, 1.0, 1.0, 1.0, 1.0, size * amplitude**2)
@@ -89,7 +94,7 @@ def observables_at(
     return Observables(
         amplitude,
         *(
-            Observable(a * f, (2 * abs(a - b) + 1e-15 * abs(a)) * f, u)
+            Observable(a * f, 0.0 if a == b == inf else (2 * abs(a - b) + 1e-15 * abs(a)) * f, u)
             for a, b, f, u in zip(here, finer, factors, units)
         ),
     )
@@ -105,7 +110,7 @@ def _values(half: HalfSwing, potential: Series, deltas: list[float]) -> tuple[fl
     last = tuple(d * exp(-float(w) * decrement) for d, w in zip(deltas, (_double(w) for w in half.grading.weights)))
     start, half_way, end = (float(potential.map(_double).at(d)) for d in (balls, after, last))
     swing_loss = 1 - exp(-2 * decrement) * end / start
-    quality = 2 * pi / swing_loss if decrement else float("inf")
+    quality = 2 * pi / swing_loss if decrement else inf
     loss = 1 - exp(2 * L) * half_way / start
     return T, exp(L), decrement, loss, quality, loss * start / 2
 

@@ -25,6 +25,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
+import mpmath
 import numpy as np
 import sympy
 
@@ -32,9 +33,10 @@ from asymptotics.equations import show
 from asymptotics.equations.comparison import Comparison, compare_functions, compare_rows
 from asymptotics.equations.observables import Observables, observables_at
 from asymptotics.equations.row import Row
-from asymptotics.equations.strengths import Strengths
-from asymptotics.errors import InputError
+from asymptotics.equations.strengths import Strengths, as_mpf
+from asymptotics.errors import InputError, require_choice
 from asymptotics.law import Law, Oscillator
+from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import exact_number
 from asymptotics.numbers.value import Coefficient
 from asymptotics.series import Key
@@ -83,22 +85,26 @@ class Equations:
 
     def lambdify(self, modules: str = "numpy", *, epsilon: Any = None) -> Callable[..., tuple[Any, Any]]:
         """``f(A, psi) -> (dA/dtau, dpsi/dtau)``, for NumPy arrays or, with "mpmath", at the precision in force."""
-        if modules not in ("numpy", "mpmath"):
-            raise InputError("modules", f"{modules!r:.40} is not supported", "numpy, mpmath")
+        require_choice(modules, "modules", ("numpy", "mpmath"))
         as_number: Callable[[Coefficient], Any] = float if modules == "numpy" else Coefficient.mpf
         strengths, weights, scale = self.strengths.numbers(modules, epsilon)
         p, Omega = ([(k, as_number(c)) for k, c in row.keyed().items()] for row in (self.p, self.Omega))
 
         def rates(A: Any, psi: Any = 0.0) -> tuple[Any, Any]:
-            amplitude = _amplitudes(A) if modules == "numpy" else A
-            deltas = [s * amplitude**w for s, w in zip(strengths, weights)]
-            return -scale * amplitude * _sum(p, deltas), scale * (1 + _sum(Omega, deltas))
+            amplitude = _amplitudes(A) if modules == "numpy" else _mpmath_amplitude(A)
+            with np.errstate(all="ignore"):  # out of the range of doubles is inf or nan, as in NumPy itself
+                deltas = [s * amplitude**w for s, w in zip(strengths, weights)]
+                found = -scale * amplitude * _sum(p, deltas), scale * (1 + _sum(Omega, deltas))
+            return tuple(map(float, found)) if isinstance(amplitude, np.float64) else found  # type: ignore[return-value]
 
         return rates
 
     def rhs(self, t: float, y: Any) -> list[Any]:
         """The right side for ``scipy.integrate.solve_ivp``: y = (A, psi)."""
-        return list(self(y[0], y[1]))
+        state = real_array(y, "y")
+        if state.shape != (2,):
+            raise InputError("y", f"its shape is {state.shape}", "the two numbers A, psi")
+        return list(self(*state))
 
     def to_sympy(self) -> tuple[sympy.Expr, sympy.Expr]:
         """(dA/dtau, dpsi/dtau) in the symbols A and epsilon (epsilon_1, ... for several), SI numbers for an oscillator.
@@ -185,15 +191,15 @@ class Equations:
 
 def _amplitudes(A: Any) -> Any:
     """A number or array of doubles >= 0 (NaN stays); InputError for anything else."""
-    try:
-        values = np.asarray([] if A is None else A, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError("A", f"a {type(A).__name__} is no amplitude", "a number or an array of numbers") from None
-    if A is None:
-        raise InputError("A", "it is None", "a number or an array of numbers")
+    values = real_array(A, "A")
     if np.any(values < 0):
         raise InputError("A", f"{values[values < 0].flat[0]:g} is negative", "amplitudes >= 0")
-    return values if values.ndim else float(values)
+    return values if values.ndim else np.float64(values)
+
+
+def _mpmath_amplitude(A: Any) -> Any:
+    """An mpmath number as it is, at the precision in force; anything else is read exactly first."""
+    return A if isinstance(A, mpmath.mpf) else as_mpf(exact_number(A, "A").ball())
 
 
 def _amplitude(A: Any) -> float:

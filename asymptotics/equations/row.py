@@ -10,6 +10,8 @@ from typing import Any
 
 from asymptotics.equations.show import SHOWN_DIGITS
 from asymptotics.errors import InputError
+from asymptotics.numbers.exact import MAX_ORDER
+from asymptotics.numbers.policy import exact_integer
 from asymptotics.numbers.value import Coefficient, rounded
 from asymptotics.series import Key
 
@@ -24,7 +26,7 @@ class Row(Mapping[Any, Coefficient]):
         wanted = _key(key)
         if wanted not in self._items:
             known = ", ".join(",".join(map(str, k)) for k in self._items)
-            raise InputError("key", f"there is no coefficient {key!r:.40}", known or "none at this order")
+            raise InputError("key", f"there is no coefficient {key!r}", known or "none at this order")
         return self._items[wanted]
 
     def __contains__(self, key: object) -> bool:
@@ -51,7 +53,8 @@ class Row(Mapping[Any, Coefficient]):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Row) and self._items == other._items
 
-    __hash__ = None  # type: ignore[assignment]
+    def __hash__(self) -> int:
+        return hash(frozenset(self._items.items()))
 
     def to_dict(self) -> dict[str, dict[str, str | None]]:
         """JSON-ready: keys "k" or "k1,k2"."""
@@ -67,8 +70,5 @@ def _brief(c: Coefficient) -> str:
 
 
 def _key(key: Any) -> Key:
-    try:
-        parts = key.split(",") if isinstance(key, str) else key if isinstance(key, tuple) else (key,)
-        return tuple(int(k) for k in parts)
-    except (TypeError, ValueError):
-        raise InputError("key", f"{key!r:.40} is no exponent", "an integer, or a tuple of integers") from None
+    parts = key.split(",") if isinstance(key, str) else key if isinstance(key, tuple) else (key,)
+    return tuple(exact_integer(k, "key", 0, MAX_ORDER) for k in parts)

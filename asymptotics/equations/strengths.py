@@ -41,7 +41,7 @@ class Strengths:
         """(strengths, weights, omega_0) as floats or mpf: delta_i = strength_i A^weight_i, A in the unit of length."""
         if not self.terms:
             raise InputError("alpha", "it is symbolic", "to_sympy(), or a number")
-        number = _float if modules == "numpy" else _mpf
+        number = _float if modules == "numpy" else as_mpf
         weights = [number(t.weight.ball()) for t in self.terms]
         if self.law is None:
             return [number(e.ball()) for e in self._given(epsilon)], weights, 1
@@ -111,7 +111,7 @@ def _float(x: arb) -> float:
     return float(x.mid())
 
 
-def _mpf(x: arb) -> Any:
+def as_mpf(x: arb) -> Any:
     """The midpoint at mpmath's precision; the ball is made at that precision by the caller's context."""
     with ctx.workprec(mpmath.mp.prec + 20):
         return mpmath.mpf(x.mid().str(mpmath.mp.dps + 5, radius=False))

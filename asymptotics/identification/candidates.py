@@ -43,7 +43,7 @@ class Candidate:
     @cached_property
     def elements(self) -> tuple[Element, ...]:
         """The terms of the forward model, losses first."""
-        losses = [loss(1.0 if a == FREE else _float(parse_real(a, "--laws")), m) for a, m in self.losses]
+        losses = [loss(1.0 if a == FREE else _float(parse_real(a, "laws")), m) for a, m in self.losses]
         return (*losses, *(spring(p) for p in self.springs))
 
     def swing(self, coarse: bool = False) -> Swing:
@@ -89,25 +89,25 @@ def read_candidate(text: str) -> Candidate:
     springs: list[int] = []
     for item in (part.strip() for part in text.split(",")):
         if re.fullmatch(r"s\d+", item):
-            springs.append(parse_integer(item[1:], "--laws", 2, 9))
+            springs.append(parse_integer(item[1:], "laws", 2, 9))
         elif item == FREE:
             losses.append((FREE, 0))
         else:
             losses.append(_read_loss(item))
     if not losses:
-        raise InputError("--laws", f"{text[:40]!r} has no loss", FORMS)
+        raise InputError("laws", f"{text[:40]!r} has no loss", FORMS)
     if len(losses) > 1 and any(a == FREE for a, _ in losses):
-        raise InputError("--laws", f"{text[:40]!r} joins a free exponent with others", "free alone, or with springs")
+        raise InputError("laws", f"{text[:40]!r} joins a free exponent with others", "free alone, or with springs")
     if len(set(losses)) < len(losses) or len(set(springs)) < len(springs):
-        raise InputError("--laws", f"{text[:40]!r} names a term twice", FORMS)
+        raise InputError("laws", f"{text[:40]!r} names a term twice", FORMS)
     if len(losses) + len(springs) > MAX_TERMS:
-        raise InputError("--laws", f"{text[:40]!r} has too many terms", f"at most {MAX_TERMS}")
+        raise InputError("laws", f"{text[:40]!r} has too many terms", f"at most {MAX_TERMS}")
     return Candidate(tuple(losses), tuple(springs))
 
 
 def _read_loss(item: str) -> tuple[str, int]:
     alpha_text, _, power = item.partition("x")
-    alpha = parse_real(alpha_text, "--laws")
+    alpha = parse_real(alpha_text, "laws")
     if alpha < 0 or alpha > 10:
-        raise InputError("--laws", f"{alpha} is out of range", f"exponents from 0 to 10; free: 0 to {MAX_FREE_ALPHA:g}")
-    return str(alpha), parse_integer(power, "--laws", 1, 9) if power or "x" in item else 0
+        raise InputError("laws", f"{alpha} is out of range", f"exponents from 0 to 10; free: 0 to {MAX_FREE_ALPHA:g}")
+    return str(alpha), parse_integer(power, "laws", 1, 9) if power or "x" in item else 0

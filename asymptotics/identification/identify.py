@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, require_flag, shown
 from asymptotics.identification.adequacy import Levels, noise_levels
 from asymptotics.identification.amplitudes import relieved, spring_bound, widened
 from asymptotics.identification.candidates import Candidate, default_candidates, read_candidate
@@ -31,7 +31,9 @@ from asymptotics.identification.set_valued import MAX_LAWS, strengths_that_fit
 from asymptotics.identification.sources import LEAST_POINTS, load
 from asymptotics.identification.textbook import textbook_estimates
 from asymptotics.identification.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict, verdict_of
+from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.policy import exact_number
 
 MAX_RUNS = 50
 
@@ -68,14 +70,17 @@ def identify(
     epsilon_i refers to x0 = 1 unit of the data: x'' + x + sum epsilon_i x'|x'|^(alpha_i - 1) = 0 in the time omega_0 t.
     InputError for data that cannot be used, naming the row and the column.
     """
-    _check_positive(mass=mass, stiffness=stiffness, omega_0=omega_0, noise=noise)
+    mass, stiffness = _positive(mass, "mass"), _positive(stiffness, "stiffness")
+    omega_0, noise = _positive(omega_0, "omega_0"), _positive(noise, "noise")
+    require_flag(amplitudes_only, "amplitudes_only")
+    require_flag(bootstrap, "bootstrap")
     sources = data if isinstance(data, list | tuple) else [data]
     if not 1 <= len(sources) <= MAX_RUNS:
         raise InputError("data", f"{len(sources)} runs", f"1 to {MAX_RUNS} runs")
     runs = [_in_range(load(source, kind, unit), amplitudes) for source in sources]
     units = {run.unit for run in runs}
     if len(units) > 1:
-        raise InputError("--unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
+        raise InputError("unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
     known = Units(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, _omega(mass, stiffness, omega_0))
     times = not amplitudes_only and all(isinstance(r, Observations) and r.has_times for r in runs)
     candidates = _candidates(laws, springs, times)
@@ -87,23 +92,24 @@ def identify(
 def _in_range(run: Observations | Decrements, amplitudes: tuple[float, float] | None) -> Observations | Decrements:
     if amplitudes is None:
         return run
-    low, high = amplitudes
+    low, high = _two_numbers(amplitudes)
     size = np.abs(run.x) if isinstance(run, Observations) else run.amplitude
     count = int(((size >= low) & (size <= high)).sum())
     if not 0 <= low < high or count < LEAST_POINTS:
         reason = f"{count} turning points have amplitudes from {low:g} to {high:g}"
-        raise InputError("--amplitudes", reason, f"a range LOW:HIGH with at least {LEAST_POINTS} of them")
+        raise InputError("amplitudes", reason, f"a range LOW:HIGH with at least {LEAST_POINTS} of them")
     return run.between(low, high)
 
 
 def _candidates(laws: Sequence[str] | None, springs: Sequence[str], times: bool) -> list[Candidate]:
-    chosen = default_candidates(times) if laws is None else [read_candidate(text) for text in laws]
+    chosen = default_candidates(times) if laws is None else [read_candidate(text) for text in _texts(laws, "laws")]
     if not chosen:
-        raise InputError("--laws", "no law is named", "at least one law")
-    extra = [read_candidate(f"0,{','.join('s' + p.strip() for p in text.split(','))}").springs for text in springs]
+        raise InputError("laws", "no law is named", "at least one law")
+    powers = (",".join("s" + p.strip() for p in text.split(",")) for text in _texts(springs, "springs"))
+    extra = [read_candidate(f"0,{text}").springs for text in powers]
     chosen += [Candidate(c.losses, s) for s in extra for c in chosen if not c.springs]
     if not times and any(c.springs for c in chosen):
-        raise InputError("--laws", "springs need times", "laws without springs, or data with times")
+        raise InputError("laws", "springs need times", "laws without springs, or data with times")
     return list(dict.fromkeys(chosen))
 
 
@@ -205,7 +211,7 @@ def _certified(table: Decrements, candidates: Sequence[Candidate], units: Units)
 def _set(candidate: Candidate, table: Decrements) -> LawFit:
     if candidate.free or len(candidate.losses) > MAX_LAWS or any(m for _, m in candidate.losses):
         return LawFit(candidate, None, reason=f"a certified set needs one to {MAX_LAWS} given exponents")
-    found = strengths_that_fit(tuple(parse_real(a, "--laws") for a, _ in candidate.losses), table)
+    found = strengths_that_fit(tuple(parse_real(a, "laws") for a, _ in candidate.losses), table)
     return LawFit(candidate, None, found.verdict, found.reason, epsilon=found.epsilon)
 
 
@@ -233,12 +239,30 @@ def _measured(units: Units, laws: Sequence[LawFit]) -> Units:
 def _omega(mass: float | None, stiffness: float | None, omega_0: float | None) -> float | None:
     if mass is not None and stiffness is not None:
         if omega_0 is not None:
-            raise InputError("--omega0", "it stands next to the mass and the stiffness", "either, not both")
+            raise InputError("omega_0", "it stands next to the mass and the stiffness", "either, not both")
         return float(np.sqrt(stiffness / mass))
     return omega_0
 
 
-def _check_positive(**values: float | None) -> None:
-    for name, value in values.items():
-        if value is not None and not (np.isfinite(value) and value > 0):
-            raise InputError("--" + name.replace("_", ""), f"{value} is not positive", "a positive number")
+def _positive(value: Any, name: str) -> float | None:
+    if value is None:
+        return None
+    number = exact_number(value, name)
+    if not number > 0:
+        raise InputError(name, f"{number} is not positive", "a positive number")
+    return float(real_array(value, name))
+
+
+def _two_numbers(amplitudes: Any) -> tuple[float, float]:
+    values = real_array(amplitudes, "amplitudes")
+    if values.shape != (2,):
+        raise InputError("amplitudes", f"its shape is {values.shape}", "two numbers: low, high")
+    return float(values[0]), float(values[1])
+
+
+def _texts(given: Any, name: str) -> list[str]:
+    texts = list(given) if isinstance(given, list | tuple) else [given]
+    for text in texts:
+        if not isinstance(text, str):
+            raise InputError(name, f"{shown(text)} is no text", 'a list of texts such as "1,2"')
+    return texts

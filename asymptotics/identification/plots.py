@@ -32,7 +32,7 @@ def picture(answer: Identification, kind: str = "svg") -> bytes:
 
     laws = [found.law for found in answer.laws if found.law.fit is not None and found.law.fit.model.alternating]
     if answer.per_run or not laws:
-        raise InputError("--plot", "there is no single run of turning points to draw", "one record or turning points")
+        raise InputError("plot", "there is no single run of turning points to draw", "one record or turning points")
     consistent = [law for law in laws if law.verdict == "consistent" and law.held_out is not None]
     shown = (consistent or laws)[:_SHOWN]
     with rc_context(STYLE):
@@ -51,7 +51,7 @@ def picture(answer: Identification, kind: str = "svg") -> bytes:
 def picture_kind(path: Path) -> str:
     """svg, png or pdf, by the name of the file; InputError else."""
     if path.suffix.lower() not in KINDS:
-        raise InputError("--plot", f"{path.name!r} has no known ending", ", ".join(KINDS))
+        raise InputError("plot", f"{path.name!r} has no known ending", ", ".join(KINDS))
     return path.suffix.lower()[1:]
 
 

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import InputError, LimitError, require_choice, shown
 from asymptotics.identification.coefficients import Array
 
 KINDS = ("record", "turning-points", "decrement")
@@ -35,10 +35,10 @@ Table = dict[str, Array]
 
 def read_table(source: Any, kind: str | None, unit: str) -> tuple[str, Table, str]:
     """(kind, columns, unit) from a path, a data frame or a mapping of columns; InputError says where and why not."""
-    if kind is not None and kind not in KINDS:
-        raise InputError("--kind", f"{kind!r} is unknown", ", ".join(KINDS))
-    if unit and unit not in UNITS:
-        raise InputError("--unit", f"{unit[:20]!r} is not a unit of x", ", ".join(UNITS))
+    if kind is not None:
+        require_choice(kind, "kind", KINDS)
+    if not isinstance(unit, str) or unit:
+        require_choice(unit, "unit", UNITS)
     frame, name, first_row = _frame(source)
     found = kind or _kind_of(list(frame.columns), name)
     places = _places(list(frame.columns), found, name)
@@ -53,6 +53,8 @@ def _frame(source: Any) -> tuple[Any, str, int]:
         return source, "the data", 0
     if isinstance(source, Mapping):
         return _from_mapping(source, pandas), "the data", 0
+    if not isinstance(source, str | Path):
+        raise InputError("data", f"{shown(source)} is no data", "a CSV file, a data frame, a mapping of columns")
     path = Path(source)
     name = path.name
     try:
@@ -64,6 +66,8 @@ def _frame(source: Any) -> tuple[Any, str, int]:
         raise InputError("FILE", f"cannot read {source}: {error.strerror}", "a CSV file") from error
     except UnicodeDecodeError as error:
         raise InputError("FILE", f"{name} is not text", "a CSV file in UTF-8") from error
+    except ValueError as error:  # NUL, or a letter that no file name has
+        raise InputError("FILE", f"{name!r} is no file name", "a CSV file") from error
     if not head:
         raise InputError("FILE", f"{name} is empty", "a CSV file with a header and data")
     named = not all(_is_number(cell) for cell in next(csv.reader(io.StringIO(head))))
@@ -110,7 +114,7 @@ def _kind_of(columns: list[str], name: str) -> str:
     if bases & {"t", "time", "tau"}:
         return "record"
     shown = ", ".join(columns[:5])
-    raise InputError("--kind", f"{name} has the columns {shown[:60]}: what they are is not clear", ", ".join(KINDS))
+    raise InputError("kind", f"{name} has the columns {shown[:60]}: what they are is not clear", ", ".join(KINDS))
 
 
 def _places(columns: list[str], kind: str, name: str) -> dict[str, str]:
@@ -160,9 +164,9 @@ def _unit_of(column: str, unit: str, name: str) -> str:
     if named not in UNITS:
         return unit
     if unit and (unit in _LENGTHS) != (named in _LENGTHS):
-        raise InputError("--unit", f"{unit} does not fit the column {column} of {name}", named)
+        raise InputError("unit", f"{unit} does not fit the column {column} of {name}", named)
     if unit and unit != named:
-        raise InputError("--unit", f"{unit} contradicts the column {column} of {name}", f"{named}, or no --unit")
+        raise InputError("unit", f"{unit} contradicts the column {column} of {name}", f"{named}, or no --unit")
     return named
 
 

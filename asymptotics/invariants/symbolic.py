@@ -26,6 +26,7 @@ from typing import Any
 import sympy
 from flint import arb, fmpq, fmpq_poly
 
+from asymptotics.errors import InputError, shown
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import require_integer
 
@@ -70,7 +71,9 @@ class GeneratingFunction:
         return with_atan * sympy.atan(Z) + _fraction(rest, Z ** (i - 1) * (1 + Z**2) ** m)
 
     def scaled_at(self, theta: arb) -> arb:
-        """sin^i(theta) G_i at an angle in [0, pi], as a ball; finite at pi."""
+        """sin^i(theta) G_i at an angle in [0, pi], a ball, as a ball; finite at pi."""
+        if not isinstance(theta, arb):
+            raise InputError("theta", f"{shown(theta)} is no ball", "an arb")
         c, s = theta.cos(), theta.sin()
         return theta * _value(self.P, c) + s * _value(self.R, c)
 

@@ -57,6 +57,7 @@ SMALL = 1
 METHOD = "asymptotic expansion"
 _GUARD = 64
 _LARGEST = arb(10) ** 100
+_NO_PHASE = 2.0**53
 Array = Any
 
 
@@ -98,7 +99,10 @@ class AsymptoticMotion:
         """The motion at an array of times (s, doubles).  NaN stays in its place; a negative time is an InputError."""
         times, missing = _times(t)
         omega, length = (float(x) for x in (self.oscillator.omega_0(), self.oscillator.length()))
-        flat = np.where(missing, 0.0, times).ravel() * omega
+        flat = np.where(missing, 0.0, times).ravel()
+        if flat.max(initial=0.0) > _NO_PHASE / omega:
+            raise InputError("time", f"{flat.max():g} s: a double has no phase there", "omega_0 t < 2^53, or at(t)")
+        flat = flat * omega
         columns = self._doubles.evaluate(flat)
         latest = float(flat.max(initial=0.0))
         last, extinction = last_swing(self._doubles, latest), self._doubles.slow(latest).extinction

@@ -33,6 +33,7 @@ from dataclasses import dataclass, field
 from flint import fmpq
 from sympy import Add, Derivative, Eq, Expr, cos, diff, expand, latex, sin
 
+from asymptotics.errors import InputError, shown
 from asymptotics.multiscale.exact import MAX_SECONDS, OddHierarchy, odd_hierarchy
 from asymptotics.multiscale.initial import InitialConditions, initial_conditions
 from asymptotics.multiscale.orders import (
@@ -49,6 +50,7 @@ from asymptotics.multiscale.orders import (
     velocity_equation,
 )
 from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.exact import require_integer
 from asymptotics.series import Key, Series, monomials
 from asymptotics.terms import Term
 
@@ -109,12 +111,15 @@ class MultipleScales:
 
     def slow_derivative(self, n: int, f: Expr) -> Expr:
         """D_n f = (D_n a) df/da + (D_n psi) df/d psi for an expression in a and psi; n = 0 is the fast derivative."""
-        rate, turn = self.rates[n]
+        rate, turn = self.rates[require_integer(n, "n", 0, len(self.rates) - 1)]
+        if not isinstance(f, Expr):
+            raise InputError("f", f"{shown(f)} is no expression", "a SymPy expression in a and psi")
         return expand(rate * diff(f, a) + turn * diff(f, psi))
 
     def commutator(self, i: int, j: int) -> tuple[Expr, Expr]:
         """(D_i D_j - D_j D_i) of a and of psi: zero would mean that a(T_1, T_2, ...), phi(T_1, T_2, ...) exist."""
-        pairs = zip(self.rates[i], self.rates[j])
+        last = len(self.rates) - 1
+        pairs = zip(*(self.rates[require_integer(n, name, 0, last)] for name, n in (("i", i), ("j", j))))
         of_a, of_psi = (expand(self.slow_derivative(i, y) - self.slow_derivative(j, x)) for x, y in pairs)
         return of_a, of_psi
 

@@ -19,17 +19,19 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from math import isqrt
+from numbers import Rational
 from operator import index, mul
 
 from flint import arb, fmpq
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 
 _NUMBER = r"[+-]?(?:\d{1,400}(?:\.\d{0,400})?|\.\d{1,400})(?:[eE][+-]?\d{1,3})?(?:/\d{1,400})?"
 _RATIONAL = re.compile(_NUMBER + r"\Z", re.ASCII)
 _ROOT = re.compile(rf"(?P<sign>[+-]?)sqrt\((?P<radicand>{_NUMBER})\)\Z", re.ASCII)
 _INTEGER = re.compile(r"[+-]?\d{1,40}\Z", re.ASCII)
 
+MAX_POWER = 100_000
 MAX_ORDER = 100_000
 """No series is that long; what an order costs is estimated where it is computed."""
 RATIONAL_FORMS = "3, 3/2, 0.1, -2.5e-3"
@@ -62,9 +64,9 @@ class ExactReal:
     def __init__(self, coefficient: Fraction | int, radicand: Fraction | int = 1, offset: Fraction | int = 0) -> None:
         for name, value in (("coefficient", coefficient), ("radicand", radicand), ("offset", offset)):
             if isinstance(value, bool) or not isinstance(value, int | Fraction):
-                raise InputError(name, f"{value!r:.40} is a {type(value).__name__}", "a Fraction or an int")
+                raise InputError(name, f"{shown(value)} is no rational number", "a Fraction or an int")
         if radicand < 0:
-            raise InputError("radicand", f"{radicand} is negative: its root is not real", "a number >= 0")
+            raise InputError("radicand", "it is negative: its root is not real", "a number >= 0")
         parts: tuple[Fraction | int, ...]
         if radicand == 1:
             parts = (coefficient + offset if offset else coefficient, _ONE, _ZERO)
@@ -97,9 +99,9 @@ class ExactReal:
 
     @property
     def rational(self) -> Fraction:
-        """The number as a Fraction; ValueError if it is irrational."""
+        """The number as a Fraction; InputError if it is irrational."""
         if not self.is_rational:
-            raise ValueError(f"{self} is irrational")
+            raise InputError("number", f"{self} is irrational", "a rational number")
         return self.coefficient
 
     def ball(self) -> arb:
@@ -110,7 +112,7 @@ class ExactReal:
         root = arb(fmpq(self.radicand.numerator, self.radicand.denominator)).sqrt()
         return q * root + fmpq(self.offset.numerator, self.offset.denominator)
 
-    def _compared(self, other: "int | Fraction | ExactReal") -> int:
+    def _compared(self, other: object) -> int:
         """The sign of self - other, whatever the two roots."""
         y = _exact(other)
         if y.is_rational:
@@ -122,7 +124,8 @@ class ExactReal:
         return root * (rest * rest - y.coefficient**2 * y.radicand).sign
 
     def __eq__(self, other: object) -> bool:
-        return self._compared(other) == 0 if isinstance(other, int | Fraction | ExactReal) else NotImplemented
+        comparable = isinstance(other, Rational | ExactReal) and not isinstance(other, bool)
+        return self._compared(other) == 0 if comparable else NotImplemented
 
     def __hash__(self) -> int:
         if self.is_rational:
@@ -159,7 +162,9 @@ class ExactReal:
         return ExactReal(a * d + b * c, root, a * c * root + b * d)
 
     def _inverse(self) -> "ExactReal":
-        """By the conjugate; ZeroDivisionError for 0."""
+        """By the conjugate; InputError for 0."""
+        if self.is_zero:
+            raise InputError("divisor", "it is 0", "a number other than 0")
         if self.is_rational:
             return ExactReal(1 / self.coefficient)
         norm = self.offset**2 - self.coefficient**2 * self.radicand
@@ -178,6 +183,7 @@ class ExactReal:
         return _exact(other) * self._inverse()
 
     def __pow__(self, n: int) -> "ExactReal":
+        require_integer(n, "exponent", -MAX_POWER, MAX_POWER)
         base = self if n >= 0 else self._inverse()
         if not base.offset:
             half, odd = divmod(abs(n), 2)
@@ -187,18 +193,29 @@ class ExactReal:
     __radd__, __rmul__ = __add__, __mul__
 
     def __str__(self) -> str:
+        coefficient = _text(self.coefficient)
         if self.is_rational:
-            return str(self.coefficient)
-        factor = {"1": "", "-1": "-"}.get(str(self.coefficient), f"{self.coefficient}*")
-        rest = f" {'-' if self.offset < 0 else '+'} {abs(self.offset)}" if self.offset else ""
-        return f"{factor}sqrt({self.radicand}){rest}"
+            return coefficient
+        factor = {"1": "", "-1": "-"}.get(coefficient, f"{coefficient}*")
+        rest = f" {'-' if self.offset < 0 else '+'} {_text(abs(self.offset))}" if self.offset else ""
+        return f"{factor}sqrt({_text(self.radicand)}){rest}"
 
     def __repr__(self) -> str:
         return f"ExactReal({str(self)!r})"
 
 
-def _exact(x: "int | Fraction | ExactReal") -> ExactReal:
-    return x if isinstance(x, ExactReal) else ExactReal(Fraction(x))
+def _exact(x: object) -> ExactReal:
+    """An operand as an exact number; InputError for a float, whose binary value is not what was typed."""
+    if isinstance(x, ExactReal):
+        return x
+    if isinstance(x, bool) or not isinstance(x, Rational):  # the rationals of NumPy and SymPy are registered as such
+        raise InputError("operand", f"{shown(x)} is no exact number", "an int, a Fraction or an ExactReal")
+    return ExactReal(Fraction(int(x.numerator), int(x.denominator)))
+
+
+def _text(q: Fraction) -> str:
+    """p or p/q, of any size: Python refuses to print an integer of more than 4300 digits."""
+    return str(fmpq(q.numerator, q.denominator))
 
 
 def _sign(q: Fraction) -> int:
@@ -284,10 +301,12 @@ def require_integer(value: object, argument: str, low: int, high: int) -> int:
     asymptotics.errors.InputError: argument digits: True is a bool, not an integer (accepted: ... from 1 to 100)
     """
     accepted = f"an integer from {low} to {high}"
-    if isinstance(value, bool) or not hasattr(value, "__index__"):
-        shown = f"{value} is a" if isinstance(value, bool | float) or value is None else "this is a"
-        raise InputError(argument, f"{shown} {type(value).__name__}, not an integer", accepted)
-    number = index(value)
+    try:
+        number = index(value)  # type: ignore[arg-type]
+    except TypeError:
+        raise InputError(argument, f"{shown(value)} is not an integer", accepted) from None
+    if isinstance(value, bool):
+        raise InputError(argument, f"{value} is a bool, not an integer", accepted)
     if not low <= number <= high:
         raise InputError(argument, f"{_shown_integer(number)} is out of range", accepted)
     return number

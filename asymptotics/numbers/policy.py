@@ -16,7 +16,6 @@ asymptotics.errors.InputError: argument alpha: nan is not a finite number (accep
 
 import math
 import numbers
-import reprlib
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -24,11 +23,12 @@ from typing import Any
 import sympy
 from flint import fmpq, fmpz
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_rational, parse_real
 
 Number = str | int | float | Fraction | Decimal | ExactReal | sympy.Expr | numbers.Integral
 _MAX_DIGITS = 1000  # as for text: reading a number must not exhaust the machine
+_TOO_LARGE = 10**_MAX_DIGITS
 
 
 def exact_number(value: Any, argument: str) -> ExactReal:
@@ -43,16 +43,16 @@ def exact_number(value: Any, argument: str) -> ExactReal:
         return ExactReal(_decimal(value, argument))
     if isinstance(value, fmpq | fmpz):
         q = fmpq(value)
-        return ExactReal(Fraction(int(q.p), int(q.q)))
+        return _sized(Fraction(int(q.p), int(q.q)), argument)
     if isinstance(value, numbers.Rational):  # int, Fraction, SymPy and NumPy integers
-        return ExactReal(Fraction(int(value.numerator), int(value.denominator)))
+        return _sized(Fraction(int(value.numerator), int(value.denominator)), argument)
     if isinstance(value, sympy.Expr):
         return _from_sympy(value, argument)
     if isinstance(value, numbers.Real):  # float, numpy.float64, numpy.float32
         if not math.isfinite(value):
             raise InputError(argument, f"{value} is not a finite number", REAL_FORMS)
         return ExactReal(parse_rational(str(value), argument))
-    raise InputError(argument, f"{_shown(value)} is not an exact number", REAL_FORMS)
+    raise InputError(argument, f"{shown(value)} is not an exact number", REAL_FORMS)
 
 
 def exact_integer(value: Any, argument: str, low: int, high: int) -> int:
@@ -82,6 +82,12 @@ def float_notes(**values: Any) -> tuple[str, ...]:
     )
 
 
+def _sized(q: Fraction, argument: str) -> ExactReal:
+    if max(abs(q.numerator), q.denominator) >= _TOO_LARGE:
+        raise InputError(argument, f"it has more than {_MAX_DIGITS} digits", REAL_FORMS)
+    return ExactReal(q)
+
+
 def _decimal(value: Decimal, argument: str) -> Fraction:
     if not value.is_finite():
         raise InputError(argument, f"{value} is not a finite number", REAL_FORMS)
@@ -103,12 +109,4 @@ def _from_sympy(value: sympy.Expr, argument: str) -> ExactReal:
     if all(part.is_Rational for part in (offset, coefficient, square)) and root.is_positive:
         parts = (Fraction(int(part.p), int(part.q)) for part in (coefficient, square, offset))
         return ExactReal(*parts)
-    raise InputError(argument, f"{_shown(value)} is not made of rationals and one square root", REAL_FORMS)
-
-
-def _shown(value: Any) -> str:
-    """The offending value for a one-line message: of foreign objects only the type, whose repr may be anything."""
-    kind = type(value).__name__
-    if value is None or isinstance(value, bool | complex | list | tuple | dict | bytes):
-        return f"{reprlib.repr(value)} ({kind})"
-    return f"a {kind}"
+    raise InputError(argument, f"{shown(value)} is not made of rationals and one square root", REAL_FORMS)

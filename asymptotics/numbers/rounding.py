@@ -22,7 +22,7 @@ all that lies there rounds alike, the rounding is proved, otherwise nothing is s
 from fractions import Fraction
 from math import ceil, floor, trunc
 
-from asymptotics.errors import InputError
+from asymptotics.errors import require_choice
 from asymptotics.numbers.decimals import rational_decimal
 
 MODES = ("nearest", "down", "up", "floor", "ceil", "interval")
@@ -30,8 +30,7 @@ MODES = ("nearest", "down", "up", "floor", "ceil", "interval")
 
 def require_mode(mode: str) -> None:
     """InputError unless the mode is one of ``MODES``."""
-    if mode not in MODES:
-        raise InputError("--rounding", f"{mode[:40]!r} is no rounding", ", ".join(MODES))
+    require_choice(mode, "rounding", MODES)
 
 
 def rounded_rational(q: Fraction, digits: int, mode: str) -> str:

@@ -22,7 +22,7 @@ import mpmath
 import sympy
 from sympy import Expr
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.numbers.bridge import from_sympy
 from asymptotics.numbers.decimals import rational_decimal
 
@@ -34,6 +34,12 @@ class Coefficient:
     value: str | None
     expression: Expr | None
     notes: tuple[str, ...] = field(default=(), compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        if self.value is not None and not isinstance(self.value, str):
+            raise InputError("value", f"{shown(self.value)} is no text", "decimal digits, or None")
+        if self.expression is not None and not isinstance(self.expression, Expr):
+            raise InputError("expression", f"{shown(self.expression)} is not SymPy's", "a SymPy expression, or None")
 
     @property
     def exact(self) -> str | None:

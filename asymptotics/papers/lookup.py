@@ -16,7 +16,7 @@ from difflib import get_close_matches
 from functools import cache
 from importlib.resources import files
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, require_choice
 from asymptotics.papers.statement import PaperStatement
 
 MAX_QUERY = 200
@@ -44,8 +44,8 @@ def papers() -> dict[str, str]:
 
 def statements(paper: str | None = None) -> tuple[PaperStatement, ...]:
     """All statements, of one paper or of all three, in reading order; InputError for an unknown paper."""
-    if paper is not None and paper not in papers():
-        raise InputError("paper", f"no paper {paper!r}", ", ".join(papers()))
+    if paper is not None:
+        require_choice(paper, "paper", papers())
     return tuple(s for s in _all().values() if paper in (None, s.paper))
 
 

@@ -88,7 +88,7 @@ def export(path: Path, command: str, points: Sequence[Point], folder: Path) -> i
         temporary.replace(path)
         return rows
     except OSError as error:
-        raise InputError("--export", f"cannot write {path}: {error.strerror}", "a place that can be written") from error
+        raise InputError("export", f"cannot write {path}: {error.strerror}", "a place that can be written") from error
     finally:
         if temporary is not None and temporary.exists():
             temporary.unlink()
@@ -97,11 +97,11 @@ def export(path: Path, command: str, points: Sequence[Point], folder: Path) -> i
 def require_format(path: Path) -> None:
     """InputError unless the file can be written in the format of its ending."""
     if path.suffix not in FORMATS:
-        raise InputError("--export", f"{path.name} has no known ending", ", ".join(FORMATS))
+        raise InputError("export", f"{path.name} has no known ending", ", ".join(FORMATS))
     if path.suffix == ".parquet":
         _parquet()
     if not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
-        raise InputError("--export", f"cannot write into {path.parent}", "a folder that can be written")
+        raise InputError("export", f"cannot write into {path.parent}", "a folder that can be written")
 
 
 def flat(data: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
@@ -177,7 +177,7 @@ def _parquet() -> tuple[Any, Any]:
         return import_module("pyarrow"), import_module("pyarrow.parquet")  # an extra, and slow to import
     except ImportError as error:
         accepted = "an installation with the extra parquet: pip install 'power-law-oscillator[parquet]'"
-        raise InputError("--export", "Parquet needs pyarrow, which is not installed", accepted) from error
+        raise InputError("export", "Parquet needs pyarrow, which is not installed", accepted) from error
 
 
 def read_rows(path: Path) -> Iterator[dict[str, Exact]]:

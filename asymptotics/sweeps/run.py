@@ -194,7 +194,7 @@ class _Driver:
             except OSError as error:
                 reason = f"cannot write to {self.plan.store.folder}: {error.strerror}"
                 accepted = "a disk with room: what is finished is safe, and the same command continues"
-                raise InputError("--store", reason, accepted) from error
+                raise InputError("store", reason, accepted) from error
         self.computed += 1
         if outcome.failed:
             self.plan.failures.add(job.index, job.point, outcome.reason)

@@ -119,7 +119,7 @@ class LockedShard:
             return None
         except OSError as error:
             os.close(handle)
-            raise InputError("--store", f"cannot lock {path.name}: {error.strerror}", "a disk with locks") from error
+            raise InputError("store", f"cannot lock {path.name}: {error.strerror}", "a disk with locks") from error
 
     def append(self, key: str, record: str) -> None:
         """Add a finished point; on an OSError (a full disk) the file is what it was before."""

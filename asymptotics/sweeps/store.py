@@ -35,22 +35,22 @@ class Store:
         about = folder / "store.json"
         try:
             if create and not about.exists() and not (folder.exists() and any(folder.iterdir())):
-                require_writable(folder / "shards", "--store")
+                require_writable(folder / "shards", "store")
                 write_atomically(about, json.dumps({"format": FORMAT, "version": __version__}) + "\n")
             found = json.loads(about.read_text())
         except (OSError, ValueError) as error:
             reason = error.strerror if isinstance(error, OSError) else "store.json is damaged"
-            raise InputError("--store", f"{folder} is not a store: {reason}", ACCEPTED) from error
+            raise InputError("store", f"{folder} is not a store: {reason}", ACCEPTED) from error
         self._check(found)
 
     def _check(self, found: Any) -> None:
         if not isinstance(found, dict) or found.get("format") != FORMAT:
-            raise InputError("--store", f"{self.folder} is of another kind or format", ACCEPTED)
+            raise InputError("store", f"{self.folder} is of another kind or format", ACCEPTED)
         if found.get("version") != __version__:
             reason = f"{self.folder} holds results of version {str(found.get('version'))[:20]}, this is {__version__}"
-            raise InputError("--store", reason, ACCEPTED)
+            raise InputError("store", reason, ACCEPTED)
         if not (self.folder / "shards").is_dir():
-            raise InputError("--store", f"{self.folder} has no folder shards", ACCEPTED)
+            raise InputError("store", f"{self.folder} has no folder shards", ACCEPTED)
 
     def path(self, bucket: int) -> Path:
         """The file of a bucket."""

@@ -149,12 +149,12 @@ def dask_executor(address: str, workers: int | None) -> Iterator[Crew]:
             client = stack.enter_context(dask.Client(scheduler, timeout=10))
         except (OSError, ValueError) as error:
             reason, accepted = f"no scheduler answers at {address[:80]!r}", "local, or a running one: tcp://host:port"
-            raise InputError("--dask", reason, accepted) from error
+            raise InputError("dask", reason, accepted) from error
         try:
             client.wait_for_workers(1, timeout=_PATIENCE)
         except OSError as error:
             reason = f"no worker has joined {address[:80]!r} in {_PATIENCE} s"
-            raise InputError("--dask", reason, "a scheduler with workers") from error
+            raise InputError("dask", reason, "a scheduler with workers") from error
         slots = sum(client.ncores().values())
         yield Crew(client.get_executor(pure=False), slots or 1)
 
@@ -164,4 +164,4 @@ def _distributed() -> Any:
         return import_module("distributed")  # an extra, and slow to import
     except ImportError as error:
         accepted = "an installation with the extra cluster: pip install 'power-law-oscillator[cluster]'"
-        raise InputError("--dask", "Dask is not installed", accepted) from error
+        raise InputError("dask", "Dask is not installed", accepted) from error

@@ -33,18 +33,18 @@ class Inputs:
         cls, alphas: Sequence[str] = (), law: Law | None = None, epsilons: Sequence[str] = (), rows: int | None = None
     ) -> "Inputs":
         """From text; InputError for exponents outside [0, 1000], strengths <= 0 and rows outside [1, 10^5]."""
-        exponents = tuple(parse_real(text, "--alpha") for text in alphas)
+        exponents = tuple(parse_real(text, "alpha") for text in alphas)
         for a in exponents:
             if a < 0 or a > MAX_ALPHA:
-                raise InputError("--alpha", f"{a} is out of range", f"exponents from 0 to {MAX_ALPHA}")
-        strengths = tuple(parse_real(text, "--epsilon") for text in epsilons)
+                raise InputError("alpha", f"{a} is out of range", f"exponents from 0 to {MAX_ALPHA}")
+        strengths = tuple(parse_real(text, "epsilon") for text in epsilons)
         for e in strengths:
             if not e > 0:
-                raise InputError("--epsilon", f"{e} is not positive", "strengths > 0")
+                raise InputError("epsilon", f"{e} is not positive", "strengths > 0")
         if law is not None and (exponents or strengths):
-            raise InputError("--law", "it stands next to --alpha or --epsilon", "one or the other")
+            raise InputError("law", "it stands next to --alpha or --epsilon", "one or the other")
         if rows is not None and not 1 <= rows <= MAX_ROWS:
-            raise InputError("--rows", f"{rows} is out of range", f"an integer from 1 to {MAX_ROWS}")
+            raise InputError("rows", f"{rows} is out of range", f"an integer from 1 to {MAX_ROWS}")
         return cls(exponents, law, strengths, rows)
 
     def alphas_or(self, default: Sequence[str]) -> tuple[ExactReal, ...]:
@@ -71,7 +71,7 @@ class Inputs:
         """The number of rows asked for; LimitError when all of them would be too many."""
         rows = default if self.rows is None else self.rows
         if rows * per_row > MAX_CELLS:
-            raise LimitError("--rows", f"{rows} times {per_row} rows are too many", f"at most {MAX_CELLS} in one table")
+            raise LimitError("rows", f"{rows} times {per_row} rows are too many", f"at most {MAX_CELLS} in one table")
         return rows
 
     def to_dict(self) -> dict[str, Any]:

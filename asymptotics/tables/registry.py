@@ -73,4 +73,4 @@ def _require_use(name: str, recipe: Recipe, given: Inputs) -> None:
     for option, value in asked.items():
         if value and option not in used:
             accepted = ", ".join(f"--{u}" for u in used) or "no such option"
-            raise InputError(f"--{option}", f"it changes nothing in {name}", accepted)
+            raise InputError(option, f"it changes nothing in {name}", accepted)

@@ -53,7 +53,7 @@ def extinction_times(inputs: Inputs, digits: int) -> Found:
     rows: list[tuple[Cell, ...]] = []
     for a in inputs.alphas_or(("0", "1/4", "1/3", "1/2", "2/3", "3/4")):
         if not a < 1:
-            raise InputError("--alpha", f"{a}: the averaged law never ends", "exponents below 1")
+            raise InputError("alpha", f"{a}: the averaged law never ends", "exponents below 1")
         for epsilon in inputs.epsilons_or("1/10"):
             law = Law({a: epsilon})
             rows.append((str(a), str(epsilon), Nearest(certified_decimal(partial(_end, law), digits))))
@@ -65,7 +65,7 @@ def phase_lags(inputs: Inputs, digits: int) -> Found:
     rows: list[tuple[Cell, ...]] = []
     for a in inputs.alphas_or(("5/4", "3/2", "2", "5/2", "3", "4", "5")):
         if not a > 1:
-            raise InputError("--alpha", f"{a}: the lag grows without bound", "exponents above 1")
+            raise InputError("alpha", f"{a}: the lag grows without bound", "exponents above 1")
         for epsilon in inputs.epsilons_or("1/10"):
             rows.append((str(a), str(epsilon), _lag_cell(a, epsilon, digits)))
     return Found(rows, True)
@@ -87,7 +87,7 @@ def _pairs(inputs: Inputs) -> list[Law]:
     if inputs.law is None:
         return [Law({low: e, high: e}) for low, high in _PAIRS for e in inputs.epsilons_or("1/10")]
     if len(inputs.law.terms) != 2:
-        raise InputError("--law", "this table is about two laws", "--law A:E twice")
+        raise InputError("law", "this table is about two laws", "--law A:E twice")
     return [inputs.law]
 
 

@@ -96,7 +96,7 @@ class Table:
             arrow, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")  # an extra, slow to import
         except ImportError as error:
             accepted = "an installation with the extra parquet: pip install 'power-law-oscillator[parquet]'"
-            raise InputError("--format", "parquet needs pyarrow, which is not installed", accepted) from error
+            raise InputError("format", "parquet needs pyarrow, which is not installed", accepted) from error
         columns = {name: [str(row[i]) for row in self.rows] for i, name in enumerate(self.columns)}
         schema = arrow.schema([(name, arrow.string()) for name in self.columns])
         metadata = {"title": self.title, "provenance": json.dumps(self.origin)}

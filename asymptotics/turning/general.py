@@ -100,7 +100,7 @@ def turning_points(
 def _enclosed(law: Law, count: int, digits: int, start: int, times: bool, progress: Progress) -> TurningPoints:
     if digits > MAX_GENERAL_DIGITS:
         reason = f"{digits} digits are too many for a law without a closed form"
-        raise LimitError("--digits", reason, f"at most {MAX_GENERAL_DIGITS} digits")
+        raise LimitError("digits", reason, f"at most {MAX_GENERAL_DIGITS} digits")
     bits = bits_for(digits, _SPARE) + 2 * (min(start, FAR) + count).bit_length()
     plan = Plan.of(law, start, count, bits)
     require_seconds(plan.seconds, f"{start + count} half-swings with {digits} digits")

@@ -53,5 +53,5 @@ def test_a_decimal_decides_what_lies_within_half_a_unit():
 def test_modes_have_names():
     for mode in MODES:
         require_mode(mode)
-    with pytest.raises(InputError, match="'sideways' is no rounding"):
+    with pytest.raises(InputError, match="'sideways' is unknown"):
         rounded_rational(Fraction(1), 3, "sideways")

@@ -226,7 +226,7 @@ def test_a_full_disk_loses_nothing_finished(log, folder):
     process = driver(log, folder, last=200, workers=1, preexec_fn=_small_files)
     _, errors = process.communicate()
     assert process.returncode != 0
-    assert "InputError: argument --store: cannot write to" in errors
+    assert "InputError: argument store: cannot write to" in errors
     assert "the same command continues" in errors
     finished = stored(folder, points)
     assert finished
@@ -289,14 +289,14 @@ def test_a_foreign_store_is_refused_and_left_alone(folder, log, content):
     if content is not None:
         (folder / "store.json").write_text(content)
     before = sorted(p.name for p in folder.iterdir())
-    with pytest.raises(InputError, match="--store"):
+    with pytest.raises(InputError, match="argument store"):
         sweep(tasks.square, "square", tasks.grid(log, 2), folder, workers=1)
     assert sorted(p.name for p in folder.iterdir()) == before
 
 
 def test_a_file_is_no_store(tmp_path, log):
     (tmp_path / "file").write_text("x")
-    with pytest.raises(InputError, match="--store"):
+    with pytest.raises(InputError, match="argument store"):
         sweep(tasks.square, "square", tasks.grid(log, 2), tmp_path / "file", workers=1)
 
 

@@ -1,0 +1,45 @@
+"""Arrays of doubles, from whatever stands for one: where curves are drawn, a number is a double and no more.
+
+What is exact (text, fractions, SymPy) is read by the number policy first; NaN keeps its place as a gap in the data.
+
+>>> from fractions import Fraction
+>>> real_array([0, "1/2", Fraction(3, 4), float("nan")], "time").tolist()
+[0.0, 0.5, 0.75, nan]
+>>> real_array([1, 2j], "time")
+Traceback (most recent call last):
+    ...
+asymptotics.errors.InputError: argument time: 2j (complex) is not an exact number (accepted: ...)
+"""
+
+from typing import Any
+
+import numpy as np
+
+from asymptotics.errors import InputError, shown
+from asymptotics.numbers.policy import exact_number
+
+_ACCEPTED = "a number, or an array of numbers"
+
+
+def real_array(value: Any, argument: str) -> Any:
+    """``value`` as an array of doubles of the same shape; InputError names ``argument`` for what is none."""
+    try:
+        given = np.asarray(value)
+    except (TypeError, ValueError):  # rows of different lengths
+        raise InputError(argument, f"{shown(value)} is not an array of numbers", _ACCEPTED) from None
+    if given.dtype.kind in "fiu":
+        masked = np.ma.isMaskedArray(value)
+        return np.ma.filled(value.astype(float), np.nan) if masked else given.astype(float)
+    if given.dtype.kind not in "OUcb":
+        raise InputError(argument, f"an array of {given.dtype} is not an array of numbers", _ACCEPTED)
+    cells = [value] if not given.ndim else list(value) if given.ndim == 1 else given.ravel().tolist()
+    return np.array([_double(cell, argument) for cell in cells], dtype=float).reshape(given.shape)
+
+
+def _double(cell: Any, argument: str) -> float:
+    if isinstance(cell, float | np.floating):
+        return float(cell)
+    try:
+        return float(exact_number(cell, argument).ball().mid())
+    except OverflowError:
+        raise InputError(argument, "it is too large for a double", _ACCEPTED) from None

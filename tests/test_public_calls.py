@@ -1,0 +1,221 @@
+"""Every public call under values that mean something else: an answer, or an InputError by name; nothing else, ever.
+
+One parameter at a time is handed each of the hostile values, in every public function, constructor and method of a
+public result; hypothesis draws pairs of them.
+"""
+
+import inspect
+import math
+import operator
+import time
+from decimal import Decimal
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import asymptotics as asy
+from asymptotics.errors import MAX_ACCEPTED, MAX_REASON
+
+OSC = asy.Oscillator(asy.Law({"3/2": "1/10"}), mass="3/2", stiffness=30, x0="1/5")
+
+
+class Unprintable:
+    """An object that cannot even be shown."""
+
+    def __repr__(self):
+        raise RuntimeError("this object has no text")
+
+    __str__ = __repr__
+
+
+NUMBERS = {
+    "float": 1.5, "float32": np.float32(1.5), "float64": np.float64(0.1), "longdouble": np.longdouble("0.1"),
+    "int64": np.int64(3), "uint8": np.uint8(2), "Fraction": Fraction(3, 2), "Decimal": Decimal("1.5"),
+    "Rational": sympy.Rational(3, 2), "sqrt": sympy.sqrt(2), "mpf": mpmath.mpf("1.5"), "-0.0": -0.0, "0": 0, "-1": -1,
+    "numpy text": np.str_("3/2"), "ExactReal": asy.ExactReal(3, 2), "tiny": 5e-324, "big": 1e308,
+}  # fmt: skip
+NO_NUMBERS = {
+    "nan": math.nan, "inf": math.inf, "-inf": -math.inf, "numpy nan": np.float64("nan"), "None": None, "True": True,
+    "numpy True": np.True_, "1j": 1j, "complex128": np.complex128(1j), "empty": "", "x": "x", "NUL": "\0",
+    "surrogate": "\ud800", "superscript": "²", "huge": 10**400, "longer": 10**5000, "huge text": "1e400",
+    "Decimal nan": Decimal("NaN"), "Decimal snan": Decimal("sNaN"), "Decimal inf": Decimal("Infinity"),
+    "Decimal huge": Decimal("1e100000"), "I": sympy.I, "sympy nan": sympy.nan, "oo": sympy.oo, "zoo": sympy.zoo,
+    "sympy Float": sympy.Float("1.5"), "pi": sympy.pi, "symbol": sympy.Symbol("x"), "sympy true": sympy.true,
+    "mpc": mpmath.mpc(1, 1), "mpmath nan": mpmath.nan, "array": np.array([1.0, 2.0]), "no array": np.array([]),
+    "texts": np.array(["a"]), "objects": np.array([None, 1], dtype=object), "complex array": np.array([1j]),
+    "date": np.datetime64("2020-01-01"), "list": [], "ragged": [[1], [2, 3]], "tuple": (), "dict": {},
+    "bad dict": {"x": 1}, "None dict": {None: None}, "nan dict": {2: math.nan}, "set": {1}, "bytes": b"1",
+    "object": object(), "unprintable": Unprintable(), "function": lambda *_: 0, "type": int, "slice": slice(1),
+    "dots": ..., "range": range(2), "law": asy.Law({2: 1}), "SI law": OSC.law, "oscillator": OSC,
+    "equations": asy.expand(2, order=1), "coefficient": asy.moment(2),
+}  # fmt: skip
+HOSTILE = NUMBERS | NO_NUMBERS
+FEW = NO_NUMBERS | {name: NUMBERS[name] for name in ("float", "int64", "-1", "big")}
+FUNCTIONS = {
+    "C": {"n": 5, "i": 3}, "Coefficient": {"value": "1", "expression": None}, "ExactReal": {"coefficient": 1},
+    "G": {"i": 2}, "Law": {"law": {2: 1}}, "Oscillator": {"law": {2: 1}}, "PhysicalLaw": {"law": {2: 1}},
+    "derive": {"name": None}, "envelope": {"law": OSC}, "expand": {"law": "3/2", "order": 2}, "f": {"n": 3},
+    "half_swing": {"law": 2, "order": 2}, "limit_cycle": {"law": {1: -1, (1, 2): 1}, "order": 2}, "moment": {"p": 1},
+    "motion": {"law": OSC, "order": 2}, "multiple_scales": {"law": 3, "order": 2}, "paper": {"id": "smith2012:43"},
+    "reference": {"law": OSC}, "statements": {}, "table": {"name": "smith2012.table1", "digits": 9}, "table_names": {},
+    "turning_points": {"law": {2: 1}, "count": 2, "digits": 9},
+}  # fmt: skip
+ELSEWHERE = {"compare", "identify", "sweep", "testing"}  # they read files and data: below, or with their own tests
+SLOW = {("limit_cycle", "mu"), ("table", "name")}  # an answer to one of the numbers takes seconds
+
+
+def public_results():
+    """One of each public result that has methods with arguments."""
+    eq = asy.expand("3/2", order=4)
+    points = asy.turning_points(OSC, 2, digits=9)
+    return [
+        OSC, OSC.law, OSC.law.terms[0], asy.Law({2: 1}), eq, eq.p, eq.p[1], asy.expand(OSC, order=2),
+        asy.expand("symbolic"), asy.expand(["1", "2"], order=2), asy.multiple_scales(3, order=2), asy.envelope(OSC),
+        asy.motion(OSC, order=2), asy.motion(OSC, order=2).at(7), asy.reference(OSC), points, points.points[0],
+        asy.limit_cycle({1: -1, (1, 2): 1}, order=2), asy.half_swing(2, order=2), asy.half_swing(2, delta="1/10"),
+        asy.G(2), asy.table("smith2012.table1", digits=9), asy.paper("smith2012:43"), asy.ExactReal(1, 2),
+    ]  # fmt: skip
+
+
+METHODS = {
+    "__call__": {"A": 0.5, "epsilon": "1/10"}, "amplitude": {"t": 1}, "amplitudes": {"t": [1.0]}, "at": {"t": 1},
+    "bound": {"t": 1}, "commutator": {"i": 0, "j": 1}, "compare": {"other": asy.expand("3/2"), "epsilon": "1/10"},
+    "events": {"until": 2}, "from_terms": {"terms": OSC.law.terms}, "get": {"key": 1},
+    "lambdify": {"modules": "numpy", "epsilon": "1/10"}, "observables": {"A": 1, "epsilon": "1/10"},
+    "phase": {"t": 1}, "plus": {"other": OSC.law.terms[0]}, "read": {"value": {2: 1}}, "require_pure": {"purpose": "x"},
+    "require_dissipative": {"purpose": "x"}, "rhs": {"t": 0.0, "y": [1.0, 0.0]}, "sample": {"t": [0.0, 1.0]},
+    "slow_derivative": {"n": 1, "f": sympy.Symbol("a")}, "sol": {"t": 1.0}, "time": {"amplitude": "1/10"},
+    "with_law": {"law": {2: 1}},
+}  # fmt: skip
+WORDS = {"purpose", "notes"}  # texts of our own, for messages
+BALLS = {"delta", "deltas", "to_si", "scaled_at"}
+
+
+def refused_or_answered(call):
+    """Run it; the message of a refusal is one short line that names the argument."""
+    try:
+        found = call()
+    except (asy.InputError, asy.UndecidedError) as error:
+        assert "\n" not in str(error) and len(str(error)) < MAX_REASON + MAX_ACCEPTED + 100
+        return
+    if type(found).__module__.startswith("asymptotics") and not isinstance(found, type):
+        for show in ("__repr__", "__str__", "_repr_latex_", "to_dict"):
+            getattr(found, show, str)()
+
+
+def walk(name, function, usual, values=HOSTILE):
+    """``function`` with its usual arguments, one of them replaced by each hostile value."""
+    refused_or_answered(lambda: function(**usual))
+    failed = []
+    for parameter in inspect.signature(function).parameters:
+        slow = (name, parameter) in SLOW
+        for label, value in (NO_NUMBERS if slow else values).items():
+            if parameter in WORDS or parameter == "y" and label == "function":
+                continue
+            arguments = {**usual, parameter: value}
+            try:
+                refused_or_answered(lambda arguments=arguments: function(**arguments))
+            except Exception as error:  # noqa: BLE001 (what must not happen is reported, all of it)
+                failed.append(f"{name}({parameter}={label}): {type(error).__name__}: {error}")
+    return failed
+
+
+def test_every_public_name_is_walked():
+    functions = {n for n in asy.__all__ if callable(getattr(asy, n)) and not _is_result_or_error(n)}
+    assert functions - set(FUNCTIONS) - ELSEWHERE == set()
+
+
+def _is_result_or_error(name):
+    made_by_us = {"Envelope", "Equations", "Events", "Identification", "Motion", "OscillatorTurningPoints",
+                  "PaperStatement", "Reference"}  # fmt: skip
+    thing = getattr(asy, name)
+    return name in made_by_us or isinstance(thing, type) and issubclass(thing, Exception)
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_public_functions_answer_or_refuse(name):
+    assert walk(name, getattr(asy, name), FUNCTIONS[name]) == []
+
+
+def test_methods_of_public_results_answer_or_refuse():
+    failed = []
+    for thing in public_results():
+        for name in (n for n in dir(thing) if n == "__call__" or not n.startswith("_")):
+            try:
+                method = getattr(thing, name)
+            except asy.InputError:  # a property that this result does not have
+                continue
+            if not (inspect.isroutine(method) or name == "__call__") or name in {*BALLS, "bound", "noted"}:
+                continue
+            parameters = inspect.signature(method).parameters
+            usual = {k: v for k, v in METHODS.get(name, {}).items() if k in parameters}
+            if isinstance(thing, asy.Equations) and thing.oscillator is not None:
+                usual.pop("epsilon", None)
+            label = f"{type(thing).__name__}.{name}"
+            failed += walk(label, method, usual, FEW) if parameters else [refused_or_answered(method)][:0]
+    assert failed == []
+
+
+OPERATORS = (operator.eq, operator.lt, operator.ge, operator.add, operator.sub, operator.mul, operator.truediv,
+             operator.pow, lambda a, b: b + a, lambda a, b: b - a, lambda a, b: b * a)  # fmt: skip
+
+
+def test_operators_of_exact_numbers_answer_or_refuse():
+    number, row = asy.ExactReal(1, 2), asy.expand("3/2", order=2).p
+    for label, value in HOSTILE.items():
+        if isinstance(value, np.ndarray | np.generic | sympy.Basic):
+            continue  # on the left of it, NumPy and SymPy speak first
+        for combine in OPERATORS:
+            refused_or_answered(lambda combine=combine, value=value: combine(number, value))
+        refused_or_answered(lambda value=value: row[value])
+        assert label == "uint8" or isinstance(value in row, bool)
+
+
+def test_compare_answers_or_refuses(tmp_path):
+    file = tmp_path / "mine.csv"
+    file.write_text("n,x\n0,1\n1,-0.41\n")
+    assert walk("compare", asy.compare, {"file": file, "law": {2: 1}, "columns": None, "digits": None}) == []
+
+
+def test_identify_answers_or_refuses():
+    n = np.arange(12)
+    decay = {"n": n, "x": (-0.9) ** n}
+    usual = {"data": decay, "laws": ["1"], "bootstrap": False}
+    failed = []
+    for parameter in inspect.signature(asy.identify).parameters:
+        for label, value in NO_NUMBERS.items():
+            if value is None or label == "empty":
+                continue  # what is left out: the answer takes a while
+            try:
+                refused_or_answered(lambda p=parameter, v=value: asy.identify(**{**usual, p: v}))
+            except Exception as error:  # noqa: BLE001
+                failed.append(f"identify({parameter}={label}): {type(error).__name__}: {error}")
+    assert failed == []
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.data())
+def test_any_two_hostile_values_at_once(data):
+    name = data.draw(st.sampled_from(sorted(set(FUNCTIONS) - {"limit_cycle", "table", "table_names", "derive"})))
+    parameters = sorted(inspect.signature(getattr(asy, name)).parameters)
+    chosen = data.draw(st.lists(st.sampled_from(parameters), max_size=2, unique=True)) if parameters else []
+    drawn = {p: HOSTILE[data.draw(st.sampled_from(sorted(HOSTILE)))] for p in chosen}
+    refused_or_answered(lambda: getattr(asy, name)(**{**FUNCTIONS[name], **drawn}))
+
+
+def test_a_strength_is_never_taken_for_an_exponent():
+    for swapped in (lambda: asy.expand("1/10", "3/2"), lambda: asy.Law("3/2", "1/10"), lambda: asy.Law(1.5)):
+        with pytest.raises((TypeError, asy.InputError)):
+            swapped()
+
+
+def test_refusing_is_quick():
+    begin = time.process_time()
+    for value in NO_NUMBERS.values():
+        refused_or_answered(lambda value=value: asy.expand(3, order=value))
+    assert time.process_time() - begin < 1
