@@ -71,7 +71,7 @@ def require_usable(folder: Path) -> None:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             Store(folder)
     except OSError as error:
-        raise InputError("--store", f"{folder} is not a store: {error.strerror}", ACCEPTED) from error
+        raise InputError("store", f"{folder} is not a store: {error.strerror}", ACCEPTED) from error
 
 
 def task_of(command: str, point: Point) -> dict[str, Any]:
