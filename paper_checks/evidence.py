@@ -3,42 +3,75 @@
 The primitives call ``mark``: an identity reduced to zero is PROVED, an inequality of balls CERTIFIED, an order of
 convergence or an integration in floats MEASURED.  A verdict is worth its weakest part, unless a derivation proves it.
 
+A check that looks at some members of an infinite family (values of an exponent, strengths, times) takes them through
+``sampled``: however exact each comparison is, the family is not proved by it, and the label says how many were tried.
+
 >>> from asymptotics.verdict import Evidence
 >>> with recorded() as marks:
 ...     mark(Evidence.PROVED)
-...     mark(Evidence.MEASURED)
->>> weakest(marks)
+...     for alpha in sampled((0, 2)):
+...         mark(Evidence.CERTIFIED)
+>>> marks.weakest, marks.extent
+(<Evidence.CERTIFIED: 'certified'>, 'sampled: 2 points')
+>>> Marks([Evidence.PROVED], 3).weakest
 <Evidence.MEASURED: 'measured'>
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import dataclass, field
+from typing import TypeVar
 
 from asymptotics.verdict import Evidence
 
 STRENGTH = (Evidence.MEASURED, Evidence.CERTIFIED, Evidence.PROVED)
-_marks: ContextVar[list[Evidence] | None] = ContextVar("marks", default=None)
+Point = TypeVar("Point")
+
+
+@dataclass
+class Marks:
+    """The sorts of evidence that were used, and at how many sample points."""
+
+    evidence: list[Evidence] = field(default_factory=list)
+    points: int = 0
+
+    @property
+    def weakest(self) -> Evidence:
+        """The weakest evidence; PROVED for exact comparisons alone, which at sample points are a measurement."""
+        found = next((evidence for evidence in STRENGTH if evidence in self.evidence), Evidence.PROVED)
+        return Evidence.MEASURED if self.points and found == Evidence.PROVED else found
+
+    @property
+    def extent(self) -> str:
+        """How far the evidence reaches; empty if as far as the statement."""
+        return f"sampled: {self.points} points" if self.points else ""
+
+
+_marks: ContextVar[Marks | None] = ContextVar("marks", default=None)
 
 
 def mark(evidence: Evidence) -> None:
     """Note that this sort of evidence was used."""
     marks = _marks.get()
     if marks is not None:
-        marks.append(evidence)
+        marks.evidence.append(evidence)
+
+
+def sampled(points: Iterable[Point]) -> tuple[Point, ...]:
+    """These points, noted as a sample of a family that has more."""
+    found, marks = tuple(points), _marks.get()
+    if marks is not None:
+        marks.points += len(found)
+    return found
 
 
 @contextmanager
-def recorded() -> Iterator[list[Evidence]]:
+def recorded() -> Iterator[Marks]:
     """Collect the marks of what runs inside."""
-    marks: list[Evidence] = []
+    marks = Marks()
     token = _marks.set(marks)
     try:
         yield marks
     finally:
         _marks.reset(token)
-
-
-def weakest(marks: list[Evidence]) -> Evidence:
-    """The weakest evidence that was used; PROVED for a check that decided by exact comparisons alone."""
-    return next((evidence for evidence in STRENGTH if evidence in marks), Evidence.PROVED)

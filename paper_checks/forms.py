@@ -72,6 +72,8 @@ def _finite(form: Any, allowed: set[Any]) -> bool:
         return all(_finite(value, allowed) for value in form.values())
     if isinstance(form, tuple):
         return all(_finite(part, allowed) for part in form)
+    if isinstance(form, str):
+        return form.lower().lstrip("+-") not in ("nan", "inf", "infinity")
     if isinstance(form, sympy.Basic):
         return not form.has(sympy.nan) and set(_infinities(form)) <= allowed
     return not isinstance(form, Real) or isfinite(form)

@@ -35,7 +35,7 @@ from importlib import import_module
 from typing import Any
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
-from paper_checks.evidence import weakest
+from paper_checks.evidence import Marks
 from paper_checks.forms import guarded
 
 Check = Callable[[Any], Outcome]
@@ -180,7 +180,7 @@ class Entry:
     statement: Statement
     outcomes: dict[str, Outcome]
     seconds: float
-    marks: tuple[Evidence, ...] | None = None
+    marks: Marks | None = None
 
     @property
     def agrees(self) -> bool:
@@ -193,16 +193,24 @@ class Entry:
         s = self.statement
         if not self.agrees or s.verdict == Printed.OPEN:
             return Evidence.NONE
-        if self.marks is None or (s.derivation is not None and s.evidence == Evidence.PROVED):
-            return s.evidence
-        return weakest(list(self.marks))
+        return s.evidence if self.marks is None or self.derived else self.marks.weakest
+
+    @property
+    def derived(self) -> bool:
+        """Whether a derivation proves the statement, however far the check reaches."""
+        return self.statement.derivation is not None and self.statement.evidence == Evidence.PROVED
+
+    @property
+    def extent(self) -> str:
+        """How far a sample reaches; empty for what is proved for all values, or about nothing else."""
+        return "" if self.marks is None or self.derived else self.marks.extent
 
     @property
     def order_by(self) -> str | None:
         """Whether the order of an approximation was measured by the check, or is argued in its note."""
         if self.statement.order is None or self.marks is None:
             return None
-        return "measured" if Evidence.MEASURED in self.marks else "argued"
+        return "measured" if Evidence.MEASURED in self.marks.evidence else "argued"
 
     @property
     def printed(self) -> Printed:
@@ -217,7 +225,7 @@ class Entry:
             "kind": str(s.kind),
             "printed": str(self.printed),
             "evidence": str(self.evidence),
-            "extent": s.extent,
+            "extent": self.extent,
             "corrected": s.corrected_latex,
             "digits": s.digits,
             "order": s.order,

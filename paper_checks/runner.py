@@ -14,8 +14,8 @@ from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing.connection import wait
 
-from asymptotics.verdict import Evidence, Outcome
-from paper_checks.evidence import recorded
+from asymptotics.verdict import Outcome
+from paper_checks.evidence import Marks, recorded
 from paper_checks.registry import Entry, Statement, forms, load
 
 Progress = Callable[[str], None]
@@ -23,16 +23,16 @@ Progress = Callable[[str], None]
 
 def examine(entry: Statement) -> Entry:
     """Run the check of one statement on all its forms; what evidence it used is noted on the form that it confirms."""
-    start, outcomes, used = time.perf_counter(), {}, ()
+    start, outcomes, used = time.perf_counter(), {}, Marks()
     for name, form in forms(entry):
         with recorded() as marks:
             outcomes[name] = entry.check(form)
         if outcomes[name] == Outcome.CONFIRMED:
-            used = tuple(marks)
+            used = marks
     return Entry(entry, outcomes, time.perf_counter() - start, used)
 
 
-def _examine_id(paper: str, key: str) -> tuple[dict[str, Outcome], float, tuple[Evidence, ...] | None]:
+def _examine_id(paper: str, key: str) -> tuple[dict[str, Outcome], float, Marks | None]:
     """In a worker: statements travel as ids, their checks are found again in the registry."""
     result = examine(load(paper)[key])
     return result.outcomes, result.seconds, result.marks

@@ -141,12 +141,13 @@ def energy_with_amplitude(form: sympy.Expr) -> Outcome:
 )
 def slow_dissipation(form: sympy.Expr) -> Outcome:
     """Both sides must have the dimension of a velocity: each time derivative divides by a time."""
-    orders = {A: 0, rate: 1}
-    return decided(orders.get(form, 2) == 1)
+    derivatives = form.derivative_count if isinstance(form, sympy.Derivative) else 0
+    return decided(form.has(A) and derivatives == 1)
 
 
 @statement(
     id="lancaster2020:6", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
+    extent="sampled: 2 points",
     title="The energy in the limit of slow dissipation", latex=r"E \simeq \frac{1}{2}kA^2(t)",
     printed=sympy.Rational(1, 2), near_miss=sympy.Rational(5, 9), conditions="|A'| << omega_0 A",
     methods=("exact motion, alpha = 3/2, epsilon = 1/25 and 1/50, A from (13)",),
@@ -220,6 +221,7 @@ def dissipation(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:9", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
+    extent="sampled: 2 points",
     title="The velocity in the limit of slow dissipation", latex=r"\dot{x}(t) \approx -A\omega_0\sin[\omega_0 t]",
     printed=-1, near_miss=1, conditions="|A'| << omega_0 A; omega_0 t up to the order of 1/epsilon",
     methods=("exact motion, alpha = 3/2, epsilon = 1/25 and 1/50, A from (13)",),
@@ -233,6 +235,7 @@ def slow_velocity(form: int) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.ansatz", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    extent="sampled: 2 points",
     order="1", title="The approximate solution of the captions", latex=r"x_a(t) = A(t)\cos(\omega_0 t)",
     printed=sympy.Integer(0), near_miss=sympy.Rational(1, 10), conditions="omega_0 t up to the order of 1/epsilon",
     methods=("exact motion, alpha = 3/2, epsilon = 1/25 and 1/50, A from (13)",), note="Form: the phase.",

@@ -8,6 +8,7 @@ from flint import acb, arb, ctx
 
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.evidence import sampled
 from paper_checks.identities import all_confirmed, balls_agree, decided, same, vanishes
 from paper_checks.lancaster2020.model import (
     EPSILON,
@@ -70,6 +71,7 @@ def linear_limit(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lancaster2020:11", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
+    extent="sampled: 5 points",
     title="The integral grows like its mean",
     latex=r"\int_0^t|\sin^{\alpha+1}(\omega_0 t')|dt' \simeq \langle|\sin^{1+\alpha}(\omega' t)|\rangle t",
     printed=mean(alpha), near_miss=2 ** (-(alpha + 1) / 2), order="1", digits=20,
@@ -80,6 +82,7 @@ def linear_limit(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 )
 @statement(
     id="lancaster2020:12", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
+    extent="sampled: 5 points",
     title="The mean as a beta function",
     latex=r"\int_0^t|\sin^{\alpha+1}(\omega t')|dt' \simeq 2^{\alpha+1}B\left(\frac{\alpha}{2}+1,"
     r"\frac{\alpha}{2}+1\right)t/\pi",
@@ -93,7 +96,7 @@ def mean_of_sine(form: sympy.Expr) -> Outcome:
     """The form equals Wallis' M_(alpha+1) identically, and the certified mean over a half period at five exponents."""
     outcomes = [zero(form - mean(alpha))]
     with ctx.workprec(120):
-        for a in (Fraction(0), Fraction(1, 2), Fraction(3, 2), Fraction(2), Fraction(3)):
+        for a in sampled((Fraction(0), Fraction(1, 2), Fraction(3, 2), Fraction(2), Fraction(3))):
             value = closed_form_ball(form.subs(alpha, sympy.Rational(a.numerator, a.denominator)))
             outcomes.append(balls_agree(value, _certified_mean(a), 20))
     return all_confirmed(*outcomes)

@@ -94,7 +94,7 @@ STRAY = sympy.Symbol("a_0", positive=True)
     ),
     corrected=(x0 / sympy.sqrt(1 + 3 * b * k * x0**2 * t / (4 * m**2)),),
     near_miss=(x0 / sympy.sqrt(1 + 3 * b * k * x0**2 * t / (8 * m**2)),),
-    conditions="none", methods=("(13) at alpha = 3", "dimension"),
+    conditions="none", methods=("(13) at alpha = 3, for each member",),
     note="The left member is a remnant of the entry above: no quantity a_0 occurs in the paper, and it is no length."
     " The right member is (13). Form: the members of the equation, each of which must be A(t).",
 )

@@ -10,6 +10,7 @@ from asymptotics.law import Law
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.turning.quadratic import quadratic_turning_points
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.evidence import sampled
 from paper_checks.identities import all_confirmed, below, decided, same, vanishes
 from paper_checks.lancaster2020.model import (
     EPSILON,
@@ -128,6 +129,7 @@ def late_rate(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.valid-for-any-b", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
+    extent="sampled: 2 points",
     title="When (13) becomes valid",
     latex=r"\text{(13) becomes valid at times } t \gg \frac{1}{(\alpha-1)\omega_0} \text{ regardless of the value of}"
     r"\ b",
@@ -153,7 +155,7 @@ def valid_for_any_strength(form: sympy.Expr) -> Outcome:
         if lowest > arb("0.5") and 1 / (1 + closed_form_ball(QUADRATIC_MEAN) * 10**12 * tau) < arb("0.01"):
             return Outcome.REFUTED
     needed = _sharp(form.subs(law).subs(E, 1000))
-    return all_confirmed(needed, *(_within(e, 20 * form.subs(law).subs(E, e), "0.1") for e in (1, 100)))
+    return all_confirmed(needed, *(_within(e, 20 * form.subs(law).subs(E, e), "0.1") for e in sampled((1, 100))))
 
 
 def _sharp(time: sympy.Expr) -> Outcome:
@@ -225,6 +227,7 @@ def quadratic_never_overdamped(form: int) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.large-b-agreement", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
+    extent="sampled: 5 points",
     title="Agreement for large b, with only the phase disagreeing substantially",
     latex=r"\text{Agreement ... turns out to be quite good, even for large values of } b \text{ with only the phase}"
     r"\ \text{of the asymptotic solution disagreeing substantially}",
@@ -238,7 +241,7 @@ def quadratic_never_overdamped(form: int) -> Outcome:
 )
 def large_strength(form: tuple[str, ...]) -> Outcome:
     """(13) against |X_n| at tau_n, n = 1 ... 5: within 5 % for the epsilon of the form and no other."""
-    found = {epsilon: _agrees(epsilon) for epsilon in ALL_STRENGTHS}
+    found = {epsilon: _agrees(epsilon) for epsilon in sampled(ALL_STRENGTHS)}
     if Outcome.UNDECIDED in found.values():
         return Outcome.UNDECIDED
     return decided(form == tuple(e for e, outcome in found.items() if outcome == Outcome.CONFIRMED))
@@ -307,7 +310,7 @@ def weak_friction(form: sympy.Expr) -> Outcome:
     r" \ll \omega_0",
     printed=1 / mean(-p + 1), corrected=sympy.Integer(1), near_miss=sympy.Integer(2),
     conditions="alpha < 1; as printed, in order of magnitude while (1-alpha) epsilon omega_0 t < 1 is not near 1",
-    methods=("quotient to (14) shortly before each bracket vanishes, alpha = 0 and 1/2",),
+    methods=("quotient to (14) shortly before each bracket vanishes, alpha = 0 and 1/2, balls",),
     derivation="lancaster-energy",
     note="Signs and powers are right. But a scale cannot stand for kappa in a difference: the printed rate is infinite"
     " at omega_0 t = 1/((1-alpha) epsilon), when the true one is still of order kappa omega_0 (alpha = 0: 2.75 kappa"
@@ -316,7 +319,7 @@ def weak_friction(form: sympy.Expr) -> Outcome:
 def scaled_condition(form: sympy.Expr) -> Outcome:
     """With c = form kappa: the quotient of c/(1 - p c T) and K/(1 - p K T) at p c T = 0 and 999/1000 is within 3."""
     outcomes = []
-    for a in (0, sympy.Rational(1, 2)):
+    for a in sampled((0, sympy.Rational(1, 2))):
         c = form.subs(p, 1 - a)
         for share in (sympy.Integer(0), sympy.Rational(999, 1000)):
             quotient = c * (1 - share / c) / (1 - share)
@@ -341,5 +344,5 @@ def scaled_condition(form: sympy.Expr) -> Outcome:
 def fails_at_long_times(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """The rate K/|1 - p K T| must grow beyond any bound when the variable of the form tends to its value."""
     variable, end = form
-    rate = sympy.Abs(K / (1 - p * K * T)).subs(T, sympy.solve(variable - z, T)[0]).subs({p: sympy.Rational(1, 3)})
+    rate = sympy.Abs(K / (1 - p * K * T)).subs(T, sympy.solve(variable - z, T)[0])
     return decided(sympy.limit(rate, z, end, "-") == sympy.oo)

@@ -10,7 +10,7 @@ from asymptotics.law import Law
 from asymptotics.numbers.bridge import closed_form_ball, from_sympy
 from asymptotics.turning.general import turning_points
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
-from paper_checks.evidence import mark
+from paper_checks.evidence import mark, sampled
 from paper_checks.identities import all_confirmed, below, decided, same
 from paper_checks.lancaster2020.model import (
     amplitude,
@@ -35,7 +35,7 @@ g, mu = sympy.symbols("g mu", positive=True)
     title="Figure 1: kappa", latex=r"\kappa \approx 0.042 \quad (\alpha = 0)", digits=2,
     printed=("0.042", sympy.Integer(0), "0.06519", "0.06675"),
     near_miss=("0.042", sympy.Integer(0), "0.06519", "0.06676"),
-    conditions="0.0652 <= b/(k x_0) <= 0.0667", methods=("kappa = 2b/(pi k x0) at both ends of the range",),
+    conditions="0.0652 <= b/(k x_0) <= 0.0667", methods=("kappa = 2b/(pi k x0) at both ends of the range, balls",),
     note="m, k, b, x0 are not given; this range of epsilon = b/(k x0), and no other, gives the printed kappa. Form:"
     " kappa, alpha, and the range of epsilon to four figures.",
 )
@@ -44,7 +44,7 @@ g, mu = sympy.symbols("g mu", positive=True)
     title="Figure 2: kappa", latex=r"\kappa \approx 0.19 \quad (\alpha = \tfrac{3}{2})", digits=2,
     printed=("0.19", THREE_HALVES, "0.4043", "0.4260"), near_miss=("0.19", THREE_HALVES, "0.4043", "0.4261"),
     conditions="0.4043 <= b omega_0^{3/2} x_0^{1/2}/k <= 0.4260",
-    methods=("kappa = M_(5/2) epsilon at both ends of the range",),
+    methods=("kappa = M_(5/2) epsilon at both ends of the range, balls",),
     note="kappa is less than half of epsilon here: M_(5/2) = 0.4576. Form as for claim.kappa-fig1.",
 )
 def range_of_strength(form: tuple[str, sympy.Expr, str, str]) -> Outcome:
@@ -138,6 +138,7 @@ def friction_coefficient(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.short-times", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    extent="sampled: 2 points",
     order="1", title="For alpha < 1 the amplitude is valid for weak damping at short times",
     latex=r"\text{for } \alpha < 1 \text{, the asymptotic results for } A(t) \text{ are valid for the weak-damping}"
     r"\ \text{regime at short times}",
@@ -157,6 +158,7 @@ def short_times(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:fig2", kind=Kind.FIGURE, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    extent="sampled: 9 points",
     title="alpha = 3/2: the approximation is quite robust",
     latex=r"\text{the approximation is quite robust, even for modest } \kappa", printed=-2, near_miss=-1,
     conditions="kappa = 0.19, that is epsilon = 0.4152",
@@ -166,6 +168,7 @@ def short_times(form: sympy.Expr) -> Outcome:
 )
 @statement(
     id="lancaster2020:claim.long-times-good", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    extent="sampled: 9 points",
     title="Good agreement at long times for alpha > 1 and modest kappa", printed=-2, near_miss=-1,
     latex=r"\text{For } \alpha > 1 \text{ and modest values of } \kappa \text{, agreement ... at long times}"
     r"\ \omega_0 t \gg 1 \text{ is generally quite good}",
@@ -175,7 +178,8 @@ def short_times(form: sympy.Expr) -> Outcome:
 def robust(form: int) -> Outcome:
     """|X_n| against [1 + kappa tau_n/2]^form, with epsilon = kappa/M_(5/2) to four figures."""
     mark(Evidence.MEASURED)
-    quotients = [place / (1 + 0.5 * kappa * tau) ** form for place, tau, kappa in _turning_points_of_figure_2()]
+    points = sampled(_turning_points_of_figure_2())
+    quotients = [place / (1 + 0.5 * kappa * tau) ** form for place, tau, kappa in points]
     worst = max(abs(quotient - 1) for quotient in quotients)
     return decided(worst < 0.001)
 
@@ -192,6 +196,7 @@ def _turning_points_of_figure_2() -> list[tuple[float, float, float]]:
 
 @statement(
     id="lancaster2020:fn20", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
+    extent="sampled: 3 points",
     title="The residual motion is a numerical artifact that ceases with the step size",
     latex=r"\text{As the step size } \delta t \to 0 \text{, the motion ceases}", printed=1, near_miss=0,
     conditions="alpha = 0; sgn(v) with a fixed step",
@@ -202,7 +207,7 @@ def _turning_points_of_figure_2() -> list[tuple[float, float, float]]:
 def chatter(form: int) -> Outcome:
     """The mean speed at rest, from x = -0.0556, falls by 2 when the step is halved."""
     mark(Evidence.MEASURED)
-    speeds = [_mean_speed(step) for step in (4e-3, 2e-3, 1e-3)]
+    speeds = [_mean_speed(step) for step in sampled((4e-3, 2e-3, 1e-3))]
     orders = [log2(a / c) for a, c in zip(speeds, speeds[1:])]
     return decided(all(abs(order - form) < 0.1 for order in orders))
 

@@ -63,7 +63,7 @@ def two_terms(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.velocity-sign", kind=Kind.APPROXIMATION, verdict=Printed.MISPRINT,
-    evidence=Evidence.MEASURED, order="1", title="The velocity used for (19)",
+    evidence=Evidence.MEASURED, extent="sampled: 2 points", order="1", title="The velocity used for (19)",
     latex=r"\dot{x}(t) \simeq \omega_0 A\sin(\omega_0 t)",
     corrected_latex=r"\dot{x}(t) \simeq -\omega_0 A\sin(\omega_0 t)",
     printed=1, corrected=-1, near_miss=-2, conditions="|A'| << omega_0 A",
@@ -121,8 +121,8 @@ def not_separable(form: tuple[int, int]) -> Outcome:
     title="The averaged equation, separated",
     latex=r"\int_{x_0}^{A(t)}\frac{dA}{cA^{\alpha} + c'A^{\alpha'}} \simeq -\frac{t}{\pi k}",
     printed=1 / (sympy.pi * k), near_miss=1 / k, conditions="|A'| << omega_0 A", derivation="two-laws-time",
-    methods=("mean of (19) by (12)", "error of A cos(omega_0 t) against the exact motion, see 21"),
-    note="Form: the factor of -t.",
+    methods=("mean of (19) by (12)",),
+    note="The error of A cos(omega_0 t) is measured at (21). Form: the factor of -t.",
 )
 def averaged(form: sympy.Expr) -> Outcome:
     """A' = -(1/(kA)) sum b (A omega_0)^(a+1) M_(a+1) equals -form (c A^alpha + c' A^alpha')."""
@@ -191,7 +191,8 @@ def envelope(form: sympy.Expr) -> Callable[[float, float], float]:
     title="No restriction on the relative sizes of b and omega_0 x0 b'",
     latex=r"\text{we have made no restrictions whatsoever on the relative sizes of } b \text{ and } \omega_0 x_0 b'",
     printed=FRACTION, near_miss=x0 * DECAY, conditions="relative sizes only: both must be weak, b, omega_0 x0 b' <<"
-    " m omega_0", methods=("(21) solves (20) for all positive c, c'",), derivation="two-laws-time",
+    " m omega_0", derivation="two-laws-time",
+    methods=("(21) solves (20) for all positive c, c'", "error of A cos(omega_0 t) as for (21)"),
     note="Near miss: (21) without c', which needs omega_0 x0 b' << b.",
 )
 def viscous_and_quadratic(form: sympy.Expr) -> Outcome:

@@ -264,12 +264,14 @@ def same_decay(form: tuple[int, int]) -> Outcome:
 
 @statement(
     id="lelas2024:8", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
+    extent="sampled: 2 points",
     title="The assumed motion of the first pair", latex=r"x_1(t) = x_0f(t)\cos(\omega_0t)",
     printed=(X1, "x1"), near_miss=(f * X1, "x1"), conditions="viscous damping with f = e^{-bt/2m}, times of order 1/b",
     methods=("largest error over a swing at b t = 0.8 m, against the exact motion, two values of b",),
 )
 @statement(
     id="lelas2024:9", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
+    extent="sampled: 2 points",
     title="The assumed motion of the second pair", latex=r"x_2(t) = x_0f(t)\sin(\omega_0t)",
     printed=(X2, "x2"), near_miss=(X1, "x2"), conditions="viscous damping with f = e^{-bt/2m}, times of order 1/b",
     methods=("largest error over a swing at b t = 0.8 m, against the exact motion, two values of b",),
@@ -342,12 +344,14 @@ def dropping_the_slope(bound: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:12", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
+    extent="sampled: 2 points",
     title="The approximate velocity of the first pair", latex=r"v_1(t) = -\omega_0x_0f(t)\sin(\omega_0t)",
     printed=(V1, "v1"), near_miss=(-V1, "v1"), conditions="as for (8)",
     methods=("largest error over a swing at b t = 0.8 m, against the exact motion, two values of b",),
 )
 @statement(
     id="lelas2024:13", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
+    extent="sampled: 2 points",
     title="The approximate velocity of the second pair", latex=r"v_2(t) = \omega_0x_0f(t)\cos(\omega_0t)",
     printed=(V2, "v2"), near_miss=(f * V2, "v2"), conditions="as for (9)",
     methods=("largest error over a swing at b t = 0.8 m, against the exact motion, two values of b",),

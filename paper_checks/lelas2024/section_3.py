@@ -151,6 +151,7 @@ def turning_error(decay: sympy.Expr) -> Callable[[mpf], mpf]:
 
 @statement(
     id="lelas2024:31", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="0",
+    extent="sampled: 2 points",
     title="The constant rate of decay", latex=r"\frac{df(t)}{dt} = -\frac{\mu g}{\sqrt{2}\,\omega_0x_0}",
     printed=-STRENGTH / root2, near_miss=-STRENGTH / 2, conditions="t < tau", derivation="lelas-friction",
     methods=("negative root of (30)", "error of the amplitude at the exact turning points, two values of mu"),
@@ -187,6 +188,7 @@ def integrated_rate(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:32", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="0",
+    extent="sampled: 2 points",
     title="The linear decay of the amplitude", latex=r"f(t) = 1 - \frac{\mu g}{\sqrt{2}\,\omega_0x_0}t",
     printed=FRICTION_LINE, near_miss=1 - STRENGTH / 2 * t, conditions="t <= tau", derivation="lelas-friction",
     methods=("(31) with f(0) = 1", "error of the amplitude at the exact turning points, two values of mu"),

@@ -135,6 +135,7 @@ def sum_of_powers(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:43", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="0",
+    extent="sampled: 2 points",
     title="The rate of f", latex=r"\frac{df(t)}{dt} = -\left(\frac{C\omega_0x_0}{2^{\frac{3}{2}}m}\right)f^2(t)",
     printed=-STRENGTH / SLOW * f**2, near_miss=-STRENGTH / 2 * f**2, derivation="lelas-air",
     conditions="none", methods=("(42)^(3/2)", "error of the amplitude at the exact turning points, two values of C"),
@@ -178,6 +179,7 @@ def separated(form: tuple[int, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:45", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="0",
+    extent="sampled: 2 points",
     title="The decay of the amplitude", derivation="lelas-air",
     latex=r"f(t) = \left(1 + \frac{C\omega_0x_0}{2^{\frac{3}{2}}m}t\right)^{-1}", printed=HYPERBOLA,
     near_miss=1 / (1 + STRENGTH / 2 * t), conditions="t >= 0",

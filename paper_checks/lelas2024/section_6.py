@@ -37,6 +37,7 @@ def air_strength(drag: Fraction) -> Fraction:
 
 @statement(
     id="lelas2024:51", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="0",
+    extent="sampled: 2 points",
     title="The approximate motion with air resistance", derivation="lelas-air",
     latex=r"x(t) = x_0\left(1 + \frac{C\omega_0x_0}{2^{\frac{3}{2}}m}t\right)^{-1}\cos(\omega_0t)", printed=OURS,
     near_miss=x0 / (1 + STRENGTH / 2 * t) * sympy.cos(w0 * t), conditions="damping force (5)",
@@ -50,6 +51,7 @@ def our_motion(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:52", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
+    extent="sampled: 2 points",
     title="The motion by averaging over a period", derivation="lelas-air", printed=AVERAGED, near_miss=OURS,
     latex=r"\tilde{x}(t) = x_0\left(1 + \frac{4C\omega_0x_0}{3\pi m}t\right)^{-1}\cos(\omega_0t)",
     conditions="none",
@@ -130,6 +132,8 @@ def figure_of_section(figure: int) -> Outcome:
 )
 def air_figure(form: tuple[str, str]) -> Outcome:
     """At the exact turning points (not the first) the first curve is above the second, which is the nearer one."""
+    if form[0] == form[1]:
+        return Outcome.REFUTED  # no curve is above itself
     upper, lower = (RATES[name] for name in form)
     with ctx.workprec(100):
         return all_confirmed(*(_ordered(upper, lower, air_strength(drag)) for drag in DRAG.values()))
@@ -151,7 +155,7 @@ def _ordered(upper: sympy.Expr, lower: sympy.Expr, eps: Fraction) -> Outcome:
     id="lelas2024:claim.slower-decay", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="(51) decays more slowly than (52)", printed=("51", "52"), near_miss=("52", "51"), derivation="lelas-air",
     latex=r"\text{(51) gives only a slightly slower amplitude decay compared to the solution (52)}",
-    conditions="none", methods=("2^{-3/2} < 4/(3 pi)",),
+    conditions="none", methods=("2^{-3/2} < 4/(3 pi), balls",),
     note="The rate is lower by 16.7 %, for all C. With friction it is the other way round: (47) decays faster than"
     " (48), since 1/sqrt(2) > 2/pi. 'Only slightly' has no scale in the paper: the amplitudes end up 20 % apart, see"
     " claim.agrees-well. Form: the slower and the faster solution.",

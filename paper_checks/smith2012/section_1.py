@@ -192,7 +192,7 @@ def energy_is_constant(form: sympy.Expr) -> Outcome:
     id="smith2012:claim.angular-momentum", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="Angular momentum is a constant of central force motion", printed=QS, near_miss=(QS[0], QS[1], -QS[2]),
     latex=r"\text{the case of total angular momentum } L^i \text{ for central force motion}",
-    conditions="none", methods=("derivative of x cross v",), note="Form: the direction of the force.",
+    conditions="none", methods=("x cross a = 0",), note="Form: the direction of the force.",
 )
 def angular_momentum(form: tuple[sympy.Expr, ...]) -> Outcome:
     """d/dt (x cross v) = x cross a."""

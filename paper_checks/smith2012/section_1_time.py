@@ -110,14 +110,22 @@ def series(sign: int, scale: sympy.Expr) -> sympy.Expr:
     id="smith2012:21", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The infinite series in 1/v", printed=series(-1, 1 / omega), near_miss=series(1, 1 / omega),
     latex=r"t - t_0 = \sum_{n=0}^{\infty}F_n(x, v)\left(\frac{1}{v}\right)^n\Big|_{x_0}^x",
-    conditions="where it converges; v != 0", methods=("harmonic oscillator: terms to n = 9 against arctan",),
+    conditions="where it converges; v != 0",
+    methods=("one integration by parts more, for any force and n", "harmonic oscillator: terms to n = 9"),
     note="For the harmonic oscillator F_{2j+1} = (-1)^j omega^{2j} x^{2j+1}/(2j+1), the even ones are 0. Form: first"
     " terms in z = omega x/v.",
 )
 def series_in_inverse_velocity(form: sympy.Expr) -> Outcome:
-    """The derivative of arctan(z)/omega, multiplied out: (1 + z^2) form' - 1/omega is the remainder z^10/omega."""
-    remainder = sympy.expand((1 + z**2) * diff(form, z) - 1 / omega)
-    return decided(sympy.Poly(remainder, z).monoms()[-1][0] == 10)
+    """d(F_n/v^n)/dx = F_n'/v^n - n F_n a/v^(n+2): with F_1 = x, F_(n+2)' = n F_n a the sum leaves but its last term."""
+    F, n = sympy.Function("F")(x), sympy.Symbol("n", positive=True)
+    along = diff(F / speed**n, x).subs(DV, acceleration / speed)
+    parts = same(along, diff(F, x) / speed**n - n * F * acceleration / speed ** (n + 2))
+    terms = sympy.Poly(form.subs(z, omega * x * z), z)  # z stands for 1/v from here on
+    wanted, force = x, -(omega**2) * x
+    for number in (1, 3, 5, 7, 9):
+        parts = all_confirmed(parts, same(terms.coeff_monomial(z**number), wanted))
+        wanted = sympy.integrate(number * wanted * force, x)
+    return all_confirmed(parts, decided(terms.degree() == 9))
 
 
 @statement(

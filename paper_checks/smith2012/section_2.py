@@ -63,28 +63,24 @@ def harmonic_by_parts(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     return same_polynomial(derivative + integrand, 1 / speed)
 
 
-def partial_sum(sign: int, terms: int) -> sympy.Expr:
-    """z - z^3/3 + z^5/5 - ... with z = omega x/v."""
-    z = omega * x / speed
-    return sympy.Add(*(sign**j * z ** (2 * j + 1) / (2 * j + 1) for j in range(terms)))
-
-
 @statement(
     id="smith2012:27c", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The series of the harmonic oscillator", methods=("remainder after 1 to 6 terms, differentiated",),
+    title="The series of the harmonic oscillator", methods=("remainder after N terms, differentiated",),
     latex=r"\omega(t - t_0) = \frac{\omega x}{v}\Big|_{x_0}^x - \frac{1}{3}\frac{\omega^3x^3}{v^3}\Big|_{x_0}^x +"
     r" \frac{1}{5}\frac{\omega^5x^5}{v^5}\Big|_{x_0}^x - \dots",
     printed=-1, near_miss=1, conditions="|omega x/v| <= 1 at both ends", note="Form: the ratio of signs.",
 )
 def harmonic_series(sign: int) -> Outcome:
-    """After N terms omega/v - d(sum)/dx is (-1)^N z^(2N) omega/v."""
+    """d(sum of N terms)/dz = (1 - q^N)/(1 - q) with q = sign z^2, for every N; if 1 - q = 1 + z^2, q^N is left."""
     z = omega * x / speed
-    j, ratio = sympy.symbols("j z", positive=True)
-    outcomes = [same(diff(ratio ** (2 * j + 1) / (2 * j + 1), ratio), ratio ** (2 * j))]  # the general term
-    for terms in range(1, 7):
-        derivative = diff(partial_sum(sign, terms), x).subs(diff(speed, x), -(omega**2) * x / speed)
-        outcomes.append(same_polynomial(omega / speed - derivative, (-1) ** terms * z ** (2 * terms) * omega / speed))
-    return all_confirmed(*outcomes)
+    j, ratio, N, q = sympy.symbols("j z N q", positive=True)
+    geometric = (1 - q**N) / (1 - q)
+    return all_confirmed(
+        same(diff(ratio ** (2 * j + 1) / (2 * j + 1), ratio), ratio ** (2 * j)),
+        same(geometric.subs(N, N + 1) - geometric, q**N),
+        same(1 - sign * ratio**2, 1 + ratio**2),
+        same_polynomial(diff(z, x).subs(diff(speed, x), -(omega**2) * x / speed), (1 + z**2) * omega / speed),
+    )
 
 
 @statement(

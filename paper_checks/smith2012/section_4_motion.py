@@ -16,7 +16,7 @@ from flint import ctx
 from mpmath import cos, exp, expm1, lambertw, log, mp, mpf, pi, quad, sin, sqrt
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
-from paper_checks.evidence import mark
+from paper_checks.evidence import mark, sampled
 from paper_checks.identities import all_confirmed, below, decided, same, vanishes
 from paper_checks.registry import statement
 from paper_checks.smith2012.model import FALLING_FORCE, Z_OF_STATE, gamma, invariant, n, omega, orbit, u0, v, x
@@ -62,7 +62,7 @@ def measured_order(error: Callable[[mpf], mpf]) -> float:
     """log_2 of the ratio of the errors at the two smallest of AMPLITUDES."""
     mark(Evidence.MEASURED)
     with mp.workdps(DIGITS):
-        coarse, fine = (abs(error(mpf(amplitude))) for amplitude in AMPLITUDES[-2:])
+        coarse, fine = (abs(error(mpf(amplitude))) for amplitude in sampled(AMPLITUDES[-2:]))
         return float(log(coarse / fine) / log(2))
 
 
@@ -76,6 +76,7 @@ def second_order(error: Callable[[mpf], mpf]) -> Outcome:
 
 @statement(
     id="smith2012:69", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="2",
+    extent="sampled: 4 points",
     title="The motion to first order in gamma v/omega",
     latex=r"0 = \omega t - \tan^{-1}\left(\frac{\omega v}{\gamma v^2-\omega^2 x}\right) - \frac{2}{3}"
     r"\frac{\omega\gamma v^3}{[\omega^2v^2 + (\gamma v^2-\omega^2 x)^2]}",
@@ -163,6 +164,7 @@ def at_amplitude(form: sympy.Expr, start: mpf) -> mpf:
 
 @statement(
     id="smith2012:70", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="2",
+    extent="sampled: 2 points",
     title="The period to first order", latex=r"\tau = \frac{2\pi}{\omega}", printed=2 * sympy.pi,
     near_miss=2 * sympy.pi * (1 + u0 / 6), conditions="to first order in gamma x_0",
     methods=("twice the half period by quadrature, u_0 = 0.01 and 0.005",), derivation="smith-generating-functions",
@@ -175,6 +177,7 @@ def period(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:claim.frequency", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="2",
+    extent="sampled: 2 points",
     title="To first order in gamma the frequency is the natural frequency", printed=sympy.Integer(1),
     latex=r"\text{to first order in } \gamma \text{, the frequency is identical to the natural frequency}",
     near_miss=1 - u0 / 6, conditions="to first order in gamma x_0",
@@ -257,6 +260,7 @@ def curve_of_figure_5(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="smith2012:fig5", kind=Kind.FIGURE, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="2",
+    extent="sampled: 2 points",
     title="Three full cycles to first order: six half-cycles of length pi",
     latex=r"\text{Fig. 5. Three full cycles of the quadratically damped oscillator to first-order in } \gamma v/\omega",
     printed=6 * sympy.pi, near_miss=6 * sympy.pi * (1 + u0 / 6), conditions="turning points exact, times by (69)",

@@ -26,6 +26,7 @@ def test_the_check_bears_out_the_recorded_verdict_and_can_fail(key):
     assert result.outcomes["near miss"] == Outcome.REFUTED
     assert result.outcomes["printed"] != Outcome.UNDECIDED
     assert result.evidence == ENTRIES[key].evidence  # the label is what the check used, or a derivation
+    assert result.extent == ENTRIES[key].extent
     assert result.order_by != "argued" or ENTRIES[key].evidence != Evidence.MEASURED
 
 

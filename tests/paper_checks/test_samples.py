@@ -1,0 +1,100 @@
+"""What is called proved is proved for every value: a loop over chosen values is a sample, or exhausts its cases."""
+
+import ast
+import inspect
+import textwrap
+
+import pytest
+
+from asymptotics.verdict import Evidence
+from paper_checks.evidence import Marks, mark, recorded, sampled
+from paper_checks.registry import load
+
+PROVED = {
+    inspect.unwrap(entry.check): key
+    for key, entry in load().items()
+    if entry.check and entry.evidence == Evidence.PROVED and entry.derivation is None
+}
+TOOLS = ("paper_checks.identities", "paper_checks.evidence", "paper_checks.forms", "paper_checks.registry")
+EXHAUSTED = {  # what is looped over, and why there are no other cases
+    "(0, 1, 2)": "the statement names these three exponents",
+    "(1, -1)": "both signs of the velocity",
+    "(-1, 1)": "both signs of the velocity",
+    "(1, 0, -1)": "the three signs of the velocity",
+    "(w0, 0, -w0)": "the three signs of the velocity; both sides scale with its size",
+    "zip(form, (2, 0, -2))": "the three signs of the velocity; both sides scale with its size",
+    "zip((-1, 1), form)": "the two places of the statement",
+    "(1, 2)": "the first two orders, which the statement names",
+    "(0, 1)": "the orders below the stated one",
+    "(0, 2)": "the two even powers of the statement",
+    "range(3)": "three exponents, or three dimensions",
+    "range(4)": "the four quarter periods of a period",
+    "range(form[0])": "the orders below the stated one",
+    "(ENERGY, CLOCK)": "the two constants of one motion",
+    "POWERS": "the three laws of the paper, n = 0, 1, 2",
+    "powers or (1,)": "the powers that the statement names",
+    "(Z_OF_STATE, THIRD)": "the two terms of the formula",
+    "PANELS": "the two panels of the figure",
+    "(1, 3, 5, 7, 9)": "all terms that the form states",
+    "VS": "the components of the velocity",
+    "BOUNDS.items()": "the three bounds of the paper",
+    "PFAFFIAN": "the two components",
+}
+
+
+def reached(check, seen):
+    """The functions of the paper that the check calls, itself included."""
+    if check in seen or not check.__module__.startswith("paper_checks") or check.__module__ in TOOLS:
+        return seen
+    seen.append(check)
+    for node in ast.walk(tree(check)):
+        called = check.__globals__.get(node.id) if isinstance(node, ast.Name) else None
+        if inspect.isroutine(called) or hasattr(called, "__wrapped__"):
+            called = inspect.unwrap(called)
+            if inspect.isfunction(called):
+                reached(called, seen)
+    return seen
+
+
+def tree(function):
+    """The body alone: the statement above it is data."""
+    (node,) = ast.parse(textwrap.dedent(inspect.getsource(function))).body
+    node.decorator_list = []
+    return node
+
+
+def chosen(function):
+    """The loops of a function over values that stand in the code."""
+    for node in ast.walk(tree(function)):
+        if isinstance(node, ast.For | ast.comprehension) and fixed(node.iter, function):
+            yield ast.unparse(node.iter)
+
+
+def fixed(values, function):
+    """Whether values are looped over that stand in the code: literals, ranges, constants, not what a form brings."""
+    if isinstance(values, ast.Call) and ast.unparse(values.func) in ("sampled", "enumerate"):
+        return values.func.id == "enumerate" and fixed(values.args[0], function)
+    names = {n.id for n in ast.walk(values) if isinstance(n, ast.Name)}
+    numbers = any(isinstance(n, ast.Constant) and isinstance(n.value, int | float) for n in ast.walk(values))
+    return numbers or bool(names) and all(name.isupper() and name in function.__globals__ for name in names)
+
+
+@pytest.mark.parametrize("check", PROVED, ids=PROVED.get)
+def test_what_is_proved_without_a_derivation_looks_at_every_case(check):
+    loops = [loop for function in reached(check, []) for loop in chosen(function)]
+    assert [loop for loop in loops if loop not in EXHAUSTED] == []
+
+
+def test_no_reason_is_left_over():
+    found = {loop for check in PROVED for function in reached(check, []) for loop in chosen(function)}
+    assert set(EXHAUSTED) <= found, set(EXHAUSTED) - found
+
+
+def test_a_sample_is_no_proof():
+    with recorded() as marks:
+        for _ in sampled(range(3)):
+            mark(Evidence.PROVED)
+    assert (marks.weakest, marks.extent) == (Evidence.MEASURED, "sampled: 3 points")
+    assert Marks([Evidence.CERTIFIED], 3).weakest == Evidence.CERTIFIED
+    assert (Marks([Evidence.PROVED]).weakest, Marks([Evidence.PROVED]).extent) == (Evidence.PROVED, "")
+    assert Marks().weakest == Evidence.PROVED
