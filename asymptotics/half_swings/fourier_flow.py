@@ -124,7 +124,7 @@ class _Kernel:
         """The powers 0, 1, ... of a factor, at degree 0, each with the degree through which it is needed."""
         top = max([1, *used])
         need = [self.order - min([n for k, n in used.items() if k >= e], default=0) for e in range(top + 1)]
-        return [([{zero: base**e}], need[e] if e > 1 else self.order) for e in range(top + 1)]
+        return [([{zero: base**e}], need[e]) for e in range(top + 1)]
 
     def solve(self) -> FourierFlow:
         """All degrees, and the way back from eta to delta."""
