@@ -59,12 +59,15 @@ class Remainder:
 
     def constant(self, d: arb) -> arb:
         """C at |delta| = d; it grows with d."""
+        known = sum((c * d**k for k, c in enumerate(self.coefficients)), arb(0))
+        return (known + self.beyond(d, self.power + len(self.coefficients)) / d**self.power).upper()
+
+    def beyond(self, d: arb, first: int) -> arb:
+        """Cauchy's bound of all terms from the degree ``first`` on: M x^first/(1 - x), x = d/radius."""
         x = d / self.radius
         if not x < 1:
             raise UndecidedError("delta is outside the polydisc on which the expansion is bounded")
-        known = sum((c * d**k for k, c in enumerate(self.coefficients)), arb(0))
-        last = self.power + len(self.coefficients)
-        return (known + self.cauchy * x**last / (1 - x) / (d**self.power)).upper()
+        return self.cauchy * x**first / (1 - x)
 
     def largest_term(self, d: arb) -> arb:
         """The largest of the terms c_k d^(k-m) that are known."""

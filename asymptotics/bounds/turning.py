@@ -19,8 +19,8 @@ epsilon_i <= delta_max.  With C_A, C_T, a, b of ``local`` (derivation ``expansio
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> quadratic = turning_bounds([parse_real("2", "--alpha")], 3, [arb(1) / 10])
->>> [quadratic.log_amplitude(n).str(2, radius=False) for n in (1, 10, 10**9)]
-['1.6e-7', '2.4e-7', '8.4e-14']
+>>> [quadratic.log_amplitude(n).str(2, radius=False) for n in (1, 10, 10**9, None)]         # None: for all n at once
+['1.6e-7', '2.4e-7', '8.4e-14', '4.0e-7']
 """
 
 from collections.abc import Sequence
@@ -49,42 +49,43 @@ class TurningBounds:
     fading: arb
     B: arb
 
-    def log_amplitude(self, n: int) -> arb:
-        """A bound of |ln A_n - ln A^_n|."""
+    def log_amplitude(self, n: int | None) -> arb:
+        """A bound of |ln A_n - ln A^_n|; None: for all n at once, infinite where a linear term makes it grow."""
         with ctx.workprec(BITS):
             plain = self._crude(n)
-            if not (self.fading > 0 and self.g > 0):
+            if n is None or not (self.fading > 0 and self.g > 0):
                 return plain
             q = self.fading * (-self.slowest * plain).exp() / self.G
             a = self.local.amplitude.power
             ratio = self.G / self.g * (1 + self.g * self.delta) / (1 / self.delta + self.G * n)
             return min(plain, (self.C_A * ratio**q * self._sum(a - q, n)).upper(), key=float)
 
-    def time(self, n: int) -> arb:
-        """A bound of |tau_n - tau^_n|."""
+    def time(self, n: int | None) -> arb:
+        """A bound of |tau_n - tau^_n|; None as in ``log_amplitude``."""
         with ctx.workprec(BITS):
             e = self.fastest * self._crude(n)
             late = self.B * e * (2 * e).exp() * self._sum(arb(2), n)
             return (self.C_T * self._sum(arb(self.local.duration.power), n) + late).upper()
 
-    def phase(self, n: int) -> arb:
-        """A bound of |psi^(tau_n) - n pi|: the phase that order N gives to the true turning point."""
+    def phase(self, n: int | None) -> arb:
+        """A bound of |psi^(tau_n) - n pi|: the phase that order N gives to the true turning point; None as above."""
         with ctx.workprec(BITS):
             Omega = _value(self.local.flow.Omega.truncate(self.local.order), self.delta)
             return (self.time(n) * (1 + Omega)).upper()
 
-    def _crude(self, n: int) -> arb:
-        return (self.C_A * self._sum(arb(self.local.amplitude.power), n)).upper()
+    def _crude(self, n: int | None) -> arb:
+        return arb((self.C_A * self._sum(arb(self.local.amplitude.power), n)).upper())
 
-    def _sum(self, m: arb, n: int) -> arb:
-        """A bound of the sum of |delta^_j|^m over j < n."""
+    def _sum(self, m: arb, n: int | None) -> arb:
+        """A bound of the sum of |delta^_j|^m over j < n, over all j for None."""
         if n == 0:
             return arb(0)
-        plain = (n * self.delta**m).upper()
+        plain = arb.pos_inf() if n is None else arb((n * self.delta**m).upper())
         Y = 1 / self.delta
         if not (self.g > 0 and self.g / 2 < Y):
             return plain
-        whole = ((Y - self.g / 2) ** (1 - m) - (Y + self.g * (n - arb(1) / 2)) ** (1 - m)) / ((m - 1) * self.g)
+        late = arb(0) if n is None else (Y + self.g * (n - arb(1) / 2)) ** (1 - m)
+        whole = ((Y - self.g / 2) ** (1 - m) - late) / ((m - 1) * self.g)
         return min(plain, whole.upper(), key=float)
 
 
@@ -111,7 +112,7 @@ def turning_bounds(alphas: Sequence[ExactReal], order: int, epsilons: Sequence[a
         fading = arb(0)
         if len(alphas) == 1 and slowest > 0:
             fading = (slowest * _steepness(local, delta)).lower()
-        B = _sensitivity(local, delta)
+        B = sensitivity(local, delta)
     return TurningBounds(local, delta, C_A, C_T, slowest, fastest, arb(g), arb(G), arb(fading), B)
 
 
@@ -134,7 +135,7 @@ def _steepness(local: LocalBounds, delta: arb) -> arb:
     )
 
 
-def _sensitivity(local: LocalBounds, delta: arb) -> arb:
+def sensitivity(local: LocalBounds, delta: arb) -> arb:
     """A bound of sum_i |delta_i d T/d delta_i|/|delta|^2 for |delta| <= ``delta``."""
     T = local.half.T.without_constant()
     known = sum((abs(c) * sum(k) * delta ** (sum(k) - 2) for k, c in T.coefficients.items() if sum(k) > 1), arb(0))

@@ -64,8 +64,13 @@ def test_the_errors_are_bounded_for_all_time():
     assert bounds.log_amplitude(10**18) < bounds.log_amplitude(100)
     assert bounds.time(10**18) < 2 * bounds.time(100)
     assert bounds.phase(5) <= bounds.time(5) * 2
+    for bound in (bounds.log_amplitude, bounds.time, bounds.phase):
+        assert all(bound(n) <= bound(None) for n in (1, 10, 1000, 10**18))
+        assert bound(None) < 3 * max((bound(n) for n in (3, 10, 30, 100)), key=float)
     linear = turning_bounds(reals("1", "2"), 1, [arb("0.01"), arb("0.01")])
     assert linear.log_amplitude(1000) > 900 * linear.log_amplitude(1)  # a linear term: in proportion to n
+    assert not linear.log_amplitude(None).is_finite()
+    assert linear.log_amplitude(None) > 10**300
 
 
 def test_what_the_theorem_does_not_cover_is_refused():
