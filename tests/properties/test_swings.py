@@ -12,6 +12,8 @@ from asymptotics.swing.damping import Damping
 from asymptotics.swing.passage import Passage, integrated
 from asymptotics.testing import strategies
 
+LONGER = max(1, settings().max_examples // 80)  # the nightly profile draws more
+
 BITS = 60
 laws = strategies.laws(2, strategies.exponents(high=3), strategies.strengths("1/50", "3/2"))
 sizes = st.fractions(Fraction(1, 4), 2, max_denominator=16)
@@ -41,7 +43,7 @@ def turning(law: Law, p: Fraction) -> Passage:
     return found
 
 
-@settings(max_examples=25)
+@settings(max_examples=25 * LONGER)
 @given(laws, sizes, sizes)
 def test_two_motions_never_part(law, p, other):
     """|q - q'| <= |p - p'|, for every nondecreasing law, friction included."""
@@ -50,7 +52,7 @@ def test_two_motions_never_part(law, p, other):
         assert not abs(a.amplitude * ball(p) - b.amplitude * ball(other)) > abs(ball(p - other)) + arb("1e-12")
 
 
-@settings(max_examples=25)
+@settings(max_examples=25 * LONGER)
 @given(laws, sizes)
 def test_one_law_more_takes_more(law, p):
     """A further loss lowers the next amplitude: q falls strictly, by any exponent."""
@@ -58,7 +60,7 @@ def test_one_law_more_takes_more(law, p):
     assert turning(more, p).amplitude < turning(law, p).amplitude < 1
 
 
-@settings(max_examples=25)
+@settings(max_examples=25 * LONGER)
 @given(laws, st.sampled_from([Fraction(2), Fraction(1, 4)]))
 def test_a_unit_of_length_changes_nothing(law, scale):
     """From p in a unit of length c the strengths are epsilon c^(1 - alpha): the ratio q/p and the time stay."""
@@ -69,7 +71,7 @@ def test_a_unit_of_length_changes_nothing(law, scale):
     assert there.amplitude.rad() < 1e-10
 
 
-@settings(max_examples=25)
+@settings(max_examples=25 * LONGER)
 @given(laws, st.integers(20, 60))
 def test_few_bits_contain_what_many_bits_say(law, bits):
     found = turning(law, Fraction(1))
