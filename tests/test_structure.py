@@ -31,6 +31,7 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "equations",
     "multiscale",
     "swing",
+    "wells",
     "turning",
     "envelopes",
     "motions",

@@ -23,7 +23,7 @@ from asymptotics.limit_cycles.result import limit_cycle as of_law
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.normal_form.results import HalfSwingCoefficients
 from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
-from asymptotics.turning.half_swing import half_swing_result
+from asymptotics.turning.half_swing import half_swing_of_terms
 
 MAX_ORDER, MAX_DIGITS = 200, 1000
 
@@ -46,7 +46,7 @@ def half_swing(
         raise InputError("exact", "cannot be combined with delta", "delta alone: certified digits")
     given = delta if isinstance(delta, list | tuple) else [delta]
     notes = (*notes, *(note for d in given for note in float_notes(delta=d)))
-    at = half_swing_result(Law.from_terms(terms).alphas, [exact_number(d, "delta") for d in given], D)
+    at = half_swing_of_terms(terms, [exact_number(d, "delta") for d in given], D)
     return replace(at, notes=notes)
 
 

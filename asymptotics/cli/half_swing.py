@@ -7,10 +7,11 @@ asymptotics half-swing --alpha 3/2 --order 6 --digits 40
 asymptotics half-swing --alpha 3/2 --spring 3 --order 4
 
 With --delta, the numbers at that local strength instead: A'/A, L and T, certified, with the enclosure, the route, the
-number of terms and the tail; a sum takes one strength for each law.
+number of terms and the tail; a sum takes one strength for each law, then one for each spring (A^2 for a pendulum).
 
 asymptotics half-swing --alpha 3/2 --delta 1/5 --digits 30
 asymptotics half-swing --law 1 --law 2 --delta 1/50,1/40
+asymptotics half-swing --alpha 3/2 --spring pendulum --delta 1/10,4
 """
 
 import argparse
@@ -21,7 +22,7 @@ from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.errors import InputError
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.numbers.exact import parse_integer, parse_real
-from asymptotics.turning.half_swing import half_swing_result
+from asymptotics.turning.half_swing import half_swing_of_terms
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -29,7 +30,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_forces(parser)
     parser.add_argument("--order", default="4", metavar="N", help=f"the highest power of delta, 1 to {MAX_ORDER}")
     parser.add_argument("--exact", action="store_true", help="demand exact coefficients (integer exponents)")
-    text = "the number at this local strength instead of the series; a sum: D_1,D_2,... in the order of the laws"
+    text = "the number at this local strength instead of the series; a sum: D_1,D_2,... laws, then springs"
     parser.add_argument("--delta", metavar="D", help=text)
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
@@ -58,12 +59,8 @@ def _at(options: argparse.Namespace, given: GivenTerms) -> Answer:
     """The half-swing at a given strength."""
     if options.exact:
         raise InputError("--exact", "cannot be combined with --delta", "--delta alone: certified digits")
-    other = next((t for t in given.terms if not t.is_power_of_velocity), None)
-    if other is not None:
-        option = "--law" if other.sign < 0 else "--spring"
-        raise InputError(option, f"{other.shape()} has no proved tail of its series", "--delta with --law A, no spring")
     delta = [parse_real(text, "--delta") for text in options.delta.split(",")]
-    found = half_swing_result([t.velocity for t in given.terms], delta, read_digits(options, MAX_DIGITS))
+    found = half_swing_of_terms(given.terms, delta, read_digits(options, MAX_DIGITS))
     names = {"A'/A": "amplitude", "L": "log_ratio", "T": "duration"}
     lines = [f"{shown:5} {getattr(found, name)}" for shown, name in names.items()]
     lines.append(f"certified: {str(found.certified).lower()} ({found.route}, {found.terms} terms, tail {found.tail})")

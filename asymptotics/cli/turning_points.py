@@ -7,10 +7,11 @@
   asymptotics turning-points --law 2:1/10 --spring pendulum --x0 2.967 --count 10
 
 X'' + X + sum_i epsilon_i X'|X'|^(alpha_i-1) = 0 starts from rest at X(0) = 1, which is turning point 0.  All digits are
-proved, whatever the law.  `ended` tells the last turning point there is, and why: sticks, creeps or overdamped.
+proved, whatever the law.  `ended` tells the last turning point there is, and why: sticks, creeps, overdamped, rotates
+or escapes.
 
-With --spring (quadratic drag and dry friction, in any combination) the motion starts at rest at X(0) = x0 inside the
-well, and x is in the units in which the strengths are given: rad for a pendulum.
+With --spring, or a loss --law A,M:E that depends on the place, the motion starts at X(0) = x0 inside the well, and from
+rest x is in the units in which the strengths are given: rad for a pendulum.
 """
 
 import argparse
@@ -72,3 +73,4 @@ def _text(result: TurningPoints) -> str:
 
 
 _WORDS = {"sticks": "sticks there", "creeps": "creeps from there on", "overdamped": "is overdamped"}
+_WORDS |= {"rotates": "goes over the top and rotates", "escapes": "leaves its well and escapes"}

@@ -29,6 +29,7 @@ _TRIES, _GUARD = 3, 32
 class HalfSwingAt:
     """A'/A (``amplitude``), L = ln(A'/A) (``log_ratio``) and the duration T of one half-swing, in units of 1/omega_0.
 
+    ``forces``: the terms in words where one of them is a spring or depends on the place, in the order of ``delta``.
     ``enclosures``: for each of the three a pair of decimals that hold the number between them; ``terms``: the order of
     the series (or what the route counts); ``tail``: the bound of what was cut off in L, rounded up.
     """
@@ -44,6 +45,7 @@ class HalfSwingAt:
     terms: int
     tail: str
     certified: bool = True
+    forces: tuple[str, ...] = ()
     notes: tuple[str, ...] = field(default=(), compare=False)
 
     def to_dict(self) -> dict[str, Any]:
@@ -55,12 +57,15 @@ class HalfSwingAt:
             "delta": self.delta[0] if one else list(self.delta),
         }
         rest = {"route": self.route, "terms": self.terms, "tail": self.tail, "certified": self.certified}
-        return {**head, "digits": self.digits, **numbers, **rest}
+        named = {"forces": list(self.forces)} if self.forces else {}
+        return {**head, **named, "digits": self.digits, **numbers, **rest}
 
     def __repr__(self) -> str:
         law, strength = ", ".join(self.alphas), ", ".join(self.delta)
         status = "certified" if self.certified else "not certified"
         numbers = f"A'/A = {self.amplitude}, T = {self.duration} ({status})"
+        if self.forces:
+            return f"half-swing of {', '.join(self.forces)} at delta = {strength}: {numbers}"
         return f"half-swing of alpha = {law} at delta = {strength}: {numbers}"
 
     def _repr_latex_(self) -> str:

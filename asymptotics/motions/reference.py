@@ -3,6 +3,7 @@
 * One law with alpha = 0 or 1, alpha = 2 from rest, and no damping at all have closed forms or a quadrature.
 * Every other law is enclosed half-swing by half-swing (``swing``): the sign of v is fixed inside, the branch point at
   v = 0 is removed by a local expansion, and two motions never part, so the errors of the pieces only add.
+* Beside a spring or with losses that depend on the place two motions may part, at a rate that is bounded (``wells``).
 
 Against a naive |v|, measured: heyoka without an event is wrong in the third digit, mpmath.odefun in the fourth.
 
@@ -32,8 +33,13 @@ from asymptotics.numbers.policy import Number
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
 from asymptotics.swing.taylor import GUARD
+from asymptotics.wells.dense import states as states_in_well
+from asymptotics.wells.ends import require_inside
+from asymptotics.wells.force import Force
+from asymptotics.wells.force import estimated_seconds as estimated_in_well
 
 METHOD = "reference: half-swing by half-swing, local expansions and Taylor steps in balls"
+IN_WELL = "reference: half-swing by half-swing in the well, local expansions and Taylor steps in balls"
 MAX_DIGITS = 1000
 _TRIES = 6
 
@@ -55,12 +61,11 @@ def reference_motion(
 ) -> MotionPoint:  # fmt: skip
     """x and v at the time t >= 0, correctly rounded; ``static``: a static friction force (alpha = 0).
 
-    InputError for t < 0 or anti-damping, LimitError for more work than ``max_seconds``, UndecidedError where balls
-    cannot tell how the motion goes on.
+    InputError for t < 0, anti-damping, a start outside the well or a motion that leaves it, LimitError for more work
+    than ``max_seconds``, UndecidedError where balls cannot tell how the motion goes on.
     """
     moment = time_of(t)
     oscillator.law.require_dissipative("reference motion to rest")
-    oscillator.law.require_pure("this reference motion")
     require_integer(digits, "digits", 1, MAX_DIGITS)
     with budget(max_seconds):
         exact = _exact(oscillator, moment, digits, static)
@@ -70,7 +75,8 @@ def reference_motion(
             raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0, b > 0")
         found = _decimals(oscillator, moment, digits)
     x, v = found
-    return MotionPoint(x, v, None, None, None, None, METHOD, half_unit(x, digits), True, oscillator.law.notes)
+    method = METHOD if oscillator.law.is_pure else IN_WELL
+    return MotionPoint(x, v, None, None, None, None, method, half_unit(x, digits), True, oscillator.law.notes)
 
 
 def reference_states(
@@ -82,7 +88,6 @@ def reference_states(
     ``reference_motion``.
     """
     oscillator.law.require_dissipative("reference motion to rest")
-    oscillator.law.require_pure("this reference motion")
     with budget(max_seconds):
         bits, reason = bits_for(digits, 28), ""
         for _ in range(_TRIES):
@@ -124,7 +129,8 @@ def _decimals(oscillator: Oscillator, t: ExactReal, digits: int) -> tuple[str, s
 def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> list[State]:
     """(x, v) in SI units at the times, in their order, at one precision."""
     with ctx.workprec(bits + GUARD):
-        damping = Damping.of_law(oscillator.dimensionless)
+        law = oscillator.dimensionless
+        acting = Damping.of_law(law) if law.is_pure else Force.of(law.terms)
         omega, length = oscillator.omega_0(), oscillator.length()
         X, V = oscillator.x0.ball() / length, oscillator.v0.ball() / (omega * length)
         if oscillator.v0.is_zero:
@@ -132,7 +138,12 @@ def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> li
         taus = [t.ball() * omega for t in times]
     order = sorted(range(len(times)), key=lambda i: _Ascending(taus[i].mid()))
     with ctx.workprec(bits):
-        found = states(damping, X, V, [taus[i] for i in order])
+        ascending = [taus[i] for i in order]
+        if isinstance(acting, Force):
+            require_inside(acting, X, str(oscillator.x0))
+            found = states_in_well(acting, X, V, ascending)
+        else:
+            found = states(acting, X, V, ascending)
         scaled = [(x * length, v * length * omega) for x, v in found]
     back = dict(zip(order, scaled))
     start = oscillator.x0.ball(), oscillator.v0.ball()
@@ -151,7 +162,7 @@ class _Ascending:
 
 def _exact(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | None) -> MotionPoint | None:
     acting = tuple(term for term in oscillator.law.terms if term.strength.sign > 0)
-    if len(acting) > 1 or (acting and not acting[0].velocity.is_rational):
+    if not oscillator.law.is_pure or len(acting) > 1 or (acting and not acting[0].velocity.is_rational):
         return None
     law = PhysicalLaw.from_terms(acting or oscillator.law.terms[:1], oscillator.law.notes)
     alone = oscillator.with_law(law)
@@ -171,6 +182,8 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     """The expected time, good to a factor of about three for weak damping; stiff motions have their own limit."""
     with ctx.workprec(64):
         swings = float((t.ball() * oscillator.omega_0() / arb.pi()).mid()) + 1
+    if not oscillator.law.is_pure:
+        return estimated_in_well(Force.of(oscillator.dimensionless.terms), swings, bits_for(digits, 48))
     apart = 1 + sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
     terms = len(oscillator.law.terms)
     seconds: float = swings * 0.035 * (bits_for(digits, 48) / 150) ** 2.2 * apart * (0.6 + 0.4 * terms)

@@ -54,16 +54,17 @@ def plan_for(
     alphas: tuple[float, ...],
     bits: int,
     speed: float | None = None,
+    shared: bool = True,
 ) -> Plan:
     """The cheapest plan for delta_i up to 2^ln2_delta, with the hand-over speed 2^``speed`` if it is given.
 
-    LimitError where every plan needs too many terms.
+    ``shared``: whether the coefficients of a simplex are those of all strengths (``rows``).  LimitError where every plan needs too many terms.
     """
     edge = _edge(ln2_delta, alphas)
     best, cost, most = None, inf, MAX_KEYS if speed is None else 2 * MAX_KEYS
     for omega in [edge - h for h in _HALVINGS] if speed is None else [speed]:
         for plan in (_line(omega, ln2_delta, rational, alphas, bits), _simplex(omega, ln2_delta, alphas, bits, most)):
-            if plan is not None and (total := _microseconds(plan, bits, alphas)) < cost:
+            if plan is not None and (total := _microseconds(plan, bits, alphas, shared)) < cost:
                 best, cost = plan, total
     if best is None:
         shown = ", ".join(f"{a:.6g}" for a in alphas)
@@ -143,7 +144,7 @@ def sums_below(count: int, parts: tuple[int, ...]) -> list[bool]:
     return reached
 
 
-def _microseconds(plan: Plan, bits: int, alphas: tuple[float, ...]) -> float:
+def _microseconds(plan: Plan, bits: int, alphas: tuple[float, ...], shared: bool) -> float:
     """A rough cost of a half-swing's two ends and of the Taylor steps that a small omega adds."""
     order, q, terms = 0.42 * bits + 6, plan.denominator, plan.count
     step = 150 + 0.1 * order**2 * (1 + len(alphas)) * (1 + bits / 500)
@@ -151,6 +152,8 @@ def _microseconds(plan: Plan, bits: int, alphas: tuple[float, ...]) -> float:
         parts = (2 * q, *(round(a * q) for a in alphas))
         terms = min(plan.count // gcd(*parts), int(prod(plan.count / p + 1 for p in parts) / factorial(len(parts))))
         ends = 3.5 * (0.1 * terms**2 * (1 + bits / 500) + 5 * terms + plan.count)
+    elif not shared:
+        ends = 3.5 * (0.3 * terms**2 * (1 + bits / 500) + 8 * terms)
     else:
         ends = _ALONE * (0.025 * terms**2 * (1 + bits / 500) + 8 * terms) + 4 * (20 + 0.3 * terms)
     return ends + 2 * 8.8 * _LN2 * max(0.0, -1 - plan.omega) * step

@@ -8,6 +8,7 @@
 ``quadratic_abel``      the Abel function from the exact coefficients
 ``abel``, ``far``       any alpha > 1: the n-th turning point for any n, with a rigorous bound of the truncated series
 ``drag_exact``          quadratic drag and dry friction beside any spring, such as a pendulum in air
+``any_well``            any spring, pendulum or loss that depends on the place, from rest or in motion
 ``quadratic_large``     the half period for large amplitudes
 ``half_swing``          one half-swing at any strength as a result object
 ``routes``              by pieces, by the series or by one jump: the cheapest of the certified ways

@@ -65,7 +65,7 @@ class Well:
             else:
                 known = "alpha = 0 and 2 with springs c x|x|^(P-1) or a pendulum; expand takes every force"
                 raise InputError("law", f"{t.shape()}: with a nonlinear spring there is no exact swing", known)
-        _require_one_branch(law, rate is not None)
+        _require_one_branch(law)
         return cls(tuple(springs), rate, dry, drag)
 
     def force(self, x: arb) -> arb:
@@ -96,15 +96,27 @@ class Well:
         return total
 
 
-def _require_one_branch(law: Law, pendulum: bool) -> None:
+def drag_serves(law: Law) -> bool:
+    """Whether these forces have their closed primitive, on one branch."""
+    springs = all(t.family or t.velocity.is_zero for t in law.springs)
+    losses = all(t.is_power_of_velocity and (t.velocity == 2 or t.velocity.is_zero) for t in law.losses)
+    return bool(law.springs) and springs and losses and not _has_two_branches(law)
+
+
+def _has_two_branches(law: Law) -> bool:
+    pendulum = any(t.family for t in law.springs)
+    signs = {t.strength.sign for t in law.springs if not t.family} | ({-1} if pendulum else set())
+    dry = any(t.velocity.is_zero and t.strength.sign > 0 for t in law.losses)
+    return dry and {-1, 1} <= signs
+
+
+def _require_one_branch(law: Law) -> None:
     """InputError for dry friction in a well whose force may cross eps_0 more than once on the way to the centre.
 
     V' with V'(0) = 0 is convex if all c >= 0 without a pendulum, and concave (up to x = pi) if all c <= 0: V' > eps_0
     then holds exactly from one place on.
     """
-    signs = {t.strength.sign for t in law.springs if not t.family} | ({-1} if pendulum else set())
-    dry = any(t.velocity.is_zero and t.strength.sign > 0 for t in law.losses)
-    if dry and {-1, 1} <= signs:
+    if _has_two_branches(law):
         raise InputError("spring", "dry friction with springs of both signs is undecided", "springs of one sign")
 
 

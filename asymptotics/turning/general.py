@@ -1,13 +1,14 @@
 """Turning points for any alpha >= 0 and any sum of laws, certified: every digit is correctly rounded and proved to be.
 
 ``turning_points`` chooses: one law with alpha = 0, 1 or 2 has its closed form or its Lambert W map; every other law is
-enclosed half-swing by half-swing (``swing``).  ``method`` names the route.
+enclosed half-swing by half-swing (``swing``, beside springs ``wells``).  ``method`` names the route.
 
 ``ended`` names the last turning point if the sequence has ended before or at the last number asked for:
 
 ``sticks``      dry friction holds the mass there;
 ``creeps``      some alpha < 1: the mass approaches its place of rest without passing it (derivation ``creep``);
-``overdamped``  linear damping with epsilon >= 2.
+``overdamped``  linear damping with epsilon >= 2;
+``rotates``, ``escapes``  the start has the energy to leave the well, and does.
 
 For alpha > 1 alone the sequence never ends, however strong the damping (derivation ``no-overdamping``).
 
@@ -31,8 +32,9 @@ from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.swing.sequence import Turning
+from asymptotics.turning.any_well import well_turning_points
 from asymptotics.turning.coulomb import coulomb_turning_points
-from asymptotics.turning.drag_exact import drag_turning_points
+from asymptotics.turning.drag_exact import drag_serves, drag_turning_points
 from asymptotics.turning.kicked import kicked_turning_points
 from asymptotics.turning.linear import linear_turning_points
 from asymptotics.turning.quadratic import TurningPoint, TurningPoints, quadratic_serves, quadratic_turning_points
@@ -59,7 +61,8 @@ def turning_points(
 ) -> TurningPoints:
     """Turning points n = start ... start + count - 1 as far as they exist, for the strengths epsilon_i of ``law``.
 
-    With springs: quadratic drag and dry friction, from rest at ``x0`` in the units of the strengths (``drag_exact``).
+    With springs or losses that depend on the place the start is at ``x0`` in the units of the strengths: quadratic drag
+    and dry friction from rest by their closed primitive (``drag_exact``), everything else by ``any_well``.
     With ``v0`` (dimensionless, as ``x0``) the start is in motion: n = 0 is the first turning point, see ``kicked``.
     ``progress`` is called with the number of points finished.  Raises InputError for a negative strength, LimitError
     for more work than the stated limits or ``max_seconds``, UndecidedError where balls cannot tell how it goes on.
@@ -72,13 +75,11 @@ def turning_points(
     law = Law.read(law)
     law.require_dissipative("a sequence of turning points to rest")
     place, speed = exact_number(x0, "x0"), exact_number(v0, "v0")
-    if law.springs:
-        if times or not speed.is_zero:
-            name = "times" if times else "v0"
-            raise InputError(name, "beside a nonlinear spring the places are known, from rest", "places from rest")
+    if not law.is_pure:
         with budget(max_seconds):
-            return drag_turning_points(law, place, count, digits, start=start, progress=finished)
-    law.require_pure("this sequence of turning points")
+            if drag_serves(law) and not times and speed.is_zero:
+                return drag_turning_points(law, place, count, digits, start=start, progress=finished)
+            return well_turning_points(law, place, speed, count, digits, start=start, times=times, progress=finished)
     acting = [t for t in law.terms if t.strength.sign > 0] or [law.terms[0]]
     epsilon, velocity = acting[0].strength, acting[0].velocity
     if speed.is_zero and str(place) != "1":

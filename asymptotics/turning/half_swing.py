@@ -1,5 +1,5 @@
 """One half-swing at any strength as a result object: by the series of the quarter-swing where delta is small, else by
-local expansions and Taylor steps; both are enclosures.
+local expansions and Taylor steps; both are enclosures.  Beside a spring, always by pieces.
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> strong = half_swing_result([parse_real("3", "--alpha")], [parse_real("5", "--delta")], 12)
@@ -10,8 +10,9 @@ local expansions and Taylor steps; both are enclosures.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from flint import arb
+from flint import arb, ctx
 
 from asymptotics.errors import InputError, LimitError
 from asymptotics.half_swings.finite import SwingValue, finite_quarter, series_reach
@@ -19,7 +20,12 @@ from asymptotics.half_swings.finite_result import HalfSwingAt, certified_swing, 
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import CREEPS, OVERDAMPED, STICKS
-from asymptotics.swing.passage import integrated
+from asymptotics.swing.passage import INTEGRATED, integrated
+from asymptotics.swing.taylor import GUARD
+from asymptotics.terms import Term
+from asymptotics.wells.ends import inside
+from asymptotics.wells.force import Force
+from asymptotics.wells.sequence import half_swing
 
 MAX_DELTA = 1000
 CHEAP_ORDER = 24
@@ -48,3 +54,45 @@ def half_swing_result(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], d
         return SwingValue(found.amplitude.log(), found.amplitude, found.duration, found.route, found.terms, found.tail)
 
     return certified_swing(alphas, delta, digits, evaluate)
+
+
+def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digits: int = 30) -> HalfSwingAt:
+    """The half-swing under any terms, springs and losses that depend on the place included, at the strengths delta_i.
+
+    delta_i = epsilon_i A^(degree - 1), and A^2 for a pendulum; that of a spring may be negative.  InputError as
+    ``half_swing_result``, and for an amplitude outside the well or a spring that depends on the velocity.
+
+    >>> from asymptotics.law import Law
+    >>> numbers = [ExactReal(1) / 10, ExactReal(4)]
+    >>> half_swing_of_terms(Law({"3/2": 1}, spring="pendulum").terms, numbers, 12).amplitude
+    '0.821261485993'
+    """
+    if all(t.is_power_of_velocity for t in terms):
+        return half_swing_result([t.velocity for t in terms], delta, digits)
+    _require_in_range(terms, delta)
+
+    def evaluate(bits: int) -> SwingValue:
+        with ctx.workprec(bits + GUARD):
+            force = Force.of(terms, [d.ball() for d in delta])
+        if inside(force, arb(1)) is not True:
+            raise InputError("delta", "the amplitude lies outside the well, where V' > 0 fails", "a smaller amplitude")
+        found, pieces = half_swing(force, arb(1))
+        if isinstance(found, str) or not found.amplitude > found.amplitude_error:
+            how = _ENDS[found] if isinstance(found, str) else "stops before the centre"
+            raise InputError("delta", f"no turning point follows: the motion {how}", "a smaller delta")
+        q, T = arb(found.amplitude, found.amplitude_error), arb(found.time, found.time_error)
+        return SwingValue(q.log(), q, T, INTEGRATED, pieces, found.amplitude_error)
+
+    losses = [t.velocity for t in terms if t.sign < 0]
+    made = certified_swing(losses, delta, digits, evaluate)
+    return replace(made, forces=tuple(t.shape() for t in terms))
+
+
+def _require_in_range(terms: Sequence[Term], delta: Sequence[ExactReal]) -> None:
+    if len(delta) != len(terms):
+        raise InputError("delta", f"{len(delta)} strengths for {len(terms)} forces", "one strength for each force")
+    for t, d in zip(terms, delta, strict=True):
+        if (t.sign < 0 or t.family) and d < 0:
+            raise InputError("delta", f"{d} is negative for {t.shape()}", "strengths >= 0 of losses and pendulums")
+        if abs(d) > MAX_DELTA:
+            raise LimitError("delta", f"{d} is out of range: the motion is too stiff", f"strengths up to {MAX_DELTA}")

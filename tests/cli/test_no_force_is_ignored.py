@@ -58,6 +58,38 @@ def test_a_force_changes_the_answer_or_is_refused(name, force, capsys):
     assert numbers(found) != numbers(plain)
 
 
+SERVED = {
+    "turning-points": "--law 3/2:1/10 --count 2 --times --digits 12",
+    "turning-points-v0": "--law 3/2:1/10 --v0 1/2 --count 2 --times --digits 12",
+    "motion": f"--law 3/2:1/10 {START} --time 7 --reference --digits 12",
+    "motion-v0": "--law 3/2:1/10 --x0 1/2 --v0 1/2 --time 7 --reference --digits 12",
+    "half-swing": "--law 3/2 --delta 1/10,1/5 --digits 12",
+}
+WELLS = {
+    "spring": ["--spring", "3:1/10"], "soft": ["--spring", "3:-1/10"], "kinked": ["--spring", "2:1/10"],
+    "pendulum": ["--spring", "pendulum"], "position": ["--law", "1,2:1/10"], "hysteretic": ["--law", "0,1:1/10"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("force", WELLS)
+@pytest.mark.parametrize("name", SERVED)
+def test_at_finite_strength_every_force_of_the_place_is_served_and_certified(name, force, capsys):
+    """Not merely refused: the answer is there, certified, and another one than without the force."""
+    command = next(c for c in sorted(COMMANDS, key=len, reverse=True) if name.startswith(c))
+    arguments = [command, *SERVED[name].split()]
+    code, found = answer([*arguments, *WELLS[force]], capsys)
+    assert code == 0 and found["certified"] is True, found
+    _, plain = answer([a.removesuffix(",1/5") for a in arguments], capsys)
+    assert numbers(found) != numbers(plain)
+
+
+def test_a_spring_that_depends_on_the_velocity_is_refused_by_name(capsys):
+    for name, text in SERVED.items():
+        command = name.removesuffix("-v0")
+        code, said = answer([command, *text.split(), "--spring", "1,2:1/10"], capsys)
+        assert code == 2 and "depends on the velocity" in said
+
+
 CALLS = {
     "expand": lambda o: asy.expand(o, order=2).p,
     "motion": lambda o: asy.motion(o, order=1).at(7).x,

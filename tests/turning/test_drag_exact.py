@@ -9,6 +9,7 @@ from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import parse_real
+from asymptotics.turning.any_well import METHOD
 from asymptotics.turning.drag_exact import Well, drag_turning_points
 from asymptotics.turning.general import turning_points
 
@@ -97,9 +98,7 @@ def test_dry_friction_holds_where_the_force_is_at_most_the_friction():
         (Law({2: 1}, spring="pendulum"), "3.15", "rotates"),
         (Law({2: 1}, spring={3: -1}), "1", "escapes"),
         (Law({2: 1}, spring={3: -1, 5: "1/8"}), "3", "escapes"),
-        (Law({"3/2": 1}, spring={3: 1}), "1", "no exact swing"),
-        (Law({2: 1, (2, 1): 1}, spring={3: 1}), "1", "no exact swing"),
-        (Law({0: "1/10"}, spring={3: 1, 5: -1}), "1/2", "both signs"),
+        (Law({2: 1}, spring={(3, 2): 1}), "1", "depends on the velocity"),
         (Law({2: 1}, spring="pendulum"), "0", "place of rest"),
         (Law({2: -1}, spring="pendulum"), "1", "negative"),
     ],
@@ -109,9 +108,24 @@ def test_what_cannot_be_taken_is_refused_by_name(law, x0, reason):
         turning_points(law, 3, 10, x0=x0)
 
 
+@pytest.mark.parametrize(
+    ("law", "reason"),
+    [
+        (Law({"3/2": 1}, spring={3: 1}), "no exact swing"),
+        (Law({2: 1, (2, 1): 1}, spring={3: 1}), "no exact swing"),
+        (Law({0: "1/10"}, spring={3: 1, 5: -1}), "both signs"),
+    ],
+)
+def test_what_the_primitive_does_not_know_goes_by_pieces(law, reason):
+    assert turning_points(law, 2, 10, x0="1/2").method == METHOD
+    with pytest.raises(InputError, match=reason):
+        drag_turning_points(law, exact("1/2"), 2, 10)
+
+
 def test_the_command(capsys):
     line = ["turning-points", "--law", "2:1/5", "--spring", "pendulum", "--x0", "2", "--count", "2", "--digits", "10"]
     assert main(line) == 0
     assert "-1.203804096" in capsys.readouterr().out
-    assert main([*line, "--times"]) == 2
+    assert main([*line, "--times"]) == 0
+    assert "3.888542453" in capsys.readouterr().out
     assert main([*line[:6], "4", "--count", "2"]) == 2

@@ -1,0 +1,161 @@
+"""The force on a half-swing in balls: spring, pendulum, dry friction and losses, each with a power of the place.
+
+    G(u, w) = s_0(u) - sum_i epsilon_i |u|^m_i w^alpha_i,    s_0 = pull - grip,
+    pull(u) = u + sum_j c_j u|u|^(p_j-1), with sin(r u)/r in place of u for a pendulum,    grip(u) = sum epsilon |u|^m
+
+(``grip`` are the losses of exponent 0).  Strengths are enclosures at the precision current when the ``Force`` is
+made. On one side of u = 0 everything is a polynomial or a sine of u: ``rest_powers`` and ``loss_factor`` give it.
+
+>>> from asymptotics.law import Law
+>>> air = Force.of(Law({2: "1/10", 0: "1/50"}, spring={3: "1/2"}).terms)
+>>> air.acceleration(arb(1), arb(1)).str(5), air.slope(arb(1), arb(0)).str(5)
+('[1.3800 +/- ...]', '2.5000')
+>>> Force.of(Law({1: 1}, spring="pendulum").terms).pull(arb(-2)).str(5)
+'[-0.90930 +/- ...]'
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from flint import arb
+
+from asymptotics.errors import InputError
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.swing.damping import upper
+from asymptotics.terms import Term
+
+
+@dataclass(frozen=True)
+class Loss:
+    """strength |u|^place w^alpha, alpha > 0."""
+
+    strength: arb
+    place: int
+    alpha: ExactReal
+    exponent: arb
+
+
+@dataclass(frozen=True)
+class Force:
+    """``rate``: r of a pendulum, else None; ``springs``: (c, p); ``grips``: (epsilon, m) of alpha = 0; ``losses``."""
+
+    rate: arb | None
+    springs: tuple[tuple[arb, int], ...]
+    grips: tuple[tuple[arb, int], ...]
+    losses: tuple[Loss, ...]
+
+    @classmethod
+    def of(cls, terms: Sequence[Term], strengths: Sequence[arb] | None = None) -> "Force":
+        """The terms of a dimensionless law, at the current precision; ``strengths`` in place of theirs.
+
+        InputError by name for anti-damping and for a spring that depends on the velocity.
+        """
+        rate, springs, grips, losses = None, [], [], []
+        values = [t.strength.ball() for t in terms] if strengths is None else strengths
+        for t, e in zip(terms, values, strict=True):
+            if t.family:
+                rate = e.sqrt()
+            elif t.sign > 0 and not t.velocity.is_zero:
+                known = "springs C x|x|^(P-1) of the place, or a pendulum; expand takes every force"
+                reason = f"{t.shape()} depends on the velocity: it is not enclosed at finite strength"
+                raise InputError("spring", reason, known)
+            elif t.sign < 0 and t.strength.sign < 0:
+                raise InputError("b", f"{t.strength} is negative: anti-damping has no motion to rest", "b >= 0")
+            elif e != 0:
+                if t.sign > 0:
+                    springs.append((e, t.position))
+                elif t.velocity.is_zero:
+                    grips.append((e, t.position))
+                else:
+                    losses.append(Loss(e, t.position, t.velocity, t.velocity.ball()))
+        return cls(rate, tuple(springs), tuple(grips), tuple(losses))
+
+    @cached_property
+    def kinked(self) -> bool:
+        """Whether the force is not one analytic function on both sides of u = 0."""
+        odd = any(m % 2 for _, m in self.grips) or any(loss.place % 2 for loss in self.losses)
+        return odd or any(p % 2 == 0 for _, p in self.springs)
+
+    @property
+    def alphas(self) -> tuple[ExactReal, ...]:
+        """The exponents of the losses."""
+        return tuple(loss.alpha for loss in self.losses)
+
+    @cached_property
+    def viscous(self) -> arb:
+        """The strength of the loss epsilon w."""
+        none = arb(0)
+        return sum((f.strength for f in self.losses if f.place == 0 and not f.alpha < 1 and not f.alpha > 1), none)
+
+    def pull(self, u: arb) -> arb:
+        """V'(u)."""
+        linear = u if self.rate is None else (self.rate * u).sin() / self.rate
+        return sum((c * u * abs(u) ** (p - 1) for c, p in self.springs), linear)
+
+    def grip(self, u: arb) -> arb:
+        """What dry friction holds at u."""
+        return sum((e * abs(u) ** m for e, m in self.grips), arb(0))
+
+    def rest(self, u: arb) -> arb:
+        """s_0(u): the acceleration from rest towards smaller u."""
+        return self.pull(u) - self.grip(u)
+
+    def drag(self, u: arb, w: arb) -> arb:
+        """sum_i epsilon_i |u|^m_i w^alpha_i for w >= 0 (a ball: at its upper end)."""
+        w = w.upper()
+        if not w > 0 or not self.losses:
+            return arb(0)
+        ln_w = w.log()
+        return sum((f.strength * abs(u) ** f.place * (f.exponent * ln_w).exp() for f in self.losses), arb(0))
+
+    def acceleration(self, u: arb, w: arb) -> arb:
+        """G(u, w) at an exact speed w >= 0."""
+        return self.rest(u) - self.drag(u, w)
+
+    def slope(self, u: arb, w: arb) -> arb:
+        """A ball with all slopes dG/du for u in a ball and speeds up to |w|, the kinks' one-sided slopes included."""
+        total = arb(1) if self.rate is None else (self.rate * u).cos()
+        total = sum((c * p * abs(u) ** (p - 1) for c, p in self.springs), total)
+        side = u.sgn()
+        total -= sum((e * m * abs(u) ** (m - 1) * side for e, m in self.grips if m), arb(0))
+        top = abs(w).upper()
+        if not top > 0:
+            return total
+        ln_w = top.log()
+        for f in self.losses:
+            if f.place:
+                largest = f.strength * f.place * abs(u) ** (f.place - 1) * (f.exponent * ln_w).exp() * side
+                total -= largest.union(arb(0))
+        return total
+
+    def potential(self, u: arb) -> arb:
+        """V(u) with V(0) = 0."""
+        linear = u**2 / 2 if self.rate is None else (1 - (self.rate * u).cos()) / self.rate**2
+        return sum((c * abs(u) ** (p + 1) / (p + 1) for c, p in self.springs), linear)
+
+    def rest_powers(self, side: int) -> list[tuple[arb, int]]:
+        """(coefficient, power of u) of s_0 where u has the sign ``side``, without the sine of a pendulum."""
+        powers = [(c * side ** (p - 1), p) for c, p in self.springs] + [(-e * side**m, m) for e, m in self.grips]
+        return powers if self.rate is not None else [(arb(1), 1), *powers]
+
+    def largest_change(self, u: arb, reach: arb) -> arb:
+        """sum_(k>=1) |s_0^(k)(u)|/k! reach^k term by term: how far s_0 goes within ``reach``, also for complex u."""
+        size = abs(u)
+        wide = size + reach
+        total = sum((abs(c) * (wide**n - size**n) for c, n in self.rest_powers(1)), arb(0))
+        if self.rate is not None:
+            sine, cosine = (self.rate * size).sin_cos()
+            cosh, sinh = (self.rate * reach).cosh(), (self.rate * reach).sinh()
+            total += (abs(sine) * (cosh - 1) + abs(cosine) * sinh) / self.rate
+        return upper(total)
+
+    def largest(self, u: arb, du: arb, w: arb, dw: arb) -> arb:
+        """A bound of |G| on the complex discs |U - u| <= du, |W - w| <= dw < w."""
+        return upper(abs(self.rest(u)) + self.largest_change(u, du) + self.drag(abs(u) + du, w + dw))
+
+
+def estimated_seconds(force: Force, swings: float, bits: int) -> float:
+    """The expected time, good to a factor of about three for weak damping."""
+    apart = 1 + 4 * sum(not (a.is_rational and a.rational.denominator <= 20) for a in force.alphas)
+    return swings * 0.06 * (bits / 130) ** 2 * apart * (0.7 + 0.3 * (len(force.losses) + len(force.springs)))
