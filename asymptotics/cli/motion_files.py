@@ -93,7 +93,7 @@ def _reference(oscillator: Oscillator, time: ExactReal, rows: int, static: str |
         reason = f"a reference motion through {time} s would take about {seconds:.0f} s"
         raise LimitError("--time", reason, f"at most {_MAX_SECONDS:.0f} s of work for files")
     times = [time * Fraction(i, rows) for i in range(rows + 1)]
-    if oscillator.law.integer_alphas == (0,):  # exact, with sticking
+    if oscillator.law.is_pure and oscillator.law.integer_alphas == (0,):  # exact, with sticking
         points = [reference_motion(oscillator, t, _REFERENCE_DIGITS, static=static) for t in times]
         x, v = (np.array([float(Fraction(text)) for text in column]) for column in zip(*((p.x, p.v) for p in points)))
         return np.array([_float(t) for t in times]), x, v

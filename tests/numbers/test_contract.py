@@ -116,7 +116,8 @@ INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.comparison", "asymptotics.testing", "asymptotics.half_swings", "asymptotics.motions.certify",
     "asymptotics.normal_form", "asymptotics.numbers", "asymptotics.swing", "asymptotics.tables",
     "asymptotics.verdict", "asymptotics.cli", "asymptotics.equations", "asymptotics.turning.quadratic_map",
-    "asymptotics.turning.drag_exact", "asymptotics.turning.any_well", "asymptotics.turning.kicked", "asymptotics.turning.half_swing",
+    "asymptotics.turning.drag_exact", "asymptotics.turning.any_well", "asymptotics.turning.kicked",
+    "asymptotics.turning.half_swing",
     "asymptotics.limit_cycles", "asymptotics.bounds",
 }  # fmt: skip
 

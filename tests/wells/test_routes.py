@@ -1,4 +1,4 @@
-"""Half-swings in wells by second routes: elliptic functions, closed primitives, the linear spring, an integrator, series."""
+"""Half-swings in wells by second routes: elliptic functions, primitives, the linear spring, an integrator, series."""
 
 from fractions import Fraction
 
