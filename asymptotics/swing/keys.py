@@ -58,8 +58,9 @@ def plan_for(
 ) -> Plan:
     """The cheapest plan for delta_i up to 2^ln2_delta, with the hand-over speed 2^``speed`` if it is given.
 
-    ``shared``: whether the coefficients of a simplex are those of all strengths (``rows``).  LimitError where every plan
-    needs too many terms.
+    ``shared``: whether the coefficients of a simplex are those of all strengths (``rows``).
+
+    LimitError where every plan needs too many terms.
     """
     edge = _edge(ln2_delta, alphas)
     best, cost, most = None, inf, MAX_KEYS if speed is None else 2 * MAX_KEYS
