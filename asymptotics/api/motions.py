@@ -12,7 +12,7 @@
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, Protocol
@@ -67,6 +67,7 @@ class Motion:
     order: int
     gauge: str
     notes: tuple[str, ...] = field(default=())
+    si: bool = True
 
     def at(self, t: Number, *, digits: Any = None) -> MotionPoint:
         """One time in s; without ``digits`` every value is rounded to the error estimate of x."""
@@ -84,7 +85,7 @@ class Motion:
 
     def sample(self, t: Any) -> MotionSamples:
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
-        return self._motion.sample(times_of(t))
+        return replace(self._motion.sample(times_of(t)), si=self.si)
 
     def sol(self, t: Any) -> Array:
         """The dense solution: array [x, v] at t, as the ``sol`` of SciPy's ``solve_ivp``."""
@@ -110,6 +111,7 @@ class Reference:
     oscillator: Oscillator
     static: Number | None = None
     notes: tuple[str, ...] = field(default=())
+    si: bool = True
 
     def at(self, t: Number, *, digits: Any = 30) -> MotionPoint:
         """One time in s to ``digits`` significant digits; ``certified`` and ``method`` say what they are worth."""
@@ -127,7 +129,7 @@ class Reference:
         x, v = self._values(np.where(missing, 0.0, times).ravel())
         x, v = (np.where(missing, np.nan, values.reshape(times.shape)) for values in (x, v))
         notes = (*self.notes, *([f"NaN times: {missing.sum()}"] if missing.any() else []))
-        return MotionSamples(times, x, v, None, None, None, None, int(missing.sum()), 0, None, notes)
+        return MotionSamples(times, x, v, None, None, None, None, int(missing.sum()), 0, None, notes, self.si)
 
     def sol(self, t: Any) -> Array:
         """The dense solution: array [x, v] at t."""
@@ -175,14 +177,15 @@ def motion(law: Any, *, order: Any = 3, gauge: str = TURNING_POINT) -> Motion:
     oscillator = oscillator_of(law)
     N = exact_integer(order, "order", 1, MAX_ORDER)
     AsymptoticMotion.of(oscillator, N, gauge)
-    return Motion(oscillator, N, gauge, oscillator.notes)
+    return Motion(oscillator, N, gauge, oscillator.notes, isinstance(law, Oscillator))
 
 
 def reference(law: Any, *, static: Number | None = None) -> Reference:
     """The reference motion of an oscillator (SI) or of a law alone; ``static``: a static friction force in N."""
     oscillator = oscillator_of(law)
     oscillator.law.require_dissipative("reference motion to rest")
-    return Reference(oscillator, None if static is None else exact_number(static, "static"), oscillator.notes)
+    force = None if static is None else exact_number(static, "static")
+    return Reference(oscillator, force, oscillator.notes, isinstance(law, Oscillator))
 
 
 def times_of(t: Any) -> Array:

@@ -75,8 +75,12 @@ class OscillatorTurningPoints:
         return f"OscillatorTurningPoints({len(self.points)} points of {self.oscillator}, {self.digits} digits)"
 
     def _repr_latex_(self) -> str:
+        timed = any(p.t is not None for p in self.points)
         rows = r" \\ ".join(f"{p.n} & {p.x}" + ("" if p.t is None else f" & {p.t}") for p in self.points)
-        return rf"$\begin{{array}}{{rll}} n & x_n/\mathrm{{m}} & t_n/\mathrm{{s}} \\ {rows} \end{{array}}$"
+        head, columns = r"n & x_n/\mathrm{m}", "rl"
+        if timed:
+            head, columns = head + r" & t_n/\mathrm{s}", "rll"
+        return rf"$\begin{{array}}{{{columns}}} {head} \\ {rows} \end{{array}}$"
 
 
 def turning_points(

@@ -33,8 +33,9 @@ class Answer:
 
 
 def add_json(parser: argparse.ArgumentParser) -> None:
-    """The option --json."""
+    """The options --json and --quiet."""
     parser.add_argument("--json", action="store_true", help="print JSON (numbers are strings, never floats)")
+    parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
 
 
 def add_digits(parser: argparse.ArgumentParser, high: int, default: str = f"{DEFAULT_DIGITS}") -> None:

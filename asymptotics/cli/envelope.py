@@ -90,7 +90,7 @@ def _text(data: dict[str, Any], given: Given) -> str:
 
 def _table(found: Envelope, given: Given, time: ExactReal | None, options: argparse.Namespace) -> str:
     t, A, phi = _columns(found, time, read_points(options))
-    head = "t (s),amplitude (m),phase (rad)" if given.si else "tau,amplitude,phase"
+    head = "t [s],amplitude [m],phase [rad]" if given.si else "tau,amplitude,phase"
     return "\n".join([head, *(",".join(repr(float(c)) for c in row) for row in zip(t, A, phi))]) + "\n"
 
 
@@ -112,8 +112,8 @@ def _picture(found: Envelope, given: Given, time: ExactReal | None, kind: str) -
         axes.plot(t, A * np.cos(psi), linewidth=0.9, label=r"$A\,\cos(\omega_0 t + \varphi)$")
         for sign in (1, -1):
             axes.plot(t, sign * A, color="#c2410c", label="envelope" if sign > 0 else None)
-        axes.set_xlabel("t (s)" if given.si else r"$\tau$")
-        axes.set_ylabel("x (m)" if given.si else "X")
+        axes.set_xlabel(given.time_label)
+        axes.set_ylabel(f"x{given.label('m')}")
         axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2)
 
     return render(draw, kind=kind)

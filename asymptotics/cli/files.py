@@ -7,7 +7,9 @@
 """
 
 import argparse
-from collections.abc import Callable
+import csv
+import io
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 from asymptotics.errors import InputError
@@ -20,21 +22,38 @@ Makers = dict[str, Callable[[str], str | bytes]]
 
 
 def add_files(parser: argparse.ArgumentParser, what: str, columns: str = "") -> None:
-    """The options --plot, --csv and --points."""
+    """The options --plot, --csv and --points, of a curve."""
     parser.add_argument("--plot", metavar="FILE", help=f"{what}: PNG or SVG")
-    parser.add_argument("--csv", metavar="FILE", help=f"{columns or what}, as a table of columns")
+    add_csv(parser, columns or what)
     text = f"the table has POINTS + 1 rows (1 to {MAX_POINTS}; default {DEFAULT_POINTS})"
     parser.add_argument("--points", metavar="POINTS", help=text)
 
 
+def add_csv(parser: argparse.ArgumentParser, columns: str) -> None:
+    """The option --csv."""
+    parser.add_argument("--csv", metavar="FILE", help=f"{columns}, as a table of columns")
+
+
+def csv_text(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """CSV with a header that carries the units.
+
+    >>> csv_text(["n", "x [m]"], [(0, "0.2"), (1, None)])
+    'n,x [m]\\n0,0.2\\n1,\\n'
+    """
+    stream = io.StringIO()
+    csv.writer(stream, lineterminator="\n").writerows([header, *rows])
+    return stream.getvalue()
+
+
 def read_files(options: argparse.Namespace) -> dict[str, Path]:
     """The files asked for, by option, after proving that each can be written; InputError otherwise."""
-    named = {f"--{name}": getattr(options, name) for name in ("plot", "csv")}
+    named = {f"--{name}": getattr(options, name, None) for name in ("plot", "csv")}
     found = {argument: _file(name, argument) for argument, name in named.items() if name is not None}
     require_different(dict(found))
-    if options.points is not None and "--csv" not in found:
-        raise InputError("--points", "there is no table to give rows to", "--points with --csv")
-    read_points(options)
+    if getattr(options, "points", None) is not None:
+        if "--csv" not in found:
+            raise InputError("--points", "there is no table to give rows to", "--points with --csv")
+        read_points(options)
     return found
 
 

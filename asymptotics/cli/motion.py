@@ -1,11 +1,13 @@
-"""Displacement and velocity at one time, in SI units, for m x'' + k x + sum_i b_i x'|x'|^(alpha_i-1) = 0:
+"""Displacement and velocity at one time, for m x'' + k x + sum_i b_i x'|x'|^(alpha_i-1) = 0:
 
   asymptotics motion --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --time 7
   asymptotics motion --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --time 7 --reference --digits 40
   asymptotics motion --alpha 2 --damping 0.1 --spring 3:0.5 --x0 1 --time 7
+  asymptotics motion --alpha 2 --epsilon 1/10 --time 7
   asymptotics motion --law 0:0.01 --law 2:0.3 --x0 1/5 --v0 -1 --time 10 --order 2 --plot motion.svg --csv motion.csv
 
-The start is x(0) = x0, x'(0) = v0.  --order N (default 3): p_k and Omega_k for k <= N and the waveform through
+The start is x(0) = x0, x'(0) = v0.  Units are SI when a mass, a stiffness, a start or --damping is given; otherwise
+m = k = x0 = 1 and there are none.  --order N (default 3): p_k and Omega_k for k <= N and the waveform through
 delta^(N-1); order 1 is x0 A(t) cos(omega_0 t).  `phase` is psi - omega_0 t, and `error` an estimate from the orders
 N + 1 and N + 2; with --bound, `bound` is a proved bound of |x - x_N| at that time, rounded up.  --reference:
 every digit proved, whatever the law and the start; closed forms where there are any.
@@ -19,11 +21,10 @@ from typing import Any
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
-from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.motion_files import csv_of, picture_of, picture_of_reference
+from asymptotics.cli.quantities import Given, add_oscillator, read_oscillator
 from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES, TURNING_POINT
-from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import MAX_DIGITS as MAX_ASYMPTOTIC_DIGITS
 from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.certify import time_of
@@ -31,21 +32,11 @@ from asymptotics.motions.reference import MAX_DIGITS, reference_motion
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 
-_QUANTITIES = {
-    "mass": ("M", "1", "the mass in kg"),
-    "stiffness": ("K", "1", "the stiffness in N/m"),
-    "x0": ("X", None, "the displacement at t = 0 in m"),
-    "v0": ("V", "0", "the velocity at t = 0 in m/s"),
-    "time": ("T", None, "the time in s, >= 0"),
-}
-
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    add_forces(parser, "damping", "B", "b in N (s/m)^alpha")
-    for name, (letter, default, text) in _QUANTITIES.items():
-        note = "" if default is None else f" (default {default})"
-        parser.add_argument(f"--{name}", required=default is None, default=default, metavar=letter, help=text + note)
+    add_oscillator(parser, springs=True)
+    parser.add_argument("--time", required=True, metavar="T", help="the time in s (or tau), >= 0")
     parser.add_argument("--order", metavar="N", help=f"order of the expansion, 1 to {MAX_ORDER} (default 3)")
     parser.add_argument(
         "--bound", action="store_true", help="with an order: a proved bound of the error of x at that time"
@@ -61,21 +52,23 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    law = read_law(options, "damping")
-    numbers: dict[str, Any] = {name: parse_real(getattr(options, name), f"--{name}") for name in _QUANTITIES}
-    time, digits = time_of(numbers.pop("time")), read_digits(options, MAX_DIGITS)
+    resting = _rests(options)
+    given = read_oscillator(argparse.Namespace(**{**vars(options), **({"x0": "1"} if resting else {})}))
+    oscillator, time, digits = (
+        given.oscillator,
+        time_of(parse_real(options.time, "--time")),
+        read_digits(options, MAX_DIGITS),
+    )
     (order, gauge), seconds = _order_and_gauge(options, digits), read_max_seconds(options)
     files = read_files(options)
-    if not any(numbers[n] < 0 or numbers[n] > 0 for n in ("x0", "v0")):
+    if resting:
         if files:
             raise InputError("--x0", "with x0 = 0 and v0 = 0 nothing moves: nothing to draw", "a start that moves")
-        moving = Oscillator(law, **(numbers | {"x0": 1}))  # the other values are checked all the same
         if options.static is not None:
-            reference_motion(moving, 0, static=options.static)
-        return _answer(_rest(options.reference, order, gauge), options, [], "0" if options.bound else None)
+            reference_motion(oscillator, 0, static=options.static)
+        return _answer(_rest(options.reference, order, gauge), options, given, [], "0" if options.bound else None)
     if files and not time > 0:
         raise InputError("--time", "0 leaves nothing to draw or to tabulate", "a time > 0 with --plot or --csv")
-    oscillator = Oscillator(law, **numbers)
     if options.reference:
         point = reference_motion(oscillator, time, digits, static=options.static, max_seconds=seconds)
     else:
@@ -83,8 +76,15 @@ def run(options: argparse.Namespace) -> Answer:
         if options.digits is None:
             point = point.rounded_to_error()
     proved = proved_bound(oscillator, point.x, time, max_seconds=seconds) if options.bound else None
-    written = write_files(files, _makers(oscillator, time, options, order, gauge))
-    return _answer(point, options, written, proved)
+    written = write_files(files, _makers(given, time, options, order, gauge))
+    return _answer(point, options, given, written, proved)
+
+
+def _rests(options: argparse.Namespace) -> bool:
+    """x0 = 0 and v0 = 0: an answer, though no oscillator that moves."""
+    starts = {name: getattr(options, name) for name in ("x0", "v0")}
+    zero = {name for name, text in starts.items() if text is not None and parse_real(text, f"--{name}").is_zero}
+    return "x0" in zero and ("v0" in zero or options.v0 is None)
 
 
 def _order_and_gauge(options: argparse.Namespace, digits: int) -> tuple[int, str]:
@@ -110,24 +110,26 @@ def _rest(reference: bool, order: int, gauge: str) -> MotionPoint:
     return MotionPoint("0", "0", "0", None, order, gauge, method, "0", True)
 
 
-def _makers(oscillator: Oscillator, time: ExactReal, options: argparse.Namespace, order: int, gauge: str) -> Makers:
+def _makers(given: Given, time: ExactReal, options: argparse.Namespace, order: int, gauge: str) -> Makers:
     shown, points = None if options.reference else order, read_points(options)
 
     def picture(kind: str) -> bytes:
         if options.reference:
-            return picture_of_reference(oscillator, time, kind, options.static)
-        return picture_of(oscillator, time, order, gauge, kind)
+            return picture_of_reference(given, time, kind, options.static)
+        return picture_of(given, time, order, gauge, kind)
 
-    return {"--plot": picture, "--csv": lambda _: csv_of(oscillator, time, shown, gauge, options.static, points)}
+    return {"--plot": picture, "--csv": lambda _: csv_of(given, time, shown, gauge, options.static, points)}
 
 
-def _answer(point: MotionPoint, options: argparse.Namespace, written: list[str], proved: str | None = None) -> Answer:
-    data: dict[str, Any] = {**point.to_dict(), "files": written}
+def _answer(
+    point: MotionPoint, options: argparse.Namespace, given: Given, written: list[str], proved: str | None = None
+) -> Answer:
+    data: dict[str, Any] = {**point.to_dict(), "units": "SI" if given.si else None, "files": written}
     if proved is not None:
         data["bound"] = proved
     units = {"x": "m", "v": "m/s", "amplitude": "m", "phase": "rad", "error": "m"}
-    lines = [f"{name:9}  {data[name]} {unit}" for name, unit in units.items() if data[name] is not None]
-    lines += [f"bound      {proved} m (proved: |x - x_N| is at most this)"] if proved is not None else []
+    lines = [f"{name:9}  {data[name]}{given.unit(unit)}" for name, unit in units.items() if data[name] is not None]
+    lines += [f"bound      {proved}{given.unit('m')} (proved: |x - x_N| is at most this)"] if proved is not None else []
     order = "" if point.order is None or options.reference else f", order {point.order}, gauge {point.gauge}"
     certified = f"certified: {str(point.certified).lower()}"
     lines += [f"{certified} ({point.method}{order})", *point.notes, *written]

@@ -2,21 +2,24 @@
 
 >>> from asymptotics.law import Law
 >>> from fractions import Fraction
->>> drag = Oscillator(Law({"3/2": "1/10"}))
+>>> drag = Given(Oscillator(Law({"3/2": "1/10"})), si=True)
 >>> csv_of(drag, ExactReal(Fraction(1)), 3, "turning-point").splitlines()[:2]
-['t,x,v,amplitude,phase', '0.0,1.0,-0.0,1.0,0.0']
+['t [s],x [m],v [m/s],amplitude [m],phase [rad]', '0.0,1.0,-0.0,1.0,0.0']
 """
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from flint import ctx
 
+from asymptotics.cli.quantities import Given
 from asymptotics.errors import LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
+from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.present.figures import render
 
@@ -25,7 +28,7 @@ _MAX_SECONDS = 60.0
 
 
 def csv_of(
-    oscillator: Oscillator,
+    given: Given,
     time: ExactReal,
     order: int | None,
     gauge: str,
@@ -34,14 +37,15 @@ def csv_of(
 ) -> str:
     """t, x, v, amplitude, phase at points + 1 times from 0 to ``time``; without ``order`` t, x, v of the reference."""
     if order is None:
-        t, x, v = _reference(oscillator, time, points, static)
-        return _lines("t,x,v", zip(t, x, v))
-    found = AsymptoticMotion.of(oscillator, order, gauge).sample(np.linspace(0.0, _float(time), points + 1))
-    return _lines("t,x,v,amplitude,phase", zip(found.t, found.x, found.v, found.amplitude, found.phase))
+        t, x, v = _reference(given.oscillator, time, points, static)
+        return MotionSamples(t, x, v, None, None, None, None, 0, 0, None, (), given.si).to_csv()
+    found = AsymptoticMotion.of(given.oscillator, order, gauge).sample(np.linspace(0.0, _float(time), points + 1))
+    return replace(found, si=given.si).to_csv()
 
 
-def picture_of(oscillator: Oscillator, time: ExactReal, order: int, gauge: str, kind: str) -> bytes:
+def picture_of(given: Given, time: ExactReal, order: int, gauge: str, kind: str) -> bytes:
     """x(t) with +-A(t) above, |x_N - x_reference| below (left out without a reference in reach)."""
+    oscillator = given.oscillator
     motion = AsymptoticMotion.of(oscillator, order, gauge)
     dense = motion.sample(np.linspace(0.0, _float(time), 4 * _ROWS + 1))
     error = None
@@ -59,29 +63,29 @@ def picture_of(oscillator: Oscillator, time: ExactReal, order: int, gauge: str, 
         for sign in (1, -1):
             label = "envelope" if sign > 0 else None
             upper.plot(dense.t, sign * dense.amplitude, color="#c2410c", linewidth=1.0, label=label)
-        upper.set_ylabel("x (m)")
+        upper.set_ylabel(f"x{given.label('m')}")
         upper.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2)
         if error is not None:
             bottom.semilogy(error[0][1:], np.maximum(error[1][1:], 1e-17), color="#15803d")
-            bottom.set_ylabel("|x - reference| (m)")
-        bottom.set_xlabel("t (s)")
+            bottom.set_ylabel(f"|x - reference|{given.label('m')}")
+        bottom.set_xlabel(given.time_label)
 
     return render(draw, size=(6.4, 5.2), kind=kind)
 
 
-def picture_of_reference(oscillator: Oscillator, time: ExactReal, kind: str, static: str | None) -> bytes:
+def picture_of_reference(given: Given, time: ExactReal, kind: str, static: str | None) -> bytes:
     """x(t) and v(t) of the reference motion."""
-    t, x, v = _reference(oscillator, time, _ROWS, static)
+    t, x, v = _reference(given.oscillator, time, _ROWS, static)
 
     def draw(axes: Any) -> None:
         figure = axes.figure
         axes.remove()
         upper, lower = figure.subplots(2, 1, sharex=True)
         upper.plot(t, x)
-        upper.set_ylabel("x (m)")
+        upper.set_ylabel(f"x{given.label('m')}")
         lower.plot(t, v, color="#15803d")
-        lower.set_ylabel("v (m/s)")
-        lower.set_xlabel("t (s)")
+        lower.set_ylabel(f"v{given.label('m/s')}")
+        lower.set_xlabel(given.time_label)
 
     return render(draw, size=(6.4, 5.2), kind=kind)
 
@@ -100,10 +104,6 @@ def _reference(oscillator: Oscillator, time: ExactReal, rows: int, static: str |
     states = reference_states(oscillator, times, _REFERENCE_DIGITS)
     x, v = (np.array([float(c) for c in column]) for column in (states.x, states.v))
     return np.array([_float(t) for t in times]), x, v
-
-
-def _lines(head: str, rows: Any) -> str:
-    return "\n".join([head, *(",".join(repr(float(value)) for value in row) for row in rows)]) + "\n"
 
 
 def _float(x: ExactReal) -> float:

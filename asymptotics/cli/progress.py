@@ -7,16 +7,16 @@ from contextlib import contextmanager
 from tqdm import tqdm
 
 
-def progress_bar(total: int | None, *, unit: str, title: str = "") -> tqdm:
+def progress_bar(total: int | None, *, unit: str, title: str = "", quiet: bool = False) -> tqdm:
     """A tqdm bar that shows nothing in files, pipes and tests, and nothing for work of less than a second."""
-    hidden = sys.stderr is None or not sys.stderr.isatty()
+    hidden = quiet or sys.stderr is None or not sys.stderr.isatty()
     return tqdm(total=total, unit=unit, desc=title or None, leave=False, disable=hidden, delay=1)
 
 
 @contextmanager
-def status_line(seconds: float) -> Iterator[Callable[[str], None]]:
+def status_line(seconds: float, *, quiet: bool = False) -> Iterator[Callable[[str], None]]:
     """A line that is handed the stage of the work and shows it with the time gone, under the same conditions."""
-    hidden = sys.stderr is None or not sys.stderr.isatty()
+    hidden = quiet or sys.stderr is None or not sys.stderr.isatty()
     form = f"{{desc}}, {{elapsed}} of {seconds:g} s"
     with tqdm(bar_format=form, leave=False, disable=hidden, delay=1) as line:
 

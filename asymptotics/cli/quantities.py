@@ -13,6 +13,7 @@ from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import parse_real
 
+PHYSICAL = ("damping", "mass", "stiffness")
 QUANTITIES = {
     "mass": ("M", "1", "the mass in kg"),
     "stiffness": ("K", "1", "the stiffness in N/m"),
@@ -31,6 +32,15 @@ class Given:
     def unit(self, name: str) -> str:
         """The unit of a quantity with a blank before it, or nothing."""
         return f" {name}" if self.si else ""
+
+    def label(self, unit: str) -> str:
+        """The unit of an axis of a picture."""
+        return f" ({unit})" if self.si else ""
+
+    @property
+    def time_label(self) -> str:
+        """What the axis of time is called."""
+        return "t (s)" if self.si else r"$\tau$"
 
 
 def add_oscillator(parser: argparse.ArgumentParser, *, springs: bool = False) -> None:

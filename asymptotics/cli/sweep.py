@@ -108,11 +108,11 @@ def _points(command: str, own: argparse.Namespace, rest: list[str]) -> Grid | li
 def _swept(command: str, points: Grid | list[Point], own: argparse.Namespace) -> SweepResult:
     workers = None if own.workers is None else parse_integer(own.workers, "--workers", 1, MAX_WORKERS)
     crew = None if own.dask is None else partial(dask_executor, own.dask, workers)
-    with progress_bar(len(points), unit="point") as bar:
+    with progress_bar(len(points), unit="point", quiet=own.quiet) as bar:
         try:
             return sweep(
                 partial(run_point, command), command, points, Path(own.store), workers=workers, crew=crew,
-                progress=lambda done, total: None if own.quiet else bar.update(done - bar.n),
+                progress=lambda done, total: bar.update(done - bar.n),
             )  # fmt: skip
         except KeyboardInterrupt:
             complain(f"asymptotics sweep: what is finished is in {own.store}: the same command continues")

@@ -1,26 +1,33 @@
-"""Turning points x_n (units of x0, with their sign) and times tau_n = omega_0 t for any alpha >= 0, and sums of laws.
+"""Turning points x_n (with their sign) and their times, for any alpha >= 0, and sums of laws.
 
   asymptotics turning-points --alpha 2 --epsilon 1 --count 6 --digits 60 --times
   asymptotics turning-points --alpha 2 --epsilon 1/3 --count 1 --start 1000000000 --digits 50
   asymptotics turning-points --law 0:1/20 --law 3/2:1/10 --count 10
 
   asymptotics turning-points --law 2:1/10 --spring pendulum --x0 2.967 --count 10
+  asymptotics turning-points --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --count 10 --times
 
 X'' + X + sum_i epsilon_i X'|X'|^(alpha_i-1) = 0 starts from rest at X(0) = 1, which is turning point 0.  All digits are
 proved, whatever the law.  `ended` tells the last turning point there is, and why: sticks, creeps, overdamped, rotates
 or escapes.
+Then x is in units of x0 and tau = omega_0 t; with --damping, --mass or --stiffness everything is in SI, x in m, t in s.
 
 With --spring, or a loss --law A,M:E that depends on the place, the motion starts at X(0) = x0 inside the well, and from
 rest x is in the units in which the strengths are given: rad for a pendulum.
 """
 
 import argparse
+from typing import Any
 
+from asymptotics.api.swings import OscillatorTurningPoints
+from asymptotics.api.swings import turning_points as in_si
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
+from asymptotics.cli.files import Makers, add_csv, csv_text, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
+from asymptotics.cli.quantities import PHYSICAL, read_oscillator
 from asymptotics.errors import LimitError
-from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.present.figures import render
 from asymptotics.turning.general import turning_points
 from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, TurningPoints
 
@@ -28,11 +35,16 @@ from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, Turn
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add_forces(parser, "epsilon", "E", "b omega_0^alpha x0^(alpha-1) / k, e.g. 1/3")
+    for name, (letter, text) in _SI.items():
+        parser.add_argument(f"--{name}", metavar=letter, help=f"{text}: SI units")
     parser.add_argument("--count", required=True, metavar="N", help=f"how many points (1 to {MAX_COUNT})")
     parser.add_argument("--start", default="0", metavar="N", help="the first point (default 0)")
     parser.add_argument("--times", action="store_true", help="the times as well")
-    parser.add_argument("--x0", default="1", metavar="X", help="X(0), with --v0 or --spring (default 1)")
-    parser.add_argument("--v0", default="0", metavar="V", help="X'(0): then n = 0 is the first turning point")
+    parser.add_argument("--x0", metavar="X", help="the start, with --v0 or --spring, or in m (default 1)")
+    parser.add_argument("--v0", metavar="V", help="its velocity: then n = 0 is the first turning point")
+    parser.add_argument("--latex", action="store_true", help="print the table as LaTeX")
+    parser.add_argument("--plot", metavar="FILE", help="|x_n| against n: PNG or SVG")
+    add_csv(parser, "n, x and the times")
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
     add_json(parser)
@@ -40,26 +52,36 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    law = read_law(options, "epsilon")
+    files = read_files(options)
     count = parse_integer(options.count, "--count", 1, MAX_COUNT)
     start = parse_integer(options.start, "--start", 0, MAX_START)
     digits = read_digits(options, MAX_DIGITS)
     try:
-        result = _computed(options, law, count, digits, start)
+        result = _computed(options, count, digits, start)
     except LimitError as error:
         if error.argument == "time":  # the integrator speaks of its own argument
             raise LimitError("--epsilon", error.reason, "weaker damping") from error
         raise
-    return Answer(result.to_dict(), _text(result), options.json)
+    data, si = result.to_dict(), isinstance(result, OscillatorTurningPoints)
+    makers: Makers = {"--csv": lambda _: _table(result), "--plot": lambda kind: _picture(result, kind)}
+    data |= {"units": "SI" if si else None, "files": write_files(files, makers)}
+    text = result._repr_latex_().strip("$") if options.latex else str(result) if si else _text(result)
+    return Answer(data, "\n".join([text, *data["files"]]), options.json)
 
 
-def _computed(options: argparse.Namespace, law: Law, count: int, digits: int, start: int) -> TurningPoints:
-    x0, v0 = (parse_real(getattr(options, name), f"--{name}") for name in ("x0", "v0"))
+def _computed(
+    options: argparse.Namespace, count: int, digits: int, start: int
+) -> TurningPoints | OscillatorTurningPoints:
+    if any(getattr(options, name) is not None for name in PHYSICAL):
+        return in_si(read_oscillator(options).oscillator, count, digits=digits, start=start, times=options.times)
+    law = read_law(options, "epsilon")
+    given = (("x0", options.x0, "1"), ("v0", options.v0, "0"))
+    x0, v0 = (parse_real(default if text is None else text, f"--{name}") for name, text, default in given)
     seconds = read_max_seconds(options)
     return turning_points(law, count, digits, start=start, times=options.times, x0=x0, v0=v0, max_seconds=seconds)
 
 
-def _text(result: TurningPoints) -> str:
+def _text(result: Any) -> str:
     rows = [(str(p.n), p.x) + (() if p.tau is None else (p.tau,)) for p in result.points]
     widths = [max(map(len, column)) for column in zip(*rows)]
     lines = ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
@@ -72,5 +94,25 @@ def _text(result: TurningPoints) -> str:
     return "\n".join([*lines, f"certified: {str(result.certified).lower()} ({result.method})"])
 
 
+def _table(result: TurningPoints | OscillatorTurningPoints) -> str:
+    """The points as CSV, with units in the header."""
+    if isinstance(result, OscillatorTurningPoints):
+        return csv_text(["n", "x [m]", "t [s]"], [(p.n, p.x, p.t) for p in result.points])
+    return csv_text(["n", "x", "tau"], [(p.n, p.x, p.tau) for p in result.points])
+
+
+def _picture(result: TurningPoints | OscillatorTurningPoints, kind: str) -> bytes:
+    def draw(axes: Any) -> None:
+        sizes = [abs(float(p.x)) for p in result.points]
+        axes.plot([p.n for p in result.points], sizes, "o-", linewidth=0.8, markersize=4)
+        if all(sizes):
+            axes.set_yscale("log")
+        axes.set_xlabel("turning point n")
+        axes.set_ylabel("|x| (m)" if isinstance(result, OscillatorTurningPoints) else "|x|")
+
+    return render(draw, kind=kind)
+
+
+_SI = {"damping": ("B", "b in N (s/m)^alpha"), "mass": ("M", "the mass in kg"), "stiffness": ("K", "k in N/m")}
 _WORDS = {"sticks": "sticks there", "creeps": "creeps from there on", "overdamped": "is overdamped"}
 _WORDS |= {"rotates": "goes over the top and rotates", "escapes": "leaves its well and escapes"}

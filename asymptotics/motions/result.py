@@ -15,6 +15,9 @@ from asymptotics.numbers.value import rounded
 
 Array = Any
 
+UNITS = {"t": "s", "x": "m", "v": "m/s", "amplitude": "m", "phase": "rad"}
+DIMENSIONLESS = {"t": "tau"}
+
 
 @dataclass(frozen=True)
 class MotionPoint:
@@ -56,7 +59,7 @@ class MotionPoint:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MotionSamples:
-    """The motion at many times, SI units, doubles; all arrays have the shape of ``t``.
+    """The motion at many times, doubles; all arrays have the shape of ``t``.  SI units, or none where ``si`` is False.
 
     ``missing`` counts the times that are NaN (their places hold NaN); ``extinct`` counts those beyond the fictitious
     extinction time ``extinction`` (in s; None if there is none), where the averaged amplitude is 0: x = v = 0 there.
@@ -73,24 +76,28 @@ class MotionSamples:
     extinct: int
     extinction: float | None
     notes: tuple[str, ...]
+    si: bool = True
 
     def columns(self) -> dict[str, Array]:
         """The arrays by name; reference motion has no amplitude and phase."""
         named = {name: getattr(self, name) for name in ("t", "x", "v", "amplitude", "phase")}
         return {name: column for name, column in named.items() if column is not None}
 
+    def header(self) -> list[str]:
+        """The names of the columns with their units; tau, x, ... where there are none."""
+        if not self.si:
+            return [DIMENSIONLESS.get(name, name) for name in self.columns()]
+        return [f"{name} [{UNITS[name]}]" for name in self.columns()]
+
     def to_pandas(self) -> Any:
         """A pandas DataFrame with units in the column names; pandas comes with the extra of that name."""
         pandas = import_module("pandas")  # loaded only where it is asked for
-        units = {"t": "t [s]", "x": "x [m]", "v": "v [m/s]", "amplitude": "amplitude [m]", "phase": "phase [rad]"}
-        return pandas.DataFrame({units[name]: np.ravel(column) for name, column in self.columns().items()})
+        return pandas.DataFrame({head: np.ravel(c) for head, c in zip(self.header(), self.columns().values())})
 
     def to_csv(self) -> str:
         """CSV text: one row for each time, units in the header, shortest exact decimals."""
-        units = {"t": "t [s]", "x": "x [m]", "v": "v [m/s]", "amplitude": "amplitude [m]", "phase": "phase [rad]"}
-        columns = self.columns()
-        rows = zip(*(np.ravel(column) for column in columns.values()))
-        lines = [",".join(units[name] for name in columns), *(",".join(repr(float(x)) for x in row) for row in rows)]
+        rows = zip(*(np.ravel(column) for column in self.columns().values()))
+        lines = [",".join(self.header()), *(",".join(repr(float(x)) for x in row) for row in rows)]
         return "\n".join(lines) + "\n"
 
     def __repr__(self) -> str:

@@ -79,8 +79,10 @@ class TurningPoints:
         }
 
     def _repr_latex_(self) -> str:
+        timed = any(p.tau is not None for p in self.points)
         rows = r" \\ ".join(f"{p.n} & {p.x}" + ("" if p.tau is None else f" & {p.tau}") for p in self.points)
-        return rf"$\begin{{array}}{{rll}} n & x_n/x_0 & \tau_n \\ {rows} \end{{array}}$"
+        head, columns = (r"n & x_n & \tau_n", "rll") if timed else ("n & x_n", "rl")
+        return rf"$\begin{{array}}{{{columns}}} {head} \\ {rows} \end{{array}}$"
 
 
 def quadratic_turning_points(
