@@ -17,23 +17,31 @@ of all delta_i) up to delta_max.
 delta = epsilon A^(alpha-1), for a spring c x|x|^(P-1) delta = c A^(P-1); amplitude holds p_k, frequency Omega_k, for
 all k up to the order.  With several forces k has one index for each: losses, then springs, in the order given; a
 pendulum counts powers of A^2.  Springs are always odd in x: P = 2 is x|x|, not x^2.
+
+With --damping, --mass or --stiffness the equations are in SI: A in m, t in s, delta = b omega_0^alpha A^(alpha-1)/k.
 """
 
 import argparse
 from typing import Any
 
+import sympy
+
 from asymptotics.bounds.local import LocalBounds, local_bounds
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
+from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
+from asymptotics.cli.quantities import add_physical, is_physical, read_oscillator
+from asymptotics.equations.build import expand
+from asymptotics.equations.result import Equations
 from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES, TURNING_POINT
+from asymptotics.law import Law
 from asymptotics.normal_form.closed_forms import (
     MAX_SYMBOLIC_ORDER,
     symbolic_coefficients,
     symbolic_with_spring,
 )
-from asymptotics.normal_form.coefficients import expansion_coefficients
-from asymptotics.normal_form.results import ExpansionCoefficients, Row
+from asymptotics.normal_form.results import Row, row_to_dict
 from asymptotics.numbers.exact import parse_integer
 
 MAX_DIGITS, MAX_ORDER = 1000, 200
@@ -43,6 +51,8 @@ MAX_BOUND_ORDER = 12
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add_forces(parser)
+    add_physical(parser)
+    add_csv(parser, "the coefficients: series, powers, digits, exact form")
     parser.add_argument("--order", default="4", metavar="N", help=f"the highest power of delta, 1 to {MAX_ORDER}")
     text = f"one of {', '.join(GAUGES)} (default: the first)"
     parser.add_argument("--gauge", default=TURNING_POINT, metavar="G", help=text)
@@ -62,7 +72,10 @@ def run(options: argparse.Namespace) -> Answer:
     order = parse_integer(options.order, "--order", 1, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
     seconds = read_max_seconds(options)
+    files = read_files(options)
     if options.alpha == "symbolic":
+        if files:
+            raise InputError("--csv", "a symbolic exponent has no numbers", "an exponent instead of --alpha symbolic")
         if options.law or options.exact:
             other = "--law" if options.law else "--exact"
             raise InputError(other, "cannot be combined with --alpha symbolic", "one law, in closed form")
@@ -70,17 +83,26 @@ def run(options: argparse.Namespace) -> Answer:
             raise InputError("--bound", "a bound needs a number", "an exponent instead of --alpha symbolic")
         return _symbolic(options, order, digits)
     given = read_terms(options)
-    found = expansion_coefficients(
-        given.terms, order, digits, options.gauge, exact_only=options.exact, max_seconds=seconds
-    )
-    head = {"alpha": given.shown, "terms": given.to_list()}
-    data = {**head, **found.to_dict(), "latex": found.latex(), "notes": list(given.notes)}
-    data["delta"] = [{"name": name, "force": force, "value": value} for name, force, value in _deltas(given, options)]
-    text = found.latex() if options.latex else _text(found, given, options)
+    law = Law.from_terms(given.terms)
+    oscillator = read_oscillator(options).oscillator if is_physical(options) else None
+    found = expand(
+        law if oscillator is None else oscillator,
+        order=order, gauge=options.gauge, digits=digits, exact=options.exact, max_seconds=seconds,
+    )  # fmt: skip
+    head = {"alpha": given.shown, "terms": given.to_list(), "units": None if oscillator is None else "SI"}
+    data = {**found.to_dict(), **head, "latex": found.latex(digits), "notes": list(given.notes)}
+    deltas = _deltas(found, given, options)
+    data["delta"] = [{"name": name, "force": force, "value": value} for name, force, value in deltas]
+    data["files"] = write_files(files, {"--csv": lambda _: _table(found)})
+    text = found.latex(digits) if options.latex else _text(found, given, options)
+    text = "\n".join([text, *data["files"]])
     if options.bound:
         proved = _bound(given, order, options.gauge)
         data["bound"], text = proved.to_dict(), f"{text}\n{proved}"
     return Answer(data, text, options.json)
+
+
+_LATEX = {"Omega": r"\Omega"}
 
 
 def _bound(given: GivenTerms, order: int, gauge: str) -> LocalBounds:
@@ -101,7 +123,18 @@ def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:
         found = symbolic_with_spring(_one_spring(options), order)
     else:
         found = symbolic_coefficients(order, options.gauge, digits)
-    return Answer(found.to_dict(), found.latex() if options.latex else str(found), options.json)
+    named = {"p": found.amplitude, r"Omega": found.frequency, "W": found.W}
+    entries = [(name, k, c) for name, row in named.items() for k, c in row.items()]
+    latex = "\n".join(rf"{_LATEX.get(name, name)}_{{{k}}} = {sympy.latex(c.expression)} \\" for name, k, c in entries)
+    lines = [f"gauge {found.gauge}, symbolic", *(f"{name}_{k} = {c.exact}" for name, k, c in entries)]
+    for name, entry in found.integrals.items():
+        values = ", ".join(f"{name}({a}) = {v}" for a, v in entry["values"].items())
+        lines += [f"{name}(alpha) = {entry['definition']}", f"  {values}"]
+    rows = {"amplitude": found.amplitude, "frequency": found.frequency, "W": found.W}
+    head = {"alpha": "symbolic", "gauge": found.gauge, "order": found.order}
+    data = {**head, **{name: row_to_dict(row) for name, row in rows.items()}}
+    data |= {"integrals": found.integrals, "latex": latex}
+    return Answer(data, latex if options.latex else "\n".join(lines), options.json)
 
 
 def _one_spring(options: argparse.Namespace) -> int:
@@ -114,28 +147,42 @@ def _one_spring(options: argparse.Namespace) -> int:
     return terms[0].position
 
 
-def _text(found: ExpansionCoefficients, given: GivenTerms, options: argparse.Namespace) -> str:
+def _text(found: Equations, given: GivenTerms, options: argparse.Namespace) -> str:
     remainder = "a bound below" if options.bound else "no bound on the remainder"
     lines = [f"gauge {found.gauge}, {found.arithmetic}; formal ({remainder})"]
-    deltas = _deltas(given, options)
+    deltas = _deltas(found, given, options)
     names = [name for name, _, _ in deltas]
-    p, Omega = (_sum(name, row, names) for name, row in (("p", found.amplitude), ("Omega", found.frequency)))
-    lines += [f"dA/dtau = -A ({p or 0})", f"dpsi/dtau = {' + '.join(['1', *([Omega] if Omega else [])])}"]
+    p, Omega = (_sum(name, row, names) for name, row in (("p", found.p.named()), ("Omega", found.Omega.named())))
+    time, rate = ("t", "omega_0 ") if found.oscillator is not None else ("tau", "")
+    phase = " + ".join(["1", *([Omega] if Omega else [])])
+    lines += [f"dA/d{time} = -{rate}A ({p or 0})", f"dpsi/d{time} = {f'{rate}({phase})' if rate else phase}"]
     lines += [f"{name} = {value} for {force}" for name, force, value in deltas]
-    lines += [*order_of(given), *row_text("p", found.amplitude), *row_text("Omega", found.frequency), *given.notes]
+    lines += [f"A in m, t in s, {found.oscillator}"] if found.oscillator is not None else []
+    lines += [*order_of(given), *row_text("p", found.p.named()), *row_text("Omega", found.Omega.named()), *given.notes]
     return "\n".join(lines)
 
 
-def _deltas(given: GivenTerms, options: argparse.Namespace) -> list[tuple[str, str, str]]:
+def _table(found: Equations) -> str:
+    """The coefficients as CSV: series, powers of the delta_i, digits, exact form."""
+    rows = [(name, key, c.value, c.exact) for name, row in (("p", found.p), ("Omega", found.Omega))
+            for key, c in row.named().items()]  # fmt: skip
+    return csv_text(["series", "k", "value", "exact"], rows)
+
+
+def _deltas(found: Equations, given: GivenTerms, options: argparse.Namespace) -> list[tuple[str, str, str]]:
     """(name, force, value) of each local strength; the letter epsilon where no strength was given, or several were."""
+    if found.oscillator is not None:
+        marks = [""] if len(given.terms) == 1 else [f"_{i}" for i in range(1, len(given.terms) + 1)]
+        texts = found.strengths.texts()
+        return [(f"delta{mark}", t.shape(), text) for mark, t, text in zip(marks, given.terms, texts)]
     texts = [*(options.law or []), *(options.spring or [])]
     known = options.epsilon is not None or all(":" in text for text in texts) and bool(texts)
-    found = []
+    deltas = []
     for i, term in enumerate(given.terms, start=1):
         mark = "" if len(given.terms) == 1 else f"_{i}"
         strength = str(term.strength) if known and not given.notes and not term.family else f"epsilon{mark}"
-        found.append((f"delta{mark}", term.shape(), "A^2" if term.family else strength + _power(str(term.weight))))
-    return found
+        deltas.append((f"delta{mark}", term.shape(), "A^2" if term.family else strength + _power(str(term.weight))))
+    return deltas
 
 
 def _power(weight: str) -> str:

@@ -51,9 +51,22 @@ def add_oscillator(parser: argparse.ArgumentParser, *, springs: bool = False) ->
         parser.add_argument(f"--{name}", metavar=letter, help=f"{text} (default {default})")
 
 
+def add_physical(parser: argparse.ArgumentParser) -> None:
+    """The options that turn a command without units into one in SI: --damping, --mass, --stiffness."""
+    parser.add_argument("--damping", metavar="B", help="b in N (s/m)^alpha: SI units")
+    for name in PHYSICAL[1:]:
+        letter, default, text = QUANTITIES[name]
+        parser.add_argument(f"--{name}", metavar=letter, help=f"{text} (default {default}): SI units")
+
+
+def is_physical(options: argparse.Namespace) -> bool:
+    """Whether one of them was given."""
+    return any(getattr(options, name) is not None for name in PHYSICAL)
+
+
 def read_oscillator(options: argparse.Namespace) -> Given:
     """The oscillator of the options; InputError for units and no units at once."""
-    given = [name for name in QUANTITIES if getattr(options, name) is not None]
+    given = [name for name in QUANTITIES if getattr(options, name, None) is not None]
     if options.epsilon is not None and (given or options.damping is not None):
         other = given[0] if given else "damping"
         raise InputError("--epsilon", f"it has no units, and --{other} has", "--epsilon alone, or --damping instead")

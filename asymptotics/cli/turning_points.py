@@ -24,7 +24,7 @@ from asymptotics.api.swings import turning_points as in_si
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.files import Makers, add_csv, csv_text, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
-from asymptotics.cli.quantities import PHYSICAL, read_oscillator
+from asymptotics.cli.quantities import add_physical, is_physical, read_oscillator
 from asymptotics.errors import LimitError
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.present.figures import render
@@ -35,8 +35,7 @@ from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, Turn
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add_forces(parser, "epsilon", "E", "b omega_0^alpha x0^(alpha-1) / k, e.g. 1/3")
-    for name, (letter, text) in _SI.items():
-        parser.add_argument(f"--{name}", metavar=letter, help=f"{text}: SI units")
+    add_physical(parser)
     parser.add_argument("--count", required=True, metavar="N", help=f"how many points (1 to {MAX_COUNT})")
     parser.add_argument("--start", default="0", metavar="N", help="the first point (default 0)")
     parser.add_argument("--times", action="store_true", help="the times as well")
@@ -72,7 +71,7 @@ def run(options: argparse.Namespace) -> Answer:
 def _computed(
     options: argparse.Namespace, count: int, digits: int, start: int
 ) -> TurningPoints | OscillatorTurningPoints:
-    if any(getattr(options, name) is not None for name in PHYSICAL):
+    if is_physical(options):
         return in_si(read_oscillator(options).oscillator, count, digits=digits, start=start, times=options.times)
     law = read_law(options, "epsilon")
     given = (("x0", options.x0, "1"), ("v0", options.v0, "0"))
@@ -113,6 +112,5 @@ def _picture(result: TurningPoints | OscillatorTurningPoints, kind: str) -> byte
     return render(draw, kind=kind)
 
 
-_SI = {"damping": ("B", "b in N (s/m)^alpha"), "mass": ("M", "the mass in kg"), "stiffness": ("K", "k in N/m")}
 _WORDS = {"sticks": "sticks there", "creeps": "creeps from there on", "overdamped": "is overdamped"}
 _WORDS |= {"rotates": "goes over the top and rotates", "escapes": "leaves its well and escapes"}

@@ -37,6 +37,7 @@ from sympy import Symbol, latex
 from asymptotics.errors import InputError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.half_swings.symbolic import ORDER
 from asymptotics.normal_form.expansion import Expansion
 from asymptotics.normal_form.symbolic import symbolic_expansion
 from asymptotics.numbers.bridge import to_sympy
@@ -142,9 +143,8 @@ def symbolic_envelope() -> LaurentEnvelope:
     ([-1/6, -45/256], -15/512)
     """
     source = symbolic_expansion()
-    alpha = next(iter(source.p[1].free_symbols))
-    p = Series({(n,): c for n, c in source.p.items()}, 1, source.order)
-    Omega = Series({(n,): c for n, c in source.Omega.items()}, 1, source.order)
+    alpha = next(iter(source["p"][1].free_symbols))
+    p, Omega = (Series({(n,): c for n, c in source[name].items()}, 1, ORDER) for name in ("p", "Omega"))
     return envelope_of_series(alpha, p, Omega)
 
 

@@ -21,10 +21,11 @@ from asymptotics.half_swings.symbolic import alpha
 from asymptotics.law import Law, Oscillator
 from asymptotics.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.normal_form.coefficients import expansion_coefficients
-from asymptotics.numbers.policy import exact_integer, float_notes
+from asymptotics.normal_form.results import Coefficients
+from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
 from asymptotics.terms import Term
 
-MAX_ORDER, MAX_DIGITS, MAX_ALPHA, MAX_TERMS, MAX_SECONDS = 200, 1000, 1000, 4, 3600
+MAX_ORDER, MAX_DIGITS, MAX_ALPHA, MAX_TERMS, MAX_SECONDS = 200, 1000, 1000, 4, 10**6
 _FORMS = 'an exponent >= 0, a list of them, a Law, an Oscillator, a mapping exponent -> strength, or "symbolic"'
 
 
@@ -41,7 +42,9 @@ def expand(
     cannot round a coefficient.
     """
     N, D = exact_integer(order, "order", 1, MAX_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
-    seconds = exact_integer(max_seconds, "max_seconds", 1, MAX_SECONDS)
+    seconds = exact_number(max_seconds, "max_seconds")
+    if not 0 < seconds <= MAX_SECONDS:
+        raise InputError("max_seconds", f"{seconds} is out of range", f"a number of seconds > 0, at most {MAX_SECONDS}")
     require_gauge(gauge)
     require_flag(exact, "exact")
     if isinstance(law, str) and law.strip() == "symbolic":
@@ -51,15 +54,18 @@ def expand(
     terms, strengths, oscillator, notes = terms_of(law, spring)
     if len(terms) > MAX_TERMS:
         raise InputError("law", f"{len(terms)} different terms are too many", f"at most {MAX_TERMS}")
-    found = expansion_coefficients(terms, N, D, gauge, exact_only=exact, max_seconds=seconds)
-    p, Omega = (Row({_key(k): c for k, c in row.items()}) for row in (found.amplitude, found.frequency))
-    return Equations(terms, gauge, N, found.arithmetic, p, Omega, strengths, oscillator, None, notes)
+    found = expansion_coefficients(terms, N, D, gauge, exact_only=exact, max_seconds=float(seconds.ball().mid()))
+    return _equations(found, terms, law=strengths, oscillator=oscillator, notes=notes)
 
 
 def _symbolic(order: int, gauge: str, digits: int) -> Equations:
-    found = symbolic_coefficients(order, gauge, digits)
+    return _equations(symbolic_coefficients(order, gauge, digits), (), symbol=alpha)
+
+
+def _equations(found: Coefficients, terms: tuple[Term, ...], **rest: Any) -> Equations:
+    """The one result that every route ends in."""
     p, Omega = (Row({_key(k): c for k, c in row.items()}) for row in (found.amplitude, found.frequency))
-    return Equations((), gauge, order, "symbolic", p, Omega, symbol=alpha)
+    return Equations(terms, found.gauge, found.order, found.arithmetic, p, Omega, **rest)
 
 
 def terms_of(law: Any, spring: Any = None) -> tuple[tuple[Term, ...], Law | None, Oscillator | None, tuple[str, ...]]:

@@ -29,15 +29,15 @@ import mpmath
 import numpy as np
 import sympy
 
-from asymptotics.equations import show
 from asymptotics.equations.comparison import Comparison, compare_functions, compare_rows
 from asymptotics.equations.observables import Observables, observables_at
 from asymptotics.equations.row import Row
 from asymptotics.equations.strengths import Strengths, as_mpf
 from asymptotics.errors import InputError, require_choice
 from asymptotics.law import Law, Oscillator
+from asymptotics.normal_form import show
 from asymptotics.numbers.arrays import real_array
-from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.policy import exact_integer, exact_number
 from asymptotics.numbers.value import Coefficient
 from asymptotics.series import Key
 from asymptotics.terms import Term
@@ -141,14 +141,16 @@ class Equations:
             raise InputError("other", f"a {type(other).__name__}", "Equations, or a function of (A, psi)")
         return compare_functions(self.lambdify(epsilon=epsilon), other, 1.0 if A is None else _amplitude(A))
 
-    def latex(self) -> str:
-        """The two equations in LaTeX."""
+    def latex(self, digits: Any = show.SHOWN_DIGITS) -> str:
+        """The two equations in LaTeX, coefficients to at most ``digits`` digits where they have no short exact form."""
+        D = exact_integer(digits, "digits", 1, show.MAX_DIGITS)
         time, names = (r"\tau" if self.oscillator is None else "t"), self._names(r"\delta", "_{%d}")
-        p, Omega = show.sum_latex(self.p.keyed(), names), show.sum_latex(self.Omega.keyed(), names, "1")
+        p, Omega = show.sum_latex(self.p.keyed(), names, "", D), show.sum_latex(self.Omega.keyed(), names, "1", D)
         factor = "" if self.oscillator is None else r"\omega_0"
         phase = Omega if not factor or Omega == "1" else rf"\left({Omega}\right)"
         right = f"{factor} {phase}".strip() if phase != "1" or not factor else factor
-        return rf"\frac{{dA}}{{d{time}}} = -{factor} A \left({p}\right), \quad \frac{{d\psi}}{{d{time}}} = {right}"
+        left = f"-{factor} A".replace("- A", "-A")
+        return rf"\frac{{dA}}{{d{time}}} = {left} \left({p}\right), \quad \frac{{d\psi}}{{d{time}}} = {right}"
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: numbers are strings."""

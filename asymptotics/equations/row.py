@@ -8,8 +8,8 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from asymptotics.equations.show import SHOWN_DIGITS
 from asymptotics.errors import InputError
+from asymptotics.normal_form.show import SHOWN_DIGITS
 from asymptotics.numbers.exact import MAX_ORDER
 from asymptotics.numbers.policy import exact_integer
 from asymptotics.numbers.value import Coefficient, rounded
@@ -50,6 +50,10 @@ class Row(Mapping[Any, Coefficient]):
         """Exponents of the delta_i -> coefficient."""
         return dict(self._items)
 
+    def named(self) -> dict[str, Coefficient]:
+        """The coefficients by their keys as text, "k" or "k1,k2"."""
+        return {",".join(map(str, k)): c for k, c in self._items.items()}
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Row) and self._items == other._items
 
@@ -58,7 +62,7 @@ class Row(Mapping[Any, Coefficient]):
 
     def to_dict(self) -> dict[str, dict[str, str | None]]:
         """JSON-ready: keys "k" or "k1,k2"."""
-        return {",".join(map(str, k)): c.to_dict() for k, c in self._items.items()}
+        return {key: c.to_dict() for key, c in self.named().items()}
 
     def __repr__(self) -> str:
         shown = ", ".join(f"{','.join(map(str, k))}: {_brief(c)}" for k, c in list(self._items.items())[:6])

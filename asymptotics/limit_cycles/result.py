@@ -18,6 +18,7 @@ from asymptotics.law import Law
 from asymptotics.limit_cycles.certified import CertifiedCycle, certified_limit_cycle
 from asymptotics.limit_cycles.series import LimitCycleSeries, limit_cycle_series
 from asymptotics.normal_form.results import Coefficient, Row, row_to_dict
+from asymptotics.normal_form.show import sum_latex
 from asymptotics.numbers.bridge import to_fraction, to_sympy
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
@@ -120,8 +121,4 @@ def _ball_rows(law: Law, order: int, digits: int) -> tuple[Row, Row, Row, Row]:
 
 
 def _latex(row: Row) -> str:
-    terms = []
-    for key, c in row.items():
-        number = c.value if c.expression is None else sympy.latex(c.expression)
-        terms.append(f"{number}" + (rf"\,\mu^{{{key}}}" if key != "0" else ""))
-    return " + ".join(terms)
+    return sum_latex({(int(key),): c for key, c in row.items()}, (r"\mu",))

@@ -7,7 +7,8 @@
 ``observables``       amplitude ratio, half period, energy loss, logarithmic decrement: the same in every gauge
 ``verify``            exact residuals and a measured (heuristic) order of convergence
 ``symbolic``          one law with symbolic exponent, closed forms through Omega_4
-``results``           one coefficient, an expansion, a half-swing: text, JSON, LaTeX
+``results``           the rows of an expansion and of a half-swing
+``show``              series as text and LaTeX, written as one would by hand
 ``large_orders``      factorial growth, optimal truncation, Borel-Pade: heuristic
 ``tau_polynomial``    polynomials in tau as coefficients, for the gauge brackets
 ====================  ==================================================================================

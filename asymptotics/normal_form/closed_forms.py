@@ -1,11 +1,10 @@
-"""The expansion with a symbolic exponent, for people and for JSON: closed forms, and the one integral that remains.
+"""The coefficients with a symbolic exponent: closed forms, and the one integral that remains.
 
 >>> found = symbolic_coefficients(2, "averaging", 10)
 >>> found.amplitude["1"].exact
 'gamma(alpha/2 + 1)/(sqrt(pi)*gamma(alpha/2 + 3/2))'
 """
 
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -17,7 +16,7 @@ from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.symbolic import alpha, nested_integral, nested_integral_definition
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.normal_form.results import Coefficient, Row, row_to_dict
+from asymptotics.normal_form.results import Coefficient, Coefficients, Row
 from asymptotics.normal_form.spring_terms import cross_term
 from asymptotics.normal_form.symbolic import omega_2, symbolic_expansion
 from asymptotics.numbers.decimals import MAX_DIGITS, certified_decimal
@@ -28,41 +27,7 @@ MAX_SYMBOLIC_ORDER = 4
 _SAMPLES = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
 
 
-@dataclass(frozen=True)
-class SymbolicCoefficients:
-    """p_k and Omega_k as expressions in alpha; ``W`` the rate dtau/dpsi they come from, ``integrals`` what remains."""
-
-    gauge: str
-    order: int
-    amplitude: Row
-    frequency: Row
-    W: Row
-    integrals: dict[str, dict[str, Any]]
-
-    def to_dict(self) -> dict[str, Any]:
-        """The coefficients as the JSON of the command line."""
-        rows = {name: row_to_dict(getattr(self, name)) for name in ("amplitude", "frequency", "W")}
-        head = {"alpha": "symbolic", "gauge": self.gauge, "order": self.order}
-        return {**head, **rows, "integrals": self.integrals, "latex": self.latex()}
-
-    def latex(self) -> str:
-        """One LaTeX line for each coefficient."""
-        named = {r"p": self.amplitude, r"\Omega": self.frequency, "W": self.W}
-        return "\n".join(
-            rf"{name}_{{{k}}} = {sympy.latex(c.expression)} \\" for name, row in named.items() for k, c in row.items()
-        )
-
-    def __str__(self) -> str:
-        named = {"p": self.amplitude, "Omega": self.frequency, "W": self.W}
-        lines = [f"gauge {self.gauge}, symbolic"]
-        lines += [f"{name}_{k} = {c.exact}" for name, row in named.items() for k, c in row.items()]
-        for name, entry in self.integrals.items():
-            values = ", ".join(f"{name}({a}) = {v}" for a, v in entry["values"].items())
-            lines += [f"{name}(alpha) = {entry['definition']}", f"  {values}"]
-        return "\n".join(lines)
-
-
-def symbolic_coefficients(order: int, gauge: str, digits: int) -> SymbolicCoefficients:
+def symbolic_coefficients(order: int, gauge: str, digits: int) -> Coefficients:
     """The closed forms through ``order`` <= 4 (<= 2 outside the turning-point gauge); InputError above."""
     require_integer(order, "order", 1, MAX_ORDER)
     require_integer(digits, "digits", 1, MAX_DIGITS)
@@ -71,15 +36,21 @@ def symbolic_coefficients(order: int, gauge: str, digits: int) -> SymbolicCoeffi
         reason = f"{order}: in the gauge {gauge} closed forms in alpha are known through order {highest}"
         raise InputError("order", reason, f"an integer from 1 to {highest}")
     source = symbolic_expansion()
-    p = {k: v for k, v in source.p.items() if k <= order}
-    Omega = {k: v for k, v in source.Omega.items() if k <= order}
-    W = {k: v for k, v in source.W.items() if k <= order} if gauge == TURNING_POINT else {}
+    p, Omega, W = ({k: v for k, v in source[name].items() if k <= order} for name in ("p", "Omega", "W"))
     if 2 in Omega:
         Omega[2] = omega_2(gauge)
-    return SymbolicCoefficients(gauge, order, _row(p), _row(Omega), _row(W), _integrals(order, digits))
+    return Coefficients(
+        gauge,
+        order,
+        "symbolic",
+        _row(p),
+        _row(Omega),
+        _row(W) if gauge == TURNING_POINT else {},
+        _integrals(order, digits),
+    )
 
 
-def symbolic_with_spring(p: int, order: int) -> SymbolicCoefficients:
+def symbolic_with_spring(p: int, order: int) -> Coefficients:
     """One loss of symbolic exponent and the spring x|x|^(p-1): closed forms through second order, turning-point gauge.
 
     Keys count the loss, then the spring.  InputError above second order.
@@ -98,7 +69,7 @@ def symbolic_with_spring(p: int, order: int) -> SymbolicCoefficients:
         spring = exact_expansion([Term(1, 0, p, "position")], 2).Omega[2]
         frequency |= {"0,2": spring.to_sympy(), "2,0": omega_2()}
     p_row, Omega_row = ({k: Coefficient(None, v) for k, v in row.items()} for row in (amplitude, frequency))
-    return SymbolicCoefficients(TURNING_POINT, order, p_row, Omega_row, {}, {})
+    return Coefficients(TURNING_POINT, order, "symbolic", p_row, Omega_row)
 
 
 def _row(values: dict[int, sympy.Expr]) -> Row:

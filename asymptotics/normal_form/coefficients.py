@@ -37,7 +37,7 @@ from asymptotics.normal_form.expansion import (
     require_size,
 )
 from asymptotics.normal_form.flow import flow_of
-from asymptotics.normal_form.results import ZERO, Coefficient, ExpansionCoefficients, HalfSwingCoefficients, Row
+from asymptotics.normal_form.results import ZERO, Coefficient, Coefficients, HalfSwingCoefficients, Row
 from asymptotics.normal_form.spring_terms import first_order, second_order_p
 from asymptotics.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
 from asymptotics.numbers.bridge import to_fraction, to_sympy
@@ -54,7 +54,7 @@ def expansion_coefficients(
     *,
     exact_only: bool = False,
     max_seconds: float = MAX_SECONDS,
-) -> ExpansionCoefficients:
+) -> Coefficients:
     """p_k and Omega_k of one law or a sum, in any gauge.
 
     Raises InputError for bad exponents, or with ``exact_only`` where no exact form exists; LimitError where all passes
@@ -66,7 +66,7 @@ def expansion_coefficients(
         return _coefficients(Forces.read(given, order), order, digits, gauge, exact_only)
 
 
-def _coefficients(forces: Forces, order: int, digits: int, gauge: str, exact_only: bool) -> ExpansionCoefficients:
+def _coefficients(forces: Forces, order: int, digits: int, gauge: str, exact_only: bool) -> Coefficients:
     if _is_exact(forces, order, gauge, exact_only):
         expansion = exact_expansion(forces, order, gauge, max_seconds=inf)
         p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
@@ -89,13 +89,11 @@ def _require_counts(order: int, digits: int) -> None:
     require_integer(digits, "digits", 1, MAX_DIGITS)
 
 
-def _expansion(gauge: str, order: int, arithmetic: str, forces: Forces, p: Row, Omega: Row) -> ExpansionCoefficients:
+def _expansion(gauge: str, order: int, arithmetic: str, forces: Forces, p: Row, Omega: Row) -> Coefficients:
     """All p_k of odd and Omega_k of even loss degree in their order, absent ones as the zeros they are."""
-    rows = []
-    for row, parity in ((p, 1), (Omega, 0)):
-        keys = [_name(key) for key in _keys(forces, order, parity)]
-        rows.append({key: row.get(key, ZERO) for key in keys})
-    return ExpansionCoefficients(gauge, order, arithmetic, *rows)
+    names = ([_name(key) for key in _keys(forces, order, parity)] for parity in (1, 0))
+    amplitude, frequency = ({key: row.get(key, ZERO) for key in keys} for row, keys in zip((p, Omega), names))
+    return Coefficients(gauge, order, arithmetic, amplitude, frequency)
 
 
 def _keys(forces: Forces, order: int, parity: int) -> list[Key]:
@@ -149,7 +147,7 @@ def closed_forms(given: Given, order: int, gauge: str) -> dict[str, dict[Key, sy
     if forces.is_pure and forces.variables == 1:
         known["Omega"][2,] = omega_2(gauge).subs(alpha, exponents[0])
         if gauge == TURNING_POINT:
-            known["p"][3,] = symbolic_expansion().p[3].subs(alpha, exponents[0])
+            known["p"][3,] = symbolic_expansion()["p"][3].subs(alpha, exponents[0])
     elif forces.is_pure and gauge == TURNING_POINT:
         known["Omega"] = {k: -w for k, w in second_order_sum(tuple(exponents)).items()}
     elif gauge == TURNING_POINT:

@@ -1,9 +1,8 @@
-"""The results of ``coefficients``: one coefficient, an expansion and a half-swing, as text, JSON and LaTeX.
+"""What ``coefficients`` and ``closed_forms`` return: the rows of an expansion and of a half-swing.
 
 >>> row = {"1": Coefficient("0.424413181578", 4 / (3 * sympy.pi)), "2": ZERO}
->>> found = ExpansionCoefficients("turning-point", 2, "exact", row, {"2": Coefficient("-0.16", None)})
->>> found.amplitude["1"].exact, found.to_dict()["amplitude"]["2"]
-('4/(3*pi)', {'value': '0', 'exact': '0'})
+>>> row_to_dict(row)["2"]
+{'value': '0', 'exact': '0'}
 """
 
 from dataclasses import dataclass, field
@@ -13,7 +12,7 @@ import sympy
 
 from asymptotics.numbers.value import Coefficient
 
-__all__ = ["ZERO", "Coefficient", "ExpansionCoefficients", "HalfSwingCoefficients", "Row", "row_to_dict"]
+__all__ = ["ZERO", "Coefficient", "Coefficients", "HalfSwingCoefficients", "Row", "row_to_dict"]
 
 
 ZERO = Coefficient("0", sympy.Integer(0))
@@ -26,27 +25,20 @@ def row_to_dict(row: Row) -> dict[str, dict[str, str | None]]:
 
 
 @dataclass(frozen=True)
-class ExpansionCoefficients:
-    """p_k (``amplitude``) and Omega_k (``frequency``) for k <= ``order``; keys "k", or "k1,k2" for sums of laws."""
+class Coefficients:
+    """p_k (``amplitude``) and Omega_k (``frequency``) for k <= ``order``; keys "k", or "k1,k2" for sums of laws.
+
+    ``arithmetic`` is "exact", "certified", or "symbolic" where the exponent is a symbol: then there are no digits, and
+    ``W`` is the rate dtau/dpsi that they come from, ``integrals`` what is no moment.  ``Equations`` is made of them.
+    """
 
     gauge: str
     order: int
     arithmetic: str
     amplitude: Row
     frequency: Row
-
-    def to_dict(self) -> dict[str, Any]:
-        """The coefficients as the JSON of the command line."""
-        head = {"gauge": self.gauge, "order": self.order, "arithmetic": self.arithmetic}
-        return {**head, "amplitude": row_to_dict(self.amplitude), "frequency": row_to_dict(self.frequency)}
-
-    def latex(self) -> str:
-        """The two equations in LaTeX; exact coefficients where known, else their digits."""
-        p, Omega = (_latex_sum(row) for row in (self.amplitude, self.frequency))
-        return rf"\frac{{dA}}{{d\tau}} = -A\left({p}\right),\quad \frac{{d\psi}}{{d\tau}} = 1 + {Omega}"
-
-    def _repr_latex_(self) -> str:
-        return f"${self.latex()}$"
+    W: Row = field(default_factory=dict)
+    integrals: dict[str, dict[str, Any]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -71,14 +63,3 @@ class HalfSwingCoefficients:
             rows = [row_to_dict(row) for row in getattr(self, name)]
             data[name] = rows[0] if len(rows) == 1 else rows
         return data
-
-
-def _latex_sum(row: Row) -> str:
-    terms = []
-    for key, c in row.items():
-        powers = [int(k) for k in key.split(",")]
-        names = [r"\delta"] if len(powers) == 1 else [rf"\delta_{{{i}}}" for i in range(1, len(powers) + 1)]
-        monomial = " ".join(n + (f"^{{{k}}}" if k > 1 else "") for n, k in zip(names, powers) if k)
-        number = c.value if c.expression is None else sympy.latex(c.expression)
-        terms.append(rf"\left({number}\right) {monomial}")
-    return " + ".join(terms) or "0"

@@ -16,16 +16,14 @@ D(chi_1 delta) = -(alpha - 1) p_1 chi_1 delta^2:
     averaging:          Omega_2 + (alpha-1)/(alpha+1) p_1^2,
     no-first-harmonic:  Omega_2 + (alpha-1)(alpha+3)/(2 (alpha+1)) p_1^2.
 
-
 >>> expansion = symbolic_expansion()
->>> expansion.Omega[2].subs(alpha, 3), omega_2("averaging").subs(alpha, 3), omega_2("no-first-harmonic").subs(alpha, 3)
-(-45/256, -27/256, 9/256)
->>> expansion.p[3].subs(alpha, 3)
+>>> [omega.subs(alpha, 3) for omega in (expansion["Omega"][2], omega_2("averaging"), omega_2("no-first-harmonic"))]
+[-45/256, -27/256, 9/256]
+>>> expansion["p"][3].subs(alpha, 3)
 45/4096
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
@@ -34,23 +32,10 @@ from sympy import Expr, factor
 
 from asymptotics.errors import InputError
 from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
-from asymptotics.half_swings.symbolic import FIELD, I_4, ORDER, alpha, field_half_swing, nested_integral, to_expression
+from asymptotics.half_swings.symbolic import FIELD, I_4, alpha, field_half_swing, nested_integral, to_expression
 from asymptotics.moments.certified import moment as moment_ball
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.flow import Flow, flow_of
-
-
-@dataclass(frozen=True)
-class SymbolicExpansion:
-    """U, W, p, Omega through fourth order as SymPy expressions in ``alpha``, turning-point gauge."""
-
-    U: dict[int, Expr]
-    W: dict[int, Expr]
-    p: dict[int, Expr]
-    Omega: dict[int, Expr]
-    gauge: str = TURNING_POINT
-    arithmetic: str = "symbolic"
-    order: int = ORDER
 
 
 @cache
@@ -59,15 +44,16 @@ def field_flow() -> Flow:
     return flow_of(field_half_swing())
 
 
-def symbolic_expansion() -> SymbolicExpansion:
-    """p_1, p_3, Omega_2, Omega_4 (and U, W) for symbolic alpha; Omega_4 contains ``I_4(alpha)``.
+def symbolic_expansion() -> dict[str, dict[int, Expr]]:
+    """p_1, p_3, Omega_2, Omega_4, and U, W, for symbolic alpha, turning-point gauge; Omega_4 contains ``I_4(alpha)``.
 
     U and W are assembled from the closed forms of the module docstring; that they are what ``field_flow`` derives from
     the equation of motion is asserted by the tests for the whole field, not at single exponents.
     """
     a = alpha
     U, W = _flow(a, moment, I_4(a))
-    return SymbolicExpansion(U, W, *_rates(U, W))
+    p, Omega = _rates(U, W)
+    return {"U": U, "W": W, "p": p, "Omega": Omega}
 
 
 def _flow(a: Any, moment: Callable[[Any], Any], I4: Any) -> tuple[dict[int, Any], dict[int, Any]]:
@@ -86,7 +72,7 @@ def _rates(U: dict[int, Any], W: dict[int, Any]) -> tuple[dict[int, Any], dict[i
 def derived_coefficient(series: str, k: int) -> Expr:
     """U_k or W_k as the pipeline derives it, in SymPy.
 
-    >>> derived_coefficient("W", 2) - symbolic_expansion().W[2]
+    >>> derived_coefficient("W", 2) - symbolic_expansion()["W"][2]
     0
     """
     flow = field_flow()

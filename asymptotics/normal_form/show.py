@@ -15,7 +15,7 @@ import sympy
 from asymptotics.numbers.value import Coefficient, rounded
 from asymptotics.series import Key
 
-SHOWN_DIGITS = 10
+SHOWN_DIGITS, MAX_DIGITS = 10, 10_000
 _LONGEST_EXACT = 24  # a longer exact form hides the equation it stands in
 
 
@@ -24,9 +24,11 @@ def sum_text(row: Mapping[Key, Coefficient], names: Sequence[str], lead: str = "
     return _joined([(_number(c), _monomial(k, names, "^", "")) for k, c in _ordered(row) if not c.is_zero], lead)
 
 
-def sum_latex(row: Mapping[Key, Coefficient], names: Sequence[str], lead: str = "") -> str:
+def sum_latex(row: Mapping[Key, Coefficient], names: Sequence[str], lead: str = "", digits: int = SHOWN_DIGITS) -> str:
     """The same in LaTeX."""
-    return _joined([(_latex(c), _monomial(k, names, "^{", "}")) for k, c in _ordered(row) if not c.is_zero], lead)
+    return _joined(
+        [(_latex(c, digits), _monomial(k, names, "^{", "}")) for k, c in _ordered(row) if not c.is_zero], lead
+    )
 
 
 def _ordered(row: Mapping[Key, Coefficient]) -> list[tuple[Key, Coefficient]]:
@@ -38,7 +40,7 @@ def _joined(terms: list[tuple[str, str]], lead: str) -> str:
     text = lead
     for number, power in terms:
         sign, size = ("-", number[1:].lstrip()) if number.startswith("-") else ("+", number)
-        term = power if size == "1" else f"{size} {power}"
+        term = size if not power else power if size == "1" else f"{size} {power}"
         text += f" {sign} {term}" if text else term if sign == "+" else f"-{term}"
     return text or "0"
 
@@ -54,9 +56,9 @@ def _number(c: Coefficient) -> str:
     return rounded(c.text(), SHOWN_DIGITS)
 
 
-def _latex(c: Coefficient) -> str:
+def _latex(c: Coefficient, digits: int) -> str:
     if c.expression is not None and (c.value is None or len(str(c.exact)) <= _LONGEST_EXACT):
         text: str = sympy.latex(c.expression)
         return rf"\left({text}\right)" if c.expression.is_Add else text
-    mantissa, e, exponent = rounded(c.text(), SHOWN_DIGITS).partition("e")
+    mantissa, e, exponent = rounded(c.text(), digits).partition("e")
     return mantissa + (rf" \cdot 10^{{{int(exponent)}}}" if e else "")
