@@ -41,13 +41,13 @@ for n in (0, 2, 4):
     )
 printed = 2 ** (alpha + 1) * beta / pi
 double = 2 ** (2 * z - 1) * gamma(z) * gamma(z + sympy.Rational(1, 2)) / sqrt(pi)
-for n in (1, 2, 5):
-    step(f"Legendre's duplication, at z = {n}", At(gamma(2 * z), {z: n}), At(double, {z: n}))
+step("Legendre's duplication", gamma(2 * z), double)
 step(
     "with z = alpha/2 + 1 in the denominator: M_(alpha+1)",
     At(printed, {gamma(alpha + 2): At(double, {z: alpha / 2 + 1})}),
     moment(alpha + 1),
 )
+closed = gamma((p + 1) / 2) / (sqrt(pi) * gamma(p / 2 + 1))
 power = sin(theta) ** (p + 1) * cos(theta)
 step(
     "Second route: (sin^(p+1) cos)' = (p+1) sin^p - (p+2) sin^(p+2), so M_(p+2) = (p+1)/(p+2) M_p",
@@ -59,7 +59,17 @@ step(
     M(p + 2) / M(p),
     (p + 1) / (p + 2),
 )
-step("and it starts right", M(0), sympy.Integral(1, (theta, 0, pi)) / pi)
-step("and so does the odd chain", M(1), sympy.Integral(sin(theta), (theta, 0, pi)) / pi)
+step(
+    "It falls with p, since digamma rises (its derivative is the sum of 1/(z+k)^2); so does M_p, since |sin| <= 1",
+    sympy.Derivative(sympy.log(closed), p),
+    (sympy.digamma((p + 1) / 2) - sympy.digamma(p / 2 + 1)) / 2,
+)
+step(
+    "From p to p+2 both fall by (p+1)/(p+2) -> 1, in between by less: their quotient, of period 2, is constant",
+    sympy.Limit((p + 1) / (p + 2), p, sympy.oo),
+    sympy.Integer(1),
+)
+step("and 1 at p = 0", M(0), sympy.Integral(1, (theta, 0, pi)) / pi)
+step("The same at p = 1", M(1), sympy.Integral(sin(theta), (theta, 0, pi)) / pi)
 for n in range(4):
     step(f"(12) at alpha = {n}", At(printed, {alpha: n}), moment(n + 1))

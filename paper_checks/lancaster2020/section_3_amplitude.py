@@ -70,9 +70,8 @@ def linear_limit(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 
 @statement(
-    id="lancaster2020:11", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
-    extent="sampled: 5 points",
-    title="The integral grows like its mean",
+    id="lancaster2020:11", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    derivation="lancaster-average", title="The integral grows like its mean",
     latex=r"\int_0^t|\sin^{\alpha+1}(\omega_0 t')|dt' \simeq \langle|\sin^{1+\alpha}(\omega' t)|\rangle t",
     printed=mean(alpha), near_miss=2 ** (-(alpha + 1) / 2), order="1", digits=20,
     conditions="omega_0 t >> 1: the difference is periodic, so the relative error is O(1/(omega_0 t))",
@@ -81,9 +80,8 @@ def linear_limit(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     + FREQUENCY_NOTE + " Near miss: the mean of Lelas' trick. Order in 1/t. Form: the mean.",
 )
 @statement(
-    id="lancaster2020:12", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
-    extent="sampled: 5 points",
-    title="The mean as a beta function",
+    id="lancaster2020:12", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    derivation="lancaster-average", title="The mean as a beta function",
     latex=r"\int_0^t|\sin^{\alpha+1}(\omega t')|dt' \simeq 2^{\alpha+1}B\left(\frac{\alpha}{2}+1,"
     r"\frac{\alpha}{2}+1\right)t/\pi",
     printed=BETA, near_miss=BETA / 2, order="1", digits=20,
