@@ -19,12 +19,16 @@ _WIDTHS = (0.5, 0.8, 1.2, np.pi / 2)
 
 @dataclass(frozen=True)
 class Errors:
-    """Per point: error a of ln ``amplitude``, ``advance`` s (None if there are no times), true ``size`` and ``tau``."""
+    """Per point: error a of ln ``amplitude``, ``advance`` s (None if there are no times), true ``size`` and ``tau``.
+
+    ``jumps``: the share of the errors of samples that no a and s explain.
+    """
 
     tau: Any
     size: Any
     amplitude: Any
     advance: Any | None
+    jumps: float = 0.0
 
     def __len__(self) -> int:
         return len(self.size)
@@ -49,19 +53,21 @@ def of_motion(tau: Any, given: Any, x: Any, v: Any, turning: tuple[Any, Any]) ->
     order = np.argsort(tau)
     tau, given, x, v = (np.asarray(values, float)[order] for values in (tau, given, x, v))
     times, sizes = turning
-    found = []
+    found, missed, whole = [], 0.0, 0.0
     for n, (time, size) in enumerate(zip(times, sizes)):
         near = _near(tau, time)
         if len(near) < _SAMPLES:
             continue
         columns = np.stack([x[near], v[near]], axis=1)
-        (a, s), *_ = np.linalg.lstsq(columns, (given - x)[near], rcond=None)
+        wrong = (given - x)[near]
+        (a, s), *_ = np.linalg.lstsq(columns, wrong, rcond=None)
+        missed, whole = missed + float(np.sum((wrong - columns @ (a, s)) ** 2)), whole + float(np.sum(wrong**2))
         if a > -1:
             found.append((time, size, np.log1p(a), s, n))
     if not found:
         return Errors(*np.zeros((4, 0))), np.zeros(0)
     table = np.array(found).T
-    return Errors(*table[:4]), table[4]
+    return Errors(*table[:4], jumps=float(np.sqrt(missed / whole)) if whole else 0.0), table[4]
 
 
 def _near(tau: Any, time: float) -> Any:
