@@ -32,7 +32,7 @@ from math import prod
 from flint import arb, ctx
 
 from asymptotics.bounds.local import BITS, LocalBounds, Remainder, local_bounds
-from asymptotics.bounds.turning import sensitivity
+from asymptotics.bounds.turning import largest, sensitivity
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError
 from asymptotics.numbers.exact import ExactReal
@@ -41,13 +41,15 @@ from asymptotics.series import Series
 
 @dataclass(frozen=True)
 class TurningPointBound:
-    """At turning point n: A^_n and tau^_n as enclosures, and bounds of |A_n - A^_n| and |tau_n - tau^_n|."""
+    """At turning point n: A^_n and tau^_n as enclosures, and bounds of |A_n - A^_n|, |tau_n - tau^_n| and of the phase
+    error |psi^(tau_n) - n pi|."""
 
     n: int
     A: arb
     tau: arb
     amplitude: arb
     time: arb
+    phase: arb
 
 
 def orbit_bounds(alphas: Sequence[ExactReal], order: int, epsilons: Sequence[arb]) -> Iterator[TurningPointBound]:
@@ -56,7 +58,7 @@ def orbit_bounds(alphas: Sequence[ExactReal], order: int, epsilons: Sequence[arb
     LimitError if not even the first half-swing does.
     """
     steps = _Steps(local_bounds(alphas, order), epsilons)
-    here: TurningPointBound | None = TurningPointBound(0, arb(1), arb(0), arb(0), arb(0))
+    here: TurningPointBound | None = TurningPointBound(0, arb(1), *[arb(0)] * 4)
     while here is not None:
         tick(f"turning point {here.n}")
         yield here
@@ -74,6 +76,7 @@ class _Steps:
             self.weights = [a.ball() - 1 for a in local.alphas]
             self.steepest = max((abs(w) for w in self.weights), key=float)
             self.B = sensitivity(local, local.limit)
+            self.fastest = 1 + largest(local.flow.Omega.truncate(local.order), local.limit)
             if not sum(epsilons, arb(0)) <= local.limit:
                 reason = f"sum epsilon_i = {sum(epsilons, arb(0)).str(3, radius=False)} is out of range"
                 raise LimitError("epsilon", reason, f"at most {float(local.delta_max):g} at order {local.order}")
@@ -93,7 +96,8 @@ class _Steps:
         tau = here.tau + self._value(self.map.T, self.local.duration, deltas, delta)
         amplitude = here.amplitude + A * self.local.amplitude(delta).expm1()
         time = here.time + self.local.duration(delta) + self.B * h * widest**2
-        return TurningPointBound(here.n + 1, A, tau, arb(amplitude.upper()), arb(time.upper()))
+        bounds = (arb(b.upper()) for b in (amplitude, time, time * self.fastest))
+        return TurningPointBound(here.n + 1, A, tau, *bounds)
 
     def _value(self, f: Series, remainder: Remainder, deltas: Sequence[arb], delta: arb) -> arb:
         """L_N or T_N at these strengths: the coefficients that are known, and Cauchy's inequality beyond."""

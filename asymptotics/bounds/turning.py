@@ -70,7 +70,7 @@ class TurningBounds:
     def phase(self, n: int | None) -> arb:
         """A bound of |psi^(tau_n) - n pi|: the phase that order N gives to the true turning point; None as above."""
         with ctx.workprec(BITS):
-            Omega = _value(self.local.flow.Omega.truncate(self.local.order), self.delta)
+            Omega = largest(self.local.flow.Omega.truncate(self.local.order), self.delta)
             return (self.time(n) * (1 + Omega)).upper()
 
     def _crude(self, n: int | None) -> arb:
@@ -120,8 +120,8 @@ def _rates(local: LocalBounds, delta: arb) -> tuple[arb, arb]:
     """The infimum and supremum of p_N/(|delta| (1 + Omega_N)) over 0 < |delta| <= ``delta``."""
     p, Omega = (f.truncate(local.order) for f in (local.flow.p, local.flow.Omega))
     first = [arb(c) for k, c in p.coefficients.items() if sum(k) == 1]
-    rest = _value(Series({k: c for k, c in p.coefficients.items() if sum(k) > 1}, p.variables, p.order), delta) / delta
-    swing = _value(Omega, delta)
+    rest = largest(Series({k: c for k, c in p.coefficients.items() if sum(k) > 1}, p.variables, p.order), delta) / delta
+    swing = largest(Omega, delta)
     low = (min(first, key=float) - rest) / (1 + swing)
     return arb(low.lower()), arb(((max(first, key=float) + rest) / (1 - swing)).upper())
 
@@ -149,7 +149,7 @@ def _beyond(M: arb, rho: arb, order: int, delta: arb) -> arb:
     return M * x**J * (J - (J - 1) * x) / (1 - x) ** 2
 
 
-def _value(f: Series, delta: arb) -> arb:
+def largest(f: Series, delta: arb) -> arb:
     """A bound of |f| for |delta| <= ``delta``: each degree by its largest coefficient over the multinomial one."""
     return sum((abs(arb(c)) * delta ** sum(k) for k, c in f.coefficients.items()), arb(0))
 

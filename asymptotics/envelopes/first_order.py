@@ -17,6 +17,7 @@ averaged law is from the motion is a matter of ``validity`` and of higher orders
 """
 
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 from flint import arb
@@ -99,11 +100,13 @@ class FirstOrderEnvelope:
         It is the end of the averaged law, not of the motion, which sticks (alpha = 0) or creeps (0 < alpha < 1).
         """
 
-        def seconds() -> arb | None:
-            end = certified.extinction_time(self.laws())
-            return None if end is None else end / self.oscillator.omega_0()
+        if certified.extinction_time(self.laws()) is None:
+            return None
 
-        return None if seconds() is None else certified_decimal(lambda: seconds() or arb(0), digits)
+        def seconds() -> arb:  # whether there is an end depends on the exponents, not on the precision
+            return cast("arb", certified.extinction_time(self.laws())) / self.oscillator.omega_0()
+
+        return certified_decimal(seconds, digits)
 
     def numeric(self) -> NumericEnvelope:
         """The dimensionless averaged law in double precision, for arrays of tau; heuristic."""

@@ -84,7 +84,7 @@ def two_law_time(low: Law, high: Law, A: Expr = amplitude_symbol) -> Expr:
 def elementary_time(low: Law, high: Law, A: Expr = amplitude_symbol) -> Expr:
     """tau(A) in logarithms, arctangents and powers, for rational exponents alpha < alpha'; InputError otherwise.
 
-    A = 0 gives the extinction time when alpha < 1.
+    A = 0 gives the extinction time when alpha < 1, and infinity else.
     """
     _require_order(low, high)
     (alpha, c), (alpha_prime, c_prime) = low, high
@@ -100,8 +100,8 @@ def elementary_time(low: Law, high: Law, A: Expr = amplitude_symbol) -> Expr:
         return factor * elementary_F((alpha_prime - 1) / d, c / c_prime * x**-d)
 
     antiderivative = below if alpha < 1 else above
-    if A == 0 and alpha < 1:
-        return antiderivative(S.One)
+    if A == 0:
+        return antiderivative(S.One) if alpha < 1 else S.Infinity
     return antiderivative(S.One) - antiderivative(A)
 
 

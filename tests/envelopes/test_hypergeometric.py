@@ -128,7 +128,9 @@ def test_extinction():
     with mp.workdps(25):
         want = mpmath.quad(lambda x: 1 / (0.1 + mp.mpf(1) / 4 * x**3), [0, 1])
         assert abs(extinction_time(low, high).evalf(20) - sympy.Float(str(want), 20)) < 1e-13
-    assert elementary_time(low, high, S(0)).evalf(20) - extinction_time(low, high).evalf(20) < 1e-18
+    assert abs(elementary_time(low, high, S(0)).evalf(20) - extinction_time(low, high).evalf(20)) < 1e-18
+    assert elementary_time((S.One, S(2)), (S(2), S(3)), S.Zero) is S.Infinity  # A vanishes only in the limit
+    assert elementary_time((S.Zero, S(2)), (S(2), S(3)), S.Zero).is_finite
     assert extinction_time((S(1), S(1)), (S(2), S(1))) is None
 
 

@@ -51,3 +51,10 @@ def test_a_law_that_loses_its_sign_is_refused():
 def test_no_law_no_motion():
     assert law().solve(arb(5), arb(2)) == (arb(2), arb(0))
     assert law().table(0.0, 5.0).at(np.array([4.0]))[0][0] == 0
+
+
+def test_without_damping_the_phase_goes_on_at_its_rate():
+    slow = law(phase=((0.5, 2.0),))  # a nonlinear spring alone: Omega = e^(-2 s)/2
+    s, phi = slow.table(0.25, 4.0).at(np.array([0.0, 1.0, 3.0]))
+    assert s == pytest.approx([0.25] * 3, abs=1e-15)
+    assert phi == pytest.approx(np.array([0.0, 1.0, 3.0]) * 0.5 * np.exp(-0.5), abs=1e-15)

@@ -5,12 +5,19 @@ import sympy
 from flint import ctx
 from sympy import Float
 
+from asymptotics.budget import budget
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT
+from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.symbolic import alpha as symbolic_alpha
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.closed_forms import symbolic_coefficients, symbolic_with_spring
-from asymptotics.normal_form.coefficients import closed_forms, expansion_coefficients, half_swing_coefficients
+from asymptotics.normal_form.coefficients import (
+    _is_quick,
+    closed_forms,
+    expansion_coefficients,
+    half_swing_coefficients,
+)
 from asymptotics.normal_form.digits import certified_digits
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.decimals import decimal_of_ball
@@ -155,3 +162,30 @@ def test_a_symbolic_exponent_beside_a_spring(text, p):
             assert abs(value - Float(other[key].value)) < 1e-13
     with pytest.raises(InputError, match="order"):
         symbolic_with_spring(p, 3)
+
+
+def test_the_half_swing_of_a_mixed_sum_knows_its_integer_part_exactly():
+    """(1, 3/2): what involves linear friction alone is L = -pi/2 delta, F = delta exactly; the rest is in balls."""
+    found = half_swing_coefficients(reals("1", "3/2"), 2, 12)
+    assert found.arithmetic == "certified"
+    assert found.log_ratio["1,0"].expression == -sympy.pi / 2
+    assert found.log_ratio["0,1"].value == "-1.43776828168"
+    assert found.duration["2,0"].expression == sympy.pi / 8
+    assert (found.map[0]["1,0"].value, found.map[0]["2,0"].value) == ("1.00000000000", "0")
+    assert found.map[1]["0,1"].value == "1.00000000000"
+    assert (len(found.map), len(found.V)) == (2, 2)
+    assert found.W["2,0"].expression == sympy.Rational(1, 8)
+
+
+def test_the_exact_engine_leaves_time_for_the_other_one():
+    forces = Forces.read((2,), 6)
+    with budget(0.03):  # estimates: 0.002 s in the turning-point gauge, 0.04 s in the others
+        assert _is_quick(forces, 6, TURNING_POINT)
+        assert not _is_quick(forces, 6, AVERAGING)
+    assert _is_quick(forces, 6, AVERAGING)
+
+
+def test_latex_names_every_strength_of_a_sum():
+    found = expansion_coefficients(reals("1", "2"), 2, 5)
+    assert r"\delta_{1} \delta_{2}" in found.latex()
+    assert r"\delta_{2}^{2}" in found.latex()

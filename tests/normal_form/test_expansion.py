@@ -17,6 +17,7 @@ from asymptotics.normal_form.verify import (
     residual_order,
     verify,
 )
+from asymptotics.terms import Term
 from asymptotics.verdict import Outcome
 
 
@@ -42,6 +43,13 @@ def test_verify_refutes_a_wrong_coefficient():
 @pytest.mark.parametrize(("alphas", "order"), [((3,), 8), ((1,), 5), ((1, 3), 4), ((5,), 4)])
 def test_residual_in_the_equation_of_motion_vanishes(gauge, alphas, order):
     assert equation_residual(alphas, order, gauge) is Outcome.CONFIRMED
+
+
+@pytest.mark.parametrize("gauge", GAUGES)
+def test_residual_of_polynomials_in_x_and_v_vanishes(gauge):
+    van_der_pol = [Term(-1, 1), Term(-1, 1, 2)]
+    assert equation_residual(van_der_pol, 4, gauge) is Outcome.CONFIRMED
+    assert equation_residual([Term(-1, 3, 2), Term(1, 0, 3, "position")], 3, gauge) is Outcome.CONFIRMED
 
 
 def test_reference_of_another_law_is_refuted():
