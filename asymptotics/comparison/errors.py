@@ -67,7 +67,8 @@ def of_motion(tau: Any, given: Any, x: Any, v: Any, turning: tuple[Any, Any]) ->
     if not found:
         return Errors(*np.zeros((4, 0))), np.zeros(0)
     table = np.array(found).T
-    return Errors(*table[:4], jumps=float(np.sqrt(missed / whole)) if whole else 0.0), table[4]
+    tau, size, amplitude, advance, ns = table
+    return Errors(tau, size, amplitude, advance, float(np.sqrt(missed / whole)) if whole else 0.0), ns
 
 
 def _near(tau: Any, time: float) -> Any:
