@@ -17,6 +17,7 @@ ROOT = Path(__file__).parents[1]
 LAYERS = [  # a module may import its own folder and what stands before it
     "errors",
     "budget",
+    "costs",
     "verdict",
     "gauges",
     "numbers",

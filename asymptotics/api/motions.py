@@ -21,6 +21,7 @@ import numpy as np
 
 from asymptotics.api.units import oscillator_of
 from asymptotics.bounds.motion import proved_bound
+from asymptotics.costs import require_affordable
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Oscillator
@@ -162,8 +163,7 @@ class Reference:
     def _require_size(self, times: Sequence[ExactReal]) -> None:
         last = max(times, default=ExactReal(0))
         seconds = estimated_seconds(self.oscillator, last, DIGITS)
-        if seconds > MAX_SECONDS:
-            raise LimitError("time", f"{last} would take about {seconds:.0f} s", f"at most {MAX_SECONDS} s of work")
+        require_affordable(seconds, MAX_SECONDS, "time", f"{last} s")
 
     def __repr__(self) -> str:
         return f"Reference({self.oscillator})"

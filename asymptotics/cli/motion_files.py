@@ -15,7 +15,7 @@ import numpy as np
 from flint import ctx
 
 from asymptotics.cli.quantities import Given
-from asymptotics.errors import LimitError
+from asymptotics.costs import require_affordable
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
@@ -93,9 +93,7 @@ def picture_of_reference(given: Given, time: ExactReal, kind: str, static: str |
 def _reference(oscillator: Oscillator, time: ExactReal, rows: int, static: str | None = None) -> tuple[Any, Any, Any]:
     """(t, x, v) of the reference motion at rows + 1 equally spaced times, in doubles."""
     seconds = estimated_seconds(oscillator, time, _REFERENCE_DIGITS)
-    if seconds > _MAX_SECONDS:
-        reason = f"a reference motion through {time} s would take about {seconds:.0f} s"
-        raise LimitError("--time", reason, f"at most {_MAX_SECONDS:.0f} s of work for files")
+    require_affordable(seconds, _MAX_SECONDS, "--time", f"a reference motion through {time} s", " for files")
     times = [time * Fraction(i, rows) for i in range(rows + 1)]
     if oscillator.law.is_pure and oscillator.law.integer_alphas == (0,):  # exact, with sticking
         points = [reference_motion(oscillator, t, _REFERENCE_DIGITS, static=static) for t in times]

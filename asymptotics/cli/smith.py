@@ -15,6 +15,7 @@ from math import log2
 from typing import Any
 
 from asymptotics.cli.answer import Answer, add_json, add_max_seconds
+from asymptotics.costs import binomial_seconds, require_affordable
 from asymptotics.errors import InputError, LimitError
 from asymptotics.invariants.exact import coefficient, coefficients
 from asymptotics.numbers.exact import parse_integer
@@ -86,10 +87,10 @@ def _check_work(n: int, i: int) -> None:
     """Refuse a coefficient whose line of integers would take too long or too much memory, with the estimate."""
     line = (n - i + 1) // 2
     size = line * n * log2(n + 2) / 16 + 1
-    seconds = 2e-7 * line * i * (1 + n * log2(n + 2) / 8000)
-    if size > MAX_BYTES or seconds > MAX_SECONDS:
-        reason = f"C_{i}^{n} would take about {seconds:.0f} s and {size / 2**20:.0f} MiB"
-        raise LimitError("--n", reason, f"at most {MAX_SECONDS} s and {MAX_BYTES >> 20} MiB: a smaller n or i")
+    if size > MAX_BYTES:
+        reason = f"C_{i}^{n} would take {size / 2**20:.0f} MiB"
+        raise LimitError("--n", reason, f"at most {MAX_BYTES >> 20} MiB: a smaller n or i")
+    require_affordable(binomial_seconds(line, i, n), MAX_SECONDS, "--n", f"C_{i}^{n}", ": a smaller n or i")
 
 
 def _text(q: Fraction) -> str:

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from flint import arb, ctx
 
 from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds
+from asymptotics.costs import half_swing_seconds
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Oscillator, PhysicalLaw
 from asymptotics.motions.certify import half_unit, time_of
@@ -184,7 +185,6 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
         swings = float((t.ball() * oscillator.omega_0() / arb.pi()).mid()) + 1
     if not oscillator.law.is_pure:
         return estimated_in_well(Force.of(oscillator.dimensionless.terms), swings, bits_for(digits, 48))
-    apart = 1 + sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
+    apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
     terms = len(oscillator.law.terms)
-    seconds: float = swings * 0.035 * (bits_for(digits, 48) / 150) ** 2.2 * apart * (0.6 + 0.4 * terms)
-    return seconds
+    return half_swing_seconds(swings, bits_for(digits, 48), terms, apart)

@@ -44,7 +44,8 @@ from dataclasses import dataclass
 from flint import fmpq, fmpq_poly
 
 from asymptotics.budget import tick
-from asymptotics.errors import InputError, LimitError
+from asymptotics.costs import hierarchy_seconds, require_affordable
+from asymptotics.errors import InputError
 from asymptotics.half_swings.forces import Forces, Given, Member
 from asymptotics.half_swings.fourier_flow import is_polynomial
 from asymptotics.half_swings.grading import Grading
@@ -137,9 +138,7 @@ def odd_hierarchy(given: Given, order: int, *, max_seconds: float = MAX_SECONDS)
     """
     require_integer(order, "order", 1, MAX_ORDER)
     forces = require_smooth(given, order)
-    seconds = estimated_seconds(forces, order)
-    if seconds > max_seconds:
-        raise LimitError("order", f"{order} would take about {seconds:.0f} s", f"an estimate below {max_seconds:.0f} s")
+    require_affordable(estimated_seconds(forces, order), max_seconds, "order", f"order {order}")
     kernel = _Kernel(forces, order)
     for n in range(1, order + 1):
         tick(f"order {n} of {order} of the hierarchy")
@@ -167,11 +166,11 @@ def require_smooth(given: Given, order: int) -> Forces:
 
 
 def estimated_seconds(forces: Forces, order: int) -> float:
-    """(powers) x (pairs of monomials) x (length of the polynomials), times a measured rate."""
+    """A rough estimate of the time for the hierarchy."""
     count = len(monomials(forces.variables + 1, order))
     powers = max(max(m.integer_velocity, 1) + m.position for m in forces.through(order))
     length = 1 + order * (spread_of(forces, order) + 1) // 2
-    return 3e-7 * powers * count**2 * length
+    return hierarchy_seconds(count, powers, length)
 
 
 def _degree(m: Member) -> int:

@@ -14,13 +14,12 @@ Omega: 9/256*d^2 + O(4)
 """
 
 from dataclasses import dataclass
-from math import comb
 from typing import Any
 
 from flint import arb
 from sympy import latex
 
-from asymptotics.errors import LimitError
+from asymptotics.costs import exact_expansion_seconds, require_affordable
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
 from asymptotics.half_swings.forces import Forces, Given
@@ -149,18 +148,14 @@ def _in_gauge(flow: Flow, change: GaugeMap) -> Flow:
 
 
 def estimated_seconds(given: Given, order: int, gauge: str = TURNING_POINT) -> float:
-    """A rough estimate of the time for an exact expansion: monomials^2 order^2, with measured rates; not a promise."""
+    """A rough estimate of the time for an exact expansion."""
     forces = Forces.read(given, order)
-    work = order**2 * comb(order + forces.variables, forces.variables) ** 2
-    largest = max(2, *(m.integer_velocity + m.position for m in forces.members if m.order == 1)) / 2
-    if is_smooth(forces):
-        return 1e-6 * work * largest**2
-    return (1e-6 if gauge == TURNING_POINT else 2e-5) * work * largest
+    degree = max(2, *(m.integer_velocity + m.position for m in forces.members if m.order == 1)) / 2
+    plain = gauge == TURNING_POINT
+    return exact_expansion_seconds(order, forces.variables, degree, smooth=is_smooth(forces), turning_point=plain)
 
 
 def require_size(given: Given, order: int, gauge: str = TURNING_POINT, max_seconds: float = MAX_SECONDS) -> None:
     """InputError for an order below 1, LimitError when the estimated time is above ``max_seconds``."""
     require_integer(order, "order", 1, MAX_ORDER)
-    seconds = estimated_seconds(given, order, gauge)
-    if seconds > max_seconds:
-        raise LimitError("order", f"{order} would take about {seconds:.0f} s", f"an estimate below {max_seconds:.0f} s")
+    require_affordable(estimated_seconds(given, order, gauge), max_seconds, "order", f"order {order}")

@@ -20,6 +20,7 @@ from typing import Any
 
 from flint import arb, ctx
 
+from asymptotics.costs import map_seconds, require_affordable
 from asymptotics.errors import InputError, LimitError
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, MAX_BITS, bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal, require_integer
@@ -177,19 +178,13 @@ def _check(epsilon: ExactReal, count: int, digits: int, start: int, times: bool)
         reason = f"{digits} digits are too many for a start beyond {_DIRECT}"
         raise LimitError("digits", reason, f"at most {MAX_JUMP_DIGITS} digits there")
     seconds = estimated_seconds(epsilon, count, digits, start, times)
-    if seconds > MAX_SECONDS:
-        reason = f"{count} points with {digits} digits would take about {seconds:.0f} s"
-        accepted = f"work of at most {MAX_SECONDS} s: fewer points, fewer digits or no --times"
-        raise LimitError("count", reason, accepted)
+    work = f"{count} points with {digits} digits"
+    require_affordable(seconds, MAX_SECONDS, "count", work, ": fewer points, fewer digits or no times")
 
 
 def estimated_seconds(epsilon: ExactReal, count: int, digits: int, start: int, times: bool) -> float:
-    """The expected running time on an ordinary core; measured once, good to a factor of about three."""
-    one_evaluation = 4e-6 * (1 + digits / 40) ** 1.15
+    """The expected running time."""
     steps = count + (start if start <= _DIRECT else 7 * digits + 200)
-    seconds: float = steps * (3 * one_evaluation + 1e-5)
-    if times:
-        with ctx.workprec(53):
-            first = node_count(2 * float(epsilon.ball().mid()) + 1, bits_for(digits))
-        seconds += (first + steps * digits / 3) * one_evaluation
-    return seconds
+    with ctx.workprec(53):
+        first = node_count(2 * float(epsilon.ball().mid()) + 1, bits_for(digits)) if times else 0
+    return map_seconds(steps, digits, first, times=times)

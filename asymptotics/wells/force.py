@@ -20,6 +20,7 @@ from functools import cached_property
 
 from flint import arb
 
+from asymptotics.costs import well_seconds
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import upper
@@ -157,5 +158,5 @@ class Force:
 
 def estimated_seconds(force: Force, swings: float, bits: int) -> float:
     """The expected time, good to a factor of about three for weak damping."""
-    apart = 1 + 4 * sum(not (a.is_rational and a.rational.denominator <= 20) for a in force.alphas)
-    return swings * 0.06 * (bits / 130) ** 2 * apart * (0.7 + 0.3 * (len(force.losses) + len(force.springs)))
+    apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in force.alphas)
+    return well_seconds(swings, bits, len(force.losses) + len(force.springs), apart)

@@ -1,0 +1,58 @@
+"""What work costs, from its sizes alone: all measured rates of the project, and the one refusal of too much work.
+
+Seconds on one ordinary core, good to a factor of about three: enough to refuse what would take hours, at once and with
+the estimate.  What an estimate cannot see, the time budget stops (``budget``).
+
+>>> round(half_swing_seconds(swings=100, bits=150, terms=1, apart=0), 1)
+3.5
+>>> require_affordable(7200, 60, "order", "order 300")
+Traceback (most recent call last):
+    ...
+asymptotics.errors.LimitError: argument order: order 300 would take about 7200 s (accepted: work of at most 60 s)
+"""
+
+from math import comb, log2
+
+from asymptotics.errors import LimitError
+
+
+def exact_expansion_seconds(order: int, variables: int, degree: float, *, smooth: bool, turning_point: bool) -> float:
+    """Monomials^2 order^2, for integer exponents; ``degree`` is half the largest degree, at least 1."""
+    work = order**2 * comb(order + variables, variables) ** 2
+    if smooth:
+        return 1e-6 * work * degree**2
+    return (1e-6 if turning_point else 2e-5) * work * degree
+
+
+def hierarchy_seconds(monomials: int, powers: int, length: int) -> float:
+    """(powers) x (pairs of monomials) x (length of the polynomials)."""
+    return 3e-7 * powers * monomials**2 * length
+
+
+def half_swing_seconds(swings: float, bits: int, terms: int, apart: int) -> float:
+    """Certified half-swings by local expansions; ``apart`` counts the exponents without a small denominator."""
+    return float(swings * 0.035 * (bits / 150) ** 2.2 * (1 + apart) * (0.6 + 0.4 * terms))
+
+
+def well_seconds(swings: float, bits: int, terms: int, apart: int) -> float:
+    """The same in a well with springs or losses that depend on the position."""
+    return swings * 0.06 * (bits / 130) ** 2 * (1 + 4 * apart) * (0.7 + 0.3 * terms)
+
+
+def binomial_seconds(line: float, i: int, n: int) -> float:
+    """One of Smith's coefficients C_i^n: i passes over a line of integers of about n log n bits."""
+    return 2e-7 * line * i * (1 + n * log2(n + 2) / 8000)
+
+
+def map_seconds(steps: int, digits: int, nodes: float = 0.0, *, times: bool = False) -> float:
+    """Steps of a map in closed form, and for their times a quadrature: ``nodes`` of them for the first half-swing."""
+    one_evaluation = float(4e-6 * (1 + digits / 40) ** 1.15)
+    seconds = steps * (3 * one_evaluation + 1e-5)
+    return seconds + (nodes + steps * digits / 3) * one_evaluation if times else seconds
+
+
+def require_affordable(seconds: float, limit: float, argument: str, work: str, accepted: str = "") -> None:
+    """LimitError with the estimate when it is above ``limit``."""
+    if seconds > limit:
+        reason = f"{work} would take about {seconds:.0f} s"
+        raise LimitError(argument, reason, f"work of at most {limit:.0f} s{accepted}")
