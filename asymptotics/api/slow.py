@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import sympy
 
+from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.motions import times_of
 from asymptotics.api.units import oscillator_of
 from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
@@ -81,9 +82,24 @@ class Envelope:
         """A in m at an array of times in s: doubles; NaN stays NaN, extinct is 0."""
         return self._law.amplitudes(np.asarray(times_of(t)))
 
+    def phases(self, t: Any) -> Any:
+        """phi in rad at an array of times in s, 0 at the start: doubles; NaN where it is not known."""
+        if self.averaging != MEAN:
+            return np.full_like(times_of(t), np.nan)
+        phi = AsymptoticMotion.of(self.oscillator, 2).sample(t).phase  # order 2 is p_1 and Omega_2: this phase
+        return np.where(self.amplitudes(t) > 0, phi - phi[0], np.nan)
+
     @cached_property
     def _law(self) -> FirstOrderEnvelope:
         return FirstOrderEnvelope(self.oscillator, self.averaging)
+
+    def to_dict(self) -> dict[str, object]:
+        """JSON-ready: the oscillator, the formula where one is known, the rates, the extinction."""
+        formula = None if self.formula is None else str(self.formula.expression)
+        numbers = {"kappas": list(self.kappas()), "extinction": self.extinction_time()}
+        notes = list(self.notes)
+        return {"oscillator": self.oscillator.to_dict(), "averaging": self.averaging, "formula": formula, **numbers,
+                "notes": notes}  # fmt: skip
 
     def __str__(self) -> str:
         shown = "no elementary form" if self.formula is None else f"A/A(0) = {self.formula.expression}"
@@ -98,12 +114,20 @@ class Envelope:
         return r"$A(\tau)$: no elementary form" if form is None else rf"$A/A(0) = {sympy.latex(form.expression)}$"
 
 
-def envelope(law: Any, *, averaging: str = MEAN) -> Envelope:
+def envelope(law: Any, *, averaging: str = MEAN) -> Envelope | SpringEnvelope:
     """The first-order envelope of an oscillator (SI) or of a law alone; ``averaging`` "mean" (Lancaster) or "lelas".
 
-    InputError for anti-damping, springs and position-dependent losses, and an unknown averaging.
+    Beside a spring c x^3, or for a pendulum, it is exact in the spring for any amplitude inside the well.  InputError
+    for anti-damping, other springs, position-dependent losses (but beside x^3), and an unknown averaging.
+
+    >>> envelope(Oscillator({2: "1/20"}, spring="pendulum", x0=3)).period(3, digits=12)
+    '16.1555393724'
     """
     oscillator = oscillator_of(law)
+    if any(not t.b.is_zero for t in oscillator.law.springs):
+        if averaging != MEAN:
+            raise InputError("averaging", f"{averaging!r:.40} knows the linear spring", MEAN)
+        return SpringEnvelope.of(oscillator)
     oscillator.law.require_pure("the first-order envelope")
     FirstOrderEnvelope(oscillator, averaging)
     return Envelope(oscillator, averaging, oscillator.notes)

@@ -2,10 +2,13 @@
 
   asymptotics envelope --alpha 3/2 --epsilon 1/10
   asymptotics envelope --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --time 7 --digits 20
+  asymptotics envelope --law 2:1/20 --spring pendulum --x0 3 --time 40
   asymptotics envelope --law 0:0.01 --law 2:0.3 --time 40 --plot envelope.svg --csv envelope.csv
 
 dA/dtau = -sum_i kappa_i A^alpha_i with kappa_i = M_(alpha_i+1) epsilon_i, tau = omega_0 t.  Every digit is proved
 for this averaged law; how far it is from the motion, `motion` tells.  --lelas averages by the squaring trick.
+With --spring 3:C or --spring pendulum the law is exact in the spring, for any amplitude inside the well (phase against
+omega_0 t), and the period at the start, without loss, is told too.
 Units are SI when a mass, a stiffness, a start or --damping is given; otherwise there are none.
 """
 
@@ -15,21 +18,23 @@ from typing import Any
 import numpy as np
 import sympy
 
+from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.slow import MAX_DIGITS, Envelope, envelope
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
 from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
 from asymptotics.cli.quantities import Given, add_oscillator, read_oscillator
 from asymptotics.envelopes.symbolic import LELAS, MEAN
 from asymptotics.errors import InputError
-from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.certify import time_of
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.present.figures import render
 
+Curve = Envelope | SpringEnvelope
+
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    add_oscillator(parser)
+    add_oscillator(parser, springs=True)
     parser.add_argument("--time", metavar="T", help="the time in s (or tau) at which A and phi are wanted")
     parser.add_argument("--lelas", action="store_true", help="average by the squaring trick of Lelas 2024")
     parser.add_argument("--latex", action="store_true", help="print the formula as LaTeX")
@@ -58,7 +63,7 @@ def run(options: argparse.Namespace) -> Answer:
     return Answer(data, str(data["latex"]) if options.latex else _text(data, given), options.json)
 
 
-def _data(found: Envelope, time: ExactReal | None, digits: int) -> dict[str, Any]:
+def _data(found: Curve, time: ExactReal | None, digits: int) -> dict[str, Any]:
     formula = found.formula
     return {
         "averaging": found.averaging,
@@ -66,6 +71,7 @@ def _data(found: Envelope, time: ExactReal | None, digits: int) -> dict[str, Any
         "formula": None if formula is None else str(formula.expression),
         "latex": None if formula is None else rf"\frac{{A}}{{A(0)}} = {sympy.latex(formula.expression)}",
         "kappas": list(found.kappas(digits=digits)),
+        "period": _period(found, digits),
         "extinction": found.extinction_time(digits=digits),
         "time": None if time is None else str(time),
         "amplitude": None if time is None else found.amplitude(time, digits=digits),
@@ -74,42 +80,47 @@ def _data(found: Envelope, time: ExactReal | None, digits: int) -> dict[str, Any
     }
 
 
-def _phase(found: Envelope, time: ExactReal, digits: int) -> str | None:
+def _period(found: Curve, digits: int) -> str | None:
+    """The period at the start without loss, where the spring makes it depend on the amplitude."""
+    return found.period(abs(found.oscillator.x0), digits=digits) if isinstance(found, SpringEnvelope) else None
+
+
+def _phase(found: Curve, time: ExactReal, digits: int) -> str | None:
     """phi, or None where the averaged amplitude is extinct: there is no phase without an amplitude."""
     return None if found.amplitude(time, digits=2) == "0" else found.phase(time, digits=digits)
 
 
 def _text(data: dict[str, Any], given: Given) -> str:
     head = "A/A(0) has no elementary form" if data["formula"] is None else f"A/A(0) = {data['formula']}"
+    if data["period"] is not None:
+        head = "A/A(0) by 2F1, exact in the spring"
     lines = [f"{head}, tau = omega_0 t" if given.si else head]
     lines += [f"kappa_{i}    {kappa}" for i, kappa in enumerate(data["kappas"], start=1)]
-    units = {"extinction": "s", "time": "s", "amplitude": "m", "phase": "rad"}
+    units = {"period": "s", "extinction": "s", "time": "s", "amplitude": "m", "phase": "rad"}
     lines += [f"{name:10} {data[name]}{given.unit(unit)}" for name, unit in units.items() if data[name] is not None]
     return "\n".join([*lines, "certified: true (for the averaged law)", *data["notes"], *data["files"]])
 
 
-def _table(found: Envelope, given: Given, time: ExactReal | None, options: argparse.Namespace) -> str:
+def _table(found: Curve, given: Given, time: ExactReal | None, options: argparse.Namespace) -> str:
     t, A, phi = _columns(found, time, read_points(options))
     head = "t [s],amplitude [m],phase [rad]" if given.si else "tau,amplitude,phase"
     return "\n".join([head, *(",".join(repr(float(c)) for c in row) for row in zip(t, A, phi))]) + "\n"
 
 
-def _columns(found: Envelope, time: ExactReal | None, points: int) -> tuple[Any, Any, Any]:
+def _columns(found: Curve, time: ExactReal | None, points: int) -> tuple[Any, Any, Any]:
     """Times, amplitudes and phases in doubles; NaN for a phase that is not known."""
     t = np.linspace(0.0, float((time or ExactReal(0)).ball().mid()), points + 1)
-    A = found.amplitudes(t)
-    if found.averaging != MEAN:
-        return t, A, np.full_like(t, np.nan)
-    phi = AsymptoticMotion.of(found.oscillator, 2).sample(t).phase  # order 2 is p_1 and Omega_2: this phase
-    return t, A, np.where(A > 0, phi - phi[0], np.nan)
+    return t, found.amplitudes(t), found.phases(t)
 
 
-def _picture(found: Envelope, given: Given, time: ExactReal | None, kind: str) -> bytes:
+def _picture(found: Curve, given: Given, time: ExactReal | None, kind: str) -> bytes:
     t, A, phi = _columns(found, time, 2000)
     psi = t * float(given.oscillator.omega_0().mid()) + np.nan_to_num(phi)
+    bent = isinstance(found, SpringEnvelope)
+    x, label = (found.sample(t).x, "x") if bent else (A * np.cos(psi), r"$A\,\cos(\omega_0 t + \varphi)$")
 
     def draw(axes: Any) -> None:
-        axes.plot(t, A * np.cos(psi), linewidth=0.9, label=r"$A\,\cos(\omega_0 t + \varphi)$")
+        axes.plot(t, x, linewidth=0.9, label=label)
         for sign in (1, -1):
             axes.plot(t, sign * A, color="#c2410c", label="envelope" if sign > 0 else None)
         axes.set_xlabel(given.time_label)

@@ -8,6 +8,7 @@
 ``certified``         one or more laws, first order: tau(A), A(tau), extinction, phase as balls
 ``numeric``           the same for NumPy arrays: heuristic floats
 ``slow_flow``         any laws, any order: the truncated equations solved, in balls and for arrays (``motions``)
+``large``             pendulum and Duffing, first order in the loss, exact in the spring: any amplitude inside the well
 ``first_order``       all of it for an oscillator in SI units
 ``validity``          where dA/dt << omega_0 A
 ====================  ==================================================================================

@@ -23,7 +23,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from flint import acb, arb, ctx
@@ -79,6 +79,20 @@ class ExponentialSum:
             return (c * np.exp(-a * np.ravel(s)[None, :])).sum(axis=0).reshape(np.shape(s))
 
 
+class Rate(Protocol):
+    """A function of s, at balls and at arrays; ``terms``: (strength, power of the amplitude) of its time scales."""
+
+    @property
+    def terms(self) -> tuple[tuple[arb, arb], ...]:
+        """Nothing for a rate that is 0."""
+
+    def __call__(self, s: Any) -> Any:
+        """At a ball, real or complex."""
+
+    def array(self, s: Any) -> Any:
+        """At an array of doubles."""
+
+
 @dataclass(frozen=True)
 class SlowTable:
     """(s, phi) at the knots of tau, with the slopes; ``extinction``: the time at which A = 0, inf if there is none."""
@@ -108,8 +122,8 @@ class SlowTable:
 class SlowLaw:
     """ds/d tau = p(s), d phi/d tau = Omega(s)."""
 
-    p: ExponentialSum
-    Omega: ExponentialSum
+    p: Rate
+    Omega: Rate
 
     def table(self, start: float, tau_max: float) -> SlowTable:
         """Knots from s = ``start`` until tau reaches ``tau_max`` or the amplitude is extinct; doubles."""

@@ -16,5 +16,6 @@ from a loss that depends on the place; times can, because the clock x'(xi) belon
 ==============  =========================================================================================
 ``series``      x(xi), x'(xi) and the straightened loss of any springs, as exact series
 ``pendulum``    first order in the loss, exact in the amplitude, any exponent: 2F1; the exact period
+``wells``       the same for the pendulum and x + c x^3, in xi: balls, contours, arrays
 ==============  =========================================================================================
 """

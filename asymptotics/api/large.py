@@ -1,0 +1,205 @@
+"""The envelope of a pendulum or Duffing oscillator in SI units: first order in the loss, exact in the spring.
+
+A(t) is the turning amplitude, psi(t) = omega_0 t + phi(t) the phase (n pi at the n-th turning point), and with the
+modulus k of the well at A
+
+    pendulum:  theta = 2 arcsin(k cd(u, k)),  u = Theta psi;      Duffing:  x = A cn(u, mu),  u = Theta sqrt(B) psi.
+
+Digits are certified for this slow flow (``envelopes.large``), which reaches an amplitude at a phase and time that are
+right to O(eps^2) relative, O(eps) absolute.  Arrays are doubles.
+
+>>> from asymptotics.law import Oscillator
+>>> air = SpringEnvelope.of(Oscillator({2: "1/20"}, spring="pendulum", x0="5/2"))
+>>> air.amplitude(40, digits=12), air.phase(40, digits=8), air.period("5/2", digits=10)
+('0.784624230235', '-4.7321741', '10.32316287')
+>>> air.sample([0.0, 40.0]).x.round(6).tolist()
+[2.5, -0.598221]
+"""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from flint import arb
+from scipy.special import ellipj
+
+from asymptotics.envelopes.large import SlowFlow
+from asymptotics.errors import InputError
+from asymptotics.law import Oscillator
+from asymptotics.motions.result import MotionSamples
+from asymptotics.numbers.arrays import real_array
+from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import Number, exact_integer, exact_number
+from asymptotics.straightening.wells import Loss, Well
+
+MAX_DIGITS = 200
+Array = Any
+NOTE = "first order in the loss, exact in the spring"
+
+
+@dataclass(frozen=True, repr=False)
+class SpringEnvelope:
+    """A(t), phi(t) and the motion of an oscillator with the spring x^3 or of a pendulum; build it with ``of``."""
+
+    oscillator: Oscillator
+    averaging: str = "mean"
+    notes: tuple[str, ...] = field(default=(), compare=False)
+    formula: None = None
+
+    @classmethod
+    def of(cls, oscillator: Oscillator) -> "SpringEnvelope":
+        """InputError for other springs, anti-damping, a start with a velocity, and a start outside the well."""
+        law = oscillator.law
+        law.require_dissipative("amplitude that falls")
+        springs = [t for t in law.springs if not t.b.is_zero]
+        known = "one spring c x^3, or the pendulum"
+        if len(springs) != 1 or not (springs[0].family or (springs[0].position == 3 and springs[0].velocity.is_zero)):
+            shown = " + ".join(t.shape() for t in springs) or "the linear spring"
+            raise InputError("spring", f"no envelope exact in the spring is known for {shown}", known)
+        if springs[0].family:
+            for t in law.losses:
+                if t.position and not t.b.is_zero:
+                    reason = f"{t.shape()} depends on the angle: no closed form is known beside the pendulum"
+                    raise InputError("law", reason, "losses x'|x'|^(alpha-1), or |x|^m x'|x'|^(alpha-1) beside x^3")
+        if not oscillator.v0.is_zero:
+            raise InputError("v0", "the envelope exact in the spring starts at a turning point", "v0 = 0")
+        found = cls(oscillator, notes=(*oscillator.notes, NOTE))
+        found._flow().s_0  # noqa: B018  the start is inside the well, or it says so
+        return found
+
+    def amplitude(self, t: Number, *, digits: Any = 30) -> str:
+        """The turning amplitude A(t) in m, correctly rounded; "0" from the extinction time on."""
+        return self._decimal(lambda seconds: self._flow().amplitude(self._tau(seconds)) * self._length(), t, digits)
+
+    def phase(self, t: Number, *, digits: Any = 30) -> str:
+        """phi(t) = psi - omega_0 t in rad."""
+        return self._decimal(lambda seconds: self._flow().phase(self._tau(seconds)), t, digits)
+
+    def time(self, amplitude: Number, *, digits: Any = 30) -> str:
+        """The time in s at which the turning amplitude falls to ``amplitude`` (m)."""
+        metres = exact_number(amplitude, "amplitude")
+        if not 0 < metres <= abs(self.oscillator.x0):
+            raise InputError("amplitude", f"{metres} m is not on the way", "0 < amplitude <= A(0)")
+        if metres == abs(self.oscillator.x0):
+            return "0"
+
+        def seconds() -> arb:
+            flow = self._flow()
+            return flow.time(flow.well.xi(metres.ball() / self._length())) / self.oscillator.omega_0()
+
+        return certified_decimal(seconds, exact_integer(digits, "digits", 1, MAX_DIGITS))
+
+    def period(self, amplitude: Number, *, digits: Any = 30) -> str:
+        """The period in s of the motion without loss at a turning amplitude in m: exact, an elliptic integral."""
+        metres = exact_number(amplitude, "amplitude")
+
+        def seconds() -> arb:
+            well = self._flow().well
+            theta = arb(well.turn(well.xi(metres.ball() / self._length())))
+            return 2 * arb.pi() * theta / self.oscillator.omega_0()
+
+        return certified_decimal(seconds, exact_integer(digits, "digits", 1, MAX_DIGITS))
+
+    def extinction_time(self, *, digits: Any = 30) -> str | None:
+        """When the averaged amplitude reaches 0 in s (a loss of degree below 1), or None: not the end of the motion."""
+        D = exact_integer(digits, "digits", 1, MAX_DIGITS)
+        if self._flow().extinction_time() is None:
+            return None
+        return certified_decimal(lambda: (self._flow().extinction_time() or arb(0)) / self.oscillator.omega_0(), D)
+
+    def kappas(self, *, digits: Any = 30) -> tuple[str, ...]:
+        """kappa_i = <|cos|^m |sin|^(alpha+1)> epsilon_i of the losses: their rates at small amplitude."""
+        D = exact_integer(digits, "digits", 1, MAX_DIGITS)
+        made = (lambda i=i: self._losses()[i].epsilon * self._losses()[i].mean for i in range(len(self._losses())))
+        return tuple(certified_decimal(kappa, D) for kappa in made)
+
+    def amplitudes(self, t: Any) -> Array:
+        """A in m at an array of times in s: doubles; NaN stays NaN, extinct is 0."""
+        return self.sample(t).amplitude
+
+    def phases(self, t: Any) -> Array:
+        """phi in rad at an array of times in s: doubles; NaN where there is no amplitude."""
+        return self.sample(t).phase
+
+    def sample(self, t: Any) -> MotionSamples:
+        """x, v, A, phi at many times in s: doubles."""
+        times = real_array(t, "time")
+        if np.any(times < 0) or np.any(np.isinf(times)):
+            raise InputError("time", "a time is negative or infinite", "times >= 0 in seconds")
+        omega, length = float(self.oscillator.omega_0().mid()), float(self._length().mid())
+        missing = np.isnan(times)
+        tau = np.where(missing, 0.0, times) * omega
+        table = self._flow().table(float(np.max(tau, initial=1.0)))
+        gone = tau >= table.extinction
+        s, phi = table.at(np.where(gone, 0.0, tau))
+        xi = np.exp(-s)
+        X, V = self._wave(xi, tau + phi)
+        A = self._flow().well.amplitude(xi)
+        side = length * self.oscillator.x0.sign
+        rows = (X * side, V * side * omega, A * length)
+        x, v, A = (np.where(missing, np.nan, np.where(gone, 0.0, row)) for row in rows)
+        phase = np.where(missing | gone, np.nan, phi)
+        extinction = None if np.isinf(table.extinction) else table.extinction / omega
+        return MotionSamples(times, x, v, A, phase, 1, "turning-point", int(missing.sum()),
+                             int((gone & ~missing).sum()), extinction, self.notes)  # fmt: skip
+
+    def _wave(self, xi: Array, psi: Array) -> tuple[Array, Array]:
+        """X and X' of the conservative motion at the straightened amplitude xi and the phase psi."""
+        well, g = self._flow().well, float(self._flow().well.strength.mid())
+        theta = np.asarray(well.theta(-np.log(xi)))
+        if well.kind == "pendulum":
+            k = np.sqrt(g) * xi / 2
+            sn, cn, dn, _ = ellipj(theta * psi, k * k)
+            return 2 * np.arcsin(k * cn / dn) / np.sqrt(g), -2 * k * np.sqrt(1 - k * k) * sn / dn / np.sqrt(g)
+        B = np.sqrt(1 + 2 * g * xi * xi)
+        A, mu, fast = well.amplitude(xi), (B - 1) / (2 * B), np.sqrt(B)
+        u = theta * fast * psi
+        if g >= 0:
+            sn, cn, dn, _ = ellipj(u, mu)
+            return A * cn, -A * fast * sn * dn
+        stretch, other = np.sqrt(1 - mu), -mu / (1 - mu)  # cn of a negative parameter is cd of a positive one
+        sn, cn, dn, _ = ellipj(u * stretch, other)
+        return A * cn / dn, -A * fast * stretch * (1 - other) * sn / dn**2
+
+    def _decimal(self, value: Any, t: Number, digits: Any) -> str:
+        seconds = exact_number(t, "time")
+        return certified_decimal(lambda: value(seconds), exact_integer(digits, "digits", 1, MAX_DIGITS))
+
+    def _tau(self, seconds: ExactReal) -> arb:
+        return seconds.ball() * self.oscillator.omega_0()
+
+    def _length(self) -> arb:
+        return self.oscillator.length()
+
+    def _losses(self) -> tuple[Loss, ...]:
+        terms = self.oscillator.dimensionless.losses
+        return tuple(Loss(t.strength.ball(), t.velocity.ball(), t.position) for t in terms if not t.strength.is_zero)
+
+    def _flow(self) -> SlowFlow:
+        """The flow with balls of the current precision."""
+        springs = [t for t in self.oscillator.dimensionless.springs if not t.strength.is_zero]
+        strength = springs[0].strength.ball()
+        well = Well.pendulum(strength) if springs[0].family else Well.duffing(strength)
+        return SlowFlow(well, self._losses(), arb(1))
+
+    def to_dict(self) -> dict[str, object]:
+        """JSON-ready: the oscillator, the rates at small amplitude, the period at the start, the extinction."""
+        start = abs(self.oscillator.x0)
+        numbers = {"kappas": list(self.kappas()), "period": self.period(start), "extinction": self.extinction_time()}
+        return {
+            "oscillator": self.oscillator.to_dict(),
+            "averaging": self.averaging,
+            **numbers,
+            "notes": list(self.notes),
+        }
+
+    def __str__(self) -> str:
+        kappas = ", ".join(f"kappa_{i} = {k}" for i, k in enumerate(self.kappas(digits=10), start=1))
+        return f"{NOTE}\n{kappas}" if kappas else f"{NOTE}\nno loss"
+
+    def __repr__(self) -> str:
+        return f"SpringEnvelope({self.oscillator})"
+
+    def _repr_latex_(self) -> str:
+        return r"$A(\tau)$: by ${}_2F_1$, exact in the spring"
