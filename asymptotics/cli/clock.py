@@ -22,7 +22,7 @@ _PERIOD = 0.25
 def timed(options: argparse.Namespace) -> Iterator[None]:
     """Everything inside has --max-seconds together; LimitError when they are over, wherever that is."""
     seconds = read_max_seconds(options)
-    with status_line(seconds, quiet=options.quiet) as show, budget(seconds, show), _alarm():
+    with status_line(seconds, quiet=getattr(options, "quiet", False)) as show, budget(seconds, show), _alarm():
         yield
 
 
