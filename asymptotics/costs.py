@@ -34,6 +34,16 @@ def half_swing_seconds(swings: float, bits: int, terms: int, apart: int) -> floa
     return float(swings * 0.035 * (bits / 150) ** 2.2 * (1 + apart) * (0.6 + 0.4 * terms))
 
 
+def interpolation_seconds(swings: float) -> float:
+    """Half-swings by interpolation, after the nodes."""
+    return 3e-5 * swings
+
+
+def jump_seconds(bits: int) -> float:
+    """The coefficients of the series and of the Abel function."""
+    return float(12 * (bits / 200) ** 1.5)
+
+
 def well_seconds(swings: float, bits: int, terms: int, apart: int) -> float:
     """The same in a well with springs or losses that depend on the position."""
     return swings * 0.06 * (bits / 130) ** 2 * (1 + 4 * apart) * (0.7 + 0.3 * terms)

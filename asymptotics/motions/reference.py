@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from flint import arb, ctx
 
 from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds
-from asymptotics.costs import half_swing_seconds
+from asymptotics.costs import half_swing_seconds, interpolation_seconds
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Oscillator, PhysicalLaw
 from asymptotics.motions.certify import half_unit, time_of
@@ -33,6 +33,7 @@ from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
+from asymptotics.swing.panels import panels_of
 from asymptotics.swing.taylor import GUARD
 from asymptotics.wells.dense import states as states_in_well
 from asymptotics.wells.ends import require_inside
@@ -144,7 +145,7 @@ def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> li
             require_inside(acting, X, str(oscillator.x0))
             found = states_in_well(acting, X, V, ascending)
         else:
-            found = states(acting, X, V, ascending)
+            found = states(acting, X, V, ascending, panels=panels_of(oscillator.dimensionless, bits))
         scaled = [(x * length, v * length * omega) for x, v in found]
     back = dict(zip(order, scaled))
     start = oscillator.x0.ball(), oscillator.v0.ball()
@@ -186,5 +187,6 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     if not oscillator.law.is_pure:
         return estimated_in_well(Force.of(oscillator.dimensionless.terms), swings, bits_for(digits, 48))
     apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
-    terms = len(oscillator.law.terms)
-    return half_swing_seconds(swings, bits_for(digits, 48), terms, apart)
+    terms, bits = len(oscillator.law.terms), bits_for(digits, 56)
+    pieces = panels_of(oscillator.dimensionless, bits).pieces(int(min(swings, 1e9)))
+    return half_swing_seconds(pieces + 2, bits, terms, apart) + interpolation_seconds(swings)

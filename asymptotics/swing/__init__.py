@@ -9,6 +9,10 @@
 ``ends``        when no turning point follows: sticks, creeps, overdamped, decided in balls
 ``course``      a half-swing in pieces, from an exact state to the next turning point
 ``arrival``     the far turning point: no bracketing, the family of orbits spreads
+``chebyshev``   interpolation of a function known as balls, with its error
+``coordinate``  the one number that a half-swing depends on analytically, and how far
+``panel_plan``  which amplitudes are worth a panel: choices, and the ellipse about it, checked
+``panels``      half-swings by interpolation: hundredths of a millisecond each
 ``sequence``    turning points one after the other: errors only add (two motions never part)
 ``dense``       (x, v) at many times in one pass
 ==============  ======================================================================================

@@ -24,19 +24,23 @@ from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
 from asymptotics.swing.course import Landing, Piece, course
 from asymptotics.swing.damping import Damping, size_of, upper
-from asymptotics.swing.passage import of_landing, quick
+from asymptotics.swing.panels import Panels
+from asymptotics.swing.passage import of_landing
 from asymptotics.swing.sequence import Turning, after_landing, following
 
 State = tuple[arb, arb]
 
 
-def states(damping: Damping, X: arb, V: arb, times: Sequence[arb], hold: arb | None = None) -> list[State]:
+def states(
+    damping: Damping, X: arb, V: arb, times: Sequence[arb], hold: arb | None = None, panels: Panels | None = None
+) -> list[State]:
     """(X, X') at the ascending times tau >= 0 from the state (X, V) at tau = 0; ``hold``: where the mass sticks.
 
+    With ``panels`` half-swings that hold none of the times are passed by interpolation where it pays.
     UndecidedError where the enclosures cannot tell how the motion goes on.
     """
     wanted = _Wanted(damping, times)
-    return _followed(damping, _first(damping, X, V, wanted), wanted, hold)
+    return _followed(damping, _first(damping, X, V, wanted), wanted, hold, panels)
 
 
 def states_from(damping: Damping, here: Turning, times: Sequence[arb]) -> list[State]:
@@ -44,13 +48,15 @@ def states_from(damping: Damping, here: Turning, times: Sequence[arb]) -> list[S
     return _followed(damping, here, _Wanted(damping, times), None)
 
 
-def _followed(damping: Damping, here: Turning, wanted: "_Wanted", hold: arb | None) -> list[State]:
+def _followed(
+    damping: Damping, here: Turning, wanted: "_Wanted", hold: arb | None, panels: Panels | None = None
+) -> list[State]:
     while not wanted.done:
         tick(f"turning point {here.n}")
         if _sticks(here, damping.friction if hold is None else hold):
             wanted.rest(here.x)
         else:
-            here = _swing(damping, here, wanted)
+            here = _swing(damping, here, wanted, panels)
     return wanted.found
 
 
@@ -103,11 +109,12 @@ def _first(damping: Damping, X: arb, V: arb, wanted: _Wanted) -> Turning:
     return Turning(0, side, abs(X).mid(), arb(0), X.rad(), arb(0))
 
 
-def _swing(damping: Damping, here: Turning, wanted: _Wanted) -> Turning:
-    """The next turning point; the half-swing is laid out only if a time may fall into it."""
-    found = quick(damping, here.amplitude)
-    if found is not None:
-        there = following(damping, here, found)
+def _swing(damping: Damping, here: Turning, wanted: _Wanted, panels: Panels | None) -> Turning:
+    """The next turning point; the half-swing is laid out in pieces only if a time may fall into it."""
+    empty = _whole_swings(wanted.following - here.time)
+    panel = panels.serving(here.amplitude, here.amplitude_error, empty) if panels is not None and empty > 0 else None
+    if panel is not None:
+        there = following(damping, here, panel.passage(here.amplitude, here.amplitude_error))
         if there.time < wanted.following:
             return there
     error = _distance(damping, here)
@@ -118,6 +125,11 @@ def _swing(damping: Damping, here: Turning, wanted: _Wanted) -> Turning:
         if isinstance(piece, Landing):
             return following(damping, here, of_landing(here.amplitude, error, piece, count))
     raise UndecidedError("the half-swing has no end")
+
+
+def _whole_swings(time: arb) -> int:
+    """About how many half-swings end before that time; it only decides how they are made."""
+    return int(min(float(time) / 3.2, 1e9))
 
 
 def _sticks(here: Turning, hold: arb) -> bool:

@@ -27,7 +27,8 @@ class Passage:
     """A half-swing from the amplitude p: ``amplitude`` encloses q/p, ``duration`` its time.
 
     ``route``: how; ``terms``: Taylor pieces, or terms of the series; ``tail``: what was left out, in units of p.
-    ``ended``: why there is no next turning point (then the enclosures are None).
+    ``ended``: why there is no next turning point (then the enclosures are None).  ``uniform``: the duration is that of
+    all amplitudes within the error of p.
     """
 
     amplitude: arb | None
@@ -36,6 +37,7 @@ class Passage:
     terms: int
     tail: arb
     ended: str | None = None
+    uniform: bool = False
 
 
 def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: int = MAX_PIECES) -> Passage:
@@ -59,8 +61,3 @@ def of_landing(p: arb, error: arb, piece: Landing, count: int) -> Passage:
     """The half-swing whose last piece is known; ``error`` was the distance allowed at its start."""
     tail = upper((piece.error - error) / p)
     return Passage(arb(piece.turn, piece.miss) / p, piece.time, INTEGRATED, count, tail)
-
-
-def quick(damping: Damping, p: arb) -> Passage | None:
-    """The half-swing by a route that is cheaper than the pieces, or None."""
-    return None

@@ -29,6 +29,7 @@ from flint import arb
 from asymptotics.errors import UndecidedError
 from asymptotics.swing.course import Landing, course, delay
 from asymptotics.swing.damping import Damping, upper
+from asymptotics.swing.panels import Panels
 from asymptotics.swing.passage import Passage, integrated
 
 
@@ -83,23 +84,35 @@ def after_landing(piece: Landing, side: int, given: arb) -> Turning:
     return Turning(0, -side, piece.turn, time.mid(), upper(piece.miss + given), upper(time.rad()))
 
 
-def sequence(damping: Damping, start: Turning | None = None) -> Iterator[Turning]:
+def sequence(
+    damping: Damping, start: Turning | None = None, *, panels: Panels | None = None, count: int = 0
+) -> Iterator[Turning]:
     """Turning points from ``start`` on, at the precision current at each call; the last one says why it ended.
 
-    UndecidedError where the enclosures cannot tell whether there is a next one.
+    With ``panels``: by interpolation where ``count`` half-swings repay it.  UndecidedError where the enclosures cannot
+    tell whether there is a next one.
     """
     here = first_turning() if start is None else start
     endless = damping.friction == 0 and bool(damping.alphas) and all(a > 1 for a in damping.alphas)
     while True:
         if endless:  # derivation ``no-overdamping``: there is a next one, whether or not anybody asks for it
             yield here
-        found = integrated(damping, here.amplitude, here.amplitude_error)
+        found = swung(damping, here, panels, count)
+        count -= 1
         if found.ended is not None:
             yield Turning(**{**vars(here), "ended": found.ended})
             return
         if not endless:
             yield here
         here = following(damping, here, found)
+
+
+def swung(damping: Damping, here: Turning, panels: Panels | None, count: int) -> Passage:
+    """The half-swing from ``here``, one of ``count`` still to come, by the cheaper route."""
+    panel = None if panels is None else panels.serving(here.amplitude, here.amplitude_error, count)
+    if panel is not None:
+        return panel.passage(here.amplitude, here.amplitude_error)
+    return integrated(damping, here.amplitude, here.amplitude_error)
 
 
 def following(damping: Damping, here: Turning, found: Passage) -> Turning:
@@ -112,8 +125,9 @@ def following(damping: Damping, here: Turning, found: Passage) -> Turning:
         relative = upper(carried / (here.amplitude - carried))
         by_ratio = upper(q * relative.expm1())
         carried = min(carried, by_ratio)
-    late = upper(delay(amplitude, upper(here.amplitude_error + q.rad()), damping.friction))
-    late = arb(0) if here.amplitude_error == 0 else late
+    late = arb(0)
+    if here.amplitude_error != 0 and not found.uniform:
+        late = delay(amplitude, upper(here.amplitude_error + q.rad()), damping.friction)
     return Turning(
         here.n + 1, -here.side, amplitude, clock, upper(carried + q.rad()), upper(here.time_error + time.rad() + late)
     )

@@ -21,6 +21,7 @@ from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of
 from asymptotics.numbers.exact import ExactReal, square_root
 from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.panels import panels_of
 from asymptotics.swing.sequence import Turning, first_from, sequence
 from asymptotics.swing.taylor import GUARD
 from asymptotics.turning.coulomb import coulomb_turning_points
@@ -49,7 +50,8 @@ def kicked_turning_points(
             first = first_from(damping, x0.ball(), v0.ball())
             if isinstance(first, str):
                 return TurningPoints(alpha, epsilon, digits, (), _METHOD, True, {"n": -1, "reason": first})
-            found = _points(damping, first, start, count, digits, times)
+            turnings = sequence(damping, first, panels=panels_of(law, bits), count=start + count)
+            found = _points(_until(turnings, start + count - 1), first, start, digits, times)
             shown = [decimal_of_ball(value, digits) for value in (_size(first), first.tau)]
         if found is not None and None not in shown:
             points, reason = found
@@ -89,11 +91,11 @@ def _negated(text: str) -> str:
 
 
 def _points(
-    damping: Damping, first: Turning, start: int, count: int, digits: int, times: bool
+    turnings: Iterator[Turning], first: Turning, start: int, digits: int, times: bool
 ) -> tuple[tuple[TurningPoint, ...], tuple[int, str] | None] | None:
     """The points and how they end, or None as soon as one cannot be rounded."""
     made = []
-    for here in _until(sequence(damping, first), start + count - 1):
+    for here in turnings:
         tick(f"turning point {here.n}")
         if here.n >= start:
             at_first = here.n == 0

@@ -1,9 +1,9 @@
-"""Which way to the turning points start … start + count - 1 of one law: by pieces, by the series, or by one jump.
+"""Which way to the turning points start … start + count - 1 of one law: by pieces, by interpolation, or by one jump.
 
-* **By pieces** (``swing.sequence``): any strength, tens of milliseconds for each half-swing.
-* **Series** of the quarter-swing (``half_swings.finite``): a tenth of a millisecond each after the coefficients
-  (seconds), as long as delta is small; for alpha > 1 that is so from some point on, for alpha < 1 up to some point.
-* **Jump** (``far``): alpha > 1 and a far start, at a cost that does not grow with it.
+* **By pieces** (``swing.passage``): any strength, tens of milliseconds for each half-swing.
+* **Interpolation** in the amplitude (``swing.panels``): some dozens of half-swings by pieces, then some hundredths of a
+  millisecond each; any law, where the local strengths are small enough for the majorant.
+* **Jump** (``far``): one law with alpha > 1 and a far start, at a cost that does not grow with it.
 
 Estimates choose, and every route is certified: what they give agrees.
 
@@ -20,100 +20,63 @@ from dataclasses import dataclass
 
 from flint import arb, ctx
 
-from asymptotics.half_swings.finite import ROUTE, finite_quarter, series_reach
+from asymptotics.costs import half_swing_seconds, interpolation_seconds, jump_seconds
+from asymptotics.half_swings.finite import ROUTE
 from asymptotics.law import Law
-from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.panels import ROUTE as INTERPOLATED
+from asymptotics.swing.panels import Panels, panels_of
 from asymptotics.swing.passage import INTEGRATED
 from asymptotics.swing.sequence import Turning, sequence
 from asymptotics.swing.taylor import GUARD
-from asymptotics.turning.far import LEAD_ORDER, Point, far_points, series_points
+from asymptotics.turning.far import Point, far_points
 
-FAR = 3000
-"""A start beyond which one jump is cheaper than all half-swings, even by the series."""
-_SECONDS = {"piece": 0.035, "series": 1.2e-4, "coefficients": 2.5}
+FAR = 200_000
+"""A start beyond which one jump is cheaper than all half-swings, even by interpolation."""
+_LEAD = 1000
 
 
 @dataclass(frozen=True)
 class Plan:
-    """How the points are reached: ``order``, up to which the series are taken (0: not at all), and whether to jump."""
+    """How the points are reached: ``panels`` (None where they do not pay), and whether to ``jump``."""
 
     law: Law
     start: int
-    order: int
+    count: int
     jump: bool
+    interpolates: bool
     seconds: float
 
     @classmethod
     def of(cls, law: Law, start: int, count: int, bits: int) -> "Plan":
         """The cheapest way that is known, by estimates (measured once, good to a factor of about three)."""
-        steps = start + count
+        jump = len(law.terms) == 1 and bool(law.terms[0].velocity > 1) and start > FAR
+        steps = _LEAD if jump else start + count
+        pieces = panels_of(law, bits).pieces(steps)
         apart = sum(not (t.velocity.is_rational and t.velocity.rational.denominator <= 20) for t in law.terms)
-        piece = _SECONDS["piece"] * (bits / 150) ** 2.2 * (1 + apart) * (0.6 + 0.4 * len(law.terms))
-        direct, alpha = piece * (steps + 1), law.terms[0].velocity
-        if len(law.terms) > 1 or alpha.is_zero:
-            return cls(law, start, 0, False, direct)
-        jump = bool(alpha > 1) and start > FAR
-        scale = _SECONDS["coefficients"] * (bits / 110) ** 1.2
-        order = LEAD_ORDER if jump else min(LEAD_ORDER, 4 * int(13 * (direct / 3 / scale) ** (1 / 3)))
-        if order < 12 or direct < 2 * _SECONDS["coefficients"]:
-            return cls(law, start, 0, False, direct)
-        by_series = scale * (order / 52) ** 3 + _SECONDS["series"] * (FAR if jump else steps)
-        lead = piece * cls(law, start, order, jump, 0).lead(bits, 50 if alpha > 1 else steps)
-        return cls(law, start, order, jump, 2 * by_series + lead)
-
-    def lead(self, bits: int, most: int) -> int:
-        """About how many half-swings go by pieces: until delta is within reach (alpha > 1), or none."""
-        term = self.law.terms[0]
-        with ctx.workprec(64):
-            within, delta = series_reach(term.velocity, bits, self.order), term.strength.ball()
-            if delta < within:
-                return 0
-            gain = 2 * (term.velocity.ball() - 1) if term.velocity > 1 else arb(0)
-            return min(most, int(float((1 / within - 1 / delta) / gain)) + 1) if gain > 0 else most
+        seconds = half_swing_seconds(pieces + 1, bits, len(law.terms), apart) + interpolation_seconds(steps)
+        return cls(law, start, count, jump, pieces < steps, seconds + (jump_seconds(bits) if jump else 0.0))
 
     @property
     def method(self) -> str:
         """The routes by name."""
-        if not self.order:
-            return INTEGRATED
-        return f"local expansions, {ROUTE} and Abel function" if self.jump else f"local expansions and {ROUTE}"
+        if self.jump:
+            return f"local expansions, {ROUTE} and Abel function"
+        return f"{INTEGRATED}, {INTERPOLATED}" if self.interpolates else INTEGRATED
 
     def turnings(self) -> Iterator[Turning]:
         """Turning points at the current precision, from 0 or (after a jump) from ``start`` on."""
         with ctx.workprec(ctx.prec + GUARD):
             damping = Damping.of_law(self.law)
-        if not self.order:
-            return sequence(damping)
+        panels = panels_of(self.law, ctx.prec) if self.interpolates else None
+        if not self.jump:
+            return sequence(damping, panels=panels, count=self.start + self.count)
+        return self._jumped(damping, panels)
+
+    def _jumped(self, damping: Damping, panels: Panels | None) -> Iterator[Turning]:
         term = self.law.terms[0]
-        lead = map(_point, sequence(damping))
-        if self.jump:
-            return map(_turning, far_points(term.velocity, term.strength.ball(), lead, self.start))
-        return self._mixed(damping, term.velocity, term.strength.ball())
-
-    def _mixed(self, damping: Damping, alpha: ExactReal, epsilon: arb) -> Iterator[Turning]:
-        """By pieces where delta is large, by the series where it is small: it changes sides once at most."""
-        bits = ctx.prec - 16
-        within, weight = series_reach(alpha, bits, self.order), alpha.ball() - 1
-        last: Turning | None = None
-        for here in sequence(damping):
-            if here.ended is None and _delta(epsilon, weight, here) < within:
-                last = here
-                break
-            yield here
-        if last is None:
-            return
-        largest = _delta(epsilon, weight, last) if alpha > 1 else within
-        for point in series_points(finite_quarter([alpha], [largest], bits), epsilon, _point(last)):
-            last = _turning(point)
-            if not (alpha > 1 or _delta(epsilon, weight, last) < within):
-                break
-            yield last
-        yield from sequence(damping, last)
-
-
-def _delta(epsilon: arb, weight: arb, here: Turning) -> arb:
-    return epsilon * (weight * arb(here.amplitude, here.amplitude_error).log()).exp()
+        lead = map(_point, sequence(damping, panels=panels, count=_LEAD))
+        return map(_turning, far_points(term.velocity, term.strength.ball(), lead, self.start))
 
 
 def _point(here: Turning) -> Point:
