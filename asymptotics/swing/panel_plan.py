@@ -31,6 +31,7 @@ from asymptotics.swing.damping import upper
 MIN_STRETCH, MAX_STRETCH = 1.5, 1e6
 """Of the ellipse, (R + 1/R)/2: below, nodes are many and polynomials cancel; above, one node is enough."""
 _LOOK_AHEAD = 3000
+_RANGE = 990.0  # log2 of the largest |z| looked at
 _LASTING = 10  # a node is kept for the next who asks, a half-swing before the panel is not
 _PARTS = tuple(2.0**-k for k in (0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64))
 _STEPS = 24  # of a quarter
@@ -94,8 +95,7 @@ def planned(coordinate: Coordinate, size: float, remaining: int, bits: int) -> P
 
 def _from_zero(coordinate: Coordinate, path: list[float], beyond: int, bits: int) -> Plan | None:
     """One panel for all amplitudes from some point of the path on."""
-    reach = _reach(coordinate)
-    best, total = None, len(path) + beyond
+    reach, best, total = _reach(coordinate), None, len(path) + beyond
     cheapest = inf
     for wait, size in enumerate(path):
         z = float(coordinate(arb(size)))
@@ -145,17 +145,12 @@ def _moment(p: float) -> float:
 
 @lru_cache(maxsize=64)
 def _reach(coordinate: Coordinate) -> float:
-    """About the largest |z| with a majorant, or 0: z = 2^k, then bisection."""
-    low = high = 1.0
-    while low > 1e-300 and not _exists(coordinate, 0.0, low):
-        low, high = low / 4, low
-    while high == low and high < 1e300 and _exists(coordinate, 0.0, 4 * high):
-        low = high = 4 * high
-    high = 4 * high if high == low else high
-    while high > 1.02 * low > 1e-299:
-        between = sqrt(low * high)
-        low, high = (between, high) if _exists(coordinate, 0.0, between) else (low, between)
-    return low if low > 1e-299 else 0.0
+    """About the largest |z| with a majorant, or 0: bisection of log2 |z| within the range of doubles."""
+    low, high = -_RANGE, _RANGE
+    while high - low > 0.03:
+        middle = (low + high) / 2
+        low, high = (middle, high) if _exists(coordinate, 0.0, 2.0**middle) else (low, middle)
+    return float(2.0**low) if low > -_RANGE else 0.0
 
 
 def _stretch(coordinate: Coordinate, low: float, high: float) -> float:
@@ -184,7 +179,7 @@ def _exists(coordinate: Coordinate, middle: float, half_axis: float) -> bool:
         for sines, products in _quarter(tuple(map(float, coordinate.exponents))):
             strengths = [size * exp(slope * growth) for size, slope in zip(sizes, slopes)]
             room = 1 - sum(map(mul, strengths, products))
-            if room < 0.02 or growth > 4:
+            if not room > 0.02 or growth > 4:
                 return False
             growth += pi / 2 / _STEPS * sum(map(mul, strengths, sines)) / room
     except OverflowError:
