@@ -15,7 +15,7 @@ psi = sympy.Symbol("psi")
 derivation = Derivation(
     "expansion-bounds",
     "What the O() of an expansion holds, on one half-swing and on all of them",
-    source="bounds.local, bounds.turning; the map, its majorant and L1b are those of quarter-swing-tail",
+    source="bounds.local, bounds.turning, bounds.orbit; the map, its majorant and L1b are those of quarter-swing-tail",
 )
 step, holds = derivation.step, derivation.holds
 
@@ -39,6 +39,22 @@ step(
     " sum |c_n| delta^n <= c |delta|^k; for two laws, k = 3",
     a**3 + 3 * a**2 * b + 3 * a * b**2 + b**3,
     (a + b) ** 3,
+)
+
+M, rho, J = sympy.symbols("M rho J", positive=True)
+step(
+    "Cauchy on the polydisc |delta_i| <= rho: |c_n| <= M rho^(-k), |n| = k; the monomials of degree k add up to at most"
+    " |delta|^k (each multinomial coefficient is >= 1), here for two laws and k = 3",
+    (a + b) ** 3 - (a**3 + a**2 * b + a * b**2 + b**3),
+    2 * a * b * (a + b),
+)
+y = sympy.Symbol("y", positive=True)  # |delta|/rho = y/(1 + y) < 1
+ratio = y / (1 + y)
+step(
+    "so all degrees from J on give at most M x^J/(1 - x), x = |delta|/rho < 1: the remainder R_J with"
+    " R_J - R_(J+1) = M x^J and R_J -> 0",
+    M * ratio**J / (1 - ratio) - M * ratio ** (J + 1) / (1 - ratio),
+    M * ratio**J,
 )
 
 # 2. All half-swings.
@@ -90,4 +106,69 @@ holds(
     " (Y + G (j+1)) <= (G/g)(1 + g/Y)(Y + g j), since the difference",
     bool(sympy.expand((g + extra) * (1 + g / Y) * (Y + g * j) - g * (Y + (g + extra) * (j + 1))).is_nonnegative),
     sympy.expand((g + extra) * (1 + g / Y) * (Y + g * j) - g * (Y + (g + extra) * (j + 1))),
+)
+m_, q_ = sympy.symbols("a q", positive=True)
+step(
+    "With d_j <= (Y + g j)^(-1) the error made at j, C d_j^a, counts at n at most"
+    " C ((G/g)(1 + g/Y)/(Y + G n))^q (Y + g j)^(q - a): the sum over j is S_(a-q)(n)",
+    ((G / g) * (1 + g / Y) * (Y + g * j)) ** q_ * (Y + g * j) ** (-m_),
+    ((G / g) * (1 + g / Y)) ** q_ * (Y + g * j) ** (q_ - m_),
+)
+
+# 3. Times.
+theta = sympy.Symbol("theta", real=True)
+s = sympy.sin(theta)
+primitive = s ** (alpha + 1) / (alpha + 1)
+step(
+    "T begins with degree 2: d tau/d theta = 1/(1 - u s^alpha c) = 1 + u s^alpha c + ..., and s^alpha c has the"
+    " primitive",
+    sympy.Derivative(primitive, theta),
+    s**alpha * sympy.cos(theta),
+)
+step(
+    "which vanishes at both ends of the half-swing",
+    named("P(pi) - P(0)", primitive.subs(theta, sympy.pi) - primitive.subs(theta, 0)),
+    0 * alpha,
+)
+log_a, c_n, w_max = sympy.symbols("l c_n w", positive=True)
+step(
+    "Along ln A = l each delta_i changes by w_i delta_i, w = max |w_i|: a term c_n delta^n of degree 3 by at most",
+    sympy.Derivative(c_n * (a * sympy.exp(w_max * log_a)) ** 2 * (b * sympy.exp(w_max * log_a)), log_a),
+    3 * w_max * c_n * a**2 * b * sympy.exp(3 * w_max * log_a),
+)
+e = sympy.Symbol("e", positive=True)
+B = sympy.Symbol("B", positive=True)
+step(
+    "With B |delta|^2 >= sum |delta_i dT/d delta_i|, amplitudes within a factor e^e have |T - T'| at most",
+    sympy.Integral(B * w_max * (delta * sympy.exp(w_max * log_a)) ** 2, (log_a, 0, e)),
+    B * delta**2 * (sympy.exp(2 * w_max * e) - 1) / 2,
+)
+holds(
+    "which is at most B w e (delta exp(w e))^2: e^(2x) - 1 <= 2 x e^(2x), for x e^(2x) - (e^(2x) - 1)/2 is 0 at x = 0"
+    " and grows",
+    bool(sympy.expand(sympy.diff(x * sympy.exp(2 * x) - (sympy.exp(2 * x) - 1) / 2, x)).is_positive),
+    sympy.diff(x * sympy.exp(2 * x) - (sympy.exp(2 * x) - 1) / 2, x),
+)
+
+# 4. Any exponents, half-swing by half-swing.
+Q, Q_N = (sympy.Function(name) for name in ("Q", "Q_N"))
+A_n, A_hat, D = sympy.symbols("A_n Ahat_n D", positive=True)
+step(
+    "A -> Q(A) from one turning point to the next, |Q(A) - Q(B)| <= |A - B| (motions-never-part); the truncated map Q_N"
+    " differs by the error there was, contracted, and the error of this half-swing",
+    named("[Q(A_n) - Q(A^_n)] + [Q(A^_n) - Q_N(A^_n)]", (Q(A_n) - Q(A_hat)) + (Q(A_hat) - Q_N(A_hat))),
+    Q(A_n) - Q_N(A_hat),
+)
+gap = sympy.Symbol("x", nonnegative=True)
+holds(
+    "|Q - Q_N| = Q_N |exp(L - L_N) - 1| <= Q_N (exp(|L - L_N|) - 1): e^x - 1 is at least 1 - e^(-x), the difference",
+    bool(
+        sympy.expand((sympy.exp(gap / 2) - sympy.exp(-gap / 2)) ** 2 - (sympy.exp(gap) - 1 - 1 + sympy.exp(-gap))) == 0
+    ),
+    (sympy.exp(gap / 2) - sympy.exp(-gap / 2)) ** 2,
+)
+step(
+    "|A - A^| <= D < A^ gives |ln(A/A^)| <= -ln(1 - D/A^): the upper end ln(1 + D/A^) is nearer, by",
+    sympy.exp(-(sympy.log(1 - D / A_hat)) - sympy.log(1 + D / A_hat)),
+    1 / (1 - (D / A_hat) ** 2),
 )

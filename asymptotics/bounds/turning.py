@@ -138,6 +138,9 @@ def _steepness(local: LocalBounds, delta: arb) -> arb:
 def sensitivity(local: LocalBounds, delta: arb) -> arb:
     """A bound of sum_i |delta_i d T/d delta_i|/|delta|^2 for |delta| <= ``delta``."""
     T = local.half.T.without_constant()
+    first = [c for k, c in T.coefficients.items() if sum(k) == 1]
+    if not all(arb(c).contains(0) for c in first):
+        raise ArithmeticError(f"T begins with degree 1: {first}")
     known = sum((abs(c) * sum(k) * delta ** (sum(k) - 2) for k, c in T.coefficients.items() if sum(k) > 1), arb(0))
     return arb((known + _beyond(local.duration.cauchy, local.duration.radius, T.order, delta) / delta**2).upper())
 
