@@ -18,6 +18,7 @@ import csv
 import io
 from collections.abc import Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from statistics import median
@@ -144,7 +145,7 @@ def row_of(
     """One value, as text and as a number, beside the right one."""
     if right is None:
         return Row(line, key, column, given, None, "0.00", "", given, name)
-    found = judged(given, value, Fraction(right), digits)
+    found = judged(given, value, Fraction(*Decimal(right).as_integer_ratio()), digits)
     return Row(line, key, column, given, right, found.digits, found.error, found.marked, name)
 
 

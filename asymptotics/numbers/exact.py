@@ -16,6 +16,7 @@ is read by ``numbers.policy``.
 
 import re
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from functools import reduce
 from math import isqrt
@@ -278,7 +279,8 @@ def parse_rational(text: str, argument: str, accepted: str = RATIONAL_FORMS) -> 
     number, _, denominator = stripped.partition("/")
     if denominator and not int(denominator):
         raise InputError(argument, f"{_shown(text)} has a zero denominator", accepted)
-    return Fraction(number) / int(denominator) if denominator else Fraction(number)
+    found = Fraction(*Decimal(number).as_integer_ratio())
+    return found / int(denominator) if denominator else found
 
 
 def parse_real(text: str, argument: str) -> ExactReal:

@@ -61,11 +61,12 @@ def _followed(
 
 
 class _Wanted:
-    """The times still to be answered, and the states found so far."""
+    """The times still to be answered, and the states found so far; ``widest``: the most that a time is uncertain by."""
 
     def __init__(self, damping: Damping, times: Sequence[arb]) -> None:
         self.damping = damping
-        self.queue = [(t.lower(), upper(2 * t.rad())) for t in times]
+        self.queue = [t.lower() for t in times]
+        self.widest = max((upper(2 * t.rad()) for t in times), default=arb(0))
         self.found: list[State] = []
 
     @property
@@ -74,17 +75,18 @@ class _Wanted:
 
     @property
     def following(self) -> arb:
-        return self.queue[len(self.found)][0]
+        return self.queue[len(self.found)]
 
-    def take(self, piece: Piece, side: int, start: arb) -> None:
-        """All times up to the end of a piece of the half-swing that begins at ``start``."""
+    def take(self, piece: Piece, side: int, start: arb, size: arb) -> None:
+        """All times up to the end of a piece of the half-swing from ``start``; |X|, |X'| <= ``size`` there."""
         last = exact_sum(start, piece.end)
+        if self.done or not self.following <= last:
+            return
+        wide = upper(size + piece.error)
+        blur = arb(0, upper(piece.error + _moved(self.damping, wide, wide, self.widest)))
         while not self.done and self.following <= last:
-            low, width = self.queue[len(self.found)]
-            y, w = piece.own(exact_sum(low, -start))
-            u = y + self.damping.friction
-            blur = arb(0, upper(piece.error + _moved(self.damping, upper(u), upper(w) + piece.error, width)))
-            self.found.append((side * (u + blur), -side * (w + blur)))
+            y, w = piece.own(exact_sum(self.following, -start))
+            self.found.append((side * (y + self.damping.friction + blur), -side * (w + blur)))
 
     def rest(self, X: arb) -> None:
         """The mass sticks at X for all remaining times."""
@@ -99,9 +101,9 @@ def _first(damping: Damping, X: arb, V: arb, wanted: _Wanted) -> Turning:
     if not (V > 0 or V < 0):
         raise UndecidedError("the direction of the first motion is undecided")
     side = -1 if V > 0 else 1
-    given = upper(X.rad() + V.rad())
+    given, size = upper(X.rad() + V.rad()), upper(abs(X) + abs(V))
     for piece in course(damping, side * X.mid(), abs(V).mid(), given):
-        wanted.take(piece, side, arb(0))
+        wanted.take(piece, side, arb(0), size)
         if isinstance(piece, Landing):
             return after_landing(piece, side, given)
         if wanted.done:
@@ -117,9 +119,9 @@ def _swing(damping: Damping, here: Turning, wanted: _Wanted, panels: Panels | No
         there = following(damping, here, panel.passage(here.amplitude, here.amplitude_error))
         if there.time < wanted.following:
             return there
-    error = _distance(damping, here)
+    error, size = _distance(damping, here), upper(here.amplitude + here.amplitude_error)
     for count, piece in enumerate(course(damping, here.amplitude, arb(0), error), start=1):
-        wanted.take(piece, here.side, here.time)
+        wanted.take(piece, here.side, here.time, size)
         if wanted.done:
             return here
         if isinstance(piece, Landing):
