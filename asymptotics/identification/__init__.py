@@ -14,7 +14,8 @@ runs
 ``verdicts``        the answer in words, or a refusal
 ``identifiability`` what N turning points with noise can tell; ``examples``: a real record
 ``synthetic``       runs of known laws with known noise
-``set_valued``      printed decrements: certified sets of strengths, by ``certified_ratio``
+``set_valued``      printed decrements: certified sets of strengths, by ``certified_ratio``, ``table_rows``,
+``physical``
 ``plots``           the four pictures
 ``textbook``        the classical estimators, by name, with their systematic errors
 ==================  =========================================================================================

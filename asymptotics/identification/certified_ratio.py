@@ -1,15 +1,16 @@
 """L = ln(A'/A) of a half-swing in balls: the certified coefficients, and a bound for what the truncated sum lacks.
 
-*The tail.*  For complex z put L(z delta) for the half-swing with strengths z delta_i.  While |y| <= Y, y = ln r,
+*The tail.*  For complex z put L(z delta) for the half-swing with strengths z delta_i of losses |x|^m v|v|^(alpha-1).
+While |y| <= Y, y = ln r, and with w_i = alpha_i + m_i - 1, g_i = |delta_i| e^(|w_i| Y),
 
-    |dy/dtheta| = |s N/(1 - c N)| <= s h/(1 - h),     |N| <= h = |z| sum_i |delta_i| e^(|w_i| Y),
+    dy/dtheta = -s N/(1 - c N),     s |N| <= |z| sum_i g_i s^(alpha_i+1) |c|^(m_i),     |c N| <= |z| sum_i g_i k_i = h,
 
-because s, |c| <= 1.  The integral of s over the half-swing is 2.  So if Y (1 - h) > 2 h, then |y| < Y all the way, for
-every |z| <= q, if h is taken at |z| = q: the solution exists there, is analytic in z, and |L| <= Y.  By Cauchy's
-inequality the orders above K lack at most Y q^(-K-1)/(1 - 1/q) at z = 1.
+k_i = sup s^alpha |c|^(m+1), which is where tan^2 = alpha/(m+1).  The integral of s^(alpha+1) |c|^m over the half-swing
+is minus the first coefficient of L, J_i.  So if |z| sum_i g_i J_i < Y (1 - h), then |y| < Y all the way: the solution
+exists there and is analytic in z, and |L| <= Y.  This holds for |z| <= q with q sum_i g_i (J_i + Y k_i) < Y.  By
+Cauchy's inequality the orders above K lack at most Y q^(-K-1)/(1 - 1/q) at z = 1.
 
->>> from asymptotics.numbers.exact import parse_real
->>> ratio = CertifiedRatio.of((parse_real("1", "alpha"),))
+>>> ratio = CertifiedRatio.of((Term(1, 1),))
 >>> ratio.at([arb("0.1")]).str(8)                                 # -pi (delta/2)/sqrt(1 - delta^2/4)
 '[-0.15727635 +/- ...]'
 """
@@ -22,27 +23,37 @@ from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.quarter import half_swing
-from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key
+from asymptotics.terms import Term
 
 BITS = 80
-_ORDERS = {1: 20, 2: 12, 3: 7}
+_ORDERS = {1: 20, 2: 12, 3: 7, 4: 5}
+_EXACT, _EXACT_ORDERS = 6, {**_ORDERS, 1: 40}
+"""Up to this integer exponent the exact coefficients come sooner than the balls, and more of them are affordable."""
 _REACHES = [arb(k) / 10 for k in range(1, 21)]
 
 
 @dataclass(frozen=True)
 class CertifiedRatio:
-    """The coefficients of L through ``order`` as balls; ``weights``: alpha_i - 1."""
+    """The coefficients of L through ``order`` as balls; ``weights``: alpha_i + m_i - 1; ``crests``: k_i."""
 
     weights: tuple[arb, ...]
+    crests: tuple[arb, ...]
     coefficients: Mapping[Key, arb]
     order: int
 
+    @property
+    def areas(self) -> list[arb]:
+        """J_i: minus the first coefficients."""
+        count = len(self.weights)
+        return [-self.coefficients[tuple(int(i == j) for j in range(count))] for i in range(count)]
+
     @classmethod
-    def of(cls, alphas: tuple[ExactReal, ...]) -> "CertifiedRatio":
-        """From exponents, at most three."""
-        return _ratio(alphas)
+    def of(cls, losses: tuple[Term, ...]) -> "CertifiedRatio":
+        """From losses of strength 1, at most four."""
+        return _ratio(losses)
 
     def at(self, delta: Sequence[arb]) -> arb:
         """L at these strengths (balls)."""
@@ -67,12 +78,12 @@ class CertifiedRatio:
         best: arb | None = None
         sizes = [arb(d.abs_upper()) for d in delta]
         for Y in _REACHES:
-            load = sum((s * (abs(w) * Y).exp() for s, w in zip(sizes, self.weights)), arb(0))
+            grown = [s * (abs(w) * Y).exp() for s, w in zip(sizes, self.weights)]
+            load = sum((g * (J + Y * k) for g, J, k in zip(grown, self.areas, self.crests)), arb(0))
             if not load > 0:
                 return arb(0)
-            q = Y / (2 + Y) * arb("0.99") / load
-            h = q * load
-            if not (q > arb("1.05") and Y * (1 - h) > 2 * h):
+            q = Y * arb("0.99") / load
+            if not q > arb("1.05"):
                 continue
             bound = Y * q ** (-self.order - 1) / (1 - 1 / q)
             best = bound if best is None or bound < best else best
@@ -90,12 +101,23 @@ class CertifiedRatio:
         return table
 
 
-@lru_cache(maxsize=32)
-def _ratio(alphas: tuple[ExactReal, ...]) -> CertifiedRatio:
-    order = _ORDERS[len(alphas)]
+@lru_cache(maxsize=64)
+def _ratio(losses: tuple[Term, ...]) -> CertifiedRatio:
     with ctx.workprec(BITS):
-        L = half_swing(quarter_swing(list(alphas), order)).L
-        return CertifiedRatio(tuple(a.ball() - 1 for a in alphas), dict(L.coefficients), order)
+        weights, crests = tuple(term.degree.ball() - 1 for term in losses), tuple(map(_crest, losses))
+        if all(term.velocity.is_integer and term.velocity <= _EXACT for term in losses):
+            order = _EXACT_ORDERS[len(losses)]
+            exact = exact_half_swing(losses, order).L.coefficients
+            return CertifiedRatio(weights, crests, {k: arb(0) + c.ball() for k, c in exact.items()}, order)
+        order = _ORDERS[len(losses)]
+        L = half_swing(quarter_swing(losses, order)).L
+        return CertifiedRatio(weights, crests, dict(L.coefficients), order)
+
+
+def _crest(term: Term) -> arb:
+    """The largest value of s^alpha |c|^(m+1)."""
+    alpha, m = term.velocity.ball(), arb(term.position + 1)
+    return arb(1) if term.velocity.is_zero else (alpha / (alpha + m)) ** (alpha / 2) * (m / (alpha + m)) ** (m / 2)
 
 
 def _product(powers: list[list[arb]], key: Key) -> arb:

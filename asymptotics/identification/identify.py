@@ -18,6 +18,7 @@ from asymptotics.identification.adequacy import Levels, noise_levels
 from asymptotics.identification.amplitudes import relieved, spring_bound, widened
 from asymptotics.identification.candidates import Candidate, default_candidates, read_candidate
 from asymptotics.identification.comparison import LawFit, fit_decrements, fit_laws, predicted_error
+from asymptotics.identification.contradiction import further_parameters
 from asymptotics.identification.correlation import block_length
 from asymptotics.identification.defects import is_growing
 from asymptotics.identification.fitting import Noise
@@ -34,6 +35,7 @@ from asymptotics.identification.verdicts import IDENTIFIED, MANY, NONE, SEVERAL,
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import parse_real
 from asymptotics.numbers.policy import exact_number
+from asymptotics.terms import Term
 
 MAX_RUNS = 50
 
@@ -181,7 +183,7 @@ def _decrements(
 
 def _certified(table: Decrements, candidates: Sequence[Candidate], units: Units) -> Identification:
     """Set-valued answers: every law is proved consistent, proved refuted, or undetermined."""
-    laws = commented([_set(c, table) for c in candidates])
+    laws = commented(_sets(candidates, table))
     chosen = minimal(laws)
     names = "; ".join(str(law.candidate) for law in chosen)
     open_laws = [str(law.candidate) for law in laws if law.verdict == "undetermined"]
@@ -208,11 +210,31 @@ def _certified(table: Decrements, candidates: Sequence[Candidate], units: Units)
     return Identification(verdict, answers, (table,), {}, notes, units)
 
 
-def _set(candidate: Candidate, table: Decrements) -> LawFit:
-    if candidate.free or len(candidate.losses) > MAX_LAWS or any(m for _, m in candidate.losses):
-        return LawFit(candidate, None, reason=f"a certified set needs one to {MAX_LAWS} given exponents")
-    found = strengths_that_fit(tuple(parse_real(a, "laws") for a, _ in candidate.losses), table)
-    return LawFit(candidate, None, found.verdict, found.reason, epsilon=found.epsilon)
+def _sets(candidates: Sequence[Candidate], table: Decrements) -> list[LawFit]:
+    """The certified set of each law, smaller laws first: what contains a consistent law is consistent too."""
+    found: dict[Candidate, LawFit] = {}
+    for candidate in sorted(candidates, key=lambda c: len(c.losses) + c.free):
+        inside = next((law for law in found.values() if law.verdict == "consistent" and _holds(candidate, law)), None)
+        found[candidate] = _set(candidate, table, inside)
+    return [found[candidate] for candidate in candidates]
+
+
+def _holds(candidate: Candidate, law: LawFit) -> bool:
+    """Whether a law is a special case of the candidate."""
+    return further_parameters(law.candidate, candidate) == 0
+
+
+def _set(candidate: Candidate, table: Decrements, inside: LawFit | None) -> LawFit:
+    law = LawFit(candidate, None)
+    if candidate.free or len(candidate.losses) > MAX_LAWS:
+        reason = f"a certified set needs one to {MAX_LAWS} given exponents"
+    else:
+        losses = tuple(Term(1, parse_real(a, "laws"), m) for a, m in candidate.losses)
+        found = strengths_that_fit(losses, table)
+        law, reason = replace(law, verdict=found.verdict, epsilon=found.epsilon), found.reason
+    if inside is not None and law.verdict != "consistent":
+        return replace(law, verdict="consistent", reason="")
+    return replace(law, reason=reason)
 
 
 def _together(answers: Sequence[Identification], units: Units) -> Identification:

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from asymptotics.identification.adequacy import Levels, adequate
 from asymptotics.identification.comparison import LawFit, with_intervals
-from asymptotics.identification.contradiction import REFUTED, Contradiction, contradiction
+from asymptotics.identification.contradiction import REFUTED, Contradiction, contradiction, further_parameters
 from asymptotics.identification.correlation import is_correlated, replicas, stretch
 from asymptotics.identification.profile import Interval
 
@@ -97,12 +97,13 @@ def is_negative(strength: Interval) -> bool:
 
 def contains(larger: LawFit, smaller: LawFit) -> bool:
     """Whether ``smaller`` is a special case of ``larger``."""
+    if smaller.candidate == larger.candidate:
+        return False
     if smaller.candidate.is_within(larger.candidate):
         return True
-    one = smaller.candidate
-    if larger.candidate.free and not one.free and len(one.losses) == 1 and one.losses[0][1] == 0:
-        inside = larger.alpha is not None and larger.alpha.stretched(2.0).contains(one.elements[0].velocity)
-        return inside and set(one.springs) <= set(larger.candidate.springs)
+    if larger.candidate.free and further_parameters(smaller.candidate, larger.candidate) == 0:
+        value = smaller.candidate.elements[0].velocity
+        return larger.alpha is None or larger.alpha.stretched(2.0).contains(value)
     return False
 
 
@@ -134,12 +135,17 @@ def _commented(law: LawFit, smallest: Sequence[LawFit]) -> LawFit:
     inside = next((other for other in smallest if contains(law, other)), None)
     if inside is None:
         return replace(law, reason="", unneeded=())
-    known = {name for name, _ in inside.strengths}
-    further = {name: ends.contains(0.0) for name, ends in law.strengths if name not in known}
-    if law.alpha is not None and not inside.candidate.free:
+    held = {name: ends.contains(0.0) for name, ends in law.strengths}
+    known = {*inside.candidate.alphas, *(f"s{p}" for p in inside.candidate.springs)}
+    names = [*law.candidate.alphas, *(f"s{p}" for p in law.candidate.springs)]
+    further = {name: held.get(name, True) for name in names if name not in known}
+    if law.candidate.free and not inside.candidate.free:
         del further[law.candidate.alphas[0]]
-        further["a free exponent"] = law.alpha.contains(inside.candidate.elements[0].velocity)
+        value = inside.candidate.elements[0].velocity
+        further["a free exponent"] = law.alpha is None or law.alpha.contains(value)
     excluded = [name for name, held in further.items() if not held]
     beyond = f"; the interval of {', '.join(excluded)} excludes it, but not beyond doubt" if excluded else ""
     reason = f"contains {inside.candidate}, which is consistent; not needed: {', '.join(further)}{beyond}"
+    if law.reason:
+        reason += f"; {law.reason}"
     return replace(law, reason=reason, unneeded=tuple(further))

@@ -9,21 +9,27 @@ from flint import arb, ctx
 import asymptotics as asy
 from asymptotics.cli.main import main
 from asymptotics.errors import UndecidedError
+from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.quarter import half_swing
+from asymptotics.identification.candidates import read_candidate
 from asymptotics.identification.certified_ratio import CertifiedRatio
 from asymptotics.identification.coefficients import loss
+from asymptotics.identification.physical import physical_box
 from asymptotics.identification.printed import DecrementModel, Decrements
 from asymptotics.identification.set_valued import strengths_that_fit
 from asymptotics.identification.swing import Swing
-from asymptotics.numbers.exact import parse_real
+from asymptotics.identification.table_rows import rows_of
+from asymptotics.terms import Term
 
 
-def exponents(law):
-    return tuple(parse_real(a, "alpha") for a in law.split(","))
+def losses(law):
+    """Terms of strength 1 from a candidate such as 1,1x2."""
+    return tuple(Term(1, a, m) for a, m in read_candidate(law).losses)
 
 
 def printed(law, strengths, digits, rows=12):
     a = np.round(np.linspace(1.0, 0.3, rows), 4)
-    model = DecrementModel(Swing([loss(float(x)) for x in law.split(",")]), Decrements(a, a))
+    model = DecrementModel(read_candidate(law).swing(), Decrements(a, a))
     D = model.predict(np.array(strengths, dtype=float))[0]  # the reference amplitude is 1
     return Decrements(a, np.round(D, digits), np.full(rows, 0.5 * 10.0**-digits))
 
@@ -33,7 +39,7 @@ def printed(law, strengths, digits, rows=12):
 )
 @pytest.mark.parametrize("digits", [3, 4])
 def test_the_set_holds_the_truth_and_shrinks_with_the_digits(law, strengths, digits):
-    found = strengths_that_fit(exponents(law), printed(law, strengths, digits))
+    found = strengths_that_fit(losses(law), printed(law, strengths, digits))
     assert found.verdict == "consistent"
     for interval, true in zip(found.epsilon, strengths, strict=True):
         assert interval.low <= true <= interval.high
@@ -42,7 +48,7 @@ def test_the_set_holds_the_truth_and_shrinks_with_the_digits(law, strengths, dig
 
 def test_the_ends_of_the_set_are_attained():
     table = printed("1", [0.02], 3)
-    found = strengths_that_fit(exponents("1"), table).epsilon[0]
+    found = strengths_that_fit(losses("1"), table).epsilon[0]
     model = DecrementModel(Swing([loss(1.0)]), table)
 
     def met(epsilon):
@@ -57,20 +63,21 @@ def test_the_ends_of_the_set_are_attained():
 
 def test_a_wrong_law_is_refuted_by_proof_and_a_wrong_digit_too():
     table = printed("1,2", [0.01, 0.03], 4)
-    assert strengths_that_fit(exponents("1"), table).verdict == "refuted"
-    assert strengths_that_fit(exponents("2"), table).verdict == "refuted"
+    assert strengths_that_fit(losses("1"), table).verdict == "refuted"
+    assert strengths_that_fit(losses("2"), table).verdict == "refuted"
     wrong = Decrements(table.amplitude, table.decrement + 2e-4 * (np.arange(12) == 5), table.resolution)
-    assert strengths_that_fit(exponents("1,2"), wrong).verdict == "refuted"
+    assert strengths_that_fit(losses("1,2"), wrong).verdict == "refuted"
 
 
 def test_the_tail_of_the_series_is_an_enclosure_that_bites():
     # viscous: L = -pi (d/2)/sqrt(1 - d^2/4), known in closed form
     with ctx.workprec(80):
-        ratio = CertifiedRatio.of(exponents("1"))
+        ratio = CertifiedRatio.of(losses("1"))
         d = arb("0.08")
         true = -arb.pi() * (d / 2) / (1 - d**2 / 4).sqrt()
         assert ratio.at([d]).contains(true)
-        short = CertifiedRatio(ratio.weights, {k: c for k, c in ratio.coefficients.items() if sum(k) <= 3}, 3)
+        low = {k: c for k, c in ratio.coefficients.items() if sum(k) <= 3}
+        short = CertifiedRatio(ratio.weights, ratio.crests, low, 3)
         assert short.at([d]).contains(true)
         assert not abs(short.polynomial([d]) - true) <= short.tail([d]) / 10**5  # the bound is not absurdly wide
         assert not short.polynomial([d]).overlaps(true)  # and without it the sum is wrong
@@ -98,3 +105,67 @@ def test_decrements_without_resolution_have_statistical_intervals():
     answer = asy.identify({"amplitude": table.amplitude, "decrement": noisy}, laws=["1", "1,2"])
     assert answer.law("1,2").law.epsilon[1].contains(0.03)
     assert answer.law("1").law.verdict == "refuted"
+
+
+def test_exact_coefficients_are_those_of_the_balls():
+    with ctx.workprec(80):
+        for law in ("1,2", "0,3", "1x2,2"):
+            ratio = CertifiedRatio.of(losses(law))
+            balls = half_swing(quarter_swing(losses(law), 4)).L.coefficients
+            for key, ball in balls.items():
+                assert any(key)
+                assert ball.overlaps(ratio.coefficients.get(key, arb(0)))
+                assert not ball.overlaps(ratio.coefficients.get(key, arb(0)) + arb("1e-15"))
+
+
+def test_a_loss_that_depends_on_position_has_a_certified_set():
+    table = printed("1,1x2", [0.01, 0.04], 4)
+    found = strengths_that_fit(losses("1,1x2"), table)
+    assert found.verdict == "consistent"
+    for interval, true in zip(found.epsilon, (0.01, 0.04), strict=True):
+        assert interval.low <= true <= interval.high
+        assert interval.high - interval.low < 0.005
+    assert strengths_that_fit(losses("1"), table).verdict == "refuted"
+
+
+def test_every_law_that_contains_a_consistent_one_is_consistent_and_no_other_is_left_open():
+    answer = asy.identify(printed("1,2", [0.01, 0.03], 4), laws=["1", "2", "0,3", "1,2", "0,1,2", "free"])
+    verdicts = {str(entry.law.candidate): entry.law.verdict for entry in answer.laws}
+    assert "1,2 meets every printed value (proved); undecided: free" in answer.verdict.text
+    assert {verdicts[law] for law in ("1,2", "0,1,2")} == {"consistent"}
+    assert {verdicts[law] for law in ("1", "2", "0,3")} == {"refuted"}
+    assert verdicts["free"] == "undetermined"
+    assert answer.law("0,1,2").law.unneeded == ("0",)
+
+
+def test_strengths_beyond_the_searched_box_are_found_among_the_physical_ones():
+    # the first box, |epsilon| <= 0.15, does not reach 0.4
+    found = strengths_that_fit(losses("1"), printed("1", [0.4], 3))
+    assert found.verdict == "consistent"
+    assert found.reason == "the set is that of strengths >= 0"
+    assert found.epsilon[0].contains(0.4)
+    assert found.epsilon[0].high - found.epsilon[0].low < 0.001
+
+
+def test_a_table_that_only_negative_strengths_meet_refutes_the_law_as_unphysical():
+    # a decrement that falls faster than a^2 between 1 and 2: linear loss minus quadratic loss is met, but not physical
+    a = np.array([1.0, 0.8, 0.6, 0.4])
+    model = DecrementModel(read_candidate("1,2").swing(), Decrements(a, a))
+    D = np.round(model.predict(np.array([0.04, -0.01]))[0], 5)
+    table = Decrements(a, D, np.full(4, 5e-6))
+    found = strengths_that_fit(losses("1,2"), table)
+    assert found.verdict == "refuted"
+    assert "unphysical" in found.reason
+
+
+def test_the_physical_box_holds_the_truth_and_its_tests_bite():
+    terms, table = losses("1,2"), printed("1,2", [0.01, 0.03], 3)
+    with ctx.workprec(80):
+        ratio = CertifiedRatio.of(terms)
+        low, high = physical_box(terms, ratio, rows_of(ratio, table))
+        assert (low <= [0.01, 0.03]).all()
+        assert (high >= [0.01, 0.03]).all()
+        assert (high - low < 0.02).all()
+        # half a unit of the last digit more in one row, and the box is empty
+        wrong = Decrements(table.amplitude, table.decrement + 3e-3 * (np.arange(12) == 5), table.resolution)
+        assert physical_box(terms, ratio, rows_of(ratio, wrong)) == "none"
