@@ -60,6 +60,7 @@ SECTIONS = {
         "section_7_late_times",
     ),
     "lelas2024": (
+        "section_1",
         "section_2",
         "section_2_trick",
         "section_3",

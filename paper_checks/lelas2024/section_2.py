@@ -46,21 +46,6 @@ def opposes(law: sympy.Expr, size: sympy.Expr) -> Outcome:
     return all_confirmed(*moving, vanishes(law.subs(v, 0)))
 
 
-HEADINGS = ("I", "II", "III", "IV", "V", "VI", "VII")  # Introduction ... Discussion and conclusion
-
-
-@statement(
-    id="lelas2024:claim.number-of-sections", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
-    title="How many sections the paper has", latex=r"\text{This paper is organized into six sections}",
-    corrected_latex=r"\text{This paper is organized into seven sections}", printed=6, corrected=7, near_miss=8,
-    conditions="the acknowledgments not counted", methods=("the numbered headings",),
-    note="The same paragraph goes on to describe sections II to VII; with the introduction they are seven.",
-)
-def number_of_sections(form: int) -> Outcome:
-    """The numbered headings before the acknowledgments."""
-    return decided(form == len(HEADINGS))
-
-
 @statement(
     id="lelas2024:1", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="The equation of motion", latex=r"ma(t) = F_d(t) - kx(t)", conditions="m, k > 0",

@@ -97,6 +97,27 @@ def number_of_constants(form: tuple[int, int]) -> Outcome:
 
 
 @statement(
+    id="smith2012:claim.inversion", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    title="Independent constants can be inverted to give the motion", printed=1, corrected=2, near_miss=4,
+    latex=r"\text{once } n \text{ independent solutions } S_i(q^i; t) \text{ have been found, they may be inverted}",
+    corrected_latex=r"\text{locally: } \frac{\partial(S, T)}{\partial(x, v)} = m\omega \ne 0 \text{, yet } (x, v)"
+    r" \text{ and } (-x, -v) \text{ have the same } S \text{ and } T",
+    conditions="locally, by the inverse function theorem",
+    methods=("on the harmonic oscillator: Jacobian of (26) and (28), states with given S and T",),
+    note="The arctangent in (28) is an angle modulo pi; read as the angle of (v, omega x), modulo 2 pi, it leaves one"
+    " state. Form: how many states have the given S and T at one time.",
+)
+def inversion(form: int) -> Outcome:
+    """With omega x = v tan(theta): (1 + tan^2) v^2 = 2 S/m has two roots; the Jacobian is nowhere zero."""
+    angle, S = sympy.symbols("theta S", positive=True)
+    V = sympy.Symbol("V", real=True)
+    states = sympy.solve(ENERGY.subs({x: V * sympy.tan(angle) / omega, v: V}) - S, V)
+    jacobian = diff(ENERGY, x) * diff(CLOCK, v) - diff(ENERGY, v) * diff(CLOCK, x)
+    same_clock = same(CLOCK.subs({x: -x, v: -v}, simultaneous=True), CLOCK)
+    return all_confirmed(same(jacobian, M * omega), same_clock, decided(form == len(states)))
+
+
+@statement(
     id="smith2012:3", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
     title="Newton's second law", latex=r"m\ddot{x}^i = f^i(x^j, \dot{x}^j; t), \quad i, j \le 3", printed=1,
     near_miss=-1, conditions="none", methods=("with f = -m omega^2 x",), note="Form: the sign of the force.",

@@ -5,9 +5,12 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import LimitError
+from asymptotics.half_swings.certified import enclose, quarter_swing, terms_needed
+from asymptotics.half_swings.certified_zeros import certified_half_swing, duration_vanishes
 from asymptotics.half_swings.finite import MAX_ORDER, _order, _polydisc, finite_quarter, series_reach
 from asymptotics.half_swings.finite_majorant import _Step, majorant, widest
 from asymptotics.half_swings.forces import Forces
+from asymptotics.half_swings.quarter import half_swing
 from asymptotics.half_swings.symbolic import (
     RADIUS,
     _integrate,
@@ -49,8 +52,44 @@ def test_the_final_strength_and_its_inverse_are_bounded_and_nearly_attained(expo
         largest, smallest = max(ends, key=float), min(ends, key=float)
         assert largest < bound.final(0) < largest * arb("1.3")
         assert 1 / smallest < bound.inverse() < 1 / smallest * arb("1.3")
+        with ctx.workprec(300):  # rounded to the safe side
+            assert bound.inverse() >= 1 / bound.radii[0] + abs(a - 1) * bound.gains[0]
         inside = (bound.inverse() - 1 / rho) / 2 + 1 / rho  # with half the gain it would be no bound
         assert not 1 / smallest < inside
+
+
+def test_a_tail_that_is_known_is_counted():
+    quarter = finite_quarter([real("2")], [arb("0.05")], 40)
+    residual = quarter._residual([arb("0.05")], arb(0), arb("-0.1"), arb("1e-5"))
+    assert residual.rad() >= 1e-5
+
+
+def test_the_tail_of_a_power_series_is_that_of_its_bound():
+    """Sum over k >= K of B r^-k/(2 k) at most, nearly attained by coefficients that are all as large as their bound."""
+    for radius, terms in ((2, 50), (3, 20), (4, 9)):
+        cut = enclose({(1,): arb(0)}, {(1,): arb(7)}, radius, terms)[(1,)].rad()
+        whole = sum((7 * arb(radius) ** -k / (2 * k) for k in range(terms, 40 * terms)), arb(0))
+        assert whole < cut < whole * arb("1.1")
+    for bits in (8, 12, 40):
+        terms = terms_needed([{(1,): arb(1)}], 4, bits)
+        assert enclose({(1,): arb(0)}, {(1,): arb(1)}, 4, terms)[(1,)].rad() < arb(2) ** (-bits - 3)
+
+
+def test_the_duration_is_even_where_no_loss_bends_the_amplitude():
+    linear, quadratic = Forces.losses([real("1")]), Forces.losses([real("2")])
+    assert [duration_vanishes(linear, (n,)) for n in (1, 2, 3, 4)] == [True, False, True, False]
+    assert [duration_vanishes(quadratic, (n,)) for n in (1, 2, 3, 4)] == [True, False, False, False]
+
+
+@pytest.mark.parametrize("exponents", [("0", "3/2"), ("2", "0"), ("0", "sqrt(2)")])
+def test_dry_friction_by_the_shifted_centre_is_dry_friction_by_the_quarter_swing(exponents):
+    alphas = tuple(map(real, exponents))
+    with ctx.workprec(100):
+        shifted, plain = certified_half_swing(alphas, 3), half_swing(quarter_swing(alphas, 3))
+        for ours, theirs in ((shifted.L, plain.L), (shifted.T, plain.T)):
+            for key in {*ours.coefficients, *theirs.coefficients}:
+                difference = arb(ours.coefficients.get(key, 0)) - arb(theirs.coefficients.get(key, 0))
+                assert difference.contains(0) and difference.rad() < 1e-20, key
 
 
 def test_an_end_that_was_not_proved_is_refused(monkeypatch):
