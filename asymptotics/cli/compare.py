@@ -17,15 +17,16 @@ from pathlib import Path
 from typing import Any
 
 from asymptotics.cli.answer import Answer, add_json, add_max_seconds
+from asymptotics.cli.files import add_csv, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.table import table_inputs
-from asymptotics.comparison.picture import KINDS, picture_of
+from asymptotics.comparison.picture import picture_of
 from asymptotics.comparison.run import MAX_DIGITS, Comparison, Row, compare_file
 from asymptotics.comparison.tabled import compare_table
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
-from asymptotics.present.files import target_file, write_all
+from asymptotics.present.files import require_different
 
 _SHOWN = 40
 _SI = ("mass", "stiffness", "x0")
@@ -42,24 +43,18 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--columns", metavar="LIST", help="n,x,tau or n=index,x=pos: which column is what")
     parser.add_argument("--digits", metavar="D", help="digits of the certified values (default: four more than yours)")
     parser.add_argument("--plot", metavar="FILE", help="digits lost against time: .svg or .png")
-    parser.add_argument("--csv", metavar="FILE", help="all rows as CSV")
+    add_csv(parser, "all rows")
     add_max_seconds(parser)
     add_json(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    plot, table = (_target(getattr(options, name), f"--{name}") for name in ("plot", "csv"))
-    if plot is not None and plot.suffix not in KINDS:
-        raise InputError("--plot", f"{plot.name} has no known ending", ", ".join(KINDS))
+    files = read_files(options)
+    require_different({"FILE": Path(options.file), **files})
     digits = None if options.digits is None else parse_integer(options.digits, "--digits", 1, MAX_DIGITS)
     found, equation = _compared(options, digits)
-    contents: dict[Path, str | bytes] = {}
-    if plot is not None:
-        contents[plot] = picture_of(found, KINDS[plot.suffix])
-    if table is not None:
-        contents[table] = found.to_csv()
-    write_all(contents)
+    write_files(files, {"--plot": lambda kind: picture_of(found, kind), "--csv": lambda _: found.to_csv()})
     beside = "law" if options.table is None else "table"
     return Answer({beside: equation, **found.to_dict()}, _text(found, equation), options.json)
 
@@ -76,10 +71,6 @@ def _compared(options: argparse.Namespace, digits: int | None) -> tuple[Comparis
             raise InputError(f"--{name}", "a table has its own units", "no such option with --table")
     inputs = table_inputs(options.alpha, options.epsilon, options.law, None)
     return compare_table(path, options.table, inputs, columns=options.columns, digits=digits), options.table
-
-
-def _target(name: str | None, argument: str) -> Path | None:
-    return None if name is None else target_file(name, argument)
 
 
 def _oscillator(options: argparse.Namespace) -> tuple[Oscillator, bool]:

@@ -9,7 +9,6 @@ from asymptotics.comparison.digits import significant
 from asymptotics.comparison.run import Comparison
 from asymptotics.present.figures import render
 
-KINDS = {".png": "png", ".svg": "svg"}
 _NAMES = {"n": "turning point n", "tau": r"$\tau = \omega_0 t$", "t": "t (s)"}
 
 

@@ -17,7 +17,7 @@
 import csv
 import io
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
@@ -170,7 +170,17 @@ def _judged(rows: Sequence[Row], errors: Errors, shift: Any | None) -> Look:
     finite = len(errors) == 0 or bool(np.all(np.isfinite(errors.amplitude)))
     if not finite:
         return Look("undecided", "a turning point is given as 0")
-    return look_of(errors, shift, lost if wrong else 0.0)
+    return look_of(_without_rounding(errors, rows), shift, lost if wrong else 0.0)
+
+
+def _without_rounding(errors: Errors, rows: Sequence[Row]) -> Errors:
+    """At turning points: a column that is right in every digit written says nothing about errors."""
+    wrong = {row.column for row in rows if "[" in row.marked or row.digits == "0.00"}
+    if rows[0].key_name != "n" or not wrong:
+        return errors
+    advance = errors.advance if wrong & {"tau", "t"} else None
+    amplitude = errors.amplitude if wrong & {"x", "amplitude"} else 0 * errors.amplitude
+    return replace(errors, advance=advance, amplitude=amplitude)
 
 
 def _of_turning(

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from asymptotics.cli.main import main
 from asymptotics.comparison import compare_file
 from asymptotics.comparison.digits import marked, relative_error, right_digits
 from asymptotics.comparison.picture import lost_digits, picture_of
@@ -125,6 +126,16 @@ def test_a_wrong_sign_has_no_digit_and_an_ended_motion_no_value(tmp_path):
     assert "turning point 2 is the last" in found.summary["ended"]
 
 
+def test_a_column_that_is_right_as_far_as_it_goes_says_nothing_about_errors(tmp_path, table):
+    """Times to two digits, amplitudes 2 % too small: the law is wrong, and the times have not drifted."""
+    rows = [f"{p.n},{float(p.x) * 0.98**p.n!r},{float(p.tau):.1f}" for p in table.points]
+    look = compare_file(file_of(tmp_path, "n,x,tau", rows), Oscillator({2: "1/10"})).summary["look"]
+    assert look["kind"] == "wrong law"
+    rows = [f"{p.n},{float(p.x):.2f},{float(p.tau) * 1.01!r}" for p in table.points]
+    look = compare_file(file_of(tmp_path, "n,x,tau", rows), Oscillator({2: "1/10"})).summary["look"]
+    assert look["kind"] == "phase drift"
+
+
 def test_units_scale_what_is_compared(tmp_path, table):
     """m = 2, k = 8, x0 = 1/2: omega_0 = 2, so x = X/2 and t = tau/2; b = epsilon k/(omega_0^2 x0) = 4 epsilon."""
     p = table.points[2]
@@ -182,6 +193,15 @@ def test_other_separators_comments_and_names(tmp_path):
     for columns in ("n,x,tau", "n=step,x=position,tau=when", "n=1,x=2,tau=3"):
         found = compare_file(path, Oscillator({2: 1}), columns=columns)
         assert [(row.line, row.column) for row in found.rows] == [(3, "x"), (3, "tau"), (4, "x"), (4, "tau")]
+
+
+def test_the_values_themselves_are_not_written_over(tmp_path, capsys):
+    path = file_of(tmp_path, "n,x", ["0,1", "1,-0.42"])
+    before = path.read_bytes()
+    for option in ("--csv", "--plot"):
+        assert main(["compare", str(path), "--alpha", "2", "--epsilon", "1", option, str(path)]) == 2
+    assert path.read_bytes() == before
+    assert "two different files" in capsys.readouterr().err
 
 
 def test_the_rows_as_csv_and_as_a_picture(tmp_path):
