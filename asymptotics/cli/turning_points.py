@@ -3,17 +3,18 @@
   asymptotics turning-points --alpha 2 --epsilon 1 --count 6 --digits 60 --times
   asymptotics turning-points --alpha 2 --epsilon 1/3 --count 1 --start 1000000000 --digits 50
   asymptotics turning-points --law 0:1/20 --law 3/2:1/10 --count 10
-
   asymptotics turning-points --law 2:1/10 --spring pendulum --x0 2.967 --count 10
   asymptotics turning-points --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --count 10 --times
 
-X'' + X + sum_i epsilon_i X'|X'|^(alpha_i-1) = 0 starts from rest at X(0) = 1, which is turning point 0.  All digits are
+X'' + X + sum_i epsilon_i X'|X'|^(alpha_i-1) = 0 starts from rest at X(0) = 1, which is turning point 0: x is in units
+of x0, and tau = omega_0 t.  With --damping, --mass or --stiffness everything is in SI, x in m, t in s.  All digits are
 proved, whatever the law.  `ended` tells the last turning point there is, and why: sticks, creeps, overdamped, rotates
 or escapes.
-Then x is in units of x0 and tau = omega_0 t; with --damping, --mass or --stiffness everything is in SI, x in m, t in s.
 
-With --spring, or a loss --law A,M:E that depends on the place, the motion starts at X(0) = x0 inside the well, and from
-rest x is in the units in which the strengths are given: rad for a pendulum.
+With --spring, or a loss --law A,M:E that depends on the place, the motion starts at X(0) = x0 inside the well and x is
+not divided by x0: it is in the units in which the strengths are given, rad for a pendulum, and point 0 is x0 itself.
+A header above the points says so, and `x_unit` in JSON: "x0", "m", "rad" or "strengths".  With --v0 point 0 is 1, and
+its amplitude is told below.
 """
 
 import argparse
@@ -26,6 +27,7 @@ from asymptotics.cli.files import Makers, add_csv, csv_text, read_files, write_f
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.quantities import add_physical, is_physical, read_oscillator
 from asymptotics.errors import LimitError
+from asymptotics.law import PENDULUM
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.present.figures import render
 from asymptotics.turning.general import turning_points
@@ -62,9 +64,10 @@ def run(options: argparse.Namespace) -> Answer:
             raise LimitError("--epsilon", error.reason, "weaker damping") from error
         raise
     data, si = result.to_dict(), isinstance(result, OscillatorTurningPoints)
-    makers: Makers = {"--csv": lambda _: _table(result), "--plot": lambda kind: _picture(result, kind)}
-    data |= {"units": "SI" if si else None, "files": write_files(files, makers)}
-    text = result._repr_latex_().strip("$") if options.latex else str(result) if si else _text(result)
+    unit = _unit(options)
+    makers: Makers = {"--csv": lambda _: _table(result, unit), "--plot": lambda kind: _picture(result, kind)}
+    data |= {"units": "SI" if si else None, "x_unit": unit, "files": write_files(files, makers)}
+    text = result._repr_latex_().strip("$") if options.latex else str(result) if si else _text(result, unit)
     return Answer(data, "\n".join([text, *data["files"]]), options.json)
 
 
@@ -80,8 +83,26 @@ def _computed(
     return turning_points(law, count, digits, start=start, times=options.times, x0=x0, v0=v0, max_seconds=seconds)
 
 
-def _text(result: Any) -> str:
+def _unit(options: argparse.Namespace) -> str:
+    """What x counts: metres, point 0 itself, radians, or the length in which the strengths are given."""
+    if is_physical(options):
+        return "m"
+    if options.v0 is not None and not parse_real(options.v0, "--v0").is_zero:
+        return "x0"
+    springs = options.spring or []
+    if PENDULUM in springs:
+        return "rad"
+    placed = any("," in text.partition(":")[0] for text in options.law or [])
+    return "strengths" if springs or placed else "x0"
+
+
+_HEADS = {"x0": None, "rad": "x [rad]", "strengths": "x [units of the strengths]"}
+
+
+def _text(result: Any, unit: str) -> str:
     rows = [(str(p.n), p.x) + (() if p.tau is None else (p.tau,)) for p in result.points]
+    if _HEADS[unit] and rows:
+        rows.insert(0, ("n", str(_HEADS[unit]), "tau")[: len(rows[0])])
     widths = [max(map(len, column)) for column in zip(*rows)]
     lines = ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
     if result.first is not None:
@@ -93,11 +114,11 @@ def _text(result: Any) -> str:
     return "\n".join([*lines, f"certified: {str(result.certified).lower()} ({result.method})"])
 
 
-def _table(result: TurningPoints | OscillatorTurningPoints) -> str:
+def _table(result: TurningPoints | OscillatorTurningPoints, unit: str) -> str:
     """The points as CSV, with units in the header."""
     if isinstance(result, OscillatorTurningPoints):
         return csv_text(["n", "x [m]", "t [s]"], [(p.n, p.x, p.t) for p in result.points])
-    return csv_text(["n", "x", "tau"], [(p.n, p.x, p.tau) for p in result.points])
+    return csv_text(["n", _HEADS[unit] or "x", "tau"], [(p.n, p.x, p.tau) for p in result.points])
 
 
 def _picture(result: TurningPoints | OscillatorTurningPoints, kind: str) -> bytes:

@@ -104,3 +104,22 @@ def test_bad_input_is_one_line_that_names_the_argument(capsys, line, argument):
     code, out, err = run(capsys, line)
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert argument in err
+
+
+@pytest.mark.parametrize(
+    ("line", "unit", "first"),
+    [
+        ("--law 2:1/10", "x0", "1.0000"), ("--law 2:1/10 --spring pendulum --x0 2.9", "rad", "2.9000"),
+        ("--law 2:1/10 --spring 3:1/2 --x0 2", "strengths", "2.0000"),
+        ("--law 2:1/10 --stiffness 2 --x0 3", "m", "3.0000"),
+        ("--law 1,2:1/10 --x0 2", "strengths", "2.0000"), ("--law 2:1/10 --v0 1", "x0", "1.0000"),
+        ("--law 2:1/10 --spring pendulum --v0 1", "x0", "1.0000"),
+    ],
+)  # fmt: skip
+def test_turning_points_say_in_what_x_is_told(capsys, line, unit, first):
+    assert main(["turning-points", *line.split(), "--count", "2", "--digits", "5", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert (data["x_unit"], data["points"][0]["x"]) == (unit, first)
+    assert main(["turning-points", *line.split(), "--count", "2", "--digits", "5"]) == 0
+    head = capsys.readouterr().out.splitlines()[0]
+    assert ("rad" in head, "strengths" in head) == (unit == "rad", unit == "strengths")
