@@ -4,6 +4,7 @@ import argparse
 import json
 import sys
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 
 from benchmarks import (
@@ -55,7 +56,9 @@ def main(argv: list[str] | None = None) -> int:
     names = [options.name] if options.name else list(BENCHMARKS)
     tables = {name: BENCHMARKS[name](*sizes) for name in names}
     if options.report is not None:
-        write(Path(options.report), tables)
+        write(
+            Path(options.report), tables, {name: import_module(BENCHMARKS[name].__module__).__doc__ for name in names}
+        )
     if options.json:
         print(json.dumps({name: table.to_dict() for name, table in tables.items()}, indent=2))
     else:

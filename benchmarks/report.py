@@ -15,13 +15,13 @@ OURS = ("numpy", "scipy", "sympy", "mpmath", "python-flint")
 PEERS = ("heyoka", "oscilate", "gmpy2", "cypari", "scipy", "mpmath", "sympy")
 
 
-def write(folder: Path, tables: dict[str, Table]) -> None:
-    """``benchmarks.json``, ``benchmarks.md`` and ``benchmarks.svg`` in ``folder``."""
+def write(folder: Path, tables: dict[str, Table], lessons: dict[str, str] | None = None) -> None:
+    """``benchmarks.json``, ``.md`` and ``.svg`` in ``folder``; ``lessons``: a text for each table."""
     folder.mkdir(parents=True, exist_ok=True)
     where = machine()
     data = {"machine": where, "tables": {name: table.to_dict() for name, table in tables.items()}}
     (folder / "benchmarks.json").write_text(json.dumps(data, indent=2) + "\n")
-    (folder / "benchmarks.md").write_text(markdown(tables, where))
+    (folder / "benchmarks.md").write_text(markdown(tables, where, lessons))
     picture(tables).savefig(folder / "benchmarks.svg", metadata={"Date": None})
 
 
@@ -43,28 +43,37 @@ def machine() -> dict[str, str]:
     }
 
 
-def markdown(tables: dict[str, Table], where: dict[str, str]) -> str:
-    """The tables as Markdown.
+def markdown(tables: dict[str, Table], where: dict[str, str], lessons: dict[str, str] | None = None) -> str:
+    """The tables as Markdown, with the picture, what is compared and why, and a list of those who are faster.
 
-    >>> print(markdown({"x": Table("Title", ("what", "ratio"), (("a", "1.0"),))}, {"python": "3"}))
+    >>> print(markdown({"x": Table("Title", ("what", "ratio"), (("a", "1.0"), ("b", "0.5")))}, {"python": "3"}))
     # Speed beside the peers
     <BLANKLINE>
     | | |
     |---|---|
     | python | 3 |
     <BLANKLINE>
+    ![Times as ratios to ours](benchmarks.svg)
+    <BLANKLINE>
     ## Title
     <BLANKLINE>
     | what | ratio |
     |---|---|
     | a | 1.0 |
+    | b | 0.5 |
+    <BLANKLINE>
+    Faster: b.
     <BLANKLINE>
     """
     lines = ["# Speed beside the peers", "", "| | |", "|---|---|", *(f"| {k} | {v} |" for k, v in where.items())]
-    for table in tables.values():
+    lines += ["", "![Times as ratios to ours](benchmarks.svg)"]
+    for name, table in tables.items():
         rows = [table.columns, ("---",) * len(table.columns), *table.rows]
-        lines += ["", f"## {table.title}", ""]
+        lesson = (lessons or {}).get(name, "").partition(">>>")[0].strip()
+        lines += ["", f"## {table.title}", "", *([lesson, ""] if lesson else [])]
         lines += ["|" + "|".join(row) + "|" if row[0] == "---" else "| " + " | ".join(row) + " |" for row in rows]
+        faster = [label for label, value in _ratios(table) if value < 1 and table.rows[0][0] != label]
+        lines += ["", f"Faster: {', '.join(faster)}."] if faster else []
     return "\n".join([*lines, ""])
 
 

@@ -132,6 +132,17 @@ def test_every_cited_derivation_exists():
             assert cited in known, f"{path.name} cites {cited}"
 
 
+def test_the_lemmas_on_which_balls_rest_are_named_where_it_is_said_what_is_trusted():
+    page = (ROOT / "docs" / "certified.md").read_text().partition("## What is trusted")[2]
+    named = {name for line in page.splitlines() if line.startswith("| ") for name in re.findall(r"`([\w-]+)`", line)}
+    assert named <= set(names()), named - set(names())
+    for path in files("asymptotics"):
+        text = path.read_text()
+        if re.search(r"^from flint import .*arb", text, re.MULTILINE):
+            cited = set(re.findall(r"derivations?\s+``([\w-]+)``", text))
+            assert cited <= named, f"{path.name} rests on {cited - named}"
+
+
 def _locks() -> dict[str, set[str]]:
     """What each requirements/NAME.in must hold, by pyproject.toml."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
