@@ -33,6 +33,7 @@ from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
+from asymptotics.swing.linear import ROUTE as CLOSED_ROUTE
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.taylor import GUARD
 from asymptotics.wells.dense import states as states_in_well
@@ -41,6 +42,7 @@ from asymptotics.wells.force import Force
 from asymptotics.wells.force import estimated_seconds as estimated_in_well
 
 METHOD = "reference: half-swing by half-swing, local expansions and Taylor steps in balls"
+CLOSED = f"reference: half-swing by half-swing, {CLOSED_ROUTE}, in balls"
 IN_WELL = "reference: half-swing by half-swing in the well, local expansions and Taylor steps in balls"
 MAX_DIGITS = 1000
 _TRIES = 6
@@ -77,8 +79,15 @@ def reference_motion(
             raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0, b > 0")
         found = _decimals(oscillator, moment, digits)
     x, v = found
-    method = METHOD if oscillator.law.is_pure else IN_WELL
-    return MotionPoint(x, v, None, None, None, None, method, half_unit(x, digits), True, oscillator.law.notes)
+    return MotionPoint(
+        x, v, None, None, None, None, _method(oscillator), half_unit(x, digits), True, oscillator.law.notes
+    )
+
+
+def _method(oscillator: Oscillator) -> str:
+    if not oscillator.law.is_pure:
+        return IN_WELL
+    return CLOSED if panels_of(oscillator.dimensionless, bits_for(1)).closed else METHOD
 
 
 def reference_states(

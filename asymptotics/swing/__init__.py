@@ -7,6 +7,7 @@
 ``expansion``   the motion next to a turning point, in powers of the speed: the branch point removed
 ``taylor``      one Taylor step in between, with its error by the residual
 ``ends``        when no turning point follows: sticks, creeps, overdamped, decided in balls
+``linear``      linear damping and dry friction alone: the closed form
 ``course``      a half-swing in pieces, from an exact state to the next turning point
 ``arrival``     the far turning point: no bracketing, the family of orbits spreads
 ``chebyshev``   interpolation of a function known as balls, with its error

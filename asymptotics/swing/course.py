@@ -7,7 +7,8 @@ only add: no ball is carried through a step.
 
 * ``Departure``: from rest, by the local expansion at the turning point;
 * ``Step``: a Taylor step;
-* ``Landing``: the last piece, by the local expansion at the turning point ahead.
+* ``Landing``: the last piece, by the local expansion at the turning point ahead;
+* ``LinearSwing``: the only piece where linear damping below its critical strength and dry friction act alone.
 
 >>> from fractions import Fraction
 >>> from asymptotics.numbers.exact import ExactReal
@@ -29,6 +30,7 @@ from asymptotics.swing.arrival import Arrival, arrive, turns_within
 from asymptotics.swing.damping import Damping, size_of, upper
 from asymptotics.swing.ends import may_trap, trap
 from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.linear import LinearOrbit, is_linear
 from asymptotics.swing.taylor import TaylorStep
 
 MAX_PIECES, MAX_FREE = 200_000, 5000
@@ -72,35 +74,55 @@ class Step(Piece):
 
 
 @dataclass(frozen=True)
-class Landing(Piece):
-    """The last piece: its own orbit turns at the exact place u = -``turn`` and the time ``clock`` (middle: ``end``).
+class Turned(Piece):
+    """The last piece: the orbit from the exact start of the course turns within ``miss`` of -``turn``, at a time in
+    ``time``."""
 
-    The orbit from the exact start of the course turns within ``miss`` of -``turn``, at a time in ``time``.
-    """
-
-    arrival: Arrival
     turn: arb
     miss: arb
-    clock: arb
     time: arb
-
-    def own(self, t: arb) -> tuple[arb, arb]:
-        """(y, w) by the local expansion."""
-        return at_time(self.arrival.expansion, t - self.clock)
 
     def late(self, distance: arb) -> arb:
         """How much the time differs at most for an orbit that starts ``distance`` away."""
         return delay(self.turn, upper(distance + self.miss), self.damping.friction)
 
 
+@dataclass(frozen=True)
+class Landing(Turned):
+    """By the local expansion ahead: its own orbit turns at the exact place u = -``turn`` and the time ``clock``,
+    of which ``end`` is the middle."""
+
+    arrival: Arrival
+    clock: arb
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(y, w) by the local expansion."""
+        return at_time(self.arrival.expansion, t - self.clock)
+
+
+@dataclass(frozen=True)
+class LinearSwing(Turned):
+    """The whole course in closed form, up to the middle of ``time``: if its own orbit has turned before, its friction
+    has the wrong sign for as long as the radius, which is in ``error``."""
+
+    orbit: LinearOrbit
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(y, w) in closed form."""
+        return self.orbit.state(t)
+
+
 def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces: int = MAX_PIECES) -> Iterator[Piece]:
-    """The pieces from the exact state (u, w >= 0) at time 0, at the precision current at each call, to the ``Landing``.
+    """The pieces from the exact state (u, w >= 0) at time 0, at the precision current at each call, to the last one.
 
     ``error`` bounds the distance of the true state.  A piece in a trap names it, and the course goes on.  LimitError
     after ``pieces`` pieces, UndecidedError where the enclosures are too wide.
     """
     given = arb(0) if error is None else error
     t, error = arb(0), given
+    if is_linear(damping):
+        yield _linear(damping, u, w, error)
+        return
     scale, watch = upper(abs(u) + w), may_trap(damping)
     if w == 0:
         first = _departure(damping, u, error)
@@ -117,7 +139,7 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
             yield _landing(damping, y, w, t, error, given)
             return
         reason = trap(damping, y + blur, w + blur) if watch else None
-        if watch and reason is None and (count > MAX_FREE or upper(abs(y) + w) < 4 * error):
+        if reason is None and ((watch and count > MAX_FREE) or upper(abs(y) + w) < 4 * error):
             where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
             raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
         taylor = TaylorStep.at(damping, y, w, scale)
@@ -129,6 +151,17 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         u, w, t = (y + damping.friction).mid(), w.mid(), end
     reason = f"one half-swing takes more than {pieces} pieces: the motion is too stiff or too near a separatrix"
     raise LimitError("time", reason, "weaker damping, another strength, or a shorter time")
+
+
+def _linear(damping: Damping, u: arb, w: arb, error: arb) -> LinearSwing:
+    y = u - damping.friction
+    if w == 0 and not y > error:
+        raise UndecidedError("whether dry friction holds the mass here is undecided")
+    orbit = LinearOrbit.of(damping, y, w)
+    time, there = orbit.turning()
+    at = there + damping.friction
+    own = upper(error + 4 * damping.friction * time.rad())
+    return LinearSwing(damping, arb(0), time.mid(), own, None, -at.mid(), upper(at.rad()), time, orbit)
 
 
 def _later(t: arb, length: arb) -> arb:
@@ -156,7 +189,7 @@ def _landing(damping: Damping, y: arb, w: arb, t: arb, error: arb, given: arb) -
     local = upper(error + slack - given)
     time = t + arrival.duration + arb(0, delay(turn, local, damping.friction))
     own = upper(error + slack + clock.rad() * arrival.expansion.speed())
-    return Landing(damping, t, clock.mid(), own, None, arrival, turn, local, clock, time)
+    return Landing(damping, t, clock.mid(), own, None, turn, local, time, arrival, clock)
 
 
 def delay(amplitude: arb, distance: arb, friction: arb) -> arb:

@@ -22,7 +22,7 @@ from flint import arb, ctx
 
 from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
-from asymptotics.swing.course import Landing, Piece, course
+from asymptotics.swing.course import Piece, Turned, course
 from asymptotics.swing.damping import Damping, size_of, upper
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.passage import of_landing
@@ -104,7 +104,7 @@ def _first(damping: Damping, X: arb, V: arb, wanted: _Wanted) -> Turning:
     given, size = upper(X.rad() + V.rad()), upper(abs(X) + abs(V))
     for piece in course(damping, side * X.mid(), abs(V).mid(), given):
         wanted.take(piece, side, arb(0), size)
-        if isinstance(piece, Landing):
+        if isinstance(piece, Turned):
             return after_landing(piece, side, given)
         if wanted.done:
             break
@@ -124,7 +124,7 @@ def _swing(damping: Damping, here: Turning, wanted: _Wanted, panels: Panels | No
         wanted.take(piece, here.side, here.time, size)
         if wanted.done:
             return here
-        if isinstance(piece, Landing):
+        if isinstance(piece, Turned):
             return following(damping, here, of_landing(here.amplitude, error, piece, count))
     raise UndecidedError("the half-swing has no end")
 

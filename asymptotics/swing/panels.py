@@ -24,6 +24,8 @@ from asymptotics.budget import tick
 from asymptotics.law import Law
 from asymptotics.swing.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.swing.coordinate import Coordinate
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear import is_linear
 from asymptotics.swing.panel_plan import Plan, planned, verified
 from asymptotics.swing.passage import Passage, integrated
 
@@ -73,7 +75,8 @@ class Panels:
     def __post_init__(self) -> None:
         with ctx.workprec(self.bits + _SLACK + _GUARD):
             terms = [(t.strength.ball(), t.velocity) for t in self.law.terms if t.strength.sign > 0]
-            self.coordinate = Coordinate.of(terms) if terms else None
+            self.closed = is_linear(Damping.of(terms))
+            self.coordinate = None if self.closed else Coordinate.of(terms)
 
     def serving(self, p: arb, error: arb, remaining: int) -> Panel | None:
         """A panel for the amplitudes within ``error`` of p; a new one if ``remaining`` half-swings may repay it."""
@@ -93,9 +96,12 @@ class Panels:
         return panel if panel.holds(p, error) else None
 
     def pieces(self, remaining: int) -> int:
-        """About how many half-swings are integrated, nodes included, for ``remaining`` of them from X = 1."""
+        """About how many half-swings are integrated for ``remaining`` of them from X = 1, nodes included.
+
+        None where they have a closed form.
+        """
         if self.coordinate is None:
-            return remaining
+            return 0
         size, total = 1.0, 0
         while remaining > 0:
             plan = planned(self.coordinate, size, remaining, self.bits + _SLACK)

@@ -15,9 +15,10 @@ from dataclasses import dataclass
 from flint import arb
 
 from asymptotics.errors import UndecidedError
-from asymptotics.swing.course import MAX_PIECES, Landing, course
+from asymptotics.swing.course import MAX_PIECES, LinearSwing, Turned, course
 from asymptotics.swing.damping import Damping, upper
 from asymptotics.swing.ends import STICKS
+from asymptotics.swing.linear import ROUTE as CLOSED
 
 INTEGRATED = "local expansions and Taylor steps"
 
@@ -52,12 +53,13 @@ def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: in
     for count, piece in enumerate(course(damping, p, arb(0), error, pieces=pieces), start=1):
         if piece.trapped is not None:
             return Passage(None, None, INTEGRATED, count, upper((piece.error - error) / p), piece.trapped)
-        if isinstance(piece, Landing):
+        if isinstance(piece, Turned):
             return of_landing(p, error, piece, count)
     raise UndecidedError("the half-swing has no end")
 
 
-def of_landing(p: arb, error: arb, piece: Landing, count: int) -> Passage:
+def of_landing(p: arb, error: arb, piece: Turned, count: int) -> Passage:
     """The half-swing whose last piece is known; ``error`` was the distance allowed at its start."""
     tail = upper((piece.error - error) / p)
-    return Passage(arb(piece.turn, piece.miss) / p, piece.time, INTEGRATED, count, tail)
+    route = CLOSED if isinstance(piece, LinearSwing) else INTEGRATED
+    return Passage(arb(piece.turn, piece.miss) / p, piece.time, route, count, tail)

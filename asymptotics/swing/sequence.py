@@ -27,7 +27,7 @@ from dataclasses import dataclass
 from flint import arb
 
 from asymptotics.errors import UndecidedError
-from asymptotics.swing.course import Landing, course, delay
+from asymptotics.swing.course import Turned, course, delay
 from asymptotics.swing.damping import Damping, upper
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.passage import Passage, integrated
@@ -73,12 +73,12 @@ def first_from(damping: Damping, X: arb, V: arb) -> Turning | str:
     for piece in course(damping, side * X.mid(), abs(V).mid(), given):
         if piece.trapped is not None:
             return piece.trapped
-        if isinstance(piece, Landing):
+        if isinstance(piece, Turned):
             return after_landing(piece, side, given)
     raise UndecidedError("the first half-swing has no end")
 
 
-def after_landing(piece: Landing, side: int, given: arb) -> Turning:
+def after_landing(piece: Turned, side: int, given: arb) -> Turning:
     """Turning point 0 at the end of a course that began in motion, within ``given`` of the truth."""
     time = arb(piece.time.mid(), piece.time.rad() + piece.late(given))
     return Turning(0, -side, piece.turn, time.mid(), upper(piece.miss + given), upper(time.rad()))

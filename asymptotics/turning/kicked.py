@@ -21,13 +21,16 @@ from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of
 from asymptotics.numbers.exact import ExactReal, square_root
 from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear import ROUTE as CLOSED
 from asymptotics.swing.panels import panels_of
+from asymptotics.swing.passage import INTEGRATED
 from asymptotics.swing.sequence import Turning, first_from, sequence
 from asymptotics.swing.taylor import GUARD
 from asymptotics.turning.coulomb import coulomb_turning_points
 from asymptotics.turning.quadratic import TurningPoint, TurningPoints
 
-_METHOD = "half-swing by half-swing, local expansions and Taylor steps in balls"
+_METHOD = f"half-swing by half-swing, {INTEGRATED} in balls"
+_CLOSED = f"half-swing by half-swing, {CLOSED} in balls"
 _TRIES = 5
 
 
@@ -43,13 +46,14 @@ def kicked_turning_points(
         return exact
     bits = bits_for(digits, 48) + 2 * (start + count).bit_length()
     alpha, epsilon = (",".join(map(str, c)) for c in zip(*((t.velocity, t.strength) for t in law.terms), strict=True))
+    method = _CLOSED if panels_of(law, bits).closed else _METHOD
     for _ in range(_TRIES):
         with ctx.workprec(bits):
             with ctx.workprec(bits + GUARD):
                 damping = Damping.of_law(law)
             first = first_from(damping, x0.ball(), v0.ball())
             if isinstance(first, str):
-                return TurningPoints(alpha, epsilon, digits, (), _METHOD, True, {"n": -1, "reason": first})
+                return TurningPoints(alpha, epsilon, digits, (), method, True, {"n": -1, "reason": first})
             turnings = sequence(damping, first, panels=panels_of(law, bits), count=start + count)
             found = _points(_until(turnings, start + count - 1), first, start, digits, times)
             shown = [decimal_of_ball(value, digits) for value in (_size(first), first.tau)]
@@ -57,7 +61,7 @@ def kicked_turning_points(
             points, reason = found
             ended = None if reason is None else {"n": reason[0], "reason": reason[1]}
             named = dict(zip(("amplitude", "tau"), map(str, shown), strict=True))
-            return TurningPoints(alpha, epsilon, digits, points, _METHOD, True, ended, named)
+            return TurningPoints(alpha, epsilon, digits, points, method, True, ended, named)
         bits += max(64, bits // 2)
     raise UndecidedError(f"no certified {digits} digits at {bits} bits")
 

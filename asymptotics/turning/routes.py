@@ -24,6 +24,7 @@ from asymptotics.costs import half_swing_seconds, interpolation_seconds, jump_se
 from asymptotics.half_swings.finite import ROUTE
 from asymptotics.law import Law
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear import ROUTE as CLOSED
 from asymptotics.swing.panels import ROUTE as INTERPOLATED
 from asymptotics.swing.panels import Panels, panels_of
 from asymptotics.swing.passage import INTEGRATED
@@ -55,13 +56,15 @@ class Plan:
         pieces = panels_of(law, bits).pieces(steps)
         apart = sum(not (t.velocity.is_rational and t.velocity.rational.denominator <= 20) for t in law.terms)
         seconds = half_swing_seconds(pieces + 1, bits, len(law.terms), apart) + interpolation_seconds(steps)
-        return cls(law, start, count, jump, pieces < steps, seconds + (jump_seconds(bits) if jump else 0.0))
+        return cls(law, start, count, jump, 0 < pieces < steps, seconds + (jump_seconds(bits) if jump else 0.0))
 
     @property
     def method(self) -> str:
         """The routes by name."""
         if self.jump:
             return f"local expansions, {ROUTE} and Abel function"
+        if panels_of(self.law, 64).closed:
+            return CLOSED
         return f"{INTEGRATED}, {INTERPOLATED}" if self.interpolates else INTEGRATED
 
     def turnings(self) -> Iterator[Turning]:
