@@ -110,6 +110,7 @@ def _text(result: Any, unit: str) -> str:
     if result.ended is not None:
         last, reason = result.ended["n"], result.ended["reason"]
         where = f"turning point {last} is the last" if last >= 0 else "there is no turning point"
+        where += " in the well" if reason in ("rotates", "escapes") else ""
         lines.append(f"ended: {where}: the motion {_WORDS[reason]}")
     return "\n".join([*lines, f"certified: {str(result.certified).lower()} ({result.method})"])
 

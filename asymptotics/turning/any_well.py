@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterator
 from flint import arb, ctx
 
 from asymptotics.budget import require_seconds, tick
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
@@ -34,7 +34,7 @@ from asymptotics.wells.sequence import first_from, rest, sequence
 
 MAX_DIGITS, MAX_LAST = 1000, 100_000
 METHOD = "half-swing by half-swing in the well, local expansions and Taylor steps in balls"
-_TRIES, _SPARE = 5, 36
+_TRIES, _SPARE = 4, 36
 
 Progress = Callable[[int], None]
 
@@ -53,6 +53,12 @@ def well_turning_points(
     alpha, epsilon = (",".join(str(getattr(t, n)) for t in law.losses) for n in ("velocity", "strength"))
 
     def attempt(bits: int) -> TurningPoints | None:
+        try:
+            return found_at(bits)
+        except UndecidedError as undecided:  # how the motion goes on may show at a higher precision
+            raise TooWideError(str(undecided)) from undecided
+
+    def found_at(bits: int) -> TurningPoints | None:
         with ctx.workprec(bits + GUARD):
             force = Force.of(law.terms)
         require_inside(force, x0.ball(), str(x0))

@@ -14,10 +14,11 @@ from dataclasses import replace
 
 from flint import arb, ctx
 
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.half_swings.finite import SwingValue, finite_quarter, series_reach
 from asymptotics.half_swings.finite_result import HalfSwingAt, certified_swing, require_strengths
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import TooWideError
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import CREEPS, OVERDAMPED, STICKS
 from asymptotics.swing.passage import INTEGRATED, integrated
@@ -72,6 +73,12 @@ def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digit
     _require_in_range(terms, delta)
 
     def evaluate(bits: int) -> SwingValue:
+        try:
+            return followed(bits)
+        except UndecidedError as undecided:  # how the motion goes on may show at a higher precision
+            raise TooWideError(str(undecided)) from undecided
+
+    def followed(bits: int) -> SwingValue:
         with ctx.workprec(bits + GUARD):
             force = Force.of(terms, [d.ball() for d in delta])
         if inside(force, arb(1)) is not True:

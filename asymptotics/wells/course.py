@@ -202,6 +202,8 @@ def _landing(force: Force, unit: arb, u: arb, w: arb, t: arb, local: arb, error:
     expansion = arrive(force, u, w)
     turn = expansion.u0
     place, time = expansion.state(w)
+    if force.kinked and not turn * place > 0:
+        raise UndecidedError("the expansion at a turning point reaches a kink of the force")
     slack = upper(unit * (place - u))
     local, error = upper(local + slack), upper(error + slack)
     factor = growth(force, unit, turn.union(place), arb(0).union(w), -time, error)
@@ -241,7 +243,7 @@ def at_time(expansion: Expansion, s: arb) -> tuple[arb, arb]:
     w = _speed_at(expansion, s.mid())
     u, tau = expansion.state(w)
     wait = upper(s - tau)
-    return u + arb(0, upper(wait * expansion.reach)), w + arb(0, upper(wait * 2 * expansion.brake))
+    return u + arb(0, upper(wait * expansion.reach)), w + arb(0, upper(wait * expansion.rate))
 
 
 def _speed_at(expansion: Expansion, s: arb) -> arb:

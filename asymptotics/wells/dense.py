@@ -14,6 +14,7 @@ by at most e^2 S, S bounding |s_0| and the losses there.  An uncertain time is r
 """
 
 from collections.abc import Sequence
+from typing import NoReturn
 
 from flint import arb, ctx
 
@@ -23,8 +24,9 @@ from asymptotics.swing.damping import upper
 from asymptotics.swing.dense import exact_sum
 from asymptotics.swing.sequence import Turning
 from asymptotics.wells.course import Landing, Piece, course, unit_at
+from asymptotics.wells.ends import ESCAPES, ROTATES
 from asymptotics.wells.force import Force
-from asymptotics.wells.sequence import LEAVES, after_kick, after_landing, rest, sticks
+from asymptotics.wells.sequence import after_kick, after_landing, rest, sticks
 
 State = tuple[arb, arb]
 _LOW = 40
@@ -62,9 +64,8 @@ class _Wanted:
         """All times up to the end of a piece of the half-swing that begins at ``start``."""
         last = exact_sum(start, piece.end)
         while not self.done and self.queue[len(self.found)][0] <= last:
-            if piece.ended in LEAVES:
-                reason = f"from this start the motion {piece.ended} before that time: it leaves its well"
-                raise InputError("v0", reason, "a start that stays inside the well, or an earlier time")
+            if piece.ended in (ESCAPES, ROTATES):
+                _refuse(piece.ended)
             low, width = self.queue[len(self.found)]
             u, w = piece.own(exact_sum(low, -start))
             u, w = u + arb(0, upper(piece.error / piece.unit)), w + arb(0, piece.error)
@@ -90,8 +91,14 @@ def _first(force: Force, X: arb, V: arb, wanted: _Wanted) -> Turning:
         if wanted.done:
             return rest(X)
         if isinstance(piece, Landing):
-            return after_kick(force, piece, side)
+            here = after_kick(force, piece, side)
+            return here if isinstance(here, Turning) else _refuse(here)
     raise UndecidedError("the first half-swing has no end")
+
+
+def _refuse(what: str) -> NoReturn:
+    reason = f"from this start the motion {what} before that time: it leaves its well"
+    raise InputError("v0", reason, "a start that stays inside the well, or an earlier time")
 
 
 def _swing(force: Force, here: Turning, wanted: _Wanted) -> Turning:

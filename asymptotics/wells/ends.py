@@ -89,9 +89,12 @@ def _slow(epsilon: arb, a: arb, K: arb, y: arb, highest: arb, w: arb) -> bool:
 
 def beyond(force: Force, u: arb) -> str | None:
     """Why a motion that passes the place u < 0 has left its well, or None."""
-    if u < 0 and force.pull(u) > 0:
-        return ROTATES if force.rate is not None else ESCAPES
-    return None
+    return leaves(force) if u < 0 and force.pull(u) > 0 else None
+
+
+def leaves(force: Force) -> str:
+    """What a motion does that leaves its well."""
+    return ROTATES if force.rate is not None else ESCAPES
 
 
 def inside(force: Force, x: arb) -> bool | None:
@@ -118,8 +121,8 @@ def require_inside(force: Force, x: arb, shown: str) -> None:
     if stays is None:
         raise TooWideError(f"whether {shown} lies inside the well is undecided")
     if not stays:
-        what = "it rotates" if force.rate is not None else "it escapes"
-        raise InputError("x0", f"{shown} lies outside the well, V' > 0 fails on the way: {what}", "a start inside it")
+        reason = f"{shown} lies outside the well, V' > 0 fails on the way: it {leaves(force)}"
+        raise InputError("x0", reason, "a start inside it")
 
 
 def _stiffness(force: Force, x: arb) -> arb:

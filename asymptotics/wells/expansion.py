@@ -85,9 +85,18 @@ class Expansion:
         small, slow = upper(factor * H), upper(factor * R / (1 - R) / abs(brake))
         return cls(force, u0, brake, reach, step, keys, arb_poly(u), arb_poly(slowness), small, slow)
 
+    @property
+    def rate(self) -> arb:
+        """A bound of |w'| within the reach, on both sides of the turning point.
+
+        Where r < 1, |P| <= 2 |P_0|, and neither what grips nor what drags exceeds its value at u_0 by more than |P_0|;
+        on the other side of the turning point they count twice against P.
+        """
+        return upper(6 * abs(self.brake) + 2 * self.force.grip(self.u0))
+
     def speed(self, unit: arb) -> arb:
-        """A bound of |(unit u', w')| within the reach: |P| <= 2 |P_0| where r < 1."""
-        return upper(2 * abs(self.brake) + unit * self.reach)
+        """A bound of |(unit u', w')| within the reach, on both sides of the turning point."""
+        return upper(self.rate + unit * self.reach)
 
     def state(self, w: arb) -> tuple[arb, arb]:
         """(u, tau) at the speed 0 <= w <= ``reach``; tau since (or, if negative, until) the turning point."""

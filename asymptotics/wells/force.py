@@ -56,7 +56,7 @@ class Force:
         values = [t.strength.ball() for t in terms] if strengths is None else strengths
         for t, e in zip(terms, values, strict=True):
             if t.family:
-                rate = e.sqrt()
+                rate = None if e == 0 else e.sqrt()
             elif t.sign > 0 and not t.velocity.is_zero:
                 known = "springs C x|x|^(P-1) of the place, or a pendulum; expand takes every force"
                 reason = f"{t.shape()} depends on the velocity: it is not enclosed at finite strength"

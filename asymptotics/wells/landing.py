@@ -17,7 +17,7 @@ True
 
 from flint import arb, ctx
 
-from asymptotics.errors import LimitError
+from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.swing.damping import size_of
 from asymptotics.wells.expansion import Expansion, reach_at
 from asymptotics.wells.force import Force
@@ -27,7 +27,10 @@ _FIRST, _MOST, _LOW, _PIECES = 53, 40, 53, 64
 
 def arrive(force: Force, u: arb, w: arb) -> Expansion:
     """The expansion at a dyadic guess u_1 of the turning point of the orbit through the exact (u, w > 0)."""
-    return Expansion.at(force, _guess(force, u, w), w)
+    try:
+        return Expansion.at(force, _guess(force, u, w), w)
+    except LimitError as far:  # at the top of a well the place of a turning point is anywhere
+        raise UndecidedError("the turning point ahead was not found: too near a separatrix") from far
 
 
 def turns_within(force: Force, u: arb, w: arb) -> bool:
@@ -41,7 +44,8 @@ def turns_within(force: Force, u: arb, w: arb) -> bool:
         reach = reach_at(force, turn)
     except LimitError:  # no plan is cheap enough there
         return False
-    return reach is not None and bool(w < reach) and points_forward(force, turn, u)
+    smooth = not force.kinked or bool(turn * u > 0)
+    return smooth and reach is not None and bool(w < reach) and points_forward(force, turn, u)
 
 
 def without_loss(force: Force, u: arb, square: arb) -> arb | None:

@@ -25,7 +25,7 @@ from asymptotics.swing.ends import STICKS
 from asymptotics.swing.sequence import Turning
 from asymptotics.wells.course import Landing, course, unit_at
 from asymptotics.wells.distance import contracted
-from asymptotics.wells.ends import ESCAPES, ROTATES, inside
+from asymptotics.wells.ends import inside, leaves
 from asymptotics.wells.force import Force
 
 
@@ -49,12 +49,13 @@ def first_from(force: Force, X: arb, V: arb) -> Turning | str:
     raise UndecidedError("the first half-swing has no end")
 
 
-def after_kick(force: Force, piece: Landing, side: int) -> Turning:
-    """Turning point 0 after a course that began in motion; UndecidedError where it may lie outside the well."""
+def after_kick(force: Force, piece: Landing, side: int) -> Turning | str:
+    """Turning point 0 after a course that began in motion, or how it left the well; UndecidedError at its edge."""
     here = Turning(0, -side, -piece.turn, piece.clock.mid(), piece.gap, upper(piece.late + piece.clock.rad()))
-    if inside(force, arb(here.amplitude, here.amplitude_error)) is not True:
+    stays = inside(force, arb(here.amplitude, here.amplitude_error))
+    if stays is None:
         raise UndecidedError("whether the first turning point lies inside the well is undecided")
-    return here
+    return here if stays else leaves(force)
 
 
 def sequence(force: Force, start: Turning) -> Iterator[Turning]:
@@ -115,6 +116,3 @@ def sticks(force: Force, here: Turning) -> bool:
         if margin > 0 and here.amplitude > 0:
             return False
     raise UndecidedError(f"whether dry friction holds the mass at turning point {here.n} is undecided")
-
-
-LEAVES = (ESCAPES, ROTATES)
