@@ -21,6 +21,7 @@ from paper_checks.registry import PAPERS, Entry
 from paper_checks.report import pages
 from paper_checks.report.difference import marked
 from paper_checks.report.engine import engine_data, regimes_picture, validity_picture
+from paper_checks.report.font import font_faces
 from paper_checks.report.tex import tex
 from paper_checks.report.words import OUTCOMES, evidence, typeset
 
@@ -50,8 +51,9 @@ def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda
     data = report_data(entries)
     contents["report.json"] = json.dumps(data, indent=1, ensure_ascii=False)
     contents["report.tex"] = _template("report.tex.j2").render(data)
-    contents["style.css"] = (FOLDER / "style.css").read_text(encoding="utf-8")
-    contents |= _pages(data, {e.statement.id: e for e in entries})
+    made = _pages(data, {e.statement.id: e for e in entries})
+    contents["style.css"] = (FOLDER / "style.css").read_text(encoding="utf-8") + font_faces(made.values())
+    contents |= made
     for name, content in contents.items():
         write_atomically(folder / name, content)
         progress(name)

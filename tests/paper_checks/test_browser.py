@@ -57,6 +57,16 @@ def test_formulas_and_figures_are_drawn(browser, report):
         )
 
 
+def test_the_fonts_of_the_formulas_are_on_the_page(browser, report):
+    browser.get((report / "smith2012.html").as_uri())
+    for family, letters in (("Report Math", "√∑"), ("Report Greek", "\U0001d700")):
+        loaded = browser.execute_async_script(
+            "const [f, text, done] = arguments; document.fonts.load('16px \"' + f + '\"', text)"
+            ".then(found => done(found.map(face => face.status)))", family, letters,
+        )  # fmt: skip
+        assert loaded == ["loaded"], family
+
+
 @pytest.mark.parametrize(
     ("query", "wanted"), [("62b", "smith2012:62b"), ("S_3", "smith2012:table1.S3"), ("(43)", "smith2012:43")]
 )
