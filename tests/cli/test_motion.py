@@ -111,7 +111,7 @@ def test_text_for_people(capsys):
         ("turning-points --law 2 --count 3", "--law"),
         ("turning-points --law 2:1 --alpha 2 --epsilon 1 --count 3", "--law"),
         ("turning-points --alpha 3/2 --epsilon 1 --count 3 --digits 2000", "--digits"),
-        ("turning-points --law 3/2:1 --law 2:1 --count 90000", "--max-seconds"),
+        ("turning-points --law 3/2:1 --law 2:1 --count 90000 --max-seconds 1", "--max-seconds"),
     ],
 )
 def test_bad_input_is_one_line_that_names_the_argument(capsys, line, argument):
