@@ -13,7 +13,6 @@ for the same sweep, whatever order its points were finished in.  Parquet needs t
 import csv
 import io
 import json
-import os
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
@@ -26,6 +25,7 @@ import numpy as np
 from asymptotics import __version__
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.present.files import target_file
 from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.shard import verified
 from asymptotics.sweeps.store import Store, place
@@ -81,7 +81,7 @@ def export(path: Path, command: str, points: Sequence[Point], folder: Path) -> i
     store = Store(folder)
     temporary = None
     try:
-        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as stream:
+        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=".export.", delete=False) as stream:
             temporary = Path(stream.name)
             rows = _WRITERS[path.suffix](stream, command, points, store)
         temporary.chmod(0o644)
@@ -100,8 +100,7 @@ def require_format(path: Path) -> None:
         raise InputError("export", f"{path.name} has no known ending", ", ".join(FORMATS))
     if path.suffix == ".parquet":
         _parquet()
-    if not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
-        raise InputError("export", f"cannot write into {path.parent}", "a folder that can be written")
+    target_file(path, "export")
 
 
 def flat(data: Mapping[str, Any], prefix: str = "") -> dict[str, str]:

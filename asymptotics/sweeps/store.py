@@ -38,6 +38,8 @@ class Store:
                 require_writable(folder / "shards", "store")
                 write_atomically(about, json.dumps({"format": FORMAT, "version": __version__}) + "\n")
             found = json.loads(about.read_text())
+        except InputError:
+            raise
         except (OSError, ValueError) as error:
             reason = error.strerror if isinstance(error, OSError) else "store.json is damaged"
             raise InputError("store", f"{folder} is not a store: {reason}", ACCEPTED) from error
