@@ -1,12 +1,15 @@
 """The proved bound at one time: above the distance from the reference motion, and hardly above."""
 
 from fractions import Fraction
+from random import Random
 
 import pytest
 
 import asymptotics as asy
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.cli.main import main
+from asymptotics.errors import InputError
+from asymptotics.gauges import GAUGES
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import reference_motion
@@ -53,3 +56,28 @@ def test_the_front_door_and_the_command_line(capsys):
     for wrong in (["--gauge", "averaging"], ["--spring", "3:1"], ["--order", "60"]):
         assert main(["expand", "--alpha", "2", "--order", "2", "--bound", *wrong]) == 2
     assert main(["expand", "--alpha", "symbolic", "--bound"]) == 2
+
+
+EXPONENTS = ["0", "1/3", "1/2", "1", "4/3", "3/2", "sqrt(3)", "2", "5/2", "3", "7/2"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(200))
+def test_the_bound_covers_the_error_of_random_motions(seed):
+    """Random laws, strengths, starts, times, orders and gauges; the error against forty certified digits."""
+    random = Random(seed)
+    law = {random.choice(EXPONENTS): Fraction(random.randint(1, 60), 200) for _ in range(random.choice([1, 1, 2]))}
+    x0, v0 = Fraction(random.randint(-10, 10), 10), random.choice([Fraction(0), Fraction(random.randint(-10, 10), 10)])
+    oscillator = Oscillator(law, x0=x0 if x0 or v0 else 1, v0=v0)
+    order, gauge = random.randint(1, 3), random.choice(GAUGES)
+    time = Fraction(random.randint(0, 6000), 100)
+    told = f"{oscillator} at {time}, order {order}, {gauge}"
+    try:
+        x = AsymptoticMotion.of(oscillator, order, gauge).at(time, 12).x
+    except InputError as refused:
+        assert refused.argument in ("order", "gauge"), told
+        return
+    error = abs(Fraction(reference_motion(oscillator, time, 40).x) - Fraction(x))
+    bound = Fraction(proved_bound(oscillator, x, time))
+    assert error <= bound + Fraction(1, 10**39), told
+    assert bound <= error * Fraction(112, 100) + Fraction(1, 10**20), told
