@@ -42,9 +42,9 @@ docs: $(VENV)/.docs
 	$(RUN) sphinx -W --keep-going -q -b html docs build/docs
 	$(RUN) sphinx -W --keep-going -q -b doctest docs build/doctest
 
-# Ratios beside the peers; they live in an environment of their own, and what cannot be installed is said to be missing.
+# Ratios beside the peers, as a page of the docs; they live in an environment of their own, and what cannot be installed is said to be missing.
 benchmarks: $(VENV)/.test .peers/.ready
-	$(RUN) benchmarks --report build/benchmarks
+	$(RUN) benchmarks --report docs
 
 # A sample of planted faults in each group of modules, and how many the tests notice; SAMPLE=500 for a longer look.
 SAMPLE ?= 60

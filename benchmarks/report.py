@@ -47,6 +47,10 @@ def markdown(tables: dict[str, Table], where: dict[str, str], lessons: dict[str,
     """The tables as Markdown, with the picture, what is compared and why, and a list of those who are faster.
 
     >>> print(markdown({"x": Table("Title", ("what", "ratio"), (("a", "1.0"), ("b", "0.5")))}, {"python": "3"}))
+    ---
+    orphan: true
+    ---
+    <BLANKLINE>
     # Speed beside the peers
     <BLANKLINE>
     | | |
@@ -65,7 +69,15 @@ def markdown(tables: dict[str, Table], where: dict[str, str], lessons: dict[str,
     Faster: b.
     <BLANKLINE>
     """
-    lines = ["# Speed beside the peers", "", "| | |", "|---|---|", *(f"| {k} | {v} |" for k, v in where.items())]
+    lines = [
+        "---",
+        "orphan: true",
+        "---",
+        "",
+        "# Speed beside the peers",
+        "",
+    ]
+    lines += ["| | |", "|---|---|", *(f"| {k} | {v} |" for k, v in where.items())]
     lines += ["", "![Times as ratios to ours](benchmarks.svg)"]
     for name, table in tables.items():
         rows = [table.columns, ("---",) * len(table.columns), *table.rows]

@@ -37,6 +37,8 @@ HEADS = {  # columns as the papers write them
 }  # fmt: skip
 PAGES = ("index.html", "errata.html", "derivations.html", "engine.html")
 FOLDER = Path(__file__).parent
+MEASURED = FOLDER.parents[1] / "docs" / "benchmarks.svg"
+"""What ``make benchmarks`` has drawn, if it has been run."""
 SLIPS = (Printed.MISPRINT, Printed.TRANSCRIPTION, Printed.PARTLY, Printed.REFUTED)
 ERRATA = (
     ("slips", "Slips of the papers", (Printed.MISPRINT, Printed.REFUTED)),
@@ -53,7 +55,7 @@ def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda
     contents["report.tex"] = _template("report.tex.j2").render(data)
     made = _pages(data, {e.statement.id: e for e in entries})
     contents["style.css"] = (FOLDER / "style.css").read_text(encoding="utf-8") + font_faces(made.values())
-    contents |= made
+    contents |= made | ({"benchmarks.svg": MEASURED.read_bytes()} if MEASURED.exists() else {})
     for name, content in contents.items():
         write_atomically(folder / name, content)
         progress(name)
@@ -65,6 +67,7 @@ def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
     papers = [{**p, "entries": [{**e, **_shown(entries[e["id"]])} for e in p["entries"]]} for p in data["papers"]]
     cards = [e for p in papers for e in p["entries"]]
     shown = {**data, "papers": papers, "errata": [_slips(cards, *kind) for kind in ERRATA]}
+    shown["measured"] = MEASURED.exists()
     made = {name: _template(f"{name}.j2").render(shown, derivations=pages.derivations()) for name in PAGES}
     made |= {f"{p['key']}.html": _template("paper.html.j2").render(shown, paper=p) for p in papers}
     for path in sorted({e["source"].partition(":")[0] for e in cards}):
