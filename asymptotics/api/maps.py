@@ -50,12 +50,22 @@ def half_swing(
     return replace(at, notes=notes)
 
 
-def limit_cycle(law: Any, *, order: Any = 8, digits: Any = 30, mu: Any = None, spring: Any = None) -> LimitCycle:
+def limit_cycle(
+    law: Any, *, order: Any = 8, digits: Any = 30, mu: Any = None, spring: Any = None, near: Any = None
+) -> LimitCycle:
     """Amplitude, frequency and multiplier of the limit cycle of x'' + x + mu (law) = 0 as series in mu.
 
-    With a number ``mu`` also a certified fixed point of the half-swing.  InputError for a law without a limit cycle,
-    with several, or that is no polynomial.
+    With a number ``mu`` also a certified fixed point of the half-swing; beside springs (x^p x'^q, not multiplied by mu)
+    that alone.  ``near``: the amplitude of the cycle that is meant.  InputError for a law without a limit cycle, with
+    several and no ``near``, or that is no polynomial.
+
+    >>> limit_cycle({1: -1, (1, 2): 1}, mu=1, spring={3: "1/2"}, digits=12).at.amplitude
+    '1.95363409607'
     """
     made = Law.read(law) if spring is None else Law(Law.read(law), spring)
     N, D = exact_integer(order, "order", 1, MAX_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
-    return of_law(made, N, D, None if mu is None else exact_number(mu, "mu"))
+    place = None if near is None else exact_number(near, "near")
+    if place is not None and not place > 0:
+        raise InputError("near", f"{place} is not positive", "an amplitude > 0")
+    number = None if mu is None else exact_number(mu, "mu")
+    return of_law(made, N, D, number, None if place is None else float(place.ball()))

@@ -7,7 +7,12 @@ frequency and multiplier, certified by interval Newton.
   asymptotics limit-cycle --law 1:-1 --law 1,2:1 --order 8             van der Pol
   asymptotics limit-cycle --law 1:-1 --law 3:1 --order 8 --mu 1/2      Rayleigh
 
-The laws must be polynomials in x and x': M even, A odd.
+  asymptotics limit-cycle --law 1:-1 --law 1,2:1 --spring 3:1/2 --mu 1 a cubic spring beside x, at a number
+  asymptotics limit-cycle --law 1:1 --law 1,2:-5 --law 1,4:1 --near 4  the outer of two cycles
+
+The laws must be polynomials in x and x': M even, A odd, and their strengths rational for the series.  Springs x^P x'^Q
+(P odd, Q even) are not multiplied by mu; beside them there is no series, and --mu is needed.  |mu| is at most 3:
+relaxation oscillations are left out.
 """
 
 import argparse
@@ -15,6 +20,7 @@ import argparse
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
 from asymptotics.cli.expand import row_text
 from asymptotics.cli.forces import add_forces, read_law
+from asymptotics.errors import InputError
 from asymptotics.limit_cycles.result import LimitCycle, limit_cycle
 from asymptotics.limit_cycles.series import MAX_ORDER
 from asymptotics.numbers.exact import parse_integer, parse_real
@@ -27,6 +33,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_forces(parser, "epsilon", "E", "its strength, negative for a gain")
     parser.add_argument("--order", default="8", metavar="N", help=f"the highest power of mu, 0 to {MAX_ORDER}")
     parser.add_argument("--mu", metavar="M", help="a number: the cycle there as well, certified")
+    parser.add_argument("--near", metavar="A", help="the amplitude of the cycle that is meant, if there are several")
     add_digits(parser, MAX_DIGITS)
     add_max_seconds(parser)
     add_json(parser)
@@ -38,12 +45,18 @@ def run(options: argparse.Namespace) -> Answer:
     order = parse_integer(options.order, "--order", 0, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
     mu = None if options.mu is None else parse_real(options.mu, "--mu")
-    found = limit_cycle(law, order, digits, mu)
+    near = None if options.near is None else float(parse_real(options.near, "--near").ball())
+    if near is not None and not near > 0:
+        raise InputError("--near", f"{options.near[:40]} is not positive", "an amplitude > 0")
+    found = limit_cycle(law, order, digits, mu, near)
     return Answer(found.to_dict(), _text(found), options.json)
 
 
 def _text(found: LimitCycle) -> str:
     lines = [f"x'' + x + mu ({found.law}) = 0, {found.arithmetic}; powers of mu"]
+    if not found.frequency:
+        springs, losses = ("".join(f" + {t}" for t in terms) for terms in (found.law.springs, found.law.losses))
+        lines = [f"x'' + x{springs} + mu ({losses[3:]}) = 0".replace("+ -", "- ")]
     lines += [*row_text("A", found.amplitude), *row_text("omega", found.frequency)]
     lines += row_text("log multiplier", found.log_multiplier)
     if found.at is not None:

@@ -1,10 +1,11 @@
 """The limit cycle at a number mu: its turning amplitude by interval Newton, with its period and multiplier, in balls.
 
-From the turning point (A, 0) the orbit of x'' + x + h(x, x') = 0, h = mu sum_i E_i x^m_i x'^alpha_i, runs to the next
-one, (-q(A), 0), in the time T(A).  h is odd, so a fixed point q(A) = A is a cycle of the period 2 T.  With J = int h_v
-d tau over the half-swing, Liouville's formula for the area gives q dq = A dA e^(-J), hence
+From the turning point (A, 0) the orbit of x'' + f(x) + h(x, x') = 0, h = mu sum_i E_i x^m_i x'^alpha_i, f = x and any
+springs c x^p x'^q that stand beside it (p odd, q even; not multiplied by mu), runs to the next one, (-q(A), 0), in the
+time T(A).  All is odd, so a fixed point q(A) = A is a cycle of the period 2 T.  With J = int h_v d tau over the
+half-swing, f at rest and derivation ``energy-contraction``, f(q) dq = f(A) dA e^(-J), hence
 
-    F(A) = q(A) - A,    F'(A) = (A/q) e^(-J) - 1,
+    F(A) = q(A) - A,    F'(A) = (f(A)/f(q)) e^(-J) - 1,
 
 and for an interval I with centre a: if a - F(a)/F'(I) lies inside I, then I contains exactly one turning amplitude of a
 limit cycle (interval Newton; F'(I) must not contain 0).  The multiplier of a whole period is e^(-2 J) at q = A.
@@ -76,7 +77,7 @@ def certified_limit_cycle(law: Law, mu: ExactReal, digits: int, near: float) -> 
     >>> certified_limit_cycle(van_der_pol, ExactReal(1), 20, 2.0).amplitude
     '2.0086198608748431365'
     """
-    terms = require_polynomial(law)
+    terms = require_polynomial(law, springs=True)
     size = abs(mu)
     if mu.is_zero or size > MAX_MU:
         raise InputError("mu", f"{mu} is out of range", f"a number other than 0, at most {MAX_MU} in size")
@@ -100,12 +101,12 @@ def certified_limit_cycle(law: Law, mu: ExactReal, digits: int, near: float) -> 
 
 def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) -> tuple[arb, arb, HalfTurn] | None:
     """(A, radius of the interval, half-turn over it) once a - F(a)/F'(I) lies inside I; None if it never does."""
-    a, turn_time = guess.mid(), None
+    a, turn_time, field = guess.mid(), None, _Field(terms, mu)
     for _ in range(12):  # Newton's method on midpoints finds the centre
         turn = half_turn(terms, mu, a)
         if turn is None:
             return None
-        step = (turn.q - a) / ((a / turn.q) * (-turn.J).exp() - 1)
+        step = (turn.q - a) / ((field.at_rest(a) / field.at_rest(turn.q)) * (-turn.J).exp() - 1)
         turn_time = turn
         if abs(step.mid()) < arb(2) ** -good:
             break
@@ -117,7 +118,7 @@ def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) ->
     wide = half_turn(terms, mu, interval)
     if wide is None:
         return None
-    slope = (interval / wide.q) * (-wide.J).exp() - 1
+    slope = (field.at_rest(interval) / field.at_rest(wide.q)) * (-wide.J).exp() - 1
     if slope.contains(0):
         return None
     newton = a - (turn_time.q - a) / slope
@@ -126,7 +127,7 @@ def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) ->
 
 def half_turn(terms: tuple[Term, ...], mu: arb, A: arb) -> HalfTurn | None:
     """The half-swing from (A, 0) in balls; None if an enclosure fails."""
-    field, size = _Field(terms, mu), abs(float(mu.mid()))
+    field, size = _Field(terms, mu), _size(terms, float(mu.mid()), float(A.mid()))
     T = _float_map(terms, float(mu.mid()), float(A.mid()))[1]
     z, degree = (A.mid() + arb(0, A.rad()), arb(0), arb(0)), max(16, int(ctx.prec * 0.22))
     steps, time = int(_STEPS_PER_TURN * (1 + size)), arb(0)
@@ -138,6 +139,12 @@ def half_turn(terms: tuple[Term, ...], mu: arb, A: arb) -> HalfTurn | None:
             return None
         z, time = _step(field, z, box, eta, degree), time + eta
     return _to_the_turn(field, *z, time)
+
+
+def _size(terms: tuple[Term, ...], mu: float, A: float) -> float:
+    """How far the field is from that of the linear oscillator, which chooses the steps."""
+    parts = (abs(float(t.strength.ball().mid())) * A ** float(t.weight.ball().mid()) for t in terms)
+    return float(max(abs(mu), abs(mu) * sum(parts) / 5))
 
 
 def _last_step(field: "_Field", z: tuple[arb, arb, arb], eta: float, degree: int) -> arb:
@@ -163,16 +170,25 @@ def _to_the_turn(field: "_Field", x: arb, v: arb, J: arb, T: arb) -> HalfTurn | 
 
 
 class _Field:
-    """The right side (v, -x - h, h_v) and its Taylor recurrence."""
+    """The right side (v, -x - h, h_v), springs among h, and its Taylor recurrence."""
 
     def __init__(self, terms: tuple[Term, ...], mu: arb) -> None:
-        self.parts = [(mu * t.strength.ball(), t.position, int(t.velocity.rational)) for t in terms]
+        self.parts = [
+            (t.strength.ball() * (mu if t.sign < 0 else 1), t.position, int(t.velocity.rational)) for t in terms
+        ]
 
     def at(self, x: arb, v: arb) -> tuple[arb, arb]:
         """(acceleration, h_v) at balls."""
-        low = [e * prod([x] * m + [v] * (a - 1), start=arb(1)) for e, m, a in self.parts]
-        h = sum((f * v for f in low), start=arb(0))
-        return -x - h, sum((f * a for f, (_, _, a) in zip(low, self.parts)), start=arb(0))
+        h, divergence = arb(0), arb(0)
+        for e, m, a in self.parts:
+            h += e * prod([x] * m + [v] * a, start=arb(1))
+            if a:
+                divergence += e * a * prod([x] * m + [v] * (a - 1), start=arb(1))
+        return -x - h, divergence
+
+    def at_rest(self, x: arb) -> arb:
+        """The force f(x) of the springs at v = 0."""
+        return -self.at(x, arb(0))[0]
 
     def taylor(self, z: tuple[arb, arb, arb], degree: int) -> tuple[arb_poly, arb_poly, arb_poly]:
         """The Taylor polynomials of x, v, J in time through ``degree``: Picard's iteration, one order each."""
@@ -187,8 +203,8 @@ class _Field:
     def _products(self, x: arb_poly, v: arb_poly, n: int) -> tuple[arb_poly, arb_poly]:
         h = divergence = arb_poly([])
         for e, m, a in self.parts:
-            low = _product(x, v, m, a - 1, n)
-            h += (low * v).truncate(n) * e
+            low = _product(x, v, m, max(a - 1, 0), n)
+            h += ((low * v).truncate(n) if a else low) * e
             divergence += low * (e * a)
         return -x - h, divergence
 
@@ -242,7 +258,10 @@ def _rk4(f: Callable[[float, float], float], x: float, v: float, h: float) -> tu
 
 def _float_map(terms: tuple[Term, ...], mu: float, A: float) -> tuple[float, float]:
     """(q, T) in doubles: a guess."""
-    parts = [(mu * float(t.strength.ball().mid()), t.position, int(t.velocity.rational)) for t in terms]
+    parts = [
+        (float(t.strength.ball().mid()) * (mu if t.sign < 0 else 1), t.position, int(t.velocity.rational))
+        for t in terms
+    ]
 
     def f(x: float, v: float) -> float:
         return -x - sum(e * x**m * v**a for e, m, a in parts)

@@ -16,7 +16,7 @@ from flint import arb, fmpq
 from asymptotics.half_swings.pi_ring import PI, PiNumber
 from asymptotics.law import Law
 from asymptotics.limit_cycles.certified import CertifiedCycle, certified_limit_cycle
-from asymptotics.limit_cycles.series import LimitCycleSeries, limit_cycle_series
+from asymptotics.limit_cycles.series import LimitCycleSeries, balanced_square, limit_cycle_series, require_polynomial
 from asymptotics.normal_form.results import Coefficient, Row, row_to_dict
 from asymptotics.normal_form.show import sum_latex
 from asymptotics.numbers.bridge import to_fraction, to_sympy
@@ -54,20 +54,28 @@ class LimitCycle:
         return rf"$A = {a},\quad \omega = {w}$"
 
 
-def limit_cycle(law: Law, order: int, digits: int, mu: ExactReal | None = None) -> LimitCycle:
+def limit_cycle(
+    law: Law, order: int, digits: int, mu: ExactReal | None = None, near: float | None = None
+) -> LimitCycle:
     """The limit cycle of x'' + x + mu (law) = 0 through mu^order, and at the number ``mu`` if it is given.
 
+    ``near``: the amplitude of the cycle that is meant, if there are several.  Springs x^p x'^q in the law stand beside
+    x and are not multiplied by mu: then there is the cycle at the number mu alone, and no series.
     Raises InputError for a law without a limit cycle, with several, or that is no polynomial, and as
     `certified_limit_cycle`.
     """
-    series = limit_cycle_series(law, order)
+    springs = any(t.sign > 0 for t in law.terms)
+    if springs and mu is not None:
+        require_polynomial(law, springs=True)
+        guess = near or float(arb(balanced_square(law.losses)).sqrt().mid())
+        return LimitCycle(law, order, "certified", {}, {}, {}, {}, certified_limit_cycle(law, mu, digits, guess))
+    series = limit_cycle_series(law, order, near)
     at = None
     if mu is not None:
-        near = float(arb(series.square).sqrt().mid())
-        at = certified_limit_cycle(law, mu, digits, near)
+        at = certified_limit_cycle(law, mu, digits, float(arb(series.square).sqrt().mid()))
     if series.is_exact:
         return LimitCycle(law, order, "exact", *_exact_rows(series, digits), at)
-    return LimitCycle(law, order, "certified", *_ball_rows(law, order, digits), at)
+    return LimitCycle(law, order, "certified", *_ball_rows(law, order, digits, near), at)
 
 
 def _exact_rows(series: LimitCycleSeries, digits: int) -> tuple[Row, Row, Row, Row]:
@@ -98,11 +106,11 @@ def _rational(c: Any, digits: int) -> Coefficient:
     return Coefficient(rational_decimal(to_fraction(c), digits), to_sympy(c))
 
 
-def _ball_rows(law: Law, order: int, digits: int) -> tuple[Row, Row, Row, Row]:
+def _ball_rows(law: Law, order: int, digits: int, near: float | None) -> tuple[Row, Row, Row, Row]:
     """Digits from balls; the precision grows until all are rounded."""
 
     def attempt(_bits: int) -> tuple[Row, Row, Row, Row] | None:
-        series = limit_cycle_series(law, order)
+        series = limit_cycle_series(law, order, near)
         root, pi = arb(series.square).sqrt(), arb.pi()
         logs = {k: c * pi for k, c in series.log_multiplier.items()}
         power = Series({(k,): c for k, c in logs.items()}, 1, order).exp()

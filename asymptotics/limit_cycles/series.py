@@ -63,30 +63,39 @@ class LimitCycleSeries:
         return isinstance(self.square, fmpq)
 
 
-def limit_cycle_series(law: Law, order: int) -> LimitCycleSeries:
-    """The series through mu^order; several balanced amplitudes are refused by name, as is a law that has none.
+def limit_cycle_series(law: Law, order: int, near: float | None = None) -> LimitCycleSeries:
+    """The series through mu^order of the cycle whose A_0 is nearest to ``near``; without it there must be one cycle.
 
     Raises InputError for springs, laws that are no polynomials in x and v, or no balance; LimitError for the order.
     """
     if order > MAX_ORDER:
         raise LimitError("order", f"{order} is above the limit", f"an integer from 0 to {MAX_ORDER}")
     terms = require_polynomial(law)
-    square = balanced_square(terms)
+    square = balanced_square(terms, near)
     solver = _Solver(terms, square, order + 1)
     return solver.result(order)
 
 
-def require_polynomial(law: Law) -> tuple[Term, ...]:
-    """The terms, if all are losses or gains x^m x'^alpha with m even and alpha odd; InputError else."""
+def require_polynomial(law: Law, *, springs: bool = False) -> tuple[Term, ...]:
+    """The terms, if all are losses or gains x^m x'^alpha with m even and alpha odd; InputError else.
+
+    With ``springs`` also x^p x'^q with p odd and q even: at a number mu, not in the series.
+    """
     for t in law.terms:
         if t.sign > 0:
-            raise InputError("spring", f"{t.shape()}: limit cycles are found for the linear spring", "laws only")
+            if not springs:
+                known = "laws only, or a number mu"
+                raise InputError("spring", f"{t.shape()}: the series in mu are those of the linear spring", known)
+            odd = t.velocity.is_integer and int(t.velocity.rational) % 2 == 0 and t.position % 2
+            if t.family or not odd:
+                raise InputError("spring", f"{t.shape()} is no odd polynomial in x", "x^P x'^Q with P odd and Q even")
+            continue
         if not t.velocity.is_integer or int(t.velocity.rational) % 2 == 0 or t.position % 2:
             raise InputError("law", f"{t.shape()} is no polynomial in x and x'", "x^M x'^A with M even and A odd")
     return law.terms
 
 
-def balanced_square(terms: tuple[Term, ...]) -> Any:
+def balanced_square(terms: tuple[Term, ...], near: float | None = None) -> Any:
     """A_0^2 > 0 with sum_i E_i <c^m s^(alpha+1)> A^(d-1) = 0: fmpq if rational, else a ball.
 
     >>> balanced_square(Law({1: -1, 3: 1}).terms)                  # Rayleigh: <s^2> = <s^4> A^2
@@ -103,9 +112,11 @@ def balanced_square(terms: tuple[Term, ...]) -> Any:
     found = _positive_roots(balance)
     if not found:
         raise InputError("law", "gains and losses balance at no amplitude: there is no limit cycle", "both signs")
+    if near is not None:
+        return min(found, key=lambda z: abs(float(arb(z).sqrt().mid()) - near))
     if len(found) > 1:
         shown = ", ".join(f"{float(arb(z).sqrt().mid()):.4g}" for z in found)
-        raise InputError("law", f"there are {len(found)} limit cycles, near A = {shown}", "a law with one limit cycle")
+        raise InputError("law", f"there are {len(found)} limit cycles, near A = {shown}", "one of them by near")
     return found[0]
 
 

@@ -12,7 +12,7 @@ from asymptotics.cli.main import main
 from asymptotics.errors import InputError, LimitError
 from asymptotics.half_swings.fourier_flow import fourier_flow
 from asymptotics.law import Law
-from asymptotics.limit_cycles.certified import certified_limit_cycle, half_turn
+from asymptotics.limit_cycles.certified import _Field, certified_limit_cycle, half_turn
 from asymptotics.limit_cycles.result import limit_cycle
 from asymptotics.limit_cycles.series import limit_cycle_series
 from asymptotics.numbers.exact import ExactReal
@@ -107,6 +107,44 @@ def test_the_half_turn_encloses_and_bites():
     assert not wide.q.mid().overlaps(edge.q)
 
 
+@pytest.mark.parametrize("spring", [{3: "1/2"}, {3: "-1/10"}, {5: "1/20", (1, 2): "1/4"}])
+def test_springs_beside_the_laws_at_a_number(spring):
+    """The cycle by an integrator; F' = (f(A)/f(q)) e^(-J) - 1 against a difference of half-turns, A/q for f is off."""
+    found = limit_cycle(Law({1: -1, (1, 2): 1}, spring=spring), 4, 12, ExactReal(Fraction(1, 2))).at
+    forces = [(float(t.strength.ball()), t.position, int(t.velocity.rational)) for t in Law({}, spring).terms]
+
+    def field(_, y):
+        return [y[1], -y[0] - sum(c * y[0] ** p * y[1] ** q for c, p, q in forces) - 0.5 * (y[0] ** 2 - 1) * y[1]]
+
+    start = [float(found.amplitude), 0.0]
+    run = solve_ivp(field, (0, float(found.period)), start, rtol=1e-12, atol=1e-13, method="DOP853")
+    assert run.y[:, -1] == pytest.approx(start, abs=1e-9)
+    terms, away = Law({1: -1, (1, 2): 1}, spring=spring).terms, 1.7
+    near, far = (half_turn(terms, arb(1) / 2, arb(away) + s * arb(10) ** -5) for s in (-1, 1))
+    middle = half_turn(terms, arb(1) / 2, arb(away))
+    rest = _Field(terms, arb(1) / 2).at_rest
+    slope = rest(arb(away)) / rest(middle.q) * (-middle.J).exp()
+    difference = (far.q - near.q) / (arb(2) * arb(10) ** -5)
+    assert abs(float(difference - slope)) < 1e-7
+    assert abs(float(difference - away / middle.q * (-middle.J).exp())) > 1e-3
+
+
+def test_one_of_several_cycles_by_its_amplitude():
+    law = Law({1: 1, (1, 2): -5, (1, 4): 1})  # A^4 - 10 A^2 + 8 = 0: A^2 = 5 +- sqrt(17)
+    for near, square, stable in ((0.5, 5 - 17**0.5, False), (4, 5 + 17**0.5, True)):
+        found = limit_cycle(law, 2, 15, ExactReal(Fraction(1, 100)), near)
+        assert float(found.amplitude["0"].value) == pytest.approx(square**0.5, abs=1e-13)
+        assert found.at.stable is stable
+
+
+@pytest.mark.parametrize(
+    ("spring", "mu"), [({3: 1}, None), ({2: 1}, 1), ("pendulum", 1), ({(3, 1): 1}, 1), ({(3, "1/2"): 1}, 1)]
+)
+def test_springs_that_are_not_served_are_refused_by_name(spring, mu):
+    with pytest.raises(InputError, match="argument spring"):
+        limit_cycle(Law({1: -1, (1, 2): 1}, spring=spring), 4, 10, None if mu is None else ExactReal(mu))
+
+
 @pytest.mark.parametrize(
     ("law", "reason"),
     [
@@ -145,4 +183,9 @@ def test_the_contract(capsys):
     assert data["amplitude"]["2"] == {"value": "0.01041666667", "exact": "1/96"}
     assert list(data["frequency"]) == ["0", "2", "4", "6", "8"]
     assert data["frequency"]["8"]["exact"] == "-678899/5096079360"
+    line = "limit-cycle --law 1:-1 --law 1,2:1 --spring 3:1/2 --mu 1 --digits 10"
+    assert main([*line.split(), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["at"]["amplitude"].startswith("1.95363")
+    assert main(line.split()) == 0 and "x'' + x + 1/2 x^3 + mu (-x' + x^2 x')" in capsys.readouterr().out
+    assert main(["limit-cycle", "--law", "1:-1", "--law", "1,2:1", "--near", "-1"]) == 2
     assert main(["limit-cycle", "--law", "1:1"]) == 2
