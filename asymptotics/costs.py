@@ -11,6 +11,7 @@ Traceback (most recent call last):
 asymptotics.errors.LimitError: argument order: order 300 would take about 7200 s (accepted: work of at most 60 s)
 """
 
+from collections.abc import Iterable
 from math import comb, log2
 
 from asymptotics.errors import LimitError
@@ -32,6 +33,13 @@ def hierarchy_seconds(monomials: int, powers: int, length: int) -> float:
 def half_swing_seconds(swings: float, bits: int, terms: int, apart: int) -> float:
     """Certified half-swings by local expansions; ``apart`` counts the exponents without a small denominator."""
     return float(swings * 0.035 * (bits / 150) ** 2.2 * (1 + apart) * (0.6 + 0.4 * terms))
+
+
+def stiff_seconds(sizes: Iterable[tuple[float, float]], bits: int) -> float:
+    """The first half-swing under strong damping, from (log2 epsilon_i, alpha_i): the number of Taylor steps grows like
+    epsilon^(2/alpha); at most 10^9 s are said."""
+    steps = sum(0.2 * 2 ** min(2 * size / alpha, 60.0) for size, alpha in sizes if alpha > 1 and size > 0)
+    return float(min(1e9, steps * 0.0015 * (bits / 150) ** 2))
 
 
 def interpolation_seconds(swings: float) -> float:

@@ -197,5 +197,6 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
         return estimated_in_well(Force.of(oscillator.dimensionless.terms), swings, bits_for(digits, 48))
     apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
     terms, bits = len(oscillator.law.terms), bits_for(digits, 56)
-    pieces = panels_of(oscillator.dimensionless, bits).pieces(int(min(swings, 1e9)))
+    panels = panels_of(oscillator.dimensionless, bits)
+    pieces = panels.pieces(int(min(swings, 1e9)))
     return half_swing_seconds(pieces + 2, bits, terms, apart) + interpolation_seconds(swings)

@@ -75,7 +75,8 @@ class Panels:
     def __post_init__(self) -> None:
         with ctx.workprec(self.bits + _SLACK + _GUARD):
             terms = [(t.strength.ball(), t.velocity) for t in self.law.terms if t.strength.sign > 0]
-            self.closed = is_linear(Damping.of(terms))
+            damping = Damping.of(terms)
+            self.closed, self.sizes = is_linear(damping), damping.sizes
             self.coordinate = None if self.closed else Coordinate.of(terms)
 
     def serving(self, p: arb, error: arb, remaining: int) -> Panel | None:

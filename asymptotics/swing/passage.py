@@ -17,7 +17,7 @@ from flint import arb
 from asymptotics.errors import UndecidedError
 from asymptotics.swing.course import MAX_PIECES, LinearSwing, Turned, course
 from asymptotics.swing.damping import Damping, upper
-from asymptotics.swing.ends import STICKS
+from asymptotics.swing.ends import STICKS, trap
 from asymptotics.swing.linear import ROUTE as CLOSED
 
 INTEGRATED = "local expansions and Taylor steps"
@@ -50,6 +50,9 @@ def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: in
     error = arb(0) if error is None else error
     if p + error <= damping.friction:
         return Passage(None, None, INTEGRATED, 0, arb(0), STICKS)
+    reason = trap(damping, p - damping.friction + arb(0, error), arb(0))
+    if reason is not None:
+        return Passage(None, None, INTEGRATED, 0, arb(0), reason)
     for count, piece in enumerate(course(damping, p, arb(0), error, pieces=pieces), start=1):
         if piece.trapped is not None:
             return Passage(None, None, INTEGRATED, count, upper((piece.error - error) / p), piece.trapped)

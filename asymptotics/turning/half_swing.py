@@ -44,6 +44,9 @@ def half_swing_result(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], d
         if d > MAX_DELTA:
             raise LimitError("delta", f"{d} is out of range: the motion is too stiff", f"strengths up to {MAX_DELTA}")
 
+    if all(a.is_zero for a in alphas):
+        _require_passing(delta)
+
     def evaluate(bits: int) -> SwingValue:
         balls = [d.ball() for d in delta]
         if len(alphas) == 1 and balls[0] < series_reach(alphas[0], bits, CHEAP_ORDER):
@@ -93,6 +96,17 @@ def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digit
     losses = [t.velocity for t in terms if t.sign < 0]
     made = certified_swing(losses, delta, digits, evaluate)
     return replace(made, forces=tuple(t.shape() for t in terms))
+
+
+def _require_passing(delta: Sequence[ExactReal]) -> None:
+    """Dry friction alone: A'/A = 1 - 2 delta, and from 1/2 on the mass stops at the centre or before it."""
+    total = sum(delta, ExactReal(0))
+    if total == ExactReal(1) / 2:
+        reason = "A'/A = 0, T = pi: the mass stops at the centre, and ln(A'/A) does not exist"
+        raise InputError("delta", reason, "below 1/2")
+    if total > ExactReal(1) / 2:
+        where = "where it is" if total >= 1 else "before the centre"
+        raise InputError("delta", f"no turning point follows: the mass sticks {where}", "below 1/2")
 
 
 def _require_in_range(terms: Sequence[Term], delta: Sequence[ExactReal]) -> None:

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 from flint import arb, ctx
 
-from asymptotics.costs import half_swing_seconds, interpolation_seconds, jump_seconds
+from asymptotics.costs import half_swing_seconds, interpolation_seconds, jump_seconds, stiff_seconds
 from asymptotics.half_swings.finite import ROUTE
 from asymptotics.law import Law
 from asymptotics.swing.damping import Damping
@@ -56,6 +56,7 @@ class Plan:
         pieces = panels_of(law, bits).pieces(steps)
         apart = sum(not (t.velocity.is_rational and t.velocity.rational.denominator <= 20) for t in law.terms)
         seconds = half_swing_seconds(pieces + 1, bits, len(law.terms), apart) + interpolation_seconds(steps)
+        seconds += stiff_seconds(panels_of(law, bits).sizes, bits)
         return cls(law, start, count, jump, 0 < pieces < steps, seconds + (jump_seconds(bits) if jump else 0.0))
 
     @property
