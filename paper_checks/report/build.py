@@ -23,7 +23,7 @@ from paper_checks.report.difference import marked
 from paper_checks.report.engine import engine_data, regimes_picture, validity_picture
 from paper_checks.report.font import font_faces
 from paper_checks.report.tex import tex
-from paper_checks.report.words import OUTCOMES, evidence, typeset
+from paper_checks.report.words import OUTCOMES, evidence, inline
 
 Progress = Callable[[str], None]
 
@@ -186,5 +186,5 @@ def _template(name: str) -> jinja2.Template:
     environment.filters["inline_mathml"] = to_mathml
     environment.filters["mathml"] = lambda latex: to_mathml(latex, display=True)
     environment.filters["tex"] = tex
-    environment.filters["signs"] = typeset
+    environment.filters["signs"] = inline
     return environment.get_template(name)

@@ -7,12 +7,26 @@
 import re
 from typing import Any
 
+from markupsafe import Markup, escape
+
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "kappa": "κ", "lambda": "λ", "mu": "μ",
     "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω", "theta": "θ", "eta": "η",
     "Omega": "Ω",
 }  # fmt: skip
-SIGNS = (("->", "→"), ("<=", "≤"), (">=", "≥"), ("!=", "≠"), ("+-", "±"), ("-+", "∓"), ("infinity", "∞"), ("...", "…"))
+SIGNS = (
+    ("->", "→"),
+    ("<=", "≤"),
+    (">=", "≥"),
+    ("!=", "≠"),
+    ("+-", "±"),
+    ("-+", "∓"),
+    ("<<", "≪"),
+    (">>", "≫"),
+    ("sqrt", "√"),
+    ("infinity", "∞"),
+    ("...", "…"),
+)
 SUBSCRIPTS = str.maketrans("0123456789n", "₀₁₂₃₄₅₆₇₈₉ₙ")
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 OUTCOMES = {
@@ -31,6 +45,19 @@ def typeset(text: str) -> str:
     text = re.sub(r"\b([xv])0\b", r"\1₀", text)
     text = re.sub(r"(?<=[\w)₀-₉'])\^(\d+)(?![\w/(])", lambda m: m[1].translate(SUPERSCRIPTS), text)
     return re.sub(r"(?<![\w.)])-(?=[\w(√])|(?<= )-(?= )", "−", text)
+
+
+def inline(text: str) -> Markup:
+    """The same as HTML: powers raised, indices lowered.
+
+    >>> print(inline("A^(alpha-1) << e^{-2u_1}, F_d, |v|^n"))
+    A<sup>α-1</sup> ≪ e<sup>−2u₁</sup>, F<sub>d</sub>, |v|<sup>n</sup>
+    """
+    shown = str(escape(typeset(text)))
+    for mark, tag in (("\\^", "sup"), ("_", "sub")):
+        bracketed = rf"(?<=\S){mark}(?:\{{([^{{}}]*)\}}|\(((?:[^()]|\([^()]*\))*)\)|([+−-]?[^\W_]+|[+−-]))"
+        shown = re.sub(bracketed, lambda m, t=tag: f"<{t}>{m[1] or m[2] or m[3]}</{t}>", shown)  # type: ignore[misc]
+    return Markup(shown)
 
 
 def evidence(entry: dict[str, Any]) -> str:
