@@ -51,11 +51,11 @@ def inline(text: str) -> Markup:
     """The same as HTML: powers raised, indices lowered.
 
     >>> print(inline("A^(alpha-1) << e^{-2u_1}, F_d, |v|^n"))
-    A<sup>α-1</sup> ≪ e<sup>−2u₁</sup>, F<sub>d</sub>, |v|<sup>n</sup>
+    A<sup>α-1</sup> ≪ e<sup>−2u<sub>1</sub></sup>, F<sub>d</sub>, |v|<sup>n</sup>
     """
     shown = str(escape(typeset(text)))
-    for mark, tag in (("\\^", "sup"), ("_", "sub")):
-        bracketed = rf"(?<=\S){mark}(?:\{{([^{{}}]*)\}}|\(((?:[^()]|\([^()]*\))*)\)|([+−-]?[^\W_]+|[+−-]))"
+    for mark, tag in ((r"(?<=\S)\^", "sup"), (r"(?<![^\W_]{2})(?<=\w)_", "sub")):
+        bracketed = rf"{mark}(?:\{{([^{{}}]*)\}}|\(((?:[^()]|\([^()]*\))*)\)|([+−-]?[^\W_]+|[+−-]))"
         shown = re.sub(bracketed, lambda m, t=tag: f"<{t}>{m[1] or m[2] or m[3]}</{t}>", shown)  # type: ignore[misc]
     return Markup(shown)
 
