@@ -65,7 +65,10 @@ class SpringEnvelope:
         if not oscillator.v0.is_zero:
             raise InputError("v0", "the envelope exact in the spring starts at a turning point", "v0 = 0")
         found = cls(oscillator, notes=(*oscillator.notes, NOTE))
-        found._flow().s_0  # noqa: B018  the start is inside the well, or it says so
+        try:
+            found._flow().well.xi(arb(1))
+        except InputError as outside:  # it speaks of x in units of x0
+            raise InputError("x0", f"{oscillator.x0} is not certainly inside the well", outside.accepted) from None
         return found
 
     def amplitude(self, t: Number, *, digits: Any = 30) -> str:
