@@ -54,7 +54,7 @@ def inline(text: str) -> Markup:
     A<sup>α-1</sup> ≪ e<sup>−2u<sub>1</sub></sup>, F<sub>d</sub>, |v|<sup>n</sup>
     """
     shown = str(escape(typeset(text)))
-    for mark, tag in ((r"(?<=\S)\^", "sup"), (r"(?<![^\W_]{2})(?<=\w)_", "sub")):
+    for mark, tag in ((r"(?<=\S)\^", "sup"), (r"(?<![^\W\d_]{2})(?<=\w)_", "sub")):
         bracketed = rf"{mark}(?:\{{([^{{}}]*)\}}|\(((?:[^()]|\([^()]*\))*)\)|([+−-]?[^\W_]+|[+−-]))"
         shown = re.sub(bracketed, lambda m, t=tag: f"<{t}>{m[1] or m[2] or m[3]}</{t}>", shown)  # type: ignore[misc]
     return Markup(shown)
