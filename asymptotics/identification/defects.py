@@ -59,3 +59,17 @@ def is_growing(size: Array) -> bool:
     """Whether the last third of the amplitudes exceeds the first third."""
     third = max(1, len(size) // 3)
     return bool(np.mean(np.abs(size[-third:])) > np.mean(np.abs(size[:third])))
+
+
+def is_constant(size: Array) -> bool:
+    """Whether a straight line through the amplitudes has no slope beyond 4 standard errors, nor they another shape.
+
+    Then one number is seen, the mean amplitude: no exponent, no spring (it is a shift of the frequency).
+    """
+    if len(size) < 8:
+        return False
+    n = np.linspace(-1.0, 1.0, len(size))
+    steps = np.diff(size)
+    noise = float(np.sqrt((steps**2).sum() / (2 * len(steps))))
+    slope = float(n @ size) / float(n @ n)
+    return bool(abs(slope) < 4 * noise / np.sqrt(n @ n) and size.std() < 1.5 * noise)

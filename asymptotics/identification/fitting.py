@@ -26,6 +26,7 @@ KINDS = ("x", "t", "passage")
 _ROUNDS, _STEPS = 5, 40
 _MODEL_SHARE = 3e-3
 """The last degree of a summed series, as a share of the noise: what is neglected is smaller still."""
+_WILD = 300.0
 _FLOOR = 1e-9
 """Residuals below this share of the first amplitude (or of 1/omega_0) are the arithmetic's, not the data's."""
 
@@ -66,6 +67,8 @@ class Model:
     def predict(self, theta: Array) -> tuple[Array, Array]:
         """The predicted data and their derivatives (data, parameters); TooStrongError outside the model's domain."""
         seen, after = self.seen, self.after
+        if seen.has_times and not abs(theta[-2]) < _WILD:
+            raise TooStrongError("the frequency leaves every bound")
         run = turning_sequence(self.swing, seen.last, theta[:after], self._guess)
         self._guess = run.a
         radius = seen.reference * np.exp(run.a[seen.n])

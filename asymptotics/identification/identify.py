@@ -20,7 +20,7 @@ from asymptotics.identification.candidates import Candidate, default_candidates,
 from asymptotics.identification.comparison import LawFit, fit_decrements, fit_laws, predicted_error
 from asymptotics.identification.contradiction import further_parameters
 from asymptotics.identification.correlation import block_length
-from asymptotics.identification.defects import is_growing
+from asymptotics.identification.defects import is_constant, is_growing
 from asymptotics.identification.fitting import Noise
 from asymptotics.identification.judgement import commented, contains, judged, minimal, relabelled
 from asymptotics.identification.observations import Observations
@@ -126,9 +126,16 @@ def _one_run(
     if isinstance(run, Decrements):
         return _decrements(run, candidates, units, noise)
     seen = run.without_times() if amplitudes_only else run
-    growing = is_growing(seen.x)
-    fits = fit_laws(candidates, seen, noise)
-    notes = [*run.notes]
+    constant = is_constant(np.abs(seen.x))
+    growing = is_growing(seen.x) and not constant
+    notes, fits = [*run.notes], []
+    if constant:
+        reason = "the amplitude is constant within the noise"
+        notes.append(f"{reason}: only laws of one term are compared")
+        simple = [c for c in candidates if len(c.elements) == 1 and not c.free]
+        fits = [LawFit(c, None, reason=reason) for c in candidates if c not in simple]
+        candidates = simple
+    fits = fit_laws(candidates, seen, noise) + fits
     if not seen.has_times:
         unknown = "amplitudes cannot tell a nonlinear spring from position-dependent loss, nor measure either"
         notes.append(unknown + ("" if amplitudes_only else "; intervals and verdicts hold for a linear spring"))
@@ -140,15 +147,15 @@ def _one_run(
     laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap)
     if bound is not None:
         laws = relabelled([widened(law, bound) for law in laws], growing)
-    verdict = verdict_of(laws, seen)
+    verdict = verdict_of(laws, seen, growing)
     notes += _memory(laws)
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
     chosen = {law.candidate for law in minimal(laws)[:4]}
     laws = [replace(law, held_out=predicted_error(law, seen)) if law.candidate in chosen else law for law in laws]
     units = _measured(units, laws)
-    notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative, which is unphysical"
-              for law in laws if law.negative and law.verdict == "consistent" and not growing][:3]  # fmt: skip
+    odd = [law for law in laws if law.negative and law.verdict == "consistent" and not law.unneeded and not growing]
+    notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative: unphysical" for law in odd[:3]]
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
     return Identification(verdict, answers, (run,), textbook_estimates(seen), tuple(notes), units)
 

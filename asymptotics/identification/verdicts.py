@@ -27,7 +27,7 @@ class Verdict:
     telling: str = ""
 
 
-def verdict_of(laws: Sequence[LawFit], seen: Observations | None) -> Verdict:
+def verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool = False) -> Verdict:
     """The verdict for one run; without observations (printed decrements) nothing is said of further turning points."""
     fitted = [law for law in laws if law.usable]
     if not fitted:
@@ -37,6 +37,11 @@ def verdict_of(laws: Sequence[LawFit], seen: Observations | None) -> Verdict:
     if not chosen:
         return _nothing_fits(fitted, best)
     names = "; ".join(_named(law) for law in chosen[:6])
+    if not growing and all(_is_imitation(law) for law in chosen):
+        text = f"{NONE} with strengths >= 0: {names} needs a negative one ({', '.join(chosen[0].negative)})"
+        return Verdict(
+            NONE, text, "candidates of another kind: a loss that depends on position such as 1x2, a free exponent"
+        )
     if all(e.contains(0.0) for law in chosen for e in law.epsilon):
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")
     if len(chosen) == 1:
@@ -45,6 +50,11 @@ def verdict_of(laws: Sequence[LawFit], seen: Observations | None) -> Verdict:
     if len(chosen) > MANY:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}", telling)
     return Verdict(SEVERAL, f"{SEVERAL}: {names}", telling)
+
+
+def _is_imitation(law: LawFit) -> bool:
+    """Whether the interval of some loss lies below 0: a law that is no candidate may be imitated by such a sum."""
+    return any(e.high is not None and e.high < 0 for e in law.epsilon)
 
 
 def _nothing_fits(fitted: Sequence[LawFit], best: LawFit) -> Verdict:

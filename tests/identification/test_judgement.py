@@ -99,3 +99,23 @@ def test_residuals_that_remember_weaken_a_contradiction():
     longer = asy.identify(seen, laws=["1", "0,1,2,3"]).law("1").law.against
     assert longer.ratio < 0.7 * white.ratio
     assert longer.p > white.p
+
+
+def test_a_constant_amplitude_says_nothing_and_says_so_at_once():
+    n, random = np.arange(35), np.random.default_rng(0)
+    data = {"n": n, "x": (-1.0) ** n + 1e-3 * random.standard_normal(35), "tau": np.pi * n + 1e-3 * random.random(35)}
+    answer = asy.identify(data)
+    assert answer.verdict.kind == "too short or too noisy"
+    assert "do not show any loss" in answer.verdict.text
+    assert answer.law("1").law.epsilon[0].contains(0.0)
+    assert answer.law("1,s3").law.verdict == "undetermined"
+    assert any("constant within the noise" in note for note in answer.notes)
+
+
+def test_a_law_that_is_no_candidate_is_not_identified_as_a_sum_with_negative_losses():
+    # the loss x^2 v beside viscous loss: 0, 1, 2, 3 together imitate it, with a negative strength
+    seen = observed("1,1x2", [0.005, 0.06], 60, 2e-4, 2e-4, seed=2)
+    answer = asy.identify(seen, laws=["1", "2", "1,3", "0,1,2", "0,1,2,3", "free"])
+    assert answer.verdict.kind != "identified" or not answer.best.law.negative
+    right = asy.identify(seen, laws=["1", "2", "1,3", "1,1x2"])
+    assert right.verdict.text.startswith("identified: 1,1x2")
