@@ -4,6 +4,7 @@ The first run of each makes the coefficients that later runs share; it is not ti
 """
 
 from collections.abc import Callable
+from itertools import islice
 from time import process_time
 
 import numpy as np
@@ -19,6 +20,10 @@ from asymptotics.identification.synthetic import observed
 from asymptotics.law import Law
 from asymptotics.limit_cycles.series import limit_cycle_series
 from asymptotics.numbers.exact import parse_real
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.panels import panels_of
+from asymptotics.swing.sequence import sequence
+from asymptotics.swing.taylor import GUARD
 from asymptotics.terms import Term
 from asymptotics.turning.drag_exact import drag_turning_points
 from asymptotics.turning.general import turning_points
@@ -26,6 +31,7 @@ from benchmarks.table import Table, seconds_text
 
 AIR = Law({2: "1/10"}, spring="pendulum")
 DUFFING = Law({"3/2": 1}, spring={3: 1})
+PAIR: dict[object, object] = {1: "1/20", 2: "1/5"}
 VAN_DER_POL = Law({1: -1, (1, 2): 1})
 
 
@@ -43,8 +49,22 @@ def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
         ),
         "100 turning points with gradients, doubles": (lambda: turning_sequence(swing, 100, p * 1.01, orbit.a), 0.002),
         "next amplitude and half period, alpha = 1.37, 100 strengths, 20 digits": (lambda: _swept(12 * size + 4), 2.4),
+        "1000 turning points and times of 3/2, 15 digits, enclosures": (lambda: points({"3/2": "1/5"}, 15, size), 0.05),
+        "1000 turning points and times of (1, 2), 15 digits, enclosures": (lambda: points(PAIR, 15, size), 0.05),
+        "1000 turning points and times of (1, 2), 30 digits, enclosures": (lambda: points(PAIR, 30, size), 1),
+        "1000 turning points and times of 3 at epsilon = 2, 30 digits": (lambda: points({3: 2}, 30, size), 20),
         "identify: 149 turning points, every law, no bootstrap": (lambda: asy.identify(seen, bootstrap=False), 2),
     }  # fmt: skip
+
+
+def points(pairs: dict[object, object], digits: int, size: int) -> object:
+    """125 ``size`` turning points; the panels of the first run are kept."""
+    bits = int(3.33 * digits) + 40
+    law, count = Law(pairs), 125 * size
+    with ctx.workprec(bits + GUARD):
+        damping = Damping.of_law(law)
+    with ctx.workprec(bits):
+        return list(islice(sequence(damping, panels=panels_of(law, bits), count=count), count + 1))[-1]
 
 
 def run(size: int = 8) -> Table:

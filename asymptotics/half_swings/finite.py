@@ -116,7 +116,7 @@ class FiniteQuarter:
         L = self._enclosed(delta, before, guess)
         after = [-f for f in self.strengths(delta, L)]
         duration = self._T(delta) + self._T(after)
-        tail = 2 * max(self._tail(self.R, delta), self._tail(self.R, after), key=float)
+        tail = 2 * self._tail(self.R, delta).max(self._tail(self.R, after))
         return SwingValue(L, L.exp(), duration, ROUTE, self.R.series.order, tail.upper())
 
     def orbit(self, epsilons: Sequence[arb], start: arb, radius: arb) -> "Iterator[tuple[arb, arb, arb]]":

@@ -27,7 +27,7 @@ True
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, reduce
 from math import exp, inf
 from typing import Any
 
@@ -56,7 +56,7 @@ class Majorant:
         """max |delta_i|/rho_i: how deep in the polydisc a point lies."""
         with ctx.workprec(BITS):
             quotients = [(abs(d) / r).upper() for d, r in zip(delta, self.radii, strict=True)]
-            return max(quotients, key=float)
+            return reduce(arb.max, quotients)  # exact numbers, also below the range of doubles
 
     def final(self, i: int) -> arb:
         """A bound of |u_i| at the end."""

@@ -121,6 +121,13 @@ def test_a_majorant_needs_enough_room():
     assert majorant([arb(1), arb(2)], [arb("0.2"), arb("0.2")]) is not None
 
 
+def test_the_largest_ratio_is_found_below_the_range_of_doubles():
+    cube = majorant([arb(1), arb(2)], [arb("0.25"), arb("0.25")])
+    tiny, less = arb(2) ** -1100, arb(2) ** -1200
+    for pair in ((tiny, less), (less, tiny)):
+        assert abs(cube.ratio(pair) / (4 * tiny) - 1) < 1e-15
+
+
 def test_too_small_a_candidate_is_refused(monkeypatch):
     # The oracle may say anything: a number below the solution is not accepted as a bound.
     honest = finite_majorant._Step._candidate
