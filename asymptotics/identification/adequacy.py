@@ -64,12 +64,14 @@ def adequate(fit: Fit, levels: Levels, left: float = 1.0) -> tuple[bool, str]:
         level, freedom = levels[kind]
         if not level or freedom < 5:
             continue
+        level = max(level, fit.model.floor(kind, fit.theta))
         p = float(stats.f.sf((own / level) ** 2, max(fit.freedoms[kind], 1.0), freedom))
         above = p < _SURELY and own > 1.3 * level
         good &= not above
         said.append(f"{kind}: residual {own:.3g}, noise {level:.3g}" + (" (too large)" if above else ""))
     share, frequency, p = strongest_line(fit.residuals[fit.model.groups[0]])
-    if left == 1 and share > _LINE and p < _SURELY and len(fit.model.seen.n) >= _LONG:
+    beyond = fit.scales["x"] > 1.01 * fit.model.floor("x", fit.theta)
+    if left == 1 and beyond and share > _LINE and p < _SURELY and len(fit.model.seen.n) >= _LONG:
         good = False
         said.append(f"{share:.0%} of the residual of x is one line at {frequency:.3g} cycles a half-swing")
     return good, "; ".join(said)

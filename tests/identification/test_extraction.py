@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import asymptotics as asy
 from asymptotics.identification.examples import roll_decay
@@ -92,3 +93,13 @@ def test_the_tanker_rolls_with_quadratic_loss_and_a_stiffening_spring():
     quadratic = answer.law("2,s3").law.epsilon[0]
     assert quadratic.high - quadratic.low < 0.01 < 1.4 + 1.2  # published: 0.13 in [-1.2, 1.4]
     assert 0.11 < quadratic.estimate < 0.14
+
+
+def test_a_record_without_noise_identifies_its_law():
+    # what the local polynomials leave (3e-5 at a quadratic loss) is no misfit
+    force = lambda t, y: [y[1], -4 * y[0] - 0.02 * y[1] - 0.03 * y[1] * abs(y[1])]  # noqa: E731
+    t = np.arange(0, 60, 0.02)
+    x = solve_ivp(force, (0, 60), [1.0, 0.0], t_eval=t, rtol=1e-9, atol=1e-11, max_step=0.05).y[0]
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "1,2", "1,3", "free"])
+    assert answer.verdict.text.startswith("identified: 1,2")
+    assert [e.contains(v) for e, v in zip(answer.law("1,2").law.epsilon, (0.01, 0.03), strict=True)] == [True, True]
