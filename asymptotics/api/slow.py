@@ -86,8 +86,9 @@ class Envelope:
         """phi in rad at an array of times in s, 0 at the start: doubles; NaN where it is not known."""
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
-        phi = AsymptoticMotion.of(self.oscillator, 2).sample(t).phase  # order 2 is p_1 and Omega_2: this phase
-        return np.where(self.amplitudes(t) > 0, phi - phi[0], np.nan)
+        motion = AsymptoticMotion.of(self.oscillator, 2)  # order 2 is p_1 and Omega_2: this phase
+        phi = motion.sample(times_of(t)).phase - motion.sample([0.0]).phase[0]
+        return np.where(self.amplitudes(t) > 0, phi, np.nan)
 
     @cached_property
     def _law(self) -> FirstOrderEnvelope:
