@@ -17,12 +17,14 @@ from asymptotics.normal_form.verify import exact_reference, verify
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.present import regimes, validity_map
 from asymptotics.present.figures import render
+from paper_checks.report.expansion_errors import stored
 
 EXPONENTS = ("0", "1/2", "3/4", "1", "3/2", "5/3", "2", "5/2", "3", "4", "5", "7", "sqrt(2)")
 LAWS = (["0"], ["1/2"], ["3/2"], ["2"], ["3"], ["1", "2"])
 ORDER, DIGITS = 4, 12
 BOUNDED = [([alpha], range(1, 7)) for alpha in ("1/2", "3/2", "2", "5/2", "3")]
 BOUNDED += [(laws, range(1, 3)) for laws in (["0", "1"], ["1", "2"], ["1", "3"])]
+AT_ONE_TIME = "{error} / {estimate} / {bound}"
 GAUGE_USERS = {
     "turning-point": "this package's default; Lancaster's initial condition φ(0) = 0, A(0) = x0",
     "averaging": "direct complex normal form (z = X − iX'); the complex form of `oscilate`; Maxima's averaging",
@@ -34,13 +36,14 @@ GAUGE_USERS = {
 def engine_data() -> dict[str, Any]:
     """All tables of the page, as text."""
     found = {"coefficients": _coefficients(), "gauges": _gauges(), "growth": _growth()}
-    return {**found, "accuracy": _accuracy(), "bounds": _bounds()}
+    compared = {"at_one_time": _compared(AT_ONE_TIME), "everywhere": _compared("{all turning points}")}
+    return {**found, "accuracy": _accuracy(), "bounds": _bounds(), **compared}
 
 
 @cache
 def validity_picture() -> str:
     """Where each order is good to 10 %, 1 % and 0.1 %, as SVG."""
-    return render(validity_map.draw, size=(11, 5.5)).decode()
+    return render(validity_map.draw, size=(11, 10)).decode()
 
 
 @cache
@@ -97,6 +100,15 @@ def _bounds() -> list[dict[str, str]]:
             row = {"alpha": ", ".join(laws), "order": str(order), "δ up to": found["delta_max"]}
             rows.append({**row, "|L − L_N| at most": amplitude, "|T − T_N| at most": time})
     return rows
+
+
+def _compared(cell: str) -> list[dict[str, str]]:
+    """One row for each law and order, one column for each strength."""
+    rows: dict[tuple[str, str], dict[str, str]] = {}
+    for one in stored():
+        row = rows.setdefault((one["alpha"], one["order"]), {"alpha": one["alpha"], "order": one["order"]})
+        row[f"ε = {one['epsilon']}"] = cell.format_map(one)
+    return list(rows.values())
 
 
 def _gauges() -> list[dict[str, str]]:
