@@ -40,6 +40,7 @@ def _alarm() -> Iterator[None]:
         yield
     finally:
         if before is not None:
+            signal.signal(signal.SIGALRM, signal.SIG_IGN)  # a ring under way would meet the default, which kills
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, before)
 
