@@ -162,16 +162,16 @@ def test_beside_other_threads_the_ticks_alone_count():
     ],
 )
 def test_no_command_runs_twice_as_long_as_it_may(line, tmp_path):
+    """A fast machine may answer within its two seconds; nobody takes four."""
     start_up = _seconds([sys.executable, "-m", "asymptotics.cli.main", "moment", "--p", "1/2"])
     arguments = [*line.format(folder=tmp_path).split(), "--max-seconds", "2"]
-    assert _seconds([sys.executable, "-m", "asymptotics.cli.main", *arguments], code=2) < 4 + start_up
+    assert _seconds([sys.executable, "-m", "asymptotics.cli.main", *arguments]) < 4 + start_up
 
 
-def _seconds(command, code=0):
-    """Process time of a command."""
+def _seconds(command):
+    """Process time of a command that answers or names its budget."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    assert done.returncode == code, done.stderr
-    assert code == 0 or "--max-seconds" in done.stderr, done.stderr
+    assert done.returncode == 0 or (done.returncode == 2 and "--max-seconds" in done.stderr), done.stderr
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
