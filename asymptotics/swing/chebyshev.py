@@ -12,11 +12,12 @@ k > m, is 0 or some +-T_i, i <= n.  Hence the interpolant p of exact values obey
 
 f = T_m attains it up to (R + 1)/(R - 1).
 
-*Truncation.*  Of p = sum b_k T_k only k <= N is kept: |b_(N+1)| + ... + |b_n| is added to the error.  So the cut may be
-far below what is asked for, and the error is that of the first terms left out.
-
 *Noise.*  Values off by at most e change b_k by d_k.  The vectors 1/sqrt(m), sqrt(2/m) cos(k phi_j) are orthonormal, so
-2 d_0^2 + d_1^2 + ... + d_N^2 <= 2 e^2, and by Cauchy and Schwarz the sum changes at most by e sqrt(2N + 1).
+2 d_0^2 + d_1^2 + ... + d_n^2 <= 2 e^2, and by Cauchy and Schwarz the sum changes at most by e sqrt(2n + 1): all n + 1
+coefficients count, since those left out below are known as badly as those kept.
+
+*Truncation.*  Of p = sum b_k T_k through the midpoints of the values only k <= N is kept: |b_(N+1)| + ... + |b_n| is
+added to the error.  So the cut may be far below what is asked for, and the error is that of the first terms left out.
 
 >>> with ctx.workprec(80):
 ...     found = interpolant([t.exp() for t in nodes(20)], arb(10), arb(4), arb(2) ** -40)
@@ -82,7 +83,7 @@ def interpolant(values: Sequence[arb], bound: arb, ellipse: arb, tolerance: arb)
     rounded = [(c + 0).mid() for c in polynomial.coeffs()]
     slack = sum((upper(c - r) for c, r in zip(polynomial.coeffs(), rounded, strict=True)), arb(0))
     with ctx.workprec(_BITS):
-        noise = reduce(arb.max, (v.rad() for v in values)) * arb(2 * degree + 1).sqrt()
+        noise = reduce(arb.max, (v.rad() for v in values)) * arb(2 * m - 1).sqrt()
         error = upper(cut(bound, ellipse, m) + left_out + noise + slack + sum((c.rad() for c in kept), arb(0)))
     return Interpolant(arb_poly(rounded), error)
 

@@ -89,13 +89,16 @@ class _Rows:
 
     def extend(self, m: Key, length: int) -> None:
         """Make a row ``length`` long; the rows of the parts of m are at least as long."""
-        y, p, q, s = (table.setdefault(m, []) for table in (self.y, self.p, self.q, self.s))
-        if len(q) >= length:
+        y, p, q, s = columns = tuple(table.setdefault(m, []) for table in (self.y, self.p, self.q, self.s))
+        whole = len(s)  # the last to grow: an alarm may have stopped the columns before it one further
+        if whole >= length:
             return
+        for column in columns:
+            del column[whole:]
         parts = [(j, tuple(map(sub, m, j))) for j in product(*(range(k + 1) for k in m))]
         with ctx.workprec(self.bits):
             weight = sum(map(mul, m, self.exponents), arb(0))
-            for k in range(len(q), length):
+            for k in range(whole, length):
                 e, start = weight + 2 * k, not k and not any(m)
                 y.append(-q[k - 1] / e if k else arb(int(start)))
                 p.append(y[k] - 1 if not k and m in self.units else y[k])

@@ -54,6 +54,18 @@ def test_the_noise_is_attained_on_few_nodes(m):
             assert found(arb(end)).contains(other.polynomial(arb(end)).mid())
 
 
+@pytest.mark.parametrize("m", [2, 8, 30])
+def test_the_noise_of_the_coefficients_left_out_counts_too(m):
+    """All midpoints are 0, so nothing is kept; the Lebesgue function at t = 1 is attained within the radii."""
+    e = arb(2) ** -20
+    signs = [(-1) ** j for j in range(m)]
+    with ctx.workprec(100):
+        found = interpolant([arb(0, e) for _ in range(m)], arb(0), arb(2), arb(1))
+        other = sum(coefficients([s * e for s in signs]), arb(0))
+    assert found.degree <= 0 and abs(other) > e * arb("1.4")
+    assert found(arb(1)).contains(other.mid())
+
+
 @pytest.mark.parametrize("tolerance", ["1e-3", "1e-8", "1e-15"])
 def test_the_coefficients_left_out_are_paid_for(tolerance):
     with ctx.workprec(120):

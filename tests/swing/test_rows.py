@@ -54,6 +54,23 @@ def test_a_coefficient_does_not_depend_on_what_was_asked_for_before():
     assert found[0] == found[1]
 
 
+@pytest.mark.parametrize("reached", [1, 2, 3])
+def test_an_alarm_between_two_columns_leaves_nothing_behind(reached):
+    """The first columns are one coefficient further than the last, as an exception in between leaves them."""
+    alphas = (ExactReal(Fraction(7, 5)),)
+    whole, stopped = rows._Rows(alphas, 64), rows._Rows(alphas, 64)
+    for m in ((0,), (1,), (2,)):
+        whole.extend(m, 6)
+        stopped.extend(m, 3)
+        for table in (stopped.y, stopped.p, stopped.q)[:reached]:
+            table[m].append(arb(7))
+        stopped.extend(m, 4 if reached == 3 else 6)
+        stopped.extend(m, 6)
+    for name in "ypqs":
+        texts = [[[c.str(15) for c in getattr(each, name)[m]] for m in ((0,), (1,), (2,))] for each in (whole, stopped)]
+        assert texts[0] == texts[1]
+
+
 def test_both_ends_and_all_strengths_share_them():
     """At y_0 = -2 the motion comes in: the same series, z_i < 0, against mpmath's integrator."""
     law = Damping.of([(arb("0.25"), parse_real("5/4", "a"))])
