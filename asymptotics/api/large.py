@@ -46,6 +46,7 @@ class SpringEnvelope:
     averaging: str = "mean"
     notes: tuple[str, ...] = field(default=(), compare=False)
     formula: None = None
+    time_formula: None = None
 
     @classmethod
     def of(cls, oscillator: Oscillator) -> "SpringEnvelope":

@@ -19,6 +19,7 @@ from asymptotics.api.motions import times_of
 from asymptotics.api.units import oscillator_of
 from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
+from asymptotics.envelopes.hypergeometric import time_of_amplitude
 from asymptotics.envelopes.symbolic import MEAN
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
@@ -67,12 +68,26 @@ class Envelope:
     @property
     def formula(self) -> ClosedForm | None:
         """A/A(0) as a function of tau = omega_0 t and the kappas, or None where no elementary form is known."""
-        terms = [t for t in self.oscillator.law.terms if not t.b.is_zero]
-        names = (sympy.Symbol(f"kappa_{i}", positive=True) for i in range(1, len(terms) + 1))
         try:
-            return explicit_amplitude({to_sympy(t.velocity): name for t, name in zip(terms, names)})
+            return explicit_amplitude(self._symbols())
         except InputError:
             return None
+
+    @property
+    def time_formula(self) -> sympy.Expr | None:
+        """tau = omega_0 t as a function of A (in units of A(0)) and the kappas, for one law and any two; None beyond.
+
+        Elementary where that is short, else by 2F1 (Lancaster 2020, footnote 22, or its companion).
+
+        >>> envelope({1: "1/10", 2: "1/20"}).time_formula
+        log(1 + kappa_1/(A*kappa_2))/kappa_1 - log(kappa_1/kappa_2 + 1)/kappa_1
+        """
+        return time_of_amplitude(self._symbols())
+
+    def _symbols(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Exponents and the letters of their strengths, numbered as in ``kappas``; a strength 0 is left out."""
+        terms = enumerate(self.oscillator.law.terms, start=1)
+        return {to_sympy(t.velocity): sympy.Symbol(f"kappa_{i}", positive=True) for i, t in terms if not t.b.is_zero}
 
     def sample(self, t: Any) -> MotionSamples:
         """Arrays of amplitude and phase at many times (s), with the motion x = A cos(omega_0 t + phi): doubles."""
@@ -97,10 +112,11 @@ class Envelope:
     def to_dict(self) -> dict[str, object]:
         """JSON-ready: the oscillator, the formula where one is known, the rates, the extinction."""
         formula = None if self.formula is None else str(self.formula.expression)
+        time = None if self.time_formula is None else str(self.time_formula)
         numbers = {"kappas": list(self.kappas()), "extinction": self.extinction_time()}
         notes = list(self.notes)
-        return {"oscillator": self.oscillator.to_dict(), "averaging": self.averaging, "formula": formula, **numbers,
-                "notes": notes}  # fmt: skip
+        return {"oscillator": self.oscillator.to_dict(), "averaging": self.averaging, "formula": formula,
+                "time_formula": time, **numbers, "notes": notes}  # fmt: skip
 
     def __str__(self) -> str:
         shown = "no elementary form" if self.formula is None else f"A/A(0) = {self.formula.expression}"

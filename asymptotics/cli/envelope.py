@@ -70,6 +70,7 @@ def _data(found: Curve, time: ExactReal | None, digits: int) -> dict[str, Any]:
         "family": None if formula is None else formula.family,
         "formula": None if formula is None else str(formula.expression),
         "latex": None if formula is None else rf"\frac{{A}}{{A(0)}} = {sympy.latex(formula.expression)}",
+        "time_formula": None if found.time_formula is None else str(found.time_formula),
         "kappas": list(found.kappas(digits=digits)),
         "period": _period(found, digits),
         "extinction": found.extinction_time(digits=digits),
@@ -95,6 +96,7 @@ def _text(data: dict[str, Any], given: Given) -> str:
     if data["period"] is not None:
         head = "A/A(0) by 2F1, exact in the spring"
     lines = [f"{head}, tau = omega_0 t" if given.si else head]
+    lines += [] if data["time_formula"] is None else [f"tau(A) = {data['time_formula']}, A in units of A(0)"]
     lines += [f"kappa_{i}    {kappa}" for i, kappa in enumerate(data["kappas"], start=1)]
     units = {"period": "s", "extinction": "s", "time": "s", "amplitude": "m", "phase": "rad"}
     lines += [f"{name:10} {data[name]}{given.unit(unit)}" for name, unit in units.items() if data[name] is not None]

@@ -34,12 +34,15 @@ so that every pair of rational exponents closes: logarithms for integer a, arcta
 atan(sqrt(kappa_2)/sqrt(kappa_0))/(sqrt(kappa_0)*sqrt(kappa_2))
 """
 
-from sympy import Expr, Rational, S, atan, atan2, cos, exp, hyper, log, pi, sin
+from collections.abc import Mapping
+
+from sympy import Expr, Rational, S, atan, atan2, cos, exp, expand_mul, hyper, log, pi, sin
 
 from asymptotics.envelopes.symbolic import amplitude_symbol
 from asymptotics.errors import InputError
 
 Law = tuple[Expr, Expr]  # (exponent, kappa)
+MAX_POWER, MAX_ROOT = 8, 4  # a = p/q with p and q up to these: beyond them 2F1 is the shorter form
 
 
 def breaks_printed(alpha: Expr, alpha_prime: Expr) -> bool:
@@ -103,6 +106,30 @@ def elementary_time(low: Law, high: Law, A: Expr = amplitude_symbol) -> Expr:
     if A == 0:
         return antiderivative(S.One) if alpha < 1 else S.Infinity
     return antiderivative(S.One) - antiderivative(A)
+
+
+def time_of_amplitude(laws: Mapping[Expr, Expr]) -> Expr | None:
+    """tau(A) for {exponent: kappa}, one law or two: elementary where that is short, else by 2F1; None for other sums.
+
+    >>> from sympy import Symbol, symbols
+    >>> k1, k2 = symbols("kappa_1 kappa_2", positive=True)
+    >>> time_of_amplitude({S(1): k1}), time_of_amplitude({S(1): k1, S(3): k2})
+    (-log(A)/kappa_1, -log(kappa_1/kappa_2 + 1)/(2*kappa_1) + log(kappa_1/(A**2*kappa_2) + 1)/(2*kappa_1))
+    """
+    pairs = sorted(laws.items(), key=lambda law: law[0])
+    if len(pairs) == 1:
+        alpha, kappa = pairs[0]
+        A = amplitude_symbol
+        return -log(A) / kappa if alpha == 1 else (A ** (1 - alpha) - 1) / ((alpha - 1) * kappa)
+    if len(pairs) != 2:
+        return None
+    low, high = pairs
+    d = high[0] - low[0]
+    index = (1 - low[0]) / d if low[0] < 1 else (high[0] - 1) / d
+    rational = low[0].is_Rational and high[0].is_Rational
+    if rational and index.p <= MAX_POWER and index.q <= MAX_ROOT:
+        return expand_mul(elementary_time(low, high))
+    return two_law_time(low, high)
 
 
 def extinction_time(low: Law, high: Law) -> Expr | None:

@@ -45,6 +45,33 @@ def test_the_envelope_of_sums_extinction_and_certified_digits_at_irrational_expo
     assert (lelas["extinction"], lelas["phase"]) == ("12.894", None)
 
 
+PAIRS = (
+    ("0:1/20", "2:3/10"), ("0:1/10", "sqrt(3):1/10"), ("2:1/5", "3:2"), ("3:1/5", "1:1/10"), ("0:0", "3/2:1/5"),
+    ("3/2:1/5", "11/8:1/9"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("one", "other"), PAIRS)
+def test_the_time_formula_is_the_inverse_of_the_certified_amplitude(capsys, one, other):
+    """tau(A(5)) = 5: the kappas of the formula are the printed ones, also where one is 0 or the order is turned."""
+    found = answer(capsys, f"envelope --law {one} --law {other} --time 5 --digits 20")
+    names = {f"kappa_{i}": sympy.Float(k, 20) for i, k in enumerate(found["kappas"], start=1)}
+    formula = sympy.sympify(found["time_formula"])
+
+    def tau(A):
+        values = {**names, "A": A}
+        return formula.subs({s: values[s.name] for s in formula.free_symbols}).evalf(20)
+
+    A = sympy.Float(found["amplitude"], 20)
+    assert abs(tau(A) - 5) < 1e-16
+    assert abs(tau(A * (1 + sympy.Float("1e-9", 20))) - 5) > 1e-10
+
+
+def test_no_time_formula_beyond_two_laws(capsys):
+    assert answer(capsys, "envelope --law 0:1 --law 1:1 --law 3:1")["time_formula"] is None
+    assert answer(capsys, "envelope --alpha 2 --epsilon 1/10 --spring pendulum")["time_formula"] is None
+
+
 def test_the_files_of_the_envelope(capsys, tmp_path, monkeypatch):
     folder = tmp_path / "with a blank and ü"
     folder.mkdir()
