@@ -16,6 +16,7 @@ import sympy
 
 from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.motions import times_of
+from asymptotics.api.slowness import SlowPart, slow_part
 from asymptotics.api.units import oscillator_of
 from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
@@ -58,6 +59,10 @@ class Envelope:
     def extinction_time(self, *, digits: Any = 30) -> str | None:
         """When the averaged amplitude reaches 0 (some alpha < 1): the end of the averaged law, not of the motion."""
         return self._law.extinction_time(exact_integer(digits, "digits", 1, MAX_DIGITS))
+
+    def slow(self, eta: Any = "1/10") -> SlowPart:
+        """Where |dA/dt| <= eta omega_0 A: times in s for one law, amplitudes in m for a sum; doubles, heuristic."""
+        return slow_part(self._law, eta)
 
     def kappas(self, *, digits: Any = 30) -> tuple[str, ...]:
         """kappa_i = M_(alpha_i+1) epsilon_i, correctly rounded."""

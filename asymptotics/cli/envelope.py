@@ -20,6 +20,7 @@ import sympy
 
 from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.slow import MAX_DIGITS, Envelope, envelope
+from asymptotics.api.slowness import SlowPart
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
 from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
 from asymptotics.cli.quantities import Given, add_oscillator, read_oscillator
@@ -36,6 +37,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add_oscillator(parser, springs=True)
     parser.add_argument("--time", metavar="T", help="the time in s (or tau) at which A and phi are wanted")
+    parser.add_argument("--slow", metavar="ETA", help="tell where |dA/dt| <= ETA omega_0 A, in doubles")
     parser.add_argument("--lelas", action="store_true", help="average by the squaring trick of Lelas 2024")
     parser.add_argument("--latex", action="store_true", help="print the formula as LaTeX")
     add_files(parser, "A(t) and x = A cos(omega_0 t + phi) from 0 to T", "t, amplitude, phase from 0 to T")
@@ -55,12 +57,25 @@ def run(options: argparse.Namespace) -> Answer:
     if options.latex and found.formula is None:
         raise InputError("--latex", "no elementary form is known for this law", "the command without --latex")
     data = _data(found, time, digits)
+    slow = None if options.slow is None else _slow(found, options.slow)
+    data["slow"] = None if slow is None else slow.to_dict()
     makers: Makers = {
         "--plot": lambda kind: _picture(found, given, time, kind),
         "--csv": lambda _: _table(found, given, time, options),
     }
     data |= {"units": "SI" if given.si else None, "files": write_files(files, makers), "notes": list(found.notes)}
-    return Answer(data, str(data["latex"]) if options.latex else _text(data, given), options.json)
+    text = str(data["latex"]) if options.latex else _text(data, given)
+    if slow is not None:
+        text += "\n" + slow.told(given.unit("s" if slow.quantity == "time" else "m"))
+    return Answer(data, text, options.json)
+
+
+def _slow(found: Curve, eta: str) -> SlowPart:
+    """--slow, for the linear spring."""
+    number = parse_real(eta, "--slow")
+    if isinstance(found, SpringEnvelope):
+        raise InputError("--slow", "it is not known beside a spring", "a law alone")
+    return found.slow(number)
 
 
 def _data(found: Curve, time: ExactReal | None, digits: int) -> dict[str, Any]:

@@ -10,9 +10,9 @@ For one law |dA/dt|/(omega_0 A) = kappa/(1 + (alpha-1) kappa tau) (Lancaster (14
 For a sum the rate sum_i kappa_i e^(-(alpha_i-1)s), s = -ln A, is convex in s, so that the slow amplitudes form one
 interval: with laws on both sides of 1 it is slow in the middle only, between the fast drag and the final friction.
 
->>> slow_interval(Fraction(2), kappa=2.0, eta=0.1), slow_interval(Fraction(1, 2), kappa=0.05, eta=0.1)
+>>> slow_interval(2.0, kappa=2.0, eta=0.1), slow_interval(0.5, kappa=0.05, eta=0.1)
 (SlowInterval(start=9.5, end=inf), SlowInterval(start=0.0, end=20.0))
->>> slow_interval(Fraction(1), kappa=0.2, eta=0.1) is None
+>>> slow_interval(1.0, kappa=0.2, eta=0.1) is None
 True
 >>> interval = slow_amplitudes(NumericEnvelope.of([(0.0, 0.001), (2.0, 0.5)]), 0.1)
 >>> round(interval.start, 6), round(interval.end, 6)
@@ -20,10 +20,7 @@ True
 """
 
 from dataclasses import dataclass
-from fractions import Fraction
 from math import exp, inf, log
-
-from scipy.optimize import brentq, minimize_scalar
 
 from asymptotics.envelopes.numeric import NumericEnvelope
 from asymptotics.errors import InputError
@@ -39,10 +36,10 @@ class SlowInterval:
     end: float
 
 
-def slow_interval(alpha: Fraction, *, kappa: float, eta: float) -> SlowInterval | None:
+def slow_interval(alpha: float, *, kappa: float, eta: float) -> SlowInterval | None:
     """The times tau >= 0 with |dA/dt| <= eta omega_0 A for one law, or None if there are none; double precision."""
     _require_positive(kappa=kappa, eta=eta)
-    exponent = float(alpha - 1)
+    exponent = alpha - 1
     if exponent == 0:
         return SlowInterval(0.0, inf) if kappa <= eta else None
     if exponent > 0:
@@ -55,6 +52,8 @@ def slow_amplitudes(envelope: NumericEnvelope, eta: float) -> SlowInterval | Non
 
     Heuristic: a convex function of s in [0, 300] is minimised and its two crossings of eta are found in doubles.
     """
+    from scipy.optimize import brentq, minimize_scalar  # noqa: PLC0415 (slow to load, seldom asked for)
+
     _require_positive(eta=eta)
 
     def excess(s: float) -> float:

@@ -67,6 +67,38 @@ def test_the_time_formula_is_the_inverse_of_the_certified_amplitude(capsys, one,
     assert abs(tau(A * (1 + sympy.Float("1e-9", 20))) - 5) > 1e-10
 
 
+def test_where_one_law_is_slow_in_seconds(capsys):
+    """There |dA/dt| = eta omega_0 A: at the time told the certified amplitude has fallen to (eta/kappa) A(0)."""
+    oscillator = "--alpha 2 --damping 1/10 --mass 2 --stiffness 8 --x0 3"
+    slow = answer(capsys, f"envelope {oscillator} --slow 1/50")["slow"]
+    assert (slow["quantity"], slow["end"], slow["arithmetic"]) == ("time", "infinity", "heuristic")
+    found = answer(capsys, f"envelope {oscillator} --time {slow['start']}")
+    assert float(found["amplitude"]) == pytest.approx(3 * 0.02 / float(found["kappas"][0]), rel=1e-12)
+    _, out, _ = run(capsys, f"envelope {oscillator} --slow 1/50")
+    assert out.splitlines()[-1].endswith("for t from 17.146018 s to infinity; heuristic, doubles")
+
+
+def test_where_a_sum_is_slow_in_metres(capsys):
+    """At both ends sum kappa_i (A/x0)^(alpha_i-1) is eta; nowhere below its least value 2 sqrt(kappa_0 kappa_2)."""
+    oscillator = "--law 0:1/1000 --law 2:1/10 --mass 2 --stiffness 8 --x0 3"
+    found = answer(capsys, f"envelope {oscillator} --slow 1/50")
+    dry, air = map(float, found["kappas"])
+    assert found["slow"]["quantity"] == "amplitude"
+    for end in ("start", "end"):
+        A = float(found["slow"][end]) / 3
+        assert dry / A + air * A == pytest.approx(0.02, rel=1e-9)
+    least = 2 * math.sqrt(dry * air)
+    assert answer(capsys, f"envelope {oscillator} --slow {least * 0.999}")["slow"]["start"] is None
+    assert answer(capsys, f"envelope {oscillator} --slow {least * 1.001}")["slow"]["start"] is not None
+
+
+@pytest.mark.parametrize("wrong", ["0", "-1", "1e-999", "nan", "1 --spring pendulum"])
+def test_a_bound_of_slowness_that_is_none_is_refused(capsys, wrong):
+    code, out, err = run(capsys, f"envelope --alpha 2 --epsilon 1/10 --slow {wrong}")
+    assert (code, out) == (2, "")
+    assert "--slow" in err
+
+
 def test_no_time_formula_beyond_two_laws(capsys):
     assert answer(capsys, "envelope --law 0:1 --law 1:1 --law 3:1")["time_formula"] is None
     assert answer(capsys, "envelope --alpha 2 --epsilon 1/10 --spring pendulum")["time_formula"] is None

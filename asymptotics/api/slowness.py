@@ -1,0 +1,84 @@
+"""Where an envelope is slow, |dA/dt| <= eta omega_0 A, in the units of its oscillator: heuristic doubles.
+
+One law is slow for an interval of times, a sum for an interval of amplitudes (``envelopes.validity``).
+
+>>> from asymptotics.envelopes.first_order import FirstOrderEnvelope
+>>> from asymptotics.law import Oscillator
+>>> print(slow_part(FirstOrderEnvelope(Oscillator({2: "1/10"}, mass=2, stiffness=8, x0=3)), "1/50"))
+slow (|dA/dt| <= 1/50 omega_0 A) for t from 17.146018 to infinity; heuristic, doubles
+>>> print(slow_part(FirstOrderEnvelope(Oscillator({1: "1/10"})), "1/50"))
+slow (|dA/dt| <= 1/50 omega_0 A) never; heuristic, doubles
+"""
+
+from dataclasses import dataclass
+from math import inf
+from typing import Any
+
+from asymptotics.envelopes.first_order import FirstOrderEnvelope
+from asymptotics.envelopes.validity import slow_amplitudes, slow_interval
+from asymptotics.errors import InputError, shown
+from asymptotics.numbers.policy import exact_number
+
+MAX_ETA = 1e9
+_SHOWN = 8
+
+
+@dataclass(frozen=True)
+class SlowPart:
+    """``quantity`` "time" (s) or "amplitude" (m), from ``start`` to ``end``; both None where it is never slow.
+
+    An amplitude from 0 on means down to rest; a time to infinity has ``end`` inf.
+    """
+
+    quantity: str
+    start: float | None
+    end: float | None
+    eta: str
+
+    @property
+    def certified(self) -> bool:
+        """False: the ends are doubles."""
+        return False
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: numbers are strings, "infinity" for a time without end."""
+        ends = {name: None if x is None else _text(x, 17) for name, x in (("start", self.start), ("end", self.end))}
+        return {"quantity": self.quantity, **ends, "eta": self.eta, "arithmetic": "heuristic"}
+
+    def told(self, unit: str = "") -> str:
+        """One line, with the unit of the quantity after its numbers."""
+        head = f"slow (|dA/dt| <= {self.eta} omega_0 A)"
+        if self.start is None or self.end is None:
+            return f"{head} never; heuristic, doubles"
+        name = "t" if self.quantity == "time" else "A"
+        ends = " to ".join(_text(x, _SHOWN) + (unit if x < inf else "") for x in (self.start, self.end))
+        return f"{head} for {name} from {ends}; heuristic, doubles"
+
+    def __str__(self) -> str:
+        return self.told()
+
+
+def slow_part(law: FirstOrderEnvelope, eta: Any) -> SlowPart:
+    """The times in s (one law) or the amplitudes in m (a sum) that are slow; InputError for an eta out of range."""
+    limit = exact_number(eta, "eta")
+    number, omega_0, length = (
+        float(x.mid()) for x in (limit.ball(), law.oscillator.omega_0(), law.oscillator.length())
+    )
+    if not 1 / MAX_ETA <= number <= MAX_ETA:
+        raise InputError("eta", f"{shown(eta)} is no small number", f"a number from {1 / MAX_ETA} to {MAX_ETA}")
+    active = law.laws()
+    if not active:
+        raise InputError("law", "every strength is zero: the amplitude is constant", "at least one b > 0")
+    if len(active) == 1:
+        ((alpha, kappa),) = active
+        found, unit = slow_interval(float(alpha.ball().mid()), kappa=float(kappa.mid()), eta=number), 1 / omega_0
+    else:
+        found, unit = slow_amplitudes(law.numeric(), number), length
+    quantity = "time" if len(active) == 1 else "amplitude"
+    if found is None:
+        return SlowPart(quantity, None, None, str(limit))
+    return SlowPart(quantity, found.start * unit, found.end * unit, str(limit))
+
+
+def _text(x: float, digits: int) -> str:
+    return "infinity" if x == inf else f"{x:.{digits}g}"
