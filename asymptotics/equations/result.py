@@ -25,21 +25,17 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-import mpmath
-import numpy as np
 import sympy
 
 from asymptotics.equations.comparison import Comparison, compare_functions, compare_rows
 from asymptotics.equations.observables import Observables, observables_at
-from asymptotics.equations.row import Row
-from asymptotics.equations.strengths import Strengths, as_mpf
+from asymptotics.equations.row import Row, sum_at
+from asymptotics.equations.strengths import Strengths
 from asymptotics.errors import InputError, require_choice
 from asymptotics.law import Law, Oscillator
 from asymptotics.normal_form import show
-from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import exact_integer, exact_number
 from asymptotics.numbers.value import Coefficient
-from asymptotics.series import Key
 from asymptotics.terms import Term
 
 A_SYMBOL, TAU, T = sympy.Symbol("A", positive=True), sympy.Symbol("tau", real=True), sympy.Symbol("t", real=True)
@@ -87,24 +83,16 @@ class Equations:
         """``f(A, psi) -> (dA/dtau, dpsi/dtau)``, for NumPy arrays or, with "mpmath", at the precision in force."""
         require_choice(modules, "modules", ("numpy", "mpmath"))
         as_number: Callable[[Coefficient], Any] = float if modules == "numpy" else Coefficient.mpf
-        strengths, weights, scale = self.strengths.numbers(modules, epsilon)
+        from asymptotics.equations.rates import rates  # noqa: PLC0415 (NumPy: printing needs none)
+
         p, Omega = ([(k, as_number(c)) for k, c in row.keyed().items()] for row in (self.p, self.Omega))
-
-        def rates(A: Any, psi: Any = 0.0) -> tuple[Any, Any]:
-            amplitude = _amplitudes(A) if modules == "numpy" else _mpmath_amplitude(A)
-            with np.errstate(all="ignore"):  # out of the range of doubles is inf or nan, as in NumPy itself
-                deltas = [s * amplitude**w for s, w in zip(strengths, weights)]
-                found = -scale * amplitude * _sum(p, deltas), scale * (1 + _sum(Omega, deltas))
-            return tuple(map(float, found)) if isinstance(amplitude, np.float64) else found  # type: ignore[return-value]
-
-        return rates
+        return rates(p, Omega, self.strengths.numbers(modules, epsilon), modules)
 
     def rhs(self, t: float, y: Any) -> list[Any]:
         """The right side for ``scipy.integrate.solve_ivp``: y = (A, psi)."""
-        state = real_array(y, "y")
-        if state.shape != (2,):
-            raise InputError("y", f"its shape is {state.shape}", "the two numbers A, psi")
-        return list(self(*state))
+        from asymptotics.equations.rates import state_of  # noqa: PLC0415 (as above)
+
+        return list(self(*state_of(y)))
 
     def to_sympy(self) -> tuple[sympy.Expr, sympy.Expr]:
         """(dA/dtau, dpsi/dtau) in the symbols A and epsilon (epsilon_1, ... for several), SI numbers for an oscillator.
@@ -112,7 +100,7 @@ class Equations:
         Coefficients are exact where an exact form is known, Floats with all their digits elsewhere.
         """
         deltas, scale = self.strengths.symbolic(A_SYMBOL)
-        p, Omega = (_sum([(k, c.sympy()) for k, c in r.keyed().items()], deltas) for r in (self.p, self.Omega))
+        p, Omega = (sum_at([(k, c.sympy()) for k, c in r.keyed().items()], deltas) for r in (self.p, self.Omega))
         return -scale * A_SYMBOL * p, scale * (1 + Omega)
 
     def odes(self) -> tuple[sympy.Eq, sympy.Eq]:
@@ -191,31 +179,8 @@ class Equations:
         return (symbol,) if count == 1 else tuple(symbol + index % i for i in range(1, count + 1))
 
 
-def _amplitudes(A: Any) -> Any:
-    """A number or array of doubles >= 0 (NaN stays); InputError for anything else."""
-    values = real_array(A, "A")
-    if np.any(values < 0):
-        raise InputError("A", f"{values[values < 0].flat[0]:g} is negative", "amplitudes >= 0")
-    return values if values.ndim else np.float64(values)
-
-
-def _mpmath_amplitude(A: Any) -> Any:
-    """An mpmath number as it is, at the precision in force; anything else is read exactly first."""
-    return A if isinstance(A, mpmath.mpf) else as_mpf(exact_number(A, "A").ball())
-
-
 def _amplitude(A: Any) -> float:
     value = exact_number(A, "A")
     if not value > 0:
         raise InputError("A", f"{value} is not positive", "an amplitude > 0")
     return float(value.ball().mid())
-
-
-def _sum(row: list[tuple[Key, Any]], deltas: list[Any]) -> Any:
-    """sum of c delta^key, in whatever the numbers are."""
-    total: Any = 0
-    for key, c in row:
-        for d, n in zip(deltas, key):
-            c = c * d**n if n else c
-        total = total + c
-    return total

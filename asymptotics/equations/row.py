@@ -69,6 +69,20 @@ class Row(Mapping[Any, Coefficient]):
         return "{" + shown + (", ..." if len(self) > 6 else "") + "}"
 
 
+def sum_at(row: list[tuple[Key, Any]], deltas: list[Any]) -> Any:
+    """sum of c delta^key, in whatever the numbers are.
+
+    >>> sum_at([((1, 0), 2), ((1, 2), 5)], [3, 10])
+    1506
+    """
+    total: Any = 0
+    for key, c in row:
+        for d, n in zip(deltas, key):
+            c = c * d**n if n else c
+        total = total + c
+    return total
+
+
 def _brief(c: Coefficient) -> str:
     return rounded(c.value, SHOWN_DIGITS) if c.value is not None else str(c.exact)
 
