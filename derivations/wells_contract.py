@@ -4,7 +4,7 @@ On a swing towards smaller u the motion is u' = -w, w' = s_0(u) - h(u, w), w >= 
 spring less the dry friction.  Nothing is asked of the spring but that both motions have a next turning point.
 
 >>> print(derivation.steps[1].text())
-h_1 - s_0 - (h_2 - s_0) = h_1 - h_2
+(h_1 - s_0) - (h_2 - s_0) = h_1 - h_2
 """
 
 import sympy

@@ -22,7 +22,7 @@ added to the error.  So the cut may be far below what is asked for, and the erro
 >>> with ctx.workprec(80):
 ...     found = interpolant([t.exp() for t in nodes(20)], arb(10), arb(4), arb(2) ** -40)
 ...     found(arb("0.3")).str(9), found.degree
-('[1.34985881 +/- ...]', 11)
+('[1.34985881 +/- ...]', 12)
 """
 
 from collections.abc import Sequence

@@ -8,6 +8,7 @@ With epsilon < 2, omega^2 = 1 - epsilon^2/4 and y' = -w, w' = y - epsilon w,
 From w_0 >= 0 (y_0 > 0 where w_0 = 0) the first t > 0 with w = 0 is omega t = arg(epsilon w_0/2 - y_0 + i omega w_0), or
 pi where w_0 = 0.
 
+>>> from flint import ctx
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(60):
 ...     law = Damping.of([(arb(1) / 5, ExactReal(1)), (arb(1) / 50, ExactReal(0))])

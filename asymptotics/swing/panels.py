@@ -12,7 +12,7 @@ turning point exists.
 ...     panel = Panels(Law({1: "1/20", 2: "1/5"}), 80).serving(arb(1), arb(0), 1000)
 ...     found = panel.passage(arb("0.5")) if panel else None
 >>> found.amplitude.str(12), found.duration.str(12), found.route
-('[0.817149870085 +/- ...]', '[3.14577396484 +/- ...]', 'Chebyshev interpolation in the amplitude')
+('[0.818929935607 +/- ...]', '[3.15094119172 +/- ...]', 'Chebyshev interpolation in the amplitude')
 """
 
 from dataclasses import dataclass, field

@@ -88,7 +88,7 @@ def test_a_worker_of_the_cluster_is_killed_on_the_way(cluster, tmp_path):
 
 
 def test_nothing_answers(tmp_path):
-    with pytest.raises(InputError, match="--dask"):
+    with pytest.raises(InputError, match="argument dask"):
         sweep(tasks.square, "square", tasks.grid(tmp_path / "log", 3), tmp_path / "s",
               crew=partial(dask_executor, "tcp://127.0.0.1:1", None))  # fmt: skip
     assert not (tmp_path / "s").exists()  # nothing half-made is left
