@@ -30,7 +30,7 @@ from asymptotics.bounds.local import LocalBounds, local_bounds
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
-from asymptotics.cli.quantities import add_physical, is_physical, read_oscillator
+from asymptotics.cli.quantities import PHYSICAL, add_physical, is_physical, read_oscillator
 from asymptotics.equations.build import expand
 from asymptotics.equations.result import Equations
 from asymptotics.errors import InputError
@@ -81,6 +81,9 @@ def run(options: argparse.Namespace) -> Answer:
             raise InputError(other, "cannot be combined with --alpha symbolic", "one law, in closed form")
         if options.bound:
             raise InputError("--bound", "a bound needs a number", "an exponent instead of --alpha symbolic")
+        for name in ("epsilon", *PHYSICAL):
+            if getattr(options, name) is not None:
+                raise InputError(f"--{name}", "closed forms take no numbers", "an exponent instead of --alpha symbolic")
         return _symbolic(options, order, digits)
     given = read_terms(options)
     law = Law.from_terms(given.terms)
