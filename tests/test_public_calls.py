@@ -90,8 +90,8 @@ METHODS = {
     "phase": {"t": 1}, "phases": {"t": [1.0]},
     "plus": {"other": OSC.law.terms[0]}, "read": {"value": {2: 1}}, "require_pure": {"purpose": "x"},
     "require_dissipative": {"purpose": "x"}, "rhs": {"t": 0.0, "y": [1.0, 0.0]}, "sample": {"t": [0.0, 1.0]},
-    "slow": {"eta": "1/50"}, "slow_derivative": {"n": 1, "f": sympy.Symbol("a")}, "sol": {"t": 1.0},
-    "time": {"amplitude": "1/10"}, "with_law": {"law": {2: 1}},
+    "series": {"order": 3}, "slow": {"eta": "1/50"}, "slow_derivative": {"n": 1, "f": sympy.Symbol("a")},
+    "sol": {"t": 1.0}, "time": {"amplitude": "1/10"}, "with_law": {"law": {2: 1}},
 }  # fmt: skip
 WORDS = {"purpose", "notes"}  # texts of our own, for messages
 BALLS = {"delta", "deltas", "to_si", "scaled_at"}

@@ -16,6 +16,8 @@ import sympy
 
 from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.motions import times_of
+from asymptotics.api.slow_series import MAX_ORDER as MAX_SERIES_ORDER
+from asymptotics.api.slow_series import EnvelopeSeries, envelope_series
 from asymptotics.api.slowness import SlowPart, slow_part
 from asymptotics.api.units import oscillator_of
 from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
@@ -63,6 +65,24 @@ class Envelope:
     def slow(self, eta: Any = "1/10") -> SlowPart:
         """Where |dA/dt| <= eta omega_0 A: times in s for one law, amplitudes in m for a sum; doubles, heuristic."""
         return slow_part(self._law, eta)
+
+    def series(self, order: Any = 4, *, digits: Any = 30) -> EnvelopeSeries:
+        """tau, phi and delta beyond the first order, for one law with alpha != 1; dimensionless and formal.
+
+        >>> print(envelope({2: "1/10"}).series(4))
+        delta = epsilon A^(alpha-1), alpha = 2: through order 4, turning-point gauge, formal
+        p_1 = 4/(3*pi)
+        G(delta) = 1/delta + 1/90 delta
+        H(delta) = -1/6 delta - 31/6480 delta^3
+        delta(sigma) = sigma + 1/90 sigma^3
+        """
+        N, D = exact_integer(order, "order", 1, MAX_SERIES_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
+        if self.averaging != MEAN:
+            raise InputError("averaging", f"{self.averaging} has no higher orders", MEAN)
+        terms = [t for t in self.oscillator.law.terms if not t.b.is_zero]
+        if len(terms) != 1:
+            raise InputError("law", f"{len(terms)} laws have no single strength delta", "one law")
+        return envelope_series(terms[0].velocity, N, D)
 
     def kappas(self, *, digits: Any = 30) -> tuple[str, ...]:
         """kappa_i = M_(alpha_i+1) epsilon_i, correctly rounded."""

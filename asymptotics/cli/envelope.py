@@ -20,6 +20,7 @@ import sympy
 
 from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.slow import MAX_DIGITS, Envelope, envelope
+from asymptotics.api.slow_series import MAX_ORDER, EnvelopeSeries
 from asymptotics.api.slowness import SlowPart
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
 from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
@@ -27,7 +28,7 @@ from asymptotics.cli.quantities import Given, add_oscillator, read_oscillator
 from asymptotics.envelopes.symbolic import LELAS, MEAN
 from asymptotics.errors import InputError
 from asymptotics.motions.certify import time_of
-from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 from asymptotics.present.figures import render
 
 Curve = Envelope | SpringEnvelope
@@ -38,6 +39,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_oscillator(parser, springs=True)
     parser.add_argument("--time", metavar="T", help="the time in s (or tau) at which A and phi are wanted")
     parser.add_argument("--slow", metavar="ETA", help="tell where |dA/dt| <= ETA omega_0 A, in doubles")
+    text = "one law: tau, phi and delta as series through order N, formal (see the docs on the command line)"
+    parser.add_argument("--order", metavar="N", help=text)
     parser.add_argument("--lelas", action="store_true", help="average by the squaring trick of Lelas 2024")
     parser.add_argument("--latex", action="store_true", help="print the formula as LaTeX")
     add_files(parser, "A(t) and x = A cos(omega_0 t + phi) from 0 to T", "t, amplitude, phase from 0 to T")
@@ -58,7 +61,8 @@ def run(options: argparse.Namespace) -> Answer:
         raise InputError("--latex", "no elementary form is known for this law", "the command without --latex")
     data = _data(found, time, digits)
     slow = None if options.slow is None else _slow(found, options.slow)
-    data["slow"] = None if slow is None else slow.to_dict()
+    series = None if options.order is None else _series(found, options.order, digits)
+    data |= {"slow": None if slow is None else slow.to_dict(), "series": None if series is None else series.to_dict()}
     makers: Makers = {
         "--plot": lambda kind: _picture(found, given, time, kind),
         "--csv": lambda _: _table(found, given, time, options),
@@ -67,7 +71,19 @@ def run(options: argparse.Namespace) -> Answer:
     text = str(data["latex"]) if options.latex else _text(data, given)
     if slow is not None:
         text += "\n" + slow.told(given.unit("s" if slow.quantity == "time" else "m"))
+    if series is not None:
+        text += f"\n{series}"
     return Answer(data, text, options.json)
+
+
+def _series(found: Curve, order: str, digits: int) -> EnvelopeSeries:
+    """--order, for the linear spring."""
+    number = parse_integer(order, "--order", 1, MAX_ORDER)
+    if isinstance(found, SpringEnvelope):
+        raise InputError("--order", "it is not known beside a spring", "one law alone")
+    if found.averaging == LELAS:
+        raise InputError("--order", "the squaring trick has no higher orders", "the command without --lelas")
+    return found.series(number, digits=digits)
 
 
 def _slow(found: Curve, eta: str) -> SlowPart:

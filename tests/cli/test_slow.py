@@ -99,6 +99,45 @@ def test_a_bound_of_slowness_that_is_none_is_refused(capsys, wrong):
     assert "--slow" in err
 
 
+def at(row, x, lead=0.0):
+    return lead + sum(float(c["value"]) * x ** int(n) for n, c in row.items())
+
+
+@pytest.mark.parametrize(("alpha", "kind"), [("2", "exact"), ("3/2", "certified"), ("1/2", "certified")])
+def test_the_series_of_the_envelope_solves_the_equations(capsys, alpha, kind):
+    """d tau/d delta = -1/((alpha-1) delta p), d phi/d tau = Omega, and G(delta(sigma)) = 1/sigma, to their order."""
+    series = answer(capsys, f"envelope --alpha {alpha} --epsilon 1/10 --order 6")["series"]
+    assert (series["order"], series["arithmetic"], series["formal"]) == (6, kind, True)
+    expansion = answer(capsys, f"expand --alpha {alpha} --order 6")
+    p_1, h = float(series["p_1"]["value"]), 1e-3
+
+    def mismatch(d, missing=False):
+        p, Omega = at(expansion["amplitude"], d), at(expansion["frequency"], d)
+        G = {} if missing else series["G"]
+        dG = (at(G, d + h * d, 1 / (d + h * d)) - at(G, d - h * d, 1 / (d - h * d))) / (2 * h * d)
+        dH = (at(series["H"], d + h * d) - at(series["H"], d - h * d)) / (2 * h * d)
+        exact = -1 / (d * d) / (1 - h * h)  # the difference quotient of 1/delta
+        return abs((dG - exact) - (-p_1 / (d * p) + 1 / (d * d))), abs(dH - Omega * p_1 / (d * p))
+
+    for wide, narrow in zip(mismatch(0.4), mismatch(0.1)):
+        assert narrow < 1e-6 and wide < 1e-2
+    assert mismatch(0.1, missing=True)[0] > 1e-3
+    sigma = 0.1
+    delta = at(series["reversal"], sigma)
+    assert at(series["G"], delta, 1 / delta) == pytest.approx(1 / sigma, rel=1e-7)
+    assert at(series["G"], sigma, 1 / sigma) != pytest.approx(1 / sigma, rel=1e-6)
+
+
+def test_the_series_has_no_units_and_needs_one_law(capsys):
+    si = answer(capsys, "envelope --alpha 2 --damping 1/10 --mass 2 --order 4")["series"]
+    assert si == answer(capsys, "envelope --alpha 2 --epsilon 1/10 --order 4")["series"]
+    for law in ("--alpha 1 --epsilon 1/10", "--law 1:1/10 --law 2:1/10", "--alpha 2 --epsilon 1/10 --lelas",
+                "--alpha 2 --epsilon 1/10 --spring pendulum"):  # fmt: skip
+        code, out, err = run(capsys, f"envelope {law} --order 3")
+        assert (code, out, err.count("\n")) == (2, "", 1)
+    assert "--order" in run(capsys, "envelope --alpha 2 --epsilon 1/10 --order 41")[2]
+
+
 def test_no_time_formula_beyond_two_laws(capsys):
     assert answer(capsys, "envelope --law 0:1 --law 1:1 --law 3:1")["time_formula"] is None
     assert answer(capsys, "envelope --alpha 2 --epsilon 1/10 --spring pendulum")["time_formula"] is None

@@ -1,0 +1,129 @@
+"""The envelope of one law to any order: tau and phi as Laurent polynomials in delta, and delta(tau) by reversal.
+
+    (alpha-1) p_1 tau = G(delta) - G(delta_0),    (alpha-1) p_1 phi = H(delta_0) - H(delta),
+    delta = sigma + g_2 sigma^3 + ...,            sigma = 1/(G(delta_0) + (alpha-1) p_1 tau)
+
+(``envelopes.laurent``).  Dimensionless in every unit: delta = epsilon (A/x0)^(alpha-1) = b omega_0^alpha
+A^(alpha-1)/k, tau = omega_0 t, and delta_0 at the start.  Formal: nothing is claimed about what is cut off.
+
+>>> print(envelope_series(ExactReal(3), 5))
+delta = epsilon A^(alpha-1), alpha = 3: through order 5, turning-point gauge, formal
+p_1 = 3/8
+G(delta) = 1/delta + 15/512 delta - 15057/655360 delta^3
+H(delta) = -45/256 delta + 2457/262144 delta^3
+delta(sigma) = sigma + 15/512 sigma^3 - 3483/163840 sigma^5
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb
+
+from asymptotics.envelopes.laurent import LaurentEnvelope, envelope_of_series, laurent_envelope
+from asymptotics.errors import InputError
+from asymptotics.gauges import TURNING_POINT
+from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.normal_form.digits import expansions
+from asymptotics.normal_form.expansion import exact_expansion
+from asymptotics.normal_form.show import sum_latex, sum_text
+from asymptotics.numbers.bridge import to_fraction
+from asymptotics.numbers.decimals import bits_for, decimal_of_ball, rational_decimal
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import at_growing_precision
+from asymptotics.numbers.value import Coefficient
+from asymptotics.series import Series, divided
+
+MAX_ORDER = 40
+_TEXTS = {"G": "G(delta)", "H": "H(delta)", "reversal": "delta(sigma)"}
+
+
+@dataclass(frozen=True, repr=False)
+class EnvelopeSeries:
+    """p_1, and the coefficients of G (beside 1/delta), H and the reversal, {power: number}; see the module."""
+
+    alpha: ExactReal
+    order: int
+    arithmetic: str
+    p_1: Coefficient
+    G: dict[int, Coefficient]
+    H: dict[int, Coefficient]
+    reversal: dict[int, Coefficient]
+
+    @property
+    def formal(self) -> bool:
+        """True: no bound on the remainder is claimed."""
+        return True
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: numbers are strings, keys the powers of delta, or of sigma in ``reversal``."""
+        rows = {name: {str(n): c.to_dict() for n, c in getattr(self, name).items()} for name in _TEXTS}
+        head = {"alpha": str(self.alpha), "order": self.order, "arithmetic": self.arithmetic, "formal": True}
+        return {**head, "gauge": TURNING_POINT, "p_1": self.p_1.to_dict(), **rows}
+
+    def __str__(self) -> str:
+        claim = f"through order {self.order}, {TURNING_POINT} gauge, formal"
+        lines = [f"delta = epsilon A^(alpha-1), alpha = {self.alpha}: {claim}"]
+        lines.append(f"p_1 = {sum_text({(0,): self.p_1}, ('',))}")
+        for name, text in _TEXTS.items():
+            letter, lead = ("sigma" if name == "reversal" else "delta"), ("1/delta" if name == "G" else "")
+            lines.append(f"{text} = {sum_text(_row(getattr(self, name)), (letter,), lead)}")
+        return "\n".join(lines)
+
+    def __repr__(self) -> str:
+        return f"EnvelopeSeries(alpha = {self.alpha}, order {self.order}, {self.arithmetic}, formal)"
+
+    def _repr_latex_(self) -> str:
+        G = sum_latex(_row(self.G), (r"\delta",), r"\frac{1}{\delta}")
+        H, g = sum_latex(_row(self.H), (r"\delta",)), sum_latex(_row(self.reversal), (r"\sigma",))
+        return rf"$G(\delta) = {G}, \quad H(\delta) = {H}, \quad \delta(\sigma) = {g}$"
+
+
+def envelope_series(alpha: ExactReal, order: int, digits: int = 30) -> EnvelopeSeries:
+    """The series for one exponent through ``order``, every digit certified; InputError for alpha = 1.
+
+    LimitError where the cost is too high, UndecidedError where balls cannot round a coefficient.
+    """
+    if alpha == 1:
+        raise InputError("alpha", "at alpha = 1 delta is constant and A = exp(-epsilon tau/2) exactly", "alpha != 1")
+    if alpha.is_integer:
+        exact = laurent_envelope(exact_expansion((int(alpha.rational),), order))
+        found = at_growing_precision(lambda _: _numbers(exact, digits), digits, bits_for(digits))
+    else:
+
+        def attempt(bits: int) -> list[dict[int, Coefficient]] | None:
+            series = expansions([alpha], order)
+            return _numbers(envelope_of_series(alpha.ball(), series["p"], series["Omega"]), digits)
+
+        found = at_growing_precision(attempt, digits, bits_for(digits, 4 * order + 64))
+    first, *rows = found
+    return EnvelopeSeries(alpha, order, "exact" if alpha.is_integer else "certified", first[0], *rows)
+
+
+def _numbers(envelope: LaurentEnvelope, digits: int) -> list[dict[int, Coefficient]] | None:
+    """p_1, G, H, reversal, rounded; None where a rounding is not decided at this precision."""
+    rows: list[dict[int, Any]] = [{0: envelope.p_1}, _integrated(envelope.q, -1), _integrated(envelope.r, 1)]
+    rows.append({n: c for (n,), c in sorted(envelope.reversal.coefficients.items())})
+    found = [{n: _coefficient(c, digits) for n, c in row.items()} for row in rows]
+    if any(c is None for row in found for c in row.values()):
+        return None
+    return [{n: c for n, c in row.items() if c is not None} for row in found]
+
+
+def _integrated(series: Series, sign: int) -> dict[int, Any]:
+    """+-c_k/(k-1) at the power k-1, for k >= 2."""
+    return {n - 1: divided(sign * c, n - 1) for (n,), c in sorted(series.coefficients.items()) if n >= 2}
+
+
+def _coefficient(c: Any, digits: int) -> Coefficient | None:
+    if isinstance(c, arb):
+        text = decimal_of_ball(c, digits)
+        return None if text is None else Coefficient(text, None)
+    number = c if isinstance(c, PiNumber) else PiNumber.rational(c)
+    if number.is_rational:  # integer arithmetic decides ties as well
+        return Coefficient(rational_decimal(to_fraction(number.as_rational()), digits), number.to_sympy())
+    text = decimal_of_ball(number.ball(), digits)
+    return None if text is None else Coefficient(text, number.to_sympy())
+
+
+def _row(numbers: dict[int, Coefficient]) -> dict[tuple[int, ...], Coefficient]:
+    return {(n,): c for n, c in numbers.items()}
