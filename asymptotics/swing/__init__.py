@@ -8,6 +8,7 @@
 ``taylor``      one Taylor step in between, with its error by the residual
 ``ends``        when no turning point follows: sticks, creeps, overdamped, decided in balls
 ``linear``      linear damping and dry friction alone: the closed form
+``lingering``   next to critical linear damping: how long a half-swing takes, how many bits it loses
 ``course``      a half-swing in pieces, from an exact state to the next turning point
 ``arrival``     the far turning point: no bracketing, the family of orbits spreads
 ``chebyshev``   interpolation of a function known as balls, with its error

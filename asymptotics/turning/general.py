@@ -31,6 +31,7 @@ from asymptotics.law import Law
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
+from asymptotics.swing.lingering import lost_bits, require_brief
 from asymptotics.swing.sequence import Turning
 from asymptotics.turning.any_well import well_turning_points
 from asymptotics.turning.coulomb import coulomb_turning_points
@@ -103,6 +104,8 @@ def _enclosed(law: Law, count: int, digits: int, start: int, times: bool, progre
         reason = f"{digits} digits are too many for a law without a closed form"
         raise LimitError("digits", reason, f"at most {MAX_GENERAL_DIGITS} digits")
     bits = bits_for(digits, _SPARE) + 2 * (min(start, FAR) + count).bit_length()
+    require_brief(law, start + count, digits, bits)
+    bits += lost_bits(law)
     plan = Plan.of(law, start, count, bits)
     require_seconds(plan.seconds, f"{start + count} half-swings with {digits} digits")
     reason = ""

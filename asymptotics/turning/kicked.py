@@ -22,6 +22,7 @@ from asymptotics.numbers.exact import ExactReal, square_root
 from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.linear import ROUTE as CLOSED
+from asymptotics.swing.lingering import lost_bits, require_brief
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.passage import INTEGRATED
 from asymptotics.swing.sequence import Turning, first_from, sequence
@@ -45,6 +46,8 @@ def kicked_turning_points(
     if exact is not None:
         return exact
     bits = bits_for(digits, 48) + 2 * (start + count).bit_length()
+    require_brief(law, start + count, digits, bits)
+    bits += lost_bits(law)
     alpha, epsilon = (",".join(map(str, c)) for c in zip(*((t.velocity, t.strength) for t in law.terms), strict=True))
     method = _CLOSED if panels_of(law, bits).closed else _METHOD
     for _ in range(_TRIES):

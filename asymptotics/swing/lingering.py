@@ -1,0 +1,62 @@
+"""Linear damping next to its critical strength, beside other laws: a half-swing lingers, and its far end is tiny.
+
+With epsilon the sum of the linear strengths, epsilon < 2, and every other alpha_i > 1 (or dry friction), a motion that
+has become small obeys the linear equation about its place of rest: it needs the time T = pi/sqrt(1 - epsilon^2/4), and
+its amplitude falls by the factor exp(-T epsilon/2).  So the next turning point is known only if T epsilon/(2 ln 2) bits
+more are carried, from the start on.  These are estimates: they choose a precision, or refuse the work; they claim
+nothing.
+
+>>> from asymptotics.law import Law
+>>> near = Law({1: "1.99", 2: "1/10"})
+>>> round(lingering(near), 1), lost_bits(near), lost_bits(Law({1: "1/2", 2: "1/10"})), lost_bits(Law({1: 2, 2: 1}))
+(31.5, 46, 0, 0)
+"""
+
+from math import ceil, inf, pi
+
+from flint import arb, ctx
+
+from asymptotics.budget import require_seconds
+from asymptotics.law import Law
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear import is_linear
+
+_LONG = 8.0  # times below it need no care
+_SECONDS, _PER_TIME, _BITS = 0.003, 6.0, 200  # of a Taylor step at so many bits; steps per unit of time
+_LOST = 1.45  # bits per unit of time, a little above 1/ln 2
+
+
+def lingering(law: Law) -> float:
+    """About the longest half-swing under such a law, 0 where it is short, in closed form, or there is none."""
+    with ctx.workprec(2000):
+        damping = Damping.of_law(law)
+        total = sum((e for e, a in zip(damping.strengths, damping.alphas) if not a < 1 and not a > 1), arb(0))
+        gap = 1 - total**2 / 4
+        if is_linear(damping) or any(a < 1 for a in damping.alphas) or not gap > 0:
+            return 0.0
+        time = float(arb.pi() / gap.sqrt())
+    return time if time > _LONG else 0.0
+
+
+def lost_bits(law: Law) -> int:
+    """How many bits a half-swing loses."""
+    return ceil(_LOST * lingering(law))
+
+
+def require_brief(law: Law, swings: int, digits: int, bits: int) -> None:
+    """LimitError at once where the budget does not allow ``swings`` half-swings that linger, at ``bits`` and more."""
+    time = lingering(law)
+    if time == 0:
+        return
+    step = _SECONDS * ((bits + _LOST * time) / _BITS) ** 2
+    seconds = min(swings, _most(law)) * _PER_TIME * (time - pi) * step
+    work = (
+        f"next to critical damping, where one half-swing lasts about {time:.3g}, {swings} of them with {digits} digits"
+    )
+    require_seconds(seconds, work)
+
+
+def _most(law: Law) -> float:
+    """How many half-swings dry friction leaves at most, about."""
+    friction = sum((float(t.strength.ball()) for t in law.terms if t.velocity.is_zero), 0.0)
+    return 1 + 0.5 / friction if friction > 0 else inf

@@ -1,0 +1,56 @@
+"""Linear damping next to its critical strength beside other laws: an answer, or a refusal by name before the work."""
+
+from fractions import Fraction
+
+import pytest
+
+from asymptotics.budget import budget
+from asymptotics.errors import LimitError
+from asymptotics.law import Law
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.swing.lingering import lingering, lost_bits
+from asymptotics.turning.general import turning_points
+
+NEAR = Law({1: "1.95", 2: "1/10"})
+
+
+@pytest.fixture(scope="module")
+def short():
+    return turning_points(NEAR, 3, 8, times=True)
+
+
+def test_the_answer_is_that_of_more_digits(short):
+    long = turning_points(NEAR, 3, 20, times=True)
+    for few, many in zip(short.points[1:], long.points[1:], strict=True):
+        for a, b in ((Fraction(few.x), Fraction(many.x)), (Fraction(few.tau), Fraction(many.tau))):
+            assert abs(a - b) <= abs(b) * Fraction(5, 10**8)
+    assert short.certified and short.ended is None
+
+
+def test_what_is_left_of_a_half_swing_is_the_estimate(short):
+    """exp(-T epsilon/2) with T = ``lingering``: the bits lost cover it, a tenth less would not."""
+    reached = abs(Fraction(short.points[2].x) / Fraction(short.points[1].x))
+    assert Fraction(1, 2 ** lost_bits(NEAR)) < reached < Fraction(1, 2 ** (lost_bits(NEAR) * 9 // 10))
+
+
+@pytest.mark.parametrize("gap", ["1e-6", "1e-20", "1e-300"])
+@pytest.mark.parametrize("more", [{2: "1/10"}, {0: "1/50", 3: 5}], ids=str)
+def test_a_motion_that_lingers_too_long_is_refused_at_once(gap, more):
+    strength = ExactReal(2) - ExactReal(Fraction(gap))
+    with pytest.raises(LimitError, match="next to critical damping"):
+        turning_points(Law({1: strength, **more}), 3, 15)
+    with pytest.raises(LimitError, match="next to critical damping"):
+        turning_points(Law({1: strength, **more}), 3, 15, x0=0, v0=1)
+
+
+def test_friction_ends_what_lingers_in_closed_form_or_soon():
+    assert turning_points(Law({0: "1/50", 1: "1.99"}), 5, 12).ended == {"n": 1, "reason": "sticks"}
+    with budget(60):
+        found = turning_points(Law({0: "1/50", 1: "1.99", 2: "1/10"}), 20, 12)
+    assert found.ended == {"n": 1, "reason": "sticks"} and found.points[1].x == "0.0200000000000"
+
+
+def test_critical_and_stronger_damping_and_traps_do_not_linger():
+    assert turning_points(Law({1: 2, 2: "1/10"}), 2, 10).ended == {"n": 0, "reason": "overdamped"}
+    for law in ({1: 2, 2: 1}, {1: 3}, {1: "1.99"}, {"1/2": "1/10", 1: "1.99"}, {2: 5}, {1: "1/2", 2: 1}):
+        assert lingering(Law(law)) == 0, law
