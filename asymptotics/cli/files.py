@@ -16,7 +16,7 @@ from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.present.files import require_different, target_file, write_all
 
-KINDS = {".png": "png", ".svg": "svg"}
+PICTURES = (".png", ".svg")
 MAX_POINTS, DEFAULT_POINTS = 100_000, 1000
 Makers = dict[str, Callable[[str], str | bytes]]
 
@@ -45,10 +45,13 @@ def csv_text(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
     return stream.getvalue()
 
 
-def read_files(options: argparse.Namespace) -> dict[str, Path]:
-    """The files asked for, by option, after proving that each can be written; InputError otherwise."""
+def read_files(options: argparse.Namespace, pictures: tuple[str, ...] = PICTURES) -> dict[str, Path]:
+    """The files asked for, by option, after proving that each can be written; InputError otherwise.
+
+    ``pictures``: the suffixes that --plot may have.
+    """
     named = {f"--{name}": getattr(options, name, None) for name in ("plot", "csv")}
-    found = {argument: _file(name, argument) for argument, name in named.items() if name is not None}
+    found = {argument: _file(name, argument, pictures) for argument, name in named.items() if name is not None}
     require_different(dict(found))
     if getattr(options, "points", None) is not None:
         if "--csv" not in found:
@@ -63,13 +66,17 @@ def read_points(options: argparse.Namespace) -> int:
 
 
 def write_files(files: dict[str, Path], makers: Makers) -> list[str]:
-    """Make all contents, then write them; a maker gets the kind of its file (png, svg or csv)."""
-    contents = {path: makers[argument](KINDS.get(path.suffix.lower(), "csv")) for argument, path in files.items()}
+    """Make all contents, then write them; a maker gets the kind of its file (csv, or that of the picture)."""
+    contents = {path: makers[argument](_kind(path, argument)) for argument, path in files.items()}
     write_all(contents, " and ".join(files))
     return [str(path) for path in files.values()]
 
 
-def _file(name: str, argument: str) -> Path:
-    if argument == "--plot" and Path(name).suffix.lower() not in KINDS:
-        raise InputError(argument, f"{name!r} has no suffix of a picture", " or ".join(KINDS))
+def _kind(path: Path, argument: str) -> str:
+    return path.suffix.lower()[1:] if argument == "--plot" else "csv"
+
+
+def _file(name: str, argument: str, pictures: tuple[str, ...]) -> Path:
+    if argument == "--plot" and Path(name).suffix.lower() not in pictures:
+        raise InputError(argument, f"{name!r} has no suffix of a picture", " or ".join(pictures))
     return target_file(name, argument)

@@ -11,15 +11,18 @@ springs x^3 and x^3, x^5 where there are times.  epsilon refers to x0 = 1 unit o
 """
 
 import argparse
+from pathlib import Path
 
 from asymptotics.cli.answer import Answer, add_json, add_max_seconds
+from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.errors import InputError
 from asymptotics.identification.identify import identify
-from asymptotics.identification.plots import picture, picture_kind
+from asymptotics.identification.plots import KINDS as PICTURES
+from asymptotics.identification.plots import picture
 from asymptotics.identification.reading import KINDS, UNITS
 from asymptotics.identification.result import Identification
 from asymptotics.numbers.exact import parse_rational
-from asymptotics.present.files import target_file, write_atomically
+from asymptotics.present.files import require_different
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -37,15 +40,16 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--noise", metavar="S", help="standard deviation of x, if known")
     parser.add_argument("--no-bootstrap", action="store_true", help="keep the intervals of correlated residuals")
     parser.add_argument("--plot", metavar="FILE", help="decay, decrement plot, residuals, profiles (svg, png, pdf)")
+    add_csv(parser, "all candidate laws")
     add_max_seconds(parser)
     add_json(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    plot = None if options.plot is None else target_file(options.plot, "--plot")
-    if plot is not None:
-        picture_kind(plot)
+    files = read_files(options, PICTURES)
+    for name in options.files:
+        require_different({"FILE": Path(name), **files})
     numbers = {name: _number(getattr(options, name), f"--{name}") for name in ("mass", "stiffness", "omega0", "noise")}
     answer = identify(
         list(options.files),
@@ -59,9 +63,14 @@ def run(options: argparse.Namespace) -> Answer:
         bootstrap=not options.no_bootstrap,
         **numbers,
     )
-    if plot is not None:
-        write_atomically(plot, picture(answer, picture_kind(plot)), "--plot")
-    return Answer(answer.to_dict(), _text(answer), options.json)
+    written = write_files(files, {"--plot": lambda kind: picture(answer, kind), "--csv": lambda _: _table(answer)})
+    text = "\n".join([_text(answer), *written])
+    return Answer({**answer.to_dict(), "files": written}, text, options.json)
+
+
+def _table(answer: Identification) -> str:
+    """All candidate laws, best first."""
+    return csv_text(["law", "verdict", "dAICc", "held-out", "strengths [interval]"], (a.row() for a in answer.laws))
 
 
 def _number(text: str | None, argument: str) -> float | None:

@@ -6,7 +6,6 @@ times) against n; the profile of the first strength.  matplotlib is loaded when 
 """
 
 import io
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -46,13 +45,6 @@ def picture(answer: Identification, kind: str = "svg") -> bytes:
         metadata = {"Date": None, "Creator": None} if kind == "svg" else {}
         figure.savefig(buffer, format=kind, dpi=160, metadata=metadata)
     return buffer.getvalue()
-
-
-def picture_kind(path: Path) -> str:
-    """svg, png or pdf, by the name of the file; InputError else."""
-    if path.suffix.lower() not in KINDS:
-        raise InputError("plot", f"{path.name!r} has no known ending", ", ".join(KINDS))
-    return path.suffix.lower()[1:]
 
 
 def _fit_of(law: LawFit) -> Fit:

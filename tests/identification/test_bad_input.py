@@ -1,5 +1,8 @@
 """Data that cannot be used: one line that names row and column, exit code 2; and answers that state a defect."""
 
+import csv
+import json
+
 import numpy as np
 import pytest
 
@@ -68,6 +71,7 @@ BAD_OPTIONS = [
     ["--amplitudes", "half"],
     ["--mass", "1", "--stiffness", "1", "--omega0", "1"],
     ["--plot", "picture.bmp"],
+    ["--csv", "/dev/null/laws.csv"],
 ]
 
 
@@ -111,3 +115,18 @@ def test_exact_data_give_narrow_intervals_that_hold_the_truth():
     assert answer.law("1").law.epsilon[0].contains(0.02)
     assert answer.law("free").law.alpha.contains(1.0)
     assert answer.law("2").law.verdict == "refuted"
+
+
+def test_the_laws_as_a_table_and_the_picture_are_written_together(tmp_path, capsys):
+    path, table, picture = tmp_path / "data.csv", tmp_path / "laws.csv", tmp_path / "laws.pdf"
+    path.write_text("n,x\n" + POINTS)
+    line = ["identify", str(path), "--laws", "1", "2", "--no-bootstrap", "--csv", str(table)]
+    assert main([*line, "--plot", str(picture), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["files"] == [str(picture), str(table)]
+    head, *rows = list(csv.reader(table.read_text().splitlines()))
+    assert head == ["law", "verdict", "dAICc", "held-out", "strengths [interval]"]
+    assert sorted(row[0] for row in rows) == ["1", "2"]
+    assert picture.read_bytes().startswith(b"%PDF")
+    assert main([*line[:-1], str(path)]) == 2
+    assert path.read_text() == "n,x\n" + POINTS
