@@ -6,6 +6,8 @@ from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Array
 
 _LEAST_ROWS = 50
+_PLATEAU = 4
+"""Equal samples that make a plateau on their own, if it is entered and left at speed."""
 
 
 def require_usable(t: Array, x: Array, name: str) -> None:
@@ -17,15 +19,37 @@ def require_usable(t: Array, x: Array, name: str) -> None:
     for extreme, word in ((x.max(), "largest"), (x.min(), "smallest")):
         runs = _runs(x == extreme)
         long = [run for run in runs if run[1] - run[0] >= 3]
-        if len(long) >= 3 and _is_cut(x, long, float(extreme)):
+        sharp = [run for run in long if run[1] - run[0] >= _PLATEAU and _is_sharp(x, *run)]
+        if sharp or (len(long) >= 3 and _is_cut(x, long, float(extreme))):
+            long = long if len(long) >= 3 else sharp
             row = long[0][0] + 2
-            reason = f"{name}, row {row}, column x: {len(long)} peaks are clipped at the {word} value {extreme:g}"
+            peaks = "1 peak is" if len(long) == 1 else f"{len(long)} peaks are"
+            reason = f"{name}, row {row}, column x: {peaks} clipped at the {word} value {extreme:g}"
             raise InputError("FILE", reason, "a record whose peaks are whole")
 
 
 def _runs(flags: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> list[tuple[int, int]]:
     edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(int)))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist()))
+
+
+def _is_sharp(x: Array, start: int, stop: int) -> bool:
+    """Whether a plateau is entered and left faster than rest, steps of the last digit and noise allow.
+
+    From rest the first two steps, a/2 and 3a/2, sum to twice the second difference a; a hand that holds the body
+    before its release leaves a plateau so.
+    """
+    before, after = x[max(start - 8, 0) : start][::-1], x[stop : stop + 8]
+    steps = np.abs(np.diff(x))
+    quantum = float(steps[steps > 0].min())
+    for outside in (before, after):
+        if len(outside) < 5:
+            return False
+        away = np.diff(outside, prepend=x[start])
+        bend = float(np.abs(np.diff(away[1:5])).max())
+        if float(np.abs(away[:2]).sum()) < 4 * quantum + 3 * bend:
+            return False
+    return True
 
 
 def _is_cut(x: Array, runs: list[tuple[int, int]], extreme: float) -> bool:

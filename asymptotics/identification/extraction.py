@@ -4,8 +4,9 @@ The record may be uneven, have gaps and NaN, drift, a forced beginning and a noi
 go; the period is found in the spectrum; a smoothed copy gives the lobes between passages through the base line; around
 each extreme and each passage a polynomial is fitted to the raw samples, and its extreme (or root) is taken with the
 error that follows from the residuals and their correlation; the base line (offset and drift) is fitted to the means
-(x_(n-1) + 2 x_n + x_(n+1))/4 and everything is done once more about it; the free decay begins at the largest turning
-point, and ends where the amplitude sinks into the noise.  What was discarded is said in ``notes``.
+(x_(n-2) + 4 x_(n-1) + 6 x_n + 4 x_(n+1) + x_(n+2))/16, in which a decay leaves its fourth difference only, and
+everything is done once more about it; the free decay begins at the largest turning point, and ends where the
+amplitude sinks into the noise.  What was discarded is said in ``notes``.
 
 >>> t = np.linspace(0, 60, 6001)
 >>> seen = observations_of_record(t, np.exp(-0.02 * t) * np.cos(2 * t))
@@ -28,6 +29,9 @@ _WINDOW = 0.11
 _DEGREE = 6
 _LEAST_SAMPLES = 12
 """Samples a period below which extremes cannot be fitted."""
+_FEW = 1.0
+"""Extremes a period (there are two) below which a line is taken off before the passages are sought."""
+_MEANS, _FEW_MEANS = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16, np.array([1.0, 2.0, 1.0]) / 4
 
 
 @dataclass(frozen=True)
@@ -58,6 +62,10 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", name: str = "t
         raise InputError("FILE", reason, f"at least {_LEAST_SAMPLES} samples a period, or turning points")
     base = np.array([float(np.median(x)), 0.0])
     found = _points(t, x - base[0], period)
+    if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
+        slope, level = np.polyfit(t - t[0], x, 1)
+        base = np.array([level, slope])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
     for _ in range(2):
         base = base + _base_line(found, t[0])
         found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
@@ -173,13 +181,15 @@ def _correlation_factor(r: Array) -> float:
 def _base_line(found: _Points, start: float) -> Array:
     """Offset at the start and drift from the means of neighbours, weighted by the amplitude's smallness."""
     x, t = found.x, found.t
-    if len(x) < 3:
+    weights = _MEANS if len(x) >= 12 else _FEW_MEANS
+    if len(x) < len(weights):
         return np.zeros(2)
-    middle = (x[:-2] + 2 * x[1:-1] + x[2:]) / 4
-    alternate = (x[:-2] * x[1:-1] < 0) & (x[2:] * x[1:-1] < 0)
+    side = len(weights) // 2
+    middle, time = np.convolve(x, weights, mode="valid"), t[side:-side]
+    alternate = np.convolve(x[1:] * x[:-1] >= 0, np.ones(2 * side), mode="valid") < 0.5
     if alternate.sum() < 3:
         return np.zeros(2)
-    middle, time = middle[alternate], t[1:-1][alternate]
+    middle, time = middle[alternate], time[alternate]
     near = np.abs(middle - np.median(middle)) <= 4 * np.median(np.abs(middle - np.median(middle))) + 1e-300
     if near.sum() < 8:
         return np.array([float(np.median(middle)), 0.0])
@@ -201,7 +211,7 @@ def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
     hidden = np.flatnonzero(size[first:] < 5 * found.sigma_x[first:])
     last = first + int(hidden[0]) if len(hidden) else len(size)
     chosen = np.arange(first, last)
-    same = np.flatnonzero(found.x[chosen][1:] * found.x[chosen][:-1] >= 0)
+    same = np.flatnonzero((found.x[chosen][1:] * found.x[chosen][:-1] >= 0) != (_steps(found.t[chosen]) % 2 == 0))
     if len(same):
         chosen = chosen[: same[0] + 1]
         notes.append(f"from t = {found.t[chosen[-1]]:.6g} on, extremes do not alternate: left out")
@@ -212,6 +222,12 @@ def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
     if len(chosen) < 4:
         raise InputError("FILE", f"only {len(chosen)} turning points form a free decay", "at least 4")
     return chosen, notes
+
+
+def _steps(t: Array) -> Array:
+    """How many half-swings lie between successive extremes: 1, but across a gap as many as its length holds."""
+    half = np.diff(t)
+    return np.asarray(np.maximum(np.round(half / np.median(half)), 1.0)) if len(half) else half
 
 
 def _start_of_freedom(t: Array) -> int:
@@ -231,7 +247,7 @@ def _start_of_freedom(t: Array) -> int:
 def _assembled(found: _Points, chosen: Indices, unit: str, name: str, notes: list[str]) -> Observations:
     """Numbers by the clock, so that a gap in the record is a gap in n; passages between the chosen extremes."""
     t = found.t[chosen]
-    steps = np.maximum(np.round(np.diff(t) / np.median(np.diff(t))), 1)
+    steps = _steps(t)
     n = np.concatenate([[0], np.cumsum(steps)]).astype(int)
     inside = (found.passage_t > t[0]) & (found.passage_t < t[-1])
     p, s = found.passage_t[inside], found.sigma_passage[inside]

@@ -6,11 +6,12 @@ Rows are counted as in the file: the header is row 1.  Kinds and their columns (
 ``turning-points``  ``n,x[,tau]``                        positions (or amplitudes) and perhaps times
 ``decrement``       ``amplitude,decrement[,resolution]`` of half-swings, as printed in tables
 
-Columns may carry a unit after an underscore, as in ``t_s`` and ``phi_rad``.
+Columns may carry a unit after an underscore or in brackets, as in ``t_ms``, ``phi_rad`` and ``x [mm]``.
 """
 
 import csv
 import io
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,8 @@ from asymptotics.identification.coefficients import Array
 KINDS = ("record", "turning-points", "decrement")
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "rad": 1.0, "deg": float(np.pi / 180)}
 """Units of x, with their size in m or rad."""
+_SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0, "h": 3600.0}
+"""Units of time, with their size in s: a column such as t_ms is turned into seconds."""
 _LENGTHS = ("m", "cm", "mm")
 MAX_BYTES = 2_000_000_000
 MAX_SIZE = 1e60
@@ -43,6 +46,9 @@ def read_table(source: Any, kind: str | None, unit: str) -> tuple[str, Table, st
     found = kind or _kind_of(list(frame.columns), name)
     places = _places(list(frame.columns), found, name)
     table = {column: _numbers(frame[given], column, name, first_row) for column, given in places.items()}
+    for column in ("t", "tau"):
+        if column in table:
+            table[column] = table[column] * _SECONDS.get(_suffix(places[column]), 1.0)
     return found, table, _unit_of(str(places.get("x", "")), unit, name)
 
 
@@ -101,8 +107,14 @@ def _is_number(cell: str) -> bool:
     return True
 
 
+def _suffix(column: str) -> str:
+    """The unit in a column's name: after its last underscore, or in brackets."""
+    found = re.fullmatch(r".*[\[(]\s*(\w+)\s*[\])]", column) or re.fullmatch(r".*_(\w+)", column)
+    return found.group(1) if found else ""
+
+
 def _base(column: str) -> str:
-    return column.split("_")[0].split(" ")[0].strip().lower()
+    return re.split(r"[_ \[(]", column, maxsplit=1)[0].strip().lower()
 
 
 def _kind_of(columns: list[str], name: str) -> str:
@@ -160,7 +172,7 @@ def _numbers(values: Any, column: str, name: str, first_row: int) -> Array:
 
 
 def _unit_of(column: str, unit: str, name: str) -> str:
-    named = column.rsplit("_", 1)[1] if "_" in column else ""
+    named = _suffix(column)
     if named not in UNITS:
         return unit
     if unit and (unit in _LENGTHS) != (named in _LENGTHS):

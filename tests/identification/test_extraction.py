@@ -103,3 +103,59 @@ def test_a_record_without_noise_identifies_its_law():
     answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "1,2", "1,3", "free"])
     assert answer.verdict.text.startswith("identified: 1,2")
     assert [e.contains(v) for e, v in zip(answer.law("1,2").law.epsilon, (0.01, 0.03), strict=True)] == [True, True]
+
+
+@pytest.fixture(scope="module")
+def two_losses():
+    """A motion of laws 1 and 2 sampled without noise: (t, x), strengths 0.02 and 0.05 at omega_0 = 1."""
+    force = lambda t, y: [y[1], -y[0] - 0.02 * y[1] - 0.05 * y[1] * abs(y[1])]  # noqa: E731
+    t = np.arange(0, 100, 0.05)
+    return t, solve_ivp(force, (0, 100), [1.0, 0.0], t_eval=t, rtol=1e-9, atol=1e-11, max_step=0.1).y[0]
+
+
+def test_a_decay_does_not_pass_for_an_offset(two_losses):
+    # second differences of a strong decay leave 1e-4 of its base line, which refuted the right law
+    base = observations_of_record(*two_losses).notes[0]
+    assert abs(float(base.split()[2])) < 5e-6
+    assert asy.identify({"t": two_losses[0], "x": two_losses[1]}, laws=["1,2", "free"]).law("1,2").law.verdict == (
+        "consistent"
+    )
+
+
+@pytest.mark.parametrize("end", [42.0, 45.0, 48.5])
+def test_a_gap_that_hides_any_number_of_extremes_ends_nothing(two_losses, end):
+    t, x = two_losses
+    keep = (t < 30) | (t > end)
+    seen = observations_of_record(t[keep], x[keep] + 1e-4 * np.random.default_rng(1).standard_normal(keep.sum()))
+    assert seen.last == round((seen.t[-1] - seen.t[0]) / np.pi)
+    assert len(seen.n) < seen.last + 1
+    assert (seen.x * seen.sign > 0).all()
+    assert seen.t[-1] > 90
+
+
+def test_a_drift_beyond_the_amplitude_is_removed(two_losses):
+    t, x = two_losses
+    seen = observations_of_record(t, x + 0.05 * t)
+    assert any("drift 0.05 " in note for note in seen.notes)
+    assert len(seen.n) >= 29
+
+
+@pytest.mark.parametrize(("header", "scale"), [("t_ms,x_mm", 1e3), ("t (min),x (mm)", 1 / 60), ("t_s,x [mm]", 1.0)])
+def test_times_in_other_units_are_turned_into_seconds(two_losses, header, scale, tmp_path):
+    t, x = two_losses
+    path = tmp_path / "record.csv"
+    np.savetxt(path, np.column_stack([t * scale, x]), delimiter=",", header=header, comments="", fmt="%.12g")
+    seen = load(path)
+    assert seen.unit == "mm"
+    assert seen.t[-1] - seen.t[0] == pytest.approx(np.pi * seen.last, rel=1e-2)
+
+
+def test_one_clipped_peak_is_seen_and_a_hand_that_holds_is_not_one(two_losses):
+    t, x = two_losses
+    noisy = x + 1e-3 * np.random.default_rng(2).standard_normal(len(t))
+    with pytest.raises(asy.InputError, match="1 peak is clipped"):
+        observations_of_record(t, np.clip(noisy, -0.85, 2))
+    held = np.concatenate([np.linspace(0, 1, 50), np.ones(40), x])
+    for step in (0, 1e-3, 1e-2):
+        quantised = np.round(held / step) * step if step else held
+        assert observations_of_record(np.arange(len(held)) * 0.05, quantised).last >= 20
