@@ -32,7 +32,8 @@ def hierarchy_seconds(monomials: int, powers: int, length: int) -> float:
 
 def half_swing_seconds(swings: float, bits: int, terms: int, apart: int) -> float:
     """Certified half-swings by local expansions; ``apart`` counts the exponents without a small denominator."""
-    return float(swings * 0.035 * (bits / 150) ** 2.2 * (1 + apart) * (0.6 + 0.4 * terms))
+    one = 0.035 * (bits / 150) ** 2.2 * max(1.0, bits / 1000) ** 0.7
+    return float(swings * one * (1 + apart) * (0.6 + 0.4 * terms))
 
 
 def stiff_seconds(sizes: Iterable[tuple[float, float]], bits: int) -> float:

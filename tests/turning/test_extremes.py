@@ -15,6 +15,12 @@ def test_a_stiff_motion_is_refused_by_its_estimate(law):
         turning_points(Law(law), 2, 10)
 
 
+@pytest.mark.parametrize("law", [{"3/2": "1/10"}, {3: "1/20"}], ids=str)
+def test_a_thousand_digits_are_refused_by_their_estimate(law):
+    with pytest.raises(LimitError, match="2 half-swings with 1000 digits would take about 2"):
+        turning_points(Law(law), 2, 1000)
+
+
 def test_a_stiff_start_within_reach_is_served():
     table = turning_points(Law({3: 300}), 2, 10)
     assert table.certified and len(table.points) == 2
