@@ -156,8 +156,8 @@ def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> li
         else:
             found = states(acting, X, V, ascending, panels=panels_of(oscillator.dimensionless, bits))
         scaled = [(x * length, v * length * omega) for x, v in found]
+        start = oscillator.x0.ball(), oscillator.v0.ball()
     back = dict(zip(order, scaled))
-    start = oscillator.x0.ball(), oscillator.v0.ball()
     return [start if t.is_zero else back[i] for i, t in enumerate(times)]
 
 
