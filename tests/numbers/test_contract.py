@@ -61,6 +61,7 @@ DIGITS = {
     "api moment 1/2": lambda d: asymptotics.moment("1/2", digits=d),
     "api turning_points": lambda d: asymptotics.turning_points(LAW, 2, digits=d),
     "api table": lambda d: asymptotics.table("smith2012.table1", digits=d),
+    "envelope_series": lambda d: asymptotics.envelope(AIR).series(2, digits=d),
     "api Envelope.amplitude": lambda d: asymptotics.envelope(AIR).amplitude(1, digits=d),
     "api half_swing": lambda d: asymptotics.half_swing(2, digits=d),
     "api limit_cycle": lambda d: asymptotics.limit_cycle({1: -1, (1, 2): 1}, order=2, digits=d),
