@@ -1,5 +1,9 @@
-"""Every derivation runs and prints itself; a corrupted step stops it."""
+"""Every derivation runs and prints itself; a corrupted step stops it.
 
+A derivation computes on import, so its examples run here and not by pytest's collection, which every worker repeats.
+"""
+
+import doctest
 from importlib import import_module, util
 from pathlib import Path
 
@@ -66,6 +70,13 @@ def load_source(name, source, folder):
 
 def test_the_derivations_of_smith_are_there():
     assert set(names()) >= SMITH
+
+
+@pytest.mark.parametrize("name", [*names(), "steps", "waiting"])
+def test_the_examples_of_a_derivation(name):
+    module = import_module("derivations." + name.replace("-", "_"))
+    outcome = doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS)
+    assert outcome.failed == 0 < outcome.attempted
 
 
 @pytest.mark.parametrize("name", names())
