@@ -21,7 +21,6 @@ from typing import Any
 
 import numpy as np
 from flint import arb
-from scipy.special import ellipj
 
 from asymptotics.envelopes.large import SlowFlow
 from asymptotics.errors import InputError
@@ -150,6 +149,8 @@ class SpringEnvelope:
 
     def _wave(self, xi: Array, psi: Array) -> tuple[Array, Array]:
         """X and X' of the conservative motion at the straightened amplitude xi and the phase psi."""
+        from scipy.special import ellipj  # noqa: PLC0415 (slow to load; the curve alone needs it)
+
         well, g = self._flow().well, float(self._flow().well.strength.mid())
         theta = np.asarray(well.theta(-np.log(xi)))
         if well.kind == "pendulum":

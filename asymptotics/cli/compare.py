@@ -6,39 +6,35 @@
   asymptotics compare lab.csv --alpha 3/2 --damping 1/10 --mass 3/2 --stiffness 30 --x0 1/5 --columns t,x
 
 FILE is CSV.  A row is a turning point (n, with x, amplitude, tau or t) or a moment (tau or t, with x or v).
-Without an oscillator everything is dimensionless (X = x/x0, tau = omega_0 t); with --mass, --stiffness or --x0 the file
-is in m, s and m/s, --damping and --law give b in SI, and --epsilon is still the dimensionless strength.
+With --damping, --mass or --stiffness the file is in m, s and m/s, --law gives b, and --epsilon is still the
+dimensionless strength b omega_0^alpha x0^(alpha-1)/k; without them nothing has a unit (tau = omega_0 t), and x is X.
 digits is -log10 of the relative error: 0 for a wrong sign, at most what the certified value has.
 """
 
 import argparse
-from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 from asymptotics.cli.answer import Answer, add_json, add_max_seconds
 from asymptotics.cli.files import add_csv, read_files, write_files
-from asymptotics.cli.forces import add_forces, read_law
+from asymptotics.cli.forces import add_forces
+from asymptotics.cli.quantities import PHYSICAL, add_physical, add_start, read_oscillator
 from asymptotics.cli.table import table_inputs
 from asymptotics.comparison.picture import picture_of
 from asymptotics.comparison.run import MAX_DIGITS, Comparison, Row, compare_file
 from asymptotics.comparison.tabled import compare_table
 from asymptotics.errors import InputError
-from asymptotics.law import Oscillator
-from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
+from asymptotics.numbers.exact import parse_integer
 from asymptotics.present.files import require_different
 
 _SHOWN = 40
-_SI = ("mass", "stiffness", "x0")
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("file", metavar="FILE", help="a CSV file of values")
     add_forces(parser, "epsilon", "E", "its dimensionless strength, b omega_0^alpha x0^(alpha-1) / k", springs=False)
-    parser.add_argument("--damping", metavar="B", help="its strength b in SI, in place of --epsilon")
-    for name, unit in zip(_SI, ("m in kg", "k in N/m", "x(0) in m")):
-        parser.add_argument(f"--{name}", metavar="V", help=f"{unit} (default 1): the file is in SI")
+    add_physical(parser)
+    add_start(parser, velocity=False)
     parser.add_argument("--table", metavar="NAME", help="compare with this table instead (asymptotics table --list)")
     parser.add_argument("--columns", metavar="LIST", help="n,x,tau or n=index,x=pos: which column is what")
     parser.add_argument("--digits", metavar="D", help="digits of the certified values (default: four more than yours)")
@@ -63,42 +59,15 @@ def _compared(options: argparse.Namespace, digits: int | None) -> tuple[Comparis
     """The comparison, and what the values were held against."""
     path = Path(options.file)
     if options.table is None:
-        oscillator, si = _oscillator(options)
-        found = compare_file(path, oscillator, columns=options.columns, digits=digits, si=si)
-        return found, str(oscillator) if si else str(oscillator.law)
-    for name in ("damping", *_SI):
+        given = read_oscillator(options, "epsilon", epsilon_beside_units=True)
+        own = given.si or options.x0 is not None
+        found = compare_file(path, given.oscillator, columns=options.columns, digits=digits, si=own)
+        return found, str(given.oscillator) if own else str(given.oscillator.law)
+    for name in (*PHYSICAL, "x0"):
         if getattr(options, name) is not None:
             raise InputError(f"--{name}", "a table has its own units", "no such option with --table")
     inputs = table_inputs(options.alpha, options.epsilon, options.law, None)
     return compare_table(path, options.table, inputs, columns=options.columns, digits=digits), options.table
-
-
-def _oscillator(options: argparse.Namespace) -> tuple[Oscillator, bool]:
-    """The oscillator, and whether the file is in SI."""
-    texts = {name: getattr(options, name) for name in _SI if getattr(options, name) is not None}
-    given: dict[str, Any] = {name: parse_real(text, f"--{name}") for name, text in texts.items()}
-    if options.damping is not None:
-        if options.epsilon is not None:
-            raise InputError("--damping", "it stands next to --epsilon", "one strength: b in SI, or epsilon")
-        if not given:
-            raise InputError("--damping", "it is in SI", "--mass, --stiffness and --x0, or --epsilon instead")
-        return Oscillator(read_law(options, "damping"), **given), True
-    law = read_law(options, "epsilon")
-    if not given:
-        return Oscillator(law), False
-    unit = Oscillator(law, **given)
-    return (unit if options.law else _with_epsilon(unit)), True
-
-
-def _with_epsilon(unit: Oscillator) -> Oscillator:
-    """The oscillator whose dimensionless strength is what stands in ``unit`` as b; InputError if its b is no root."""
-    (term,) = unit.law.terms
-    epsilon = term.strength
-    scale = unit.units.scale(ExactReal(Fraction(1)), term.velocity, term.weight)
-    if not isinstance(scale, ExactReal) or not isinstance(epsilon, ExactReal):
-        reason = f"the b of epsilon = {epsilon} is no exact number for this mass, stiffness and x0"
-        raise InputError("--epsilon", reason, "--damping B, or a file without units")
-    return unit.with_law({term.velocity: epsilon / scale})
 
 
 def _text(found: Comparison, equation: str) -> str:

@@ -9,7 +9,7 @@ dA/dtau = -sum_i kappa_i A^alpha_i with kappa_i = M_(alpha_i+1) epsilon_i, tau =
 for this averaged law; how far it is from the motion, `motion` tells.  --lelas averages by the squaring trick.
 With --spring 3:C or --spring pendulum the law is exact in the spring, for any amplitude inside the well (phase against
 omega_0 t), and the period at the start, without loss, is told too.
-Units are SI when a mass, a stiffness, a start or --damping is given; otherwise there are none.
+Units are SI when --damping, --mass or --stiffness is given; otherwise there are none, and x0, v0 are those of X.
 """
 
 import argparse

@@ -22,15 +22,15 @@ With --damping, --mass or --stiffness the equations are in SI: A in m, t in s, d
 """
 
 import argparse
-from typing import Any
 
 import sympy
 
 from asymptotics.bounds.local import LocalBounds, local_bounds
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
-from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
+from asymptotics.cli.files import add_csv, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.cli.quantities import PHYSICAL, add_physical, is_physical, read_oscillator
+from asymptotics.cli.rows import order_of, row_text, rows_csv
 from asymptotics.equations.build import expand
 from asymptotics.equations.result import Equations
 from asymptotics.errors import InputError
@@ -166,10 +166,8 @@ def _text(found: Equations, given: GivenTerms, options: argparse.Namespace) -> s
 
 
 def _table(found: Equations) -> str:
-    """The coefficients as CSV: series, powers of the delta_i, digits, exact form."""
-    rows = [(name, key, c.value, c.exact) for name, row in (("p", found.p), ("Omega", found.Omega))
-            for key, c in row.named().items()]  # fmt: skip
-    return csv_text(["series", "k", "value", "exact"], rows)
+    """The coefficients as CSV."""
+    return rows_csv({"p": found.p.named(), "Omega": found.Omega.named()})
 
 
 def _deltas(found: Equations, given: GivenTerms, options: argparse.Namespace) -> list[tuple[str, str, str]]:
@@ -202,18 +200,3 @@ def _sum(name: str, row: Row, deltas: list[str]) -> str:
         powers = [(delta, int(n)) for delta, n in zip(deltas, key.split(",")) if int(n)]
         terms.append(" ".join([f"{name}_{key}", *(d if n == 1 else f"{d}^{n}" for d, n in powers)]))
     return " + ".join(terms)
-
-
-def order_of(given: GivenTerms) -> list[str]:
-    """What the indices of the coefficients count, unless all forces are powers of the velocity."""
-    plain = all(t.is_power_of_velocity for t in given.terms)
-    names = (f"{t.shape()}, in A^2" if t.family else t.shape() for t in given.terms)
-    return [] if plain else [f"indices count {'; '.join(names)}"]
-
-
-def row_text(name: str, row: Row) -> list[str]:
-    """One line for each coefficient: its digits, and its exact form if there is one."""
-    entries: list[tuple[str, Any]] = [(f"{name}_{key}", c) for key, c in row.items()]
-    width = max((len(label) for label, _ in entries), default=0)
-    shown = {label: f"  = {c.exact}" for label, c in entries if c.exact and c.value != "0"}
-    return [f"{label:{width}}  {c.value}" + shown.get(label, "") for label, c in entries]

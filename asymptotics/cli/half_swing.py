@@ -15,10 +15,13 @@ asymptotics half-swing --alpha 3/2 --spring pendulum --delta 1/10,4
 """
 
 import argparse
+from pathlib import Path
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
-from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER, order_of, row_text
+from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER
+from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
+from asymptotics.cli.rows import deltas_latex, order_of, row_text, rows_csv, rows_latex, told
 from asymptotics.errors import InputError
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.numbers.exact import parse_integer, parse_real
@@ -32,6 +35,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--exact", action="store_true", help="demand exact coefficients (integer exponents)")
     text = "the number at this local strength instead of the series; a sum: D_1,D_2,... laws, then springs"
     parser.add_argument("--delta", metavar="D", help=text)
+    parser.add_argument("--latex", action="store_true", help="print the series, or the numbers, as LaTeX")
+    add_csv(parser, "the coefficients, or the numbers: name, powers, digits, exact form")
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
     add_json(parser)
@@ -39,9 +44,10 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
+    files = read_files(options)
     given = read_terms(options)
     if options.delta is not None:
-        return _at(options, given)
+        return _at(options, given, files)
     order = parse_integer(options.order, "--order", 1, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
     seconds = read_max_seconds(options)
@@ -52,16 +58,29 @@ def run(options: argparse.Namespace) -> Answer:
     lines = [f"turning-point gauge, {found.arithmetic}", *order_of(given)]
     lines += [line for name, row in names for line in row_text(name, row)]
     data = {"alpha": given.shown, "terms": given.to_list(), **found.to_dict(), "notes": list(given.notes)}
-    return Answer(data, "\n".join([*lines, *given.notes]), options.json)
+    latex = rows_latex({_index(name, given): row for name, row in names}, deltas_latex(given), digits)
+    written = write_files(files, {"--csv": lambda _: rows_csv(dict(names))})
+    data |= told(options, latex, written)
+    return Answer(data, "\n".join([latex] if options.latex else [*lines, *given.notes, *written]), options.json)
 
 
-def _at(options: argparse.Namespace, given: GivenTerms) -> Answer:
+def _index(name: str, given: GivenTerms) -> str:
+    """F[x'|x'|] as LaTeX: F_{1}, by the place of the force."""
+    letter, bracket, force = name.partition("[")
+    return letter + (f"_{{{given.names.index(force[:-1]) + 1}}}" if bracket else "")
+
+
+def _at(options: argparse.Namespace, given: GivenTerms, files: dict[str, Path]) -> Answer:
     """The half-swing at a given strength."""
     if options.exact:
         raise InputError("--exact", "cannot be combined with --delta", "--delta alone: certified digits")
     delta = [parse_real(text, "--delta") for text in options.delta.split(",")]
     found = half_swing_of_terms(given.terms, delta, read_digits(options, MAX_DIGITS))
     names = {"A'/A": "amplitude", "L": "log_ratio", "T": "duration"}
-    lines = [f"{shown:5} {getattr(found, name)}" for shown, name in names.items()]
+    rows = [(shown, getattr(found, name), *found.enclosures[name]) for shown, name in names.items()]
+    lines = [f"{shown:5} {value}" for shown, value, *_ in rows]
     lines.append(f"certified: {str(found.certified).lower()} ({found.route}, {found.terms} terms, tail {found.tail})")
-    return Answer({**found.to_dict(), "notes": list(given.notes)}, "\n".join([*lines, *given.notes]), options.json)
+    latex = ",\\quad ".join(f"{shown} = {value}" for shown, value, *_ in rows)
+    written = write_files(files, {"--csv": lambda _: csv_text(["quantity", "value", "low", "high"], rows)})
+    data = {**found.to_dict(), "notes": list(given.notes), **told(options, latex, written)}
+    return Answer(data, latex if options.latex else "\n".join([*lines, *given.notes, *written]), options.json)

@@ -18,8 +18,9 @@ relaxation oscillations are left out.
 import argparse
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
-from asymptotics.cli.expand import row_text
+from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
+from asymptotics.cli.rows import row_text, rows_csv, rows_latex, told
 from asymptotics.errors import InputError
 from asymptotics.limit_cycles.result import LimitCycle, limit_cycle
 from asymptotics.limit_cycles.series import MAX_ORDER
@@ -34,6 +35,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--order", default="8", metavar="N", help=f"the highest power of mu, 0 to {MAX_ORDER}")
     parser.add_argument("--mu", metavar="M", help="a number: the cycle there as well, certified")
     parser.add_argument("--near", metavar="A", help="the amplitude of the cycle that is meant, if there are several")
+    parser.add_argument("--latex", action="store_true", help="print the series, or the numbers, as LaTeX")
+    add_csv(parser, "the coefficients; beside springs the numbers at mu")
     add_digits(parser, MAX_DIGITS)
     add_max_seconds(parser)
     add_json(parser)
@@ -41,6 +44,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
+    files = read_files(options)
     law = read_law(options, "epsilon", negative=True)
     order = parse_integer(options.order, "--order", 0, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
@@ -49,7 +53,31 @@ def run(options: argparse.Namespace) -> Answer:
     if near is not None and not near > 0:
         raise InputError("--near", f"{options.near[:40]} is not positive", "an amplitude > 0")
     found = limit_cycle(law, order, digits, mu, near)
-    return Answer(found.to_dict(), _text(found), options.json)
+    latex = _latex(found, digits)
+    written = write_files(files, {"--csv": lambda _: _table(found)})
+    data = {**found.to_dict(), **told(options, latex, written)}
+    return Answer(data, latex if options.latex else "\n".join([_text(found), *written]), options.json)
+
+
+_NUMBERS = {"amplitude": "A", "period": "T", "frequency": r"\omega", "multiplier": r"\rho"}
+
+
+def _latex(found: LimitCycle, digits: int) -> str:
+    """The series, and the numbers at mu."""
+    rows = {"A": found.amplitude, r"\omega": found.frequency, r"\log\rho": found.log_multiplier}
+    series = rows_latex({name: row for name, row in rows.items() if row}, (r"\mu",), digits)
+    if found.at is None:
+        return series
+    numbers = [rf"{letter}({found.at.mu}) = {getattr(found.at, name)}" for name, letter in _NUMBERS.items()]
+    return " \\\\\n".join([*([series] if series else []), *numbers])
+
+
+def _table(found: LimitCycle) -> str:
+    """The coefficients as CSV, or (beside springs) the numbers at mu."""
+    if found.at is not None and not found.amplitude:
+        return csv_text(["quantity", "value"], [(name, getattr(found.at, name)) for name in _NUMBERS])
+    names = ("amplitude", "frequency", "multiplier", "log_multiplier")
+    return rows_csv({name: getattr(found, name) for name in names})
 
 
 def _text(found: LimitCycle) -> str:

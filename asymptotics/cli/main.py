@@ -11,6 +11,7 @@ import sys
 from importlib import import_module
 from typing import Any, NoReturn
 
+from asymptotics.cli.common import add_missing
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import MAX_ACCEPTED, InputError, UndecidedError, printable
 
@@ -70,6 +71,7 @@ def run(argv: list[str] | None = None) -> int:
     module = import_module("asymptotics.cli." + name.replace("-", "_"))  # only this command's libraries are loaded
     parser = Parser(prog=f"asymptotics {name}", description=module.__doc__, allow_abbrev=False, formatter_class=_Raw)
     module.configure(parser)
+    add_missing(parser, name)
     options = parser.parse_args(arguments[1:])
     try:
         return int(_answer(module, options).show(name))

@@ -13,6 +13,7 @@ from asymptotics.numbers.exact import parse_real
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("--p", required=True, metavar="P", help=f"a real number above -1, at most {MAX_P}")
+    parser.add_argument("--latex", action="store_true", help="print the closed form as LaTeX")
     add_digits(parser, MAX_DIGITS)
     add_max_seconds(parser)
     add_json(parser)
@@ -22,5 +23,6 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     p = parse_real(options.p, "--p")
     found = moment(p, digits=read_digits(options, MAX_DIGITS))
-    data = {"p": str(p), "value": found.value, "exact": found.exact}
-    return Answer(data, f"M_{p} = {found.value} = {found.exact}", options.json)
+    latex = rf"M_{{{p}}} = {found._repr_latex_().strip('$')}"
+    data = {"p": str(p), "value": found.value, "exact": found.exact, **({"latex": latex} if options.latex else {})}
+    return Answer(data, latex if options.latex else f"M_{p} = {found.value} = {found.exact}", options.json)

@@ -1,7 +1,8 @@
 """The options that make an oscillator of a law: mass, stiffness, start; in SI units, or dimensionless.
 
-With --damping (b in N (s/m)^alpha), or as soon as a mass, a stiffness, x0 or v0 is given, everything is SI; with
---epsilon, or with nothing but --law A:E, m = k = x0 = 1 and nothing has a unit.
+One rule for every command: everything is in SI as soon as --damping (b in N (s/m)^alpha), --mass or --stiffness is
+given, and then --law A:B gives b, --x0 metres and --v0 metres per second.  Otherwise nothing has a unit: m = k = 1, the
+equation is X'' + X + sum_i E_i X'|X'|^(A_i-1) = 0 as it is typed, and starts at X(0) = x0 (1), X'(0) = v0 (0).
 """
 
 import argparse
@@ -11,14 +12,14 @@ from typing import Any
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
-from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.exact import ExactReal, parse_real
 
 PHYSICAL = ("damping", "mass", "stiffness")
 QUANTITIES = {
     "mass": ("M", "1", "the mass in kg"),
     "stiffness": ("K", "1", "the stiffness in N/m"),
-    "x0": ("X", "1", "the displacement at t = 0 in m"),
-    "v0": ("V", "0", "the velocity at t = 0 in m/s"),
+    "x0": ("X", "1", "the displacement at t = 0, in m beside SI units"),
+    "v0": ("V", "0", "the velocity at t = 0, in m/s beside SI units"),
 }
 
 
@@ -47,30 +48,59 @@ def add_oscillator(parser: argparse.ArgumentParser, *, springs: bool = False) ->
     """The options of the law (--damping or --epsilon), and mass, stiffness, x0, v0."""
     add_forces(parser, "damping", "B", "b in N (s/m)^alpha: SI units", springs=springs)
     parser.add_argument("--epsilon", metavar="E", help="b omega_0^alpha x0^(alpha-1)/k instead: no units")
-    for name, (letter, default, text) in QUANTITIES.items():
-        parser.add_argument(f"--{name}", metavar=letter, help=f"{text} (default {default})")
+    _add_constants(parser)
+    add_start(parser)
 
 
 def add_physical(parser: argparse.ArgumentParser) -> None:
     """The options that turn a command without units into one in SI: --damping, --mass, --stiffness."""
     parser.add_argument("--damping", metavar="B", help="b in N (s/m)^alpha: SI units")
+    _add_constants(parser)
+
+
+def _add_constants(parser: argparse.ArgumentParser) -> None:
     for name in PHYSICAL[1:]:
         letter, default, text = QUANTITIES[name]
         parser.add_argument(f"--{name}", metavar=letter, help=f"{text} (default {default}): SI units")
 
 
+def add_start(parser: argparse.ArgumentParser, *, velocity: bool = True) -> None:
+    """The options of the start: --x0 and (unless a command begins at rest) --v0."""
+    for name in ("x0", "v0") if velocity else ("x0",):
+        letter, default, text = QUANTITIES[name]
+        parser.add_argument(f"--{name}", metavar=letter, help=f"{text} (default {default})")
+
+
 def is_physical(options: argparse.Namespace) -> bool:
-    """Whether one of them was given."""
+    """Whether the command is in SI: whether --damping, --mass or --stiffness was given."""
     return any(getattr(options, name) is not None for name in PHYSICAL)
 
 
-def read_oscillator(options: argparse.Namespace) -> Given:
-    """The oscillator of the options; InputError for units and no units at once."""
+def read_oscillator(
+    options: argparse.Namespace, strength: str = "damping", *, epsilon_beside_units: bool = False
+) -> Given:
+    """The oscillator of the options; InputError for --epsilon and units at once.
+
+    ``strength``: what is said to be missing when there is none.  ``epsilon_beside_units``: with a mass or a stiffness
+    --epsilon is the dimensionless strength of the oscillator in SI; InputError if the b of that is no exact number.
+    """
     given = [name for name in QUANTITIES if getattr(options, name, None) is not None]
-    if options.epsilon is not None and (given or options.damping is not None):
-        other = given[0] if given else "damping"
+    si, named = is_physical(options), options.epsilon is not None
+    if named and si and (options.damping is not None or not epsilon_beside_units):
+        other = next(name for name in PHYSICAL if getattr(options, name) is not None)
         raise InputError("--epsilon", f"it has no units, and --{other} has", "--epsilon alone, or --damping instead")
-    strength = "damping" if options.epsilon is None else "epsilon"
-    law = read_law(options, strength)
+    law = read_law(options, "epsilon" if named else "damping" if si else strength)
     numbers: dict[str, Any] = {name: parse_real(getattr(options, name), f"--{name}") for name in given}
-    return Given(Oscillator(law, **numbers), bool(given) or options.damping is not None)
+    oscillator = Oscillator(law, **numbers)
+    return Given(_with_epsilon(oscillator) if named and si else oscillator, si)
+
+
+def _with_epsilon(unit: Oscillator) -> Oscillator:
+    """The oscillator whose dimensionless strength is what stands in ``unit`` as b; InputError if its b is no root."""
+    (term,) = unit.law.terms
+    epsilon = term.strength
+    scale = unit.units.scale(ExactReal(1), term.velocity, term.weight)
+    if not isinstance(scale, ExactReal) or not isinstance(epsilon, ExactReal):
+        reason = f"the b of epsilon = {epsilon} is no exact number for this mass, stiffness and x0"
+        raise InputError("--epsilon", reason, "--damping B, or a file without units")
+    return unit.with_law({term.velocity: epsilon / scale})

@@ -15,6 +15,7 @@ from math import log2
 from typing import Any
 
 from asymptotics.cli.answer import Answer, add_json, add_max_seconds
+from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.costs import binomial_seconds, require_affordable
 from asymptotics.errors import InputError, LimitError
 from asymptotics.invariants.exact import coefficient, coefficients
@@ -30,15 +31,34 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("what", choices=("f", "c", "g"), help="polynomial, coefficient or generating function")
     parser.add_argument("--n", metavar="N", help=f"1 to {MAX_ROW} for f, 1 to {MAX_N} for c")
     parser.add_argument("--i", metavar="I", help=f"0 to n-1 for c, 0 to {MAX_G} for g")
+    parser.add_argument("--latex", action="store_true", help="print it as LaTeX")
+    add_csv(parser, "the coefficients: n, i, C_i^n")
     add_max_seconds(parser)
     add_json(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
+    files = read_files(options)
+    if files and options.what == "g":
+        raise InputError("--csv", "G_i is a formula, not a row of numbers", "--csv with f or c")
     data = {"f": _polynomial, "c": _coefficient, "g": _generating_function}[options.what](options)
-    text = data.pop("text")
-    return Answer({"what": options.what, **data}, text, options.json)
+    text = data["latex"] if options.latex else data["text"]
+    written = write_files(files, {"--csv": lambda _: csv_text(["n", "i", "C"], _rows(data))})
+    hidden = ("text",) if options.latex or options.what == "g" else ("text", "latex")
+    data = {name: value for name, value in data.items() if name not in hidden} | ({"files": written} if written else {})
+    shown = [text] if options.latex else [text, *written]
+    return Answer({"what": options.what, **data}, "\n".join(shown), options.json)
+
+
+def _rows(data: dict[str, Any]) -> list[tuple[object, object, str]]:
+    """(n, i, C_i^n) of a polynomial, or of one coefficient."""
+    n = data["n"]
+    return (
+        [(n, i, c) for i, c in data["coefficients"].items()]
+        if "coefficients" in data
+        else [(n, data["i"], data["value"])]
+    )
 
 
 def _polynomial(options: argparse.Namespace) -> dict[str, Any]:
@@ -46,7 +66,8 @@ def _polynomial(options: argparse.Namespace) -> dict[str, Any]:
     n = _integer(options, "n", 1, MAX_ROW)
     row = {str(i): _text(c) for i, c in coefficients(n).items()}
     terms = "\n".join(f"  w^{i:<5}{c}" for i, c in row.items())
-    return {"n": n, "coefficients": row, "text": f"f_{n}(w), coefficients:\n{terms}"}
+    latex = f"f_{{{n}}}(w) = {_polynomial_latex(row)}"
+    return {"n": n, "coefficients": row, "latex": latex, "text": f"f_{n}(w), coefficients:\n{terms}"}
 
 
 def _coefficient(options: argparse.Namespace) -> dict[str, Any]:
@@ -58,7 +79,8 @@ def _coefficient(options: argparse.Namespace) -> dict[str, Any]:
     value = _text(coefficient(n, i))
     note = "i and n have the same parity: the coefficient is zero" if same_parity else None
     text = f"C_{i}^{n} = {value}" + (f"   ({note})" if note else "")
-    return {"n": n, "i": i, "value": value, "note": note, "text": text}
+    latex = f"C_{{{i}}}^{{{n}}} = {_fraction_latex(value)}"
+    return {"n": n, "i": i, "value": value, "note": note, "latex": latex, "text": text}
 
 
 def _generating_function(options: argparse.Namespace) -> dict[str, Any]:
@@ -91,6 +113,26 @@ def _check_work(n: int, i: int) -> None:
         reason = f"C_{i}^{n} would take {size / 2**20:.0f} MiB"
         raise LimitError("--n", reason, f"at most {MAX_BYTES >> 20} MiB: a smaller n or i")
     require_affordable(binomial_seconds(line, i, n), MAX_SECONDS, "--n", f"C_{i}^{n}", ": a smaller n or i")
+
+
+def _fraction_latex(value: str) -> str:
+    """p/q as LaTeX, the sign in front."""
+    sign, size = ("-", value[1:]) if value.startswith("-") else ("", value)
+    top, slash, bottom = size.partition("/")
+    return rf"{sign}\frac{{{top}}}{{{bottom}}}" if slash else value
+
+
+def _polynomial_latex(row: dict[str, str]) -> str:
+    """The sum of C_i w^i as one writes it."""
+    text = ""
+    for i, c in row.items():
+        if c == "0":
+            continue
+        number = _fraction_latex(c)
+        power = {"0": "", "1": " w"}.get(i, f" w^{{{i}}}")
+        sign = (" - " if text else "-") if number.startswith("-") else " + " if text else ""
+        text += sign + (number.lstrip("-") + power).removeprefix("1 ")
+    return text or "0"
 
 
 def _text(q: Fraction) -> str:

@@ -12,6 +12,7 @@ zero), up (away from zero), floor, ceil, interval (both ends).  Every file carri
 import argparse
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
+from asymptotics.cli.files import add_csv
 from asymptotics.cli.forces import read_law
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
@@ -34,7 +35,9 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--law", action="append", metavar="A:E", help="one term of a sum; repeat it")
     parser.add_argument("--rows", metavar="N", help="how many rows (of each law), or the order")
     parser.add_argument("--rounding", default="nearest", metavar="MODE", help=", ".join(MODES))
-    parser.add_argument("--format", default="text", metavar="FORMAT", help=", ".join(FORMATS))
+    parser.add_argument("--format", metavar="FORMAT", help=f"{', '.join(FORMATS)} (default: the first)")
+    parser.add_argument("--latex", action="store_true", help="as --format latex")
+    add_csv(parser, "the table with its provenance (as --format csv --output FILE)")
     parser.add_argument("--output", metavar="FILE", help="write it to a file, with its provenance")
     add_digits(parser, MAX_DIGITS)
     add_max_seconds(parser)
@@ -45,6 +48,7 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     if options.list:
         return Answer({"tables": {name: description(name) for name in names()}}, _listed(), options.json)
+    options = _spelled_out(options)
     if options.name is None:
         raise InputError("NAME", "is missing", ", ".join(names()))
     if options.format not in FORMATS:
@@ -52,13 +56,26 @@ def run(options: argparse.Namespace) -> Answer:
     require_mode(options.rounding)
     if options.format == "parquet" and options.output is None:
         raise InputError("--format", "parquet is not text", "--output FILE with it")
-    target = None if options.output is None else target_file(options.output, "--output")
+    target = None if options.output is None else target_file(options.output, "--csv" if options.csv else "--output")
     inputs = table_inputs(options.alpha, options.epsilon, options.law, options.rows)
     table = build(options.name, read_digits(options, MAX_DIGITS), inputs, options.rounding)
     if target is None:
         return Answer(table.to_dict(), _printed(table, options.format), options.json)
     write_atomically(target, _content(table, options.format), "--output")
     return Answer({**table.to_dict(), "output": str(target)}, f"written: {target}", options.json)
+
+
+def _spelled_out(options: argparse.Namespace) -> argparse.Namespace:
+    """--latex and --csv FILE, the names these have in every command, as --format and --output."""
+    asked = {"--latex": "latex" if options.latex else None, "--csv": None if options.csv is None else "csv"}
+    asked = {name: form for name, form in asked.items() if form is not None}
+    others = {"--format": options.format, "--output": options.output if options.csv is not None else None}
+    clash = [name for name, value in others.items() if value is not None]
+    if len(asked) > 1 or asked and clash:
+        other = clash[0] if clash else "--latex"
+        raise InputError([*asked][-1], f"it stands next to {other}", "one form of the table")
+    spelled = vars(options) | {"format": next(iter(asked.values()), options.format or "text")}
+    return argparse.Namespace(**spelled | {"output": options.output if options.csv is None else options.csv})
 
 
 def table_inputs(alpha: str | None, epsilon: str | None, laws: list[str] | None, rows: str | None) -> Inputs:

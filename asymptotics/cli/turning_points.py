@@ -7,17 +7,19 @@
   asymptotics turning-points --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --count 10 --times
 
 X'' + X + sum_i epsilon_i X'|X'|^(alpha_i-1) = 0 starts from rest at X(0) = 1, which is turning point 0: x is in units
-of x0, and tau = omega_0 t.  With --damping, --mass or --stiffness everything is in SI, x in m, t in s.  All digits are
+of x0, and tau = omega_0 t.  With --damping, --mass or --stiffness everything is in SI, x in m, t in s; without them
+--x0 and --v0 start the same equation elsewhere.  All digits are
 proved, whatever the law.  `ended` tells the last turning point there is, and why: sticks, creeps, overdamped, rotates
 or escapes.
 
-With --spring, or a loss --law A,M:E that depends on the place, the motion starts at X(0) = x0 inside the well and x is
-not divided by x0: it is in the units in which the strengths are given, rad for a pendulum, and point 0 is x0 itself.
+With --x0 the motion starts at X(0) = x0 (beside a spring: inside the well) and x is not divided by it: it is in the
+units in which the strengths are given, rad for a pendulum, and point 0 is x0 itself.
 A header above the points says so, and `x_unit` in JSON: "x0", "m", "rad" or "strengths".  With --v0 point 0 is 1, and
 its amplitude is told below.
 """
 
 import argparse
+from dataclasses import replace
 from typing import Any
 
 from asymptotics.api.swings import OscillatorTurningPoints
@@ -25,13 +27,13 @@ from asymptotics.api.swings import turning_points as in_si
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.files import Makers, add_csv, csv_text, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
-from asymptotics.cli.quantities import add_physical, is_physical, read_oscillator
+from asymptotics.cli.quantities import add_physical, add_start, is_physical, read_oscillator
 from asymptotics.errors import LimitError
-from asymptotics.law import PENDULUM
-from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.law import PENDULUM, Oscillator
+from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 from asymptotics.present.figures import render
 from asymptotics.turning.general import turning_points
-from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, TurningPoints
+from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, TurningPoint, TurningPoints
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -41,8 +43,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--count", required=True, metavar="N", help=f"how many points (1 to {MAX_COUNT})")
     parser.add_argument("--start", default="0", metavar="N", help="the first point (default 0)")
     parser.add_argument("--times", action="store_true", help="the times as well")
-    parser.add_argument("--x0", metavar="X", help="the start, with --v0 or --spring, or in m (default 1)")
-    parser.add_argument("--v0", metavar="V", help="its velocity: then n = 0 is the first turning point")
+    add_start(parser)
     parser.add_argument("--latex", action="store_true", help="print the table as LaTeX")
     parser.add_argument("--plot", metavar="FILE", help="|x_n| against n: PNG or SVG")
     add_csv(parser, "n, x and the times")
@@ -77,23 +78,41 @@ def _computed(
     if is_physical(options):
         return in_si(read_oscillator(options).oscillator, count, digits=digits, start=start, times=options.times)
     law = read_law(options, "epsilon")
-    given = (("x0", options.x0, "1"), ("v0", options.v0, "0"))
-    x0, v0 = (parse_real(default if text is None else text, f"--{name}") for name, text, default in given)
+    x0, v0 = _start(options)
+    if law.is_pure and v0.is_zero and x0 != 1:
+        return _undivided(Oscillator(law, x0=x0), count, digits, start, options.times)
     seconds = read_max_seconds(options)
     return turning_points(law, count, digits, start=start, times=options.times, x0=x0, v0=v0, max_seconds=seconds)
+
+
+def _start(options: argparse.Namespace) -> tuple[ExactReal, ExactReal]:
+    """(x0, v0), by default (1, 0)."""
+    given = (("x0", options.x0, "1"), ("v0", options.v0, "0"))
+    x0, v0 = (parse_real(default if text is None else text, f"--{name}") for name, text, default in given)
+    return x0, v0
+
+
+def _undivided(oscillator: Oscillator, count: int, digits: int, start: int, times: bool) -> TurningPoints:
+    """From rest at another place than 1, m = k = 1: as in SI, but nothing has a unit."""
+    found = in_si(oscillator, count, digits=digits, start=start, times=times)
+    assert isinstance(found, OscillatorTurningPoints)
+    points = tuple(TurningPoint(p.n, p.x, p.t) for p in found.points)
+    strengths = ",".join(str(t.strength) for t in oscillator.law.terms)
+    return replace(found.dimensionless, epsilon=strengths, digits=digits, points=points)
 
 
 def _unit(options: argparse.Namespace) -> str:
     """What x counts: metres, point 0 itself, radians, or the length in which the strengths are given."""
     if is_physical(options):
         return "m"
-    if options.v0 is not None and not parse_real(options.v0, "--v0").is_zero:
+    x0, v0 = _start(options)
+    if not v0.is_zero:
         return "x0"
     springs = options.spring or []
     if PENDULUM in springs:
         return "rad"
     placed = any("," in text.partition(":")[0] for text in options.law or [])
-    return "strengths" if springs or placed else "x0"
+    return "strengths" if springs or placed or x0 != 1 else "x0"
 
 
 _HEADS = {"x0": None, "rad": "x [rad]", "strengths": "x [units of the strengths]"}

@@ -17,6 +17,7 @@ from asymptotics.identification.fitting import Fit
 from asymptotics.identification.profile import profile_curve
 from asymptotics.identification.result import Identification
 from asymptotics.identification.sequence import turning_sequence
+from asymptotics.present.figures import STYLE
 
 KINDS = (".svg", ".png", ".pdf")
 _SHOWN = 3
@@ -26,8 +27,6 @@ def picture(answer: Identification, kind: str = "svg") -> bytes:
     """The four panels as SVG, PNG or PDF bytes; InputError for several runs or printed decrements (no sequence)."""
     from matplotlib import rc_context  # noqa: PLC0415 (an extra: only pictures need it)
     from matplotlib.figure import Figure  # noqa: PLC0415 (as above)
-
-    from asymptotics.present.figures import STYLE  # noqa: PLC0415 (imports matplotlib)
 
     laws = [found.law for found in answer.laws if found.law.fit is not None and found.law.fit.model.alternating]
     if answer.per_run or not laws:

@@ -27,7 +27,6 @@ from typing import Any, Protocol
 
 import numpy as np
 from flint import acb, arb
-from scipy.optimize import brentq
 
 from asymptotics.envelopes.slow_flow import SlowTable
 
@@ -158,6 +157,8 @@ class _Path:
 
     def first(self, rises: Callable[[Array, Array], Array]) -> float | None:
         """The first time at which ``rises(s, psi)`` is no longer negative, or None."""
+        from scipy.optimize import brentq  # noqa: PLC0415 (slow to load; most motions never stop)
+
         tau = self.table.tau
         over = rises(*self.flow.turning_point(self.table, tau)) >= 0
         if not over.any():

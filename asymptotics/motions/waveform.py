@@ -38,7 +38,6 @@ from typing import Any
 
 import numpy as np
 from flint import arb, arb_mat, ctx
-from scipy.interpolate import CubicSpline
 
 from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.grading import Grading
@@ -118,6 +117,8 @@ class WaveformTable:
     @classmethod
     def of(cls, flow: Flow, forces: Forces, order: int) -> "WaveformTable":
         """Tabulate all coefficients through ``order``."""
+        from scipy.interpolate import CubicSpline  # noqa: PLC0415 (slow to load; one point needs no table)
+
         keys = tuple(k for part in _keys(flow, order)[1:] for k in part)
         if not keys:
             return cls((), (), None)

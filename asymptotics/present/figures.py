@@ -9,15 +9,13 @@ import io
 from collections.abc import Callable
 from typing import Any
 
-import matplotlib
-from cycler import cycler
-from matplotlib.figure import Figure
+from asymptotics.errors import InputError
 
 STYLE: Any = {
     "axes.edgecolor": "#6b7280",
     "axes.grid": True,
     "axes.labelsize": 11,
-    "axes.prop_cycle": cycler(color=["#1f4e9c", "#c2410c", "#15803d", "#7e22ce"]),
+    "axes.prop_cycle": "cycler('color', ['#1f4e9c', '#c2410c', '#15803d', '#7e22ce'])",
     "axes.spines.right": False,
     "axes.spines.top": False,
     "axes.titlesize": 11,
@@ -32,8 +30,17 @@ STYLE: Any = {
 
 
 def render(draw: Callable[[Any], Any], *, size: tuple[float, float] = (6.4, 4.0), kind: str = "svg") -> bytes:
-    """Draw on one pair of axes and return the picture as SVG or PNG bytes, the same at each call."""
-    with matplotlib.rc_context(STYLE):
+    """Draw on one pair of axes and return the picture as SVG or PNG bytes, the same at each call.
+
+    InputError where matplotlib, an extra, is not installed.
+    """
+    try:
+        from matplotlib import rc_context  # noqa: PLC0415 (an extra, and slow to load: only pictures need it)
+        from matplotlib.figure import Figure  # noqa: PLC0415 (as above)
+    except ImportError as error:
+        accepted = "an installation with the extra plot: pip install 'power-law-oscillator[plot]'"
+        raise InputError("plot", "a picture needs matplotlib, which is not installed", accepted) from error
+    with rc_context(STYLE):
         figure = Figure(figsize=size, layout="constrained")
         draw(figure.subplots())
         buffer = io.BytesIO()

@@ -28,7 +28,6 @@ from typing import Any
 
 import numpy as np
 from flint import acb, arb
-from scipy.special import hyp2f1
 
 from asymptotics.errors import InputError
 from asymptotics.moments.certified import moment
@@ -172,4 +171,6 @@ def _hypergeometric(a: arb, b: arb, c: arb, z: Any, analytic: bool) -> Any:
         return z.hypgeom_2f1(a, b, c)
     if isinstance(z, arb):
         return z.hypgeom_2f1(a, b, c)
+    from scipy.special import hyp2f1  # noqa: PLC0415 (slow to load; balls do without)
+
     return hyp2f1(float(a.mid()), float(b.mid()), float(c.mid()), z)

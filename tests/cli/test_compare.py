@@ -61,7 +61,7 @@ def test_units(capsys, tmp_path):
         ["--alpha", 2, "--epsilon", 1, "--plot", "a.pdf"],
         ["--alpha", 2, "--epsilon", 1, "--plot", "no/such/folder.svg"],
         ["--alpha", 2, "--epsilon", 1, "--digits", 0],
-        ["--alpha", 2, "--damping", 1],
+        ["--alpha", 2, "--mass", 1],
         ["--alpha", 2, "--damping", 1, "--epsilon", 1, "--mass", 1],
         ["--alpha", 2, "--epsilon", 1, "--mass", 0],
         ["--alpha", "3/2", "--epsilon", 1, "--stiffness", 2],

@@ -1,0 +1,105 @@
+"""The options that mean the same in every command, and why a command has none where it would mean nothing.
+
+``--json --quiet`` are everywhere.  The others are in every command in which they make sense; elsewhere they are refused
+with the reason, one line and exit code 2, instead of as unknown words.
+
+>>> missing("moment", "gauge")
+'an average has no gauge'
+>>> missing("motion", "gauge") is None
+True
+"""
+
+import argparse
+from collections.abc import Sequence
+from typing import Any, NoReturn
+
+COMMON = ("csv", "digits", "gauge", "json", "latex", "plot", "points", "quiet")
+_FLAGS = ("latex", "json", "quiet")
+
+_FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to draw"
+_OBSERVED = "what is observed is the same in every gauge"
+_NO_CURVE = "a series is no curve; `motion` and `envelope` draw"
+_ONE_GAUGE = "U, V, W are in the turning-point gauge, L, F, T the same in all; `expand --gauge` has the others"
+_OWN_GRID = "the points are those of FILE"
+
+MISSING: dict[str, dict[str, str]] = {
+    "compare": {
+        "gauge": _OBSERVED,
+        "latex": "the rows are text; `--csv` writes them",
+        "points": _OWN_GRID,
+    },
+    "derive": {
+        **dict.fromkeys(("csv", "digits", "plot", "points"), _FORMULAS),
+        "gauge": "a derivation says itself which gauge it is in",
+    },
+    "envelope": {"gauge": "the first order is the same in every gauge; `--order` is in the turning-point gauge"},
+    "expand": {"plot": "equations are no curve; `motion` and `envelope` draw", "points": "there is no curve"},
+    "half-swing": {"gauge": _ONE_GAUGE, "plot": _NO_CURVE, "points": "there is no curve"},
+    "identify": {
+        "digits": "intervals carry as many digits as the data decide",
+        "gauge": _OBSERVED,
+        "latex": "the answer is a verdict in words; `--csv` has all candidate laws",
+        "points": _OWN_GRID,
+    },
+    "limit-cycle": {"gauge": _OBSERVED, "plot": _NO_CURVE, "points": "there is no curve"},
+    "moment": {
+        "csv": "it is one number; `table moments --csv` has many",
+        "gauge": "an average has no gauge",
+        "plot": "it is one number",
+        "points": "it is one number; `table moments --rows` has many",
+    },
+    "motion": {"latex": "the answer is numbers at one time; `expand --latex` has the equations"},
+    "multiple-scales": {
+        **dict.fromkeys(("csv", "digits", "plot", "points"), _FORMULAS),
+        "gauge": "the classical derivation is in the gauge no-first-harmonic; `expand --gauge` has all three",
+    },
+    "papers": {
+        **dict.fromkeys(("csv", "plot", "points"), "statements are text; `--json` has them all"),
+        "digits": "each statement says how many digits its check has",
+        "gauge": "each statement says itself what it is about",
+    },
+    "smith": {
+        "digits": "every number is an exact fraction",
+        "gauge": "constants of the motion have no gauge",
+        "plot": "coefficients are no curve",
+        "points": "there is no curve",
+    },
+    "sweep": {
+        **dict.fromkeys(("csv", "latex", "plot"), "`--export FILE.csv`, .json or .parquet writes the points"),
+        "digits": "it is an option of COMMAND, and stands behind it",
+        "gauge": "it is an option of COMMAND, and stands behind it",
+        "points": "a range start:stop:step says how many",
+    },
+    "table": {
+        "gauge": "a table says in its title which gauge it is in",
+        "plot": "a table is no curve; `--csv` writes it for any program that draws",
+        "points": "`--rows` says how many",
+    },
+    "turning-points": {"gauge": _OBSERVED, "points": "`--count` says how many"},
+}
+
+
+def missing(command: str, option: str) -> str | None:
+    """Why ``command`` has no --``option``; None if it has it."""
+    return MISSING.get(command, {}).get(option)
+
+
+def add_missing(parser: argparse.ArgumentParser, command: str) -> None:
+    """The common options that the command does not have, each of which says why; --help does not show them."""
+    for option, reason in MISSING.get(command, {}).items():
+        count: Any = 0 if option in _FLAGS else "?"
+        parser.add_argument(f"--{option}", action=_Refuse, nargs=count, const=reason, help=argparse.SUPPRESS)
+
+
+class _Refuse(argparse.Action):
+    """An option that makes no sense here; ``const`` is the reason."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: str | Sequence[Any] | None,
+        option_string: str | None = None,
+    ) -> NoReturn:
+        """Leave with the reason, exit code 2."""
+        parser.error(f"argument {option_string}: not in this command: {self.const}")

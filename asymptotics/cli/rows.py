@@ -1,0 +1,63 @@
+r"""Rows of coefficients as the command line shows them: lines of text, lines of LaTeX, columns of CSV.
+
+>>> from sympy import Rational
+>>> row = {"1": Coefficient("0.50000", Rational(1, 2)), "3": Coefficient("-0.33333", Rational(-1, 3))}
+>>> row_text("L", row)
+['L_1  0.50000  = 1/2', 'L_3  -0.33333  = -1/3']
+>>> rows_latex({"L": row}, (r"\delta",))
+'L = \\frac{1}{2} \\delta - \\frac{1}{3} \\delta^{3}'
+>>> rows_csv({"L": row})
+'series,k,value,exact\nL,1,0.50000,1/2\nL,3,-0.33333,-1/3\n'
+"""
+
+import argparse
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from asymptotics.cli.files import csv_text
+from asymptotics.cli.forces import GivenTerms
+from asymptotics.normal_form.results import Coefficient, Row
+from asymptotics.normal_form.show import SHOWN_DIGITS, sum_latex
+
+__all__ = ["Coefficient", "deltas_latex", "order_of", "row_text", "rows_csv", "rows_latex", "told"]
+
+
+def row_text(name: str, row: Row) -> list[str]:
+    """One line for each coefficient: its digits, and its exact form if there is one."""
+    entries: list[tuple[str, Any]] = [(f"{name}_{key}", c) for key, c in row.items()]
+    width = max((len(label) for label, _ in entries), default=0)
+    shown = {label: f"  = {c.exact}" for label, c in entries if c.exact and c.value != "0"}
+    return [f"{label:{width}}  {c.value}" + shown.get(label, "") for label, c in entries]
+
+
+def rows_latex(rows: Mapping[str, Row], variables: Sequence[str], digits: int = SHOWN_DIGITS) -> str:
+    """One line of LaTeX for each row: its name, and the series in ``variables``."""
+    lines = []
+    for name, row in rows.items():
+        keyed = {tuple(int(n) for n in key.split(",")): c for key, c in row.items()}
+        lines.append(f"{name} = {sum_latex(keyed, variables, digits=digits)}")
+    return " \\\\\n".join(lines)
+
+
+def rows_csv(rows: Mapping[str, Row]) -> str:
+    """All coefficients as CSV: series, powers of the variables, digits, exact form."""
+    lines = [(name, key, c.value, c.exact) for name, row in rows.items() for key, c in row.items()]
+    return csv_text(["series", "k", "value", "exact"], lines)
+
+
+def deltas_latex(given: GivenTerms) -> tuple[str, ...]:
+    """The local strengths as LaTeX, in the order of the indices."""
+    count = len(given.terms)
+    return (r"\delta",) if count == 1 else tuple(rf"\delta_{{{i}}}" for i in range(1, count + 1))
+
+
+def order_of(given: GivenTerms) -> list[str]:
+    """What the indices of the coefficients count, unless all forces are powers of the velocity."""
+    plain = all(t.is_power_of_velocity for t in given.terms)
+    names = (f"{t.shape()}, in A^2" if t.family else t.shape() for t in given.terms)
+    return [] if plain else [f"indices count {'; '.join(names)}"]
+
+
+def told(options: argparse.Namespace, latex: str, written: list[str]) -> dict[str, Any]:
+    """What JSON says besides, where it was asked for: the LaTeX, the files."""
+    return ({"latex": latex} if options.latex else {}) | ({"files": written} if written else {})
