@@ -33,7 +33,7 @@ def real_array(value: Any, argument: str) -> Any:
     if given.dtype.kind not in "OUcb":
         raise InputError(argument, f"an array of {given.dtype} is not an array of numbers", _ACCEPTED)
     cells = [value] if not given.ndim else list(value) if given.ndim == 1 else given.ravel().tolist()
-    return np.array([_double(cell, argument) for cell in cells], dtype=float).reshape(given.shape)
+    return np.array([_double(cell, argument) for cell in cells]).reshape(given.shape)
 
 
 def _double(cell: Any, argument: str) -> float:

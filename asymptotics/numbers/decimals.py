@@ -91,6 +91,7 @@ def directed_decimal(q: Fraction, digits: int, side: int) -> str:
     >>> directed_decimal(Fraction(1, 3), 2, 1), directed_decimal(Fraction(1, 3), 2, -1)
     ('0.34', '0.33')
     """
+    require_integer(digits, "digits", 1, MAX_DIGITS)
     n, exponent = _round_quotient(fmpz(q.numerator), fmpz(q.denominator), digits)
     shown = Fraction(int(n)) * Fraction(10) ** exponent
     return _format(n + (side if (shown - q) * side < 0 else 0), exponent, digits)

@@ -3,10 +3,10 @@ from itertools import islice
 
 import pytest
 import sympy
-from flint import arb, arb_series, ctx, fmpq
+from flint import arb, arb_series, ctx, fmpq, fmpq_poly
 
 from asymptotics.invariants.exact import coefficient
-from asymptotics.invariants.symbolic import THETA, Z, generating_function, generating_functions
+from asymptotics.invariants.symbolic import THETA, Z, _solve, generating_function, generating_functions
 from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.turning.quadratic_series import half_period_series
 
@@ -61,6 +61,13 @@ def test_parity_of_the_polynomials():
         assert not any(c for j, c in enumerate(g.R) if (j - g.i) % 2 == 0)
 
 
+def test_the_equation_for_R_is_solved_whatever_the_parity():
+    c, R = fmpq_poly([0, 1]), fmpq_poly([2, -3, 0, fmpq(5, 7), 1])
+    for solution, constant in ((R, fmpq(3)), (fmpq_poly([]), fmpq(4)), (fmpq_poly([1]), fmpq(0))):
+        right = constant + c * solution - (1 - c * c) * solution.derivative()
+        assert _solve(right) == (solution, constant)
+
+
 def test_the_scaled_form_is_finite_at_pi():
     for g in islice(generating_functions(), 8):
         value = g.scaled_at(arb.pi())
@@ -74,8 +81,12 @@ def test_every_printed_form_is_the_sum_of_its_series(i: int):
     z = sympy.tan(theta).evalf(40)
     total = sum(sympy.Rational(*coefficient(n, i).as_integer_ratio()) * z**n for n in range(max(1, i), i + 60))
     g = generating_function(i)
-    assert abs(g.in_angle().subs(THETA, theta).evalf(40) - total) < 1e-25
-    assert abs(g.in_z().subs(Z, z).evalf(40) - total) < 1e-25
+    read = {name: sympy.sympify(g.to_dict()[name]) for name in ("angle_expression", "expression")}
+    assert abs(read["angle_expression"].subs(THETA, theta).evalf(40) - total) < 1e-25
+    assert abs(read["expression"].subs(Z, z).evalf(40) - total) < 1e-25
+    assert read["angle_expression"].free_symbols == {THETA} and read["expression"].free_symbols == {Z}
+    if i > 1:  # over one power of the sine; expanded only where no sine is left to divide by
+        assert sympy.fraction(g.in_angle())[1] == sympy.sin(THETA) ** i
     scaled = g.scaled_at(arb(fmpq(3, 10)))
     assert scaled.rad() < 1e-14 and scaled.overlaps(arb(str((total * sympy.sin(theta) ** i).evalf(30)) + " +/- 1e-25"))
 

@@ -6,8 +6,8 @@ from flint import arb, ctx, fmpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from asymptotics.errors import LimitError, UndecidedError
-from asymptotics.numbers.decimals import certified_decimal, decimal_of_ball, rational_decimal
+from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.numbers.decimals import certified_decimal, decimal_of_ball, directed_decimal, rational_decimal
 from asymptotics.numbers.rationals import bounds
 
 digits_st = st.integers(1, 40)
@@ -51,6 +51,19 @@ def test_undecided_is_an_error_and_not_a_guess():
     # A value on a decimal tie that no ball can recognise: 0.25 as (sqrt(2)/2)^2 / 2, rounded to one digit.
     with pytest.raises(UndecidedError):
         certified_decimal(lambda: (arb(2).sqrt() / 2) ** 2 / 2, 1, max_bits=2000)
+
+
+@pytest.mark.parametrize("digits", [0, 300_001, True, 2.0])
+def test_every_printer_has_the_same_contract_for_digits(digits):
+    ball, q = arb(1) / 3, Fraction(1, 3)
+    for printed in (
+        lambda: decimal_of_ball(ball, digits),
+        lambda: certified_decimal(lambda: ball, digits),
+        lambda: rational_decimal(q, digits),
+        lambda: directed_decimal(q, digits, 1),
+    ):
+        with pytest.raises(InputError, match="argument digits: .*an integer from 1 to 300000"):
+            printed()
 
 
 def test_ten_thousand_digits():

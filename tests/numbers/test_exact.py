@@ -21,7 +21,7 @@ def test_decimals_are_read_exactly(d):
 @pytest.mark.parametrize(
     "text",
     ["", "nan", "inf", "abc", "1e999999", "0x10", "1_000", "1/0", "١", "1//2", "1e", "--1", "1 2", "__import__('os')",
-     "sqrt(-2)", "sqrt()", "sqrt(2", "sqrt(sqrt(2))", "2*sqrt(2)", "1" * 2000, "9**9**9", "x.__class__"],
+     "sqrt(-2)", "sqrt(1/0)", "sqrt()", "sqrt(2", "sqrt(sqrt(2))", "2*sqrt(2)", "1" * 2000, "9**9**9", "x.__class__"],
 )  # fmt: skip
 def test_what_is_not_a_number_is_refused_by_name(text: str):
     with pytest.raises(InputError) as caught:
@@ -29,6 +29,12 @@ def test_what_is_not_a_number_is_refused_by_name(text: str):
     assert "--alpha" in str(caught.value)
     assert "\n" not in str(caught.value)
     assert len(str(caught.value)) < 250
+
+
+@pytest.mark.parametrize(("length", "quoted"), [(60, "x" * 60), (61, "x" * 57 + "...")])
+def test_sixty_characters_of_what_was_typed_are_quoted(length: int, quoted: str):
+    with pytest.raises(InputError, match=f"argument --alpha: '{quoted}' is not an exact number"):
+        parse_real("x" * length, "--alpha")
 
 
 def test_square_roots_of_squares_are_rational():

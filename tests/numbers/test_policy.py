@@ -67,6 +67,7 @@ def test_order_and_arithmetic_agree_with_balls(x, y):
         gap = x.ball() - y.ball()
         assert (x > y, x < y, x == y) == (bool(gap > 0), bool(gap < 0), gap.contains(0))
         assert x.sign == (x > 0) - (x < 0)
+        assert abs(x) == (x if x > 0 else -x) and abs(x).sign == abs(x.sign)
         for operation in (lambda a, b: a + b, lambda a, b: a - b, lambda a, b: a * b):
             try:
                 value = operation(x, y)
@@ -85,6 +86,13 @@ def test_exact_power_is_exact_or_none():
     assert exact_power(ExactReal(2), ExactReal(Fraction(1, 4))) is None is exact_power(ExactReal(2), ExactReal(1, 2))
     with ctx.workprec(100):
         assert exact_power(ExactReal(3), ExactReal(Fraction(3, 2))).ball().overlaps(arb(27).sqrt())
+
+
+def test_powers_are_written_out_through_the_thousandth():
+    two = ExactReal(2)
+    assert exact_power(two, ExactReal(-1000)) == Fraction(1, 2**1000) and exact_power(two, ExactReal(1001)) is None
+    assert exact_power(two, ExactReal(Fraction(999, 2))) == 2**499 * ExactReal(1, 2)
+    assert exact_power(two, ExactReal(Fraction(1001, 2))) is None
 
 
 def test_a_sympy_float_is_refused_as_binary():

@@ -9,6 +9,7 @@ from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.turning import general
 from asymptotics.turning.coulomb import last_turning_point
 from asymptotics.turning.general import turning_points
 from asymptotics.turning.quadratic import quadratic_turning_points
@@ -105,6 +106,24 @@ def test_fewer_digits_are_a_rounding_of_more():
         for short, long in ((a.x, b.x), (a.tau, b.tau)):
             assert abs(Fraction(short) - Fraction(long)) <= abs(Fraction(long)) / 10**14
     assert few.certified and "Taylor" in few.method
+
+
+def test_what_could_not_be_rounded_is_tried_with_the_bits_it_lacked(monkeypatch):
+    wanted = turning_points(law(("3/2", "1/10")), 3, 12, times=True)
+    # 39 bits hold 12 digits, 20 spare ones and 2 x 2 for three half-swings: 63.
+    assert wanted.method == "half-swing by half-swing, local expansions and Taylor steps in balls of 63 bits"
+    monkeypatch.setattr(general, "_SPARE", -25)
+    again = turning_points(law(("3/2", "1/10")), 3, 12, times=True)
+    assert again.points == wanted.points and again.method != wanted.method
+    assert 39 < int(again.method.split()[-2]) < 130
+
+
+def test_beside_a_spring_the_start_is_kept_and_the_law_is_named():
+    pendulum = Law({"3/2": "1/10", "1": "1/50"}, spring="pendulum")
+    whole, later = (turning_points(pendulum, n, 8, start=4 - n, times=True) for n in (4, 2))
+    assert later.points == whole.points[2:] and [p.n for p in later.points] == [2, 3]
+    assert (later.alpha, later.epsilon) == (whole.alpha, whole.epsilon)
+    assert dict(zip(later.alpha.split(","), later.epsilon.split(","))) == {"3/2": "1/10", "1": "1/50"}
 
 
 def test_dry_friction_sticks_where_the_force_is_at_most_the_friction():

@@ -1,11 +1,17 @@
+from fractions import Fraction
+
 import pytest
+from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.turning import quadratic
 from asymptotics.turning.quadratic import quadratic_turning_points
+from asymptotics.turning.quadratic_duration import node_count
+from asymptotics.turning.quadratic_map import next_amplitude
 
 ONE = parse_real("1", "--epsilon")
 
@@ -59,6 +65,21 @@ def test_amplitudes_out_of_range_are_refused(epsilon):
 def test_limits_are_checked_before_the_work(count, digits, start, times, argument):
     with pytest.raises((InputError, LimitError), match=argument):
         quadratic_turning_points(ONE, count, digits, start=start, times=times)
+
+
+@pytest.mark.parametrize("epsilon", ["1e-3", "1", "20"])
+def test_the_estimate_counts_the_nodes_of_the_longest_half_swing(monkeypatch, epsilon):
+    seen = []
+    monkeypatch.setattr(
+        quadratic, "map_seconds", lambda steps, digits, first, times: seen.append((steps, first)) or 1.0
+    )
+    for start in (20_000, 20_001):
+        quadratic.estimated_seconds(parse_real(epsilon, "e"), 5, 30, start, True)
+    quadratic.estimated_seconds(parse_real(epsilon, "e"), 5, 30, 0, False)
+    p = 2 * float(Fraction(epsilon))
+    needed = node_count(p + float(next_amplitude(arb(p))), bits_for(30))
+    assert [steps for steps, _ in seen] == [20_005, 415, 5] and seen[2][1] == 0
+    assert needed <= seen[0][1] == seen[1][1] <= max(needed * 1.1, node_count(1.01, bits_for(30)))
 
 
 def test_small_and_large_amplitudes_and_many_points():

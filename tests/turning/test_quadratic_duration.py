@@ -1,3 +1,5 @@
+from math import asinh, log
+
 import mpmath
 import pytest
 from flint import arb, ctx
@@ -88,6 +90,28 @@ def test_elapsed_time_is_additive_and_ends_at_the_half_period():
         assert elapsed(p, q, arb(1)) < elapsed(p, q, arb(2))
 
 
+@pytest.mark.parametrize("t_end", [0.01, 2.8, 31.0])
+@pytest.mark.parametrize("bits", [53, 300])
+def test_the_nodes_are_the_fewest_for_the_bits(t_end, bits):
+    # e^(-a N) <= e^(-a-6) 2^-bits with an even N, and not with N - 2.
+    a, N = asinh(3 / t_end), quadratic_duration.node_count(t_end, bits)
+    assert N % 2 == 0 and a * (N - 2) < bits * log(2) + 6 + a <= a * N
+
+
+def _theorem(p: arb, q: arb, nodes: int) -> tuple[arb, arb]:
+    """The last lines of the derivation quadratic-trapezoid with b = 3/2, in floating point."""
+    with mpmath.workdps(40):
+        start, end = (mpmath.mpmathify(x.mid().str(40, radius=False)) for x in (p, p + q))
+        a = mpmath.asinh(3 / end)
+        last = end / 2 * (1 + mpmath.cosh(a))
+        slope = (mpmath.expm1(-end) / end - mpmath.expm1(-last) / last) / (end - last)
+        M = 1 / mpmath.sqrt(mpmath.cos(1.5) * (1 + start) / 2 * slope)
+        z = mpmath.exp(-a)
+        aliases = 2 / ((1 / z - 1) * (1 - z ** (2 * nodes)))  # m = nodes: a part is sampled twice as often
+        whole, part = mpmath.pi * M / (z**-nodes - 1), mpmath.pi * M * z**nodes * (1 / (1 - z) + aliases)
+        return arb(mpmath.nstr(whole, 20)), arb(mpmath.nstr(part, 20))
+
+
 @pytest.mark.parametrize("size", ["0.01", "2", "30"])
 def test_fewer_nodes_and_nothing_else(monkeypatch, size):
     """The enclosure widens and still holds: half the nodes do in truth, for the integrand is analytic further out than
@@ -101,6 +125,9 @@ def test_fewer_nodes_and_nothing_else(monkeypatch, size):
             monkeypatch.setattr(quadratic_duration, "node_count", lambda *_, n=nodes // share // 2 * 2: n)
             fewer = duration(p, q)
             assert fewer.contains(truth.mid())
-            assert elapsed(p, q, arb.pi()).contains(truth.mid())
-            assert arb(2) ** (-230 // share) < fewer.rad() < arb(2) ** (-60 // share)
+            in_parts = elapsed(p, q, arb.pi())
+            assert in_parts.contains(truth.mid())
+            whole, part = _theorem(p, q, nodes // share // 2 * 2)
+            assert whole <= fewer.rad() < whole * 1.001 + truth.rad()
+            assert part <= in_parts.rad() < part * 1.001 + truth.rad()
         assert abs(fewer.mid() - truth) > 1000 * truth.rad()

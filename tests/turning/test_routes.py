@@ -5,7 +5,10 @@ from itertools import islice
 import pytest
 from flint import arb, ctx
 
+from asymptotics.half_swings.finite import finite_quarter
 from asymptotics.law import Law
+from asymptotics.numbers.exact import parse_real
+from asymptotics.turning.far import Point, series_points
 from asymptotics.turning.general import turning_points
 from asymptotics.turning.routes import Plan
 
@@ -32,6 +35,31 @@ def test_interpolation_follows_a_law_to_its_end(law):
         ends = [list(plan(law, count=1000, interpolates=chosen).turnings())[-1] for chosen in (False, True)]
     assert ends[0].ended == ends[1].ended and ends[0].ended in ("creeps", "sticks")
     assert ends[0].n == ends[1].n and ends[0].x.overlaps(ends[1].x)
+
+
+@pytest.mark.parametrize("start", [1500, 1501])
+def test_a_jump_lands_where_the_half_swings_lead(start):
+    with ctx.workprec(60):
+        law = {"3/2": "1/5"}
+        routes = [plan(law, start=start, count=2, interpolates=True, jump=jump) for jump in (True, False)]
+        found = [list(islice((p for p in route.turnings() if p.n >= start), 2)) for route in routes]
+        for jumped, passed, n in zip(*found, (start, start + 1), strict=True):
+            assert jumped.n == passed.n == n and jumped.side == passed.side == (-1) ** n
+            for ours, theirs in ((jumped.x, passed.x), (jumped.tau, passed.tau)):
+                assert ours.overlaps(theirs) and ours.rad() < abs(ours) * arb(2) ** -44
+            assert jumped.ended is None
+
+
+def test_a_wide_start_of_the_series_stays_wide():
+    alpha, epsilon, width = parse_real("3", "alpha"), arb("0.02"), arb("1e-6")
+    quarter = finite_quarter([alpha], [epsilon * 2], 50)
+    wide, low, high = (
+        list(islice(series_points(quarter, epsilon, Point(5, log, arb(7))), 4))
+        for log in (arb(0, width), -width, width)
+    )
+    for whole, *ends in zip(wide, low, high, strict=True):
+        assert all(whole.log.contains(end.log.mid()) and whole.tau.contains(end.tau.mid()) for end in ends)
+    assert [p.n for p in wide] == [5, 6, 7, 8] and wide[0].tau == 7
 
 
 @pytest.mark.slow
