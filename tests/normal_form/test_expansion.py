@@ -1,6 +1,7 @@
-from math import exp
+from math import exp, prod
 
 import pytest
+import sympy
 from flint import arb
 
 from asymptotics.errors import InputError, LimitError
@@ -9,6 +10,7 @@ from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.large_orders import borel_pade, growth_ratios, optimal_truncation
 from asymptotics.normal_form.observables import observables
+from asymptotics.normal_form.show import sum_latex, sum_text
 from asymptotics.normal_form.verify import (
     equation_residual,
     exact_reference,
@@ -17,6 +19,7 @@ from asymptotics.normal_form.verify import (
     residual_order,
     verify,
 )
+from asymptotics.numbers.value import Coefficient
 from asymptotics.terms import Term
 from asymptotics.verdict import Outcome
 
@@ -50,6 +53,17 @@ def test_residual_of_polynomials_in_x_and_v_vanishes(gauge):
     van_der_pol = [Term(-1, 1), Term(-1, 1, 2)]
     assert equation_residual(van_der_pol, 4, gauge) is Outcome.CONFIRMED
     assert equation_residual([Term(-1, 3, 2), Term(1, 0, 3, "position")], 3, gauge) is Outcome.CONFIRMED
+
+
+@pytest.mark.parametrize("alpha", [1, 3])
+def test_a_named_spring_is_read_through_the_order(alpha):
+    forces = [Term(1, alpha), Term(1, 0, 3, "position", "pendulum")]
+    assert all(equation_residual(forces, 5, gauge) is Outcome.CONFIRMED for gauge in GAUGES)
+    half, deltas = exact_half_swing(forces, 5), (0.02, 0.03)
+    found = numerical_half_swing(forces, deltas)
+    assert found == pytest.approx([_value(s, *deltas) for s in (half.L, half.T)], abs=1e-8)
+    plain = [Term(1, alpha), Term(1, 0, 3, "position")]  # its x^5 is felt
+    assert numerical_half_swing(plain, deltas)[1] != pytest.approx(_value(half.T, *deltas), abs=1e-6)
 
 
 def test_reference_of_another_law_is_refuted():
@@ -88,11 +102,19 @@ def test_observables_against_a_numerical_half_swing():
     assert _value(seen.log_decrement, delta) == pytest.approx(-L - following, abs=1e-8)
 
 
-def _value(series, delta):
+def _value(series, *deltas):
     total = 0.0
-    for (n,), c in series.coefficients.items():
-        total += float((c.ball() if hasattr(c, "ball") else arb(c)).mid()) * delta**n
+    for key, c in series.coefficients.items():
+        total += float((c.ball() if hasattr(c, "ball") else arb(c)).mid()) * prod(map(pow, deltas, key))
     return total
+
+
+def test_a_sum_is_written_as_by_hand():
+    row = {(n,): Coefficient(str(c), sympy.Rational(c)) for n, c in ((1, -1), (2, "-1/100"), (3, 1), (4, 0))}
+    assert sum_text(row, ("d",)) == "-d - 1/100 d^2 + d^3" and sum_text({}, ("d",)) == "0"
+    assert sum_latex(row, ("d",)) == r"-d - \frac{1}{100} d^{2} + d^{3}"
+    mixed = {(1, 1): Coefficient("1.5e-7", None), (2, 0): Coefficient("2", sympy.Integer(2))}
+    assert sum_latex(mixed, ("a", "b"), "1") == r"1 + 2 a^{2} + 1.5 \cdot 10^{-7} a b"
 
 
 @pytest.mark.parametrize("alpha", [2, 3])

@@ -3,10 +3,14 @@
 Where a bound keeps a stated slack, its constant is evaluated a second time, without balls.
 """
 
+from itertools import islice
+
 import mpmath
 import pytest
 from flint import arb, ctx
 
+from asymptotics.errors import InputError, UndecidedError
+from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing import arrival as arrivals
 from asymptotics.swing import dense
@@ -16,8 +20,8 @@ from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import trap
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.majorant import majorant
-from asymptotics.swing.passage import Passage
-from asymptotics.swing.sequence import Turning, following
+from asymptotics.swing.passage import Passage, integrated
+from asymptotics.swing.sequence import Turning, first_from, following, sequence
 from asymptotics.swing.taylor import TaylorStep, discs, residual
 
 
@@ -255,6 +259,36 @@ def test_a_trap_is_announced_inside_its_condition_only():
     largest = (arb(1) / 6).sqrt() * 9 / 16
     assert steep < largest
     assert trap(law, largest * arb("0.999"), arb(0)) == "creeps" and trap(law, largest * arb("1.001"), arb(0)) is None
+    for text in ("1/3", "2", "7"):  # y^2 < eps^4/6/c^2: at w = 0 the second condition alone
+        law, edge = damping(("1/2", text)), (arb(1) / 6).sqrt() * 9 / 16 * parse_real(text, "e").ball() ** 2
+        assert trap(law, edge * arb("0.999"), arb(0)) == "creeps" and trap(law, edge * arb("1.001"), arb(0)) is None
     assert trap(damping(("1", "1.99")), arb(1), arb("0.001")) is None
     assert trap(damping(("1", "2")), arb(1), arb("0.999")) == "overdamped"
     assert trap(damping(("1", "2")), arb(1), arb("1.001")) is None
+
+
+def test_dry_friction_holds_exactly_up_to_itself():
+    law = damping(("0", "1/4"), ("2", "1/10"))
+    p, e = arb("0.25"), arb(2) ** -40
+    assert integrated(law, p).ended == "sticks" and integrated(law, p - e, e).ended == "sticks"
+    with ctx.workprec(120):
+        assert integrated(law, p + e).ended is None
+    with ctx.workprec(60), pytest.raises(UndecidedError):
+        integrated(law, p, e)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_start_in_motion_and_its_mirror_image(side):
+    law, state = damping(("3/2", "1/5")), (arb("0.25"), arb("0.5"))
+    with ctx.workprec(80):
+        first, other = first_from(law, *state), first_from(law, *(side * x for x in state))
+        assert first.side == 1 and other.side == side and first.n == other.n == 0
+        for a, b in zip(*(islice(sequence(law, here), 3) for here in (first, other)), strict=True):
+            assert (b.n, b.side) == (a.n, side * a.side)
+            for name in ("amplitude", "amplitude_error", "time", "time_error"):
+                assert getattr(a, name).mid() == getattr(b, name).mid()
+
+
+def test_a_law_that_is_no_damping_is_refused_as_such():
+    with pytest.raises(InputError, match="this half-swing"):
+        Damping.of_law(Law({2: "1/10"}, spring="pendulum"))

@@ -13,6 +13,7 @@ from asymptotics.swing.course import course
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
 from asymptotics.swing.linear import ROUTE, LinearOrbit, is_linear
+from asymptotics.swing.panels import Panels
 from asymptotics.turning.general import turning_points
 from asymptotics.turning.half_swing import half_swing_result
 
@@ -88,6 +89,9 @@ def test_at_the_turning_point_the_wrong_friction_is_paid_for():
         late = time.rad()
         (last,) = course(law, arb(1), arb(0))
         assert last.error <= 4 * arb("0.25") * last.time.rad() * arb("1.001")
+        given = arb(2) ** -90
+        (after,) = course(law, arb(1), arb(0), given)
+        assert after.error >= given + 4 * arb("0.25") * after.time.rad() > given
         gone = abs(orbit.y) * late - (abs(orbit.y) - 2 * arb("0.25")) * late  # the speed it has, and should have
         assert gone <= 4 * arb("0.25") * late and 4 * arb("0.25") * late / 2 <= gone
 
@@ -101,3 +105,20 @@ def test_states_in_one_pass():
         high = states(law, arb(1), arb(0), times)
     for a, b in zip(low, high, strict=True):
         assert a[0].contains(b[0]) and a[1].contains(b[1]) and a[0].rad() < arb(2) ** -30
+
+
+@pytest.mark.parametrize("law", [{"3/2": "1/100"}, {0: "1/900", 2: "1/50"}], ids=str)
+def test_states_between_half_swings_that_are_interpolated(law):
+    """Late times in a row of 100 half-swings, most of them by panels, against the pieces at more bits."""
+    times = [arb(k) * 100 + arb("0.5") for k in (0, 2, 3)]
+    found = []
+    for bits in (40, 70):
+        with ctx.workprec(bits + 40):
+            made = Damping.of_law(Law(law))
+        with ctx.workprec(bits):
+            panels = Panels(Law(law), bits) if bits == 40 else None
+            found.append(states(made, arb(1), arb(0), times, panels=panels))
+            assert panels is None or panels.made
+    for low, high in zip(*found, strict=True):
+        for small, large in zip(low, high, strict=True):
+            assert small.contains(large) and small.rad() < arb(2) ** -18

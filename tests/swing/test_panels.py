@@ -1,6 +1,7 @@
 """Half-swings by interpolation: the pieces at many bits are contained at few, on every kind of coordinate."""
 
 import random
+from types import SimpleNamespace
 
 import mpmath
 import numpy as np
@@ -9,7 +10,10 @@ from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.law import Law
+from asymptotics.moments.certified import moment
 from asymptotics.numbers.exact import parse_real
+from asymptotics.swing import panel_plan
+from asymptotics.swing.chebyshev import cut
 from asymptotics.swing.coordinate import Coordinate
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.panel_plan import Plan, planned, verified
@@ -159,6 +163,37 @@ def test_a_plan_saves_half_swings_or_is_none():
     assert more is not None and more.nodes > 2 * long.nodes
     strong = planned(coordinate((("1", "3"),)), 1.0, 1000, 120)
     assert strong is None
+
+
+@pytest.mark.parametrize("case", [0, 1, 2, 3, 6])
+def test_the_reach_in_doubles_is_that_of_the_majorant(case):
+    c = coordinate(LAWS[case][0])
+    reach = panel_plan._reach(c)
+    assert c.bounds(arb(0), arb(0.95 * reach)) is not None and c.bounds(arb(0), arb(1.05 * reach)) is None
+
+
+@pytest.mark.parametrize("case", [4, 5])
+def test_the_stretch_in_doubles_is_that_of_the_majorant(case):
+    pairs, low, high, _ = LAWS[case]
+    c = coordinate(pairs)
+    first, last = sorted(float(c(arb(p))) for p in (low, high))
+    axis = panel_plan._stretch(c, low, high) * (last - first) / 2
+    middle = arb((first + last) / 2)
+    assert c.bounds(middle, arb(0.94 * axis)) is not None and c.bounds(middle, arb(1.06 * axis)) is None
+
+
+@pytest.mark.parametrize(("growth", "excess"), [("0.5", "1e-6"), ("1e-9", "0.25"), ("1e-30", "1e-30")])
+def test_the_nodes_are_the_fewest_for_both_cuts(growth, excess):
+    ellipse = panel_plan.Ellipse(arb(3), SimpleNamespace(growth=arb(growth), excess=arb(excess)))
+    count, fine = ellipse.nodes_for(50), arb(2) ** -50
+    largest = ellipse.ratio_bound.max(arb(excess))
+    assert cut(largest, ellipse.R, count) <= fine and (count == 1 or cut(largest, ellipse.R, count - 1) > fine)
+
+
+@pytest.mark.parametrize("p", ["0", "1/2", "3", "17/2"])
+def test_the_moment_in_doubles(p):
+    power = parse_real(p, "p").ball()
+    assert panel_plan._moment(float(power)) == pytest.approx(float(moment(power)), rel=1e-12)
 
 
 def check(seed):

@@ -9,6 +9,7 @@ from asymptotics.errors import InputError, UndecidedError
 from asymptotics.half_swings.finite import finite_quarter
 from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.numbers.exact import parse_real
+from asymptotics.turning import far
 from asymptotics.turning.abel import Approximant, abel_function
 from asymptotics.turning.far import Point, far_points, series_points
 from asymptotics.turning.quadratic_abel import quadratic_abel
@@ -122,6 +123,14 @@ def test_a_far_point_is_one_jump_from_any_head():
         assert following[1].n == 10**9 + 1
         assert following[1].tau > following[0].tau + arb("3.14")
         assert next(far_points(alpha, epsilon, lead, 7)).n == 7
+
+
+@pytest.mark.parametrize("alpha", ["3/2", "3"])
+def test_a_jump_has_the_terms_that_its_precision_needs(alpha):
+    with ctx.workprec(60):
+        start = arb("0.01")
+        abel = far._suited(real(alpha), start)
+        assert 0 < abel.defects(abel.psi, start).rad() < arb(2) ** -60
 
 
 def test_what_is_out_of_reach_is_refused():
