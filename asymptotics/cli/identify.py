@@ -16,10 +16,11 @@ from pathlib import Path
 from asymptotics.cli.answer import Answer, add_json, add_max_seconds
 from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.errors import InputError
+from asymptotics.identification.column_units import UNITS
 from asymptotics.identification.identify import identify
 from asymptotics.identification.plots import KINDS as PICTURES
 from asymptotics.identification.plots import picture
-from asymptotics.identification.reading import KINDS, UNITS
+from asymptotics.identification.reading import KINDS
 from asymptotics.identification.result import Identification
 from asymptotics.numbers.exact import parse_rational
 from asymptotics.present.files import require_different

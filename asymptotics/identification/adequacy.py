@@ -12,7 +12,7 @@ True
 from collections.abc import Mapping
 
 import numpy as np
-from scipy import stats
+from scipy.special import fdtrc
 
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.fitting import Fit, Model, Noise
@@ -65,7 +65,7 @@ def adequate(fit: Fit, levels: Levels, left: float = 1.0) -> tuple[bool, str]:
         if not level or freedom < 5:
             continue
         level = max(level, fit.model.floor(kind, fit.theta))
-        p = float(stats.f.sf((own / level) ** 2, max(fit.freedoms[kind], 1.0), freedom))
+        p = float(fdtrc(max(fit.freedoms[kind], 1.0), freedom, (own / level) ** 2))
         above = p < _SURELY and own > 1.3 * level
         good &= not above
         said.append(f"{kind}: residual {own:.3g}, noise {level:.3g}" + (" (too large)" if above else ""))

@@ -1,14 +1,19 @@
 """L = ln(A'/A) of a half-swing in balls: the certified coefficients, and a bound for what the truncated sum lacks.
 
 *The tail.*  For complex z put L(z delta) for the half-swing with strengths z delta_i of losses |x|^m v|v|^(alpha-1).
-While |y| <= Y, y = ln r, and with w_i = alpha_i + m_i - 1, g_i = |delta_i| e^(|w_i| Y),
+With y = ln r, w_i = alpha_i + m_i - 1, W = max |w_i|, and while |y| <= Y,
 
-    dy/dtheta = -s N/(1 - c N),     s |N| <= |z| sum_i g_i s^(alpha_i+1) |c|^(m_i),     |c N| <= |z| sum_i g_i k_i = h,
+    dy/dtheta = -s N/(1 - c N),     |c N| <= |z| sum_i |delta_i| e^(|w_i| Y) k_i = |z| H,
+    d|y|/dtheta <= |z| e^(W |y|) sum_i |delta_i| s^(alpha_i+1) |c|^(m_i)/(1 - |z| H),
 
 k_i = sup s^alpha |c|^(m+1), which is where tan^2 = alpha/(m+1).  The integral of s^(alpha+1) |c|^m over the half-swing
-is minus the first coefficient of L, J_i.  So if |z| sum_i g_i J_i < Y (1 - h), then |y| < Y all the way: the solution
-exists there and is analytic in z, and |L| <= Y.  This holds for |z| <= q with q sum_i g_i (J_i + Y k_i) < Y.  By
-Cauchy's inequality the orders above K lack at most Y q^(-K-1)/(1 - 1/q) at z = 1.
+is minus the first coefficient of L, J_i.  Divided by e^(W |y|) and integrated, with S = sum_i |delta_i| J_i,
+
+    (1 - e^(-W |y|))/W <= |z| S/(1 - |z| H).
+
+If the right-hand side is less than E = (1 - e^(-W Y))/W, then |y| < Y all the way: the solution exists there and is
+analytic in z, and |L| <= Y.  This holds for |z| <= q with q (S + H E) < E.  By Cauchy's inequality the orders above K
+lack at most Y q^(-K-1)/(1 - 1/q) at z = 1.
 
 >>> ratio = CertifiedRatio.of((Term(1, 1),))
 >>> ratio.at([arb("0.1")]).str(8)                                 # -pi (delta/2)/sqrt(1 - delta^2/4)
@@ -32,7 +37,7 @@ BITS = 80
 _ORDERS = {1: 20, 2: 12, 3: 7, 4: 5}
 _EXACT, _EXACT_ORDERS = 6, {**_ORDERS, 1: 40}
 """Up to this integer exponent the exact coefficients come sooner than the balls, and more of them are affordable."""
-_REACHES = [arb(k) / 10 for k in range(1, 21)]
+_REACHES = [arb(k) / 20 for k in (1, 2, 4, 6, 8, 10, 12, 14, 17, 21, 26, 32, 40)]
 
 
 @dataclass(frozen=True)
@@ -77,12 +82,12 @@ class CertifiedRatio:
         """A bound of |L - truncated sum|; UndecidedError for strengths too large for it."""
         best: arb | None = None
         sizes = [arb(d.abs_upper()) for d in delta]
+        S = sum((d * J for d, J in zip(sizes, self.areas)), arb(0))
+        W = max((abs(w) for w in self.weights), key=lambda w: float(w.upper())).upper()
         for Y in _REACHES:
-            grown = [s * (abs(w) * Y).exp() for s, w in zip(sizes, self.weights)]
-            load = sum((g * (J + Y * k) for g, J, k in zip(grown, self.areas, self.crests)), arb(0))
-            if not load > 0:
-                return arb(0)
-            q = Y * arb("0.99") / load
+            H = sum((d * k * (abs(w) * Y).exp() for d, k, w in zip(sizes, self.crests, self.weights)), arb(0))
+            E = -(-W * Y).expm1() / W if W > 0 else Y
+            q = E * arb("0.99") / (S + H * E)
             if not q > arb("1.05"):
                 continue
             bound = Y * q ** (-self.order - 1) / (1 - 1 / q)

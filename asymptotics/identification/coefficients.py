@@ -81,7 +81,7 @@ class SwingCoefficients:
     T_q: Array
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=256)
 def swing_coefficients(elements: tuple[Element, ...], order: int, alphas: tuple[float, ...] = ()) -> SwingCoefficients:
     """The series through total degree ``order``.
 

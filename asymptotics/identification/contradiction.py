@@ -14,7 +14,7 @@ with as many data would have; residuals that remember divide the ratio by the sq
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import stats
+from scipy.special import chdtrc, fdtrc
 
 from asymptotics.identification.candidates import Candidate
 from asymptotics.identification.fitting import Fit
@@ -78,9 +78,9 @@ def contradiction(
 def _p_value(ratio: float, terms: int, better: Fit) -> float:
     """Of the likelihood ratio N ln(1 + k F/f), in the smallest group of data: N data, f degrees of freedom."""
     if better.known:
-        return float(stats.chi2.sf(ratio, terms))
+        return float(chdtrc(terms, ratio))
     sizes = [group.stop - group.start for group in better.model.groups]
     place = int(np.argmin(sizes))
     freedom = max(better.freedoms[better.model.kinds[place]], 1.0)
     F = float(np.expm1(min(ratio / sizes[place], 700.0))) * freedom / terms
-    return float(stats.f.sf(F, terms, freedom))
+    return float(fdtrc(terms, freedom, F))

@@ -7,9 +7,9 @@ multiplied, by the ratio of the replicas' spread to the standard error.
 """
 
 import numpy as np
-from scipy import stats
+from scipy.special import chdtrc
 
-from asymptotics.identification.coefficients import Array
+from asymptotics.identification.coefficients import Array, product
 from asymptotics.identification.fitting import Fit
 from asymptotics.identification.profile import Function
 
@@ -31,7 +31,7 @@ def _whiteness(r: Array) -> float:
         return 1.0
     rho = np.array([float(r[k:] @ r[:-k]) / power for k in range(1, lags + 1)])
     q = n * (n + 2) * float((rho**2 / (n - np.arange(1, lags + 1))).sum())
-    return float(stats.chi2.sf(q, lags))
+    return float(chdtrc(lags, q))
 
 
 def block_length(fit: Fit) -> int:
@@ -63,8 +63,8 @@ def replicas(fit: Fit, count: int = REPLICAS, seed: int = 1) -> Array:
         drawn[:, group] = r[order[:, : len(r)] % len(r)]
     J = fit.slopes / sigma[:, None]
     size = np.linalg.norm(J, axis=0) + 1e-300
-    change, *_ = np.linalg.lstsq(J / size, drawn.T, rcond=1e-12)
-    return np.asarray(fit.theta + (change / size[:, None]).T)
+    change = product(drawn, np.linalg.pinv(J / size, rcond=1e-12).T)
+    return np.asarray(fit.theta + change / size)
 
 
 def stretch(fit: Fit, g: Function, drawn: Array) -> float:

@@ -4,27 +4,28 @@ import numpy as np
 
 from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Array
+from asymptotics.identification.rows import Rows
 
 _LEAST_ROWS = 50
 _PLATEAU = 4
 """Equal samples that make a plateau on their own, if it is entered and left at speed."""
 
 
-def require_usable(t: Array, x: Array, name: str) -> None:
+def require_usable(t: Array, x: Array, rows: Rows) -> None:
     """InputError for a record that is too short, constant, or clipped."""
     if len(t) < _LEAST_ROWS:
-        raise InputError("FILE", f"{name} has {len(t)} rows with numbers", f"at least {_LEAST_ROWS} samples")
+        raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers", f"at least {_LEAST_ROWS} samples")
     if not np.ptp(x) > 0:
-        raise InputError("FILE", f"{name}, column x: all values are {x[0]:g}", "a motion")
+        raise InputError("FILE", f"{rows.name}, column x: all values are {x[0]:g}", "a motion")
     for extreme, word in ((x.max(), "largest"), (x.min(), "smallest")):
         runs = _runs(x == extreme)
         long = [run for run in runs if run[1] - run[0] >= 3]
         sharp = [run for run in long if run[1] - run[0] >= _PLATEAU and _is_sharp(x, *run)]
         if sharp or (len(long) >= 3 and _is_cut(x, long, float(extreme))):
             long = long if len(long) >= 3 else sharp
-            row = long[0][0] + 2
+            where = rows.where(long[0][0], "x")
             peaks = "1 peak is" if len(long) == 1 else f"{len(long)} peaks are"
-            reason = f"{name}, row {row}, column x: {peaks} clipped at the {word} value {extreme:g}"
+            reason = f"{where}: {peaks} clipped at the {word} value {extreme:g}"
             raise InputError("FILE", reason, "a record whose peaks are whole")
 
 

@@ -22,8 +22,10 @@ from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.defects import require_usable, shape_notes
 from asymptotics.identification.observations import Indices, Observations
-from asymptotics.identification.reading import require_increasing
+from asymptotics.identification.reading import Table, require_increasing
+from asymptotics.identification.rows import Rows
 
+_RECORD = Rows("the record")
 _WINDOW = 0.11
 """Half-width of a local fit, in periods: 0.7 rad, where a polynomial of degree 6 follows a cosine to 1e-7."""
 _DEGREE = 6
@@ -47,14 +49,13 @@ class _Points:
     noise: float
 
 
-def observations_of_record(t: Array, x: Array, *, unit: str = "", name: str = "the record") -> Observations:
+def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: Rows = _RECORD) -> Observations:
     """Turning points, turning times and passages of a sampled motion; InputError for a record that has none."""
-    t, x = np.asarray(t, dtype=float), np.asarray(x, dtype=float)
-    keep = ~(np.isnan(t) | np.isnan(x))
-    notes = [] if keep.all() else [f"{(~keep).sum()} rows without numbers left out"]
-    t, x = t[keep], x[keep]
-    require_usable(t, x, name)
-    require_increasing(t, "t", name)
+    columns = {"t": np.asarray(t, dtype=float), "x": np.asarray(x, dtype=float)}
+    table, said = Table("record", columns, unit, rows).whole()
+    t, x, rows, name, notes = table.columns["t"], table.columns["x"], table.rows, rows.name, list(said)
+    require_usable(t, x, rows)
+    require_increasing(t, "t", rows)
     period = dominant_period(t, x)
     per_period = period / float(np.median(np.diff(t)))
     if per_period < _LEAST_SAMPLES:
@@ -75,8 +76,8 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", name: str = "t
         notes.append(f"base line {base[0]:.4g} and drift {base[1]:.3g} a unit of time removed")
     else:
         notes.append(f"base line {base[0]:.4g} removed")
-    chosen, said = _free_decay(found)
-    notes += said + shape_notes(t, x, found.x[chosen], found.sigma_x[chosen], period)
+    chosen, discarded = _free_decay(found)
+    notes += discarded + shape_notes(t, x, found.x[chosen], found.sigma_x[chosen], period)
     return _assembled(found, chosen, unit, name, [*notes, f"sample noise {found.noise:.3g}"])
 
 

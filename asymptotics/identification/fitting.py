@@ -169,7 +169,7 @@ class Fit:
         """Data minus parameters."""
         return len(self.residuals) - self.model.size
 
-    @property
+    @cached_property
     def log_likelihood(self) -> float:
         """ln(likelihood), with the scales at their most likely values if they are not known."""
         total = 0.0
@@ -180,7 +180,7 @@ class Fit:
             total -= float((r**2).sum()) / (2 * s2) + len(r) / 2 * np.log(2 * np.pi * s2)
         return float(total - np.log(self.model.shape).sum())
 
-    @property
+    @cached_property
     def aicc(self) -> float:
         """Akaike's criterion with the correction for small samples; infinite when there are too few data."""
         k, n = self._counted, len(self.residuals)

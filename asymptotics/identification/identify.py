@@ -17,25 +17,19 @@ from asymptotics.errors import InputError, require_flag, shown
 from asymptotics.identification.adequacy import Levels, noise_levels
 from asymptotics.identification.amplitudes import relieved, spring_bound, widened
 from asymptotics.identification.candidates import Candidate, default_candidates, read_candidate
+from asymptotics.identification.column_units import UNITS
 from asymptotics.identification.comparison import LawFit, fit_decrements, fit_laws, predicted_error
-from asymptotics.identification.contradiction import further_parameters
 from asymptotics.identification.correlation import block_length
 from asymptotics.identification.defects import is_constant, is_growing
 from asymptotics.identification.fitting import Noise
-from asymptotics.identification.judgement import commented, contains, judged, minimal, relabelled
+from asymptotics.identification.judgement import judged, minimal, relabelled
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import Decrements
-from asymptotics.identification.reading import UNITS
 from asymptotics.identification.result import Identification, LawAnswer, Units, sorted_laws
 from asymptotics.identification.runs import common, verdict_of_runs
-from asymptotics.identification.set_valued import MAX_LAWS, strengths_that_fit
 from asymptotics.identification.sources import LEAST_POINTS, load
 from asymptotics.identification.textbook import textbook_estimates
-from asymptotics.identification.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict, verdict_of
-from asymptotics.numbers.arrays import real_array
-from asymptotics.numbers.exact import parse_real
-from asymptotics.numbers.policy import exact_number
-from asymptotics.terms import Term
+from asymptotics.identification.verdicts import verdict_of
 
 MAX_RUNS = 50
 
@@ -179,69 +173,15 @@ def _decrements(
     table: Decrements, candidates: Sequence[Candidate], units: Units, noise: Noise | None
 ) -> Identification:
     if table.resolution is not None:
-        return _certified(table, candidates, units)
+        from asymptotics.identification.certified_answer import certified  # noqa: PLC0415 (loads SymPy: half a second)
+
+        return certified(table, candidates, units)
     fits = [fit_decrements(c, table, noise) for c in candidates]
     laws = judged(fits, _levels(fits, noise))
     verdict = verdict_of(laws, None)
     notes = [*table.notes, "decrements cannot tell a nonlinear spring from loss: the intervals hold for linear springs"]
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
     return Identification(verdict, answers, (table,), {}, tuple(notes), units)
-
-
-def _certified(table: Decrements, candidates: Sequence[Candidate], units: Units) -> Identification:
-    """Set-valued answers: every law is proved consistent, proved refuted, or undetermined."""
-    laws = commented(_sets(candidates, table))
-    chosen = minimal(laws)
-    names = "; ".join(str(law.candidate) for law in chosen)
-    open_laws = [str(law.candidate) for law in laws if law.verdict == "undetermined"]
-    rivals = [
-        str(law.candidate)
-        for law in laws
-        if law.verdict == "undetermined" and not any(contains(law, other) for other in chosen)
-    ]
-    if len(chosen) == 1 and rivals:
-        text = f"{SEVERAL} or undecided: {names} meets every printed value (proved); undecided: {'; '.join(rivals)}"
-        verdict = Verdict(SEVERAL, text, "fewer candidates, smaller amplitudes, or one more printed digit")
-    elif len(chosen) == 1:
-        verdict = Verdict(IDENTIFIED, f"{IDENTIFIED}: {names} meets every printed value (proved)")
-    elif chosen:
-        kind = SEVERAL if len(chosen) <= MANY else UNTOLD
-        verdict = Verdict(kind, f"{kind}: {names} meet every printed value", "one more printed digit, or more rows")
-    elif open_laws:
-        verdict = Verdict(UNTOLD, f"{UNTOLD} to tell: undetermined for {', '.join(open_laws)}")
-    else:
-        verdict = Verdict(NONE, f"{NONE}: no candidate law meets every printed value (proved in the searched box)")
-    order = sorted(laws, key=lambda law: (("consistent", "undetermined", "refuted").index(law.verdict), law.terms))
-    notes = (*table.notes, "decrements cannot tell a nonlinear spring from loss: the sets hold for linear springs")
-    answers = tuple(LawAnswer(law, units, certified=bool(law.epsilon)) for law in order)
-    return Identification(verdict, answers, (table,), {}, notes, units)
-
-
-def _sets(candidates: Sequence[Candidate], table: Decrements) -> list[LawFit]:
-    """The certified set of each law, smaller laws first: what contains a consistent law is consistent too."""
-    found: dict[Candidate, LawFit] = {}
-    for candidate in sorted(candidates, key=lambda c: len(c.losses) + c.free):
-        inside = next((law for law in found.values() if law.verdict == "consistent" and _holds(candidate, law)), None)
-        found[candidate] = _set(candidate, table, inside)
-    return [found[candidate] for candidate in candidates]
-
-
-def _holds(candidate: Candidate, law: LawFit) -> bool:
-    """Whether a law is a special case of the candidate."""
-    return further_parameters(law.candidate, candidate) == 0
-
-
-def _set(candidate: Candidate, table: Decrements, inside: LawFit | None) -> LawFit:
-    law = LawFit(candidate, None)
-    if candidate.free or len(candidate.losses) > MAX_LAWS:
-        reason = f"a certified set needs one to {MAX_LAWS} given exponents"
-    else:
-        losses = tuple(Term(1, parse_real(a, "laws"), m) for a, m in candidate.losses)
-        found = strengths_that_fit(losses, table)
-        law, reason = replace(law, verdict=found.verdict, epsilon=found.epsilon), found.reason
-    if inside is not None and law.verdict != "consistent":
-        return replace(law, verdict="consistent", reason="")
-    return replace(law, reason=reason)
 
 
 def _together(answers: Sequence[Identification], units: Units) -> Identification:
@@ -276,6 +216,9 @@ def _omega(mass: float | None, stiffness: float | None, omega_0: float | None) -
 def _positive(value: Any, name: str) -> float | None:
     if value is None:
         return None
+    from asymptotics.numbers.arrays import real_array  # noqa: PLC0415 (loads SymPy, and most calls name no number)
+    from asymptotics.numbers.policy import exact_number  # noqa: PLC0415 (as above)
+
     number = exact_number(value, name)
     if not number > 0:
         raise InputError(name, f"{number} is not positive", "a positive number")
@@ -283,6 +226,8 @@ def _positive(value: Any, name: str) -> float | None:
 
 
 def _two_numbers(amplitudes: Any) -> tuple[float, float]:
+    from asymptotics.numbers.arrays import real_array  # noqa: PLC0415 (loads SymPy, and most calls name no number)
+
     values = real_array(amplitudes, "amplitudes")
     if values.shape != (2,):
         raise InputError("amplitudes", f"its shape is {values.shape}", "two numbers: low, high")

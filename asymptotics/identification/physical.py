@@ -27,15 +27,17 @@ _LARGER = 1.03
 Box = tuple[Array, Array]
 
 
-def physical_box(losses: Sequence[Term], ratio: CertifiedRatio, rows: Sequence[Row]) -> Box | Literal["none"] | None:
+def physical_box(
+    losses: Sequence[Term], ratio: CertifiedRatio, rows: Sequence[Row], *, met: bool = False
+) -> Box | Literal["none"] | None:
     """(low, high) of a box that holds all strengths >= 0 that meet every row, "none" if it is proved that there are
-    none, or None if the series does not reach far enough to say."""
+    none, or None if the series does not reach far enough to say.  ``met``: it is known that there are some."""
     largest = [_largest(term, rows, i) for i, term in enumerate(losses)]
     if any(u is None for u in largest):
         return None
     size = np.array(largest, dtype=float)
     boxes: list[Box] = [(np.zeros(len(losses)), size)]
-    last = MAX_BOXES
+    last = _MORE if met else MAX_BOXES
     for k in range(MAX_BOXES):
         if not boxes:
             return "none"

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import stats
+from scipy.special import ndtri, stdtrit
 
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.fitting import Fit, minimise
@@ -72,8 +72,8 @@ def coordinate(index: int, factor: float = 1.0) -> Function:
 def quantile(fit: Fit, level: float, kind: str) -> float:
     """How many standard errors reach the two-sided ``level``; ``kind``: the data that determine the quantity."""
     if fit.known:
-        return float(stats.norm.ppf((1 + level) / 2))
-    return float(stats.t.ppf((1 + level) / 2, max(fit.freedoms[kind], 1.0)))
+        return float(ndtri((1 + level) / 2))
+    return float(stdtrit(max(fit.freedoms[kind], 1.0), (1 + level) / 2))
 
 
 def wald_interval(fit: Fit, g: Function, level: float = 0.95, kind: str = "x") -> Interval:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from scipy import stats
+from scipy.special import chdtrc, stdtrit
 
 from asymptotics.identification.comparison import LawFit
 from asymptotics.identification.contradiction import REFUTED, Contradiction
@@ -34,7 +34,7 @@ def random_effects(estimates: Sequence[float], errors: Sequence[float], level: f
     w = 1 / (v + between)
     mean = float(w @ y / w.sum())
     variance = max(float(w @ (y - mean) ** 2) / (len(y) - 1), 1.0 if between == 0 else 0.0) / float(w.sum())
-    reach = float(stats.t.ppf((1 + level) / 2, len(y) - 1)) * float(np.sqrt(variance))
+    reach = float(stdtrit(len(y) - 1, (1 + level) / 2)) * float(np.sqrt(variance))
     return Interval(mean - reach, mean, mean + reach), float(np.sqrt(between))
 
 
@@ -84,7 +84,7 @@ def _judged(place: int, laws: Sequence[LawFit], least: float, per_run: Sequence[
 def _combined(found: Sequence[Contradiction]) -> Contradiction:
     """Fisher's combination: -2 sum ln(p) has chi-squared's distribution with two degrees of freedom for each run."""
     logarithms = sum(np.log(max(c.p, 1e-300)) for c in found)
-    p = float(stats.chi2.sf(-2 * logarithms, 2 * len(found)))
+    p = float(chdtrc(2 * len(found), -2 * logarithms))
     return Contradiction(found[0].by, sum(c.ratio for c in found), sum(c.terms for c in found), p)
 
 

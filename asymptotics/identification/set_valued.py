@@ -50,9 +50,17 @@ class StrengthSet:
     epsilon: tuple[Interval, ...]
     reason: str = ""
 
+    @property
+    def point(self) -> Array | None:
+        """Strengths that are proved to meet every row, if such were found."""
+        return np.array([e.estimate for e in self.epsilon]) if self.verdict == "consistent" else None
 
-def strengths_that_fit(losses: tuple[Term, ...], table: Decrements) -> StrengthSet:
-    """The certified set for a sum of at most four losses (of strength 1) with given exponents."""
+
+def strengths_that_fit(losses: tuple[Term, ...], table: Decrements, known: Array | None = None) -> StrengthSet:
+    """The certified set for a sum of at most four losses (of strength 1) with given exponents.
+
+    ``known``: strengths >= 0 that are proved to meet every row, such as those of a law that this one contains.
+    """
     with ctx.workprec(BITS):
         try:
             ratio = CertifiedRatio.of(losses)
@@ -60,8 +68,8 @@ def strengths_that_fit(losses: tuple[Term, ...], table: Decrements) -> StrengthS
             reach = _searched(ratio, rows)
             box = _smallest_box(ratio, rows, reach)
             if box is None or (np.maximum(-box[0], box[1]) > reach * (1 - 1e-6)).any():
-                return _beyond(losses, ratio, rows, reach, box)
-            point = _point(ratio, rows, *box)
+                return _beyond(losses, ratio, rows, reach, box, known)
+            point = _point(ratio, rows, *box) if known is None else known
             if (point is None or (point < 0).any()) and physical_box(losses, ratio, rows) == "none":
                 return StrengthSet("refuted", (), _NONE + ("" if point is None else "; negative ones do: unphysical"))
         except UndecidedError as error:
@@ -78,19 +86,25 @@ def _found(point: Array | None, box: Box, scope: str) -> StrengthSet:
 
 
 def _beyond(
-    losses: Sequence[Term], ratio: CertifiedRatio, rows: Sequence[Row], reach: Array, box: Box | None
+    losses: Sequence[Term],
+    ratio: CertifiedRatio,
+    rows: Sequence[Row],
+    reach: Array,
+    box: Box | None,
+    known: Array | None,
 ) -> StrengthSet:
     """The set goes on behind the searched box, or is not in it: what there is among the strengths >= 0."""
     searched = "|epsilon| <= " + ", ".join(f"{r:.3g}" for r in reach)
-    physical = physical_box(losses, ratio, rows)
+    physical = physical_box(losses, ratio, rows, met=known is not None)
     if physical == "none":
         return StrengthSet("refuted", (), _NONE + (f", nor any with {searched}" if box is None else ""))
     if physical is not None:
-        return _found(_point(ratio, rows, *physical), physical, "the set is that of strengths >= 0")
+        point = _point(ratio, rows, *physical) if known is None else known
+        return _found(point, physical, "the set is that of strengths >= 0")
     if box is None:
         reason = f"nothing meets every printed value with {searched} (proved); larger strengths are open"
         return StrengthSet("undetermined", (), reason)
-    point = _point(ratio, rows, *box)
+    point = _point(ratio, rows, *box) if known is None else known
     if point is None:
         return StrengthSet("undetermined", (), _OPEN)
     open_ends = tuple(Interval(None, float(p), None) for p in point)

@@ -23,8 +23,19 @@ BAD = {
     "empty": ("", "empty"),
     "header only": ("n,x\n", "0 turning points"),
     "short": ("n,x\n0,1\n1,-0.9\n", "2 turning points"),
-    "one column": ("n\n0\n1\n2\n", "1 column"),
+    "one column": (
+        "n\n0\n1\n2\n",
+        "row 1: 1 column (n): what is measured is not clear (accepted: t,x (record)",
+    ),
+    "unknown unit": ("n,x_kelvin\n" + POINTS, "data.csv, row 1, column x_kelvin: 'kelvin' is no unit of x"),
+    "a speed": (record().replace("t,x", "t,x [m/s]"), "row 1, column x [m/s]: 'm/s' is no unit of x"),
+    "unknown time": (record().replace("t,x", "t_days,x"), "row 1, column t_days: 'days' is no unit of time"),
+    "two units": ("amplitude_deg,decrement_mm\n1,0.1\n2,0.3\n", "deg does not fit the column decrement_mm"),
     "text cell": ("n,x\n0,1\n1,-0.9\n2,oops\n3,-0.7\n", "row 4, column x: 'oops'"),
+    "text below a comment": ("# a\n\nn,x\n0,1\n1,n/a\n2,oops\n3,-0.7\n", "row 6, column x: 'oops'"),
+    "not increasing below a gap": ("n,x\n0,1\n1,n/a\n2,0.9\n1,-0.8\n3,-0.7\n", "row 5, column n: 1 after 2"),
+    "no header": ("0,1\n1,-0.9\n2,oops\n3,-0.7\n", "row 3, column x: 'oops'"),
+    "decimal commas": ("n;x\n0;1,0\n1;-0,9\n2;0,8\n3;-0,7\n", "row 2, column x: '1,0' is not a number"),
     "infinite": ("n,x\n0,1\n1,-inf\n2,0.8\n3,-0.7\n", "row 3, column x"),
     "not whole": ("n,x\n0,1\n1.5,-0.9\n2,0.8\n3,-0.7\n", "row 3, column n"),
     "not increasing": ("n,x\n0,1\n2,0.9\n1,-0.8\n3,-0.7\n", "row 4, column n"),
@@ -50,7 +61,8 @@ def test_bad_files_end_with_one_line_and_code_2(case, tmp_path, capsys):
     text, expected = BAD[case]
     path = tmp_path / "data.csv"
     path.write_text(text)
-    assert main(["identify", str(path)]) == 2
+    kind = ["--kind", "turning-points"] if case == "no header" else []
+    assert main(["identify", str(path), *kind]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
     assert captured.err.count("\n") == 1
@@ -93,6 +105,15 @@ def test_units_that_do_not_fit_are_refused(tmp_path):
         asy.identify(tmp_path / "a.csv", unit="m")
     with pytest.raises(InputError, match="different units"):
         asy.identify([tmp_path / "a.csv", tmp_path / "b.csv"], laws=["1"])
+
+
+def test_missing_cells_are_left_out_and_said_and_units_are_read_under_their_other_names(tmp_path):
+    path = tmp_path / "points.csv"
+    path.write_text("n;phi [degrees]\n" + POINTS.replace(",", ";").replace("-0.900000", "n/a", 1))
+    answer = asy.identify(path, laws=["1"])
+    assert answer.units.unit == "deg"
+    assert len(answer.runs[0].n) == 11
+    assert "1 row with a missing cell (empty, nan, n/a) left out, the first is row 3" in answer.notes
 
 
 def test_a_missing_file_and_a_binary_file_are_named(tmp_path, capsys):

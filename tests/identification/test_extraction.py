@@ -55,7 +55,7 @@ def test_missing_samples_a_push_and_a_noisy_tail_are_discarded_and_said():
     long = np.concatenate([pushed, 0.05 + 5e-3 * np.random.default_rng(1).standard_normal(4000)])
     seen = observations_of_record(np.arange(len(long)) * 0.02, long)
     said = " ".join(seen.notes)
-    assert "20 rows without numbers" in said
+    assert "20 rows with a missing cell (empty, nan, n/a) left out, the first is row 500" in said
     assert "forced or released" in said
     assert np.abs(seen.x).max() > 0.9
     assert seen.t[-1] < time[-1] + 1

@@ -85,6 +85,29 @@ def test_the_tail_of_the_series_is_an_enclosure_that_bites():
             ratio.tail([arb(1)])
 
 
+def test_the_tail_reaches_strong_losses_and_holds_what_is_left_out():
+    with ctx.workprec(80):
+        for law, strengths in (("3", ["0.12"]), ("0", ["0.1"]), ("1,3", ["0.05", "0.06"])):
+            ratio = CertifiedRatio.of(losses(law))
+            d = [arb(s) for s in strengths]
+            low = {k: c for k, c in ratio.coefficients.items() if sum(k) <= 3}
+            short = CertifiedRatio(ratio.weights, ratio.crests, low, 3)
+            assert short.at(d).contains(ratio.at(d))
+            assert short.tail(d) < 0.3
+            assert not short.polynomial(d).overlaps(ratio.at(d))
+        assert CertifiedRatio.of(losses("3")).tail([arb("0.12")]) < arb("1e-9")
+
+
+def test_a_strong_cubic_loss_is_proved_and_so_is_every_law_that_contains_it():
+    # a decrement of an eighth of the amplitude
+    answer = asy.identify(printed("3", [0.1], 4, rows=30), laws=["2", "3", "0,3", "1,2,3"])
+    verdicts = {str(entry.law.candidate): entry.law.verdict for entry in answer.laws}
+    assert verdicts == {"2": "refuted", "3": "consistent", "0,3": "consistent", "1,2,3": "consistent"}
+    assert answer.verdict.text.startswith("identified: 3")
+    assert answer.law("0,3").law.epsilon[0].high < 1e-5
+    assert answer.law("0,3").law.epsilon[1].contains(0.1)
+
+
 def test_the_command_reads_resolutions(tmp_path, capsys):
     table = printed("1,2", [0.01, 0.03], 4)
     rows = [f"{a},{d:.4f},0.00005" for a, d in zip(table.amplitude, table.decrement)]
