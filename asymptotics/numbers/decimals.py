@@ -67,14 +67,14 @@ def decimal_of_ball(ball: arb, digits: int) -> str | None:
     if middle and abs(int(shift)) > MAX_EXPONENT:
         accepted = f"magnitudes from 2^-{MAX_EXPONENT} to 2^{MAX_EXPONENT}"
         raise LimitError("magnitude", f"the result is near 2^{int(shift)}", accepted)
-    if radius and int(radius_shift) + radius.bit_length() > int(shift) + middle.bit_length():
-        return None  # the ball contains 0
     if radius == 0:
         return _format(*_round_dyadic(middle, int(shift), digits), digits)
+    if not middle or int(radius_shift) + radius.bit_length() > int(shift) + middle.bit_length():
+        return None  # the ball contains 0
+    if radius_shift < -2 * MAX_EXPONENT:  # its ends alone would fill the memory: a wider ball will do
+        radius, radius_shift = fmpz(1), fmpz(radius.bit_length() - 2 * MAX_EXPONENT)
     low_shift = min(int(shift), int(radius_shift))
     middle, radius = middle << (int(shift) - low_shift), radius << (int(radius_shift) - low_shift)
-    if (middle - radius) * (middle + radius) <= 0:
-        return None
     low, high = (_round_dyadic(end, low_shift, digits) for end in (middle - radius, middle + radius))
     return _format(*low, digits) if low == high else None
 

@@ -17,6 +17,7 @@ from asymptotics.envelopes.hypergeometric import (
     extinction_time,
     long_time_amplitude,
     printed_antiderivative,
+    time_of_amplitude,
     two_law_time,
 )
 from asymptotics.envelopes.symbolic import amplitude_symbol
@@ -66,6 +67,14 @@ def test_where_defined_each_form_is_an_antiderivative(form):
         slope = index * (1 / (1 - z) - F) / z
         derivative = sympy.diff(factor, x) * F + factor * slope * sympy.diff(z, x)
         assert simplify(derivative - 1 / (c * x**a + d * x**b)) == 0
+
+
+@pytest.mark.parametrize("alpha", ["0", "1/2", "1", "sqrt(2)", "3"])
+def test_one_law_by_its_equation(alpha):
+    exponent, (k,) = sympy.sympify(alpha), symbols("k,", positive=True)
+    A, time = amplitude_symbol, time_of_amplitude({exponent: k})
+    assert simplify(sympy.diff(time, A) + 1 / (k * A**exponent)) == 0 and time.subs(A, 1) == 0
+    assert time_of_amplitude({S(0): k, S(1): k, exponent + 2: k}) is None
 
 
 def test_where_the_forms_break_down():

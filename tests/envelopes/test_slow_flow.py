@@ -41,6 +41,10 @@ def test_extinction_in_closed_form():
     slow = law((0.25, -0.5))
     assert slow.table(0.0, 100.0).extinction == pytest.approx(8, rel=1e-13)
     assert slow.solve(arb(9), arb(0)) is None and slow.solve(arb("7.99"), arb(0)) is not None
+    table = law((0.25, -1)).table(0.0, 100.0)  # A = 1 - tau/4, to the last knots, which fall together in doubles
+    assert np.all(np.diff(table.tau) > 0)
+    tau = 4 - np.array([2.0, 1e-3, 1e-9, 1e-15])
+    assert np.exp(-table.at(tau)[0]) == pytest.approx(1 - tau / 4, abs=1e-8)
 
 
 def test_a_law_that_loses_its_sign_is_refused():

@@ -77,3 +77,11 @@ def test_magnitudes_that_would_fill_the_memory_are_refused():
     with pytest.raises(LimitError, match="magnitude"):
         decimal_of_ball((-(arb(10) ** 12)).exp(), 10)
     assert decimal_of_ball(arb(0, 1) * arb(10).exp().exp().exp(), 5) is None
+
+
+@pytest.mark.parametrize("exponent", [-(10**7), -(10**12), -(10**30)])
+def test_a_radius_out_of_sight_costs_no_memory(exponent):
+    # The ends of 1/3 +- 2^-10^12 would have 10^12 bits.
+    tiny = (1, exponent)
+    assert decimal_of_ball(arb((-3, -1), tiny), 5) == "-1.5000"
+    assert decimal_of_ball(arb(0, tiny), 5) is None is decimal_of_ball(arb((1, -2), tiny), 1)  # 0.25: on both sides
