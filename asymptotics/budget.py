@@ -9,7 +9,7 @@ force this costs next to nothing.  Nested budgets: the earliest deadline counts.
 ...     tick("turning point 17 of 1000")
 Traceback (most recent call last):
     ...
-asymptotics.errors.LimitError: argument max-seconds: 0 s are over at turning point 17 of 1000 (accepted: ...)
+asymptotics.errors.LimitError: argument max_seconds: 0 s are over at turning point 17 of 1000 (accepted: ...)
 """
 
 from collections.abc import Callable, Iterator
@@ -22,7 +22,7 @@ from time import monotonic
 from asymptotics.errors import LimitError
 
 DEFAULT_SECONDS = 60.0
-_ACCEPTED = "a larger --max-seconds, a lower order, fewer points, fewer digits or a shorter time"
+_ACCEPTED = "a larger limit, a lower order, fewer points, fewer digits or a shorter time"
 
 
 @dataclass
@@ -56,7 +56,7 @@ def tick(stage: str | None = None) -> None:
     if current.report is not None:
         current.report(current.stage)
     if monotonic() >= current.deadline:
-        raise LimitError("max-seconds", f"{current.seconds:g} s are over at {current.stage}", _ACCEPTED)
+        raise LimitError("max_seconds", f"{current.seconds:g} s are over at {current.stage}", _ACCEPTED)
 
 
 def seconds_left() -> float:
@@ -70,4 +70,4 @@ def require_seconds(estimate: float, work: str) -> None:
     current = _current.get()
     if current is not None and estimate > 2 * seconds_left():
         reason = f"{work} would take about {estimate:.0f} s, more than the {current.seconds:g} s allowed"
-        raise LimitError("max-seconds", reason, _ACCEPTED)
+        raise LimitError("max_seconds", reason, _ACCEPTED)

@@ -14,6 +14,7 @@
 from dataclasses import replace
 from typing import Any
 
+from asymptotics.budget import budget
 from asymptotics.equations.build import terms_of
 from asymptotics.errors import InputError, require_flag
 from asymptotics.half_swings.finite_result import HalfSwingAt
@@ -22,7 +23,7 @@ from asymptotics.limit_cycles.result import LimitCycle
 from asymptotics.limit_cycles.result import limit_cycle as of_law
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.normal_form.results import HalfSwingCoefficients
-from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
+from asymptotics.numbers.policy import exact_integer, exact_number, exact_seconds, float_notes
 from asymptotics.turning.half_swing import half_swing_of_terms
 
 MAX_ORDER, MAX_DIGITS = 200, 1000
@@ -51,13 +52,14 @@ def half_swing(
 
 
 def limit_cycle(
-    law: Any, *, order: Any = 8, digits: Any = 30, mu: Any = None, spring: Any = None, near: Any = None
-) -> LimitCycle:
+    law: Any, *, order: Any = 8, digits: Any = 30, mu: Any = None, spring: Any = None, near: Any = None,
+    max_seconds: Any = 60,
+) -> LimitCycle:  # fmt: skip
     """Amplitude, frequency and multiplier of the limit cycle of x'' + x + mu (law) = 0 as series in mu.
 
     With a number ``mu`` also a certified fixed point of the half-swing; beside springs (x^p x'^q, not multiplied by mu)
     that alone.  ``near``: the amplitude of the cycle that is meant.  InputError for a law without a limit cycle, with
-    several and no ``near``, or that is no polynomial.
+    several and no ``near``, or that is no polynomial; LimitError after ``max_seconds``.
 
     >>> limit_cycle({1: -1, (1, 2): 1}, mu=1, spring={3: "1/2"}, digits=12).at.amplitude
     '1.95363409607'
@@ -68,4 +70,5 @@ def limit_cycle(
     if place is not None and not place > 0:
         raise InputError("near", f"{place} is not positive", "an amplitude > 0")
     number = None if mu is None else exact_number(mu, "mu")
-    return of_law(made, N, D, number, None if place is None else float(place.ball()))
+    with budget(exact_seconds(max_seconds)):
+        return of_law(made, N, D, number, None if place is None else float(place.ball()))

@@ -22,10 +22,10 @@ from asymptotics.law import Law, Oscillator
 from asymptotics.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.results import Coefficients
-from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
+from asymptotics.numbers.policy import exact_integer, exact_seconds, float_notes
 from asymptotics.terms import Term
 
-MAX_ORDER, MAX_DIGITS, MAX_ALPHA, MAX_TERMS, MAX_SECONDS = 200, 1000, 1000, 4, 10**6
+MAX_ORDER, MAX_DIGITS, MAX_ALPHA, MAX_TERMS = 200, 1000, 1000, 4
 _FORMS = 'an exponent >= 0, a list of them, a Law, an Oscillator, a mapping exponent -> strength, or "symbolic"'
 
 
@@ -42,9 +42,7 @@ def expand(
     cannot round a coefficient.
     """
     N, D = exact_integer(order, "order", 1, MAX_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
-    seconds = exact_number(max_seconds, "max_seconds")
-    if not 0 < seconds <= MAX_SECONDS:
-        raise InputError("max_seconds", f"{seconds} is out of range", f"a number of seconds > 0, at most {MAX_SECONDS}")
+    seconds = exact_seconds(max_seconds)
     require_gauge(gauge)
     require_flag(exact, "exact")
     if isinstance(law, str) and law.strip() == "symbolic":
@@ -54,7 +52,7 @@ def expand(
     terms, strengths, oscillator, notes = terms_of(law, spring)
     if len(terms) > MAX_TERMS:
         raise InputError("law", f"{len(terms)} different terms are too many", f"at most {MAX_TERMS}")
-    found = expansion_coefficients(terms, N, D, gauge, exact_only=exact, max_seconds=float(seconds.ball().mid()))
+    found = expansion_coefficients(terms, N, D, gauge, exact_only=exact, max_seconds=seconds)
     return _equations(found, terms, law=strengths, oscillator=oscillator, notes=notes)
 
 

@@ -27,6 +27,7 @@ from asymptotics.errors import InputError, shown
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_rational, parse_real
 
 Number = str | int | float | Fraction | Decimal | ExactReal | sympy.Expr | numbers.Integral
+_MAX_SECONDS = 10**6
 _MAX_DIGITS = 1000  # as for text: reading a number must not exhaust the machine
 _TOO_LARGE = 10**_MAX_DIGITS
 
@@ -71,6 +72,18 @@ def exact_integer(value: Any, argument: str, low: int, high: int) -> int:
     if not low <= number <= high:
         raise InputError(argument, f"{number} is out of range", accepted)
     return int(number.rational)
+
+
+def exact_seconds(value: Any, argument: str = "max_seconds") -> float:
+    """``value`` as the time that a request may take; InputError outside (0, 10^6].
+
+    >>> exact_seconds("1/2")
+    0.5
+    """
+    seconds = exact_number(value, argument)
+    if not 0 < seconds <= _MAX_SECONDS:
+        raise InputError(argument, f"{seconds} is out of range", f"a number of seconds > 0, at most {_MAX_SECONDS}")
+    return float(seconds.ball().mid())
 
 
 def float_notes(**values: Any) -> tuple[str, ...]:

@@ -42,7 +42,7 @@ class Inputs:
             if not e > 0:
                 raise InputError("epsilon", f"{e} is not positive", "strengths > 0")
         if law is not None and (exponents or strengths):
-            raise InputError("law", "it stands next to --alpha or --epsilon", "one or the other")
+            raise InputError("law", "it stands next to alpha or epsilon", "one or the other")
         if rows is not None and not 1 <= rows <= MAX_ROWS:
             raise InputError("rows", f"{rows} is out of range", f"an integer from 1 to {MAX_ROWS}")
         return cls(exponents, law, strengths, rows)
