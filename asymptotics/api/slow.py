@@ -23,7 +23,8 @@ from asymptotics.api.units import oscillator_of
 from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.envelopes.hypergeometric import time_of_amplitude
-from asymptotics.envelopes.symbolic import MEAN
+from asymptotics.envelopes.long_time import extinction, long_time
+from asymptotics.envelopes.symbolic import MEAN, AveragedLaw, averaged_law
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
@@ -109,6 +110,45 @@ class Envelope:
         """
         return time_of_amplitude(self._symbols())
 
+    @property
+    def phase_formula(self) -> sympy.Expr | None:
+        """phi as a function of tau and epsilon for one law, turning-point gauge, 0 at the start; None for a sum.
+
+        >>> envelope({3: "1/10"}).phase_formula, envelope({3: "1/10"}).total_lag
+        (-15*epsilon/64 + 15*epsilon/(64*(3*epsilon*tau/4 + 1)), 15*epsilon/64)
+        """
+        alone = self._alone()
+        return None if alone is None or self.averaging != MEAN else alone.phase
+
+    @property
+    def total_lag(self) -> sympy.Expr | None:
+        """-phi at infinity, the same in every gauge: finite for one law with alpha > 1, None otherwise."""
+        alone = self._alone()
+        return alone.total_lag if alone is not None and self.averaging == MEAN and alone.alpha > 1 else None
+
+    @property
+    def extinction_formula(self) -> sympy.Expr | None:
+        """omega_0 times the extinction time as a formula; None without one.
+
+        >>> envelope({0: "1/10", 1: "1/20"}).extinction_formula
+        log(1 + kappa_2/kappa_1)/kappa_2
+        """
+        return extinction(self._symbols())
+
+    @property
+    def long_time_formula(self) -> sympy.Expr | None:
+        """The leading A/A(0) for tau -> infinity, ruled by the smallest exponent; None below 1, or where unknown.
+
+        >>> envelope({1: "1/10", 2: "1/20"}).long_time_formula
+        exp(-kappa_1*tau)/(1 + kappa_2/kappa_1)
+        """
+        return long_time(self._symbols())
+
+    def _alone(self) -> AveragedLaw | None:
+        """The one law in closed form."""
+        alphas = list(self._symbols())
+        return averaged_law(alphas[0], self.averaging) if len(alphas) == 1 else None
+
     def _symbols(self) -> dict[sympy.Expr, sympy.Expr]:
         """Exponents and the letters of their strengths, numbered as in ``kappas``; a strength 0 is left out."""
         terms = enumerate(self.oscillator.law.terms, start=1)
@@ -138,10 +178,15 @@ class Envelope:
         """JSON-ready: the oscillator, the formula where one is known, the rates, the extinction."""
         formula = None if self.formula is None else str(self.formula.expression)
         time = None if self.time_formula is None else str(self.time_formula)
+        ends = {name: None if found is None else str(found) for name, found in self._ends().items()}
         numbers = {"kappas": list(self.kappas()), "extinction": self.extinction_time()}
         notes = list(self.notes)
         return {"oscillator": self.oscillator.to_dict(), "averaging": self.averaging, "formula": formula,
-                "time_formula": time, **numbers, "notes": notes}  # fmt: skip
+                "time_formula": time, **ends, **numbers, "notes": notes}  # fmt: skip
+
+    def _ends(self) -> dict[str, sympy.Expr | None]:
+        return {"phase_formula": self.phase_formula, "total_lag": self.total_lag,
+                "extinction_formula": self.extinction_formula, "long_time_formula": self.long_time_formula}  # fmt: skip
 
     def __str__(self) -> str:
         shown = "no elementary form" if self.formula is None else f"A/A(0) = {self.formula.expression}"

@@ -12,9 +12,14 @@ p_1 = 3/8
 G(delta) = 1/delta + 15/512 delta - 15057/655360 delta^3
 H(delta) = -45/256 delta + 2457/262144 delta^3
 delta(sigma) = sigma + 15/512 sigma^3 - 3483/163840 sigma^5
+>>> cubic = envelope_series(ExactReal(3), 5)
+>>> cubic.time("1/20", "1/10"), cubic.delta(13.331407, "1/10")            # heuristic: doubles, truncated
+(13.331407..., 0.050000000...)
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import isfinite
 from typing import Any
 
 from flint import arb
@@ -29,11 +34,13 @@ from asymptotics.normal_form.show import sum_latex, sum_text
 from asymptotics.numbers.bridge import to_fraction
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import exact_number
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.value import Coefficient
 from asymptotics.series import Series, divided
 
-MAX_ORDER = 40
+MAX_ORDER, MAX_NUMBER = 40, 10**100
+_Found = tuple[list[dict[int, Coefficient]], LaurentEnvelope]
 _TEXTS = {"G": "G(delta)", "H": "H(delta)", "reversal": "delta(sigma)"}
 
 
@@ -48,6 +55,37 @@ class EnvelopeSeries:
     G: dict[int, Coefficient]
     H: dict[int, Coefficient]
     reversal: dict[int, Coefficient]
+    formulas: LaurentEnvelope = field(compare=False)
+
+    def time(self, delta: Any, delta_0: Any) -> float:
+        """tau at which the local strength has become ``delta``, in doubles."""
+        return self._number("time", delta=delta, delta_0=delta_0)
+
+    def phase(self, delta: Any, delta_0: Any) -> float:
+        """phi at the same place, 0 at the start."""
+        return self._number("phase", delta=delta, delta_0=delta_0)
+
+    def delta(self, tau: Any, delta_0: Any) -> float:
+        """The local strength at ``tau``, by the reversal; for alpha < 1 InputError from the extinction on."""
+        if self.alpha < 1:
+            end = self.extinction_time(delta_0)
+            if not exact_number(tau, "tau") < ExactReal(Fraction(end)):
+                raise InputError("tau", f"{tau} is not before the extinction at {end:g}", "an earlier tau")
+        return self._number("delta", tau=tau, delta_0=delta_0)
+
+    def extinction_time(self, delta_0: Any) -> float:
+        """alpha < 1: tau beyond which these series say nothing; InputError for alpha > 1, which never ends."""
+        return self._number("extinction_time", delta_0=delta_0)
+
+    def _number(self, name: str, **given: Any) -> float:
+        numbers = {key: exact_number(value, key) for key, value in given.items()}
+        for key, number in numbers.items():
+            if not (number > 0 or (key == "tau" and number.is_zero)) or number > MAX_NUMBER:
+                raise InputError(key, f"{given[key]!r:.60} is out of range", "a number > 0, at most 1e100")
+        found = getattr(self.formulas.numeric(), name)(*(float(n.ball()) for n in numbers.values()))
+        if not isfinite(found):
+            raise InputError("delta_0", "the truncated series give no number there", "smaller local strengths")
+        return float(found)
 
     @property
     def formal(self) -> bool:
@@ -90,23 +128,25 @@ def envelope_series(alpha: ExactReal, order: int, digits: int = 30) -> EnvelopeS
         found = at_growing_precision(lambda _: _numbers(exact, digits), digits, bits_for(digits))
     else:
 
-        def attempt(bits: int) -> list[dict[int, Coefficient]] | None:
+        def attempt(bits: int) -> _Found | None:
             series = expansions([alpha], order)
             return _numbers(envelope_of_series(alpha.ball(), series["p"], series["Omega"]), digits)
 
         found = at_growing_precision(attempt, digits, bits_for(digits, 4 * order + 64))
-    first, *rows = found
-    return EnvelopeSeries(alpha, order, "exact" if alpha.is_integer else "certified", first[0], *rows)
+    rows, formulas = found
+    first, G, H, reversal = rows
+    kind = "exact" if alpha.is_integer else "certified"
+    return EnvelopeSeries(alpha, order, kind, first[0], G, H, reversal, formulas)
 
 
-def _numbers(envelope: LaurentEnvelope, digits: int) -> list[dict[int, Coefficient]] | None:
-    """p_1, G, H, reversal, rounded; None where a rounding is not decided at this precision."""
+def _numbers(envelope: LaurentEnvelope, digits: int) -> _Found | None:
+    """p_1, G, H, reversal, rounded, and what they come from; None where a rounding is not decided at this precision."""
     rows: list[dict[int, Any]] = [{0: envelope.p_1}, _integrated(envelope.q, -1), _integrated(envelope.r, 1)]
     rows.append({n: c for (n,), c in sorted(envelope.reversal.coefficients.items())})
     found = [{n: _coefficient(c, digits) for n, c in row.items()} for row in rows]
     if any(c is None for row in found for c in row.values()):
         return None
-    return [{n: c for n, c in row.items() if c is not None} for row in found]
+    return [{n: c for n, c in row.items() if c is not None} for row in found], envelope
 
 
 def _integrated(series: Series, sign: int) -> dict[int, Any]:

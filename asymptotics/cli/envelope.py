@@ -102,6 +102,7 @@ def _data(found: Curve, time: ExactReal | None, digits: int) -> dict[str, Any]:
         "formula": None if formula is None else str(formula.expression),
         "latex": None if formula is None else rf"\frac{{A}}{{A(0)}} = {sympy.latex(formula.expression)}",
         "time_formula": None if found.time_formula is None else str(found.time_formula),
+        **{name: _formula(found, name) for name in _ENDS},
         "kappas": list(found.kappas(digits=digits)),
         "period": _period(found, digits),
         "extinction": found.extinction_time(digits=digits),
@@ -110,6 +111,20 @@ def _data(found: Curve, time: ExactReal | None, digits: int) -> dict[str, Any]:
         "phase": None if time is None or found.averaging == LELAS else _phase(found, time, digits),
         "certified": True,
     }
+
+
+_ENDS = {  # what is told beside A and tau(A)
+    "phase_formula": "phi = {}",
+    "total_lag": "phi -> -{} at long times",
+    "long_time_formula": "A/A(0) -> {} at long times",
+    "extinction_formula": "A = 0 from tau = {} on",
+}
+
+
+def _formula(found: Curve, name: str) -> str | None:
+    """A formula of the linear spring as text."""
+    expression = getattr(found, name, None)
+    return None if expression is None else str(expression)
 
 
 def _period(found: Curve, digits: int) -> str | None:
@@ -128,6 +143,7 @@ def _text(data: dict[str, Any], given: Given) -> str:
         head = "A/A(0) by 2F1, exact in the spring"
     lines = [f"{head}, tau = omega_0 t" if given.si else head]
     lines += [] if data["time_formula"] is None else [f"tau(A) = {data['time_formula']}, A in units of A(0)"]
+    lines += [told.format(data[name]) for name, told in _ENDS.items() if data[name] is not None]
     lines += [f"kappa_{i}    {kappa}" for i, kappa in enumerate(data["kappas"], start=1)]
     units = {"period": "s", "extinction": "s", "time": "s", "amplitude": "m", "phase": "rad"}
     lines += [f"{name:10} {data[name]}{given.unit(unit)}" for name, unit in units.items() if data[name] is not None]

@@ -129,11 +129,6 @@ def _is_before(tau: arb, end: arb | None) -> bool | None:
     return False if tau >= end else None
 
 
-def decay_rate(laws: Laws, A: arb) -> arb:
-    """|dA/dt|/(omega_0 A) = sum_i kappa_i A^(alpha_i-1) (Lancaster (14)), small where the envelope is slow."""
-    return sum((k * ((a.ball() - 1) * A.log()).exp() for a, k in _active(laws)), arb(0))
-
-
 def F(a: Fraction | arb, z: arb) -> arb:
     """2F1(1, a; a+1; z) for a > 0, z < 0: for a = p/q and z < -1/4 by q logarithms, otherwise by Arb.
 

@@ -82,8 +82,8 @@ def explicit_extinction(laws: Mapping[Expr, Expr]) -> Expr | None:
     mu = _riccati_distance(exponents)
     if mu is not None:
         return _riccati_extinction(mu, *_strengths(laws, mu))
-    low, high = exponents
-    if high != (1 + low) / 2:
+    low, high = exponents[0], exponents[-1]
+    if len(exponents) != 2 or high != (1 + low) / 2:
         raise InputError("law", "no explicit A(tau) is known", ACCEPTED)
     ratio = laws[high] / laws[low]
     return 2 * (ratio - log(1 + ratio)) / ((1 - low) * laws[low] * ratio**2)

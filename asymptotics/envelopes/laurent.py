@@ -37,9 +37,7 @@ from sympy import Symbol, latex
 from asymptotics.errors import InputError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.pi_ring import PiNumber
-from asymptotics.half_swings.symbolic import ORDER
 from asymptotics.normal_form.expansion import Expansion
-from asymptotics.normal_form.symbolic import symbolic_expansion
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.series import Series, divided
 
@@ -132,20 +130,6 @@ def envelope_of_series(alpha: Any, p: Series, Omega: Series, gauge: str = TURNIN
     q = (_lowered(p, 1) / p_1).inverse()
     r = _raised(_lowered(Omega, 2) * q.truncate(max(Omega.order - 2, 0)), 2) if Omega.order >= 2 else Omega
     return LaurentEnvelope(alpha, gauge, max(p.order, Omega.order), p_1, q, r, _reversal(q))
-
-
-def symbolic_envelope() -> LaurentEnvelope:
-    """One law with the symbolic exponent ``normal_form.symbolic.alpha``, through order 4, turning-point gauge.
-
-    >>> from sympy import factor
-    >>> envelope = symbolic_envelope()
-    >>> [factor(envelope.r[2].subs(envelope.alpha, n)) for n in (2, 3)], envelope.q[2].subs(envelope.alpha, 3)
-    ([-1/6, -45/256], -15/512)
-    """
-    source = symbolic_expansion()
-    alpha = next(iter(source["p"][1].free_symbols))
-    p, Omega = (Series({(n,): c for n, c in source[name].items()}, 1, ORDER) for name in ("p", "Omega"))
-    return envelope_of_series(alpha, p, Omega)
 
 
 def _reversal(q: Series) -> Series:

@@ -97,10 +97,6 @@ class NumericEnvelope:
         value = self.times[panel] + self._piece(self.edges[panel], known)
         return np.where(np.isnan(s), np.nan, value)
 
-    def decay_rate(self, A: ArrayLike) -> Array:
-        """|dA/dt|/(omega_0 A) = sum_i kappa_i A^(alpha_i-1) (Lancaster (14))."""
-        return self._rate(-np.log(np.asarray(A, dtype=float)))
-
     def _from_table(self, t: Array) -> Array:
         inside = np.where(np.isnan(t), 0.0, np.minimum(t, self.times[-1]))
         panel = self._panel_of(self.times, inside)

@@ -111,11 +111,6 @@ class AveragedLaw:
             raise InputError("alpha", f"{self.alpha} is not known to lie on one side of 1", "a number")
         return 1 / ((1 - self.alpha) * self.kappa) if below else None
 
-    @property
-    def decay_rate(self) -> Expr:
-        """|dA/dt|/(omega_0 A) = kappa/(1 + (alpha-1) kappa tau) (Lancaster (14))."""
-        return self.kappa / (1 + (self.alpha - 1) * self.kappa * tau)
-
     def to_physical(self, expression: Expr) -> Expr:
         """Replace epsilon by b omega_0^alpha x_0^(alpha-1)/k and tau by omega_0 t, with omega_0 = sqrt(k/m)."""
         omega_0 = sqrt(k / m)

@@ -143,11 +143,6 @@ class FiniteQuarter:
         """F_i = delta_i e^((alpha_i - 1) L)."""
         return [d * (w * L).exp() for d, w in zip(delta, self.weights, strict=True)]
 
-    def reaches(self, delta: Sequence[arb], bits: int) -> bool:
-        """Whether the tail of R is below 2^-bits at ``delta`` and at the end of the half-swing."""
-        x = self.majorant.ratio(delta)
-        return bool(x < 1) and bool(self._tail(self.R, delta) < arb(2) ** -bits)
-
     def _at(self, epsilons: Sequence[arb], x: arb) -> list[arb]:
         return [e * (w * x).exp() for e, w in zip(epsilons, self.weights, strict=True)]
 

@@ -37,12 +37,6 @@ class TurningPointErrors:
     phase: Array
     ended: dict[str, Any] | None
 
-    def valid_until(self, tolerance: float) -> float:
-        """The last turning time up to which both errors stay within ``tolerance`` (0 if not even the first does)."""
-        good = np.maximum(self.amplitude, self.phase) <= tolerance
-        first_bad = len(good) if good.all() else int(np.argmin(good))
-        return float(self.tau[first_bad - 1]) if first_bad else 0.0
-
 
 def turning_point_errors(alpha: str, epsilon: str, order: int, tau_max: float) -> TurningPointErrors:
     """The errors of ``order`` at all turning points with tau <= ``tau_max`` (at most about tau_max/pi of them)."""

@@ -53,12 +53,6 @@ def _half_cycles(u_0: ExactReal, count: int, digits: int) -> list[tuple[int, str
     return at_growing_precision(attempt, digits, bits_for(digits, 48) + 2 * count.bit_length(), max_bits=MAX_BITS)
 
 
-def smith_offset(n: int, u_0: ExactReal = _ONE) -> arb:
-    """S_n = S - S^-(|u_n|): what makes the first constant continuous over the n-th turning point."""
-    u_n = next(islice(amplitudes(2 * u_0.ball()), n, None)) / 2
-    return first_constant(u_0.ball(), arb(0)) - first_constant(u_n, arb(0))
-
-
 def transit_time(inputs: Inputs, _digits: int) -> Found:
     """Rows (i, H_i(pi)/pi), exact; the number of digits does not matter."""
     first = islice(generating_functions(), inputs.count(_TRANSIT_ORDER + 1))

@@ -53,12 +53,3 @@ def amplitudes(p0: arb) -> Iterator[arb]:
     while True:
         yield p
         p = next_amplitude(p)
-
-
-def chain_bits(digits: int, count: int) -> int:
-    """A working precision that leaves ``digits`` digits after ``count`` steps.
-
-    Each step adds an absolute rounding error below 2^(2-bits); p_n > 1/(1/p_0 + n), so n steps cost at most
-    log2(n (1/p_0 + n)) bits of relative accuracy, counted here for p_0 >= 10^-9.
-    """
-    return int(digits * 3.3220) + 2 * count.bit_length() + 40

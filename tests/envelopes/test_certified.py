@@ -145,14 +145,6 @@ def test_phase_against_quadrature(text):
             assert not close(got, want * (1 + mp.mpf(10) ** -12), 20)
 
 
-def test_decay_rate_is_the_derivative():
-    with ctx.workprec(200):
-        laws, h = laws_of("0 1 2"), arb("1e-9")
-        slope = (certified.amplitude(laws, arb(1) + h) - certified.amplitude(laws, arb(1) - h)) / (2 * h)
-        A = certified.amplitude(laws, arb(1))
-        assert abs(-slope / A - certified.decay_rate(laws, A)) < arb("1e-15")
-
-
 def test_limit_alpha_to_one_is_smooth():
     with ctx.workprec(300):
         at, near = (certified.amplitude(laws_of(a), arb(5)) for a in ("1", f"{10**30 + 1}/{10**30}"))
