@@ -8,11 +8,12 @@ from asymptotics.identification.candidates import Candidate
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.comparison import LawFit
 from asymptotics.identification.contradiction import further_parameters
+from asymptotics.identification.free_exponent import exponents_that_fit
 from asymptotics.identification.judgement import commented, contains, minimal
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.result import Identification, LawAnswer, Units
 from asymptotics.identification.set_valued import MAX_LAWS, StrengthSet, strengths_that_fit
-from asymptotics.identification.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict
+from asymptotics.identification.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict, named
 from asymptotics.numbers.exact import parse_real
 from asymptotics.terms import Term
 
@@ -21,7 +22,7 @@ def certified(table: Decrements, candidates: Sequence[Candidate], units: Units) 
     """Set-valued answers: every law is proved consistent, proved refuted, or undetermined."""
     laws = commented(_sets(candidates, table))
     chosen = minimal(laws)
-    names = "; ".join(str(law.candidate) for law in chosen)
+    names = "; ".join(named(law) for law in chosen)
     open_laws = [str(law.candidate) for law in laws if law.verdict == "undetermined"]
     rivals = [
         str(law.candidate)
@@ -54,9 +55,9 @@ def _sets(candidates: Sequence[Candidate], table: Decrements) -> list[LawFit]:
         inside = [c for c, law in laws.items() if law.verdict == "consistent" and _holds(candidate, c)]
         known = [_embedded(c, points[c], candidate) for c in inside if c in points]
         found = _set(candidate, table, next((p for p in known if (p >= 0).all()), None))
-        law = LawFit(candidate, None, verdict=found.verdict, epsilon=found.epsilon, reason=found.reason)
+        law = LawFit(candidate, None, found.verdict, found.reason, epsilon=found.epsilon, alpha=found.alpha)
         laws[candidate] = law.judged_as("consistent", "") if inside and found.verdict != "consistent" else law
-        if found.point is not None:
+        if found.point is not None and not candidate.free:
             points[candidate] = found.point
     return [laws[candidate] for candidate in candidates]
 
@@ -67,8 +68,12 @@ def _holds(candidate: Candidate, smaller: Candidate) -> bool:
 
 
 def _set(candidate: Candidate, table: Decrements, known: Array | None) -> StrengthSet:
-    if candidate.free or len(candidate.losses) > MAX_LAWS:
-        return StrengthSet("undetermined", (), f"a certified set needs one to {MAX_LAWS} given exponents")
+    if candidate.free:
+        found = exponents_that_fit(table)
+        strengths = () if found.epsilon is None else (found.epsilon,)
+        return StrengthSet(found.verdict, strengths, found.reason, found.alpha)
+    if len(candidate.losses) > MAX_LAWS:
+        return StrengthSet("undetermined", (), f"a certified set needs at most {MAX_LAWS} losses")
     losses = tuple(Term(1, parse_real(a, "laws"), m) for a, m in candidate.losses)
     return strengths_that_fit(losses, table, known)
 

@@ -30,10 +30,14 @@ from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.quarter import half_swing
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.passage import integrated
 from asymptotics.terms import Term
 
 BITS = 80
+_FOLLOWED, _SMALL = 53, arb("1e-9")
 _ORDERS = {1: 20, 2: 12, 3: 7, 4: 5}
 _EXACT, _EXACT_ORDERS = 6, {**_ORDERS, 1: 40}
 """Up to this integer exponent the exact coefficients come sooner than the balls, and more of them are affordable."""
@@ -48,6 +52,7 @@ class CertifiedRatio:
     crests: tuple[arb, ...]
     coefficients: Mapping[Key, arb]
     order: int
+    losses: tuple[Term, ...] = ()
 
     @property
     def areas(self) -> list[arb]:
@@ -61,7 +66,18 @@ class CertifiedRatio:
         return _ratio(losses)
 
     def at(self, delta: Sequence[arb]) -> arb:
-        """L at these strengths (balls)."""
+        """L at these strengths (balls): by the series, or followed in pieces where its tail is not small.
+
+        UndecidedError where neither serves; minus infinity where no turning point follows.
+        """
+        try:
+            tail = self.tail(delta).upper()
+        except UndecidedError:
+            tail = arb("inf")
+        if tail < _SMALL:
+            return self.polynomial(delta) + arb(0, tail)
+        if self.losses and all(t.is_power_of_velocity for t in self.losses) and all(d >= 0 for d in delta):
+            return followed([(d, t.velocity) for d, t in zip(delta, self.losses)])
         return self.polynomial(delta) + arb(0, self.tail(delta).upper())
 
     def polynomial(self, delta: Sequence[arb]) -> arb:
@@ -113,10 +129,17 @@ def _ratio(losses: tuple[Term, ...]) -> CertifiedRatio:
         if all(term.velocity.is_integer and term.velocity <= _EXACT for term in losses):
             order = _EXACT_ORDERS[len(losses)]
             exact = exact_half_swing(losses, order).L.coefficients
-            return CertifiedRatio(weights, crests, {k: arb(0) + c.ball() for k, c in exact.items()}, order)
+            return CertifiedRatio(weights, crests, {k: arb(0) + c.ball() for k, c in exact.items()}, order, losses)
         order = _ORDERS[len(losses)]
         L = half_swing(quarter_swing(losses, order)).L
-        return CertifiedRatio(weights, crests, dict(L.coefficients), order)
+        return CertifiedRatio(weights, crests, dict(L.coefficients), order, losses)
+
+
+def followed(terms: list[tuple[arb, ExactReal]]) -> arb:
+    """L at the strengths >= 0 of powers of the velocity, at any strength, by local expansions and Taylor steps."""
+    with ctx.workprec(_FOLLOWED):
+        found = integrated(Damping.of(terms), arb(1))
+        return arb("-inf") if found.amplitude is None else found.amplitude.log()
 
 
 def _crest(term: Term) -> arb:

@@ -18,10 +18,10 @@ from flint import arb
 from asymptotics.errors import UndecidedError
 from asymptotics.identification.certified_ratio import CertifiedRatio
 from asymptotics.identification.coefficients import Array
-from asymptotics.identification.table_rows import Row, bounds, is_empty, linear, meets
+from asymptotics.identification.table_rows import Row, bounds, is_empty, linear
 from asymptotics.terms import Term
 
-MAX_BOXES, _MORE = 40, 6
+MAX_BOXES, _MORE = 60, 6
 _LARGER = 1.03
 """The largest strengths are tried in steps of 3 %, from the first-order estimate on."""
 Box = tuple[Array, Array]
@@ -31,7 +31,7 @@ def physical_box(
     losses: Sequence[Term], ratio: CertifiedRatio, rows: Sequence[Row], *, met: bool = False
 ) -> Box | Literal["none"] | None:
     """(low, high) of a box that holds all strengths >= 0 that meet every row, "none" if it is proved that there are
-    none, or None if the series does not reach far enough to say.  ``met``: it is known that there are some."""
+    none, or None if the series does not reach far enough to say.  ``met``: there are some, and a larger box will do."""
     largest = [_largest(term, rows, i) for i, term in enumerate(losses)]
     if any(u is None for u in largest):
         return None
@@ -49,8 +49,6 @@ def physical_box(
         shrunk = _shrunk(ratio, rows, low, high)
         if shrunk is not None:
             boxes += _halved(*shrunk, size)
-            if last == MAX_BOXES and _is_met(ratio, rows, (shrunk[0] + shrunk[1]) / 2):
-                last = k + _MORE  # there are some: what follows only makes the box smaller
     return np.min([low for low, _ in boxes], axis=0), np.max([high for _, high in boxes], axis=0)
 
 
@@ -72,15 +70,19 @@ def _largest(term: Term, rows: Sequence[Row], i: int) -> float | None:
 
 
 def _is_beyond(ratio: CertifiedRatio, rows: Sequence[Row], corner: Array, sign: int) -> bool:
-    """Whether -L at the corner is proved to miss a row of this sign: above its upper end, or below its lower one."""
-    for row in rows:
-        if row.sign == sign:
-            try:
-                if row.sign * (-ratio.at(row.local(corner)) - row.level) < 0:
-                    return True
-            except UndecidedError:
-                continue
-    return False
+    """Whether -L at the corner is proved to miss a row of this sign: above its upper end, or below its lower one.
+
+    The row that the truncated series misses most is tried.
+    """
+    own = [row for row in rows if row.sign == sign]
+    gaps = [sign * (-float(ratio.polynomial(row.local(corner)).mid()) - float(row.level.mid())) for row in own]
+    row = own[int(np.argmin(gaps))]
+    if min(gaps) > 0:
+        return False
+    try:
+        return bool(row.sign * (-ratio.at(row.local(corner)) - row.level) < 0)
+    except UndecidedError:
+        return False
 
 
 def _shrunk(ratio: CertifiedRatio, rows: Sequence[Row], low: Array, high: Array) -> Box | None:
@@ -95,13 +97,6 @@ def _shrunk(ratio: CertifiedRatio, rows: Sequence[Row], low: Array, high: Array)
     below, above = bounds(M, b, radius)
     outward = np.nextafter(centre + below, -np.inf), np.nextafter(centre + above, np.inf)
     return np.maximum(low, outward[0]), np.minimum(high, outward[1])
-
-
-def _is_met(ratio: CertifiedRatio, rows: Sequence[Row], point: Array) -> bool:
-    try:
-        return meets(ratio, rows, point)
-    except UndecidedError:
-        return False
 
 
 def _halved(low: Array, high: Array, size: Array) -> list[Box]:

@@ -23,18 +23,20 @@ import numpy as np
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
+from asymptotics.identification.candidates import Candidate
+from asymptotics.identification.central_point import chebyshev_point
 from asymptotics.identification.certified_ratio import BITS, CertifiedRatio
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.physical import Box, physical_box
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.profile import Interval
-from asymptotics.identification.table_rows import Row, bounds, elastic, is_empty, linear, meets, rows_of
+from asymptotics.identification.table_rows import Row, bounds, is_empty, linear, meets, rows_of
 from asymptotics.terms import Term
 
 SEARCHED = 0.15
 """The largest local strength |epsilon_i| A^(w_i) that is searched; less if the series does not reach so far."""
 MAX_LAWS = 4
-_ROUNDS, _STEPS = 14, 6
+_ROUNDS = 14
 _OPEN = "neither a point nor its absence could be proved"
 _NONE = "no strengths >= 0 meet every printed value (proved)"
 
@@ -49,6 +51,7 @@ class StrengthSet:
     verdict: str
     epsilon: tuple[Interval, ...]
     reason: str = ""
+    alpha: Interval | None = None
 
     @property
     def point(self) -> Array | None:
@@ -62,19 +65,38 @@ def strengths_that_fit(losses: tuple[Term, ...], table: Decrements, known: Array
     ``known``: strengths >= 0 that are proved to meet every row, such as those of a law that this one contains.
     """
     with ctx.workprec(BITS):
+        ratio = CertifiedRatio.of(losses)
+        rows = rows_of(ratio, table)
+        point = proved_point(losses, ratio, rows, table) if known is None else known
         try:
-            ratio = CertifiedRatio.of(losses)
-            rows = rows_of(ratio, table)
             reach = _searched(ratio, rows)
             box = _smallest_box(ratio, rows, reach)
             if box is None or (np.maximum(-box[0], box[1]) > reach * (1 - 1e-6)).any():
-                return _beyond(losses, ratio, rows, reach, box, known)
-            point = _point(ratio, rows, *box) if known is None else known
+                return _beyond(losses, ratio, rows, reach, box, point, known is not None)
             if (point is None or (point < 0).any()) and physical_box(losses, ratio, rows) == "none":
                 return StrengthSet("refuted", (), _NONE + ("" if point is None else "; negative ones do: unphysical"))
         except UndecidedError as error:
-            return StrengthSet("undetermined", (), str(error))
+            return StrengthSet("undetermined", (), str(error)) if point is None else _open(point, str(error))
     return _found(point, box, "")
+
+
+def proved_point(losses: Sequence[Term], ratio: CertifiedRatio, rows: Sequence[Row], table: Decrements) -> Array | None:
+    """Strengths that are proved to meet every row, >= 0 if such are found; None if none are."""
+    candidate = Candidate(tuple((str(t.velocity), t.position) for t in losses))
+    for physical in (True, False):
+        least, theta = chebyshev_point(candidate, table, physical=physical)
+        point = theta * table.reference ** -np.array([e.weight for e in candidate.elements])
+        try:
+            if least < 1 and meets(ratio, rows, point):
+                return point
+        except UndecidedError:
+            continue
+    return None
+
+
+def _open(point: Array, scope: str) -> StrengthSet:
+    """A point that is proved, in a set without known ends."""
+    return StrengthSet("consistent", tuple(Interval(None, float(p), None) for p in point), scope)
 
 
 def _found(point: Array | None, box: Box, scope: str) -> StrengthSet:
@@ -91,24 +113,22 @@ def _beyond(
     rows: Sequence[Row],
     reach: Array,
     box: Box | None,
-    known: Array | None,
+    point: Array | None,
+    known: bool,
 ) -> StrengthSet:
     """The set goes on behind the searched box, or is not in it: what there is among the strengths >= 0."""
     searched = "|epsilon| <= " + ", ".join(f"{r:.3g}" for r in reach)
-    physical = physical_box(losses, ratio, rows, met=known is not None)
+    physical = physical_box(losses, ratio, rows, met=known)
     if physical == "none":
         return StrengthSet("refuted", (), _NONE + (f", nor any with {searched}" if box is None else ""))
-    if physical is not None:
-        point = _point(ratio, rows, *physical) if known is None else known
+    if physical is not None and (point is None or (point >= 0).all()):
         return _found(point, physical, "the set is that of strengths >= 0")
+    if point is not None:
+        return _open(point, f"searched with {searched}; the set goes on behind")
     if box is None:
         reason = f"nothing meets every printed value with {searched} (proved); larger strengths are open"
         return StrengthSet("undetermined", (), reason)
-    point = _point(ratio, rows, *box) if known is None else known
-    if point is None:
-        return StrengthSet("undetermined", (), _OPEN)
-    open_ends = tuple(Interval(None, float(p), None) for p in point)
-    return StrengthSet("consistent", open_ends, f"searched with {searched}; the set goes on behind")
+    return StrengthSet("undetermined", (), _OPEN)
 
 
 def _smallest_box(ratio: CertifiedRatio, rows: Sequence[Row], reach: Array) -> Box | None:
@@ -125,24 +145,6 @@ def _smallest_box(ratio: CertifiedRatio, rows: Sequence[Row], reach: Array) -> B
         if not shrunk:
             break
     return np.nextafter(centre - radius, -np.inf), np.nextafter(centre + radius, np.inf)
-
-
-def _point(ratio: CertifiedRatio, rows: Sequence[Row], low: Array, high: Array) -> Array | None:
-    """A point that is proved to meet every row: one with strengths >= 0 if the search finds it."""
-    for floor in (np.maximum(low, 0.0), low):
-        if (floor > high).any():
-            continue
-        point = (floor + high) / 2
-        for _ in range(_STEPS):
-            try:
-                M, b = linear(ratio, rows, point, np.zeros(len(point)))
-                step, _ = elastic(M, b, floor - point, high - point)
-                point = np.clip(point + step, floor, high)
-                if meets(ratio, rows, point):
-                    return point
-            except UndecidedError:
-                point = (floor + point) / 2
-    return None
 
 
 def _searched(ratio: CertifiedRatio, rows: Sequence[Row]) -> Array:

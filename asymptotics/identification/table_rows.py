@@ -42,7 +42,7 @@ class Row:
         return [s * arb(float(e)) for s, e in zip(self.scale, epsilon)]
 
 
-def _exact(x: float) -> arb:
+def exact(x: float) -> arb:
     """The printed decimal, exactly."""
     q = Fraction(repr(float(x)))
     return arb(fmpq(q.numerator, q.denominator))
@@ -54,8 +54,8 @@ def rows_of(ratio: CertifiedRatio, table: Decrements) -> list[Row]:
     rows = []
     for a, d, r in zip(table.amplitude, table.decrement, table.resolution):
         for sign in (1, -1):
-            half = (_exact(d) - sign * _exact(r)) / 2
-            upper, lower = _exact(a) + half, _exact(a) - half
+            half = (exact(d) - sign * exact(r)) / 2
+            upper, lower = exact(a) + half, exact(a) - half
             scale = tuple((w * upper.log()).exp() for w in ratio.weights)
             rows.append(Row(sign, scale, (upper / lower).log()))
     return rows

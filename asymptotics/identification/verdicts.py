@@ -36,7 +36,7 @@ def verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool 
     chosen, beaten = rivals(laws)
     if not chosen:
         return _nothing_fits(fitted, best)
-    names = "; ".join(_named(law) for law in chosen[:6])
+    names = "; ".join(named(law) for law in chosen[:6])
     if not growing and all(_is_imitation(law) for law in chosen):
         text = f"{NONE} with strengths >= 0: {names} needs a negative one ({', '.join(chosen[0].negative)})"
         return Verdict(
@@ -65,7 +65,8 @@ def _nothing_fits(fitted: Sequence[LawFit], best: LawFit) -> Verdict:
     return Verdict(NONE, text, "the residuals against n show what is missing: a term, a second mode, the base")
 
 
-def _named(law: LawFit) -> str:
+def named(law: LawFit) -> str:
+    """A law, with its exponent if that was found."""
     if law.alpha is not None:
         low, high = (f"{v:.4g}" if v is not None else "?" for v in (law.alpha.low, law.alpha.high))
         return f"{law.candidate} with alpha = {law.alpha.estimate:.4g} [{low}, {high}]"

@@ -1,6 +1,7 @@
 """Printed decrements: the certified set holds the truth, is not much larger than it must be, and can be empty."""
 
 import json
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -12,13 +13,16 @@ from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.identification.candidates import read_candidate
-from asymptotics.identification.certified_ratio import CertifiedRatio
+from asymptotics.identification.central_point import chebyshev_point
+from asymptotics.identification.certified_ratio import CertifiedRatio, followed
 from asymptotics.identification.coefficients import loss
+from asymptotics.identification.free_exponent import exponents_that_fit
 from asymptotics.identification.physical import physical_box
 from asymptotics.identification.printed import DecrementModel, Decrements
 from asymptotics.identification.set_valued import strengths_that_fit
 from asymptotics.identification.swing import Swing
 from asymptotics.identification.table_rows import rows_of
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.terms import Term
 
 
@@ -154,10 +158,9 @@ def test_a_loss_that_depends_on_position_has_a_certified_set():
 def test_every_law_that_contains_a_consistent_one_is_consistent_and_no_other_is_left_open():
     answer = asy.identify(printed("1,2", [0.01, 0.03], 4), laws=["1", "2", "0,3", "1,2", "0,1,2", "free"])
     verdicts = {str(entry.law.candidate): entry.law.verdict for entry in answer.laws}
-    assert "1,2 meets every printed value (proved); undecided: free" in answer.verdict.text
+    assert answer.verdict.text == "identified: 1,2 meets every printed value (proved)"
     assert {verdicts[law] for law in ("1,2", "0,1,2")} == {"consistent"}
-    assert {verdicts[law] for law in ("1", "2", "0,3")} == {"refuted"}
-    assert verdicts["free"] == "undetermined"
+    assert {verdicts[law] for law in ("1", "2", "0,3", "free")} == {"refuted"}
     assert answer.law("0,1,2").law.unneeded == ("0",)
 
 
@@ -192,3 +195,51 @@ def test_the_physical_box_holds_the_truth_and_its_tests_bite():
         # half a unit of the last digit more in one row, and the box is empty
         wrong = Decrements(table.amplitude, table.decrement + 3e-3 * (np.arange(12) == 5), table.resolution)
         assert physical_box(terms, ratio, rows_of(ratio, wrong)) == "none"
+
+
+@pytest.mark.parametrize(("law", "strength"), [("3/2", 0.05), ("0", 0.05)])
+def test_the_set_of_a_free_exponent_holds_the_truth_and_its_ends_are_nearly_attained(law, strength):
+    table, alpha = printed(law, [strength], 4, rows=20), float(Fraction(law))
+    found = exponents_that_fit(table)
+    assert found.verdict == "consistent"
+    assert found.alpha.low <= alpha <= found.alpha.high < found.alpha.low + 0.005
+    assert found.epsilon.low <= strength <= found.epsilon.high < found.epsilon.low + 1e-3
+    # at a fixed exponent the least t with |D(epsilon) - D_k| <= t r_k, in doubles
+    least = lambda a: chebyshev_point(read_candidate(str(Fraction(a))), table)[0]  # noqa: E731
+    width = found.alpha.high - found.alpha.low
+    assert least(found.alpha.high - 0.2 * width) < 1 < least(found.alpha.high + 0.01 * width)
+    if alpha > 0:
+        assert least(found.alpha.low + 0.2 * width) < 1 < least(found.alpha.low - 0.01 * width)
+
+
+def test_no_exponent_fits_a_sum_and_a_wrong_digit_is_noticed():
+    assert exponents_that_fit(printed("0,2", [0.01, 0.03], 4)).verdict == "refuted"
+    table = printed("2", [0.05], 4)
+    assert exponents_that_fit(table).alpha.contains(2.0)
+    wrong = Decrements(table.amplitude, table.decrement + 3e-4 * (np.arange(12) == 5), table.resolution)
+    assert exponents_that_fit(wrong).verdict == "refuted"
+
+
+def test_more_resistance_costs_more_at_every_row():
+    # what the strips rest on, in balls: the loss of a half-swing grows with e and falls with alpha, from below 1 on
+    with ctx.workprec(60):
+        for amplitude in ("1", "0.4"):
+            lost = [
+                -followed([(arb(e) * arb(amplitude) ** (ExactReal(Fraction(a)).ball() - 1), ExactReal(Fraction(a)))])
+                for e, a in (("0.1", "2"), ("0.1", "3/2"), ("0.101", "3/2"), ("0.101", "1/2"))
+            ]
+            assert all(less < more for less, more in zip(lost, lost[1:]))
+
+
+def test_the_table_of_an_unknown_exponent_names_it(tmp_path, capsys):
+    table = printed("3/2", [0.05], 4)
+    path = tmp_path / "decrements.csv"
+    rows = [f"{a},{d:.4f},0.00005" for a, d in zip(table.amplitude, table.decrement)]
+    path.write_text("amplitude,decrement,resolution\n" + "\n".join(rows) + "\n")
+    assert main(["identify", str(path), "--laws", "1", "2", "free", "--json"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["verdict"].startswith("identified: free with alpha = 1.5")
+    law = answer["laws"][0]
+    assert law["alphas"] == ["free"]
+    assert law["intervals"] == "certified set"
+    assert float(law["alpha"]["low"]) <= 1.5 <= float(law["alpha"]["high"])
