@@ -7,6 +7,7 @@
 ``quadratic_series``    exact power series of the map, the half period and their Abel functions
 ``quadratic_abel``      the Abel function from the exact coefficients
 ``abel``, ``far``       any alpha > 1: the n-th turning point for any n, with a rigorous bound of the truncated series
+``abel_flow``           sums with every alpha > 1: the same by the integral of the slow flow
 ``drag_exact``          quadratic drag and dry friction beside any spring, such as a pendulum in air
 ``any_well``            any spring, pendulum or loss that depends on the place, from rest or in motion
 ``quadratic_large``     the half period for large amplitudes

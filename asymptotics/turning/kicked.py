@@ -14,24 +14,20 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
-from asymptotics.budget import tick
+from asymptotics.budget import require_seconds, tick
 from asymptotics.errors import UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal, square_root
 from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear import ROUTE as CLOSED
 from asymptotics.swing.lingering import lost_bits, require_brief
-from asymptotics.swing.panels import panels_of
-from asymptotics.swing.passage import INTEGRATED
-from asymptotics.swing.sequence import Turning, first_from, sequence
+from asymptotics.swing.sequence import Turning, first_from
 from asymptotics.swing.taylor import GUARD
 from asymptotics.turning.coulomb import coulomb_turning_points
 from asymptotics.turning.quadratic import TurningPoint, TurningPoints
+from asymptotics.turning.routes import FAR, Plan
 
-_METHOD = f"half-swing by half-swing, {INTEGRATED} in balls"
-_CLOSED = f"half-swing by half-swing, {CLOSED} in balls"
 _TRIES = 5
 
 
@@ -45,11 +41,13 @@ def kicked_turning_points(
     exact = _dry(law, x0, v0, count, digits, start, times)
     if exact is not None:
         return exact
-    bits = bits_for(digits, 48) + 2 * (start + count).bit_length()
+    bits = bits_for(digits, 48) + 2 * (min(start, FAR) + count).bit_length()
     require_brief(law, start + count, digits, bits)
     bits += lost_bits(law)
     alpha, epsilon = (",".join(map(str, c)) for c in zip(*((t.velocity, t.strength) for t in law.terms), strict=True))
-    method = _CLOSED if panels_of(law, bits).closed else _METHOD
+    plan = Plan.of(law, start, count, bits)
+    require_seconds(plan.seconds, f"{start + count} half-swings with {digits} digits")
+    method = f"half-swing by half-swing, {plan.method} in balls"
     for _ in range(_TRIES):
         with ctx.workprec(bits):
             with ctx.workprec(bits + GUARD):
@@ -57,8 +55,7 @@ def kicked_turning_points(
             first = first_from(damping, x0.ball(), v0.ball())
             if isinstance(first, str):
                 return TurningPoints(alpha, epsilon, digits, (), method, True, {"n": -1, "reason": first})
-            turnings = sequence(damping, first, panels=panels_of(law, bits), count=start + count)
-            found = _points(_until(turnings, start + count - 1), first, start, digits, times)
+            found = _points(_until(plan.turnings(first), start + count - 1), first, start, digits, times)
             shown = [decimal_of_ball(value, digits) for value in (_size(first), first.tau)]
         if found is not None and None not in shown:
             points, reason = found

@@ -3,7 +3,7 @@
 * **By pieces** (``swing.passage``): any strength, tens of milliseconds for each half-swing.
 * **Interpolation** in the amplitude (``swing.panels``): some dozens of half-swings by pieces, then some hundredths of a
   millisecond each; any law, where the local strengths are small enough for the majorant.
-* **Jump** (``far``): one law with alpha > 1 and a far start, at a cost that does not grow with it.
+* **Jump** (``far``): every alpha > 1 and a far start, at a cost that does not grow with it.
 
 Estimates choose, and every route is certified: what they give agrees.
 
@@ -11,6 +11,8 @@ Estimates choose, and every route is certified: what they give agrees.
 >>> far = Plan.of(Law({"3/2": "1/5"}), 10**9, 1, 200)
 >>> far.method, far.seconds < 60
 ('local expansions, series of the quarter-swing and Abel function', True)
+>>> Plan.of(Law({"3/2": "1/5", 3: 1}), 10**9, 1, 200).method
+'local expansions, Chebyshev interpolation in the amplitude and Abel function by the slow flow'
 >>> Plan.of(Law({"3/2": "1/5"}), 0, 5, 140).method
 'local expansions and Taylor steps'
 """
@@ -28,12 +30,12 @@ from asymptotics.swing.linear import ROUTE as CLOSED
 from asymptotics.swing.panels import ROUTE as INTERPOLATED
 from asymptotics.swing.panels import Panels, panels_of
 from asymptotics.swing.passage import INTEGRATED
-from asymptotics.swing.sequence import Turning, sequence
+from asymptotics.swing.sequence import Turning, first_turning, sequence
 from asymptotics.swing.taylor import GUARD
-from asymptotics.turning.far import Point, far_points
+from asymptotics.turning.far import Point, far_point_of_sum, far_points, planned
 
-FAR = 200_000
-"""A start beyond which one jump is cheaper than all half-swings, even by interpolation."""
+FAR, FAR_SUM = 200_000, 20_000
+"""Starts beyond which one jump is cheaper than all half-swings, even by interpolation: one law, and sums."""
 _LEAD = 1000
 
 
@@ -47,47 +49,62 @@ class Plan:
     jump: bool
     interpolates: bool
     seconds: float
+    lead: int = _LEAD
 
     @classmethod
     def of(cls, law: Law, start: int, count: int, bits: int) -> "Plan":
         """The cheapest way that is known, by estimates (measured once, good to a factor of about three)."""
-        jump = len(law.terms) == 1 and bool(law.terms[0].velocity > 1) and start > FAR
-        steps = _LEAD if jump else start + count
+        one = len(law.terms) == 1
+        jump = all(bool(a > 1) for a in law.alphas) and start > (FAR if one else FAR_SUM)
+        steps, jumping, lead = start + count, 0.0, _LEAD
+        if jump and one:
+            steps, jumping = _LEAD, jump_seconds(bits)
+        elif jump:
+            far = planned(law.alphas, bits, start)
+            steps, jumping, lead = min(far.head, start), far.seconds, far.head
         pieces = panels_of(law, bits).pieces(steps)
         apart = sum(not (t.velocity.is_rational and t.velocity.rational.denominator <= 20) for t in law.terms)
         seconds = half_swing_seconds(pieces + 1, bits, len(law.terms), apart) + interpolation_seconds(steps)
-        seconds += stiff_seconds(panels_of(law, bits).sizes, bits)
-        return cls(law, start, count, jump, 0 < pieces < steps, seconds + (jump_seconds(bits) if jump else 0.0))
+        seconds += stiff_seconds(panels_of(law, bits).sizes, bits) + jumping
+        return cls(law, start, count, jump, 0 < pieces < steps, seconds, lead)
 
     @property
     def method(self) -> str:
         """The routes by name."""
-        if self.jump:
+        if self.jump and len(self.law.terms) == 1:
             return f"local expansions, {ROUTE} and Abel function"
+        if self.jump:
+            return f"local expansions, {INTERPOLATED} and Abel function by the slow flow"
         if panels_of(self.law, 64).closed:
             return CLOSED
         return f"{INTEGRATED}, {INTERPOLATED}" if self.interpolates else INTEGRATED
 
-    def turnings(self) -> Iterator[Turning]:
-        """Turning points at the current precision, from 0 or (after a jump) from ``start`` on."""
+    def turnings(self, first: Turning | None = None) -> Iterator[Turning]:
+        """Turning points at the current precision, from ``first`` (X = 1) or (after a jump) from ``start`` on."""
         with ctx.workprec(ctx.prec + GUARD):
             damping = Damping.of_law(self.law)
-        panels = panels_of(self.law, ctx.prec) if self.interpolates else None
+        panels = panels_of(self.law, ctx.prec) if self.interpolates or first is not None else None
+        here = first_turning() if first is None else first
         if not self.jump:
-            return sequence(damping, panels=panels, count=self.start + self.count)
-        return self._jumped(damping, panels)
+            return sequence(damping, here, panels=panels, count=self.start + self.count)
+        return self._jumped(damping, here, panels)
 
-    def _jumped(self, damping: Damping, panels: Panels | None) -> Iterator[Turning]:
-        term = self.law.terms[0]
-        lead = map(_point, sequence(damping, panels=panels, count=_LEAD))
-        return map(_turning, far_points(term.velocity, term.strength.ball(), lead, self.start))
+    def _jumped(self, damping: Damping, first: Turning, panels: Panels | None) -> Iterator[Turning]:
+        lead = map(_point, sequence(damping, first, panels=panels, count=self.lead))
+        epsilons = [t.strength.ball() for t in self.law.terms]
+        if len(epsilons) == 1:
+            found = far_points(self.law.alphas[0], epsilons[0], lead, self.start)
+            return (_turning(p, first.side) for p in found)
+        there = _turning(far_point_of_sum(self.law.alphas, epsilons, lead, self.start), first.side)
+        return sequence(damping, there, panels=panels, count=self.count)
 
 
 def _point(here: Turning) -> Point:
     return Point(here.n, arb(here.amplitude, here.amplitude_error).log(), here.tau)
 
 
-def _turning(point: Point) -> Turning:
+def _turning(point: Point, first: int) -> Turning:
+    """``first``: the side of turning point 0."""
     amplitude, tau = point.amplitude, point.tau
-    side = -1 if point.n % 2 else 1
+    side = -first if point.n % 2 else first
     return Turning(point.n, side, amplitude.mid(), tau.mid(), arb(amplitude.rad()), arb(tau.rad()))

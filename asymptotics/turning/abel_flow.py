@@ -1,0 +1,239 @@
+"""The n-th turning point of a sum of laws, every exponent above 1: the Abel function as an integral of the slow flow.
+
+A half-swing shifts x = ln A by L; the formal flow dx/dj = v(x), v = pi U, reaches it at j = 1 (``normal_form.flow``).
+Powers of A would need logarithms where exponents resonate; the integrals of
+
+    f = 1/v = (1/v_1)(1 + g_1 + g_2 + ...),    h = pi W/v = (1/v_1)(pi + ...),    v_1 = -pi sum M_(alpha_i+1) delta_i,
+
+do not: v_1 is kept as it is, and g_k, homogeneous of degree 2k in the delta_i, comes from 1/(v_1 + v_3 + ...).  With K
+terms of each, Psi = int f dx and Theta = int h dx grow on a half-swing by 1 + d and T + d (derivation ``abel-flow``):
+
+* **Defects.**  d(lambda), the delta_i made lambda times larger, is analytic on |lambda| = rho_1/delta_1, where the
+  majorant of the half-swing (``half_swings.finite_majorant``) gives |L| <= G, and |v_1| >= b there because the real
+  parts of its terms have one sign; so |d| <= D, and d = O(lambda^(2K)) makes |d| <= D (delta_1/rho_1)^(2K) (Schwarz).
+* **Along the orbit** 1/delta_1 grows by g = (alpha_1-1) pi M_(alpha_1+1) at least, and delta_i/delta_1 falls, so that
+  one D serves all later half-swings; the sum is that of ``abel.power_sum``.
+* **Following terms.**  The defects of K terms differ from those of K + 1 by an integral over the whole orbit,
+  |int g_K/v_1 dx| <= C delta_1^(2K-1)/((2K-1)(alpha_1-1)): the bound is the next term and Schwarz' inequality beyond.
+
+>>> from asymptotics.numbers.exact import parse_real
+>>> with ctx.workprec(120):
+...     laws = tuple(parse_real(a, "--alpha") for a in ("3/2", "3"))
+...     flow = abel_flow(laws, (arb(1) / 5, arb(1) / 5), terms=3)
+...     far, time = flow.advance(arb(-14), 10**9)
+>>> far.exp().str(15), time.str(15)
+('[4.83743985097043e-17 +/- ...]', '[3141592653.58992 +/- ...]')
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+from flint import acb, arb, ctx
+
+from asymptotics.errors import UndecidedError
+from asymptotics.half_swings.certified_zeros import certified_half_swing
+from asymptotics.half_swings.finite_majorant import BITS, Majorant, majorant, widest
+from asymptotics.normal_form.flow import flow_of
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.series import Key
+
+FOLLOWING = 1
+"""How many terms beyond those kept are in the bound as they are."""
+_SHARES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8)
+_EVALUATIONS = 4000  # of the integrand, and as many for each 100 bits
+_STEPS = 60
+
+Part = tuple[tuple[Key, arb], ...]
+"""A homogeneous polynomial in the delta_i."""
+
+
+@dataclass(frozen=True, eq=False)
+class Defects:
+    """A bound of the sum of all defects from a point on: what the next terms give, and ``beyond`` them."""
+
+    following: arb
+    beyond: arb
+
+    @property
+    def total(self) -> arb:
+        """The bound."""
+        return arb((self.following + self.beyond).upper())
+
+
+@dataclass(frozen=True, eq=False)
+class AbelFlow:
+    """Psi and Theta of a law with all alpha_i > 1, the smallest first; parts v_1, v_3, ... and pi W_0, pi W_2, ..."""
+
+    alphas: tuple[ExactReal, ...]
+    epsilons: tuple[arb, ...]
+    rates: tuple[Part, ...]
+    clock: tuple[Part, ...]
+    kept: int
+
+    @property
+    def weights(self) -> tuple[arb, ...]:
+        """alpha_i - 1."""
+        return tuple((a - 1).ball() for a in self.alphas)
+
+    def strengths(self, x: Any) -> list[Any]:
+        """delta_i at ln A = x, real or complex."""
+        return [e * (w * x).exp() for e, w in zip(self.epsilons, self.weights, strict=True)]
+
+    def advance(self, x: arb, steps: int) -> tuple[arb, arb]:
+        """(ln A, time) ``steps`` half-swings after ln A = x; UndecidedError where delta_1 is too large there."""
+        psi, theta = self.defects(x)
+        here = arb(x.mid())
+        blur = arb(0, x.rad()) * self.integrand(self.rates[:1], x)
+        after = self._solve(here, steps + blur + arb(0, psi.total), arb(x.upper()))
+        middle = arb(after.mid())
+        time = self._integral(self.clock, here, middle) + arb(0, theta.total)
+        for end in (x, after):
+            time += arb(0, end.rad()) * self.integrand(self.clock, end)
+        return after, time
+
+    def defects(self, x: arb) -> tuple[Defects, Defects]:
+        """For Psi and Theta, from the ball x on."""
+        with ctx.workprec(BITS):
+            top = [arb(d.upper()) for d in self.strengths(x)]
+            bound = self._polydisc(top)
+            after = self._following(top)
+            beyond = self._on_circle(bound)
+            m = 2 * (self.kept + FOLLOWING)
+            behind = 1 / top[0] - self._gain() / 2
+            if not behind > 0:
+                raise UndecidedError("delta is too large for the sum along the orbit")
+            along = behind ** (1 - m) / ((m - 1) * self._gain()) / bound.radii[0] ** m
+            psi, theta = (Defects(arb(c.upper()), arb((d * along).upper())) for c, d in zip(after, beyond, strict=True))
+        return psi, theta
+
+    def integrand(self, drive: Sequence[Part], x: Any) -> Any:
+        """f for ``drive`` = v_1 alone, h for ``drive`` = ``clock``: K terms."""
+        delta = self.strengths(x)
+        v = [_at(part, delta) for part in self.rates[: self.kept]]
+        g = _reciprocal([r / v[0] for r in v[1:]])
+        if drive is not self.clock:
+            return sum(g) / v[0]
+        c = [_at(part, delta) for part in self.clock[: self.kept]]
+        return sum(c[i] * g[k - i] for k in range(self.kept) for i in range(k + 1)) / v[0]
+
+    def _gain(self) -> arb:
+        return -self.weights[0] * self.rates[0][-1][1]
+
+    def _polydisc(self, top: Sequence[arb]) -> Majorant:
+        """Of a few polydiscs in the direction of ``top`` the one with the least bound of what lies beyond."""
+        exponents = [a.ball() for a in self.alphas]
+        direction = [arb((d / top[0]).upper()) for d in top]
+        largest = widest(exponents, direction, whole=True).radii[0]
+        found = [majorant(exponents, [largest * arb(s) * d for d in direction], whole=True) for s in _SHARES]
+        power = 2 * (self.kept + FOLLOWING)
+        usable = [(m, self._on_circle(m)[0]) for m in found if m is not None and self._least(m) > 0]
+        if not usable:
+            raise UndecidedError("no circle is proved on which the defects of the Abel function are bounded")
+        return min(usable, key=lambda pair: float((pair[1] / pair[0].radii[0] ** power).log()))[0]
+
+    def _least(self, bound: Majorant) -> arb:
+        """b: terms of v_1 whose real parts have the sign of the first are left out, others are taken off."""
+        G, least = bound.growth, arb(0)
+        for i, (c, w, rho) in enumerate(zip(self._first(), self.weights, bound.radii, strict=True)):
+            turn = w * G
+            if i == 0:
+                least = c * rho * (-turn).exp() * turn.cos() if turn < arb.pi() / 2 else arb(0)
+            elif not turn <= arb.pi() / 2:
+                least -= c * rho * turn.exp()
+        return arb(least.lower())
+
+    def _first(self) -> list[arb]:
+        """The coefficients of -v_1, in the order of the laws."""
+        return [-c for _, c in reversed(self.rates[0])]
+
+    def _on_circle(self, bound: Majorant) -> tuple[arb, arb]:
+        """D of Psi and Theta on the circle, with the following terms."""
+        b, G = self._least(bound), bound.growth
+        wide = [rho * (w * G).exp() for rho, w in zip(bound.radii, self.weights, strict=True)]
+        sizes = [_at(_sizes(part), wide) / b for part in self.rates[1:]]
+        g = _reciprocal([-s for s in sizes])
+        clock = [_at(_sizes(part), wide) for part in self.clock]
+        h = sum((clock[i] * g[k - i] for k in range(len(g)) for i in range(k + 1)), arb(0))
+        return arb((1 + G * sum(g, arb(0)) / b).upper()), arb((arb.pi() + bound.excess + G * h / b).upper())
+
+    def _following(self, top: Sequence[arb]) -> tuple[arb, arb]:
+        """sum over the following terms of |int| of their share of f and h, for every point of the orbit."""
+        shape = [arb(1), *(arb(0).union(d / top[0]) for d in top[1:])]
+        v = [_at(part, shape) for part in self.rates]
+        g = _reciprocal([r / v[0] for r in v[1:]])
+        clock = [_at(part, shape) for part in self.clock]
+        h = [sum((clock[i] * g[k - i] for i in range(k + 1)), arb(0)) for k in range(len(g))]
+        if not sum((abs(c) * top[0] ** (2 * k) for k, c in enumerate(g[: self.kept]) if k), arb(0)) < arb(1) / 2:
+            raise UndecidedError("the truncated Abel function may not decrease here: use a later head or fewer terms")
+        psi, theta = (
+            sum((abs(f[k] / v[0]) * self._tail(top[0], k) for k in range(self.kept, len(f))), arb(0)) for f in (g, h)
+        )
+        return psi, theta
+
+    def _tail(self, delta: arb, k: int) -> arb:
+        """int delta_1^(2k-1) dx over all amplitudes below."""
+        return delta ** (2 * k - 1) / ((2 * k - 1) * self.weights[0])
+
+    def _solve(self, start: arb, value: arb, top: arb) -> arb:
+        """The only x below ``start`` with Psi(x) - Psi(start) = value: Newton in the midpoints, then the mean value."""
+        w, goal = self.weights[0], value.mid()
+        first = self.rates[0][-1][1] * self.epsilons[0]
+        x = ((1 / ((-w * start).exp() - goal * w * first)).log() / w).mid()
+        reached, before = arb(0), start
+        for _ in range(_STEPS):
+            reached, before = reached + self._integral(self.rates[:1], before, x), x
+            step = ((reached - goal) / self.integrand(self.rates[:1], x)).mid()
+            if abs(step) < arb(2) ** (8 - ctx.prec) or not step.is_finite():
+                break
+            x = (x - step).mid()
+        near = x + arb(0, arb(2) ** -10)
+        error = abs((reached - value) * 2 * _at(self.rates[0], self.strengths(near))).upper()
+        if not (error < near.rad() and near < top):
+            raise UndecidedError("the enclosure of the turning point was not verified: raise the precision")
+        return x + arb(0, error)
+
+    def _integral(self, drive: Sequence[Part], low: arb, high: arb) -> arb:
+        limit = _EVALUATIONS * (1 + ctx.prec // 100)
+        found = acb.integral(lambda z, _: self.integrand(drive, z), acb(low), acb(high), eval_limit=limit).real
+        if not found.is_finite():
+            raise UndecidedError("an integral of the slow flow was not enclosed")
+        return found
+
+
+def _at(part: Part, delta: Sequence[Any]) -> Any:
+    total = arb(0)
+    for key, c in part:
+        for d, n in zip(delta, key, strict=True):
+            if n:
+                c = c * d**n
+        total = total + c
+    return total
+
+
+def _sizes(part: Part) -> Part:
+    return tuple((key, abs(c)) for key, c in part)
+
+
+def _reciprocal(a: Sequence[Any]) -> list[Any]:
+    """The coefficients of 1/(1 + a_1 t + a_2 t^2 + ...)."""
+    found: list[Any] = [arb(1)]
+    for k in range(1, len(a) + 1):
+        found.append(-sum((a[i - 1] * found[k - i] for i in range(1, k + 1)), arb(0)))
+    return found
+
+
+def abel_flow(alphas: Sequence[ExactReal], epsilons: Sequence[arb], terms: int) -> AbelFlow:
+    """Psi and Theta with K = ``terms`` at the current precision; the alphas ascend, all of them above 1."""
+    rates, clock = _parts(tuple(alphas), 2 * (terms + FOLLOWING) - 1, ctx.prec)
+    return AbelFlow(tuple(alphas), tuple(epsilons), rates, clock, terms)
+
+
+@lru_cache(maxsize=16)
+def _parts(alphas: tuple[ExactReal, ...], order: int, bits: int) -> tuple[tuple[Part, ...], tuple[Part, ...]]:
+    with ctx.workprec(bits):
+        flow, pi = flow_of(certified_half_swing(list(alphas), order, max_work=2**62)), arb.pi()
+        rates = tuple(tuple((k, pi * c) for k, c in flow.U.parts[m]) for m in range(1, order + 1, 2))
+        clock = tuple(tuple((k, pi * c) for k, c in flow.W.parts[m]) for m in range(0, order, 2))
+    return rates, clock

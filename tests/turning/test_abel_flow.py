@@ -1,0 +1,162 @@
+"""A sum's jump lands where the steps do; its bound is nearly attained, so that half of it would be wrong."""
+
+from dataclasses import replace
+from itertools import islice, product
+
+import mpmath
+import numpy as np
+import pytest
+from flint import acb, arb, ctx
+from scipy.integrate import quad, solve_ivp
+
+from asymptotics.errors import UndecidedError
+from asymptotics.law import Law
+from asymptotics.numbers.exact import parse_real
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.panels import Panels
+from asymptotics.swing.sequence import sequence
+from asymptotics.turning.abel_flow import abel_flow
+from asymptotics.turning.far import planned
+from asymptotics.turning.general import turning_points
+from asymptotics.turning.routes import Plan
+
+LAWS = [(("3/2", "3"), ("1/1000", "1/100000")), (("sqrt(2)", "5/2"), ("1/1000", "1/100000"))]
+
+
+def flow_of(law, terms):
+    alphas, epsilons = law
+    numbers = [parse_real(a, "alpha") for a in alphas]
+    return abel_flow(numbers, [parse_real(e, "epsilon").ball() for e in epsilons], terms)
+
+
+@pytest.fixture(scope="module")
+def orbits():
+    """ln A and tau of turning points 0 and 2000, at 90 bits, by interpolation in the amplitude."""
+    found = {}
+    for alphas, epsilons in LAWS:
+        law = Law(dict(zip(alphas, epsilons)))
+        with ctx.workprec(122):
+            damping = Damping.of_law(law)
+        with ctx.workprec(90):
+            points = list(islice(sequence(damping, panels=Panels(law, 90), count=2001), 2001))
+            found[alphas] = [(arb(p.amplitude, p.amplitude_error).log(), p.tau) for p in (points[0], points[2000])]
+    return found
+
+
+@pytest.mark.parametrize("law", LAWS, ids=str)
+def test_a_ladder_of_jumps_lands_where_the_steps_do(law, orbits):
+    (x, t), (there, later) = orbits[law[0]]
+    for bits, terms in ((20, 2), (40, 2), (70, 3)):
+        with ctx.workprec(bits):
+            after, time = flow_of(law, terms).advance(arb(x.mid()), 2000)
+        with ctx.workprec(90):
+            assert after.contains(there.mid()) and time.contains((later - t).mid())
+            assert after.rad() < max(2.0 ** (16 - bits), 1e-12) and time.rad() < max(2.0 ** (28 - bits), 1e-9)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=str)
+def test_half_of_the_next_term_or_one_term_less_would_be_wrong(law, orbits):
+    (x, t), (there, later) = orbits[law[0]]
+    with ctx.workprec(90):
+        flow = flow_of(law, 2)
+        bounds = flow.defects(x)
+        for drive, rise, bound in zip((flow.rates[:1], flow.clock), (arb(2000), later - t), bounds, strict=True):
+            defect = abs(flow._integral(drive, x, there) - rise)
+            assert bound.following / 2 < defect < bound.total and bound.total / 2 < defect
+            shorter = replace(flow, kept=1)
+            wrong = abs(
+                shorter._integral(flow.rates[:1] if drive is not flow.clock else shorter.clock, x, there) - rise
+            )
+            assert not wrong < bound.total
+
+
+def test_the_bound_on_the_circle_holds_what_an_independent_integration_finds():
+    # d(lambda) at 12 points of the circle, by SciPy in complex doubles from the equations of the half-swing.
+    alphas, top = np.array([1.5, 3.0]), [arb("0.02"), arb("0.0002")]
+    with ctx.workprec(64):
+        flow = flow_of((("3/2", "3"), ("1/50", "1/5000")), 2)
+        bound = flow._polydisc(top)
+        D, least = float(flow._on_circle(bound)[0]), float(flow._least(bound))
+        G, rho = float(bound.growth), np.array([float(r) for r in bound.radii])
+    v = [{key: float(c) for key, c in part} for part in flow.rates]
+
+    def sums(delta):
+        return [sum(c * delta[0] ** k[0] * delta[1] ** k[1] for k, c in part.items()) for part in v]
+
+    def f(delta):
+        v1, v3, v5 = sums(delta)
+        return (1 - v3 / v1 - v5 / v1 + (v3 / v1) ** 2) / v1
+
+    def defect(delta):
+        def slope(theta, g):
+            u, s, c = delta * np.exp((alphas - 1) * g[0]), np.sin(theta), np.cos(theta)
+            return [-np.sum(u * s ** (alphas + 1)) / (1 - np.sum(u * s**alphas * c))]
+
+        L = solve_ivp(slope, (0, np.pi), [0j], rtol=1e-10, atol=1e-12).y[0, -1]
+        path = lambda share: f(delta * np.exp((alphas - 1) * share * L)) * L  # noqa: E731
+        return L, quad(path, 0, 1, complex_func=True)[0] - 1
+
+    found = [defect(rho * np.exp(2j * np.pi * k / 12)) for k in range(12)]
+    assert max(abs(d) for _, d in found) < D
+    assert max(abs(L) for L, _ in found) < G < 2 * max(abs(L) for L, _ in found)
+    turns = [G * r * np.exp(2j * np.pi * k / 24) for r, k in product((0.5, 1), range(24))]
+    steepest = max(abs(f(rho * np.exp((alphas - 1) * xi + 2j * np.pi * k / 24))) for xi in turns for k in range(24))
+    assert 1 + G * steepest < D < 1 + 2.5 * G * steepest
+    nearest = min(
+        abs(sums(rho * np.exp((alphas - 1) * xi) * side)[0]) for xi in turns for side in (1, np.array([1, 0]))
+    )
+    assert least < nearest < 2 * least
+
+
+def test_the_integrand_is_the_slow_flow_of_first_order_where_that_is_all():
+    with ctx.workprec(80):
+        flow = flow_of(LAWS[0], 2)
+        short = replace(flow, kept=1)
+        x = arb(-3)
+        delta = [d.mid() for d in flow.strengths(x)]
+        mpmath.mp.prec = 80
+        rate = -sum(
+            mpmath.pi
+            * mpmath.gamma(a / 2 + 1)
+            / mpmath.sqrt(mpmath.pi)
+            / mpmath.gamma(a / 2 + 1.5)
+            * mpmath.mpf(d.str(25, radius=False))
+            for a, d in zip((1.5, 3), delta)
+        )
+        assert abs(short.integrand(flow.rates[:1], x) * arb(mpmath.nstr(rate, 22)) - 1) < arb(10) ** -18
+        assert flow.integrand(flow.rates[:1], acb(x)).real.overlaps(flow.integrand(flow.rates[:1], x))
+
+
+def test_far_points_from_two_heads_agree(orbits):
+    (x, t), (later, time) = orbits[LAWS[0][0]]
+    with ctx.workprec(90):
+        flow = flow_of(LAWS[0], 3)
+        one, other = flow.advance(x, 10**9), flow.advance(later, 10**9 - 2000)
+        assert one[0].overlaps(other[0]) and (t + one[1]).overlaps(time + other[1])
+        assert other[0].rad() < 1e-24 and other[1].rad() < 1e-12
+
+
+def test_a_jump_gives_the_points_that_interpolation_gives(monkeypatch):
+    law, start = Law({"3/2": "1/1000", 3: "1/100000"}), {"x0": "1/2", "v0": "-1"}
+    monkeypatch.setattr("asymptotics.turning.routes.FAR_SUM", 2000)
+    jumped = turning_points(law, 2, 8, start=2001, times=True, **start)
+    assert "slow flow" in jumped.method
+    monkeypatch.setattr("asymptotics.turning.routes.FAR_SUM", 10**9)
+    walked = turning_points(law, 2, 8, start=2001, times=True, **start)
+    assert "slow flow" not in walked.method and jumped.points == walked.points and jumped.first == walked.first
+
+
+def test_a_moving_start_reaches_far_points_of_one_law():
+    # 1/(epsilon A_n^2) = 3 pi n/4 + O(ln n): from there on only the sign of the first turning point is left.
+    for v0, side in (("1/1000", 1), ("-1/1000", -1)):
+        table = turning_points(Law({3: "1/1000"}), 1, 10, start=10**12 + 1, v0=v0)
+        assert table.first is not None
+        size = float(table.points[0].x) * float(table.first["amplitude"])
+        assert abs(-side * size * (0.001 * 0.75 * np.pi * 1e12) ** 0.5 - 1) < 1e-5
+
+
+def test_what_is_out_of_reach_is_refused():
+    with ctx.workprec(80), pytest.raises(UndecidedError, match=r"not decrease here|too large|no circle"):
+        flow_of((("3/2", "3"), ("2", "5")), 2).advance(arb(0), 100)
+    assert Plan.of(Law({"3/2": "1/5", 3: 1}), 10**18, 1, 4000).seconds > 1000
+    assert planned([parse_real("1.000001", "a"), parse_real("3", "a")], 120, 10**18).seconds > 60
