@@ -50,7 +50,7 @@ def read_files(options: argparse.Namespace, pictures: tuple[str, ...] = PICTURES
 
     ``pictures``: the suffixes that --plot may have.
     """
-    named = {f"--{name}": getattr(options, name, None) for name in ("plot", "csv")}
+    named = {f"--{name}": getattr(options, name, None) for name in ("plot", "csv", "html")}
     found = {argument: _file(name, argument, pictures) for argument, name in named.items() if name is not None}
     require_different(dict(found))
     if getattr(options, "points", None) is not None:
@@ -79,4 +79,6 @@ def _kind(path: Path, argument: str) -> str:
 def _file(name: str, argument: str, pictures: tuple[str, ...]) -> Path:
     if argument == "--plot" and Path(name).suffix.lower() not in pictures:
         raise InputError(argument, f"{name!r} has no suffix of a picture", " or ".join(pictures))
+    if argument == "--html" and Path(name).suffix.lower() not in (".html", ".htm"):
+        raise InputError(argument, f"{name!r} has no suffix of a page", ".html")
     return target_file(name, argument)

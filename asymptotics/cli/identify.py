@@ -11,12 +11,15 @@ springs x^3 and x^3, x^5 where there are times.  epsilon refers to x0 = 1 unit o
 """
 
 import argparse
+from datetime import UTC, datetime
+from hashlib import sha256
 from pathlib import Path
 
 from asymptotics.cli.answer import Answer, add_json, add_max_seconds
-from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, csv_text, read_files, write_files
 from asymptotics.errors import InputError
 from asymptotics.identification.column_units import UNITS
+from asymptotics.identification.html_report import html_report
 from asymptotics.identification.identify import identify
 from asymptotics.identification.plots import KINDS as PICTURES
 from asymptotics.identification.plots import picture
@@ -41,6 +44,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--noise", metavar="S", help="standard deviation of x, if known")
     parser.add_argument("--no-bootstrap", action="store_true", help="keep the intervals of correlated residuals")
     parser.add_argument("--plot", metavar="FILE", help="decay, decrement plot, residuals, profiles (svg, png, pdf)")
+    parser.add_argument("--html", metavar="FILE", help="one page: verdict, pictures, laws, data, provenance")
     add_csv(parser, "all candidate laws")
     add_max_seconds(parser)
     add_json(parser)
@@ -64,7 +68,12 @@ def run(options: argparse.Namespace) -> Answer:
         bootstrap=not options.no_bootstrap,
         **numbers,
     )
-    written = write_files(files, {"--plot": lambda kind: picture(answer, kind), "--csv": lambda _: _table(answer)})
+    makers: Makers = {
+        "--plot": lambda kind: picture(answer, kind),
+        "--csv": lambda _: _table(answer),
+        "--html": lambda _: html_report(answer, _provenance(options)),
+    }
+    written = write_files(files, makers)
     text = "\n".join([_text(answer), *written])
     return Answer({**answer.to_dict(), "files": written}, text, options.json)
 
@@ -72,6 +81,17 @@ def run(options: argparse.Namespace) -> Answer:
 def _table(answer: Identification) -> str:
     """All candidate laws, best first."""
     return csv_text(["law", "verdict", "dAICc", "held-out", "strengths [interval]"], (a.row() for a in answer.laws))
+
+
+def _provenance(options: argparse.Namespace) -> dict[str, str]:
+    """The files with their digests, and the options that are not at their defaults."""
+    files = {str(name): f"SHA-256 {sha256(Path(name).read_bytes()).hexdigest()}" for name in options.files}
+    names = ("kind", "unit", "laws", "springs", "amplitudes", "amplitudes_only", "mass", "stiffness", "omega0", "noise")
+    given = {name: getattr(options, name) for name in (*names, "no_bootstrap")}
+    chosen = "; ".join(
+        f"{name}: {' '.join(value) if isinstance(value, list) else value}" for name, value in given.items() if value
+    )
+    return {**files, "options": chosen or "none", "date": datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")}
 
 
 def _number(text: str | None, argument: str) -> float | None:

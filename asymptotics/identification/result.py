@@ -127,6 +127,7 @@ class Identification:
             "verdict": self.verdict.text,
             "verdict_kind": self.verdict.kind,
             "telling": self.verdict.telling or None,
+            "not_excluded": [term.to_dict() for term in self.verdict.allowed],
             "laws": [law.to_dict() for law in self.laws],
             "data": [_data(run) for run in self.runs],
             "textbook": self.textbook,

@@ -14,11 +14,12 @@ from dataclasses import replace
 import numpy as np
 from scipy.special import chdtrc, stdtrit
 
+from asymptotics.identification.allowance import allowances
 from asymptotics.identification.comparison import LawFit
 from asymptotics.identification.contradiction import REFUTED, Contradiction
-from asymptotics.identification.judgement import against, commented, is_negative
+from asymptotics.identification.judgement import against, commented, is_negative, minimal
 from asymptotics.identification.profile import Interval
-from asymptotics.identification.verdicts import NONE, SEVERAL, UNTOLD, Verdict
+from asymptotics.identification.verdicts import IDENTIFIED, NONE, SEVERAL, UNTOLD, Verdict
 
 
 def random_effects(estimates: Sequence[float], errors: Sequence[float], level: float = 0.95) -> tuple[Interval, float]:
@@ -88,8 +89,9 @@ def _combined(found: Sequence[Contradiction]) -> Contradiction:
     return Contradiction(found[0].by, sum(c.ratio for c in found), sum(c.terms for c in found), p)
 
 
-def verdict_of_runs(runs: Sequence[Verdict], chosen: Sequence[LawFit]) -> Verdict:
-    """One verdict for all runs: no better than that of the runs, if a run fits no law."""
+def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[LawFit]) -> Verdict:
+    """One verdict for all runs, from their common laws: no better than that of the runs, if a run fits no law."""
+    chosen = minimal(laws)
     names = "; ".join(str(law.candidate) for law in chosen[:6])
     best = f"; best: {names}" if names else ""
     inadequate = sum(v.kind == NONE for v in runs)
@@ -97,7 +99,10 @@ def verdict_of_runs(runs: Sequence[Verdict], chosen: Sequence[LawFit]) -> Verdic
         text = f"{NONE} at the noise level in {inadequate} of {len(runs)} runs (model inadequate){best}"
         return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
     if len(chosen) == 1:
-        return Verdict("identified", f"identified in {len(runs)} runs: {names}, among the laws tried")
+        allowed = allowances(chosen[0], laws, None)
+        said = f"; not excluded beside it (95 %): {', '.join(map(str, allowed))}" if allowed else ""
+        text = f"{IDENTIFIED} in {len(runs)} runs: {names}, among the laws tried{said}"
+        return Verdict(IDENTIFIED, text, "", allowed)
     if not chosen or len(chosen) > 3:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}")
     return Verdict(SEVERAL, f"{SEVERAL} with {len(runs)} runs: {names}")

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from asymptotics.identification.allowance import WEAK, Allowance, allowances
 from asymptotics.identification.comparison import LawFit, fit_law
 from asymptotics.identification.contradiction import REFUTED
 from asymptotics.identification.fitting import Noise
@@ -20,11 +21,15 @@ _DIFFERENT = 12.0
 
 @dataclass(frozen=True)
 class Verdict:
-    """``kind`` is one of the four; ``text`` says it in words; ``telling`` says what would tell more."""
+    """``kind`` is one of the four; ``text`` says it in words; ``telling`` says what would tell more.
+
+    ``allowed``: how strong each further term may still be beside the one law of the verdict.
+    """
 
     kind: str
     text: str
     telling: str = ""
+    allowed: tuple[Allowance, ...] = ()
 
 
 def verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool = False) -> Verdict:
@@ -45,11 +50,33 @@ def verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool 
     if all(e.contains(0.0) for law in chosen for e in law.epsilon):
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")
     if len(chosen) == 1:
-        return Verdict(IDENTIFIED, f"{IDENTIFIED}: {names}, among the laws tried" + _beside(chosen[0], best, beaten))
+        return _one_law(chosen[0], best, beaten, laws, seen)
     telling = "" if seen is None else what_would_tell(chosen[0], chosen[1], seen)
     if len(chosen) > MANY:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}", telling)
     return Verdict(SEVERAL, f"{SEVERAL}: {names}", telling)
+
+
+def _one_law(
+    law: LawFit, best: LawFit, beaten: Sequence[LawFit], laws: Sequence[LawFit], seen: Observations | None
+) -> Verdict:
+    """One law, with what is not excluded beside it; several, if a further term may carry half of the loss."""
+    allowed = allowances(law, laws, None if seen is None else seen.reference)
+    shares = "; in brackets the share of the loss at the first amplitude" if seen is not None else ""
+    said = f"; not excluded beside it (95 %{shares}): {', '.join(map(str, allowed))}" if allowed else ""
+    large = [a for a in allowed if a.share is not None and a.share > WEAK]
+    if large and seen is not None:
+        most = max(large, key=lambda a: a.share or 0.0)
+        larger = next(
+            other
+            for other in laws
+            if set(other.candidate.alphas) == {*law.candidate.alphas, most.term}
+            and other.candidate.springs == law.candidate.springs
+        )
+        text = f"{SEVERAL}: {named(law)} is the smallest, but a further term may carry most of the loss{said}"
+        return Verdict(SEVERAL, text, what_would_tell(larger, law, seen), allowed)
+    text = f"{IDENTIFIED}: {named(law)}, among the laws tried{_beside(law, best, beaten)}{said}"
+    return Verdict(IDENTIFIED, text, "", allowed)
 
 
 def _is_imitation(law: LawFit) -> bool:

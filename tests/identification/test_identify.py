@@ -29,6 +29,31 @@ def test_the_right_law_is_identified_with_its_strengths(law, strengths, swings, 
         assert abs(interval.estimate - true) < 2 * half < 0.2 * true
 
 
+def test_what_is_identified_says_what_is_not_excluded_beside_it():
+    # 20 swings with 1 % of noise: dry friction that carries half of the loss is not seen, and the answer says so
+    weak = asy.identify(observed("1", [0.03], 20, 1e-2, seed=6), laws=["0", "1", "0,1", "1,2"])
+    sharp = asy.identify(observed("1", [0.03], 20, 1e-4, seed=6), laws=["0", "1", "0,1", "1,2"])
+    for answer, largest in ((weak, 1.0), (sharp, 0.02)):
+        friction, drag = answer.verdict.allowed
+        assert (friction.term, drag.term) == ("0", "2")
+        assert friction.largest == pytest.approx(answer.law("0,1").law.epsilon[0].high)
+        assert friction.share == pytest.approx(2 * friction.largest / (np.pi / 2 * 0.03), rel=0.05)
+        assert largest / 20 < friction.share < largest
+        assert (
+            f"not excluded beside it (95 %; in brackets the share of the loss at the first amplitude): {friction}"
+            in (answer.verdict.text)
+        )
+    assert sharp.to_dict()["not_excluded"][0]["term"] == "0"
+    assert asy.identify(observed("1", [0.03], 20, 1e-4, seed=6), laws=["1"]).verdict.allowed == ()
+
+
+def test_a_term_that_may_carry_most_of_the_loss_leaves_no_law_identified():
+    answer = asy.identify(observed("1", [0.01], 12, 1e-2, seed=2), laws=["1", "1,2"])
+    assert answer.verdict.kind == "several laws are consistent"
+    assert "1 is the smallest, but a further term may carry most of the loss" in answer.verdict.text
+    assert answer.verdict.telling.startswith("to tell 1,2 from 1: ")
+
+
 def test_a_free_exponent_finds_three_halves_and_refutes_the_integers():
     answer = asy.identify(observed("3/2", [0.02], 150, 1e-3, seed=1))
     assert answer.law("free").law.alpha.contains(1.5)
