@@ -77,6 +77,12 @@ step(
     sympy.Integer(0),
 )
 y = sympy.Symbol("Y", positive=True)
+c_k, K = sympy.symbols("c_k K", positive=True)
+step(
+    "Its derivative, times delta^2, is -c_0 and for each k >= 1",
+    sympy.Derivative(c_k * delta ** (2 * K - 1), delta) * delta**2,
+    (2 * K - 1) * c_k * delta ** (2 * K),
+)
 step(
     "Psi decreases on (0, delta] if sum (2k-1) |c_k| delta^(2k) < c_0: for K = 2",
     sympy.Derivative(truncated, delta),

@@ -10,7 +10,6 @@ from derivations.steps import Derivation
 
 w, s, e, Y0, N = sympy.symbols("w s e Y_0 N", positive=True)
 y, y1 = sympy.symbols("y y_1", negative=True)
-Y, P = sympy.Function("Y")(w, y1), sympy.Symbol("P")
 P1, P2 = sympy.symbols("P_1 P_2", negative=True)
 
 derivation = Derivation(
@@ -33,16 +32,18 @@ step(
     sympy.Derivative(-w / (eta - N), eta),
     w / (eta - N) ** 2,
 )
-E = sympy.exp(sympy.Integral(s, (s, 0, w)) / P**2)
+along = sympy.Function("P")
+E = sympy.exp(sympy.Integral(s / along(s) ** 2, (s, 0, w)))
 step(
-    "so E = exp(integral of w/P^2) >= 1 (for constant P:)",
+    "so E, which begins with 1, is exp(integral of w/P^2) >= 1",
     sympy.Derivative(E, w) / E,
-    w / P**2,
+    w / along(w) ** 2,
 )
+more = sympy.Symbol("h", nonnegative=True)
 step(
-    "Hence |y_1 - guess| <= |Y(w; y_1) - Y(w; guess)| = e: the mean slope is at least 1",
-    sympy.Integral(1 + s**2, (s, 0, e)),
-    e + e**3 / 3,
+    "Hence |y_1 - guess| <= |Y(w; y_1) - Y(w; guess)|: over the distance e, with the mean slope 1 + h >= 1, that is",
+    sympy.Integral(1 + more, (s, 0, e)),
+    e + e * more,
 )
 step(
     "Orbits do not cross: those between the two also have P <= Y <= y < 0 up to the speed w, y rising with w",

@@ -42,11 +42,12 @@ step(
     At(sympy.Derivative((C**a - 1) / C**2, C) * C**3, {C**a: 2 / (2 - a)}),
     0,
 )
-holds(
-    "For alpha < 1 the exponent 2/alpha - 2 is positive: once the condition holds it goes on holding, as y only falls",
-    all((2 / value - 2) > 0 for value in (sympy.Rational(1, 10), sympy.Rational(1, 2), sympy.Rational(9, 10)))
-    and sympy.simplify(2 / a - 2 - 2 * (1 - a) / a) == 0,
-    sympy.Gt(2 / a - 2, 0),
+b = sympy.Symbol("b", positive=True)  # 1/alpha - 1
+step(
+    "For alpha = 1/(1+b) < 1, b > 0, the exponent 2/alpha - 2 is positive: once the condition holds it goes on holding,"
+    " as y only falls",
+    At(2 / a - 2, {a: 1 / (1 + b)}),
+    2 * b,
 )
 step(
     "On the lower boundary w = 0 the speed grows at the rate y > 0: the orbit does not turn",
@@ -72,11 +73,16 @@ step(
     ratio_rate * m / y,
     1 - r**a + r**2 / a * (m / y) ** 2,
 )
+step(
+    "y falls to 0: at a limit y > 0 the speed would tend to m(y) > 0, where w' = 0, and y would fall on",
+    y - e * slow(y) ** a,
+    0,
+)
 step("The last term fades as y -> 0:", (m / y) ** 2, y ** (2 / a - 2) * e ** (-2 / a))
 step(
-    "and sigma runs to infinity, because y/m grows without bound while y takes for ever to reach 0 (alpha = 1/2)",
-    sympy.Limit((m / y).subs(a, sympy.Rational(1, 2)), y, 0),
-    0,
+    "and sigma runs to infinity: d sigma/d tau = y/m grows as y falls, and y takes for ever to reach 0, as b > 0 in",
+    At(y / m, {a: 1 / (1 + b)}),
+    e ** (1 + b) * y**-b,
 )
 holds(
     "So from some sigma on r falls wherever r > 1 + eta and rises wherever r < 1 - eta, at a rate away from 0, for"

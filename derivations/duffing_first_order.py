@@ -65,6 +65,13 @@ for order in range(1, 4):
         / sympy.rf((alpha + m + 3) / 2, order)
         / sympy.factorial(order),
     )
+n = sympy.Symbol("n", integer=True, nonnegative=True)
+power = alpha + 1 + 2 * n
+step(
+    "and so on: from mu^n to mu^(n+1) the mean gains the factor of 2F1 (what stands before it is common)",
+    named("R_n", mean(m, power + 2) / mean(m, power)),
+    (alpha / 2 + 1 + n) / ((alpha + m + 3) / 2 + n),
+)
 series = 1 - mu * sympy.Rational(4, 5)
 step(
     "alpha = 2, m = 0: 2F1(-1, 2; 5/2; mu) ends, and the integral is that of 2 (V(A) - V(x))",

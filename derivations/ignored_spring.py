@@ -10,7 +10,7 @@ is the bias.
 
 import sympy
 
-from derivations.steps import Derivation, Taylor, defined, named
+from derivations.steps import At, Derivation, Taylor, defined, named
 
 alpha = sympy.Symbol("alpha", nonnegative=True)
 p = sympy.Symbol("p", positive=True)
@@ -61,6 +61,11 @@ for a, power, value in (
         Y.subs({alpha: a, p: power}), sympy.integrate(s ** (a + 1), (theta, 0, theta))
     )
     step(f"alpha = {a}, p = {power}: the coefficient itself", sympy.Integral(whole, (theta, 0, sympy.pi)), value)
+    integrals = {
+        K: sympy.integrate(s ** (a + 1), (theta, 0, sympy.pi)),
+        J: sympy.integrate(cos ** (power + 1) * s ** (a + 1), (theta, 0, sympy.pi)),
+    }
+    step("and by K and J", At(total.subs({alpha: a, p: power}), integrals), value)
 
 apparent = defined("L", lambda strength: -3 * sympy.pi / 8 * strength)  # cubic loss: -pi M_4 epsilon_3
 step(

@@ -65,11 +65,12 @@ convex = y**q
 step(
     "Jensen: y^q, q = (alpha+1)/2, y = sin^2, has the second derivative", diff(convex, y, 2), q * (q - 1) * y ** (q - 2)
 )
-holds(
-    "positive for alpha > 1: M_(alpha+1) = <y^q> > <y>^q, underestimated; negative for alpha < 1: overestimated",
-    bool((q * (q - 1)).subs(q, 2) > 0 and (q * (q - 1)).subs(q, sympy.Rational(1, 2)) < 0),
-    sympy.Eq(q, (alpha + 1) / 2),
-)
+for reason, value in (
+    ("positive for alpha = 1 + 2 r > 1, q = 1 + r: M_(alpha+1) = <y^q> > <y>^q, underestimated", 1 + r),
+    ("negative for 0 <= alpha < 1, q = 1/(1 + r): overestimated", 1 / (1 + r)),
+):
+    curvature = sympy.factor((q * (q - 1)).subs(q, value))
+    holds(reason, bool(curvature.is_positive if value == 1 + r else curvature.is_negative), curvature)
 step("The ratio of the rates has no epsilon in it: alpha = 1", ratio(1), 1)
 step("alpha = 2", ratio(2), 3 * sqrt(2) * sympy.pi / 16)
 holds(

@@ -39,11 +39,12 @@ def mean(x: sympy.Expr, y: sympy.Expr) -> sympy.Expr:
 
 
 # |sin|^alpha sgn sin = sum b_n sin n psi, |cos|^p sgn cos = sum d_n cos n psi: d_n = (-1)^((n-1)/2) b_n of p.
+j = sympy.Symbol("j", integer=True)
 fall, turn = (n - alpha) / (n + alpha + 2), -(n - p) / (n + p + 2)
 step(
-    "A quarter turn, sin n(psi + pi/2) = sin(n pi/2) cos n psi for odd n: d_n is b_n of p with alternating sign; n = 3",
-    sin(3 * (psi + pi / 2)).expand(trig=True).subs(sin(psi), 0).subs(cos(psi), 1),
-    At(sin(n * pi / 2), {n: 3}),
+    "A quarter turn, sin n(psi + pi/2) = (-1)^j cos n psi for n = 2 j + 1: d_n is b_n of p with alternating sign",
+    named("sin(n (psi + pi/2))", sympy.expand_trig(sin((2 * j + 1) * psi + j * pi + pi / 2))),
+    (-1) ** j * cos((2 * j + 1) * psi),
 )
 
 # Order 1.
@@ -113,10 +114,10 @@ step(
     (1 - alpha) * (1 - p) * P * Q / ((alpha + 1) * (p + 1)),
 )
 step(
-    "sum_(n>=1) n b_n d_n = 2 p N, N = <|cos|^(p-1) |sin|^(alpha+1)>: "
-    " -2 <|sin|^alpha d(|cos|^p)/dpsi>, at alpha = p = 3",
-    -2 * sympy.Integral(sin(psi) ** 3 * sympy.diff(cos(psi) ** 3, psi), (psi, 0, 2 * pi)) / (2 * pi),
-    sympy.simplify(2 * 3 * mean(sympy.Integer(2), sympy.Integer(4))),
+    "sum_(n>=1) n b_n d_n = -2 <|sin|^alpha sgn(sin) d(|cos|^p sgn(cos))/dpsi> by Parseval is 2 p N,"
+    " N = <|cos|^(p-1) |sin|^(alpha+1)>: on the first quarter",
+    -2 * sin(psi) ** alpha * sympy.Derivative(cos(psi) ** p, psi),
+    2 * p * cos(psi) ** (p - 1) * sin(psi) ** (alpha + 1),
 )
 total = -lower - (2 * p * N - 4 * P * Q) / ((alpha + 1) * (p + 1))
 step("so S =", total, ((4 - (1 - alpha) * (1 - p)) * P * Q - 2 * p * N) / ((alpha + 1) * (p + 1)))

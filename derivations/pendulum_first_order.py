@@ -42,6 +42,17 @@ step(
     sympy.Integral(sympy.cos(theta) ** 3, (theta, -sympy.pi / 2, sympy.pi / 2)),
     sympy.Rational(4, 3),
 )
+step(
+    "J_n = (1/2)_n/n! int cos^(alpha+1) sin^(2n), a Beta integral: pi M_(alpha+1) times the coefficient of k^(2n) in"
+    " 2F1(1/2, 1/2; (alpha+3)/2; k^2), at n = 0",
+    named("J_0", (coefficient * beta).subs(n, 0)),
+    series.subs(n, 0),
+)
+step(
+    "and from n to n + 1 both gain the same factor",
+    named("J_(n+1)/J_n", (coefficient * beta).subs(n, n + 1) / (coefficient * beta)),
+    sympy.gammasimp((series.subs(n, n + 1) / series).rewrite(sympy.gamma)),
+)
 for order in range(1, 4):
     step(
         f"J_{order} = (1/2)_{order}/{order}! int cos^(alpha+1) sin^{2 * order} is pi M_(alpha+1) times the coefficient"

@@ -19,7 +19,7 @@ from fractions import Fraction
 import sympy
 from flint import fmpq_poly
 
-from derivations.steps import At, Derivation
+from derivations.steps import At, Derivation, named
 
 n, i, k = sympy.symbols("n i k", integer=True, positive=True)
 B, D_below = sympy.symbols("C_{i-1}^{n-1} C_i^{n-2}")
@@ -133,8 +133,14 @@ step(
     b**k - 2 * k * (1 - b) * b ** (k - 1),
     (2 * k + 1) * b**k - 2 * k * b ** (k - 1),
 )
+whole = sympy.Symbol("k", integer=True, positive=True)
+step(
+    "which 2^k k!/(2k+1)!! obeys too, (2k+1)!! = (2k+1) (2k-1)!!,",
+    named("r_k", sympy.gammasimp(2**whole * sympy.factorial(whole) / (2 ** (whole - 1) * sympy.factorial(whole - 1)))),
+    2 * whole,
+)
 holds(
-    "so I_k = 2^k k!/(2k+1)!!",
+    "so I_k = 2^k k!/(2k+1)!!, both 1 at k = 0; for instance",
     all(
         value == sympy.Rational(2**power * sympy.factorial(power), double_factorial(2 * power + 1))
         for power, value in enumerate(integrals)

@@ -6,7 +6,7 @@ True
 
 import sympy
 
-from derivations.steps import Derivation
+from derivations.steps import At, Derivation, named
 
 t, h, R, w0, rho, a, N, c = sympy.symbols("t h R w_0 rho a N c", positive=True)
 n = sympy.Symbol("n", positive=True, integer=True)
@@ -24,6 +24,16 @@ w = sympy.symbols("w_0:4")
 Y = sum(y[i] * t**i for i in range(4))
 W = sum(w[i] * t**i for i in range(4))
 known = {y[i + 1]: -w[i] / (i + 1) for i in range(3)}
+later, place, load = sympy.symbols("c_(k+1) y_k N_k")
+step(
+    "In general the coefficients of t^k, k < n, in Y' + W and in W' - Y + N(W) vanish: c_(k+1) is y_(k+1) or w_(k+1),",
+    sympy.Add(
+        At((k + 1) * later + w0, {later: -w0 / (k + 1)}),
+        At((k + 1) * later - place + load, {later: (place - load) / (k + 1)}),
+        evaluate=False,
+    ),
+    0,
+)
 step(
     "y' = -w coefficient by coefficient, (k+1) y_(k+1) = -w_k for k < n: for n = 3 the residual of Y' = -W is",
     sympy.Add(sympy.Derivative(Y.subs(known), t), W, evaluate=False),
@@ -43,9 +53,10 @@ step(
     (w0 * (1 + rho)) ** a,
 )
 step(
-    "By Cauchy the k-th coefficient of N(W) is at most N_R R^-k, N_R = N(w_0 (1+rho)): from t^n on they add up to",
-    sympy.Sum(sympy.Rational(1, 3) ** k, (k, 4, sympy.oo)),
-    sympy.Rational(1, 3) ** 4 / (1 - sympy.Rational(1, 3)),
+    "By Cauchy the k-th coefficient of N(W) is at most N_R R^-k, N_R = N(w_0 (1+rho)): with x = t/R those from t^n on"
+    " add up to N_R times the geometric series without its first n terms",
+    named("sum_(k>=n) x^k", 1 / (1 - z) - (1 - z**n) / (1 - z)),
+    z**n / (1 - z),
 )
 step("Integrated from 0 to h, the first part gives", sympy.Integral(t**n, (t, 0, h)), h ** (n + 1) / (n + 1))
 step(

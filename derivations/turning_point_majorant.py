@@ -13,6 +13,7 @@ from derivations.steps import Derivation, Taylor
 w, P0, e, z, b, A, t, lam, G = sympy.symbols("w P_0 epsilon z b a t lambda G", positive=True)
 alpha, n = sympy.symbols("alpha n", positive=True)
 R, r = sympy.symbols("R r")
+power = sympy.Symbol("k", integer=True, positive=True)
 
 derivation = Derivation(
     "turning-point-majorant",
@@ -56,8 +57,8 @@ step(
 )
 step(
     "For P_0 < 0 replace z by -z: the signs of epsilon/P_0 return, absolute values stay: D does not see the sign",
-    -z * sympy.Derivative((-z) ** 3, z),
-    3 * z**3,
+    z * sympy.Derivative((-z) ** power, z),
+    power * (-z) ** power,
 )
 step(
     "1/P = (1/P_0)/(1-r) has the majorant 1/(1-R); without its constant term",

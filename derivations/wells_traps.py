@@ -33,10 +33,11 @@ step(
     At(a * (C**a - 1) * e ** (2 / a) * K ** (1 - 2 / a), {C**a: 2 / (2 - a)}),
     a**2 / (2 - a) * e ** (2 / a) * K ** (1 - 2 / a),
 )
-holds(
-    "For a < 1 the exponent 2/a - 2 is positive: once it holds it goes on holding as y falls",
-    all(2 / value - 2 > 0 for value in (sympy.Rational(1, 10), sympy.Rational(1, 2), sympy.Rational(9, 10))),
-    sympy.Gt(2 / a - 2, 0),
+b = sympy.Symbol("b", positive=True)  # 1/a - 1
+step(
+    "For a = 1/(1+b) < 1 the exponent 2/a - 2 is positive: once it holds it goes on holding as y falls",
+    At(2 / a - 2, {a: 1 / (1 + b)}),
+    2 * b,
 )
 step(
     "On the lower boundary the orbit does not turn: at w = 0 the speed grows at the rate s_0 > 0, for s_0 = K y",

@@ -72,8 +72,9 @@ step(
     sympy.Derivative(At(sympy.exp(a * x), {a: 0}), x),
     sympy.Integer(0),
 )
-step("so c = 0 for even l: then (-1)^l c + c is", At((-1) ** loss * c + c, {loss: 2}), 2 * c)
-step("and for odd l nothing follows", At((-1) ** loss * c + c, {loss: 1}), sympy.Integer(0))
+j = sympy.Symbol("j", integer=True, nonnegative=True)
+step("so c = 0 for even l: then (-1)^l c + c is", At((-1) ** loss * c + c, {loss: 2 * j}), 2 * c)
+step("and for odd l nothing follows", At((-1) ** loss * c + c, {loss: 2 * j + 1}), sympy.Integer(0))
 G = sympy.Function("G")(y)
 step(
     "The coefficient of weight a in e^(gamma G^(-1)) is the constant term of e^(gamma y - a G(y)) G'(y), x = G(y);"
@@ -89,7 +90,7 @@ step(
 step(
     "F_i(delta) = d_i e^(w_i G), s_i F_i(S delta) = d_i e^(w_i G^(-1)): with gamma = w_i the monomial at a = -w_i has"
     " (-1)^(l - l_i) f = -f, so f = 0 when l - l_i is even",
-    At((-1) ** loss * f + f, {loss: 0}),
+    At((-1) ** loss * f + f, {loss: 2 * j}),
     2 * f,
 )
 
@@ -98,8 +99,8 @@ T_q = defined("T_q", lambda z: t * z)
 step("T = T_q(delta) + T_q(S F), F = delta + ...: a single loss has", T_q(delta) + T_q(-delta), sympy.Integer(0))
 step("a single spring, which S leaves alone, has", 2 * T_q(delta), 2 * t * delta)
 step(
-    "Where all weights are 0, F = delta and the coefficient of T is (1 + (-1)^l) times that of T_q; l = 3",
-    At(1 + (-1) ** loss, {loss: 3}),
+    "Where all weights are 0, F = delta and the coefficient of T is (1 + (-1)^l) times that of T_q; odd l",
+    At(1 + (-1) ** loss, {loss: 2 * j + 1}),
     sympy.Integer(0),
 )
 
