@@ -16,13 +16,14 @@ Against a naive |v|, measured: heyoka without an event is wrong in the third dig
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 
 from flint import arb, ctx
 
 from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds
 from asymptotics.costs import half_swing_seconds, interpolation_seconds
 from asymptotics.errors import InputError, UndecidedError
-from asymptotics.law import Oscillator, PhysicalLaw
+from asymptotics.law import Law, Oscillator, PhysicalLaw
 from asymptotics.motions.certify import half_unit, time_of
 from asymptotics.motions.coulomb import coulomb_motion
 from asymptotics.motions.linear import linear_motion
@@ -195,8 +196,16 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
         swings = float((t.ball() * oscillator.omega_0() / arb.pi()).mid()) + 1
     if not oscillator.law.is_pure:
         return estimated_in_well(Force.of(oscillator.dimensionless.terms), swings, bits_for(digits, 48))
+    swings = min(swings, _most_swings(oscillator.dimensionless))
     apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
     terms, bits = len(oscillator.law.terms), bits_for(digits, 56)
     panels = panels_of(oscillator.dimensionless, bits)
     pieces = panels.pieces(int(min(swings, 1e9)))
     return half_swing_seconds(pieces + 2, bits, terms, apart) + interpolation_seconds(swings)
+
+
+def _most_swings(law: Law) -> float:
+    """About how many half-swings one law with alpha < 1 leaves: then the motion sticks, or creeps for all times."""
+    if len(law.terms) != 1 or not law.terms[0].velocity < 1:
+        return inf
+    return 3 + 1 / ((1 - float(law.terms[0].velocity.ball())) * float(law.terms[0].strength.ball()))

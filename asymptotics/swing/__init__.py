@@ -7,6 +7,7 @@
 ``expansion``   the motion next to a turning point, in powers of the speed: the branch point removed
 ``taylor``      one Taylor step in between, with its error by the residual
 ``ends``        when no turning point follows: sticks, creeps, overdamped, decided in balls
+``slow``        creep for all times: between two barriers beside the slow curve
 ``linear``      linear damping and dry friction alone: the closed form
 ``lingering``   next to critical linear damping: how long a half-swing takes, how many bits it loses
 ``course``      a half-swing in pieces, from an exact state to the next turning point
@@ -19,5 +20,5 @@
 ``dense``       (x, v) at many times in one pass
 ==============  ======================================================================================
 
-Derivations ``motions-never-part``, ``turning-point-majorant``, ``taylor-residual`` and ``arrival``.
+Derivations ``motions-never-part``, ``turning-point-majorant``, ``taylor-residual``, ``slow-curve`` and ``arrival``.
 """

@@ -95,8 +95,12 @@ def _rounded(x: arb, bits: int) -> arb:
 
 def turns_within(damping: Damping, y: arb, w: arb) -> bool:
     """Whether the turning point ahead is near enough for its expansion: a choice, in doubles."""
-    from_energy = dyadic((max(2 * size_of(y), 2 * size_of(w)) + 0.3) / 2)
-    return bool(y < 0) and bool(w < reach_at(damping, from_energy))
+    if not y < 0:
+        return False
+    size = (max(2 * size_of(y), 2 * size_of(w)) + 0.3) / 2  # by the energy
+    if damping.least < 1:  # braking may end the motion long before; below 1 the reach shrinks with the amplitude
+        size = size_of(y)
+    return bool(w < reach_at(damping, dyadic(size)))
 
 
 def reach_at(damping: Damping, y0: arb) -> arb:

@@ -7,6 +7,7 @@ only add: no ball is carried through a step.
 
 * ``Departure``: from rest, by the local expansion at the turning point;
 * ``Step``: a Taylor step;
+* ``Creep``: for ever, once the motion is caught beside the slow curve;
 * ``Landing``: the last piece, by the local expansion at the turning point ahead;
 * ``LinearSwing``: the only piece where linear damping below its critical strength and dry friction act alone.
 
@@ -28,9 +29,10 @@ from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.swing.arrival import Arrival, arrive, turns_within
 from asymptotics.swing.damping import Damping, size_of, upper
-from asymptotics.swing.ends import may_trap, trap
+from asymptotics.swing.ends import CREEPS, may_trap, trap
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.linear import LinearOrbit, is_linear
+from asymptotics.swing.slow import Strip, caught
 from asymptotics.swing.taylor import TaylorStep
 
 MAX_PIECES, MAX_FREE = 200_000, 5000
@@ -71,6 +73,17 @@ class Step(Piece):
     def own(self, t: arb) -> tuple[arb, arb]:
         """(y, w) of the Taylor polynomials."""
         return self.taylor.state(t - self.begin)
+
+
+@dataclass(frozen=True)
+class Creep(Piece):
+    """Beside the slow curve; the enclosures are those of the true state, and ``error`` is 0."""
+
+    strip: Strip
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(y, w) between the two barriers."""
+        return self.strip.state(t - self.begin)
 
 
 @dataclass(frozen=True)
@@ -142,6 +155,9 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         if reason is None and ((watch and count > MAX_FREE) or upper(abs(y) + w) < 4 * error):
             where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
             raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
+        strip = caught(damping, y, w, error) if reason == CREEPS else None
+        if strip is not None:
+            yield from _creep(damping, t, strip)
         taylor = TaylorStep.at(damping, y, w, scale)
         end = _later(t, taylor.length)
         error = upper(error + taylor.error)
@@ -151,6 +167,15 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         u, w, t = (y + damping.friction).mid(), w.mid(), end
     reason = f"one half-swing takes more than {pieces} pieces: the motion is too stiff or too near a separatrix"
     raise LimitError("time", reason, "weaker damping, another strength, or a shorter time")
+
+
+def _creep(damping: Damping, t: arb, strip: Strip) -> Iterator[Piece]:
+    """Longer and longer pieces without an end."""
+    length = arb(1)
+    while True:
+        end = _later(t, length)
+        yield Creep(damping, t, end, arb(0), CREEPS, strip)
+        length *= 2
 
 
 def _linear(damping: Damping, u: arb, w: arb, error: arb) -> LinearSwing:

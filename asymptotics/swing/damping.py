@@ -14,7 +14,7 @@ choose sizes and never enter a bound.
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import log2
+from math import inf, log2
 
 from flint import arb, ctx
 
@@ -49,6 +49,11 @@ class Damping:
     def sizes(self) -> tuple[tuple[float, float], ...]:
         """(log2 epsilon_i, alpha_i) in doubles, for choosing sizes."""
         return tuple((size_of(e), float(a.mid())) for e, a in zip(self.strengths, self.exponents))
+
+    @cached_property
+    def least(self) -> float:
+        """The least exponent above 0, in doubles; infinity without one."""
+        return min((a for _, a in self.sizes), default=inf)
 
     @cached_property
     def superlinear(self) -> bool:

@@ -32,7 +32,7 @@ from asymptotics.swing.majorant import majorant
 from asymptotics.swing.rows import Row, rows_below
 
 _SUMMED = 12  # bits more for sums of hundreds of terms
-_STEPS = 4  # delta is rounded up to a quarter of a power of two: plans are shared
+_STEPS = 4  # delta^(1/alpha) is rounded up to a quarter of a power of two: plans are shared
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,8 @@ class Expansion:
 def plan_at(damping: Damping, y0: arb, w: arb | None = None) -> Plan:
     """The plan for the turning point ``y0`` (and the speed ``w``) at the current precision."""
     size = size_of(y0)
-    deltas = tuple(ceil((e + (a - 1) * size) * _STEPS) / _STEPS for e, a in damping.sizes)
+    steps = _STEPS * max(1, ceil(1 / damping.least)) if damping.sizes else _STEPS
+    deltas = tuple(ceil((e + (a - 1) * size) * steps) / steps for e, a in damping.sizes)
     rational = tuple(a.rational if a.is_rational else None for a in damping.alphas)
     omega = None if w is None else ceil((size_of(w) - size) * _STEPS) / _STEPS
     return plan_for(deltas, rational, tuple(a for _, a in damping.sizes), ctx.prec, omega)

@@ -64,7 +64,7 @@ def plan_for(
     """
     edge = _edge(ln2_delta, alphas)
     best, cost, most = None, inf, MAX_KEYS if speed is None else 2 * MAX_KEYS
-    for omega in [edge - h for h in _HALVINGS] if speed is None else [speed]:
+    for omega in _speeds(edge, alphas) if speed is None else [speed]:
         for plan in (_line(omega, ln2_delta, rational, alphas, bits), _simplex(omega, ln2_delta, alphas, bits, most)):
             if plan is not None and (total := _microseconds(plan, bits, alphas, shared)) < cost:
                 best, cost = plan, total
@@ -73,6 +73,12 @@ def plan_for(
         reason = f"the majorant of the expansion at a turning point needs more than {MAX_KEYS} terms for ({shown})"
         raise LimitError("alpha", reason, "weaker damping or larger exponents")
     return best
+
+
+def _speeds(edge: float, alphas: tuple[float, ...]) -> list[float]:
+    """Hand-over speeds to try: half the speed, or half the term with the least exponent, where that is below 1."""
+    halved = _HALVINGS if not min(alphas, default=1) < 1 else (*_HALVINGS, *(h / min(alphas) for h in _HALVINGS))
+    return [edge - h for h in halved]
 
 
 def _sizes(omega: float, ln2_delta: tuple[float, ...], alphas: tuple[float, ...]) -> tuple[float, list[float]]:
@@ -119,6 +125,8 @@ def _simplex(omega: float, delta: tuple[float, ...], alphas: tuple[float, ...], 
     """The best of a few ways to share the room between z_0 and the z_i; a simplex has about G^d/(d! prod g) points."""
     a, b = _sizes(omega, delta, alphas)
     used, best = sum(map(_power, b)), None
+    if not used < 1:
+        return None
     for part in (0.2, 0.4, 0.6, 0.8):
         target = used + (1 - used) * part
         room = 0.9 * (1 - target) ** 2 / 4

@@ -1,0 +1,156 @@
+"""Creep between two barriers: against a stiff integrator, against Taylor steps, and with the barriers moved."""
+
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+
+import pytest
+from flint import arb, ctx
+from scipy.integrate import solve_ivp
+
+from asymptotics.law import Law, Oscillator
+from asymptotics.motions.reference import reference_motion
+from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.swing import course as course_module
+from asymptotics.swing.course import Creep, course
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.slow import Curve, caught, coefficients, one_way, solve
+
+LAWS = [("1/2", "1"), ("1/10", "3"), ("sqrt(1/2)", "2"), ("1/100", "1"), ("4/5", "5")]
+
+
+def damping(alpha, epsilon):
+    return Damping.of([(parse_real(epsilon, "e").ball(), parse_real(alpha, "a"))])
+
+
+def creeping(alpha, epsilon, bits, start="9/10"):
+    """The first piece of the course from rest that is a creep, and the damping, at so many bits."""
+    with ctx.workprec(bits):
+        law = damping(alpha, epsilon)
+        place = parse_real(start, "x").ball().mid()
+        return next(piece for piece in course(law, place, arb(0)) if isinstance(piece, Creep)), law
+
+
+def stiff(alpha, epsilon, y, w, time):
+    """(y, w) by an implicit method in doubles, in ln w."""
+
+    def force(_, state):
+        return [-state[1], state[0] - epsilon * max(state[1], 0) ** alpha]
+
+    found = solve_ivp(force, (0, time), [y, w], "Radau", rtol=1e-9, atol=1e-15)
+    return found.y[:, -1]
+
+
+@pytest.mark.parametrize(("alpha", "epsilon"), LAWS)
+def test_a_ladder_of_precisions(alpha, epsilon):
+    for bits in (40, 64, 100):
+        piece, _ = creeping(alpha, epsilon, bits)
+        sharper, _ = creeping(alpha, epsilon, 2 * bits)
+        begin = max(piece.begin, sharper.begin, key=float)
+        for time in ("0.001", "1", "1000", "1e18"):
+            with ctx.workprec(2 * bits):
+                exact = sharper.own(begin + arb(time).mid())
+            with ctx.workprec(bits):
+                found = piece.own(begin + arb(time).mid())
+                assert all(map(arb.contains, found, exact))
+                assert found[0].rad() < arb(2) ** (32 - bits), "about as narrow as the error of the pieces"
+
+
+@pytest.mark.parametrize(("alpha", "epsilon"), [(0.5, 1.0), (0.25, 2.0), (0.8, 4.0)])
+def test_a_stiff_integrator_agrees(alpha, epsilon):
+    piece, _ = creeping(str(alpha), str(epsilon), 80, start="9/10")
+    with ctx.workprec(80):
+        y, w = (float(value.mid()) for value in piece.own(piece.begin))
+        for time in (0.5, 5.0, 50.0):
+            own = piece.own(piece.begin + arb(time))
+            assert [float(value.mid()) for value in own] == pytest.approx(stiff(alpha, epsilon, y, w, time), rel=1e-5)
+
+
+@pytest.mark.parametrize(("alpha", "epsilon"), LAWS[:3])
+def test_taylor_steps_pass_between_the_barriers(alpha, epsilon, monkeypatch):
+    piece, law = creeping(alpha, epsilon, 80)
+    monkeypatch.setattr(course_module, "caught", lambda *_: None)
+    with ctx.workprec(240):
+        exact = damping(alpha, epsilon)
+        for count, step in enumerate(course(exact, parse_real("9/10", "x").ball().mid(), arb(0))):
+            if step.begin > piece.begin and count % 7 == 0:
+                y, w = step.own(step.begin)
+                with ctx.workprec(80):
+                    assert all(map(arb.contains, piece.own(step.begin), (y, w)))
+                    assert all(value.rel_accuracy_bits() > 30 for value in piece.own(step.begin))
+            if count > 150:
+                break
+
+
+def test_the_strip_is_not_much_wider_than_what_it_must_hold():
+    piece, _ = creeping("1/2", "1", 100)
+    with ctx.workprec(100):
+        y, w = piece.own(piece.begin)
+        assert 0 < float(y.rad() / y) < 2e-26
+
+
+def test_half_the_strip_is_not_proved():
+    # where the next coefficient decides the width, a quarter of it leaves a curve that the motion crosses the other way
+    s = arb("0.002")
+    with ctx.workprec(120):
+        half = arb(1) / 2
+        c = coefficients(ExactReal(Fraction(1, 2)), 8, 120)
+        h = 4 * c[4] * s
+        for share, sides in ((1, [True, True]), (arb(1) / 8, [False, False])):
+            curves = [Curve(arb(1), half, (*c[:3], c[3] + sign * share * h)) for sign in (-1, 1)]
+            assert [one_way(curve, half * share * h, s) for curve in curves] == sides
+        below = Curve(arb(1), half, (*c[:3], c[3] + h / 8))
+        assert crossing(below, s) < 0 < crossing(Curve(arb(1), half, (*c[:3], c[3] + h)), s)
+
+
+def crossing(curve, s):
+    """(d(y - Y)/d tau)/w on the curve, from the equation of motion."""
+    w = (s * curve.epsilon**2) ** (1 / (2 - 2 * curve.alpha))
+    y, slope = curve.place(w.log())
+    return -1 - slope / w * (y - curve.epsilon * w**curve.alpha) / w
+
+
+@pytest.mark.parametrize("sign", [-1, 1])
+def test_on_the_barriers_the_motion_crosses_as_proved_down_to_nothing(sign):
+    piece, _ = creeping("1/10", "3", 80)
+    found = piece.strip.above if sign < 0 else piece.strip.below
+    with ctx.workprec(400):
+        exact = coefficients(ExactReal(Fraction(1, 10)), len(found.b) - 1, 400)
+        curve = Curve(arb(3), arb(1) / 10, (*exact, found.b[-1].mid()))
+        for factor in (1, arb("0.5"), arb("1e-3"), arb("1e-9")):
+            assert sign * crossing(curve, curve.s(piece.strip.starts[0].mid()) * factor) > 0
+
+
+def test_a_corrupted_coefficient_does_not_hold_the_motion(monkeypatch):
+    piece, law = creeping("1/2", "1", 80)
+    with ctx.workprec(80):
+        y, w = piece.own(piece.begin)
+        error = arb(2) ** -70
+        assert caught(law, y.mid(), w.mid(), error) is not None
+        for factor in (2, arb("1.001")):
+            assert caught(law, y.mid(), (w * factor).mid(), error) is None
+        assert caught(law, (y * arb("1.000001")).mid(), w.mid(), error) is None
+        above = replace(piece.strip.above, b=(piece.strip.above.b[0] * arb("1.0001"), *piece.strip.above.b[1:]))
+        wrong = replace(piece.strip, above=above, below=replace(above))
+        assert not wrong.state(arb(3))[1].overlaps(piece.strip.state(arb(3))[1])
+
+
+def test_newton_encloses_the_root():
+    with ctx.workprec(60):
+        root = solve(lambda x: (x.exp(), x.exp()), arb(3), arb(5))
+        with ctx.workprec(200):
+            assert root.contains(arb(3).log()) and root.rad() < 1e-15
+        wide = solve(lambda x: (x.exp() + arb(0, "1e-6"), x.exp()), arb(3), arb(1))
+    assert wide.contains((arb(3) + arb("1e-6")).log()) and wide.contains((arb(3) - arb("1e-6")).log())
+
+
+def test_late_times_and_small_exponents_are_served():
+    creep = Oscillator(Law({"1/2": "1/10"}))
+    late = [reference_motion(creep, time, 12) for time in ("1e4", "1e6", "1e12")]
+    for earlier, later in pairwise(late):
+        assert later.certified and abs(float(later.x)) < abs(float(earlier.x))
+    # x -> eps^2/(t - t_0), where t_0 is what the oscillations before have left behind
+    elapsed = [float(time) - 0.01 / abs(float(point.x)) for time, point in zip((1e4, 1e6), late)]
+    assert elapsed[0] == pytest.approx(elapsed[1], abs=0.01)
+    assert float(late[-1].x) == pytest.approx(-1e-14, rel=1e-9)
+    assert reference_motion(Oscillator(Law({"1/100": 1}), x0="0.99"), 100, 8).x == "0.91069388"
