@@ -83,8 +83,9 @@ step(
 )
 eta = sympy.Symbol("d_j", nonnegative=True)
 step(
-    "ln A_(j+1) = ln A_j + L(delta_j), ln A^_(j+1) = ln A^_j + L_N(delta^_j): the mean value theorem for ln A + L, with"
-    " slope lambda in [0, 1] (L1b), gives e_(j+1) <= lambda e_j + |L - L_N|(delta^_j). With e_0 = 0, lambda = 1",
+    "ln A_(j+1) = ln A_j + L(delta_j), ln A_hat_(j+1) = ln A_hat_j + L_N(delta_hat_j): the mean value theorem for"
+    " ln A + L, with slope lambda in [0, 1] (L1b), gives e_(j+1) <= lambda e_j + |L - L_N|(delta_hat_j). With e_0 = 0,"
+    " lambda = 1",
     named("e_2", (0 + eta) + eta),
     2 * eta,
 )
@@ -156,7 +157,7 @@ A_n, A_hat, D = sympy.symbols("A_n Ahat_n D", positive=True)
 step(
     "A -> Q(A) from one turning point to the next, |Q(A) - Q(B)| <= |A - B| (motions-never-part); the truncated map Q_N"
     " differs by the error there was, contracted, and the error of this half-swing",
-    named("[Q(A_n) - Q(A^_n)] + [Q(A^_n) - Q_N(A^_n)]", (Q(A_n) - Q(A_hat)) + (Q(A_hat) - Q_N(A_hat))),
+    named("[Q(A_n) - Q(A_hat_n)] + [Q(A_hat_n) - Q_N(A_hat_n)]", (Q(A_n) - Q(A_hat)) + (Q(A_hat) - Q_N(A_hat))),
     Q(A_n) - Q_N(A_hat),
 )
 gap = sympy.Symbol("x", nonnegative=True)
@@ -168,7 +169,7 @@ holds(
     (sympy.exp(gap / 2) - sympy.exp(-gap / 2)) ** 2,
 )
 step(
-    "|A - A^| <= D < A^ gives |ln(A/A^)| <= -ln(1 - D/A^): the upper end ln(1 + D/A^) is nearer, by",
+    "|A - A_hat| <= D < A_hat gives |ln(A/A_hat)| <= -ln(1 - D/A_hat): the upper end ln(1 + D/A_hat) is nearer, by",
     sympy.exp(-(sympy.log(1 - D / A_hat)) - sympy.log(1 + D / A_hat)),
     1 / (1 - (D / A_hat) ** 2),
 )

@@ -6,7 +6,7 @@
 
 import sympy
 
-from asymptotics.moments.symbolic import lelas_moment, lelas_ratio, moment
+from asymptotics.moments.symbolic import moment, squaring_moment, squaring_ratio
 from derivations.steps import At, Derivation, defined, named
 
 C, m, k, x_0, omega_0, t, sine, f, r = sympy.symbols("C m k x_0 omega_0 t s f r", positive=True)
@@ -21,7 +21,7 @@ derivation = Derivation(
 )
 step, holds = derivation.step, derivation.holds
 
-ratio = defined("rho", lambda alpha: lelas_ratio(alpha))
+ratio = defined("rho", lambda alpha: squaring_ratio(alpha))
 unit = m * omega_0**2 * x_0**2 * f
 first = C * (omega_0 * x_0 * f) ** 3 * sine**3 / unit  # -df/dt, with sine = |sin(omega_0 t)|
 step("(38)", named("-f'", first), C * omega_0 * x_0 / m * f**2 * sine**3)
@@ -54,13 +54,13 @@ step(
     (general + other).subs(size, cosine),
     sympy.powdenest((epsilon * f**alpha) ** (2 / p), force=True),
 )
-trick = lelas_moment(alpha) * epsilon * f**alpha
+trick = squaring_moment(alpha) * epsilon * f**alpha
 step(
     "so -df/dtau = 2^{-(alpha+1)/2} epsilon f^alpha: Lancaster's law with M_(alpha+1) replaced",
     sympy.powdenest(2 * sympy.powdenest(trick ** (2 / p), force=True), force=True),
     sympy.powdenest((epsilon * f**alpha) ** (2 / p), force=True),
 )
-step("The replacement is a power mean too: M_2^{(alpha+1)/2}", moment(2) ** (p / 2), lelas_moment(alpha))
+step("The replacement is a power mean too: M_2^{(alpha+1)/2}", moment(2) ** (p / 2), squaring_moment(alpha))
 convex = y**q
 step(
     "Jensen: y^q, q = (alpha+1)/2, y = sin^2, has the second derivative", diff(convex, y, 2), q * (q - 1) * y ** (q - 2)
@@ -75,6 +75,6 @@ step("The ratio of the rates has no epsilon in it: alpha = 1", ratio(1), 1)
 step("alpha = 2", ratio(2), 3 * sqrt(2) * sympy.pi / 16)
 holds(
     "0.833: the trick loses a sixth of the damping",
-    bool(lelas_ratio(sympy.Integer(2)) < 1),
+    bool(squaring_ratio(sympy.Integer(2)) < 1),
     sympy.StrictLessThan(3 * sqrt(2) * sympy.pi / 16, 1, evaluate=False),
 )

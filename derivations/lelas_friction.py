@@ -6,7 +6,7 @@
 
 import sympy
 
-from asymptotics.moments.symbolic import lelas_moment, lelas_ratio, moment
+from asymptotics.moments.symbolic import moment, squaring_moment, squaring_ratio
 from derivations.steps import At, Derivation, defined, named
 
 mu, g, m, k, x_0, omega_0, t, sine, cosine = sympy.symbols("mu g m k x_0 omega_0 t s c", positive=True)
@@ -49,7 +49,7 @@ values = {mu: 1, m: sympy.Rational(3, 2), g: sympy.Rational(981, 100), k: 30, x_
 bound = (sqrt(2) * k * x_0 / (m * g)).subs(values)
 holds("(50): 0.58 to two digits", bool(abs(bound - sympy.Rational(58, 100)) < sympy.Rational(1, 200)), bound)
 M = defined("M", moment, index=True)
-Lelas = defined("L", lambda alpha: lelas_moment(alpha))
+Lelas = defined("L", lambda alpha: squaring_moment(alpha))
 step("In epsilon = mu m g/(k x_0): df/dtau = -2^{-1/2} epsilon", Lelas(0), 1 / sqrt(2))
 step("while the mean over a swing is", M(1), sympy.Integral(sympy.sin(theta), (theta, 0, sympy.pi)) / sympy.pi)
 step(
@@ -57,7 +57,7 @@ step(
     Lelas(0) / M(1),
     sympy.pi * sqrt(2) / 4,
 )
-holds("It is larger than 1", bool(lelas_ratio(sympy.Integer(0)) > 1), sympy.pi * sqrt(2) / 4 > 1)
+holds("It is larger than 1", bool(squaring_ratio(sympy.Integer(0)) > 1), sympy.pi * sqrt(2) / 4 > 1)
 step(
     "and Lelas stops earlier, by the factor M_1 sqrt(2) = 2 sqrt(2)/pi < 1, for every strength",
     (1 / (Lelas(0) * epsilon)) / (1 / (M(1) * epsilon)),

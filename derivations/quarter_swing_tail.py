@@ -58,7 +58,7 @@ step(
 )
 a_plus, F_plus, fall = sympy.symbols("a_+ F_+ D", nonnegative=True)
 holds(
-    "a >= 0, F >= 0 and R' = -D <= 0: G' = 1 + a F D >= 1. So |L - L^| <= |G(L^)| for every number L^",
+    "a >= 0, F >= 0 and R' = -D <= 0: G' = 1 + a F D >= 1. So |L - L_hat| <= |G(L_hat)| for every number L_hat",
     bool((1 + a_plus * F_plus * fall - 1).is_nonnegative),
     1 + a_plus * F_plus * fall,
 )

@@ -166,6 +166,21 @@ def test_the_lock_is_compiled_from_the_project_and_names_no_host(name: str):
         assert re.search(rf"^{package}==", lock, re.MULTILINE), package
 
 
+def test_the_code_names_no_paper_writes_greek_in_ascii_and_hats_as_words():
+    """Papers are cited in words; tables, the generated statements and the command ``smith`` carry their names."""
+    named = re.compile("lancaster|lelas|smith", re.IGNORECASE)
+    for path in files("asymptotics"):
+        text = path.read_text(encoding="utf-8")
+        assert not re.search("[\u0391-\u03bb\u03bd-\u03c9\u03f1]", text), path
+        assert not re.search(r"\b(?:[A-Z]|Phi|Psi|tau|delta|psi)\^(?:[\s,;:/.)|]|_\w)", text), path
+        if path.parts[-2] in ("tables", "papers") or path.name == "smith.py":
+            continue
+        nodes = list(ast.walk(ast.parse(text)))
+        names = {n.name for n in nodes if isinstance(n, ast.FunctionDef | ast.ClassDef)}
+        names |= {n.id for n in nodes if isinstance(n, ast.Name)} | {n.arg for n in nodes if isinstance(n, ast.arg)}
+        assert not {name for name in names if named.search(name)}, path
+
+
 def test_no_file_names_a_machine():
     tracked = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
     home = "/" + ROOT.parts[1] + "/"

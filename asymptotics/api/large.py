@@ -22,8 +22,9 @@ from typing import Any
 import numpy as np
 from flint import arb
 
+from asymptotics.api.units import oscillator_of
 from asymptotics.envelopes.large import SlowFlow
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.arrays import real_array
@@ -32,7 +33,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.straightening.wells import Loss, Well
 
-MAX_DIGITS = 200
+MAX_DIGITS, MAX_TAU = 200, 1e100
 Array = Any
 NOTE = "first order in the loss, exact in the spring"
 
@@ -50,6 +51,7 @@ class SpringEnvelope:
     @classmethod
     def of(cls, oscillator: Oscillator) -> "SpringEnvelope":
         """InputError for other springs, anti-damping, a start with a velocity, and a start outside the well."""
+        oscillator = oscillator_of(oscillator)
         law = oscillator.law
         law.require_dissipative("amplitude that falls")
         springs = [t for t in law.springs if not t.b.is_zero]
@@ -133,6 +135,7 @@ class SpringEnvelope:
         omega, length = float(self.oscillator.omega_0().mid()), float(self._length().mid())
         missing = np.isnan(times)
         tau = np.where(missing, 0.0, times) * omega
+        _require_near(bool(np.all(tau <= MAX_TAU)))
         table = self._flow().table(float(np.max(tau, initial=1.0)))
         gone = tau >= table.extinction
         s, phi = table.at(np.where(gone, 0.0, tau))
@@ -169,6 +172,7 @@ class SpringEnvelope:
 
     def _decimal(self, value: Any, t: Number, digits: Any) -> str:
         seconds = exact_number(t, "time")
+        _require_near(bool(self._tau(seconds) < MAX_TAU))
         return certified_decimal(lambda: value(seconds), exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     def _tau(self, seconds: ExactReal) -> arb:
@@ -208,3 +212,8 @@ class SpringEnvelope:
 
     def _repr_latex_(self) -> str:
         return r"$A(\tau)$: by ${}_2F_1$, exact in the spring"
+
+
+def _require_near(near: bool) -> None:
+    if not near:
+        raise LimitError("time", "it is too many swings", f"omega_0 t <= {MAX_TAU:g}")

@@ -202,7 +202,7 @@ class Envelope:
 
 
 def envelope(law: Any, *, averaging: str = MEAN) -> Envelope | SpringEnvelope:
-    """The first-order envelope of an oscillator (SI) or of a law alone; ``averaging`` "mean" (Lancaster) or "lelas".
+    """The first-order envelope of an oscillator (SI) or of a law alone; ``averaging`` "mean" (Lancaster) or "squaring".
 
     Beside a spring c x^3, or for a pendulum, it is exact in the spring for any amplitude inside the well.  InputError
     for anti-damping, other springs, position-dependent losses (but beside x^3), and an unknown averaging.

@@ -2,21 +2,21 @@
 
 For alpha < 1 the local strength grows and no bound holds for ever: this one is followed half-swing by half-swing and
 ends where |delta| leaves the range of ``local``, at a stated turning point.  Units of x0 and 1/omega_0; A_n, tau_n
-belong to the motion, A^_n, tau^_n to the truncated equations of order N, psi = n pi, both from A = 1 at rest.
+belong to the motion, A_hat_n, tau_hat_n to the truncated equations of order N, psi = n pi, both from A = 1 at rest.
 
-* The truncated orbit itself is enclosed: ln(A^_(n+1)/A^_n) = L_N(delta^_n) and tau^_(n+1) - tau^_n = T_N(delta^_n) are
-  their series with Cauchy's inequality for the rest (``local``).
+* The truncated orbit itself is enclosed: ln(A_hat_(n+1)/A_hat_n) = L_N(delta_hat_n) and tau_hat_(n+1) - tau_hat_n =
+  T_N(delta_hat_n) are their series with Cauchy's inequality for the rest (``local``).
 * Two motions never part (derivation ``motions-never-part``): amplitudes that differ by D at one turning point differ by
   at most D at the next.  With |L - L_N| <= C_A |delta|^a,
 
-      |A_(n+1) - A^_(n+1)| <= |A_n - A^_n| + A^_(n+1) (exp(C_A |delta^_n|^a) - 1).
+      |A_(n+1) - A_hat_(n+1)| <= |A_n - A_hat_n| + A_hat_(n+1) (exp(C_A |delta_hat_n|^a) - 1).
 
-* With h_n = -ln(1 - |A_n - A^_n|/A^_n) >= |ln(A_n/A^_n)| and w = max |alpha_i - 1|, as in ``turning``,
+* With h_n = -ln(1 - |A_n - A_hat_n|/A_hat_n) >= |ln(A_n/A_hat_n)| and w = max |alpha_i - 1|, as in ``turning``,
 
-      |tau_(n+1) - tau^_(n+1)| <= |tau_n - tau^_n| + C_T |delta^_n|^b + B w h_n (|delta^_n| exp(w h_n))^2.
+      |tau_(n+1) - tau_hat_(n+1)| <= |tau_n - tau_hat_n| + C_T |delta_hat_n|^b + B w h_n (|delta_hat_n| exp(w h_n))^2.
 
-Both orbits turn again: |delta_n| <= |delta^_n| exp(w h_n) <= delta_max, inside the polydisc of ``local``, on which the
-angle of the motion runs through the whole half-swing.
+Both orbits turn again: |delta_n| <= |delta_hat_n| exp(w h_n) <= delta_max, inside the polydisc of ``local``, on which
+the angle of the motion runs through the whole half-swing.
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> root = [parse_real("1/2", "--alpha")]
@@ -41,8 +41,8 @@ from asymptotics.series import Series
 
 @dataclass(frozen=True)
 class TurningPointBound:
-    """At turning point n: A^_n and tau^_n as enclosures, and bounds of |A_n - A^_n|, |tau_n - tau^_n| and of the phase
-    error |psi^(tau_n) - n pi|."""
+    """At turning point n: A_hat_n and tau_hat_n as enclosures, and bounds of |A_n - A_hat_n|, |tau_n - tau_hat_n| and
+    of the phase error |psi_hat(tau_n) - n pi|."""
 
     n: int
     A: arb

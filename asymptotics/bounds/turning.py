@@ -1,21 +1,25 @@
 """How the errors of an expansion add up over all turning points: a theorem for every n, no iteration.
 
-Let A_n, tau_n be the turning points of the motion (units of x0 and 1/omega_0) and A^_n, tau^_n those of the truncated
-equations of order N, psi = n pi, from the same start A = 1; all exponents >= 1, w = min alpha_i - 1, |delta_0| = sum
-epsilon_i <= delta_max.  With C_A, C_T, a, b of ``local`` (derivation ``expansion-bounds``):
+Let A_n, tau_n be the turning points of the motion (units of x0 and 1/omega_0) and A_hat_n, tau_hat_n those of the
+truncated equations of order N, psi = n pi, from the same start A = 1; all exponents >= 1, w = min alpha_i - 1,
+|delta_0| = sum epsilon_i <= delta_max.  With C_A, C_T, a, b of ``local`` (derivation ``expansion-bounds``):
 
-* |ln A_(n+1) - ln A^_(n+1)| <= lambda |ln A_n - ln A^_n| + C_A |delta^_n|^a with lambda <= 1 (quarter-swing-tail, L1b);
-* along the truncated orbit 1/|delta^| grows by at least g = w pi inf p_N/(|delta| (1 + Omega_N)) a half-swing, so that
+* |ln A_(n+1) - ln A_hat_(n+1)| <= lambda |ln A_n - ln A_hat_n| + C_A |delta_hat_n|^a with lambda <= 1
+  (quarter-swing-tail, L1b);
+* along the truncated orbit 1/|delta_hat| grows by at least g = w pi inf p_N/(|delta| (1 + Omega_N)) a half-swing, so
+  that
 
-      sum_(j<n) |delta^_j|^m <= S_m(n) = ((Y - g/2)^(1-m) - (Y + g (n - 1/2))^(1-m))/((m-1) g),   Y = 1/|delta_0|,
+      sum_(j<n) |delta_hat_j|^m <= S_m(n) = ((Y - g/2)^(1-m) - (Y + g (n - 1/2))^(1-m))/((m-1) g),   Y = 1/|delta_0|,
 
-  bounded for all n if w > 0, and at most n |delta_0|^m in any case: |ln A_n - ln A^_n| <= e = C_A S_a(n);
-* one law, alpha > 1: lambda <= exp(-(alpha-1) k delta), k = inf -L', and 1/delta^ grows by at most G: the errors fade,
+  bounded for all n if w > 0, and at most n |delta_0|^m in any case: |ln A_n - ln A_hat_n| <= e = C_A S_a(n);
+* one law, alpha > 1: lambda <= exp(-(alpha-1) k delta), k = inf -L', and 1/delta_hat grows by at most G: the errors
+  fade,
 
-      |ln A_n - ln A^_n| <= C_A ((G/g)(1 + g delta_0)/(Y + G n))^q S_(a-q)(n),   q = (alpha-1) k e^(-(alpha-1) e)/G;
+      |ln A_n - ln A_hat_n| <= C_A ((G/g)(1 + g delta_0)/(Y + G n))^q S_(a-q)(n),   q = (alpha-1) k e^(-(alpha-1) e)/G;
 
-* times: |tau_n - tau^_n| <= C_T S_b(n) + B e' exp(2 e') S_2(n), e' = max(alpha_i - 1) e, because amplitudes that differ
-  by a factor e^e at most have |T - T^| <= B e' (|delta^| e^e')^2, B = sup sum_i |delta_i dT/d delta_i|/|delta|^2.
+* times: |tau_n - tau_hat_n| <= C_T S_b(n) + B e' exp(2 e') S_2(n), e' = max(alpha_i - 1) e, because amplitudes that
+  differ by a factor e^e at most have |T - T_hat| <= B e' (|delta_hat| e^e')^2,
+  B = sup sum_i |delta_i dT/d delta_i|/|delta|^2.
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> quadratic = turning_bounds([parse_real("2", "--alpha")], 3, [arb(1) / 10])
@@ -36,7 +40,7 @@ from asymptotics.series import Series
 
 @dataclass(frozen=True, eq=False)
 class TurningBounds:
-    """Bounds of |ln A_n - ln A^_n|, |tau_n - tau^_n| and of the phase error, for every n >= 0."""
+    """Bounds of |ln A_n - ln A_hat_n|, |tau_n - tau_hat_n| and of the phase error, for every n >= 0."""
 
     local: LocalBounds
     delta: arb
@@ -50,7 +54,7 @@ class TurningBounds:
     B: arb
 
     def log_amplitude(self, n: int | None) -> arb:
-        """A bound of |ln A_n - ln A^_n|; None: for all n at once, infinite where a linear term makes it grow."""
+        """A bound of |ln A_n - ln A_hat_n|; None: for all n at once, infinite where a linear term makes it grow."""
         with ctx.workprec(BITS):
             plain = self._crude(n)
             if n is None or not (self.fading > 0 and self.g > 0):
@@ -61,7 +65,7 @@ class TurningBounds:
             return min(plain, (self.C_A * ratio**q * self._sum(a - q, n)).upper(), key=float)
 
     def time(self, n: int | None) -> arb:
-        """A bound of |tau_n - tau^_n|; None as in ``log_amplitude``."""
+        """A bound of |tau_n - tau_hat_n|; None as in ``log_amplitude``."""
         with ctx.workprec(BITS):
             e = self.fastest * self._crude(n)
             late = self.B * e * (2 * e).exp() * self._sum(arb(2), n)
@@ -77,7 +81,7 @@ class TurningBounds:
         return arb((self.C_A * self._sum(arb(self.local.amplitude.power), n)).upper())
 
     def _sum(self, m: arb, n: int | None) -> arb:
-        """A bound of the sum of |delta^_j|^m over j < n, over all j for None."""
+        """A bound of the sum of |delta_hat_j|^m over j < n, over all j for None."""
         if n == 0:
             return arb(0)
         plain = arb.pos_inf() if n is None else arb((n * self.delta**m).upper())

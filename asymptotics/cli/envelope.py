@@ -6,7 +6,7 @@
   asymptotics envelope --law 0:0.01 --law 2:0.3 --time 40 --plot envelope.svg --csv envelope.csv
 
 dA/dtau = -sum_i kappa_i A^alpha_i with kappa_i = M_(alpha_i+1) epsilon_i, tau = omega_0 t.  Every digit is proved
-for this averaged law; how far it is from the motion, `motion` tells.  --lelas averages by the squaring trick.
+for this averaged law; how far it is from the motion, `motion` tells.  --squaring averages by the squaring trick.
 With --spring 3:C or --spring pendulum the law is exact in the spring, for any amplitude inside the well (phase against
 omega_0 t), and the period at the start, without loss, is told too.
 Units are SI when --damping, --mass or --stiffness is given; otherwise there are none, and x0, v0 are those of X.
@@ -25,7 +25,7 @@ from asymptotics.api.slowness import SlowPart
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
 from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
 from asymptotics.cli.quantities import Given, add_oscillator, read_oscillator
-from asymptotics.envelopes.symbolic import LELAS, MEAN
+from asymptotics.envelopes.symbolic import MEAN, SQUARING
 from asymptotics.errors import InputError
 from asymptotics.motions.certify import time_of
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
@@ -41,7 +41,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--slow", metavar="ETA", help="tell where |dA/dt| <= ETA omega_0 A, in doubles")
     text = "one law: tau, phi and delta as series through order N, formal (see the docs on the command line)"
     parser.add_argument("--order", metavar="N", help=text)
-    parser.add_argument("--lelas", action="store_true", help="average by the squaring trick of Lelas 2024")
+    parser.add_argument("--squaring", action="store_true", help="average by the squaring trick of Lelas 2024")
     parser.add_argument("--latex", action="store_true", help="print the formula as LaTeX")
     add_files(parser, "A(t) and x = A cos(omega_0 t + phi) from 0 to T", "t, amplitude, phase from 0 to T")
     add_digits(parser, MAX_DIGITS)
@@ -56,7 +56,7 @@ def run(options: argparse.Namespace) -> Answer:
     files = read_files(options)
     if files and (time is None or not time > 0):
         raise InputError("--time", "there is no stretch of time to draw", "a time > 0 with --plot or --csv")
-    found = envelope(given.oscillator, averaging=LELAS if options.lelas else MEAN)
+    found = envelope(given.oscillator, averaging=SQUARING if options.squaring else MEAN)
     if options.latex and found.formula is None:
         raise InputError("--latex", "no elementary form is known for this law", "the command without --latex")
     data = _data(found, time, digits)
@@ -81,8 +81,8 @@ def _series(found: Curve, order: str, digits: int) -> EnvelopeSeries:
     number = parse_integer(order, "--order", 1, MAX_ORDER)
     if isinstance(found, SpringEnvelope):
         raise InputError("--order", "it is not known beside a spring", "one law alone")
-    if found.averaging == LELAS:
-        raise InputError("--order", "the squaring trick has no higher orders", "the command without --lelas")
+    if found.averaging == SQUARING:
+        raise InputError("--order", "the squaring trick has no higher orders", "the command without --squaring")
     return found.series(number, digits=digits)
 
 
@@ -108,7 +108,7 @@ def _data(found: Curve, time: ExactReal | None, digits: int) -> dict[str, Any]:
         "extinction": found.extinction_time(digits=digits),
         "time": None if time is None else str(time),
         "amplitude": None if time is None else found.amplitude(time, digits=digits),
-        "phase": None if time is None or found.averaging == LELAS else _phase(found, time, digits),
+        "phase": None if time is None or found.averaging == SQUARING else _phase(found, time, digits),
         "certified": True,
     }
 

@@ -10,7 +10,7 @@ averaged law is from the motion is a matter of ``validity`` and of higher orders
 >>> envelope.amplitude("7", 20), envelope.phase("7", 8)
 ('0.16499144423436389044', '-0.00086348062')
 >>> friction = Oscillator(Law({"0": "0.14715"}), mass="3/2", stiffness="30", x0="0.2")   # Lelas, mu = 0.01
->>> FirstOrderEnvelope(friction).extinction_time(5), FirstOrderEnvelope(friction, "lelas").extinction_time(5)
+>>> FirstOrderEnvelope(friction).extinction_time(5), FirstOrderEnvelope(friction, "squaring").extinction_time(5)
 ('14.322', '12.894')
 >>> FirstOrderEnvelope(friction).amplitude("15", 5), FirstOrderEnvelope(drag).extinction_time(5)
 ('0', None)
@@ -24,7 +24,7 @@ from flint import arb
 
 from asymptotics.envelopes import certified
 from asymptotics.envelopes.numeric import Array, NumericEnvelope
-from asymptotics.envelopes.symbolic import LELAS, MEAN, require_averaging
+from asymptotics.envelopes.symbolic import MEAN, SQUARING, require_averaging
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import certified_decimal
@@ -34,7 +34,7 @@ from asymptotics.numbers.policy import Number, exact_number
 
 @dataclass(frozen=True)
 class FirstOrderEnvelope:
-    """dA/dtau = -sum_i kappa_i A^alpha_i for an oscillator; ``averaging`` "mean" (Lancaster) or "lelas".
+    """dA/dtau = -sum_i kappa_i A^alpha_i for an oscillator; ``averaging`` "mean" (Lancaster) or "squaring".
 
     Raises InputError for anti-damping (b < 0) and an unknown averaging.
     """
@@ -49,7 +49,7 @@ class FirstOrderEnvelope:
     def laws(self) -> list[tuple[ExactReal, arb]]:
         """(alpha_i, kappa_i) with balls at the current precision; laws of zero strength are left out."""
         alphas = self.oscillator.law.alphas
-        if self.averaging == LELAS:
+        if self.averaging == SQUARING:
             kappas = tuple(arb(2) ** (-(a.ball() + 1) / 2) * e for a, e in zip(alphas, self.oscillator.epsilons()))
         else:
             kappas = self.oscillator.kappas()
@@ -80,9 +80,9 @@ class FirstOrderEnvelope:
         return certified_decimal(seconds, digits)
 
     def phase(self, t: Number, digits: int) -> str:
-        """phi(t) in rad, turning-point gauge, uniform first order; "0" for "lelas".  InputError from extinction on."""
+        """phi(t) in rad, turning-point gauge, uniform first order; "0" for "squaring"; InputError once extinct."""
         seconds = exact_number(t, "time")
-        if self.averaging == LELAS:
+        if self.averaging == SQUARING:
             return "0"
         return certified_decimal(lambda: self.phase_ball(seconds.ball() * self.oscillator.omega_0()), digits)
 

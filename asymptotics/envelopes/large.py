@@ -74,6 +74,8 @@ class SlowFlow:
 
     def phase(self, tau: arb) -> arb:
         """psi(tau) - tau.  InputError from the extinction on."""
+        if tau == 0:
+            return arb(0)
         if not self._goes_on(tau):
             raise InputError("time", "the averaged amplitude is 0 and has no phase", "a time before the extinction")
         if not self.losses:

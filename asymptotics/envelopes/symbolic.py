@@ -20,7 +20,7 @@ For alpha < 1 the averaged amplitude is zero from tau = 1/((1-alpha) kappa) on: 
 (1/sqrt(3*epsilon*tau/4 + 1), -15*epsilon/64 + 15*epsilon/(64*(3*epsilon*tau/4 + 1)), 15*epsilon/64)
 >>> cubic.physical_amplitude()
 x_0/sqrt(3*b*k*t*x_0**2/(4*m**2) + 1)
->>> averaged_law(Integer(0), LELAS).extinction_time                 # Lelas 2024, below (32)
+>>> averaged_law(Integer(0), SQUARING).extinction_time                 # Lelas 2024, below (32)
 sqrt(2)/epsilon
 """
 
@@ -29,11 +29,11 @@ from dataclasses import dataclass
 from sympy import Expr, Integer, S, Symbol, exp, latex, log, powsimp, simplify, sqrt, symbols
 
 from asymptotics.errors import InputError, require_choice
-from asymptotics.moments.symbolic import lelas_moment, moment
+from asymptotics.moments.symbolic import moment, squaring_moment
 
 MEAN = "mean"
-LELAS = "lelas"
-AVERAGINGS = (MEAN, LELAS)
+SQUARING = "squaring"
+AVERAGINGS = (MEAN, SQUARING)
 
 alpha, epsilon, amplitude_symbol = symbols("alpha epsilon A", positive=True)
 tau = Symbol("tau", nonnegative=True)
@@ -53,12 +53,12 @@ class AveragedLaw:
     @property
     def p_1(self) -> Expr:
         """kappa/epsilon: M_(alpha+1), or 2^(-(alpha+1)/2) for the squaring trick."""
-        return moment(self.alpha + 1) if self.averaging == MEAN else lelas_moment(self.alpha)
+        return moment(self.alpha + 1) if self.averaging == MEAN else squaring_moment(self.alpha)
 
     @property
     def w_2(self) -> Expr:
         """-Omega_2 = (alpha/(alpha+1))^2 M_(2 alpha); 0 for the squaring trick, which keeps the phase at its start."""
-        if self.averaging == LELAS:
+        if self.averaging == SQUARING:
             return S.Zero
         return (self.alpha / (self.alpha + 1)) ** 2 * moment(2 * self.alpha)
 
@@ -129,7 +129,7 @@ class AveragedLaw:
 
 
 def averaged_law(exponent: Expr | int, averaging: str = MEAN) -> AveragedLaw:
-    """The averaged law for a SymPy exponent >= 0, a number or a symbol; ``averaging`` is "mean" or "lelas".
+    """The averaged law for a SymPy exponent >= 0, a number or a symbol; ``averaging`` is "mean" or "squaring".
 
     Raises InputError for a negative or non-real exponent and for an unknown averaging.
 

@@ -1,22 +1,25 @@
 """The quarter swing for any real exponents and any springs, in sums, as series whose coefficients are proved balls.
 
-R = ln r(π/2)/r(0), the duration T_q and the waveform moments K_k of `quarter` are power series in the local strengths
-δ_i.  `certified_orders` computes the first ``terms`` coefficients, in t = (2θ/π)², of the function that belongs to each
-order, and bounds the same function on |t| < ϱ.  At the equilibrium passage t = 1, with κ = π/2,
+R = ln r(pi/2)/r(0), the duration T_q and the waveform moments K_k of `quarter` are power series in the local strengths
+delta_i.  `certified_orders` computes the first ``terms`` coefficients, in t = (2 theta/pi)², of the function that
+belongs to each order, and bounds the same function on |t| < varrho.  At the equilibrium passage t = 1, with kappa =
+pi/2,
 
-    R_n = −κ^{n·α} Σ_j [g y_n]_j/(n·α + 2j),        T_n = κ^{n·α+1} Σ_j [c y_n]_j/(n·α + 1 + 2j),
+    R_n = −kappa^{n·alpha} sum_j [g y_n]_j/(n·alpha + 2j),
+    T_n = kappa^{n·alpha+1} sum_j [c y_n]_j/(n·alpha + 1 + 2j),
 
 and what the sums lack from j = K on is at most (Cauchy, item 4 of `certified_orders`)
 
-    B_n ϱ^{−K}/(2K (1 − 1/ϱ))    with B_n = κ^{n·α} |g||y_n| for R_n,  κ^{n·α+1} |c||y_n| for T_n
+    B_n varrho^{−K}/(2K (1 − 1/varrho))    with B_n = kappa^{n·alpha} |g||y_n| for R_n,
+    kappa^{n·alpha+1} |c||y_n| for T_n
 
-(for the moments see `certified_moments`), which is added to the radius.  ϱ = 4 is the largest radius at which the
+(for the moments see `certified_moments`), which is added to the radius.  varrho = 4 is the largest radius at which the
 functions are analytic: two bits a term.  The number of terms and the working precision are chosen from the bounds; they
 decide how narrow the balls are, not whether they are right.
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> quarter = quarter_swing([parse_real("3/2", "--alpha")], 2)
->>> quarter.R[1].str(12), quarter.T_q[1].str(12)            # −(π/2) M_(5/2) and 1/(α+1)
+>>> quarter.R[1].str(12), quarter.T_q[1].str(12)            # −(pi/2) M_(5/2) and 1/(alpha+1)
 ('[-0.718884140841 +/- ...]', '[0.400000000000 +/- ...]')
 >>> two = quarter_swing([parse_real("1", "--alpha"), parse_real("sqrt(2)", "--alpha")], 2)
 >>> two.R[1, 0].overlaps(-arb.pi() / 4), two.R[1, 1].str(12)
@@ -66,9 +69,10 @@ def quarter_swing(
 ) -> QuarterSwing:
     """R, T_q and, if asked for, the moments K_k (k = 0 … order, through order − k) at the current precision.
 
-    ``given``: forces, terms, or the exponents of plain losses, all >= 0; the coefficient of δ_1^{n_1} δ_2^{n_2} … has
-    the key (n_1, n_2, …).  ``terms`` (coefficients kept) and ``radius`` (ϱ = 2, 3 or 4) change the width of the balls
-    only.  InputError for no force, a negative exponent, or order < 1; LimitError if the work would exceed ``max_work``.
+    ``given``: forces, terms, or the exponents of plain losses, all >= 0; the coefficient of delta_1^{n_1} delta_2^{n_2}
+    … has the key (n_1, n_2, …).  ``terms`` (coefficients kept) and ``radius`` (varrho = 2, 3 or 4) change the width of
+    the balls only.  InputError for no force, a negative exponent, or order < 1; LimitError if the work would exceed
+    ``max_work``.
     """
     forces = Forces.read(given, order)
     _check(order, radius)
@@ -116,7 +120,7 @@ def tail_constants(forces: Forces, order: int, radius: int, moments: bool) -> li
 
 
 def enclose(sums: Orders, bounds: Orders, radius: int, terms: int) -> Orders:
-    """The truncated sums with their tails: B_n ϱ^{−K}/(2K (1 − 1/ϱ)) added to the radius of each ball."""
+    """The truncated sums with their tails: B_n varrho^{−K}/(2K (1 − 1/varrho)) added to the radius of each ball."""
     tail = arb(radius) ** (1 - terms) / (2 * terms * (radius - 1))
     return {n: x + arb(0, (bounds[n] * tail).upper()) if n in bounds else x for n, x in sums.items()}
 
@@ -128,7 +132,8 @@ def terms_needed(bounds: Sequence[Orders], radius: int, bits: int) -> int:
 
 
 def _guard_bits(size: Sequence[Orders]) -> int:
-    """Bits lost to cancellation: the bounds at ϱ = 1 bound the largest coefficient.  This affects the width only."""
+    """Bits lost to cancellation: the bounds at varrho = 1 bound the largest coefficient.  This affects the width
+    only."""
     return 24 + int(1.25 * max(_log2(b) + 3 * sum(n) for part in size for n, b in part.items()))
 
 

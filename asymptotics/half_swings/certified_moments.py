@@ -1,24 +1,26 @@
 """The waveform moments K_k of a quarter swing (`quarter`) in the arithmetic of `certified_orders`.
 
-With the notation of `certified_orders`, D = dτ/dθ = 1 + c Y, and w = e^{R + i(θ−τ)} obeys
+With the notation of `certified_orders`, D = d tau/d theta = 1 + c Y, and w = e^{R + i(theta−tau)} obeys
 
-    θ dw/dθ = −i θ e^{−iθ} Y w,      K_k = ∫_0^{π/2} τ^k · e^{−iθ} c · w D dθ,
+    theta dw/d theta = −i theta e^{−i theta} Y w,      K_k = ∫_0^{pi/2} tau^k · e^{−i theta} c · w D d theta,
 
-because R' + i(1 − D) = −(s + ic) Y = −i e^{−iθ} Y and e^{−iτ} r = e^{−iθ} w.  Order by order w = Σ δⁿ θ^{n·α} w_n(u),
-where w_n = a_n(t) + i u b_n(t) has real a_n, b_n (θ = (π/2) u, t = u²): the reflection u → −u is complex conjugation
-for all functions here.  With (A, B) = Σ_m y_m (a, b)_{n−m} and κ = π/2,
+because R' + i(1 − D) = −(s + ic) Y = −i e^{−i theta} Y and e^{−i tau} r = e^{−i theta} w.  Order by order w = sum
+deltaⁿ theta^{n·alpha} w_n(u), where w_n = a_n(t) + i u b_n(t) has real a_n, b_n (theta = (pi/2) u, t = u²): the
+reflection u → −u is complex conjugation for all functions here.  With (A, B) = sum_m y_m (a, b)_{n−m} and kappa = pi/2,
 
-    −iθ e^{−iθ} = −(g + i κ u c):   a_n = −I_n[ g A − κ t c B ],   b_n = −I'_n[ g B + κ c A ],
+    −i theta e^{−i theta} = −(g + i kappa u c):   a_n = −I_n[ g A − kappa t c B ],   b_n = −I'_n[ g B + kappa c A ],
 
-where I'_n divides by n·α + 1 + 2j.  Likewise τ = θ Σ δⁿ θ^{n·α} τ_n with τ_0 = 1, τ_n = I'_n[c y_n], and the last
-factor is e^{−iθ} c = c² − i u (c s/u).  Multiplying by τ/θ once more for each k, a term θ^{n·α+k} (a_j + i u b_j) t^j
-of the integrand contributes (π/2)^{n·α+k+1} (a_j/(n·α+k+1+2j) + i b_j/(n·α+k+2+2j)) to the moment.
+where I'_n divides by n·alpha + 1 + 2j.  Likewise tau = theta sum deltaⁿ theta^{n·alpha} tau_n with tau_0 = 1, tau_n =
+I'_n[c y_n], and the last factor is e^{−i theta} c = c² − i u (c s/u).  Multiplying by tau/theta once more for each k, a
+term theta^{n·alpha+k} (a_j + i u b_j) t^j of the integrand contributes (pi/2)^{n·alpha+k+1} (a_j/(n·alpha+k+1+2j) + i
+b_j/(n·alpha+k+2+2j)) to the moment.
 
-**Bounds** in the supremum norm over |u| < √ϱ: |θ e^{−iθ}| ≤ θ_ϱ e^{θ_ϱ}, |e^{−iθ} c| = |1 + e^{−2iθ}|/2 ≤
-(1 + e^{2θ_ϱ})/2; dividing the coefficients of u^j by n·α + j, j ≥ 1, of a function that vanishes at u = 0 divides its
-bound by n·α + 1 (item 3 of `certified_orders`, in u), and so does I'_n for a function of t, which need not vanish.  The
-even and the odd part of a function of u are bounded like the function; the coefficients of u^{2j}, or of u^{2j+1}, from
-j = K on have a sum of moduli of at most |f| ϱ^{−K}/(1 − 1/ϱ).
+**Bounds** in the supremum norm over |u| < √varrho: |theta e^{−i theta}| ≤ theta_varrho e^{theta_varrho}, |e^{−i theta}
+c| = |1 + e^{−2i theta}|/2 ≤ (1 + e^{2 theta_varrho})/2; dividing the coefficients of u^j by n·alpha + j, j ≥ 1, of a
+function that vanishes at u = 0 divides its bound by n·alpha + 1 (item 3 of `certified_orders`, in u), and so does I'_n
+for a function of t, which need not vanish.  The even and the odd part of a function of u are bounded like the function;
+the coefficients of u^{2j}, or of u^{2j+1}, from j = K on have a sum of moduli of at most |f| varrho^{−K}/(1 −
+1/varrho).
 """
 
 from collections.abc import Mapping, Sequence
@@ -38,7 +40,7 @@ def divide(f: arb_poly, exponent: arb, start: int) -> arb_poly:
 
 
 def duration_orders(ring: Ring, y: Mapping[Key, arb_poly]) -> Orders:
-    """τ_n, n ≠ 0: the orders of τ/θ."""
+    """tau_n, n ≠ 0: the orders of tau/theta."""
     return {n: divide(ring.cut(ring.cosine * f), dot(n, ring.velocities), 1) for n, f in y.items()}
 
 
@@ -62,7 +64,7 @@ def moment_orders(
 
 
 def _values(f: Orders, velocities: Sequence[arb], kappa: arb, power: int, odd: int) -> Orders:
-    """∫ of θ^{n·α + power − 1} u^odd f_n(t) dθ up to u = 1, without tails."""
+    """∫ of theta^{n·alpha + power − 1} u^odd f_n(t) d theta up to u = 1, without tails."""
     values = {}
     for n, series in f.items():
         exponent = dot(n, velocities)
@@ -72,7 +74,7 @@ def _values(f: Orders, velocities: Sequence[arb], kappa: arb, power: int, odd: i
 
 
 def _waveform(ring: Ring, sine_ratio: arb_poly, y: Mapping[Key, arb_poly]) -> tuple[Orders, Orders]:
-    """The orders of e^{−iθ} c · w D: (even part, odd part divided by i u)."""
+    """The orders of e^{−i theta} c · w D: (even part, odd part divided by i u)."""
     zero, kappa, cut = (0,) * len(ring.velocities), arb.pi() / 2, ring.cut
     cosine = kappa * ring.cosine
     a: Orders = {zero: arb_poly([1])}
@@ -94,7 +96,8 @@ def _waveform(ring: Ring, sine_ratio: arb_poly, y: Mapping[Key, arb_poly]) -> tu
 
 
 def moment_bounds(velocities: Sequence[arb], y: Mapping[Key, arb], radius: arb | int, order: int) -> list[Orders]:
-    """For k = 0 … order: bounds of the integrand orders θ^{−n·α−k} (τ^k e^{−iθ} c w D)_n on |u| < √radius."""
+    """For k = 0 … order: bounds of the integrand orders theta^{−n·alpha−k} (tau^k e^{−i theta} c w D)_n on |u| <
+    √radius."""
     theta = arb.pi() / 2 * arb(radius).sqrt()
     zero = (0,) * len(velocities)
     w: Orders = {zero: arb(1)}

@@ -1,43 +1,49 @@
 """The orders of the quarter swing, computed twice by one recursion: in truncated power series, and in bounds.
 
-**Variables.**  On the quarter swing from the turning point (θ = 0) to the equilibrium passage (θ = π/2) put
-θ = (π/2) u, t = u², and R = ln r, Y = S/(1 − c S), where S = Σ_i δ^{k_i} P_i ϱ_i s^{v_i} c^{m_i} runs over the members
-of the forces (``forces``): key k_i, number ±ϱ_i, powers of s and c, and P_i = e^{a_i R} with the weight a_i of the key
-(for v|v|^{α−1}: s^α, a = α − 1; for a spring x|x|^{p−1}: −c^p, a = p − 1).  The motion (``quarter``) becomes
+**Variables.**  On the quarter swing from the turning point (theta = 0) to the equilibrium passage (theta = pi/2) put
+theta = (pi/2) u, t = u², and R = ln r, Y = S/(1 − c S), where S = sum_i delta^{k_i} P_i varrho_i s^{v_i} c^{m_i} runs
+over the members of the forces (``forces``): key k_i, number ±varrho_i, powers of s and c, and P_i = e^{a_i R} with the
+weight a_i of the key (for v|v|^{alpha−1}: s^alpha, a = alpha − 1; for a spring x|x|^{p−1}: −c^p, a = p − 1).  The
+motion (``quarter``) becomes
 
-    Y = S (1 + c Y),   θ dR/dθ = −θ s Y,   θ dP_i/dθ = −a_i θ s Y P_i,   θ dτ/dθ = θ (1 + c Y),
+    Y = S (1 + c Y),   theta dR/d theta = −theta s Y,   theta dP_i/d theta = −a_i theta s Y P_i,
+    theta d tau/d theta = theta (1 + c Y),
 
-sums and products only.  With σ = sin θ/θ and g = θ sin θ, power series in t without negative powers, one finds order by
-order in the multi-index n (δⁿ = Π δ_i^{n_i}, and n·α = Σ n_i α_i counts the powers of the *velocity*: 0 for a force of
-the position alone)
+sums and products only.  With sigma = sin theta/theta and g = theta sin theta, power series in t without negative
+powers, one finds order by order in the multi-index n (deltaⁿ = prod delta_i^{n_i}, and n·alpha = sum n_i alpha_i counts
+the powers of the *velocity*: 0 for a force of the position alone)
 
-    Y = Σ δⁿ θ^{n·α} y_n(t),   S = Σ δⁿ θ^{n·α} s_n(t),   P_i = Σ δⁿ θ^{n·α} p_{i,n}(t),   p_{i,0} = 1,
-    s_n = Σ_i ϱ_i σ^{v_i} c^{m_i} p_{i,n−k_i},   y_n = s_n + c Σ_m s_m y_{n−m},
-    p_{i,n} = −a_i I_n[ g Σ_m p_{i,m} y_{n−m} ],
+    Y = sum deltaⁿ theta^{n·alpha} y_n(t),   S = sum deltaⁿ theta^{n·alpha} s_n(t),
+    P_i = sum deltaⁿ theta^{n·alpha} p_{i,n}(t),   p_{i,0} = 1,
+    s_n = sum_i varrho_i sigma^{v_i} c^{m_i} p_{i,n−k_i},   y_n = s_n + c sum_m s_m y_{n−m},
+    p_{i,n} = −a_i I_n[ g sum_m p_{i,m} y_{n−m} ],
 
-where I_n divides the coefficient of t^j by n·α + 2j.  Here g = O(t), so j ≥ 1 and nothing is ever divided by zero, not
-even at n·α = 0.  All these functions are analytic in |t| < 4, because σ(t) = Π_k (1 − t/(4k²)) has no zero there; they
-are needed at t = 1.
+where I_n divides the coefficient of t^j by n·alpha + 2j.  Here g = O(t), so j ≥ 1 and nothing is ever divided by zero,
+not even at n·alpha = 0.  All these functions are analytic in |t| < 4, because sigma(t) = prod_k (1 − t/(4k²)) has no
+zero there; they are needed at t = 1.
 
 **The first K coefficients** of a product, and of I_n, depend on the first K coefficients of the factors only: they are
 computed in balls without any truncation error.  What is missing at t = 1 is the sum of the coefficients from K on.
 
-**Bounds.**  Let |f| be the supremum of |f(t)| over |t| < ϱ, 1 < ϱ ≤ 4, and θ_ϱ = (π/2) √ϱ.  It is submultiplicative and
+**Bounds.**  Let |f| be the supremum of |f(t)| over |t| < varrho, 1 < varrho ≤ 4, and theta_varrho = (pi/2) √varrho.  It
+is submultiplicative and
 
-1. |σ^α| ≤ (sinh θ_ϱ/θ_ϱ)^α for α ≥ 0: |1 − t/(4k²)| ≤ 1 + ϱ/(4k²) in the product, and |z^α| = |z|^α for real α;
-2. |c^m| ≤ (cosh θ_ϱ)^m and |g| ≤ θ_ϱ sinh θ_ϱ: replace each Taylor coefficient by its absolute value;
-3. |I_n f| ≤ |f|/(n·α + 2) if f(0) = 0: I_n f(t) = ½ ∫_0^1 v^{n·α/2 − 1} f(vt) dv and |f(vt)| ≤ v |f| (Schwarz);
-4. the coefficients satisfy |f_j| ≤ |f| ϱ^{−j} (Cauchy), so Σ_{j≥K} |f_j| ≤ |f| ϱ^{−K}/(1 − 1/ϱ).
+1. |sigma^alpha| ≤ (sinh theta_varrho/theta_varrho)^alpha for alpha ≥ 0: |1 − t/(4k²)| ≤ 1 + varrho/(4k²) in the
+   product, and |z^alpha| = |z|^alpha for real alpha;
+2. |c^m| ≤ (cosh theta_varrho)^m and |g| ≤ theta_varrho sinh theta_varrho: replace each Taylor coefficient by its
+   absolute value;
+3. |I_n f| ≤ |f|/(n·alpha + 2) if f(0) = 0: I_n f(t) = ½ ∫_0^1 v^{n·alpha/2 − 1} f(vt) dv and |f(vt)| ≤ v |f| (Schwarz);
+4. the coefficients satisfy |f_j| ≤ |f| varrho^{−j} (Cauchy), so sum_{j≥K} |f_j| ≤ |f| varrho^{−K}/(1 − 1/varrho).
 
-Hence the same recursion, with the numbers 1–3 in the place of the functions and |a_i|, |ϱ_i| in that of −a_i, ϱ_i,
-yields upper bounds of |y_n| and |p_{i,n}| by induction, and 4 turns them into a bound of every tail.  `order_series` is
-that recursion; `power_series_ring` and `bound_ring` are its two arithmetics.
+Hence the same recursion, with the numbers 1–3 in the place of the functions and |a_i|, |varrho_i| in that of −a_i,
+varrho_i, yields upper bounds of |y_n| and |p_{i,n}| by induction, and 4 turns them into a bound of every tail.
+`order_series` is that recursion; `power_series_ring` and `bound_ring` are its two arithmetics.
 
 >>> drag = Forces.losses([2])
 >>> small = order_series(power_series_ring(drag, 30), indices(1, 2))
->>> sum(small[(1,)].coeffs(), arb(0)).str(8)        # y_1 = σ^2, at θ = π/2: (2/π)^2 up to the tail
+>>> sum(small[(1,)].coeffs(), arb(0)).str(8)        # y_1 = sigma^2, at theta = pi/2: (2/pi)^2 up to the tail
 '[0.40528473 +/- ...]'
->>> (order_series(bound_ring(drag, 4), indices(1, 2))[(1,)]).str(5)     # (sinh(π)/π)^2
+>>> (order_series(bound_ring(drag, 4), indices(1, 2))[(1,)]).str(5)     # (sinh(pi)/pi)^2
 '[13.514 +/- ...]'
 """
 
@@ -56,7 +62,7 @@ from asymptotics.series import Key, monomials
 @dataclass(frozen=True)
 class Ring:
     """What `order_series` needs: the functions c and g, truncation and I_n; the velocity powers of the variables; and
-    of each member its key, its function ϱ σ^v c^m, and the factor ±a of its slope."""
+    of each member its key, its function varrho sigma^v c^m, and the factor ±a of its slope."""
 
     cosine: Any
     turn: Any
@@ -83,12 +89,12 @@ def minus(n: Key, m: Key) -> Key:
 
 
 def dot(n: Key, velocities: Sequence[arb]) -> arb:
-    """The exponent n·α."""
+    """The exponent n·alpha."""
     return sum((k * a for k, a in zip(n, velocities, strict=True)), arb(0))
 
 
 def convolve(f: Mapping[Key, Any], g: Mapping[Key, Any], n: Key) -> Any:
-    """Σ_m f_m g_{n−m} over the orders that both have so far; the integer 0 if there is none."""
+    """sum_m f_m g_{n−m} over the orders that both have so far; the integer 0 if there is none."""
     tick()
     total: Any = 0
     for m in product(*(range(k + 1) for k in n)):
@@ -149,7 +155,7 @@ def _weights(forces: Forces) -> list[arb]:
 
 
 def elementary_series(terms: int) -> tuple[arb_poly, arb_poly]:
-    """cos θ and sin θ/θ as polynomials in t = (2θ/π)², ``terms`` coefficients each."""
+    """cos theta and sin theta/theta as polynomials in t = (2 theta/pi)², ``terms`` coefficients each."""
     minus_square = -((arb.pi() / 2) ** 2)
     even, odd = [arb(1)], [arb(1)]
     for j in range(1, terms):
@@ -159,7 +165,8 @@ def elementary_series(terms: int) -> tuple[arb_poly, arb_poly]:
 
 
 def sine_ratio_power(alpha: arb, terms: int) -> arb_poly:
-    """(sin θ/θ)^α in t, from t d/dt ln σ = −Σ_j ζ(2j) (t/4)^j, which is the product of the module docstring."""
+    """(sin theta/theta)^alpha in t, from t d/dt ln sigma = −sum_j zeta(2j) (t/4)^j, which is the product of the module
+    docstring."""
     slope = [arb(0)] + [-alpha * arb(2 * j).zeta() / arb(4) ** j for j in range(1, terms)]
     f = [arb(1)]
     for j in range(1, terms):

@@ -2,40 +2,45 @@
 
 Each statement is derived step by step in the derivation ``zeros-by-theorem``.
 
-**Dry friction shifts the centre.**  On a half-swing with X' < 0 the Coulomb term (α_0 = 0) is the constant −ε_0, so
-Y = X − ε_0 moves under the remaining laws alone and starts at 1 − ε_0 instead of 1.  Hence, exactly,
+**Dry friction shifts the centre.**  On a half-swing with X' < 0 the Coulomb term (alpha_0 = 0) is the constant
+−epsilon_0, so Y = X − epsilon_0 moves under the remaining laws alone and starts at 1 − epsilon_0 instead of 1.  Hence,
+exactly,
 
-    e^L = (1 − δ_0) e^{L*(δ*)} − δ_0,      T = T*(δ*),      δ*_i = δ_i (1 − δ_0)^{α_i − 1},
+    e^L = (1 − delta_0) e^{L*(delta*)} − delta_0,   T = T*(delta*),   delta*_i = delta_i (1 − delta_0)^{alpha_i − 1},
 
-where L*, T* belong to the law without dry friction; e^L = 1 − 2δ_0 and T = π if nothing remains.  A binomial
-coefficient (n·(α−1) choose k) of a rational exponent is exact, so all zeros that it causes are exact.
-This needs the linear spring and losses that do not see the position; with other forces α = 0 is a term like any other.
+where L*, T* belong to the law without dry friction; e^L = 1 − 2 delta_0 and T = pi if nothing remains.  A binomial
+coefficient (n·(alpha−1) choose k) of a rational exponent is exact, so all zeros that it causes are exact.
+This needs the linear spring and losses that do not see the position; with other forces alpha = 0 is a term like any
+other.
 
-**Reversal.**  Let w_i be the weights, a_n = Σ n_i w_i, and ℓ(n) the loss degree (``grading``); for plain losses
-a_n = n·α − |n| and ℓ(n) = |n|.  The half-swing is x ↦ G(x) = x + L on x = ln A, and reversing time changes the sign of
-all losses and of no spring: G⁻¹(x) = x + L(Sδ).  With Lagrange's formula for G⁻¹ and constant terms under x = G(y):
+**Reversal.**  Let w_i be the weights, a_n = sum n_i w_i, and ℓ(n) the loss degree (``grading``); for plain losses
+a_n = n·alpha − |n| and ℓ(n) = |n|.  The half-swing is x ↦ G(x) = x + L on x = ln A, and reversing time changes the sign
+of all losses and of no spring: G⁻¹(x) = x + L(S delta).  With Lagrange's formula for G⁻¹ and constant terms under x =
+G(y):
 
 * **L has no monomial with ℓ(n) = 0** (without losses the motion is periodic), **none with a_n = 0 and even ℓ(n)**
-  (α = 1: L is odd).
-* **F_i = δ_i + monomials with ℓ(n) > ℓ(e_i)**, and **none with a_n = −w_i ≠ 0 and ℓ(n) − ℓ(e_i) even**.
-* **T has no monomial that is a single loss**, because T = T_q(δ) + T_q(SF) and F = δ + O(δ²).  Where only forces of
-  weight 0 occur in the monomial (linear friction, |x| sgn x', a change of the linear spring) **T is even in ℓ**.
+  (alpha = 1: L is odd).
+* **F_i = delta_i + monomials with ℓ(n) > ℓ(e_i)**, and **none with a_n = −w_i ≠ 0 and ℓ(n) − ℓ(e_i) even**.
+* **T has no monomial that is a single loss**, because T = T_q(delta) + T_q(SF) and F = delta + O(delta²).  Where only
+  forces of weight 0 occur in the monomial (linear friction, |x| sgn x', a change of the linear spring) **T is even
+  in ℓ**.
 
 **Integer exponents with dry friction** (plain losses only).
-With the turning amplitude a, δ_i = ε_i a^{α_i−1}, the next amplitude a e^L and T are polynomials in a at each order in
-the ε_i if all α_i are integers.  So is what is made of them by products and compositions: F_i = ε_i (a e^L)^{α_i−1} if
-α_i >= 1, and the field a U and W of ``normal_form.digits``.  In F_i, a U and W the monomial δⁿ carries the power w,
-w + 1 and w of a: it is absent if that is negative.  T has no order 1 in the other laws (|n| − n_0 = 1), so that W has
-none either and its order 2 is a mean along the straight orbit a − (2/π)ε_0 ψ, W_2 = (T_2/π) (D/sinh D) a^{w_2},
-D = ε_0 d/da, for monomials with w_2 = w + n_0: for |n| − n_0 = 2 it is enough that w_2 is an integer >= 0.
+With the turning amplitude a, delta_i = epsilon_i a^{alpha_i−1}, the next amplitude a e^L and T are polynomials in a at
+each order in the epsilon_i if all alpha_i are integers.  So is what is made of them by products and compositions: F_i =
+epsilon_i (a e^L)^{alpha_i−1} if alpha_i >= 1, and the field a U and W of ``normal_form.digits``.  In F_i, a U and W the
+monomial deltaⁿ carries the power w, w + 1 and w of a: it is absent if that is negative.  T has no order 1 in the other
+laws (|n| − n_0 = 1), so that W has none either and its order 2 is a mean along the straight orbit a − (2/pi)epsilon_0
+psi, W_2 = (T_2/pi) (D/sinh D) a^{w_2}, D = epsilon_0 d/da, for monomials with w_2 = w + n_0: for |n| − n_0 = 2 it is
+enough that w_2 is an integer >= 0.
 
-**Dry and cubic friction.**  The first order of the field is g_1 = (l_1/π) (D/sinh D) a^α, so W_2' = k g_1 if
-2α − 3 = α.  Then the third order of T is ∫_0^π W_3 dψ + (k/2) l_1² (a − ε_0)^6, and proportional to (a − ε_0)^6:
-**W has no monomial δ_0^{n_0} δ_1^3 if α_1 = 3**.
+**Dry and cubic friction.**  The first order of the field is g_1 = (l_1/pi) (D/sinh D) a^alpha, so W_2' = k g_1 if
+2 alpha − 3 = alpha.  Then the third order of T is ∫_0^pi W_3 d psi + (k/2) l_1² (a − epsilon_0)^6, and proportional to
+(a − epsilon_0)^6: **W has no monomial delta_0^{n_0} delta_1^3 if alpha_1 = 3**.
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> coulomb = certified_half_swing([parse_real("0", "--alpha")], 3)
->>> coulomb.L[3].str(6), coulomb.T[3]                          # L = ln(1 − 2δ), T = π
+>>> coulomb.L[3].str(6), coulomb.T[3]                          # L = ln(1 − 2 delta), T = pi
 ('[-2.66667 +/- ...]', 0)
 >>> mixed = certified_half_swing([parse_real(a, "--alpha") for a in ("1/2", "3/2")], 2)
 >>> mixed.L[1, 1], mixed.T[1, 0]
@@ -95,20 +100,20 @@ def without(series: Series, vanishes: Callable[[Key], bool]) -> Series:
 
 
 def log_ratio_vanishes(forces: Forces, n: Key) -> bool:
-    """Whether the coefficient of δⁿ in L is zero by theorem."""
+    """Whether the coefficient of deltaⁿ in L is zero by theorem."""
     losses = forces.loss_degree(n)
     return not losses or (losses % 2 == 0 and is_zero_weight(forces, n))
 
 
 def duration_vanishes(forces: Forces, n: Key) -> bool:
-    """Whether the coefficient of δⁿ in T is zero by theorem."""
+    """Whether the coefficient of deltaⁿ in T is zero by theorem."""
     losses = forces.loss_degree(n)
     weightless = all(not k or w.is_zero for w, k in zip(forces.weights, n, strict=True))
     return sum(n) == losses == 1 or (weightless and losses % 2 == 1)
 
 
 def map_vanishes(forces: Forces, i: int, n: Key) -> bool:
-    """Whether the coefficient of δⁿ in F_i is zero by theorem; F_i = δ_i, exactly, if its weight is 0."""
+    """Whether the coefficient of deltaⁿ in F_i is zero by theorem; F_i = delta_i, exactly, if its weight is 0."""
     if forces.weights[i].is_zero or not n[i] or sum(n) == 1:
         return False
     unit = tuple(int(j == i) for j in range(len(n)))
@@ -125,7 +130,7 @@ def is_zero_weight(forces: Forces, n: Key) -> bool:
 
 
 def is_pure_at(forces: Forces, n: Key) -> bool:
-    """Whether only plain losses v|v|^(α−1) occur in the monomial: the linear spring, for which more is known."""
+    """Whether only plain losses v|v|^(alpha−1) occur in the monomial: the linear spring, for which more is known."""
     return all(
         s < 0 and w == v - 1 for s, w, v, k in zip(forces.signs, forces.weights, forces.velocities, n, strict=True) if k
     )
@@ -139,7 +144,7 @@ def negative_power(forces: Forces, n: Key, shift: int) -> bool:
 
 
 def dry_friction_cancels(forces: Forces, n: Key) -> bool:
-    """Whether the coefficient of δⁿ in W is zero because of dry friction (the last two paragraphs above)."""
+    """Whether the coefficient of deltaⁿ in W is zero because of dry friction (the last two paragraphs above)."""
     if not is_pure_at(forces, n):
         return False
     others = [(a, k) for a, k in zip(forces.velocities, n, strict=True) if k and not is_value(a, 0)]
@@ -179,7 +184,7 @@ def _with_dry_friction(alphas: Sequence[ExactReal], dry: int, order: int, max_wo
 
 
 def _shifted(f: Series, others: Sequence[ExactReal], dry: int) -> Series:
-    """f(δ*): the monomial δⁿ becomes δⁿ (1 − δ_0)^{n·(α−1)}."""
+    """f(delta*): the monomial deltaⁿ becomes deltaⁿ (1 − delta_0)^{n·(alpha−1)}."""
     result = {}
     for n, c in f.coefficients.items():
         weight = _weight(Forces.losses(others), n)

@@ -9,8 +9,8 @@ rho_i.  The first part makes the bound nearly attained, the second is small agai
 
 *The half-swing.*  L = ln(A_(n+1)/A_n) is the root of G(L) = L - R(delta) + R(-F(L)), F_i = delta_i e^((alpha_i-1) L)
 (reversal identity).  G increases, because L + R(-F) is ln r at the passage of an orbit that starts at ln r = L, and
-orbits do not meet.  If all alpha_i >= 1 even G' >= 1, since R falls in each delta_i: any number L^ is then off by at
-most |G(L^)|.  Otherwise a sign change of G encloses L.  (Derivation ``quarter-swing-tail``.)
+orbits do not meet.  If all alpha_i >= 1 even G' >= 1, since R falls in each delta_i: any number L_hat is then off by at
+most |G(L_hat)|.  Otherwise a sign change of G encloses L.  (Derivation ``quarter-swing-tail``.)
 
 *Many half-swings.*  x = ln A is carried as an exact midpoint with a radius e.  For all alpha_i >= 1 two motions satisfy
 0 <= d ln A_(n+1)/d ln A_n <= 1, so e grows by the local error only; otherwise |Delta A_(n+1)| <= |Delta A_n| is used.

@@ -8,15 +8,15 @@ z = X - i X' = A e^(i psi) Z(psi, delta) obeys
     Phi = e^(-i psi) (sum of the forces)/A.
 
 Put delta_i = i eta_i for the losses, leave the springs, and let q = e^(2 i psi): all coefficients become rational.
-With U = i U^ and W = W^,
+With U = i U_hat and W = W_hat,
 
-    (2 q d_q + D^_1 + 1) Z = W^ (Z + Phi^),
-    Phi^ = sum i^(1+alpha) 2^(-d) eta q^(-(d+1)/2) P^m Y^alpha  +  sum i^q 2^(-d) gamma q^(-(d+1)/2) P^p Y^q,
+    (2 q d_q + D_hat_1 + 1) Z = W_hat (Z + Phi_hat),
+    Phi_hat = sum i^(1+alpha) 2^(-d) eta q^(-(d+1)/2) P^m Y^alpha  +  sum i^q 2^(-d) gamma q^(-(d+1)/2) P^p Y^q,
     P = q Z(q, eta) + Z(1/q, -eta),    Y = q Z(q, eta) - Z(1/q, -eta),
 
-because the conjugate of Z is Z(1/q, -eta); the powers of i are even.  At a monomial the mean (power q^0) fixes U^ if
-its loss degree is odd and W^ if it is even, the other powers fix Z, and the gauge fixes the mean of Z: Z(psi = 0) = 1,
-or mean 0, or no first harmonic in X.
+because the conjugate of Z is Z(1/q, -eta); the powers of i are even.  At a monomial the mean (power q^0) fixes U_hat if
+its loss degree is odd and W_hat if it is even, the other powers fix Z, and the gauge fixes the mean of Z: Z(psi = 0) =
+1, or mean 0, or no first harmonic in X.
 
 A Fourier polynomial of degree n in the strengths is stored as q^(M n) times itself, M the largest (d+1)/2 for each
 power of a strength: a plain ``fmpq_poly``.
@@ -63,7 +63,8 @@ class FourierFlow:
     shift: int
 
     def bracket(self, gauge: str) -> Series:
-        """c^(eta) = <Z> (averaging) or <Z + conj(Z) e^(-2 i psi)> (no-first-harmonic), from the waveform of this gauge.
+        """c_hat(eta) = <Z> (averaging) or <Z + conj(Z) e^(-2 i psi)> (no-first-harmonic), from the waveform of this
+        gauge.
 
         >>> fourier_flow((3,), 2).bracket("averaging")
         1 + 3/32*d + -75/1024*d^2 + O(3)
@@ -144,7 +145,7 @@ class _Kernel:
         return FourierFlow(self.grading, self._real(self.U, 1), self._real(self.W, 0), tuple(self.Z), self.M)
 
     def _phi(self, n: int) -> Part:
-        """Phi^_n: for each member the product of powers whose degree its key completes to n."""
+        """Phi_hat_n: for each member the product of powers whose degree its key completes to n."""
         total: Part = {}
         for m in self.members:
             if m.order > n:
@@ -169,7 +170,8 @@ class _Kernel:
         return total
 
     def _right_side(self, n: int) -> Part:
-        """Degree n of W^(Z + Phi^) - D^_1 Z without the unknown Z_n, U^_n, W^_n: 2 q d_q Z_n + U^_n - W^_n."""
+        """Degree n of W_hat (Z + Phi_hat) - D_hat_1 Z without the unknown Z_n, U_hat_n, W_hat_n: 2 q d_q Z_n + U_hat_n
+        - W_hat_n."""
         total = dict(self.forcing[n])
         for j in range(1, n):
             shift = self.M * j
@@ -206,7 +208,7 @@ class _Kernel:
                 powers[e][0].append(total)
 
     def _real(self, parts: list[dict[Key, fmpq]], parity: int) -> Series:
-        """Back from eta to delta: f(i eta) = i^parity f^(eta), so f_n = (-1)^((l - parity)/2) f^_n."""
+        """Back from eta to delta: f(i eta) = i^parity f_hat(eta), so f_n = (-1)^((l - parity)/2) f_hat_n."""
         l = self.grading.loss_degree  # noqa: E741 (the letter of ``grading``)
         values = {k: PiNumber.rational(x * (-1) ** ((l(k) - parity) // 2)) for part in parts for k, x in part.items()}
         nonzero = {k: x for k, x in values.items() if not is_exact_zero(x)}

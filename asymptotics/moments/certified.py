@@ -22,10 +22,10 @@ def moment(p: arb) -> arb:
     return ((p + 1) / 2).gamma() * (p / 2 + 1).rgamma() / arb.pi().sqrt()
 
 
-def lelas_ratio(alpha: arb) -> arb:
+def squaring_ratio(alpha: arb) -> arb:
     """2^(-(alpha+1)/2)/M_(alpha+1), Lelas' damping over the first-order damping, as a ball.
 
-    >>> lelas_ratio(arb(0)).str(10), lelas_ratio(arb(2)).str(10)
+    >>> squaring_ratio(arb(0)).str(10), squaring_ratio(arb(2)).str(10)
     ('[1.110720735 +/- ...]', '[0.8330405509 +/- ...]')
     """
     return arb(2) ** (-(alpha + 1) / 2) / moment(alpha + 1)

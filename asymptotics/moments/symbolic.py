@@ -20,7 +20,7 @@ strictly with q (Jensen; |sin| is not constant), so the trick
 and the ratio 2^(-(alpha+1)/2)/M_(alpha+1), independent of epsilon, is a relative error of the rate that does not vanish
 with epsilon.
 
->>> lelas_ratio(Integer(0)), lelas_ratio(Integer(1)), lelas_ratio(Integer(2))
+>>> squaring_ratio(Integer(0)), squaring_ratio(Integer(1)), squaring_ratio(Integer(2))
 (sqrt(2)*pi/4, 1, 3*sqrt(2)*pi/16)
 """
 
@@ -81,20 +81,20 @@ def integer_moment(p: int) -> tuple[Fraction, bool]:
     return Fraction(int(value.p), int(value.q)), p % 2 == 1
 
 
-def lelas_moment(alpha: Expr) -> Expr:
+def squaring_moment(alpha: Expr) -> Expr:
     """2^(-(alpha+1)/2), what the squaring trick puts in the place of M_(alpha+1)."""
     return Pow(2, -(alpha + 1) / 2)
 
 
-def lelas_ratio(alpha: Expr) -> Expr:
+def squaring_ratio(alpha: Expr) -> Expr:
     """2^(-(alpha+1)/2)/M_(alpha+1): the damping of the squaring trick over the first-order damping."""
-    return lelas_moment(alpha) / moment(alpha + 1)
+    return squaring_moment(alpha) / moment(alpha + 1)
 
 
-def lelas_verdict(alpha: ExactReal | Expr) -> str:
+def squaring_verdict(alpha: ExactReal | Expr) -> str:
     """ "overestimates", "exact" or "underestimates" the damping, by monotonicity of power means (module docstring).
 
-    >>> lelas_verdict(Rational(1, 2)), lelas_verdict(Integer(1)), lelas_verdict(Integer(3))
+    >>> squaring_verdict(Rational(1, 2)), squaring_verdict(Integer(1)), squaring_verdict(Integer(3))
     ('overestimates', 'exact', 'underestimates')
     """
     number = alpha if isinstance(alpha, ExactReal) else ExactReal(from_sympy(alpha))

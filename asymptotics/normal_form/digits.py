@@ -1,12 +1,13 @@
-"""Correctly rounded decimals of L, F, T and of the slow flow U, V, W, p, Ω in the turning-point gauge, any α >= 0.
+"""Correctly rounded decimals of L, F, T and of the slow flow U, V, W, p, Omega in the turning-point gauge, any alpha >=
+0.
 
 The half-swing comes in balls from ``half_swings.certified_zeros``, the flow from it by ``flow.flow_of``.
 
 Zero by theorem, and therefore "0" or absent, besides what `certified_zeros` lists: U in even and W in odd loss degree
-(t → −t with ε → −ε); for linear friction alone p = ε/2; and what would carry a negative power of the amplitude if
-all exponents are integers (`certified_zeros`), which is how U = −(2/π)δ for dry friction stops.  A coefficient that
-vanishes for a reason not known here, or that is exactly half way between two decimals, cannot be rounded from balls:
-UndecidedError names it (odd α and few digits: take the exact engine).
+(t → −t with epsilon → −epsilon); for linear friction alone p = epsilon/2; and what would carry a negative power of the
+amplitude if all exponents are integers (`certified_zeros`), which is how U = −(2/pi)delta for dry friction stops.  A
+coefficient that vanishes for a reason not known here, or that is exactly half way between two decimals, cannot be
+rounded from balls: UndecidedError names it (odd alpha and few digits: take the exact engine).
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> three_halves = certified_digits([parse_real("3/2", "--alpha")], 3, 20)
@@ -117,7 +118,7 @@ def round_all(
 
 
 def _round(series: Series, name: str, digits: int, known: Mapping[Key, str], forces: Forces) -> dict[Key, str | None]:
-    """Decimals of all coefficients, "0" for the absent ones; p in odd and Ω in even loss degrees only."""
+    """Decimals of all coefficients, "0" for the absent ones; p in odd and Omega in even loss degrees only."""
     parity = {"p": 1, "Omega": 0}.get(name)
     row: dict[Key, str | None] = {}
     for degree in range(series.order + 1):

@@ -124,18 +124,18 @@ def _sign(n: int) -> int:
 
 
 def _hat(grading: Grading, series: Series, parity: int) -> Series:
-    """f^ with f(i eta) = i^parity f^(eta), for a series of that parity."""
+    """f_hat with f(i eta) = i^parity f_hat(eta), for a series of that parity."""
     return series.map_keys(lambda k, x: x * _sign(grading.loss_degree(k) - parity))
 
 
 def _d1(flow: Flow, f: Series) -> Series:
-    """D^_1 f = U^ (1 + sum_i (alpha_i - 1) eta_i d_i) f, known through one order more than f."""
+    """D_hat_1 f = U_hat (1 + sum_i (alpha_i - 1) eta_i d_i) f, known through one order more than f."""
     raised = f.extend(min(f.order + 1, flow.order))
     return _hat(flow.grading, flow.U, 1) * (raised + flow.grading.weighted(raised))
 
 
 def _bracket_of_x(flow: Flow, K: tuple[tuple[Series, Series], ...]) -> Series:
-    """c^(eta) of the no-first-harmonic gauge: (4/pi) sum_j (D^_1^j/j!) sum_k a_jk K^_k."""
+    """c_hat(eta) of the no-first-harmonic gauge: (4/pi) sum_j (D_hat_1^j/j!) sum_k a_jk K_hat_k."""
     order = flow.order
     if len(K) <= order:
         raise ValueError(f"{order + 1} waveform moments are needed, {len(K)} are given")
@@ -153,7 +153,7 @@ def _bracket_of_x(flow: Flow, K: tuple[tuple[Series, Series], ...]) -> Series:
 
 
 def _hat_moment(grading: Grading, K: tuple[Series, Series], k: int) -> Series:
-    """K^_k: the coefficient of eta^m is Re(i^(l(m)-k) K_(k,m)): only that survives adding the second quarter."""
+    """K_hat_k: the coefficient of eta^m is Re(i^(l(m)-k) K_(k,m)): only that survives adding the second quarter."""
     real, imaginary = K
     sources = (real, -imaginary, -real, imaginary)
     keys = set(real.coefficients) | set(imaginary.coefficients)
@@ -162,10 +162,11 @@ def _hat_moment(grading: Grading, K: tuple[Series, Series], k: int) -> Series:
 
 
 def _phase_kernel(flow: Flow) -> tuple[Series, Series]:
-    """Psi^/sigma and exp(Psi^ - sigma) d Psi^/d sigma, as series whose coefficients are polynomials in sigma."""
+    """Psi_hat/sigma and exp(Psi_hat - sigma) d Psi_hat/d sigma, as series whose coefficients are polynomials in
+    sigma."""
     W_inverse, U = _hat(flow.grading, flow.W, 0).inverse(), _hat(flow.grading, flow.U, 1)
     ratio, rate, term = Series({}, U.variables, flow.order), Series({}, U.variables, flow.order), W_inverse
-    for j in range(flow.order + 1):  # term = (-G^)^j (1/W^), the coefficient of sigma^(j+1)/(j+1)!
+    for j in range(flow.order + 1):  # term = (-G_hat)^j (1/W_hat), the coefficient of sigma^(j+1)/(j+1)!
         ratio = ratio + _at_power(term, j, factorial(j + 1))
         rate = rate + _at_power(term, j, factorial(j))
         term = -(W_inverse * U * flow.grading.weighted(term))
@@ -178,7 +179,7 @@ def _at_power(series: Series, j: int, divisor: int) -> Series:
 
 
 def _contract(kernel: Series, moments: list[Series], j: int) -> Series:
-    """sum_k (coefficient of sigma^k in sigma^j kernel) K^_k through the order of ``kernel``.
+    """sum_k (coefficient of sigma^k in sigma^j kernel) K_hat_k through the order of ``kernel``.
 
     A power sigma^(j+k) comes with at least eta^k, so K_(j+k) is needed through order N - j - k only.
     """

@@ -97,7 +97,7 @@ def equation_residual(given: Given, order: int, gauge: str) -> Outcome:
 
 
 def _waveform_residual(forces: Forces, flow: FourierFlow) -> Series:
-    """(2 q d_q + D^_1 + 1) Z - W^ (Z + Phi^), each coefficient of degree n times q^(shift n + 1)."""
+    """(2 q d_q + D_hat_1 + 1) Z - W_hat (Z + Phi_hat), each coefficient of degree n times q^(shift n + 1)."""
     M, variables, order, grading = flow.shift, forces.variables, flow.U.order, flow.grading
     Z = Series({k: p for part in flow.Z for k, p in part.items()}, variables, order)
     rotation = Z.map_keys(lambda k, p: 2 * (p.derivative().left_shift(1) - M * sum(k) * p))
@@ -112,7 +112,7 @@ def _waveform_residual(forces: Forces, flow: FourierFlow) -> Series:
 
 
 def _force(P: Series, Y: Series, member: Member, M: int) -> Series:
-    """The term of Phi^ that belongs to one member: i^(alpha+1) or i^q times 2^-d q^(-(d+1)/2) P^m Y^alpha."""
+    """The term of Phi_hat that belongs to one member: i^(alpha+1) or i^q times 2^-d q^(-(d+1)/2) P^m Y^alpha."""
     alpha, d = member.integer_velocity, member.integer_velocity + member.position
     scale = member.ratio * fmpq((-1) ** ((alpha + (member.sign < 0)) // 2), 2**d)
     product = Y**alpha if not member.position else P**member.position * Y**alpha

@@ -5,7 +5,7 @@ from functools import partial
 
 from flint import arb
 
-from asymptotics.moments.certified import lelas_ratio, moment
+from asymptotics.moments.certified import moment, squaring_ratio
 from asymptotics.moments.symbolic import integer_moment
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
@@ -21,7 +21,7 @@ def moments(inputs: Inputs, digits: int) -> Found:
     return Found(list(rows), True)
 
 
-def lelas_ratios(inputs: Inputs, digits: int) -> Found:
+def squaring_ratios(inputs: Inputs, digits: int) -> Found:
     """Rows (alpha, 2^(-(alpha+1)/2)/M_(alpha+1))."""
     return Found([(str(a), _ratio(a, digits)) for a in inputs.alphas_or(GRID)], True)
 
@@ -42,4 +42,4 @@ def _ratio(a: ExactReal, digits: int) -> Cell:
     if a.is_integer and a.rational.numerator % 2:  # M of an even integer is rational, and so is the power of 2
         half = (a.rational.numerator + 1) // 2
         return Fraction(1, 2**half) / integer_moment(2 * half)[0]
-    return Nearest(certified_decimal(lambda: lelas_ratio(a.ball()), digits))
+    return Nearest(certified_decimal(lambda: squaring_ratio(a.ball()), digits))

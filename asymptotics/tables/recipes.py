@@ -2,7 +2,7 @@
 
 from asymptotics.tables.bounds import error_bounds
 from asymptotics.tables.coefficients import half_swing, normal_form
-from asymptotics.tables.moments import lelas_ratios, moments
+from asymptotics.tables.moments import moments, squaring_ratios
 from asymptotics.tables.quadratic import smith_c, smith_f, smith_table_1, transit_time
 from asymptotics.tables.recipe import Recipe
 from asymptotics.tables.slow import extinction_times, lancaster_table_1, phase_lags, two_law_times
@@ -84,7 +84,7 @@ RECIPES = {
         ("alpha", "ratio"), ("alpha",), ("1", "1"),
         "quotient of Gamma functions in balls; rational values exactly",
         "the integral of |sin|^(alpha+1) by the double exponential rule",
-        "milliseconds", lelas_ratios, "alpha",
+        "milliseconds", squaring_ratios, "alpha",
     ),
     "lancaster2020.table1": Recipe(
         "Lancaster 2020, Table I: the first-order amplitude, and (13) for any alpha",

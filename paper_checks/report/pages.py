@@ -20,7 +20,7 @@ def sections(key: str) -> list[dict[str, str]]:
     found = []
     for name in SECTIONS[key]:
         lesson = (import_module(f"paper_checks.{key}.{name}").__doc__ or "").partition("\n")[0]
-        found.append({"name": name, "title": typeset(lesson.rstrip("."))})
+        found.append({"name": name, "title": lesson.rstrip(".")})
     return found
 
 
@@ -37,8 +37,8 @@ def derivations() -> tuple[dict[str, Any], ...]:
 
 def _derivation(name: str) -> dict[str, Any]:
     derivation = import_module("derivations." + name.replace("-", "_")).derivation
-    steps = [{"reason": typeset(step.reason), "latex": step.latex()} for step in derivation.steps]
-    return {"name": name, "title": derivation.title, "source": typeset(derivation.source), "steps": steps}
+    steps = [{"reason": step.reason, "latex": step.latex()} for step in derivation.steps]
+    return {"name": name, "title": derivation.title, "source": derivation.source, "steps": steps}
 
 
 def near_miss(entry: Statement) -> dict[str, str]:

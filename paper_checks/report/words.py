@@ -40,21 +40,25 @@ def typeset(text: str) -> str:
     """ASCII mathematics in printed signs: Greek letters, relations, simple indices and powers, a true minus."""
     for plain, sign in SIGNS:
         text = text.replace(plain, sign)
-    text = re.sub(rf"\b({'|'.join(GREEK)})(?=\b|_|\d)", lambda m: GREEK[m[1]], text)
+    text = re.sub(rf"(?<![A-Za-z])({'|'.join(GREEK)})(?=\b|_|\d)", lambda m: GREEK[m[1]], text)
     text = re.sub(r"(?<=[A-Za-zα-ωΩ])_(\d+|n)(?![\w}])", lambda m: m[1].translate(SUBSCRIPTS), text)
     text = re.sub(r"\b([xv])0\b", r"\1₀", text)
     text = re.sub(r"(?<=[\w)₀-₉'])\^(\d+)(?![\w/(])", lambda m: m[1].translate(SUPERSCRIPTS), text)
-    return re.sub(r"(?<![\w.)])-(?=[\w(√])|(?<= )-(?= )", "−", text)
+    text = text.replace("_hat", "\u0302")  # the accent that combines with the letter before it
+    text = re.sub(r"\bint(?=[_₀-₉])", "∫", text)
+    text = re.sub(r"\bsum(?=_)", "Σ", text)
+    return re.sub(r"(?<![\w.)])-(?=[\w(√])|(?<= )-(?=[ .,;])|(?<=[α-ωΩ₀-₉])-(?=\d|[a-zα-ω]\b)", "−", text)
 
 
 def inline(text: str) -> Markup:
     """The same as HTML: powers raised, indices lowered.
 
-    >>> print(inline("A^(alpha-1) << e^{-2u_1}, F_d, |v|^n"))
-    A<sup>α-1</sup> ≪ e<sup>−2u<sub>1</sub></sup>, F<sub>d</sub>, |v|<sup>n</sup>
+    >>> print(inline("A^(alpha-1) << e^{-2u_1}, F_d, |v|^n"), inline("f_alpha, int_0^pi, C_i^n, alpha-half"), sep="\\n")
+    A<sup>α−1</sup> ≪ e<sup>−2u<sub>1</sub></sup>, F<sub>d</sub>, |v|<sup>n</sup>
+    f<sub>α</sub>, ∫₀<sup>π</sup>, C<sub>i</sub><sup>n</sup>, α-half
     """
     shown = str(escape(typeset(text)))
-    for mark, tag in ((r"(?<=\S)\^", "sup"), (r"(?<![^\W\d_]{2})(?<=\w)_", "sub")):
+    for mark, tag in ((r"(?<=\S)\^", "sup"), (r"(?<![^\W\d_]{2})(?<=[\w∫])_", "sub")):
         bracketed = rf"{mark}(?:\{{([^{{}}]*)\}}|\(((?:[^()]|\([^()]*\))*)\)|([+−-]?[^\W_]+|[+−-]))"
         shown = re.sub(bracketed, lambda m, t=tag: f"<{t}>{m[1] or m[2] or m[3]}</{t}>", shown)  # type: ignore[misc]
     return Markup(shown)

@@ -58,7 +58,7 @@ LINES = {
     "motion": _line("motion", DAMPED, _option("--x0", NUMBER), _option("--v0", NUMBER, needed=False),
                     _option("--mass", NUMBER, needed=False), _option("--stiffness", NUMBER, needed=False),
                     _option("--time", NUMBER), st.sampled_from([["--order", "1"], ["--order", "0"]]), DIGITS, JSON),
-    "envelope": _line("envelope", LAW, _option("--time", NUMBER), DIGITS, _flag("--latex", "--lelas"), JSON),
+    "envelope": _line("envelope", LAW, _option("--time", NUMBER), DIGITS, _flag("--latex", "--squaring"), JSON),
     "multiple-scales": _line("multiple-scales", st.tuples(NUMBER).map(lambda a: ["--alpha", *a]),
                              st.just(["--order", "1"]), _flag("--latex"), JSON),
     "smith": _line("smith", st.sampled_from([["f"], ["c"], ["g"], ["h"], []]), _option("--n", SMALL),

@@ -41,8 +41,9 @@ def test_the_envelope_of_sums_extinction_and_certified_digits_at_irrational_expo
     root = answer(capsys, "envelope --law 1:1/10 --law sqrt(3):1/10 --time 5 --digits 25")
     assert (root["family"], len(root["amplitude"].lstrip("0."))) == ("bernoulli", 25)
     assert answer(capsys, "envelope --law 0:1/10 --law sqrt(3):1/10 --time 5")["formula"] is None
-    lelas = answer(capsys, "envelope --alpha 0 --damping 0.14715 --mass 3/2 --stiffness 30 --x0 0.2 --lelas --digits 5")
-    assert (lelas["extinction"], lelas["phase"]) == ("12.894", None)
+    oscillator = "--alpha 0 --damping 0.14715 --mass 3/2 --stiffness 30 --x0 0.2"
+    squaring = answer(capsys, f"envelope {oscillator} --squaring --digits 5")
+    assert (squaring["extinction"], squaring["phase"]) == ("12.894", None)
 
 
 PAIRS = (
@@ -131,7 +132,7 @@ def test_the_series_of_the_envelope_solves_the_equations(capsys, alpha, kind):
 def test_the_series_has_no_units_and_needs_one_law(capsys):
     si = answer(capsys, "envelope --alpha 2 --damping 1/10 --mass 2 --order 4")["series"]
     assert si == answer(capsys, "envelope --alpha 2 --epsilon 1/10 --order 4")["series"]
-    for law in ("--alpha 1 --epsilon 1/10", "--law 1:1/10 --law 2:1/10", "--alpha 2 --epsilon 1/10 --lelas",
+    for law in ("--alpha 1 --epsilon 1/10", "--law 1:1/10 --law 2:1/10", "--alpha 2 --epsilon 1/10 --squaring",
                 "--alpha 2 --epsilon 1/10 --spring pendulum"):  # fmt: skip
         code, out, err = run(capsys, f"envelope {law} --order 3")
         assert (code, out, err.count("\n")) == (2, "", 1)

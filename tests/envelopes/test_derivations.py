@@ -19,7 +19,7 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent where the source states a fo
     ("lelas_friction", "slope = -mu * g / (sqrt(2) *", "slope = -mu * g / (2 *"),
     ("lelas_friction", "end = sqrt(2) * omega_0", "end = sqrt(3) * omega_0"),
     ("lelas_air", "slope = C * omega_0 * x_0 / (2 * sqrt(2) * m)", "slope = C * omega_0 * x_0 / (2 * m)"),
-    ("lelas_air", "trick = lelas_moment(alpha) * epsilon", "trick = lelas_moment(alpha + 1) * epsilon"),
+    ("lelas_air", "trick = squaring_moment(alpha) * epsilon", "trick = squaring_moment(alpha + 1) * epsilon"),
     ("two_laws_time", "index = (beta - 1) / gap", "index = beta / gap"),
     ("two_laws_time", "lam = x_0 / (c + d * x_0)", "lam = x_0 / (c - d * x_0)"),
     ("two_laws_time", "(0, 1): -log(c + d * x) / d", "(0, 1): -log(c + d * x) / c"),

@@ -226,7 +226,7 @@ def test_questions_out_of_range():
             bad()
     assert found.time(1) == "0"
     with pytest.raises(InputError, match="averaging"):
-        asy.envelope(found.oscillator, averaging="lelas")
+        asy.envelope(found.oscillator, averaging="squaring")
     assert isinstance(found, SpringEnvelope) and "2F1" in str(found._repr_latex_()).replace("{}_", "").replace("_", "")
 
 

@@ -5,9 +5,21 @@ import sympy
 from mpmath import mp
 from sympy import Integer, Rational, diff, gamma, limit, pi, simplify, sqrt
 
-from asymptotics.envelopes.symbolic import LELAS, alpha, amplitude_symbol, averaged_law, b, epsilon, k, m, t, tau, x_0
+from asymptotics.envelopes.symbolic import (
+    SQUARING,
+    alpha,
+    amplitude_symbol,
+    averaged_law,
+    b,
+    epsilon,
+    k,
+    m,
+    t,
+    tau,
+    x_0,
+)
 from asymptotics.errors import InputError
-from asymptotics.moments.symbolic import lelas_ratio
+from asymptotics.moments.symbolic import squaring_ratio
 from asymptotics.normal_form.symbolic import alpha as engine_alpha
 from asymptotics.normal_form.symbolic import omega_2
 
@@ -16,7 +28,7 @@ OMEGA_0 = sqrt(k / m)
 
 
 @pytest.mark.parametrize("exponent", [0, Rational(1, 2), 1, Rational(3, 2), 2, 3, sqrt(2), ABOVE, alpha])
-@pytest.mark.parametrize("averaging", ["mean", "lelas"])
+@pytest.mark.parametrize("averaging", ["mean", "squaring"])
 def test_the_averaged_law_is_solved(exponent, averaging):
     law = averaged_law(exponent, averaging)
     # on the domain B = 1 + (alpha-1) kappa tau > 0 use B itself as the time: then the powers combine
@@ -91,19 +103,19 @@ def test_total_lag():
 
 def test_extinction():
     assert averaged_law(0).extinction_time == pi / (2 * epsilon)
-    assert averaged_law(0, LELAS).extinction_time == sqrt(2) / epsilon
+    assert averaged_law(0, SQUARING).extinction_time == sqrt(2) / epsilon
     assert averaged_law(1).extinction_time is None
     assert averaged_law(2).extinction_time is None
     half = averaged_law(Rational(1, 2))
     assert half.amplitude.subs(tau, half.extinction_time) == 0
     # the ratio of the extinction times is the closed ratio of the dampings, whatever epsilon
     for exponent in (Integer(0), Rational(1, 2), Rational(9, 10)):
-        mean, lelas = (averaged_law(exponent, a).extinction_time for a in ("mean", "lelas"))
-        assert simplify(mean / lelas - lelas_ratio(exponent)) == 0
+        mean, lelas = (averaged_law(exponent, a).extinction_time for a in ("mean", "squaring"))
+        assert simplify(mean / lelas - squaring_ratio(exponent)) == 0
 
 
 def test_lelas_32_45_and_viscous():
-    f0, f1, f2 = (averaged_law(n, LELAS) for n in (0, 1, 2))
+    f0, f1, f2 = (averaged_law(n, SQUARING) for n in (0, 1, 2))
     mu, g, C = sympy.symbols("mu g C", positive=True)
     friction = f0.to_physical(f0.amplitude).subs(b, mu * m * g)
     assert simplify(friction - (1 - mu * g * t / (sqrt(2) * OMEGA_0 * x_0))) == 0

@@ -48,13 +48,13 @@ def test_ball_moment_says_nothing_of_what_it_cannot_decide():
 )
 def test_lelas_replacement_lies_on_the_stated_side(alpha, verdict):
     number = parse_real(alpha, "alpha")
-    ratio = certified.lelas_ratio(number.ball())
+    ratio = certified.squaring_ratio(number.ball())
     sign = {"overestimates": ratio > 1, "exact": ratio.overlaps(arb(1)), "underestimates": ratio < 1}
-    assert symbolic.lelas_verdict(number) == verdict and sign[verdict]
+    assert symbolic.squaring_verdict(number) == verdict and sign[verdict]
 
 
 def test_lelas_ratio_closed_form_at_coulomb_and_quadratic():
     # alpha = 0: 2^(-1/2) pi/2; alpha = 2: 2^(-3/2) 3 pi/4
-    assert symbolic.lelas_ratio(sympy.Integer(0)) == sympy.sqrt(2) * sympy.pi / 4
-    assert symbolic.lelas_ratio(sympy.Integer(2)) == 3 * sympy.sqrt(2) * sympy.pi / 16
-    assert certified.lelas_ratio(arb(fmpq(1, 2))) > 1
+    assert symbolic.squaring_ratio(sympy.Integer(0)) == sympy.sqrt(2) * sympy.pi / 4
+    assert symbolic.squaring_ratio(sympy.Integer(2)) == 3 * sympy.sqrt(2) * sympy.pi / 16
+    assert certified.squaring_ratio(arb(fmpq(1, 2))) > 1
