@@ -87,6 +87,8 @@ def test_every_printed_form_is_the_sum_of_its_series(i: int):
     assert read["angle_expression"].free_symbols == {THETA} and read["expression"].free_symbols == {Z}
     if i > 1:  # over one power of the sine; expanded only where no sine is left to divide by
         assert sympy.fraction(g.in_angle())[1] == sympy.sin(THETA) ** i
+    else:
+        assert g.in_angle() == (THETA, sympy.expand(sympy.Rational(2, 3) * (1 - sympy.cos(THETA) ** 2)))[i]
     scaled = g.scaled_at(arb(fmpq(3, 10)))
     assert scaled.rad() < 1e-14 and scaled.overlaps(arb(str((total * sympy.sin(theta) ** i).evalf(30)) + " +/- 1e-25"))
 
