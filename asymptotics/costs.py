@@ -25,6 +25,11 @@ def exact_expansion_seconds(order: int, variables: int, degree: float, *, smooth
     return (1e-6 if turning_point else 2e-5) * work * degree
 
 
+def series_seconds(products: int, terms: int, bits: int) -> float:
+    """Certified coefficients of the quarter-swing: products of power series of ``terms`` coefficients."""
+    return 5e-7 * products * terms * (1 + bits // 64)
+
+
 def hierarchy_seconds(monomials: int, powers: int, length: int) -> float:
     """(powers) x (pairs of monomials) x (length of the polynomials)."""
     return 3e-7 * powers * monomials**2 * length

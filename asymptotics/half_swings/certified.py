@@ -36,7 +36,8 @@ from math import comb, log2
 from flint import arb, ctx
 
 from asymptotics.budget import require_seconds
-from asymptotics.errors import InputError, LimitError
+from asymptotics.costs import require_affordable, series_seconds
+from asymptotics.errors import InputError
 from asymptotics.half_swings.certified_moments import Orders, duration_orders, moment_bounds, moment_orders
 from asymptotics.half_swings.certified_orders import (
     bound_ring,
@@ -53,9 +54,7 @@ from asymptotics.series import Series
 
 BOUND_BITS = 64
 RADIUS = 4
-WORK_PER_SECOND = 2_000_000
-"""(products of series) · (terms) · (bits / 64) done in a second by an ordinary core, within a factor of about three."""
-MAX_WORK = 600 * WORK_PER_SECOND
+MAX_SECONDS = 600.0
 
 
 def quarter_swing(
@@ -65,25 +64,25 @@ def quarter_swing(
     moments: bool = False,
     terms: int | None = None,
     radius: int = RADIUS,
-    max_work: int = MAX_WORK,
+    max_seconds: float = MAX_SECONDS,
 ) -> QuarterSwing:
     """R, T_q and, if asked for, the moments K_k (k = 0 … order, through order − k) at the current precision.
 
     ``given``: forces, terms, or the exponents of plain losses, all >= 0; the coefficient of delta_1^{n_1} delta_2^{n_2}
     … has the key (n_1, n_2, …).  ``terms`` (coefficients kept) and ``radius`` (varrho = 2, 3 or 4) change the width of
     the balls only.  InputError for no force, a negative exponent, or order < 1; LimitError if the work would exceed
-    ``max_work``.
+    ``max_seconds``.
     """
     forces = Forces.read(given, order)
     _check(order, radius)
     products = _products(forces, order, moments)
-    _check_work(products, terms or ctx.prec // 2, ctx.prec, max_work)  # the bounds themselves cost scalar products
+    _check_work(products, terms or ctx.prec // 2, ctx.prec, max_seconds)  # the bounds themselves cost scalar products
     with ctx.workprec(BOUND_BITS):
         bounds = tail_constants(forces, order, radius, moments)
         size = tail_constants(forces, order, 1, moments)
     kept = terms or terms_needed(bounds, radius, ctx.prec)
     bits = ctx.prec + _guard_bits(size)
-    _check_work(products, kept, bits, max_work)
+    _check_work(products, kept, bits, max_seconds)
     with ctx.workprec(bits):
         sums = truncated_sums(forces, order, kept, moments)
         enclosed = [enclose(s, b, radius, kept) for s, b in zip(sums, bounds, strict=True)]
@@ -155,12 +154,9 @@ def _products(forces: Forces, order: int, moments: bool) -> int:
     return products + (4 * comb(order + 2 * k + 1, 2 * k + 1) if moments else 0)
 
 
-def _check_work(products: int, terms: int, bits: int, max_work: int) -> None:
+def _check_work(products: int, terms: int, bits: int, max_seconds: float) -> None:
     """Refuse what is too large before it starts, at all or for the time that is left."""
-    work = products * terms * (1 + bits // 64)
-    seconds, limit = (w // WORK_PER_SECOND for w in (work, max_work))
+    seconds = series_seconds(products, terms, bits)
     told = f"{products} products of series of {terms} terms at {bits} bits"
-    if work > max_work:
-        accepted = f"work of at most {limit} s: a lower order, fewer digits, or a higher limit"
-        raise LimitError("order", f"{told} would take about {seconds} s", accepted)
+    require_affordable(seconds, max_seconds, "order", told, ": a lower order, fewer digits, or a higher limit")
     require_seconds(seconds, told)

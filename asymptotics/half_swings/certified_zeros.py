@@ -54,7 +54,7 @@ from itertools import combinations
 from flint import arb
 
 from asymptotics.errors import InputError
-from asymptotics.half_swings.certified import MAX_WORK, quarter_swing
+from asymptotics.half_swings.certified import MAX_SECONDS, quarter_swing
 from asymptotics.half_swings.forces import Forces, Given
 from asymptotics.half_swings.quarter import HalfSwing, half_swing
 from asymptotics.numbers.bridge import to_fmpq
@@ -62,7 +62,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series
 
 
-def certified_half_swing(given: Given, order: int, *, max_work: int = MAX_WORK) -> HalfSwing:
+def certified_half_swing(given: Given, order: int, *, max_seconds: float = MAX_SECONDS) -> HalfSwing:
     """L, F, T through ``order`` at the current precision; the forces are all different.
 
     A coefficient that vanishes by the module docstring is absent (reads as 0).  InputError as in `quarter_swing`.
@@ -73,9 +73,9 @@ def certified_half_swing(given: Given, order: int, *, max_work: int = MAX_WORK) 
     alphas = [m.velocity for m in forces.members]
     dry = [i for i, a in enumerate(alphas) if is_value(a, 0)] if forces.is_pure else []
     if dry:
-        L, T = _with_dry_friction(alphas, dry[0], order, max_work)
+        L, T = _with_dry_friction(alphas, dry[0], order, max_seconds)
     else:
-        half = half_swing(quarter_swing(forces, order, max_work=max_work))
+        half = half_swing(quarter_swing(forces, order, max_seconds=max_seconds))
         L, T = half.L, half.T
     L = without(L, lambda n: log_ratio_vanishes(forces, n))
     T = without(T, lambda n: duration_vanishes(forces, n))
@@ -171,14 +171,14 @@ def _weight(forces: Forces, n: Key) -> Fraction | None:
     return sum((k * w.rational for w, k in zip(forces.weights, n, strict=True) if k), Fraction(0))
 
 
-def _with_dry_friction(alphas: Sequence[ExactReal], dry: int, order: int, max_work: int) -> tuple[Series, Series]:
+def _with_dry_friction(alphas: Sequence[ExactReal], dry: int, order: int, max_seconds: float) -> tuple[Series, Series]:
     """L and T by the shifted centre, from the half-swing of the other laws."""
     others = [a for i, a in enumerate(alphas) if i != dry]
     one = Series.constant(arb(1), len(alphas), order)
     delta = Series.variable(dry, len(alphas), order, arb(1))
     if not others:
         return (one - delta * 2).log(), one * arb.pi()
-    rest = certified_half_swing(others, order, max_work=max_work)
+    rest = certified_half_swing(others, order, max_seconds=max_seconds)
     L, T = (_shifted(f, others, dry) for f in (rest.L, rest.T))
     return ((one - delta) * L.exp() - delta).log(), T
 

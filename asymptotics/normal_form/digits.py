@@ -23,7 +23,7 @@ from flint import arb, ctx
 
 from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.certified import MAX_WORK
+from asymptotics.half_swings.certified import MAX_SECONDS
 from asymptotics.half_swings.certified_zeros import (
     certified_half_swing,
     dry_friction_cancels,
@@ -48,7 +48,7 @@ def certified_digits(
     order: int,
     digits: int,
     *,
-    max_work: int = MAX_WORK,
+    max_seconds: float = MAX_SECONDS,
     names: Sequence[str] | None = None,
     known: Mapping[str, Mapping[Key, str]] | None = None,
 ) -> Digits:
@@ -60,16 +60,16 @@ def certified_digits(
     forces = Forces.read(given, order)
 
     def evaluate() -> dict[str, Series]:
-        series = expansions(forces, order, max_work)
+        series = expansions(forces, order, max_seconds)
         return {name: series[name] for name in names or series}
 
     return round_all(evaluate, digits, 4 * order + 32, known or {}, forces)
 
 
-def expansions(given: Given, order: int, max_work: int = MAX_WORK) -> dict[str, Series]:
+def expansions(given: Given, order: int, max_seconds: float = MAX_SECONDS) -> dict[str, Series]:
     """The same as balls at the current precision, zeros by theorem absent."""
     forces = Forces.read(given, order)
-    half = certified_half_swing(forces, order, max_work=max_work)
+    half = certified_half_swing(forces, order, max_seconds=max_seconds)
     U, W = _flow(half, forces)
     inverse, l = W.inverse(), forces.loss_degree  # noqa: E741 (the letter of ``grading``)
     per_law = {f"F_{i}": f for i, f in enumerate(half.F)}

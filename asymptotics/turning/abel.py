@@ -29,6 +29,7 @@ mean value theorem.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from math import inf
 
 from flint import arb, ctx
 
@@ -138,7 +139,7 @@ def abel_function(alpha: ExactReal, terms: int) -> AbelFunction:
 def _abel_function(alpha: ExactReal, terms: int, bits: int) -> AbelFunction:
     with ctx.workprec(bits):
         order = 2 * terms + FOLLOWING
-        half = half_swing(quarter_swing([alpha], order, max_work=2**62))
+        half = half_swing(quarter_swing([alpha], order, max_seconds=inf))
         F = [half.F[0][k] for k in range(1, order + 1)]
         T = [half.T[k] for k in range(order)]
         return from_series(alpha, F, T, terms)

@@ -28,6 +28,7 @@ terms of each, Psi = int f dx and Theta = int h dx grow on a half-swing by 1 + d
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from math import inf
 from typing import Any
 
 from flint import acb, arb, ctx
@@ -233,7 +234,7 @@ def abel_flow(alphas: Sequence[ExactReal], epsilons: Sequence[arb], terms: int) 
 @lru_cache(maxsize=16)
 def _parts(alphas: tuple[ExactReal, ...], order: int, bits: int) -> tuple[tuple[Part, ...], tuple[Part, ...]]:
     with ctx.workprec(bits):
-        flow, pi = flow_of(certified_half_swing(list(alphas), order, max_work=2**62)), arb.pi()
+        flow, pi = flow_of(certified_half_swing(list(alphas), order, max_seconds=inf)), arb.pi()
         rates = tuple(tuple((k, pi * c) for k, c in flow.U.parts[m]) for m in range(1, order + 1, 2))
         clock = tuple(tuple((k, pi * c) for k, c in flow.W.parts[m]) for m in range(0, order, 2))
     return rates, clock
