@@ -26,10 +26,14 @@ from asymptotics.identification.reading import Table, require_increasing
 from asymptotics.identification.rows import Rows
 
 _RECORD = Rows("the record")
-_WINDOW = 0.11
-"""Half-width of a local fit, in periods: 0.7 rad, where a polynomial of degree 6 follows a cosine to 1e-7."""
+_WINDOW, _WIDEST, _SAMPLES = 0.11, 0.26, 4.6
+"""Half-width of a local fit, in periods: 0.7 rad, where a polynomial of degree 6 follows a cosine to 1e-7.  Where the
+samples are few it is nine of them, which the fit needs, up to a quarter of a period, where it follows to 1e-5."""
 _DEGREE = 6
-_LEAST_SAMPLES = 12
+_EXACT, _COARSE = 5e-5, 2e-4
+"""What the narrowest and the widest local fit leave without noise, as shares of the amplitude and of 1/omega: measured
+with losses of exponents 0 to 3."""
+_LEAST_SAMPLES = 22
 """Samples a period below which extremes cannot be fitted."""
 _FEW = 1.0
 """Extremes a period (there are two) below which a line is taken off before the passages are sought."""
@@ -78,7 +82,14 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: Rows = _
         notes.append(f"base line {base[0]:.4g} removed")
     chosen, discarded = _free_decay(found)
     notes += discarded + shape_notes(t, x, found.x[chosen], found.sigma_x[chosen], period)
-    return _assembled(found, chosen, unit, name, [*notes, f"sample noise {found.noise:.3g}"])
+    seen = _assembled(found, chosen, unit, name, [*notes, f"sample noise {found.noise:.3g}"])
+    return replace(seen, floor=float(np.interp(_half_width(t, period) / period, (_WINDOW, _WIDEST), (_EXACT, _COARSE))))
+
+
+def _half_width(t: Array, period: float) -> float:
+    """Of the local fits: the same share of the period for all records, but as many samples as the fit needs."""
+    step = float(np.median(np.diff(t)))
+    return min(max(_WINDOW * period, _SAMPLES * step), _WIDEST * period)
 
 
 def dominant_period(t: Array, x: Array) -> float:
@@ -96,6 +107,7 @@ def dominant_period(t: Array, x: Array) -> float:
 def _points(t: Array, x: Array, period: float) -> _Points:
     """Extremes, one in each lobe of the smoothed record, and the passages between them."""
     step = float(np.median(np.diff(t)))
+    half = _half_width(t, period)
     width = max(1, int(0.05 * period / step)) | 1
     smooth = _moving_mean(x, width)
     crossing = np.flatnonzero(np.signbit(smooth[1:]) != np.signbit(smooth[:-1])) + 1
@@ -107,8 +119,7 @@ def _points(t: Array, x: Array, period: float) -> _Points:
     ]
     if len(crossing) and len(peaks) and t[crossing[0]] - t[0] > 0.05 * period and t[crossing[0]] - t[0] < 0.8 * period:
         first = int(np.argmax(np.abs(smooth[: crossing[0]])))
-        peaks = [first, *peaks] if first > 0 and t[first] - t[0] > _WINDOW * period else peaks
-    half = _WINDOW * period
+        peaks = [first, *peaks] if first > 0 and t[first] - t[0] > half else peaks
     extremes = [_local(t, x, t[p], half, extreme=True) for p in peaks]
     passages = [_local(t, x, t[c], half, extreme=False) for c in crossing]
     good = [e for e in extremes if e is not None]

@@ -26,7 +26,7 @@ KINDS = ("x", "t", "passage")
 _ROUNDS, _STEPS = 5, 40
 _MODEL_SHARE = 3e-3
 """The last degree of a summed series, as a share of the noise: what is neglected is smaller still."""
-_WILD, _EXTRACTED = 300.0, 5e-5
+_WILD = 300.0
 _FLOOR = 1e-9
 """Residuals below this share of the first amplitude (or of 1/omega_0) are the arithmetic's, not the data's."""
 
@@ -124,9 +124,7 @@ class Model:
 
     def floor(self, kind: str, theta: Array) -> float:
         """The smallest noise that is believed: of a sampled record, what the local polynomials of extraction leave."""
-        return (_EXTRACTED if len(self.seen.sigma_x) else _FLOOR) * (
-            self.seen.reference if kind == "x" else float(np.exp(-theta[-2]))
-        )
+        return max(self.seen.floor, _FLOOR) * (self.seen.reference if kind == "x" else float(np.exp(-theta[-2])))
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,8 @@ class Observations:
     ``x``: signed positions, in the unit of the file; ``t``: turning times (empty: none); ``passage_n``,
     ``passage_t``: times at which x crosses 0 after turning point n (empty: none); ``sigma_x``, ``sigma_t``,
     ``sigma_passage``: standard errors known from elsewhere (empty: unknown); ``notes``: what was found and discarded
-    on the way here.
+    on the way here; ``floor``: the error, as a share of the first amplitude and of 1/omega_0, that is there without
+    noise too.
     """
 
     n: Indices
@@ -38,6 +39,7 @@ class Observations:
     unit: str = ""
     name: str = ""
     notes: tuple[str, ...] = ()
+    floor: float = 0.0
 
     @classmethod
     def of(
@@ -54,6 +56,7 @@ class Observations:
         unit: str = "",
         name: str = "",
         notes: Sequence[str] = (),
+        floor: float = 0.0,
     ) -> "Observations":
         """From any sequences; unsigned amplitudes are given alternating signs."""
         number = np.asarray(n, dtype=np.intp)
@@ -68,7 +71,7 @@ class Observations:
         first = int(number[0])
         return cls(
             number - first, position, time, np.asarray(passage_n, dtype=np.intp) - first, crossing, s_x, s_t, s_p,
-            unit, name, text,
+            unit, name, text, floor,
         )  # fmt: skip
 
     @property
@@ -116,6 +119,7 @@ class Observations:
             sigma_x=self.sigma_x[chosen] if len(self.sigma_x) else (),
             sigma_t=self.sigma_t[chosen] if len(self.sigma_t) else (),
             sigma_passage=self.sigma_passage[passages] if len(self.sigma_passage) else (),
+            floor=self.floor,
             unit=self.unit,
             name=self.name,
             notes=(*self.notes, f"{len(chosen)} turning points with amplitudes from {low:.4g} to {high:.4g}"),

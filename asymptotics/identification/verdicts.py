@@ -1,7 +1,7 @@
 """The verdict in words: which law, or which laws, or none, or too little to tell; and what would tell."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -34,6 +34,11 @@ class Verdict:
 
 def verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool = False) -> Verdict:
     """The verdict for one run; without observations (printed decrements) nothing is said of further turning points."""
+    found = _verdict_of(laws, seen, growing)
+    return replace(found, text=f"the amplitude grows, this is no decay; {found.text}") if growing else found
+
+
+def _verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool) -> Verdict:
     fitted = [law for law in laws if law.usable]
     if not fitted:
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data determine no candidate law")

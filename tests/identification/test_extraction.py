@@ -5,6 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import asymptotics as asy
+from asymptotics.errors import InputError
 from asymptotics.identification.examples import roll_decay
 from asymptotics.identification.extraction import observations_of_record
 from asymptotics.identification.sources import load
@@ -111,6 +112,28 @@ def two_losses():
     force = lambda t, y: [y[1], -y[0] - 0.02 * y[1] - 0.05 * y[1] * abs(y[1])]  # noqa: E731
     t = np.arange(0, 100, 0.05)
     return t, solve_ivp(force, (0, 100), [1.0, 0.0], t_eval=t, rtol=1e-9, atol=1e-11, max_step=0.1).y[0]
+
+
+@pytest.mark.parametrize("samples", [23, 35])
+def test_few_samples_a_period_are_enough_and_too_few_are_named(samples):
+    t = np.arange(0, 120, 2 * np.pi / SPEED / samples)
+    x = motion(t) + 1e-3 * np.random.default_rng(samples).standard_normal(len(t))
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "1,2"])
+    assert answer.verdict.text.startswith("identified: 1,")
+    assert answer.law("1").law.epsilon[0].contains(EPSILON)
+    assert len(answer.runs[0].n) > 90
+    with pytest.raises(InputError, match=r"samples a period \(accepted: at least 22"):
+        asy.identify({"t": t[::3], "x": x[::3]})
+
+
+def test_a_hand_that_holds_before_the_release_is_no_clipped_peak():
+    t = np.arange(0, 80, 0.02)
+    held = np.concatenate([np.ones(200), motion(t)])
+    for noise, step in ((0.0, 1), (1e-4, 1), (0.0, 5)):
+        x = held + noise * np.random.default_rng(2).standard_normal(len(held))
+        answer = asy.identify({"t": np.arange(len(held))[::step] * 0.02, "x": x[::step]}, laws=["1", "2"])
+        assert answer.verdict.text.startswith("identified: 1,")
+        assert answer.law("1").law.epsilon[0].contains(EPSILON)
 
 
 def test_a_decay_does_not_pass_for_an_offset(two_losses):
