@@ -134,7 +134,7 @@ def _table(alphas: tuple[float, ...], kappas: tuple[float, ...]) -> tuple[Array,
     bare = NumericEnvelope(alphas, kappas, edges, edges)
     with np.errstate(over="ignore", divide="ignore", under="ignore"):
         sums = np.concatenate([[0.0], np.cumsum(bare._piece(edges[:-1], edges[1:]))])
-        times: Array = np.asarray(sums, dtype=np.float64)
-    grows = np.isfinite(times) & np.concatenate([[True], np.diff(times) > 0])
-    last = len(edges) if grows.all() else int(np.argmin(grows))
+        times: Array = np.asarray(sums[np.isfinite(sums)], dtype=np.float64)
+    stuck = np.flatnonzero(np.diff(times) <= 0)
+    last = int(stuck[0]) + 1 if len(stuck) else len(times)
     return edges[:last], times[:last]

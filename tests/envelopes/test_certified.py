@@ -54,7 +54,7 @@ def test_time_against_quadrature_and_back(text):
             assert not certified.amplitude(laws_of(text), t * (1 + arb("1e-12"))).contains(a)
 
 
-@pytest.mark.parametrize("text", ["0", "1/2", "0 1", "0 2", "0 1/2", "1/2 sqrt(2)", "0 1 2", "1/3 2/3 3"])
+@pytest.mark.parametrize("text", ["0", "1/2", "0 1", "0 2", "0 1/2", "1/2 sqrt(2)", "0 1 2", "1/3 2/3 3", "2/3 3 4"])
 def test_extinction(text):
     with mp.workdps(30), ctx.workprec(120):
         laws, pairs = laws_of(text), mp_laws(text)

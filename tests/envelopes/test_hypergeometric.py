@@ -143,7 +143,7 @@ def test_extinction():
     assert extinction_time((S(1), S(1)), (S(2), S(1))) is None
 
 
-LATE = [((1, 2), 300), ((1, 3), 300), ((2, 3), 10**9), ((2, 5), 10**9), ((0, 2), None)]
+LATE = [((1, 2), 300), ((1, 3), 300), ((2, 3), 10**9), ((2, 5), 10**9), ((0, 2), None), (("1/2", 2), None)]
 
 
 @pytest.mark.parametrize(("pair", "late"), LATE)
@@ -156,7 +156,7 @@ def test_long_time_limits(pair, late):
     scale = 1 if pair[0] == 1 else t if late else end.evalf(40) - t
     assert abs(reached - t) < 1e-3 * scale
     wrong = elementary_time(low, high, claimed * Rational(101, 100)).evalf(40)
-    assert abs(wrong - t) > 5e-3 * scale  # near miss: one per cent
+    assert abs(wrong - t) > 4e-3 * scale  # near miss: one per cent
 
 
 def test_lancaster_22():

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 import asymptotics as asy
 from asymptotics.api.large import SpringEnvelope
 from asymptotics.cli.main import main
-from asymptotics.envelopes.large import SlowFlow
+from asymptotics.envelopes.large import SlowFlow, _Rate, _Turn
 from asymptotics.errors import InputError
 from asymptotics.half_swings.forces import Forces
 from asymptotics.moments.symbolic import mean
@@ -181,6 +181,14 @@ def test_enclosures_contain_finer_ones_and_are_narrow():
     for strength in ("0.1000009", "0.0999991"):
         edge = SlowFlow(Well.pendulum(arb(1)), (Loss(arb(strength), arb(2)),), arb(2)).amplitude(arb(20))
         assert wide.contains(edge) and not wide.mid().overlaps(edge)
+
+
+def test_the_rates_in_balls_are_those_of_the_table():
+    flow = SlowFlow(Well.duffing(arb(2)), (Loss(arb("0.1"), arb("1.5")), Loss(arb("0.2"), arb(1), 2)), arb("1.5"))
+    for rate in (_Rate(flow), _Turn(flow)):
+        for s in (-0.5, 0.0, 2.0):
+            assert float(rate(arb(s))) == pytest.approx(rate.array(np.array([s]))[0], rel=1e-11)
+    assert _Turn(flow)(arb(60)).contains(0) and _Turn(flow)(arb(0)) > 0.1  # hardening: faster than the linear spring
 
 
 def test_the_extinction_of_the_averaged_amplitude():

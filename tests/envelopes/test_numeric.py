@@ -45,6 +45,14 @@ def test_against_balls(laws):
         assert envelope.amplitude(envelope.extinction_time * 0.99) > 0
 
 
+@pytest.mark.parametrize("laws", [[(0.5, 0.1), (2, 0.2)], [(3, 1.0), (5, 1.0)]], ids=str)
+def test_a_table_ends_where_doubles_do(laws):
+    """At an extinction the times fall together, for strong laws they overflow: neither is in the table."""
+    made = NumericEnvelope.of(laws)
+    assert np.all(np.isfinite(made.times)) and np.all(np.diff(made.times) > 0)
+    assert 20 < len(made.times) == len(made.edges) < 2800 * max(a for a, _ in laws)
+
+
 def test_arrays_keep_nan_and_shape():
     envelope = NumericEnvelope.of([(0.0, 0.1), (2.0, 0.1)])
     A = envelope.amplitude(np.array([[0.0, np.nan], [1.0, 1e6]]))
