@@ -15,12 +15,14 @@ chi is enclosed between two numbers at which ``elapsed`` is certainly below and 
 
 from flint import arb, ctx
 
+from asymptotics.budget import tick
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import certified_point, time_of
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.policy import Number
+from asymptotics.swing.damping import upper
 from asymptotics.turning.quadratic_duration import duration, elapsed, node_count
 from asymptotics.turning.quadratic_map import next_amplitude
 
@@ -62,6 +64,7 @@ def _state(oscillator: Oscillator, t: arb) -> tuple[arb, arb]:
     gamma, omega = oscillator.law.terms[0].b.ball() / oscillator.mass.ball(), oscillator.omega_0()
     side, p, left = (-1 if oscillator.x0 < 0 else 1), 2 * gamma * abs(oscillator.x0.ball()), t * omega
     while True:
+        tick("the half-swings")
         q = next_amplitude(p)
         T = duration(p, q)
         if left < T:
@@ -77,8 +80,9 @@ def _state(oscillator: Oscillator, t: arb) -> tuple[arb, arb]:
 def _angle(p: arb, q: arb, time: arb) -> arb:
     """The chi with elapsed(p, q, chi) = time, enclosed: Newton's method, bisection when it leaves its bracket."""
     low, high = arb(0), arb.pi().mid()
-    middle, tolerance = (high / 2).mid(), arb(2) ** (-ctx.prec + 24)
+    middle, tolerance = (high / 2).mid(), upper(arb(2) ** (-ctx.prec + 24) + 16 * time.rad())  # the slope is about 1
     for _ in range(200):
+        tick("the place on the half-swing")
         miss = (elapsed(p, q, middle) - time).mid()
         if abs(miss) <= tolerance / 8:
             break
