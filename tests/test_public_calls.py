@@ -79,19 +79,22 @@ def public_results():
         asy.motion(OSC, order=2), asy.motion(OSC, order=2).at(7), asy.reference(OSC), points, points.points[0],
         asy.limit_cycle({1: -1, (1, 2): 1}, order=2), asy.half_swing(2, order=2), asy.half_swing(2, delta="1/10"),
         asy.G(2), asy.table("smith2012.table1", digits=9), asy.paper("smith2012:43"), asy.ExactReal(1, 2),
+        asy.envelope({"1/2": "1/10"}).series(3), asy.envelope({2: "1/10"}).slow(),
+        asy.turning_points({2: 1}, 2, digits=9),
     ]  # fmt: skip
 
 
 METHODS = {
     "__call__": {"A": 0.5, "epsilon": "1/10"}, "amplitude": {"t": 1}, "amplitudes": {"t": [1.0]}, "at": {"t": 1},
     "bound": {"t": 1}, "commutator": {"i": 0, "j": 1}, "compare": {"other": asy.expand("3/2"), "epsilon": "1/10"},
-    "events": {"until": 2}, "from_terms": {"terms": OSC.law.terms}, "get": {"key": 1},
+    "delta": {"tau": 1, "delta_0": "1/10"}, "events": {"until": 2}, "extinction_time": {"delta_0": "1/10"},
+    "from_terms": {"terms": OSC.law.terms}, "get": {"key": 1},
     "lambdify": {"modules": "numpy", "epsilon": "1/10"}, "observables": {"A": 1, "epsilon": "1/10"},
-    "phase": {"t": 1}, "phases": {"t": [1.0]},
+    "phase": {"t": 1, "delta": "1/20", "delta_0": "1/10"}, "phases": {"t": [1.0]},
     "plus": {"other": OSC.law.terms[0]}, "read": {"value": {2: 1}}, "require_pure": {"purpose": "x"},
     "require_dissipative": {"purpose": "x"}, "rhs": {"t": 0.0, "y": [1.0, 0.0]}, "sample": {"t": [0.0, 1.0]},
     "series": {"order": 3}, "slow": {"eta": "1/50"}, "slow_derivative": {"n": 1, "f": sympy.Symbol("a")},
-    "sol": {"t": 1.0}, "time": {"amplitude": "1/10"}, "with_law": {"law": {2: 1}},
+    "sol": {"t": 1.0}, "time": {"amplitude": "1/10", "delta": "1/20", "delta_0": "1/10"}, "with_law": {"law": {2: 1}},
 }  # fmt: skip
 WORDS = {"purpose", "notes"}  # texts of our own, for messages
 BALLS = {"delta", "deltas", "to_si", "scaled_at"}

@@ -39,7 +39,7 @@ from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.value import Coefficient
 from asymptotics.series import Series, divided
 
-MAX_ORDER, MAX_NUMBER = 40, 10**100
+MAX_ORDER, MAX_NUMBER = 40, Fraction(10) ** 100
 _Found = tuple[list[dict[int, Coefficient]], LaurentEnvelope]
 _TEXTS = {"G": "G(delta)", "H": "H(delta)", "reversal": "delta(sigma)"}
 
@@ -80,8 +80,9 @@ class EnvelopeSeries:
     def _number(self, name: str, **given: Any) -> float:
         numbers = {key: exact_number(value, key) for key, value in given.items()}
         for key, number in numbers.items():
-            if not (number > 0 or (key == "tau" and number.is_zero)) or number > MAX_NUMBER:
-                raise InputError(key, f"{given[key]!r:.60} is out of range", "a number > 0, at most 1e100")
+            in_range = 1 / MAX_NUMBER <= number <= MAX_NUMBER or (key == "tau" and 0 <= number <= MAX_NUMBER)
+            if not in_range:
+                raise InputError(key, f"{number} is out of range", "a number from 1e-100 to 1e100")
         found = getattr(self.formulas.numeric(), name)(*(float(n.ball()) for n in numbers.values()))
         if not isfinite(found):
             raise InputError("delta_0", "the truncated series give no number there", "smaller local strengths")

@@ -47,6 +47,8 @@ class SlowPart:
 
     def told(self, unit: str = "") -> str:
         """One line, with the unit of the quantity after its numbers."""
+        if not isinstance(unit, str):
+            raise InputError("unit", f"{shown(unit)} is no text", "the name of a unit, or nothing")
         head = f"slow (|dA/dt| <= {self.eta} omega_0 A)"
         if self.start is None or self.end is None:
             return f"{head} never; heuristic, doubles"

@@ -131,7 +131,7 @@ class SlowLaw:
             knots = np.array([0.0, max(tau_max, 1.0)])
             rate = knots * 0 + float(self.Omega.array(np.array(start)))
             return SlowTable(knots, knots * 0 + start, rate * knots, knots * 0, rate, inf)
-        stop, extinction = self._reach(start, tau_max)
+        stop, extinction = self._reach(start, max(tau_max, 1e-300))  # at least one step: no panel without a width
         s = np.linspace(start, stop, _KNOTS + 1)
         tau = np.concatenate([[0.0], np.cumsum(self._panels(s, lambda _: 1.0))])
         phi = np.concatenate([[0.0], np.cumsum(self._panels(s, self.Omega.array))])
