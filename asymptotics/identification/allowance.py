@@ -39,6 +39,14 @@ class Allowance:
         return {"term": self.term, **{k: None if v is None else f"{v:.4g}" for k, v in numbers.items()}}
 
 
+def told(allowed: Sequence[Allowance], how: str = "95 %") -> str:
+    """The end of a verdict in words; ``how``: what the ends of the intervals are."""
+    if not allowed:
+        return ""
+    shares = "; in brackets the share of the loss at the first amplitude" if any(a.share for a in allowed) else ""
+    return f"; not excluded beside it ({how}{shares}): {', '.join(map(str, allowed))}"
+
+
 def allowances(chosen: LawFit, laws: Sequence[LawFit], first: float | None) -> tuple[Allowance, ...]:
     """One for each term that stands alone beside ``chosen`` in a consistent law; ``first``: the first amplitude."""
     found = []

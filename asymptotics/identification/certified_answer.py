@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from asymptotics.identification.allowance import allowances, told
 from asymptotics.identification.candidates import Candidate
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.comparison import LawFit
@@ -33,7 +34,9 @@ def certified(table: Decrements, candidates: Sequence[Candidate], units: Units) 
         text = f"{SEVERAL} or undecided: {names} meets every printed value (proved); undecided: {'; '.join(rivals)}"
         verdict = Verdict(SEVERAL, text, "fewer candidates, smaller amplitudes, or one more printed digit")
     elif len(chosen) == 1:
-        verdict = Verdict(IDENTIFIED, f"{IDENTIFIED}: {names} meets every printed value (proved)")
+        allowed = allowances(chosen[0], laws, table.reference)
+        text = f"{IDENTIFIED}: {names} meets every printed value (proved){told(allowed, 'proved')}"
+        verdict = Verdict(IDENTIFIED, text, "", allowed)
     elif chosen:
         kind = SEVERAL if len(chosen) <= MANY else UNTOLD
         verdict = Verdict(kind, f"{kind}: {names} meet every printed value", "one more printed digit, or more rows")

@@ -79,8 +79,11 @@ def read_table(source: Any, kind: str | None, unit: str) -> Table:
 
 
 def _frame(source: Any) -> tuple[Any, Rows]:
-    import pandas  # noqa: PLC0415 (an extra: only identification reads tables)
-
+    try:
+        import pandas  # noqa: PLC0415 (an extra: only identification reads tables)
+    except ImportError as error:
+        accepted = "an installation with the extra identify: pip install 'power-law-oscillator[identify]'"
+        raise InputError("data", "tables are read by pandas, which is not installed", accepted) from error
     if isinstance(source, pandas.DataFrame):
         return source.copy(deep=False), Rows("the data")
     if isinstance(source, Mapping):

@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.special import chdtrc, stdtrit
 
-from asymptotics.identification.allowance import allowances
+from asymptotics.identification.allowance import allowances, told
 from asymptotics.identification.comparison import LawFit
 from asymptotics.identification.contradiction import REFUTED, Contradiction
 from asymptotics.identification.judgement import against, commented, is_negative, minimal
@@ -100,8 +100,7 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[LawFit]) -> Verdict:
         return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
     if len(chosen) == 1:
         allowed = allowances(chosen[0], laws, None)
-        said = f"; not excluded beside it (95 %): {', '.join(map(str, allowed))}" if allowed else ""
-        text = f"{IDENTIFIED} in {len(runs)} runs: {names}, among the laws tried{said}"
+        text = f"{IDENTIFIED} in {len(runs)} runs: {names}, among the laws tried{told(allowed)}"
         return Verdict(IDENTIFIED, text, "", allowed)
     if not chosen or len(chosen) > 3:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}")

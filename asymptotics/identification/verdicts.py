@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from asymptotics.identification.allowance import WEAK, Allowance, allowances
+from asymptotics.identification.allowance import WEAK, Allowance, allowances, told
 from asymptotics.identification.comparison import LawFit, fit_law
 from asymptotics.identification.contradiction import REFUTED
 from asymptotics.identification.fitting import Noise
@@ -67,8 +67,7 @@ def _one_law(
 ) -> Verdict:
     """One law, with what is not excluded beside it; several, if a further term may carry half of the loss."""
     allowed = allowances(law, laws, None if seen is None else seen.reference)
-    shares = "; in brackets the share of the loss at the first amplitude" if seen is not None else ""
-    said = f"; not excluded beside it (95 %{shares}): {', '.join(map(str, allowed))}" if allowed else ""
+    said = told(allowed)
     large = [a for a in allowed if a.share is not None and a.share > WEAK]
     if large and seen is not None:
         most = max(large, key=lambda a: a.share or 0.0)

@@ -158,7 +158,11 @@ def test_a_loss_that_depends_on_position_has_a_certified_set():
 def test_every_law_that_contains_a_consistent_one_is_consistent_and_no_other_is_left_open():
     answer = asy.identify(printed("1,2", [0.01, 0.03], 4), laws=["1", "2", "0,3", "1,2", "0,1,2", "free"])
     verdicts = {str(entry.law.candidate): entry.law.verdict for entry in answer.laws}
-    assert answer.verdict.text == "identified: 1,2 meets every printed value (proved)"
+    assert answer.verdict.text.startswith(
+        "identified: 1,2 meets every printed value (proved); not excluded beside it (proved"
+    )
+    assert [a.term for a in answer.verdict.allowed] == ["0"]
+    assert answer.verdict.allowed[0].largest == answer.law("0,1,2").law.epsilon[0].high
     assert {verdicts[law] for law in ("1,2", "0,1,2")} == {"consistent"}
     assert {verdicts[law] for law in ("1", "2", "0,3", "free")} == {"refuted"}
     assert answer.law("0,1,2").law.unneeded == ("0",)
