@@ -1,9 +1,12 @@
 """|x - x_N| at a given time as a proved number: x is enclosed, x_N is the decimal that is printed.
 
 What an expansion of order N, in whatever gauge, prints for x(t) is one decimal number; the motion itself is enclosed by
-half-swings of which every error only adds (``swing``, ``half_swings.finite``), or, for one law with alpha > 1 and a
-late time, by one jump to the turning point before it (``turning.far``): no iteration.  The distance of the decimal from
-the far end of the enclosure is the bound, rounded up: it is hardly more than the error itself.
+half-swings of which every error only adds (``swing``), or at late times, if all exponents are at least 1, by one jump
+to a turning point before it (``late``): no iteration.  The distance of the decimal from the far end of the enclosure is
+the bound, rounded up: it is hardly more than the error itself.
+
+A time that no route reaches within the seconds that are allowed (a creep for alpha < 1, or a linear term too strong for
+the jump) still has an answer: |x| is bounded by the energy of the latest state that is reached.
 
 >>> from asymptotics.motions.asymptotic import AsymptoticMotion
 >>> drag = Oscillator({"3/2": "1/10"}, mass="3/2", stiffness="30", x0="1/5")
@@ -11,13 +14,16 @@ the far end of the enclosure is the bound, rounded up: it is hardly more than th
 ['0.00013', '2.1e-8', '3.2e-9']
 """
 
-from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
+from fractions import Fraction
 
 from flint import arb, ctx
 
+from asymptotics.bounds.late import late_state
 from asymptotics.budget import DEFAULT_SECONDS, budget
-from asymptotics.errors import UndecidedError
-from asymptotics.law import Law, Oscillator
+from asymptotics.errors import LimitError
+from asymptotics.law import Oscillator
 from asymptotics.motions.certify import time_of
 from asymptotics.motions.reference import reference_states
 from asymptotics.numbers.decimals import bits_for, directed_decimal
@@ -25,18 +31,19 @@ from asymptotics.numbers.exact import ExactReal, parse_rational
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.rationals import bounds
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.dense import states_from
-from asymptotics.swing.sequence import Turning
-from asymptotics.turning.routes import FAR, Plan
+from asymptotics.swing.panels import panels_of
+from asymptotics.swing.sequence import Turning, first_from, first_turning
 
+LATE = 20_000
+"""Half-swings beyond which the motion is reached by a jump, where every exponent is at least 1."""
 _DIGITS = 15
 
 
 def proved_bound(oscillator: Oscillator, x: str, t: Number, *, max_seconds: float = DEFAULT_SECONDS) -> str:
     """A number >= |x(t) - ``x``| in m, two digits, rounded up, for any decimal ``x`` that an expansion gave.
 
-    LimitError where an enclosure of x(t) would take longer than ``max_seconds``; UndecidedError where balls cannot tell
-    how the motion goes on.
+    UndecidedError where balls cannot tell how the motion goes on; LimitError beside a spring, or with losses that
+    depend on the place, where an enclosure of x(t) would take longer than ``max_seconds``.
     """
     moment, printed, digits = time_of(t), parse_rational(x, "x"), _DIGITS
     while True:
@@ -48,36 +55,57 @@ def proved_bound(oscillator: Oscillator, x: str, t: Number, *, max_seconds: floa
 
 
 def enclosure(oscillator: Oscillator, t: ExactReal, digits: int, *, max_seconds: float = DEFAULT_SECONDS) -> arb:
-    """x(t) in m as a ball whose radius is about 10^-``digits`` of the amplitude at that time."""
-    law = oscillator.dimensionless
+    """x(t) in m as a ball whose radius is about 10^-``digits`` of the amplitude at that time, where that can be had.
+
+    Where no route reaches t in ``max_seconds``, the energy of the latest state that is reached in half of them bounds
+    x: it never grows.
+    """
     with ctx.workprec(64):
-        swings = (t.ball() * oscillator.omega_0() / arb.pi()).mid()
-    alone = len(law.terms) == 1 and law.terms[0].is_power_of_velocity and oscillator.v0.is_zero
-    if not (alone and law.terms[0].velocity > 1 and law.terms[0].strength.sign > 0 and swings > FAR):
+        late = bool(t.ball() * oscillator.omega_0() > LATE * arb.pi())
+    acting = [term for term in oscillator.law.terms if term.strength.sign > 0]
+    try:
+        if late and acting and oscillator.law.is_pure and all(term.velocity >= 1 for term in acting):
+            with budget(max_seconds):
+                return _jumped(oscillator, t, digits)
+    except LimitError:  # out of the range of the theorem: there are other ways
+        pass
+    try:
         return reference_states(oscillator, (t,), digits, max_seconds=max_seconds).x[0]
-    with budget(max_seconds):
-        turns = int(float(swings.log()) / 0.69) + 1
-        with ctx.workprec(bits_for(digits, 40) + 2 * turns):
-            tau = t.ball() * oscillator.omega_0()
-            X, _ = states_from(Damping.of_law(law), _before(law, tau), [tau])[0]
-            return X * oscillator.x0.ball()
+    except LimitError:
+        if not oscillator.law.is_pure:
+            raise
+        return _by_energy(oscillator, t, max_seconds / 2)
 
 
-def _before(law: Law, tau: arb) -> Turning:
-    """The last turning point before ``tau``: its index is counted with the lag tau_n - n pi of a first guess."""
-    n = _floor(tau / arb.pi())
-    for _ in range(8):
-        here, there = (next(_from(law, index)) for index in (n, n + 1))
-        if here.tau <= tau and tau < there.tau:
-            return here
-        n = _floor((tau - (here.tau - here.n * arb.pi())) / arb.pi()) if not here.tau <= tau else n + 1
-    raise UndecidedError("the time is too near a turning point")
+def _jumped(oscillator: Oscillator, t: ExactReal, digits: int) -> arb:
+    """By ``late``, after twenty half-swings for each digit."""
+    law, lead = oscillator.dimensionless, 20 * digits
+    with ctx.workprec(64):
+        turns = int(float((t.ball() * oscillator.omega_0()).log()) / 0.69) + 1
+    bits = bits_for(digits, 40)
+    with ctx.workprec(bits + 2 * turns):
+        tau = t.ball() * oscillator.omega_0()
+    with ctx.workprec(bits):
+        damping, omega, length = Damping.of_law(law), oscillator.omega_0(), oscillator.length()
+        first: Turning | str = first_turning()
+        if oscillator.x0 < 0:
+            first = replace(first_turning(), side=-1)
+        if not oscillator.v0.is_zero:
+            first = first_from(damping, oscillator.x0.ball() / length, oscillator.v0.ball() / (omega * length))
+        if isinstance(first, str):
+            raise LimitError("time", f"the motion {first}", "a motion that turns")
+        return late_state(damping, first, tau, lead, panels_of(law, bits)) * length
 
 
-def _from(law: Law, start: int) -> Iterator[Turning]:
-    plan = Plan.of(law, start, 2, ctx.prec)
-    return plan.turnings()
-
-
-def _floor(x: arb) -> int:
-    return int(x.floor().mid().str(60, radius=False).split(".")[0])
+def _by_energy(oscillator: Oscillator, t: ExactReal, max_seconds: float) -> arb:
+    """0 +- sqrt(x^2 + v^2/omega_0^2) at the latest of the times ... t/16, t/4 that is reached."""
+    with ctx.workprec(64):
+        omega, speed = oscillator.omega_0(), oscillator.v0.ball()
+        energy = oscillator.x0.ball() ** 2 + (speed / omega) ** 2
+        latest = Fraction(float(t.ball().mid()))
+        steps = int(float((t.ball() * omega + 1).log()) / 1.39)
+    with suppress(LimitError), budget(max_seconds):
+        for k in range(steps, 0, -1):
+            found = reference_states(oscillator, (ExactReal(latest / 4**k),), _DIGITS, max_seconds=max_seconds)
+            energy = found.x[0] ** 2 + (found.v[0] / omega) ** 2
+    return arb(0, arb(energy.upper()).sqrt().upper())

@@ -21,6 +21,9 @@ truncated equations of order N, psi = n pi, from the same start A = 1; all expon
   differ by a factor e^e at most have |T - T_hat| <= B e' (|delta_hat| e^e')^2,
   B = sup sum_i |delta_i dT/d delta_i|/|delta|^2.
 
+A start that is itself uncertain, |ln A_0 - ln A^_0| <= e_0, adds e_0 to each |ln A_n - ln A^_n|, since lambda <= 1;
+delta_0 is then the larger of the two strengths, and 1/delta^ <= r (Y + G n) with their ratio r.
+
 >>> from asymptotics.numbers.exact import parse_real
 >>> quadratic = turning_bounds([parse_real("2", "--alpha")], 3, [arb(1) / 10])
 >>> [quadratic.log_amplitude(n).str(2, radius=False) for n in (1, 10, 10**9, None)]         # None: for all n at once
@@ -52,6 +55,8 @@ class TurningBounds:
     G: arb
     fading: arb
     B: arb
+    start: arb
+    widening: arb
 
     def log_amplitude(self, n: int | None) -> arb:
         """A bound of |ln A_n - ln A_hat_n|; None: for all n at once, infinite where a linear term makes it grow."""
@@ -61,8 +66,8 @@ class TurningBounds:
                 return plain
             q = self.fading * (-self.slowest * plain).exp() / self.G
             a = self.local.amplitude.power
-            ratio = self.G / self.g * (1 + self.g * self.delta) / (1 / self.delta + self.G * n)
-            return min(plain, (self.C_A * ratio**q * self._sum(a - q, n)).upper(), key=float)
+            ratio = self.widening * self.G / self.g * (1 + self.g * self.delta) / (1 / self.delta + self.G * n)
+            return min(plain, (self.start + self.C_A * ratio**q * self._sum(a - q, n)).upper(), key=float)
 
     def time(self, n: int | None) -> arb:
         """A bound of |tau_n - tau_hat_n|; None as in ``log_amplitude``."""
@@ -78,7 +83,7 @@ class TurningBounds:
             return (self.time(n) * (1 + Omega)).upper()
 
     def _crude(self, n: int | None) -> arb:
-        return arb((self.C_A * self._sum(arb(self.local.amplitude.power), n)).upper())
+        return arb((self.start + self.C_A * self._sum(arb(self.local.amplitude.power), n)).upper())
 
     def _sum(self, m: arb, n: int | None) -> arb:
         """A bound of the sum of |delta_hat_j|^m over j < n, over all j for None."""
@@ -93,21 +98,26 @@ class TurningBounds:
         return min(plain, whole.upper(), key=float)
 
 
-def turning_bounds(alphas: Sequence[ExactReal], order: int, epsilons: Sequence[arb]) -> TurningBounds:
+def turning_bounds(
+    alphas: Sequence[ExactReal], order: int, epsilons: Sequence[arb], start: arb | None = None
+) -> TurningBounds:
     """The bounds for strengths epsilon_i >= 0 of exponents alpha_i >= 1.
 
+    ``start``: a bound of |ln A_0|, where the motion does not start at A = 1 exactly as the truncated equations do.
     InputError for an exponent below 1, where errors need not fade; LimitError above delta_max.
     """
     if any(a < 1 for a in alphas):
         raise InputError("alpha", f"{min(alphas, key=_float)} is below 1", "exponents >= 1 for a bound at all times")
     local = local_bounds(alphas, order)
     with ctx.workprec(BITS):
-        delta = arb(sum(epsilons, arb(0)).upper())
+        weights = [a.ball() - 1 for a in alphas]
+        slowest, fastest = min(weights, key=float), max(weights, key=float)
+        e = arb(0) if start is None else arb(start.upper())
+        total, swell = sum(epsilons, arb(0)), (fastest * e).exp()
+        delta = arb((total * swell).upper())
         if not (delta > 0 and delta <= local.limit):
             reason = f"sum epsilon_i = {delta.str(3, radius=False)} is not in the range of the theorem"
             raise LimitError("epsilon", reason, f"0 < sum epsilon_i <= {float(local.delta_max):g} at order {order}")
-        weights = [a.ball() - 1 for a in alphas]
-        slowest, fastest = min(weights, key=float), max(weights, key=float)
         low, high = _rates(local, delta)
         if not (low > 0 and high > 0):
             raise LimitError("epsilon", f"order {order} may lose its sign at delta = {delta.str(3)}", "weaker damping")
@@ -116,8 +126,8 @@ def turning_bounds(alphas: Sequence[ExactReal], order: int, epsilons: Sequence[a
         fading = arb(0)
         if len(alphas) == 1 and slowest > 0:
             fading = (slowest * _steepness(local, delta)).lower()
-        B = sensitivity(local, delta)
-    return TurningBounds(local, delta, C_A, C_T, slowest, fastest, arb(g), arb(G), arb(fading), B)
+        B, widening = sensitivity(local, delta), (delta * swell / total).upper()
+    return TurningBounds(local, delta, C_A, C_T, slowest, fastest, arb(g), arb(G), arb(fading), B, e, widening)
 
 
 def _rates(local: LocalBounds, delta: arb) -> tuple[arb, arb]:

@@ -35,6 +35,9 @@ from asymptotics.half_swings.grading import Grading, may_vanish
 from asymptotics.series import Series
 
 _KNOTS = 2048
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
+_STEADY = 0.99
+"""The next step in s may be twice as long when p falls by no more than this factor."""
 _MAX_PANELS = 100_000
 _FAINTEST = 60.0
 """s beyond which the amplitude counts as extinct in doubles (e^-60 of the start)."""
@@ -141,13 +144,12 @@ class SlowLaw:
 
     def _panels(self, s: Any, numerator: Callable[[Any], Any]) -> Any:
         """int numerator/p over each interval of s, ten Gauss nodes."""
-        x, w = np.polynomial.legendre.leggauss(10)
         half = np.diff(s) / 2
-        at = (s[:-1] + half)[:, None] + half[:, None] * x[None, :]
+        at = (s[:-1] + half)[:, None] + half[:, None] * _NODES[None, :]
         values = self.p.array(at)
         if not np.all(values > 0):
             raise _lost_sign()
-        return half * (numerator(at) / values * w[None, :]).sum(axis=1)
+        return half * (numerator(at) / values * _WEIGHTS[None, :]).sum(axis=1)
 
     def _reach(self, start: float, tau_max: float) -> tuple[float, float]:
         """(s at the end of the table, extinction time): march in s with steps that shrink p by little."""
@@ -163,7 +165,8 @@ class SlowLaw:
             if ends and s > start + _FAINTEST:
                 return s, tau + self._rest(s, step)
             tau += float(self._panels(np.array([s, s + step]), lambda _: 1.0)[0])
-            s += step
+            now, then = (float(self.p.array(np.array(at))) for at in (s, s + step))
+            s, step = s + step, 2 * step if not ends and _STEADY < then / now <= 1 else step
         raise LimitError("time", f"{tau_max:.3g}/omega_0 is too long for the amplitude law", "a shorter time")
 
     def _rest(self, s: float, step: float) -> float:

@@ -58,6 +58,7 @@ METHOD = "asymptotic expansion"
 _GUARD = 64
 _LARGEST = arb(10) ** 100
 _NO_PHASE = 2.0**53
+_FAINTEST = 200_000
 Array = Any
 
 
@@ -139,6 +140,9 @@ class AsymptoticMotion:
             with ctx.workprec(120):
                 end = self._doubles.slow(float(tau)).extinction / float(self.oscillator.omega_0())
             return self._shown([arb(0)] * 3, None, arb(1), _notes(0, 1, end), digits)
+        if state.s > _FAINTEST:
+            size = f"the amplitude is e^-{float(state.s):.3g} of its unit there"
+            raise LimitError("time", size, f"amplitudes above e^-{_FAINTEST}")
         z = state.point(frame)
         values = [z.real, -z.imag, (-state.s).exp()]
         return self._shown(values, state.psi - tau, self._estimate(tau, frame, start, state), (), digits)

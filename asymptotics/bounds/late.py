@@ -1,0 +1,59 @@
+"""x at a late time, any exponents >= 1, without passing the half-swings between: the theorem read the other way round.
+
+What bounds the error of an expansion bounds the motion as well.  From a certified turning point M on, where the local
+strengths are small, the truncated equations of order K lead to turning point n at once (``flow``); the theorem says how
+far the motion may be from there (``turning``), and one or two half-swings in balls lead to the time itself.  With
+delta_M = O(1/M) the error is O(delta_M^K): a few hundred half-swings, and K = 5, reach every later one.
+
+>>> from asymptotics.numbers.exact import parse_real
+>>> with ctx.workprec(120):
+...     law = Damping.of([(arb(1) / 10, parse_real("3/2", "--alpha")), (arb(1) / 10, parse_real("2", "--alpha"))])
+...     late_state(law, Turning(0, 1, arb(1), arb(0), arb(0), arb(0)), arb(10) ** 9, 300).str(6)
+'[-1.7...e-15 +/- ...]'
+"""
+
+from collections.abc import Iterator
+
+from flint import arb, ctx
+
+from asymptotics.bounds.flow import TruncatedFlow
+from asymptotics.bounds.turning import turning_bounds
+from asymptotics.budget import tick
+from asymptotics.errors import LimitError
+from asymptotics.swing.damping import Damping, size_of, upper
+from asymptotics.swing.dense import states_from
+from asymptotics.swing.panels import Panels
+from asymptotics.swing.sequence import Turning, sequence
+
+ORDERS = {1: 7, 2: 5}
+"""The order K of the jump, by the number of laws; 3 for more than two."""
+
+
+def late_state(damping: Damping, first: Turning, tau: arb, lead: int, panels: Panels | None = None) -> arb:
+    """X at the time ``tau``, far beyond ``lead`` half-swings from ``first``, a turning point of the motion.
+
+    LimitError where the motion ends before, or the local strengths there are still out of the range of the theorem.
+    """
+    here = _led(sequence(damping, first, panels=panels, count=lead), first.n + lead)
+    a, order = here.amplitude, ORDERS.get(len(damping.alphas), 3)
+    with ctx.workprec(ctx.prec + max(0, int(size_of(tau))) + 1):  # the time is as long as that
+        epsilons = [e * a ** (alpha - 1) for e, alpha in zip(damping.strengths, damping.exponents, strict=True)]
+        bounds = turning_bounds(damping.alphas, order, epsilons, -(1 - here.amplitude_error / a).log())
+        flow = TruncatedFlow.of(bounds.local, epsilons)
+        n = max(0, flow.half_swings(tau - here.time) - 1)
+        s, time = flow.turning_point(n)
+        amplitude = a * (arb(0, bounds.log_amplitude(n)) - s).exp()
+        moment = here.time + time + arb(0, upper(here.time_error + bounds.time(n)))
+    side = here.side * (-1) ** n
+    there = Turning(here.n + n, side, amplitude.mid(), moment.mid(), upper(amplitude.rad()), upper(moment.rad()))
+    return states_from(damping, there, [tau])[0][0]
+
+
+def _led(turnings: Iterator[Turning], last: int) -> Turning:
+    for here in turnings:
+        tick(f"turning point {here.n}")
+        if here.n >= last:
+            return here
+        if here.ended is not None:
+            break
+    raise LimitError("time", "the motion does not turn so often", "a time before its last turning point")

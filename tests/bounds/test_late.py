@@ -1,0 +1,99 @@
+"""A jump to a late time: the enclosure holds the motion followed half-swing by half-swing, and is not much too wide."""
+
+from fractions import Fraction
+from itertools import islice
+
+import pytest
+from flint import arb, ctx
+
+from asymptotics.bounds.flow import TruncatedFlow
+from asymptotics.bounds.late import late_state
+from asymptotics.bounds.local import local_bounds
+from asymptotics.bounds.motion import enclosure, proved_bound
+from asymptotics.bounds.turning import turning_bounds
+from asymptotics.errors import LimitError
+from asymptotics.law import Law, Oscillator
+from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.dense import states
+from asymptotics.swing.panels import panels_of
+from asymptotics.swing.sequence import Turning, first_from, first_turning, sequence
+
+ONE = [parse_real("2", "alpha")]
+
+
+def followed(law, first, tau, bits=100):
+    with ctx.workprec(bits):
+        return states(Damping.of_law(law), *first, [tau], panels=panels_of(law, bits))[0][0]
+
+
+# A law, the start, the time, the half-swings before the jump; the share of the radius that is attained at least.
+JUMPS = [
+    (Law({2: "1/10"}), (arb(1), arb(0)), 152, 20, 0.6),
+    (Law({3: "1/10"}), (arb(-1), arb(0)), 140, 40, 0.7),
+    (Law({2: "1/10"}), (arb(1) / 2, arb(1) / 4), 122, 20, 0.1),
+    pytest.param(Law({"3/2": "1/10", 2: "1/10"}), (arb(1), arb(0)), 150, 30, 0.1, marks=pytest.mark.slow),
+    pytest.param(Law({1: "1/100", 3: "1/10"}), (arb(1), arb(0)), 130, 20, 0.01, marks=pytest.mark.slow),
+]
+
+
+@pytest.mark.parametrize(("law", "start", "tau", "lead", "share"), JUMPS)
+def test_the_jump_holds_the_motion_and_is_not_wide(law, start, tau, lead, share):
+    with ctx.workprec(100):
+        damping = Damping.of_law(law)
+        side = 1 if start[0] > 0 else -1
+        rest = Turning(0, side, arb(1), arb(0), arb(0), arb(0))
+        first = rest if start[1] == 0 else first_from(damping, *start)
+        found = late_state(damping, first, arb(tau), lead)
+        true = followed(law, start, arb(tau))
+        error = abs(found.mid() - true)
+        assert error < found.rad()
+        assert error > share * found.rad()
+        assert found.rad() < arb(10) ** -10
+
+
+def test_an_uncertain_start_counts():
+    """Two motions apart by e at the start: both bounds grow by no less than what is seen, and e is not forgotten."""
+    exact, wide = (turning_bounds(ONE, 3, [arb(1) / 20], e) for e in (None, arb(1) / 1000))
+    assert wide.log_amplitude(0) >= arb(1) / 1000
+    with ctx.workprec(100):
+        near, far = (followed_points(arb(1) / 20, a, 40) for a in (arb(1), (arb(1) / 1000).exp()))
+        for n in (1, 5, 40):
+            apart = abs(near[n][0].log() - far[n][0].log()).upper()
+            assert apart < wide.log_amplitude(n)
+            late = abs(near[n][1] - far[n][1]).upper()
+            assert late < wide.time(n) - exact.time(n)
+            assert wide.time(n) - exact.time(n) < 4 * late
+
+
+def followed_points(epsilon, amplitude, count):
+    damping = Damping.of([(epsilon, ONE[0])])
+    start = Turning(0, 1, amplitude.mid(), arb(0), arb(0), arb(0))
+    return [(abs(p.x), p.tau) for p in islice(sequence(damping, start), count + 1)]
+
+
+def test_the_truncated_equations_are_enclosed_at_every_precision():
+    local = local_bounds(ONE, 3)
+
+    def point(bits):
+        with ctx.workprec(bits):
+            return TruncatedFlow.of(local, [arb(1) / 50]).turning_point(500)
+
+    exact = point(120)
+    for bits in (30, 40, 60):
+        for rough, fine in zip(point(bits), exact):
+            assert rough.contains(fine.mid())
+            assert rough.rad() < abs(fine) * arb(2) ** (16 - bits)
+
+
+def test_what_is_out_of_range_falls_back_on_energy():
+    creeping = Oscillator({"1/2": "1/3"})
+    with pytest.raises(LimitError, match="turn"):
+        late_state(Damping.of_law(Law({1: 3})), first_turning(), arb(100), 10)
+    t = ExactReal(Fraction(30_000_000))
+    found = enclosure(creeping, t, 15, max_seconds=1)
+    known = enclosure(creeping, ExactReal(Fraction(20)), 15)
+    assert found.mid() == 0
+    assert 0 < found.rad() < 1
+    assert abs(known) <= 1
+    assert Fraction(proved_bound(creeping, "0", 30_000_000, max_seconds=1)) <= 1
