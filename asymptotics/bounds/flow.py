@@ -13,7 +13,7 @@ which is concave, and psi is then enclosed: with s^ near the root, |s - s^| <= |
 ...     flow = TruncatedFlow.of(local_bounds([parse_real("2", "--alpha")], 3), [arb(1) / 50])
 ...     s, tau = flow.turning_point(1000)
 ...     (-s).exp().str(12), tau.str(12)
-('[0.0361532... +/- ...]', '[3141...]')
+('[0.0361444887698 +/- ...]', '[3141.60022368 +/- ...]')
 """
 
 from collections.abc import Callable, Sequence

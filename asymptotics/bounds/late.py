@@ -6,10 +6,10 @@ far the motion may be from there (``turning``), and one or two half-swings in ba
 delta_M = O(1/M) the error is O(delta_M^K): a few hundred half-swings, and K = 5, reach every later one.
 
 >>> from asymptotics.numbers.exact import parse_real
->>> with ctx.workprec(120):
-...     law = Damping.of([(arb(1) / 10, parse_real("3/2", "--alpha")), (arb(1) / 10, parse_real("2", "--alpha"))])
-...     late_state(law, Turning(0, 1, arb(1), arb(0), arb(0), arb(0)), arb(10) ** 9, 300).str(6)
-'[-1.7...e-15 +/- ...]'
+>>> with ctx.workprec(100):
+...     law = Damping.of([(arb(1) / 10, parse_real("2", "--alpha"))])
+...     late_state(law, Turning(0, 1, arb(1), arb(0), arb(0), arb(0)), arb(10) ** 9, 30).str(8)
+'[2.0232092e-8 +/- 8.49e-17]'
 """
 
 from collections.abc import Iterator
