@@ -43,5 +43,4 @@ def trap(damping: Damping, y: arb, w: arb) -> str | None:
 
 def _slow(epsilon: arb, a: arb, y: arb, w: arb) -> bool:
     c = (2 / (2 - a)) ** (1 / a)
-    inside = w == 0 or w**a <= c**a * y / epsilon
-    return bool(inside) and bool(c**2 * y ** (2 / a - 2) < a**2 / (2 - a) * epsilon ** (2 / a))
+    return bool(w**a <= c**a * y / epsilon) and bool(c**2 * y ** (2 / a - 2) < a**2 / (2 - a) * epsilon ** (2 / a))

@@ -1,5 +1,7 @@
 """The closed form of linear damping and dry friction: the pieces, which know nothing of it, agree from every start."""
 
+from itertools import islice
+
 import pytest
 import sympy
 from flint import arb, ctx
@@ -11,9 +13,10 @@ from asymptotics.numbers.exact import parse_real
 from asymptotics.swing import course as courses
 from asymptotics.swing.course import course
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.dense import states
+from asymptotics.swing.dense import states, states_from
 from asymptotics.swing.linear import ROUTE, LinearOrbit, is_linear
 from asymptotics.swing.panels import Panels
+from asymptotics.swing.sequence import sequence
 from asymptotics.turning.general import turning_points
 from asymptotics.turning.half_swing import half_swing_result
 
@@ -101,6 +104,9 @@ def test_states_in_one_pass():
     times = [arb(k) / 4 for k in range(60)]
     with ctx.workprec(40):
         low = states(law, arb(1), arb(0), times)
+        third = next(islice(sequence(law), 2, None))  # at 2 T, near 6.31: from there on the same
+        for a, b in zip(low[26:], states_from(law, third, times[26:]), strict=True):
+            assert a[0].overlaps(b[0]) and a[1].overlaps(b[1]) and b[0].rad() < arb(2) ** -30
     with ctx.workprec(120):
         high = states(law, arb(1), arb(0), times)
     for a, b in zip(low, high, strict=True):

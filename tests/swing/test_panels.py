@@ -161,6 +161,11 @@ def test_a_plan_saves_half_swings_or_is_none():
     assert short is None and long is not None and long.nodes + long.wait < 100
     more = planned(c, 1.0, 1000, 400)
     assert more is not None and more.nodes > 2 * long.nodes
+    half = coordinate((("1/2", "1/100"),))
+    for count in (10, 60):  # all of them on one panel, the last amplitude included
+        path = list(panel_plan._path(half, 1.0, count))
+        plan = planned(half, 1.0, count, count)
+        assert plan.served == count == len(path) and path[-1] * 0.95 < plan.low < path[-1] < path[0] == plan.high
     strong = planned(coordinate((("1", "3"),)), 1.0, 1000, 120)
     assert strong is None
 
