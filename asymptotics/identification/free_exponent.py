@@ -60,6 +60,8 @@ def exponents_that_fit(table: Decrements) -> ExponentSet:
     """The certified set of one loss whose exponent is not known, for a table with a resolution."""
     with ctx.workprec(BITS):
         strips = _Strips.of(table)
+        if any(level < 0 for _, level in strips.upper):
+            return ExponentSet("refuted", reason="the amplitude grows, and no strength >= 0 does that")
         least, theta = chebyshev_point(_FREE, table)
         point = theta if least < 1 and strips.meets(*theta) else None
         low = strips.excluded(0.0, MAX_FREE_ALPHA, None if point is None else float(point[1]))

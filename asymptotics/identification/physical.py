@@ -32,6 +32,8 @@ def physical_box(
 ) -> Box | Literal["none"] | None:
     """(low, high) of a box that holds all strengths >= 0 that meet every row, "none" if it is proved that there are
     none, or None if the series does not reach far enough to say.  ``met``: there are some, and a larger box will do."""
+    if any(row.sign < 0 and row.level < 0 for row in rows):
+        return "none"  # the amplitude grows in this row, and -L >= 0
     largest = [_largest(term, rows, i) for i, term in enumerate(losses)]
     if any(u is None for u in largest):
         return None

@@ -62,10 +62,12 @@ def _decrements(table: Table) -> Decrements:
     if len(amplitude) < 2:
         raise InputError("FILE", f"{rows.name} has {len(amplitude)} rows with numbers", "at least 2")
     checks = [("amplitude", amplitude <= 0, "is not positive"), ("decrement", decrement >= 2 * amplitude, "too large")]
-    checks += [] if resolution is None else [("resolution", resolution < 0, "is negative")]
+    if resolution is not None:
+        wide = np.abs(decrement) + resolution >= 2 * amplitude
+        checks += [("resolution", resolution < 0, "is negative"), ("resolution", wide, "leaves no limit in this row")]
     for column, wrong, reason in checks:
         if wrong.any():
             place = int(np.argmax(wrong))
             said = f"{rows.where(place, column)}: {columns[column][place]:g} {reason}"
-            raise InputError("FILE", said, "amplitude > 0, decrement < 2 amplitude, resolution >= 0")
+            raise InputError("FILE", said, "amplitude > 0, resolution >= 0, decrement + resolution < 2 amplitude")
     return Decrements(amplitude, decrement, resolution, table.unit, rows.name, notes)

@@ -43,6 +43,10 @@ BAD = {
     "signs": ("n,x\n" + "\n".join(f"{n},{0.9**n * (1 if n < 6 else -1)}" for n in range(12)), "signs do not alternate"),
     "unclear columns": ("a,b\n1,2\n2,3\n", "--kind"),
     "negative amplitude": ("amplitude,decrement\n1,0.1\n-0.5,0.1\n0.3,0.1\n", "row 3, column amplitude"),
+    "a digit as wide as the motion": (
+        "amplitude,decrement,resolution\n1,0.3,0.05\n0.1,0.19,0.05\n",
+        "row 3, column resolution: 0.05 leaves no limit in this row",
+    ),
     "non-monotone time": (
         "t,x\n" + "\n".join(f"{i if i != 70 else 3},{np.cos(i / 9)}" for i in range(200)),
         "row 72, column t",

@@ -188,6 +188,13 @@ def test_a_table_that_only_negative_strengths_meet_refutes_the_law_as_unphysical
     assert "unphysical" in found.reason
 
 
+def test_a_table_that_grows_is_met_by_no_loss():
+    table = {"amplitude": [1.0, 0.5, 0.2], "decrement": [-0.1, -0.05, -0.02], "resolution": [0.005] * 3}
+    answer = asy.identify(table, laws=["1", "2", "1,2", "free"])
+    assert {entry.law.verdict for entry in answer.laws} == {"refuted"}
+    assert "negative ones do: unphysical" in answer.law("1").law.reason
+
+
 def test_the_physical_box_holds_the_truth_and_its_tests_bite():
     terms, table = losses("1,2"), printed("1,2", [0.01, 0.03], 3)
     with ctx.workprec(80):
