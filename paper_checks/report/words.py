@@ -10,9 +10,9 @@ from typing import Any
 from markupsafe import Markup, escape
 
 GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "kappa": "κ", "lambda": "λ", "mu": "μ",
-    "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω", "theta": "θ", "eta": "η",
-    "Omega": "Ω",
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "eps": "ε", "kappa": "κ", "lambda": "λ",
+    "mu": "μ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω", "theta": "θ",
+    "eta": "η", "Omega": "Ω",
 }  # fmt: skip
 SIGNS = (
     ("->", "→"),
@@ -40,12 +40,12 @@ def typeset(text: str) -> str:
     """ASCII mathematics in printed signs: Greek letters, relations, simple indices and powers, a true minus."""
     for plain, sign in SIGNS:
         text = text.replace(plain, sign)
-    text = re.sub(rf"(?<![A-Za-z])({'|'.join(GREEK)})(?=\b|_|\d)", lambda m: GREEK[m[1]], text)
+    text = re.sub(rf"(?<![A-Za-z])(d?)({'|'.join(GREEK)})(?=\b|_|\d)", lambda m: m[1] + GREEK[m[2]], text)
     text = re.sub(r"(?<=[A-Za-zα-ωΩ])_(\d+|n)(?![\w}])", lambda m: m[1].translate(SUBSCRIPTS), text)
     text = re.sub(r"\b([xv])0\b", r"\1₀", text)
     text = re.sub(r"(?<=[\w)₀-₉'])\^(\d+)(?![\w/(])", lambda m: m[1].translate(SUPERSCRIPTS), text)
     text = text.replace("_hat", "\u0302")  # the accent that combines with the letter before it
-    text = re.sub(r"\bint(?=[_₀-₉])", "∫", text)
+    text = re.sub(r"\bint(?=[_₀-₉ ])", "∫", text)
     text = re.sub(r"\bsum(?=_)", "Σ", text)
     return re.sub(r"(?<![\w.)])-(?=[\w(√])|(?<= )-(?=[ .,;])|(?<=[α-ωΩ₀-₉])-(?=\d|[a-zα-ω]\b)", "−", text)
 
@@ -59,8 +59,9 @@ def inline(text: str) -> Markup:
     """
     shown = str(escape(typeset(text)))
     for mark, tag in ((r"(?<=\S)\^", "sup"), (r"(?<![^\W\d_]{2})(?<=[\w∫])_", "sub")):
-        bracketed = rf"{mark}(?:\{{([^{{}}]*)\}}|\(((?:[^()]|\([^()]*\))*)\)|([+−-]?[^\W_]+|[+−-]))"
-        shown = re.sub(bracketed, lambda m, t=tag: f"<{t}>{m[1] or m[2] or m[3]}</{t}>", shown)  # type: ignore[misc]
+        bracketed = rf"{mark}(?:\{{([^{{}}]*)\}}|\(((?:[^()]|\([^()]*\))*)\)|([+−-]?(?:[^\W_]+|∞)|[+−-]))"
+        for _ in range(2):  # an exponent may have one of its own
+            shown = re.sub(bracketed, lambda m, t=tag: f"<{t}>{m[1] or m[2] or m[3]}</{t}>", shown)  # type: ignore[misc]
     return Markup(shown)
 
 

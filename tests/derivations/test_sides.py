@@ -1,5 +1,7 @@
 """What is displayed is what is checked: the sides differ in print, and altering either side stops the step."""
 
+import re
+from html import unescape
 from importlib import import_module
 
 import pytest
@@ -7,6 +9,7 @@ import sympy
 
 from derivations.__main__ import names
 from derivations.steps import Derivation
+from paper_checks.report.words import inline
 
 
 def equalities(name):
@@ -20,6 +23,17 @@ def test_the_sides_differ_in_print(name):
         assert str(step.left) != str(step.right), step.reason
         assert sympy.latex(step.left) != sympy.latex(step.right), step.reason
         assert step.text().count(" = ") == 1, step.reason
+
+
+WORDS = "alpha|beta|delta|epsilon|kappa|omega|tau|psi|theta|phi|pi"
+ASCII = re.compile(rf"\^|->|<=|>=|!=|\bint\b|(?<![\w-])(?:{WORDS})(?![\w-])")
+
+
+@pytest.mark.parametrize("name", names())
+def test_the_report_shows_no_ascii_mathematics_beside_the_formulas(name):
+    derivation = import_module("derivations." + name.replace("-", "_")).derivation
+    for text in (derivation.title, *(step.reason for step in derivation.steps)):
+        assert not ASCII.search(re.sub(r"<[^>]*>", " ", unescape(str(inline(text))))), text
 
 
 @pytest.mark.slow
