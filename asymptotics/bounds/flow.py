@@ -1,6 +1,6 @@
 """The truncated equations over any number of half-swings at once: two integrals in balls.
 
-With A^ = e^(-s), delta_i = epsilon_i e^(-(alpha_i - 1) s) and the coefficients of order N, themselves balls,
+With A_hat = e^(-s), delta_i = epsilon_i e^(-(alpha_i - 1) s) and the coefficients of order N, themselves balls,
 
     tau(s) = int_0^s dr/p_N(r),        psi(s) = int_0^s (1 + Omega_N)/p_N dr = tau(s) + int_0^s Omega_N/p_N dr,
 
@@ -32,7 +32,7 @@ _STEPS = 200
 
 @dataclass(frozen=True, eq=False)
 class TruncatedFlow:
-    """p_N and Omega_N along A^ = e^(-s) from s = 0, psi = 0, tau = 0, for strengths ``epsilons`` at s = 0."""
+    """p_N and Omega_N along A_hat = e^(-s) from s = 0, psi = 0, tau = 0, for strengths ``epsilons`` at s = 0."""
 
     p: Series
     Omega: Series
