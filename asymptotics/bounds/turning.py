@@ -21,8 +21,8 @@ truncated equations of order N, psi = n pi, from the same start A = 1; all expon
   differ by a factor e^e at most have |T - T_hat| <= B e' (|delta_hat| e^e')^2,
   B = sup sum_i |delta_i dT/d delta_i|/|delta|^2.
 
-A start that is itself uncertain, |ln A_0 - ln A_hat_0| <= e_0, adds e_0 to each |ln A_n - ln A_hat_n|, since lambda <= 1;
-delta_0 is then the larger of the two strengths, and 1/delta_hat <= r (Y + G n) with their ratio r.
+A start that is itself uncertain, |ln A_0 - ln A_hat_0| <= e_0, adds e_0 to each |ln A_n - ln A_hat_n|, since lambda
+<= 1; delta_0 is then the larger of the two strengths, and 1/delta_hat <= r (Y + G n) with their ratio r.
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> quadratic = turning_bounds([parse_real("2", "--alpha")], 3, [arb(1) / 10])
