@@ -5,7 +5,8 @@ With A_hat = e^(-s), delta_i = epsilon_i e^(-(alpha_i - 1) s) and the coefficien
     tau(s) = int_0^s dr/p_N(r),        psi(s) = int_0^s (1 + Omega_N)/p_N dr = tau(s) + int_0^s Omega_N/p_N dr,
 
 by ``acb.integral`` (Petras' algorithm, rigorous).  s(tau) and s(psi) are found by Newton's method for ln tau against s,
-which is concave, and psi is then enclosed: with s^ near the root, |s - s^| <= |psi(s^) - target| sup p_N/(1 + Omega_N).
+which is concave, and psi is then enclosed: with s_hat near the root,
+|s - s_hat| <= |psi(s_hat) - target| sup p_N/(1 + Omega_N).
 
 >>> from asymptotics.bounds.local import local_bounds
 >>> from asymptotics.numbers.exact import parse_real
