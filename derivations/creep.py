@@ -60,6 +60,18 @@ step(
     sympy.Derivative(y ** (1 - 1 / a), y) * -boundary,
     sympy.simplify((1 / a - 1) * C * e ** (-1 / a)),
 )
+part = sympy.Symbol("y_1", positive=True)
+step(
+    "Falling in: down to the w of the trap at y_1 = y (1 - alpha/4), C^alpha = 2/(2-alpha), the speed falls at the rate"
+    " e w^alpha - y at least",
+    At(e * (C**a * part / e) - y, {C**a: 2 / (2 - a), part: y * (1 - a / 4)}),
+    y * a / (2 * (2 - a)),
+)
+step(
+    "which takes the time w/rate at most, in which y loses w^2/rate at most: no more than y alpha/4 while w^2 is up to",
+    sympy.Mul(y * a / (2 * (2 - a)), y * a / 4, evaluate=False),
+    (a * y) ** 2 / (8 * (2 - a)),
+)
 more = sympy.Symbol("N_2", nonnegative=True)
 step("A further term N_2 >= 0 lowers the rate on the upper boundary: the trap of one term is a trap of the sum",
      sympy.Add(drift, -more, -drift, evaluate=False), -more)  # fmt: skip

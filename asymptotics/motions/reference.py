@@ -16,7 +16,7 @@ Against a naive |v|, measured: heyoka without an event is wrong in the third dig
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import inf
+from math import inf, pi
 
 from flint import arb, ctx
 
@@ -35,6 +35,7 @@ from asymptotics.numbers.policy import Number
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
 from asymptotics.swing.linear import ROUTE as CLOSED_ROUTE
+from asymptotics.swing.lingering import lingering, lingering_seconds, lost_until
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.taylor import GUARD
 from asymptotics.wells.dense import states as states_in_well
@@ -101,7 +102,7 @@ def reference_states(
     """
     oscillator.law.require_dissipative("reference motion to rest")
     with budget(max_seconds):
-        bits, reason = bits_for(digits, 28), ""
+        bits, reason = bits_for(digits, 28) + _lost(oscillator, times), ""
         for _ in range(_TRIES):
             try:
                 found = _states(oscillator, times, bits)
@@ -124,7 +125,7 @@ def _within(oscillator: Oscillator, found: Sequence[State], digits: int) -> bool
 def _decimals(oscillator: Oscillator, t: ExactReal, digits: int) -> tuple[str, str]:
     """x and v at one time to ``digits`` significant digits, at whatever precision that takes."""
     require_seconds(estimated_seconds(oscillator, t, digits), f"{t} s with {digits} digits")
-    bits, reason = bits_for(digits, 56), ""
+    bits, reason = bits_for(digits, 56) + _lost(oscillator, (t,)), ""
     for _ in range(_TRIES):
         try:
             state = _states(oscillator, (t,), bits)[0]
@@ -136,6 +137,18 @@ def _decimals(oscillator: Oscillator, t: ExactReal, digits: int) -> tuple[str, s
             reason, lacking = str(undecided), bits
         bits += min(max(64, lacking + 40), 4 * bits)
     raise UndecidedError(f"no certified {digits} digits at {bits} bits: {reason}")
+
+
+def _lost(oscillator: Oscillator, times: Sequence[ExactReal]) -> int:
+    """Bits that a motion next to critical damping loses up to the last of the times."""
+    if not oscillator.law.is_pure:
+        return 0
+    return max((lost_until(oscillator.dimensionless, _tau(oscillator, t)) for t in times), default=0)
+
+
+def _tau(oscillator: Oscillator, t: ExactReal) -> float:
+    with ctx.workprec(64):
+        return float((t.ball() * oscillator.omega_0()).mid())
 
 
 def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> list[State]:
@@ -192,8 +205,8 @@ def _exact(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | N
 
 def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> float:
     """The expected time, good to a factor of about three for weak damping; stiff motions have their own limit."""
-    with ctx.workprec(64):
-        swings = float((t.ball() * oscillator.omega_0() / arb.pi()).mid()) + 1
+    tau, law = _tau(oscillator, t), oscillator.dimensionless
+    swings = tau / pi + 1
     if not oscillator.law.is_pure:
         return estimated_in_well(Force.of(oscillator.dimensionless.terms), swings, bits_for(digits, 48))
     swings = min(swings, _most_swings(oscillator.dimensionless))
@@ -201,7 +214,9 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     terms, bits = len(oscillator.law.terms), bits_for(digits, 56)
     panels = panels_of(oscillator.dimensionless, bits)
     pieces = panels.pieces(int(min(swings, 1e9)))
-    return half_swing_seconds(pieces + 2, bits, terms, apart) + interpolation_seconds(swings)
+    long = lingering(law)
+    slow = lingering_seconds(law, int(tau / long) + 1, bits, tau) if long else 0.0
+    return half_swing_seconds(pieces + 2, bits, terms, apart) + interpolation_seconds(swings) + slow
 
 
 def _most_swings(law: Law) -> float:

@@ -31,6 +31,7 @@ from asymptotics.swing.damping import Damping, dyadic, size_of, upper
 from asymptotics.swing.expansion import Expansion, plan_at
 
 _FIRST, _MOST = 40, 40
+_INNER = 0.9375  # of |y|, and more than the guess will differ from it
 
 
 @dataclass(frozen=True)
@@ -93,14 +94,17 @@ def _rounded(x: arb, bits: int) -> arb:
         return (x + 0).mid()
 
 
-def turns_within(damping: Damping, y: arb, w: arb) -> bool:
+def turns_within(damping: Damping, y: arb, w: arb, error: arb) -> bool:
     """Whether the turning point ahead is near enough for its expansion: a choice, in doubles."""
     if not y < 0:
         return False
     size = (max(2 * size_of(y), 2 * size_of(w)) + 0.3) / 2  # by the energy
     if damping.least < 1:  # braking may end the motion long before; below 1 the reach shrinks with the amplitude
         size = size_of(y)
-    return bool(w < reach_at(damping, dyadic(size)))
+    near = bool(w < reach_at(damping, dyadic(size)))
+    if (near or w < error) and plan_at(damping, y * arb(_INNER), w).short:  # one term: as late as the error allows
+        return bool(w < error)
+    return near
 
 
 def reach_at(damping: Damping, y0: arb) -> arb:

@@ -36,6 +36,7 @@ from asymptotics.swing.slow import Strip, caught
 from asymptotics.swing.taylor import TaylorStep
 
 MAX_PIECES, MAX_FREE = 200_000, 5000
+_FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision
 
 
 @dataclass(frozen=True)
@@ -148,11 +149,14 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         tick(f"piece {count} of a half-swing")
         y = u - damping.friction
         blur = arb(0, error)
-        if y + error < 0 and turns_within(damping, y, w):  # whatever the true speed: it turns, or just did
+        if y + error < 0 and turns_within(damping, y, w, error):  # whatever the true speed: it turns, or just did
             yield _landing(damping, y, w, t, error, given)
             return
         reason = trap(damping, y + blur, w + blur) if watch else None
-        if reason is None and ((watch and count > MAX_FREE) or upper(abs(y) + w) < 4 * error):
+        lost = upper(abs(y) + w) < 4 * error or (
+            watch and y > _FAR * scale and w < 4 * error and _slowing(damping, y, w)
+        )
+        if reason is None and ((watch and count > MAX_FREE) or lost):
             where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
             raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
         strip = caught(damping, y, w, error) if reason == CREEPS else None
@@ -176,6 +180,11 @@ def _creep(damping: Damping, t: arb, strip: Strip) -> Iterator[Piece]:
         end = _later(t, length)
         yield Creep(damping, t, end, arb(0), CREEPS, strip)
         length *= 2
+
+
+def _slowing(damping: Damping, y: arb, w: arb) -> bool:
+    """Whether the speed falls; with y > 0 it then goes on falling."""
+    return bool(damping.resistance(w) > y)
 
 
 def _linear(damping: Damping, u: arb, w: arb, error: arb) -> LinearSwing:

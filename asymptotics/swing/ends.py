@@ -6,7 +6,9 @@ cannot leave (derivation ``creep``):
     one alpha < 1:   (w/c)^alpha <= y/epsilon with c^alpha = 2/(2 - alpha), while c^2 y^(2/alpha-2) < alpha^2/(2-alpha)
                      epsilon^(2/alpha);          alpha = 1, epsilon >= 2:  w <= y (epsilon + sqrt(epsilon^2 - 4))/2.
 
-More terms only slow the motion down, so a trap of one term is a trap of the sum.  ``None`` means: not proved here.
+For small alpha this w is tiny beyond all bounds; but an orbit falls into the trap from any w up to
+alpha y/(8(2-alpha))^(1/2), before y has lost alpha/4 of itself.  More terms only slow the motion down, so a trap of one
+term is a trap of the sum.  ``None`` means: not proved here.
 
 >>> from fractions import Fraction
 >>> from asymptotics.numbers.exact import ExactReal
@@ -43,4 +45,5 @@ def trap(damping: Damping, y: arb, w: arb) -> str | None:
 
 def _slow(epsilon: arb, a: arb, y: arb, w: arb) -> bool:
     c = (2 / (2 - a)) ** (1 / a)
-    return bool(w**a <= c**a * y / epsilon) and bool(c**2 * y ** (2 / a - 2) < a**2 / (2 - a) * epsilon ** (2 / a))
+    inside = w <= a * y / (8 * (2 - a)).sqrt() or w**a <= c**a * y / epsilon
+    return bool(inside) and bool(c**2 * y ** (2 / a - 2) < a**2 / (2 - a) * epsilon ** (2 / a))

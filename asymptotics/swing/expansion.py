@@ -9,6 +9,12 @@ The same series serves both ends: P_0 = y_0 > 0 where a half-swing begins, P_0 <
 Where the powers are kept apart, the coefficients belong to the exponents alone and are shared (``rows``).  They are
 balls; what is left out is bounded by the majorant (``majorant``), stretched as ``keys`` proposes.
 
+*One term.*  Without any series, if d >= w^2/(2 p) for some d and p = P_0 - d - N(w) > 0 (|P_0| - d where P_0 < 0),
+
+    |P| >= p,    |y - y_0| <= d,    1/(|P_0| + N(w)) <= |tau|/w <= 1/p:
+
+while |y - y_0| <= d the first holds, so that |dy/dw| <= w/p and the distance stays below d.
+
 >>> from fractions import Fraction
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(60):
@@ -20,7 +26,7 @@ balls; what is left out is bounded by the majorant (``majorant``), stretched as 
 """
 
 from dataclasses import dataclass
-from math import ceil, prod
+from math import ceil, log2, prod
 from operator import mul
 
 from flint import arb, arb_poly, ctx
@@ -59,6 +65,8 @@ class Expansion:
         """
         plan = plan_at(damping, y0, w)
         reach = dyadic(plan.omega + size_of(y0)) if w is None else w
+        if plan.short:
+            return cls._short(damping, y0, reach if w is not None else _slow_enough(damping, y0, reach), plan)
         with ctx.workprec(max(ctx.prec, 64)):
             factor, bound = _stretched(damping, abs(y0), reach, plan)
         line = _on_a_line(damping, y0, plan) if plan.denominator else None
@@ -67,6 +75,13 @@ class Expansion:
         slow = upper(factor * bound / (1 - bound) / abs(y0))
         return cls(damping, y0, reach, plan, line, rows, small, slow)
 
+    @classmethod
+    def _short(cls, damping: Damping, y0: arb, reach: arb, plan: Plan) -> "Expansion":
+        """The first term alone."""
+        drop, slowest, fastest = room(damping, y0, reach)
+        late = upper((1 / slowest - 1 / abs(y0)).max(1 / abs(y0) - 1 / fastest))
+        return cls(damping, y0, reach, plan, (arb_poly([y0]), arb_poly([1 / y0])), (), drop, late)
+
     @property
     def terms(self) -> int:
         """How many terms are kept."""
@@ -74,7 +89,8 @@ class Expansion:
 
     def speed(self) -> arb:
         """A bound of |(y', w')| within the reach, on both sides of the turning point: |P| <= 2 |P_0| where r < 1."""
-        return upper(2 * abs(self.y0) + 2 * self.damping.friction + self.reach)
+        fast = upper(self.damping.resistance(self.reach)) if self.plan.short else arb(0)
+        return upper(2 * abs(self.y0) + 2 * self.damping.friction + self.reach + fast)
 
     def state(self, w: arb) -> tuple[arb, arb]:
         """(y, tau) at the speed 0 <= w <= ``reach``; tau since (or, if negative, until) the turning point."""
@@ -100,6 +116,27 @@ class Expansion:
             y += monomial * row(square)
             slowness += monomial * slow_row(square)
         return y * self.y0, slowness / self.y0
+
+
+def room(damping: Damping, y0: arb, w: arb) -> tuple[arb, arb, arb]:
+    """(d, p, the largest |P|) of the last paragraph above, up to the speed w."""
+    size, brake = arb(abs(y0).lower()), upper(damping.resistance(w))
+    drop = upper(9 * w * w / (16 * size))
+    slowest = (size - drop - (brake if y0 > 0 else 0)).lower()
+    while slowest > 0 and not drop >= w * w / (2 * slowest):
+        drop = upper(2 * drop)
+        slowest = (size - drop - (brake if y0 > 0 else 0)).lower()
+    if not slowest > 0:
+        raise UndecidedError(
+            "the damping may stop the motion at once next to a turning point: weaker damping is served"
+        )
+    return drop, slowest, upper(abs(y0) + brake)
+
+
+def _slow_enough(damping: Damping, y0: arb, reach: arb) -> arb:
+    """A reach at which the damping takes off at most 15/16 of the force: a choice."""
+    most = size_of(y0) - 0.1 - log2(max(1, len(damping.sizes)))
+    return min(reach, *(dyadic(min((most - e) / a, 0.0)) for e, a in damping.sizes)) if y0 > 0 else reach
 
 
 def plan_at(damping: Damping, y0: arb, w: arb | None = None) -> Plan:

@@ -10,6 +10,10 @@ A larger omega saves Taylor steps and costs terms.  Two shapes of the set of ter
 * ``simplex``: one index for z_0 = w^2 and one for each z_i = w^alpha_i, weights g_i = log2 of the room z_i has; kept
   is sum n_i g_i < G.  Weights are integers, so that a term is either in or out; coefficients are shared (``rows``).
 
+Where both would need too many terms (0 < alpha < 1/100 and a strength near 1, where w^alpha hardly depends on w) only
+the first term is kept: a ``short`` plan, for a speed so small that this is enough; Taylor steps, each about as long as
+the way to w = 0, do the rest.
+
 Nothing here enters a bound: ``expansion`` checks the convergence in balls and computes the tail from the first term
 left out.
 
@@ -32,6 +36,7 @@ MAX_LINE, MAX_KEYS = 3000, 1500
 _UNIT = 1 << 16  # of the integer weights
 _LN2 = log(2)
 _ALONE = 0.25  # the share of its coefficients that a half-swing pays for, where others use them too
+_SMALL = 0.2  # exponents below which short plans are made
 _HALVINGS = (0.2, 0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 13, 16, 20, 26, 32)
 
 
@@ -45,6 +50,11 @@ class Plan:
     count: int
     weights: Key = ()
     top: int = 0
+
+    @property
+    def short(self) -> bool:
+        """Whether only the first term is kept."""
+        return not self.stretch
 
 
 @lru_cache(maxsize=4096)
@@ -60,7 +70,7 @@ def plan_for(
 
     ``shared``: whether the coefficients of a simplex are those of all strengths (``rows``).
 
-    LimitError where every plan needs too many terms.
+    LimitError where every plan needs too many terms, and no exponent is small.
     """
     edge = _edge(ln2_delta, alphas)
     best, cost, most = None, inf, MAX_KEYS if speed is None else 2 * MAX_KEYS
@@ -68,6 +78,10 @@ def plan_for(
         for plan in (_line(omega, ln2_delta, rational, alphas, bits), _simplex(omega, ln2_delta, alphas, bits, most)):
             if plan is not None and (total := _microseconds(plan, bits, alphas, shared)) < cost:
                 best, cost = plan, total
+    if shared and min(alphas, default=1.0) < _SMALL:
+        short = Plan(-bits - 8.0 if speed is None else speed, 1, (), 1)
+        if best is None or (speed is None and 3 * bits * _step_microseconds(bits, len(alphas)) < cost):
+            return short
     if best is None:
         shown = ", ".join(f"{a:.6g}" for a in alphas)
         reason = f"the majorant of the expansion at a turning point needs more than {MAX_KEYS} terms for ({shown})"
@@ -156,8 +170,7 @@ def sums_below(count: int, parts: tuple[int, ...]) -> list[bool]:
 
 def _microseconds(plan: Plan, bits: int, alphas: tuple[float, ...], shared: bool) -> float:
     """A rough cost of a half-swing's two ends and of the Taylor steps that a small omega adds."""
-    order, q, terms = 0.42 * bits + 6, plan.denominator, plan.count
-    step = 150 + 0.1 * order**2 * (1 + len(alphas)) * (1 + bits / 500)
+    q, terms, step = plan.denominator, plan.count, _step_microseconds(bits, len(alphas))
     if q:
         parts = (2 * q, *(round(a * q) for a in alphas))
         terms = min(plan.count // gcd(*parts), int(prod(plan.count / p + 1 for p in parts) / factorial(len(parts))))
@@ -167,3 +180,8 @@ def _microseconds(plan: Plan, bits: int, alphas: tuple[float, ...], shared: bool
     else:
         ends = _ALONE * (0.025 * terms**2 * (1 + bits / 500) + 8 * terms) + 4 * (20 + 0.3 * terms)
     return ends + 2 * 8.8 * _LN2 * max(0.0, -1 - plan.omega) * step
+
+
+def _step_microseconds(bits: int, laws: int) -> float:
+    order = 0.42 * bits + 6
+    return 150 + 0.1 * order**2 * (1 + laws) * (1 + bits / 500)

@@ -43,17 +43,29 @@ def lost_bits(law: Law) -> int:
     return ceil(_LOST * lingering(law))
 
 
+def lost_until(law: Law, tau: float) -> int:
+    """How many bits the motion loses up to the time tau, 0 where half-swings are short."""
+    return ceil(_LOST * tau) if lingering(law) > 0 else 0
+
+
+def lingering_seconds(law: Law, swings: int, bits: int, within: float = inf) -> float:
+    """What ``swings`` half-swings that linger cost in addition, at ``bits`` and more, up to the time ``within``."""
+    time = min(lingering(law), within)
+    if time == 0:
+        return 0.0
+    step = _SECONDS * ((bits + _LOST * time) / _BITS) ** 2
+    return min(swings, _most(law)) * _PER_TIME * max(time - pi, 0.0) * step
+
+
 def require_brief(law: Law, swings: int, digits: int, bits: int) -> None:
     """LimitError at once where the budget does not allow ``swings`` half-swings that linger, at ``bits`` and more."""
     time = lingering(law)
     if time == 0:
         return
-    step = _SECONDS * ((bits + _LOST * time) / _BITS) ** 2
-    seconds = min(swings, _most(law)) * _PER_TIME * (time - pi) * step
     work = (
         f"next to critical damping, where one half-swing lasts about {time:.3g}, {swings} of them with {digits} digits"
     )
-    require_seconds(seconds, work)
+    require_seconds(lingering_seconds(law, swings, bits), work)
 
 
 def _most(law: Law) -> float:

@@ -6,7 +6,8 @@ import pytest
 
 from asymptotics.budget import budget
 from asymptotics.errors import LimitError
-from asymptotics.law import Law
+from asymptotics.law import Law, Oscillator
+from asymptotics.motions import reference
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.lingering import lingering, lost_bits
 from asymptotics.turning.general import turning_points
@@ -54,3 +55,15 @@ def test_critical_and_stronger_damping_and_traps_do_not_linger():
     assert turning_points(Law({1: 2, 2: "1/10"}), 2, 10).ended == {"n": 0, "reason": "overdamped"}
     for law in ({1: 2, 2: 1}, {1: 3}, {1: "1.99"}, {"1/2": "1/10", 1: "1.99"}, {2: 5}, {1: "1/2", 2: 1}):
         assert lingering(Law(law)) == 0, law
+
+
+def test_a_reference_motion_carries_the_bits_that_it_loses(monkeypatch):
+    oscillator, tried = Oscillator(Law({1: "1.999", 2: "1/10"})), []
+    passes = reference._states
+    monkeypatch.setattr(reference, "_states", lambda *given: tried.append(given[2]) or passes(*given))
+    point = reference.reference_motion(oscillator, "60", 20)
+    assert len(tried) == 1 and point.x.startswith("3.24063346198") and point.x.endswith("e-25")
+    finer = reference.reference_motion(oscillator, "60", 30)
+    assert len(tried) == 2 and abs(Fraction(point.x) - Fraction(finer.x)) <= Fraction("5e-45")
+    with pytest.raises(LimitError, match="would take about"):
+        reference.reference_motion(Oscillator(Law({1: "1.999999999999", 2: "1/10"})), "1e6", 20)

@@ -1,0 +1,94 @@
+"""Exponents near 0: one term at the turning points, Taylor steps up to them, and a trap that is seen in time."""
+
+from fractions import Fraction
+
+import pytest
+from flint import arb, ctx
+from scipy.integrate import solve_ivp
+
+from asymptotics.law import Law
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.ends import trap
+from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.keys import Plan
+from asymptotics.swing.passage import integrated
+from asymptotics.turning.general import turning_points
+
+
+def damping(*terms):
+    return Damping.of([(arb(e), ExactReal(Fraction(a))) for a, e in terms])
+
+
+LAWS = [(("1/1000", "0.3"),), (("1/300", "0.25"), ("2", "0.5"))]
+
+
+@pytest.mark.parametrize("terms", LAWS, ids=str)
+def test_a_ladder_of_precisions(terms):
+    with ctx.workprec(160):
+        fine = integrated(damping(*terms), arb(1))
+        assert fine.amplitude.rad() < 1e-33 and fine.duration.rad() < 1e-33
+    for bits in (30, 50, 90):
+        with ctx.workprec(bits + 32):
+            law = damping(*terms)
+        with ctx.workprec(bits):
+            found = integrated(law, arb(1))
+            for a, b in ((found.amplitude, fine.amplitude), (found.duration, fine.duration)):
+                assert a.contains(b.mid()) and a.rad() < 2.0 ** (14 - bits)
+
+
+@pytest.mark.parametrize("terms", LAWS, ids=str)
+def test_the_half_swing_is_that_of_scipy(terms):
+    laws = [(float(Fraction(a)), float(e)) for a, e in terms]
+
+    def slope(_, state):
+        y, w = state
+        return [-w, y - sum(e * max(w, 0.0) ** a for a, e in laws)]
+
+    turned = lambda t, state: state[1]  # noqa: E731
+    turned.terminal, turned.direction = True, -1
+    end = solve_ivp(slope, (0, 9), [1.0, 1e-13], "DOP853", events=turned, rtol=1e-12, atol=1e-13, max_step=0.05)
+    with ctx.workprec(112):
+        law = damping(*terms)
+    with ctx.workprec(80):
+        found = integrated(law, arb(1))
+    assert abs(-end.y_events[0][0][0] - float(found.amplitude)) < 1e-9
+    assert abs(end.t_events[0][0] - float(found.duration)) < 1e-8
+
+
+def test_half_of_the_drop_or_of_the_delay_would_be_wrong():
+    with ctx.workprec(60):
+        law, w = damping(("1/1000", "0.1")), arb(2) ** -8
+        for side in (1, -1):
+            short = Expansion._short(law, arb(side), w, Plan(-8.0, 1, (), 1))
+            y, tau = Expansion.at(law, arb(side), w).state(w)
+            about = short.state(w)
+            assert about[0].contains(y) and about[1].contains(tau)
+            assert not arb(side, short.tail / 2).contains(y)
+            assert not (w * (side + arb(0, short.time_tail / 2))).contains(tau)
+
+
+def test_what_falls_into_the_trap_is_told_up_to_the_speed_that_is_proved():
+    law, y = damping(("1/1000", "1")), arb("0.5")
+    edge = arb(1) / 1000 * y / (8 * (2 - arb(1) / 1000)).sqrt()
+    assert trap(law, y, edge * arb("0.999")) == "creeps" and trap(law, y, edge * arb("1.001")) is None
+    # the orbit from there: SciPy sees it lose far less than alpha/4 of y before the speed is next to nothing
+    slope = lambda _, s: [-s[1], s[0] - max(s[1], 1e-300) ** 0.001]  # noqa: E731
+    slow = lambda _, s: s[1] - 1e-9  # noqa: E731
+    slow.terminal = True
+    end = solve_ivp(slope, (0, 1e-2), [0.5, float(edge)], "DOP853", events=slow, rtol=1e-10, atol=1e-14)
+    assert len(end.t) and 0.5 * (1 - 0.001 / 4) < end.y_events[0][0][0] < 0.5
+
+
+@pytest.mark.parametrize(
+    ("law", "n"),
+    [({"1/1000": "9/10"}, 0), ({"1/100000": "9/10"}, 0), ({"1/1000": "1/2"}, 1), ({"1/500": "1/3", "1/2": "1/10"}, 1)],
+)
+def test_strengths_near_1_are_served(law, n):
+    table = turning_points(Law(law), 4, 12, times=True)
+    assert table.certified and table.ended == {"n": n, "reason": "creeps"}
+
+
+def test_a_moving_start_is_served():
+    table = turning_points(Law({"1/1000": "9/10"}), 4, 12, x0="1/2", v0="-3")
+    assert table.ended == {"n": 1, "reason": "creeps"} and table.points[1].x.startswith("0.15341082")
