@@ -29,6 +29,7 @@ from flint import arb, ctx
 from asymptotics.errors import UndecidedError
 from asymptotics.swing.damping import Damping, dyadic, size_of, upper
 from asymptotics.swing.expansion import Expansion, plan_at
+from asymptotics.swing.keys import SMALL
 
 _FIRST, _MOST = 40, 40
 _INNER = 0.9375  # of |y|, and more than the guess will differ from it
@@ -102,7 +103,8 @@ def turns_within(damping: Damping, y: arb, w: arb, error: arb) -> bool:
     if damping.least < 1:  # braking may end the motion long before; below 1 the reach shrinks with the amplitude
         size = size_of(y)
     near = bool(w < reach_at(damping, dyadic(size)))
-    if (near or w < error) and plan_at(damping, y * arb(_INNER), w).short:  # one term: as late as the error allows
+    small = damping.least < SMALL and (near or bool(w < error))
+    if small and plan_at(damping, y * arb(_INNER), w).short:  # one term: as late as the error allows
         return bool(w < error)
     return near
 

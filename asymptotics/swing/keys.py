@@ -36,7 +36,7 @@ MAX_LINE, MAX_KEYS = 3000, 1500
 _UNIT = 1 << 16  # of the integer weights
 _LN2 = log(2)
 _ALONE = 0.25  # the share of its coefficients that a half-swing pays for, where others use them too
-_SMALL = 0.2  # exponents below which short plans are made
+SMALL = 0.2  # exponents below which short plans are made
 _HALVINGS = (0.2, 0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 13, 16, 20, 26, 32)
 
 
@@ -78,7 +78,7 @@ def plan_for(
         for plan in (_line(omega, ln2_delta, rational, alphas, bits), _simplex(omega, ln2_delta, alphas, bits, most)):
             if plan is not None and (total := _microseconds(plan, bits, alphas, shared)) < cost:
                 best, cost = plan, total
-    if shared and min(alphas, default=1.0) < _SMALL:
+    if shared and min(alphas, default=1.0) < SMALL:
         short = Plan(-bits - 8.0 if speed is None else speed, 1, (), 1)
         if best is None or (speed is None and 3 * bits * _step_microseconds(bits, len(alphas)) < cost):
             return short
