@@ -32,6 +32,14 @@ ORDERS = {1: 7, 2: 5}
 def late_state(damping: Damping, first: Turning, tau: arb, lead: int, panels: Panels | None = None) -> arb:
     """X at the time ``tau``, far beyond ``lead`` half-swings from ``first``, a turning point of the motion.
 
+    LimitError as ``late_turning``.
+    """
+    return states_from(damping, late_turning(damping, first, tau, lead, panels), [tau])[0][0]
+
+
+def late_turning(damping: Damping, first: Turning, tau: arb, lead: int, panels: Panels | None = None) -> Turning:
+    """One of the last turning points before ``tau``.
+
     LimitError where the motion ends before, or the local strengths there are still out of the range of the theorem.
     """
     here = _led(sequence(damping, first, panels=panels, count=lead), first.n + lead)
@@ -45,8 +53,7 @@ def late_state(damping: Damping, first: Turning, tau: arb, lead: int, panels: Pa
         amplitude = a * (arb(0, bounds.log_amplitude(n)) - s).exp()
         moment = here.time + time + arb(0, upper(here.time_error + bounds.time(n)))
     side = here.side * (-1) ** n
-    there = Turning(here.n + n, side, amplitude.mid(), moment.mid(), upper(amplitude.rad()), upper(moment.rad()))
-    return states_from(damping, there, [tau])[0][0]
+    return Turning(here.n + n, side, amplitude.mid(), moment.mid(), upper(amplitude.rad()), upper(moment.rad()))
 
 
 def _led(turnings: Iterator[Turning], last: int) -> Turning:
