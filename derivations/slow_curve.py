@@ -8,80 +8,74 @@ import sympy
 
 from derivations.steps import At, Derivation
 
-w, e, h = sympy.symbols("w epsilon h", positive=True)
+w, e, h, r, d, E = sympy.symbols("w epsilon h r d E", positive=True)
 a = sympy.Symbol("alpha", positive=True)
-s, theta = sympy.symbols("s theta")
-c = sympy.symbols("c_1:4")
+b, q, theta, c_1, c_2 = sympy.symbols("b q theta c_1 c_2")
+A, B, R = (sympy.Function(name)(w) for name in "ABR")
 
 derivation = Derivation(
     "slow-curve",
     "Creep for 0 < alpha < 1 between two barriers",
-    source="derivation creep; asymptotics.swing.slow",
+    source="derivation creep; asymptotics.swing.slow, asymptotics.swing.slow_series",
 )
 step, holds = derivation.step, derivation.holds
 
-size = w ** (2 - 2 * a) / e**2
-step("Let s be the square of w/(e w^alpha):", (w / (e * w**a)) ** 2, size)
-b = (*c[:2], theta)  # the curve with n = 2 coefficients of the series and theta in the place of the third
-B = sum(coefficient * s**k for k, coefficient in enumerate(b, start=1))
-A = a - sum((a + 2 * (1 - a) * k) * coefficient * s**k for k, coefficient in enumerate(b, start=1))
-curve = e * w**a * (1 - B.subs(s, size))
+N = e * w**a * (1 + R)  # the law: its least exponent and, relative to it, all others
+Y = N - e * w**a * B
+slope = a * (1 + R - B) + w * (R.diff(w) - B.diff(w))
 step(
-    "On the curve y = Y(w) = e w^alpha (1 - B(s)) the slope w Y'/(e w^alpha) is A(s), here for B = c_1 s + c_2 s^2 +"
-    " theta s^3",
-    w * sympy.Derivative(curve, w) / (e * w**a),
-    A.subs(s, size),
+    "Of the curve y = Y(w) = e w^alpha (1 + R - B), where N = e w^alpha (1 + R), let A be the slope w Y'/(e w^alpha):",
+    w * sympy.Derivative(Y, w) / (e * w**a),
+    sympy.expand(slope),
 )
-drift = -w - sympy.Derivative(curve, w) * (curve - e * w**a)
+drift = -w - sympy.Derivative(Y, w) * (Y - N)
 step(
-    "y' = -w and w' = y - e w^alpha: there y - Y(w) changes at the rate -w - Y'(w) (Y - e w^alpha), divided by w",
+    "y' = -w and w' = y - N: on it y - Y(w) changes at the rate -w - Y'(w) (Y - N), divided by w",
     drift / w,
-    sympy.expand(-1 + (A * B / s).subs(s, size)),
+    sympy.expand(-1 + e**2 * w ** (2 * a - 2) * slope * B),
 )
-first, second = 1 / a, (a + 2 * (1 - a)) / a**3
-third = sympy.simplify((2 * a + 2 * (1 - a) * 3) * first * second / a)
-known = {c[0]: first, c[1]: second}
-rate = sympy.expand((A * B / s - 1).subs(known))
-step("alpha c_1 = 1 and alpha c_2 = (alpha + 2(1-alpha)) c_1^2: the rate has no term s^0,", At(rate, {s: 0}), 0)
-step("no term s,", At(sympy.Derivative(rate, s), {s: 0}), 0)
+powers = {R: r * w**d, B: b * w**q}
 step(
-    "and its term s^n is alpha (theta - c_(n+1)), with alpha c_3 = (2 alpha + 2 (1-alpha) 3) c_1 c_2",
-    At(sympy.Derivative(rate, s, 2), {s: 0}) / 2,
-    a * (theta - third),
+    "A for a power r w^d of R and a power b w^q of B (several add)",
+    slope.subs(powers).doit(),
+    a + (a + d) * r * w**d - (a + q) * b * w**q,
 )
 step(
-    "in general alpha c_m = sum_k (alpha + 2(1-alpha)k) c_k c_(m-k), here for m = 3",
-    (a + 2 * (1 - a)) * first * second + (a + 4 * (1 - a)) * second * first,
-    a * third,
+    "B = w^(2-2 alpha)/(alpha e^2) + ... makes the rate small: its first term is",
+    At(e**2 * w ** (2 * a - 2) * a * B, {B: w ** (2 - 2 * a) / (a * e**2)}),
+    1,
 )
-highest = sympy.Poly(rate, s).degree()
-holds(
-    "So for theta = c_(n+1) +- h the rate is +-alpha h s^n and the powers s^(n+1), ..., s^(2n+1), whose coefficients"
-    " are those of the polynomial A B: if they add up to less than alpha h s^n at some s they do so at all smaller s",
-    highest == 2 * 2 + 1,
-    sympy.Lt(sympy.Symbol("r"), a * h * s**2, evaluate=False),
+s = sympy.Symbol("s")
+two = (a - (a + 2 - 2 * a) * c_1 * s - (a + 4 - 4 * a) * c_2 * s**2) * (c_1 * s + c_2 * s**2)
+known = {c_1: 1 / a, c_2: (2 - a) / a**3}
+step(
+    "and so on, power by power: without other laws, s = w^(2-2 alpha)/e^2, A B = s up to s^2 for c_1 = 1/alpha,"
+    " c_2 = (alpha + 2 (1-alpha)) c_1^2/alpha",
+    At(sympy.Derivative(two.subs(known), s, 2), {s: 0}),
+    0,
+)
+full = (A - (a + E) * theta * w**E) * (B + theta * w**E)
+step(
+    "Add theta w^E to B, which is cut off below w^E: A B becomes A B plus alpha theta w^E and",
+    full - A * B - a * theta * w**E,
+    sympy.expand(theta * w**E * (A - a - (a + E) * (B + theta * w**E))),
 )
 step(
-    "The motion crosses the curve with c_(n+1) - h towards smaller y and the other towards greater y: it stays in"
-    " between.  There, at a height y, the curve with the greater theta has the greater w: d ln w/d theta is",
-    -sympy.Derivative(-e * w**a * theta * size**3, theta) / (e * w**a * sympy.Symbol("A")),
-    size**3 / sympy.Symbol("A"),
+    "All powers beside alpha theta w^E, those that A B was left with too, are w^E times powers >= 0: if at some w their"
+    " absolute values add up to less than alpha h w^E, |theta| = h, so they do at all smaller w, for",
+    (w / 2) ** (E + d) / (w / 2) ** E,
+    (w / 2) ** d,
 )
 step(
-    "as d y/d ln w = e w^alpha A > 0.  As y' = -w, y falls slowest on the curve with c_(n+1) - h and fastest on the"
-    " other.  Time on a curve: dt = -dY/w, and the antiderivative of Y'/w is",
-    sympy.Derivative(
-        e
-        * w ** (a - 1)
-        / (1 - a)
-        * (-a + sum(-(a + 2 * (1 - a) * k) * q * size**k / (2 * k - 1) for k, q in enumerate(b, 1))),
-        w,
-    ),
-    sympy.expand(e * w ** (a - 2) * A.subs(s, size)),
+    "So the rate has the sign of theta: the motion crosses the curve with -h towards smaller y, the one with h towards"
+    " greater y, and stays in between.  At a height y the greater theta has the greater w: d ln w/d theta is",
+    -sympy.Derivative(-e * w**a * theta * w**E, theta) / (e * w**a * sympy.Symbol("A")),
+    w**E / sympy.Symbol("A"),
 )
-k = sympy.Symbol("k", integer=True)
 step(
-    "whose divisors 2k - 1 never vanish: w^(alpha-1) s^k has the exponent",
-    sympy.expand(a - 1 + (2 - 2 * a) * k),
-    (1 - a) * (2 * k - 1),
+    "as dy/d ln w = e w^alpha A > 0.  y' = -w: y falls slowest on the curve with -h, fastest on the one with h."
+    "  On a curve dt = -dY/w, and a power c w^q of A gives to the antiderivative of Y'/w",
+    sympy.Derivative(e * b * w ** (a - 1 + q) / (a - 1 + q), w),
+    e * w**a * b * w**q / w**2,
 )
+step("or, where alpha - 1 + q = 0,", sympy.Derivative(e * b * sympy.log(w), w), e * b / w)

@@ -220,7 +220,6 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
 
 
 def _most_swings(law: Law) -> float:
-    """About how many half-swings one law with alpha < 1 leaves: then the motion sticks, or creeps for all times."""
-    if len(law.terms) != 1 or not law.terms[0].velocity < 1:
-        return inf
-    return 3 + 1 / ((1 - float(law.terms[0].velocity.ball())) * float(law.terms[0].strength.ball()))
+    """About how many half-swings a term with alpha < 1 leaves: then the motion sticks, or creeps for all times."""
+    slow = [(float(t.velocity.ball()), float(t.strength.ball())) for t in law.terms if t.velocity < 1]
+    return min((3 + 1 / ((1 - a) * e) for a, e in slow if e > 0), default=inf)

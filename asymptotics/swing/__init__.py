@@ -8,6 +8,7 @@
 ``taylor``      one Taylor step in between, with its error by the residual
 ``ends``        when no turning point follows: sticks, creeps, overdamped, decided in balls
 ``slow``        creep for all times: between two barriers beside the slow curve
+``slow_series`` the slow curve as a sum of powers of the speed, cut off, and what the cut leaves
 ``linear``      linear damping and dry friction alone: the closed form
 ``lingering``   next to critical linear damping: how long a half-swing takes, how many bits it loses
 ``course``      a half-swing in pieces, from an exact state to the next turning point

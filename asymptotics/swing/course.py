@@ -37,6 +37,7 @@ from asymptotics.swing.taylor import TaylorStep
 
 MAX_PIECES, MAX_FREE = 200_000, 5000
 _FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision
+_CATCH = 4  # every so many pieces a strip about the slow curve is tried
 
 
 @dataclass(frozen=True)
@@ -159,7 +160,7 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         if reason is None and ((watch and count > MAX_FREE) or lost):
             where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
             raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
-        strip = caught(damping, y, w, error) if reason == CREEPS else None
+        strip = caught(damping, y, w, error) if reason == CREEPS and count % _CATCH == 0 else None
         if strip is not None:
             yield from _creep(damping, t, strip)
         taylor = TaylorStep.at(damping, y, w, scale)

@@ -1,15 +1,13 @@
-"""Creep for all times: the slow curve of one exponent alpha < 1, between two barriers.
+"""Creep for all times: the slow curve of the least exponent alpha < 1, between two barriers.
 
-With s = w^(2-2 alpha)/epsilon^2 the slow curve is y = epsilon w^alpha (1 - sum_k c_k s^k), where
-
-    alpha c_1 = 1,    alpha c_m = sum_(k=1)^(m-1) (alpha + 2(1-alpha)k) c_k c_(m-k),
-
-a divergent series.  With theta in place of c_(n+1) as its last coefficient it is a curve that the motion crosses in one
-direction only, as long as s is small: downwards in y for theta = c_(n+1) - h, upwards for c_(n+1) + h.  In between the
-motion is caught, and the time on either curve is a sum of powers of w, so the state is known at any later time, however
-late, where steps in time would have to be ever shorter (derivation ``slow-curve``).
+The slow curve is a divergent sum of powers of w (``slow_series``).  Cut off below w^E, and theta w^E more in
+B, it is a curve that the motion crosses in one direction only as long as w is small: downwards in y for theta = -h,
+upwards for theta = h.  In between the motion is caught, and the time on either curve is a sum of powers of
+w, so the state is known at any later time, however late, where steps in time would have to be ever shorter (derivation
+``slow-curve``).
 
 >>> from fractions import Fraction
+>>> from asymptotics.numbers.exact import ExactReal
 >>> law = Damping.of([(arb(1), ExactReal(Fraction(1, 2)))])
 >>> with ctx.workprec(80):
 ...     y = arb("0.01")
@@ -21,69 +19,62 @@ late, where steps in time would have to be ever shorter (derivation ``slow-curve
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from math import log2
 
-from flint import arb, arb_poly, ctx
+from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping, upper
+from asymptotics.swing.slow_series import Power, Truncated, summed, truncated
 
 _WIDEST = 2**10  # how much wider a strip may be than what the error of the state means for its height
-_INSIDE = arb(101) / 100  # the barriers are checked up to this multiple of s: the curves start beside the state
-_NEWTON = 60
-
-
-@lru_cache(maxsize=32)
-def coefficients(alpha: ExactReal, order: int, bits: int) -> tuple[arb, ...]:
-    """c_1, ..., c_order at ``bits`` bits.
-
-    >>> from fractions import Fraction
-    >>> [c.str(8) for c in coefficients(ExactReal(Fraction(1, 2)), 4, 60)]
-    ['2.0000000', '12.000000', '192.00000', '4560.0000']
-    """
-    with ctx.workprec(bits):
-        a = alpha.ball()
-        found = [1 / a]
-        for m in range(2, order + 1):
-            products = ((a + 2 * (1 - a) * k) * found[k - 1] * found[m - k - 1] for k in range(1, m))
-            found.append(sum(products, arb(0)) / a)
-    return tuple(found)
+_INSIDE = arb(101) / 100  # the barriers are checked up to this multiple of w: the curves start beside the state
+_NEWTON, _LN2 = 60, 0.6931471805599453
+_ORDERS = (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36, 48, 64, 85, 110, 140)
 
 
 @dataclass(frozen=True)
 class Curve:
-    """y = epsilon w^alpha (1 - B(s)) with B = sum_k b_k s^k, as functions of log_w = ln w, at the current precision."""
+    """y = N(w) - epsilon w^alpha B, with B and the relative terms R of the other laws as sums of powers of w.
+
+    Functions of ln w, at the current precision.
+    """
 
     epsilon: arb
     alpha: arb
-    b: tuple[arb, ...]
+    others: tuple[Power, ...]
+    b: tuple[Power, ...]
 
     @property
-    def a(self) -> list[arb]:
-        """A(s) = d(epsilon w^alpha (1 - B))/dl / (epsilon w^alpha), coefficient by coefficient."""
-        return [self.alpha, *(-(self.alpha + 2 * (1 - self.alpha) * k) * b for k, b in enumerate(self.b, start=1))]
-
-    def s(self, log_w: arb) -> arb:
-        """s at w = exp(log_w)."""
-        return (2 * (1 - self.alpha) * log_w).exp() / self.epsilon**2
+    def a(self) -> list[Power]:
+        """A without its first term alpha."""
+        return [((self.alpha + d) * r, d) for r, d in self.others] + [(-(self.alpha + e) * b, e) for b, e in self.b]
 
     def place(self, log_w: arb) -> tuple[arb, arb]:
-        """y and dy/dl."""
-        s, size = self.s(log_w), self.epsilon * (self.alpha * log_w).exp()
-        return size * (1 - arb_poly([arb(0), *self.b])(s)), size * arb_poly(self.a)(s)
+        """y and dy/d ln w."""
+        size = self.epsilon * (self.alpha * log_w).exp()
+        return (
+            size * (1 + summed(self.others, log_w) - summed(self.b, log_w)),
+            size * (self.alpha + summed(self.a, log_w)),
+        )
 
     def clock(self, log_w: arb) -> tuple[arb, arb]:
-        """The antiderivative of dy/w, and its derivative by log_w: it falls by the time that passes."""
-        s, size = self.s(log_w), self.epsilon * ((self.alpha - 1) * log_w).exp()
-        whole = arb_poly([a / (2 * k - 1) for k, a in enumerate(self.a)])
-        return size * whole(s) / (1 - self.alpha), size * arb_poly(self.a)(s)
+        """The antiderivative of dy/w, and its derivative by ln w: it falls by the time that passes."""
+        whole = sum((a * _grown(self.alpha - 1 + e, log_w) for a, e in [(self.alpha, arb(0)), *self.a]), arb(0))
+        return self.epsilon * whole, self.epsilon * ((self.alpha - 1) * log_w).exp() * (
+            self.alpha + summed(self.a, log_w)
+        )
+
+
+def _grown(d: arb, log_w: arb) -> arb:
+    """An antiderivative of w^(d-1): w^d/d, or ln w."""
+    return log_w if d == 0 else (d * log_w).exp() / d
 
 
 @dataclass(frozen=True)
 class Strip:
-    """Between the curves ``above`` (theta = c_(n+1) - h) and ``below`` (c_(n+1) + h); ``starts``: ln w on either curve
-    at the greatest and the least height y of the state that entered; ``share``: 2 h / min A."""
+    """Between the curves ``above`` (theta = -h) and ``below`` (theta = h), the last power of each; ``starts``: ln w on
+    either curve at the greatest and the least height y of the state that entered; ``share``: 2 h / min A."""
 
     above: Curve
     below: Curve
@@ -98,10 +89,10 @@ class Strip:
         return y, self._speed(slow).union(self._speed(fast))
 
     def _speed(self, log_w: arb) -> arb:
-        """All speeds in the strip at the height of one of its curves at ``log_w``: d ln w/d theta = s^(n+1)/A."""
-        order = len(self.above.b)
-        blur = upper(self.share * self.above.s(log_w) ** order * arb(11) / 10)
-        if not (2 * (1 - self.above.alpha) * order * blur).exp() < arb(11) / 10:
+        """All speeds in the strip at the height of one of its curves at ``log_w``: d ln w/d theta = w^E/A."""
+        last = self.above.b[-1][1]
+        blur = upper(self.share * (last * log_w).exp() * arb(11) / 10)
+        if not (last * blur).exp() < arb(11) / 10:
             raise UndecidedError("the strip about the slow curve is too wide")
         return (log_w + arb(0, blur)).exp()
 
@@ -135,49 +126,49 @@ def solve(function: Callable[[arb], tuple[arb, arb]], value: arb, guess: arb) ->
 def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
     """The strip that holds all states within ``error`` of the exact (y, w) from now on, or None where none is narrow
     enough."""
-    if len(damping.alphas) != 1 or not damping.alphas[0] < 1 or not w > 2 * error:
+    if not damping.least < 1 or not w > 2 * error:
         return None
-    epsilon, a = damping.strengths[0], damping.exponents[0]
-    place, speed = y + arb(0, error), w + arb(0, error)
-    s = speed ** (2 - 2 * a) / epsilon**2
-    most = upper(_INSIDE * s)
-    size = damping.resistance(w)
+    leading = min(range(len(damping.sizes)), key=lambda i: damping.sizes[i][1])
+    a, size, place, speed = damping.exponents[leading], damping.resistance(w), y + arb(0, error), w + arb(0, error)
+    most = (_INSIDE * speed).upper().log()
     goal = upper((error * (1 + a * size / w) + abs(y) * arb(2) ** -ctx.prec) / size)
-    c = coefficients(damping.alphas[0], 24 + ctx.prec // 3, ctx.prec)
-    n = _order(c, most, goal)
-    if n is None:
+    series = _short_enough(damping, leading, most, goal)
+    if series is None:
         return None
-    theta = (1 - place / damping.resistance(speed) - arb_poly([arb(0), *c[:n]])(s)) / s ** (n + 1)
-    h = (2 * upper(theta - c[n])).max(4 * upper(c[n + 1] * most))
-    curves = [Curve(epsilon, a, (*c[:n], c[n] + sign * h)) for sign in (-1, 1)]
-    if not h * most ** (n + 1) < _WIDEST * goal or not all(one_way(curve, a * h, most) for curve in curves):
+    E, log_w = series.cut, speed.log()
+    lacking = (damping.resistance(speed) - place) / (series.epsilon * (a * log_w).exp()) - summed(series.b, log_w)
+    theta = lacking * (-E * log_w).exp()
+    h = 2 * upper(theta) + 4 * upper(summed(series.rest, most) * (-E * most).exp() / a)
+    if not h * (E * most).exp() < _WIDEST * goal or not one_way(series, h, most):
         return None
-    starts = [solve(curve.place, end, w.log()) for curve, end in zip(curves, (y + error, y - error))]
-    if not all(curve.s(log_w) < most for curve, log_w in zip(curves, starts)):
-        return None
-    return Strip(curves[0], curves[1], (starts[0], starts[1]), upper(4 * h / a))
+    above, below = (Curve(series.epsilon, a, series.others, (*series.b, (sign * h, E))) for sign in (-1, 1))
+    starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
+    return Strip(above, below, starts, upper(4 * h / a)) if all(start < most for start in starts) else None
 
 
-def _order(c: tuple[arb, ...], s: arb, goal: arb) -> int | None:
-    """The least n >= 1 whose first term left out is below the goal; None if the terms grow before."""
-    with ctx.workprec(53):
-        before, power = c[0] * s, s
-        for n in range(1, len(c) - 1):
-            power *= s
-            term = c[n] * power
-            if not term < before:
-                return None
-            if term < goal:
-                return n
-            before = term
+def _short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Truncated | None:
+    """The shortest series whose rest is below the goal for ln w <= most; None where its terms grow before."""
+    size, alpha = damping.sizes[leading]
+    first = 2 * (1 - alpha) * float(most) / _LN2 - 2 * size
+    if first + log2((2 - alpha) / alpha**2) > -1:  # the second term would not be below half the first
+        return None
+    before = arb(1)
+    for order in _ORDERS:
+        series = truncated(damping, leading, order)
+        if series is None or not (left := upper(summed(series.rest, most))) < before:
+            return None
+        if left < goal * series.alpha / 4:
+            return series
+        before = left
     return None
 
 
-def one_way(curve: Curve, drift: arb, s: arb) -> bool:
-    """Whether for all s up to this one the motion crosses the curve as its leading drift +-``drift`` says, and
-    A > alpha/2: y and w fall together on it."""
-    order, A = len(curve.b), curve.a
-    product = arb_poly(A) * arb_poly([arb(0), *curve.b])
-    rest = sum((abs(product[m]) * s ** (m - order) for m in range(order + 1, 2 * order + 1)), arb(0))
-    falls = sum((abs(a) * s**k for k, a in enumerate(A) if k), arb(0))
-    return bool(rest < drift) and bool(falls < curve.alpha / 2)
+def one_way(series: Truncated, h: arb, most: arb) -> bool:
+    """Whether for all ln w <= most the motion crosses the curves of theta = +-h as their drift +-alpha h w^E in A B
+    says, and A > alpha/2: y and w fall together on them."""
+    a, E, drift = series.alpha, series.cut, h * (series.cut * most).exp()
+    others = summed([((a + d) * r, d) for r, d in series.others], most)
+    own = summed([((a + e) * abs(b), e) for b, e in series.b], most)
+    plain = summed([(abs(b), e) for b, e in series.b], most)
+    rest = summed(series.rest, most) + drift * (others + own + (a + E) * (plain + drift))
+    return bool(rest < a * drift) and bool(own + (a + E) * drift < a / 2)
