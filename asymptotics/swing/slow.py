@@ -142,7 +142,10 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
     if not h * (E * most).exp() < _WIDEST * goal or not one_way(series, h, most):
         return None
     above, below = (Curve(series.epsilon, a, series.others, (*series.b, (sign * h, E))) for sign in (-1, 1))
-    starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
+    try:
+        starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
+    except UndecidedError:  # too few bits here: a later state may do
+        return None
     return Strip(above, below, starts, upper(4 * h / a)) if all(start < most for start in starts) else None
 
 
