@@ -59,7 +59,6 @@ MISSING: dict[str, dict[str, str]] = {
         "gauge": "each statement says itself what it is about",
     },
     "smith": {
-        "digits": "every number is an exact fraction",
         "gauge": "constants of the motion have no gauge",
         "plot": "coefficients are no curve",
         "points": "there is no curve",

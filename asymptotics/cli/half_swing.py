@@ -5,6 +5,7 @@ U = d ln A/dpsi,  V = d delta/dpsi,  W = dtau/dpsi  (turning-point gauge).
 
 asymptotics half-swing --alpha 3/2 --order 6 --digits 40
 asymptotics half-swing --alpha 3/2 --spring 3 --order 4
+asymptotics half-swing --alpha symbolic --order 2
 
 With --delta, the numbers at that local strength instead: A'/A, L and T, certified, with the enclosure, the route, the
 number of terms and the tail; a sum takes one strength for each law, then one for each spring (A^2 for a pendulum).
@@ -17,13 +18,18 @@ asymptotics half-swing --alpha 3/2 --spring pendulum --delta 1/10,4
 import argparse
 from pathlib import Path
 
+import sympy
+
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER
 from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.cli.rows import deltas_latex, order_of, row_text, rows_csv, rows_latex, told
 from asymptotics.errors import InputError
+from asymptotics.half_swings.symbolic import symbolic_half_swing
+from asymptotics.normal_form.closed_forms import MAX_SYMBOLIC_ORDER
 from asymptotics.normal_form.coefficients import half_swing_coefficients
+from asymptotics.normal_form.results import Coefficient, row_to_dict
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.turning.half_swing import half_swing_of_terms
 
@@ -45,6 +51,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     files = read_files(options)
+    if options.alpha == "symbolic":
+        return _symbolic(options, files)
     given = read_terms(options)
     if options.delta is not None:
         return _at(options, given, files)
@@ -62,6 +70,25 @@ def run(options: argparse.Namespace) -> Answer:
     written = write_files(files, {"--csv": lambda _: rows_csv(dict(names))})
     data |= told(options, latex, written)
     return Answer(data, "\n".join([latex] if options.latex else [*lines, *given.notes, *written]), options.json)
+
+
+def _symbolic(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
+    """L, F and T of one law with a symbolic exponent, in closed form."""
+    others = {"--csv": files, "--law": options.law, "--spring": options.spring, "--exact": options.exact}
+    for name, value in {**others, "--delta": options.delta, "--epsilon": options.epsilon}.items():
+        if value:
+            raise InputError(name, "cannot be combined with --alpha symbolic", "one law, in closed form")
+    order = parse_integer(options.order, "--order", 1, MAX_SYMBOLIC_ORDER)
+    read_digits(options, MAX_DIGITS)
+    read_max_seconds(options)
+    half = symbolic_half_swing()
+    series = {"log_ratio": ("L", half.L), "map": ("F", half.F[0]), "duration": ("T", half.T)}
+    rows = {long: (name, [(k, s[k]) for k in range(order + 1) if s[k] != 0]) for long, (name, s) in series.items()}
+    lines = [f"{name}_{k} = {c}" for name, row in rows.values() for k, c in row]
+    latex = " \\\\\n".join(f"{name}_{{{k}}} = {sympy.latex(c)}" for name, row in rows.values() for k, c in row)
+    data = {"alpha": "symbolic", "order": order, "arithmetic": "symbolic", **told(options, latex, [])}
+    data |= {long: row_to_dict({str(k): Coefficient(None, c) for k, c in row}) for long, (_, row) in rows.items()}
+    return Answer(data, latex if options.latex else "\n".join(["symbolic", *lines]), options.json)
 
 
 def _index(name: str, given: GivenTerms) -> str:

@@ -10,7 +10,8 @@ The start is x(0) = x0, x'(0) = v0.  Units are SI when a mass, a stiffness, a st
 m = k = x0 = 1 and there are none.  --order N (default 3): p_k and Omega_k for k <= N and the waveform through
 delta^(N-1); order 1 is x0 A(t) cos(omega_0 t).  `phase` is psi - omega_0 t, and `error` an estimate from the orders
 N + 1 and N + 2; with --bound, `bound` is a proved bound of |x - x_N| at that time, rounded up.  --reference:
-every digit proved, whatever the law and the start; closed forms where there are any.
+every digit proved, whatever the law and the start; closed forms where there are any, and for alpha = 1 a note whether
+the motion is under-, critically or overdamped.
 
 --spring P:C adds C x|x|^(P-1) (C in N/m^P), pendulum has K sin x in place of K x (rad).
 """

@@ -33,7 +33,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     query = " ".join(options.query)
-    chosen = statements(query or None) if not query or query in papers() else find(query)
+    chosen = statements(query or None) if not query or query in papers() else _found(query)
     chosen = tuple(s for s in chosen if options.verdict in (None, s.printed))
     data: dict[str, object] = {"query": query, "entries": [s.to_dict() for s in chosen]}
     if options.check:
@@ -43,6 +43,14 @@ def run(options: argparse.Namespace) -> Answer:
     if not query and options.verdict is None:
         return Answer(data, _summary(chosen), options.json)
     return Answer(data, _in_full(chosen[0]) if len(chosen) == 1 else _listed(chosen), options.json)
+
+
+def _found(query: str) -> tuple[PaperStatement, ...]:
+    """What was asked for; InputError by the name that --help gives the argument."""
+    try:
+        return find(query)
+    except InputError as error:
+        raise InputError("WHAT", error.reason, error.accepted) from None
 
 
 def _summary(chosen: tuple[PaperStatement, ...]) -> str:

@@ -3,9 +3,11 @@
   asymptotics smith f --n 7          the polynomial f_n(w) = sum_i C_i^n w^i
   asymptotics smith c --n 31 --i 10  one coefficient C_i^n
   asymptotics smith g --i 3          the sum G_i(z) = sum_n C_i^n z^n in closed form
+  asymptotics smith r --w 1/2        where sum_n f_n(w) z^n converges: certified radii in z
 
 w = gamma v / omega, z = w / (w^2 - u), u = gamma x; the limit given for G_i is that of sin^i(theta) G_i(tan theta)
-at theta = pi.
+at theta = pi.  The series converges for |z| < R and diverges for |z| > R; summed over i and n at once it converges
+absolutely for |z| < rho <= R.
 """
 
 import argparse
@@ -14,23 +16,28 @@ from importlib import import_module
 from math import log2
 from typing import Any
 
-from asymptotics.cli.answer import Answer, add_json, add_max_seconds
+from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
 from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.costs import binomial_seconds, require_affordable
 from asymptotics.errors import InputError, LimitError
 from asymptotics.invariants.exact import coefficient, coefficients
-from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.numbers.rationals import to_fmpq
 
 MAX_ROW, MAX_N, MAX_G = 5_000, 100_000, 100
+MAX_W, MAX_DIGITS = 10, 1000
 MAX_SECONDS, MAX_BYTES = 120, 1 << 30
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    parser.add_argument("what", choices=("f", "c", "g"), help="polynomial, coefficient or generating function")
+    parser.add_argument(
+        "what", choices=("f", "c", "g", "r"), help="polynomial, coefficient, generating function or radii"
+    )
     parser.add_argument("--n", metavar="N", help=f"1 to {MAX_ROW} for f, 1 to {MAX_N} for c")
     parser.add_argument("--i", metavar="I", help=f"0 to n-1 for c, 0 to {MAX_G} for g")
+    parser.add_argument("--w", metavar="W", help="for r: a real number other than 0")
+    add_digits(parser, MAX_DIGITS, "30 with r, where alone there is something to round")
     parser.add_argument("--latex", action="store_true", help="print it as LaTeX")
     add_csv(parser, "the coefficients: n, i, C_i^n")
     add_max_seconds(parser)
@@ -40,12 +47,15 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     files = read_files(options)
-    if files and options.what == "g":
-        raise InputError("--csv", "G_i is a formula, not a row of numbers", "--csv with f or c")
-    data = {"f": _polynomial, "c": _coefficient, "g": _generating_function}[options.what](options)
+    if files and options.what in "gr":
+        raise InputError("--csv", f"smith {options.what} is not a row of coefficients", "--csv with f or c")
+    if options.what != "r":
+        _refuse(options, "w", "r")
+        _refuse(options, "digits", "r")
+    data = {"f": _polynomial, "c": _coefficient, "g": _generating_function, "r": _radii}[options.what](options)
     text = data["latex"] if options.latex else data["text"]
     written = write_files(files, {"--csv": lambda _: csv_text(["n", "i", "C"], _rows(data))})
-    hidden = ("text",) if options.latex or options.what == "g" else ("text", "latex")
+    hidden = ("text",) if options.latex or options.what in "gr" else ("text", "latex")
     data = {name: value for name, value in data.items() if name not in hidden} | ({"files": written} if written else {})
     shown = [text] if options.latex else [text, *written]
     return Answer({"what": options.what, **data}, "\n".join(shown), options.json)
@@ -90,6 +100,24 @@ def _generating_function(options: argparse.Namespace) -> dict[str, Any]:
     result = symbolic.generating_function(i).to_dict()
     text = f"G_{result['i']}(z) = {result['expression']}\nlimit of sin^i(theta) G_i at theta = pi: {result['limit']}"
     return {**result, "text": text}
+
+
+def _radii(options: argparse.Namespace) -> dict[str, Any]:
+    """R(w) and rho(w), correctly rounded."""
+    _refuse(options, "n", "f and c")
+    _refuse(options, "i", "c and g")
+    if options.w is None:
+        raise InputError("--w", "is missing", "a real number other than 0")
+    w, digits = parse_real(options.w, "--w"), read_digits(options, MAX_DIGITS)
+    if w.is_zero or not abs(w) <= MAX_W:
+        raise InputError("--w", f"{w} is out of range", f"0 < |w| <= {MAX_W}")
+    certified = import_module("asymptotics.invariants.certified")  # with its decimals, which f and c do without
+    decimal = import_module("asymptotics.numbers.decimals").certified_decimal
+    R = decimal(lambda: certified.series_radius(w.ball()), digits)
+    rho = decimal(lambda: certified.absolute_radius(w.ball()), digits)
+    latex = rf"R = {R},\quad \rho = {rho}"
+    return {"w": str(w), "R": R, "rho": rho, "digits": digits, "certified": True, "latex": latex,
+            "text": f"R    {R}\nrho  {rho}"}  # fmt: skip
 
 
 def _refuse(options: argparse.Namespace, name: str, users: str) -> None:

@@ -34,7 +34,7 @@ class Verdict:
 
 
 def judged(text: str, given: Fraction, value: Fraction, known: int) -> Verdict:
-    """``right_digits``, ``relative_error`` and ``marked`` at once, by the same difference and its logarithm.
+    """The right digits, the relative error (two digits; 1 beside a value 0) and the text with its wrong digits marked.
 
     >>> judged("0.41072111", Fraction("0.41072111"), Fraction("0.41071968606103944670"), 20)
     Verdict(digits='5.46', error='3.5e-06', marked='0.41072[111]')
@@ -49,15 +49,6 @@ def judged(text: str, given: Fraction, value: Fraction, known: int) -> Verdict:
 def right_digits(given: Fraction, value: Fraction, known: int) -> str:
     """-log10 of the relative error with two decimals, between 0 and ``known``, the digits that ``value`` has."""
     return judged("", given, value, known).digits
-
-
-def relative_error(given: Fraction, value: Fraction) -> str:
-    """|given - value|/|value| to two digits; 1 for a value that is 0 while the given one is not.
-
-    >>> relative_error(Fraction("1.00123"), Fraction(1)), relative_error(Fraction(2), Fraction(2))
-    ('1.2e-03', '0')
-    """
-    return judged("", given, value, 0).error
 
 
 def marked(given: str, value: Fraction) -> str:

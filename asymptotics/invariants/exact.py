@@ -17,7 +17,7 @@ The kernel works with the integers E_i^n = (n+i)!! C_i^n, for which the recurren
     E_i^n = 2 (n-1) E_(i-1)^(n-1) - (n-2) E_i^(n-2).
 
 Row n is one polynomial, so a row costs one line of FLINT.  Three other routes, sharing nothing with it but the paper,
-stand below it.
+stand below it, for the tests: no command asks them.
 """
 
 from collections.abc import Iterator

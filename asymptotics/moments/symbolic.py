@@ -31,8 +31,6 @@ from flint import fmpq
 from sympy import Add, Expr, Integer, Pow, Rational, gamma, pi, sqrt
 
 from asymptotics.errors import InputError
-from asymptotics.numbers.bridge import from_sympy
-from asymptotics.numbers.exact import ExactReal
 
 
 def moment(p: Expr | int) -> Expr:
@@ -89,15 +87,3 @@ def squaring_moment(alpha: Expr) -> Expr:
 def squaring_ratio(alpha: Expr) -> Expr:
     """2^(-(alpha+1)/2)/M_(alpha+1): the damping of the squaring trick over the first-order damping."""
     return squaring_moment(alpha) / moment(alpha + 1)
-
-
-def squaring_verdict(alpha: ExactReal | Expr) -> str:
-    """ "overestimates", "exact" or "underestimates" the damping, by monotonicity of power means (module docstring).
-
-    >>> squaring_verdict(Rational(1, 2)), squaring_verdict(Integer(1)), squaring_verdict(Integer(3))
-    ('overestimates', 'exact', 'underestimates')
-    """
-    number = alpha if isinstance(alpha, ExactReal) else ExactReal(from_sympy(alpha))
-    if number < 1:
-        return "overestimates"
-    return "underestimates" if number > 1 else "exact"

@@ -9,8 +9,9 @@ entire functions of D t^2, so D > 0, = 0, < 0 need no distinction (cosh and sinh
 
 >>> from asymptotics.law import Law
 >>> critical = Oscillator(Law({"1": "2"}))                                    # x = (1 + t) e^-t
->>> linear_motion(critical, "1", 12).x, regime(critical)
-('0.735758882343', 'critically damped')
+>>> found = linear_motion(critical, "1", 12)
+>>> found.x, found.notes
+('0.735758882343', ('critically damped',))
 """
 
 from flint import acb, arb, ctx
@@ -27,7 +28,9 @@ METHOD = "exact: linear damping, certified balls"
 
 
 def linear_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> MotionPoint:
-    """x and v at the time t >= 0, all digits correctly rounded.  InputError for another law, or t < 0.
+    """x and v at the time t >= 0, all digits correctly rounded; a note says how it is damped, if b > 0.
+
+    InputError for another law, or t < 0.
 
     A value that is exactly 0 at an irrational moment cannot be rounded: UndecidedError.
     """
@@ -46,7 +49,8 @@ def linear_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Motion
         x = decay * (x0 * C + (v0 + gamma * x0) * S)
         return x, decay * (v0 * C - (gamma * v0 + stiffness * x0) * S)
 
-    return certified_point(evaluate, digits, METHOD)
+    found = certified_point(evaluate, digits, METHOD)
+    return found.noted((regime(oscillator),)) if oscillator.law.terms[0].b > 0 else found
 
 
 def _require_printable(oscillator: Oscillator, t: ExactReal) -> None:

@@ -17,6 +17,9 @@ F and G vanish at infinity, and sum_(n>=1) b_n c_n = 2 M_(alpha+beta) (Parseval)
     sum n^2 b_n c_n/(n^2-1) = [2 alpha beta M_(alpha+beta) + (1 - alpha - beta - 3 alpha beta) p q]/((alpha+1)(beta+1)),
     sum n b_n/(n^2-1) = (1-alpha)/(2 (alpha+1)) p,        p = M_(alpha+1), q = M_(beta+1).
 
+No command asks the certificates F/(b_n c_n), G/b_n or every sum: they are a second route, held beside the open sums by
+the tests.
+
 *A spring* x|x|^(p-1) sees the cosine: |cos psi|^p sgn cos psi = sum_(n odd) d_n cos n psi with d_n = (-1)^((n-1)/2) b_n
 of p, so d_(n+2)/d_n = -(n-p)/(n+p+2).  The same certificates with a sign, the value 1 of the series at psi = 0 and the
 mean N = <|cos|^(p-1) |sin|^(alpha+1)> = (1/(2 p)) sum_(n>=1) n b_n d_n give, b_n of alpha, d_n of p, q = M_(p+1),

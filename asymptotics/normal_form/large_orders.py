@@ -28,7 +28,7 @@ from typing import Any
 import mpmath
 from flint import arb, ctx
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.normal_form.expansion import Expansion
 from asymptotics.numbers.bridge import bounds
@@ -84,7 +84,8 @@ def borel_pade(series: Series, delta: float, digits: int = 20) -> str:
     """Heuristic Borel-Pade sum of a one-law series in delta^2 steps: int_0^oo e^(-t) Pade[sum_n c_n (t delta)^n/n!] dt.
 
     The diagonal Pade approximant of the Borel transform continues it past its singularities on the imaginary axis; no
-    error bound is known.  Returns a decimal string of ``digits`` digits, none of them certified.
+    error bound is known.  Returns a decimal string of ``digits`` digits, none of them certified.  LimitError where the
+    order is too high for the digits.
 
     >>> from asymptotics.normal_form.expansion import exact_expansion
     >>> U = exact_expansion((2,), 25).flow.U
@@ -97,7 +98,11 @@ def borel_pade(series: Series, delta: float, digits: int = 20) -> str:
     with mpmath.workdps(4 * digits):
         borel = [c * mpmath.mpf(delta) ** (lead + 2 * i) / mpmath.factorial(lead + 2 * i) for i, c in enumerate(steps)]
         half = (len(borel) - 1) // 2
-        top, bottom = mpmath.pade(borel, half, half)
+        try:
+            top, bottom = mpmath.pade(borel, half, half)
+        except ZeroDivisionError as singular:
+            reason = f"{series.order}: the Pade equations are singular to {4 * digits} digits"
+            raise LimitError("order", reason, "fewer orders, or more digits") from singular
 
         def integrand(t: mpmath.mpf) -> mpmath.mpf:
             square = t * t

@@ -36,6 +36,8 @@ def test_smith(capsys):
     zero = answer(capsys, "smith", "c", "--n", "4", "--i", "2")
     assert zero["value"] == "0"
     assert "parity" in zero["note"]
+    radii = answer(capsys, "smith", "r", "--w", "1/2", "--digits", "8")
+    assert 0 < float(radii["rho"]) <= float(radii["R"]) < 1 and radii["certified"] is True
     g = answer(capsys, "smith", "g", "--i", "0")
     assert (g["expression"], g["limit"]) == ("atan(z)", "pi")
 
@@ -87,6 +89,11 @@ ERRORS = [
     ("smith c --n 5 --i 5", "--i"),
     ("smith c --n 100000 --i 50001", "--n"),
     ("smith g --i -1", "--i"),
+    ("smith r", "--w"),
+    ("smith r --w 0", "--w"),
+    ("smith r --w 1 --n 3", "--n"),
+    ("smith c --n 3 --i 2 --digits 5", "--digits"),
+    ("smith f --n 3 --w 1", "--w"),
     ("smith h", "what"),
     ("table nope", "NAME"),
     ("table", "NAME"),

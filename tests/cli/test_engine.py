@@ -3,6 +3,8 @@
 import json
 
 import pytest
+import sympy
+from sympy.parsing import sympy_parser
 
 from asymptotics.cli.main import main
 
@@ -67,9 +69,26 @@ def test_half_swing(capsys):
     assert len(answer(capsys, "half-swing --law 1/2 --law 1 --order 2")["map"]) == 2
 
 
+def test_half_swing_symbolic(capsys):
+    """Closed forms in alpha, at alpha = 2 those of the exact engine; I_4 first at fourth order."""
+    found = answer(capsys, "half-swing --alpha symbolic --order 4")
+    exact = answer(capsys, "half-swing --alpha 2 --order 3 --digits 10")
+    alpha = sympy.Symbol("alpha", nonnegative=True)
+    for name in ("log_ratio", "map", "duration"):
+        for k in set(found[name]) - {"4"}:
+            value = sympy_parser.parse_expr(found[name][k]["exact"], {"alpha": alpha}).subs(alpha, 2)
+            assert abs(value.evalf(15) - float(exact[name][k]["value"])) < 1e-8
+    assert "I_4(alpha)" in found["duration"]["4"]["exact"] and "I_4" not in found["log_ratio"]["4"]["exact"]
+    assert r"T_{0} = \pi" in run(capsys, "half-swing --alpha symbolic --order 1 --latex")[1]
+
+
 @pytest.mark.parametrize(
     ("line", "argument"),
     [
+        ("half-swing --alpha symbolic --order 5", "--order"),
+        ("half-swing --alpha symbolic --delta 1/10", "--delta"),
+        ("half-swing --alpha symbolic --spring 3", "--spring"),
+        ("half-swing --alpha symbolic --epsilon 1/10", "--epsilon"),
         ("moment --p -1", "--p"),
         ("moment --p nan", "--p"),
         ("moment --p 1e6", "--p"),

@@ -61,8 +61,9 @@ LINES = {
     "envelope": _line("envelope", LAW, _option("--time", NUMBER), DIGITS, _flag("--latex", "--squaring"), JSON),
     "multiple-scales": _line("multiple-scales", st.tuples(NUMBER).map(lambda a: ["--alpha", *a]),
                              st.just(["--order", "1"]), _flag("--latex"), JSON),
-    "smith": _line("smith", st.sampled_from([["f"], ["c"], ["g"], ["h"], []]), _option("--n", SMALL),
-                   _option("--i", SMALL, needed=False), JSON),
+    "smith": _line("smith", st.sampled_from([["f"], ["c"], ["g"], ["h"], ["r"], []]),
+                   _option("--n", SMALL, needed=False), _option("--i", SMALL, needed=False),
+                   _option("--w", NUMBER, needed=False), JSON),
     "table": _line("table", st.sampled_from([["smith2012.table1"], ["nope"], [], ["--list"]]), DIGITS, JSON),
 }  # fmt: skip
 

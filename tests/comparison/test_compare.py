@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from asymptotics.cli.main import main
 from asymptotics.comparison import compare_file
-from asymptotics.comparison.digits import marked, relative_error, right_digits
+from asymptotics.comparison.digits import judged, marked, right_digits
 from asymptotics.comparison.picture import lost_digits, picture_of
 from asymptotics.comparison.truth import ball_of
 from asymptotics.errors import InputError
@@ -247,5 +247,5 @@ def test_balls_of_decimals_hold_everything_that_rounds_to_them():
 
 
 def test_errors_in_two_digits():
-    errors = [relative_error(1 + Fraction(t), Fraction(1)) for t in ("0", "0.00123", "9.96", "0.0999")]
+    errors = [judged("", 1 + Fraction(t), Fraction(1), 0).error for t in ("0", "0.00123", "9.96", "0.0999")]
     assert errors == ["0", "1.2e-03", "1.0e+01", "1.0e-01"]

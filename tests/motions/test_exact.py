@@ -63,6 +63,7 @@ def test_linear_regimes_are_decided_exactly():
         "underdamped", "critically damped", "overdamped",
     ]  # fmt: skip
     assert regime(oscillator("1", "sqrt(2)", mass="sqrt(1/2)", stiffness="sqrt(1/2)")).startswith("critically")
+    assert [linear_motion(oscillator("1", b), "1", 5).notes for b in ("3", "0")] == [("overdamped",), ()]
 
 
 def test_linear_motion_against_sympy():

@@ -140,6 +140,9 @@ def test_borel_pade_stays_near_the_optimally_truncated_sum():
     partial = _value(U.truncate(stop), delta)
     assert abs(resummed - partial) < 1e-5 and abs(resummed - _value(U.truncate(3), delta)) > 1e-7
 
+    with pytest.raises(LimitError, match="order"):
+        borel_pade(U, delta, 4)
+
 
 @pytest.mark.parametrize("alphas", [(0,), (1,), (2, 3)])
 def test_large_orders_refuse_what_does_not_diverge(alphas):

@@ -43,6 +43,7 @@ def test_found_by_id_number_and_words(query, wanted):
 def test_what_is_not_found_is_said_in_one_line(query, capsys):
     assert main(["papers", query, "--verdict", "open"]) in (0, 2)
     shown = capsys.readouterr()
+    assert "argument WHAT: " in shown.err or not shown.err
     assert "Traceback" not in shown.err
     assert shown.err.count("\n") <= 1
     assert len(shown.err) < 600

@@ -1,0 +1,59 @@
+"""What nothing reaches is given a command or removed: every public function has a use outside the tests."""
+
+import ast
+import re
+from collections import Counter
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+USERS = ("asymptotics", "paper_checks", "derivations", "docs", "benchmarks")
+SECOND_ROUTES = {  # only tests reach these: each answers anew what a function in use answers, to be held beside it
+    "half_swings/finite_result.py": {"half_swing_at"},  # the series alone, for sums too
+    "invariants/exact.py": None,  # three other routes to the integers of a row
+    "motions/waveform.py": {"ball_flow"},  # exact flows in the place of certified ones
+    "multiscale/harmonics.py": None,  # certificates of the telescoping sums, and sums in closed form
+    "multiscale/observables.py": None,  # the classical route to flow and half-swing
+    "multiscale/verify.py": None,  # residuals in the equation of motion, and the near miss
+    "normal_form/symbolic.py": {"field_flow", "derived_coefficient", "certified_coefficients"},  # closed forms, derived
+    "normal_form/verify.py": {"equation_residual"},  # the residual of the waveform
+}
+
+
+def used(tree: ast.AST) -> set[str]:
+    nodes = list(ast.walk(tree))
+    names = {n.id for n in nodes if isinstance(n, ast.Name)} | {n.attr for n in nodes if isinstance(n, ast.Attribute)}
+    return names | {alias.name for n in nodes if isinstance(n, ast.ImportFrom) for alias in n.names}
+
+
+def unreached(tree: ast.Module, elsewhere: set[str]) -> set[str]:
+    """The public functions that are neither used in another file nor by anything in this one that is reached."""
+    bodies = {n.name: n for n in tree.body if isinstance(n, ast.FunctionDef | ast.ClassDef)}
+    rest = [n for n in tree.body if n not in bodies.values() and not isinstance(n, ast.Import | ast.ImportFrom)]
+    reached: set[str] = set()
+    wanted = bodies.keys() & elsewhere.union(*map(used, rest))
+    while wanted:
+        reached |= wanted
+        wanted = bodies.keys() & set().union(*(used(bodies[name]) for name in wanted)) - reached
+    functions = {name for name, n in bodies.items() if isinstance(n, ast.FunctionDef) and not name.startswith("_")}
+    return functions - reached
+
+
+def test_every_public_function_is_reached():
+    paths = [p for top in USERS for p in (ROOT / top).rglob("*.py") if "auto_gallery" not in p.parts]
+    trees = {path: ast.parse(path.read_text(encoding="utf-8")) for path in paths}
+    names = {path: used(tree) for path, tree in trees.items()}
+    pages = [ROOT / "README.md", *(p for p in (ROOT / "docs").rglob("*.md") if "auto_gallery" not in p.parts)]
+    told = {word for page in pages for word in re.findall(r"\w+", page.read_text(encoding="utf-8"))}
+    told |= set(re.findall(r"\w+", (ROOT / "asymptotics/__init__.py").read_text(encoding="utf-8")))
+    files = Counter(name for found in names.values() for name in found)
+    for path in (p for p in paths if p.is_relative_to(ROOT / "asymptotics")):
+        defined = {getattr(node, "name", "") for node in trees[path].body}
+        elsewhere = {name for name in defined if name in told or files[name] > (name in names[path])}
+        key, left = path.relative_to(ROOT / "asymptotics").as_posix(), unreached(trees[path], elsewhere)
+        allowed = SECOND_ROUTES.get(key, set())
+        assert bool(left) == (key in SECOND_ROUTES) and (allowed is None or left == allowed), f"{key}: {left}"
+
+
+def test_a_function_that_only_itself_uses_is_not_reached():
+    tree = ast.parse("def f(): return g()\ndef g(): return h()\ndef h(): return h()\ndef lone(): return lone()")
+    assert unreached(tree, {"f"}) == {"lone"} and unreached(tree, {"g"}) == {"f", "lone"}
