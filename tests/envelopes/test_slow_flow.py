@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from flint import arb, ctx
+from flint import acb, arb, ctx
 
 from asymptotics.envelopes.slow_flow import ExponentialSum, SlowLaw
 from asymptotics.errors import InputError
@@ -50,6 +50,15 @@ def test_extinction_in_closed_form():
 def test_a_law_that_loses_its_sign_is_refused():
     with pytest.raises(InputError, match="loses its sign"):
         law((0.1, 1), (-0.2, 3)).solve(arb(1), arb(0))
+
+
+@pytest.mark.parametrize(("low", "high"), [("0", "1"), ("1", "0"), ("0", "0.2")])
+def test_no_integral_over_a_zero_of_the_rate(low, high):
+    """p = e^(-s)/10 - e^(-3 s)/5 is below 0 up to s = ln(2)/2: one end there is enough to refuse."""
+    slow = law((0.1, 1), (-0.2, 3))
+    with pytest.raises(InputError, match="loses its sign"):
+        slow._integral(lambda _: acb(1), arb(low), arb(high))
+    assert slow._integral(lambda _: acb(1), arb("0.4"), arb(1)) > 0
 
 
 def test_no_law_no_motion():

@@ -156,6 +156,20 @@ def test_the_cauchy_part_of_a_taylor_step(law):
     assert float(bound) == pytest.approx(float(cut + rest), rel=1e-6)
 
 
+def test_smaller_discs_are_tried_for_exponents_above_8_only():
+    """Each has the resistance of its own radius, in (0, 1] of the largest."""
+    for text, count in (("3/2", 1), ("8", 1), ("17/2", 6), ("40", 6)):
+        d = damping((text, "1/10"))
+        with ctx.workprec(60):
+            step = TaylorStep.at(d, arb("0.3"), arb("0.5"), arb(1))
+            (largest, most), *smaller = discs(d, list(step.ws))
+        assert 1 + len(smaller) == count
+        shares = [float(radius / largest) for radius, _ in smaller]
+        alpha = float(d.exponents[0].mid())
+        assert shares == pytest.approx([min(1, k / alpha) for k in (16, 8, 4, 2, 1)][: count - 1])
+        assert all(0 < resistance <= most for _, resistance in smaller)
+
+
 def test_the_parts_of_a_residual():
     """Each of the two alone, against its integral: nothing else of the Taylor polynomials enters."""
     h, R, n = 0.25, 0.5, 6

@@ -7,6 +7,7 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
+from asymptotics.errors import UndecidedError
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import parse_real
@@ -14,7 +15,7 @@ from asymptotics.swing import course as course_module
 from asymptotics.swing.course import Creep, course
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.slow import Curve, caught, one_way, solve
-from asymptotics.swing.slow_series import truncated
+from asymptotics.swing.slow_series import Truncated, summed, truncated
 
 LAWS = [
     {"1/2": "1"},
@@ -130,6 +131,65 @@ def test_on_the_barriers_the_motion_crosses_as_proved_down_to_nothing(law, sign)
         curve = Curve(exact.epsilon, exact.alpha, exact.others, (*exact.b, (theta.mid(), cut)))
         for factor in (1, arb("0.5"), arb("1e-3"), arb("1e-9")):
             assert sign * crossing(curve, damping(law), piece.strip.starts[0].mid() + arb(factor).log()) > 0
+
+
+@pytest.mark.parametrize(
+    ("others", "b", "rest", "edge"),
+    [(0, 0, 0, 0.1), (0, 0.05, 0, 0.07), (0, 0.12, 0, 0.008), (0.2, 0, 0, 0.08), (0.12, 0.04, 0, 0.064)],
+)
+def test_a_curve_is_crossed_one_way_up_to_an_edge(others, b, rest, edge):
+    """alpha = 1/2, r w^1, b w^1 and theta w^2 at w = 1/8: rest + drift (...) < drift/2 and ... < 1/4, by hand."""
+    w, half, one = arb("0.125"), arb("0.5"), arb(1)
+    for sign in (1, -1):
+        series = Truncated(one, half, ((others / w, one),), ((sign * b / w, one),), arb(2), ((rest / w**2, arb(2)),))
+        for share, holds in (("0.999", True), ("1.001", False)):
+            assert one_way(series, arb(share) * edge / w**2, w.log()) is holds
+
+
+def test_what_is_left_over_must_be_less_than_the_drift():
+    """2.5 drift^2 - drift/2 + 0.01 < 0 begins at drift = 0.0225."""
+    w, half, least = arb("0.125"), arb("0.5"), (arb("0.5") - arb("0.15").sqrt()) / 5
+    series = Truncated(arb(1), half, (), (), arb(2), ((arb("0.01") / w**2, arb(2)),))
+    assert one_way(series, arb("1.001") * least / w**2, w.log())
+    assert not one_way(series, arb("0.999") * least / w**2, w.log())
+
+
+def test_the_speeds_at_a_height_are_those_between_the_curves():
+    """Within the factor 2 that A > alpha/2 leaves and the tenth of the blur, no less and no more."""
+    strip = creeping({"1/2": "1"}, 80)[0].strip
+    with ctx.workprec(300):
+        log_w = strip.starts[0].mid() - 3
+        low, high = (replace(c, b=tuple((k.mid(), e.mid()) for k, e in c.b)) for c in (strip.below, strip.above))
+        apart = (high.place(log_w)[0] - low.place(log_w)[0]) / high.place(log_w)[1]
+        blur = (strip._speed(log_w) * (-log_w).exp() - 1).upper()
+        assert apart <= blur and float(blur / apart) == pytest.approx(2.2, rel=0.01)
+        last, cut = strip.above.b[-1]
+        for text, served in (("0.094", True), ("0.096", False)):  # E blur < ln(11/10) = 0.0953
+            wide = replace(strip, share=arb(text) / cut * (-cut * log_w).exp() * 10 / 11)
+            if served:
+                assert wide._speed(log_w).is_finite()
+            else:
+                with pytest.raises(UndecidedError, match="too wide"):
+                    wide._speed(log_w)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("order", [1, 3])
+def test_the_rest_is_what_the_cut_leaves(law, order):
+    """|A B - w^(2-2 alpha)/epsilon^2| at one place in 300 bits: at most the rest, whose powers begin at the cut."""
+    with ctx.workprec(300):
+        exact = damping(law)
+        leading = min(range(len(exact.sizes)), key=lambda i: exact.sizes[i][1])
+        series = truncated(exact, leading, order)
+        log_w = arb("1e-3").log()
+        curve = Curve(series.epsilon, series.alpha, series.others, series.b)
+        first = ((2 - 2 * series.alpha) * log_w).exp() / series.epsilon**2
+        left = (series.alpha + summed(curve.a, log_w)) * summed(series.b, log_w) - first
+        rest = summed(series.rest, log_w)
+        assert abs(left) < rest * (1 + arb(2) ** -60)
+        assert len(law) > 1 or abs(left) > rest * (1 - arb(2) ** -25), "all of one sign"
+        assert all(e >= series.cut for _, e in series.rest)
+        assert any(e <= series.cut * (1 + arb(2) ** -39) for _, e in series.rest)
 
 
 def test_a_corrupted_coefficient_does_not_hold_the_motion(monkeypatch):
