@@ -21,54 +21,57 @@ derivation = Derivation(
 step, holds = derivation.step, derivation.holds
 
 # The formal flow through third order: v = lambda v_1 + lambda^3 v_3, the delta_i made lambda times larger.
-e1, e2 = d1 * sympy.exp(w * x), d2 * sympy.exp(w2 * x)
-v1 = -c1 * e1 - c2 * e2
-v3 = -v3c * e1**2 * e2  # one monomial stands for all of degree 3
-v = lam * v1 + lam**3 * v3
-shift, term = sympy.Integer(0), v
-for order in range(1, 5):  # L = sum D^(n-1) v/n!, the time-one map of dx/dj = v
-    shift += term / sympy.factorial(order)
-    term = sympy.expand(v * sympy.diff(term, x))
-L = sum(sympy.expand(shift).coeff(lam, n) * lam**n for n in range(1, 4))
+v1 = -c1 * d1 - c2 * d2
+v3 = -v3c * d1**2 * d2  # one monomial stands for all of degree 3
 
 
-def grown(f: sympy.Expr) -> sympy.Expr:
-    """int_x^(x+L) f, by the Taylor series of f about x."""
-    total, derivative = sympy.Integer(0), f
-    for n in range(4):
-        total += derivative * L ** (n + 1) / sympy.factorial(n + 1)
-        derivative = sympy.diff(derivative, x)
-    return sympy.expand(total)
+def slope_of(f: sympy.Expr) -> sympy.Expr:
+    """df/dx: delta_i grows like e^(w_i x)."""
+    return w * d1 * sympy.diff(f, d1) + w2 * d2 * sympy.diff(f, d2)
+
+
+shift, term = {n: sympy.Integer(0) for n in (1, 2, 3)}, {1: v1, 3: v3}
+for order in range(1, 4):  # L = sum D^(n-1) v/n!, the time-one map of dx/dj = v, power of lambda by power
+    for n, part in term.items():
+        shift[n] += part / sympy.factorial(order)
+    slopes = {n: slope_of(part) for n, part in term.items()}
+    term = {n + 1: v1 * slopes[n] for n in (1, 2) if n in slopes}
+L = sum(shift[n] * lam**n for n in shift)
+
+
+def grown(f: sympy.Expr) -> list[sympy.Expr]:
+    """The coefficients of lambda, lambda^2, lambda^3 of int_x^(x+L) f, by the Taylor series of f about x."""
+    total, derivative = [sympy.Integer(0)] * 3, f
+    for n in range(3):
+        power = sympy.Poly(L ** (n + 1), lam)
+        for i in range(3):
+            total[i] += derivative * power.coeff_monomial(lam ** (i + 1)) / sympy.factorial(n + 1)
+        derivative = slope_of(derivative)
+    return [sympy.cancel(part) for part in total]
 
 
 first, second = grown(1 / v1), grown(-v3 / v1**2)  # times 1/lambda and lambda
-
-
-def coefficient(f: sympy.Expr, n: int) -> sympy.Expr:
-    """The coefficient of lambda^n."""
-    return sympy.simplify(f.coeff(lam, n))
-
-
+e1, e2 = d1 * sympy.exp(w * x), d2 * sympy.exp(w2 * x)
 step(
     "The half-swing shifts x by L, the time-one map of dx/dj = v: with K = 1 term, f = 1/(lambda v_1), the integral of"
     " f over it begins with",
-    named("[lambda^0] int 1/(lambda v_1)", coefficient(first, 1)),
+    named("[lambda^0] int 1/(lambda v_1)", first[0]),
     sympy.Integer(1),
 )
 step(
     "has no power lambda, whatever the two exponents are,",
-    named("[lambda] int 1/(lambda v_1)", coefficient(first, 2)),
+    named("[lambda] int 1/(lambda v_1)", first[1]),
     sympy.Integer(0),
 )
 step(
     "and the defect begins with",
-    named("[lambda^2] int 1/(lambda v_1)", coefficient(first, 3)),
-    sympy.simplify(v3 / v1),
+    named("[lambda^2] int 1/(lambda v_1)", first[2]),
+    sympy.cancel(v3 / v1),
 )
 step(
     "which the second term -lambda v_3/v_1^2 takes away: with K terms the defect d begins with lambda^(2K)",
-    named("[lambda^2] int -lambda v_3/v_1^2", coefficient(second, 1)),
-    -sympy.simplify(v3 / v1),
+    named("[lambda^2] int -lambda v_3/v_1^2", second[0]),
+    -sympy.cancel(v3 / v1),
 )
 
 s = sympy.Symbol("s", positive=True)
