@@ -11,10 +11,10 @@ reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
 
 test: $(VENV)/.test
-	$(RUN) pytest -n $(WORKERS) --dist loadgroup -m "not slow"
+	$(RUN) pytest -n $(WORKERS) -m "not slow"
 
 test-thorough: $(VENV)/.test
-	HYPOTHESIS_PROFILE=nightly $(RUN) pytest -n $(WORKERS) --dist loadgroup
+	HYPOTHESIS_PROFILE=nightly $(RUN) pytest -n $(WORKERS)
 	$(MAKE) matrix
 
 # The tests under every Python that is installed and both number types of SymPy, which must not change a result.

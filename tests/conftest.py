@@ -3,7 +3,6 @@
 import os
 import signal
 
-import pytest
 from hypothesis import settings
 
 settings.register_profile("dev", max_examples=40, deadline=None)
@@ -13,11 +12,3 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as in a background job: what the tests start would inherit it
     signal.signal(signal.SIGINT, signal.default_int_handler)
-
-
-@pytest.hookimpl(tryfirst=True)  # before xdist reads the groups
-def pytest_collection_modifyitems(items):
-    """One worker imports the derivations, which compute on import, and writes the report that shows them all."""
-    for item in items:
-        if "report" in getattr(item, "fixturenames", ()) or "tests/derivations/" in item.path.as_posix():
-            item.add_marker(pytest.mark.xdist_group("derivations"))
