@@ -74,17 +74,21 @@ def _grown(d: arb, log_w: arb) -> arb:
 @dataclass(frozen=True)
 class Strip:
     """Between the curves ``above`` (theta = -h) and ``below`` (theta = h), the last power of each; ``starts``: ln w on
-    either curve at the greatest and the least height y of the state that entered; ``share``: 2 h / min A."""
+    either curve at the greatest and the least height y of the state that entered; ``most``: ln w up to which the
+    curves were checked, where y and the clock increase with w; ``share``: 2 h / min A."""
 
     above: Curve
     below: Curve
     starts: tuple[arb, arb]
+    most: arb
     share: arb
 
     def state(self, elapsed: arb) -> tuple[arb, arb]:
         """Enclosures of (y, w) at the exact time ``elapsed`` after the entrance: the lower w the slower the motion, so
         y is at most what it is on the curve above, and at least what it is on the curve below."""
         slow, fast = (_after(curve, log_w, elapsed) for curve, log_w in zip((self.above, self.below), self.starts))
+        if not (slow < self.most and fast < self.most):
+            raise UndecidedError("the time on the slow curve was not found below the place where it begins")
         y = self.above.place(slow)[0].union(self.below.place(fast)[0])
         return y, self._speed(slow).union(self._speed(fast))
 
@@ -146,7 +150,7 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
         starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
     except UndecidedError:  # too few bits here: a later state may do
         return None
-    return Strip(above, below, starts, upper(4 * h / a)) if all(start < most for start in starts) else None
+    return Strip(above, below, starts, most, upper(4 * h / a)) if all(start < most for start in starts) else None
 
 
 def _short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Truncated | None:

@@ -207,6 +207,14 @@ def test_a_corrupted_coefficient_does_not_hold_the_motion(monkeypatch):
         assert not wrong.state(arb(3))[1].overlaps(piece.strip.state(arb(3))[1])
 
 
+def test_a_root_beyond_the_checked_speeds_is_none():
+    piece, _ = creeping({"1/2": "1"}, 80)
+    with ctx.workprec(80):
+        beyond = replace(piece.strip, most=piece.strip.starts[0].lower() - 1)
+        with pytest.raises(UndecidedError, match="begins"):
+            beyond.state(arb("0.001"))
+
+
 def test_newton_encloses_the_root():
     with ctx.workprec(60):
         root = solve(lambda x: (x.exp(), x.exp()), arb(3), arb(5))
