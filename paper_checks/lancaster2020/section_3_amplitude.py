@@ -231,3 +231,32 @@ def three_cases(form: sympy.Expr) -> Outcome:
     """The elementary integrals of sin, sin^2, sin^3 over (0, pi)."""
     integrals = [sympy.integrate(sympy.sin(t) ** (a + 1), (t, 0, sympy.pi)) / sympy.pi for a in range(3)]
     return all_confirmed(*(same(form.subs(alpha, a), value) for a, value in enumerate(integrals)))
+
+
+@statement(
+    id="lancaster2020:claim.any-exponent", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    title="A(t) may be obtained for any real value of the exponent",
+    latex=r"\text{one may also obtain } A(t) \text{ for any real value of damping exponent}",
+    corrected_latex=r"\text{for any real } \alpha \ge 0",
+    printed=sympy.Interval(-sympy.oo, sympy.oo), corrected=sympy.Interval(0, sympy.oo),
+    near_miss=sympy.Interval.open(0, sympy.oo), conditions="for alpha = 0 also epsilon < 1",
+    methods=("force on a mass at rest beside the spring's", "convergence of the mean in (11) at the zeros of the sine"),
+    note="For alpha < 0 the damping force grows without bound as the speed falls: a mass at rest stays, one that moves"
+    " stays at its first turning point, and there is no oscillation whose amplitude (13) could be. The formula itself"
+    " makes sense for alpha > -2, where the mean of |sin|^(alpha+1) is finite. Form: the exponents for which a mass"
+    " released from rest starts.",
+)
+def any_exponent(form: sympy.Interval) -> Outcome:
+    """From rest at X = 1 the speed w has w' = 1 - E w^alpha; it can grow from 0 if the limit for w -> 0 is positive."""
+    w, force = sympy.symbols("w E", positive=True)
+    limits = {sign: sympy.limit(1 - force * w ** (sign * q), w, 0, "+") for sign in (-1, 0, 1)}
+    starts = {sign: bool(limit.subs(force, sympy.Rational(1, 2)) > 0) for sign, limit in limits.items()}
+    known = sympy.Union(
+        sympy.Interval.open(-sympy.oo, 0) if starts[-1] else sympy.S.EmptySet,
+        sympy.FiniteSet(0) if starts[0] else sympy.S.EmptySet,
+        sympy.Interval.open(0, sympy.oo) if starts[1] else sympy.S.EmptySet,
+    )
+    primitive = s ** (alpha + 2) / (alpha + 2)  # of |sin|^(alpha+1) next to a zero, where sin s = s + ...
+    finite = sympy.limit(primitive.subs(alpha, -2 + q), s, 0, "+") == 0
+    infinite = sympy.limit(primitive.subs(alpha, -2 - q), s, 0, "+") == -sympy.oo
+    return all_confirmed(decided(form == known), decided(finite and infinite))

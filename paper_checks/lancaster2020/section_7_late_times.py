@@ -156,20 +156,28 @@ def slow_decay(form: Claim) -> Outcome:
     title="Combinations of sliding, linear and quadratic drag have no exact solutions",
     latex=r"\text{such a setup which has no exact solutions}", printed=None, corrected=-b / k, near_miss=b / k,
     corrected_latex=r"\text{sliding and linear drag together are solved exactly, half-swing by half-swing}",
-    conditions="as printed: where quadratic drag takes part, no elementary x(t) is known (there is a quadrature)",
+    conditions="as printed: where quadratic drag takes part, no elementary x(t) is known",
     methods=("substitution of the solution",),
-    note="With b sgn v + b' v each half-swing is a linear oscillation by (2) about -b/k sgn v. Form: its centre for"
-    " v > 0; none, where no solution is said to exist.",
+    note="With b sgn v + b' v each half-swing is a linear oscillation by (2) about -b/k sgn v. Sliding and quadratic"
+    " drag leave an equation linear in v^2, so v(x) is elementary and t one quadrature; linear and quadratic drag leave"
+    " Abel's equation m v dv/dx = -k x - b v - b' v^2, for which no quadrature is known. Form: the centre of the linear"
+    " oscillation for v > 0; none, where no solution is said to exist.",
 )
 def exact_solutions(form: sympy.Expr | None) -> Outcome:
-    """x = centre + e^(-gamma t)(...) solves m x'' + 2 m gamma x' + k x + b = 0, v > 0, only about the form."""
+    """x = centre + e^(-gamma t)(...) solves m x'' + 2 m gamma x' + k x + b = 0, v > 0, only about the form.
+
+    And of m v dv/dx = -k x - b v^n - b2 v^2, halved in y = v^2, the right side is linear in y for n = 0 alone.
+    """
     if form is None:  # refuted by the solution that the same substitution confirms
         exists = exact_solutions(-b / k) == Outcome.CONFIRMED
         return Outcome.REFUTED if exists else Outcome.UNDECIDED
     gamma, omega = sympy.symbols("gamma omega", positive=True)
     swing = sympy.exp(-gamma * t) * (c * sympy.cos(omega * t) + d * sympy.sin(omega * t)) + form
     residual = m * sympy.diff(swing, t, 2) + 2 * m * gamma * sympy.diff(swing, t) + k * swing + b
-    return vanishes(sympy.expand(residual.subs(k, m * (gamma**2 + omega**2))))
+    square = sympy.Symbol("y", positive=True)
+    bent = [sympy.diff(-k * X - b * square ** (n / 2) - b2 * square, square, 2) for n in (sympy.S.Zero, sympy.S.One)]
+    linear = all_confirmed(vanishes(bent[0]), decided(bent[1].is_zero is False))
+    return all_confirmed(vanishes(sympy.expand(residual.subs(k, m * (gamma**2 + omega**2)))), linear)
 
 
 def antiderivative(x: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr, sympy.Expr]:
@@ -178,8 +186,9 @@ def antiderivative(x: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr, s
     return factor, (beta - 1) / (beta - alpha), (1 + alpha - 2 * beta) / (alpha - beta), -c / d * x ** (alpha - beta)
 
 
+EXCEPTIONS = ((0, "1/2"), (0, "1/3"), ("1/3", "2/3"))  # besides alpha' = 1
 EXPONENT_PAIRS = (
-    (1, 2), (0, 2), (2, 3), ("3/2", 3), (0, "3/4"), (0, 1), ("1/2", 1), (0, "1/2"), (0, "2/3"), ("1/3", "2/3")
+    (1, 2), (0, 2), (2, 3), ("3/2", 3), (0, "3/4"), (0, "2/3"), (0, 1), ("1/2", 1), *EXCEPTIONS
 )  # fmt: skip
 
 
@@ -190,6 +199,9 @@ def _all_pairs(low: sympy.Rational, high: sympy.Rational) -> bool:
 def _regular(low: sympy.Rational, high: sympy.Rational) -> bool:
     index = (high - 1) / (high - low)
     return not (index.is_integer and index <= 0)
+
+
+_LISTED = ", ".join(f"({low}, {high})" for low, high in EXCEPTIONS)
 
 
 def _not_one(low: sympy.Rational, high: sympy.Rational) -> bool:
@@ -206,11 +218,10 @@ def _not_one(low: sympy.Rational, high: sympy.Rational) -> bool:
     printed=_all_pairs, corrected=_regular, near_miss=_not_one, derivation="two-laws-time",
     conditions="(alpha'-1)/(alpha'-alpha) not 0, -1, -2, ...: not alpha' = 1 - n(alpha'-alpha), n = 0, 1, 2, ...",
     methods=("differentiated, with the differential equation z F' + a F = a/(1-z)", "parameters at test pairs"),
-    note="The exceptional exponents are not excluded: alpha' = 1, whatever alpha (division by zero), and (0, 1/2),"
-    " (0, 2/3), (1/3, 2/3), ..., where the lower parameter is 0, -1, ... There the companion form with the two terms"
-    " exchanged, x^(1-alpha)/(c(1-alpha)) 2F1(1, (1-alpha)/(alpha'-alpha); ...; -(c'/c) x^(alpha'-alpha)), is regular:"
-    " friction with viscous drag, (0, 1), is such a case. For alpha' > 1 nothing is wrong. Form: for which pairs it is"
-    " claimed.",
+    note=f"The exceptional exponents are not excluded: alpha' = 1, whatever alpha (division by zero), and {_LISTED},"
+    " ..., where the lower parameter is 0, -1, ... There the companion form with the two terms exchanged,"
+    " x^(1-alpha)/(c(1-alpha)) 2F1(1, (1-alpha)/(alpha'-alpha); ...; -(c'/c) x^(alpha'-alpha)), is regular: friction"
+    " with viscous drag, (0, 1), is such a case. For alpha' > 1 nothing is wrong. Form: for which pairs it is claimed.",
 )
 def hypergeometric(form: Claim) -> Outcome:
     """The derivative, for F = 2F1(1, a; a+1; z); and parameters and factor finite for just the pairs claimed."""
@@ -223,7 +234,9 @@ def hypergeometric(form: Claim) -> Outcome:
     bottoms = [lower.subs({alpha: low, beta: high}) for low, high in pairs]
     usable = [high != 1 and not (z.is_integer and z <= 0) for (_, high), z in zip(pairs, bottoms)]
     claimed = [form(*pair) for pair in pairs]
-    return all_confirmed(zero(residual), vanishes(sympy.simplify(lower - a - 1)), decided(claimed == usable))
+    listed = not any(usable[-len(EXCEPTIONS) :])  # what the note lists is exceptional indeed
+    regular = vanishes(sympy.simplify(lower - a - 1))
+    return all_confirmed(zero(residual), regular, decided(listed and claimed == usable))
 
 
 @statement(

@@ -145,6 +145,28 @@ def exponential_energy(form: sympy.Expr) -> Outcome:
 
 
 @statement(
+    id="lelas2024:claim.viscous-average", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="With viscous damping averaging over a period gives exponential decays of amplitude and energy",
+    latex=r"\text{In case of viscous damping, approach used in [12] gives exponential amplitude decay, and purely}"
+    r"\ \text{exponential approximation of the energy decay}",
+    printed=(sympy.exp(-b * t / (2 * m)), sympy.exp(-b * t / m)),
+    near_miss=(sympy.exp(-b * t / m), sympy.exp(-2 * b * t / m)),
+    conditions="|f'| << omega_0 f", methods=("mean power -b v^2 over a period at constant amplitude",),
+    derivation="lelas-viscous",
+    note="The same functions as by the trick, since the mean of sin^2 is 1/2. Form: f and E/E_0.",
+)
+def viscous_average(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
+    """dE/dt = the mean of -b (omega_0 x_0 f sin)^2 over a period, with E = m omega_0^2 x_0^2 f^2/2."""
+    amplitude, energy = form
+    mean = sympy.integrate(sympy.sin(theta) ** 2, (theta, 0, 2 * sympy.pi)) / (2 * sympy.pi)
+    power = -b * (w0 * x0 * f) ** 2 * mean
+    wanted = sympy.cancel(power / sympy.diff(ENERGY_OF_F, f) / f)  # f'/f
+    rates = [sympy.diff(sympy.log(part), t) for part in form]
+    start = [same(part.subs(t, 0), sympy.Integer(1)) for part in form]
+    return all_confirmed(*start, same(rates[0], wanted), same(rates[1], 2 * wanted), same(energy, amplitude**2))
+
+
+@statement(
     id="lelas2024:21", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The condition of weak viscous damping", latex=r"b \ll 2\sqrt{km}", printed=2 * sympy.sqrt(k * m),
     near_miss=sympy.sqrt(k * m), conditions="none", methods=("|f'(0)| = omega_0",), derivation="lelas-viscous",

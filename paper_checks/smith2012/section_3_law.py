@@ -91,6 +91,27 @@ def mirrored_acceleration(sign: int) -> Outcome:
 
 
 @statement(
+    id="smith2012:claim.power-series", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    title="The power series in t is formally correct",
+    latex=r"x(t) = \sum_{n=0}^{\infty} a_nt^n \text{ is, while formally correct, of little help}",
+    printed=(-HALF * x * omega**2, x * omega**4 * (1 + 2 * gamma * x) / 24),
+    near_miss=(-HALF * x * omega**2, x * omega**4 * (1 + gamma * x) / 24),
+    conditions="from rest at x_0 > 0, before the next turning point and within the radius of convergence",
+    methods=("substitution in (35), v < 0: powers 0 and 2 of t", "(n+1)(n+2) != 0: each further coefficient follows"),
+    note="From rest a_n = 0 for odd n; a_{2k} is (-omega^2)^k x_0 times a polynomial of degree k - 1 in gamma x_0:"
+    " how complex that is, is a matter of taste. Each next turning point needs a series of its own. Form: a_2 and a_4,"
+    " with x for x_0.",
+)
+def power_series(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
+    """x'' + omega^2 x - gamma x'^2 through t^3: the power n has (n+1)(n+2) a_{n+2} and known coefficients only."""
+    t = sympy.Symbol("t", positive=True)
+    series = x + form[0] * t**2 + form[1] * t**4
+    first = sympy.diff(series, t)
+    residual = sympy.Poly(sympy.diff(first, t) + omega**2 * series - gamma * first**2, t)
+    return all_confirmed(*(vanishes(residual.coeff_monomial(t**power)) for power in range(4)))
+
+
+@statement(
     id="smith2012:36", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The law as Pfaffian forms",
     latex=r"0 = dA = \begin{cases} v\,dv + (\omega^2 x - \gamma v^2)\,dx, & v < 0, \\"

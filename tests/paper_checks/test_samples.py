@@ -21,6 +21,7 @@ EXHAUSTED = {  # what is looped over, and why there are no other cases
     "(1, -1)": "both signs of the velocity",
     "(-1, 1)": "both signs of the velocity",
     "(1, 0, -1)": "the three signs of the velocity",
+    "(-1, 0, 1)": "the three signs of the exponent, of any size",
     "(w0, 0, -w0)": "the three signs of the velocity; both sides scale with its size",
     "zip(form, (2, 0, -2))": "the three signs of the velocity; both sides scale with its size",
     "zip((-1, 1), form)": "the two places of the statement",
