@@ -108,3 +108,55 @@ def test_constants_are_rounded_up_and_grow_with_delta():
     with pytest.raises(UndecidedError, match="polydisc"):
         bounds.amplitude.constant(bounds.amplitude.radius)
     assert Remainder(2, (arb(1),), arb(1), arb(1))(arb(0)) == 0
+
+
+@pytest.mark.parametrize("d", ["0.01", "0.2", "0.45"])
+def test_what_lies_beyond_is_a_geometric_series(d):
+    """|c_k| = M rho^-k is Cauchy's worst: the sum of M (d/rho)^k over k >= first, and as a part of the constant."""
+    remainder = Remainder(3, (arb(1) / 7, arb(1) / 5), arb(2), arb("0.5"))
+    x = float(arb(d)) / 0.5
+    whole = sum(2 * x**k for k in range(5, 2000))
+    assert (
+        whole <= float(remainder.beyond(arb(d), 5)) * (1 + 1e-12) and float(remainder.beyond(arb(d), 5)) < 1.001 * whole
+    )
+    known = float(arb(1) / 7) + float(arb(1) / 5) * float(arb(d))
+    again = known + whole / float(arb(d)) ** 3
+    assert (
+        again <= float(remainder.constant(arb(d))) * (1 + 1e-12) and float(remainder.constant(arb(d))) < 1.001 * again
+    )
+
+
+@pytest.mark.parametrize(("alphas", "slack"), [(("2",), 2.5), (("1/2",), 11), (("1", "2"), 2.5)])
+def test_both_functions_are_bounded_on_the_polydisc(alphas, slack):
+    """M is above max |L| + max |L_N| on the circle, at most 2.5 times; for T - pi and T_N - pi ``slack`` times."""
+    bounds = local_bounds(reals(*alphas), 2)
+    rho = float(bounds.amplitude.radius)
+    found = np.abs([complex_swings(bounds, [rho * turn for _ in alphas]) for turn in (1, -1, 1j)]).max(axis=0)
+    for remainder, (motion, truncated), most in zip((bounds.amplitude, bounds.duration), found.T, (2.5, slack)):
+        assert motion + truncated < float(remainder.cauchy) < most * (motion + truncated)
+        assert min(motion, truncated) > 0.3 * max(motion, truncated)  # both count
+
+
+def complex_swings(bounds, deltas):
+    """(L, T - pi) of the motion and of the equations of order N for complex local strengths, in doubles."""
+    exponents = [float(a.ball()) for a in bounds.alphas]
+
+    def motion(angle, y):
+        s, c = np.sin(angle), np.cos(angle)
+        u = [d * np.exp((a - 1) * y[0]) * max(s, 0) ** a for d, a in zip(deltas, exponents)]
+        room = 1 - sum(u) * c
+        return [-sum(u) * s / room, 1 / room]
+
+    flow = local._local_bounds(bounds.alphas, bounds.order).flow
+    p, Omega = (f.truncate(bounds.order) for f in (flow.p, flow.Omega))
+
+    def value(f, y):
+        at = [d * np.exp((a - 1) * y) for d, a in zip(deltas, exponents)]
+        return sum(float(arb(c)) * np.prod([x**k for x, k in zip(at, n)]) for n, c in f.coefficients.items())
+
+    def truncated(_, y):
+        speed = 1 + value(Omega, y[0])
+        return [-value(p, y[0]) / speed, 1 / speed]
+
+    ends = [solve_ivp(f, (0, np.pi), [0j, 0j], rtol=1e-9, atol=1e-11).y[:, -1] for f in (motion, truncated)]
+    return [[end[0], end[1] - np.pi] for end in ends]

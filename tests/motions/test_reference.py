@@ -75,6 +75,18 @@ def test_the_error_covers_the_difference_to_more_digits(alpha, t):
     assert Fraction(few.error) < abs(Fraction(few.x)) / 10**11
 
 
+@pytest.mark.parametrize("start", [("1", "0"), ("1/3", "-1/2")])
+@pytest.mark.parametrize("force", [{"3/2": "1/7", 1: "1/30"}, {"2": "1/7", (1, 1): "1/9"}])
+def test_a_ladder_of_digits(force, start):
+    system = oscillator(*force.items(), x0=start[0], v0=start[1], mass="3/2", stiffness="5")
+    times = [ExactReal(Fraction(k, 7)) for k in (1, 11, 30)]
+    truth = reference_states(system, times, 30)
+    for digits in (2, 5, 12):
+        found = reference_states(system, times, digits)
+        for rough, fine in zip((*found.x, *found.v), (*truth.x, *truth.v), strict=True):
+            assert rough.contains(fine) and rough.rad() <= 3 * arb(10) ** -digits
+
+
 SECOND = [
     ((("3/2", "1/10"),), ("1", "0")),
     ((("1/2", "1/10"), ("3", "1/20")), ("1", "-1/2")),

@@ -1,0 +1,182 @@
+"""What returns balls and has its ladder elsewhere, or needs none, by name and with the reason."""
+
+Names = dict[str, str]
+
+LOCAL, TURNING, ORBIT = "tests/bounds/test_local.py", "tests/bounds/test_turning.py", "tests/bounds/test_orbit.py"
+LATE, FINITE, SLOW = "tests/bounds/test_late.py", "tests/half_swings/test_finite.py", "tests/swing/test_slow.py"
+NEXT = "tests/wells/test_force_bounds.py"
+SWING, WELLS, PANELS = "tests/swing/test_bounds.py", "tests/wells/test_bounds.py", "tests/swing/test_panels.py"
+CHEBYSHEV, ABEL, FLOW = "tests/swing/test_chebyshev.py", "tests/turning/test_abel.py", "tests/turning/test_abel_flow.py"
+RATIO, QUADRATIC = "tests/identification/test_certified_ratio.py", "tests/turning/test_quadratic_abel.py"
+
+EXACT = "arithmetic of balls and nothing else: no truncation, no choice"
+CHOICE = "a choice that claims nothing"
+MIDPOINTS = "midpoints of the asymptotic motion, which is not certified"
+
+
+def _each(room: str, names: str, told: str) -> Names:
+    return {f"asymptotics.{room}.{name}": told for name in names.split()}
+
+
+BOUNDS: Names = {
+    **_each(
+        "bounds.local",
+        "Remainder.constant Remainder.__call__ local_bounds",
+        f"{LOCAL}::test_the_bounds_hold_and_half_of_them_would_not",
+    ),
+    **_each("bounds.local", "Remainder.beyond", f"{LOCAL}::test_what_lies_beyond_is_a_geometric_series"),
+    **_each(
+        "bounds.local", "flow_majorant", f"{LOCAL}::test_the_majorant_of_the_equations_is_above_them_and_not_far_above"
+    ),
+    **_each(
+        "bounds.turning",
+        "TurningBounds.log_amplitude TurningBounds.time TurningBounds.phase turning_bounds",
+        f"{TURNING}::test_the_theorem_holds_for_every_n_and_its_half_would_not",
+    ),
+    **_each(
+        "bounds.turning",
+        "sensitivity",
+        "tests/bounds/test_constants.py::test_durations_change_with_delta_as_fast_as_B_says",
+    ),
+    **_each("bounds.turning", "largest", "tests/bounds/test_constants.py::test_the_phase_runs_as_fast_as_Omega_says"),
+    **_each("bounds.orbit", "orbit_bounds", f"{ORBIT}::test_the_bounds_hold_and_half_of_them_would_not"),
+    **_each(
+        "half_swings.finite", "Tail.__call__", f"{FINITE}::test_half_the_tail_or_one_coefficient_less_would_be_wrong"
+    ),
+    **_each(
+        "half_swings.finite_majorant",
+        "Majorant.final Majorant.inverse Majorant.ratio majorant widest",
+        f"{FINITE}::test_the_majorant_is_above_the_function_and_not_far_above",
+    ),
+    **_each(
+        "identification.certified_ratio", "CertifiedRatio.tail", f"{RATIO}::test_L_is_bounded_on_the_circle_of_the_tail"
+    ),
+    **_each("swing.chebyshev", "cut", f"{CHEBYSHEV}::test_the_cut_is_attained_by_the_first_polynomial_left_out"),
+    **_each("swing.coordinate", "Coordinate.bounds", f"{PANELS}::test_a_ladder_of_panels"),
+    **_each("swing.course", "delay", f"{SWING}::test_a_shifted_orbit_turns_as_much_later_as_the_bound_says"),
+    **_each("swing.expansion", "Expansion.speed", f"{SWING}::test_a_wide_time_near_a_turning_point"),
+    **_each(
+        "swing.expansion", "room", "tests/swing/test_short.py::test_half_of_the_drop_or_of_the_delay_would_be_wrong"
+    ),
+    **_each("swing.majorant", "majorant", f"{SWING}::test_the_majorant_is_attained_without_damping"),
+    **_each("swing.panel_plan", "Ellipse.ratio_bound verified", f"{PANELS}::test_a_ladder_of_panels"),
+    **_each("swing.taylor", "discs residual", f"{SWING}::test_the_cauchy_part_of_a_taylor_step"),
+    **_each(
+        "turning.abel",
+        "AbelFunction.defects AbelFunction.power_sum",
+        f"{ABEL}::test_half_the_defect_or_one_coefficient_less_would_be_wrong",
+    ),
+    **_each(
+        "turning.abel_flow",
+        "AbelFlow.defects Defects.total",
+        f"{FLOW}::test_half_of_the_next_term_or_one_term_less_would_be_wrong",
+    ),
+    **_each("wells.distance", "growth", f"{WELLS}::test_growth_is_attained_in_the_worst_direction"),
+    **_each(
+        "wells.distance", "turning_gap lateness", f"{WELLS}::test_the_gap_and_the_lateness_are_attained_by_free_fall"
+    ),
+    **_each("wells.distance", "contracted", f"{WELLS}::test_turning_points_draw_together_at_most_as_the_bound_says"),
+    **_each("wells.expansion", "Expansion.rate Expansion.speed", f"{NEXT}::test_the_rate_next_to_a_turning_point"),
+    **_each("wells.force", "Force.slope", f"{NEXT}::test_every_slope_is_in_the_ball_and_hardly_more"),
+    **_each("wells.force", "Force.largest_change", f"{NEXT}::test_the_change_of_the_force_is_attained"),
+    **_each("wells.force", "Force.largest", f"{NEXT}::test_the_largest_force_on_two_discs_is_attained"),
+    **_each("wells.taylor", "TaylorStep.residual discs", f"{WELLS}::test_the_residual_of_a_taylor_step"),
+    **_each("wells.taylor", "TaylorStep.box", f"{NEXT}::test_the_box_of_a_step_holds_it"),
+}
+"""Upper bounds, not enclosures -> the test in which half of them fails or that evaluates them again."""
+
+ELSEWHERE: Names = {
+    **_each(
+        "bounds.flow",
+        "TruncatedFlow.of TruncatedFlow.time TruncatedFlow.phase TruncatedFlow.turning_point",
+        f"{LATE}::test_the_truncated_equations_are_enclosed_at_every_precision",
+    ),
+    **_each("bounds.late", "late_state", f"{LATE}::test_the_jump_holds_the_motion_and_is_not_wide"),
+    **_each(
+        "bounds.late",
+        "late_turning",
+        f"{LATE}::test_the_turning_point_after_the_jump_is_held_and_its_errors_are_attained",
+    ),
+    **_each(
+        "bounds.motion", "enclosure", "tests/bounds/test_motion.py::test_the_bound_covers_the_distance_and_hardly_more"
+    ),
+    **_each(
+        "comparison.truth",
+        "ball_of",
+        "tests/comparison/test_si_start.py::test_a_decimal_is_every_number_that_rounds_to_it",
+    ),
+    **_each(
+        "half_swings.finite",
+        "FiniteQuarter.half_swing finite_quarter TruncatedSum.__call__",
+        f"{FINITE}::test_a_ladder_of_precisions_contains_the_closed_form",
+    ),
+    **_each("motions.reference", "reference_states", "tests/motions/test_reference.py::test_a_ladder_of_digits"),
+    **_each(
+        "swing.chebyshev", "interpolant Interpolant.__call__", f"{CHEBYSHEV}::test_rounded_coefficients_are_paid_for"
+    ),
+    **_each("swing.course", "Creep.own", f"{SLOW}::test_a_ladder_of_precisions"),
+    **_each("swing.panels", "Panel.passage laid_out", f"{PANELS}::test_a_ladder_of_panels"),
+    **_each(
+        "swing.slow", "Curve.a Curve.place Curve.clock Strip.state solve caught", f"{SLOW}::test_a_ladder_of_precisions"
+    ),
+    **_each(
+        "turning.abel",
+        "AbelFunction.advance AbelFunction.time_between Approximant.__call__ Approximant.slope",
+        f"{ABEL}::test_a_ladder_of_jumps_lands_where_the_steps_do",
+    ),
+    **_each(
+        "turning.abel",
+        "abel_function from_series of_coefficients",
+        f"{ABEL}::test_a_ladder_of_jumps_lands_where_the_steps_do",
+    ),
+    **_each(
+        "turning.abel_flow",
+        "AbelFlow.advance AbelFlow.weights abel_flow",
+        f"{FLOW}::test_a_ladder_of_jumps_lands_where_the_steps_do",
+    ),
+    **_each("turning.quadratic_abel", "quadratic_abel", f"{QUADRATIC}::test_a_jump_lands_where_the_steps_do"),
+}
+"""Function -> the test that is its ladder."""
+
+NONE_NEEDED: Names = {
+    **_each("bounds.local", "Remainder.largest_term LocalBounds.limit", CHOICE),
+    **_each("envelopes.slow_flow", "ExponentialSum.of Rate.terms SlowLaw.solve", MIDPOINTS),
+    **_each("half_swings.certified_moments", "divide", EXACT),
+    **_each("half_swings.certified_orders", "dot integrate_series", EXACT),
+    **_each("half_swings.finite", "FiniteQuarter.strengths", EXACT),
+    **_each("half_swings.finite", "series_reach", CHOICE),
+    **_each("identification.certified_ratio", "CertifiedRatio.areas CertifiedRatio.gradient", EXACT),
+    **_each(
+        "identification.certified_ratio", "followed", "ln of swing.passage.integrated, which has a ladder, at 53 bits"
+    ),
+    **_each("identification.table_rows", "Row.local exact rows_of", EXACT),
+    **_each("motions.doubles", "Doubles.of", MIDPOINTS),
+    **_each(
+        "motions.frame", "Frame.of Frame.terms Frame.monomial Frame.start Frame.turning_point Frame.reach", MIDPOINTS
+    ),
+    **_each("motions.frame", "Frame.neglected Frame.state State.turning_point State.point", MIDPOINTS),
+    **_each("motions.stopping", "friction_arc", MIDPOINTS),
+    **_each("motions.waveform", "waveform_at", MIDPOINTS),
+    **_each("swing.arrival", "reach_at", CHOICE),
+    **_each("swing.course", "Piece.own", "abstract"),
+    **_each("swing.damping", "Damping.of_law", "Damping.of for a law"),
+    **_each("swing.damping", "dyadic", CHOICE),
+    **_each("swing.damping", "upper", "rounds up, by arb.upper"),
+    **_each("swing.dense", "exact_sum", "exact by its precision"),
+    **_each("swing.panels", "Panels.serving panels_of", "hands out what laid_out made"),
+    **_each("turning.far", "Point.amplitude", EXACT),
+    **_each("turning.far", "series_points", "FiniteQuarter.orbit, numbered"),
+    **_each(
+        "turning.far",
+        "far_points far_point_of_sum",
+        "series_points and the jumps of abel and abel_flow, which have ladders, in a row",
+    ),
+    **_each("wells.composition", "Grid.product Grid.product_from_1 Line.product Line.product_from_1 Curve.rest", EXACT),
+    **_each("wells.composition", "Simplex.product Simplex.product_from_1", EXACT),
+    **_each("wells.course", "Piece.own", "abstract"),
+    **_each("wells.course", "unit_at", CHOICE),
+    **_each("wells.distance", "unit_for", CHOICE),
+    **_each("wells.expansion", "reach_at", CHOICE),
+    **_each("wells.landing", "without_loss", CHOICE),
+    **_each("wells.taylor", "sizes", EXACT),
+}

@@ -1,0 +1,290 @@
+"""Ladders of half-swings beside the linear spring: pieces, sequences, dense states, series, jumps."""
+
+from itertools import islice
+
+from flint import arb, ctx
+
+from asymptotics.half_swings.certified import quarter_swing
+from asymptotics.half_swings.certified_orders import elementary_series, sine_ratio_power
+from asymptotics.half_swings.certified_zeros import certified_half_swing
+from asymptotics.half_swings.finite import finite_quarter
+from asymptotics.identification.certified_ratio import CertifiedRatio
+from asymptotics.law import Law
+from asymptotics.numbers.exact import parse_real
+from asymptotics.swing.arrival import arrive
+from asymptotics.swing.chebyshev import coefficients as chebyshev
+from asymptotics.swing.chebyshev import nodes
+from asymptotics.swing.coordinate import Coordinate
+from asymptotics.swing.course import course
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.dense import states, states_from
+from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.linear import LinearOrbit
+from asymptotics.swing.passage import integrated
+from asymptotics.swing.rows import rows_below
+from asymptotics.swing.sequence import first_from, first_turning, sequence
+from asymptotics.swing.slow_series import summed, truncated
+from asymptotics.swing.taylor import GUARD, TaylorStep, coefficients
+from asymptotics.terms import Term
+from asymptotics.turning import drag_exact
+from asymptotics.turning.quadratic_duration import duration, elapsed
+from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
+from asymptotics.turning.routes import Plan
+from tests.ladders.machine import Ladder
+
+ROOT, SUM = (("3/2", "1/5"),), (("0", "1/50"), ("sqrt(2)", "1/7"), ("3", "1/3"))
+SLOW, LINEAR = (("1/2", "1/9"), ("2", "1/3")), (("0", "1/50"), ("1", "1/3"))
+SWING = "asymptotics.swing."
+DEAR = {"rungs": (20, 40, 80), "truth": 120}
+
+
+def law(pairs):
+    """Strengths carry GUARD bits more, as wherever pieces are made."""
+    with ctx.workprec(ctx.prec + GUARD):
+        return Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+
+
+def near(center, error):
+    return center + arb(0, error)
+
+
+def expanded(pairs, w="0.03125"):
+    return lambda x: Expansion.at(law(pairs), x, arb(w)).state(arb(w))
+
+
+def landed(x):
+    found = arrive(law(ROOT), x, arb("0.25"))
+    return [near(found.turning, found.miss), found.duration]
+
+
+def stepped(pairs):
+    def value(x):
+        step = TaylorStep.at(law(pairs), x, arb("0.5"), arb(1))
+        return [near(c, step.error) for c in step.state(min(step.length, arb(2) ** -6))]
+
+    return value
+
+
+def pieces(pairs, *times):
+    """(y, w) of whatever pieces hold the times, within their errors."""
+
+    def value(x):
+        found: list[arb] = []
+        for piece in course(law(pairs), x, arb(0)):
+            inside = [arb(t) for t in times if piece.begin <= arb(t) < piece.end]
+            found += [near(c, piece.error) for t in inside for c in piece.own(t)]
+        return found
+
+    return value
+
+
+def turnings(pairs, count=4):
+    return lambda _: [c for p in islice(sequence(law(pairs)), count) for c in (p.x, p.tau)]
+
+
+def first(x):
+    found = first_from(law(ROOT), arb("0.5"), x)
+    return [found.x, found.tau]
+
+
+def dense(pairs):
+    times = [arb(1) / 4, arb(3) / 2, arb(5), arb(9)]
+    return lambda x: [c for state in states(law(pairs), arb(1) / 2, x, times) for c in state]
+
+
+def timed(x):
+    return [c for state in states_from(law(SUM), first_turning(), [x]) for c in state]
+
+
+def swung(x):
+    found = integrated(law(SUM), x)
+    return [found.amplitude, found.duration]
+
+
+def followed(x):
+    """Two half-swings of the series, as far as 3 bits fewer than the precision."""
+    quarter = finite_quarter([parse_real("3/2", "a")], [arb(1) / 10], max(8, ctx.prec - 8))
+    return [c for x, e, T in islice(quarter.orbit([arb(1) / 10], x, arb(0)), 3) for c in (near(x, e), T)]
+
+
+def coordinate(pairs):
+    def value(x):
+        z = Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+        return [z(x), *z.strengths(z(x)), *z.damping(z(x)).strengths]
+
+    return value
+
+
+def slow_curve(x):
+    found = truncated(law((("1/2", "1"), ("3", "1/7"))), 0, 3)
+    return [*(b for b, _ in found.b), summed(found.b, x)]
+
+
+def rows(_):
+    found = rows_below((parse_real("sqrt(2)", "a"),), (2, 3), 9, ctx.prec)
+    return [c for _, y, s in found for part in (y, s) for c in part.coeffs()]
+
+
+def orders(quarter):
+    return [series[n] for series in (quarter.R, quarter.T_q) for n in ((1, 0), (0, 1), (2, 1), (1, 3))]
+
+
+def series(_):
+    return orders(quarter_swing([parse_real(a, "a") for a in ("1/2", "sqrt(3)")], 4))
+
+
+def mapped(_):
+    half = certified_half_swing([parse_real(a, "a") for a in ("1/2", "sqrt(3)")], 4)
+    return [f[n] for f in (half.L, half.T) for n in ((2, 0), (1, 1), (1, 3))]
+
+
+def ratio(x):
+    return [CertifiedRatio.of((Term(1, 1), Term(1, 2))).at([x, x])]
+
+
+def planned(_):
+    plan = Plan.of(Law({"3/2": "1/5"}), 0, 3, ctx.prec)
+    return [c for p in islice(plan.turnings(), 3) for c in (p.x, p.tau)]
+
+
+def exact_swing(name, *arguments):
+    spring = Law({0: "1/20", 2: "1/7"}, spring={3: "1/3"})
+    return lambda x: [getattr(drag_exact.Well.of(spring), name)(*arguments, x)]
+
+
+def many(names, room=SWING):
+    return tuple(room + name for name in names.split())
+
+
+LAW = many("damping.Damping.of damping.Damping.terms damping.Damping.resistance")
+EXPANSION, STEP = (
+    many("expansion.Expansion.at expansion.Expansion.state"),
+    many("taylor.TaylorStep.at taylor.TaylorStep.state"),
+)
+OWN = many("course.Departure.own course.Step.own course.Landing.own course.course course.at_time")
+SEQUENCE = many(
+    "sequence.sequence sequence.swung sequence.following sequence.Turning.x sequence.Turning.tau sequence.first_turning"
+)
+STATES, FROM = many("dense.states"), many("dense.states_from")
+MAP, DURATION = "asymptotics.turning.quadratic_map.", "asymptotics.turning.quadratic_duration."
+EXACT = "asymptotics.turning.drag_exact.Well."
+ORDERS = "asymptotics.half_swings.certified_orders."
+
+PIECES = [
+    Ladder(LAW, lambda x: [law(SUM).resistance(x), *law(SUM).terms(x)], stretch=4),
+    *(Ladder(EXPANSION, expanded(p), lost=14, stretch=3, rungs=(10, 20, 40, 80), truth=120) for p in (ROOT, SUM, SLOW)),
+    Ladder(many("arrival.arrive"), landed, "-0.9", 14, 6, **DEAR),
+    *(Ladder(STEP, stepped(p), lost=14) for p in (ROOT, SUM, SLOW)),
+    *(
+        Ladder(
+            many("taylor.coefficients"),
+            lambda x, p=p: [c for part in coefficients(law(p), x, arb("0.5"), 5) for c in part],
+            lost=16,
+            stretch=40,
+        )
+        for p in (ROOT, SUM)
+    ),
+    Ladder(
+        many("linear.LinearOrbit.of linear.LinearOrbit.state"),
+        lambda x: LinearOrbit.of(law(LINEAR), arb("0.5"), arb("0.25")).state(x),
+        "5",
+        stretch=3,
+    ),
+    Ladder(
+        many("linear.LinearOrbit.turning"), lambda x: LinearOrbit.of(law(LINEAR), x, arb("0.25")).turning(), stretch=4
+    ),
+    *(Ladder(OWN, pieces(p, "0.0625", "1.25", "2.75"), "1", 16, least=20, **DEAR) for p in (ROOT, SLOW)),
+    Ladder(many("course.LinearSwing.own"), pieces(LINEAR, "0.0625", "2.75"), "1", least=20, rungs=(20, 40, 80)),
+]
+
+SEQUENCES = [
+    *(Ladder(SEQUENCE, turnings(p), lost=16, least=20, **DEAR) for p in (ROOT, LINEAR)),
+    Ladder(
+        many("sequence.first_from sequence.after_landing course.Turned.late"),
+        first,
+        lost=14,
+        stretch=6,
+        least=20,
+        **DEAR,
+    ),
+    Ladder(many("passage.integrated passage.of_landing"), swung, lost=14, least=20, **DEAR),
+    Ladder(STATES, dense(ROOT), lost=16, stretch=12, least=20, **DEAR),
+    Ladder(FROM, timed, "5", 16, 12, 20, **DEAR),
+    *(
+        Ladder(
+            many("coordinate.Coordinate.of coordinate.Coordinate.strengths coordinate.Coordinate.damping"),
+            coordinate(p),
+            lost=12,
+            stretch=3,
+        )
+        for p in (ROOT, (("1/2", "1/9"), ("sqrt(3)", "1/7")))
+    ),
+    Ladder(many("slow_series.truncated slow_series.summed"), slow_curve, "-8", 24, 2, 20),
+    Ladder(many("rows.rows_below"), rows, lost=6),
+    Ladder(
+        many("chebyshev.nodes chebyshev.coefficients"),
+        lambda x: [*nodes(5), *chebyshev([x * t for t in nodes(5)])],
+        lost=6,
+        stretch=4,
+    ),
+    Ladder((SWING + "coordinate.Coordinate.__call__",), coordinate((("3", "1/7"),)), lost=12, stretch=5),
+]
+
+SERIES = [
+    Ladder((ORDERS + "elementary_series",), lambda _: [c for f in elementary_series(9) for c in f.coeffs()]),
+    Ladder((ORDERS + "sine_ratio_power",), lambda x: sine_ratio_power(x, 9).coeffs(), "2.3", stretch=2),
+    Ladder(
+        ("asymptotics.half_swings.certified.quarter_swing", ORDERS + "power_series_ring", ORDERS + "bound_ring"),
+        series,
+        lost=6,
+        rungs=(10, 20, 40, 80),
+        truth=160,
+    ),
+    Ladder(
+        ("asymptotics.half_swings.certified_zeros.certified_half_swing",),
+        mapped,
+        lost=8,
+        rungs=(10, 20, 40, 80),
+        truth=160,
+    ),
+    Ladder(
+        many("orbit", "asymptotics.half_swings.finite.FiniteQuarter."),
+        followed,
+        "0.25",
+        20,
+        rungs=(10, 20, 40),
+        truth=72,
+    ),
+    Ladder(
+        many("of at polynomial", "asymptotics.identification.certified_ratio.CertifiedRatio."),
+        ratio,
+        "0.01",
+        30,
+        20,
+        rungs=(20, 40),
+        truth=70,
+    ),
+]
+
+TURNING = [
+    Ladder((MAP + "next_amplitude",), lambda x: [next_amplitude(x)], "0.125", stretch=1.1),
+    Ladder((MAP + "amplitudes",), lambda x: list(islice(amplitudes(x), 5)), "2", 6, 1.1),
+    Ladder((DURATION + "duration",), lambda x: [duration(x, next_amplitude(x))], "2", 20),
+    Ladder(
+        (DURATION + "elapsed",),
+        lambda x: [elapsed(arb(2), next_amplitude(arb(2)), x)],
+        "1",
+        20,
+        400,
+        20,
+        (10, 20, 40, 80),
+        160,
+    ),
+    *(
+        Ladder(tuple(EXACT + n for n in ("of", name)), exact_swing(name, *rest), lost=18, stretch=300)
+        for name, rest in (("force", ()), ("work", (arb("-0.5"),)))
+    ),
+    Ladder(("asymptotics.turning.routes.Plan.turnings",), planned, lost=16, **DEAR),
+]
+
+SWINGS = [*PIECES, *SEQUENCES, *SERIES, *TURNING]

@@ -1,0 +1,126 @@
+"""Ladders of half-swings beside any spring, with losses that depend on the place."""
+
+from itertools import islice
+
+from flint import arb
+
+from asymptotics.law import Law
+from asymptotics.wells.course import course
+from asymptotics.wells.dense import states
+from asymptotics.wells.expansion import Expansion
+from asymptotics.wells.force import Force
+from asymptotics.wells.landing import arrive
+from asymptotics.wells.sequence import first_from, half_swing, rest, sequence
+from asymptotics.wells.taylor import TaylorStep, coefficients
+from tests.ladders.machine import Ladder
+from tests.ladders.swings import DEAR, many, near
+
+PENDULUM = ({"3/2": "1/10"}, "pendulum")
+DUFFING = ({0: "1/20", (2, 1): "1/7", "1/2": "1/9"}, {3: "1/3"})
+KINKED = ({(0, 2): "1/20", 1: "1/7", (2, 1): "1/9"}, {2: "1/3"})
+EXPONENTS = ({"sqrt(2)": "1/10", 3: "1/7"}, {3: "1/3"})
+
+
+def force(given):
+    losses, spring = given
+    return Force.of(Law(losses, spring=spring).terms)
+
+
+def forces(given):
+    def value(x):
+        F, w = force(given), arb("0.5")
+        powers = [c for c, _ in F.rest_powers(1)]
+        return [F.pull(x), F.grip(x), F.rest(x), F.drag(x, w), F.acceleration(x, w), F.potential(x), F.viscous, *powers]
+
+    return value
+
+
+def expanded(given):
+    return lambda x: Expansion.at(force(given), x, arb("0.03125")).state(arb("0.03125"))
+
+
+def landed(given):
+    return lambda x: arrive(force(given), x, arb("0.25")).state(arb("0.25"))
+
+
+def stepped(given):
+    """At a time that every step reaches, within the growth of the residual (the step is short, the factor below 2)."""
+
+    def value(x):
+        step = TaylorStep.at(force(given), x, arb("0.5"), arb(1), arb(1))
+        step = step.shortened(min(step.length, arb(2) ** -6))
+        u, w = step.state(step.length)
+        return [near(c, 2 * step.residual) for c in (u, w)]
+
+    return value
+
+
+def grown(given):
+    return lambda x: [c for part in coefficients(force(given), x, arb("0.5"), 5) for c in part]
+
+
+def pieces(given, *times):
+    def value(x):
+        found: list[arb] = []
+        for piece in course(force(given), x, arb(0)):
+            inside = [arb(t) for t in times if piece.begin <= arb(t) < piece.end]
+            for u, w in map(piece.own, inside):
+                found += [near(u, piece.local / piece.unit), near(w, piece.local)]
+        return [*found, piece.time, near(piece.turn, piece.gap)]
+
+    return value
+
+
+def turnings(given, count=3):
+    return lambda x: [c for p in islice(sequence(force(given), rest(x)), count) for c in (p.x, p.tau)]
+
+
+def swung(x):
+    there, _ = half_swing(force(DUFFING), x)
+    return [there.x, there.tau]
+
+
+def kicked(x):
+    found = first_from(force(PENDULUM), arb("0.5"), x)
+    return [found.x, found.tau]
+
+
+def dense(given):
+    times = [arb(1) / 4, arb(3) / 2, arb(5)]
+    return lambda x: [c for state in states(force(given), arb(1) / 2, x, times) for c in state]
+
+
+WELLS_ROOM = "asymptotics.wells."
+FORCE = many("of pull grip rest drag acceleration potential viscous rest_powers", WELLS_ROOM + "force.Force.")
+EXPANSION, LANDING = (
+    many("expansion.Expansion.at expansion.Expansion.state", WELLS_ROOM),
+    many("landing.arrive", WELLS_ROOM),
+)
+STEP = many("at shortened state", WELLS_ROOM + "taylor.TaylorStep.")
+OWN = many("course Departure.own Step.own Landing.own Landing.time at_time", WELLS_ROOM + "course.")
+SEQUENCE = many("sequence next_turning after_landing rest", WELLS_ROOM + "sequence.")
+
+WELLS = [
+    *(Ladder(FORCE, forces(given), lost=12, stretch=4) for given in (PENDULUM, DUFFING, KINKED)),
+    *(
+        Ladder(EXPANSION, expanded(given), lost=14, stretch=4, rungs=(10, 20, 40), truth=72)
+        for given in (PENDULUM, DUFFING, KINKED, EXPONENTS)
+    ),
+    *(Ladder(LANDING, landed(given), "-0.9", 30, rungs=(20, 40, 80), truth=120) for given in (PENDULUM, DUFFING)),
+    *(
+        Ladder(STEP, stepped(given), lost=14, rungs=(10, 20, 40, 80), truth=120)
+        for given in (PENDULUM, DUFFING, KINKED)
+    ),
+    *(
+        Ladder(many("taylor.coefficients", WELLS_ROOM), grown(given), lost=16, stretch=40)
+        for given in (PENDULUM, DUFFING)
+    ),
+    *(
+        Ladder(OWN, pieces(given, "0.0625", "1.25", "2.75"), "0.75", 18, least=20, **DEAR)
+        for given in (PENDULUM, KINKED)
+    ),
+    Ladder(SEQUENCE, turnings(PENDULUM), "0.75", 18, 20, 20, wide=(-20,), **DEAR),
+    Ladder((WELLS_ROOM + "sequence.half_swing",), swung, "0.75", 18, least=20, rungs=(20, 40), truth=72),
+    Ladder(many("first_from after_kick", WELLS_ROOM + "sequence."), kicked, "0.75", 18, 20, 20, wide=(-20,), **DEAR),
+    Ladder((WELLS_ROOM + "dense.states",), dense(PENDULUM), "0.25", 20, 20, 20, wide=(-20,), **DEAR),
+]
