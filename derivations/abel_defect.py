@@ -83,10 +83,11 @@ step(
     sympy.Derivative(c_k * delta ** (2 * K - 1), delta) * delta**2,
     (2 * K - 1) * c_k * delta ** (2 * K),
 )
+rest = sympy.Function("S")(delta)  # the terms k >= 1
 step(
-    "Psi decreases on (0, delta] if sum (2k-1) |c_k| delta^(2k) < c_0: for K = 2",
-    sympy.Derivative(truncated, delta),
-    -(c0 - c1 * delta**2) / delta**2,
+    "Psi = c_0/delta + S decreases on (0, delta] if sum (2k-1) |c_k| delta^(2k) < c_0: delta^2 Psi' is",
+    delta**2 * sympy.Derivative(c0 / delta + rest, delta),
+    -c0 + delta**2 * sympy.Derivative(rest, delta),
 )
 step(
     "An error e of Psi changes 1/delta_n = n g + … by e/c_0 only: far out the relative error of delta_n falls like 1/n",

@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import Coefficient, Derivation, named
+from derivations.steps import At, Derivation, named
 
 lam, xi, w, w2 = sympy.symbols("lambda xi w_1 w_2", positive=True)
 c1, c2, v3c, d1, d2 = sympy.symbols("c_1 c_2 c_3 delta_1 delta_2", positive=True)
@@ -69,19 +69,28 @@ step(
     sympy.cancel(v3 / v1),
 )
 step(
-    "which the second term -lambda v_3/v_1^2 takes away: with K terms the defect d begins with lambda^(2K)",
+    "which the second term -lambda v_3/v_1^2 takes away",
     named("[lambda^2] int -lambda v_3/v_1^2", second[0]),
     -sympy.cancel(v3 / v1),
 )
 
+K = sympy.Symbol("K", positive=True, integer=True)
+missing = sympy.Symbol("g_K")
+step(
+    "In general: the integral of 1/v over the time-one map is 1, exactly. K terms of 1/v lack g_K lambda^(2K-1) + ...,"
+    " and over the length L = lambda v_1 + ... that is",
+    (missing * lam ** (2 * K - 1)) * (lam * v1),
+    missing * v1 * lam ** (2 * K),
+)
 s = sympy.Symbol("s", positive=True)
 u1, u2 = sympy.symbols("u_1 u_2", positive=True)
-slope = -w * u1 * (u1 * s**2 + u2 * s**3) / (1 - k)  # alpha = 1, 2 in the place of any two
+a1, a2 = sympy.symbols("alpha_1 alpha_2", positive=True)
+slope = -w * u1 * (u1 * s ** (a1 + 1) + u2 * s ** (a2 + 1)) / (1 - k)
 step(
     "Along the orbit: u_i = epsilon_i r^w_i obeys u_1' = -w_1 u_1 N/(1 - C), N = sum u_i s^(alpha_i+1) >= u_1"
     " s^(alpha_1+1): the other laws only add",
     named("-u_1' (1 - C)/(w_1 u_1^2)", sympy.expand(-slope / u1**2 * (1 - k) / w)),
-    s**2 + u2 * s**3 / u1,
+    s ** (a1 + 1) + u2 * s ** (a2 + 1) / u1,
 )
 gap, small = sympy.symbols("d C_2", nonnegative=True)
 holds(
@@ -105,11 +114,12 @@ step(
     named("Re e^(w_1 (xi_r + i xi_i))", sympy.re(sympy.exp(w * (re_xi + sympy.I * im_xi)))),
     sympy.exp(w * re_xi) * sympy.cos(w * im_xi),
 )
-a = sympy.Symbol("a", positive=True)  # a bound of |v_3|/b
+bound, lower = sympy.symbols("g_t a_t", positive=True)  # the series 1 + g_1 t + ..., a_1 t + a_2 t^2 + ...
 step(
-    "With |v_(2k+1)| <= a_k b there, 1/(1 - a_1 t - a_2 t^2 - ...) bounds the g_k: for one a",
-    Coefficient(1 / (1 - a * x), x, 2),
-    a**2,
+    "With |v_(2k+1)| <= a_k b there, the g_k, whose recurrence is |g_k| <= sum_j a_j |g_(k-j)|, are at most those of"
+    " g(t) = 1 + a(t) g(t), a(t) = a_1 t + a_2 t^2 + ...: the coefficients of",
+    At(bound - lower * bound, {bound: 1 / (1 - lower)}),
+    sympy.Integer(1),
 )
 holds(
     "Hence |d| <= D = 1 + G (1 + g_1 + ... )/b on that circle, and Schwarz' inequality for d = O(lambda^(2K)) gives at"
@@ -117,7 +127,6 @@ holds(
     bool((D * (d1 / rho) ** (2 * j)).is_positive),
     D * (d1 / rho) ** (2 * j),
 )
-K = sympy.Symbol("K", positive=True, integer=True)
 step(
     "Further on rho_i may be kept for i > 1, since delta_i/delta_1 falls. The following term: |g_K/v_1| <= C"
     " delta_1^(2K-1), and over all smaller amplitudes",

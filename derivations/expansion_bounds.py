@@ -1,12 +1,12 @@
 """The error of a truncated expansion: from one half-swing to all of them.
 
 >>> print(derivation.steps[2].text())
-delta_1**3 + 3*delta_1**2*delta_2 + 3*delta_1*delta_2**2 + delta_2**3 = (delta_1 + delta_2)**3
+exp(delta_1)*exp(delta_2) = exp(delta_1 + delta_2)
 """
 
 import sympy
 
-from derivations.steps import Derivation, Taylor, named
+from derivations.steps import Derivation, named
 
 n, m, x = sympy.symbols("n m x", positive=True)
 Y, g, G, delta = sympy.symbols("Y g G delta", positive=True)
@@ -26,27 +26,30 @@ step(
     sympy.Integral(-sympy.Symbol("p_k") * delta**n, (psi, 0, sympy.pi)),
     -sympy.pi * sympy.Symbol("p_k") * delta**n,
 )
-k, kk = sympy.symbols("k K", positive=True)
-holds(
+kk = sympy.Symbol("K", positive=True)
+k = sympy.Symbol("k", integer=True, nonnegative=True)
+step(
     "L_N and T_N are analytic where G' = P(v)/(1 - Q(v)), v = rho e^(|alpha-1| G), stays finite: |p/(1 + Omega)| <="
-    " P/(1 - Q), the geometric series having coefficients >= 0",
-    all(c >= 0 for c in sympy.Poly(Taylor(1 / (1 - kk), kk, 5).doit(), kk).coeffs()),
-    Taylor(1 / (1 - kk), kk, 5),
+    " P/(1 - Q), for |Omega| <= Q = K < 1 the geometric series of terms K^k >= 0, what is left after k terms being"
+    " K^k/(1 - K)",
+    kk**k / (1 - kk) - kk ** (k + 1) / (1 - kk),
+    kk**k,
 )
 a, b = sympy.symbols("delta_1 delta_2", positive=True)
 step(
     "A sum: with multinomial coefficients sum_n binomial(k; n) delta^n = |delta|^k, so |c_n|/binomial(k; n) <= c gives"
-    " sum |c_n| delta^n <= c |delta|^k; for two laws, k = 3",
-    a**3 + 3 * a**2 * b + 3 * a * b**2 + b**3,
-    (a + b) ** 3,
+    " sum |c_n| delta^n <= c |delta|^k. Multinomial coefficients are those of the exponential series, k! times the"
+    " coefficient of delta^n in the product of all e^delta_i; a further law adds a factor:",
+    sympy.exp(a) * sympy.exp(b),
+    sympy.exp(a + b),
 )
-
 M, rho, J = sympy.symbols("M rho J", positive=True)
 step(
-    "Cauchy on the polydisc |delta_i| <= rho: |c_n| <= M rho^(-k), |n| = k; the monomials of degree k add up to at most"
-    " |delta|^k (each multinomial coefficient is >= 1), here for two laws and k = 3",
-    (a + b) ** 3 - (a**3 + a**2 * b + a * b**2 + b**3),
-    2 * a * b * (a + b),
+    "Cauchy on the polydisc |delta_i| <= rho: |c_n| <= M rho^(-k), |n| = k. The monomials of degree k add up to at"
+    " most |delta|^k: each of degree k+1 is some delta_i times one of degree k. For two laws the sum is h_k ="
+    " (delta_1^(k+1) - delta_2^(k+1))/(delta_1 - delta_2), and |delta| h_k - h_(k+1) = delta_1 delta_2 h_(k-1) >= 0",
+    (a + b) * (a ** (k + 1) - b ** (k + 1)) - (a ** (k + 2) - b ** (k + 2)),
+    a * b * (a**k - b**k),
 )
 y = sympy.Symbol("y", positive=True)  # |delta|/rho = y/(1 + y) < 1
 ratio = y / (1 + y)
@@ -81,19 +84,33 @@ step(
     named("P(n - 1/2) - P(-1/2)", primitive.subs(x, n - half) - primitive.subs(x, -half)),
     ((Y - g / 2) ** (1 - m) - (Y + g * (n - half)) ** (1 - m)) / ((m - 1) * g),
 )
-eta = sympy.Symbol("d_j", nonnegative=True)
+eta, before, later, now = sympy.symbols("eta_j sigma_j Lambda_(j+1) lambda_j", positive=True)
 step(
-    "ln A_(j+1) = ln A_j + L(delta_j), ln A_hat_(j+1) = ln A_hat_j + L_N(delta_hat_j): the mean value theorem for"
-    " ln A + L, with slope lambda in [0, 1] (L1b), gives e_(j+1) <= lambda e_j + |L - L_N|(delta_hat_j). With e_0 = 0,"
-    " lambda = 1",
-    named("e_2", (0 + eta) + eta),
-    2 * eta,
+    "ln A_(j+1) = ln A_j + L(delta_j), ln A_hat_(j+1) = ln A_hat_j + L_N(delta_hat_j): the mean value theorem for ln A"
+    " + L, with slope lambda_j in [0, 1] (L1b), gives e_(j+1) <= lambda_j e_j + eta_j, eta_j = |L - L_N|(delta_hat_j)."
+    " With e_0 = 0 this is solved by e_j = Lambda_j sigma_j, Lambda_(j+1) = lambda_j Lambda_j the product of the"
+    " slopes, sigma_(j+1) = sigma_j + eta_j/Lambda_(j+1): an error counts with the slopes after it, e_n <= sum_(j<n)"
+    " eta_j if all are taken as 1",
+    later * (before + eta / later),
+    now * (later / now * before) + eta,
 )
 alpha = sympy.Symbol("alpha", positive=True)
+log_a, epsilon = sympy.symbols("l epsilon", positive=True)
+gain = sympy.Function("L")
+local = epsilon * sympy.exp((alpha - 1) * log_a)
+arg = sympy.Symbol("x_1")
 step(
-    "One law: lambda = d(ln A + L)/d ln A = 1 + (alpha-1) delta L'(delta), here for L = -k delta; and 1 - x <= e^(-x)",
-    1 + (alpha - 1) * delta * sympy.Derivative(-k * delta, delta),
-    1 - (alpha - 1) * k * delta,
+    "One law: lambda = d(l + L(delta))/dl, l = ln A, delta = epsilon e^((alpha-1) l), is",
+    sympy.Derivative(log_a + gain(local), log_a),
+    1 + (alpha - 1) * local * sympy.Subs(sympy.Derivative(gain(arg), arg), arg, local),
+)
+share = sympy.Symbol("t", nonnegative=True)  # 1 + t = e^x
+spare = 1 / (1 + share) - 1 + sympy.log(1 + share)
+holds(
+    "so with L' <= -k it is at most 1 - x <= e^(-x), x = (alpha-1) k delta: with e^x = 1 + t, e^(-x) - 1 + x is 0 at t"
+    " = 0 and grows with t",
+    bool(sympy.factor(sympy.diff(spare, share)).is_nonnegative),
+    sympy.Derivative(spare, share),
 )
 j = sympy.Symbol("j", positive=True)
 step(
@@ -131,11 +148,14 @@ step(
     named("P(pi) - P(0)", primitive.subs(theta, sympy.pi) - primitive.subs(theta, 0)),
     0 * alpha,
 )
-log_a, c_n, w_max = sympy.symbols("l c_n w", positive=True)
+c_n, w_1, w_2, w_max = sympy.symbols("c_n w_1 w_2 w", positive=True)
+n_1, n_2 = sympy.symbols("n_1 n_2", integer=True, nonnegative=True)
+grown = c_n * (a * sympy.exp(w_1 * log_a)) ** n_1 * (b * sympy.exp(w_2 * log_a)) ** n_2
 step(
-    "Along ln A = l each delta_i changes by w_i delta_i, w = max |w_i|: a term c_n delta^n of degree 3 by at most",
-    sympy.Derivative(c_n * (a * sympy.exp(w_max * log_a)) ** 2 * (b * sympy.exp(w_max * log_a)), log_a),
-    3 * w_max * c_n * a**2 * b * sympy.exp(3 * w_max * log_a),
+    "Along ln A = l each delta_i changes by w_i delta_i: of a term c_n delta^n the relative change is sum n_i w_i, at"
+    " most k w in modulus, k = |n|, w = max |w_i|",
+    sympy.Derivative(grown, log_a) / grown,
+    n_1 * w_1 + n_2 * w_2,
 )
 e = sympy.Symbol("e", positive=True)
 B = sympy.Symbol("B", positive=True)

@@ -7,7 +7,7 @@
 import sympy
 
 from asymptotics.moments.symbolic import moment
-from derivations.steps import Derivation, named
+from derivations.steps import At, Derivation, named
 
 a, k, theta, epsilon = sympy.symbols("a k theta epsilon", positive=True)
 alpha = sympy.Symbol("alpha", positive=True)
@@ -37,10 +37,11 @@ step(
 coefficient = sympy.rf(sympy.Rational(1, 2), n) / sympy.factorial(n)
 beta = sympy.gamma((alpha + 2) / 2) * sympy.gamma(n + sympy.Rational(1, 2)) / sympy.gamma((alpha + 3) / 2 + n)
 series = sympy.pi * moment(alpha + 1) * coefficient * sympy.rf(sympy.Rational(1, 2), n) / sympy.rf((alpha + 3) / 2, n)
+turned = sympy.Symbol("theta", real=True)
 step(
-    "int cos^(alpha+1) = pi M_(alpha+1), for example alpha = 2",
-    sympy.Integral(sympy.cos(theta) ** 3, (theta, -sympy.pi / 2, sympy.pi / 2)),
-    sympy.Rational(4, 3),
+    "int cos^(alpha+1) over |theta| <= pi/2 is pi M_(alpha+1), that of sin^(alpha+1) over [0, pi], a quarter turn on",
+    At(sympy.cos(turned), {turned: turned - sympy.pi / 2}),
+    sympy.sin(turned),
 )
 step(
     "J_n = (1/2)_n/n! int cos^(alpha+1) sin^(2n), a Beta integral: pi M_(alpha+1) times the coefficient of k^(2n) in"

@@ -1,16 +1,17 @@
 """The half-swing from the truncated series of the quarter-swing: a majorant, a monotone equation, errors that add.
 
->>> print(derivation.steps[3].text())
+>>> print(derivation.steps[4].text())
 Derivative(x/(-k*x + 1), x) = (-k*x + 1)**(-2)
 """
 
 import sympy
 
-from derivations.steps import Derivation, Taylor, named
+from derivations.steps import Derivation, named
 
-x, k, n = sympy.symbols("x k n", real=True)
+x, k = sympy.symbols("x k", real=True)
+n = sympy.Symbol("n", integer=True, nonnegative=True)
 X, K = sympy.symbols("X K", positive=True)
-theta, alpha, lam, y, w = sympy.symbols("theta alpha lambda y w", positive=True)
+theta, alpha, lam, y, z, w = sympy.symbols("theta alpha lambda y z w", positive=True)
 g = sympy.Function("g")(theta)
 L = sympy.Symbol("L", real=True)
 
@@ -28,18 +29,22 @@ step(
     sympy.Derivative(delta * sympy.exp((alpha - 1) * g), theta),
     (alpha - 1) * delta * sympy.exp((alpha - 1) * g) * sympy.Derivative(g, theta),
 )
-partial = sympy.Sum(k**n, (n, 0, 5))
 step(
-    "For |k| < 1 the quotient 1/(1-k) is a geometric series, here with its remainder: all coefficients are >= 0, so",
-    partial + k**6 / (1 - k),
-    1 / (1 - k),
+    "For |k| < 1 the quotient x/(1-k) is the sum of x k^n: after n terms x k^n/(1-k) is left, which tends to 0, and",
+    x * k**n / (1 - k) - x * k ** (n + 1) / (1 - k),
+    x * k**n,
 )
-bound = Taylor(X / (1 - K), K, 4)
+step(
+    "so is X/(1-K) of X K^n, all terms >= 0. A term of the first is at most this one in modulus, for complex |x| <= X,"
+    " |k| <= K < 1: its share of it is, with |x| = X y, |k| = K z, y, z in [0, 1],",
+    (X * y) * (K * z) ** n / (X * K**n),
+    y * z**n,
+)
 holds(
-    "|x/(1-k)| <= X/(1-K) for complex |x| <= X, |k| <= K < 1. Hence |g|' <= N*/(1-C*), and |g| <= G as long as C* < 1:"
-    " the right-hand side grows with G and is smooth there (comparison of scalar equations)",
-    all(coefficient >= 0 for coefficient in sympy.Poly(bound.doit() / X, K).coeffs()),
-    bound,
+    "Hence |x/(1-k)| <= X/(1-K): |g|' <= N*/(1-C*), and |g| <= G as long as C* < 1: the right-hand side grows with G"
+    " and is smooth there (comparison of scalar equations)",
+    bool(sympy.diff(X / (1 - K), K).subs(K, 1 - y).is_positive),
+    sympy.Derivative(X / (1 - K), K),
 )
 
 # 2. The root equation.
@@ -62,13 +67,19 @@ holds(
     bool((1 + a_plus * F_plus * fall - 1).is_nonnegative),
     1 + a_plus * F_plus * fall,
 )
-start = sympy.Symbol("z", positive=True)
-passage = sympy.log(start) + sympy.log(1 + 2 * delta / start) / 2
+rate, place = sympy.Function("f_g"), sympy.Symbol("t", real=True)  # d(g')/dg along the orbit
+growth = sympy.exp(sympy.Integral(rate(place), (place, 0, theta)))
 step(
-    "Any alpha: L + R(-F(L)) is ln r at the passage of the orbit of -epsilon that starts at r = e^L = z. Orbits do not"
-    " meet, so it increases: G has one root, enclosed by a change of sign. Shown for dry friction, R = ln(1-2 delta)/2",
-    sympy.Derivative(passage, start),
-    (start + delta) / (start * (start + 2 * delta)),
+    "Any alpha: L + R(-F(L)) is ln r at the passage of the orbit of -epsilon that starts at ln r = L. Its derivative D"
+    " by L obeys D' = f_g D, f_g being dg'/dg along the orbit, and D = 1 at the start:",
+    sympy.Derivative(growth, theta) / growth,
+    rate(theta),
+)
+exponent = sympy.Symbol("I", real=True)
+holds(
+    "D is the exponential of a real number, so G increases: it has one root, enclosed by a change of sign",
+    bool(sympy.exp(exponent).is_positive),
+    sympy.exp(exponent),
 )
 
 # 3. Errors along the orbit.

@@ -10,7 +10,7 @@ from derivations.steps import At, Derivation
 
 w, e, h, r, d, E = sympy.symbols("w epsilon h r d E", positive=True)
 a = sympy.Symbol("alpha", positive=True)
-b, q, theta, c_1, c_2 = sympy.symbols("b q theta c_1 c_2")
+b, q, theta = sympy.symbols("b q theta")
 A, B, R = (sympy.Function(name)(w) for name in "ABR")
 
 derivation = Derivation(
@@ -45,26 +45,35 @@ step(
     At(e**2 * w ** (2 * a - 2) * a * B, {B: w ** (2 - 2 * a) / (a * e**2)}),
     1,
 )
-s = sympy.Symbol("s")
-two = (a - (a + 2 - 2 * a) * c_1 * s - (a + 4 - 4 * a) * c_2 * s**2) * (c_1 * s + c_2 * s**2)
-known = {c_1: 1 / a, c_2: (2 - a) / a**3}
-step(
-    "and so on, power by power: without other laws, s = w^(2-2 alpha)/e^2, A B = s up to s^2 for c_1 = 1/alpha,"
-    " c_2 = (alpha + 2 (1-alpha)) c_1^2/alpha",
-    At(sympy.Derivative(two.subs(known), s, 2), {s: 0}),
-    0,
-)
 full = (A - (a + E) * theta * w**E) * (B + theta * w**E)
 step(
-    "Add theta w^E to B, which is cut off below w^E: A B becomes A B plus alpha theta w^E and",
+    "Add theta w^E to a B of powers below w^E: A B becomes A B plus alpha theta w^E and powers above w^E, for A -"
+    " alpha and B have positive powers only:",
     full - A * B - a * theta * w**E,
     sympy.expand(theta * w**E * (A - a - (a + E) * (B + theta * w**E))),
 )
+left = sympy.Symbol("r_E")
 step(
-    "All powers beside alpha theta w^E, those that A B was left with too, are w^E times powers >= 0: if at some w their"
-    " absolute values add up to less than alpha h w^E, |theta| = h, so they do at all smaller w, for",
-    (w / 2) ** (E + d) / (w / 2) ** E,
-    (w / 2) ** d,
+    "So power by power, in any order: if e^2 w^(2 alpha-2) A B - 1 begins with r_E e^2 w^(2 alpha-2+E), the next term"
+    " of B is theta w^E, theta = -r_E/alpha, and this power goes",
+    At(left * w**E + a * theta * w**E, {theta: -left / a}),
+    0,
+)
+s, order = sympy.symbols("s n", positive=True)
+c_n, product = sympy.symbols("c_n p_n")  # p_n: what the terms before make at s^n
+step(
+    "Without other laws A = alpha - sum (alpha + 2n (1-alpha)) c_n s^n, B = sum c_n s^n, s = w^(2-2 alpha)/e^2, and A"
+    " B = s: with c_1 = 1/alpha, c_n = (1/alpha) sum_(0<j<n) (alpha + 2j (1-alpha)) c_j c_(n-j) = p_n/alpha",
+    At(a * c_n * s**order - product * s**order, {c_n: product / a}),
+    0,
+)
+part = sympy.Symbol("lambda", positive=True)
+step(
+    "Now for an error: all powers beside alpha theta w^E, those that A B was left with too, are w^E times powers >= 0:"
+    " if at some w their absolute values add up to less than alpha h w^E, |theta| = h, so they do at lambda w, lambda"
+    " < 1, for",
+    (part * w) ** (E + d) / (part * w) ** E,
+    part**d * w**d,
 )
 step(
     "So the rate has the sign of theta: the motion crosses the curve with -h towards smaller y, the one with h towards"

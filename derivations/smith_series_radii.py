@@ -149,16 +149,28 @@ step(
         sympy.log(eta * sympy.Derivative(sympy.Function("Q")(eta), eta) / sympy.Function("Q")(eta)), eta
     ),
 )
-p_1, p_2, e_1, e_2 = sympy.symbols("P_m P_n m n", positive=True)
-mean = (e_1 * p_1 * eta**e_1 + e_2 * p_2 * eta**e_2) / (p_1 * eta**e_1 + p_2 * eta**e_2)
+S_0, S_1 = (sympy.Function(name)(eta) for name in ("S_0", "S_1"))  # S_j = sum n^j P_n eta^n
+S_2, middle = sympy.symbols("S_2 mu")
 step(
-    "eta P'/P is a mean of the degrees with the weights P_n eta^n >= 0, and eta times its derivative their variance:"
-    " for two of them",
-    eta * sympy.Derivative(mean, eta),
-    p_1 * p_2 * (e_1 - e_2) ** 2 * eta ** (e_1 + e_2) / (p_1 * eta**e_1 + p_2 * eta**e_2) ** 2,
+    "eta P'/P = S_1/S_0, S_j = sum n^j P_n eta^n, is a mean of the degrees with the weights P_n eta^n >= 0. With eta"
+    " S_j' = S_(j+1) its derivative, times eta, is",
+    At(eta * sympy.Derivative(S_1 / S_0, eta), {sympy.diff(S_1, eta): S_2 / eta, sympy.diff(S_0, eta): S_1 / eta}),
+    S_2 / S_0 - (S_1 / S_0) ** 2,
 )
 step(
-    "The weights are not negative: 1 - eta cot(eta) = 2 sum zeta(2k) (eta/pi)^(2k)",
+    "their variance, sum (n - mu)^2 P_n eta^n = S_2 - 2 mu S_1 + mu^2 S_0 over S_0 at mu = S_1/S_0: not negative",
+    At((S_2 - 2 * middle * S_1 + middle**2 * S_0) / S_0, {middle: S_1 / S_0}),
+    S_2 / S_0 - (S_1 / S_0) ** 2,
+)
+j = sympy.Symbol("j", integer=True, positive=True)
+step(
+    "The weights are not negative: by Euler's product sin(eta) = eta prod_j (1 - (eta/(pi j))^2), 1 - eta cot(eta) is"
+    " the sum over j of",
+    -eta * sympy.Derivative(sympy.log(1 - (eta / (sympy.pi * j)) ** 2), eta),
+    2 * (eta / (sympy.pi * j)) ** 2 / (1 - (eta / (sympy.pi * j)) ** 2),
+)
+step(
+    "each a geometric series in (eta/(pi j))^2: 1 - eta cot(eta) = 2 sum zeta(2k) (eta/pi)^(2k), which begins with",
     Taylor(re, eta, 6),
     2 * sum(sympy.zeta(2 * j, evaluate=False) * (eta / sympy.pi) ** (2 * j) for j in (1, 2, 3)),
 )

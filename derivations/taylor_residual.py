@@ -19,11 +19,6 @@ derivation = Derivation(
 )
 step, holds = derivation.step, derivation.holds
 
-y = sympy.symbols("y_0:4")
-w = sympy.symbols("w_0:4")
-Y = sum(y[i] * t**i for i in range(4))
-W = sum(w[i] * t**i for i in range(4))
-known = {y[i + 1]: -w[i] / (i + 1) for i in range(3)}
 later, place, load = sympy.symbols("c_(k+1) y_k N_k")
 step(
     "In general the coefficients of t^k, k < n, in Y' + W and in W' - Y + N(W) vanish: c_(k+1) is y_(k+1) or w_(k+1),",
@@ -34,17 +29,19 @@ step(
     ),
     0,
 )
+y_next, w_n, w_next, y_n, N_n = sympy.symbols("y_(n+1) w_n w_(n+1) y_n N_n")
 step(
-    "y' = -w coefficient by coefficient, (k+1) y_(k+1) = -w_k for k < n: for n = 3 the residual of Y' = -W is",
-    sympy.Add(sympy.Derivative(Y.subs(known), t), W, evaluate=False),
-    w[3] * t**3,
+    "For n = 0 the residual of Y' = -W is w_0. One degree more adds (n+1) y_(n+1) t^n + w_(n+1) t^(n+1) to Y' + W,"
+    " which takes w_n t^n away: the residual is w_n t^n for every n",
+    At((n + 1) * y_next * t**n + w_next * t ** (n + 1), {y_next: -w_n / (n + 1)}),
+    -w_n * t**n + w_next * t ** (n + 1),
 )
-force = sympy.symbols("N_0:3")
-solved = {w[i + 1]: (y[i] - force[i]) / (i + 1) for i in range(3)}
 step(
-    "and, as N(W) and N(w) agree below t^n, that of W' = Y - N(W) is -y_n t^n and the terms of N(W) from t^n on",
-    sympy.Add(sympy.Derivative(W.subs(solved), t), -Y, sum(force[i] * t**i for i in range(3)), evaluate=False),
-    -y[3] * t**3,
+    "and, as N(W) and N(w) agree below t^n, that of W' = Y - N(W) is -y_n t^n and the terms of N(W) from t^n on: -y_0"
+    " for n = 0, and one degree more adds (n+1) w_(n+1) t^n - y_(n+1) t^(n+1), besides the term N_n t^n that is"
+    " counted below",
+    At((n + 1) * w_next * t**n - y_next * t ** (n + 1) + N_n * t**n, {w_next: (y_n - N_n) / (n + 1)}),
+    y_n * t**n - y_next * t ** (n + 1),
 )
 z = sympy.Symbol("z")
 step(

@@ -70,8 +70,9 @@ step(
     (z / lam ** (G + n)) * lam**G,
     z * lam**-n,
 )
-step(
-    "so all monomials from G on add up to at most lambda^(-G) R*: for a geometric majorant, exactly",
-    sympy.Sum((A / lam) ** sympy.Symbol("k"), (sympy.Symbol("k"), 3, sympy.oo)).subs({A: 1, lam: 3}),
-    sympy.Rational(1, 27) * sympy.Rational(3, 2),
+excess = sympy.Symbol("mu", nonnegative=True)
+holds(
+    "and lambda^(-n) <= 1 for lambda = 1 + mu >= 1: all monomials from G on add up to at most lambda^(-G) R*",
+    bool(sympy.expand_log(power * sympy.log(1 + excess)).is_nonnegative),
+    sympy.expand_log(power * sympy.log(1 + excess)),
 )

@@ -11,7 +11,8 @@ import sympy
 from derivations.steps import At, Derivation
 
 w, P0, a, H, n = sympy.symbols("w P_0 a H n", positive=True)
-r, R = sympy.symbols("r R")
+r, R, eta = sympy.symbols("r R eta")
+c_j, m, j = sympy.symbols("c_j m j", integer=True, nonnegative=True)
 slope = sympy.Symbol("u'")
 rate, u0 = sympy.symbols("rho u_0", positive=True)
 
@@ -33,14 +34,31 @@ step(
     (2 + n) * w ** (2 + n),
 )
 step(
-    "A power of the place: u_0^3 - (u_0 - eta)^3 has coefficients whose absolute values make (u_0 + H)^3 - u_0^3",
-    sympy.Add(sympy.expand((u0 + H) ** 3), -(u0**3), evaluate=False),
-    3 * u0**2 * H + 3 * u0 * H**2 + H**3,
+    "A power of the place, (u_0 - eta)^m: its derivatives by eta, with c_(j+1) = (m - j) c_j and c_0 = 1, are",
+    sympy.Derivative((-1) ** j * c_j * (u0 - eta) ** (m - j), eta),
+    (-1) ** (j + 1) * ((m - j) * c_j) * (u0 - eta) ** (m - j) / (u0 - eta),
 )
 step(
-    "A sine: sin(rho (u_0 - eta))/rho has the coefficients of sin and cos alike, in absolute value at most those of",
-    sympy.sin(rate * u0) * (sympy.cosh(rate * H) - 1) + sympy.cos(rate * u0) * sympy.sinh(rate * H),
-    sympy.sin(rate * u0) * 2 * sympy.sinh(rate * H / 2) ** 2 + sympy.cos(rate * u0) * sympy.sinh(rate * H),
+    "while those of (u_0 + H)^m are the same without signs: the absolute values of all Taylor coefficients but the"
+    " first (c_j >= 0 for a natural m) make (u_0 + H)^m - u_0^m",
+    sympy.Derivative(c_j * (u0 + H) ** (m - j), H),
+    ((m - j) * c_j) * (u0 + H) ** (m - j) / (u0 + H),
+)
+step(
+    "A sine: sin(rho (u_0 - eta)) is",
+    sympy.sin(rate * (u0 - eta)),
+    sympy.sin(rate * u0) * sympy.cos(rate * eta) - sympy.cos(rate * u0) * sympy.sin(rate * eta),
+)
+step(
+    "The series of the cosine is even with alternating signs: at eta = i H all its terms are >= 0, and it is",
+    At(sympy.cos(rate * eta), {eta: sympy.I * H}),
+    sympy.cosh(rate * H),
+)
+step(
+    "that of the sine is odd: over i, so that the absolute values make |sin rho u_0| (cosh rho H - 1) + |cos rho u_0|"
+    " sinh rho H",
+    At(sympy.sin(rate * eta) / sympy.I, {eta: sympy.I * H}),
+    sympy.sinh(rate * H),
 )
 step(
     "So r << R(H), the sum of all these and of epsilon_i (|u_0| + H)^m_i z_i, over |P_0|, and eta << H_j for every j"
@@ -48,12 +66,13 @@ step(
     sympy.Derivative(a / (1 - R), R),
     a / (1 - R) ** 2,
 )
-spring = H / 2
+gap, left = sympy.symbols("d e", positive=True)  # R(H) = 1 - e, R(H_j) = R(H) - d
 holds(
-    "So if a/(1 - R(H)) <= H < oo with R(H) < 1 for one number H, all iterates from 0 stay below it (example: R = H/2,"
-    " a = 1/4, H = 1/2), and with them the sums of absolute values of all coefficients of eta; those of r are <= R(H)",
-    bool((a / (1 - spring)).subs({a: sympy.Rational(1, 4), H: sympy.Rational(1, 2)}) <= sympy.Rational(1, 2)),
-    sympy.Le(a / (1 - R), H),
+    "So if a/(1 - R(H)) <= H < oo with R(H) < 1 for one number H, then H_j <= H gives H_(j+1) <= a/(1 - R(H)) <= H:"
+    " with R(H) = 1 - e, R(H_j) = 1 - e - d the difference is >= 0. All iterates from 0 stay below H, and with them"
+    " the sums of absolute values of all coefficients of eta; those of r are <= R(H)",
+    bool(sympy.together(a / left - a / (left + gap)).is_positive),
+    sympy.together(a / left - a / (left + gap)),
 )
 step(
     "1/P = (1/P_0)/(1 - r) without its constant term is then at most",

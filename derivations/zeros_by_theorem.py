@@ -15,7 +15,7 @@ from asymptotics.half_swings.forces import Forces
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.series import monomials
 from asymptotics.terms import Term
-from derivations.steps import At, Coefficient, Derivation, Taylor, defined, named
+from derivations.steps import At, Coefficient, Derivation, Taylor, defined
 
 x, y, eta = sympy.symbols("x y eta")
 gamma, a, A = sympy.symbols("gamma a A", nonzero=True)
@@ -30,35 +30,32 @@ derivation = Derivation(
     source="asymptotics.half_swings.certified_zeros",
 )
 step, holds = derivation.step, derivation.holds
-ORDER = 3
-
-
-def shifted(g: sympy.Expr, move: sympy.Expr) -> sympy.Expr:
-    """g(x + move) by Taylor's formula through eta^3, move = O(eta)."""
-    total = sum((sympy.diff(g, x, j) * move**j / sympy.factorial(j) for j in range(ORDER + 1)), sympy.S.Zero)
-    return sympy.series(sympy.expand(total), eta, 0, ORDER + 1).removeO()
-
 
 # Lagrange's inversion, and the constant term under a substitution.
-small = eta * L(x)
-inverse = x + sum(
-    ((-1) ** j * sympy.diff(small**j, x, j - 1) / sympy.factorial(j) for j in range(1, ORDER + 1)), sympy.S.Zero
+n = sympy.Symbol("n", integer=True, positive=True)
+size, slope = sympy.Symbol("eta"), sympy.Symbol("L'", real=True)
+step(
+    "Lagrange, L of size eta: y = G^(-1)(x), y + eta L(y) = x, has dy/dx = 1/(1 + eta L'(y)) and dy/d eta = -L(y)"
+    " dy/dx, so that x does not change with eta:",
+    At(f + size * slope * f + c, {f: -c / (1 + size * slope)}),
+    sympy.Integer(0),
 )
-image = sympy.expand(inverse + shifted(small, inverse - x))
-for n in range(1, ORDER + 1):
-    step(
-        f"Lagrange: G^(-1)(x) = x + sum_k (-1)^k/k! (d/dx)^(k-1) L^k, L of size eta; in G(G^(-1)(x)) - x at eta^{n}",
-        named(f"c_{n}", image.coeff(eta, n)),
-        sympy.Integer(0),
-    )
-H = sympy.Function("h")(x)
-pulled = sympy.expand(shifted(H, small) * (1 + sympy.diff(small, x)))
-for n in (1, 2):
-    step(
-        "The constant term of h(G(y)) G'(y) is that of h: the other terms are derivatives; at eta^" + str(n),
-        named(f"h_{n}", pulled.coeff(eta, n)),
-        sympy.Derivative(L(x) ** n * sympy.diff(H, x, n - 1) / sympy.factorial(n), x),
-    )
+ell, u_x = sympy.Function("l")(x), sympy.Function("u")(x)  # L(y) and any function of y, at given eta
+step(
+    "Every function u of y has u_eta = -l u_x, l = L(y). So (d/d eta)(l^n u_x) = -(d/dx)(l^(n+1) u_x): by induction the"
+    " n-th derivative of u by eta is (-d/dx)^n of l^n u_x, but for one d/dx. At eta = 0, for u = y:"
+    " G^(-1)(x) = x + sum_k (-1)^k/k! (d/dx)^(k-1) L^k",
+    -ell * sympy.diff(ell**n, x) * sympy.diff(u_x, x) + ell**n * sympy.diff(-ell * sympy.diff(u_x, x), x),
+    -sympy.Derivative(ell ** (n + 1) * sympy.diff(u_x, x), x),
+)
+H, G_y, h_0 = sympy.Function("H"), sympy.Function("G")(y), sympy.Symbol("h_0")
+inner = sympy.Symbol("x_1")
+step(
+    "The constant term of h(G(y)) G'(y) is that of h: h = h_0 + H' with a sum H of exponentials, and besides h_0 G',"
+    " G' = 1 + L', only a derivative is left, which has no constant term:",
+    sympy.Derivative(H(G_y), y),
+    sympy.Subs(sympy.Derivative(H(inner), inner), inner, G_y) * sympy.Derivative(G_y, y),
+)
 
 # Reversal: G^(-1)(x) = x + L(S delta).
 step(
