@@ -72,9 +72,25 @@ step(
     sympy.Mul(y * a / (2 * (2 - a)), y * a / 4, evaluate=False),
     (a * y) ** 2 / (8 * (2 - a)),
 )
+gap = sympy.Symbol("G", positive=True)  # N(w_1) - y
+step(
+    "And from further up: until w has fallen to a w_1 with N(w_1) = y + G it falls at the rate N(w) - y >= G, as N"
+    " grows and y falls; in the time w/G at most y loses, at a speed of at most w,",
+    w * (w / gap),
+    w**2 / (At(sympy.Function("N")(sympy.Symbol("w_1")), {sympy.Function("N")(sympy.Symbol("w_1")): y + gap}) - y),
+)
 more = sympy.Symbol("N_2", nonnegative=True)
 step("A further term N_2 >= 0 lowers the rate on the upper boundary: the trap of one term is a trap of the sum",
      sympy.Add(drift, -more, -drift, evaluate=False), -more)  # fmt: skip
+b_1 = sympy.Symbol("beta", positive=True)  # alpha - alpha_1 >= 0, for a term of an exponent alpha_1 <= alpha
+V = sympy.Symbol("V", positive=True)
+step("By the energy w <= V on all of the half-swing, V^2 = y^2 + w^2; with alpha_1 = alpha - beta w^alpha_1/w^alpha is",
+     w ** (a - b_1) / w**a, w**-b_1)  # fmt: skip
+holds(
+    "which falls as w grows: e_1 w^alpha_1 >= e_1 V^(alpha_1 - alpha) w^alpha, and such terms together have a trap",
+    bool((diff(w**-b_1, w) < 0) == True),  # noqa: E712 (a relation of SymPy)
+    sympy.Le(V**-b_1, w**-b_1, evaluate=False),
+)
 
 # Inside the trap the orbit approaches the slow curve: r = w/m(y) tends to 1.
 r = sympy.Symbol("r", positive=True)

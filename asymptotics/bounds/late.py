@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from flint import arb, ctx
 
 from asymptotics.bounds.flow import TruncatedFlow
+from asymptotics.bounds.local import BITS
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError
@@ -34,7 +35,9 @@ def late_state(damping: Damping, first: Turning, tau: arb, lead: int, panels: Pa
 
     LimitError as ``late_turning``.
     """
-    return states_from(damping, late_turning(damping, first, tau, lead, panels), [tau])[0][0]
+    there = late_turning(damping, first, tau, lead, panels)
+    with ctx.workprec(_as_long_as(tau)):
+        return states_from(damping, there, [tau])[0][0]
 
 
 def late_turning(damping: Damping, first: Turning, tau: arb, lead: int, panels: Panels | None = None) -> Turning:
@@ -44,9 +47,10 @@ def late_turning(damping: Damping, first: Turning, tau: arb, lead: int, panels: 
     """
     here = _led(sequence(damping, first, panels=panels, count=lead), first.n + lead)
     a, order = here.amplitude, ORDERS.get(len(damping.alphas), 3)
-    with ctx.workprec(ctx.prec + max(0, int(size_of(tau))) + 1):  # the time is as long as that
+    with ctx.workprec(_as_long_as(tau)):
         epsilons = [e * a ** (alpha - 1) for e, alpha in zip(damping.strengths, damping.exponents, strict=True)]
-        bounds = turning_bounds(damping.alphas, order, epsilons, -(1 - here.amplitude_error / a).log())
+        bits = max(BITS, -(-ctx.prec // BITS) * BITS)  # a phase as long as the time needs such coefficients
+        bounds = turning_bounds(damping.alphas, order, epsilons, -(1 - here.amplitude_error / a).log(), bits)
         flow = TruncatedFlow.of(bounds.local, epsilons)
         n = max(0, flow.half_swings(tau - here.time) - 1)
         s, time = flow.turning_point(n)
@@ -54,6 +58,11 @@ def late_turning(damping: Damping, first: Turning, tau: arb, lead: int, panels: 
         moment = here.time + time + arb(0, upper(here.time_error + bounds.time(n)))
     side = here.side * (-1) ** n
     return Turning(here.n + n, side, amplitude.mid(), moment.mid(), upper(amplitude.rad()), upper(moment.rad()))
+
+
+def _as_long_as(tau: arb) -> int:
+    """The bits of a time, of which those after the point count."""
+    return int(ctx.prec + max(0, int(size_of(tau))) + 1)
 
 
 def _led(turnings: Iterator[Turning], last: int) -> Turning:

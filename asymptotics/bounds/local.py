@@ -114,19 +114,20 @@ class LocalBounds:
         return f"proved for d = sum delta_i <= {d['delta_max']}, on each half-swing: " + ", ".join(parts)
 
 
-def local_bounds(alphas: Sequence[ExactReal], order: int) -> LocalBounds:
+def local_bounds(alphas: Sequence[ExactReal], order: int, bits: int = BITS) -> LocalBounds:
     """C_A and C_T of the expansion of order N >= 1 in the turning-point gauge; any exponents >= 0, any sum.
 
-    LimitError when the coefficients would take too long; UndecidedError if no polydisc can be verified.
+    ``bits``: the precision of the coefficients of the flow.  LimitError when they would take too long; UndecidedError
+    if no polydisc can be verified.
     """
-    return _local_bounds(tuple(alphas), order)
+    return _local_bounds(tuple(alphas), order, bits)
 
 
 @lru_cache(maxsize=64)
-def _local_bounds(alphas: tuple[ExactReal, ...], order: int) -> LocalBounds:
+def _local_bounds(alphas: tuple[ExactReal, ...], order: int, bits: int) -> LocalBounds:
     powers = (order + 2, order + 1) if order % 2 else (order + 1, order + 2)
     last = max(powers) + (NEXT if len(alphas) <= 2 else NEXT // 2)
-    with ctx.workprec(BITS):
+    with ctx.workprec(bits):
         half = half_swing(quarter_swing(alphas, last))
         full = flow_of(half)
         flow = truncated_flow(full, order)

@@ -84,9 +84,9 @@ def _jumped(oscillator: Oscillator, t: ExactReal, digits: int) -> arb:
         turns = int(float((t.ball() * oscillator.omega_0()).log()) / 0.69) + 1
     bits = bits_for(digits, 40)
     with ctx.workprec(bits + 2 * turns):
-        tau = t.ball() * oscillator.omega_0()
+        tau, damping = t.ball() * oscillator.omega_0(), Damping.of_law(law)
     with ctx.workprec(bits):
-        damping, omega, length = Damping.of_law(law), oscillator.omega_0(), oscillator.length()
+        omega, length = oscillator.omega_0(), oscillator.length()
         first: Turning | str = first_turning()
         if oscillator.x0 < 0:
             first = replace(first_turning(), side=-1)

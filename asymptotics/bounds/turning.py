@@ -99,16 +99,17 @@ class TurningBounds:
 
 
 def turning_bounds(
-    alphas: Sequence[ExactReal], order: int, epsilons: Sequence[arb], start: arb | None = None
+    alphas: Sequence[ExactReal], order: int, epsilons: Sequence[arb], start: arb | None = None, bits: int = BITS
 ) -> TurningBounds:
     """The bounds for strengths epsilon_i >= 0 of exponents alpha_i >= 1.
 
-    ``start``: a bound of |ln A_0|, where the motion does not start at A = 1 exactly as the truncated equations do.
+    ``start``: a bound of |ln A_0|, where the motion does not start at A = 1 exactly as the truncated equations do;
+    ``bits``: the precision of the coefficients.
     InputError for an exponent below 1, where errors need not fade; LimitError above delta_max.
     """
     if any(a < 1 for a in alphas):
         raise InputError("alpha", f"{min(alphas, key=_float)} is below 1", "exponents >= 1 for a bound at all times")
-    local = local_bounds(alphas, order)
+    local = local_bounds(alphas, order, bits)
     with ctx.workprec(BITS):
         weights = [a.ball() - 1 for a in alphas]
         slowest, fastest = min(weights, key=float), max(weights, key=float)

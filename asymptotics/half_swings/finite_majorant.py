@@ -159,6 +159,8 @@ class _Step:
         for _ in range(200):
             if g - previous <= 1e-14 * (1 + g):
                 return g
+            if any(k * g > 700 for _, k, _, _ in rows):
+                return inf
             strengths = [r * exp(k * g) for r, k, _, _ in rows]
             room = 1 - sum(v * row[3] for v, row in zip(strengths, rows, strict=True))
             if room <= 0:

@@ -16,14 +16,14 @@ Against a naive |v|, measured: heyoka without an event is wrong in the third dig
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import inf, pi
+from math import pi
 
 from flint import arb, ctx
 
 from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds
 from asymptotics.costs import half_swing_seconds, interpolation_seconds
 from asymptotics.errors import InputError, UndecidedError
-from asymptotics.law import Law, Oscillator, PhysicalLaw
+from asymptotics.law import Oscillator, PhysicalLaw
 from asymptotics.motions.certify import half_unit, time_of
 from asymptotics.motions.coulomb import coulomb_motion
 from asymptotics.motions.linear import linear_motion
@@ -35,7 +35,7 @@ from asymptotics.numbers.policy import Number
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
 from asymptotics.swing.linear import ROUTE as CLOSED_ROUTE
-from asymptotics.swing.lingering import lingering, lingering_seconds, lost_until
+from asymptotics.swing.lingering import lingering, lingering_seconds, lost_until, most_swings
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.taylor import GUARD
 from asymptotics.wells.dense import states as states_in_well
@@ -209,7 +209,7 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     swings = tau / pi + 1
     if not oscillator.law.is_pure:
         return estimated_in_well(Force.of(oscillator.dimensionless.terms), swings, bits_for(digits, 48))
-    swings = min(swings, _most_swings(oscillator.dimensionless))
+    swings = min(swings, most_swings(oscillator.dimensionless))
     apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
     terms, bits = len(oscillator.law.terms), bits_for(digits, 56)
     panels = panels_of(oscillator.dimensionless, bits)
@@ -217,9 +217,3 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     long = lingering(law)
     slow = lingering_seconds(law, int(tau / long) + 1, bits, tau) if long else 0.0
     return half_swing_seconds(pieces + 2, bits, terms, apart) + interpolation_seconds(swings) + slow
-
-
-def _most_swings(law: Law) -> float:
-    """About how many half-swings a term with alpha < 1 leaves: then the motion sticks, or creeps for all times."""
-    slow = [(float(t.velocity.ball()), float(t.strength.ball())) for t in law.terms if t.velocity < 1]
-    return min((3 + 1 / ((1 - a) * e) for a, e in slow if e > 0), default=inf)

@@ -65,7 +65,7 @@ class _Wanted:
 
     def __init__(self, damping: Damping, times: Sequence[arb]) -> None:
         self.damping = damping
-        self.queue = [t.lower() for t in times]
+        self.queue = [exact_sum(t.mid(), -t.rad()) for t in times]  # not rounded: a late time has more bits
         self.widest = max((upper(2 * t.rad()) for t in times), default=arb(0))
         self.found: list[State] = []
 

@@ -72,3 +72,13 @@ def _most(law: Law) -> float:
     """How many half-swings dry friction leaves at most, about."""
     friction = sum((float(t.strength.ball()) for t in law.terms if t.velocity.is_zero), 0.0)
     return 1 + 0.5 / friction if friction > 0 else inf
+
+
+def most_swings(law: Law) -> float:
+    """About how many half-swings a term with alpha < 1 leaves: then the motion sticks, or creeps for all times.
+
+    >>> most_swings(Law({"1/2": "1/5"})), most_swings(Law({"3/2": "1/5"}))
+    (13.0, inf)
+    """
+    slow = [(float(t.velocity.ball()), float(t.strength.ball())) for t in law.terms if t.velocity < 1]
+    return min((3 + 1 / ((1 - a) * e) if (1 - a) * e > 0 else inf for a, e in slow), default=inf)

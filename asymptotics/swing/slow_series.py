@@ -112,9 +112,9 @@ def _unit(i: int, size: int) -> Key:
 def _lower_set(steps: tuple[float, ...], order: int) -> list[Key] | None:
     """All keys with a factor w^(2-2 alpha) whose power is below the (order+1)-th of it, the small ones first."""
     top = steps[0] * (order + 1) * (1 - 1e-9)
-    counts = [range(ceil(top / d)) for d in steps[1:]]
-    if order * (1.0 if not counts else float(max(map(len, counts)))) > 20 * MOST:
+    if order * max([1.0, *(top / d for d in steps[1:])]) > 20 * MOST:
         return None
+    counts = [range(ceil(top / d)) for d in steps[1:]]
     found = [
         (k, *more)
         for more in product(*counts)

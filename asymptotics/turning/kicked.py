@@ -11,6 +11,7 @@ on x_n = X_n/a and tau_n = time - t.  The strengths stay those of the units give
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 from flint import arb, ctx
 
@@ -48,22 +49,36 @@ def kicked_turning_points(
     plan = Plan.of(law, start, count, bits)
     require_seconds(plan.seconds, f"{start + count} half-swings with {digits} digits")
     method = f"half-swing by half-swing, {plan.method} in balls"
+    reason = ""
     for _ in range(_TRIES):
-        with ctx.workprec(bits):
-            with ctx.workprec(bits + GUARD):
-                damping = Damping.of_law(law)
-            first = first_from(damping, x0.ball(), v0.ball())
-            if isinstance(first, str):
-                return TurningPoints(alpha, epsilon, digits, (), method, True, {"n": -1, "reason": first})
-            found = _points(_until(plan.turnings(first), start + count - 1), first, start, digits, times)
-            shown = [decimal_of_ball(value, digits) for value in (_size(first), first.tau)]
-        if found is not None and None not in shown:
-            points, reason = found
-            ended = None if reason is None else {"n": reason[0], "reason": reason[1]}
-            named = dict(zip(("amplitude", "tau"), map(str, shown), strict=True))
+        try:
+            found = _pass(law, plan, (x0, v0), count, digits, start, times, bits)
+        except UndecidedError as undecided:  # how the motion goes on may show at a higher precision
+            found, reason, bits = None, f": {undecided}", 2 * bits
+        if found is not None:
+            points, ended, named = found
             return TurningPoints(alpha, epsilon, digits, points, method, True, ended, named)
         bits += max(64, bits // 2)
-    raise UndecidedError(f"no certified {digits} digits at {bits} bits")
+    raise UndecidedError(f"no certified {digits} digits at {bits} bits{reason}")
+
+
+def _pass(
+    law: Law, plan: Plan, at: tuple[ExactReal, ExactReal], count: int, digits: int, start: int, times: bool, bits: int
+) -> tuple[tuple[TurningPoint, ...], dict[str, Any] | None, dict[str, str] | None] | None:
+    """The points, how they end, and turning point 0 in words; None if one of them cannot be rounded at ``bits``."""
+    with ctx.workprec(bits):
+        with ctx.workprec(bits + GUARD):
+            damping = Damping.of_law(law)
+        first = first_from(damping, at[0].ball(), at[1].ball())
+        if isinstance(first, str):
+            return (), {"n": -1, "reason": first}, None
+        found = _points(_until(plan.turnings(first), start + count - 1), first, start, digits, times)
+        shown = [decimal_of_ball(value, digits) for value in (_size(first), first.tau)]
+    if found is None or None in shown:
+        return None
+    points, reason = found
+    ended = None if reason is None else {"n": reason[0], "reason": reason[1]}
+    return points, ended, dict(zip(("amplitude", "tau"), map(str, shown), strict=True))
 
 
 def _dry(

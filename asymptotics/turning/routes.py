@@ -27,6 +27,7 @@ from asymptotics.half_swings.finite import ROUTE
 from asymptotics.law import Law
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.linear import ROUTE as CLOSED
+from asymptotics.swing.lingering import most_swings
 from asymptotics.swing.panels import ROUTE as INTERPOLATED
 from asymptotics.swing.panels import Panels, panels_of
 from asymptotics.swing.passage import INTEGRATED
@@ -56,7 +57,7 @@ class Plan:
         """The cheapest way that is known, by estimates (measured once, good to a factor of about three)."""
         one = len(law.terms) == 1
         jump = all(bool(a > 1) for a in law.alphas) and start > (FAR if one else FAR_SUM)
-        steps, jumping, lead = start + count, 0.0, _LEAD
+        steps, jumping, lead = int(min(start + count, most_swings(law))), 0.0, _LEAD
         if jump and one:
             steps, jumping = _LEAD, jump_seconds(bits)
         elif jump:

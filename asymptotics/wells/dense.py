@@ -53,7 +53,7 @@ class _Wanted:
 
     def __init__(self, force: Force, times: Sequence[arb]) -> None:
         self.force = force
-        self.queue = [(t.lower(), upper(2 * t.rad())) for t in times]
+        self.queue = [(exact_sum(t.mid(), -t.rad()), upper(2 * t.rad())) for t in times]
         self.found: list[State] = []
 
     @property

@@ -103,3 +103,10 @@ def test_what_is_out_of_range_falls_back_on_energy():
     assert found.mid() == 0
     assert abs(known) < found.rad() < 20 * abs(known)
     assert _by_energy(creeping, ExactReal(400), 0).rad() >= 1  # nothing is reached: the energy of the start
+
+
+def test_a_time_of_forty_places_is_reached_by_the_jump():
+    """The phase has more bits than the digits asked for, and so have the strengths and the coefficients."""
+    quadratic, t = Oscillator({2: "1/10"}), ExactReal(10**40)
+    found, fine = (enclosure(quadratic, t, digits) for digits in (15, 24))
+    assert found.contains(fine.mid()) and found.rad() < 1e-4 * abs(found) and fine.rad() < 1e-6 * abs(fine)

@@ -263,6 +263,17 @@ def test_an_uncertain_time_widens_the_state():
         assert x.contains(low) and x.contains(high) and x.rad() < 4 * abs(high - low)
 
 
+def test_a_time_with_more_bits_than_the_work_is_not_rounded():
+    law = damping(("2", "1/10"))
+    with ctx.workprec(200):
+        time = arb(10) ** 6 / 3
+    with ctx.workprec(30):
+        wanted = dense._Wanted(law, [time])
+        (first,), width = wanted.queue, wanted.widest
+    with ctx.workprec(300):
+        assert first <= time and time <= first + width and width < arb(2) ** -170
+
+
 def test_a_trap_is_announced_inside_its_condition_only():
     law = damping(("1/2", "1"))
     assert trap(law, arb("0.1"), arb("0.001")) == "creeps"

@@ -9,7 +9,6 @@ from scipy.integrate import solve_ivp
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.ends import trap
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.keys import Plan
 from asymptotics.swing.passage import integrated
@@ -66,18 +65,6 @@ def test_half_of_the_drop_or_of_the_delay_would_be_wrong():
             assert about[0].contains(y) and about[1].contains(tau)
             assert not arb(side, short.tail / 2).contains(y)
             assert not (w * (side + arb(0, short.time_tail / 2))).contains(tau)
-
-
-def test_what_falls_into_the_trap_is_told_up_to_the_speed_that_is_proved():
-    law, y = damping(("1/1000", "1")), arb("0.5")
-    edge = arb(1) / 1000 * y / (8 * (2 - arb(1) / 1000)).sqrt()
-    assert trap(law, y, edge * arb("0.999")) == "creeps" and trap(law, y, edge * arb("1.001")) is None
-    # the orbit from there: SciPy sees it lose far less than alpha/4 of y before the speed is next to nothing
-    slope = lambda _, s: [-s[1], s[0] - max(s[1], 1e-300) ** 0.001]  # noqa: E731
-    slow = lambda _, s: s[1] - 1e-9  # noqa: E731
-    slow.terminal = True
-    end = solve_ivp(slope, (0, 1e-2), [0.5, float(edge)], "DOP853", events=slow, rtol=1e-10, atol=1e-14)
-    assert len(end.t) and 0.5 * (1 - 0.001 / 4) < end.y_events[0][0][0] < 0.5
 
 
 @pytest.mark.parametrize(

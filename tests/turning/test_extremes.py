@@ -1,8 +1,9 @@
 """Strengths far out: an answer, or a refusal by name before the work begins."""
 
 import pytest
+from scipy.integrate import solve_ivp
 
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning.general import turning_points
@@ -44,3 +45,38 @@ def test_dry_friction_that_stops_at_the_centre_or_before():
         with pytest.raises(InputError, match=words):
             half_swing_result(zero, [parse_real(delta, "d")], 10)
     assert half_swing_result(zero, [parse_real("0.49", "d")], 10).amplitude == "0.02000000000"
+
+
+@pytest.mark.parametrize("law", [{"1/2": "1/5"}, {"1/100": "1/5", 2: "1/10"}, {"1/10000000": "3/10"}], ids=str)
+def test_a_start_far_beyond_the_last_turning_point_is_told_at_once(law):
+    table, near = (turning_points(Law(law), 1, 10, start=start) for start in (10**18, 0))
+    assert table.points == () and table.ended["reason"] == "creeps" and near.points
+    assert turning_points(Law(law), 20, 10).ended == table.ended
+
+
+@pytest.mark.parametrize(
+    ("law", "start"),
+    [
+        ({"3/5000000000000000000000000": "1.58", "3/2": "1.91"}, ("0.861", "-0.232")),
+        ({"3/10": "0.966", "3000000000000000001/10000000000000000000": "1.49"}, ("-0.343", "-1.96")),
+        ({"1/125000000000000000000000000000": "1.01"}, ("1", "0")),
+        ({"1/1000": "1/5", "1/500": "1/5"}, ("1", "0")),
+    ],
+    ids=str,
+)
+def test_exponents_near_0_and_near_each_other_are_served(law, start):
+    x0, v0 = start
+    ten, more = (turning_points(Law(law), 5, digits, x0=x0, v0=v0) for digits in (10, 24))
+    assert ten.certified and ten.ended == more.ended and ten.ended["reason"] == "creeps"
+    assert all(abs(float(p.x) - float(q.x)) < 1e-9 for p, q in zip(ten.points, more.points, strict=True))
+
+
+def test_exponents_of_a_thousand_are_served_or_refused_by_name():
+    third = turning_points(Law({980: "0.179"}), 1, 10, start=3)
+    strike = lambda _, s: [s[1], -s[0] - 0.179 * s[1] * abs(s[1]) ** 979]  # noqa: E731
+    rest = lambda t, s: s[1]  # noqa: E731
+    rest.direction = 1
+    found = solve_ivp(strike, (0, 10), [1.0, 0.0], "DOP853", events=rest, rtol=1e-12, atol=1e-12, max_step=0.002)
+    assert float(third.points[0].x) == pytest.approx(found.y_events[0][-1][0], abs=1e-8)
+    with pytest.raises((LimitError, UndecidedError)):
+        turning_points(Law({980: "0.179"}), 1, 10, start=10**9, max_seconds=1)
