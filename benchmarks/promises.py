@@ -31,6 +31,7 @@ from benchmarks.table import Table, seconds_text
 
 AIR = Law({2: "1/10"}, spring="pendulum")
 DUFFING = Law({"3/2": 1}, spring={3: 1})
+BETWEEN: dict[object, object] = {"3/2": "1/5"}
 PAIR: dict[object, object] = {1: "1/20", 2: "1/5"}
 VAN_DER_POL = Law({1: -1, (1, 2): 1})
 
@@ -40,6 +41,7 @@ def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
     swing, p = Swing((loss(1), loss(2))), np.array([0.0, 0.01, 0.02])
     seen = observed("1,2", [0.005, 0.015], 18 * size + 5, 1e-3, 1e-2, seed=8)
     orbit = turning_sequence(swing, 100, p)
+    few, many = (min(digits, 4 * size) for digits in (15, 30))
     return {
         f"alpha = 2 and a pendulum, order {size}, exact": (lambda: exact_half_swing(_unit(AIR), size), 0.5),
         "alpha = 3/2 and x^3, order 6, certified": (lambda: certified_half_swing(_unit(DUFFING), min(6, size)), 1),
@@ -49,10 +51,10 @@ def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
         ),
         "100 turning points with gradients, doubles": (lambda: turning_sequence(swing, 100, p * 1.01, orbit.a), 0.002),
         "next amplitude and half period, alpha = 1.37, 100 strengths, 20 digits": (lambda: _swept(12 * size + 4), 2.4),
-        "1000 turning points and times of 3/2, 15 digits, enclosures": (lambda: points({"3/2": "1/5"}, 15, size), 0.05),
-        "1000 turning points and times of (1, 2), 15 digits, enclosures": (lambda: points(PAIR, 15, size), 0.05),
-        "1000 turning points and times of (1, 2), 30 digits, enclosures": (lambda: points(PAIR, 30, size), 1),
-        "1000 turning points and times of 3 at epsilon = 2, 30 digits": (lambda: points({3: 2}, 30, size), 20),
+        "1000 turning points and times of 3/2, 15 digits, enclosures": (lambda: points(BETWEEN, few, size), 0.05),
+        "1000 turning points and times of (1, 2), 15 digits, enclosures": (lambda: points(PAIR, few, size), 0.05),
+        "1000 turning points and times of (1, 2), 30 digits, enclosures": (lambda: points(PAIR, many, size), 1),
+        "1000 turning points and times of 3 at epsilon = 2, 30 digits": (lambda: points({3: 2}, many, size), 20),
         "identify: 149 turning points, every law, no bootstrap": (lambda: asy.identify(seen, bootstrap=False), 2),
     }  # fmt: skip
 

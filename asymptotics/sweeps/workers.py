@@ -29,6 +29,7 @@ from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.shard import canonical
 
 Task = Callable[[Point], dict[str, Any]]
+_ANSWER = 10  # seconds that a scheduler may take to answer
 _PATIENCE = 120  # seconds that workers may take to join a scheduler
 _REASON = 300  # characters of a reason that are kept
 
@@ -146,7 +147,7 @@ def dask_executor(address: str, workers: int | None) -> Iterator[Crew]:
             if address == "local":
                 count = workers or os.cpu_count() or 1
                 scheduler = stack.enter_context(dask.LocalCluster(count, threads_per_worker=1, dashboard_address=None))
-            client = stack.enter_context(dask.Client(scheduler, timeout=10))
+            client = stack.enter_context(dask.Client(scheduler, timeout=_ANSWER))
         except (OSError, ValueError) as error:
             reason, accepted = f"no scheduler answers at {address[:80]!r}", "local, or a running one: tcp://host:port"
             raise InputError("dask", reason, accepted) from error

@@ -79,10 +79,10 @@ def measure(indices: range) -> Counts:
 
 
 def test_coverage_on_a_reduced_set():
-    found = measure(range(40))
-    assert found.records >= 36
+    found = measure(range(25))  # each of the five laws five times
+    assert found.records >= 22
     assert found.consistent >= 0.95 * found.records - 1
-    assert found.covered / found.intervals >= 0.86  # binomial: 0.95 within three standard errors of 64 intervals
+    assert found.covered / found.intervals >= 0.84  # binomial: 0.95 within three standard errors of 40 intervals
     assert found.wrongly_identified <= 1
     assert found.supersets_refuted <= 0.01 * found.supersets
 

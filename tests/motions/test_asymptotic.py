@@ -1,6 +1,7 @@
 """The expansion against the reference motion: measured orders, gauges, starts, arrays, extinction."""
 
 from fractions import Fraction
+from functools import cache
 from math import cos, log, sqrt
 
 import numpy as np
@@ -13,6 +14,7 @@ from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import reference_motion, reference_states
 from asymptotics.numbers.exact import ExactReal
 
+TIMES = [Fraction(n, 4) for n in range(1, 41)]
 DRAG = Oscillator(Law({"3/2": "1/10"}), mass="3/2", stiffness="30", x0="1/5")
 
 
@@ -20,8 +22,11 @@ def oscillator(*pairs, **rest):
     return Oscillator(dict(pairs), **rest)
 
 
+reference_at = cache(reference_motion)
+
+
 def error(system, order, t, gauge="turning-point"):
-    point, exact = AsymptoticMotion.of(system, order, gauge).at(t, 12), reference_motion(system, t, 15)
+    point, exact = AsymptoticMotion.of(system, order, gauge).at(t, 12), reference_at(system, t, 15)
     return abs(Fraction(point.x) - Fraction(exact.x)), Fraction(point.error), point
 
 
@@ -37,10 +42,13 @@ def test_order_one_is_lancaster_13():
 def largest_error(alphas, epsilon, order):
     """sup |x_N - x| over 0 < tau <= 10 at forty times, in doubles."""
     system = oscillator(*[(a, epsilon) for a in alphas])
-    times = [Fraction(n, 4) for n in range(1, 41)]
-    exact = reference_states(system, [ExactReal(t) for t in times], 14).x
-    found = AsymptoticMotion.of(system, order).sample([float(t) for t in times]).x
-    return float(np.max(np.abs(found - np.array([float(x) for x in exact]))))
+    found = AsymptoticMotion.of(system, order).sample([float(t) for t in TIMES]).x
+    return float(np.max(np.abs(found - np.array([float(x) for x in exact_at_forty_times(system)]))))
+
+
+@cache
+def exact_at_forty_times(system):
+    return reference_states(system, [ExactReal(t) for t in TIMES], 14).x
 
 
 @pytest.mark.parametrize("alphas", [("1/2",), ("3/2",), ("2",), ("3",), ("1", "2")])

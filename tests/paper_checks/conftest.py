@@ -1,20 +1,34 @@
-"""One report for all tests of this folder, from recorded outcomes: what the checks find is tested elsewhere."""
+"""One report for all tests of this folder, from recorded outcomes: what the checks find is tested elsewhere.
+
+Its page on the engine has tables and pictures of every kind, with fewer laws than the one that is published.
+"""
 
 import fcntl
 import os
 
 import pytest
 
+from asymptotics.present import validity_map
 from paper_checks.registry import Entry, expected_outcomes, load
-from paper_checks.report import write_report
+from paper_checks.report import engine, write_report
 
 
 def recorded_entries() -> list[Entry]:
     return [Entry(entry, expected_outcomes(entry), 0.0) for entry in load().values()]
 
 
+@pytest.fixture(scope="session", autouse=True)
+def few_laws():
+    """Every kind of law in each table: one, a sum, an exponent below 1."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(engine, "LAWS", (["1/2"], ["2"], ["1", "2"]))
+        patch.setattr(engine, "BOUNDED", [(["1/2"], range(1, 4)), (["2"], range(1, 4)), (["1", "2"], range(1, 2))])
+        patch.setattr(validity_map, "EPSILONS", ("1/100", "1/20", "1/5", "1"))
+        yield
+
+
 @pytest.fixture(scope="session")
-def report(tmp_path_factory):
+def report(tmp_path_factory, few_laws):
     """Written once: of the workers of pytest-xdist the first to come writes it, the others wait."""
     own = tmp_path_factory.getbasetemp()
     shared = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own

@@ -1,6 +1,9 @@
 """The report and its command: complete, self-contained, reproducible, and refusing what it cannot do."""
 
 import json
+import os
+import subprocess
+import sys
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -110,8 +113,22 @@ def test_the_latex_document_has_every_statement(report):
 
 def test_the_same_entries_give_the_same_bytes(report, tmp_path):
     entries = [Entry(entry, expected_outcomes(entry), 0.0) for entry in load().values()]
-    for path in write_report(tmp_path, entries):
+    for path in write_report(tmp_path, entries):  # every picture is drawn again
         assert path.read_bytes() == (report / path.name).read_bytes(), path.name
+        assert path.suffix != ".svg" or b"<svg" in path.read_bytes()
+
+
+@pytest.mark.slow
+def test_the_published_report_has_the_same_bytes_under_hash_seeds_and_time_zones(tmp_path):
+    """Each made by the command, with all laws on the page of the engine and every statement checked."""
+    made = []
+    for seed, zone in (("1", "UTC"), ("2", "Pacific/Kiritimati")):
+        folder, surroundings = tmp_path / seed, {**os.environ, "PYTHONHASHSEED": seed, "TZ": zone, "LC_ALL": "C"}
+        command = [sys.executable, "-m", "paper_checks", "--report", str(folder)]
+        subprocess.run(command, check=True, env=surroundings, capture_output=True)
+        made.append({path.name: path.read_bytes() for path in folder.iterdir()})
+    assert made[0].keys() == made[1].keys()
+    assert [name for name in made[0] if made[0][name] != made[1][name]] == []
 
 
 def test_one_statement_on_the_command_line(capsys):

@@ -17,7 +17,7 @@ import tasks
 
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError
-from asymptotics.sweeps import sweep
+from asymptotics.sweeps import sweep, workers
 from asymptotics.sweeps.export import records
 from asymptotics.sweeps.store import Store
 from asymptotics.sweeps.workers import dask_executor
@@ -87,7 +87,8 @@ def test_a_worker_of_the_cluster_is_killed_on_the_way(cluster, tmp_path):
     assert (again.reused, again.computed) == (last, 0)
 
 
-def test_nothing_answers(tmp_path):
+def test_nothing_answers(tmp_path, monkeypatch):
+    monkeypatch.setattr(workers, "_ANSWER", 0.5)
     with pytest.raises(InputError, match="argument dask"):
         sweep(tasks.square, "square", tasks.grid(tmp_path / "log", 3), tmp_path / "s",
               crew=partial(dask_executor, "tcp://127.0.0.1:1", None))  # fmt: skip
