@@ -160,3 +160,12 @@ def complex_swings(bounds, deltas):
 
     ends = [solve_ivp(f, (0, np.pi), [0j, 0j], rtol=1e-9, atol=1e-11).y[:, -1] for f in (motion, truncated)]
     return [[end[0], end[1] - np.pi] for end in ends]
+
+
+@pytest.mark.parametrize("steepness", [0.0, 1.0, 5.0, 20.0, 1000.0])
+def test_the_end_of_a_piece_is_above_the_solution(steepness):
+    """G' = 1 + k G from 0 over a piece of length 1/10 by the exponential; where no candidate serves none is given."""
+    found = local._upper_end(arb(0), arb("0.1"), lambda g: (1 + steepness * g, arb(0)))
+    truth = 0.1 if steepness == 0 else np.expm1(0.1 * steepness) / steepness
+    assert (found is None) is (steepness > 4)
+    assert found is None or truth <= float(found) < 1.5 * truth

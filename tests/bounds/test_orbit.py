@@ -1,14 +1,15 @@
 """Errors followed from turning point to turning point, alpha < 1 included, against the certified orbit."""
 
+from fractions import Fraction
 from itertools import islice
 
 import numpy as np
 import pytest
-from flint import arb
+from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.bounds.local import local_bounds
-from asymptotics.bounds.orbit import orbit_bounds
+from asymptotics.bounds.orbit import TurningPointBound, _Steps, orbit_bounds
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.errors import LimitError
 from asymptotics.law import Law
@@ -80,3 +81,36 @@ def test_where_both_theorems_hold_they_agree():
     every, followed = turning_bounds(quadratic, 2, epsilon), list(islice(orbit_bounds(quadratic, 2, epsilon), 11))
     relative = float(followed[10].amplitude / followed[10].A)
     assert float(every.log_amplitude(10)) < relative < 2 * float(every.log_amplitude(10))
+
+
+HERE = TurningPointBound(4, arb("0.9"), arb(12), arb("0.01"), arb("0.00001"), arb(0))
+
+
+@pytest.mark.parametrize(("alpha", "epsilon", "order"), [("1/2", "0.04", 3), ("3", "0.04", 2)])
+def test_a_half_swing_adds_what_the_theorem_says(alpha, epsilon, order):
+    """From an amplitude off by a hundredth: every part of the three bounds, in doubles."""
+    steps = _Steps(local_bounds(reals(alpha), order), [arb(epsilon)])
+    known, w = steps.local, abs(float(Fraction(alpha)) - 1)
+    with ctx.workprec(128):
+        there = steps.after(HERE)
+        log = there.A.log() - HERE.A.log()
+    delta = float(arb(epsilon)) * 0.9 ** (float(Fraction(alpha)) - 1)
+    h = -w * np.log(1 - 0.01 / 0.9)
+    amplitude = 0.01 + float(there.A) * np.expm1(float(known.amplitude(arb(delta))))
+    time = 0.00001 + float(known.duration(arb(delta))) + float(steps.B) * h * (delta * np.exp(h)) ** 2
+    assert float(there.amplitude) == pytest.approx(amplitude, rel=1e-9)
+    assert float(there.time) == pytest.approx(time, rel=1e-7)
+    assert float(there.phase) == pytest.approx(time * float(steps.fastest), rel=1e-7)
+    assert float(steps.fastest) > 1 and float(steps.B) * h * delta**2 > 1e-3 * time
+    for ball, f, remainder in ((log, steps.map.L, known.amplitude), (there.tau, steps.map.T, known.duration)):
+        beyond = float(remainder.beyond(arb(delta), f.order + 1))
+        assert beyond < float(ball.rad()) < 1.2 * beyond + 1e-30
+
+
+def test_the_range_is_that_of_both_orbits():
+    """Where an amplitude that is off by a tenth would have its local strength out of range, nothing more is claimed."""
+    known = local_bounds(reals("1/2"), 2)
+    for epsilon, error, goes_on in (("0.95", "0.01", True), ("0.95", "0.2", False), ("0.95", "1.1", False)):
+        steps = _Steps(known, [known.limit * arb(epsilon)])
+        here = TurningPointBound(1, arb(1), arb(3), arb(error), arb(0), arb(0))
+        assert (steps.after(here) is not None) is goes_on

@@ -1,0 +1,74 @@
+"""The integrals and the root of the truncated equations: what is claimed does not rest on luck."""
+
+import pytest
+from flint import arb, ctx
+
+from asymptotics.bounds import flow as module
+from asymptotics.bounds import local
+from asymptotics.bounds.flow import TruncatedFlow
+from asymptotics.envelopes import certified, large
+from asymptotics.errors import UndecidedError
+from asymptotics.numbers.exact import parse_real
+from asymptotics.series import Series
+from asymptotics.straightening.wells import Loss, Well
+
+
+def made(p, Omega, order=2):
+    """p and Omega as polynomials in one delta, for epsilon = 1/10 and alpha = 2."""
+    rows = [Series({(k,): arb(c) for k, c in f.items()}, 1, order) for f in (p, Omega)]
+    return TruncatedFlow(*rows, (arb(1),), (arb(1) / 10,))
+
+
+def test_a_bad_guess_of_the_root_is_paid_for(monkeypatch):
+    """Where 1 + Omega = 0.3 a first radius of twice the change would miss the root: it is widened until it does not."""
+    flow, target, off = made({1: "0.5"}, {0: "-0.7"}), arb(2), arb(2) ** -20
+    with ctx.workprec(80):
+        root = (arb(4) / 3).log()  # psi = 0.3 int ds/(0.05 e^-s) = 6 (e^s - 1)
+        assert flow.phase(root).contains(target)
+        for side in (-1, 1):
+            monkeypatch.setattr(TruncatedFlow, "_near", lambda *_, side=side: (root + side * off).mid())
+            found = flow._enclosed(target)
+            assert found.contains(root) and off < found.rad() < 16 * off
+
+
+def test_a_root_that_no_widening_encloses_is_undecided(monkeypatch):
+    flow = made({1: "0.5"}, {0: "-0.999"})
+    with ctx.workprec(60):
+        root = flow._near(flow.phase, arb(1) / 100)
+        monkeypatch.setattr(TruncatedFlow, "_near", lambda *_: (root + arb(2) ** -20).mid())
+        with pytest.raises(UndecidedError, match="not enclosed"):
+            flow._enclosed(arb(1) / 100)
+
+
+def test_an_integral_across_a_zero_is_refused():
+    """p = delta/10 - delta^2 vanishes at delta = 1/10, where it begins: no enclosure, and no number either."""
+    flow = made({1: "0.1", 2: "-1"}, {1: "0"})
+    with ctx.workprec(60), pytest.raises(UndecidedError, match="not integrated"):
+        flow.time(arb(1))
+
+
+def integrals():
+    """Each kind of integral that may run out of evaluations: how it is limited, and what it should be."""
+    local_bounds = local.local_bounds([parse_real("2", "alpha")], 3)
+    truncated = TruncatedFlow.of(local_bounds, [arb(1) / 50])
+    laws = [(parse_real(a, "alpha"), arb(k) / 10) for a, k in (("0", 1), ("1", 1), ("2", 1))]
+    slow = large.SlowFlow(Well.pendulum(arb(1)), (Loss(arb("0.1"), arb(2)),), arb(2))
+    return [
+        (module, "_EVALUATIONS_PER_BIT", lambda: truncated.time(arb(3))),
+        (certified, "EVALUATIONS_PER_BIT", lambda: certified.time(laws, arb(1) / 2)),
+        (large, "EVALUATIONS_PER_BIT", lambda: slow.time(arb(1) / 2)),
+    ]
+
+
+@pytest.mark.parametrize("which", range(3))
+def test_an_integral_that_runs_out_of_evaluations_is_wide_not_wrong(which, monkeypatch):
+    place, name, integral = integrals()[which]
+    with ctx.workprec(100):
+        right = integral()
+    with ctx.workprec(60):
+        monkeypatch.setattr(place, name, 1)
+        try:
+            found = integral()
+        except UndecidedError:
+            return
+    assert found.contains(right) or not found.is_finite()

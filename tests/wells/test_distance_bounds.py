@@ -1,0 +1,263 @@
+"""How far two motions part beside any spring: each part of the bounds, where leaving it out would be refuted."""
+
+from dataclasses import dataclass, replace
+
+import mpmath
+import pytest
+from flint import arb, ctx
+
+from asymptotics.errors import UndecidedError
+from asymptotics.swing.sequence import Turning
+from asymptotics.wells import course as courses
+from asymptotics.wells import dense, distance
+from asymptotics.wells.course import Landing, Step, course
+from asymptotics.wells.distance import contracted, growth, lateness, turning_gap
+from asymptotics.wells.sequence import after_kick, after_landing, sticks
+from tests.wells.test_bounds import FORCES, FREE, force_of
+
+TOP = FORCES["free pendulum"]
+
+
+@dataclass(frozen=True)
+class Sloped:
+    """dG/du = 1 + 2 ``inside`` within 0.4 of u = 0, 1 + 2 ``outside`` beyond: the distance grows at these rates."""
+
+    inside: float
+    outside: float
+
+    def slope(self, u, _w):
+        return arb(1) + 2 * arb(self.inside if abs(u).upper() <= 0.45 else self.outside)
+
+
+def test_the_growth_counts_what_the_distance_itself_reaches():
+    """At the rate 1 up to four times the error and at a higher one beyond, after t it is 4 e^(rate (t - ln 4))."""
+    t, e = arb("1.6"), arb("0.1")
+    for rate in (1, 2, 10):
+        found = growth(Sloped(1, rate), arb(1), arb(0), arb(1), t, e)
+        assert 4 * (rate * (t - arb(4).log())).exp() <= found * (1 + arb(1e-9)) and found <= (rate * t).exp() * arb(
+            "1.001"
+        )
+
+
+def test_the_growth_counts_the_places_within_the_error():
+    """Beside a hard spring: two orbits of x + 30 x^3 that begin 0.1 apart, the wider one where the slope is larger."""
+    hard = force_of({2: 0}, {3: 30})
+    with ctx.workprec(80):
+        u, t, e = arb("0.05"), arb("0.1"), arb("0.1")
+        factor = growth(hard, arb(1), u, arb(0).union(arb(1)), t, e)
+        slope = abs(hard.slope(u + 4 * e, arb(0)) - 1) / 2
+        assert factor >= (t * slope).exp()
+        assert factor < (t * slope).exp() * arb("1.5")
+
+
+def energy(place):
+    return 1 - mpmath.cos(place)
+
+
+@pytest.mark.parametrize(("turn", "beyond", "square"), [(-3.0, 0.0, 0.004), (-2.9, 0.05, 0.002), (-1.0, 0.0, 0.1)])
+def test_the_gap_of_a_pendulum_is_that_of_its_energy(turn, beyond, square):
+    """Near the top the force falls on the way: the gap is larger than square/|s_0| at the turning point."""
+    first = turn - beyond
+    truth = -float(mpmath.acos(mpmath.cos(first) - square)) - first if first < 0 else 0.0
+    found = float(turning_gap(TOP, arb(turn), arb(square), arb(beyond)))
+    assert abs(truth) <= found < 2.2 * abs(truth) + 1e-9
+    if turn < -2:
+        assert square / float(abs(mpmath.sin(turn))) < abs(truth)
+
+
+@dataclass(frozen=True)
+class Braking:
+    """A force that is -1 at u = -1 and ``farther`` beyond: what is read within a ball is the weaker one."""
+
+    farther: float
+
+    def rest(self, u):
+        return arb(-1) if u.is_exact() else arb(self.farther)
+
+
+def test_the_room_of_a_gap_must_hold_it():
+    """Twice square/|s_0| is tried: a brake of more than half suffices there, a weaker one may let go."""
+    assert turning_gap(Braking(-0.6), arb(-1), arb("0.01")) < arb("0.017")
+    with pytest.raises(UndecidedError, match="place of rest"):
+        turning_gap(Braking(-0.4), arb(-1), arb("0.01"))
+
+
+def test_a_late_motion_near_the_top_is_later():
+    """It passes at the speed d where the brake is weaker than at the turning point, by the gap and by its own way."""
+    turn, gap, d = arb(-3), arb("0.05"), arb("0.03")
+    with ctx.workprec(80):
+        found = lateness(TOP, arb(1), turn, gap, d)
+        weakest = (arb(3) + gap + 2 * d).sin()
+        assert d / weakest <= found < d / weakest * arb("1.001")
+        assert d / (arb(3) + gap + d).sin() < found and d / (arb(3) + d).sin() * arb("1.3") < found
+    with pytest.raises(UndecidedError, match="place of rest"):  # in that time it would move farther than that
+        lateness(TOP, arb(20), arb(-2), arb(0), arb("0.05"))
+
+
+@pytest.mark.parametrize(("p", "e"), [("0.25", "0.125"), ("1", "0.25")])
+def test_contraction_counts_the_force_at_the_farther_start(p, e, monkeypatch):
+    """The energy between the two starts: e times the force at the nearer one is less, at the farther hardly more."""
+    monkeypatch.setattr(distance, "turning_gap", lambda _force, _turn, square, _beyond: square)
+    p, e = arb(p), arb(e)
+    truth = p.cos() - (p + e).cos()
+    square = contracted(TOP, p, e, arb(3), -p, arb(0))
+    assert e * p.sin() < truth <= square < truth * arb("1.3")
+
+
+def test_viscous_contraction_counts_only_the_time_that_both_spend():
+    """Linear loss beside a linear spring, exactly: both fall by the same factor, and the bound is above it."""
+    force = force_of({1: "1/2"})
+    with ctx.workprec(120):
+        rate, omega = arb(1) / 4, (1 - arb(1) / 16).sqrt()
+        duration, q = arb.pi() / omega, (-rate * arb.pi() / omega).exp()
+        for e in (arb(2) ** -6, arb(2) ** -20):
+            bound = contracted(force, arb(1), e, duration.lower(), -q.mid(), q.rad())
+            assert q * e <= bound
+        assert bound < q * e * arb("1.3")
+        assert contracted(force, arb(1), arb(2) ** -6, duration.lower(), -q.mid(), q.rad()) > bound * 2**14 * arb(
+            "1.02"
+        )
+
+
+def test_outside_the_common_places_the_time_is_that_of_free_fall():
+    """sqrt(2 e/s_0) from rest, at most twice with the loss; |w|/|s_0| at the end."""
+    e, square = arb(2) ** -10, arb(2) ** -10
+    found = float(distance._outside(FREE, arb(1), e, arb(-1), arb(0), square))
+    fall, stop = 2 * float((e / (1 - e)).sqrt()), float((2 * square).sqrt())
+    assert fall + stop <= found < 1.02 * (fall + stop)
+    assert stop > 0.3 * found
+    steep = force_of({"1/10": 20})  # the loss may hold the faster one back at once
+    assert not distance._outside(steep, arb(1), e, arb(-1), arb(0), square).is_finite()
+
+
+def test_errors_of_pieces_grow_and_add_up():
+    """Each piece has at least the error of the one before, grown, its residual, and the rounding of the restart."""
+    force, given = FORCES["pendulum"], arb(2) ** -14
+    with ctx.workprec(24):
+        first, *steps, last = course(force, arb(2), arb(0), given)
+        unit = first.unit
+        place, _ = first.expansion.state(first.expansion.reach)
+        begun = first.error + unit * place.rad()
+        assert first.error >= given and first.local < first.error
+        for step in steps:
+            factor = courses.growth(force, unit, *step.taylor.box, step.taylor.length, begun + step.taylor.residual)
+            assert factor > 1 and step.error >= begun * arb("0.9999") + step.taylor.residual
+            assert step.error >= (begun + step.taylor.residual) * factor * arb("0.9999")
+            u, w = step.taylor.state(step.taylor.length)
+            begun = step.error + unit * u.rad() + w.rad()
+        assert isinstance(last, Landing) and last.error >= begun
+    assert max(s.error for s in steps) > given * arb("1.05")
+
+
+def shifted(force, p, e, bits=120):
+    """The landings from p within e, and those from both ends exactly."""
+    with ctx.workprec(bits):
+        unit = courses.unit_at(force, p, arb(0))
+        *_, wide = course(force, p, arb(0), unit * e)
+        return wide, [list(course(force, p + side * e, arb(0)))[-1] for side in (-1, 1)]
+
+
+@pytest.mark.parametrize("name", ["pendulum", "duffing", "kinked"])
+def test_a_landing_holds_the_orbits_of_both_ends(name):
+    """In place by its gap and in time by its lateness; both are within a factor of twenty of what is seen."""
+    wide, ends = shifted(FORCES[name], arb("1.5"), arb(2) ** -24)
+    with ctx.workprec(120):
+        apart = max((abs(end.turn - wide.turn) for end in ends), key=float)
+        late = max((abs(end.clock - wide.clock) for end in ends), key=float)
+        assert apart <= wide.gap < 20 * apart and late <= wide.late
+        assert wide.gap > wide.miss and wide.time.rad() >= wide.late
+
+
+@pytest.mark.parametrize("share", ["0", "0.3", "0.9"])
+def test_the_gap_of_a_state_counts_place_and_speed(share):
+    """A free linear oscillator: states within e of (u, w), as far in place and as fast as the share says."""
+    u, w, e = arb("-0.8"), arb("0.6"), arb(2) ** -12
+    with ctx.workprec(100):
+        bound = courses._gap(FREE, arb(1), u, w, arb(-1), e)
+        du, dw = e * arb(share), e * (1 - arb(share) ** 2).sqrt()
+        truth = ((u - du) ** 2 + (w + dw) ** 2).sqrt() - 1
+        assert truth <= bound < 3 * e
+    if share == "0.9":
+        best = ((u - e * arb("0.8")) ** 2 + (w + e * arb("0.6")) ** 2).sqrt() - 1
+        assert bound / 2 < best
+
+
+def test_a_state_that_may_be_at_rest_has_no_gap():
+    with pytest.raises(UndecidedError, match="too wide"):
+        courses._gap(FREE, arb(1), arb("-0.8"), arb(2) ** -12, arb("-0.8") - arb(2) ** -25, arb(2) ** -13)
+    with pytest.raises(UndecidedError, match="force ahead"):  # the centre lies within the error
+        courses._gap(TOP, arb(1), -(arb(2) ** -6), arb("0.5"), arb("-0.5"), arb(2) ** -7)
+
+
+def test_what_a_turning_point_carries():
+    """Made-up pieces: the gap, the miss, the lateness, the radius of the clock and what was carried all count."""
+    force, e = FORCES["free pendulum"], arb(2) ** -10
+    with ctx.workprec(80):
+        *_, real = course(force, arb(1), arb(0))
+        piece = replace(real, gap=4 * e, miss=e, late=2 * e, clock=arb(real.clock.mid(), e))
+        kicked = after_kick(force, piece, 1)
+        assert kicked.amplitude_error >= 4 * e and kicked.time_error >= 3 * e
+        here = Turning(3, 1, arb(1), arb(20), e, 5 * e)
+        there = after_landing(force, here, piece)
+        assert there.time_error >= 8 * e and there.time_error < 9 * e
+        assert there.amplitude_error >= 2 * e and there.amplitude_error < 4 * e
+        viscous = force_of({1: "1/2"}, "pendulum")
+        long = after_landing(viscous, here, piece).amplitude_error - piece.miss
+        again = contracted(viscous, arb(1), e, (piece.clock - piece.late).lower(), piece.turn, piece.miss)
+        assert long >= again * arb("0.9999")
+
+
+def test_dry_friction_at_an_uncertain_amplitude():
+    force = force_of({0: "1/4"}, {3: "1/2"})
+    held = Turning(1, 1, arb("0.2"), arb(3), arb("0.01"), arb(0))
+    assert sticks(force, held) and not sticks(force, replace(held, amplitude=arb("0.3")))
+    for amplitude in ("0.23", "0.25"):
+        with pytest.raises(UndecidedError, match="undecided"):
+            sticks(force, replace(held, amplitude=arb(amplitude), amplitude_error=arb("0.05")))
+
+
+def test_an_uncertain_time_moves_a_state():
+    """A free linear oscillator at (0.6, 0.8) within the time e: 0.8 e in place and 0.6 e in speed, and hardly more."""
+    e = arb(2) ** -12
+    du, dw = dense._moved(FREE, arb("0.6"), arb("0.8"), e)
+    for moved, truth in ((du, arb("0.8") * e), (dw, arb("0.6") * e)):
+        assert truth <= moved and moved / 2 < truth
+    wide, _ = dense._moved(FREE, arb("0.6"), arb("0.8"), arb("0.5"))
+    assert wide >= arb("0.8") * arb("0.5").sin() + arb("0.6") * (1 - arb("0.5").cos())
+    with pytest.raises(UndecidedError, match="too uncertain"):
+        dense._moved(force_of({2: 0}, {3: 1000}), arb(1), arb(1), arb(1))
+
+
+def test_a_state_holds_its_neighbours_in_place_speed_and_time():
+    """From X +- e, V +- e, at a time +- e: every corner is inside, and the ball is at most some times as wide."""
+    force, e = FORCES["pendulum"], arb(2) ** -16
+    with ctx.workprec(90):
+        (wide,) = dense.states(force, arb("0.5", e), arb("0.25", e), [arb(3, e)])
+        farthest = [arb(0), arb(0)]
+        for sides in ((1, 1, 1), (1, -1, 1), (-1, 1, 1), (1, 1, -1), (-1, -1, -1), (1, -1, -1)):
+            a, b, c = (side * e for side in sides)
+            (state,) = dense.states(force, arb("0.5") + a, arb("0.25") + b, [arb(3) + c])
+            for k, (ball, x) in enumerate(zip(wide, state, strict=True)):
+                assert ball.contains(x.mid())
+                farthest[k] = max(farthest[k], abs(x - ball.mid()).mid(), key=float)
+        assert all(ball.rad() < 12 * far for ball, far in zip(wide, farthest, strict=True))
+
+
+def test_what_is_uncertain_about_a_turning_point_is_a_distance():
+    """The error of the amplitude, the speed that the time allows and the way it allows, in the unit of the distance."""
+    force, e = FORCES["free pendulum"], arb(2) ** -10
+    unit = courses.unit_at(force, arb(1), arb(0))
+    for amplitude, time in ((e, arb(0)), (arb(0), e), (e, e), (arb(0), arb(1) / 8)):
+        found = dense._distance(force, Turning(1, 1, arb(1), arb(3), amplitude, time))
+        speed, way = arb(1).sin() * time, arb(1).sin() * time**2 / 2
+        truth = ((unit * (amplitude + way)) ** 2 + speed**2).sqrt()
+        assert truth <= found < 2.5 * truth
+
+
+def test_the_piece_before_a_kink_ends_at_it_within_its_error():
+    force = FORCES["kinked"]
+    with ctx.workprec(40):
+        pieces = [p for p in course(force, arb(1), arb(0)) if isinstance(p, Step)]
+        before, after = next((a, b) for a, b in zip(pieces, pieces[1:]) if b.taylor.us[0] == 0)
+        left = before.taylor.state(before.taylor.length)[0]
+        assert left > 0 and after.error - after.taylor.residual >= before.error + before.unit * left.lower()
