@@ -147,7 +147,7 @@ def complex_swings(bounds, deltas):
         room = 1 - sum(u) * c
         return [-sum(u) * s / room, 1 / room]
 
-    flow = local._local_bounds(bounds.alphas, bounds.order).flow
+    flow = bounds.flow
     p, Omega = (f.truncate(bounds.order) for f in (flow.p, flow.Omega))
 
     def value(f, y):
