@@ -111,8 +111,8 @@ def test_the_latex_document_has_every_statement(report):
     assert text.count(r"\begin{tabular}") == text.count(r"\end{tabular}") >= 2
 
 
-def test_the_same_entries_give_the_same_bytes(report, tmp_path):
-    entries = [Entry(entry, expected_outcomes(entry), 0.0) for entry in load().values()]
+def test_the_same_entries_give_the_same_bytes_however_long_they_took(report, tmp_path):
+    entries = [Entry(entry, expected_outcomes(entry), 1.5) for entry in load().values()]
     for path in write_report(tmp_path, entries):  # every picture is drawn again
         assert path.read_bytes() == (report / path.name).read_bytes(), path.name
         assert path.suffix != ".svg" or b"<svg" in path.read_bytes()

@@ -20,6 +20,7 @@ from asymptotics.half_swings.quarter import half_swing
 from asymptotics.normal_form.expansion import exact_expansion, expansion_of
 from asymptotics.normal_form.flow import flow_of
 from asymptotics.normal_form.observables import observables
+from asymptotics.normal_form.symbolic import certified_coefficients
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Series
 from asymptotics.testing import strategies
@@ -96,6 +97,23 @@ def test_exact_and_certified_arithmetic_agree_at_integers(alphas):
                 value = c.ball() if hasattr(c, "ball") else arb(c)
                 assert arb(theirs.coefficients.get(key, 0)).contains(value.mid()), (key, value)
     target(lost(balls.L))
+
+
+@settings(max_examples=10 * LONGER)
+@given(strategies.exponents(high=4))
+def test_closed_forms_in_alpha_and_certified_arithmetic_agree_at_any_exponent(alpha):
+    """p_1, p_3, Omega_2, Omega_4 in moments and I_4, at 120 bits, lie in the balls of the series at 70."""
+    with ctx.workprec(BITS):
+        flow = flow_of(certified((alpha,)))
+        slow = flow.W.inverse()
+        found = {"p": -(flow.U * slow), "Omega": slow}
+    with ctx.workprec(120):
+        for name, row in certified_coefficients(alpha.ball()).items():
+            for k, value in row.items():
+                ball = arb(found[name][k])
+                assert ball.contains(value.mid()), (name, k)
+                assert value.contains(0) or not ball.contains((value * (1 + arb(2) ** -25)).mid()), (name, k)
+    target(lost(flow.W))
 
 
 @settings(max_examples=8 * LONGER)
