@@ -9,31 +9,53 @@ True
 >>> tied(r"u_f = u_0 - \frac{\ln(3u_0+1)}{2}", u - sympy.log(2 * u + 1) / 2)
 False
 
-A formula is tied if one of its members, read, is identically the form.  What the reader does not know (sums, cases,
-integrals, forms that are a sign or a number) has been compared by hand, twice.  For every numbered equation, read or
-not, ``compared.json`` has a digest of LaTeX and form, written by ``python -m paper_checks --compared`` after that
-comparison: a change of either fails the test until they are compared again.
+A formula is tied if each expression of the form is identically one of its members, read; ``readings`` says which
+letters stand for what.  What the reader does not know (sums over components, forms that are a sign or an interval) has
+been compared by hand, twice, and is listed in ``compared.json``.  For every numbered equation, read or not, that ledger
+has a digest of LaTeX and form, written by ``python -m paper_checks --compared`` after the comparison: a change of
+either fails the test until they are compared again.
 """
 
 import hashlib
 import inspect
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 import sympy
+from sympy.core.function import AppliedUndef
 
 from asymptotics.verdict import Outcome
+from paper_checks.forms import DECIMAL
 from paper_checks.identities import vanishes
+from paper_checks.readings import PAPERS, READINGS, Reading
 from paper_checks.registry import Statement
 
 LEDGER = Path(__file__).parent / "compared.json"
-TOKEN = re.compile(r"\\tan\^\{-1\}|\\[A-Za-z]+|\\.|[0-9]+|[A-Za-z]'?|\S")
-MEMBERS = re.compile(r"\\simeq|\\ll|\\propto|=")
+TOKEN = re.compile(r"\\tan\^\{-1\}|\\[A-Za-z]+'?|\\.|[0-9]+|[A-Za-z]'?|\S")
+MEMBERS = re.compile(r"\\simeq|\\approx|\\sim|\\ll|\\gg|\\propto|\\ge|\\to|[=<>]")
+MODULUS = re.compile(r"\|([^|]+)\|")
+LIMITS = re.compile(
+    r"\\int(?:_\{[^{}]*(?:\{[^{}]*\})?[^{}]*\}|_[a-z0-9])?(?:\^\{[^{}]*(?:\{[^{}]*\})?[^{}]*\}|\^[a-z0-9])?"
+)
+BOUNDARY = re.compile(r"(?:\\Big\||\\bigg\||\\right\|)_\{[^{}]*\}\^(?:\{[^{}]*\}|[a-z])|\\left\.")
+WORDS = re.compile(r"\\text\{[^{}]*\}")
+TAIL = re.compile(r",? *\\qquad.*|, \\quad.*")
+ARROW = re.compile(r"\\xrightarrow\{(.*?) \\gg 1\}")
+BETA = re.compile(r"B\\left[(\[](.*?),(.*?)\\right[)\]]")
+MARK = sympy.Symbol("mark", positive=True)  # stands for an integral sign, or what a reading puts in its place
 IGNORED = {r"\left", r"\right", r"\,", r"\quad", r"\qquad", r"\;", r"\ "}
-FUNCTIONS = {r"\sin": sympy.sin, r"\cos": sympy.cos, r"\ln": sympy.log, r"\tan^{-1}": sympy.atan, r"\exp": sympy.exp}
+FUNCTIONS = {
+    r"\sgn": sympy.sign,
+    r"\abs": sympy.Abs,
+    r"\sin": sympy.sin,
+    r"\cos": sympy.cos,
+    r"\ln": sympy.log,
+    r"\tan^{-1}": sympy.atan,
+    r"\exp": sympy.exp,
+}
 SAME = {"M": "m", "E": "E_n", "K": "kappa", "fdot": "f'"}  # names of letters in the code and in print
 GAMMA, SPEED, OMEGA = sympy.symbols("gamma v omega", positive=True)
 W, ZERO = GAMMA * SPEED / OMEGA, sympy.S.Zero  # the variable of the polynomials (60)
@@ -44,30 +66,117 @@ class UnreadableError(ValueError):
     """The reader does not know this notation."""
 
 
-def tied(latex: str, form: Any) -> bool | None:
-    """Whether a member of the printed formula is the form; None if none of them can be read."""
-    if isinstance(form, tuple) and len(form) == 2 and isinstance(form[1], dict):
-        form = sum((sympy.Rational(c.numerator, c.denominator) * W**power for power, c in form[1].items()), ZERO)
-    if isinstance(form, tuple) and form and all(isinstance(part, sympy.Expr) for part in form):
-        answers = [tied(latex, part) for part in form]
-        return None if None in answers else all(answers)
-    if not isinstance(form, sympy.Expr):
+def tied(latex: str, form: Any, key: str = "") -> bool | None:
+    """Whether the printed formula holds every expression and number of the form; None if that cannot be told."""
+    reading = READINGS.get(key, Reading())
+    wanted = _expressions(form, reading.parts)
+    if not wanted and isinstance(form, int | sympy.Number if reading.unit else sympy.Number):
+        wanted = [sympy.Rational(form)]
+    texts = _texts(form)
+    if not wanted and not texts:
         return None
-    symbols = {SAME.get(str(symbol), str(symbol)): symbol for symbol in form.free_symbols}
-    found: bool | None = None
-    for member in MEMBERS.split(latex):
-        try:
-            value = read(member, symbols)
-        except UnreadableError:
-            continue
-        if value.free_symbols == form.free_symbols:
-            found = bool(found) or vanishes(value - form) == Outcome.CONFIRMED
+    if not all(re.search(rf"(?<![\d.]){re.escape(text)}(?![\d.])", latex) for text in texts):
+        return False
+    letters = {s for part in wanted for s in part.free_symbols}
+    symbols = {SAME.get(str(s), str(s)): s for s in letters}
+    found = _all_read(latex, key, reading, symbols)
+    missing = [part for part in wanted if not any(_equal(part, value) for value in found)]
+    if not missing:
+        return True
+    return False if any(part.free_symbols == value.free_symbols for part in missing for value in found) else None
+
+
+def _equal(part: sympy.Expr, value: sympy.Expr) -> bool:
+    try:
+        return part.free_symbols == value.free_symbols and vanishes(value - part) == Outcome.CONFIRMED
+    except (TypeError, ValueError):  # nothing of this kind has an enclosure, or a value
+        return False
+
+
+def _expressions(form: Any, parts: tuple[int, ...]) -> list[sympy.Expr]:
+    """The expressions of a form, functions written as letters; a polynomial given as {power: coefficient} as one."""
+    if isinstance(form, tuple) and len(form) == 2 and isinstance(form[1], dict):
+        return [sum((sympy.Rational(c.numerator, c.denominator) * W**power for power, c in form[1].items()), ZERO)]
+    if isinstance(form, tuple):
+        chosen = [form[i] for i in parts] if parts else form
+        return [expression for part in chosen for expression in _expressions(part, ())]
+    return [_plain(form)] if isinstance(form, sympy.Expr) and not form.is_Number else []
+
+
+def _plain(form: sympy.Expr) -> sympy.Expr:
+    """v(x) as v, its derivative as v_x; f(n) and its derivative df(n) as f_n and g_n."""
+    functions = form.atoms(AppliedUndef)
+    indexed = {"f": "f", "df": "g"}
+    letters = {d: _letter_of(f"{d.expr.func}_{d.variables[0]}") for d in form.atoms(sympy.Derivative)}
+    for function in functions:
+        name = str(function.func)
+        index = str(function.args[0]).replace(" ", "")
+        by_index = name in indexed and len(function.args) == 1
+        letters[function] = _letter_of(f"{indexed[name]}_{index}" if by_index else name)
+    return form.subs(letters) if letters else form
+
+
+def _letter_of(name: str) -> sympy.Symbol:
+    return sympy.Symbol(name, positive=True)
+
+
+def _texts(form: Any) -> list[str]:
+    """The printed numbers in a form."""
+    if isinstance(form, tuple):
+        return [text for part in form for text in _texts(part)]
+    return [form] if isinstance(form, str) and DECIMAL.fullmatch(form) else []
+
+
+def _all_read(latex: str, key: str, reading: Reading, symbols: dict[str, sympy.Symbol]) -> list[sympy.Expr]:
+    """The values of all members that can be read: both signs of a double sign, all cases, with and without a mark."""
+    letters = dict(symbols)
+    unit = sympy.S.One
+    if reading.unit:
+        letters = _Letters(symbols)
+        unit = read(reading.unit, letters)
+    found: list[sympy.Expr] = []
+    for members in _members(latex, key, reading):
+        for member in members:
+            try:
+                value = sympy.expand(read(member, letters) / unit) if reading.unit else read(member, letters)
+            except UnreadableError:
+                continue
+            rest, beside = value.subs(MARK, 0), sympy.expand(value).coeff(MARK, 1)
+            if not value.has(MARK):
+                found.append(value)
+                continue
+            found += [rest, beside] + ([sympy.cancel(-rest / beside)] if "0" in members and beside != 0 else [])
     return found
+
+
+class _Letters(dict[str, sympy.Symbol]):
+    """Known letters, and every other as a letter of its own."""
+
+    def __contains__(self, name: object) -> bool:
+        return True
+
+    def __missing__(self, name: str) -> sympy.Symbol:
+        self[name] = _letter_of(name)
+        return self[name]
+
+
+def _members(latex: str, key: str, reading: Reading) -> Iterator[list[str]]:
+    """The members of a formula, once for the upper and once for the lower of its double signs."""
+    text = MODULUS.sub(r"\\abs{\1}", BOUNDARY.sub("", latex).replace(r"\left|", "|").replace(r"\right|", "|"))
+    text = text.replace("(t)", "").replace(r"\mathrm{sgn}", r"\sgn").replace(r"\cdot", "")
+    for before, after in (*PAPERS.get(key.partition(":")[0], ()), *reading.letters):
+        text = re.sub(" +", " ", text.replace(before, f" {after}"))
+    text = ARROW.sub(r"= \1 =", TAIL.sub("", LIMITS.sub(r"\\int ", WORDS.sub("=", text))))
+    text = BETA.sub(r"\\B{\1}{\2}", text)
+    text = re.sub(r"\\begin\{cases\}|\\end\{cases\}|\\\\", "=", re.sub(r",? *&.*?(?=\\\\|\\end)", "", text))
+    for upper, lower in (("-", "+"), ("+", "-")):
+        signed = text.replace(r"\mp", upper).replace(r"\pm", lower)
+        yield [member.strip().rstrip(",;") for member in MEMBERS.split(signed)]
 
 
 def read(latex: str, symbols: dict[str, sympy.Symbol]) -> sympy.Expr:
     """The expression in these symbols; UnreadableError if the notation or a letter is not known."""
-    latex = latex.replace("(t)", "").replace(r"\dot{x}", "v").replace(r"\hat", "").strip().rstrip(",.")
+    latex = latex.replace("(t)", "").replace(r"\dot{x}", "v").replace(r"\hat{S}", "S").strip().rstrip(",.")
     tokens = [token for token in TOKEN.findall(latex) if token not in IGNORED]
     value, rest = _sum(tokens, symbols)
     if rest:
@@ -103,6 +212,8 @@ def _product(tokens: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
 
 def _power(tokens: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
     base, tokens = _atom(tokens, symbols)
+    if tokens[:2] == ["!", "!"]:
+        base, tokens = sympy.factorial2(base), tokens[2:]
     if tokens[:1] == ["^"]:
         exponent, tokens = _argument(tokens[1:], symbols)
         return base**exponent, tokens
@@ -144,6 +255,14 @@ def _atom(tokens: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
         return sympy.Integer(head), rest
     if head == r"\pi":
         return sympy.pi, rest
+    if head == r"\int":
+        return MARK, rest
+    if head == r"\B":
+        first, rest = _argument(rest, symbols)
+        second, rest = _argument(rest, symbols)
+        return sympy.gamma(first) * sympy.gamma(second) / sympy.gamma(first + second), rest
+    if head == "d" and rest and re.fullmatch("[vxt]'?", rest[0]):
+        return symbols.get("d" + rest[0], sympy.S.One), rest[1:]
     if head == "e" and rest[:1] == ["^"]:
         exponent, rest = _argument(rest[1:], symbols)
         return sympy.exp(exponent), rest
@@ -183,7 +302,7 @@ def read_by_machine(entry: Statement) -> bool:
     pairs = [(entry.latex, entry.printed)]
     if entry.corrected_latex is not None:
         pairs.append((entry.corrected_latex, entry.corrected))
-    return all(tied(latex, form) for latex, form in pairs)
+    return all(tied(latex, form, entry.id) for latex, form in pairs)
 
 
 def digest(entry: Statement) -> str:
@@ -192,12 +311,17 @@ def digest(entry: Statement) -> str:
     return hashlib.sha256("\n".join([entry.latex, str(entry.corrected_latex), *forms]).encode()).hexdigest()[:16]
 
 
-def ledger() -> dict[str, str]:
-    """The digests of what was compared."""
+READ, BY_HAND = "read", "compared by hand"
+
+
+def ledger() -> dict[str, dict[str, str]]:
+    """The digests of what was compared, under READ for what the reader ties, under BY_HAND for the rest."""
     return dict(json.loads(LEDGER.read_text(encoding="utf-8")))
 
 
 def written(entries: Iterable[Statement]) -> str:
     """The ledger for the numbered equations."""
-    known = {e.id: digest(e) for e in entries if numbered(e)}
+    known: dict[str, dict[str, str]] = {READ: {}, BY_HAND: {}}
+    for entry in filter(numbered, entries):
+        known[READ if read_by_machine(entry) else BY_HAND][entry.id] = digest(entry)
     return json.dumps(known, indent=1) + "\n"
