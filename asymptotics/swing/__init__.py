@@ -16,10 +16,15 @@
 ``chebyshev``   interpolation of a function known as balls, with its error
 ``coordinate``  the one number that a half-swing depends on analytically, and how far
 ``panel_plan``  which amplitudes are worth a panel: choices, and the ellipse about it, checked
+``spectral``    Chebyshev points: values, coefficients and integrals, as matrices
+``sketch``      quarter-swings in doubles: where the collocation begins, and how many nodes it takes
+``quarters``    quarter-swings at many strengths at once, forwards or backwards, by collocation
+``half_swings`` half-swings put together from two quarters
 ``panels``      half-swings by interpolation: hundredths of a millisecond each
 ``sequence``    turning points one after the other: errors only add (two motions never part)
 ``dense``       (x, v) at many times in one pass
 ==============  ======================================================================================
 
-Derivations ``motions-never-part``, ``turning-point-majorant``, ``taylor-residual``, ``slow-curve`` and ``arrival``.
+Derivations ``motions-never-part``, ``turning-point-majorant``, ``taylor-residual``, ``slow-curve``, ``arrival`` and
+``quarter-collocation``.
 """

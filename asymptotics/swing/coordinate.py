@@ -59,6 +59,11 @@ class Coordinate:
         """Whether z falls to 0 with the amplitude."""
         return self.root is not None and bool(self.root > 0)
 
+    @property
+    def is_quartered(self) -> bool:
+        """Whether half-swings are put together from quarters: z falls to 0, all alpha_i >= 1, and not all are 1."""
+        return self.from_zero and any(k > 0 for k in self.powers)
+
     def __call__(self, amplitude: arb) -> arb:
         """z at an amplitude > 0."""
         if self.root is None:
@@ -75,15 +80,18 @@ class Coordinate:
         """The law in units of the amplitude, at the current precision."""
         return Damping.of(list(zip(self.strengths(z), self.alphas, strict=True)))
 
-    def bounds(self, centre: arb, half_axis: arb) -> Majorant | None:
-        """The majorant on the ellipse, None where none is proved; ``centre`` >= 0 where z = 0 is included."""
+    def bounds(self, centre: arb, half_axis: arb, *, whole: bool = True) -> Majorant | None:
+        """The majorant on the ellipse, None where none is proved; ``centre`` >= 0 where z = 0 is included.
+
+        ``whole``: of the half-swing, else of the quarter-swing.
+        """
         if self.root is not None and not centre >= 0:
             return None
         radii = [d.upper() for d in self.strengths(centre + half_axis)]
         if self.root is None:
             other = [d.upper() for d in self.strengths(centre - half_axis)]
             radii = [a.max(b) for a, b in zip(radii, other, strict=True)]
-        return majorant(self.exponents, radii, whole=True)
+        return majorant(self.exponents, radii, whole=whole)
 
 
 def _commensurable(alphas: Sequence[ExactReal]) -> tuple[ExactReal | None, list[int]]:

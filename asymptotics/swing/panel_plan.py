@@ -32,6 +32,7 @@ MIN_STRETCH, MAX_STRETCH = 1.5, 1e6
 """Of the ellipse, (R + 1/R)/2: below, nodes are many and polynomials cancel; above, one node is enough."""
 _LOOK_AHEAD = 3000
 _RANGE = 990.0  # log2 of the largest |z| looked at
+_AT_ONCE = 8  # half-swings by pieces: what quarter-swings cost, however few nodes there are
 _LASTING = 10  # a node is kept for the next who asks, a half-swing before the panel is not
 _PARTS = tuple(2.0**-k for k in (0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64))
 _STEPS = 24  # of a quarter
@@ -50,6 +51,10 @@ class Plan:
     nodes: int
     served: int
     wait: int
+
+    def work(self, coordinate: Coordinate) -> int:
+        """What the nodes cost, in half-swings by pieces."""
+        return _AT_ONCE + self.nodes // 5 if coordinate.is_quartered else self.nodes
 
 
 @dataclass(frozen=True)
@@ -70,11 +75,11 @@ class Ellipse:
         return _nodes(bits, size, float(self.R))
 
 
-def verified(coordinate: Coordinate, middle: arb, half: arb, stretch: float) -> Ellipse:
+def verified(coordinate: Coordinate, middle: arb, half: arb, stretch: float, *, whole: bool = True) -> Ellipse:
     """The ellipse about a panel, made smaller until its majorant is proved to exist."""
     while stretch > 1:
         longer = arb(stretch)
-        bound = coordinate.bounds(middle, arb((half * longer).upper()))
+        bound = coordinate.bounds(middle, arb((half * longer).upper()), whole=whole)
         if bound is not None:
             return Ellipse(longer + (longer**2 - 1).sqrt(), bound)
         stretch = 0.5 + stretch / 2 if stretch < 2 else 0.97 * stretch
@@ -95,14 +100,16 @@ def planned(coordinate: Coordinate, size: float, remaining: int, bits: int) -> P
 
 def _from_zero(coordinate: Coordinate, path: list[float], beyond: int, bits: int) -> Plan | None:
     """One panel for all amplitudes from some point of the path on."""
-    reach, best, total = _reach(coordinate), None, len(path) + beyond
+    reach, best, total = reach_of(coordinate), None, len(path) + beyond
     cheapest = inf
     for wait, size in enumerate(path):
         z = float(coordinate(arb(size)))
         stretch = min(2 * reach / z - 1, MAX_STRETCH) if z > 0 else MAX_STRETCH
-        cost = _count(bits, stretch) if stretch > MIN_STRETCH else total
-        if cost + wait < total and cost + _LASTING * wait < cheapest:
-            best, cheapest = Plan(0.0, size, stretch, cost, total - wait, wait), cost + _LASTING * wait
+        if stretch > MIN_STRETCH:
+            plan = Plan(0.0, size, stretch, _count(bits, stretch), total - wait, wait)
+            cost = plan.work(coordinate)
+            if cost + wait < total and cost + _LASTING * wait < cheapest:
+                best, cheapest = plan, cost + _LASTING * wait
         if _LASTING * wait > cheapest:
             break
     return best
@@ -144,12 +151,12 @@ def _moment(p: float) -> float:
 
 
 @lru_cache(maxsize=64)
-def _reach(coordinate: Coordinate) -> float:
-    """About the largest |z| with a majorant, or 0: bisection of log2 |z| within the range of doubles."""
+def reach_of(coordinate: Coordinate, *, whole: bool = True) -> float:
+    """About the largest |z| with a majorant (of the quarter-swing, if not ``whole``), or 0: bisection of log2 |z|."""
     low, high = -_RANGE, _RANGE
     while high - low > 0.03:
         middle = (low + high) / 2
-        low, high = (middle, high) if _exists(coordinate, 0.0, 2.0**middle) else (low, middle)
+        low, high = (middle, high) if _exists(coordinate, 0.0, 2.0**middle, whole) else (low, middle)
     return float(2.0**low) if low > -_RANGE else 0.0
 
 
@@ -160,7 +167,7 @@ def _stretch(coordinate: Coordinate, low: float, high: float) -> float:
     if not half > 0:
         return 0.0
     if coordinate.root is not None:
-        return min((_reach(coordinate) - middle) / half, MAX_STRETCH)
+        return min((reach_of(coordinate) - middle) / half, MAX_STRETCH)
     below, above = 0.0, MIN_STRETCH
     while above < MAX_STRETCH and _exists(coordinate, middle, half * above):
         below, above = above, 2 * above
@@ -170,13 +177,14 @@ def _stretch(coordinate: Coordinate, low: float, high: float) -> float:
     return below
 
 
-def _exists(coordinate: Coordinate, middle: float, half_axis: float) -> bool:
+def _exists(coordinate: Coordinate, middle: float, half_axis: float, whole: bool = True) -> bool:
     """Whether the majorant seems to exist there: its equation by midpoint steps in doubles."""
     try:
         high, low = (_strengths(coordinate, middle + side * half_axis) for side in (1, -1))
         sizes = [max(pair) for pair in zip(high, low, strict=True)] if coordinate.root is None else high
         growth, slopes = 0.0, [abs(float(a) - 1) for a in coordinate.exponents]
-        for sines, products in _quarter(tuple(map(float, coordinate.exponents))):
+        steps = _quarter(tuple(map(float, coordinate.exponents)))
+        for sines, products in steps if whole else steps[:_STEPS]:
             strengths = [size * exp(slope * growth) for size, slope in zip(sizes, slopes)]
             room = 1 - sum(map(mul, strengths, products))
             if not room > 0.02 or growth > 4:

@@ -21,6 +21,7 @@ from functools import lru_cache
 from flint import arb, ctx
 
 from asymptotics.budget import tick
+from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.swing.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.swing.coordinate import Coordinate
@@ -91,13 +92,17 @@ class Panels:
             self.plan, self.planned_for = planned(self.coordinate, size, remaining, bits), (size, remaining)
         if self.plan is None or not self.plan.low < size <= self.plan.high:
             return None
-        panel = laid_out(self.coordinate, self.plan, bits)
+        try:
+            panel = laid_out(self.coordinate, self.plan, bits)
+        except UndecidedError:  # seen in doubles, not proved in balls: by pieces, where the plan would hold
+            self.plan = None
+            return None
         self.made.append(panel)
         self.planned_for = (0.0, 0)
         return panel if panel.holds(p, error) else None
 
     def pieces(self, remaining: int) -> int:
-        """About how many half-swings are integrated for ``remaining`` of them from X = 1, nodes included.
+        """About how many half-swings by pieces ``remaining`` of them from X = 1 are worth, nodes included.
 
         None where they have a closed form.
         """
@@ -108,7 +113,7 @@ class Panels:
             plan = planned(self.coordinate, size, remaining, self.bits + _SLACK)
             if plan is None:
                 return total + remaining
-            total += plan.wait + plan.nodes
+            total += plan.wait + plan.work(self.coordinate)
             remaining -= plan.wait + plan.served
             size = plan.low
         return total
@@ -128,20 +133,33 @@ def laid_out(coordinate: Coordinate, plan: Plan, bits: int) -> Panel:
         middle, half = (first + last) / 2, (last - first) / 2
         ellipse = verified(coordinate, middle, half, plan.stretch)
         count = ellipse.nodes_for(bits)
-        ratios, durations = [], []
-        for j, t in enumerate(nodes(count)):
-            tick(f"node {j} of {count} of an interpolation")
-            law = coordinate.damping(middle + half * t)
-            with ctx.workprec(bits):
-                found = integrated(law, arb(1))
-            ratios.append(_there(found.amplitude))
-            durations.append(_there(found.duration))
+        ratios, durations = zip(*_half_swings(coordinate, [middle + half * t for t in nodes(count)], last, bits))
         fine = arb(2) ** -bits
         ratio, duration = (
             interpolant(values, bound, ellipse.R, fine)
             for values, bound in ((ratios, ellipse.ratio_bound), (durations, ellipse.majorant.excess))
         )
     return Panel(coordinate, low, high, middle, 1 / half, ratio, duration, count)
+
+
+def _half_swings(coordinate: Coordinate, places: list[arb], last: arb, bits: int) -> list[tuple[arb, arb]]:
+    """q/p and T at the places z <= last: from quarter-swings where those serve, else by pieces."""
+    if coordinate.is_quartered:
+        from asymptotics.swing.half_swings import HalfSwings  # noqa: PLC0415 (NumPy, only where it pays)
+
+        try:
+            swings = HalfSwings.up_to(coordinate, last, bits)
+            return [swings(z) for z in places]
+        except (LimitError, UndecidedError):
+            pass
+    found = []
+    for j, z in enumerate(places):
+        tick(f"node {j} of {len(places)} of an interpolation")
+        law = coordinate.damping(z)
+        with ctx.workprec(bits):
+            passage = integrated(law, arb(1))
+        found.append((_there(passage.amplitude), _there(passage.duration)))
+    return found
 
 
 def _outwards(coordinate: Coordinate, low: arb, high: arb) -> tuple[arb, arb]:

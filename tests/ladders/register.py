@@ -7,6 +7,7 @@ LATE, FINITE, SLOW = "tests/bounds/test_late.py", "tests/half_swings/test_finite
 NEXT = "tests/wells/test_force_bounds.py"
 SWING, WELLS, PANELS = "tests/swing/test_bounds.py", "tests/wells/test_bounds.py", "tests/swing/test_panels.py"
 CHEBYSHEV, ABEL, FLOW = "tests/swing/test_chebyshev.py", "tests/turning/test_abel.py", "tests/turning/test_abel_flow.py"
+QUARTERS = "tests/swing/test_quarters.py"
 RATIO, QUADRATIC = "tests/identification/test_certified_ratio.py", "tests/turning/test_quadratic_abel.py"
 
 EXACT = "arithmetic of balls and nothing else: no truncation, no choice"
@@ -60,6 +61,10 @@ BOUNDS: Names = {
     ),
     **_each("swing.majorant", "majorant", f"{SWING}::test_the_majorant_is_attained_without_damping"),
     **_each("swing.panel_plan", "Ellipse.ratio_bound verified", f"{PANELS}::test_a_ladder_of_panels"),
+    **_each("swing.quarters", "Path.on_ellipse", f"{QUARTERS}::test_the_bounds_on_the_ellipse"),
+    **_each("swing.quarters", "Path.drags", f"{QUARTERS}::test_the_drags_are_those_on_the_orbit"),
+    **_each("swing.quarters", "largest", f"{QUARTERS}::test_largest_is_an_upper_bound"),
+    **_each("swing.quarters", "peak", f"{QUARTERS}::test_the_peak_is_attained"),
     **_each("swing.taylor", "discs residual", f"{SWING}::test_the_cauchy_part_of_a_taylor_step"),
     **_each(
         "turning.abel",
@@ -115,6 +120,17 @@ ELSEWHERE: Names = {
         "swing.chebyshev", "interpolant Interpolant.__call__", f"{CHEBYSHEV}::test_rounded_coefficients_are_paid_for"
     ),
     **_each("swing.course", "Creep.own", f"{SLOW}::test_a_ladder_of_precisions"),
+    **_each(
+        "swing.half_swings",
+        "HalfSwings.__call__ HalfSwings.up_to",
+        f"{QUARTERS}::test_half_swings_contain_the_pieces",
+    ),
+    **_each(
+        "swing.quarters",
+        "Bundle.of Grid.of Grid.rates Grid.slowness Path.along Path.enclosed quarter_swings",
+        f"{QUARTERS}::test_a_ladder_of_closed_forms",
+    ),
+    **_each("swing.spectral", "analysis integrals of_the_integral", f"{QUARTERS}::test_the_matrices_of_integration"),
     **_each("swing.panels", "Panel.passage laid_out", f"{PANELS}::test_a_ladder_of_panels"),
     **_each(
         "swing.slow", "Curve.a Curve.place Curve.clock Strip.state solve caught", f"{SLOW}::test_a_ladder_of_precisions"
@@ -163,6 +179,8 @@ NONE_NEEDED: Names = {
     **_each("swing.damping", "dyadic", CHOICE),
     **_each("swing.damping", "upper", "rounds up, by arb.upper"),
     **_each("swing.dense", "exact_sum", "exact by its precision"),
+    **_each("swing.half_swings", "Quarters.place", EXACT),
+    **_each("swing.quarters", "found moved", CHOICE),
     **_each("swing.panels", "Panels.serving panels_of", "hands out what laid_out made"),
     **_each("turning.far", "Point.amplitude", EXACT),
     **_each("turning.far", "series_points", "FiniteQuarter.orbit, numbered"),

@@ -9,6 +9,7 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
+from asymptotics.errors import UndecidedError
 from asymptotics.law import Law
 from asymptotics.moments.certified import moment
 from asymptotics.numbers.exact import parse_real
@@ -147,6 +148,23 @@ def test_the_half_swing_at_complex_strengths_obeys_the_bounds(pairs, middle, hal
         assert seen <= float(bound) <= 40 * seen
 
 
+def test_a_panel_that_is_not_proved_is_not_handed_out(monkeypatch):
+    """By pieces instead, and without another attempt for smaller amplitudes."""
+    tried = []
+
+    def refused(*given):
+        tried.append(given)
+        raise UndecidedError("no")
+
+    monkeypatch.setattr("asymptotics.swing.panels.laid_out", refused)
+    made = Panels(Law({2: "1/5"}), 60)
+    assert [made.serving(arb(size), arb(0), 100) for size in (1, 0.5)] == [None, None] and len(tried) == 1
+
+
+def test_no_panel_is_planned_where_no_ellipse_is_wide_enough():
+    assert planned(coordinate((("1", "1999/1000"), ("2", "1/10"))), 1.0, 200, 190) is None
+
+
 def test_an_ellipse_that_reaches_too_far_is_made_smaller():
     c = coordinate((("2", "1/5"),))
     assert c.bounds(arb(1), arb(5)) is None and c.bounds(arb(-1), arb("0.1")) is None
@@ -173,7 +191,7 @@ def test_a_plan_saves_half_swings_or_is_none():
 @pytest.mark.parametrize("case", [0, 1, 2, 3, 6])
 def test_the_reach_in_doubles_is_that_of_the_majorant(case):
     c = coordinate(LAWS[case][0])
-    reach = panel_plan._reach(c)
+    reach = panel_plan.reach_of(c)
     assert c.bounds(arb(0), arb(0.95 * reach)) is not None and c.bounds(arb(0), arb(1.05 * reach)) is None
 
 

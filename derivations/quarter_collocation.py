@@ -1,0 +1,128 @@
+"""Quarter-swings by collocation: the variable in which nothing is singular, and what a polynomial misses the truth by.
+
+>>> len(derivation.steps) > 10
+True
+"""
+
+import sympy
+
+from derivations.steps import At, Derivation, named
+
+theta, z, x, y, phi, h, R = sympy.symbols("theta z x y phi h R", positive=True)
+D, slope, c, s = sympy.symbols("D D_g c s", positive=True)
+K, eta, E0, t = sympy.symbols("K eta E_0 t", positive=True)
+alpha = sympy.Symbol("alpha", positive=True)
+k = sympy.Symbol("k", positive=True, integer=True)
+
+derivation = Derivation(
+    "quarter-collocation",
+    "Quarter-swings by collocation, enclosed",
+    source="swing.quarters; the equations are those of half-swing-equations, the interpolation that of swing.chebyshev",
+)
+step = derivation.step
+
+# 1. The variable.
+step(
+    "z = ln tan(theta/2): d theta = s dz, as dz/d theta is",
+    sympy.Derivative(sympy.log(sympy.tan(theta / 2)), theta),
+    1 / sympy.sin(theta),
+)
+half = sympy.atan(sympy.exp(z))
+step(
+    "The sine, 2 sin(theta/2) cos(theta/2), becomes 1/cosh z",
+    2 * sympy.sin(half) * sympy.cos(half),
+    1 / sympy.cosh(z).rewrite(sympy.exp),
+)
+step(
+    "and the cosine -tanh z",
+    sympy.cos(half) ** 2 - sympy.sin(half) ** 2,
+    -sympy.tanh(z).rewrite(sympy.exp),
+)
+step(
+    "dg/d theta = -N/(1 - C) with N = s D, C = c D (half-swing-equations) is, by dz,",
+    At(-x / (1 - y), {x: s * D, y: c * D}) * s,
+    -(s**2) * D / (1 - c * D),
+)
+step(
+    "and d tau/dz = s/(1 - c D), by dg/dz",
+    s + c / s * (-(s**2) * D / (1 - c * D)) * -1,
+    s / (1 - c * D),
+)
+v, a, b = sympy.symbols("v a b", real=True)
+step(
+    "Backwards in time, v -> -v, each strength changes its sign: x' = v, v' = -x - N(v) with N odd",
+    sympy.Add(At(-x - b * v, {v: -v}), x, evaluate=False),
+    b * v,
+)
+
+# 2. On the ellipse.
+step(
+    "|cosh(x + iy)|^2, so that s is analytic for |Im z| < pi/2, where it does not vanish",
+    sympy.expand_complex(sympy.cosh(x + sympy.I * y) * sympy.cosh(x - sympy.I * y)),
+    sympy.sinh(x) ** 2 + sympy.cos(y) ** 2,
+)
+step(
+    "and |sinh(x + iy)|^2",
+    sympy.expand_complex(sympy.sinh(x + sympy.I * y) * sympy.sinh(x - sympy.I * y)),
+    sympy.sinh(x) ** 2 + sympy.sin(y) ** 2,
+)
+step(
+    "The imaginary part of z = h (t - 1), t = (R e^(i phi) + e^(-i phi)/R)/2, is largest at phi = pi/2",
+    sympy.im(h * ((R * sympy.I - sympy.I / R) / 2 - 1)),
+    h * (R - 1 / R) / 2,
+)
+step(
+    "The integral of sum b_k T_k has the coefficients (b_(k-1) - b_(k+1))/(2k): the derivative of T_k, t = cos phi, is",
+    sympy.Derivative(sympy.cos(k * phi), phi) / sympy.Derivative(sympy.cos(phi), phi),
+    k * sympy.sin(k * phi) / sympy.sin(phi),
+)
+step(
+    "and T_(k+1)/(2(k+1)) - T_(k-1)/(2(k-1)), k >= 2, has the derivative T_k",
+    (sympy.sin((k + 1) * phi) - sympy.sin((k - 1) * phi)) / (2 * sympy.sin(phi)),
+    sympy.cos(k * phi),
+)
+
+# 3. On the real line.
+swell = sympy.sin(theta) ** alpha * sympy.cos(theta)
+step(
+    "s^alpha c is largest where s^2 = alpha c^2: its logarithmic derivative vanishes at tan(theta) = alpha^(1/2)",
+    At(alpha * sympy.cot(theta) - sympy.tan(theta), {theta: sympy.atan(sympy.sqrt(alpha))}),
+    0,
+)
+step(
+    "where it is",
+    At(swell, {theta: sympy.atan(sympy.sqrt(alpha))}),
+    sympy.sqrt(alpha**alpha / (1 + alpha) ** (1 + alpha)),
+)
+drag = sympy.Function("D")(x)
+step(
+    "The right-hand sides change with g at the rates -s^2 D_g/(1 - cD)^2",
+    sympy.Derivative(-(s**2) * drag / (1 - c * drag), x),
+    -(s**2) * sympy.Derivative(drag, x) / (1 - c * drag) ** 2,
+)
+step(
+    "and s c D_g/(1 - cD)^2, where 0 <= s, s c <= 1: at most K/h both",
+    sympy.Derivative(s / (1 - c * drag), x),
+    s * c * sympy.Derivative(drag, x) / (1 - c * drag) ** 2,
+)
+bound = sympy.exp(K * t) * E0 + eta * (sympy.exp(K * t) - 1) / K
+step(
+    "|g - G|' <= K |g - G| + eta, from E_0: at most the solution of E' = K E + eta",
+    sympy.Derivative(bound, t),
+    K * bound + eta,
+)
+step(
+    "over the length 2 that is e^(2K) E_0 and eta times the integral of e^(Kt), itself",
+    sympy.Integral(sympy.exp(K * t), (t, 0, 2)),
+    (sympy.exp(2 * K) - 1) / K,
+)
+step(
+    "at most 2 e^(2K), as e^(Kt) <= e^(2K) for t <= 2: e^(2K) - e^(Kt) is the integral of what is positive",
+    sympy.Integral(K * sympy.exp(K * x), (x, t, 2)),
+    sympy.exp(2 * K) - sympy.exp(K * t),
+)
+step(
+    "The duration is off by the integral of the change of its integrand, K |g - G| over the length 2",
+    sympy.Integral(named("K E", K * E0), (t, -1, 1)),
+    2 * K * E0,
+)
