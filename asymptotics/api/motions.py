@@ -21,6 +21,7 @@ import numpy as np
 
 from asymptotics.api.units import oscillator_of
 from asymptotics.bounds.motion import proved_bound
+from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.costs import require_affordable
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT
@@ -83,6 +84,17 @@ class Motion:
         LimitError where no enclosure of x(t) is within a minute's reach.
         """
         return proved_bound(self.oscillator, self.at(t, digits=digits).x, t)
+
+    def uniform_bound(self, *, until: Number | None = None) -> UniformBound:
+        """Proved bounds of |x - x_N| and |x' - x_N'| for every t >= 0 at once, or for t <= ``until`` (s).
+
+        For powers of the velocity in the turning-point gauge; with an exponent below 1 the bound ends at a stated time
+        (derivation ``uniform-bound``).  InputError for other forces and gauges, LimitError where the local strength
+        leaves the range of the theorem.
+        """
+        if self.gauge != TURNING_POINT:
+            raise InputError("gauge", f"no such theorem is known in the gauge {self.gauge}", TURNING_POINT)
+        return uniform_bound(self.oscillator, self.order, until=until)
 
     def sample(self, t: Any) -> MotionSamples:
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""

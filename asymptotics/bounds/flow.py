@@ -62,6 +62,15 @@ class TruncatedFlow:
         s = self._enclosed(n * arb.pi())
         return s, n * arb.pi() - self._integral(lambda deltas: acb(self.Omega.at(deltas)), s)
 
+    def beyond(self, tau: arb) -> arb:
+        """An s that is not reached before the time ``tau``."""
+        s = self._near(self.time, tau)
+        for widening in (1e-9, 1e-6, 1e-3):
+            later = (s * (1 + arb(widening))).mid()
+            if self.time(later) >= tau:
+                return later
+        raise UndecidedError("the truncated equations are not enclosed: raise the precision")
+
     def half_swings(self, tau: arb) -> int:
         """About how many half-swings end before the time ``tau``: the largest integer below psi/pi, or one less."""
         s = self._near(self.time, tau)

@@ -59,8 +59,11 @@ class Remainder:
 
     def constant(self, d: arb) -> arb:
         """C at |delta| = d; it grows with d."""
-        known = sum((c * d**k for k, c in enumerate(self.coefficients)), arb(0))
-        return (known + self.beyond(d, self.power + len(self.coefficients)) / d**self.power).upper()
+        return (self.known(d) + self.beyond(d, self.power + len(self.coefficients)) / d**self.power).upper()
+
+    def known(self, d: arb) -> arb:
+        """The part of C that the next coefficients make."""
+        return sum((c * d**k for k, c in enumerate(self.coefficients)), arb(0))
 
     def beyond(self, d: arb, first: int) -> arb:
         """Cauchy's bound of all terms from the degree ``first`` on: M x^first/(1 - x), x = d/radius."""
@@ -161,11 +164,12 @@ def _sizes(f: Series, power: int) -> tuple[arb, ...]:
             if any(not arb(c).contains(0) for _, c in part):
                 raise ArithmeticError(f"the expansion differs from the motion at degree {degree}: {part}")
             continue
-        rows.append(max((arb((abs(c) / _multinomial(n)).upper()) for n, c in part), key=float, default=arb(0)))
+        rows.append(max((arb((abs(c) / multinomial(n)).upper()) for n, c in part), key=float, default=arb(0)))
     return tuple(rows)
 
 
-def _multinomial(n: Key) -> int:
+def multinomial(n: Key) -> int:
+    """|n|!/(n_1! ... n_m!)."""
     return factorial(sum(n)) // prod(factorial(k) for k in n)
 
 
@@ -221,15 +225,16 @@ def _limit(found: Sequence[Remainder]) -> Fraction:
     best = Fraction(0)
     radius = Fraction(float(found[0].radius))
     for k in range(1, _GRID):
-        d = _two_digits(radius * k / _GRID)
+        d = two_digits(radius * k / _GRID)
         at = arb(d.numerator) / d.denominator
         if not all(f.constant(at) <= 2 * f.largest_term(at) for f in found):
             break
         best = d
-    return best or _two_digits(radius / _GRID)
+    return best or two_digits(radius / _GRID)
 
 
-def _two_digits(x: Fraction) -> Fraction:
+def two_digits(x: Fraction) -> Fraction:
+    """x rounded down to two digits."""
     return Fraction(directed_decimal(x, 2, -1))
 
 

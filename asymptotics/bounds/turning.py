@@ -119,7 +119,7 @@ def turning_bounds(
         if not (delta > 0 and delta <= local.limit):
             reason = f"sum epsilon_i = {delta.str(3, radius=False)} is not in the range of the theorem"
             raise LimitError("epsilon", reason, f"0 < sum epsilon_i <= {float(local.delta_max):g} at order {order}")
-        low, high = _rates(local, delta)
+        low, high = rates(local.flow.p.truncate(order), local.flow.Omega.truncate(order), delta)
         if not (low > 0 and high > 0):
             raise LimitError("epsilon", f"order {order} may lose its sign at delta = {delta.str(3)}", "weaker damping")
         g, G = (slowest * arb.pi() * low).lower(), (fastest * arb.pi() * high).upper()
@@ -131,9 +131,8 @@ def turning_bounds(
     return TurningBounds(local, delta, C_A, C_T, slowest, fastest, arb(g), arb(G), arb(fading), B, e, widening)
 
 
-def _rates(local: LocalBounds, delta: arb) -> tuple[arb, arb]:
+def rates(p: Series, Omega: Series, delta: arb) -> tuple[arb, arb]:
     """The infimum and supremum of p_N/(|delta| (1 + Omega_N)) over 0 < |delta| <= ``delta``."""
-    p, Omega = (f.truncate(local.order) for f in (local.flow.p, local.flow.Omega))
     first = [arb(c) for k, c in p.coefficients.items() if sum(k) == 1]
     rest = largest(Series({k: c for k, c in p.coefficients.items() if sum(k) > 1}, p.variables, p.order), delta) / delta
     swing = largest(Omega, delta)

@@ -101,7 +101,14 @@ def run(options: argparse.Namespace) -> Answer:
     text = "\n".join([text, *data["files"]])
     if options.bound:
         proved = _bound(given, order, options.gauge)
-        data["bound"], text = proved.to_dict(), f"{text}\n{proved}"
+        data["bound"], lines = proved.to_dict(), [text, str(proved)]
+        from asymptotics.bounds.uniform import displacement_bound  # noqa: PLC0415 (NumPy, which expand does not need)
+
+        for_ever = displacement_bound(proved.alphas, order)
+        if for_ever is not None:
+            data["bound"] |= for_ever.to_dict()
+            lines.append(str(for_ever))
+        text = "\n".join(lines)
     return Answer(data, text, options.json)
 
 

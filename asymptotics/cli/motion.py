@@ -9,7 +9,8 @@
 The start is x(0) = x0, x'(0) = v0.  Units are SI when a mass, a stiffness, a start or --damping is given; otherwise
 m = k = x0 = 1 and there are none.  --order N (default 3): p_k and Omega_k for k <= N and the waveform through
 delta^(N-1); order 1 is x0 A(t) cos(omega_0 t).  `phase` is psi - omega_0 t, and `error` an estimate from the orders
-N + 1 and N + 2; with --bound, `bound` is a proved bound of |x - x_N| at that time, rounded up.  --reference:
+N + 1 and N + 2; with --bound, `bound` is a proved bound of |x - x_N| at that time, rounded up, and `uniform_bound` one
+for every t >= 0 (exponents below 1: up to that time), for powers of the velocity in the first gauge.  --reference:
 every digit proved, whatever the law and the start; closed forms where there are any, and for alpha = 1 a note whether
 the motion is under-, critically or overdamped.
 
@@ -20,12 +21,14 @@ import argparse
 from typing import Any
 
 from asymptotics.bounds.motion import proved_bound
+from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
 from asymptotics.cli.motion_files import csv_of, picture_of, picture_of_reference
 from asymptotics.cli.quantities import Given, add_oscillator, read_oscillator
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import GAUGES, TURNING_POINT
+from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import MAX_DIGITS as MAX_ASYMPTOTIC_DIGITS
 from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.certify import time_of
@@ -77,8 +80,20 @@ def run(options: argparse.Namespace) -> Answer:
         if options.digits is None:
             point = point.rounded_to_error()
     proved = proved_bound(oscillator, point.x, time, max_seconds=seconds) if options.bound else None
+    always = _uniform(oscillator, point, time) if options.bound else None
     written = write_files(files, _makers(given, time, options, order, gauge))
-    return _answer(point, options, given, written, proved)
+    return _answer(point, options, given, written, proved, always)
+
+
+def _uniform(oscillator: Oscillator, point: MotionPoint, time: ExactReal) -> UniformBound | None:
+    """The bound for all times, or, for an exponent below 1, up to the time that is asked for, if there is one."""
+    if point.gauge != TURNING_POINT or not oscillator.law.is_pure or point.order is None:
+        return None
+    growing = any(term.velocity < 1 for term in oscillator.law.terms)
+    try:
+        return uniform_bound(oscillator, point.order, until=time if growing and time > 0 else None)
+    except LimitError:
+        return None
 
 
 def _rests(options: argparse.Namespace) -> bool:
@@ -123,14 +138,16 @@ def _makers(given: Given, time: ExactReal, options: argparse.Namespace, order: i
 
 
 def _answer(
-    point: MotionPoint, options: argparse.Namespace, given: Given, written: list[str], proved: str | None = None
-) -> Answer:
+    point: MotionPoint, options: argparse.Namespace, given: Given, written: list[str], proved: str | None = None,
+    always: UniformBound | None = None,
+) -> Answer:  # fmt: skip
     data: dict[str, Any] = {**point.to_dict(), "units": "SI" if given.si else None, "files": written}
     if proved is not None:
-        data["bound"] = proved
+        data |= {"bound": proved, "uniform_bound": None if always is None else always.to_dict()}
     units = {"x": "m", "v": "m/s", "amplitude": "m", "phase": "rad", "error": "m"}
     lines = [f"{name:9}  {data[name]}{given.unit(unit)}" for name, unit in units.items() if data[name] is not None]
     lines += [f"bound      {proved}{given.unit('m')} (proved: |x - x_N| is at most this)"] if proved is not None else []
+    lines += [f"proved for x_N before rounding: {always}"] if always is not None else []
     order = "" if point.order is None or options.reference else f", order {point.order}, gauge {point.gauge}"
     certified = f"certified: {str(point.certified).lower()}"
     lines += [f"{certified} ({point.method}{order})", *point.notes, *written]

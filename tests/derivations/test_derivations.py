@@ -62,6 +62,9 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("energy_contraction", "    -fv * wronskian,", "    fv * wronskian,"),
     ("energy_contraction", "constant = sympy.exp(-2 *", "constant = sympy.exp(2 *"),
     ("energy_contraction", "root = sympy.sqrt(4 - epsilon**2)", "root = sympy.sqrt(4 + epsilon**2)"),
+    ("uniform_bound", "sympy.I * (W - 1) * Z - U * Z", "sympy.I * (W + 1) * Z - U * Z"),
+    ("uniform_bound", "delta**m / (1 + w * m)", "delta**m / (1 - w * m)"),
+    ("uniform_bound", "    f_1 + (1 - a / b) * (f_2 - f_1),", "    f_1 + (a / b) * (f_2 - f_1),"),
     ("smith_footnote_8", "/ (3 * 2**m * sympy.factorial(m))", "/ (2**m * sympy.factorial(m))"),
 ]
 
