@@ -36,7 +36,8 @@ GAUGE_USERS = {
 def engine_data() -> dict[str, Any]:
     """All tables of the page, as text."""
     found = {"coefficients": _coefficients(), "gauges": _gauges(), "growth": _growth()}
-    compared = {"at_one_time": _compared(AT_ONE_TIME), "everywhere": _compared("{all turning points}")}
+    cells = {"at_one_time": AT_ONE_TIME, "everywhere": "{all turning points}", "always": "{all times}"}
+    compared = {name: _compared(cell) for name, cell in cells.items()}
     return {**found, "accuracy": _accuracy(), "bounds": _bounds(), **compared}
 
 

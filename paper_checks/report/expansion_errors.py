@@ -5,7 +5,8 @@
 computes ``expansion_errors.json`` beside this file anew (a few minutes).  Laws of equal strengths epsilon/n, start at
 rest at X = 1.  Per order N at tau = 20: the error |X - X_N| against certified digits of the motion, the estimate that
 ``motion`` prints, and the proved bound.  For all turning points at once, where every alpha >= 1: the bound of
-|ln A_n - ln A^_n|; for alpha < 1 that of |A_n - A^_n| up to the n that is stated.
+|ln A_n - ln A^_n|; for alpha < 1 that of |A_n - A^_n| up to the n that is stated.  For all times at once: the bound of
+|X - X_N| for every tau >= 0, with an exponent below 1 up to tau = 20.
 """
 
 import json
@@ -21,6 +22,7 @@ from asymptotics import __version__
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.orbit import orbit_bounds
 from asymptotics.bounds.turning import turning_bounds
+from asymptotics.bounds.uniform import uniform_bound
 from asymptotics.errors import LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
@@ -49,7 +51,18 @@ def row(laws: tuple[str, ...], epsilon: str, order: int) -> dict[str, str]:
         "estimate": _short(point.error),
         "bound": _short(proved_bound(oscillator, point.x, TIME)),
         "all turning points": _everywhere([parse_real(a, "alpha") for a in laws], order, share),
+        "all times": _always(oscillator, order),
     }
+
+
+def _always(oscillator: Oscillator, order: int) -> str:
+    """The proved bound of |X - X_N| for every tau >= 0, for alpha < 1 up to ``TIME``."""
+    growing = any(term.velocity < 1 for term in oscillator.law.terms)
+    try:
+        found = uniform_bound(oscillator, order, until=TIME if growing else None)
+    except LimitError:
+        return "out of range"
+    return _short(found.bound) + (f", tau up to {TIME}" if growing else "")
 
 
 def _everywhere(alphas: list[ExactReal], order: int, share: Fraction) -> str:

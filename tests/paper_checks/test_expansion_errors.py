@@ -9,13 +9,16 @@ from paper_checks.report.expansion_errors import EPSILONS, LAWS, ORDERS, row, st
 def test_the_table_is_complete():
     found = [(r["alpha"], r["epsilon"], int(r["order"])) for r in stored()]
     assert found == [(", ".join(laws), epsilon, order) for laws in LAWS for epsilon in EPSILONS for order in ORDERS]
-    assert len(_compared(AT_ONE_TIME)) == len(LAWS) * len(ORDERS)
+    for cell in (AT_ONE_TIME, "{all turning points}", "{all times}"):
+        assert len(_compared(cell)) == len(LAWS) * len(ORDERS)
 
 
 def test_error_bound_and_estimate_are_in_order():
     for r in stored():
         error, bound, estimate = (float(r[name]) for name in ("error", "bound", "estimate"))
         assert error <= bound <= estimate, r
+        if r["all times"] != "out of range":
+            assert error <= float(r["all times"].split(",")[0]), r
 
 
 @pytest.mark.parametrize("index", [8, 32, 61, 127])
