@@ -1,5 +1,6 @@
 """The proved bound at one time: above the distance from the reference motion, and hardly above."""
 
+import json
 from fractions import Fraction
 from random import Random
 
@@ -56,6 +57,28 @@ def test_the_front_door_and_the_command_line(capsys):
     for wrong in (["--gauge", "averaging"], ["--spring", "3:1"], ["--order", "60"]):
         assert main(["expand", "--alpha", "2", "--order", "2", "--bound", *wrong]) == 2
     assert main(["expand", "--alpha", "symbolic", "--bound"]) == 2
+
+
+def test_the_bound_for_all_times_at_the_front_door_and_the_command_line(capsys):
+    assert repr(asy.motion(MOTIONS[0][0], order=2).uniform_bound()).endswith("for every t >= 0")
+    with pytest.raises(asy.InputError, match="gauge"):
+        asy.motion(MOTIONS[0][0], order=2, gauge="averaging").uniform_bound()
+
+    def shown(*words):
+        assert main(["motion", *words, "--time", "7", "--order", "2", "--bound", "--json"]) == 0
+        return json.loads(capsys.readouterr().out)["uniform_bound"]
+
+    assert shown("--alpha", "2", "--epsilon", "1/20")["until"] is None
+    assert shown("--alpha", "1/2", "--epsilon", "1/50")["until"] == "7"
+    for unknown in (["--gauge", "averaging"], ["--spring", "3:1/10"]):
+        assert shown("--alpha", "2", "--damping", "1/20", "--x0", "1", *unknown) is None
+    assert shown("--alpha", "2", "--epsilon", "2") is None  # beyond the range of the theorem; `bound` is there
+    assert main(["expand", "--alpha", "2", "--order", "2", "--bound", "--json"]) == 0
+    proved = json.loads(capsys.readouterr().out)["bound"]
+    assert proved["displacement_power"] == 2
+    assert 0 < float(proved["displacement"]) < 0.1 < float(proved["displacement_delta_max"])
+    assert main(["expand", "--alpha", "1/2", "--order", "2", "--bound", "--json"]) == 0
+    assert "displacement" not in json.loads(capsys.readouterr().out)["bound"]
 
 
 EXPONENTS = ["0", "1/3", "1/2", "1", "4/3", "3/2", "sqrt(3)", "2", "5/2", "3", "7/2"]
