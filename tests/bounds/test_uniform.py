@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
+from asymptotics.bounds.turning import rates
 from asymptotics.bounds.uniform import _limit, _Theorem, displacement_bound, uniform_bound
 from asymptotics.bounds.waveform import waveform_bounds
 from asymptotics.errors import InputError, LimitError
@@ -122,6 +123,32 @@ def test_each_part_of_the_bound_counts():
         assert x > printed
         moving, _, _ = whole.bound(moving=True, until=None)
         assert moving - x > whole.waves.sizes[2] * d**2
+
+
+@pytest.mark.parametrize("strengths", [("1/50",), ("1/50", "1/20")])
+def test_what_is_reached_later_is_hardly_later(strengths):
+    whole = theorem(dict(zip(("2", "1"), strengths)), 2)
+    with ctx.workprec(80):
+        flow = whole._fastest(whole.strengths)
+        for tau in (1, 1000):
+            s = flow.beyond(arb(tau))
+            assert tau <= flow.time(s) < tau * (1 + 1e-5)
+
+
+@pytest.mark.parametrize(("alphas", "delta"), [(("2",), "1/4"), (("3/2",), "1/2"), (("0", "2"), "1/10")])
+def test_the_rates_are_attained_or_not_far_off(alphas, delta):
+    """p_N/(|delta| (1 + Omega_N)) on rays: its least and its largest value, found by looking."""
+    waves = waveform_bounds(tuple(parse_real(a, "alpha") for a in alphas), 3)
+    d = float(Fraction(delta))
+    rays = [(k / 10, 1 - k / 10) for k in range(11)] if len(alphas) == 2 else [(1.0,)]
+    seen = []
+    for ray in rays:
+        for scale in (1e-6, d / 2, d):
+            at = tuple(arb(x * scale) for x in ray)
+            seen.append(float(waves.p.at(at) / (sum(at, arb(0)) * (1 + waves.Omega.at(at)))))
+    low, high = (float(x) for x in rates(waves.p, waves.Omega, arb(d)))
+    assert 0.85 * min(seen) < low <= min(seen) * (1 + 1e-12)
+    assert max(seen) * (1 - 1e-12) <= high < 1.15 * max(seen)
 
 
 @pytest.mark.parametrize(

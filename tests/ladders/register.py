@@ -4,6 +4,10 @@ Names = dict[str, str]
 
 LOCAL, TURNING, ORBIT = "tests/bounds/test_local.py", "tests/bounds/test_turning.py", "tests/bounds/test_orbit.py"
 LATE, FINITE, SLOW = "tests/bounds/test_late.py", "tests/half_swings/test_finite.py", "tests/swing/test_slow.py"
+UNIFORM, AT_LARGEST = (
+    "tests/bounds/test_uniform.py",
+    "test_the_constant_for_all_strengths_is_the_bound_at_its_largest",
+)
 NEXT = "tests/wells/test_force_bounds.py"
 SWING, WELLS, PANELS = "tests/swing/test_bounds.py", "tests/wells/test_bounds.py", "tests/swing/test_panels.py"
 CHEBYSHEV, ABEL, FLOW = "tests/swing/test_chebyshev.py", "tests/turning/test_abel.py", "tests/turning/test_abel_flow.py"
@@ -40,6 +44,14 @@ BOUNDS: Names = {
         "tests/bounds/test_constants.py::test_durations_change_with_delta_as_fast_as_B_says",
     ),
     **_each("bounds.turning", "largest", "tests/bounds/test_constants.py::test_the_phase_runs_as_fast_as_Omega_says"),
+    **_each("bounds.turning", "rates", f"{UNIFORM}::test_the_rates_are_attained_or_not_far_off"),
+    **_each("bounds.uniform", "displacement_bound", f"{UNIFORM}::{AT_LARGEST}"),
+    **_each(
+        "bounds.waveform",
+        "waveform_bounds",
+        "tests/bounds/test_waveform.py::test_what_is_left_over_is_bounded_and_nearly_attained",
+    ),
+    **_each("bounds.flow", "TruncatedFlow.beyond", f"{UNIFORM}::test_what_is_reached_later_is_hardly_later"),
     **_each("bounds.orbit", "orbit_bounds", f"{ORBIT}::test_the_bounds_hold_and_half_of_them_would_not"),
     **_each(
         "half_swings.finite", "Tail.__call__", f"{FINITE}::test_half_the_tail_or_one_coefficient_less_would_be_wrong"
@@ -156,6 +168,7 @@ ELSEWHERE: Names = {
 
 NONE_NEEDED: Names = {
     **_each("bounds.local", "Remainder.largest_term LocalBounds.limit", CHOICE),
+    **_each("bounds.local", "Remainder.known", EXACT),
     **_each("envelopes.slow_flow", "ExponentialSum.of Rate.terms SlowLaw.solve", MIDPOINTS),
     **_each("half_swings.certified_moments", "divide", EXACT),
     **_each("half_swings.certified_orders", "dot integrate_series", EXACT),
