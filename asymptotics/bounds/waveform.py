@@ -210,7 +210,7 @@ class _Waveform:
         return _size(found)
 
     def _cauchy(self) -> tuple[arb, arb]:
-        """(M, rho): |R - Z'| <= M for complex |delta_i| <= rho; |g - 1| <= 1/2 there, and 1 + Omega_N does not vanish."""
+        """(M, rho): |R - Z'| <= M for complex |delta_i| <= rho; |g - 1| <= 1/2 and 1 + Omega_N != 0 there."""
         one = arb(1)
         p, Omega = ((f.truncate(self.order)) for f in (self.true.p, self.true.Omega))
         for k in range(1, 60):
