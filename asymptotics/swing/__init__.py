@@ -9,6 +9,7 @@
 ``ends``        when no turning point follows: sticks, creeps, overdamped, decided in balls
 ``slow``        creep for all times: between two barriers beside the slow curve
 ``slow_series`` the slow curve as a sum of powers of the speed, cut off, and what the cut leaves
+``settling``    creep that begins where its speed is lost in the errors: beside the law itself
 ``linear``      linear damping and dry friction alone: the closed form
 ``lingering``   next to critical linear damping: how long a half-swing takes, how many bits it loses
 ``course``      a half-swing in pieces, from an exact state to the next turning point
@@ -25,6 +26,6 @@
 ``dense``       (x, v) at many times in one pass
 ==============  ======================================================================================
 
-Derivations ``motions-never-part``, ``turning-point-majorant``, ``taylor-residual``, ``slow-curve``, ``arrival`` and
-``quarter-collocation``.
+Derivations ``motions-never-part``, ``turning-point-majorant``, ``taylor-residual``, ``slow-curve``, ``settling``,
+``arrival`` and ``quarter-collocation``.
 """

@@ -7,6 +7,7 @@ only add: no ball is carried through a step.
 
 * ``Departure``: from rest, by the local expansion at the turning point;
 * ``Step``: a Taylor step;
+* ``Settling``: until a creep is known to lie beside the slow curve, where its speed is still lost in the errors;
 * ``Creep``: for ever, once the motion is caught beside the slow curve;
 * ``Landing``: the last piece, by the local expansion at the turning point ahead;
 * ``LinearSwing``: the only piece where linear damping below its critical strength and dry friction act alone.
@@ -32,6 +33,7 @@ from asymptotics.swing.damping import Damping, size_of, upper
 from asymptotics.swing.ends import CREEPS, may_trap, trap
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.linear import LinearOrbit, is_linear
+from asymptotics.swing.settling import settled
 from asymptotics.swing.slow import Strip, caught
 from asymptotics.swing.taylor import TaylorStep
 
@@ -75,6 +77,18 @@ class Step(Piece):
     def own(self, t: arb) -> tuple[arb, arb]:
         """(y, w) of the Taylor polynomials."""
         return self.taylor.state(t - self.begin)
+
+
+@dataclass(frozen=True)
+class Settling(Piece):
+    """A short time in which the true state stays in the balls ``y`` and ``w``; ``error`` is 0."""
+
+    y: arb
+    w: arb
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """The two balls."""
+        return self.y, self.w
 
 
 @dataclass(frozen=True)
@@ -140,6 +154,9 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         return
     scale, watch = upper(abs(u) + w), may_trap(damping)
     if w == 0:
+        y = u - damping.friction
+        if watch and trap(damping, y + arb(0, error), w) == CREEPS:
+            yield from _caught(damping, y, w, t, error)
         first = _departure(damping, u, error)
         yield first
         t = first.end
@@ -154,15 +171,14 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
             yield _landing(damping, y, w, t, error, given)
             return
         reason = trap(damping, y + blur, w + blur) if watch else None
+        if reason == CREEPS and count % _CATCH == 0:
+            yield from _caught(damping, y, w, t, error)
         lost = upper(abs(y) + w) < 4 * error or (
             watch and y > _FAR * scale and w < 4 * error and _slowing(damping, y, w)
         )
         if reason is None and ((watch and count > MAX_FREE) or lost):
             where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
             raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
-        strip = caught(damping, y, w, error) if reason == CREEPS and count % _CATCH == 0 else None
-        if strip is not None:
-            yield from _creep(damping, t, strip)
         taylor = TaylorStep.at(damping, y, w, scale)
         end = _later(t, taylor.length)
         error = upper(error + taylor.error)
@@ -172,6 +188,18 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         u, w, t = (y + damping.friction).mid(), w.mid(), end
     reason = f"one half-swing takes more than {pieces} pieces: the motion is too stiff or too near a separatrix"
     raise LimitError("time", reason, "weaker damping, another strength, or a shorter time")
+
+
+def _caught(damping: Damping, y: arb, w: arb, t: arb, error: arb) -> Iterator[Piece]:
+    """The rest of a creep, for ever, where a strip holds it now or soon; else nothing."""
+    strip = caught(damping, y, w, error)
+    if strip is not None:
+        yield from _creep(damping, t, strip)
+    found = settled(damping, y, w, error)
+    if found is not None:
+        end = _later(t, found.wait)
+        yield Settling(damping, t, end, arb(0), CREEPS, found.y, found.w)
+        yield from _creep(damping, end, found.strip)
 
 
 def _creep(damping: Damping, t: arb, strip: Strip) -> Iterator[Piece]:

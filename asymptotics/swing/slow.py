@@ -20,6 +20,7 @@ w, so the state is known at any later time, however late, where steps in time wo
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import log2
+from typing import Protocol
 
 from flint import arb, ctx
 
@@ -71,17 +72,31 @@ def _grown(d: arb, log_w: arb) -> arb:
     return log_w if d == 0 else (d * log_w).exp() / d
 
 
+class Barrier(Protocol):
+    """What a strip asks of the two curves beside it, as functions of ln w, with their derivatives."""
+
+    def place(self, log_w: arb) -> tuple[arb, arb]:
+        """y."""
+
+    def clock(self, log_w: arb) -> tuple[arb, arb]:
+        """The antiderivative of dy/w."""
+
+
 @dataclass(frozen=True)
 class Strip:
     """Between the curves ``above`` (theta = -h) and ``below`` (theta = h), the last power of each; ``starts``: ln w on
     either curve at the greatest and the least height y of the state that entered; ``most``: ln w up to which the
-    curves were checked, where y and the clock increase with w; ``share``: 2 h / min A."""
+    curves were checked, where y and the clock increase with w.
 
-    above: Curve
-    below: Curve
+    At one height ln w differs by at most ``share`` w^``power`` (11/10) from one curve to the other: 2 h / min A, and E.
+    """
+
+    above: Barrier
+    below: Barrier
     starts: tuple[arb, arb]
     most: arb
     share: arb
+    power: arb
 
     def state(self, elapsed: arb) -> tuple[arb, arb]:
         """Enclosures of (y, w) at the exact time ``elapsed`` after the entrance: the lower w the slower the motion, so
@@ -94,19 +109,20 @@ class Strip:
 
     def _speed(self, log_w: arb) -> arb:
         """All speeds in the strip at the height of one of its curves at ``log_w``: d ln w/d theta = w^E/A."""
-        last = self.above.b[-1][1]
-        blur = upper(self.share * (last * log_w).exp() * arb(11) / 10)
-        if not (last * blur).exp() < arb(11) / 10:
+        blur = upper(self.share * (self.power * log_w).exp() * arb(11) / 10)
+        if not (self.power * blur).exp() < arb(11) / 10:
             raise UndecidedError("the strip about the slow curve is too wide")
         return (log_w + arb(0, blur)).exp()
 
 
-def _after(curve: Curve, start: arb, elapsed: arb) -> arb:
-    """ln w on the curve at the time ``elapsed`` after ln w = start; the clock is about -alpha epsilon
-    w^(alpha-1)/(1-alpha)."""
-    now = curve.clock(start)[0]
-    scale = curve.alpha * curve.epsilon / (1 - curve.alpha) * ((curve.alpha - 1) * start).exp()
-    return solve(curve.clock, now - elapsed, start - (1 + elapsed / scale).log() / (1 - curve.alpha))
+def _after(curve: Barrier, start: arb, elapsed: arb) -> arb:
+    """ln w on the curve at the time ``elapsed`` after ln w = start; with a = dy/d ln w over y the clock is about
+    -w^(a-1) times a factor."""
+    now, slope = curve.clock(start)
+    y, step = curve.place(start)
+    steep = 1 - (step / y).mid()
+    guess = (1 + elapsed * steep / slope).log() / steep if steep > 0 else elapsed / slope
+    return solve(curve.clock, now - elapsed, start - guess)
 
 
 def solve(function: Callable[[arb], tuple[arb, arb]], value: arb, guess: arb) -> arb:
@@ -150,7 +166,7 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
         starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
     except UndecidedError:  # too few bits here: a later state may do
         return None
-    return Strip(above, below, starts, most, upper(4 * h / a)) if all(start < most for start in starts) else None
+    return Strip(above, below, starts, most, upper(4 * h / a), E) if all(start < most for start in starts) else None
 
 
 def _short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Truncated | None:

@@ -8,6 +8,7 @@ UNIFORM, AT_LARGEST = (
     "tests/bounds/test_uniform.py",
     "test_the_constant_for_all_strengths_is_the_bound_at_its_largest",
 )
+SETTLING = "tests/swing/test_settling.py"
 NEXT = "tests/wells/test_force_bounds.py"
 SWING, WELLS, PANELS = "tests/swing/test_bounds.py", "tests/wells/test_bounds.py", "tests/swing/test_panels.py"
 CHEBYSHEV, ABEL, FLOW = "tests/swing/test_chebyshev.py", "tests/turning/test_abel.py", "tests/turning/test_abel_flow.py"
@@ -143,6 +144,8 @@ ELSEWHERE: Names = {
         f"{QUARTERS}::test_a_ladder_of_closed_forms",
     ),
     **_each("swing.spectral", "analysis integrals of_the_integral", f"{QUARTERS}::test_the_matrices_of_integration"),
+    **_each("swing.course", "Settling.own", f"{SETTLING}::test_a_ladder_of_precisions"),
+    **_each("swing.settling", "ForceCurve.place ForceCurve.clock settled", f"{SETTLING}::test_a_ladder_of_precisions"),
     **_each("swing.panels", "Panel.passage laid_out", f"{PANELS}::test_a_ladder_of_panels"),
     **_each(
         "swing.slow", "Curve.a Curve.place Curve.clock Strip.state solve caught", f"{SLOW}::test_a_ladder_of_precisions"
@@ -194,6 +197,8 @@ NONE_NEEDED: Names = {
     **_each("swing.dense", "exact_sum", "exact by its precision"),
     **_each("swing.half_swings", "Quarters.place", EXACT),
     **_each("swing.quarters", "found moved", CHOICE),
+    **_each("swing.settling", "ForceCurve.sums", EXACT),
+    **_each("swing.slow", "Barrier.place Barrier.clock", "abstract"),
     **_each("swing.panels", "Panels.serving panels_of", "hands out what laid_out made"),
     **_each("turning.far", "Point.amplitude", EXACT),
     **_each("turning.far", "series_points", "FiniteQuarter.orbit, numbered"),
