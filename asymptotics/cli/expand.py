@@ -30,7 +30,7 @@ from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds
 from asymptotics.cli.files import add_csv, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.cli.quantities import PHYSICAL, add_physical, is_physical, read_oscillator
-from asymptotics.cli.rows import order_of, row_text, rows_csv
+from asymptotics.cli.rows import local_strengths, order_of, row_text, rows_csv
 from asymptotics.equations.build import expand
 from asymptotics.equations.result import Equations
 from asymptotics.errors import InputError
@@ -183,19 +183,7 @@ def _deltas(found: Equations, given: GivenTerms, options: argparse.Namespace) ->
         marks = [""] if len(given.terms) == 1 else [f"_{i}" for i in range(1, len(given.terms) + 1)]
         texts = found.strengths.texts()
         return [(f"delta{mark}", t.shape(), text) for mark, t, text in zip(marks, given.terms, texts)]
-    texts = [*(options.law or []), *(options.spring or [])]
-    known = options.epsilon is not None or all(":" in text for text in texts) and bool(texts)
-    deltas = []
-    for i, term in enumerate(given.terms, start=1):
-        mark = "" if len(given.terms) == 1 else f"_{i}"
-        strength = str(term.strength) if known and not given.notes and not term.family else f"epsilon{mark}"
-        deltas.append((f"delta{mark}", term.shape(), "A^2" if term.family else strength + _power(str(term.weight))))
-    return deltas
-
-
-def _power(weight: str) -> str:
-    """A to a power, as it is written."""
-    return {"0": "", "1": " A"}.get(weight, f" A^{weight}" if weight.isdigit() else f" A^({weight})")
+    return local_strengths(given, options)
 
 
 def _sum(name: str, row: Row, deltas: list[str]) -> str:

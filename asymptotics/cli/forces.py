@@ -66,7 +66,7 @@ def add_forces(
     springs: bool = True,
 ) -> None:
     """The options --alpha, --``strength``, --law and (if the command knows them) --spring."""
-    meaning = meaning or "its strength; accepted as in the other commands, it does not enter the coefficients"
+    meaning = meaning or "its strength: what delta is at the amplitude A"
     parser.add_argument("--alpha", metavar="A", help=f"the exponent of the damping law, A >= 0: {REAL_FORMS}")
     parser.add_argument(f"--{strength}", metavar=letter, help=meaning)
     text = f"one term of a sum, repeated: its exponent and its strength; A,M:{letter} has the factor |x|^M"

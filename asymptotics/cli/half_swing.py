@@ -24,7 +24,16 @@ from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds
 from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER
 from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
-from asymptotics.cli.rows import deltas_latex, order_of, row_text, rows_csv, rows_latex, told
+from asymptotics.cli.rows import (
+    deltas_latex,
+    local_strengths,
+    order_of,
+    row_text,
+    rows_csv,
+    rows_latex,
+    strengths_given,
+    told,
+)
 from asymptotics.errors import InputError
 from asymptotics.half_swings.symbolic import symbolic_half_swing
 from asymptotics.normal_form.closed_forms import MAX_SYMBOLIC_ORDER
@@ -63,9 +72,12 @@ def run(options: argparse.Namespace) -> Answer:
     names = [("L", found.log_ratio), ("T", found.duration), ("U", found.U), ("W", found.W)]
     suffixes = [""] if len(given.terms) == 1 else [f"[{name}]" for name in given.names]
     names += [(f"{n}{s}", row) for n, rows in (("F", found.map), ("V", found.V)) for s, row in zip(suffixes, rows)]
+    deltas = local_strengths(given, options)
     lines = [f"turning-point gauge, {found.arithmetic}", *order_of(given)]
+    lines += [f"{name} = {value} for {force}" for name, force, value in deltas if strengths_given(given, options)]
     lines += [line for name, row in names for line in row_text(name, row)]
     data = {"alpha": given.shown, "terms": given.to_list(), **found.to_dict(), "notes": list(given.notes)}
+    data["delta"] = [{"name": name, "force": force, "value": value} for name, force, value in deltas]
     latex = rows_latex({_index(name, given): row for name, row in names}, deltas_latex(given), digits)
     written = write_files(files, {"--csv": lambda _: rows_csv(dict(names))})
     data |= told(options, latex, written)
@@ -101,6 +113,8 @@ def _at(options: argparse.Namespace, given: GivenTerms, files: dict[str, Path]) 
     """The half-swing at a given strength."""
     if options.exact:
         raise InputError("--exact", "cannot be combined with --delta", "--delta alone: certified digits")
+    if options.epsilon is not None:
+        raise InputError("--epsilon", "cannot be combined with --delta", "--delta alone: the local strength")
     delta = [parse_real(text, "--delta") for text in options.delta.split(",")]
     found = half_swing_of_terms(given.terms, delta, read_digits(options, MAX_DIGITS))
     names = {"A'/A": "amplitude", "L": "log_ratio", "T": "duration"}

@@ -19,7 +19,10 @@ from asymptotics.cli.forces import GivenTerms
 from asymptotics.normal_form.results import Coefficient, Row
 from asymptotics.normal_form.show import SHOWN_DIGITS, sum_latex
 
-__all__ = ["Coefficient", "deltas_latex", "order_of", "row_text", "rows_csv", "rows_latex", "told"]
+__all__ = [
+    "Coefficient", "deltas_latex", "local_strengths", "order_of", "row_text", "rows_csv", "rows_latex",
+    "strengths_given", "told",
+]  # fmt: skip
 
 
 def row_text(name: str, row: Row) -> list[str]:
@@ -56,6 +59,28 @@ def order_of(given: GivenTerms) -> list[str]:
     plain = all(t.is_power_of_velocity for t in given.terms)
     names = (f"{t.shape()}, in A^2" if t.family else t.shape() for t in given.terms)
     return [] if plain else [f"indices count {'; '.join(names)}"]
+
+
+def strengths_given(given: GivenTerms, options: argparse.Namespace) -> bool:
+    """Whether every force came with its strength, and none was merged."""
+    texts = [*(options.law or []), *(options.spring or [])]
+    known = options.epsilon is not None or all(":" in text for text in texts) and bool(texts)
+    return known and not given.notes
+
+
+def local_strengths(given: GivenTerms, options: argparse.Namespace) -> list[tuple[str, str, str]]:
+    """(name, force, value) of each delta = epsilon A^(alpha-1); the letter epsilon where no strength was given."""
+    known, deltas = strengths_given(given, options), []
+    for i, term in enumerate(given.terms, start=1):
+        mark = "" if len(given.terms) == 1 else f"_{i}"
+        strength = str(term.strength) if known and not term.family else f"epsilon{mark}"
+        deltas.append((f"delta{mark}", term.shape(), "A^2" if term.family else strength + _power(str(term.weight))))
+    return deltas
+
+
+def _power(weight: str) -> str:
+    """A to a power, as it is written."""
+    return {"0": "", "1": " A"}.get(weight, f" A^{weight}" if weight.isdigit() else f" A^({weight})")
 
 
 def told(options: argparse.Namespace, latex: str, written: list[str]) -> dict[str, Any]:

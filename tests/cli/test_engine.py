@@ -142,3 +142,23 @@ def test_turning_points_say_in_what_x_is_told(capsys, line, unit, first):
     assert main(["turning-points", *line.split(), "--count", "2", "--digits", "5"]) == 0
     head = capsys.readouterr().out.splitlines()[0]
     assert ("rad" in head, "strengths" in head) == (unit == "rad", unit == "strengths")
+
+
+@pytest.mark.parametrize("line", [
+    "expand --alpha 2 --epsilon {} --order 2", "half-swing --alpha 2 --epsilon {} --order 2",
+    "half-swing --law 2:{} --order 2", "multiple-scales --alpha 3 --epsilon {} --order 2",
+    "multiple-scales --alpha symbolic --epsilon {}", "multiple-scales --law 1:{} --spring 3:1/9 --order 2",
+    "turning-points --alpha 2 --epsilon {} --count 3", "envelope --alpha 2 --epsilon {} --time 3",
+    "limit-cycle --law 1:-1 --law 1,2:{}",
+])  # fmt: skip
+def test_a_strength_has_an_effect(capsys, line):
+    answers = []
+    for strength in ("1/7", "1/11"):
+        assert main([*line.format(strength).split(), "--json"]) == 0
+        answers.append(json.loads(capsys.readouterr().out))
+    assert answers[0] != answers[1]
+
+
+def test_a_strength_that_nothing_asks_for_is_refused(capsys):
+    assert main(["half-swing", "--alpha", "2", "--epsilon", "1/7", "--delta", "1/5"]) == 2
+    assert "--epsilon" in capsys.readouterr().err
