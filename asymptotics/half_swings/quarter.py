@@ -91,14 +91,14 @@ def half_swing(quarter: QuarterSwing) -> HalfSwing:
     """The half-swing by the reversal identity L = R(delta) - R(S F), T = T_q(delta) + T_q(S F).
 
     L is found by Newton's iteration on G(L) = L - R(delta) + R(S F(L)), whose derivative is
-    G' = 1 + (sum_i (d_i - 1) delta_i d_i R)(S F).  From L = O(delta) the number of right orders doubles at each
-    step; every step is a ring operation, so balls stay enclosures.
+    G' = 1 + (sum_i (d_i - 1) delta_i d_i R)(S F).  As R has no constant term G'' = O(delta), and a step turns an error
+    e of L into O(delta e^2): from n right orders to 2 n + 2.  Every step is a ring operation, so balls stay enclosures.
     """
     R, grading = quarter.R.without_constant(), quarter.grading
     weighted = grading.weighted(R)
     L, known = Series({}, R.variables, 0), 0
     while known < R.order:
-        known = min(2 * known + 1, R.order)
+        known = min(2 * known + 2, R.order)
         L = L.extend(known)
         images = grading.reversed(grading.strengths(L))
         there, slope = compose_all((R.truncate(known), weighted.truncate(known)), images)

@@ -175,13 +175,20 @@ def nested_integral(exponent: arb) -> arb:
     terms = ceil(ctx.prec / 1.8) + 8
     weight = _sinc_power(2 * exponent, terms)
     sigma = [c / (exponent + 2 + 2 * j) for j, c in enumerate(_sinc_power(exponent + 1, terms))]
-    first, growth = _product(weight, sigma), arb(RADIUS).sinh() / RADIUS
+    first, (linear_bound, square_bound) = _product(weight, sigma), cauchy_bounds(exponent)
     M, M2 = moment_ball(exponent + 1), moment_ball(2 * exponent)
-    m, bound = arb.pi() * M / 2, growth ** (3 * exponent + 1) / (exponent + 2)
-    linear = _integrate(first, 3 * exponent + 2, bound)
-    square = _integrate(_product(first, sigma), 4 * exponent + 4, bound * growth ** (exponent + 1) / (exponent + 2))
+    m = arb.pi() * M / 2
+    linear = _integrate(first, 3 * exponent + 2, linear_bound)
+    square = _integrate(_product(first, sigma), 4 * exponent + 4, square_bound)
     J = m**2 * M2 + (square - 2 * m * linear) * 2 / arb.pi()
     return J - arb.pi() ** 2 * M**2 * M2 / 12
+
+
+def cauchy_bounds(exponent: arb) -> tuple[arb, arb]:
+    """Of |g^(2 alpha) sigma| and |g^(2 alpha) sigma^2| on |theta| = R: G^(3 alpha + 1)/(alpha + 2) and the like."""
+    growth = arb(RADIUS).sinh() / RADIUS
+    sigma = growth ** (exponent + 1) / (exponent + 2)
+    return growth ** (2 * exponent) * sigma, growth ** (2 * exponent) * sigma**2
 
 
 def _sinc_power(p: arb, terms: int) -> list[arb]:

@@ -2,6 +2,7 @@ import pytest
 from flint import arb, ctx, fmpq
 
 from asymptotics.errors import InputError
+from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.exact import even_half_swing, exact_half_swing, exact_quarter_swing, odd_half_swing
 from asymptotics.half_swings.fourier_flow import fourier_flow
 from asymptotics.half_swings.grading import Grading
@@ -91,6 +92,15 @@ def test_ball_pipeline_contains_the_exact_one():
         exact = half_swing(quarter)
         for n in range(1, 7):
             assert half.L[n].overlaps(exact.L[n].ball()) and half.L[n].rad() < arb(10) ** -40
+
+
+@pytest.mark.parametrize("alphas", [(3,), (1, 3), (5,)])
+@pytest.mark.parametrize("gauge", ["averaging", "no-first-harmonic"])
+def test_a_gauge_is_what_its_bracket_says(alphas, gauge):
+    """In its own gauge the mean that defines it is 1 through every order, and in no other."""
+    for own in GAUGES:
+        bracket = fourier_flow(alphas, 4, own).bracket(gauge)
+        assert (bracket.coefficients == {(0,) * len(alphas): 1}) == (own == gauge)
 
 
 @pytest.mark.parametrize("alphas", [(2,), (0,), (1, 2), (-1,)])

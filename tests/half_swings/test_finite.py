@@ -152,6 +152,15 @@ def test_the_error_of_the_start_is_carried_and_no_less(alpha, share):
         assert gap > wide[39][1] * share
 
 
+def test_an_uncertain_logarithm_carries_the_error_by_its_lower_end():
+    """ln A grows by at most -ln(1 - (e^e - 1) e^(-L)), which is largest at the least L of the ball."""
+    with ctx.workprec(80):
+        e, least = arb("0.01"), arb("-0.3")
+        carried = finite_quarter(reals("1/2"), [arb(1) / 400], 60)._carried(e, arb("-0.2", "0.1"))
+        wanted = -(1 - (e.exp() - 1) * (-least).exp()).log()
+        assert wanted < carried < wanted * arb("1.001")
+
+
 def test_a_wrong_residual_is_noticed():
     """Any guess is enclosed: a bad one gives a wide ball, never a wrong one."""
     with ctx.workprec(100):

@@ -9,7 +9,10 @@ from asymptotics.errors import InputError
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.symbolic import (
     I_4,
+    _product,
+    _sinc_power,
     alpha,
+    cauchy_bounds,
     nested_integral,
     nested_integral_definition,
     nested_integral_exact,
@@ -35,6 +38,18 @@ def test_nested_integral_ball_meets_the_exact_value(n):
         ball = nested_integral(arb(n))
         assert ball.overlaps(nested_integral_exact(n).ball()) and ball.rad() < arb(10) ** -40
         assert not ball.overlaps(nested_integral_exact(n).ball() + arb(10) ** -30)
+
+
+@pytest.mark.parametrize("p", ["0", "1/2", "1"])
+def test_the_bounds_of_cauchy_on_the_circle_hold_and_are_near(p):
+    """On theta = 3 i all terms have one sign: sum |c_j| 9^j is attained; a third (a sixth) of its bound would fail."""
+    with ctx.workprec(100):
+        a = arb(fmpq(*Fraction(p).as_integer_ratio()))
+        sigma = [c / (a + 2 + 2 * j) for j, c in enumerate(_sinc_power(a + 1, 60))]
+        linear = _product(_sinc_power(2 * a, 60), sigma)
+        for terms, bound, near in zip((linear, _product(linear, sigma)), cauchy_bounds(a), (3, 6), strict=True):
+            attained = sum((abs(c) * 9**j for j, c in enumerate(terms)), arb(0))
+            assert attained < bound < near * attained
 
 
 @pytest.mark.parametrize("p", ["1/3", "7/5"])

@@ -6,12 +6,12 @@ from flint import arb, ctx
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
 from asymptotics.testing import strategies
+from tests.properties.in_time import answered_in_time
 
 LONGER = max(1, settings().max_examples // 80)  # the nightly profile draws more
 
@@ -32,12 +32,9 @@ def test_other_units_of_length_and_time_change_nothing(law, state, c, time):
     (x0, v0), k = state, Fraction(7, 3)
     assume(abs(x0) + abs(v0) > Fraction(1, 100))
     scaled = {t.velocity: t.strength.rational * c for t in law.terms}
-    try:
+    with answered_in_time(law):
         here = reference_motion(Oscillator(law, mass=1, stiffness=k, x0=x0, v0=v0), time, 12)
         there = reference_motion(Oscillator(scaled, mass=1, stiffness=k * c * c, x0=x0 / c, v0=v0), time / c, 12)
-    except (LimitError, UndecidedError):
-        assume(False)
-        raise
     assert abs(Fraction(here.x) - c * Fraction(there.x)) <= Fraction(here.error) + c * Fraction(there.error)
     assert abs(Fraction(here.v) - Fraction(there.v)) < Fraction(1, 10**8) * (1 + abs(Fraction(here.v)))
 
@@ -50,12 +47,8 @@ def test_the_energy_that_is_missing_is_the_work_of_the_damping(law):
     places = [(first + last) / 2 + s * arb(u) * (last - first) / 2 for u in NODES for s in (-1, 1)]
     order = sorted(range(12), key=lambda i: float(places[i]))
     with ctx.workprec(80):
-        damping = Damping.of_law(law)
-        try:
-            found = states(damping, arb(1), arb(0), [first, *(places[i].mid() for i in order), last])
-        except (LimitError, UndecidedError):
-            assume(False)
-            raise
+        with answered_in_time(law):
+            found = states(Damping.of_law(law), arb(1), arb(0), [first, *(places[i].mid() for i in order), last])
         assume(all(bool(arb("-0.01") > V) for _, V in found))  # moving all the time, towards the other side
         terms = [(t.strength.ball(), t.velocity.ball() + 1) for t in law.terms]
         power = {i: sum((e * (-V) ** a for e, a in terms), arb(0)) for i, (_, V) in zip(order, found[1:-1])}

@@ -6,11 +6,12 @@ from flint import arb, ctx
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.errors import UndecidedError
 from asymptotics.law import Law
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.passage import Passage, integrated
 from asymptotics.testing import strategies
+from tests.properties.in_time import answered_in_time
 
 LONGER = max(1, settings().max_examples // 80)  # the nightly profile draws more
 
@@ -34,11 +35,8 @@ def swing(law: Law, p: Fraction, scale: Fraction = Fraction(1)) -> Passage:
 
 def turning(law: Law, p: Fraction) -> Passage:
     """The half-swing, where there is one and it is quickly had."""
-    try:
+    with answered_in_time(law):
         found = swing(law, p)
-    except (LimitError, UndecidedError):
-        assume(False)
-        raise
     assume(found.ended is None)
     return found
 

@@ -53,6 +53,17 @@ def test_dry_friction_decides_a_tie_exactly():
     table = turning_points(Law({0: "1/10"}), 9, 8, x0="0.46", v0="-0.48", times=True)
     assert [p.x for p in table.points] == ["-1.0000000", "0.60000000", "-0.20000000"]
     assert table.ended == {"n": 2, "reason": "sticks"} and table.first["amplitude"] == "0.50000000"
+    assert table.alpha == "0" and table.epsilon == "1/10"  # in the units given, not in those of a
+
+
+@pytest.mark.parametrize("digits", [4, 33])
+def test_the_first_turning_point_beside_a_spring_has_the_digits_asked_for(digits):
+    """X'' + X + X^3 = 0 with X' = 1 at X = 0 turns where X^2 + X^4/2 = 1."""
+    law = Law({1: 0}, spring={3: 1})
+    first = turning_points(law, 1, digits, x0=0, v0=1).first
+    amplitude = sympy.sqrt(sympy.sqrt(3) - 1)
+    assert sympy.Rational(first["amplitude"]) == sympy.Rational(str(amplitude.n(digits)))
+    assert len(first["amplitude"]) == 2 + digits and len(first["tau"]) == 1 + digits
 
 
 def test_from_rest_the_unit_is_the_start():
