@@ -81,26 +81,38 @@ def test_the_bound_for_all_times_at_the_front_door_and_the_command_line(capsys):
     assert "displacement" not in json.loads(capsys.readouterr().out)["bound"]
 
 
-EXPONENTS = ["0", "1/3", "1/2", "1", "4/3", "3/2", "sqrt(3)", "2", "5/2", "3", "7/2"]
+def random_case(seed):
+    """(oscillator, order, gauge, time): exponents in [0, 5], sums of two, strengths from 1/100 to 1, a kick, and times
+    to 30/epsilon or, one in ten, from 10^3 to 10^5; one in fifty to 10^6."""
+    random = Random(f"bound {seed}")
+    alphas = {Fraction(random.choice([random.randint(0, 100), 20 * random.randint(0, 5)]), 20) for _ in "12"}
+    law = {
+        str(a): Fraction(round(100 * 10 ** random.uniform(0, 2)), 10_000)
+        for a in sorted(alphas)[: random.choice([1, 2])]
+    }
+    x0, v0 = Fraction(random.randint(-20, 20), 10), random.choice([-1, 1]) * Fraction(random.randint(1, 20), 10)
+    mass, stiffness = (Fraction(random.randint(1, 30), 10) for _ in "mk")
+    time = Fraction(round(100 * random.uniform(0, 30 / float(max(law.values())))), 100)
+    late = Fraction(random.randint(10**4, 10**6), 1 if seed % 50 == 0 else 10)
+    oscillator = Oscillator(law, x0=x0, v0=v0, mass=mass, stiffness=stiffness)
+    return oscillator, random.randint(1, 6), random.choice(GAUGES), late if seed % 10 == 0 else time
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(200))
+QUICK = (3, 7, 15, 20, 27, 31, 38, 65, 69, 85, 105, 109)
+SEEDS = [seed if seed in QUICK else pytest.param(seed, marks=pytest.mark.slow) for seed in range(200)]
+
+
+@pytest.mark.parametrize("seed", SEEDS)
 def test_the_bound_covers_the_error_of_random_motions(seed):
-    """Random laws, strengths, starts, times, orders and gauges; the error against forty certified digits."""
-    random = Random(seed)
-    law = {random.choice(EXPONENTS): Fraction(random.randint(1, 60), 200) for _ in range(random.choice([1, 1, 2]))}
-    x0, v0 = Fraction(random.randint(-10, 10), 10), random.choice([Fraction(0), Fraction(random.randint(-10, 10), 10)])
-    oscillator = Oscillator(law, x0=x0 if x0 or v0 else 1, v0=v0)
-    order, gauge = random.randint(1, 3), random.choice(GAUGES)
-    time = Fraction(random.randint(0, 6000), 100)
+    """The error against 25 certified digits is at most the bound, and the bound at most an eighth more."""
+    oscillator, order, gauge, time = random_case(seed)
     told = f"{oscillator} at {time}, order {order}, {gauge}"
     try:
         x = AsymptoticMotion.of(oscillator, order, gauge).at(time, 12).x
     except InputError as refused:
         assert refused.argument in ("order", "gauge"), told
         return
-    error = abs(Fraction(reference_motion(oscillator, time, 40).x) - Fraction(x))
     bound = Fraction(proved_bound(oscillator, x, time))
-    assert error <= bound + Fraction(1, 10**39), told
+    error = abs(Fraction(reference_motion(oscillator, time, 25, max_seconds=600).x) - Fraction(x))
+    assert error <= bound, told
     assert bound <= error * Fraction(112, 100) + Fraction(1, 10**20), told

@@ -12,7 +12,8 @@ from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing.sequence import Turning
-from asymptotics.turning import drag_exact, kicked, routes
+from asymptotics.turning import any_well, drag_exact, kicked, routes
+from asymptotics.turning import half_swing as half_swings
 from asymptotics.turning.abel import AbelFunction, Approximant, abel_function
 from asymptotics.turning.abel_flow import AbelFlow, Defects, abel_flow
 from asymptotics.turning.far import Point
@@ -32,7 +33,7 @@ def test_the_defects_are_the_following_terms_and_cauchys_beyond():
         return (1 / delta - g / 2) ** (1 - m) / ((m - 1) * g)
 
     known, beyond = 0.3 * S(4) + 0.2 * S(6), 5 / (1 - delta / 0.5) * S(7) / 0.5**7
-    assert float(made.defects(f, arb(delta)).rad()) == pytest.approx(known + beyond, rel=1e-8)
+    assert float(made.defects(f, arb(delta)).rad()) == pytest.approx(known + beyond, rel=1e-8, abs=0)
     assert 0.2 * known < beyond < 5 * known  # both parts count
 
 
@@ -48,7 +49,7 @@ def test_the_circle_of_a_defect(alpha, terms):
         again = c[0] * (low + 1 / rho) + sum(
             b * (high ** (2 * k - 1) + rho ** (2 * k - 1)) for k, b in enumerate(c) if k
         )
-        assert float(f.circle) == pytest.approx(again + drive, rel=1e-9)
+        assert float(f.circle) == pytest.approx(again + drive, rel=1e-9, abs=0)
     if alpha == "2":
         points = [rho * mpmath.expj(t) for t in mpmath.linspace(0, mpmath.pi, 9)]
         there, here = (max(abs(value(made.psi, z)) for z in zs) for zs in (map(image, points), points))
@@ -144,15 +145,15 @@ def test_the_bound_of_a_flow_is_the_next_term_and_the_circle():
         rho, gain, m = float(bound.radii[0]), float(made._gain()), 2 * (made.kept + 1)
         wide = [float(r) * np.exp(float(w) * G) for r, w in zip(bound.radii, made.weights)]
     along = (1 / top[0] - gain / 2) ** (1 - m) / ((m - 1) * gain) / rho**m
-    assert float(psi.beyond) == pytest.approx(float(D[0]) * along, rel=1e-6)
-    assert float(theta.beyond) == pytest.approx(float(D[1]) * along, rel=1e-6)
+    assert float(psi.beyond) == pytest.approx(float(D[0]) * along, rel=1e-6, abs=0)
+    assert float(theta.beyond) == pytest.approx(float(D[1]) * along, rel=1e-6, abs=0)
     v, clock = ([sum(abs(float(c)) * wide[0] ** k[0] * wide[1] ** k[1] for k, c in part) for part in parts]
                 for parts in (made.rates, made.clock))  # fmt: skip
     a = [v[k] / least for k in (1, 2)]
     g = [1, a[0], a[1] + a[0] ** 2]
     h = sum(clock[i] * g[k - i] for k in range(3) for i in range(k + 1))
-    assert float(D[0]) == pytest.approx(1 + G * sum(g) / least, rel=1e-6)
-    assert float(D[1]) == pytest.approx(np.pi + float(bound.excess) + G * h / least, rel=1e-6)
+    assert float(D[0]) == pytest.approx(1 + G * sum(g) / least, rel=1e-6, abs=0)
+    assert float(D[1]) == pytest.approx(np.pi + float(bound.excess) + G * h / least, rel=1e-6, abs=0)
 
 
 @pytest.mark.parametrize("ratio", ["0", "0.5", "2"])
@@ -180,11 +181,11 @@ def test_what_is_taken_off_the_real_part_on_the_circle():
     c = [float(x) for x in made._first()]
     first, other = 0.5 * 1.2, 2 * 1.2
     again = c[0] * 0.3 * np.exp(-first) * np.cos(first) - c[1] * 0.001 * np.exp(other)
-    assert float(made._least(bound)) == pytest.approx(again, rel=1e-9)
+    assert float(made._least(bound)) == pytest.approx(again, rel=1e-9, abs=0)
     assert c[1] * 0.001 * np.exp(other) > 0.02 * again
     slow = SimpleNamespace(growth=arb("0.7"), radii=bound.radii)
     first = 0.5 * 0.7
-    assert float(made._least(slow)) == pytest.approx(c[0] * 0.3 * np.exp(-first) * np.cos(first), rel=1e-9)
+    assert float(made._least(slow)) == pytest.approx(c[0] * 0.3 * np.exp(-first) * np.cos(first), rel=1e-9, abs=0)
 
 
 def test_a_wide_psi_is_solved_at_both_of_its_ends_or_not_at_all():
@@ -247,3 +248,22 @@ def test_the_image_of_a_ball_is_the_hull_of_both_ends():
 def swing(well, x):
     points = drag_exact._swings(well, x, 80)
     return [next(points)[0], next(points)[0]]
+
+
+def test_a_half_swing_of_any_terms_keeps_its_radii(monkeypatch):
+    e = arb(2) ** -20
+    there = Turning(1, -1, arb("0.5"), arb(3), e, e)
+    monkeypatch.setattr(half_swings, "half_swing", lambda _force, _p: (there, 7))
+    found = half_swings.half_swing_of_terms(Law({"3/2": 1}, spring="pendulum").terms, reals("1/10", "4"), 4).to_dict()
+    for name, middle in (("amplitude", 0.5), ("duration", 3.0)):
+        low, high = map(float, found[name]["enclosure"])
+        assert low <= middle - 2.0**-20 and middle + 2.0**-20 <= high < middle + 2.0**-19
+
+
+def reals(*texts):
+    return [real(text) for text in texts]
+
+
+def test_the_first_amplitude_in_any_well_keeps_its_radius():
+    size = any_well._size(Turning(0, 1, arb("0.5"), arb(3), arb(2) ** -20, arb(0)))
+    assert all(size.contains(arb("0.5") + side * arb(2) ** -20) for side in (-1, 1))

@@ -104,6 +104,15 @@ def test_contraction_counts_the_force_at_the_farther_start(p, e, monkeypatch):
     assert e * p.sin() < truth <= square < truth * arb("1.3")
 
 
+def test_viscous_contraction_leaves_out_the_first_fall_and_the_last_stop(monkeypatch):
+    """The time that the factor counts is shorter by at least the free fall through e, and not by much more."""
+    monkeypatch.setattr(distance, "turning_gap", lambda _force, _turn, square, _beyond=None: square)
+    force, e, duration = force_of({1: "1/2"}), arb(2) ** -12, arb(3)
+    square = contracted(force, arb(1), e, duration, -arb("0.45"), arb(0))
+    common = -(square / (e * (1 + e))).log() * 2
+    assert duration - 12 * (2 * e).sqrt() < common < duration - (2 * e).sqrt()
+
+
 def test_viscous_contraction_counts_only_the_time_that_both_spend():
     """Linear loss beside a linear spring, exactly: both fall by the same factor, and the bound is above it."""
     force = force_of({1: "1/2"})
@@ -130,15 +139,20 @@ def test_outside_the_common_places_the_time_is_that_of_free_fall():
     assert not distance._outside(steep, arb(1), e, arb(-1), arb(0), square).is_finite()
 
 
-def test_errors_of_pieces_grow_and_add_up():
+@pytest.mark.parametrize("given", [arb(0), arb(2) ** -14])
+def test_errors_of_pieces_grow_and_add_up(given):
     """Each piece has at least the error of the one before, grown, its residual, and the rounding of the restart."""
-    force, given = FORCES["pendulum"], arb(2) ** -14
+    force = FORCES["pendulum"]
     with ctx.workprec(24):
         first, *steps, last = course(force, arb(2), arb(0), given)
         unit = first.unit
-        place, _ = first.expansion.state(first.expansion.reach)
+        place, tau = first.expansion.state(first.expansion.reach)
+        assert first.local >= tau.rad() * first.expansion.speed(unit) * arb("0.9999") > 0
+        factor = growth(force, unit, arb(2).union(place), arb(0).union(first.expansion.reach), tau, given)
+        assert factor > arb("1.001") or given == 0
+        assert first.error >= (factor * given + first.local) * arb("0.9999")
         begun = first.error + unit * place.rad()
-        assert first.error >= given and first.local < first.error
+        assert first.error >= given and first.local <= first.error
         for step in steps:
             factor = courses.growth(force, unit, *step.taylor.box, step.taylor.length, begun + step.taylor.residual)
             assert factor > 1 and step.error >= begun * arb("0.9999") + step.taylor.residual

@@ -1,5 +1,7 @@
 """The bounds of the force beside a turning point, and of the expansion there, against a second evaluation."""
 
+from dataclasses import replace
+
 import mpmath
 import pytest
 from flint import arb, ctx
@@ -30,6 +32,7 @@ def polynomial(force, side):
 
 
 STIFF = force_of({(1, 2): "1/3", "1/2": "1/5", (2, 1): "1/4"}, {3: "1/2", 2: "1/7"})
+HELD = force_of({(0, 2): "1/3", (0, 1): "1/9", 2: "1/5"})
 LOST = force_of({(2, 2): "1/3", "3/2": "1/4"}, "pendulum")
 
 
@@ -51,7 +54,7 @@ def test_the_largest_force_on_two_discs_is_attained(force):
     assert min(spring, loss) > 0.05 * most
 
 
-@pytest.mark.parametrize("force", [STIFF, LOST])
+@pytest.mark.parametrize("force", [STIFF, LOST, HELD])
 @pytest.mark.parametrize("u", ["0.5", "-0.75"])
 def test_every_slope_is_in_the_ball_and_hardly_more(force, u):
     """dG/du at both ends of the speeds: they are the ends of the ball."""
@@ -112,7 +115,7 @@ def test_the_majorant_is_a_solution_of_its_inequality(name, u0):
         for _ in range(400):
             least = a / (1 - r(least))
         assert least <= H < 2 * least
-        assert float(factor) == pytest.approx(first_left_out(force, plan), rel=1e-9)
+        assert float(factor) == pytest.approx(first_left_out(force, plan), rel=1e-9, abs=0)
     assert len(found) > 3
 
 
@@ -149,9 +152,11 @@ def test_what_is_left_out_is_added(name):
             "1.01"
         )
     with ctx.workprec(80):
+        wide = replace(few, tail=arb(1) / 4, time_tail=arb(1) / 2)
         for w in (few.reach, few.reach / 4):
-            u, tau = few.state(w)
-            assert u.rad() >= few.tail.lower() and tau.rad() >= (few.time_tail * w).lower()
+            u, tau = wide.state(w)
+            assert u.rad() >= arb(1) / 4 and tau.rad() >= (w / 2).lower()
+            assert u.contains(few.state(w)[0].mid() + arb(1) / 4)
 
 
 def test_the_box_of_a_step_holds_it():
@@ -174,3 +179,25 @@ def test_a_step_whose_speed_may_vanish_has_no_box():
     with pytest.raises(Exception, match="may vanish"):
         _ = TaylorStep(flat, (arb(1), arb("-0.9"), arb("-0.5")), arb("0.9"), arb(1), arb(2), arb(1)).box
     assert TaylorStep(flat, (arb(1), arb("-0.1"), arb("-0.1")), arb("0.9"), arb(1), arb(2), arb(1)).box[1] > 0
+
+
+@pytest.mark.parametrize("name", FORCES)
+def test_the_disc_of_a_step_is_that_of_its_polynomials(name):
+    """M is the largest force on the discs that sum |u_k| R^k and sum |w_k| R^k reach, both of them counted."""
+    force = FORCES[name]
+    with ctx.workprec(50):
+        step = TaylorStep.at(force, arb("0.5"), arb("0.75"), arb(1), arb(1))
+    du, dw = (sum((abs(c) * step.radius**k for k, c in enumerate(s) if k), arb(0)) for s in (step.us, step.ws))
+    again = force.largest(step.us[0], du, step.ws[0], dw)
+    assert again * arb("0.999") < step.largest < again * arb("1.001") and dw < step.ws[0]
+
+
+def test_the_parts_of_a_residual():
+    """Each of the two alone, against its integral."""
+    h, R, n, unit = 0.25, 0.5, 6, 3.0
+    flat, bent = [arb(1)] + [arb(0)] * n, [arb(1)] + [arb(0)] * (n - 1) + [arb(5)]
+    cut = TaylorStep(tuple(flat), tuple(bent), arb(h), arb(unit), arb(R), arb(0)).residual
+    rest = TaylorStep(tuple(flat), tuple(flat), arb(h), arb(unit), arb(R), arb(2)).residual
+    assert float(cut) == pytest.approx(float(mpmath.quad(lambda t: unit * 5 * t**n, [0, h])), rel=1e-9, abs=0)
+    again = mpmath.quad(lambda t: 2 * (t / R) ** n / (1 - h / R), [0, h])
+    assert float(rest) == pytest.approx(float(again), rel=1e-9, abs=0)
