@@ -1,69 +1,66 @@
 """``python -m benchmarks [NAME] [--json | --report FOLDER]``: run one benchmark or all, and print tables of ratios."""
 
-import argparse
 import json
 import sys
-from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
-from benchmarks import (
-    certified_motion,
-    certified_orbits,
-    comparing,
-    cost_against_order,
-    cubic_damping,
-    hypergeometric,
-    integrators,
-    promises,
-    smith_rows,
-    start_up,
-    turning_point_tables,
-)
-from benchmarks.report import write
-from benchmarks.table import Table
+from asymptotics.cli.shell import complain, emit, run_guarded
+from asymptotics.errors import InputError
 
-BENCHMARKS: dict[str, Callable[..., Table]] = {
-    "smith-rows": smith_rows.run,
-    "cubic-damping": cubic_damping.run,
-    "cost-against-order": cost_against_order.run,
-    "turning-points": turning_point_tables.run,
-    "certified-orbits": certified_orbits.run,
-    "integrators": integrators.run,
-    "certified-motion": certified_motion.run,
-    "hypergeometric": hypergeometric.run,
-    "comparing": comparing.run,
-    "start-up": start_up.run,
-    "promises": promises.run,
+BENCHMARKS = {
+    "smith-rows": "smith_rows",
+    "cubic-damping": "cubic_damping",
+    "cost-against-order": "cost_against_order",
+    "turning-points": "turning_point_tables",
+    "certified-orbits": "certified_orbits",
+    "integrators": "integrators",
+    "certified-motion": "certified_motion",
+    "hypergeometric": "hypergeometric",
+    "comparing": "comparing",
+    "start-up": "start_up",
+    "promises": "promises",
 }
+"""The name of each benchmark, and its module: a function ``run`` that takes a size."""
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Run the command: 0, or 2 for a bad name or size."""
-    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
+    """Run the command: 0, or 2 for a bad name, size or folder."""
+    return run_guarded("benchmarks", lambda: _run(argv))
+
+
+def _run(argv: list[str] | None) -> int:
+    parser = import_module("asymptotics.cli.main").Parser(prog="python -m benchmarks", description=__doc__)
     parser.add_argument("name", nargs="?", help=", ".join(BENCHMARKS) + "; without it, all of them")
     parser.add_argument("--size", type=int, help="largest row, order or number of points (default: the stated one)")
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.add_argument("--report", metavar="FOLDER", help="write JSON, Markdown and a picture there as well")
     options = parser.parse_args(argv)
-    if options.name is not None and options.name not in BENCHMARKS:
-        print(f"argument name: no benchmark {options.name!r} (accepted: {', '.join(BENCHMARKS)})", file=sys.stderr)
+    try:
+        emit(_answer(options.name, options.size, options.report, as_json=options.json))
+    except InputError as error:
+        complain(f"benchmarks: {error}")
         return 2
-    if options.size is not None and options.size < 1:
-        print(f"argument --size: {options.size} is too small (accepted: an integer >= 1)", file=sys.stderr)
-        return 2
-    sizes = () if options.size is None else (options.size,)
-    names = [options.name] if options.name else list(BENCHMARKS)
-    tables = {name: BENCHMARKS[name](*sizes) for name in names}
-    if options.report is not None:
-        write(
-            Path(options.report), tables, {name: import_module(BENCHMARKS[name].__module__).__doc__ for name in names}
-        )
-    if options.json:
-        print(json.dumps({name: table.to_dict() for name, table in tables.items()}, indent=2))
-    else:
-        print("\n\n".join(table.text() for table in tables.values()))
     return 0
+
+
+def _answer(name: str | None, size: int | None, folder: str | None, *, as_json: bool) -> str:
+    """The tables as text, after writing the report if it is wanted."""
+    if name is not None and name not in BENCHMARKS:
+        raise InputError("name", f"no benchmark {name!r}", ", ".join(BENCHMARKS))
+    if size is not None and size < 1:
+        raise InputError("--size", f"{size} is too small", "an integer >= 1")
+    if folder is not None:  # refused before anything is measured
+        import_module("asymptotics.present.files").require_writable(Path(folder), "--report")
+    names = [name] if name else list(BENCHMARKS)
+    modules = {key: import_module(f"benchmarks.{BENCHMARKS[key]}") for key in names}  # loaded inside the shell
+    tables = {key: module.run(*(() if size is None else (size,))) for key, module in modules.items()}
+    if folder is not None:
+        write = import_module("benchmarks.report").write
+        write(Path(folder), tables, {key: module.__doc__ for key, module in modules.items()})
+    if as_json:
+        return json.dumps({key: table.to_dict() for key, table in tables.items()}, indent=2)
+    return "\n\n".join(table.text() for table in tables.values())
 
 
 if __name__ == "__main__":

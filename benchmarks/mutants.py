@@ -19,6 +19,7 @@ import time
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from asymptotics.cli.shell import emit, run_guarded
 from benchmarks.table import Table
 
 ROOT = Path(__file__).parents[1]
@@ -98,6 +99,10 @@ class Score:
 
 def main(argv: list[str] | None = None) -> int:
     """Run the groups; 0 if every score is at least ``WANTED``, else 1."""
+    return run_guarded("mutants", lambda: _run(argv))
+
+
+def _run(argv: list[str] | None) -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.mutants", description=__doc__)
     parser.add_argument("groups", nargs="*", help=", ".join(GROUPS))
     parser.add_argument("--sample", type=int, default=60, help="mutants of each group (default 60)")
@@ -109,10 +114,10 @@ def main(argv: list[str] | None = None) -> int:
         parser.error(f"no group {unknown[0]!r}: {', '.join(GROUPS)}")
     scores = [measure(name, options.sample, options.seed, options.seconds) for name in options.groups or GROUPS]
     (BUILD / "scores.json").write_text(json.dumps([asdict(score) for score in scores], indent=2))
-    print(_table(scores, options.sample, options.seed).text())
+    emit(_table(scores, options.sample, options.seed).text())
     for score in scores:
         for s in score.survivors:
-            print(f"\n{s.function}\n  - {s.line}\n  + {s.mutated}")
+            emit(f"\n{s.function}\n  - {s.line}\n  + {s.mutated}")
     return int(any(score.ratio < WANTED for score in scores))
 
 

@@ -1,5 +1,6 @@
 """Tables of ratios as JSON, Markdown and a picture, with the machine and the versions they were measured on."""
 
+import io
 import json
 import os
 import platform
@@ -8,6 +9,7 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
+from asymptotics.present.files import write_all
 from benchmarks.peers import versions
 from benchmarks.table import Table
 
@@ -16,13 +18,18 @@ PEERS = ("heyoka", "oscilate", "gmpy2", "cypari", "scipy", "mpmath", "sympy")
 
 
 def write(folder: Path, tables: dict[str, Table], lessons: dict[str, str] | None = None) -> None:
-    """``benchmarks.json``, ``.md`` and ``.svg`` in ``folder``; ``lessons``: a text for each table."""
+    """``benchmarks.json``, ``.md`` and ``.svg`` in ``folder``, all or none; ``lessons``: a text for each table."""
     folder.mkdir(parents=True, exist_ok=True)
     where = machine()
     data = {"machine": where, "tables": {name: table.to_dict() for name, table in tables.items()}}
-    (folder / "benchmarks.json").write_text(json.dumps(data, indent=2) + "\n")
-    (folder / "benchmarks.md").write_text(markdown(tables, where, lessons))
-    picture(tables).savefig(folder / "benchmarks.svg", metadata={"Date": None})
+    drawn = io.StringIO()
+    picture(tables).savefig(drawn, format="svg", metadata={"Date": None})
+    contents = {
+        "benchmarks.json": json.dumps(data, indent=2) + "\n",
+        "benchmarks.md": markdown(tables, where, lessons),
+        "benchmarks.svg": drawn.getvalue(),
+    }
+    write_all({folder / name: content for name, content in contents.items()}, "--report")
 
 
 def machine() -> dict[str, str]:

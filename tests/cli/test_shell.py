@@ -1,4 +1,4 @@
-"""The three programs and the world around them: signals, closed and full outputs, other encodings, other files."""
+"""The programs and the world around them: signals, closed and full outputs, other encodings, other files."""
 
 import os
 import signal
@@ -17,7 +17,12 @@ PROGRAMS = {
     "paper_checks": ["-m", "paper_checks", "lelas2024", "--id", "lelas2024:4"],
     "derivations": ["-m", "derivations"],
 }
-WRITERS = {**PROGRAMS, "tables": ["-m", "asymptotics.tables", "build/tables"]}
+WRITERS = {
+    **PROGRAMS,
+    "tables": ["-m", "asymptotics.tables", "build/tables"],
+    "benchmarks": ["-m", "benchmarks", "smith-rows"],
+}
+ANSWERING = {**PROGRAMS, "benchmarks": ["-m", "benchmarks", "smith-rows", "--size", "8"]}
 
 
 def shell(line: str, **options: object) -> subprocess.CompletedProcess[str]:
@@ -27,9 +32,9 @@ def shell(line: str, **options: object) -> subprocess.CompletedProcess[str]:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("name", ANSWERING)
 def test_lost_output(name):
-    command = " ".join([f"'{sys.executable}'", *PROGRAMS[name]])
+    command = " ".join([f"'{sys.executable}'", *ANSWERING[name]])
     head = shell(f"{command} | head -c 1")
     assert (head.returncode, head.stderr) == (0, "")
     closed = shell(f"{command} >&-")
