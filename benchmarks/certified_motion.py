@@ -35,10 +35,15 @@ def dop853(times: list[Fraction]) -> list[float]:
     return [float(x) for x in run.y[0]]
 
 
+def moments(size: int) -> list[Fraction]:
+    """``size`` times over 100 swings, fewer for a tiny size."""
+    end = Fraction(628 * min(size, 10_000), 10_000) if size < 100 else Fraction(628)
+    return [end * (k + 1) / size for k in range(size)]
+
+
 def run(size: int = 10_000) -> Table:
     """``size`` times, and a tenth as many turning points of each law."""
-    end = Fraction(628 * min(size, 10_000), 10_000) if size < 100 else Fraction(628)
-    times = [end * (k + 1) / size for k in range(size)]
+    times = moments(size)
     base = best_time(lambda: dop853(times), 1)
     seconds = best_time(lambda: certified(times), 1)
     few = times[: size // 10 + 1]

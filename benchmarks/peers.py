@@ -1,7 +1,7 @@
 """The tools this package is measured against, in an environment of their own (``.peers``, made by ``make benchmarks``).
 
 A peer is asked by a few lines of Python that leave ``seconds`` and what they found in ``answer``; the clock runs inside
-the peer's process, so that neither side pays for starting an interpreter.
+the peer's process and counts processor time, so that neither side pays for starting an interpreter or for others.
 
 >>> import sys
 >>> ask("answer = {'seconds': 0.5, 'right': limit}", limit=30, python=sys.executable)
@@ -21,11 +21,11 @@ PYTHON = Path(__file__).parents[1] / ".peers" / "bin" / "python"
 TIMEOUT = 60
 CLOCK = """
 import json, sys
-from time import perf_counter
+from time import process_time
 def best(work, repeats=3):
     times = []
     for _ in range(repeats):
-        start = perf_counter(); result = work(); times.append(perf_counter() - start)
+        start = process_time(); result = work(); times.append(process_time() - start)
     return min(times), result
 globals().update(json.loads(sys.argv[1]))
 """

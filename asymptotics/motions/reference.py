@@ -141,9 +141,9 @@ def _decimals(oscillator: Oscillator, t: ExactReal, digits: int) -> tuple[str, s
 
 def _lost(oscillator: Oscillator, times: Sequence[ExactReal]) -> int:
     """Bits that a motion next to critical damping loses up to the last of the times."""
-    if not oscillator.law.is_pure:
+    if not oscillator.law.is_pure or not times:
         return 0
-    return max((lost_until(oscillator.dimensionless, _tau(oscillator, t)) for t in times), default=0)
+    return lost_until(oscillator.dimensionless, max(_tau(oscillator, t) for t in times))
 
 
 def _tau(oscillator: Oscillator, t: ExactReal) -> float:
