@@ -1,4 +1,4 @@
-"""Half-swings by interpolation: a panel of amplitudes costs some dozens of half-swings, each in it then microseconds.
+"""Half-swings by interpolation: a panel of amplitudes costs as much as a dozen, each in it then microseconds.
 
 A ``Panel`` holds q/p and T as polynomials in a coordinate z (``coordinate``, ``chebyshev``) for all amplitudes of an
 interval, with proved errors.  ``Panels`` lays one out when the half-swings still to come are expected to repay it, and
@@ -28,16 +28,20 @@ from asymptotics.swing.coordinate import Coordinate
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.linear import is_linear
 from asymptotics.swing.panel_plan import Plan, planned, verified
-from asymptotics.swing.passage import Passage, integrated
+from asymptotics.swing.passage import INTEGRATED, Passage, integrated
 
 ROUTE = "Chebyshev interpolation in the amplitude"
+COLLOCATED = "quarter-swings by collocation"
 _MARGIN = 2.0**-10  # a panel begins that much above the amplitude it is made for
 _GUARD, _SLACK = 32, 8
 
 
 @dataclass(frozen=True)
 class Panel:
-    """q/p and T for the exact amplitudes from ``low`` (excluded where it is 0) to ``high``; ``cost``: its nodes."""
+    """q/p and T for the exact amplitudes from ``low`` (excluded where it is 0) to ``high``.
+
+    ``cost``: its nodes, each found ``by`` a route.
+    """
 
     coordinate: Coordinate
     low: arb
@@ -47,6 +51,7 @@ class Panel:
     ratio: Interpolant
     duration: Interpolant
     cost: int
+    by: str
 
     def holds(self, p: arb, error: arb) -> bool:
         """Whether every amplitude within ``error`` of p lies in the panel."""
@@ -133,23 +138,24 @@ def laid_out(coordinate: Coordinate, plan: Plan, bits: int) -> Panel:
         middle, half = (first + last) / 2, (last - first) / 2
         ellipse = verified(coordinate, middle, half, plan.stretch)
         count = ellipse.nodes_for(bits)
-        ratios, durations = zip(*_half_swings(coordinate, [middle + half * t for t in nodes(count)], last, bits))
+        by, swings = _half_swings(coordinate, [middle + half * t for t in nodes(count)], last, bits)
+        ratios, durations = zip(*swings)
         fine = arb(2) ** -bits
         ratio, duration = (
             interpolant(values, bound, ellipse.R, fine)
             for values, bound in ((ratios, ellipse.ratio_bound), (durations, ellipse.majorant.excess))
         )
-    return Panel(coordinate, low, high, middle, 1 / half, ratio, duration, count)
+    return Panel(coordinate, low, high, middle, 1 / half, ratio, duration, count, by)
 
 
-def _half_swings(coordinate: Coordinate, places: list[arb], last: arb, bits: int) -> list[tuple[arb, arb]]:
-    """q/p and T at the places z <= last: from quarter-swings where those serve, else by pieces."""
+def _half_swings(coordinate: Coordinate, places: list[arb], last: arb, bits: int) -> tuple[str, list[tuple[arb, arb]]]:
+    """The route, and q/p and T at the places z <= last: from quarter-swings where those serve, else by pieces."""
     if coordinate.is_quartered:
         from asymptotics.swing.half_swings import HalfSwings  # noqa: PLC0415 (NumPy, only where it pays)
 
         try:
             swings = HalfSwings.up_to(coordinate, last, bits)
-            return [swings(z) for z in places]
+            return COLLOCATED, [swings(z) for z in places]
         except (LimitError, UndecidedError):
             pass
     found = []
@@ -159,7 +165,7 @@ def _half_swings(coordinate: Coordinate, places: list[arb], last: arb, bits: int
         with ctx.workprec(bits):
             passage = integrated(law, arb(1))
         found.append((_there(passage.amplitude), _there(passage.duration)))
-    return found
+    return INTEGRATED, found
 
 
 def _outwards(coordinate: Coordinate, low: arb, high: arb) -> tuple[arb, arb]:

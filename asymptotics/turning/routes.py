@@ -1,8 +1,9 @@
 """Which way to the turning points start … start + count - 1 of one law: by pieces, by interpolation, or by one jump.
 
 * **By pieces** (``swing.passage``): any strength, tens of milliseconds for each half-swing.
-* **Interpolation** in the amplitude (``swing.panels``): some dozens of half-swings by pieces, then some hundredths of a
-  millisecond each; any law, where the local strengths are small enough for the majorant.
+* **Interpolation** in the amplitude (``swing.panels``): quarter-swings by one collocation (or some dozens of
+  half-swings by pieces), then some hundredths of a millisecond each; any law, where the local strengths are small
+  enough for the majorant.
 * **Jump** (``far``): every alpha > 1 and a far start, at a cost that does not grow with it.
 
 Estimates choose, and every route is certified: what they give agrees.
@@ -28,8 +29,8 @@ from asymptotics.law import Law
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.linear import ROUTE as CLOSED
 from asymptotics.swing.lingering import most_swings
+from asymptotics.swing.panels import COLLOCATED, Panels, panels_of
 from asymptotics.swing.panels import ROUTE as INTERPOLATED
-from asymptotics.swing.panels import Panels, panels_of
 from asymptotics.swing.passage import INTEGRATED
 from asymptotics.swing.sequence import Turning, first_turning, sequence
 from asymptotics.swing.taylor import GUARD
@@ -50,6 +51,7 @@ class Plan:
     jump: bool
     interpolates: bool
     seconds: float
+    bits: int
     lead: int = _LEAD
 
     @classmethod
@@ -67,18 +69,21 @@ class Plan:
         apart = sum(not (t.velocity.is_rational and t.velocity.rational.denominator <= 20) for t in law.terms)
         seconds = half_swing_seconds(pieces + 1, bits, len(law.terms), apart) + interpolation_seconds(steps)
         seconds += stiff_seconds(panels_of(law, bits).sizes, bits) + jumping
-        return cls(law, start, count, jump, 0 < pieces < steps, seconds, lead)
+        return cls(law, start, count, jump, 0 < pieces < steps, seconds, bits, lead)
 
     @property
     def method(self) -> str:
-        """The routes by name."""
+        """The routes by name, those of the nodes once they were taken."""
         if self.jump and len(self.law.terms) == 1:
             return f"local expansions, {ROUTE} and Abel function"
         if self.jump:
             return f"local expansions, {INTERPOLATED} and Abel function by the slow flow"
         if panels_of(self.law, 64).closed:
             return CLOSED
-        return f"{INTEGRATED}, {INTERPOLATED}" if self.interpolates else INTEGRATED
+        if not self.interpolates:
+            return INTEGRATED
+        collocated = any(panel.by == COLLOCATED for panel in panels_of(self.law, self.bits).made)
+        return ", ".join((INTEGRATED, *([COLLOCATED] if collocated else []), INTERPOLATED))
 
     def turnings(self, first: Turning | None = None) -> Iterator[Turning]:
         """Turning points at the current precision, from ``first`` (X = 1) or (after a jump) from ``start`` on."""

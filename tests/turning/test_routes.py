@@ -14,7 +14,7 @@ from asymptotics.turning.routes import Plan
 
 
 def plan(law, *, count, interpolates, jump=False, start=0):
-    return Plan(Law(law), start, count, jump, interpolates, 0.0)
+    return Plan(Law(law), start, count, jump, interpolates, 0.0, 64)
 
 
 @pytest.mark.parametrize("law", [{"3/2": "1/4"}, {"1/2": "1/900"}, {3: "1/50"}, {1: "1/20", 2: "1/5"}])
@@ -48,6 +48,12 @@ def test_a_jump_lands_where_the_half_swings_lead(start):
             for ours, theirs in ((jumped.x, passed.x), (jumped.tau, passed.tau)):
                 assert ours.overlaps(theirs) and ours.rad() < abs(ours) * arb(2) ** -44
             assert jumped.ended is None
+
+
+def test_the_method_names_how_the_nodes_were_found():
+    collocated = turning_points(Law({2: "1/10", 3: "1/10"}), 200, 10, start=190).method
+    assert "Taylor steps, quarter-swings by collocation, Chebyshev interpolation" in collocated
+    assert "collocation" not in turning_points(Law({"1/2": "1/1000"}), 300, 10, start=290).method
 
 
 def test_a_wide_start_of_the_series_stays_wide():
