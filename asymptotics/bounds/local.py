@@ -45,6 +45,7 @@ BITS = 128
 NEXT = 8
 """Orders of the difference that are computed before Cauchy's inequality takes over; half of it from three laws on."""
 _PIECES = 256
+_COARSE = 24  # bits beside which the rest of a precision is a guard
 _GRID = 100
 
 
@@ -131,9 +132,8 @@ def _local_bounds(alphas: tuple[ExactReal, ...], order: int, bits: int) -> Local
     powers = (order + 2, order + 1) if order % 2 else (order + 1, order + 2)
     last = max(powers) + (NEXT if len(alphas) <= 2 else NEXT // 2)
     with ctx.workprec(bits):
-        half = half_swing(quarter_swing(alphas, last))
-        full = flow_of(half)
-        flow = truncated_flow(full, order)
+        half, full = _half_swing(alphas, order, last)
+        flow = truncated_flow(full, order, last)
         other = flow.half_swing(arb.pi())
         differences = (half.L - other.L, half.T - other.T)
         balls = [a.ball() for a in alphas]
@@ -149,9 +149,35 @@ def _local_bounds(alphas: tuple[ExactReal, ...], order: int, bits: int) -> Local
         return LocalBounds(alphas, order, limit, amplitude, duration, flow, half)
 
 
-def truncated_flow(full: Flow, order: int) -> Flow:
-    """The flow of the equations with p_k and Omega_k for k <= order, as series through the order of ``full``."""
-    p, Omega = (f.truncate(order).extend(full.order) for f in (full.p, full.Omega))
+def _half_swing(alphas: tuple[ExactReal, ...], order: int, last: int) -> tuple[HalfSwing, Flow]:
+    """L and T through ``last``, and the flow through ``order``.
+
+    Sums have many coefficients: beyond the order, where they are only bounded, a few digits of them will do.
+    """
+    if len(alphas) == 1:
+        half = half_swing(quarter_swing(alphas, last))
+        return half, flow_of(half)
+    flow = flow_of(half_swing(quarter_swing(alphas, order)))
+    terms = int(last * (2.3 + 1.15 * max(float(a.ball()) for a in alphas)))
+    for factor in (2, 3, 4):
+        with ctx.workprec(_COARSE):
+            quarter = quarter_swing(alphas, last, terms=terms * factor // 2, guard=terms * factor // 2)
+        with ctx.workprec(_COARSE + terms * factor // 2):
+            half = half_swing(quarter)
+            if _sharp(half.L, order) and _sharp(half.T, order):
+                break
+    return half, flow
+
+
+def _sharp(f: Series, order: int) -> bool:
+    """Whether the largest coefficients of each degree beyond the order have two digits."""
+    parts = [[arb(c) for _, c in part] for part in f.parts[order + 1 :] if part]
+    return all(max(c.rad() for c in part) < max(arb(abs(c).upper()) for c in part) * arb(2) ** -6 for part in parts)
+
+
+def truncated_flow(full: Flow, order: int, last: int | None = None) -> Flow:
+    """The flow of the equations with p_k and Omega_k for k <= order, as series through ``last`` (else as ``full``)."""
+    p, Omega = (f.truncate(order).extend(last or full.order) for f in (full.p, full.Omega))
     W = (Omega + 1).inverse()
     return Flow(full.grading, -p * W, W)
 

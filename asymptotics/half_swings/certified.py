@@ -63,14 +63,15 @@ def quarter_swing(
     *,
     moments: bool = False,
     terms: int | None = None,
+    guard: int | None = None,
     radius: int = RADIUS,
     max_seconds: float = MAX_SECONDS,
 ) -> QuarterSwing:
     """R, T_q and, if asked for, the moments K_k (k = 0 … order, through order − k) at the current precision.
 
     ``given``: forces, terms, or the exponents of plain losses, all >= 0; the coefficient of delta_1^{n_1} delta_2^{n_2}
-    … has the key (n_1, n_2, …).  ``terms`` (coefficients kept) and ``radius`` (varrho = 2, 3 or 4) change the width of
-    the balls only.  InputError for no force, a negative exponent, or order < 1; LimitError if the work would exceed
+    … has the key (n_1, n_2, …).  ``terms`` (coefficients kept), ``guard`` (bits beyond the precision) and ``radius``
+    (varrho = 2, 3 or 4) change the width of the balls only.  InputError for no force, a negative exponent, or order < 1; LimitError if the work would exceed
     ``max_seconds``.
     """
     forces = Forces.read(given, order)
@@ -81,7 +82,7 @@ def quarter_swing(
         bounds = tail_constants(forces, order, radius, moments)
         size = tail_constants(forces, order, 1, moments)
     kept = terms or terms_needed(bounds, radius, ctx.prec)
-    bits = ctx.prec + _guard_bits(size)
+    bits = ctx.prec + (_guard_bits(size) if guard is None else guard)
     _check_work(products, kept, bits, max_seconds)
     with ctx.workprec(bits):
         sums = truncated_sums(forces, order, kept, moments)
