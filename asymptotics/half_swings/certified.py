@@ -71,8 +71,8 @@ def quarter_swing(
 
     ``given``: forces, terms, or the exponents of plain losses, all >= 0; the coefficient of delta_1^{n_1} delta_2^{n_2}
     … has the key (n_1, n_2, …).  ``terms`` (coefficients kept), ``guard`` (bits beyond the precision) and ``radius``
-    (varrho = 2, 3 or 4) change the width of the balls only.  InputError for no force, a negative exponent, or order < 1; LimitError if the work would exceed
-    ``max_seconds``.
+    (varrho = 2, 3 or 4) change the width of the balls only.  InputError for no force, a negative exponent, or order <
+    1; LimitError if the work would exceed ``max_seconds``.
     """
     forces = Forces.read(given, order)
     _check(order, radius)
