@@ -94,3 +94,34 @@ def test_the_coefficients_are_those_of_the_polynomial():
         found = coefficients([2 * T(0, t) - 3 * T(1, t) + T(4, t) / 7 for t in nodes(6)])
         for value, wanted in zip(found, [arb(2), arb(-3), arb(0), arb(0), arb(1) / 7, arb(0)], strict=True):
             assert abs(value - wanted) < 1e-20
+
+
+@pytest.mark.parametrize("R", [1.5, 2, 4])
+def test_the_cut_is_attained_with_its_aliases(R):
+    """f = 2 sum_(k>=m) R^-k T_k, Cauchy's worst: at t = 1 every term and its alias add up."""
+    m, last = 6, 12
+    with ctx.workprec(100):
+        weights = {k: 2 * arb(R) ** -k for k in range(m, last)}
+        found = coefficients([sum((c * T(k, t) for k, c in weights.items()), arb(0)) for t in nodes(m)])
+        error = abs(sum(weights.values(), arb(0)) - sum(found, arb(0)))
+        rest = 4 * arb(R) ** -last * R / (R - 1)
+        bound = cut(arb(1), arb(R), m)
+        assert error <= bound and bound < (error + rest) * arb("1.001")
+
+
+@pytest.mark.parametrize("bits", [12, 20, 40])
+def test_rounding_is_counted_twice_over(bits):
+    """The radii of the coefficients, and what is lost where the powers' coefficients are rounded: nothing else here."""
+    with ctx.workprec(bits):
+        values = [(1 / (arb("1.5") + t)).mid() for t in nodes(12)]
+        found = interpolant(values, arb(2) ** -200, arb(2) ** 60, arb(0))
+        kept = coefficients(values)
+    with ctx.workprec(400):
+        exact, grid = coefficients(values), [arb(j) / 8 for j in range(-8, 9)]
+        sums = [sum((c * T(k, t) for k, c in enumerate(exact)), arb(0)) for t in grid]
+        worst = max((abs(found.polynomial(t) - value) for t, value in zip(grid, sums)), key=float)
+        powers = sum((arb_poly(fmpz_poly.chebyshev_t(k)) * c.mid() for k, c in enumerate(kept)), arb_poly([]))
+        lost = sum((abs(a - b) for a, b in zip(powers.coeffs(), found.polynomial.coeffs())), arb(0))
+        radii = sum((c.rad() for c in kept), arb(0))
+    assert worst <= found.error and min(lost, radii) > 0
+    assert (lost + radii) * arb("0.999") <= found.error and found.error <= (lost + radii) * arb("1.001")

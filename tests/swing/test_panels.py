@@ -13,7 +13,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.law import Law
 from asymptotics.moments.certified import moment
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing import panel_plan
+from asymptotics.swing import panel_plan, panels
 from asymptotics.swing.chebyshev import cut
 from asymptotics.swing.coordinate import Coordinate
 from asymptotics.swing.damping import Damping
@@ -253,3 +253,35 @@ def test_the_panels_of_a_law_are_kept_and_extended():
         assert first is not None and panels.serving(arb(1), arb(0), 1) is first
         assert panels.serving(arb("0.0625"), arb("0.25"), 1) is None
     assert panels.pieces(100) < 100 and Panels(Law({1: 3}), 40).pieces(7) == 7
+
+
+def test_a_disc_below_zero_is_no_polydisc():
+    """|z| <= c + a holds for c >= 0 only: about a negative centre the far end is the other one."""
+    z = coordinate((("2", "1/10"),))
+    assert z.bounds(arb(-1), arb("0.5")) is None
+    found = z.bounds(arb(1), arb("0.5"))
+    assert found is not None and arb("0.15") <= found.radii[0] * arb("1.000001") and found.radii[0] < arb("0.151")
+
+
+def test_the_bounds_of_a_panel_are_those_of_its_ellipse(monkeypatch):
+    """e^G - 1 for q/p - 1 and the excess for T - pi, with the majorant of the ellipse that is verified."""
+    seen, honest = [], panels.interpolant
+    monkeypatch.setattr(panels, "interpolant", lambda v, M, *more: seen.append(M) or honest(v, M, *more))
+    z = coordinate((("2", "1/5"),))
+    laid_out(z, Plan(0.0, 1.0, 3.0, 0, 0, 0), 20)
+    with ctx.workprec(52):
+        ellipse = verified(z, arb(0.5), arb(0.5), 3.0)
+    G, excess = ellipse.majorant.growth, ellipse.majorant.excess
+    assert all(a >= b * arb("0.98") for a, b in zip(seen, (G.expm1(), excess), strict=True))
+    assert ellipse.ratio_bound >= G.expm1() and ellipse.ratio_bound <= G.expm1() * arb("1.001")
+    assert G.expm1() > G * arb("1.15")
+
+
+@pytest.mark.parametrize("pairs", [(("sqrt(3)", "1/10"),), (("1/2", "1/100"),), (("sqrt(2)", "1/20"), ("2", "1/20"))])
+def test_the_ends_of_a_panel_enclose_the_images(pairs):
+    """53 bits, rounded outwards: none of its amplitudes falls outside [-1, 1]."""
+    z = coordinate(pairs)
+    first, last = panels._outwards(z, arb(1) / 3, arb(6) / 7)
+    with ctx.workprec(200):
+        ends = sorted((coordinate(pairs)(p) for p in (arb(1) / 3, arb(6) / 7)), key=float)
+        assert first < ends[0] and ends[1] < last and first > ends[0] - arb(2) ** -50 and last < ends[1] + arb(2) ** -50

@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.expansion import Expansion, room
 from asymptotics.swing.keys import Plan
 from asymptotics.swing.passage import integrated
 from asymptotics.turning.general import turning_points
@@ -65,6 +65,16 @@ def test_half_of_the_drop_or_of_the_delay_would_be_wrong():
             assert about[0].contains(y) and about[1].contains(tau)
             assert not arb(side, short.tail / 2).contains(y)
             assert not (w * (side + arb(0, short.time_tail / 2))).contains(tau)
+
+
+@pytest.mark.parametrize("strength", ["0.5", "0.8", "0.93"])
+def test_the_drop_counts_that_braking_slows_the_motion(strength):
+    """Under a nearly constant brake w' = 1 - N: the place falls by w^2/(2 (1 - N)), which the drop covers."""
+    with ctx.workprec(60):
+        law, w = damping(("1/1000", strength)), arb(2) ** -8
+        drop, slowest, _ = room(law, arb(1), w)
+        truth = w * w / (2 * (1 - law.resistance(w)))
+        assert truth < drop < 4 * truth and drop >= w * w / (2 * slowest)
 
 
 @pytest.mark.parametrize(

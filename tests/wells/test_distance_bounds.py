@@ -275,3 +275,49 @@ def test_the_piece_before_a_kink_ends_at_it_within_its_error():
         before, after = next((a, b) for a, b in zip(pieces, pieces[1:]) if b.taylor.us[0] == 0)
         left = before.taylor.state(before.taylor.length)[0]
         assert left > 0 and after.error - after.taylor.residual >= before.error + before.unit * left.lower()
+
+
+@pytest.mark.parametrize("error", [arb(0), arb(2) ** -13])
+@pytest.mark.parametrize("name", ["pendulum", "duffing"])
+def test_the_parts_of_a_landing(name, error):
+    """The miss of the guess joins both errors; they grow on the way, and the radius of the clock is added."""
+    force, u, w, local = FORCES[name], arb("-0.875"), arb("0.25"), error / 4
+    with ctx.workprec(24):
+        unit = courses.unit_at(force, arb(1), arb(0))
+        found = courses._landing(force, unit, u, w, arb(1), local, error)
+        place, time = found.expansion.state(w)
+        slack = unit * abs(place - u).upper()
+        factor = growth(force, unit, found.turn.union(place), arb(0).union(w), -time, error + slack)
+        own = found.clock.rad() * found.expansion.speed(unit)
+        assert slack > 0 and own > 0 and (factor > arb("1.0001") or error == 0)
+        less = 1 - arb(2) ** -16
+        gap = courses._gap(force, unit, u, w, found.turn, (error + slack) * less)
+        assert found.gap >= gap and found.miss >= courses._gap(force, unit, u, w, found.turn, (local + slack) * less)
+        assert found.late >= lateness(force, unit, found.turn, gap, factor * (error + slack) * less)
+        assert found.error >= (factor * (error + slack) + own) * less
+        assert found.local >= (factor * (local + slack) + own) * less
+
+
+@pytest.mark.parametrize("name", ["free pendulum", "duffing", "dry"])
+def test_a_wide_time_near_a_turning_point(name):
+    """Both ends of the time are contained; the place moves at the speed reached there, half is less."""
+    with ctx.workprec(90):
+        expansion = courses.Expansion.at(FORCES[name], arb(1))
+        middle, width = (expansion.state(expansion.reach)[1] * arb("0.96")).mid(), arb(2) ** -18
+        u, w = courses.at_time(expansion, middle + arb(0, width))
+        moved = []
+        for end in (middle - width, middle + width):
+            exact_u, exact_w = courses.at_time(expansion, end.mid())
+            assert u.contains(exact_u) and w.contains(exact_w)
+            moved.append((abs(exact_u - u.mid()), abs(exact_w - w.mid())))
+        assert u.rad() / 2 < moved[0][0] and w.rad() < 8 * moved[0][1]
+
+
+def test_traps_and_edges_are_asked_about_the_whole_error(monkeypatch):
+    force, seen, given = force_of({"1/2": "1/9"}, "pendulum"), [], arb(2) ** -12
+    monkeypatch.setattr(courses, "trap", lambda _force, u, w: seen.append((u.rad(), w.rad())))
+    monkeypatch.setattr(courses, "beyond", lambda _force, u: seen.append((u.rad(), arb(1))))
+    with ctx.workprec(60):
+        pieces = list(course(force, arb(1), arb(0), given))
+        unit = pieces[0].unit
+    assert len(seen) >= 4 and all(u >= given / unit * arb("0.999") and w >= given for u, w in seen)
