@@ -30,6 +30,11 @@ BOUNDS: Names = {
         "Remainder.constant Remainder.__call__ local_bounds",
         f"{LOCAL}::test_the_bounds_hold_and_half_of_them_would_not",
     ),
+    **_each(
+        "half_swings.symbolic",
+        "cauchy_bounds",
+        "tests/half_swings/test_symbolic.py::test_the_bounds_of_cauchy_on_the_circle_hold_and_are_near",
+    ),
     **_each("bounds.local", "Remainder.beyond", f"{LOCAL}::test_what_lies_beyond_is_a_geometric_series"),
     **_each(
         "bounds.local", "flow_majorant", f"{LOCAL}::test_the_majorant_of_the_equations_is_above_them_and_not_far_above"
