@@ -7,14 +7,17 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
+from asymptotics.bounds.flow import TruncatedFlow
 from asymptotics.bounds.turning import rates
 from asymptotics.bounds.uniform import _limit, _Theorem, displacement_bound, uniform_bound
 from asymptotics.bounds.waveform import waveform_bounds
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
+from asymptotics.motions.frame import Frame
 from asymptotics.motions.reference import reference_states
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.series import Series
 
 
 def true_errors(oscillator, order, until, points=80):
@@ -102,8 +105,12 @@ def test_uncertain_exponents_near_1_are_no_trouble():
     assert near.bound == uniform_bound(Oscillator({1: "1/50"}), 2).bound
 
 
-def theorem(law, order):
-    acting = Oscillator(law).dimensionless.terms
+def reals(*texts):
+    return tuple(parse_real(t, "alpha") for t in texts)
+
+
+def theorem(law, order, oscillator=None):
+    acting = (oscillator or Oscillator(law)).dimensionless.terms
     waves = waveform_bounds(tuple(t.velocity for t in acting), order)
     return _Theorem(waves, order, tuple(t.strength.ball() for t in acting))
 
@@ -150,6 +157,15 @@ def test_what_is_reached_later_is_hardly_later(strengths):
             assert tau <= flow.time(s) < tau * (1 + 1e-5)
 
 
+def test_a_root_that_is_a_little_short_is_not_taken(monkeypatch):
+    whole = theorem({"2": "1/50"}, 2)
+    near = TruncatedFlow._near
+    monkeypatch.setattr(TruncatedFlow, "_near", lambda self, f, t: near(self, f, t) * arb("0.9999"))
+    with ctx.workprec(80):
+        flow = whole._fastest(whole.strengths)
+        assert flow.time(flow.beyond(arb(100))) >= 100
+
+
 @pytest.mark.parametrize(("alphas", "delta"), [(("2",), "1/4"), (("3/2",), "1/2"), (("0", "2"), "1/10")])
 def test_the_rates_are_attained_or_not_far_off(alphas, delta):
     """p_N/(|delta| (1 + Omega_N)) on rays: its least and its largest value, found by looking."""
@@ -164,6 +180,37 @@ def test_the_rates_are_attained_or_not_far_off(alphas, delta):
     low, high = (float(x) for x in rates(waves.p, waves.Omega, arb(d)))
     assert 0.85 * min(seen) < low <= min(seen) * (1 + 1e-12)
     assert max(seen) * (1 - 1e-12) <= high < 1.15 * max(seen)
+
+
+@pytest.mark.parametrize(("exponent", "strength"), [("2", "1/5"), ("1", "1/10"), ("1/2", "1/10")])
+def test_a_start_in_motion_has_its_amplitude_in_the_ball(exponent, strength):
+    """A_0 of order 3 by Newton's method (``motions.frame``); the ball reaches at most four times as far from 1."""
+    oscillator = Oscillator({exponent: strength}, x0=1, v0=-1)
+    whole = theorem(None, 3, oscillator)
+    with ctx.workprec(80):
+        frame = Frame.of(oscillator, 3, "turning-point")
+        true = (-frame.start(AsymptoticMotion.of(oscillator)._doubles.guess).s).exp()
+        A, d = whole._start(moving=True)
+        assert A.contains(true)
+        assert abs(true - 1) > A.rad() / 4
+        weight = whole.weights[0]
+        assert whole.strengths[0] * true**weight <= d < whole.strengths[0] * true**weight * (1 + 2 * A.rad())
+
+
+def test_decimals_are_rounded_up():
+    whole, found = theorem({"2": "1/20"}, 2), uniform_bound(Oscillator({"2": "1/20"}), 2)
+    with ctx.workprec(80):
+        for decimal, ball in zip((found.bound, found.velocity), whole.bound(moving=False, until=None)):
+            assert float(ball) < float(decimal) < 1.1 * float(ball)
+
+
+def test_the_range_ends_where_the_amplitude_equation_may_lose_its_sign():
+    """p = 0.4 d - d^3 is between d (0.4 -+ d^2): a factor of three at d^2 = 0.2; dry friction keeps below 3/10."""
+    waves = waveform_bounds(reals("2"), 3)
+    p, Omega = (Series({(k,): arb(c) for k, c in row.items()}, 1, 3) for row in ({1: 0.4, 3: -1}, {}))
+    assert 0.42 < _limit(replace(waves, p=p, Omega=Omega), fades=True) < 0.2**0.5
+    assert _limit(waves, fades=True) > 0.5
+    assert _limit(waveform_bounds(reals("0"), 3), fades=False) == Fraction(3, 10)
 
 
 @pytest.mark.parametrize(
