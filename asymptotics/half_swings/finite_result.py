@@ -111,7 +111,7 @@ def certified_swing(
         law, strength, tail = tuple(map(str, alphas)), tuple(map(str, delta)), rounded_up(swing.tail)
         return HalfSwingAt(law, strength, digits, L, q, T, enclosures, swing.route, swing.terms, tail)
 
-    bits = bits_for(digits, 24) + _GUARD
+    bits = bits_for(digits, 24) + _GUARD + _faint(delta)
     return at_growing_precision(attempt, digits, bits, max_bits=bits << (_TRIES - 1))
 
 
@@ -132,3 +132,9 @@ def rounded_up(x: arb, digits: int = 2) -> str:
     ('0.013', '0')
     """
     return directed_decimal(max(abs(end) for end in bounds(x)), digits, 1)
+
+
+def _faint(delta: Sequence[ExactReal]) -> int:
+    """Bits of 1 that the largest strength, and so L, lies below."""
+    sizes = [abs(d.ball()).mid().man_exp() for d in delta if not d.is_zero]
+    return max(0, -max((int(mantissa.bit_length() + exponent) for mantissa, exponent in sizes), default=0))

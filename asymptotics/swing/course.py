@@ -39,6 +39,7 @@ from asymptotics.swing.taylor import TaylorStep
 
 MAX_PIECES, MAX_FREE = 200_000, 5000
 _FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision
+_LONGEST = 2.0**24  # bits of a time
 _CATCH = 4  # every so many pieces a strip about the slow curve is tried
 
 
@@ -229,7 +230,11 @@ def _linear(damping: Damping, u: arb, w: arb, error: arb) -> LinearSwing:
 
 def _later(t: arb, length: arb) -> arb:
     """t + length, exactly: a short step after a long time must not be lost."""
-    with ctx.workprec(160 + int(max(0.0, size_of(t) - size_of(length))) + t.bits()):
+    apart = max(0.0, size_of(t) - size_of(length))
+    if apart > _LONGEST:
+        reason = f"a step next to rest would last 2^{size_of(length):.3g}: an exponent is too near 0"
+        raise LimitError("alpha", reason, "larger exponents, or another strength")
+    with ctx.workprec(160 + int(apart) + t.bits()):
         return t + length
 
 

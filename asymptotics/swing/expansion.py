@@ -26,7 +26,7 @@ while |y - y_0| <= d the first holds, so that |dy/dw| <= w/p and the distance st
 """
 
 from dataclasses import dataclass
-from math import ceil, log2, prod
+from math import ceil, prod
 from operator import mul
 
 from flint import arb, arb_poly, ctx
@@ -38,6 +38,7 @@ from asymptotics.swing.majorant import majorant
 from asymptotics.swing.rows import Row, rows_below
 
 _SUMMED = 12  # bits more for sums of hundreds of terms
+_FAINTEST = 2.0**20  # log2 of the least reach, below 1
 _STEPS = 4  # delta^(1/alpha) is rounded up to a quarter of a power of two: plans are shared
 
 
@@ -134,9 +135,18 @@ def room(damping: Damping, y0: arb, w: arb) -> tuple[arb, arb, arb]:
 
 
 def _slow_enough(damping: Damping, y0: arb, reach: arb) -> arb:
-    """A reach at which the damping takes off at most 15/16 of the force: a choice."""
-    most = size_of(y0) - 0.1 - log2(max(1, len(damping.sizes)))
-    return min(reach, *(dyadic(min((most - e) / a, 0.0)) for e, a in damping.sizes)) if y0 > 0 else reach
+    """A reach at which the damping takes off at most 15/16 of the force, or one that is small beyond use: a choice."""
+    most, low, high = size_of(y0) - 0.1, -_FAINTEST, size_of(reach)
+
+    def fits(x: float) -> bool:
+        return sum(float(2.0 ** min(e + a * x - most, 99.0)) for e, a in damping.sizes) < 1
+
+    if not y0 > 0 or fits(high):
+        return reach
+    while fits(low) and high - low > 0.1:
+        middle = (low + high) / 2
+        low, high = (middle, high) if fits(middle) else (low, middle)
+    return dyadic(low)
 
 
 def plan_at(damping: Damping, y0: arb, w: arb | None = None) -> Plan:

@@ -21,6 +21,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import TooWideError
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import CREEPS, OVERDAMPED, STICKS
+from asymptotics.swing.linear import ROUTE as CLOSED
 from asymptotics.swing.passage import INTEGRATED, integrated
 from asymptotics.swing.taylor import GUARD
 from asymptotics.terms import Term
@@ -48,6 +49,8 @@ def half_swing_result(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], d
         _require_passing(delta)
 
     def evaluate(bits: int) -> SwingValue:
+        if all(d.is_zero for d in delta):
+            return SwingValue(arb(0), arb(1), arb.pi(), CLOSED, 0, arb(0))
         balls = [d.ball() for d in delta]
         if len(alphas) == 1 and balls[0] < series_reach(alphas[0], bits, CHEAP_ORDER):
             return finite_quarter(alphas, balls, bits).half_swing(balls)
