@@ -1,5 +1,6 @@
 """Half-swings at finite strength: contained at every precision, and every part of the bound is needed."""
 
+from dataclasses import replace
 from itertools import islice
 
 import pytest
@@ -192,6 +193,7 @@ def test_the_result_object():
         exact = closed_form("2", arb(1) / 10)[0]
         assert low < exact < high
     assert found._repr_latex_().startswith("$A'/A")
+    assert repr(found).endswith("(certified)") and repr(replace(found, certified=False)).endswith("(not certified)")
     assert arb(found.tail) < arb("1e-12")
 
 
