@@ -6,6 +6,7 @@ A value written with 16 digits of which 7.4 are right has lost 8.6.  The plot ne
 from typing import Any
 
 from asymptotics.comparison.digits import significant
+from asymptotics.comparison.reading import as_double
 from asymptotics.comparison.run import Comparison
 from asymptotics.present.figures import render
 
@@ -18,7 +19,7 @@ def lost_digits(found: Comparison) -> dict[str, tuple[list[float], list[float]]]
     for row in found.rows:
         if row.certified is not None:
             keys, lost = columns.setdefault(row.column, ([], []))
-            keys.append(float(row.key) if row.key_name in _NAMES else len(keys))
+            keys.append(as_double(row.key) if row.key_name in _NAMES else len(keys))
             lost.append(max(0.0, significant(row.given) - float(row.digits)))
     return columns
 

@@ -13,6 +13,7 @@ import csv
 import re
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 from pathlib import Path
 
 from asymptotics.errors import InputError, LimitError, shown
@@ -169,3 +170,16 @@ def _require_units(units: dict[str, str], si: bool) -> None:
         accepted = f"{name} [{expected}]" if expected else f"{name} without a unit"
         hint = "" if si or name not in UNITS else "; values in SI need --mass, --stiffness and --x0"
         raise InputError("FILE", f"{name} is in {unit[:40]!r}", accepted + hint)
+
+
+def as_double(text: str) -> float:
+    """The number of a cell as a double, infinite beyond their range.
+
+    >>> as_double("3/2"), as_double("-2.5e-3"), as_double("1e400")
+    (1.5, -0.0025, inf)
+    """
+    value = parse_rational(text, "cell")
+    try:
+        return float(value)
+    except OverflowError:
+        return inf if value > 0 else -inf

@@ -29,7 +29,7 @@ import numpy as np
 from asymptotics.comparison.digits import judged, significant
 from asymptotics.comparison.errors import Errors, of_motion, of_turning_points
 from asymptotics.comparison.look import Look, look_of
-from asymptotics.comparison.reading import Sheet, read_sheet
+from asymptotics.comparison.reading import Sheet, as_double, read_sheet
 from asymptotics.comparison.truth import Truth, at_times, at_turning_points
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator
@@ -225,4 +225,4 @@ def _of_motion(
 
 
 def _floats(texts: Sequence[str | None], places: Sequence[int]) -> Any:
-    return np.array([float(texts[i] or "nan") for i in places])
+    return np.array([as_double(text) if (text := texts[i]) else np.nan for i in places])

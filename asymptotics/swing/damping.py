@@ -12,12 +12,14 @@ choose sizes and never enter a bound.
 ('[0.8000000000 +/- ...]', '[0.020000 +/- ...]')
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf, log2
 
 from flint import arb, ctx
 
+from asymptotics.errors import LimitError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal
 
@@ -47,8 +49,8 @@ class Damping:
 
     @cached_property
     def sizes(self) -> tuple[tuple[float, float], ...]:
-        """(log2 epsilon_i, alpha_i) in doubles, for choosing sizes."""
-        return tuple((size_of(e), float(a.mid())) for e, a in zip(self.strengths, self.exponents))
+        """(log2 epsilon_i, alpha_i) in doubles, for choosing sizes; LimitError for an exponent that is 0 there."""
+        return tuple(zip(map(size_of, self.strengths), in_doubles(self.exponents)))
 
     @cached_property
     def least(self) -> float:
@@ -68,6 +70,14 @@ class Damping:
     def resistance(self, w: arb) -> arb:
         """N(w) for w >= 0."""
         return sum(self.terms(w), arb(0)) if w != 0 else arb(0)
+
+
+def in_doubles(exponents: Iterable[arb]) -> tuple[float, ...]:
+    """Exponents above 0, for choosing sizes; LimitError for one that is 0 there."""
+    found = tuple(float(a.mid()) for a in exponents)
+    if not all(a > 0 for a in found):
+        raise LimitError("alpha", "an exponent is above 0, but too small for a double", "0, or 1e-300 and above")
+    return found
 
 
 def size_of(x: arb) -> float:

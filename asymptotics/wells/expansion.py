@@ -36,7 +36,7 @@ from operator import mul
 from flint import arb, arb_poly, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.swing.damping import dyadic, size_of, upper
+from asymptotics.swing.damping import dyadic, in_doubles, size_of, upper
 from asymptotics.swing.keys import Key, Plan, plan_for
 from asymptotics.wells.composition import Curve, Grid, Line, Simplex, keys_of
 from asymptotics.wells.force import Force
@@ -147,7 +147,7 @@ def _plan(force: Force, u0: arb, brake: arb, w: arb | None, shrink: float) -> tu
         powers = (loss.strength * wide**loss.place * (loss.exponent * unit.log()).exp() for loss in force.losses)
         deltas = tuple(ceil(size_of(power / size) * _STEPS) / _STEPS for power in powers)
         rational = tuple(a.rational if a.is_rational else None for a in force.alphas)
-        alphas = tuple(float(loss.exponent.mid()) for loss in force.losses)
+        alphas = in_doubles(loss.exponent for loss in force.losses)
         omega = None if w is None else ceil((size_of(w) - scale) * _STEPS) / _STEPS
         return plan_for(deltas, rational, alphas, bits, omega, shared=False), scale
 

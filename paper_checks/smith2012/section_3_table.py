@@ -125,7 +125,9 @@ def check_decimal(column: str, index: int, printed: str) -> Outcome:
         value = _table_value(column, index)
         if index == 0 and column != "S":
             mark(Evidence.CERTIFIED)
-            return decided(bool(value == arb(printed)))
+            difference = value - arb(printed)
+            known = Outcome.CONFIRMED if difference == 0 else Outcome.UNDECIDED
+            return known if difference.contains(0) else Outcome.REFUTED
         return rounds_to(printed, value)
 
 

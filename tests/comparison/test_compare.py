@@ -249,3 +249,13 @@ def test_balls_of_decimals_hold_everything_that_rounds_to_them():
 def test_errors_in_two_digits():
     errors = [judged("", 1 + Fraction(t), Fraction(1), 0).error for t in ("0", "0.00123", "9.96", "0.0999")]
     assert errors == ["0", "1.2e-03", "1.0e+01", "1.0e-01"]
+
+
+def test_fractions_in_a_file_are_numbers(tmp_path):
+    """-8/9 in the place of x_1, and a time 3/2, in the picture too."""
+    points, motion = tmp_path / "points.csv", tmp_path / "motion.csv"
+    points.write_text("n,x\n0,1\n1,-8/9\n2,3/4\n")
+    motion.write_text("tau,x\n1/2,7/8\n3/2,1/9\n5/2,-1e400\n")
+    for file in (points, motion):
+        for picture in ([], ["--plot", str(tmp_path / "lost.svg")]):
+            assert main(["compare", str(file), "--alpha", "2", "--epsilon", "1/10", "--quiet", *picture]) in (0, 1)
