@@ -7,7 +7,7 @@ from asymptotics.swing import arrival as arrivals
 from asymptotics.swing import dense
 from asymptotics.swing.arrival import arrive
 from asymptotics.swing.course import course, delay
-from asymptotics.swing.ends import trap
+from asymptotics.swing.ends import _together, trap
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.keys import Plan
 from asymptotics.swing.passage import Passage, integrated, of_landing
@@ -162,3 +162,10 @@ def test_times_and_places_of_a_turning_point_add_up():
     late = delay(arb("0.75"), 4 * e, law.friction)
     assert there.amplitude_error >= 4 * e and there.amplitude_error < arb("4.1") * e
     assert there.time_error >= (6 * e + late) * (1 - arb(2) ** -20) and there.time_error < (6 * e + late) * arb("1.01")
+
+
+def test_only_terms_up_to_alpha_help_to_trap():
+    """At small speeds w^3 is nothing beside w^(1/2); w^(1/4) is more, by fastest^(-1/4) at least."""
+    law = damping(("1/4", "1/5"), ("1/2", "1/5"), ("3", "10"))
+    found = float(_together(law, law.alphas[1], law.exponents[1], arb("0.0625")))
+    assert found == pytest.approx(0.2 + 0.2 * 2, rel=1e-9)

@@ -12,7 +12,8 @@ from asymptotics.wells import course as courses
 from asymptotics.wells import dense, distance
 from asymptotics.wells.course import Landing, Step, course
 from asymptotics.wells.distance import contracted, growth, lateness, turning_gap
-from asymptotics.wells.sequence import after_kick, after_landing, sticks
+from asymptotics.wells.ends import trap
+from asymptotics.wells.sequence import after_kick, after_landing, first_from, next_turning, rest, sticks
 from tests.wells.test_bounds import FORCES, FREE, force_of
 
 TOP = FORCES["free pendulum"]
@@ -321,3 +322,28 @@ def test_traps_and_edges_are_asked_about_the_whole_error(monkeypatch):
         pieces = list(course(force, arb(1), arb(0), given))
         unit = pieces[0].unit
     assert len(seen) >= 4 and all(u >= given / unit * arb("0.999") and w >= given for u, w in seen)
+
+
+def test_turning_points_hold_those_of_every_start():
+    """At rest within e of 1, and in motion within e in place and speed: x and tau of the next ones."""
+    force, e = FORCES["pendulum"], arb(2) ** -16
+    assert rest(arb(-1, e)).amplitude_error >= e
+    with ctx.workprec(80):
+        wide = next_turning(force, rest(arb(1, e)))
+        kicked = first_from(force, arb("0.5", e), arb("0.25", e))
+        for a in (1, -1):
+            there = next_turning(force, rest(1 + a * e))
+            assert wide.x.contains(there.x) and wide.tau.contains(there.tau)
+            for b in (1, -1):
+                corner = first_from(force, arb("0.5") + a * e, arb("0.25") + b * e)
+                assert kicked.x.contains(corner.x) and kicked.tau.contains(corner.tau)
+        assert max(wide.amplitude_error, kicked.amplitude_error, key=float) < 16 * e
+
+
+def test_the_trap_of_creep_has_its_boundary():
+    """(w/c)^(1/2) <= K y/epsilon with c^(1/2) = 4/3 and the largest slope K = 1 of a spring that softens."""
+    soft, y = force_of({"1/2": 1}, {3: "-1/2"}), arb("0.05")
+    edge = (arb(4) / 3 * y) ** 2
+    assert trap(soft, y, edge * arb("0.9")) == "creeps" and trap(soft, y, edge * arb("1.05")) is None
+    steep = (arb(1) / 6).sqrt() * 9 / 16  # c^2 y^2 < 1/6 with c = 16/9
+    assert trap(soft, steep * arb("0.9"), arb(0)) == "creeps" and trap(soft, steep * arb("1.05"), arb(0)) is None
