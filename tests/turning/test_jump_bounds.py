@@ -1,5 +1,6 @@
 """What a jump adds to its radius, part by part: a second evaluation of each bound, and inputs that need all of it."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import mpmath
@@ -118,6 +119,9 @@ def test_the_defects_of_a_flow_are_in_its_radii(monkeypatch):
         wide, long = made.advance(start, 100)
         ends = [made._solve(start, 100 + side * psi, start) for side in (-1, 1)]
         assert all(wide.contains(end) for end in ends)
+        assert (
+            abs(ends[1] - ends[0]) * arb("0.98") < wide.rad()
+        )  # f is at least half of 1/v_1, and nearly all of it here
         assert wide.rad() < 3 * abs(ends[1] - ends[0])
         moved = abs(made._integral(made.clock, ends[0].mid(), ends[1].mid()))
         assert long.rad() >= theta + moved / 2 and long.rad() < theta + 3 * moved
@@ -267,3 +271,20 @@ def reals(*texts):
 def test_the_first_amplitude_in_any_well_keeps_its_radius():
     size = any_well._size(Turning(0, 1, arb("0.5"), arb(3), arb(2) ** -20, arb(0)))
     assert all(size.contains(arb("0.5") + side * arb(2) ** -20) for side in (-1, 1))
+
+
+def test_a_following_term_that_vanishes_at_the_start_counts_later():
+    """delta_1^5 - delta_1^4 delta_2 is 0 where both strengths are equal, and not on the way down."""
+    made = flow("0.02", "1")
+    v1, _, _ = made.rates
+    made = replace(made, rates=(v1, (((3, 0), arb(0)),), (((4, 1), arb(-1)), ((5, 0), arb(1)))))
+    with ctx.workprec(64):
+        psi, _ = made._following([arb(d.upper()) for d in made.strengths(arb(0))])
+    c = {key: float(x) for key, x in v1}
+
+    def size(x):
+        d, e = 0.02 * mpmath.exp(x / 2), 0.02 * mpmath.exp(2 * x)
+        return abs((d**5 - d**4 * e) / (c[(1, 0)] * d + c[(0, 1)] * e) ** 2)
+
+    truth = float(mpmath.quad(size, mpmath.linspace(-12, 0, 13)))
+    assert 0 < truth < float(psi) < 10 * truth
