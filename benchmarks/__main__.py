@@ -4,6 +4,7 @@ import json
 import sys
 from importlib import import_module
 from pathlib import Path
+from time import perf_counter
 
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import InputError
@@ -54,7 +55,11 @@ def _answer(name: str | None, size: int | None, folder: str | None, *, as_json: 
         import_module("asymptotics.present.files").require_writable(Path(folder), "--report")
     names = [name] if name else list(BENCHMARKS)
     modules = {key: import_module(f"benchmarks.{BENCHMARKS[key]}") for key in names}  # loaded inside the shell
-    tables = {key: module.run(*(() if size is None else (size,))) for key, module in modules.items()}
+    tables = {}
+    for key, module in modules.items():
+        start = perf_counter()
+        tables[key] = module.run(*(() if size is None else (size,)))
+        print(f"{key}: {perf_counter() - start:.0f} s", file=sys.stderr, flush=True)
     if folder is not None:
         write = import_module("benchmarks.report").write
         write(Path(folder), tables, {key: module.__doc__ for key, module in modules.items()})

@@ -56,7 +56,7 @@ def peer_seconds(last: int, setup: str) -> float | None:
     return ask(ROUTE.format(setup=setup, source=getsource(rational_rows)), last=last)["seconds"]
 
 
-def run(size: int = 800) -> Table:
+def run(size: int = 400) -> Table:
     """Rows 1 ... n in the integer kernel and in rationals, for n = size/8, size/4, size/2 and size."""
     rows = []
     for n in (max(2, size // 8), max(2, size // 4), max(2, size // 2), size):
