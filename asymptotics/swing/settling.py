@@ -102,11 +102,15 @@ def settled(damping: Damping, y: arb, w: arb, error: arb) -> Settled | None:
         starts = solve(above.place, y + error, most), solve(below.place, lowest, most)
     except UndecidedError:  # too few bits here: a later state may do
         return None
-    share = upper(2 * sigma / (1 - 4 * sigma))
     if not all(start < most for start in starts):
         return None
-    strip = Strip(above, below, starts, most, share, arb(0))
+    strip = Strip(above, below, starts, most, spread(sigma), arb(0))
     return Settled(wait, lowest.union(y + error), arb(0).union(fastest), strip)
+
+
+def spread(sigma: arb) -> arb:
+    """How far apart the two curves are in ln w at one height, at most, with sigma at the higher speed."""
+    return upper(2 * sigma / (1 - 4 * sigma))
 
 
 def _most(curve: ForceCurve, y: arb, w: arb) -> arb:

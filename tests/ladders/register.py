@@ -202,7 +202,7 @@ NONE_NEEDED: Names = {
     **_each("swing.dense", "exact_sum", "exact by its precision"),
     **_each("swing.half_swings", "Quarters.place", EXACT),
     **_each("swing.quarters", "found moved", CHOICE),
-    **_each("swing.settling", "ForceCurve.sums", EXACT),
+    **_each("swing.settling", "ForceCurve.sums spread", EXACT),
     **_each("swing.slow", "Barrier.place Barrier.clock", "abstract"),
     **_each("swing.panels", "Panels.serving panels_of", "hands out what laid_out made"),
     **_each("turning.far", "Point.amplitude", EXACT),

@@ -5,7 +5,7 @@ from math import exp, log
 
 import pytest
 from flint import arb, ctx
-from scipy.integrate import solve_ivp
+from scipy.integrate import quad, solve_ivp
 
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion
@@ -13,7 +13,8 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing import course as course_module
 from asymptotics.swing.course import Creep, Settling, course
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.settling import ForceCurve, settled
+from asymptotics.swing.settling import ForceCurve, settled, spread
+from asymptotics.swing.slow import solve
 
 
 def damping(*terms):
@@ -104,6 +105,17 @@ def test_the_region_is_left_if_it_is_narrower_or_sigma_larger():
         assert crossing(h, log_w) == pytest.approx(h - 1 - h * h * 1.5 * sigma, rel=1e-9)
 
 
+@pytest.mark.parametrize("log_w", ["-9", "-6", "-4.5"])
+def test_the_curves_are_as_far_apart_as_sigma_says(log_w):
+    """sigma = 4 w up to 0.044; two thirds of the spread would not do."""
+    law, least = damping(("1/2", "1")), arb("0.5")
+    above, below = (ForceCurve(law, h, least) for h in (0, 2))
+    fast = arb(log_w)
+    slow = solve(above.place, below.place(fast)[0], fast)
+    sigma, apart = 4 * fast.exp(), fast - slow
+    assert apart < spread(sigma) and apart > spread(sigma) * 2 / 3
+
+
 def test_the_time_on_the_curves_is_the_integral_of_their_slope():
     law = damping(*PAIR)
     for h in (0, 2):
@@ -114,6 +126,37 @@ def test_the_time_on_the_curves_is_the_integral_of_their_slope():
         summed = sum((curve.place(u)[1] / u.exp() for u in steps), arb(0)) * (high - low) / 400
         assert abs(float(passed.mid() - summed.mid())) < 1e-5 * float(summed.mid()) and passed.rad() < 1e-6 * passed
         assert float(curve.clock(low)[1]) == pytest.approx(float((curve.place(low)[1] / low.exp()).mid()))
+
+
+def test_the_antiderivative_beside_two_exponents_lies_between_its_bounds():
+    law, log_w = damping(("1/4", "1"), ("3/4", "1")), -3.0
+    n = lambda u: exp(u / 4) / 4 + 3 * exp(3 * u / 4) / 4  # noqa: E731
+    true = quad(lambda u: exp(u) / n(u), -80, log_w, epsabs=1e-14)[0]
+    both, at = (ForceCurve(law, h, law.exponents[0]) for h in (0, 2)), arb(log_w)
+    plain, lacking = (curve.clock(at)[0] for curve in both)
+    held = (plain - lacking) / 2 - exp(log_w) / n(log_w)
+    assert held.contains(arb(true)) and 0.1 < float((held.mid() - true) / held.rad()) + 1 < 1.9
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_state_at_the_edge_of_its_error_is_held(side):
+    place, error, time = arb("0.1").mid(), arb(2) ** -40, arb(10) ** 6
+    with ctx.workprec(100):
+        law = damping(*PAIR)
+    with ctx.workprec(60):
+        found = settled(law, place, arb(0), error)
+        wide = found.strip.state(time)
+        true = settled(law, (place + side * error * arb("0.999")).mid(), arb(0), arb(0)).strip.state(time)
+        assert (found.strip.above.h, found.strip.below.h) == (0, 2)
+        assert all(map(arb.contains, wide, true)) and found.y.contains(true[0])
+
+
+def test_a_speed_at_which_y_moves_while_it_settles_has_to_fall_first():
+    law = damping(("1/1000", "1/2"))
+    with ctx.workprec(60):
+        fast = arb(2) ** -30 * arb("4.5e-4")  # sigma is just below 2^-60
+        assert settled(law, arb("0.1"), fast.mid(), arb(0)) is None
+        assert settled(law, arb("0.1"), (fast / 20).mid(), arb(0)) is not None
 
 
 def test_nothing_is_promised_where_the_speed_may_grow_or_is_not_small():
