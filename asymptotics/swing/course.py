@@ -40,6 +40,7 @@ from asymptotics.swing.taylor import TaylorStep
 MAX_PIECES, MAX_FREE = 200_000, 5000
 _FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision
 _LONGEST = 2.0**24  # bits of a time
+_BY_STEPS = "a creep by Taylor steps, as its slow curve is no short sum of powers yet"
 _CATCH = 4  # every so many pieces a strip about the slow curve is tried
 
 
@@ -164,8 +165,9 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         y, w = first.expansion.state(first.expansion.reach)
         error = upper(first.error + y.rad())
         u, w = (y + damping.friction).mid(), first.expansion.reach
+    reason: str | None = None
     for count in range(pieces):
-        tick(f"piece {count} of a half-swing")
+        tick(f"piece {count} of {'a half-swing' if reason is None else _BY_STEPS}")
         y = u - damping.friction
         blur = arb(0, error)
         if y + error < 0 and turns_within(damping, y, w, error):  # whatever the true speed: it turns, or just did
