@@ -2,7 +2,8 @@
 
 x'' + x + (1/10) x'|x'|^(alpha - 1) = 0 from rest at 1.  The integrators get the best treatment: heyoka stops at each
 zero of v and turns the sign of the law by hand (a plain |v| costs it digits without a warning), SciPy has an event and
-mpmath starts afresh at each turning point.  None of them knows its own error: the last column is measured, ours proved.
+mpmath starts afresh at each turning point.  At a turning point of alpha = 3/2 the motion has no Taylor series: heyoka
+cannot start there and is said to have failed.  None of them knows its own error: the last column is measured, ours proved.
 """
 
 from math import isfinite
@@ -24,7 +25,7 @@ fp = {"double": float, "80 bits": numpy.longdouble}[kind]
 x, v = heyoka.make_vars("x", "v")
 sign = heyoka.par[0]
 speed = -sign * v
-power = speed**2 if alpha == 2 else speed**3 if alpha == 3 else speed * heyoka.sqrt(speed)
+power = speed**2 if alpha == 2 else speed * speed**2 if alpha == 3 else speed * heyoka.sqrt(speed)
 class Turn:
     def __call__(self, ta, _):
         found.append(ta.state[0])

@@ -87,7 +87,8 @@ def markdown(tables: dict[str, Table], where: dict[str, str], lessons: dict[str,
     lines += ["| | |", "|---|---|", *(f"| {k} | {v} |" for k, v in where.items())]
     lines += ["", "![Times as ratios to ours](benchmarks.svg)"]
     for name, table in tables.items():
-        rows = [table.columns, ("---",) * len(table.columns), *table.rows]
+        cells = [[cell.replace("|", "\\|") for cell in row] for row in table.rows]
+        rows = [table.columns, ("---",) * len(table.columns), *cells]
         lesson = (lessons or {}).get(name, "").partition(">>>")[0].strip()
         lines += ["", f"## {table.title}", "", *([lesson, ""] if lesson else [])]
         lines += ["|" + "|".join(row) + "|" if row[0] == "---" else "| " + " | ".join(row) + " |" for row in rows]
