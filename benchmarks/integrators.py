@@ -3,7 +3,8 @@
 x'' + x + (1/10) x'|x'|^(alpha - 1) = 0 from rest at 1.  The integrators get the best treatment: heyoka stops at each
 zero of v and turns the sign of the law by hand (a plain |v| costs it digits without a warning), SciPy has an event and
 mpmath starts afresh at each turning point.  At a turning point of alpha = 3/2 the motion has no Taylor series: heyoka
-cannot start there and is said to have failed.  None of them knows its own error: the last column is measured, ours proved.
+cannot start there and is said to have failed.  None of them knows its own error: the last column is measured, ours
+proved.
 """
 
 from math import isfinite
