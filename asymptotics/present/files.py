@@ -169,6 +169,7 @@ class _Part:
         with suppress(OSError):
             if self.old.exists():
                 self.old.replace(self.target)
+                self.old.unlink(missing_ok=True)  # a rename between two names of one file leaves both
             elif not self.existed and not self.new.exists():
                 self.target.unlink(missing_ok=True)
             self.new.unlink(missing_ok=True)

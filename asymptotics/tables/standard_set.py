@@ -13,19 +13,16 @@ DIGITS = 30
 
 
 def standard_set(folder: Path, digits: int = DIGITS) -> list[Table]:
-    """Write all tables into ``folder`` and return them."""
+    """Write all tables and the index into ``folder``, or nothing; returns the tables."""
     require_writable(folder, "FOLDER")
-    tables = []
+    tables, contents = [], {}
     for name in tqdm(names(), unit="table", disable=not sys.stderr.isatty()):
         table = build(name, digits)
-        contents: dict[Path, str | bytes] = {
-            folder / f"{name}.csv": table.to_csv_file(),
-            folder / f"{name}.json": table.to_json(),
-            folder / f"{name}.tex": table.to_latex() + "\n",
-        }
-        write_all(contents)
+        contents[folder / f"{name}.csv"] = table.to_csv_file()
+        contents[folder / f"{name}.json"] = table.to_json()
+        contents[folder / f"{name}.tex"] = table.to_latex() + "\n"
         tables.append(table)
-    write_all({folder / "index.md": _index(tables)})
+    write_all({**contents, folder / "index.md": _index(tables)}, "FOLDER")
     return tables
 
 

@@ -1,4 +1,4 @@
-"""Write the report: all contents are made in memory first, then each file appears whole."""
+"""Write the report: all contents are made in memory first, then the files appear whole, all of them or none."""
 
 import json
 from collections import Counter
@@ -11,7 +11,7 @@ import jinja2
 
 from asymptotics import __version__
 from asymptotics.present.figures import render
-from asymptotics.present.files import write_atomically
+from asymptotics.present.files import write_all
 from asymptotics.present.mathml import to_mathml
 from asymptotics.tables.cells import Formula
 from asymptotics.tables.registry import build
@@ -49,17 +49,19 @@ ERRATA = (
 
 def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda name: None) -> list[Path]:
     """Write the pages, report.json, report.tex and the figures into ``folder``, which exists; returns the paths."""
+    contents = {folder / name: content for name, content in _contents(entries, progress).items()}
+    write_all(contents, "--report")
+    return list(contents)
+
+
+def _contents(entries: list[Entry], progress: Progress) -> dict[str, bytes | str]:
     contents: dict[str, bytes | str] = dict(_figures(entries, progress))
     data = report_data(entries)
     contents["report.json"] = json.dumps(data, indent=1, ensure_ascii=False)
     contents["report.tex"] = _template("report.tex.j2").render(data)
     made = _pages(data, {e.statement.id: e for e in entries})
     contents["style.css"] = (FOLDER / "style.css").read_text(encoding="utf-8") + font_faces(made.values())
-    contents |= made | ({"benchmarks.svg": MEASURED.read_bytes()} if MEASURED.exists() else {})
-    for name, content in contents.items():
-        write_atomically(folder / name, content)
-        progress(name)
-    return [folder / name for name in contents]
+    return contents | made | ({"benchmarks.svg": MEASURED.read_bytes()} if MEASURED.exists() else {})
 
 
 def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:

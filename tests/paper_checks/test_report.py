@@ -10,6 +10,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
+from asymptotics.errors import InputError
 from derivations.__main__ import names
 from paper_checks import registry
 from paper_checks.__main__ import main
@@ -116,6 +117,26 @@ def test_the_same_entries_give_the_same_bytes_however_long_they_took(report, tmp
     for path in write_report(tmp_path, entries):  # every picture is drawn again
         assert path.read_bytes() == (report / path.name).read_bytes(), path.name
         assert path.suffix != ".svg" or b"<svg" in path.read_bytes()
+
+
+def test_a_report_that_cannot_be_finished_changes_no_file(tmp_path, monkeypatch):
+    names, real = ["index.html", "style.css"], Path.replace
+    for name in names:
+        (tmp_path / name).write_text("old")
+
+    def replace(self: Path, target: Path) -> Path:
+        if Path(target).name == "style.css" and self.read_text() == "new":
+            raise OSError(28, "No space left on device")
+        return real(self, target)
+
+    monkeypatch.setattr(build, "_contents", lambda entries, progress: dict.fromkeys(names, "new"))
+    with monkeypatch.context() as full:
+        full.setattr(Path, "replace", replace)
+        with pytest.raises(InputError, match="argument --report: .*No space"):
+            write_report(tmp_path, [])
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == dict.fromkeys(names, "old")
+    write_report(tmp_path, [])
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == dict.fromkeys(names, "new")
 
 
 @pytest.mark.slow
