@@ -101,7 +101,7 @@ def process_seconds(command: list[str], text: str, timeout: float = TIMEOUT) -> 
     return nan if failed else perf_counter() - start
 
 
-def run(size: int = 4) -> Table:
+def run(size: int = 3) -> Table:
     """Orders 1 ... size: seconds, and the ratio to the exact engine; other tools only if they are installed."""
     rows = []
     for order in range(1, size + 1):
