@@ -5,7 +5,7 @@ WORKERS ?= auto
 PIP = $(VENV)/bin/python -m pip install --disable-pip-version-check --quiet
 RUN = $(VENV)/bin/python -m
 
-.PHONY: reproduce test test-thorough matrix lint docs tables benchmarks mutants clean
+.PHONY: reproduce test test-thorough matrix lint docs tables benchmarks mutants weakened clean
 
 reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
@@ -50,6 +50,10 @@ benchmarks: $(VENV)/.test .peers/.ready
 SAMPLE ?= 60
 mutants: $(VENV)/.mutants
 	$(RUN) benchmarks.mutants --sample $(SAMPLE)
+
+# Each bound of benchmarks/weakened_bounds.json is halved or dropped, and its test must fail; PART=wells/ for some of them.
+weakened: $(VENV)/.test
+	$(RUN) benchmarks.weakened $(PART)
 
 # Each environment is the one before it and what its lock adds; a change of pyproject.toml alone installs the package anew.
 $(VENV)/.lock: requirements/reproduce.txt

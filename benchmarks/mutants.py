@@ -141,15 +141,20 @@ def measure(group: str, sample: int, seed: int, seconds: int) -> Score:
     return Score(group, len(names), len(codes), killed, equivalent, surviving, time.monotonic() - start)
 
 
-def _copy(group: str) -> Path:
-    """The tracked files under build/mutants/GROUP, with the settings of mutmut for this group."""
-    folder = BUILD / group
+def copy_of_the_project(folder: Path) -> Path:
+    """The tracked files as they are now, in a new folder."""
     shutil.rmtree(folder, ignore_errors=True)
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
     for name in filter(None, listed.split("\0")):
         if (ROOT / name).is_file():
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / name, folder / name)
+    return folder
+
+
+def _copy(group: str) -> Path:
+    """The tracked files under build/mutants/GROUP, with the settings of mutmut for this group."""
+    folder = copy_of_the_project(BUILD / group)
     plan = GROUPS[group]
     top = sorted(path.name for path in folder.iterdir() if path.name != "pyproject.toml")
     settings = {

@@ -3,6 +3,7 @@
 import pytest
 from flint import arb, ctx
 
+from asymptotics.errors import UndecidedError
 from asymptotics.swing import arrival as arrivals
 from asymptotics.swing import dense
 from asymptotics.swing.arrival import arrive
@@ -12,6 +13,7 @@ from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.keys import Plan
 from asymptotics.swing.passage import Passage, integrated, of_landing
 from asymptotics.swing.sequence import Turning, first_from, following
+from asymptotics.swing.slow import solve
 from asymptotics.swing.taylor import TaylorStep, discs
 from tests.swing.test_bounds import NOTHING, damping
 
@@ -169,3 +171,9 @@ def test_only_terms_up_to_alpha_help_to_trap():
     law = damping(("1/4", "1/5"), ("1/2", "1/5"), ("3", "10"))
     found = float(_together(law, law.alphas[1], law.exponents[1], arb("0.0625")))
     assert found == pytest.approx(0.2 + 0.2 * 2, rel=1e-9)
+
+
+def test_newton_claims_no_root_where_there_is_none():
+    """x^2 + 1 has none, and no box about any x holds its own Newton step."""
+    with ctx.workprec(60), pytest.raises(UndecidedError):
+        solve(lambda x: (x * x + 1, 2 * x), arb(0), arb("0.7"))

@@ -1,0 +1,152 @@
+"""The list of weakened bounds: it fits the code, its tests exist, and no function that widens a ball is missing."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from benchmarks import weakened
+from tests.ladders.walk import ROOT, trees
+
+ROOMS = {
+    "bounds", "comparison", "envelopes", "half_swings", "identification", "invariants", "limit_cycles", "moments",
+    "motions", "normal_form", "numbers", "straightening", "swing", "turning", "wells",
+}  # fmt: skip
+
+WAVES, QUARTERS, SETTLING = (
+    f"tests/{name}.py" for name in ("bounds/test_waveform", "swing/test_quarters", "swing/test_settling")
+)
+
+LADDER, ENDS = "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it", "tests/wells/test_bounds.py"
+CYCLES = "tests/limit_cycles/test_limit_cycles.py::test_the_half_turn_encloses_and_bites"
+LATE, FINITE = "tests/bounds/test_late.py", "tests/half_swings/test_finite.py"
+
+OWN = {
+    "bounds.late.late_turning": f"{LATE}::test_the_turning_point_after_the_jump_is_held_and_its_errors_are_attained",
+    "bounds.motion._by_energy": f"{LATE}::test_what_is_out_of_range_falls_back_on_energy",
+    "bounds.uniform._Theorem._start": "tests/bounds/test_uniform.py::test_each_part_of_the_bound_counts",
+    "bounds.waveform._between": f"{WAVES}::test_the_pieces_are_hulls_of_their_functions",
+    "bounds.waveform._hulls": f"{WAVES}::test_the_pieces_are_hulls_of_their_functions",
+    "envelopes.certified._inverse": LADDER,
+    "envelopes.certified.amplitude": "tests/envelopes/test_certified.py::test_too_little_precision_is_an_enclosure",
+    "envelopes.certified.extinction_time": LADDER,
+    "envelopes.large.SlowFlow._inverse": LADDER,
+    "envelopes.large.SlowFlow.extinction_time": LADDER,
+    "envelopes.large._power": "tests/envelopes/test_large.py::test_the_extinction_of_the_averaged_amplitude",
+    "half_swings.certified.enclose": "tests/half_swings/test_certified.py::test_a_missing_tail_bound_is_detected",
+    "half_swings.finite.FiniteQuarter.orbit": f"{FINITE}::test_the_error_of_the_start_is_carried_and_no_less",
+    "half_swings.finite_majorant._extremes": f"{FINITE}::test_the_majorant_is_above_the_function_and_not_far_above",
+    "half_swings.finite_majorant.majorant": f"{FINITE}::test_the_majorant_is_above_the_function_and_not_far_above",
+    "half_swings.symbolic._integrate": LADDER,
+    "identification.certified_ratio.CertifiedRatio.at": (
+        "tests/identification/test_certified_ratio.py::test_the_series_with_its_tail_holds_the_half_swing"
+    ),
+    "identification.table_rows.linear": (
+        "tests/identification/test_set_valued.py::test_the_tail_of_the_series_is_an_enclosure_that_bites"
+    ),
+    "limit_cycles.certified._interval_newton": CYCLES,
+    "limit_cycles.certified._picard_box": CYCLES,
+    "limit_cycles.certified._to_the_turn": CYCLES,
+    "limit_cycles.certified.half_turn": LADDER,
+    "motions.quadratic._angle": "tests/motions/test_exact.py::test_quadratic_motion_after_many_half_swings",
+    "numbers.decimals.decimal_of_ball": (
+        "tests/numbers/test_decimal_edges.py::test_a_ball_is_printed_when_both_exact_ends_round_alike_and_only_then"
+    ),
+    "numbers.rationals.bounds": "tests/numbers/test_bridge.py::test_bounds_enclose",
+    "swing.half_swings.HalfSwings.__call__": f"{QUARTERS}::test_the_residual_of_a_half_swing_is_what_it_is_off_by",
+    "swing.quarters.Bundle.of": f"{QUARTERS}::test_a_late_start_is_paid_for",
+    "swing.quarters.Path.along": f"{QUARTERS}::test_coefficients_that_are_dropped_count",
+    "swing.quarters.Path.enclosed": f"{QUARTERS}::test_the_error_is_made_of_its_parts",
+    "swing.quarters.Path.on_ellipse": f"{QUARTERS}::test_the_bounds_on_the_ellipse",
+    "swing.sequence.Turning.tau": LADDER,
+    "swing.sequence.Turning.x": LADDER,
+    "swing.settling.ForceCurve.clock": f"{SETTLING}::test_the_time_on_the_curves_is_the_integral_of_their_slope",
+    "swing.settling.settled": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
+    "swing.slow.caught": "tests/swing/test_slow.py::test_half_the_strip_is_not_proved",
+    "swing.slow.solve": "tests/swing/test_kept_radii.py::test_newton_claims_no_root_where_there_is_none",
+    "turning.routes._point": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
+    "wells.dense._Wanted.__init__": (
+        "tests/wells/test_distance_bounds.py::test_a_state_holds_its_neighbours_in_place_speed_and_time"
+    ),
+    "wells.ends._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
+    "wells.landing.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",
+}
+"""Functions that widen a ball, none of whose lines is on the list -> the test of their own, in which the truth is
+contained at few bits or the parts are evaluated again."""
+
+NO_BOUND = {
+    "bounds.local._sharp": "asks whether radii are small enough",
+    "identification.set_valued._searched": "boxes of doubles that are searched; what is claimed comes from table_rows",
+    "motions.orbit_force.OrbitForce.__init__": "a union of sets",
+    "motions.reference._within": "asks whether a radius is small enough",
+    "normal_form.verify.map_residual": "asks whether a radius is small enough",
+    "numbers.pickling._make_arb": "the same ball, read and written",
+    "numbers.pickling._reduce_arb": "the same ball, read and written",
+    "swing.slow_series.truncated": "balls as a key of a cache",
+}
+"""Functions that name a radius or a hull, and bound nothing by it."""
+
+
+def test_every_line_is_in_its_file_once_and_every_test_exists():
+    texts = {w.file: (ROOT / w.file).read_text() for w in weakened.listed()}
+    for w in weakened.listed():
+        assert texts[w.file].count(w.line) == 1, w
+        assert w.weaker != w.line and bool(w.test) != bool(w.equivalent), w
+        if w.test:
+            file, name = w.test.split("::")
+            assert f"def {name}(" in (ROOT / file).read_text(), w
+    assert len({(w.file, w.line, w.weaker) for w in weakened.listed()}) == len(weakened.listed())
+
+
+def test_every_function_that_widens_a_ball_is_on_the_list():
+    """arb(middle, radius), .rad(), .union(): who writes one bounds something, or says here why not."""
+    missing, all_of_them = set(), set()
+    for module, tree in trees().items():
+        room = module.split(".")[1] if "." in module else ""
+        file = f"{module.replace('.', '/')}.py"
+        if room not in ROOMS or not (ROOT / file).exists():
+            continue
+        text = (ROOT / file).read_text()
+        planted = [text[: text.index(w.line)].count("\n") + 1 for w in weakened.listed() if w.file == file]
+        for name, node in functions(tree.body, module.removeprefix("asymptotics.")):
+            if widens(node):
+                all_of_them.add(name)
+                if not any(node.lineno <= line <= (node.end_lineno or 0) for line in planted):
+                    missing.add(name)
+    named = {*NO_BOUND, *OWN}
+    assert not missing - named, "weaken what they bound in benchmarks/weakened_bounds.json, or name their test here"
+    assert not named - all_of_them, "these widen no ball any more"
+    for test in OWN.values():
+        file, name = test.split("::")
+        assert f"def {name}(" in (ROOT / file).read_text(), test
+
+
+def widens(node: ast.FunctionDef) -> bool:
+    calls = [n.func for n in ast.walk(node) if isinstance(n, ast.Call)]
+    pairs = [n for n in ast.walk(node) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name) and len(n.args) == 2]
+    balls = any(n.func.id == "arb" and not isinstance(n.args[0], ast.Tuple) for n in pairs)
+    return balls or any(isinstance(f, ast.Attribute) and f.attr in ("rad", "union") for f in calls)
+
+
+def functions(body: list[ast.stmt], prefix: str) -> Iterator[tuple[str, ast.FunctionDef]]:
+    for node in body:
+        if isinstance(node, ast.FunctionDef):
+            yield f"{prefix}.{node.name}", node
+        elif isinstance(node, ast.ClassDef):
+            yield from functions(node.body, f"{prefix}.{node.name}")
+
+
+@pytest.mark.slow
+def test_a_weakened_bound_is_noticed_and_a_harmless_change_is_not(tmp_path):
+    folder = weakened.copy_of_the_project(tmp_path / "copy")
+    fault = next(w for w in weakened.listed() if w.file.endswith("quadratic_map.py"))
+    harmless = weakened.Weakened(fault.file, "nothing", fault.line, f"{fault.line}  # the same", fault.test)
+    assert weakened.is_noticed(fault, Path(folder)) and not weakened.is_noticed(harmless, Path(folder))
+
+
+def test_the_page_on_certified_results_counts_them():
+    rows = weakened.table([(w, "equivalent" if w.equivalent else "noticed") for w in weakened.listed()]).rows
+    page = (ROOT / "docs" / "certified.md").read_text()
+    for room, noticed, equivalent, _ in rows:
+        assert f"| {room} | {noticed} | {equivalent} |" in page
