@@ -68,8 +68,9 @@ class Curve:
 
 
 def _grown(d: arb, log_w: arb) -> arb:
-    """An antiderivative of w^(d-1): w^d/d, or ln w."""
-    return log_w if d == 0 else (d * log_w).exp() / d
+    """An antiderivative of w^(d-1): w^d/d, or (w^d - 1)/d, ln w times a mean of 1 ... w^d, where d may be 0."""
+    power = (d * log_w).exp()
+    return log_w * arb(1).union(power) if d.contains(0) else power / d
 
 
 class Barrier(Protocol):

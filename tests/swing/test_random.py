@@ -33,7 +33,7 @@ def check(seed):
             assert small.rad() < arb(2) ** -22, (seed, law)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", [*range(6), 158])  # 158: on the slow curve a power of w integrates to ln w
 def test_few_bits_contain_many(seed):
     check(seed)
 
