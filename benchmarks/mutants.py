@@ -8,7 +8,6 @@ A survivor is listed in ``benchmarks/equivalent_mutants.json`` with the reason w
     score = killed / (sampled - equivalent)
 """
 
-import argparse
 import json
 import random
 import re
@@ -19,6 +18,7 @@ import time
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from asymptotics.cli.main import Parser
 from asymptotics.cli.shell import emit, run_guarded
 from benchmarks.table import Table
 
@@ -103,7 +103,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(argv: list[str] | None) -> int:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.mutants", description=__doc__)
+    parser = Parser(prog="python -m benchmarks.mutants", description=__doc__)
     parser.add_argument("groups", nargs="*", help=", ".join(GROUPS))
     parser.add_argument("--sample", type=int, default=60, help="mutants of each group (default 60)")
     parser.add_argument("--seconds", type=int, default=240, help="time limit of each group (default 240)")
