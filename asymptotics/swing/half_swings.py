@@ -13,7 +13,7 @@ in z (``coordinate``) takes fewer nodes.  Where z -> -z turns the sign of every 
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(120):
 ...     quadratic = Coordinate.of([(arb(1), ExactReal(2))])
-...     ratio, duration = HalfSwings.up_to(quadratic, arb("0.1"), 60)(arb("0.1"))
+...     ratio, duration = HalfSwings.up_to(quadratic, arb("0.11"), 60)(arb("0.1"))
 >>> ratio.str(12), duration.str(12)      # 1 + W_0(-(1 + 2 delta) e^-(1 + 2 delta)) over 2 delta
 ('[0.882189986247 +/- ...]', '[3.14622255601 +/- ...]')
 """

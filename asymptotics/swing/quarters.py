@@ -34,6 +34,7 @@ Derivation ``quarter-collocation``.
 >>> forwards.growth.str(10), forwards.duration.str(10)
 ('[-0.06610623692 +/- ...]', '[1.604523150 +/- ...]')
 >>> backwards.growth.str(10), backwards.duration.str(10)
+('[0.06721722457 +/- ...]', '[1.537860788 +/- ...]')
 """
 
 from collections.abc import Iterable, Sequence
