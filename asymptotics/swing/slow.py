@@ -68,9 +68,10 @@ class Curve:
 
 
 def _grown(d: arb, log_w: arb) -> arb:
-    """An antiderivative of w^(d-1): w^d/d, or (w^d - 1)/d, ln w times a mean of 1 ... w^d, where d may be 0."""
+    """An antiderivative of w^(d-1): w^d/d, or, where d may be 0, (w^d - 1)/d: ln w times a mean of 1 and w^d, which the
+    ball of w^d holds."""
     power = (d * log_w).exp()
-    return log_w * arb(1).union(power) if d.contains(0) else power / d
+    return log_w * power if d.contains(0) else power / d
 
 
 class Barrier(Protocol):

@@ -1,14 +1,26 @@
 """The parts on which a proved tail rests, each alone: the majorant, the order, the reach, the integrals of I_4."""
 
+from dataclasses import replace
+from itertools import islice
+
 import mpmath
 import pytest
 from flint import arb, ctx
 
-from asymptotics.errors import LimitError
-from asymptotics.half_swings.certified import enclose, quarter_swing, terms_needed
+from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.half_swings.certified import enclose, quarter_swing, tail_constants, terms_needed
 from asymptotics.half_swings.certified_zeros import certified_half_swing, duration_vanishes
-from asymptotics.half_swings.finite import MAX_ORDER, _order, _polydisc, finite_quarter, series_reach
-from asymptotics.half_swings.finite_majorant import _Step, majorant, widest
+from asymptotics.half_swings.finite import (
+    MAX_ORDER,
+    FiniteQuarter,
+    Tail,
+    TruncatedSum,
+    _order,
+    _polydisc,
+    finite_quarter,
+    series_reach,
+)
+from asymptotics.half_swings.finite_majorant import _extremes, _Step, majorant, widest
 from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.half_swings.symbolic import (
@@ -20,6 +32,7 @@ from asymptotics.half_swings.symbolic import (
     nested_integral_exact,
 )
 from asymptotics.numbers.exact import parse_real
+from asymptotics.series import Series
 
 
 def real(text):
@@ -62,6 +75,100 @@ def test_a_tail_that_is_known_is_counted():
     quarter = finite_quarter([real("2")], [arb("0.05")], 40)
     residual = quarter._residual([arb("0.05")], arb(0), arb("-0.1"), arb("1e-5"))
     assert residual.rad() >= 1e-5
+
+
+def test_a_tail_is_the_next_terms_and_a_geometric_sum():
+    """2 d^3 + M sum over k > 3 of x^k, term by term."""
+    M, d, x = arb("0.7"), arb("0.1"), arb("0.4")
+    found = Tail(Series({(3,): arb(2)}, 1, 3), 2, 3, M)([d], x)
+    whole = 2 * d**3 + sum((M * x**k for k in range(4, 200)), arb(0))
+    assert whole <= found * (1 + arb(1e-12)) and found <= whole * (1 + arb(1e-12))
+
+
+def test_the_majorant_of_the_polydisc_is_what_cauchy_s_inequality_takes():
+    quarter = finite_quarter([real("3/2")], [arb("0.05")], 40)
+    assert quarter.R.tail.cauchy >= quarter.majorant.growth and quarter.T.tail.cauchy >= quarter.majorant.excess
+
+
+def test_a_root_without_a_change_of_sign_is_not_claimed(monkeypatch):
+    quarter = finite_quarter([real("1/2")], [arb("0.05")], 40)
+    monkeypatch.setattr(FiniteQuarter, "_residual", lambda *_: arb("0.001"))
+    with pytest.raises(UndecidedError, match="not enclosed"):
+        quarter._enclosed([arb("0.05")], arb(0), arb("-0.1"))
+
+
+@pytest.mark.parametrize("exponent", ["1/2", "3/2"])
+def test_what_is_rounded_at_a_turning_point_is_carried(exponent):
+    rough, fine = (finite_quarter([real(exponent)], [arb("0.02")], bits) for bits in (20, 90))
+    with ctx.workprec(24):
+        found = list(islice(rough.orbit([arb(1) / 64], arb(0), arb(0)), 8))
+    with ctx.workprec(120):
+        true = list(islice(fine.orbit([arb(1) / 64], arb(0), arb(0)), 8))
+        for (x, e, _), (right, _, _) in zip(found[1:], true[1:], strict=True):
+            assert 0 < abs(x - right) < e and e < arb(2) ** -14
+
+
+def test_what_is_uncertain_about_the_start_is_its_radius():
+    quarter, e = finite_quarter([real("3/2")], [arb("0.05")], 40), arb(2) ** -20
+    ((x, radius, _),) = islice(quarter.orbit([arb("0.02")], arb(0, e), e), 1)
+    assert x == 0 and 2 * e <= radius and radius <= arb("2.001") * e
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_duration_is_taken_over_the_whole_ball_at_both_ends(side):
+    """Were T_q = d^2, an even function, the changes at both ends would add up: neither of them may be left out."""
+    square = TruncatedSum(Series({(2,): arb(1)}, 1, 2), Tail(Series({}, 1, 2), 2, 2, arb(0)))
+    e = side * arb(2) ** -10
+    with ctx.workprec(100):
+        quarter = replace(finite_quarter([real("3/2")], [arb(1) / 32], 60), T=square)
+        ((_, _, wide),) = islice(quarter.orbit([arb(1) / 40], arb(0), abs(e)), 1)
+        ((_, _, end),) = islice(quarter.orbit([arb(1) / 40], e, arb(0)), 1)
+        assert wide.contains(end.mid()) and abs(end - wide.mid()) > wide.rad() * arb("0.99")
+
+
+def test_the_tail_that_is_shown_is_that_of_both_quarters():
+    """Below alpha = 1 the local strength grows: the end lacks more than the beginning."""
+    delta = [arb("0.05")]
+    quarter = finite_quarter([real("1/2")], delta, 40)
+    found = quarter.half_swing(delta)
+    before, after = (quarter._tail(quarter.R, d) for d in (delta, quarter.strengths(delta, found.log_ratio)))
+    assert before < after and before + after <= found.tail and found.tail <= arb("2.001") * after
+
+
+@pytest.mark.parametrize("exponent", ["1/2", "2"])
+def test_the_extremes_on_a_piece_are_the_largest_values_on_it(exponent):
+    a, pieces = real(exponent).ball(), 6
+    for j, ((power,), (product,)) in enumerate(_extremes(((a.mid().man_exp(), a.rad().man_exp()),), pieces)):
+        start, end = (arb.pi() * (j + i) / (2 * pieces) for i in (0, 1))
+        at = [start + (end - start) * k / 50 for k in range(51)]
+        values = [[float(x.sin() ** (a + 1)) for x in at], [float(x.sin() ** a * x.cos()) for x in at]]
+        assert max(values[0]) <= float(power) * (1 + 1e-12) and float(power) <= max(values[0]) * (1 + 1e-12)
+        assert max(values[1]) <= float(product) <= float(end.sin() ** a * start.cos()) * (1 + 1e-12)
+
+
+def test_one_piece_for_the_whole_quarter_is_done_by_hand():
+    """s = 1 and s^a c <= 1 throughout, so C* = rho e^G with the G of the end."""
+    rho = arb("0.05")
+    bound = majorant([arb(2)], [rho], pieces=1)
+    C, half_pi = rho * bound.growth.exp(), arb.pi() / 2
+    for found, truth in ((bound.excess, half_pi * (1 / (1 - C) - 1)), (bound.gains[0], half_pi / (1 - C))):
+        assert truth * (1 - arb(1e-12)) < found < truth * (1 + arb(1e-9))
+
+
+@pytest.mark.parametrize("exponent", ["1/2", "3/2", "3"])
+def test_the_bounds_of_the_first_order_are_attained_on_the_circle(exponent):
+    """At theta = i pi, |t| = 4: g = pi sinh pi, c = cosh pi, y_1 = (sinh pi/pi)^alpha and
+    e^(-i theta) c = (1 + e^(2 pi))/2; the factors of the moments by hand, each of them attained there."""
+    a, pi = real(exponent).ball(), arb.pi()
+    R, T, *K = tail_constants(Forces.losses([real(exponent)]), 2, 4, True)
+    scale, y, last = (pi / 2) ** a, (pi.sinh() / pi) ** a, (1 + (2 * pi).exp()) / 2
+    d, w = pi.cosh() * y, pi * pi.exp() * y / (a + 1)
+    known = [(R[(1,)], scale * pi * pi.sinh() * y), (T[(1,)], scale * pi / 2 * pi.cosh() * y)]
+    known += [(K[2 * k][(0,)], (pi / 2) ** (k + 1) * last) for k in range(3)]
+    known += [(K[0][(1,)], scale * pi / 2 * last * (d + w))]
+    known += [(K[2][(1,)], scale * (pi / 2) ** 2 * last * (d + w + d / (a + 1)))]
+    for bound, value in known:
+        assert value * (1 - arb(1e-12)) < bound < value * (1 + arb(1e-12))
 
 
 def test_the_tail_of_a_power_series_is_that_of_its_bound():

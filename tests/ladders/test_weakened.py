@@ -20,10 +20,9 @@ WAVES, QUARTERS, SETTLING = (
 
 LADDER, ENDS = "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it", "tests/wells/test_bounds.py"
 CYCLES = "tests/limit_cycles/test_limit_cycles.py::test_the_half_turn_encloses_and_bites"
-LATE, FINITE = "tests/bounds/test_late.py", "tests/half_swings/test_finite.py"
+LATE = "tests/bounds/test_late.py"
 
 OWN = {
-    "bounds.late.late_turning": f"{LATE}::test_the_turning_point_after_the_jump_is_held_and_its_errors_are_attained",
     "bounds.motion._by_energy": f"{LATE}::test_what_is_out_of_range_falls_back_on_energy",
     "bounds.uniform._Theorem._start": "tests/bounds/test_uniform.py::test_each_part_of_the_bound_counts",
     "bounds.waveform._between": f"{WAVES}::test_the_pieces_are_hulls_of_their_functions",
@@ -34,10 +33,6 @@ OWN = {
     "envelopes.large.SlowFlow._inverse": LADDER,
     "envelopes.large.SlowFlow.extinction_time": LADDER,
     "envelopes.large._power": "tests/envelopes/test_large.py::test_the_extinction_of_the_averaged_amplitude",
-    "half_swings.certified.enclose": "tests/half_swings/test_certified.py::test_a_missing_tail_bound_is_detected",
-    "half_swings.finite.FiniteQuarter.orbit": f"{FINITE}::test_the_error_of_the_start_is_carried_and_no_less",
-    "half_swings.finite_majorant._extremes": f"{FINITE}::test_the_majorant_is_above_the_function_and_not_far_above",
-    "half_swings.finite_majorant.majorant": f"{FINITE}::test_the_majorant_is_above_the_function_and_not_far_above",
     "half_swings.symbolic._integrate": LADDER,
     "identification.certified_ratio.CertifiedRatio.at": (
         "tests/identification/test_certified_ratio.py::test_the_series_with_its_tail_holds_the_half_swing"
@@ -47,7 +42,6 @@ OWN = {
     ),
     "limit_cycles.certified._interval_newton": CYCLES,
     "limit_cycles.certified._picard_box": CYCLES,
-    "limit_cycles.certified._to_the_turn": CYCLES,
     "limit_cycles.certified.half_turn": LADDER,
     "motions.quadratic._angle": "tests/motions/test_exact.py::test_quadratic_motion_after_many_half_swings",
     "numbers.decimals.decimal_of_ball": (
@@ -64,11 +58,7 @@ OWN = {
     "swing.settling.ForceCurve.clock": f"{SETTLING}::test_the_time_on_the_curves_is_the_integral_of_their_slope",
     "swing.settling.settled": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
     "swing.slow.caught": "tests/swing/test_slow.py::test_half_the_strip_is_not_proved",
-    "swing.slow.solve": "tests/swing/test_kept_radii.py::test_newton_claims_no_root_where_there_is_none",
     "turning.routes._point": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
-    "wells.dense._Wanted.__init__": (
-        "tests/wells/test_distance_bounds.py::test_a_state_holds_its_neighbours_in_place_speed_and_time"
-    ),
     "wells.ends._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
     "wells.landing.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",
 }

@@ -14,7 +14,7 @@ from asymptotics.numbers.exact import parse_real
 from asymptotics.swing import course as course_module
 from asymptotics.swing.course import Creep, course
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.slow import Curve, caught, one_way, solve
+from asymptotics.swing.slow import Curve, _grown, caught, one_way, solve
 from asymptotics.swing.slow_series import Truncated, summed, truncated
 
 LAWS = [
@@ -234,3 +234,24 @@ def test_late_times_and_small_exponents_are_served():
     assert elapsed[0] == pytest.approx(elapsed[1], abs=0.01)
     assert float(late[-1].x) == pytest.approx(-1e-14, rel=1e-9)
     assert reference_motion(Oscillator(Law({"1/100": 1}), x0="0.99"), 100, 8).x == "0.91069388"
+
+
+def test_the_strip_holds_every_state_that_enters():
+    """Twice what the state's error alone needs, the powers that are left being small: half of that is too low."""
+    law = damping({"1/10": "3"})
+    with ctx.workprec(120):
+        e, w = arb("1e-8").mid(), arb("1e-4").mid()
+        y = law.resistance(w).mid()
+        strip = caught(law, y, w, e)
+        above = strip.above.place((w - e).log())[0] - (y + e)
+        below = (y - e) - strip.below.place((w + e).log())[0]
+        height = strip.above.place(w.log())[0] - y
+        assert height / 3 < above < height and height / 3 < below < height
+
+
+@pytest.mark.parametrize("log_w", ["-3", "0.5"])
+def test_a_power_that_may_be_a_logarithm_holds_both(log_w):
+    log_w, e = arb(log_w), arb("0.02")
+    found = _grown(arb(0, e), log_w)
+    assert found.contains(log_w) and found.rad() < 2 * e * log_w**2
+    assert all(found.contains(((d * log_w).exp() - 1) / d) for d in (e, -e, e / 2, -e / 2))

@@ -256,6 +256,14 @@ def test_the_force_ahead_must_point_forward():
     assert not points_forward(pendulum, arb(-1), arb("0.01"))
 
 
+def test_a_force_that_turns_round_between_two_places_is_seen():
+    """1 - 5 y + 5 y^2 < 0 for u^2 = y between (5 -+ sqrt 5)/10, 0.276 and 0.724, and not at the ends."""
+    hump = force_of({2: 0}, {3: -5, 5: 5})
+    assert all(hump.rest(arb(end)) < 0 for end in ("-1", "-0.2"))
+    assert not points_forward(hump, arb(-1), arb("-0.2"))
+    assert points_forward(hump, arb(-1), arb("-0.86")) and points_forward(hump, arb("-0.52"), arb("-0.2"))
+
+
 def test_products_on_a_simplex_are_those_of_polynomials():
     grid = Simplex((2, 3), 30)
     a, b = ([arb(k * s % 7 - 3) for k in range(len(grid.keys))] for s in (5, 11))

@@ -12,7 +12,7 @@ from asymptotics.wells import course as courses
 from asymptotics.wells import dense, distance
 from asymptotics.wells.course import Landing, Step, course
 from asymptotics.wells.distance import contracted, growth, lateness, turning_gap
-from asymptotics.wells.ends import trap
+from asymptotics.wells.ends import _held, trap
 from asymptotics.wells.sequence import after_kick, after_landing, first_from, next_turning, rest, sticks
 from tests.wells.test_bounds import FORCES, FREE, force_of
 
@@ -231,6 +231,13 @@ def test_dry_friction_at_an_uncertain_amplitude():
             sticks(force, replace(held, amplitude=arb(amplitude), amplitude_error=arb("0.05")))
 
 
+def test_the_place_of_rest_under_an_uncertain_friction_has_two_ends():
+    """u - g = 0 for a friction g between 1/5 and 2/5: every such g is held, in the last place that was halved."""
+    force = replace(FREE, grips=((arb("0.3", "0.1"), 0),))
+    held = _held(force, arb(1))
+    assert held.contains(arb("0.21")) and held.contains(arb("0.39")) and held.rad() < arb("0.26")
+
+
 def test_an_uncertain_time_moves_a_state():
     """A free linear oscillator at (0.6, 0.8) within the time e: 0.8 e in place and 0.6 e in speed, and hardly more."""
     e = arb(2) ** -12
@@ -241,6 +248,13 @@ def test_an_uncertain_time_moves_a_state():
     assert wide >= arb("0.8") * arb("0.5").sin() + arb("0.6") * (1 - arb("0.5").cos())
     with pytest.raises(UndecidedError, match="too uncertain"):
         dense._moved(force_of({2: 0}, {3: 1000}), arb(1), arb(1), arb(1))
+
+
+def test_a_time_counts_from_its_lower_to_its_upper_end():
+    """A free linear oscillator at rest at 1, asked at r +- r: -sin(2 r) at the latest, which r alone does not reach."""
+    r = arb(2) ** -8
+    ((x, v),) = dense.states(FREE, arb(1), arb(0), [arb(r, r)])
+    assert x.contains((2 * r).cos()) and v.contains(-(2 * r).sin()) and v.rad() < 3 * r
 
 
 def test_a_state_holds_its_neighbours_in_place_speed_and_time():
