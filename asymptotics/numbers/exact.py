@@ -23,7 +23,7 @@ from math import isqrt
 from numbers import Rational
 from operator import index, mul
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 from asymptotics.errors import InputError, shown
 
@@ -106,12 +106,16 @@ class ExactReal:
         return self.coefficient
 
     def ball(self) -> arb:
-        """An enclosure at the current working precision."""
+        """An enclosure at the current working precision; it holds 0 for 0 alone, however much cancels."""
         q = arb(fmpq(self.coefficient.numerator, self.coefficient.denominator))
         if self.is_rational:
             return q
         root = arb(fmpq(self.radicand.numerator, self.radicand.denominator)).sqrt()
-        return q * root + fmpq(self.offset.numerator, self.offset.denominator)
+        found = q * root + fmpq(self.offset.numerator, self.offset.denominator)
+        if found.contains(0):
+            with ctx.workprec(2 * ctx.prec):
+                return self.ball()
+        return found
 
     def _compared(self, other: object) -> int:
         """The sign of self - other, whatever the two roots."""

@@ -19,7 +19,7 @@ from math import inf, log2
 
 from flint import arb, ctx
 
-from asymptotics.errors import LimitError
+from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal
 
@@ -35,7 +35,12 @@ class Damping:
 
     @classmethod
     def of(cls, terms: list[tuple[arb, ExactReal]]) -> "Damping":
-        """From (epsilon_i, alpha_i), at the current precision; terms of strength exactly 0 are dropped."""
+        """From (epsilon_i, alpha_i), at the current precision; terms of strength exactly 0 are dropped.
+
+        UndecidedError for a strength that is not told from 0.
+        """
+        if any(e.contains(0) and not e == 0 for e, _ in terms):
+            raise UndecidedError("a strength is not told from 0 at this precision")
         friction = sum((e for e, a in terms if not a > 0), arb(0))
         moving = [(e, a) for e, a in terms if a > 0 and e != 0]
         strengths, alphas = (tuple(column) for column in zip(*moving)) if moving else ((), ())

@@ -104,7 +104,9 @@ class Bundle:
 
     @classmethod
     def of(cls, laws: Sequence[tuple[Damping, int]]) -> "Bundle":
-        """From the local expansions."""
+        """From the local expansions; ValueError for laws with different exponents."""
+        if any(law.alphas != laws[0][0].alphas for law, _ in laws):
+            raise ValueError("quarter-swings of laws with different exponents")
         w, columns = arb(HAND_OVER), []
         for law, side in laws:
             tick("the start of a quarter-swing")

@@ -1,6 +1,7 @@
 """Quarter-swings by collocation: closed forms are contained at every precision, every bound is held to its constant."""
 
 from dataclasses import replace
+from fractions import Fraction
 
 import mpmath
 import numpy as np
@@ -61,6 +62,27 @@ def test_many_strengths_of_one_law_at_once_on_both_sides():
     for law, one in zip(laws, together, strict=True):
         (sharp,) = quarter_swings([law], 130)
         assert one.growth.contains(sharp.growth) and one.duration.contains(sharp.duration)
+
+
+@pytest.mark.parametrize("other", [(("3", "1/10"),), (("2", "1/10"), ("3", "0")), (("1", "1/10"), ("2", "1/10"))])
+def test_laws_with_other_exponents_are_refused_unless_their_terms_vanish(other):
+    """The columns share their exponents: one with a term more would be read without it."""
+    laws = [(damping(("2", "1/10")), 1), (damping(*other), 1)]
+    if other[-1][1] == "0":
+        first, second = quarter_swings(laws, 40)
+        assert first.growth.str(9) == second.growth.str(9)
+    else:
+        with pytest.raises(ValueError, match="different exponents"):
+            quarter_swings(laws, 40)
+
+
+def test_a_strength_that_is_not_told_from_0_is_not_dropped():
+    """A ball about 0 is refused; sqrt(2) less its first digits, 9e-24, is no such ball at 53 bits."""
+    tiny, quadratic = parse_real("sqrt(2)", "e") - Fraction("1.41421356237309504880168"), parse_real("2", "a")
+    with ctx.workprec(53):
+        assert tiny.ball() > 0 and len(Damping.of([(tiny.ball(), quadratic)]).strengths) == 1
+        with pytest.raises(UndecidedError, match="not told from 0"):
+            Damping.of([(arb(0, 1e-20), quadratic)])
 
 
 # The bounds, each against an evaluation that shares nothing with it.
