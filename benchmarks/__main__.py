@@ -59,7 +59,8 @@ def _answer(name: str | None, size: int | None, folder: str | None, *, as_json: 
     for key, module in modules.items():
         start = perf_counter()
         tables[key] = module.run(*(() if size is None else (size,)))
-        print(f"{key}: {perf_counter() - start:.0f} s", file=sys.stderr, flush=True)
+        if sys.stderr is not None:  # print would take None for stdout
+            print(f"{key}: {perf_counter() - start:.0f} s", file=sys.stderr, flush=True)
     if folder is not None:
         write = import_module("benchmarks.report").write
         write(Path(folder), tables, {key: module.__doc__ for key, module in modules.items()})
