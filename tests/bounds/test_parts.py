@@ -6,10 +6,11 @@ from types import SimpleNamespace
 import pytest
 from flint import arb, ctx
 
-from asymptotics.bounds import turning
+from asymptotics.bounds import motion, turning
 from asymptotics.bounds.late import late_turning
 from asymptotics.bounds.turning import TurningBounds, rates, sensitivity, turning_bounds
-from asymptotics.numbers.exact import parse_real
+from asymptotics.law import Oscillator
+from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.sequence import Turning, sequence
@@ -91,3 +92,16 @@ def test_a_jump_from_an_uncertain_turning_point_holds_both_ends(side):
         apart, late = abs(found.amplitude - true.amplitude), abs(found.time - true.time)
         assert found.amplitude_error / 4 < apart < found.amplitude_error
         assert found.time_error / 4 < late < found.time_error
+
+
+def test_the_bound_of_a_motion_reaches_the_far_end_of_its_enclosure(monkeypatch):
+    monkeypatch.setattr(motion, "enclosure", lambda *_, **__: arb(1, "0.25"))
+    assert motion.proved_bound(Oscillator({2: "1/10"}), "1.1", "1") in ("0.35", "0.36")
+
+
+def test_the_energy_counts_the_speed(monkeypatch):
+    """m = 1, k = 4: at x = 3 and v = 8 the energy is that of x = 5."""
+    state = SimpleNamespace(x=[arb(3)], v=[arb(8)])
+    monkeypatch.setattr(motion, "reference_states", lambda *_, **__: state)
+    found = motion._by_energy(Oscillator({2: "1/10"}, stiffness=4), ExactReal(100), 20)
+    assert found.mid() == 0 and 5 <= found.rad() and found.rad() < arb("5.000001")

@@ -169,3 +169,29 @@ def test_refusals():
         certified.phase(laws, [arb(1), arb(1)], arb(0))
     zero_dropped = certified.time(laws_of("1 2", ("1/10", "0")), arb(1) / 2)
     assert zero_dropped.overlaps(arb(2).log() * 10)
+
+
+@pytest.mark.parametrize("text", ["0 1 2", "1 2 3"])
+def test_wide_amplitudes_and_times_hold_those_at_both_ends(text):
+    """The integral in the mean-value form and the inversion, of balls so wide that their ends are not near."""
+    with ctx.workprec(80):
+        laws, e = laws_of(text), arb(2) ** -6
+        wide, back = certified.time(laws, arb("0.5", e)), certified.amplitude(laws, arb(1, e))
+        for side in (e, -e):
+            end = certified.time(laws, arb("0.5") + side)
+            assert wide.contains(end.mid()) and abs(end - wide.mid()) > wide.rad() * arb("0.9")
+            assert back.contains(certified.amplitude(laws, 1 + side).mid())
+
+
+def test_an_interval_that_the_rate_leaves_is_not_claimed():
+    """Near the extinction s runs away: what is claimed for a wide time holds the times before, or nothing is."""
+    with ctx.workprec(80):
+        laws = laws_of("0 1 2")
+        end = certified.extinction_time(laws).mid()
+        for share in ("0.1", "0.4", "0.45", "0.46", "0.47", "0.48"):
+            found = certified._inverse(laws, arb(end / 2, end * arb(share)))
+            late = -certified.amplitude(laws, end * (arb("0.499") + arb(share))).log()
+            assert found is None or found.contains(late.mid())
+        assert found is None
+        around = certified.amplitude(laws, arb(end, "1e-3"))
+        assert around.contains(certified.amplitude(laws, end - arb("0.00099")).mid())

@@ -250,3 +250,36 @@ def test_the_command(capsys, tmp_path):
     assert "exact in the spring" in capsys.readouterr().out
     assert main(["envelope", "--law", "2:1", "--spring", "2:1", "--time", "1"]) == 2
     assert "--spring" in capsys.readouterr().err
+
+
+def test_wide_starts_and_ends_hold_their_neighbours():
+    """Both ends of the integral in the mean-value form, and the inversion at a wide time."""
+    with ctx.workprec(70):
+        well, e = Well.pendulum(arb(1)), arb(2) ** -8
+        losses = (Loss(arb("0.1"), arb(2)), Loss(arb("0.05"), arb(0)))
+        here, before = SlowFlow(well, losses, arb(2)), SlowFlow(well, losses, arb(2, e))
+        xi = well.xi(arb(1)).mid()
+        for side in (e, -e):
+            assert here.time(arb(xi, e)).contains(here.time(xi + side * arb("0.999")).mid())
+            assert before.time(xi).contains(SlowFlow(well, losses, 2 + side * arb("0.999")).time(xi).mid())
+            assert here.amplitude(arb(3, e)).contains(here.amplitude(3 + side).mid())
+
+
+def test_what_is_left_after_the_integral_of_a_slow_extinction_counts():
+    """Weight -1/10: the amplitude at which the integral ends is small, the time that is left is not."""
+    flow = SlowFlow(Well.pendulum(arb(1)), (Loss(arb("0.1"), arb("0.9")),), arb(1))
+    with ctx.workprec(120):
+        fine = flow.extinction_time()
+    with ctx.workprec(40):
+        rough = flow.extinction_time()
+    assert rough.contains(fine.mid()) and rough.rad() < arb("1e-6") * fine
+
+
+def test_an_interval_that_the_speed_leaves_is_widened_or_not_claimed():
+    with ctx.workprec(60):
+        flow = SlowFlow(Well.pendulum(arb(1)), (Loss(arb("0.1"), arb(0)),), arb(1))
+        end = flow.extinction_time().mid()
+        for share in ("0.3", "0.45", "0.47", "0.49"):
+            found = flow._inverse(arb(end / 2, end * arb(share)))
+            late = flow._inverse((end * (arb("0.499") + arb(share))).mid())
+            assert found is None or found.contains(late.mid())
