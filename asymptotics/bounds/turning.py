@@ -32,6 +32,7 @@ A start that is itself uncertain, |ln A_0 - ln A_hat_0| <= e_0, adds e_0 to each
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
 
 from flint import arb, ctx
 
@@ -136,8 +137,8 @@ def rates(p: Series, Omega: Series, delta: arb) -> tuple[arb, arb]:
     first = [arb(c) for k, c in p.coefficients.items() if sum(k) == 1]
     rest = largest(Series({k: c for k, c in p.coefficients.items() if sum(k) > 1}, p.variables, p.order), delta) / delta
     swing = largest(Omega, delta)
-    low = (min(first, key=float) - rest) / (1 + swing)
-    return arb(low.lower()), arb(((max(first, key=float) + rest) / (1 - swing)).upper())
+    low = (reduce(arb.min, first) - rest) / (1 + swing)
+    return arb(low.lower()), arb(((reduce(arb.max, first) + rest) / (1 - swing)).upper())
 
 
 def _steepness(local: LocalBounds, delta: arb) -> arb:

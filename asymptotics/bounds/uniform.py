@@ -105,7 +105,7 @@ class _Theorem:
 
     def __init__(self, waves: WaveformBounds, order: int, strengths: Sequence[arb]) -> None:
         self.waves, self.order, self.strengths = waves, order, strengths
-        self.weights = [a.ball() - 1 for a in waves.alphas]
+        self.weights = [(a - 1).ball() for a in waves.alphas]  # exact first: a ball of alpha near 1 has lost 1 - alpha
         self.falling = [bool(a >= 1) for a in waves.alphas]
         self.fades = all(self.falling)
         limit = _limit(waves, fades=self.fades)
@@ -118,18 +118,20 @@ class _Theorem:
         flow = self._fastest(deltas)
         S = None if self.fades and until is None else self._reach(flow, d, until)
         pieces = self._pieces(deltas, S)
-        r, largest = self.waves.residual, max((d for _, _, d in pieces), key=float)
+        r, largest = self.waves.residual, max(d for _, _, d in pieces)
         last = r.power + len(r.coefficients)
         rows = [
             *((c, r.power + k) for k, c in enumerate(r.coefficients)),
             (r.beyond(largest, last) / largest**last, last),
         ]
         low, _ = rates(self.waves.p, self.waves.Omega, largest)
+        if not low > 0:
+            raise LimitError("law", f"the amplitude equation of order {self.order} may lose its sign", "weaker damping")
         left_over = sum((c * sum((u * x ** (k - 1) for _, u, x in pieces), arb(0)) for c, k in rows), arb(0)) / low
         at_start = self._omitted(self.waves.sizes, d) if moving else arb(0)
         both = []
         for sizes in (self.waves.displacements, self.waves.velocities):
-            printed = max((u * self._omitted(sizes, x) for u, _, x in pieces), key=float)
+            printed = max(arb((u * self._omitted(sizes, x)).upper()) for u, _, x in pieces)
             energy = 1 + A * sum((z * largest**k for k, z in enumerate(sizes[: self.order])), arb(0))
             both.append(arb(min(A * (at_start + left_over + printed), energy, key=float).upper()))
         return both[0], both[1], None if S is None else flow.time(S)
@@ -147,12 +149,15 @@ class _Theorem:
         """On pieces of 0 <= s <= S: the largest u = e^-s, the integral of u ds, and the largest |delta|."""
         if S is None:
             cuts = [arb(k) / _PIECES for k in range(_PIECES + 1)]
+            logs = [arb.neg_inf(), *(u.log() for u in cuts[1:])]
         else:
-            cuts = [(S * (arb(k) / _PIECES - 1)).exp() for k in range(_PIECES + 1)]
+            logs = [S * (arb(k) / _PIECES - 1) for k in range(_PIECES + 1)]
+            cuts = [log.exp() for log in logs]
         found = []
-        for low, high in zip(cuts, cuts[1:]):
-            sizes = (e * (high if f else low) ** w for e, w, f in zip(deltas, self.weights, self.falling))
-            found.append((high, high - low, arb(sum(sizes, arb(0)).upper())))
+        for k, (low, high) in enumerate(zip(cuts, cuts[1:])):
+            ends = (logs[k + 1] if f else logs[k] for f in self.falling)
+            sizes = (e * (w * end).exp() for e, w, end in zip(deltas, self.weights, ends))
+            found.append((arb(high.upper()), high - low, arb(sum(sizes, arb(0)).upper())))
         return found
 
     def _start(self, *, moving: bool) -> tuple[arb, arb]:

@@ -267,12 +267,12 @@ def _hulls(values: Sequence[arb]) -> Any:
 def _modulus(x: Any, y: Any) -> Any:
     """The largest sqrt(x^2 + y^2) on the pieces."""
     pairs = zip(np.atleast_1d(x), np.atleast_1d(y))
-    return max((arb((a * a + b * b).upper()).sqrt().upper() for a, b in pairs), key=float)
+    return max(arb(arb((a * a + b * b).upper()).sqrt().upper()) for a, b in pairs)  # exact: no float decides
 
 
 def _size(part: dict[Key, Any]) -> arb:
     """max_n |c_n|/binomial(k; n): sum_(|n|=k) |c_n| delta^n is at most that times |delta|^k."""
-    return max((arb((c / multinomial(k)).upper()) for k, c in part.items()), key=float)
+    return max(arb((c / multinomial(k)).upper()) for k, c in part.items())
 
 
 def _sum(parts: Parts, rho: arb, others: Parts | None = None) -> arb:

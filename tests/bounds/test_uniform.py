@@ -105,6 +105,13 @@ def test_uncertain_exponents_near_1_are_no_trouble():
     assert near.bound == uniform_bound(Oscillator({1: "1/50"}), 2).bound
 
 
+def test_just_below_1_the_bound_ends_very_late():
+    """1 - alpha = 1e-40 is nothing in a ball of alpha, and e^-s at the end is nothing beside 1."""
+    near = Oscillator({1 - Fraction(1, 10**40): "1/50"})
+    assert float(uniform_bound(near, 2).until) == pytest.approx(9.6e41, rel=0.1)
+    assert uniform_bound(near, 2, until=20).bound == uniform_bound(Oscillator({1: "1/50"}), 2, until=20).bound
+
+
 def reals(*texts):
     return tuple(parse_real(t, "alpha") for t in texts)
 
@@ -211,6 +218,13 @@ def test_the_range_ends_where_the_amplitude_equation_may_lose_its_sign():
     assert 0.42 < _limit(replace(waves, p=p, Omega=Omega), fades=True) < 0.2**0.5
     assert _limit(waves, fades=True) > 0.5
     assert _limit(waveform_bounds(reals("0"), 3), fades=False) == Fraction(3, 10)
+
+
+def test_where_the_amplitude_equation_may_lose_its_sign_there_is_no_bound():
+    """p = 0.4 d - 1e8 d^3 has no range of its own: the smallest strength that is tried is beyond its zero."""
+    waves = replace(waveform_bounds(reals("2"), 3), p=Series({(1,): arb(0.4), (3,): arb(-(10**8))}, 1, 3))
+    with ctx.workprec(80), pytest.raises(LimitError, match="lose its sign"):
+        _Theorem(waves, 3, (arb(1) / 1000,)).bound(moving=False, until=None)
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ import pytest
 from flint import acb, arb, ctx
 
 from asymptotics.bounds.local import multinomial
-from asymptotics.bounds.waveform import _Pieces, _Waveform, waveform_bounds
+from asymptotics.bounds.waveform import _modulus, _Pieces, _size, _Waveform, waveform_bounds
 from asymptotics.half_swings.forces import Forces
 from asymptotics.motions.waveform import waveform_at
 from asymptotics.numbers.exact import parse_real
@@ -158,3 +158,11 @@ def test_the_sizes_are_those_of_closed_forms():
     assert 0 <= float(drag.displacements[1]) - 1 / 3 < 2e-3
     assert float(friction.sizes[1]) == pytest.approx(1, abs=1e-2)
     assert float(friction.sizes[2]) < 1e-20
+
+
+def test_the_largest_is_chosen_in_balls_not_in_doubles():
+    """1 and 1 + 2^-70 are one double."""
+    with ctx.workprec(BITS):
+        one, more = arb(1), 1 + arb(2) ** -70
+        assert _size({(0, 1): one, (1, 0): more}) >= more
+        assert _modulus(np.array([one, more], dtype=object), np.array([one * 0, one * 0], dtype=object)) >= more
