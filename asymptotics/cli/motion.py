@@ -26,7 +26,7 @@ from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds
 from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
 from asymptotics.cli.motion_files import csv_of, picture_of, picture_of_reference
 from asymptotics.cli.quantities import Given, add_oscillator, read_oscillator
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.gauges import GAUGES, TURNING_POINT
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import MAX_DIGITS as MAX_ASYMPTOTIC_DIGITS
@@ -92,7 +92,7 @@ def _uniform(oscillator: Oscillator, point: MotionPoint, time: ExactReal) -> Uni
     growing = any(term.velocity < 1 for term in oscillator.law.terms)
     try:
         return uniform_bound(oscillator, point.order, until=time if growing and time > 0 else None)
-    except LimitError:
+    except (LimitError, UndecidedError):  # x and its bound at this time are there all the same
         return None
 
 
