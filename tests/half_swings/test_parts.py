@@ -5,10 +5,11 @@ from itertools import islice
 
 import mpmath
 import pytest
-from flint import arb, ctx
+from flint import arb, arb_poly, ctx
 
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.half_swings.certified import enclose, quarter_swing, tail_constants, terms_needed
+from asymptotics.half_swings.certified_orders import bound_ring, indices, integrate_series, order_series
 from asymptotics.half_swings.certified_zeros import certified_half_swing, duration_vanishes
 from asymptotics.half_swings.finite import (
     MAX_ORDER,
@@ -169,6 +170,21 @@ def test_the_bounds_of_the_first_order_are_attained_on_the_circle(exponent):
     known += [(K[2][(1,)], scale * (pi / 2) ** 2 * last * (d + w + d / (a + 1)))]
     for bound, value in known:
         assert value * (1 - arb(1e-12)) < bound < value * (1 + arb(1e-12))
+
+
+@pytest.mark.parametrize("exponent", ["1/2", "3/2", "3"])
+def test_the_bound_of_an_integral_is_attained_and_the_second_order_uses_it(exponent):
+    """I_n t = t/(n·alpha + 2), the largest of all t^j; y_2 by hand: p_1 = |alpha - 1| g y_1/(alpha + 2)."""
+    a, pi = real(exponent).ball(), arb.pi()
+    ring = bound_ring(Forces.losses([real(exponent)]), 4)
+    for n in (0, 1, 2):
+        bound = ring.integrate(arb(1), n * a)
+        first, *more = (abs(integrate_series(arb_poly([0] * j + [arb(1)]), n * a)(arb(1))) for j in (1, 2, 5))
+        assert first * (1 - arb(1e-12)) <= bound <= first * (1 + arb(1e-12)) and all(m < bound for m in more)
+    y = (pi.sinh() / pi) ** a
+    second = y * abs(a - 1) * pi * pi.sinh() * y / (a + 2) + pi.cosh() * y * y
+    found = order_series(ring, indices(1, 2))[(2,)]
+    assert second * (1 - arb(1e-12)) < found < second * (1 + arb(1e-12))
 
 
 def test_the_tail_of_a_power_series_is_that_of_its_bound():

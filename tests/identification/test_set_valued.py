@@ -21,7 +21,7 @@ from asymptotics.identification.physical import physical_box
 from asymptotics.identification.printed import DecrementModel, Decrements
 from asymptotics.identification.set_valued import strengths_that_fit
 from asymptotics.identification.swing import Swing
-from asymptotics.identification.table_rows import rows_of
+from asymptotics.identification.table_rows import Row, linear, rows_of
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.terms import Term
 
@@ -87,6 +87,19 @@ def test_the_tail_of_the_series_is_an_enclosure_that_bites():
         assert not short.polynomial([d]).overlaps(true)  # and without it the sum is wrong
         with pytest.raises(UndecidedError):
             ratio.tail([arb(1)])
+
+
+def test_a_row_that_the_truth_just_meets_is_met_with_the_tail_only():
+    """No box about the centre, and L itself as the level: b <= 0 on both sides, which the truncated sum is not."""
+    with ctx.workprec(80):
+        ratio, d = CertifiedRatio.of(losses("1")), arb("0.0625")
+        true = -arb.pi() * (d / 2) / (1 - d**2 / 4).sqrt()
+        short = CertifiedRatio(
+            ratio.weights, ratio.crests, {k: c for k, c in ratio.coefficients.items() if sum(k) <= 3}, 3
+        )
+        b = linear(short, [Row(sign, (arb(1),), -true) for sign in (1, -1)], np.array([0.0625]), np.zeros(1))[1]
+        tail = float(short.tail([d]))
+    assert max(b) <= 0 < max(b) + tail * (1 - 1e-9) and min(b) > -2 * tail
 
 
 def test_the_tail_reaches_strong_losses_and_holds_what_is_left_out():

@@ -34,12 +34,6 @@ OWN = {
     "envelopes.large.SlowFlow.extinction_time": LADDER,
     "envelopes.large._power": "tests/envelopes/test_large.py::test_the_extinction_of_the_averaged_amplitude",
     "half_swings.symbolic._integrate": LADDER,
-    "identification.certified_ratio.CertifiedRatio.at": (
-        "tests/identification/test_certified_ratio.py::test_the_series_with_its_tail_holds_the_half_swing"
-    ),
-    "identification.table_rows.linear": (
-        "tests/identification/test_set_valued.py::test_the_tail_of_the_series_is_an_enclosure_that_bites"
-    ),
     "limit_cycles.certified._interval_newton": CYCLES,
     "limit_cycles.certified._picard_box": CYCLES,
     "limit_cycles.certified.half_turn": LADDER,
@@ -57,7 +51,6 @@ OWN = {
     "swing.sequence.Turning.x": LADDER,
     "swing.settling.ForceCurve.clock": f"{SETTLING}::test_the_time_on_the_curves_is_the_integral_of_their_slope",
     "swing.settling.settled": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
-    "swing.slow.caught": "tests/swing/test_slow.py::test_half_the_strip_is_not_proved",
     "turning.routes._point": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
     "wells.ends._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
     "wells.landing.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",

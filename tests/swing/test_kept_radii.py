@@ -1,5 +1,7 @@
 """What a half-swing drops is kept: each rounding and each part of an error, evaluated a second time."""
 
+from dataclasses import replace
+
 import pytest
 from flint import arb, ctx
 
@@ -12,7 +14,7 @@ from asymptotics.swing.ends import _together, trap
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.keys import Plan
 from asymptotics.swing.passage import Passage, integrated, of_landing
-from asymptotics.swing.sequence import Turning, first_from, following
+from asymptotics.swing.sequence import Turning, after_landing, first_from, following
 from asymptotics.swing.slow import solve
 from asymptotics.swing.taylor import TaylorStep, discs
 from tests.swing.test_bounds import NOTHING, damping
@@ -143,6 +145,18 @@ def test_a_start_keeps_its_radii():
             corner = first_from(law, arb("0.5") + a * e, arb("0.25") + b * e)
             assert all(one.x.contains(corner.x) and one.tau.contains(corner.tau) for one in wide)
         assert all(one.amplitude_error < 4 * e and one.time_error < 8 * e for one in wide)
+
+
+def test_the_end_of_a_course_that_began_in_motion_keeps_its_parts():
+    """Made-up radii: the miss of the course and what was given add up, and so do the clock's radius and the delay."""
+    law, e = damping(("3/2", "1/5")), arb(2) ** -10
+    with ctx.workprec(80):
+        *_, real = course(law, arb("0.5"), arb("0.25"))
+        piece = replace(real, miss=e, time=arb(real.time.mid(), e))
+        found = after_landing(piece, 1, 2 * e)
+        late = delay(piece.turn, 3 * e, law.friction)
+        assert 3 * e <= found.amplitude_error < arb("3.01") * e
+        assert (e + late) * (1 - arb(2) ** -20) <= found.time_error < (e + late) * arb("1.01")
 
 
 def test_a_passage_keeps_what_its_landing_misses():

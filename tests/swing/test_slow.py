@@ -249,6 +249,17 @@ def test_the_strip_holds_every_state_that_enters():
         assert height / 3 < above < height and height / 3 < below < height
 
 
+def test_a_strip_begins_at_every_height_of_the_state():
+    """At the entrance both ends of y +- e are in it, and hardly more."""
+    law = damping({"1/10": "3"})
+    with ctx.workprec(120):
+        e, w = arb("1e-8").mid(), arb("1e-4").mid()
+        y = law.resistance(w).mid()
+        found, _ = caught(law, y, w, e).state(arb(0))
+        for side in (1, -1):
+            assert found.contains(y + side * e * arb("0.999")) and not found.contains(y + side * e * arb("1.01"))
+
+
 @pytest.mark.parametrize("log_w", ["-3", "0.5"])
 def test_a_power_that_may_be_a_logarithm_holds_both(log_w):
     log_w, e = arb(log_w), arb("0.02")

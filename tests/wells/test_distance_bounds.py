@@ -272,6 +272,39 @@ def test_a_state_holds_its_neighbours_in_place_speed_and_time():
         assert all(ball.rad() < 12 * far for ball, far in zip(wide, farthest, strict=True))
 
 
+@pytest.mark.parametrize(("place", "speed"), [(1, 0), (0, 1)])
+def test_a_start_that_is_uncertain_in_place_or_speed_alone(place, speed):
+    force, e = FORCES["pendulum"], arb(2) ** -16
+    with ctx.workprec(90):
+        (wide,) = dense.states(force, arb("0.5", place * e), arb("0.25", speed * e), [arb(3)])
+        for side in (1, -1):
+            start = arb("0.5") + side * place * e, arb("0.25") + side * speed * e
+            (state,) = dense.states(force, *start, [arb(3)])
+            assert all(ball.contains(x.mid()) and ball.rad() < 8 * e for ball, x in zip(wide, state, strict=True))
+
+
+class Falling:
+    """The force 1 everywhere."""
+
+    def pull(self, _u):
+        return arb(1)
+
+    def grip(self, _u):
+        return arb(0)
+
+    def drag(self, _u, _w):
+        return arb(0)
+
+
+def test_a_late_fall_is_off_in_place_too(monkeypatch):
+    """Speed t and way t^2/2 under the force 1, the distance counting places tenfold: the speed alone is less."""
+    monkeypatch.setattr(dense, "unit_at", lambda *_: arb(10))
+    t = arb(1) / 8
+    truth = ((10 * t**2 / 2) ** 2 + t**2).sqrt()
+    found = dense._distance(Falling(), Turning(1, 1, arb(1), arb(3), arb(0), t))
+    assert t * arb("1.1") < truth <= found < 2 * truth
+
+
 def test_what_is_uncertain_about_a_turning_point_is_a_distance():
     """The error of the amplitude, the speed that the time allows and the way it allows, in the unit of the distance."""
     force, e = FORCES["free pendulum"], arb(2) ** -10
