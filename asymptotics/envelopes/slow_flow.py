@@ -149,7 +149,11 @@ class SlowLaw:
         values = self.p.array(at)
         if not np.all(values > 0):
             raise _lost_sign()
-        return half * (numerator(at) / values * _WEIGHTS[None, :]).sum(axis=1)
+        with np.errstate(invalid="ignore"):
+            found = half * (numerator(at) / values * _WEIGHTS[None, :]).sum(axis=1)
+        if np.any(np.isnan(found)):  # infinity over infinity: both rates have left the doubles
+            raise _lost_sign()
+        return found
 
     def _reach(self, start: float, tau_max: float) -> tuple[float, float]:
         """(s at the end of the table, extinction time): march in s with steps that shrink p by little."""
