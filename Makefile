@@ -5,7 +5,7 @@ WORKERS ?= auto
 PIP = $(VENV)/bin/python -m pip install --disable-pip-version-check --quiet
 RUN = $(VENV)/bin/python -m
 
-.PHONY: reproduce test test-thorough matrix lint docs tables benchmarks mutants weakened clean
+.PHONY: reproduce test test-thorough matrix lint docs tables benchmarks mutants weakened wheel clean
 
 reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
@@ -41,6 +41,10 @@ lint: $(VENV)/.test
 docs: $(VENV)/.docs
 	$(RUN) sphinx -W --keep-going -q -b html docs build/docs
 	$(RUN) sphinx -W --keep-going -q -b doctest docs build/doctest
+
+# What a release would ship, tried: built, its metadata checked, installed into a fresh environment and used there from an empty folder.
+wheel: $(VENV)/.reproduce
+	$(RUN) tests.wheel build/dist
 
 # Ratios beside the peers, as a page of the docs; they live in an environment of their own, and what cannot be installed is said to be missing.
 benchmarks: $(VENV)/.test .peers/.ready

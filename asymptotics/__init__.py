@@ -21,15 +21,23 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from asymptotics import testing
+    from asymptotics.api.damping import damping
+    from asymptotics.api.damping_law import damping_law
+    from asymptotics.api.divergence import stokes
     from asymptotics.api.files import compare, derive
     from asymptotics.api.hierarchy import multiple_scales
     from asymptotics.api.lookups import C, G, f, moment, table, table_names
     from asymptotics.api.maps import half_swing, limit_cycle
     from asymptotics.api.motions import Events, Motion, Reference, motion, reference
+    from asymptotics.api.pictures import plot
     from asymptotics.api.slow import Envelope, envelope
+    from asymptotics.api.solution import solution
     from asymptotics.api.swings import OscillatorTurningPoints, turning_points
+    from asymptotics.api.waves import waveforms
     from asymptotics.equations.build import expand
     from asymptotics.equations.result import Equations
+    from asymptotics.equivalent.found_law import DampingLaw
+    from asymptotics.equivalent.result import EquivalentDamping
     from asymptotics.errors import InputError, LimitError, UndecidedError
     from asymptotics.identification.identify import identify
     from asymptotics.identification.result import Identification
@@ -43,15 +51,23 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOMES = {
+    "api.damping": ("damping",),
+    "api.damping_law": ("damping_law",),
+    "api.divergence": ("stokes",),
     "api.files": ("compare", "derive"),
     "api.hierarchy": ("multiple_scales",),
     "api.lookups": ("C", "G", "f", "moment", "table", "table_names"),
     "api.maps": ("half_swing", "limit_cycle"),
     "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
+    "api.pictures": ("plot",),
     "api.slow": ("Envelope", "envelope"),
+    "api.solution": ("solution",),
+    "api.waves": ("waveforms",),
     "api.swings": ("OscillatorTurningPoints", "turning_points"),
     "equations.build": ("expand",),
     "equations.result": ("Equations",),
+    "equivalent.found_law": ("DampingLaw",),
+    "equivalent.result": ("EquivalentDamping",),
     "errors": ("InputError", "LimitError", "UndecidedError"),
     "identification.identify": ("identify",),
     "identification.result": ("Identification",),
@@ -67,8 +83,10 @@ _HOME = {name: module for module, names in _HOMES.items() for name in names}
 __all__ = [
     "C",
     "Coefficient",
+    "DampingLaw",
     "Envelope",
     "Equations",
+    "EquivalentDamping",
     "Events",
     "ExactReal",
     "G",
@@ -84,6 +102,8 @@ __all__ = [
     "Reference",
     "UndecidedError",
     "compare",
+    "damping",
+    "damping_law",
     "derive",
     "envelope",
     "expand",
@@ -95,13 +115,17 @@ __all__ = [
     "motion",
     "multiple_scales",
     "paper",
+    "plot",
     "reference",
+    "solution",
     "statements",
+    "stokes",
     "sweep",
     "table",
     "table_names",
     "testing",
     "turning_points",
+    "waveforms",
 ]
 
 

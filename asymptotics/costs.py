@@ -35,16 +35,28 @@ def hierarchy_seconds(monomials: int, powers: int, length: int) -> float:
     return 3e-7 * powers * monomials**2 * length
 
 
+def turning_hierarchy_seconds(order: int, variables: int, degree: int) -> float:
+    """Monomials of the strengths times the length of their polynomials in psi, sin psi, cos psi."""
+    return float(1e-6 * comb(order + variables, variables) * order**3 * max(degree, 1) ** 1.5)
+
+
 def half_swing_seconds(swings: float, bits: int, terms: int, apart: int) -> float:
     """Certified half-swings by local expansions; ``apart`` counts the exponents without a small denominator."""
     one = 0.035 * (bits / 150) ** 2.2 * max(1.0, bits / 1000) ** 0.7
     return float(swings * one * (1 + apart) * (0.6 + 0.4 * terms))
 
 
+SLIDES = 64
+"""log2 of the strength up to which one law was seen to slide within seconds (3/2 at 10^4, 10^6, …, 10^18)."""
+
+
 def stiff_seconds(sizes: Iterable[tuple[float, float]], bits: int) -> float:
     """The first half-swing under strong damping, from (log2 epsilon_i, alpha_i): the number of Taylor steps grows like
-    epsilon^(2/alpha); at most 10^9 s are said."""
+    epsilon^(2/alpha), unless one law alone slides along its slow curve; at most 10^9 s are said."""
+    sizes = list(sizes)
     steps = sum(0.2 * 2 ** min(2 * size / alpha, 60.0) for size, alpha in sizes if alpha > 1 and size > 0)
+    if len(sizes) == 1 and sizes[0][1] > 1 and sizes[0][0] <= SLIDES:
+        steps = min(steps, 100 + 10 / (sizes[0][1] - 1))
     return float(min(1e9, steps * 0.0015 * (bits / 150) ** 2))
 
 
@@ -79,6 +91,16 @@ def map_seconds(steps: int, digits: int, nodes: float = 0.0, *, times: bool = Fa
     one_evaluation = float(4e-6 * (1 + digits / 40) ** 1.15)
     seconds = steps * (3 * one_evaluation + 1e-5)
     return seconds + (nodes + steps * digits / 3) * one_evaluation if times else seconds
+
+
+def closed_form_seconds(points: int, digits: int) -> float:
+    """Turning points in closed form: an exponential or a product each."""
+    return float(2e-5 * points * (1 + digits / 100))
+
+
+def primitive_seconds(swings: float, bits: int) -> float:
+    """Half-swings by the closed primitive, some fifty evaluations each at twice ``bits``."""
+    return float(swings * 0.003 * (1 + (bits / 500) ** 1.45))
 
 
 def require_affordable(seconds: float, limit: float, argument: str, work: str, accepted: str = "") -> None:

@@ -45,7 +45,12 @@ class LimitError(InputError):
 
 
 class UndecidedError(ArithmeticError):
-    """A certified computation could not decide within its precision limit; nothing is claimed."""
+    """A certified computation could not decide within its precision limit; nothing is claimed.
+
+    ``given_up``: more precision has been tried up to the limit (``numbers.precision``).
+    """
+
+    given_up = False
 
 
 def shown(value: object) -> str:

@@ -34,8 +34,10 @@ from flint import arb
 from asymptotics.errors import InputError, shown
 from asymptotics.moments.certified import moment
 from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.context import inside
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number, float_notes
+from asymptotics.present.shown import Page, Shown
 from asymptotics.terms import Scaled, Term, Units, signed_sum
 
 PENDULUM = "pendulum"
@@ -43,8 +45,8 @@ _FORMS = 'exponent -> strength, such as {"3/2": "1/10"} or {(1, 2): "1/10"} for 
 _SPRING_FORMS = f'power -> strength, such as {{3: "1/10"}}, or "{PENDULUM}"'
 
 
-@dataclass(frozen=True, init=False)
-class _Sum:
+@dataclass(frozen=True, init=False, repr=False)
+class _Sum(Shown):
     """What both kinds of law share: distinct terms, losses first, in the order given; ``notes`` of what was changed."""
 
     terms: tuple[Term, ...]
@@ -138,8 +140,12 @@ class _Sum:
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self})"
 
-    def _repr_latex_(self) -> str:
-        return f"${signed_sum(self.terms, latex=True)}$"
+    def _page(self) -> Page:
+        rows = tuple((t.shape(), str(t.strength)) for t in self.terms)
+        return Page(str(self), self.notes, ("force", "strength"), rows)
+
+    def _formula(self) -> str:
+        return str(signed_sum(self.terms, latex=True))
 
 
 @dataclass(frozen=True, init=False, repr=False)
@@ -167,7 +173,7 @@ class PhysicalLaw(_Sum):
 
 
 @dataclass(frozen=True, init=False, repr=False)
-class Oscillator:
+class Oscillator(Shown):
     """m x'' + k x + law = 0 with x(0) = x0, x'(0) = v0 (SI units, exact numbers).
 
     ``Oscillator(law or mapping, mass=, stiffness=, x0=, v0=, spring=)`` reads the strengths as b in SI, whatever they
@@ -213,18 +219,22 @@ class Oscillator:
         """The law in units m = k = x0 = 1: epsilon = b omega_0^velocity length^weight/k, exact where it can be."""
         return Law.from_terms([self.units.without(t) for t in self.law.terms], self.notes)
 
+    @inside
     def omega_0(self) -> arb:
         """sqrt(k/m) in rad/s, as a ball."""
         return self.units.omega_0()
 
+    @inside
     def length(self) -> arb:
         """The unit of length in m, as a ball."""
         return self.units.length()
 
+    @inside
     def epsilons(self) -> tuple[arb, ...]:
         """The dimensionless strengths of the terms, as balls."""
         return tuple(t.strength.ball() for t in self.dimensionless.terms)
 
+    @inside
     def deltas(self, amplitude: arb) -> tuple[arb, ...]:
         """delta_i = epsilon_i A^(d_i-1) at the slow amplitude A > 0, in units of ``length``; InputError else."""
         _require_balls(amplitude=amplitude)
@@ -232,10 +242,12 @@ class Oscillator:
             raise InputError("amplitude", f"{amplitude.str(5)} is not certainly positive", "a positive number")
         return tuple(t.delta(amplitude) for t in self.dimensionless.terms)
 
+    @inside
     def kappas(self) -> tuple[arb, ...]:
         """Lancaster's kappa_i = M_(alpha_i+1) epsilon_i (Lancaster 2020, below (8)), as balls."""
         return tuple(moment(a.ball() + 1) * e for a, e in zip(self.law.alphas, self.epsilons()))
 
+    @inside
     def to_si(self, X: arb, tau: arb) -> tuple[arb, arb]:
         """Dimensionless displacement and time -> (x in m, t in s)."""
         _require_balls(X=X, tau=tau)
@@ -258,10 +270,21 @@ class Oscillator:
     def __repr__(self) -> str:
         return f"Oscillator({self})"
 
-    def _repr_latex_(self) -> str:
+    def _page(self) -> Page:
+        rows = (("mass", f"{self.mass} kg"), ("stiffness", f"{self.stiffness} N/m"), ("omega_0", self._omega()),
+                ("x(0)", f"{self.x0} m"), ("x'(0)", f"{self.v0} m/s"))  # fmt: skip
+        return Page(str(self), self.notes, ("", "value"), rows)
+
+    def _omega(self) -> str:
+        return f"{float(self.omega_0().mid()):.6g} rad/s"
+
+    def _letters(self) -> dict[str, str]:
+        return {"x": "displacement in m"}
+
+    def _formula(self) -> str:
         mass = {"1": ""}.get(str(self.mass), sympy.latex(to_sympy(self.mass)) + r"\,")
         force = signed_sum((Term(self.stiffness, 0, 1, "position"), *self._forces()), latex=True)
-        return rf"${mass}\ddot x + {force} = 0$"
+        return rf"{mass}\ddot x + {force} = 0"
 
 
 def _require_balls(**values: Any) -> None:

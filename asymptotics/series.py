@@ -17,13 +17,13 @@ the coefficients come out because every step is a ring operation), polynomials. 
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import product
 from typing import Any
 
 from flint import fmpq
 
 from asymptotics.budget import tick
+from asymptotics.numbers.context import cached_property
 
 Key = tuple[int, ...]
 

@@ -24,8 +24,10 @@ from flint import arb
 
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.context import inside
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, exact_power
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
+from asymptotics.present.shown import Page, Shown
 
 MAX_POSITION = 100
 
@@ -105,10 +107,11 @@ class Scaled:
 
 
 Strength = ExactReal | Scaled
+MAX_EXPONENT = 1000
 
 
-@dataclass(frozen=True, init=False)
-class Term:
+@dataclass(frozen=True, init=False, repr=False)
+class Term(Shown):
     """One force: strength |x|^position v|v|^(velocity-1), or strength x|x|^(position-1) |v|^velocity (a spring).
 
     ``velocity`` is alpha >= 0 of a loss or q >= 0 of a spring, ``position`` the integer m >= 0 or p >= 1.  The strength
@@ -134,6 +137,8 @@ class Term:
         exponent = exact_number(velocity, name)
         if exponent < 0:
             raise InputError(name, f"{exponent} is negative", f"an exponent >= 0: {REAL_FORMS}")
+        if exponent > MAX_EXPONENT:
+            raise InputError(name, f"{exponent} is out of range", f"an exponent from 0 to {MAX_EXPONENT}: {REAL_FORMS}")
         place = exact_integer(position, "position" if loss else "spring", 0 if loss else 1, MAX_POSITION)
         made = strength if isinstance(strength, Scaled) else exact_number(strength, "b")
         fields = {"strength": made, "velocity": exponent, "position": place, "odd_in": odd_in, "family": family}
@@ -188,6 +193,12 @@ class Term:
         place = {1: "x", 2: "x|x|"}.get(p, f"x^{p}" if p % 2 else f"x|x|^{p - 1}")
         return place + ("" if v.is_zero else f" x'^{v}" if _is_even(v) else f" |x'|^({v})")
 
+    def _page(self) -> Page:
+        return Page(str(self), ("a spring" if self.sign > 0 else "a loss",))
+
+    def _formula(self) -> str:
+        return self.latex()
+
     def latex(self) -> str:
         """The term in LaTeX."""
         text = str(self.strength) if isinstance(self.strength, Scaled) else sympy.latex(to_sympy(self.strength))
@@ -219,6 +230,7 @@ class Term:
         except InputError as error:
             raise InputError("strength", f"for equal exponents {error.reason}", "strengths that add up") from None
 
+    @inside
     def delta(self, amplitude: arb) -> arb:
         """The local strength: strength * amplitude^weight, as a ball."""
         return self.strength.ball() * _power(amplitude, self.weight)

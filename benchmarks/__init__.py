@@ -3,6 +3,7 @@
 ==========================  =============================================================================
 ``smith_rows``              Smith's coefficients to row n: integer kernel beside rational arithmetics
 ``cubic_damping``           x'^3 order by order: exact engine beside SymPy by hand, oscilate and Maxima
+``multiple_scales``         the hierarchy as whole processes, beside SymPy by hand and peers
 ``cost_against_order``      how the cost grows with the order for alpha = 2, 3, 3/2
 ``turning_point_tables``    1000 turning points: certified balls beside an mpmath iteration
 ``integrators``             1000 turning points beside heyoka, SciPy and mpmath, and their right digits

@@ -19,6 +19,7 @@ BENCHMARKS = {
     "certified-motion": "certified_motion",
     "hypergeometric": "hypergeometric",
     "comparing": "comparing",
+    "multiple-scales": "multiple_scales",
     "start-up": "start_up",
     "promises": "promises",
 }

@@ -6,9 +6,10 @@ logarithms; elsewhere the ball function must be told that c - a - b = 0, or it i
 
 from fractions import Fraction
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.envelopes.certified import F
+from asymptotics.numbers.context import ctx
 from benchmarks.peers import ask
 from benchmarks.table import Table, best_time, seconds_text
 

@@ -13,6 +13,7 @@ from typing import Any
 import mpmath
 
 from asymptotics.law import Law
+from asymptotics.numbers.decimal_context import workdps
 from asymptotics.turning.general import turning_points
 from benchmarks.peers import ask
 from benchmarks.table import Table, best_time, seconds_text
@@ -95,7 +96,7 @@ def right_digits(values: list[str], truth: list[str]) -> float:
     >>> right_digits(["1.001"], ["1.000"])
     3.0
     """
-    with mpmath.workdps(2 * DIGITS):
+    with workdps(2 * DIGITS):
         errors = [abs(mpmath.mpf(a) / mpmath.mpf(b) - 1) for a, b in zip(values, truth)]
         worst = max(errors)
         return float(DIGITS if worst == 0 else -mpmath.log10(worst))

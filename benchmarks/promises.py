@@ -9,9 +9,10 @@ from itertools import islice
 from time import process_time
 
 import numpy as np
-from flint import ctx
 
 import asymptotics as asy
+from asymptotics.divergence import germ
+from asymptotics.flow.taylor import GUARD
 from asymptotics.half_swings.certified_zeros import certified_half_swing
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.identification.coefficients import loss
@@ -20,14 +21,12 @@ from asymptotics.identification.swing import Swing
 from asymptotics.identification.synthetic import observed
 from asymptotics.law import Law
 from asymptotics.limit_cycles.series import limit_cycle_series
-from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.sequence import sequence
 from asymptotics.swing.spectral import analysis, integrals
-from asymptotics.swing.taylor import GUARD
 from asymptotics.terms import Term
-from asymptotics.turning.drag_exact import drag_turning_points
 from asymptotics.turning.general import turning_points
 from benchmarks.certified_motion import certified, moments
 from benchmarks.certified_orbits import far_point
@@ -54,7 +53,7 @@ def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
         "alpha = 3/2 and x^3, order 6, certified": (lambda: certified_half_swing(_unit(DUFFING), min(6, size)), 1),
         f"van der Pol through mu^{3 * size}": (lambda: limit_cycle_series(VAN_DER_POL, 3 * size), 2),
         "100 turning points, pendulum in air from 170 degrees, 30 digits": (
-            lambda: drag_turning_points(AIR, parse_real("2.967", "x0"), 100, 30), 1,
+            lambda: turning_points(AIR, 100, 30, x0="2.967", route="closed-primitive"), 1,
         ),
         "100 turning points with gradients, doubles": (lambda: turning_sequence(swing, 100, p * 1.01, orbit.a), 0.002),
         "next amplitude and half period, alpha = 1.37, 100 strengths, 20 digits": (lambda: _swept(12 * size + 4), 2.4),
@@ -63,7 +62,10 @@ def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
         "1000 turning points and times of 3 at epsilon = 2, 30 digits": (lambda: points({3: 2}, many, size), 20),
         "identify: 149 turning points, every law, no bootstrap": (lambda: asy.identify(seen, bootstrap=False), 2),
     }  # fmt: skip
+    found["c_1 and d_1 of alpha = 2, 17 digits"] = (partial(constants, 2, 17), 0.5)
     if size >= FULL:
+        found["c_1 and d_1 of alpha = 2, 60 digits"] = (partial(constants, 2, 60), 3)
+        found["c_1 and d_1 of alpha = 3/2, 17 digits, coefficients included"] = (partial(constants, "3/2", 17), 5)
         for name, law in {"3/2": BETWEEN, "3": CUBE, "(1, 2)": PAIR}.items():
             found[f"1000 turning points and times of {name}, 30 digits, coefficients included"] = (
                 partial(anew, law),
@@ -72,6 +74,13 @@ def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
         found["point 10^9 of 3/2 at 50 digits, after the coefficients"] = (far_point, 1)
         found["reference motion at 10^4 times over 100 swings, 20 digits"] = (lambda: certified(moments(10_000)), 5)
     return found
+
+
+def constants(alpha: object, digits: int) -> object:
+    """Stokes constants; no germ of an earlier run is used."""
+    for table in (germ._germ, germ.majorants):
+        table.cache_clear()
+    return asy.stokes(alpha, digits=digits)
 
 
 def anew(pairs: dict[object, object]) -> object:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
+from asymptotics.made_by import mark
 from asymptotics.present.files import write_all
 from benchmarks.peers import versions
 from benchmarks.table import Table
@@ -46,6 +47,7 @@ def machine() -> dict[str, str]:
         "system": platform.platform(terse=True),
         "python": platform.python_version(),
         "package": ours,
+        "code": mark(),
         "peers": peers or "none installed",
     }
 

@@ -9,8 +9,9 @@ True
 
 import mpmath
 
-from asymptotics.numbers.exact import parse_real
-from asymptotics.turning.quadratic import quadratic_turning_points
+from asymptotics.law import Law
+from asymptotics.numbers.decimal_context import workdps
+from asymptotics.turning.general import turning_points
 from benchmarks.table import Table, best_time, seconds_text
 
 EPSILON = "1/10"
@@ -19,13 +20,13 @@ GUARD = 20
 
 def certified(count: int, digits: int) -> list[str]:
     """|x_n|/x_0, correctly rounded and proved to be."""
-    table = quadratic_turning_points(parse_real(EPSILON, "--epsilon"), count=count, digits=digits)
+    table = turning_points(Law({2: EPSILON}), count, digits, route="quadratic")
     return [point.x.lstrip("-") for point in table.points]
 
 
 def lambert_iteration(count: int, digits: int, guard: int = 0) -> list[str]:
     """The same by q = 1 + W_0(-(1+p) e^(-(1+p))) in mpmath, with ``guard`` more digits inside."""
-    with mpmath.workdps(digits + guard):
+    with workdps(digits + guard):
         start = p = mpmath.mpf(2) / 10
         found = []
         for _ in range(count):
@@ -40,7 +41,7 @@ def wrong_digits(values: list[str], right: list[str]) -> int:
     worst = 0
     for value, truth in zip(values, right, strict=True):
         digits = len(truth.partition("e")[0].replace(".", "").lstrip("0"))
-        with mpmath.workdps(2 * digits):
+        with workdps(2 * digits):
             error = abs(mpmath.mpf(value) / mpmath.mpf(truth) - 1)
             known = digits if error == 0 else int(-mpmath.log10(error))
         worst = max(worst, digits - known - 1 if known < digits else 0)

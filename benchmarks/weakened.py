@@ -1,13 +1,16 @@
 """``python -m benchmarks.weakened [PART ...]``: bounds are halved or dropped, one at a time, and their test must fail.
 
-``benchmarks/weakened_bounds.json`` lists them: the file, the bound in words, the line and what it is weakened to, and
-the test that notices.  Each is planted in a copy of the project in ``build/weakened`` and its test is run.  What no
-test can notice has a reason in the place of the test.  ``PART`` selects by a part of the file's name.
+Two lists.  ``benchmarks/weakened_bounds.json`` was written by hand: the file, the bound in words, the line and what it
+is weakened to, and the test that notices.  ``benchmarks/bound_sites.json`` answers for the places that
+``benchmarks.bound_sites`` finds in the syntax trees: the test that notices each, or the reason why none can.  Each is
+planted in a copy of the project in ``build/weakened`` and its test is run.  ``PART`` selects by a part of the file's
+name; ``--search`` looks among the tests of the room for one that notices the places that neither list answers for.
 """
 
 import argparse
 import json
 import os
+import re
 import subprocess
 import sys
 from collections import Counter
@@ -15,11 +18,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.mutants import PYTEST, copy_of_the_project
+from benchmarks.bound_sites import Site, sites
+from benchmarks.mutants import FORGET, PYTEST, copy_of_the_project
 from benchmarks.table import Table
 
 ROOT = Path(__file__).parents[1]
 LIST = Path(__file__).with_name("weakened_bounds.json")
+SITES = Path(__file__).with_name("bound_sites.json")
 SECONDS = 300
 
 
@@ -39,18 +44,66 @@ class Weakened:
         """The directory below ``asymptotics``."""
         return Path(self.file).parts[1].removesuffix(".py")
 
+    def planted(self, source: str) -> str:
+        """The source of the file with the weaker line."""
+        return source.replace(self.line, self.weaker)
+
+
+@dataclass(frozen=True)
+class Answered:
+    """A place that was found, with the ``test`` that fails when it is weakened, or the reason why none can."""
+
+    site: Site
+    test: str = ""
+    equivalent: str = ""
+
+    file = property(lambda self: self.site.file)
+    bound = property(lambda self: f"{self.site.kind} in {self.site.function}")
+    line = property(lambda self: self.site.text)
+    weaker = property(lambda self: self.site.weaker)
+    room = property(lambda self: Path(self.site.file).parts[1].removesuffix(".py"))
+
+    def planted(self, source: str) -> str:
+        """The source of the file with this place weakened."""
+        return self.site.planted(source)
+
 
 def listed() -> list[Weakened]:
-    """All of the list."""
+    """The list written by hand."""
     return [Weakened(**entry) for entry in json.loads(LIST.read_text())]
+
+
+def answered() -> list[Answered]:
+    """The places found in the code for which ``bound_sites.json`` answers."""
+    answers = json.loads(SITES.read_text())["answers"]
+    return [Answered(site, **answers[site.key]) for site in sites() if site.key in answers]
+
+
+def unanswered() -> list[Site]:
+    """The places found in the code for which neither list answers: no line of the one holds it, no key of the other."""
+    spans: dict[str, list[tuple[int, int]]] = {}
+    for w in listed():
+        start = (ROOT / w.file).read_text().index(w.line)
+        spans.setdefault(w.file, []).append((start, start + len(w.line)))
+    answers = json.loads(SITES.read_text())["answers"]
+
+    def is_listed(site: Site) -> bool:
+        end = site.start + len(site.text)
+        return any(site.start < stop and start < end for start, stop in spans.get(site.file, ()))
+
+    return [site for site in sites() if site.key not in answers and not is_listed(site)]
 
 
 def main(argv: list[str] | None = None) -> int:
     """Plant the selected ones; 0 if each is noticed, else 1."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.weakened", description=__doc__)
     parser.add_argument("parts", nargs="*", help="parts of file names, such as wells/ or abel (default: all)")
-    parts = parser.parse_args(argv).parts
-    chosen = [w for w in listed() if not parts or any(part in w.file for part in parts)]
+    parser.add_argument("--search", action="store_true", help="look for tests that notice what no list answers for")
+    options = parser.parse_args(argv)
+    parts = options.parts
+    if options.search:
+        return search([site for site in unanswered() if not parts or any(part in site.file for part in parts)])
+    chosen = [w for w in (*listed(), *answered()) if not parts or any(part in w.file for part in parts)]
     folder = copy_of_the_project(ROOT / "build" / "weakened")
     outcomes = [(w, outcome_of(w, folder)) for w in chosen]
     print(table(outcomes).text())
@@ -60,30 +113,57 @@ def main(argv: list[str] | None = None) -> int:
     return int(bool(alive))
 
 
-def outcome_of(w: Weakened, folder: Path) -> str:
+def outcome_of(w: Weakened | Answered, folder: Path) -> str:
     """noticed, survived, or equivalent."""
     if w.equivalent:
         return "equivalent"
     return "noticed" if is_noticed(w, folder) else "survived"
 
 
-def is_noticed(w: Weakened, folder: Path) -> bool:
+def is_noticed(w: Weakened | Answered, folder: Path) -> bool:
     """Whether the test fails with the weaker line, and not for want of a test."""
+    return _run(w, [w.test], folder)[0] == 1
+
+
+def _run(w: Weakened | Answered, tests: Sequence[str], folder: Path) -> tuple[int, str]:
+    """(exit code, output) of the tests with the weaker line; 1 if they do not end."""
     path = folder / w.file
     text = path.read_text()
-    path.write_text(text.replace(w.line, w.weaker))
-    command = [sys.executable, "-m", "pytest", "-q", "-x", *PYTEST, w.test]
+    path.write_text(w.planted(text))
+    command = [sys.executable, "-m", "pytest", "-q", "-x", *PYTEST, *tests]
     environment = {**os.environ, "PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1"}
     try:
-        code = subprocess.run(command, cwd=folder, env=environment, capture_output=True, timeout=SECONDS).returncode
+        run = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=SECONDS)
+        return run.returncode, run.stdout
     except subprocess.TimeoutExpired:
-        code = 1
+        return 1, "no end"
     finally:
         path.write_text(text)
-    return code == 1
 
 
-def table(outcomes: Sequence[tuple[Weakened, str]]) -> Table:
+def search(places: Sequence[Site]) -> int:
+    """A line of JSON for each place: its key and the first test of its room that fails, or null; 0 if none is null.
+
+    The tests that notice something else in the same file come first, then those of the room and the examples.
+    """
+    folder, silent = copy_of_the_project(ROOT / "build" / "weakened_search"), 0
+    with (folder / "tests" / "conftest.py").open("a") as file:
+        file.write(FORGET)
+    for site in places:
+        near = Counter(w.test for w in (*listed(), *answered()) if w.file == site.file and w.test)
+        room = Path(site.file).parts[1].removesuffix(".py")
+        rooms = [f"tests/{room}", *(["tests/ladders"] if room != "comparison" else []), site.file]
+        tests = [*(test for test, _ in near.most_common()), *(t for t in rooms if (folder / t).exists())]
+        outside = ["--ignore=tests/ladders/test_weakened.py"]
+        code, output = _run(Answered(site), [*tests, *outside], folder)
+        failed = re.findall(r"^(?:FAILED|ERROR) ([^\s\[]+)", output, re.MULTILINE)
+        found = (failed or ["without end"])[0] if code == 1 else None
+        silent += found is None
+        print(json.dumps({site.key: found}), flush=True)
+    return int(silent > 0)
+
+
+def table(outcomes: Sequence[tuple[Weakened | Answered, str]]) -> Table:
     """A row for each room."""
     counts = Counter((w.room, outcome) for w, outcome in outcomes)
     rooms = sorted({w.room for w, _ in outcomes})

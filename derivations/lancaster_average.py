@@ -70,6 +70,11 @@ step(
     sympy.Integer(1),
 )
 step("and 1 at p = 0", M(0), sympy.Integral(1, (theta, 0, pi)) / pi)
-step("The same at p = 1", M(1), sympy.Integral(sin(theta), (theta, 0, pi)) / pi)
+step(
+    "The same at p = 1: by both (12) is M_(alpha+1) for every alpha",
+    M(1),
+    sympy.Integral(sin(theta), (theta, 0, pi)) / pi,
+    proves=("lancaster2020:11", "lancaster2020:12", "lancaster2020:claim.c", "lancaster2020:claim.kappa-scaling"),
+)
 for n in range(4):
     step(f"(12) at alpha = {n}", At(printed, {alpha: n}), moment(n + 1))

@@ -7,7 +7,7 @@
 import sympy
 
 from asymptotics.moments.symbolic import moment
-from derivations.steps import At, Derivation, defined, named
+from derivations.steps import At, Derivation, Solution, defined
 
 b, k, m, x_0, tau, t = sympy.symbols("b k m x_0 tau t", positive=True)
 alpha = sympy.Symbol("alpha", positive=True)
@@ -25,44 +25,53 @@ derivation = Derivation(
 step, holds = derivation.step, derivation.holds
 
 x = A * cos(omega_0 * t)
-velocity = diff(x, t)
 step(
     "The velocity of the ansatz", sympy.Derivative(x, t), diff(A, t) * cos(omega_0 * t) - A * omega_0 * sin(omega_0 * t)
 )
 slow = diff(A, t) / (omega_0 * A)
-energy = m * velocity**2 / 2 + k * x**2 / 2
 bracket = 1 + slow**2 * cos(omega_0 * t) ** 2 - slow * sin(2 * omega_0 * t)
-step("(5): the energy of the ansatz", sympy.expand_trig(energy), sympy.expand_trig(k * A**2 / 2 * bracket))
+place, pace = sympy.symbols("x v", real=True)
+step(
+    "(5): the energy of the ansatz",
+    At(m * pace**2 / 2 + k * place**2 / 2, {pace: sympy.Derivative(x, t), place: x}),
+    k * A**2 / 2 * bracket,
+    proves=("lancaster2020:5",),
+)
 eta = sympy.Symbol("eta")
 shape = k * size**2 / 2 * (1 + eta**2 * cos(theta) ** 2 - eta * sin(2 * theta))
 step("(6): at eta = (dA/dt)/(omega_0 A) -> 0 it is k A^2/2", At(shape, {eta: 0}), k * size**2 / 2)
 step(
     "the neglected part is of first order in eta; its mean over a period is of second order",
-    sympy.integrate(shape, (theta, 0, 2 * sympy.pi)) / (2 * sympy.pi),
+    sympy.Integral(shape, (theta, 0, 2 * sympy.pi)) / (2 * sympy.pi),
     k * size**2 / 2 * (1 + eta**2 / 2),
 )
 path, force = sympy.Function("x")(t), sympy.Function("f")(t)
 total = m * diff(path, t) ** 2 / 2 + k * path**2 / 2
 step(
     "(7): dE/dt = v (m a + k x), and the equation of motion puts f for the bracket",
-    diff(total, t).subs(diff(path, t, 2), (force - k * path) / m),
+    At(sympy.Derivative(total, t), {diff(path, t, 2): (force - k * path) / m}),
     force * diff(path, t),
+    proves=("lancaster2020:7",),
 )
 step("(8): d/dt of (6)", sympy.Derivative(k * A**2 / 2, t), k * A * diff(A, t))
 
 sine = sympy.Symbol("s", positive=True)  # |sin(omega_0 t)|, with (9): |v| = A omega_0 s
 drag = -b * speed ** (alpha + 1)  # f(v) v for f = -b v|v|^(alpha-1)
-power = drag.subs(speed, size * omega_0 * sine)
 step(
     "f v with (9), divided by k A: dA/dt = -(b omega_0^(alpha+1)/k) A^alpha |sin|^(alpha+1)",
-    power / (k * size),
+    At(drag, {speed: size * omega_0 * sine}) / (k * size),
     sympy.powsimp(
         sympy.expand_power_base(-b * omega_0 ** (alpha + 1) / k * size**alpha * sine ** (alpha + 1), force=True)
     ),
 )
 primitive = (size ** (1 - alpha) - x_0 ** (1 - alpha)) / (1 - alpha)
-step("(10): the left side integrates dA/A^alpha", diff(primitive, size), size**-alpha)
-step("and vanishes at A = x_0", At(primitive, {size: x_0}), sympy.Integer(0))
+step("(10): the left side integrates dA/A^alpha", sympy.Derivative(primitive, size), size**-alpha)
+step(
+    "and vanishes at A = x_0; the right side is the integral of the line before last, divided by A^alpha",
+    At(primitive, {size: x_0}),
+    sympy.Integer(0),
+    proves=("lancaster2020:10",),
+)
 
 M = sympy.Symbol("M", positive=True)  # the mean of |sin|^(alpha+1), see lancaster-average
 kappa = sympy.Symbol("kappa", positive=True)  # M b omega_0^alpha x_0^(alpha-1)/k
@@ -72,19 +81,52 @@ root = x_0 * growth ** (-1 / mu)
 clock = (growth - 1) / (mu * M * b * omega_0 ** (mu + 1) * x_0**mu / k * omega_0)
 step(
     "(13) solves the averaged (10): with mu = alpha - 1 and B = 1 + mu kappa omega_0 t",
-    primitive.subs(alpha, 1 + mu).subs(size, root),
+    At(primitive.subs(alpha, 1 + mu), {size: root}),
     -b * omega_0 ** (mu + 2) * M / k * clock,
+    proves=("lancaster2020:13",),
 )
-envelope = (1 + (alpha - 1) * kappa * tau) ** (-1 / (alpha - 1))
-decay = sympy.simplify(-diff(envelope, tau) / envelope)
 A_of = defined("A", lambda tau: (1 + (alpha - 1) * kappa * tau) ** (-1 / (alpha - 1)))
 step(
     "(14): |dA/dt|/(omega_0 A) in tau = omega_0 t",
     -sympy.Derivative(A_of(tau), tau) / A_of(tau),
     kappa / (1 + (alpha - 1) * kappa * tau),
+    proves=("lancaster2020:14", "lancaster2020:claim.weak-equals-slow"),
 )
-late = sympy.limit(decay * tau, tau, sympy.oo)
-step("(15): tau times it tends to 1/(alpha-1), whatever kappa", late, 1 / (alpha - 1))
+rate = kappa / (1 + (alpha - 1) * kappa * tau)
+step(
+    "it falls for alpha > 1, is constant for alpha = 1, and grows for alpha < 1",
+    sympy.Derivative(rate, tau),
+    -(alpha - 1) * rate**2,
+    proves=tuple(f"lancaster2020:claim.{name}" for name in ("weak-not-slow", "long-or-short", "crossover")),
+)
+q, nu = sympy.symbols("q nu", positive=True)
+step(
+    "(15), alpha = 1 + q: in B = q kappa tau alone, q tau times the rate is B/(1+B), which tends to 1",
+    sympy.Limit(At(rate * q * tau, {alpha: 1 + q, tau: growth / (q * kappa)}), growth, sympy.oo),
+    sympy.Integer(1),
+    proves=("lancaster2020:15",),
+)
+step(
+    "alpha = 1 - nu < 1: the amplitude is 0 at the finite time nu kappa tau = 1",
+    At((1 - nu * kappa * tau) ** (1 / nu), {tau: 1 / (nu * kappa)}),
+    sympy.Integer(0),
+)
+step(
+    "(17): the rate grows from kappa at the start",
+    At(rate, {alpha: 1 - nu, tau: sympy.Integer(0)}),
+    kappa,
+)
+step(
+    "and without bound: its inverse tends to 0 there",
+    sympy.Limit(At(1 / rate, {alpha: 1 - nu}), tau, 1 / (nu * kappa), "-"),
+    sympy.Integer(0),
+    proves=("lancaster2020:claim.fails-at-long-times",),
+)
+step(
+    "it equals omega_0 (rate 1) at nu kappa tau = 1 - kappa, if kappa < 1",
+    Solution(At(rate, {alpha: 1 - nu}), sympy.Integer(1), tau),
+    (1 - kappa) / (nu * kappa),
+)
 for n, name in ((0, "2/pi"), (1, "1/2"), (2, "4/(3 pi)"), (3, "3/8")):
-    beta = 2 ** sympy.Integer(n + 1) * sympy.gamma(sympy.Rational(n, 2) + 1) ** 2 / sympy.gamma(n + 2) / sympy.pi
-    step(f"alpha = {n}: the coefficient of kappa in (13) is {name}", named(f"M_{n + 1}", moment(n + 1)), beta)
+    mean = sympy.Integral(sympy.sin(theta) ** (n + 1), (theta, 0, sympy.pi)) / sympy.pi
+    step(f"alpha = {n}: the coefficient of kappa in (13) is {name}", mean, moment(n + 1))

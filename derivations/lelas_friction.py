@@ -6,12 +6,12 @@
 
 import sympy
 
-from asymptotics.moments.symbolic import moment, squaring_moment, squaring_ratio
-from derivations.steps import At, Derivation, defined, named
+from asymptotics.moments.symbolic import moment, squaring_moment
+from derivations.steps import At, Derivation, Solution, defined
 
-mu, g, m, k, x_0, omega_0, t, sine, cosine = sympy.symbols("mu g m k x_0 omega_0 t s c", positive=True)
+mu, g, m, k, x_0, omega_0, t = sympy.symbols("mu g m k x_0 omega_0 t", positive=True)
 epsilon, theta = sympy.symbols("epsilon theta", positive=True)
-f, v = sympy.Symbol("f", positive=True), sympy.Symbol("v", real=True)
+v = sympy.Symbol("v", real=True)
 sqrt = sympy.sqrt
 
 derivation = Derivation(
@@ -19,26 +19,51 @@ derivation = Derivation(
     "The squaring trick for sliding friction",
     source="Lelas 2024, (22)-(33), (47)-(50); lelas2024:24, 26, 30, 31, 32, 33, 50",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 step("sgn(v) v = |v|, for v > 0 and v < 0 alike", sympy.sign(v) * v, sympy.Abs(v))
-unit = m * omega_0**2 * x_0**2 * f  # (15): dE/dt = unit df/dt
-first = -mu * m * g * omega_0 * x_0 * f * sine / unit  # sine = |sin(omega_0 t)|
-second = -mu * m * g * omega_0 * x_0 * f * cosine / unit
-step("(26)", named("f'", first), -mu * g / (omega_0 * x_0) * sine)
-step("(27)", named("f'", second), -mu * g / (omega_0 * x_0) * cosine)
-squares = (first**2 + second**2).subs(cosine, sqrt(1 - sine**2))
-step("(28) + (29): s^2 + c^2 = 1", squares, (mu * g / (omega_0 * x_0)) ** 2)
+amplitude, change = sympy.Function("f", positive=True)(t), sympy.Symbol("f'", real=True)
+energy = m * omega_0**2 * x_0**2 * amplitude**2 / 2  # (14)
+wave = {"24": sympy.sin(omega_0 * t), "25": sympy.cos(omega_0 * t)}
+powers = {n: -mu * m * g * omega_0 * x_0 * amplitude * sympy.Abs(u) for n, u in wave.items()}
+rates = {n: -mu * g / (omega_0 * x_0) * sympy.Abs(u) for n, u in wave.items()}
+for (number, power), speed in zip(powers.items(), (-wave["24"], wave["25"]), strict=True):
+    step(
+        f"({number}): -mu m g |v| at the velocity ({int(number) - 12})",
+        At(-mu * m * g * sympy.Abs(v), {v: omega_0 * x_0 * amplitude * speed}),
+        power,
+        proves=(f"lelas2024:{number}",),
+    )
+for number, power in powers.items():
+    step(
+        f"({int(number) + 2}): dE/dt of (15) is the power ({number}); solved for df/dt, f cancels",
+        Solution(sympy.Derivative(energy, t), power, sympy.Derivative(amplitude, t)),
+        rates[number],
+        proves=(f"lelas2024:{int(number) + 2}",),
+    )
+right = sympy.Add(*(rate**2 for rate in rates.values()), evaluate=False)
+step(
+    "(30): the squares (28) and (29) added, with one f' for both",
+    Solution(2 * sympy.Symbol("R", real=True), right, sympy.Symbol("R", real=True)),
+    (mu * g / (omega_0 * x_0)) ** 2 / 2,
+    proves=("lelas2024:30",),
+)
 slope = -mu * g / (sqrt(2) * omega_0 * x_0)
-step("(30), (31): both rates replaced by one, 2 (df/dt)^2, negative root", 2 * slope**2, squares)
+step(
+    "(31): its negative root, since f falls",
+    Solution(change**2, (mu * g / (omega_0 * x_0)) ** 2 / 2, change, sign=-1),
+    slope,
+    proves=("lelas2024:31",),
+)
 solution = 1 + slope * t
 step("(32) solves it", sympy.Derivative(solution, t), slope)
 step("and f(0) = 1", At(solution, {t: 0}), sympy.Integer(1))
 end = sqrt(2) * omega_0 * x_0 / (mu * g)
 step("It ends at sqrt(2) omega_0 x_0/(mu g), with the root over the 2 alone", At(solution, {t: end}), sympy.Integer(0))
 inside = sqrt(2 * omega_0 * x_0 / (mu * g))
-holds(
-    "not at sqrt(2 omega_0 x_0/(mu g)): the units differ", bool(sympy.simplify(solution.subs(t, inside)) != 0), inside
+derivation.asserts(
+    "not at sqrt(2 omega_0 x_0/(mu g)), with the root over all: for x_0 = g = 1 and omega_0 = 2 mu f is not yet 0",
+    sympy.Ne(At(At(solution, {t: inside}), {x_0: 1, g: 1, omega_0: 2 * mu}), 0, evaluate=False),
 )
 step(
     "(33): |df/dt|/omega_0 in k and m",
@@ -47,7 +72,10 @@ step(
 )
 values = {mu: 1, m: sympy.Rational(3, 2), g: sympy.Rational(981, 100), k: 30, x_0: sympy.Rational(1, 5)}
 bound = (sqrt(2) * k * x_0 / (m * g)).subs(values)
-holds("(50): 0.58 to two digits", bool(abs(bound - sympy.Rational(58, 100)) < sympy.Rational(1, 200)), bound)
+derivation.asserts(
+    "(50): 0.58 to two digits, for m = 3/2, k = 30, x_0 = 1/5, g = 9.81 in SI units",
+    sympy.Lt(sympy.Abs(bound - sympy.Rational(58, 100), evaluate=False), sympy.Rational(1, 200), evaluate=False),
+)
 M = defined("M", moment, index=True)
 Lelas = defined("L", lambda alpha: squaring_moment(alpha))
 step("In epsilon = mu m g/(k x_0): df/dtau = -2^{-1/2} epsilon", Lelas(0), 1 / sqrt(2))
@@ -57,7 +85,7 @@ step(
     Lelas(0) / M(1),
     sympy.pi * sqrt(2) / 4,
 )
-holds("It is larger than 1", bool(squaring_ratio(sympy.Integer(0)) > 1), sympy.pi * sqrt(2) / 4 > 1)
+derivation.asserts("It is larger than 1", sympy.Gt(sympy.pi * sqrt(2) / 4, 1, evaluate=False))
 step(
     "and Lelas stops earlier, by the factor M_1 sqrt(2) = 2 sqrt(2)/pi < 1, for every strength",
     (1 / (Lelas(0) * epsilon)) / (1 / (M(1) * epsilon)),

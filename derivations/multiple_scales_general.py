@@ -10,7 +10,7 @@ cost no more than one, so the sum is done for exponents alpha, beta.
 import sympy
 from sympy import cos, gamma, pi, sin, sqrt
 
-from derivations.steps import At, Derivation, named
+from derivations.steps import At, Coefficient, Derivation, Solution, defined
 
 alpha, beta = sympy.symbols("alpha beta", nonnegative=True)
 n = sympy.Symbol("n", positive=True)
@@ -64,17 +64,36 @@ step(
 )
 
 # Order 1: V_0 = -a sin psi.
-f_1 = -p * a**alpha
+f_1, slope = -p * a**alpha, sympy.Symbol("f_1", real=True)
 step(
-    "Order 1, coefficient of sin psi: 2 D_1 a + a^alpha b_1 with b_1 = 2 p, p = M_(alpha+1); D_1 a = -p a^alpha",
-    2 * named("D_1(a)", f_1),
-    -2 * p * a**alpha,
+    "Order 1, coefficient of sin psi: 2 f_1 + a^alpha b_1 = 0 with b_1 = 2 p, p = M_(alpha+1); D_1 a = f_1",
+    Solution(2 * slope + 2 * p * a**alpha, 0, slope),
+    f_1,
 )
 x_n = -(a**alpha) * B / (n**2 - 1) * sin(n * psi)
-step("Each harmonic n >= 3 of X_1", sympy.diff(x_n, psi, 2) + x_n, a**alpha * B * sin(n * psi))
+step("Each harmonic n >= 3 of X_1", sympy.Derivative(x_n, psi, 2) + x_n, a**alpha * B * sin(n * psi))
 
-# Order 2: the coefficient of cos psi.
-step("-D_1 D_1 X_0", -f_1 * sympy.diff(f_1 * cos(psi), a), -alpha * p**2 * a ** (2 * alpha - 1) * cos(psi))
+# Order 2: the equation, from the ansatz; then its coefficient of cos psi.
+D_0, D_1, D_2, X_0, X_1, X_2 = sympy.symbols("D_0 D_1 D_2 X_0 X_1 X_2", commutative=False)
+slopes, ansatz = D_0 + eps * D_1 + eps**2 * D_2, X_0 + eps * X_1 + eps**2 * X_2
+step(
+    "Order 2 of d^2X/dtau^2, with the operators D_n = (D_n a) d/da + (D_n psi) d/d psi, which do not commute",
+    Coefficient(slopes**2 * ansatz, eps, 2),
+    D_0**2 * X_2 + (D_0 * D_1 + D_1 * D_0) * X_1 + (D_1**2 + D_0 * D_2 + D_2 * D_0) * X_0,
+)
+drag = sympy.Function("S")
+V_a, V_b = sympy.symbols("V_0 V_1", real=True)
+step(
+    "and of the force eps S(V), S(V) = V|V|^(alpha-1), V = V_0 + eps V_1 + ..., V_1 = D_0 X_1 + D_1 X_0",
+    R(1, 2) * At(sympy.Derivative(eps * drag(V_a + eps * V_b), (eps, 2)), {eps: 0}),
+    V_b * sympy.diff(drag(V_a), V_a),
+)
+slow = defined("D_1", lambda h: f_1 * sympy.diff(h, a))
+step(
+    "-D_1 D_1 X_0, with D_1 psi = 0",
+    -slow(slow(a * cos(psi))),
+    -alpha * p**2 * a ** (2 * alpha - 1) * cos(psi),
+)
 step(
     "-(D_0 D_2 + D_2 D_0) X_0",
     -2 * (f_2 * sympy.Derivative(a * cos(psi), psi, a) + g_2 * sympy.Derivative(a * cos(psi), psi, 2)),
@@ -108,11 +127,10 @@ step(
     a ** (2 * alpha - 1) * (n**2 * B**2 / (n**2 - 1) + 2 * p**2),
 )
 condition = 2 * a * g_2 - alpha * p**2 * a ** (2 * alpha - 1) + a ** (2 * alpha - 1) * (S + 2 * p**2)
-open_form = sympy.solve(condition, g_2)[0] / a ** (2 * alpha - 2)
 step(
     "Solvability, with S = sum_(n>=3) n^2 b_n^2/(n^2-1); D_2 a = 0, for there is no sin psi;"
     " D_2 psi = a^(2 alpha-2) times",
-    sympy.powsimp(sympy.expand(open_form)),
+    Solution(condition, 0, g_2) / a ** (2 * alpha - 2),
     (alpha - 2) * p**2 / 2 - S / 2,
 )
 

@@ -18,7 +18,7 @@ L = sympy.Symbol("L", real=True)
 derivation = Derivation(
     "quarter-swing-tail",
     "A half-swing at finite strength from the truncated series of the quarter-swing, with proved errors",
-    source="half_swings.finite, half_swings.finite_majorant; the equations are those of half-swing-equations",
+    source="half_swings.finite_majorant; the equations are those of half-swing-equations",
 )
 step, holds = derivation.step, derivation.holds
 

@@ -87,4 +87,24 @@ step(
     sympy.Derivative(e * b * w ** (a - 1 + q) / (a - 1 + q), w),
     e * w**a * b * w**q / w**2,
 )
+step(
+    "For alpha > 1 and one law alone the powers of B and of what is left are negative: with a constant theta they"
+    " are largest at the least w, and what holds at some w holds at w/lambda > w, for",
+    (w / part) ** (-d) / (w / part) ** 0,
+    part**d * w ** (-d),
+)
 step("or, where alpha - 1 + q = 0,", sympy.Derivative(e * b * sympy.log(w), w), e * b / w)
+reach, m, lam = sympy.symbols("R m lambda", positive=True)
+t, k = sympy.Symbol("t", real=True), sympy.Symbol("k", integer=True, nonnegative=True)
+eta, centre = sympy.symbols("eta c", real=True)
+p = sympy.Function("p")
+step(
+    "Where exponents are nearly equal: over a stretch ln w = c + R t, w^eta is e^(eta c) times",
+    sympy.Sum((eta * reach * t) ** k / sympy.factorial(k), (k, 0, sympy.oo)),
+    sympy.exp(eta * reach * t),
+)
+step(
+    "so the coefficients are polynomials in t, and the slope of a part p(t) w^q by ln w = lambda is",
+    sympy.Derivative(p((lam - centre) / reach) * sympy.exp(q * lam), lam),
+    sympy.exp(q * lam) * (q * p((lam - centre) / reach) + sympy.Subs(p(t).diff(t), t, (lam - centre) / reach) / reach),
+)

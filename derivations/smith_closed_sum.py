@@ -8,7 +8,7 @@ True
 
 import sympy
 
-from derivations.steps import At, Derivation, defined
+from derivations.steps import At, Derivation, Solution, defined
 
 n, i, k = sympy.symbols("n i k", integer=True, positive=True)
 A, B, D = sympy.symbols("C_i^n C_{i-1}^{n-1} C_i^{n-2}")
@@ -33,25 +33,43 @@ def term(k: sympy.Expr | int, n: sympy.Expr = n) -> sympy.Expr:
     return 2 * (-1) ** (k - 1) * top / (double_factorial(n + i) * double_factorial(n - 2 * k))
 
 
-line = (n - 2) * D * w**i + i * A * w**i + n * A * w**i - 2 * w * (n - 1) * B * w ** (i - 1)
 step(
-    "(59d), the coefficient of w^i",
-    sympy.expand(sympy.simplify(line / w**i)),
+    "(59d), the coefficient of w^i: f_n, f_{n-1}, f_{n-2} by one term A w^i, B w^{i-1}, D w^i each, over w^i",
+    (w * sympy.Derivative(A * w**i, w) + n * A * w**i - 2 * (n - 1) * w * B * w ** (i - 1) + (n - 2) * D * w**i) / w**i,
     (n + i) * A - 2 * (n - 1) * B + (n - 2) * D,
 )
 recurrence = 2 * (n - 1) * B / (n + i) - (n - 2) * D / (n + i)
-step("(62a)", sympy.solve((n + i) * A - 2 * (n - 1) * B + (n - 2) * D, A)[0], recurrence)
+step(
+    "(62a): it vanishes",
+    Solution((n + i) * A - 2 * (n - 1) * B + (n - 2) * D, 0, A),
+    recurrence,
+    proves=("smith2012:62a",),
+)
+closed = (-1) ** ((n - 1) / 2) / n
+step(
+    "(63): (62a) at i = 0, where C_{-1} = 0, is obeyed by C_0^n = (-1)^{(n-1)/2}/n, which is 1 at n = 1",
+    At(recurrence, {i: 0, B: 0, D: At(closed, {n: n - 2})}),
+    closed,
+    proves=("smith2012:63",),
+)
+step(
+    "(65): (62a) at i = 1 with (63) at n - 1",
+    At(recurrence, {i: 1, B: At(closed, {n: n - 1})}),
+    2 * (-1) ** ((n - 2) / 2) / (n + 1) - (n - 2) / (n + 1) * D,
+    proves=("smith2012:65",),
+)
 step(
     "n - i keeps its parity from C_i^n to C_{i-1}^{n-1} and to C_i^{n-2}; from C_0^1 on it is odd: else C = 0",
     At(n - i, {n: n - 1, i: i - 1}),
     n - i,
-)
-step(
-    "Let t_k(n) be the factor of C_{i-1}^{n+1-2k} in the sum. t_1 is the first factor of (62a), so its sign is +",
-    sympy.gammasimp(term(1)),
-    2 * (n - 1) / (n + i),
+    proves=("smith2012:claim.opposite-parity",),
 )
 t = defined("t", term)
+step(
+    "Let t_k(n) be the factor of C_{i-1}^{n+1-2k} in the sum. t_1 is the first factor of (62a), so its sign is +",
+    t(1, n),
+    2 * (n - 1) / (n + i),
+)
 step("t_{k+1}(n) = -(n-2)/(n+i) t_k(n-2): (62a) unrolled once more", t(k + 1, n) / t(k, n - 2), -(n - 2) / (n + i))
 step(
     "with the same coefficient, C_{i-1}^{(n-2)+1-2k} = C_{i-1}^{n+1-2(k+1)}",
@@ -63,10 +81,14 @@ step(
     At(n + 1 - 2 * k, {k: (n - i + 1) / 2}),
     i,
 )
-step("and what remains of (62a) is C_i^{i-1} = 0", At(n - 2 * k, {k: (n - i + 1) / 2}), i - 1)
-printed = -term(1).subs({n: 2, i: 1})
-holds(
-    "The printed sign gives C_1^2 = -2/3; (60b) has +2/3",
-    bool(sympy.simplify(printed + sympy.Rational(2, 3)) == 0),
+step(
+    "and what remains of (62a) is C_i^{i-1} = 0",
+    At(n - 2 * k, {k: (n - i + 1) / 2}),
+    i - 1,
+    proves=("smith2012:62b",),
+)
+step(
+    "The first term of the sum gives C_1^2 = +2/3, as (60b); the printed sign would give -2/3",
+    At(t(1, n), {n: 2, i: 1}),
     sympy.Rational(2, 3),
 )

@@ -49,6 +49,7 @@ step(
     "so the difference is the summand: the sum telescopes",
     (r(m) - r(m - 1)) / t(m),
     1,
+    proves=("smith2012:fn8",),
 )
 
 n = sympy.Symbol("n", integer=True, positive=True)
@@ -57,6 +58,7 @@ step(
     " sigma, sigma = (-1)^{(n-2)/2}",
     2 * (n - 1) / (n + 1) * sign / (n - 1) + (n - 2) / (n + 1) * sympy.Rational(2, 3) * sign,
     sympy.Rational(2, 3) * sign,
+    proves=("smith2012:66", "smith2012:67", "smith2012:claim.induction-start"),
 )
 # With k -> m+1-k the terms of (62b) at i = 1, n = 2m+2 are (2k+1)!!/(2k)!! times the common factor of the next line.
 step(

@@ -39,7 +39,12 @@ step(
     ),
     (n + i) * A + (n - 2) * D - 2 * (n - 1) * B,
 )
-step("G_0 = arctan z, from C_0^n = (-1)^{(n-1)/2}/n", (1 + z**2) * sympy.Derivative(sympy.atan(z), z), sympy.Integer(1))
+step(
+    "G_0 = arctan z, from C_0^n = (-1)^{(n-1)/2}/n",
+    (1 + z**2) * sympy.Derivative(sympy.atan(z), z),
+    sympy.Integer(1),
+    proves=("smith2012:64",),
+)
 
 # 2. The angle.
 G, G_before = (sympy.Function(name)(theta) for name in ("G_i", "G_{i-1}"))
@@ -120,6 +125,7 @@ holds(
         )
     ),
     sympy.Eq(sympy.Symbol("H_i"), theta * sympy.Symbol("P_i") + sin(theta) * sympy.Symbol("R_i"), evaluate=False),
+    proves=("smith2012:claim.not-identifiable",),
 )
 
 
@@ -157,6 +163,7 @@ step(
     "i = 1: R_1 = (2/3)(1-c^2), G_1 = (2/3) sin^2(theta) = (2/3) z^2/(1+z^2), which is (68)",
     named("R_1", closed[1][1]),
     sympy.Rational(2, 3) * (1 - c**2),
+    proves=("smith2012:68",),
 )
 cosine = 1 / sympy.sqrt(1 + z**2)
 G2 = (sympy.atan(z) * closed[2][0] + z * cosine * closed[2][1].subs(c, cosine)) * (1 + z**2) / z**2

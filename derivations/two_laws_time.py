@@ -54,6 +54,7 @@ step(
     "a/(a+k) has a pole at a = -n: the printed form fails at beta = 1 (n = 0) and beta = 1 - n gap",
     index.subs(beta, (1 + n * alpha) / (1 + n)),
     -n,
+    proves=("lancaster2020:fn22",),
 )
 step("which needs alpha = 1 - (n+1) gap < 1", (alpha - 1 + (n + 1) * gap).subs(beta, (1 + n * alpha) / (1 + n)), 0 * n)
 step("the companion at alpha = 1 (n = 0) and alpha = 1 + n gap > 1", other.subs(beta, (alpha - 1) / n + alpha), -n)
@@ -61,8 +62,8 @@ step("the companion at alpha = 1 (n = 0) and alpha = 1 + n gap > 1", other.subs(
 lam = x_0 / (c + d * x_0)
 A = c * lam * exp(-c * tau) / (1 - lam * d * exp(-c * tau))
 step("(21) with tau = t/(pi k) solves dA/dtau = -c A - c' A^2", sympy.Derivative(A, tau), -c * A - d * A**2)
-step("and starts at x_0", A.subs(tau, 0), x_0)
-step("(22): the limit of A e^{c tau}", sympy.limit(A * exp(c * tau), tau, sympy.oo), x_0 / (1 + d / c * x_0))
+step("and starts at x_0", At(A, {tau: 0}), x_0, proves=("lancaster2020:21", "lancaster2020:claim.no-restriction"))
+step("(22): the limit of A e^{c tau}", sympy.Limit(A * exp(c * tau), tau, sympy.oo), x_0 / (1 + d / c * x_0))
 b, b_prime, m, omega_0 = sympy.symbols("b b_prime m omega_0", positive=True)
 ratio = named("c'", 4 * b_prime * omega_0 * k / (3 * m)) / named("c", sympy.pi * b * k / (2 * m))
 step("c'/c = 8 b' omega_0/(3 b pi)", ratio, 8 * b_prime * omega_0 / (3 * b * sympy.pi))

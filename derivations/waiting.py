@@ -101,6 +101,47 @@ class Coefficient(sympy.Expr):
         return rf"\left[{printer.doprint(x)}^{{{n}}}\right]\left({printer.doprint(f)}\right)"
 
 
+class Solution(sympy.Expr):
+    """The one value of the unknown that solves ``left = right``; with a sign, the one root of that sign.
+
+    >>> x, a = sympy.symbols("x a", positive=True)
+    >>> r = sympy.Symbol("r", real=True)
+    >>> Solution(2 * r, a, r), Solution(2 * r, a, r).doit(), Solution(r**2, a**2, r, sign=-1).doit()
+    (Solution(Eq(2*r, a), r), a/2, -a)
+    >>> Solution(r**2, a**2, r).doit()
+    Traceback (most recent call last):
+        ...
+    AssertionError: Solution(Eq(r**2, a**2), r) has 2 values: [-a, a]
+    """
+
+    is_commutative = True
+
+    def __new__(cls, left: sympy.Expr, right: sympy.Expr, unknown: sympy.Expr, sign: int = 0) -> "Solution":
+        """``sign`` is -1 or 1 for a negative or positive root, 0 if there is but one."""
+        return super().__new__(cls, exact(left), exact(right), unknown, sympy.Integer(sign))
+
+    def doit(self, **hints: Any) -> sympy.Expr:
+        """The value, from SymPy's ``solve``; AssertionError if it is not the only one."""
+        left, right, unknown, sign = self.args
+        letter = sympy.Dummy("r", real=True)
+        equation = (left.doit(**hints) - right.doit(**hints)).subs(unknown, letter)
+        roots = [root for root in sympy.solve(equation, letter) if sign == 0 or (root * sign).is_positive]
+        if len(roots) != 1:
+            raise AssertionError(f"{self} has {len(roots)} values: {roots}")
+        return roots[0]
+
+    def _latex(self, printer: Printer) -> str:
+        left, right, unknown, sign = self.args
+        condition = {0: "", 1: " > 0", -1: " < 0"}[int(sign)]
+        equation = f"{printer.doprint(left)} = {printer.doprint(right)}"
+        return rf"\operatorname{{solve}}_{{{printer.doprint(unknown)}{condition}}}\left({equation}\right)"
+
+    def _sympystr(self, printer: Printer) -> str:
+        left, right, unknown, sign = self.args
+        condition = {0: "", 1: " > 0", -1: " < 0"}[int(sign)]
+        return f"Solution(Eq({printer.doprint(left)}, {printer.doprint(right)}), {printer.doprint(unknown)}{condition})"
+
+
 class _Named(sympy.Expr):
     """A value under its name."""
 

@@ -20,11 +20,15 @@ extensions = [
     "offline_math",
     "plain_docstrings",
     "gallery_style",
+    "page_to_play",
 ]
 exclude_patterns = ["extensions", "gallery"]
-myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence"]
+myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence", "substitution"]
+myst_substitutions = {"release": release}
 myst_heading_anchors = 3
 html_theme = "furo"
+html_static_path = ["_static"]
+html_css_files = ["pages.css"]
 html_title = "power-law-oscillator"
 html_math_renderer = "offline_mathml"
 html_show_sphinx = False

@@ -11,6 +11,7 @@ from asymptotics.cli.main import Parser
 from asymptotics.cli.progress import progress_bar
 from asymptotics.cli.shell import complain, emit
 from asymptotics.errors import InputError
+from asymptotics.made_by import made_by
 from asymptotics.present.files import require_writable, write_atomically
 from paper_checks import reader
 from paper_checks.data import DATA, written
@@ -107,7 +108,7 @@ def _examine(entries: list[Statement]) -> list[Entry]:
 def _print(results: list[Entry], *, as_json: bool, in_full: bool) -> None:
     if as_json:
         entries = [result.to_dict() for result in results]
-        data = {"command": "paper_checks", "version": __version__, "entries": entries}
+        data = {"command": "paper_checks", "version": __version__, "entries": entries, "made_by": made_by()}
         emit(json.dumps(data, indent=2, ensure_ascii=False))
         return
     if in_full:

@@ -3,7 +3,7 @@
 import inspect
 import textwrap
 
-from paper_checks.registry import Entry
+from paper_checks.registry import Entry, Statement
 
 
 def in_words(entry: Entry) -> str:
@@ -11,8 +11,10 @@ def in_words(entry: Entry) -> str:
     s = entry.statement
     outcomes = ", ".join(f"{name}: {outcome}" for name, outcome in entry.outcomes.items())
     rows = [
-        ("as printed", s.latex),
+        ("in our words" if s.paraphrase else "as printed", s.latex),
         ("verdict", f"{entry.printed} ({s.kind}, {entry.evidence})"),
+        ("partly", s.shortfall),
+        ("slip", s.slip),
         ("what is true", s.corrected_latex),
         ("conditions", s.conditions),
         ("note", s.note),
@@ -21,12 +23,16 @@ def in_words(entry: Entry) -> str:
         ("digits", s.digits),
         ("outcomes", outcomes),
         ("near miss", None if s.near_miss is None else textwrap.shorten(str(s.near_miss), 300)),
-        ("derivation", s.derivation and f"python -m derivations {s.derivation}"),
+        ("proved by" if s.line else "derivation", s.derivation and _derivation(s)),
         ("seconds", f"{entry.seconds:.2f}"),
     ]
     width = max(len(name) for name, _ in rows)
     lines = [f"{s.id}: {s.title}", *(f"{name:{width}}  {value}" for name, value in rows if value)]
     return "\n".join([*lines, "", *_source(entry)])
+
+
+def _derivation(s: Statement) -> str:
+    return (f"line {s.line} of " if s.line else "") + f"python -m derivations {s.derivation}"
 
 
 def _source(entry: Entry) -> list[str]:

@@ -7,6 +7,7 @@ from fnmatch import fnmatchcase
 
 FACTOR = ("sign", "twice", "11/10")
 LARGE = "a numerical factor in front of what must be large changes nothing"
+GIVEN = "for a given exponent a factor in front of what must be large changes nothing"
 MULTIPLE = "any multiple of a constant of the motion is one"
 SIGN_OF_X = "x -> -x has the same S, and the same T, which (28) determines up to pi"
 EVEN = "(-1)^n = 1, since n is even"
@@ -16,15 +17,17 @@ SHIFT = "-pi/2 is the other sign of the claim, and 3 pi/2 the same angle"
 
 EQUIVALENT: dict[str, dict[str, str]] = {
     "lancaster2020:15": {"twice": LARGE, "11/10": LARGE},
-    "lancaster2020:22": {"1: twice": LARGE, "1: 11/10": LARGE, "1: number 1/2": LARGE},
+    "lancaster2020:22": {"1: double m": LARGE, "1: twice": LARGE, "1: 11/10": LARGE, "1: number 1/2": LARGE},
     "lancaster2020:claim.valid-for-any-b": {
-        "twice": LARGE, "11/10": LARGE, "number 1": LARGE, "exponent of 1/q": LARGE,
+        "twice": LARGE, "11/10": LARGE, "number 1": LARGE, "exponent of 1/q": LARGE, "double E": LARGE,
+        "double q at 0": GIVEN, "double q at 2": GIVEN, "drop q at 2": GIVEN, "square q at 2": GIVEN,
     },
     "lancaster2020:claim.not-separable": {"0: *": ANY_PAIR, "1: *": ANY_PAIR},
     "lelas2024:claim.energy-decreases": {"?: *": "a stronger force against the velocity dissipates as well"},
     "lelas2024:claim.equal-amplitudes": {"2: sign": SHIFT, "2: number 1/2": SHIFT},
     "lelas2024:claim.shifted-pairs": {
         "2: sign": SHIFT, "2: number 1/2": SHIFT, "?: twice": "any two amplitudes", "?: 11/10": "any two amplitudes",
+        "?: drop *": "any two amplitudes", "?: square *": "any two amplitudes",
     },
     "lelas2024:claim.equal-initial-energies": {"?: ?: sign": "the energy is even in x and in v"},
     "lelas2024:claim.not-analytically-solvable": dict.fromkeys(FACTOR, MULTIPLE),
@@ -36,10 +39,17 @@ EQUIVALENT: dict[str, dict[str, str]] = {
         "0: 0: minus 1": "the term n = 1 has the factor n - 1 = 0", "2: 0: minus 1": "n = -1 has the factor n + 1 = 0",
         "3: 0: minus 1": "the term n = 0 has the factor n = 0", "3: 0: zero": "the term n = 0 has the factor n = 0",
     },
+    "smith2012:62b": {
+        "0: drop i": "the further terms vanish, since C_(i-1)^m = 0 for m < i",
+        "1: square k at 0": "k^2 is even with k",
+    },
     "smith2012:65": {"1: number 1/2": EVEN},
     "smith2012:66": {"1: number 1/2": EVEN},
     "smith2012:67": {"1: number 1/2": EVEN},
-    "smith2012:claim.arctan-argument": dict.fromkeys(FACTOR, "a factor moves neither zeros nor poles"),
+    "smith2012:claim.arctan-argument": {
+        **dict.fromkeys((*FACTOR, "* omega at 0"), "a factor moves neither zeros nor poles"),
+        "square v at 0": "a double zero at the turning points is one",
+    },
     "smith2012:claim.discontinuity": {"minus 1": "any multiple of S_1 but S_1 itself leaves a jump"},
     "smith2012:fig2": {"0: sign": "-0 = 0", "1: digit 7": SIXTH},
     "smith2012:fig3": {"0: sign": "-0 = 0", "?: digit 7": SIXTH},

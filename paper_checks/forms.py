@@ -17,12 +17,16 @@ from numbers import Real
 from typing import Any
 
 import sympy
+from sympy.core.function import PoleError
+from sympy.polys.polyerrors import PolynomialError
 
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.verdict import Outcome
+from paper_checks.units import UnitsError
 
 DECIMAL = re.compile(r"[+-]?\d+(?:\.(\d+))?")
-STOPS = (ArithmeticError, AttributeError, LookupError, NotImplementedError, StopIteration, TypeError, ValueError)
+STOPS = (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError)
+UNABLE = (LimitError, UndecidedError, NotImplementedError, PolynomialError, PoleError)
 INFINITE = (sympy.oo, -sympy.oo, sympy.zoo)
 
 
@@ -30,21 +34,25 @@ def guarded(check: Any, own: Iterable[Any], premises: tuple[int, ...] = ()) -> A
     """The check, answering REFUTED by itself for a form that has a defect beside the statement's ``own`` forms.
 
     A foreign form at which the check cannot even be evaluated (a name that does not exist, a division by zero) is
-    refuted as well; with the statement's own forms that would be an error in the check, and it is raised.
+    refuted as well; one on which a tool gives up (no polynomial, no algorithm) stays UNDECIDED.  With the statement's
+    own forms either would be an error in the check, and it is raised; but a value that depends on the units refutes
+    any form.
     """
     models = list(own)
 
     @wraps(check)
     def checked(form: Any) -> Outcome:
+        stops: tuple[type[Exception], ...] = STOPS
+        unable: tuple[type[Exception], ...] = UNABLE
         if any(form is model for model in models):
-            return check(form)
-        if defect(form, models, premises) is not None:
+            stops, unable = (UnitsError,), ()
+        elif defect(form, models, premises) is not None:
             return Outcome.REFUTED
         try:
             return check(form)
-        except (LimitError, UndecidedError):
+        except unable:
             return Outcome.UNDECIDED
-        except STOPS:
+        except stops:
             return Outcome.REFUTED
 
     return checked

@@ -11,12 +11,15 @@ difference to 0.  The rational points are fixed, so that a verdict never depends
 
 from fractions import Fraction
 from itertools import cycle
+from typing import Any
 
 import sympy
-from flint import arb, ctx
+from flint import arb
+from sympy.core.function import AppliedUndef
 
 from asymptotics import verdict
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
+from asymptotics.numbers.context import ctx
 from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import mark
 from paper_checks.forms import DECIMAL
@@ -46,6 +49,11 @@ def all_confirmed(*outcomes: Outcome) -> Outcome:
         if outcome in outcomes:
             return outcome
     return Outcome.CONFIRMED
+
+
+def opposite(outcome: Outcome) -> Outcome:
+    """The outcome of the contrary; what is undecided stays so."""
+    return {Outcome.CONFIRMED: Outcome.REFUTED, Outcome.REFUTED: Outcome.CONFIRMED}.get(outcome, outcome)
 
 
 def below(a: arb, b: arb) -> Outcome:
@@ -81,14 +89,49 @@ def balls_agree(a: arb, b: arb, digits: int) -> Outcome:
     return verdict.balls_agree(a, b, digits)
 
 
-def decided(truth: bool) -> Outcome:
-    """The outcome of an exact test, which is either true or false."""
-    return Outcome.CONFIRMED if truth else Outcome.REFUTED
+def decided(*facts: object) -> Outcome:
+    """The conjunction of exact tests, each true, false, or left open by SymPy: None, or a relation that stays one.
+
+    Whatever is neither true nor false is UNDECIDED.  So a fact is handed over as it is, without ``bool``, ``not`` or
+    ``is True`` in front of it, which would turn None into a falsehood.
+
+    >>> x = sympy.Symbol("x", positive=True)
+    >>> decided(True, x > 0), decided(True, x < 0, None), decided(x > 1), decided((x - 1).is_negative)
+    (<Outcome.CONFIRMED: 'confirmed'>, <Outcome.REFUTED: 'refuted'>, <Outcome.UNDECIDED: 'undecided'>, \
+<Outcome.UNDECIDED: 'undecided'>)
+    """
+    if any(fact is False or fact is sympy.false for fact in facts):
+        return Outcome.REFUTED
+    certain = all(fact is True or fact is sympy.true for fact in facts)
+    return Outcome.CONFIRMED if certain else Outcome.UNDECIDED
+
+
+def limit_is(expression: sympy.Expr, variable: sympy.Symbol, end: sympy.Expr, value: Any, side: str = "-") -> Outcome:
+    """Whether the limit is the value, which may be infinite; a limit that SymPy leaves standing decides nothing.
+
+    >>> x = sympy.Symbol("x", positive=True)
+    >>> limit_is(sympy.sin(x) / x, x, sympy.Integer(0), 1, "+"), limit_is(1 / x, x, sympy.oo, 1)
+    (<Outcome.CONFIRMED: 'confirmed'>, <Outcome.REFUTED: 'refuted'>)
+    """
+    found = sympy.limit(expression, variable, end, side)
+    wanted = value if isinstance(value, sympy.Expr) else sympy.Integer(value)
+    if found.has(sympy.Limit, sympy.AccumBounds, sympy.nan):
+        return Outcome.UNDECIDED
+    if wanted.is_infinite or found.is_infinite:
+        return decided(found == wanted)
+    return same(found, wanted)
 
 
 def _excludes_zero(expression: sympy.Expr, points: tuple[Fraction, ...]) -> bool:
+    expression = _in_letters(expression)
     symbols = sorted(expression.free_symbols, key=str)
     values = {s: to_sympy(q) for s, q in zip(symbols, cycle(points))}
     with ctx.workprec(200):
         ball = closed_form_ball(expression.subs(values))
     return ball.is_finite() and not ball.contains(0)
+
+
+def _in_letters(expression: sympy.Expr) -> sympy.Expr:
+    """Unknown functions and their derivatives as letters, which take any value as they do."""
+    unknown = sorted(expression.atoms(sympy.Derivative, AppliedUndef), key=lambda f: (-f.count_ops(), str(f)))
+    return expression.subs([(f, sympy.Dummy(str(f), positive=True)) for f in unknown])

@@ -1,12 +1,12 @@
 """Every form mutated automatically: a check that confirms a mutant confirms a falsehood, or the mutant says the same.
 
 A mutant differs from the confirmed form of its statement in one place: its sign, a factor 2 or 11/10, one exponent, one
-number, one digit, one index or bound; or it is NaN, 0, or empty.
+number, one digit, one index or bound, one symbol dropped, doubled or squared; or it is NaN, 0, or empty.
 
 >>> import sympy
 >>> x = sympy.Symbol("x")
 >>> [str(mutant) for _, mutant in mutants(3 * x**2)]
-['-3*x**2', '6*x**2', '33*x**2/10', 'nan', '0', '()', '3*x**3', '3*x', '4*x**2']
+['-3*x**2', '6*x**2', '33*x**2/10', 'nan', '0', '()', '3*x**3', '3*x', '3', '12*x**2', '3*x**4', '4*x**2']
 >>> [mutant for name, mutant in mutants("0.12") if name.startswith("digit")]
 ['0.22', '0.13']
 """
@@ -16,6 +16,7 @@ from fractions import Fraction
 from typing import Any
 
 import sympy
+from sympy.core.function import AppliedUndef
 
 from asymptotics.verdict import Outcome, Printed
 from paper_checks.registry import Statement
@@ -133,5 +134,51 @@ def _changed(form: sympy.Expr) -> Iterator[Mutant]:
             exponents.add(node.exp)
             for change in (1, -1):
                 yield f"exponent of {node}", form.xreplace({node: node.base ** (node.exp + change)})
+    yield from _symbols_changed(form)
     for number in sorted(form.atoms(sympy.Rational) - exponents - {sympy.S.NegativeOne}, key=sympy.default_sort_key):
         yield f"number {number}", form.xreplace({number: number + 1})
+
+
+def _symbols_changed(form: sympy.Expr) -> Iterator[Mutant]:
+    """Every symbol dropped, doubled and squared: everywhere at once, and each place where it stands for itself.
+
+    Not inside an unknown function or a derivative, where it names what they depend on.
+
+    >>> a, b = sympy.symbols("a b")
+    >>> [str(mutant) for _, mutant in _symbols_changed(a*sympy.cos(b))]
+    ['cos(b)', '2*a*cos(b)', 'a**2*cos(b)', 'a*cos(1)', 'a*cos(2*b)', 'a*cos(b**2)']
+    """
+    for symbol in sorted(form.free_symbols, key=str):
+        places = [path for path, node in _nodes(form) if node == symbol]
+        for name, other in (("drop", sympy.S.One), ("double", 2 * symbol), ("square", symbol**2)):
+            if places:
+                yield f"{name} {symbol}", _everywhere(form, symbol, other)
+            if len(places) > 1:
+                yield from ((f"{name} {symbol} at {i}", _put(form, p, other)) for i, p in enumerate(places))
+
+
+def _everywhere(form: sympy.Basic, symbol: sympy.Symbol, other: sympy.Basic) -> sympy.Basic:
+    """The form with another expression in the place of a symbol."""
+    if form == symbol:
+        return other
+    if isinstance(form, AppliedUndef | sympy.Derivative) or not form.args:
+        return form
+    return form.func(*(_everywhere(part, symbol, other) for part in form.args))
+
+
+def _nodes(form: sympy.Basic, path: tuple[int, ...] = ()) -> Iterator[tuple[tuple[int, ...], sympy.Basic]]:
+    """All subexpressions with the ways to them; of an unknown function and a derivative none."""
+    yield path, form
+    if isinstance(form, AppliedUndef | sympy.Derivative):
+        return
+    for i, part in enumerate(form.args):
+        yield from _nodes(part, (*path, i))
+
+
+def _put(form: sympy.Basic, path: tuple[int, ...], other: sympy.Basic) -> sympy.Basic:
+    """The form with another subexpression at the end of the way."""
+    if not path:
+        return other
+    parts = list(form.args)
+    parts[path[0]] = _put(parts[path[0]], path[1:], other)
+    return form.func(*parts)

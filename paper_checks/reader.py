@@ -1,17 +1,17 @@
 r"""The printed LaTeX tied to the form: a small reader for the formulas of the papers, and a ledger for the rest.
 
->>> import sympy
 >>> u = sympy.Symbol("u_0", positive=True)
->>> read(r"u_0 - \frac{\ln(2u_0+1)}{2}", {"u_0": u})
-u_0 - log(2*u_0 + 1)/2
->>> tied(r"u_f = u_0 - \frac{\ln(2u_0+1)}{2}", u - sympy.log(2 * u + 1) / 2)
-True
->>> tied(r"u_f = u_0 - \frac{\ln(3u_0+1)}{2}", u - sympy.log(2 * u + 1) / 2)
-False
+>>> tie(r"u_f = u_0 - \frac{\ln(2u_0+1)}{2}", u - sympy.log(2 * u + 1) / 2, "smith2012:46c")
+<Tie.WHOLE: 'wholly read'>
+>>> tie(r"u_f = u_0 - \frac{\ln(3u_0+1)}{2}", u - sympy.log(2 * u + 1) / 2, "smith2012:46c")
+<Tie.BROKEN: 'contradicted'>
+>>> tie(r"u_g = u_0 - \frac{\ln(2u_0+1)}{2}", u - sympy.log(2 * u + 1) / 2, "smith2012:46c")
+<Tie.PART: 'read in part'>
 
-A formula is tied if each expression of the form is identically one of its members, read; ``readings`` says which
-letters stand for what.  What the reader does not know (sums over components, forms that are a sign or an interval) has
-been compared by hand, twice, and is listed in ``compared.json``.  For every numbered equation, read or not, that ledger
+A formula is *read in part* if each expression of the form is identically one of its members, read; ``readings`` says
+which letters stand for what.  It is *wholly read* if moreover nothing is left over: ``members`` says what stands beside
+the form.  What the reader does not know (sums over components, forms that are a sign or an interval) has been compared
+by hand, twice, and is listed in ``compared.json``.  For every numbered equation, read or not, that ledger
 has a digest of LaTeX and form, written by ``python -m paper_checks --compared`` after the comparison: a change of
 either fails the test until they are compared again.
 """
@@ -20,7 +20,9 @@ import hashlib
 import inspect
 import json
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
+from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
@@ -29,13 +31,14 @@ from sympy.core.function import AppliedUndef
 
 from asymptotics.verdict import Outcome
 from paper_checks.forms import DECIMAL
+from paper_checks.grammar import MARK, UnreadableError, read
 from paper_checks.identities import vanishes
+from paper_checks.members import MEMBERS, Members
 from paper_checks.readings import PAPERS, READINGS, Reading
 from paper_checks.registry import Statement
 
 LEDGER = Path(__file__).parent / "compared.json"
-TOKEN = re.compile(r"\\tan\^\{-1\}|\\[A-Za-z]+'?|\\.|[0-9]+|[A-Za-z]'?|\S")
-MEMBERS = re.compile(r"\\simeq|\\approx|\\sim|\\ll|\\gg|\\propto|\\ge|\\to|[=<>]")
+RELATION = re.compile(r"\\simeq|\\approx|\\sim|\\ll|\\gg|\\propto|\\ge|\\to|[=<>]")
 MODULUS = re.compile(r"\|([^|]+)\|")
 LIMITS = re.compile(
     r"\\int(?:_\{[^{}]*(?:\{[^{}]*\})?[^{}]*\}|_[a-z0-9])?(?:\^\{[^{}]*(?:\{[^{}]*\})?[^{}]*\}|\^[a-z0-9])?"
@@ -43,52 +46,98 @@ LIMITS = re.compile(
 BOUNDARY = re.compile(r"(?:\\Big\||\\bigg\||\\right\|)_\{[^{}]*\}\^(?:\{[^{}]*\}|[a-z])|\\left\.")
 WORDS = re.compile(r"\\text\{[^{}]*\}")
 TAIL = re.compile(r",? *\\qquad.*|, \\quad.*")
+SUMS = re.compile(r"\\sum(?:_\{[^{}]*\})?(?:\^\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})?")
+ACCENT = re.compile(r"\\(dot|ddot|tilde)\{? *([A-Za-z])\}?")
+CASE = re.compile(r",? *&.*?(?=\\\\|\\end)")
+BRANCH = re.compile(r"(?:\\hat\{S\}|S)\^\{?([-+])\}?")
 ARROW = re.compile(r"\\xrightarrow\{(.*?) \\gg 1\}")
 BETA = re.compile(r"B\\left[(\[](.*?),(.*?)\\right[)\]]")
-MARK = sympy.Symbol("mark", positive=True)  # stands for an integral sign, or what a reading puts in its place
-IGNORED = {r"\left", r"\right", r"\,", r"\quad", r"\qquad", r"\;", r"\ "}
-FUNCTIONS = {
-    r"\sgn": sympy.sign,
-    r"\abs": sympy.Abs,
-    r"\sin": sympy.sin,
-    r"\cos": sympy.cos,
-    r"\ln": sympy.log,
-    r"\tan^{-1}": sympy.atan,
-    r"\exp": sympy.exp,
-}
 SAME = {"M": "m", "E": "E_n", "K": "kappa", "fdot": "f'"}  # names of letters in the code and in print
 GAMMA, SPEED, OMEGA = sympy.symbols("gamma v omega", positive=True)
 W, ZERO = GAMMA * SPEED / OMEGA, sympy.S.Zero  # the variable of the polynomials (60)
-CLOSING = {"(": ")", "[": "]", "{": "}"}
 
 
-class UnreadableError(ValueError):
-    """The reader does not know this notation."""
+class Tie(StrEnum):
+    """How far the reader ties a printed formula to its form."""
+
+    WHOLE = "wholly read"
+    PART = "read in part"
+    NONE = "not read"
+    BROKEN = "contradicted"
 
 
-def tied(latex: str, form: Any, key: str = "") -> bool | None:
-    """Whether the printed formula holds every expression and number of the form; None if that cannot be told."""
+def tie(latex: str, form: Any, key: str = "") -> Tie:
+    """How far the printed formula is tied to the form.
+
+    PART: every expression and number of the form is one of its members.  WHOLE: moreover every member, every limit of
+    an integral or a sum, every relation sign and every word is accounted for, by the form or by the reading.
+    """
     reading = READINGS.get(key, Reading())
     wanted = _expressions(form, reading.parts)
     if not wanted and isinstance(form, int | sympy.Number if reading.unit else sympy.Number):
         wanted = [sympy.Rational(form)]
     texts = _texts(form)
     if not wanted and not texts:
-        return None
+        return Tie.NONE
     if not all(re.search(rf"(?<![\d.]){re.escape(text)}(?![\d.])", latex) for text in texts):
-        return False
+        return Tie.BROKEN
     letters = {s for part in wanted for s in part.free_symbols}
     symbols = {SAME.get(str(s), str(s)): s for s in letters}
     found = _all_read(latex, key, reading, symbols)
     missing = [part for part in wanted if not any(_equal(part, value) for value in found)]
-    if not missing:
-        return True
-    return False if any(part.free_symbols == value.free_symbols for part in missing for value in found) else None
+    if missing:
+        told = any(part.free_symbols == value.free_symbols for part in missing for value in found)
+        return Tie.BROKEN if told else Tie.NONE
+    return Tie.PART if unaccounted(latex, wanted, texts, key) else Tie.WHOLE
+
+
+def tied(latex: str, form: Any, key: str = "") -> bool:
+    """Whether the printed formula holds every expression and number of the form.
+
+    >>> x = sympy.Symbol("x", positive=True)
+    >>> tied("F = 2x", 2 * x), tied("F = 3x", 2 * x), tie("F = 2x", 2 * x)
+    (True, False, <Tie.PART: 'read in part'>)
+    """
+    return tie(latex, form, key) in (Tie.WHOLE, Tie.PART)
+
+
+def unaccounted(latex: str, wanted: list[sympy.Expr], texts: list[str], key: str) -> list[str]:
+    """What a formula has beside the expressions and numbers of its form and its MEMBERS, or what it lacks of these."""
+    reading, members = READINGS.get(key, Reading()), MEMBERS.get(key, Members())
+    letters = _Letters({SAME.get(str(s), str(s)): s for part in wanted for s in part.free_symbols})
+    unit = read(reading.unit, letters) if reading.unit else sympy.S.One
+    also = [read(member, letters) for member in members.also]
+    left, used = [], set()
+    for text, signs, beside in _displays(latex, key, reading):
+        for member in filter(None, text):
+            for part in _parts(member, letters):
+                same = [k for k in (*wanted, *also) if _equal(k, part) or _equal(k, sympy.expand(part / unit))]
+                left += [] if same or member in texts else [str(part)]
+                used |= set(same)
+        said = Counter([*members.beside, *(members.signs or ("=",) * len(signs))])
+        left += list((Counter([*signs, *beside]) - said) + (said - Counter([*signs, *beside])))
+    return left + [str(value) for value in also if value not in used]
+
+
+def _parts(member: str, letters: dict[str, sympy.Symbol]) -> list[sympy.Expr]:
+    """A member, read and split at a mark; what cannot be read is a letter of its own."""
+    try:
+        return _components(read(member, letters))
+    except UnreadableError:
+        return [sympy.Symbol(member)]
+
+
+def _components(value: sympy.Expr) -> list[sympy.Expr]:
+    """What stands beside a mark, and what is multiplied by it."""
+    if not value.has(MARK):
+        return [value]
+    value = sympy.expand(value)
+    return [part for part in (value.coeff(MARK, 0), value.coeff(MARK, 1)) if part not in (0, 1)]
 
 
 def _equal(part: sympy.Expr, value: sympy.Expr) -> bool:
     try:
-        return part.free_symbols == value.free_symbols and vanishes(value - part) == Outcome.CONFIRMED
+        return part == value or part.free_symbols == value.free_symbols and vanishes(value - part) == Outcome.CONFIRMED
     except (TypeError, ValueError):  # nothing of this kind has an enclosure, or a value
         return False
 
@@ -162,134 +211,42 @@ class _Letters(dict[str, sympy.Symbol]):
 
 def _members(latex: str, key: str, reading: Reading) -> Iterator[list[str]]:
     """The members of a formula, once for the upper and once for the lower of its double signs."""
-    text = MODULUS.sub(r"\\abs{\1}", BOUNDARY.sub("", latex).replace(r"\left|", "|").replace(r"\right|", "|"))
+    return (members for members, _, _ in _displays(latex, key, reading))
+
+
+Display = tuple[list[str], list[str], list[str]]
+
+
+def _displays(latex: str, key: str, reading: Reading) -> Iterator[Display]:
+    """Members, relation signs, and what stands beside them (limits, words, conditions), for both double signs."""
+    beside: list[str] = []
+    text = MODULUS.sub(
+        r"\\abs{\1}", _set_aside(BOUNDARY, "", latex, beside).replace(r"\left|", "|").replace(r"\right|", "|")
+    )
     text = text.replace("(t)", "").replace(r"\mathrm{sgn}", r"\sgn").replace(r"\cdot", "")
     for before, after in (*PAPERS.get(key.partition(":")[0], ()), *reading.letters):
         text = re.sub(" +", " ", text.replace(before, f" {after}"))
-    text = ARROW.sub(r"= \1 =", TAIL.sub("", LIMITS.sub(r"\\int ", WORDS.sub("=", text))))
-    text = BETA.sub(r"\\B{\1}{\2}", text)
-    text = re.sub(r"\\begin\{cases\}|\\end\{cases\}|\\\\", "=", re.sub(r",? *&.*?(?=\\\\|\\end)", "", text))
-    for upper, lower in (("-", "+"), ("+", "-")):
-        signed = text.replace(r"\mp", upper).replace(r"\pm", lower)
-        yield [member.strip().rstrip(",;") for member in MEMBERS.split(signed)]
+    text = ACCENT.sub(r"\\\1\2 ", text)
+    for pattern, instead in ((CASE, ""), (WORDS, "="), (LIMITS, r"\int "), (SUMS, r"\int "), (TAIL, "")):
+        text = _set_aside(pattern, instead, text, beside)
+    text = BETA.sub(r"\\B{\1}{\2}", ARROW.sub(r"= \1 =", text))
+    text = re.sub(r"\\begin\{cases\}|\\end\{cases\}|\\\\", "=", text)
+    for upper, lower in (("-", "+"), ("+", "-")) if re.search(r"\\(mp|pm)", text) else (("-", "+"),):
+        signed = BRANCH.sub(_branch, text.replace(r"\mp", upper).replace(r"\pm", lower))
+        members = [member.strip().rstrip(",;") for member in RELATION.split(signed)]
+        yield members, RELATION.findall(signed), beside
 
 
-def read(latex: str, symbols: dict[str, sympy.Symbol]) -> sympy.Expr:
-    """The expression in these symbols; UnreadableError if the notation or a letter is not known."""
-    latex = latex.replace("(t)", "").replace(r"\dot{x}", "v").replace(r"\hat{S}", "S").strip().rstrip(",.")
-    tokens = [token for token in TOKEN.findall(latex) if token not in IGNORED]
-    value, rest = _sum(tokens, symbols)
-    if rest:
-        raise UnreadableError(rest[0])
-    return value
+def _set_aside(pattern: re.Pattern[str], instead: str, text: str, beside: list[str]) -> str:
+    """The text with something else in the place of what the pattern finds, which is kept where it says anything."""
+    found = (match[0].replace(" ", "") for match in pattern.finditer(text))
+    beside += [piece for piece in found if piece not in (r"\int", r"\left.")]
+    return pattern.sub(lambda match: instead, text)
 
 
-Read = tuple[sympy.Expr, list[str]]
-
-
-def _sum(tokens: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
-    total, sign = sympy.S.Zero, 1
-    while True:
-        if tokens[:1] in (["+"], ["-"]):
-            sign, tokens = (-1 if tokens[0] == "-" else 1), tokens[1:]
-        term, tokens = _product(tokens, symbols)
-        total += sign * term
-        if tokens[:1] not in (["+"], ["-"]):
-            return total, tokens
-
-
-def _product(tokens: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
-    total, tokens = _power(tokens, symbols)
-    while tokens and tokens[0] not in ("+", "-", ")", "]", "}"):
-        if tokens[0] == "/":
-            factor, tokens = _power(tokens[1:], symbols)
-            total /= factor
-        else:
-            factor, tokens = _power(tokens, symbols)
-            total *= factor
-    return total, tokens
-
-
-def _power(tokens: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
-    base, tokens = _atom(tokens, symbols)
-    if tokens[:2] == ["!", "!"]:
-        base, tokens = sympy.factorial2(base), tokens[2:]
-    if tokens[:1] == ["^"]:
-        exponent, tokens = _argument(tokens[1:], symbols)
-        return base**exponent, tokens
-    return base, tokens
-
-
-def _argument(tokens: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
-    """What stands after ^ or a command: a group, or one sign."""
-    if tokens[:1] == ["{"]:
-        return _group(tokens, symbols)
-    if tokens and tokens[0].isdigit():  # x^23 is x^2 times 3
-        return sympy.Integer(tokens[0][0]), ([tokens[0][1:]] if tokens[0][1:] else []) + tokens[1:]
-    return _atom(tokens, symbols)
-
-
-def _group(tokens: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
-    value, rest = _sum(tokens[1:], symbols)
-    if rest[:1] != [CLOSING[tokens[0]]]:
-        raise UnreadableError(tokens[0])
-    return value, rest[1:]
-
-
-def _atom(tokens: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
-    if not tokens:
-        raise UnreadableError("the end")
-    head, rest = tokens[0], tokens[1:]
-    if head in CLOSING:
-        return _group(tokens, symbols)
-    if head == r"\frac":
-        top, rest = _argument(rest, symbols)
-        bottom, rest = _argument(rest, symbols)
-        return top / bottom, rest
-    if head == r"\sqrt":
-        inside, rest = _argument(rest, symbols)
-        return sympy.sqrt(inside), rest
-    if head in FUNCTIONS:
-        return _function(head, rest, symbols)
-    if head.isdigit():
-        return sympy.Integer(head), rest
-    if head == r"\pi":
-        return sympy.pi, rest
-    if head == r"\int":
-        return MARK, rest
-    if head == r"\B":
-        first, rest = _argument(rest, symbols)
-        second, rest = _argument(rest, symbols)
-        return sympy.gamma(first) * sympy.gamma(second) / sympy.gamma(first + second), rest
-    if head == "d" and rest and re.fullmatch("[vxt]'?", rest[0]):
-        return symbols.get("d" + rest[0], sympy.S.One), rest[1:]
-    if head == "e" and rest[:1] == ["^"]:
-        exponent, rest = _argument(rest[1:], symbols)
-        return sympy.exp(exponent), rest
-    return _letter(head, rest, symbols)
-
-
-def _function(head: str, rest: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
-    power = sympy.S.One
-    if rest[:1] == ["^"]:
-        power, rest = _argument(rest[1:], symbols)
-    if rest[:1] and rest[0] in CLOSING:
-        inside, rest = _group(rest, symbols)
-        return FUNCTIONS[head](inside) ** power, rest
-    raise UnreadableError(head)
-
-
-def _letter(head: str, rest: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
-    name = head.lstrip("\\")
-    if rest[:1] == ["_"]:
-        if len(rest) < 2 or (rest[1] == "{" and "}" not in rest):
-            raise UnreadableError(name)
-        index = rest[1] if rest[1] != "{" else "".join(rest[2 : rest.index("}")])
-        rest = rest[2:] if rest[1] != "{" else rest[rest.index("}") + 1 :]
-        name += "_" + index
-    if name not in symbols:
-        raise UnreadableError(name)
-    return symbols[name], rest
+def _branch(match: re.Match[str]) -> str:
+    """S^+ and S^- as letters with an index."""
+    return f"S_{'plus' if match[1] == '+' else 'minus'}".replace("_", "_{") + "}"
 
 
 def numbered(entry: Statement) -> bool:
@@ -297,12 +254,12 @@ def numbered(entry: Statement) -> bool:
     return entry.id.partition(":")[2][0].isdigit()
 
 
-def read_by_machine(entry: Statement) -> bool:
-    """Whether both the printed and the corrected LaTeX are tied to their forms by the reader."""
-    pairs = [(entry.latex, entry.printed)]
+def how_read(entry: Statement) -> Tie:
+    """How far the reader ties the printed and the corrected LaTeX to their forms: the lesser of the two."""
+    ties = [tie(entry.latex, entry.printed, entry.id)]
     if entry.corrected_latex is not None:
-        pairs.append((entry.corrected_latex, entry.corrected))
-    return all(tied(latex, form, entry.id) for latex, form in pairs)
+        ties.append(tie(entry.corrected_latex, entry.corrected, entry.id))
+    return next((t for t in (Tie.BROKEN, Tie.NONE, Tie.PART) if t in ties), Tie.WHOLE)
 
 
 def digest(entry: Statement) -> str:
@@ -311,17 +268,19 @@ def digest(entry: Statement) -> str:
     return hashlib.sha256("\n".join([entry.latex, str(entry.corrected_latex), *forms]).encode()).hexdigest()[:16]
 
 
-READ, BY_HAND = "read", "compared by hand"
+BY_HAND = "compared by hand"
+SORTS = (Tie.WHOLE, Tie.PART, BY_HAND)
 
 
 def ledger() -> dict[str, dict[str, str]]:
-    """The digests of what was compared, under READ for what the reader ties, under BY_HAND for the rest."""
+    """The digests of what was compared: WHOLE and PART for what the reader ties, BY_HAND for the rest."""
     return dict(json.loads(LEDGER.read_text(encoding="utf-8")))
 
 
 def written(entries: Iterable[Statement]) -> str:
     """The ledger for the numbered equations."""
-    known: dict[str, dict[str, str]] = {READ: {}, BY_HAND: {}}
+    known: dict[str, dict[str, str]] = {str(sort): {} for sort in SORTS}
     for entry in filter(numbered, entries):
-        known[READ if read_by_machine(entry) else BY_HAND][entry.id] = digest(entry)
+        sort = how_read(entry)
+        known[str(sort) if sort in SORTS else BY_HAND][entry.id] = digest(entry)
     return json.dumps(known, indent=1) + "\n"

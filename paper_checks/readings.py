@@ -26,12 +26,12 @@ PAPERS: dict[str, Letters] = {
         (r"\frac{df}{dt}", "f'"), (r"\dot f", "f'"), (r"\abs{\sin(\omega_0t)}", "s"),
         (r"\abs{\cos(\omega_0t)}", r"\sqrt{1-s^2}"),
     ),
-    "smith2012": ((r"\dot{x}", "v"),),
+    "smith2012": ((r"\dot{x}", "v"), ("T(x, v; t)", "T"), ("T(x,v;t)", "T")),
 }  # fmt: skip
 
 THETA = (r"\omega_0 t", r"\theta")
 SECOND, FIRST, TIME = Reading(parts=(1,)), Reading(parts=(0,)), (r"\omega_0 t", "T")
-ONE_SPEED = Reading(((r"v_1", "v"), (r"v_2", "v")))
+PAIR_1, PAIR_2 = Reading(((r"v_1", "v"),)), Reading(((r"v_2", "v"),))
 FORCE = ((r"f(x, v)", "F"), (r"f^2(x, v)", "F^2"), (r"\frac{df}{dv}", "F_v"), (r"\frac{\partial f}{\partial x}", "f_x"),
          (r"\frac{\partial f}{\partial v}", "f_v"), (r"\frac{dx}{dv}", r"\dxdv"),
          (r"\frac{dv}{v}", r"\frac{1}{v}"))  # fmt: skip
@@ -55,6 +55,7 @@ READINGS: dict[str, Reading] = {
     "lancaster2020:12": Reading(unit="t"),
     "lancaster2020:14": Reading(((r"\abs", ""),)),
     "lancaster2020:15": Reading(((r"(\alpha-1)", "q"), TIME)),
+    "lancaster2020:16": Reading(((r"F_{\text{friction}}", "F_1"), (r"F_{\text{spring}}^{(\text{max})}", "F_2"))),
     "lancaster2020:19": Reading(((r"\abs{\sin^{\alpha+1}(\omega_0 t)}", r"s^{\alpha+1}"),
                                  (r"\abs{\sin^{\alpha'+1}(\omega_0 t)}", r"s^{\alpha'+1}"))),
     "lancaster2020:20": Reading(unit="-t"),
@@ -63,7 +64,7 @@ READINGS: dict[str, Reading] = {
     "lelas2024:10": SECOND, "lelas2024:11": SECOND, "lelas2024:16": SECOND, "lelas2024:17": SECOND,
     "lelas2024:18": SECOND, "lelas2024:19": SECOND, "lelas2024:28": SECOND, "lelas2024:29": SECOND,
     "lelas2024:40": SECOND, "lelas2024:41": SECOND,
-    "lelas2024:22": ONE_SPEED, "lelas2024:23": ONE_SPEED, "lelas2024:34": ONE_SPEED, "lelas2024:35": ONE_SPEED,
+    "lelas2024:22": PAIR_1, "lelas2024:23": PAIR_2, "lelas2024:34": PAIR_1, "lelas2024:35": PAIR_2,
     "lelas2024:49": Reading(((r"\cos(\omega_0t)", r"\int"), (r"(-1)^n", r"\sigma"))),
     "smith2012:20a": Reading(PLACE), "smith2012:20b": Reading(PLACE), "smith2012:20c": Reading(PLACE),
     "smith2012:20d": Reading(PLACE), "smith2012:27a": Reading(PLACE), "smith2012:27b": Reading(PLACE),
@@ -83,10 +84,10 @@ READINGS: dict[str, Reading] = {
     "smith2012:58": Reading(TERMS, unit=r"\omega"),
     "smith2012:60h": Reading(((r"\sum_{i=0}^{n-1}", "= n-1 ="),)),
     "smith2012:61": Reading(((r"\sum_{n=i+1}^{\infty}", "= i+1 ="),)),
-    "smith2012:71": Reading(((r"x([n-1]\pi/\omega)", "[n-1]"), (r"x(n\pi/\omega)", "n"))),
+    "smith2012:71": Reading((("x_n(0)", "X_n"), (r"x([n-1]\pi/\omega)", "[n-1]"), (r"x(n\pi/\omega)", "n"))),
     "smith2012:19": Reading(PLACE), "smith2012:25": Reading(unit="m"), "smith2012:35": Reading(unit="m"),
     "smith2012:32": FIRST, "smith2012:33": FIRST,
-    "smith2012:34": Reading(((r"\sqrt", ""),), parts=(1,)),
+    "smith2012:34": Reading(((r"\omega = \sqrt", r"\omega^2 = "),), parts=(1,)),
     "smith2012:36": Reading(((r"\,dv", r"\int"), (r"\,dx", ""))),
     "smith2012:38a": Reading(((r"\,dv", r"\int"), (r"\,dx", ""))),
     "smith2012:46b": Reading(((r"\ddot{x}", "a"),)),

@@ -31,6 +31,7 @@ reported as open and the run ends with exit code 1.
 import inspect
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from enum import StrEnum
 from importlib import import_module
 from typing import Any
 
@@ -85,16 +86,27 @@ SECTIONS = {
 }
 
 
+class Shortfall(StrEnum):
+    """In which way a statement is but partly true."""
+
+    CONDITION = "true under an omitted condition"
+    CONSEQUENCE = "does not follow"
+    RANGE = "false in a stated range"
+
+
 @dataclass(frozen=True, kw_only=True)
 class Statement:
     """One statement of a paper: LaTeX for the reader, forms for the check.
 
     ``latex`` and ``printed`` are what the paper prints; ``corrected_latex`` and ``corrected`` what is true instead;
     ``near_miss`` a nearby false form.  ``conditions`` are sufficient for the true form; "none" is written out.
-    ``derivation`` names a script of ``derivations/``.  ``extent`` says how far a sample reaches.  ``digits`` counts
-    certified digits where a number is stated; ``order`` is the order of convergence of an approximation ("0" if its
-    error does not vanish).  ``premises`` are the places of a form that say what is asked, not what is claimed: a form
-    with another premise is about something else.
+    ``derivation`` names a script of ``derivations/`` to read beside it; only with ``line`` does it prove the statement:
+    that line must say so (``proves``), and the derivation must run.  ``extent`` says how far a sample reaches.
+    ``digits`` counts certified digits where a number is stated; ``order`` is the order of convergence of an
+    approximation ("0" if its error does not vanish).  ``premises`` are the places of a form that say what is asked, not
+    what is claimed: a form with another premise is about something else.  ``paraphrase`` marks a LaTeX that says in our
+    words what the paper says in its own; ``shortfall`` is how a statement is partly true; ``slip`` is a slip of the
+    paper that leaves the statement as it is.
     """
 
     id: str
@@ -111,6 +123,10 @@ class Statement:
     corrected_latex: str | None = None
     note: str = ""
     derivation: str | None = None
+    line: int | None = None
+    paraphrase: bool = False
+    shortfall: Shortfall | None = None
+    slip: str = ""
     extent: str = ""
     premises: tuple[int, ...] = ()
     digits: int | None = None
@@ -141,6 +157,8 @@ def add(entry: Statement) -> None:
     """Register an entry; one without a check must be a definition or open."""
     if entry.id in _REGISTRY:
         raise ValueError(f"two entries with the id {entry.id}")
+    if (entry.verdict == Printed.PARTLY) != (entry.shortfall is not None):
+        raise ValueError(f"{entry.id}: a statement that is partly true, and no other, says in which way")
     if entry.check is None and entry.verdict not in (Printed.DEFINITION, Printed.OPEN):
         raise ValueError(f"{entry.id}: the verdict {entry.verdict} needs a check")
     check = entry.check and guarded(entry.check, own_forms(entry), entry.premises)
@@ -174,6 +192,14 @@ def load(paper: str | None = None) -> dict[str, Statement]:
     return {entry.id: entry for _, entry in ordered if paper in (None, entry.paper)}
 
 
+def proved_by_line(s: Statement) -> bool:
+    """Whether the named line of the named derivation, which is run, says that it proves the statement."""
+    if s.derivation is None or s.line is None:
+        return False
+    steps = import_module("derivations." + s.derivation.replace("-", "_")).derivation.steps
+    return 1 <= s.line <= len(steps) and s.id in steps[s.line - 1].proves
+
+
 @dataclass(frozen=True)
 class Entry:
     """The result of running one statement's check: the verdict with its outcomes, or a disagreement."""
@@ -198,8 +224,8 @@ class Entry:
 
     @property
     def derived(self) -> bool:
-        """Whether a derivation proves the statement, however far the check reaches."""
-        return self.statement.derivation is not None and self.statement.evidence == Evidence.PROVED
+        """Whether a line of a derivation proves the statement, however far the check reaches."""
+        return proved_by_line(self.statement)
 
     @property
     def extent(self) -> str:
@@ -237,6 +263,10 @@ class Entry:
             "conditions": s.conditions,
             "note": s.note,
             "derivation": s.derivation,
+            "line": s.line,
+            "paraphrase": s.paraphrase,
+            "shortfall": s.shortfall and str(s.shortfall),
+            "slip": s.slip,
             "recorded": str(s.verdict),
             "agrees": self.agrees,
             "outcomes": {name: str(outcome) for name, outcome in self.outcomes.items()},

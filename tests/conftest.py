@@ -2,7 +2,9 @@
 
 import os
 import signal
+from pathlib import Path
 
+import pytest
 from hypothesis import settings
 
 settings.register_profile("dev", max_examples=40, deadline=None)
@@ -16,8 +18,22 @@ FIRST = (  # what imports the derivations or needs the report of the tests
 )  # fmt: skip
 
 
+SLOW = 5400
+"""Seconds after which a slow test is ended: the longest, a thousand synthetic records, needs a third of it."""
+
+
 def pytest_collection_modifyitems(items):
-    """These tests first and together: pytest-xdist gives them to one worker, and what they share is made once."""
+    """The first tests together, for pytest-xdist gives them to one worker; a slow one has a longer limit.
+
+    ``thorough.txt`` names dear cases, for ``make test-thorough``: found redundant by ``benchmarks.suite_costs``, or, as
+    those of now, chosen by hand from the durations of a run, where others of their kind stay.
+    """
+    thorough = {*Path(__file__).with_name("thorough.txt").read_text().splitlines()}
+    for item in items:
+        if item.nodeid in thorough:
+            item.add_marker(pytest.mark.slow)
+        if item.get_closest_marker("slow"):
+            item.add_marker(pytest.mark.timeout(SLOW))
     items.sort(key=lambda item: not item.nodeid.startswith(FIRST))
 
 

@@ -12,6 +12,7 @@ from itertools import count
 import pytest
 
 from asymptotics import budget as module
+from asymptotics import public
 from asymptotics.budget import budget, require_seconds, seconds_left, tick
 from asymptotics.cli import clock
 from asymptotics.cli.main import COMMANDS, main
@@ -47,7 +48,7 @@ def ticking(monkeypatch):
     """A clock that goes one second further each time it is read; no alarm helps."""
     seconds = count()
     monkeypatch.setattr(module, "monotonic", lambda: float(next(seconds)))
-    monkeypatch.setattr(clock, "_PERIOD", 3600.0)
+    monkeypatch.setattr(public, "PERIOD", 3600.0)
 
 
 @pytest.mark.parametrize("line", LONG)
@@ -112,7 +113,7 @@ def test_the_alarm_stops_what_does_not_ask():
 
 
 def test_the_alarm_rings_again_for_whoever_did_not_listen(monkeypatch):
-    monkeypatch.setattr(clock, "_PERIOD", 0.01)
+    monkeypatch.setattr(public, "PERIOD", 0.01)
     caught = 0
     with pytest.raises(LimitError), clock.timed(_options("1/50")):
         while caught < 3:

@@ -2,10 +2,12 @@
 
 import re
 import shlex
+from importlib import import_module
 from pathlib import Path
 
 import pytest
 
+import asymptotics as asy
 from asymptotics.cli.main import main
 from derivations.__main__ import names
 
@@ -64,3 +66,23 @@ def test_no_document_outside_the_repository_is_cited():
         for path in [*(ROOT / folder).rglob("*.py"), *(ROOT / folder).rglob("*.md"), *(ROOT / folder).rglob("*.j2")]:
             found = re.findall(r"\b(?:DESIGN|CERTIFY|SPRINGS|KERNELS|PEERS)(?: §?\d|\.md)", path.read_text())
             assert not found, f"{path.relative_to(ROOT)} cites {found[0]}"
+
+
+def test_the_mathematics_of_the_docs_is_well_set(monkeypatch):
+    monkeypatch.syspath_prepend(str(ROOT / "docs/extensions"))
+    well_set = import_module("well_set").well_set
+    bars = well_set(r"b\dot x|\dot x|^{\alpha-1}", display=True)
+    assert bars.count('lspace="0" rspace="0">&#x0007C;') == 2 and 'stretchy="false">&#x0007C;' not in bars
+    assert "<mo>&#x02032;</mo>" in well_set("X'", display=False)
+    space = '<mspace width="0.167em"/>'
+    assert f"<mrow>{space}<mi>cos</mi>{space}</mrow>" in well_set(r"r\cos\theta", display=False)
+    assert f"<msup><mrow>{space}<mi>sin</mi></mrow>" in well_set(r"\sin^2 x", display=False)
+    assert space not in well_set(r"\exp(x)", display=False)
+
+
+def test_the_names_of_the_reference_are_public():
+    """``asymptotics.Envelope``, not the file it is in; what has no public name stands with its path."""
+    page = (ROOT / "docs/api.md").read_text()
+    named = re.findall(r"\.\. auto\w+:: asymptotics\.([\w.]+)", page)
+    assert set(asy.__all__) - set(named) == {"testing"}  # a page of its own
+    assert not {name.rpartition(".")[2] for name in named if "." in name} & set(asy.__all__)

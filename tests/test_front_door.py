@@ -235,10 +235,10 @@ def test_reference_events_of_dry_friction():
 
 def test_samples_become_tables(osc):
     samples = asy.motion(osc).sample([0.0, 0.5])
-    frame = samples.to_pandas()
+    frame = samples.to_dataframe()
     assert list(frame.columns)[:2] == ["t [s]", "x [m]"] and len(frame) == 2
-    assert samples.to_csv().splitlines()[0] == "t [s],x [m],v [m/s],amplitude [m],phase [rad]"
-    assert asy.reference(osc).sample([0.0]).to_csv().splitlines()[0] == "t [s],x [m],v [m/s]"
+    assert samples.to_csv().splitlines()[0] == "t [s],x [m],v [m/s],amplitude [m],phase [rad],code"
+    assert asy.reference(osc).sample([0.0]).to_csv().splitlines()[0] == "t [s],x [m],v [m/s],code"
 
 
 def test_the_import_is_light_and_the_module_runs():

@@ -157,7 +157,7 @@ def test_printing_and_json():
         "kind": "loss", "velocity": "3/2", "position": 0, "strength": "1", "weight": "1/2",
     }  # fmt: skip
     assert r"\operatorname{sgn}" in law._repr_latex_()
-    assert Oscillator({2: "-1/6"}, stiffness=4)._repr_latex_() == r"$\ddot x + 4\,x - \frac{1}{6}\,\dot x|\dot x| = 0$"
+    assert Oscillator({2: "-1/6"}, stiffness=4)._formula() == r"\ddot x + 4\,x - \frac{1}{6}\,\dot x|\dot x| = 0"
     assert str(Law({(1, 2): 1, ("1/2", 1): 2}, spring={3: -1, 2: 1, (1, 2): 1, (3, "1/2"): 1})) == (
         "x^2 x' + 2 |x| x'|x'|^(-1/2) - x^3 + x|x| + x x'^2 + x^3 |x'|^(1/2)"
     )

@@ -35,8 +35,8 @@ from asymptotics.normal_form.verify import (
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series
 from asymptotics.swing.damping import Damping
-from asymptotics.turning.quadratic import quadratic_turning_points
 from asymptotics.verdict import Outcome
+from tests.second_route.forced import quadratic_turning_points
 
 TIGHT = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-14}
 

@@ -16,21 +16,26 @@ from paper_checks.registry import load
 ROOT = Path(__file__).parents[1]
 LAYERS = [  # a module may import its own folder and what stands before it
     "errors",
+    "made_by",
     "budget",
+    "present",
     "costs",
     "verdict",
     "gauges",
     "numbers",
+    "public",
     "series",
     "moments",
     "terms",
     "law",
     "half_swings",
+    "divergence",
     "normal_form",
     "limit_cycles",
     "straightening",
     "equations",
     "multiscale",
+    "flow",
     "swing",
     "wells",
     "turning",
@@ -39,11 +44,12 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "bounds",
     "invariants",
     "papers",
-    "present",
     "tables",
     "testing",
     "sweeps",
+    "records",
     "comparison",
+    "equivalent",
     "identification",
     "api",
     "cli",
@@ -82,6 +88,46 @@ def test_data_flows_one_way(path: Path):
     for module in imports(path):
         if module.startswith("asymptotics.") and layer(module) in LAYERS:
             assert LAYERS.index(layer(module)) <= own, f"{path.name} imports {module} from above"
+
+
+LATE = {  # what a function loads only when it is asked, and why: none of them dodges a cycle
+    "asymptotics/cli/multiple_scales.py": "NumPy and splines, where values of waveforms are asked for",
+    "asymptotics/cli/expand.py": "NumPy, which expand does not need",
+    "asymptotics/equations/result.py": "NumPy, which printing does not need",
+    "asymptotics/identification/identify.py": "SymPy, half a second",
+    "asymptotics/swing/panels.py": "NumPy, where collocation pays",
+}
+PARTS = {  # by name, where they are installed: the commands and functions that show derivations and checks
+    "asymptotics/api/files.py",
+    "asymptotics/cli/derive.py",
+    "asymptotics/cli/papers.py",
+}
+
+
+def late(path: Path) -> list[str]:
+    """The modules of the library that functions of a file import."""
+    functions = [n for n in ast.walk(ast.parse(path.read_text())) if isinstance(n, ast.FunctionDef)]
+    inner = [m for f in functions for m in ast.walk(f) if isinstance(m, ast.ImportFrom)]
+    return [m.module for m in inner if (m.module or "").startswith("asymptotics")]
+
+
+@pytest.mark.parametrize("path", files("asymptotics"), ids=lambda p: str(p.relative_to(ROOT)))
+def test_late_imports_and_arrows_up_are_those_that_are_told(path: Path):
+    name, text = str(path.relative_to(ROOT)), path.read_text()
+    assert not late(path) or name in LATE, f"{name} imports {late(path)} inside a function"
+    by_name = re.findall(r'import_module\("(derivations|paper_checks)', text)
+    assert bool(by_name) <= (name in PARTS), f"{name} loads {by_name}"
+    front = {m for m in imports(path) if m.startswith("asymptotics.") and m.count(".") == 1} - {
+        "asymptotics.__version__"
+    }
+    own = {f"asymptotics.{p.stem}" for p in (ROOT / "asymptotics").iterdir()}
+    assert front <= own or name == "asymptotics/__init__.py", f"{name} takes {front - own} from the front door"
+
+
+def test_a_late_import_is_found(tmp_path: Path):
+    stray = tmp_path / "stray.py"
+    stray.write_text("def f():\n    from asymptotics.law import Law\n    return Law\n")
+    assert late(stray) == ["asymptotics.law"]
 
 
 @pytest.mark.parametrize("top", TOP)

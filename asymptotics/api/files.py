@@ -1,4 +1,4 @@
-"""Data in, verdicts out: one's own values beside certified ones, and the derivations of a checkout.
+"""Data in, verdicts out: one's own values beside certified ones, and the derivations.
 
 ``identify`` and ``sweep`` are owned by their rooms (``identification``, ``sweeps``).
 """
@@ -14,11 +14,15 @@ from asymptotics.comparison.run import Comparison, compare_file
 from asymptotics.errors import InputError, shown
 from asymptotics.law import Oscillator
 from asymptotics.numbers.policy import exact_integer
+from asymptotics.public import public, public_beside_others
 
 MAX_DIGITS = 1000
 
 
-def compare(file: Any, law: Any, *, columns: str | None = None, digits: Any = None) -> Comparison:
+@public
+def compare(
+    file: Any, law: Any, *, columns: str | None = None, digits: Any = None, max_seconds: Any = 60
+) -> Comparison:
     """A CSV file of turning points (column n) or a motion (tau or t) beside the certified values.
 
     The file is in SI units when ``law`` is an oscillator, else in units of x0 and tau.  InputError for what the file
@@ -31,13 +35,14 @@ def compare(file: Any, law: Any, *, columns: str | None = None, digits: Any = No
     return compare_file(Path(file), oscillator_of(law), columns=columns, digits=wanted, si=si)
 
 
-def derive(name: str | None = None) -> Any:
+@public_beside_others
+def derive(name: str | None = None, *, max_seconds: Any = 60) -> Any:
     """A derivation by name, run as it is loaded (each displayed step asserted); without a name the list of names.
 
-    The derivations are part of a checkout, not of the installed package: InputError says so.
+    InputError where only this package was installed, without the folder ``derivations`` of its wheel.
     """
     if find_spec("derivations") is None:
-        raise InputError("name", "the derivations are not part of the installed package", "a checkout")
+        raise InputError("name", "the derivations are not installed", "all of a wheel: pip install . in a clone")
     names: list[str] = import_module("derivations.__main__").names()
     if name is None:
         return names

@@ -1,76 +1,167 @@
-"""The classical multiple-scale derivation: every order an object that shows itself.
+"""The classical multiple-scale derivation, every exponent to any order: every order an object that shows itself.
 
->>> derivation = multiple_scales(3, order=3)
+>>> derivation = multiple_scales(2, order=3)
 >>> print(derivation.orders[1])
-order 1: X_1(psi) + Derivative(X_1(psi), (psi, 2)) = ...
-  D_1 a = f_1 = -3*a**3/8
+order 1: X_1(psi) + Derivative(X_1(psi), (psi, 2)) = -a**2*cos(psi)**2 + a**2 + 2*a*g_1*cos(psi) + 2*f_1*sin(psi)
+  X_1(pi): 4*a**2/3 + pi*f_1 = 0
+  V_1(pi): -pi*a*g_1 = 0
+  D_1 a = f_1 = -4*a**2/(3*pi)
   D_1 psi = g_1 = 0
-  solution: X_1(psi) = a**3*sin(3*psi)/32
->>> multiple_scales("3/2", order=2).phase_rate                  # any exponent, to second order
-a*epsilon**2*(-12/(25*pi) + 9*gamma(7/4)**2/(20*pi*gamma(9/4)**2)) + 1
+  solution: X_1(psi) = 4*a**2*psi*cos(psi)/(3*pi) + a**2*cos(psi)**2/3 - 2*a**2*cos(psi)/3 + a**2/3
+>>> derivation.amplitude_rate, derivation.phase_rate
+(-2*a**4*epsilon**3/(135*pi) - 4*a**2*epsilon/(3*pi), -a**2*epsilon**2/6 + 1)
+>>> multiple_scales("3/2", order=2).phase_rate                  # any exponent
+-12*a*epsilon**2/(25*pi) + 1
 >>> multiple_scales(1, spring={3: 1}).phase_rate                # a Duffing spring: x'' + x + epsilon x' + c x^3 = 0
 -15*a**4*c**2/256 + 3*a**2*c/8 - epsilon**2/8 + 1
->>> multiple_scales(2, spring="pendulum").amplitude_rate        # x in units of theta_0, air: second order
--a**4*epsilon*theta_0**2/(80*pi) - 4*a**2*epsilon/(3*pi)
+>>> multiple_scales(3, order=3, gauge="turning-point").phase_rate     # the default there: no-first-harmonic
+-45*a**4*epsilon**2/256 + 1
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from sympy import Expr
+from sympy import Add, Expr, Mul, Symbol
 
 from asymptotics.equations.build import terms_of
 from asymptotics.errors import InputError
+from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
 from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.fourier_flow import is_smooth
-from asymptotics.half_swings.symbolic import alpha
-from asymptotics.multiscale.general import SecondOrder, second_order
+from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.half_swings.symbolic import I_4, alpha
+from asymptotics.multiscale.exact import odd_hierarchy
+from asymptotics.multiscale.initial import map_to_turning_points
+from asymptotics.multiscale.open_orders import open_scales
+from asymptotics.multiscale.orders import a, psi, strength_symbols
+from asymptotics.multiscale.rates import Rates, certified_rates, closed_rates
+from asymptotics.multiscale.start import start_of
 from asymptotics.multiscale.symbolic import MultipleScales
 from asymptotics.multiscale.symbolic import multiple_scales as smooth_multiple_scales
+from asymptotics.multiscale.turning import TurningHierarchy, is_closed
+from asymptotics.multiscale.turning_orders import turning_scales
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.policy import exact_integer
+from asymptotics.public import public
 from asymptotics.terms import Term
 
-MAX_ORDER = 60
+MAX_ORDER, MAX_OPEN_ORDER = 60, 12
+_EXIST = f"{TURNING_POINT} for any law, {NO_FIRST_HARMONIC} for polynomial forces"
 
 
-def multiple_scales(law: Any, *, order: Any = 2, spring: Any = None) -> MultipleScales | SecondOrder:
-    """The hierarchy T_0, T_1, ... solved: polynomial forces exactly to any order, other exponents to second order.
+@public
+def multiple_scales(
+    law: Any, *, order: Any = 2, spring: Any = None, gauge: Any = None, max_seconds: Any = 60
+) -> MultipleScales:
+    """The hierarchy T_0, T_1, ... solved through ``order``, for every law.
 
     ``law``: an exponent, a list of exponents, a law, an oscillator, or "symbolic"; ``spring``: {P: c} or {(P, Q): c}
-    for c x|x|^(P-1) |x'|^Q, or "pendulum".  Polynomial are |x|^M x'|x'|^(A-1) with A odd and M even, and springs with
-    P odd and Q even; the strengths stay symbols.  Sums that are no polynomial: x'|x'|^(A-1), any A, with c x|x|^(P-1)
-    or a pendulum.  InputError for an order above 2 of such a sum, and for a position-dependent loss or a
-    velocity-dependent spring in it; LimitError for too much work.
+    for c x|x|^(P-1) |x'|^Q, or "pendulum".  ``gauge``: by default no-first-harmonic for polynomial forces (|x|^M
+    x'|x'|^(A-1) with A odd and M even, springs with P odd and Q even), else turning-point.  Exact to any order for
+    integer exponents; for others what closes is closed and the rest are named integrals, with certified digits where
+    the exponents are numbers, through order 12.
+
+    InputError for an order out of range, an unknown gauge or one that does not exist for the law, and where |x|^M of
+    odd M or x|x|^(P-1) of even P meets an order at which its derivative is no function; LimitError for too much work.
     """
     N = exact_integer(order, "order", 1, MAX_ORDER)
     if isinstance(law, str) and law.strip() == "symbolic":
-        return symbolic_multiple_scales(() if spring is None else terms_of([], spring)[0], N)
+        return symbolic_multiple_scales(() if spring is None else terms_of([], spring)[0], N, gauge)
     terms, _, _, notes = terms_of(law, spring)
-    if is_smooth(Forces.of(terms, N)):
-        return replace(smooth_multiple_scales(terms, N), notes=notes)
-    exponents = tuple(to_sympy(t.velocity) for t in terms if t.sign < 0)
-    return replace(_second_order(exponents, terms, N), notes=notes)
+    return replace(_of_terms(tuple(terms), N, gauge), notes=notes)
 
 
-def symbolic_multiple_scales(springs: tuple[Term, ...], order: int) -> SecondOrder:
+def _of_terms(terms: tuple[Term, ...], order: int, gauge: Any) -> MultipleScales:
+    forces = Forces.of(terms, order)
+    smooth = is_smooth(forces)
+    if _gauge(gauge, smooth) == NO_FIRST_HARMONIC:
+        return smooth_multiple_scales(terms, order)
+    if is_closed(forces):
+        return turning_scales(terms, order)
+    _require_open(order)
+    losses = tuple(t for t in terms if t.is_power_of_velocity)
+    others = tuple(t for t in terms if not t.is_power_of_velocity)
+    alphas = tuple(to_sympy(t.velocity) for t in losses)
+    return open_scales(alphas, others, order, _numbers((*losses, *others), closed_rates(alphas, others, order), order))
+
+
+def symbolic_multiple_scales(springs: tuple[Term, ...], order: int, gauge: Any = None) -> MultipleScales:
     """One loss with a symbolic exponent beside some springs; InputError as for ``multiple_scales``."""
-    return _second_order((alpha,), springs, order)
+    _gauge(gauge, smooth=False)
+    _require_open(order)
+    return open_scales((alpha,), springs, order, closed_rates((alpha,), springs, order))
 
 
-def _second_order(exponents: tuple[Expr, ...], terms: tuple[Term, ...], order: int) -> SecondOrder:
-    _require_powers(terms)
-    if order > 2:
-        reason = f"{order}: the hierarchy closes in general to second order, to any order for polynomial forces"
-        raise InputError("order", reason, "1 or 2, or odd exponents")
-    return second_order(exponents, tuple(t for t in terms if t.sign > 0))
+def _numbers(terms: tuple[Term, ...], closed: tuple[Rates, Rates, int], order: int) -> tuple[Rates, Rates, int]:
+    """Certified digits wherever no closed form in moments is known."""
+    if order <= min(closed[2], 3):
+        return closed
+    p, Omega = ({k: c for k, c in row.items() if not c.has(I_4)} for row in closed[:2])
+    found = certified_rates(terms, order)
+    return found[0] | p, found[1] | Omega, order
 
 
-def _require_powers(terms: tuple[Term, ...]) -> None:
-    """InputError by name if a sum that is no polynomial has a force of position and velocity together."""
-    for t in terms:
-        if t.position if t.sign < 0 else not t.velocity.is_zero:
-            whole = " + ".join(other.shape() for other in terms)
-            reason = f"{t.shape()} is served among polynomials only, and the sum {whole} is not one"
-            accepted = "x'|x'|^(A-1) with x|x|^(P-1); or |x|^M x'^A, A odd, M even, with x^P x'^Q, P odd, Q even"
-            raise InputError("spring" if t.sign > 0 else "law", reason, accepted)
+def _gauge(gauge: Any, smooth: bool) -> str:
+    """The gauge asked for, or the default of the law; InputError for one that does not exist for it."""
+    if gauge is None:
+        return NO_FIRST_HARMONIC if smooth else TURNING_POINT
+    require_gauge(gauge)
+    if gauge == NO_FIRST_HARMONIC and not smooth:
+        reason = f"{gauge}: the zero of x' moves with the order there, and |x'|^A is no polynomial"
+        raise InputError("gauge", reason, TURNING_POINT)
+    if gauge not in (NO_FIRST_HARMONIC, TURNING_POINT):
+        raise InputError("gauge", f"{gauge}: no hierarchy is made in it (the equations are: expand)", _EXIST)
+    return str(gauge)
+
+
+def _require_open(order: int) -> None:
+    if order > MAX_OPEN_ORDER:
+        reason = f"{order}: at these exponents the orders are integrals of sums that grow like the partitions of N"
+        raise InputError("order", reason, f"1 to {MAX_OPEN_ORDER}, or integer exponents")
+
+
+def map_of_gauges(terms: Sequence[Term], order: int) -> dict[str, Expr]:
+    """The exact map from no-first-harmonic to turning-point through ``order``: the new amplitude and phase.
+
+    A = a exp(lambda), psi_tp = psi + chi with lambda, chi series in the local strengths; InputError where
+    no-first-harmonic does not exist.
+
+    >>> found = map_of_gauges((Term(1, 3),), 2)
+    >>> found["A"], found["psi_tp"]
+    (-87*a**5*epsilon**2/2048 + a, 9*a**2*epsilon/32 + psi)
+    """
+    terms = tuple(terms)
+    _gauge(NO_FIRST_HARMONIC, is_smooth(Forces.of(terms, order)))
+    change, symbols = map_to_turning_points(odd_hierarchy(terms, order)), strength_symbols(terms)
+    weights = [to_sympy(t.weight) for t in terms]
+    rows = []
+    for series in (change.log_modulus.exp(), change.argument):
+        local = [s * a**w for s, w in zip(symbols, weights)]
+        parts = [c.to_sympy() if isinstance(c, PiNumber) else to_sympy(c) for c in series.coefficients.values()]
+        rows.append(Add(*[c * Mul(*[d**n for d, n in zip(local, k)]) for k, c in zip(series.coefficients, parts)]))
+    return {"A": (a * rows[0]).expand(), "psi_tp": psi + rows[1]}
+
+
+def any_start(scales: MultipleScales) -> dict[str, Expr]:
+    """a(0) and psi(0) for X(0) = r cos theta, X'(0) = -r sin theta, 0 < theta < pi, through the order of ``scales``.
+
+    A start with X' > 0 is minus one of these: theta and psi move by pi.  InputError where the waveforms are no
+    polynomials or the gauge is no-first-harmonic.
+
+    >>> any_start(multiple_scales(2, order=1))["psi(0)"]
+    -epsilon*r*sin(theta)*cos(theta)**2/3 + epsilon*r*sin(theta)/3 + theta
+    """
+    if not isinstance(scales.kernel, TurningHierarchy):
+        accepted = f"gauge {TURNING_POINT}, integer powers of x', |x|^M of losses with M even, x|x|^(P-1) with P odd"
+        raise InputError("start", "no polynomial waveforms are at hand", accepted)
+    found, r, theta = start_of(scales.kernel), Symbol("r", positive=True), Symbol("theta", real=True)
+    weights = [to_sympy(w) for w in scales.kernel.grading.weights]
+    local = [s * r**w for s, w in zip(scales.symbols, weights)]
+    rows = []
+    for series in (found.amplitude, found.phase):
+        terms = [
+            (Mul(*[d**n for d, n in zip(local, k)]), c.to_sympy()) for k, c in series.coefficients.items() if any(k)
+        ]
+        rows.append(Add(*[scale * part for scale, c in terms for part in Add.make_args(c)]).subs(psi, theta))
+    return {"a(0)": (r * (1 + rows[0])).expand(), "psi(0)": theta + rows[1]}

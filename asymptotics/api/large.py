@@ -17,12 +17,15 @@ right to O(eps^2) relative, O(eps) absolute.  Arrays are doubles.
 """
 
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
 from flint import arb
 
+from asymptotics.api.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve
 from asymptotics.api.units import oscillator_of
+from asymptotics.envelopes.first_order import exact_kappa
 from asymptotics.envelopes.large import SlowFlow
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
@@ -31,6 +34,9 @@ from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page
+from asymptotics.public import public
 from asymptotics.straightening.wells import Loss, Well
 
 MAX_DIGITS, MAX_TAU = 200, 1e100
@@ -39,7 +45,7 @@ NOTE = "first order in the loss, exact in the spring"
 
 
 @dataclass(frozen=True, repr=False)
-class SpringEnvelope:
+class SpringEnvelope(Drawn):
     """A(t), phi(t) and the motion of an oscillator with the spring x^3 or of a pendulum; build it with ``of``."""
 
     oscillator: Oscillator
@@ -47,6 +53,7 @@ class SpringEnvelope:
     notes: tuple[str, ...] = field(default=(), compare=False)
     formula: None = None
     time_formula: None = None
+    si: bool = field(default=True, compare=False)
 
     @classmethod
     def of(cls, oscillator: Oscillator) -> "SpringEnvelope":
@@ -73,15 +80,24 @@ class SpringEnvelope:
             raise InputError("x0", f"{oscillator.x0} is not certainly inside the well", outside.accepted) from None
         return found
 
-    def amplitude(self, t: Number, *, digits: Any = 30) -> str:
+    @public
+    def amplitude(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
         """The turning amplitude A(t) in m, correctly rounded; "0" from the extinction time on."""
-        return self._decimal(lambda seconds: self._flow().amplitude(self._tau(seconds)) * self._length(), t, digits)
 
-    def phase(self, t: Number, *, digits: Any = 30) -> str:
+        def metres(seconds: ExactReal) -> arb | ExactReal:
+            if seconds.is_zero:
+                return abs(self.oscillator.x0)
+            return self._flow().amplitude(self._tau(seconds)) * self._length()
+
+        return self._decimal(metres, t, digits)
+
+    @public
+    def phase(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
         """phi(t) = psi - omega_0 t in rad."""
         return self._decimal(lambda seconds: self._flow().phase(self._tau(seconds)), t, digits)
 
-    def time(self, amplitude: Number, *, digits: Any = 30) -> str:
+    @public
+    def time(self, amplitude: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
         """The time in s at which the turning amplitude falls to ``amplitude`` (m)."""
         metres = exact_number(amplitude, "amplitude")
         if not 0 < metres <= abs(self.oscillator.x0):
@@ -95,7 +111,8 @@ class SpringEnvelope:
 
         return certified_decimal(seconds, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
-    def period(self, amplitude: Number, *, digits: Any = 30) -> str:
+    @public
+    def period(self, amplitude: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
         """The period in s of the motion without loss at a turning amplitude in m: exact, an elliptic integral."""
         metres = exact_number(amplitude, "amplitude")
 
@@ -106,28 +123,37 @@ class SpringEnvelope:
 
         return certified_decimal(seconds, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
-    def extinction_time(self, *, digits: Any = 30) -> str | None:
+    @public
+    def extinction_time(self, *, digits: Any = 30, max_seconds: Any = 60) -> str | None:
         """When the averaged amplitude reaches 0 in s (a loss of degree below 1), or None: not the end of the motion."""
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
         if self._flow().extinction_time() is None:
             return None
         return certified_decimal(lambda: (self._flow().extinction_time() or arb(0)) / self.oscillator.omega_0(), D)
 
-    def kappas(self, *, digits: Any = 30) -> tuple[str, ...]:
+    @public
+    def kappas(self, *, digits: Any = 30, max_seconds: Any = 60) -> tuple[str, ...]:
         """kappa_i = <|cos|^m |sin|^(alpha+1)> epsilon_i of the losses: their rates at small amplitude."""
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
-        made = (lambda i=i: self._losses()[i].epsilon * self._losses()[i].mean for i in range(len(self._losses())))
-        return tuple(certified_decimal(kappa, D) for kappa in made)
+        exact = [exact_kappa(t) for t in self.oscillator.dimensionless.losses if not t.strength.is_zero]
 
-    def amplitudes(self, t: Any) -> Array:
+        def rate(i: int) -> arb | ExactReal:
+            return exact[i] or self._losses()[i].epsilon * self._losses()[i].mean
+
+        return tuple(certified_decimal(partial(rate, i), D) for i in range(len(exact)))
+
+    @public
+    def amplitudes(self, t: Any, *, max_seconds: Any = 60) -> Array:
         """A in m at an array of times in s: doubles; NaN stays NaN, extinct is 0."""
         return self.sample(t).amplitude
 
-    def phases(self, t: Any) -> Array:
+    @public
+    def phases(self, t: Any, *, max_seconds: Any = 60) -> Array:
         """phi in rad at an array of times in s: doubles; NaN where there is no amplitude."""
         return self.sample(t).phase
 
-    def sample(self, t: Any) -> MotionSamples:
+    @public
+    def sample(self, t: Any, *, max_seconds: Any = 60) -> MotionSamples:
         """x, v, A, phi at many times in s: doubles."""
         times = real_array(t, "time")
         if np.any(times < 0) or np.any(np.isinf(times)):
@@ -149,6 +175,25 @@ class SpringEnvelope:
         extinction = None if np.isinf(table.extinction) else table.extinction / omega
         return MotionSamples(times, x, v, A, phase, 1, "turning-point", int(missing.sum()),
                              int((gone & ~missing).sum()), extinction, self.notes)  # fmt: skip
+
+    @public
+    def columns(self, t: Any, *, order: Any = None, max_seconds: Any = 60) -> tuple[Array, Array, Array]:
+        """Arrays t, A, phi at times in s, in doubles; there is no other order than the first."""
+        if order is not None:
+            raise InputError("order", "it is not known beside a spring", "one law alone")
+        found = self.sample(t)
+        return found.t, found.amplitude, found.phase
+
+    def _heading(self) -> str:
+        return f"{self.oscillator}: envelope, {NOTE}"
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        until = time_of_curve(self.oscillator, style.pop("until", None))
+        self.columns([], order=style.pop("order", None))
+        found = self.sample(np.linspace(0.0, until, POINTS))
+        axes_of_motion(axes, si=self.si)
+        axes.plot(found.t, found.x, **{"label": "x", **style})
+        envelope_lines(axes, found.t, found.amplitude)
 
     def _wave(self, xi: Array, psi: Array) -> tuple[Array, Array]:
         """X and X' of the conservative motion at the straightened amplitude xi and the phase psi."""
@@ -192,7 +237,8 @@ class SpringEnvelope:
         well = Well.pendulum(strength) if springs[0].family else Well.duffing(strength)
         return SlowFlow(well, self._losses(), arb(1))
 
-    def to_dict(self) -> dict[str, object]:
+    @public
+    def to_dict(self, *, max_seconds: Any = 60) -> dict[str, object]:
         """JSON-ready: the oscillator, the rates at small amplitude, the period at the start, the extinction."""
         start = abs(self.oscillator.x0)
         numbers = {"kappas": list(self.kappas()), "period": self.period(start), "extinction": self.extinction_time()}
@@ -210,8 +256,18 @@ class SpringEnvelope:
     def __repr__(self) -> str:
         return f"SpringEnvelope({self.oscillator})"
 
-    def _repr_latex_(self) -> str:
-        return r"$A(\tau)$: by ${}_2F_1$, exact in the spring"
+    def _page(self) -> Page:
+        title, *rest = str(self).splitlines()
+        rows = tuple((f"kappa_{i}", k) for i, k in enumerate(self.kappas(digits=12), start=1))
+        rows += (("period at the start, without loss", f"{self.period(abs(self.oscillator.x0), digits=12)} s"),)
+        worth = "certified digits of the averaged law"
+        return Page(title, (*rest, worth, f"{self.oscillator}"), ("", "value"), rows)
+
+    def _formula(self) -> str:
+        return r"A(\tau)\ \text{by}\ {}_2F_1\text{, exact in the spring}"
+
+    def _letters(self) -> dict[str, str]:
+        return {"A": "turning amplitude", "F": "the hypergeometric function"}
 
 
 def _require_near(near: bool) -> None:

@@ -13,7 +13,8 @@ Fraction(2010398511427223552, 37418691427425)
 from fractions import Fraction
 from typing import Any
 
-from asymptotics.errors import InputError
+from asymptotics.api.units import law_of
+from asymptotics.errors import InputError, shown
 from asymptotics.invariants.exact import coefficient, coefficients
 from asymptotics.invariants.symbolic import GeneratingFunction, generating_function
 from asymptotics.moments.certified import moment as moment_ball
@@ -21,14 +22,18 @@ from asymptotics.moments.symbolic import moment as moment_expression
 from asymptotics.numbers.bridge import from_sympy, to_sympy
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
 from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
+from asymptotics.numbers.rounding import MODES
 from asymptotics.numbers.value import Coefficient
+from asymptotics.public import public
 from asymptotics.tables import registry
+from asymptotics.tables.inputs import MAX_ROWS, Inputs
 from asymptotics.tables.table import Table
 
 MAX_P, MAX_DIGITS, MAX_ROW, MAX_N, MAX_G = 10_000, 10_000, 5_000, 10_000, 100
 
 
-def moment(p: Any, *, digits: Any = 30) -> Coefficient:
+@public
+def moment(p: Any, *, digits: Any = 30, max_seconds: Any = 60) -> Coefficient:
     """M_p = <|sin|^p> = Gamma((p+1)/2)/(sqrt(pi) Gamma(p/2+1)), p > -1: certified digits and closed form.
 
     InputError for p <= -1, where the average diverges, and for what is not an exact number.
@@ -43,29 +48,55 @@ def moment(p: Any, *, digits: Any = 30) -> Coefficient:
     return Coefficient(certified_decimal(lambda: moment_ball(number.ball()), D), expression, float_notes(p=p))
 
 
-def table(name: str, *, digits: Any = 30) -> Table:
-    """A reference table by name (``table_names`` lists them): rows of certified strings with their provenance."""
+@public
+def table(
+    name: str, *, alpha: Any = None, epsilon: Any = None, law: Any = None, rows: Any = None, rounding: str = "nearest",
+    digits: Any = 30, max_seconds: Any = 60,
+) -> Table:  # fmt: skip
+    """A reference table by name (``table_names`` lists them): rows of certified strings with their provenance.
+
+    ``alpha`` and ``epsilon`` are numbers or lists of them, ``law`` is one sum, ``rows`` how many rows (or the order),
+    ``rounding`` a mode of ``asymptotics table``.  InputError for what changes nothing in the table.
+
+    >>> table("turning-points", law={0: "1/20", "3/2": "1/10"}, rows=2, digits=6).rows[1][2]
+    '-0.779510'
+    """
     if not isinstance(name, str):
         raise InputError("name", f"a {type(name).__name__} is no name", ", ".join(registry.names()))
-    return registry.build(name, exact_integer(digits, "digits", 1, registry.MAX_DIGITS))
+    exponents, strengths = _listed(alpha, "alpha"), _listed(epsilon, "epsilon")
+    count = None if rows is None else exact_integer(rows, "rows", 1, MAX_ROWS)
+    inputs = Inputs.of(exponents, None if law is None else law_of(law), strengths, count)
+    if not isinstance(rounding, str):
+        raise InputError("rounding", f"{shown(rounding)} is no mode", ", ".join(MODES))
+    return registry.build(name, exact_integer(digits, "digits", 1, registry.MAX_DIGITS), inputs, rounding)
 
 
-def table_names() -> dict[str, str]:
+def _listed(given: Any, name: str) -> tuple[str, ...]:
+    """One number or several, as text."""
+    several = given if isinstance(given, list | tuple) else () if given is None else (given,)
+    return tuple(str(exact_number(value, name)) for value in several)
+
+
+@public
+def table_names(*, max_seconds: Any = 60) -> dict[str, str]:
     """The names of the tables and their titles."""
     return registry.names()
 
 
-def f(n: Any) -> dict[int, Fraction]:
+@public
+def f(n: Any, *, max_seconds: Any = 60) -> dict[int, Fraction]:
     """Smith's polynomial f_n(w) = sum_i C_i^n w^i: i -> C_i^n (Smith 2012, (59) and (62)), exactly."""
     return dict(coefficients(exact_integer(n, "n", 1, MAX_ROW)))
 
 
-def C(n: Any, i: Any) -> Fraction:
+@public
+def C(n: Any, i: Any, *, max_seconds: Any = 60) -> Fraction:
     """Smith's coefficient C_i^n, exactly."""
     row = exact_integer(n, "n", 1, MAX_N)
     return coefficient(row, exact_integer(i, "i", 0, row - 1))
 
 
-def G(i: Any) -> GeneratingFunction:
+@public
+def G(i: Any, *, max_seconds: Any = 60) -> GeneratingFunction:
     """The sum G_i(z) = sum_n C_i^n z^n in closed form, for any i (derivation ``smith-generating-functions``)."""
     return generating_function(exact_integer(i, "i", 0, MAX_G))

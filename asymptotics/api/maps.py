@@ -24,13 +24,22 @@ from asymptotics.limit_cycles.result import limit_cycle as of_law
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.normal_form.results import HalfSwingCoefficients
 from asymptotics.numbers.policy import exact_integer, exact_number, exact_seconds, float_notes
+from asymptotics.public import public
 from asymptotics.turning.half_swing import half_swing_of_terms
 
 MAX_ORDER, MAX_DIGITS = 200, 1000
 
 
+@public
 def half_swing(
-    law: Any, *, order: Any = 4, digits: Any = 30, delta: Any = None, spring: Any = None, exact: bool = False
+    law: Any,
+    *,
+    order: Any = 4,
+    digits: Any = 30,
+    delta: Any = None,
+    spring: Any = None,
+    exact: bool = False,
+    max_seconds: Any = 60,
 ) -> HalfSwingCoefficients | HalfSwingAt:
     """L, F, T and the flow U, V, W through delta^order; with ``delta`` the certified numbers at that local strength.
 
@@ -51,6 +60,7 @@ def half_swing(
     return replace(at, notes=notes)
 
 
+@public
 def limit_cycle(
     law: Any, *, order: Any = 8, digits: Any = 30, mu: Any = None, spring: Any = None, near: Any = None,
     max_seconds: Any = 60,

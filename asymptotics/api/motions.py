@@ -14,7 +14,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
@@ -22,6 +21,7 @@ import numpy as np
 from asymptotics.api.units import oscillator_of
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
+from asymptotics.budget import seconds_left
 from asymptotics.costs import require_affordable
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT
@@ -31,16 +31,21 @@ from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.motions.result import MotionPoint, MotionSamples
 from asymptotics.numbers.arrays import real_array
+from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
+from asymptotics.present.drawn import Drawn, below
+from asymptotics.present.shown import Page, Rows
+from asymptotics.public import public
 
 Array = Any
 DIGITS, MAX_EVENTS, MAX_SECONDS = 15, 10_000, 120
+POINTS, ERROR_POINTS, REFERENCE_POINTS = 4001, 241, 401
 _PER_HALF_SWING = 16
 
 
-@dataclass(frozen=True, eq=False)
-class Events:
+@dataclass(frozen=True, eq=False, repr=False)
+class Events(Rows):
     """Times in s up to ``until``: turning points with their x, passages through 0 with their v, and the stop if any.
 
     Doubles, heuristic: found on a grid of 16 points a half-swing and refined by Newton's method.
@@ -53,6 +58,18 @@ class Events:
     stop: float | None
     until: float
 
+    def _page(self) -> Page:
+        stop = "it does not stop" if self.stop is None else f"it stops at t = {self.stop:.10g} s"
+        title = f"{len(self.turning)} turning points, {len(self.zeros)} zeros up to t = {self.until:.10g} s"
+        rows = tuple(zip(*self._table().values()))
+        shown = tuple((event, f"{t:.10g}", f"{x:.10g}", f"{v:.10g}") for event, t, x, v in rows)
+        return Page(title, (stop, "estimates, in doubles"), ("event", "t [s]", "x [m]", "v [m/s]"), shown)
+
+    def _table(self) -> dict[str, list[Any]]:
+        at_turning = [("turning point", t, x, 0.0) for t, x in zip(self.turning, self.turning_x)]
+        rows = sorted(at_turning + [("zero", t, 0.0, v) for t, v in zip(self.zeros, self.zeros_v)], key=lambda r: r[1])
+        return {name: [row[i] for row in rows] for i, name in enumerate(("event", "t [s]", "x [m]", "v [m/s]"))}
+
 
 class _Sampled(Protocol):
     @property
@@ -62,7 +79,7 @@ class _Sampled(Protocol):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Motion:
+class Motion(Drawn):
     """The asymptotic motion at ``order`` in ``gauge``: formal, with an error estimate at each time."""
 
     oscillator: Oscillator
@@ -71,21 +88,24 @@ class Motion:
     notes: tuple[str, ...] = field(default=())
     si: bool = True
 
-    def at(self, t: Number, *, digits: Any = None) -> MotionPoint:
+    @public
+    def at(self, t: Number, *, digits: Any = None, max_seconds: Any = 60) -> MotionPoint:
         """One time in s; without ``digits`` every value is rounded to the error estimate of x."""
         time, notes = exact_number(t, "t"), (*self.notes, *float_notes(t=t))
         if digits is not None:
             return self._motion.at(time, exact_integer(digits, "digits", 1, 300)).noted(notes)
         return self._motion.at(time).rounded_to_error().noted(notes)
 
-    def bound(self, t: Number, *, digits: Any = 30) -> str:
+    @public
+    def bound(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
         """A proved bound, rounded up, of |x(t) - x_N| in m, where x_N is ``at(t, digits=digits).x``.
 
         LimitError where no enclosure of x(t) is within a minute's reach.
         """
-        return proved_bound(self.oscillator, self.at(t, digits=digits).x, t)
+        return proved_bound(self.oscillator, self.at(t, digits=digits).x, t, max_seconds=seconds_left())
 
-    def uniform_bound(self, *, until: Number | None = None) -> UniformBound:
+    @public
+    def uniform_bound(self, *, until: Number | None = None, max_seconds: Any = 60) -> UniformBound:
         """Proved bounds of |x - x_N| and |x' - x_N'| for every t >= 0 at once, or for t <= ``until`` (s).
 
         For powers of the velocity in the turning-point gauge; with an exponent below 1 the bound ends at a stated time
@@ -96,29 +116,58 @@ class Motion:
             raise InputError("gauge", f"no such theorem is known in the gauge {self.gauge}", TURNING_POINT)
         return uniform_bound(self.oscillator, self.order, until=until)
 
-    def sample(self, t: Any) -> MotionSamples:
+    @public
+    def sample(self, t: Any, *, max_seconds: Any = 60) -> MotionSamples:
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
         return replace(self._motion.sample(times_of(t)), si=self.si)
 
-    def sol(self, t: Any) -> Array:
+    @public
+    def sol(self, t: Any, *, max_seconds: Any = 60) -> Array:
         """The dense solution: array [x, v] at t, as the ``sol`` of SciPy's ``solve_ivp``."""
         found = self.sample(t)
         return np.array([found.x, found.v])
 
-    def events(self, until: Number) -> Events:
+    @public
+    def events(self, until: Number, *, max_seconds: Any = 60) -> Events:
         """Turning points, zeros and the stop in 0 < t <= until (s)."""
         return events_of(self, until, None)
+
+    def _heading(self) -> str:
+        return f"{self.oscillator}: order {self.order}, {self.gauge} gauge"
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        """x and +-A; with ``errors=True`` |x - x_reference| on axes below."""
+        errors = style.pop("errors", False)
+        until = time_of_curve(self.oscillator, style.pop("until", None))
+        found = self.sample(np.linspace(0.0, until, POINTS))
+        axes_of_motion(axes, si=self.si)
+        axes.plot(found.t, found.x, **{"label": "x", **style})
+        envelope_lines(axes, found.t, found.amplitude)
+        if errors:
+            t = np.linspace(0.0, until, ERROR_POINTS)
+            error = np.abs(self.sample(t).x - Reference(self.oscillator).sample(t).x)
+            lower = below(axes)
+            lower.semilogy(t[1:], np.maximum(error[1:], 1e-17), color="#15803d")
+            lower.set_ylabel("|x - reference|" + (" (m)" if self.si else ""))
 
     @cached_property
     def _motion(self) -> AsymptoticMotion:
         return AsymptoticMotion.of(self.oscillator, self.order, self.gauge)
+
+    def _page(self) -> Page:
+        worth = f"order {self.order}, gauge {self.gauge}: an estimate; .bound(t) and .uniform_bound() are proved"
+        units = "SI: x in m, t in s" if self.si else "no units: m = k = x0 = 1"
+        return Page(f"x(t) of {self.oscillator}", (worth, units, *self.notes))
+
+    def _formula(self) -> str:
+        return self.oscillator._formula()
 
     def __repr__(self) -> str:
         return f"Motion({self.oscillator}, order {self.order}, gauge {self.gauge}, formal)"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Reference:
+class Reference(Drawn):
     """The motion without expansion: exact solutions where there are any, else certified or high-precision steps."""
 
     oscillator: Oscillator
@@ -126,14 +175,20 @@ class Reference:
     notes: tuple[str, ...] = field(default=())
     si: bool = True
 
-    def at(self, t: Number, *, digits: Any = 30) -> MotionPoint:
+    @public
+    def at(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> MotionPoint:
         """One time in s to ``digits`` significant digits; ``certified`` and ``method`` say what they are worth."""
         point = reference_motion(
-            self.oscillator, exact_number(t, "t"), exact_integer(digits, "digits", 1, 1000), static=self.static
+            self.oscillator,
+            exact_number(t, "t"),
+            exact_integer(digits, "digits", 1, 1000),
+            static=self.static,
+            max_seconds=seconds_left(),
         )
         return point.noted((*self.notes, *float_notes(t=t)))
 
-    def sample(self, t: Any) -> MotionSamples:
+    @public
+    def sample(self, t: Any, *, max_seconds: Any = 60) -> MotionSamples:
         """Many times (array-like, s): arrays x and v in doubles, from one computation; NaN stays in its place."""
         times = times_of(t)
         missing = np.isnan(times)
@@ -144,12 +199,14 @@ class Reference:
         notes = (*self.notes, *([f"NaN times: {missing.sum()}"] if missing.any() else []))
         return MotionSamples(times, x, v, None, None, None, None, int(missing.sum()), 0, None, notes, self.si)
 
-    def sol(self, t: Any) -> Array:
+    @public
+    def sol(self, t: Any, *, max_seconds: Any = 60) -> Array:
         """The dense solution: array [x, v] at t."""
         found = self.sample(t)
         return np.array([found.x, found.v])
 
-    def events(self, until: Number) -> Events:
+    @public
+    def events(self, until: Number, *, max_seconds: Any = 60) -> Events:
         """Turning points, zeros and the stop in 0 < t <= until (s)."""
         stop = None
         if self._is_dry:
@@ -161,6 +218,21 @@ class Reference:
         acting = [t for t in self.oscillator.law.terms if not t.b.is_zero]
         return len(acting) == 1 and acting[0].is_power_of_velocity and acting[0].velocity.is_zero
 
+    def _heading(self) -> str:
+        return f"{self.oscillator}: reference"
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        """x; with ``velocity=True`` v on axes below."""
+        velocity = style.pop("velocity", False)
+        until, points = time_of_curve(self.oscillator, style.pop("until", None)), style.pop("points", REFERENCE_POINTS)
+        found = self.sample(np.linspace(0.0, until, points))
+        axes_of_motion(axes, si=self.si)
+        axes.plot(found.t, found.x, **{"label": "x", **style})
+        if velocity:
+            lower = below(axes)
+            lower.plot(found.t, found.v, color="#15803d")
+            lower.set_ylabel("v (m/s)" if self.si else "v")
+
     def _values(self, times: Array) -> tuple[Array, Array]:
         exact = [ExactReal(Fraction(float(t))) for t in times]  # the doubles, exactly
         if self._is_dry:
@@ -169,7 +241,7 @@ class Reference:
         if self.static is not None:
             raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0")
         self._require_size(exact)
-        states = reference_states(self.oscillator, exact, DIGITS)
+        states = reference_states(self.oscillator, exact, DIGITS, max_seconds=seconds_left())
         return np.array([float(x) for x in states.x]), np.array([float(v) for v in states.v])
 
     def _require_size(self, times: Sequence[ExactReal]) -> None:
@@ -177,11 +249,20 @@ class Reference:
         seconds = estimated_seconds(self.oscillator, last, DIGITS)
         require_affordable(seconds, MAX_SECONDS, "time", f"{last} s")
 
+    def _page(self) -> Page:
+        worth = "without expansion: .at(t) says its digits and whether they are certified; curves are doubles"
+        units = "SI: x in m, t in s" if self.si else "no units: m = k = x0 = 1"
+        return Page(f"x(t) of {self.oscillator}", (worth, units, *self.notes))
+
+    def _formula(self) -> str:
+        return self.oscillator._formula()
+
     def __repr__(self) -> str:
         return f"Reference({self.oscillator})"
 
 
-def motion(law: Any, *, order: Any = 3, gauge: str = TURNING_POINT) -> Motion:
+@public
+def motion(law: Any, *, order: Any = 3, gauge: str = TURNING_POINT, max_seconds: Any = 60) -> Motion:
     """The asymptotic motion of an oscillator (SI) or of a law alone (m = k = x0 = 1); order 1 is Lancaster (13).
 
     InputError for an unknown gauge, an order out of range, or anti-damping, at once.
@@ -192,12 +273,35 @@ def motion(law: Any, *, order: Any = 3, gauge: str = TURNING_POINT) -> Motion:
     return Motion(oscillator, N, gauge, oscillator.notes, isinstance(law, Oscillator))
 
 
-def reference(law: Any, *, static: Number | None = None) -> Reference:
+@public
+def reference(law: Any, *, static: Number | None = None, max_seconds: Any = 60) -> Reference:
     """The reference motion of an oscillator (SI) or of a law alone; ``static``: a static friction force in N."""
     oscillator = oscillator_of(law)
     oscillator.law.require_dissipative("reference motion to rest")
     force = None if static is None else exact_number(static, "static")
     return Reference(oscillator, force, oscillator.notes, isinstance(law, Oscillator))
+
+
+def time_of_curve(oscillator: Oscillator, until: Any) -> float:
+    """Where a curve ends, in s: ``until``, or after ten periods; InputError for no stretch of time."""
+    if until is None:
+        return float(20 * np.pi / float(oscillator.omega_0().mid()))
+    end = float(exact_number(until, "until").ball().mid())
+    if not 0 < end < np.inf:
+        raise InputError("until", f"{end:g} leaves nothing to draw", "a time > 0")
+    return end
+
+
+def axes_of_motion(axes: Any, *, si: bool) -> None:
+    """The names of the axes of x against time, with their units."""
+    axes.set(xlabel="t (s)" if si else r"$\tau = \omega_0 t$", ylabel="x (m)" if si else "x")
+
+
+def envelope_lines(axes: Any, t: Array, amplitude: Array) -> None:
+    """+-A in the colour of the line drawn before, thin and dashed."""
+    color, named = axes.lines[-1].get_color(), "±A" in axes.get_legend_handles_labels()[1]
+    for sign, label in ((1, None if named else "±A"), (-1, None)):
+        axes.plot(t, sign * amplitude, color=color, linewidth=1.0, linestyle="--", label=label)
 
 
 def times_of(t: Any) -> Array:

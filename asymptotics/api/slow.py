@@ -7,37 +7,44 @@
 [0.2, 0.16499144]
 """
 
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 import sympy
+from flint import arb
 
 from asymptotics.api.large import SpringEnvelope
-from asymptotics.api.motions import times_of
+from asymptotics.api.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve, times_of
 from asymptotics.api.slow_series import MAX_ORDER as MAX_SERIES_ORDER
 from asymptotics.api.slow_series import EnvelopeSeries, envelope_series
 from asymptotics.api.slowness import SlowPart, slow_part
 from asymptotics.api.units import oscillator_of
 from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
-from asymptotics.envelopes.first_order import FirstOrderEnvelope
+from asymptotics.envelopes.first_order import FirstOrderEnvelope, exact_kappa
 from asymptotics.envelopes.hypergeometric import time_of_amplitude
 from asymptotics.envelopes.long_time import extinction, long_time
-from asymptotics.envelopes.symbolic import MEAN, AveragedLaw, averaged_law
+from asymptotics.envelopes.slow_time import epsilon
+from asymptotics.envelopes.symbolic import MEAN, AveragedLaw, averaged_law, tau
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page
+from asymptotics.public import public
 
 MAX_DIGITS = 1000
 
 
 @dataclass(frozen=True, repr=False)
-class Envelope:
+class Envelope(Drawn):
     """A(t) and phi(t) of dA/dtau = -sum kappa_i A^alpha_i, SI units for an oscillator.
 
     Digits are certified for the averaged law; how far that is from the motion is what higher orders tell.
@@ -46,28 +53,35 @@ class Envelope:
     oscillator: Oscillator
     averaging: str
     notes: tuple[str, ...] = field(default=(), compare=False)
+    si: bool = field(default=True, compare=False)
 
-    def amplitude(self, t: Number, *, digits: Any = 30) -> str:
+    @public
+    def amplitude(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
         """A(t) in m, correctly rounded; "0" from the extinction time of the averaged law on."""
         return self._law.amplitude(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
-    def phase(self, t: Number, *, digits: Any = 30) -> str:
+    @public
+    def phase(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
         """phi(t) in rad, turning-point gauge."""
         return self._law.phase(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
-    def time(self, amplitude: Number, *, digits: Any = 30) -> str:
+    @public
+    def time(self, amplitude: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
         """The time in s at which A falls to ``amplitude`` (m)."""
         return self._law.time(amplitude, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
-    def extinction_time(self, *, digits: Any = 30) -> str | None:
+    @public
+    def extinction_time(self, *, digits: Any = 30, max_seconds: Any = 60) -> str | None:
         """When the averaged amplitude reaches 0 (some alpha < 1): the end of the averaged law, not of the motion."""
         return self._law.extinction_time(exact_integer(digits, "digits", 1, MAX_DIGITS))
 
-    def slow(self, eta: Any = "1/10") -> SlowPart:
+    @public
+    def slow(self, eta: Any = "1/10", *, max_seconds: Any = 60) -> SlowPart:
         """Where |dA/dt| <= eta omega_0 A: times in s for one law, amplitudes in m for a sum; doubles, heuristic."""
         return slow_part(self._law, eta)
 
-    def series(self, order: Any = 4, *, digits: Any = 30) -> EnvelopeSeries:
+    @public
+    def series(self, order: Any = 4, *, digits: Any = 30, max_seconds: Any = 60) -> EnvelopeSeries:
         """tau, phi and delta beyond the first order, for one law with alpha != 1; dimensionless and formal.
 
         >>> print(envelope({2: "1/10"}).series(4))
@@ -85,11 +99,16 @@ class Envelope:
             raise InputError("law", f"{len(terms)} laws have no single strength delta", "one law")
         return envelope_series(terms[0].velocity, N, D)
 
-    def kappas(self, *, digits: Any = 30) -> tuple[str, ...]:
+    @public
+    def kappas(self, *, digits: Any = 30, max_seconds: Any = 60) -> tuple[str, ...]:
         """kappa_i = M_(alpha_i+1) epsilon_i, correctly rounded."""
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
-        count = len(self.oscillator.law.terms)
-        return tuple(certified_decimal(lambda i=i: self.oscillator.kappas()[i], D) for i in range(count))  # type: ignore[misc]
+        terms = self.oscillator.dimensionless.terms
+
+        def rate(i: int) -> arb | ExactReal:
+            return exact_kappa(terms[i]) or self.oscillator.kappas()[i]
+
+        return tuple(certified_decimal(partial(rate, i), D) for i in range(len(terms)))
 
     @property
     def formula(self) -> ClosedForm | None:
@@ -154,21 +173,50 @@ class Envelope:
         terms = enumerate(self.oscillator.law.terms, start=1)
         return {to_sympy(t.velocity): sympy.Symbol(f"kappa_{i}", positive=True) for i, t in terms if not t.b.is_zero}
 
-    def sample(self, t: Any) -> MotionSamples:
+    @public
+    def sample(self, t: Any, *, max_seconds: Any = 60) -> MotionSamples:
         """Arrays of amplitude and phase at many times (s), with the motion x = A cos(omega_0 t + phi): doubles."""
         return AsymptoticMotion.of(self.oscillator, 1).sample(times_of(t))
 
-    def amplitudes(self, t: Any) -> Any:
+    @public
+    def amplitudes(self, t: Any, *, max_seconds: Any = 60) -> Any:
         """A in m at an array of times in s: doubles; NaN stays NaN, extinct is 0."""
         return self._law.amplitudes(np.asarray(times_of(t)))
 
-    def phases(self, t: Any) -> Any:
+    @public
+    def phases(self, t: Any, *, max_seconds: Any = 60) -> Any:
         """phi in rad at an array of times in s, 0 at the start: doubles; NaN where it is not known."""
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
         motion = AsymptoticMotion.of(self.oscillator, 2)  # order 2 is p_1 and Omega_2: this phase
         phi = motion.sample(times_of(t)).phase - motion.sample([0.0]).phase[0]
         return np.where(self.amplitudes(t) > 0, phi, np.nan)
+
+    @public
+    def columns(self, t: Any, *, order: Any = None, max_seconds: Any = 60) -> tuple[Any, Any, Any]:
+        """Arrays t, A, phi at times in s, in doubles: first order, or ``order`` of one law from rest (``series``)."""
+        times = times_of(t)
+        if order is None:
+            return times, self.amplitudes(times), self.phases(times)
+        oscillator = self.oscillator
+        epsilon_, omega, length = (
+            float(x.mid()) for x in (oscillator.epsilons()[0], oscillator.omega_0(), oscillator.length())
+        )
+        forms = (sympy.lambdify([tau, epsilon], e, "numpy", cse=True) for e in self.series(order).explicit)
+        A, phi = (f(times * omega, epsilon_) + 0.0 * times for f in forms)
+        return times, A * length, phi
+
+    def _heading(self) -> str:
+        return f"{self.oscillator}: envelope, first order, {self.averaging}"
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        order, until = style.pop("order", None), time_of_curve(self.oscillator, style.pop("until", None))
+        t, A, phi = self.columns(np.linspace(0.0, until, POINTS), order=order)
+        psi = t * float(self.oscillator.omega_0().mid()) + np.nan_to_num(phi)
+        axes_of_motion(axes, si=self.si)
+        named = r"$A\,\cos(\omega_0 t + \varphi)$" + ("" if order is None else f", order {order}")
+        axes.plot(t, A * np.cos(psi), **{"label": named, **style})
+        envelope_lines(axes, t, A)
 
     @cached_property
     def _law(self) -> FirstOrderEnvelope:
@@ -196,12 +244,26 @@ class Envelope:
     def __repr__(self) -> str:
         return f"Envelope({self.oscillator}, averaging {self.averaging})"
 
-    def _repr_latex_(self) -> str:
+    def _page(self) -> Page:
+        title, *rest = str(self).splitlines()
+        rows = tuple((f"kappa_{i}", k) for i, k in enumerate(self.kappas(digits=12), start=1))
+        end = self.extinction_time(digits=12)
+        rows += () if end is None else (("extinct from", f"{end} s"),)
+        worth = "certified digits of the averaged law (first order); how far it is from the motion, motion() tells"
+        return Page(title, (*rest, worth, f"{self.oscillator}", *self.notes), ("", "value"), rows)
+
+    def _letters(self) -> dict[str, str]:
+        return {"A": "slow amplitude; A(0) at the start"}
+
+    def _formula(self) -> str:
         form = self.formula
-        return r"$A(\tau)$: no elementary form" if form is None else rf"$A/A(0) = {sympy.latex(form.expression)}$"
+        if form is None:
+            return r"\frac{dA}{d\tau} = -\sum_{i} \kappa_{i} A^{\alpha_{i}}"
+        return rf"A/A(0) = {sympy.latex(form.expression)}"
 
 
-def envelope(law: Any, *, averaging: str = MEAN) -> Envelope | SpringEnvelope:
+@public
+def envelope(law: Any, *, averaging: str = MEAN, max_seconds: Any = 60) -> Envelope | SpringEnvelope:
     """The first-order envelope of an oscillator (SI) or of a law alone; ``averaging`` "mean" (Lancaster) or "squaring".
 
     Beside a spring c x^3, or for a pendulum, it is exact in the spring for any amplitude inside the well.  InputError
@@ -214,7 +276,7 @@ def envelope(law: Any, *, averaging: str = MEAN) -> Envelope | SpringEnvelope:
     if any(not t.b.is_zero for t in oscillator.law.springs):
         if averaging != MEAN:
             raise InputError("averaging", f"{averaging!r:.40} knows the linear spring", MEAN)
-        return SpringEnvelope.of(oscillator)
+        return replace(SpringEnvelope.of(oscillator), si=isinstance(law, Oscillator))
     oscillator.law.require_pure("the first-order envelope")
     FirstOrderEnvelope(oscillator, averaging)
-    return Envelope(oscillator, averaging, oscillator.notes)
+    return Envelope(oscillator, averaging, oscillator.notes, isinstance(law, Oscillator))

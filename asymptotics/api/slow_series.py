@@ -23,20 +23,26 @@ from math import isfinite
 from typing import Any
 
 from flint import arb
+from sympy import Expr
 
 from asymptotics.envelopes.laurent import LaurentEnvelope, envelope_of_series, laurent_envelope
+from asymptotics.envelopes.slow_time import D, epsilon, explicit, expressions, leading_amplitude
+from asymptotics.envelopes.symbolic import tau
 from asymptotics.errors import InputError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.digits import expansions
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.show import sum_latex, sum_text
-from asymptotics.numbers.bridge import to_fraction
+from asymptotics.numbers.bridge import to_fraction, to_sympy
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import exact_number
 from asymptotics.numbers.precision import at_growing_precision
-from asymptotics.numbers.value import Coefficient
+from asymptotics.numbers.value import Coefficient, coefficient_columns
+from asymptotics.present.shown import Page, Rows
+from asymptotics.public import public
 from asymptotics.series import Series, divided
 
 MAX_ORDER, MAX_NUMBER = 40, Fraction(10) ** 100
@@ -45,7 +51,7 @@ _TEXTS = {"G": "G(delta)", "H": "H(delta)", "reversal": "delta(sigma)"}
 
 
 @dataclass(frozen=True, repr=False)
-class EnvelopeSeries:
+class EnvelopeSeries(Rows):
     """p_1, and the coefficients of G (beside 1/delta), H and the reversal, {power: number}; see the module."""
 
     alpha: ExactReal
@@ -57,15 +63,18 @@ class EnvelopeSeries:
     reversal: dict[int, Coefficient]
     formulas: LaurentEnvelope = field(compare=False)
 
-    def time(self, delta: Any, delta_0: Any) -> float:
+    @public
+    def time(self, delta: Any, delta_0: Any, *, max_seconds: Any = 60) -> float:
         """tau at which the local strength has become ``delta``, in doubles."""
         return self._number("time", delta=delta, delta_0=delta_0)
 
-    def phase(self, delta: Any, delta_0: Any) -> float:
+    @public
+    def phase(self, delta: Any, delta_0: Any, *, max_seconds: Any = 60) -> float:
         """phi at the same place, 0 at the start."""
         return self._number("phase", delta=delta, delta_0=delta_0)
 
-    def delta(self, tau: Any, delta_0: Any) -> float:
+    @public
+    def delta(self, tau: Any, delta_0: Any, *, max_seconds: Any = 60) -> float:
         """The local strength at ``tau``, by the reversal; for alpha < 1 InputError from the extinction on."""
         if self.alpha < 1:
             end = self.extinction_time(delta_0)
@@ -73,7 +82,8 @@ class EnvelopeSeries:
                 raise InputError("tau", f"{tau} is not before the extinction at {end:g}", "an earlier tau")
         return self._number("delta", tau=tau, delta_0=delta_0)
 
-    def extinction_time(self, delta_0: Any) -> float:
+    @public
+    def extinction_time(self, delta_0: Any, *, max_seconds: Any = 60) -> float:
         """alpha < 1: tau beyond which these series say nothing; InputError for alpha > 1, which never ends."""
         return self._number("extinction_time", delta_0=delta_0)
 
@@ -87,6 +97,18 @@ class EnvelopeSeries:
         if not isfinite(found):
             raise InputError("delta_0", "the truncated series give no number there", "smaller local strengths")
         return float(found)
+
+    @property
+    def explicit(self) -> tuple[Expr, Expr]:
+        """(A/A(0), phi) in tau = omega_0 t and epsilon, explicit in the slow time, from rest (``slow_time``).
+
+        >>> envelope_series(ExactReal(2), 2).explicit
+        (1/(4*epsilon*tau/(3*pi) + 1), epsilon*(-pi/8 + pi/(8*(4*epsilon*tau/(3*pi) + 1))))
+        """
+        relative, phase = expressions(explicit(self.formulas, self.order - 1))
+        exponent = to_sympy(self.alpha)
+        leading, slow = leading_amplitude(exponent, moment(exponent + 1), epsilon, tau)
+        return leading * relative.subs(D, slow), phase.subs(D, slow)
 
     @property
     def formal(self) -> bool:
@@ -111,10 +133,23 @@ class EnvelopeSeries:
     def __repr__(self) -> str:
         return f"EnvelopeSeries(alpha = {self.alpha}, order {self.order}, {self.arithmetic}, formal)"
 
-    def _repr_latex_(self) -> str:
+    def _page(self) -> Page:
+        title, *rest = str(self).splitlines()
+        return Page(title, (*rest, f"{self.arithmetic} coefficients; no bound on the remainder"))
+
+    def _table(self) -> dict[str, list[Any]]:
+        named = [(name, n, c) for name in _TEXTS for n, c in getattr(self, name).items()]
+        columns = {"series": [name for name, _, _ in named], "power": [n for _, n, _ in named]}
+        return columns | coefficient_columns([c for _, _, c in named])
+
+    def _letters(self) -> dict[str, str]:
+        return {"G": "p_1 (alpha-1) tau at the local strength, less its value at the start",
+                "H": "phi in the same way", r"\sigma": "the slow time, by which G is inverted"}  # fmt: skip
+
+    def _formula(self) -> str:
         G = sum_latex(_row(self.G), (r"\delta",), r"\frac{1}{\delta}")
         H, g = sum_latex(_row(self.H), (r"\delta",)), sum_latex(_row(self.reversal), (r"\sigma",))
-        return rf"$G(\delta) = {G}, \quad H(\delta) = {H}, \quad \delta(\sigma) = {g}$"
+        return rf"G(\delta) = {G}, \quad H(\delta) = {H}, \quad \delta(\sigma) = {g}"
 
 
 def envelope_series(alpha: ExactReal, order: int, digits: int = 30) -> EnvelopeSeries:

@@ -18,13 +18,14 @@ from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.envelopes.validity import slow_amplitudes, slow_interval
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.policy import exact_number
+from asymptotics.present.shown import Page, Shown
 
 MAX_ETA = 1e9
 _SHOWN = 8
 
 
-@dataclass(frozen=True)
-class SlowPart:
+@dataclass(frozen=True, repr=False)
+class SlowPart(Shown):
     """``quantity`` "time" (s) or "amplitude" (m), from ``start`` to ``end``; both None where it is never slow.
 
     An amplitude from 0 on means down to rest; a time to infinity has ``end`` inf.
@@ -58,6 +59,15 @@ class SlowPart:
 
     def __str__(self) -> str:
         return self.told()
+
+    def _page(self) -> Page:
+        unit = "s" if self.quantity == "time" else "m"
+        ends = [(n, x) for n, x in (("from", self.start), ("to", self.end)) if x is not None]
+        rows = tuple((n, _text(x, _SHOWN), unit if x < inf else "") for n, x in ends)
+        return Page(self.told(f" {unit}"), (), (self.quantity, "value", "unit"), rows)
+
+    def _formula(self) -> str:
+        return rf"|dA/dt| \le \eta\,\omega_0 A,\quad \eta = {self.eta}"
 
 
 def slow_part(law: FirstOrderEnvelope, eta: Any) -> SlowPart:

@@ -8,34 +8,63 @@
 '-0.410719686061'
 """
 
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.api.units import law_of
-from asymptotics.errors import InputError, UndecidedError, require_flag
+from asymptotics.errors import InputError, require_flag
 from asymptotics.law import Law, Oscillator
-from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.motions.coulomb import exact_turning_points
+from asymptotics.numbers.context import ctx
+from asymptotics.numbers.decimals import BITS_PER_DIGIT, bits_for, decimal_of, decimal_of_ball
+from asymptotics.numbers.digits import ball_of, spread
 from asymptotics.numbers.exact import ExactReal, square_root
 from asymptotics.numbers.policy import exact_integer
+from asymptotics.numbers.precision import at_growing_precision
+from asymptotics.numbers.value import Coefficient, number_of
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page, Rows, Shown
+from asymptotics.public import public
 from asymptotics.turning import general
-from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, TurningPoints
+from asymptotics.turning.result import TurningPoints, draw_sizes
+from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START
 
-_GUARDS = (6, 20, 60)
+_LETTERS = {"x": "place of turning point n in m", "t": "its time in s since turning point 0"}
+_SPARE, _DOUBLINGS = 23, 3  # bits: six digits more, and four times as many at most
 
 
-@dataclass(frozen=True)
-class SwingPoint:
+@dataclass(frozen=True, repr=False)
+class SwingPoint(Shown):
     """The n-th turning point: x in m with its sign, t in s since n = 0 (None if not asked for)."""
 
     n: int
     x: str
     t: str | None
+    certified: bool = field(default=False, repr=False, compare=False)
+
+    def number(self, name: str = "x") -> Coefficient:
+        """``x`` or ``t`` as a number: mpf, interval, ball; InputError if it is not certified or not there."""
+        return number_of(self, name)
+
+    def _page(self) -> Page:
+        time = () if self.t is None else (("t", f"{self.t} s"),)
+        title = f"turning point {self.n}: x = {self.x} m" + ("" if self.t is None else f", t = {self.t} s")
+        worth = "certified: every digit is proved" if self.certified else "not certified"
+        return Page(title, (worth,), ("", "value"), (("x", f"{self.x} m"), *time))
+
+    def _formula(self) -> str:
+        time = "" if self.t is None else rf",\quad t_{{{self.n}}} = {self.t}\,\mathrm{{s}}"
+        return rf"x_{{{self.n}}} = {self.x}\,\mathrm{{m}}{time}"
+
+    def _letters(self) -> dict[str, str]:
+        return _LETTERS
 
 
 @dataclass(frozen=True, repr=False)
-class OscillatorTurningPoints:
+class OscillatorTurningPoints(Rows, Drawn):
     """Turning points in SI units; ``dimensionless`` is the result they come from, and says how they were obtained."""
 
     oscillator: Oscillator
@@ -71,26 +100,56 @@ class OscillatorTurningPoints:
         lines += [f"ended: {self.ended}"] if self.ended else []
         return "\n".join([*lines, f"certified: {str(self.certified).lower()} ({self.dimensionless.method})"])
 
-    def __repr__(self) -> str:
-        return f"OscillatorTurningPoints({len(self.points)} points of {self.oscillator}, {self.digits} digits)"
+    def _page(self) -> Page:
+        timed = any(p.t is not None for p in self.points)
+        rows = tuple((p.n, p.x, p.t) if timed else (p.n, p.x) for p in self.points)
+        known = "certified" if self.certified else "not certified"
+        worth = f"{known}, {self.digits} digits ({self.dimensionless.method})"
+        end = () if self.ended is None else (f"ended: {self.ended}",)
+        head = ("n", "x [m]", "t [s]") if timed else ("n", "x [m]")
+        return Page(f"{len(rows)} turning points of {self.oscillator}", (worth, *end, *self.notes), head, rows)
 
-    def _repr_latex_(self) -> str:
+    def _heading(self) -> str:
+        return f"turning points of {self.oscillator}"
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        draw_sizes(axes, self.points, "|x| (m)", style)
+
+    def _table(self) -> dict[str, list[Any]]:
+        proved = self.certified
+        columns = {"n": [p.n for p in self.points]} | spread("x [m]", [p.x for p in self.points], certified=proved)
+        timed = any(p.t is not None for p in self.points)
+        return columns | (spread("t [s]", [p.t for p in self.points], certified=proved) if timed else {})
+
+    def _letters(self) -> dict[str, str]:
+        return _LETTERS
+
+    def _formula(self) -> str:
         timed = any(p.t is not None for p in self.points)
         rows = r" \\ ".join(f"{p.n} & {p.x}" + ("" if p.t is None else f" & {p.t}") for p in self.points)
         head, columns = r"n & x_n/\mathrm{m}", "rl"
         if timed:
             head, columns = head + r" & t_n/\mathrm{s}", "rll"
-        return rf"$\begin{{array}}{{{columns}}} {head} \\ {rows} \end{{array}}$"
+        return rf"\begin{{array}}{{{columns}}} {head} \\ {rows} \end{{array}}"
 
 
+@public
 def turning_points(
-    law: Any, count: Any = 10, *, digits: Any = 30, start: Any = 0, times: bool = False
+    law: Any,
+    count: Any = 10,
+    *,
+    digits: Any = 30,
+    start: Any = 0,
+    times: bool = False,
+    route: str | None = None,
+    max_seconds: Any = 60,
 ) -> TurningPoints | OscillatorTurningPoints:
     """Turning points n = start ... start + count - 1, as far as they exist.
 
     A law or mapping (epsilons) starts at rest and is answered in units of x0 and tau; an oscillator in m and s, and
-    with v0 != 0 its n = 0 is the first turning point after the start, where t counts from.  InputError for anti-damping
-    and values out of range, LimitError with the estimate, UndecidedError.
+    with v0 != 0 its n = 0 is the first turning point after the start, where t counts from.  ``route``: the name
+    of a route to take instead of the cheapest one.  InputError for anti-damping, values out of range and a route that
+    does not serve, LimitError with the estimate, UndecidedError.
     """
     sizes = (
         exact_integer(count, "count", 1, MAX_COUNT),
@@ -99,50 +158,61 @@ def turning_points(
     )
     require_flag(times, "times")
     if not isinstance(law, Oscillator):
-        return _computed(law_of(law), *sizes, times)
-    for guard in _GUARDS:
-        found = _computed(law.dimensionless, sizes[0], sizes[1] + guard, sizes[2], times, **_kick(law))
-        points = _in_si(law, found, sizes[1])
-        if points is not None:
-            return OscillatorTurningPoints(law, sizes[1], points, found)
-    raise UndecidedError(f"{sizes[1]} digits in SI units: a value lies too near a tie between two decimals")
+        return _computed(law_of(law), *sizes, times, route=route)
+    count, digits, start = sizes
+    pure, kick = dimensionless(law)
+
+    def attempt(bits: int) -> OscillatorTurningPoints | None:
+        found = _computed(pure, count, int(bits / BITS_PER_DIGIT), start, times, route=route, **kick)
+        points = _in_si(law, found, digits)
+        return None if points is None else OscillatorTurningPoints(law, digits, points, found)
+
+    bits = bits_for(digits, _SPARE)
+    return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
 
 
-def _computed(law: Law, count: int, digits: int, start: int, times: bool, **kick: Any) -> TurningPoints:
-    return replace(general.turning_points(law, count, digits, start=start, times=times, **kick), notes=law.notes)
+def _computed(law: Law, count: int, digits: int, start: int, times: bool, **rest: Any) -> TurningPoints:
+    return replace(general.turning_points(law, count, digits, start=start, times=times, **rest), notes=law.notes)
 
 
-def _kick(oscillator: Oscillator) -> dict[str, ExactReal]:
-    """The start (X, X') in units of sqrt(x0^2 + m v0^2/k); nothing for a start at rest."""
+def dimensionless(oscillator: Oscillator) -> tuple[Law, dict[str, ExactReal]]:
+    """The law without units, and the start (X, X') in units of sqrt(x0^2 + m v0^2/k): nothing for one at rest."""
     x0, v0 = oscillator.x0, oscillator.v0
     if v0.is_zero:
-        return {}
+        return oscillator.dimensionless, {}
     try:
         ratio = oscillator.mass / oscillator.stiffness
         square = (x0 * x0 + ratio * v0 * v0).rational
-        return {"x0": x0 / square_root(square), "v0": v0 * square_root(ratio.rational / square)}
+        kick = {"x0": x0 / square_root(square), "v0": v0 * square_root(ratio.rational / square)}
     except ValueError:
         raise InputError("v0", "the unit of length is not a single root", "rational mass, stiffness, x0, v0") from None
+    return oscillator.dimensionless, kick
 
 
 def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[SwingPoint, ...] | None:
     """The points in m and s; None if the digits known do not decide the rounding."""
     with ctx.workprec(bits_for(found.digits, 64)):
         omega = oscillator.omega_0()
-        length = oscillator.x0.ball() if found.first is None else oscillator.length() * _ball(found.first["amplitude"])
-        points = []
+        length = (
+            oscillator.x0.ball() if found.first is None else oscillator.length() * ball_of(found.first["amplitude"])
+        )
+        points, exact = [], _exact_places(oscillator)
         for p in found.points:
-            exactly = p.n == 0  # the unit itself, with its sign
-            x = decimal_of_ball((arb(-1 if p.x.startswith("-") else 1) if exactly else _ball(p.x)) * length, digits)
-            t = None if p.tau is None else "0" if p.n == 0 else decimal_of_ball(_ball(p.tau) / omega, digits)
+            unit = arb(-1 if p.x.startswith("-") else 1)  # of point 0, with its sign
+            x = decimal_of(exact(p.n) or (unit if p.n == 0 else ball_of(p.x)) * length, digits)
+            t = None if p.tau is None else "0" if p.n == 0 else decimal_of_ball(ball_of(p.tau) / omega, digits)
             if x is None or (t is None and p.tau is not None):
                 return None
-            points.append(SwingPoint(p.n, x, t))
+            points.append(SwingPoint(p.n, x, t, found.certified))
     return tuple(points)
 
 
-def _ball(text: str) -> arb:
-    """What correctly rounded digits say: the decimal, half a unit of its last place to either side."""
-    mantissa, _, exponent = text.lower().partition("e")
-    unit = arb(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
-    return arb(text) + arb(0, (unit / 2).upper())
+def _exact_places(oscillator: Oscillator) -> Callable[[int], ExactReal | None]:
+    """n -> x_n in m where it is known exactly: all of them under dry friction alone, else the start at rest."""
+    acting = [t for t in oscillator.law.terms if not t.b.is_zero]
+    if oscillator.law.is_pure and len(acting) == 1 and acting[0].velocity.is_zero:
+        found = exact_turning_points(oscillator.with_law(Law.from_terms(acting)))
+        if found is not None:
+            return found
+    start = oscillator.x0 if oscillator.v0.is_zero else None
+    return lambda n: start if n == 0 else None

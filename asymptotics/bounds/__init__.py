@@ -2,10 +2,12 @@
 
 ================  ====================================================================================
 ``local``         one half-swing: the truncated equations against the motion, |error| <= C delta^m
+``half_swing``    the series of ln(A'/A) of one half-swing, cut after delta^N
 ``turning``       all turning points: how these errors add up, for every n
 ``orbit``         the same half-swing by half-swing, for alpha < 1 as well, as far as it holds
 ``flow``          the truncated equations over any number of half-swings at once, in balls
 ``late``          x at a late time, by the theorem for all turning points
+``reach``         until when |x - x_N| is proved below a size that is stated
 ``motion``        |x - x_N| at a given time, by an enclosure of x
 ================  ====================================================================================
 """

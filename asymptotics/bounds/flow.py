@@ -20,11 +20,12 @@ which is concave, and psi is then enclosed: with s_hat near the root,
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from flint import acb, arb, ctx
+from flint import acb, arb
 
 from asymptotics.bounds.local import LocalBounds
 from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import ctx
 from asymptotics.series import Series
 
 _EVALUATIONS_PER_BIT = 200
@@ -99,7 +100,7 @@ class TruncatedFlow:
             s = (s + step).mid()
             if abs(step) <= arb(2) ** (-ctx.prec // 2) * s:
                 return s
-        return s
+        raise UndecidedError("Newton's method along the truncated equations does not settle: raise the precision")
 
     def _deltas(self, s: acb | arb) -> tuple[acb | arb, ...]:
         return tuple(e * (-w * s).exp() for e, w in zip(self.epsilons, self.weights, strict=True))

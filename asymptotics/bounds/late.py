@@ -14,13 +14,14 @@ delta_M = O(1/M) the error is O(delta_M^K): a few hundred half-swings, and K = 5
 
 from collections.abc import Iterator
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.bounds.flow import TruncatedFlow
 from asymptotics.bounds.local import BITS
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping, size_of, upper
 from asymptotics.swing.dense import states_from
 from asymptotics.swing.panels import Panels

@@ -25,19 +25,20 @@ is chosen such that C is at most twice its largest term, wherever that is possib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from math import factorial, prod
 from typing import Any
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.finite_majorant import majorant, widest
 from asymptotics.half_swings.quarter import HalfSwing, half_swing
 from asymptotics.normal_form.flow import Flow, flow_of
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.decimals import directed_decimal
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.extremes import greatest
 from asymptotics.numbers.rationals import bounds
 from asymptotics.series import Key, Series
 
@@ -75,7 +76,7 @@ class Remainder:
 
     def largest_term(self, d: arb) -> arb:
         """The largest of the terms c_k d^(k-m) that are known."""
-        return max((c * d**k for k, c in enumerate(self.coefficients)), key=float)
+        return greatest(c * d**k for k, c in enumerate(self.coefficients))
 
     def __call__(self, d: arb) -> arb:
         """The bound itself at |delta| = d."""
@@ -184,14 +185,15 @@ def truncated_flow(full: Flow, order: int, last: int | None = None) -> Flow:
 
 def _sizes(f: Series, power: int) -> tuple[arb, ...]:
     """max_n |c_n|/multinomial(n) for the degrees |n| = power, …; lower degrees vanish, which is checked."""
-    rows: list[arb] = []
-    for degree, part in enumerate(f.parts):
-        if degree < power:
-            if any(not arb(c).contains(0) for _, c in part):
-                raise ArithmeticError(f"the expansion differs from the motion at degree {degree}: {part}")
-            continue
-        rows.append(max((arb((abs(c) / multinomial(n)).upper()) for n, c in part), key=float, default=arb(0)))
-    return tuple(rows)
+    for degree, part in enumerate(f.parts[:power]):
+        if any(not arb(c).contains(0) for _, c in part):
+            raise ArithmeticError(f"the expansion differs from the motion at degree {degree}: {part}")
+    return sizes_from(f, power)
+
+
+def sizes_from(f: Series, power: int) -> tuple[arb, ...]:
+    """max_n |c_n|/multinomial(n) for the degrees |n| >= power."""
+    return tuple(greatest(arb((abs(c) / multinomial(n)).upper()) for n, c in part) for part in f.parts[power:])
 
 
 def multinomial(n: Key) -> int:

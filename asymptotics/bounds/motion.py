@@ -18,7 +18,7 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.bounds.late import late_state
 from asymptotics.budget import DEFAULT_SECONDS, budget
@@ -26,6 +26,7 @@ from asymptotics.errors import LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import time_of
 from asymptotics.motions.reference import reference_states
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, directed_decimal
 from asymptotics.numbers.exact import ExactReal, parse_rational
 from asymptotics.numbers.policy import Number

@@ -29,13 +29,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import prod
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.bounds.local import BITS, LocalBounds, Remainder, local_bounds
 from asymptotics.bounds.turning import largest, sensitivity
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.extremes import greatest
 from asymptotics.series import Series
 
 
@@ -74,7 +76,7 @@ class _Steps:
             self.local, self.epsilons = local, epsilons
             self.map = local.flow.half_swing(arb.pi())
             self.weights = [a.ball() - 1 for a in local.alphas]
-            self.steepest = max((abs(w) for w in self.weights), key=float)
+            self.steepest = greatest(abs(w) for w in self.weights)
             self.B = sensitivity(local, local.limit)
             self.fastest = 1 + largest(local.flow.Omega.truncate(local.order), local.limit)
             if not sum(epsilons, arb(0)) <= local.limit:

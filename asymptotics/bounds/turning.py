@@ -34,11 +34,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.bounds.local import BITS, LocalBounds, local_bounds
 from asymptotics.errors import InputError, LimitError
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.extremes import greatest, least
 from asymptotics.series import Series
 
 
@@ -68,7 +70,7 @@ class TurningBounds:
             q = self.fading * (-self.slowest * plain).exp() / self.G
             a = self.local.amplitude.power
             ratio = self.widening * self.G / self.g * (1 + self.g * self.delta) / (1 / self.delta + self.G * n)
-            return min(plain, (self.start + self.C_A * ratio**q * self._sum(a - q, n)).upper(), key=float)
+            return plain.min((self.start + self.C_A * ratio**q * self._sum(a - q, n)).upper())
 
     def time(self, n: int | None) -> arb:
         """A bound of |tau_n - tau_hat_n|; None as in ``log_amplitude``."""
@@ -96,7 +98,7 @@ class TurningBounds:
             return plain
         late = arb(0) if n is None else (Y + self.g * (n - arb(1) / 2)) ** (1 - m)
         whole = ((Y - self.g / 2) ** (1 - m) - late) / ((m - 1) * self.g)
-        return min(plain, whole.upper(), key=float)
+        return plain.min(whole.upper())
 
 
 def turning_bounds(
@@ -109,11 +111,11 @@ def turning_bounds(
     InputError for an exponent below 1, where errors need not fade; LimitError above delta_max.
     """
     if any(a < 1 for a in alphas):
-        raise InputError("alpha", f"{min(alphas, key=_float)} is below 1", "exponents >= 1 for a bound at all times")
+        raise InputError("alpha", f"{min(alphas)} is below 1", "exponents >= 1 for a bound at all times")
     local = local_bounds(alphas, order, bits)
     with ctx.workprec(BITS):
         weights = [a.ball() - 1 for a in alphas]
-        slowest, fastest = min(weights, key=float), max(weights, key=float)
+        slowest, fastest = least(weights), greatest(weights)
         e = arb(0) if start is None else arb(start.upper())
         total, swell = sum(epsilons, arb(0)), (fastest * e).exp()
         delta = arb((total * swell).upper())
@@ -170,7 +172,3 @@ def _beyond(M: arb, rho: arb, order: int, delta: arb) -> arb:
 def largest(f: Series, delta: arb) -> arb:
     """A bound of |f| for |delta| <= ``delta``: each degree by its largest coefficient over the multinomial one."""
     return sum((abs(arb(c)) * delta ** sum(k) for k, c in f.coefficients.items()), arb(0))
-
-
-def _float(a: ExactReal) -> float:
-    return float(a.ball())

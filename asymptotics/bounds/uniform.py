@@ -29,7 +29,7 @@ from fractions import Fraction
 from itertools import takewhile
 from typing import Any
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.bounds.flow import TruncatedFlow
 from asymptotics.bounds.local import two_digits
@@ -37,10 +37,13 @@ from asymptotics.bounds.turning import rates
 from asymptotics.bounds.waveform import BITS, WaveformBounds, waveform_bounds
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import directed_decimal
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.extremes import least
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.numbers.rationals import bounds
+from asymptotics.present.shown import Page, Shown
 
 MAX_ORDER = 12
 _GRID, _PIECES = 100, 128
@@ -49,7 +52,7 @@ _COULOMB = Fraction(3, 10)
 
 
 @dataclass(frozen=True, repr=False)
-class UniformBound:
+class UniformBound(Shown):
     """|x - x_N| <= ``bound`` (m) and |x' - x_N'| <= ``velocity`` (m/s) for 0 <= t <= ``until`` (s; None: for ever)."""
 
     order: int
@@ -61,9 +64,12 @@ class UniformBound:
         """JSON-ready; decimals rounded to the safe side."""
         return {"order": self.order, "bound": self.bound, "velocity": self.velocity, "until": self.until}
 
-    def _repr_latex_(self) -> str:
+    def _page(self) -> Page:
+        return Page(repr(self), ("proved, rounded up; in m, m/s and s (no units where the law has none)",))
+
+    def _formula(self) -> str:
         n, end = self.order, r"t\ge0" if self.until is None else rf"0\le t\le {self.until}"
-        return rf"$|x-x_{{{n}}}|\le {self.bound},\ |\dot x-\dot x_{{{n}}}|\le {self.velocity},\quad {end}$"
+        return rf"|x-x_{{{n}}}|\le {self.bound},\ |\dot x-\dot x_{{{n}}}|\le {self.velocity},\quad {end}"
 
     def __repr__(self) -> str:
         n, end = self.order, "every t >= 0" if self.until is None else f"t <= {self.until}"
@@ -133,7 +139,7 @@ class _Theorem:
         for sizes in (self.waves.displacements, self.waves.velocities):
             printed = max(arb((u * self._omitted(sizes, x)).upper()) for u, _, x in pieces)
             energy = 1 + A * sum((z * largest**k for k, z in enumerate(sizes[: self.order])), arb(0))
-            both.append(arb(min(A * (at_start + left_over + printed), energy, key=float).upper()))
+            both.append(arb((A * (at_start + left_over + printed)).min(energy).upper()))
         return both[0], both[1], None if S is None else flow.time(S)
 
     def _fastest(self, deltas: Sequence[arb]) -> TruncatedFlow:
@@ -184,14 +190,14 @@ class _Theorem:
         """S: how far the motion may have come at the time ``until``, or where |delta| may leave the range."""
         if self.fades and until is not None:
             return flow.beyond(until)
-        S = arb(((self.limit / d).log() / -min(self.weights, key=float)).lower())
+        S = arb(((self.limit / d).log() / -least(self.weights)).lower())
         if until is None:
             return S
         end = flow.time(S)
         if not until <= end:
             reason = f"|delta| may leave the range of the theorem after {end.str(3, radius=False)}/omega_0"
             raise LimitError("until", reason, "an earlier time")
-        return min(S, flow.beyond(until), key=float)
+        return S.min(flow.beyond(until))
 
 
 @dataclass(frozen=True)
@@ -231,7 +237,7 @@ def displacement_bound(alphas: Sequence[ExactReal], order: int) -> Displacement 
 def _constant(waves: WaveformBounds, order: int, d: arb) -> arb:
     """sum_(k>N) r_k K d^(k-1-N)/(1 + w (k-1)) + xi_N + xi_(N+1) d; it grows with d."""
     low, _ = rates(waves.p, waves.Omega, d)
-    w, r, xi = min((a.ball() - 1 for a in waves.alphas), key=float), waves.residual, waves.displacements
+    w, r, xi = least(a.ball() - 1 for a in waves.alphas), waves.residual, waves.displacements
     last = r.power + len(r.coefficients)
     terms = (c * d**k / (1 + w * (order + k)) for k, c in enumerate(r.coefficients))
     beyond = r.beyond(d, last) / d**r.power / (1 + w * (last - 1))

@@ -27,11 +27,10 @@ real powers are analytic: |g^alpha| <= (1 + h)^alpha, and Z, U and W are bounded
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.bounds.local import NEXT, Remainder, multinomial
 from asymptotics.budget import tick
@@ -39,6 +38,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.normal_form.flow import Flow, flow_of
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series, accumulate, monomials
 

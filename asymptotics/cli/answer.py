@@ -9,6 +9,7 @@ from asymptotics import __version__
 from asymptotics.budget import DEFAULT_SECONDS
 from asymptotics.cli.shell import emit
 from asymptotics.errors import InputError
+from asymptotics.made_by import made_by
 from asymptotics.numbers.exact import parse_integer, parse_rational
 
 DEFAULT_DIGITS = 30
@@ -26,7 +27,8 @@ class Answer:
     def show(self, command: str) -> int:
         """Print the answer and return the exit code."""
         if self.as_json:
-            emit(json.dumps({"command": command, "version": __version__, **self.data}, indent=2, ensure_ascii=False))
+            data = {"command": command, "version": __version__, **self.data, "made_by": made_by()}
+            emit(json.dumps(data, indent=2, ensure_ascii=False))
         else:
             emit(self.text)
         return int(self.failed)

@@ -18,7 +18,6 @@ _FLAGS = ("latex", "json", "quiet")
 
 _FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to draw"
 _OBSERVED = "what is observed is the same in every gauge"
-_NO_CURVE = "a series is no curve; `motion` and `envelope` draw"
 _ONE_GAUGE = "U, V, W are in the turning-point gauge, L, F, T the same in all; `expand --gauge` has the others"
 _OWN_GRID = "the points are those of FILE"
 
@@ -28,20 +27,21 @@ MISSING: dict[str, dict[str, str]] = {
         "latex": "the rows are text; `--csv` writes them",
         "points": _OWN_GRID,
     },
+    "damping": {"gauge": _OBSERVED, "points": "`--amplitudes` says which"},
     "derive": {
         **dict.fromkeys(("csv", "digits", "plot", "points"), _FORMULAS),
         "gauge": "a derivation says itself which gauge it is in",
     },
     "envelope": {"gauge": "the first order is the same in every gauge; `--order` is in the turning-point gauge"},
     "expand": {"plot": "equations are no curve; `motion` and `envelope` draw", "points": "there is no curve"},
-    "half-swing": {"gauge": _ONE_GAUGE, "plot": _NO_CURVE, "points": "there is no curve"},
+    "half-swing": {"gauge": _ONE_GAUGE, "points": "there is no curve"},
     "identify": {
         "digits": "intervals carry as many digits as the data decide",
         "gauge": _OBSERVED,
         "latex": "the answer is a verdict in words; `--csv` has all candidate laws",
         "points": _OWN_GRID,
     },
-    "limit-cycle": {"gauge": _OBSERVED, "plot": _NO_CURVE, "points": "there is no curve"},
+    "limit-cycle": {"gauge": _OBSERVED, "points": "there is no curve"},
     "moment": {
         "csv": "it is one number; `table moments --csv` has many",
         "gauge": "an average has no gauge",
@@ -49,10 +49,7 @@ MISSING: dict[str, dict[str, str]] = {
         "points": "it is one number; `table moments --rows` has many",
     },
     "motion": {"latex": "the answer is numbers at one time; `expand --latex` has the equations"},
-    "multiple-scales": {
-        **dict.fromkeys(("csv", "digits", "plot", "points"), _FORMULAS),
-        "gauge": "the classical derivation is in the gauge no-first-harmonic; `expand --gauge` has all three",
-    },
+    "multiple-scales": dict.fromkeys(("csv", "plot", "points"), _FORMULAS),
     "papers": {
         **dict.fromkeys(("csv", "plot", "points"), "statements are text; `--json` has them all"),
         "digits": "each statement says how many digits its check has",
@@ -63,6 +60,11 @@ MISSING: dict[str, dict[str, str]] = {
         "plot": "coefficients are no curve",
         "points": "there is no curve",
     },
+    "solution": {"gauge": "the solution is in the turning-point gauge: A is the turning amplitude"},
+    "stokes": {
+        "gauge": "the constants are the same in every gauge",
+        "points": "`--count` says how many",
+    },
     "sweep": {
         **dict.fromkeys(("csv", "latex", "plot"), "`--export FILE.csv`, .json or .parquet writes the points"),
         "digits": "it is an option of COMMAND, and stands behind it",
@@ -71,7 +73,6 @@ MISSING: dict[str, dict[str, str]] = {
     },
     "table": {
         "gauge": "a table says in its title which gauge it is in",
-        "plot": "a table is no curve; `--csv` writes it for any program that draws",
         "points": "`--rows` says how many",
     },
     "turning-points": {"gauge": _OBSERVED, "points": "`--count` says how many"},

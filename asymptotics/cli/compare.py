@@ -15,11 +15,11 @@ import argparse
 from pathlib import Path
 
 from asymptotics.cli.answer import Answer, add_json, add_max_seconds
-from asymptotics.cli.files import add_csv, read_files, write_files
+from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces
 from asymptotics.cli.quantities import PHYSICAL, add_physical, add_start, read_oscillator
 from asymptotics.cli.table import table_inputs
-from asymptotics.comparison.picture import picture_of
+from asymptotics.comparison.order import told_order
 from asymptotics.comparison.run import MAX_DIGITS, Comparison, Row, compare_file
 from asymptotics.comparison.tabled import compare_table
 from asymptotics.errors import InputError
@@ -38,7 +38,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--table", metavar="NAME", help="compare with this table instead (asymptotics table --list)")
     parser.add_argument("--columns", metavar="LIST", help="n,x,tau or n=index,x=pos: which column is what")
     parser.add_argument("--digits", metavar="D", help="digits of the certified values (default: four more than yours)")
-    parser.add_argument("--plot", metavar="FILE", help="digits lost against time: .svg or .png")
+    add_plot(parser, "digits lost against time")
     add_csv(parser, "all rows")
     add_max_seconds(parser)
     add_json(parser)
@@ -50,7 +50,7 @@ def run(options: argparse.Namespace) -> Answer:
     require_different({"FILE": Path(options.file), **files})
     digits = None if options.digits is None else parse_integer(options.digits, "--digits", 1, MAX_DIGITS)
     found, equation = _compared(options, digits)
-    write_files(files, {"--plot": lambda kind: picture_of(found, kind), "--csv": lambda _: found.to_csv()})
+    write_files(files, {"--plot": picture_maker(options, lambda: [found]), "--csv": lambda _: found.to_csv()})
     beside = "law" if options.table is None else "table"
     return Answer({beside: equation, **found.to_dict()}, _text(found, equation), options.json)
 
@@ -86,6 +86,7 @@ def _text(found: Comparison, equation: str) -> str:
         f"right digits: worst {summary['worst_digits']} (line {summary['worst_line']}), "
         f"median {summary['median_digits']}, best {summary['best_digits']}; "
         f"{summary['all_right']} of {summary['values']} values are right in every digit written",
+        *([order] if (order := told_order(summary.get("order", {}))) else []),
         f"the errors look like {look['kind']}: {look['reason']}",
         *([summary["ended"]] if "ended" in summary else []),
         f"certified: {str(found.certified).lower()} ({found.method})",

@@ -24,9 +24,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command; a step that fails is a failed check."""
     if find_spec("derivations") is None:
-        raise InputError(
-            "NAME", "the derivations are not part of the installed package", "a checkout of the repository"
-        )
+        raise InputError("NAME", "the derivations are not installed", "all of a wheel: pip install . in a clone")
     names = import_module("derivations.__main__").names()
     if options.name is None:
         return Answer({"derivations": names}, "\n".join(names), options.json)

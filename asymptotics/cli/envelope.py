@@ -13,8 +13,11 @@ Units are SI when --damping, --mass or --stiffness is given; otherwise there are
 """
 
 import argparse
+from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
+import mpmath
 import numpy as np
 import sympy
 
@@ -23,13 +26,15 @@ from asymptotics.api.slow import MAX_DIGITS, Envelope, envelope
 from asymptotics.api.slow_series import MAX_ORDER, EnvelopeSeries
 from asymptotics.api.slowness import SlowPart
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
-from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
-from asymptotics.cli.quantities import Given, add_oscillator, read_oscillator
-from asymptotics.envelopes.symbolic import MEAN, SQUARING
+from asymptotics.cli.files import Makers, add_files, csv_text, picture_maker, read_files, read_points, write_files
+from asymptotics.cli.quantities import OVERLAY, Given, add_oscillator, overlaid, read_oscillator
+from asymptotics.envelopes.slow_time import epsilon
+from asymptotics.envelopes.symbolic import MEAN, SQUARING, tau
 from asymptotics.errors import InputError
+from asymptotics.law import Oscillator
 from asymptotics.motions.certify import time_of
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
-from asymptotics.present.figures import render
 
 Curve = Envelope | SpringEnvelope
 
@@ -39,11 +44,13 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_oscillator(parser, springs=True)
     parser.add_argument("--time", metavar="T", help="the time in s (or tau) at which A and phi are wanted")
     parser.add_argument("--slow", metavar="ETA", help="tell where |dA/dt| <= ETA omega_0 A, in doubles")
-    text = "one law: tau, phi and delta as series through order N, formal (see the docs on the command line)"
+    text = "one law from rest: A and phi of order N, explicit in the slow time, and their series in delta; formal"
     parser.add_argument("--order", metavar="N", help=text)
     parser.add_argument("--squaring", action="store_true", help="average by the squaring trick of Lelas 2024")
     parser.add_argument("--latex", action="store_true", help="print the formula as LaTeX")
-    add_files(parser, "A(t) and x = A cos(omega_0 t + phi) from 0 to T", "t, amplitude, phase from 0 to T")
+    add_files(
+        parser, "A(t) and x = A cos(omega_0 t + phi) from 0 to T", "t, amplitude, phase from 0 to T", overlay=OVERLAY
+    )
     add_digits(parser, MAX_DIGITS)
     add_max_seconds(parser)
     add_json(parser)
@@ -57,21 +64,30 @@ def run(options: argparse.Namespace) -> Answer:
     if files and (time is None or not time > 0):
         raise InputError("--time", "there is no stretch of time to draw", "a time > 0 with --plot or --csv")
     found = envelope(given.oscillator, averaging=SQUARING if options.squaring else MEAN)
-    if options.latex and found.formula is None:
+    found = replace(found, si=given.si)
+    if options.latex and found.formula is None and options.order is None:
         raise InputError("--latex", "no elementary form is known for this law", "the command without --latex")
     data = _data(found, time, digits)
     slow = None if options.slow is None else _slow(found, options.slow)
     series = None if options.order is None else _series(found, options.order, digits)
+    if series is not None:
+        data |= _of_order(series, given, time, digits)
     data |= {"slow": None if slow is None else slow.to_dict(), "series": None if series is None else series.to_dict()}
+    more: dict[str, Any] = {} if series is None else {"order": series.order}
+
+    def again(oscillator: Oscillator) -> Curve:
+        """The same for another law."""
+        return replace(envelope(oscillator, averaging=found.averaging), si=given.si)
+
     makers: Makers = {
-        "--plot": lambda kind: _picture(found, given, time, kind),
-        "--csv": lambda _: _table(found, given, time, options),
+        "--plot": picture_maker(options, lambda: overlaid(options, found, given, again), until=time, **more),
+        "--csv": lambda _: _table(found, given, time, options, series),
     }
     data |= {"units": "SI" if given.si else None, "files": write_files(files, makers), "notes": list(found.notes)}
-    text = str(data["latex"]) if options.latex else _text(data, given)
-    if slow is not None:
+    text = str(data["latex"]) if options.latex else _text(data, given, series)
+    if slow is not None and not options.latex:
         text += "\n" + slow.told(given.unit("s" if slow.quantity == "time" else "m"))
-    if series is not None:
+    if series is not None and not options.latex:
         text += f"\n{series}"
     return Answer(data, text, options.json)
 
@@ -83,7 +99,42 @@ def _series(found: Curve, order: str, digits: int) -> EnvelopeSeries:
         raise InputError("--order", "it is not known beside a spring", "one law alone")
     if found.averaging == SQUARING:
         raise InputError("--order", "the squaring trick has no higher orders", "the command without --squaring")
+    if not found.oscillator.v0.is_zero:
+        raise InputError("--order", "it starts at rest", "the command without --v0; other starts: motion --order N")
     return found.series(number, digits=digits)
+
+
+def _of_order(series: EnvelopeSeries, given: Given, time: ExactReal | None, digits: int) -> dict[str, Any]:
+    """The formulas of that order, and A and phi at the time, in the place of the first order's."""
+    oscillator, (amplitude, phase) = given.oscillator, series.explicit
+    data: dict[str, Any] = {
+        "order": series.order,
+        "family": "power",
+        "formula": str(amplitude),
+        "latex": rf"\frac{{A}}{{A(0)}} = {sympy.latex(amplitude)},\quad \phi = {sympy.latex(phase)}",
+        "time_formula": None,
+        **dict.fromkeys(_ENDS),
+        "phase_formula": str(phase),
+        "extinction": None,
+        "certified": False,
+    }
+    if time is not None:
+        with ctx.workprec(4 * digits + 128):
+            values = {tau: (time.ball() * oscillator.omega_0()).mid(), epsilon: oscillator.epsilons()[0].mid()}
+            numbers = {s: sympy.Float(v.str(digits + 30, radius=False), digits + 30) for s, v in values.items()}
+            length = sympy.Float(oscillator.length().mid().str(digits + 30, radius=False), digits + 30)
+        _require_before_extinction(series, numbers)
+        for name, form in (("amplitude", length * amplitude.subs(numbers)), ("phase", phase.subs(numbers))):
+            value = sympy.N(form, digits + 10)
+            data[name] = mpmath.nstr(mpmath.mpf(value), digits, strip_zeros=False) if value else "0"
+    return data
+
+
+def _require_before_extinction(series: EnvelopeSeries, numbers: dict[sympy.Symbol, sympy.Float]) -> None:
+    if series.alpha < 1:
+        end = series.extinction_time(ExactReal(Fraction(str(numbers[epsilon]))))
+        if not float(numbers[tau]) < end:
+            raise InputError("--time", f"the averaged amplitude is extinct from tau = {end:.6g} on", "an earlier time")
 
 
 def _slow(found: Curve, eta: str) -> SlowPart:
@@ -137,7 +188,7 @@ def _phase(found: Curve, time: ExactReal, digits: int) -> str | None:
     return None if found.amplitude(time, digits=2) == "0" else found.phase(time, digits=digits)
 
 
-def _text(data: dict[str, Any], given: Given) -> str:
+def _text(data: dict[str, Any], given: Given, series: EnvelopeSeries | None) -> str:
     head = "A/A(0) has no elementary form" if data["formula"] is None else f"A/A(0) = {data['formula']}"
     if data["period"] is not None:
         head = "A/A(0) by 2F1, exact in the spring"
@@ -147,33 +198,18 @@ def _text(data: dict[str, Any], given: Given) -> str:
     lines += [f"kappa_{i}    {kappa}" for i, kappa in enumerate(data["kappas"], start=1)]
     units = {"period": "s", "extinction": "s", "time": "s", "amplitude": "m", "phase": "rad"}
     lines += [f"{name:10} {data[name]}{given.unit(unit)}" for name, unit in units.items() if data[name] is not None]
-    return "\n".join([*lines, "certified: true (for the averaged law)", *data["notes"], *data["files"]])
+    claim = "certified: true (for the averaged law)"
+    if series is not None:
+        epsilon = given.oscillator.dimensionless.terms[0].strength
+        lines.append(f"epsilon    {epsilon}")
+        claim = f"certified: false (order {series.order}, explicit in the slow time, error O(epsilon**{series.order}))"
+    return "\n".join([*lines, claim, *data["notes"], *data["files"]])
 
 
-def _table(found: Curve, given: Given, time: ExactReal | None, options: argparse.Namespace) -> str:
-    t, A, phi = _columns(found, time, read_points(options))
-    head = "t [s],amplitude [m],phase [rad]" if given.si else "tau,amplitude,phase"
-    return "\n".join([head, *(",".join(repr(float(c)) for c in row) for row in zip(t, A, phi))]) + "\n"
-
-
-def _columns(found: Curve, time: ExactReal | None, points: int) -> tuple[Any, Any, Any]:
-    """Times, amplitudes and phases in doubles; NaN for a phase that is not known."""
-    t = np.linspace(0.0, float((time or ExactReal(0)).ball().mid()), points + 1)
-    return t, found.amplitudes(t), found.phases(t)
-
-
-def _picture(found: Curve, given: Given, time: ExactReal | None, kind: str) -> bytes:
-    t, A, phi = _columns(found, time, 2000)
-    psi = t * float(given.oscillator.omega_0().mid()) + np.nan_to_num(phi)
-    bent = isinstance(found, SpringEnvelope)
-    x, label = (found.sample(t).x, "x") if bent else (A * np.cos(psi), r"$A\,\cos(\omega_0 t + \varphi)$")
-
-    def draw(axes: Any) -> None:
-        axes.plot(t, x, linewidth=0.9, label=label)
-        for sign in (1, -1):
-            axes.plot(t, sign * A, color="#c2410c", label="envelope" if sign > 0 else None)
-        axes.set_xlabel(given.time_label)
-        axes.set_ylabel(f"x{given.label('m')}")
-        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2)
-
-    return render(draw, kind=kind)
+def _table(
+    found: Curve, given: Given, time: ExactReal | None, options: argparse.Namespace, series: EnvelopeSeries | None
+) -> str:
+    times = np.linspace(0.0, float((time or ExactReal(0)).ball().mid()), read_points(options) + 1)
+    t, A, phi = found.columns(times, order=None if series is None else series.order)
+    head = ("t [s]", "amplitude [m]", "phase [rad]") if given.si else ("tau", "amplitude", "phase")
+    return csv_text(head, ([repr(float(c)) for c in row] for row in zip(t, A, phi)))

@@ -10,6 +10,8 @@
   asymptotics expand --alpha symbolic --order 4 --latex
   asymptotics expand --alpha symbolic --spring 3 --order 2
 
+--best-order D says for one law where to stop at delta = D, and what is left, in half-swings.
+
 --bound adds what the O() holds, proved: on each half-swing ln(A'/A) and the time differ from those of the truncated
 equations by at most amplitude delta^amplitude_power and frequency delta^frequency_power, for delta (of a sum: the sum
 of all delta_i) up to delta_max.
@@ -42,7 +44,7 @@ from asymptotics.normal_form.closed_forms import (
     symbolic_with_spring,
 )
 from asymptotics.normal_form.results import Row, row_to_dict
-from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.exact import parse_integer, parse_real
 
 MAX_DIGITS, MAX_ORDER = 1000, 200
 MAX_BOUND_ORDER = 12
@@ -58,6 +60,10 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--gauge", default=TURNING_POINT, metavar="G", help=text)
     parser.add_argument("--exact", action="store_true", help="demand exact coefficients (integer exponents)")
     parser.add_argument("--latex", action="store_true", help="print the expansion as LaTeX")
+    text = (
+        "for one law at delta = D: the best order and the smallest error, predicted, measured, with exponentials added"
+    )
+    parser.add_argument("--best-order", metavar="D", help=text)
     text = "what the O() holds, proved: constants and the largest delta (turning-point gauge, powers of the velocity)"
     parser.add_argument("--bound", action="store_true", help=text)
     add_max_seconds(parser)
@@ -79,6 +85,8 @@ def run(options: argparse.Namespace) -> Answer:
         if options.law or options.exact:
             other = "--law" if options.law else "--exact"
             raise InputError(other, "cannot be combined with --alpha symbolic", "one law, in closed form")
+        if options.best_order is not None:
+            raise InputError("--best-order", "it needs a number", "an exponent instead of --alpha symbolic")
         if options.bound:
             raise InputError("--bound", "a bound needs a number", "an exponent instead of --alpha symbolic")
         for name in ("epsilon", *PHYSICAL):
@@ -99,6 +107,9 @@ def run(options: argparse.Namespace) -> Answer:
     data["files"] = write_files(files, {"--csv": lambda _: _table(found)})
     text = found.latex(digits) if options.latex else _text(found, given, options)
     text = "\n".join([text, *data["files"]])
+    if options.best_order is not None:
+        best = found.best_order(parse_real(options.best_order, "--best-order"), max_seconds=seconds)
+        data["best_order"], text = best.to_dict(), "\n".join([text, str(best)])
     if options.bound:
         proved = _bound(given, order, options.gauge)
         data["bound"], lines = proved.to_dict(), [text, str(proved)]

@@ -11,22 +11,55 @@ import csv
 import io
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
+from typing import Any
 
 from asymptotics.errors import InputError
-from asymptotics.numbers.exact import parse_integer
+from asymptotics.made_by import mark
+from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.present.drawn import Drawn, pictured
+from asymptotics.present.figures import DPI, MAX_DPI, MIN_DPI, SIZE
 from asymptotics.present.files import require_different, target_file, write_all
 
-PICTURES = (".png", ".svg")
+PICTURES = (".svg", ".png", ".pdf")
 MAX_POINTS, DEFAULT_POINTS = 100_000, 1000
 Makers = dict[str, Callable[[str], str | bytes]]
 
 
-def add_files(parser: argparse.ArgumentParser, what: str, columns: str = "") -> None:
+def add_files(parser: argparse.ArgumentParser, what: str, columns: str = "", *, overlay: str = "") -> None:
     """The options --plot, --csv and --points, of a curve."""
-    parser.add_argument("--plot", metavar="FILE", help=f"{what}: PNG or SVG")
+    add_plot(parser, what, overlay=overlay)
     add_csv(parser, columns or what)
     text = f"the table has POINTS + 1 rows (1 to {MAX_POINTS}; default {DEFAULT_POINTS})"
     parser.add_argument("--points", metavar="POINTS", help=text)
+
+
+def add_plot(parser: argparse.ArgumentParser, what: str, *, overlay: str = "") -> None:
+    """The options --plot, --size and --dpi; ``overlay``: what --overlay adds to the picture."""
+    parser.add_argument("--plot", metavar="FILE", help=f"{what}: SVG, PNG or PDF")
+    wide, high = SIZE
+    parser.add_argument("--size", metavar="WxH", help=f"the size of the picture in inches (default {wide:g}x{high:g})")
+    parser.add_argument("--dpi", metavar="DPI", help=f"its resolution, for PNG (default {DPI})")
+    if overlay:
+        parser.add_argument("--overlay", metavar="LAW", action="append", help=overlay)
+
+
+def picture_maker(
+    options: argparse.Namespace, results: Callable[[], Sequence[Drawn]], size: tuple[float, float] = SIZE, **style: Any
+) -> Callable[[str], bytes]:
+    """What makes the file of --plot: the ``plot`` of the results, on the same axes."""
+    if options.plot is None and (options.size is not None or options.dpi is not None):
+        raise InputError("--dpi" if options.size is None else "--size", "there is no picture", "--plot FILE with it")
+    sides = size if options.size is None else _sides(options.size)
+    dots = DPI if options.dpi is None else parse_integer(options.dpi, "--dpi", MIN_DPI, MAX_DPI)
+    return lambda kind: pictured(results(), kind, size=sides, dpi=dots, **style)
+
+
+def _sides(text: str) -> tuple[float, float]:
+    sides = text.lower().split("x")
+    if len(sides) != 2:
+        raise InputError("--size", f"{text[:40]!r} is no size", "two numbers of inches, such as 8x5")
+    wide, high = (float(parse_real(side, "--size").ball().mid()) for side in sides)
+    return wide, high
 
 
 def add_csv(parser: argparse.ArgumentParser, columns: str) -> None:
@@ -35,13 +68,13 @@ def add_csv(parser: argparse.ArgumentParser, columns: str) -> None:
 
 
 def csv_text(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    """CSV with a header that carries the units.
+    """CSV with a header that carries the units; the last column says what code made it.
 
-    >>> csv_text(["n", "x [m]"], [(0, "0.2"), (1, None)])
-    'n,x [m]\\n0,0.2\\n1,\\n'
+    >>> csv_text(["n", "x [m]"], [(0, "0.2"), (1, None)]).replace(mark(), "sha256:...")
+    'n,x [m],code\\n0,0.2,sha256:...\\n1,,sha256:...\\n'
     """
-    stream = io.StringIO()
-    csv.writer(stream, lineterminator="\n").writerows([header, *rows])
+    stream, made = io.StringIO(), mark()
+    csv.writer(stream, lineterminator="\n").writerows([[*header, "code"], *([*row, made] for row in rows)])
     return stream.getvalue()
 
 

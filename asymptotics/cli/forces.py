@@ -109,7 +109,7 @@ def _require_few(count: int) -> None:
 def _losses(options: argparse.Namespace, strength: str, *, needed: bool, negative: bool) -> list[Term]:
     value = getattr(options, strength)
     letter = "B" if strength == "damping" else "E"
-    forms = f"either --alpha and --{strength}, or --law A:{letter} once for each term"
+    forms = f"either --alpha A and --{strength} {letter}, or --law A:{letter} once for each term"
     if options.law:
         if options.alpha is not None:
             raise InputError("--alpha", "cannot be combined with --law", forms)

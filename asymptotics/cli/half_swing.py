@@ -22,7 +22,7 @@ import sympy
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER
-from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.cli.rows import (
     deltas_latex,
@@ -51,6 +51,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     text = "the number at this local strength instead of the series; a sum: D_1,D_2,... laws, then springs"
     parser.add_argument("--delta", metavar="D", help=text)
     parser.add_argument("--latex", action="store_true", help="print the series, or the numbers, as LaTeX")
+    add_plot(parser, "A'/A against the local strength")
     add_csv(parser, "the coefficients, or the numbers: name, powers, digits, exact form")
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
@@ -79,7 +80,8 @@ def run(options: argparse.Namespace) -> Answer:
     data = {"alpha": given.shown, "terms": given.to_list(), **found.to_dict(), "notes": list(given.notes)}
     data["delta"] = [{"name": name, "force": force, "value": value} for name, force, value in deltas]
     latex = rows_latex({_index(name, given): row for name, row in names}, deltas_latex(given), digits)
-    written = write_files(files, {"--csv": lambda _: rows_csv(dict(names))})
+    makers: Makers = {"--csv": lambda _: rows_csv(dict(names)), "--plot": picture_maker(options, lambda: [found])}
+    written = write_files(files, makers)
     data |= told(options, latex, written)
     return Answer(data, "\n".join([latex] if options.latex else [*lines, *given.notes, *written]), options.json)
 
@@ -115,6 +117,8 @@ def _at(options: argparse.Namespace, given: GivenTerms, files: dict[str, Path]) 
         raise InputError("--exact", "cannot be combined with --delta", "--delta alone: certified digits")
     if options.epsilon is not None:
         raise InputError("--epsilon", "cannot be combined with --delta", "--delta alone: the local strength")
+    if options.plot is not None:
+        raise InputError("--plot", "one half-swing is no curve", "--plot without --delta: A'/A against delta")
     delta = [parse_real(text, "--delta") for text in options.delta.split(",")]
     found = half_swing_of_terms(given.terms, delta, read_digits(options, MAX_DIGITS))
     names = {"A'/A": "amplitude", "L": "log_ratio", "T": "duration"}

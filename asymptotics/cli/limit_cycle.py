@@ -11,20 +11,21 @@ frequency and multiplier, certified by interval Newton.
   asymptotics limit-cycle --law 1:1 --law 1,2:-5 --law 1,4:1 --near 4  the outer of two cycles
 
 The laws must be polynomials in x and x': M even, A odd, and their strengths rational for the series.  Springs x^P x'^Q
-(P odd, Q even) are not multiplied by mu; beside them there is no series, and --mu is needed.  |mu| is at most 3:
-relaxation oscillations are left out.
+(P odd, Q even) are not multiplied by mu; beside them there is no series, and --mu is needed.  |mu| is at most 10:
+stronger relaxation oscillations are left out.
 """
 
 import argparse
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
-from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
+from asymptotics.cli.files import add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.rows import row_text, rows_csv, rows_latex, told
 from asymptotics.errors import InputError
 from asymptotics.limit_cycles.result import LimitCycle, limit_cycle
 from asymptotics.limit_cycles.series import MAX_ORDER
 from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.numbers.policy import exact_double
 
 MAX_DIGITS = 200
 
@@ -36,6 +37,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--mu", metavar="M", help="a number: the cycle there as well, certified")
     parser.add_argument("--near", metavar="A", help="the amplitude of the cycle that is meant, if there are several")
     parser.add_argument("--latex", action="store_true", help="print the series, or the numbers, as LaTeX")
+    add_plot(parser, "amplitude and frequency against mu")
     add_csv(parser, "the coefficients; beside springs the numbers at mu")
     add_digits(parser, MAX_DIGITS)
     add_max_seconds(parser)
@@ -49,12 +51,12 @@ def run(options: argparse.Namespace) -> Answer:
     order = parse_integer(options.order, "--order", 0, MAX_ORDER)
     digits = read_digits(options, MAX_DIGITS)
     mu = None if options.mu is None else parse_real(options.mu, "--mu")
-    near = None if options.near is None else float(parse_real(options.near, "--near").ball())
+    near = None if options.near is None else exact_double(options.near, "--near")
     if near is not None and not near > 0:
         raise InputError("--near", f"{options.near[:40]} is not positive", "an amplitude > 0")
     found = limit_cycle(law, order, digits, mu, near)
     latex = _latex(found, digits)
-    written = write_files(files, {"--csv": lambda _: _table(found)})
+    written = write_files(files, {"--csv": lambda _: _table(found), "--plot": picture_maker(options, lambda: [found])})
     data = {**found.to_dict(), **told(options, latex, written)}
     return Answer(data, latex if options.latex else "\n".join([_text(found), *written]), options.json)
 

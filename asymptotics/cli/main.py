@@ -2,22 +2,26 @@
 
 A command module has ``configure(parser)``, which declares the options (all as text; reading numbers is the command's
 own business, so that every error names its argument), and ``run(options)``, which returns an ``Answer``.  Exit codes: 0
-for an answer, 1 for a failed check or an undecided computation, 2 for a bad value.
+for an answer, 1 for a failed check or an undecided computation, 2 for a bad value, 70 for a fault of the program.
 """
 
 import argparse
 import re
 import sys
+from difflib import get_close_matches
 from importlib import import_module
 from typing import Any, NoReturn
 
 from asymptotics.cli.common import add_missing
+from asymptotics.cli.gate import typed, words
+from asymptotics.cli.groups import group_options, lacking
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import MAX_ACCEPTED, InputError, UndecidedError, printable
 
 COMMANDS = {
     "compare": "your own values beside certified ones: right digits, and what the errors look like",
-    "derive": "the derivations, each displayed step asserted (in a checkout)",
+    "damping": "zeta, Q, decrement, energy loss, c_eq and half-life of a law at amplitudes",
+    "derive": "the derivations, each displayed step asserted",
     "envelope": "the first-order envelope and phase: formula, certified numbers, curve",
     "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
     "half-swing": "the map from one turning point to the next, its duration and its flow, as series",
@@ -27,20 +31,31 @@ COMMANDS = {
     "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
     "multiple-scales": "the classical derivation, order by order, in text or LaTeX",
     "papers": "the statements of the three papers with their verdicts: list, look up, search",
+    "solution": "A(t), phi(t), x(t) of any order as functions: formulas, LaTeX, numbers, curve",
     "smith": "Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly",
+    "stokes": "why the series diverge: the Stokes constants of the half-swing, certified",
     "sweep": "any of these commands at many points, resumable, from one core to a cluster",
     "table": "reference tables with provenance",
     "turning-points": "turning points and times, to any number of certified digits",
 }
-_NEGATIVE_VALUE = re.compile(r"-(\d|\.\d|sqrt|inf|nan)", re.IGNORECASE)
 
 
 class Parser(argparse.ArgumentParser):
     """An argument parser whose errors are one line."""
 
     def error(self, message: str) -> NoReturn:
-        """Print one line that says what is wrong, and where help is; exit code 2."""
+        """Print one line that says what is wrong, what was perhaps meant, and where help is; exit code 2."""
+        message = lacking(self, message) + self._meant(message)
         self.exit(2, f"{self.prog}: {printable(message, MAX_ACCEPTED)} (see {self.prog} --help)\n")
+
+    def _meant(self, message: str) -> str:
+        """The option that an unknown one resembles."""
+        unknown = re.match(r"unrecognized arguments: (--[a-z0-9-]+)", message)
+        known = [
+            option for action in self._actions if action.help != argparse.SUPPRESS for option in action.option_strings
+        ]
+        near = get_close_matches(unknown[1], known, n=1) if unknown else []
+        return f"; did you mean {near[0]}?" if near else ""
 
     def _print_message(self, message: str, file: Any = None) -> None:
         """Help and version are answers too: argparse itself would lose them on a full disk without a word."""
@@ -56,6 +71,19 @@ class _Version(argparse.Action):
         parser.exit()
 
 
+class _Completion(argparse.Action):
+    """The script that a shell reads to complete our words."""
+
+    def __call__(self, parser: argparse.ArgumentParser, namespace: Any, value: Any, *rest: Any) -> NoReturn:
+        """Print it and leave."""
+        try:
+            text = import_module("asymptotics.cli.completion").script(str(value), COMMANDS)
+        except InputError as error:
+            parser.error(str(error))
+        parser._print_message(text, sys.stdout)
+        parser.exit()
+
+
 def main(argv: list[str] | None = None) -> int:
     """Run one command; returns the exit code."""
     return run_guarded("asymptotics", lambda: run(argv))
@@ -63,24 +91,47 @@ def main(argv: list[str] | None = None) -> int:
 
 def run(argv: list[str] | None = None) -> int:
     """The same without the shell that answers interrupts and lost output; argparse leaves it by SystemExit."""
-    arguments = _join_negative_values(list(sys.argv[1:] if argv is None else argv))
     top = Parser(prog="asymptotics", description=_description(), allow_abbrev=False, formatter_class=_Raw)
     top.add_argument("--version", action=_Version, nargs=0, help="the version; warns of a package of the same name")
+    top.add_argument("--completion", action=_Completion, metavar="SHELL", help="a script for bash, zsh or fish")
     top.add_argument("command", choices=COMMANDS, metavar="COMMAND", help="one of the commands above")
-    name = top.parse_args(arguments[:1]).command
+    try:
+        arguments = words(sys.argv[1:] if argv is None else argv)
+    except InputError as error:
+        top.error(str(error))
+    if not arguments:
+        top.print_help(sys.stdout)
+        return 0
+    _require_known(top, arguments[0])
+    name = top.parse_args(arguments[: 2 if arguments[0] == "--completion" else 1]).command
     module = import_module("asymptotics.cli." + name.replace("-", "_"))  # only this command's libraries are loaded
     parser = Parser(prog=f"asymptotics {name}", description=module.__doc__, allow_abbrev=False, formatter_class=_Raw)
     module.configure(parser)
     add_missing(parser, name)
+    group_options(parser)
     options = parser.parse_args(arguments[1:])
     try:
+        typed(options)
         return int(_answer(module, options).show(name))
     except InputError as error:
         complain(f"asymptotics {name}: {as_option(error, options)}")
         return 2
+    except ValueError as error:
+        if "integer string conversion" not in str(error):
+            raise
+        complain(f"asymptotics {name}: the answer has an integer of more than {sys.get_int_max_str_digits()} digits "
+                 "(accepted: a lower order, smaller exponents, simpler fractions)")  # fmt: skip
+        return 2
     except UndecidedError as error:
         complain(f"asymptotics {name}: undecided: {printable(str(error), MAX_ACCEPTED)}")
         return 1
+
+
+def _require_known(top: Parser, name: str) -> None:
+    """A word that is no command is answered with the command that was perhaps meant."""
+    if not name.startswith("-") and name not in COMMANDS:
+        near = get_close_matches(name.lower(), COMMANDS, n=2)
+        top.error(f"argument COMMAND: no command {name!r}" + (f"; did you mean {' or '.join(near)}?" if near else ""))
 
 
 def _answer(module: Any, options: argparse.Namespace) -> Any:
@@ -126,17 +177,6 @@ def _description() -> str:
 
 class _Raw(argparse.RawDescriptionHelpFormatter):
     """Descriptions keep their line breaks."""
-
-
-def _join_negative_values(arguments: list[str]) -> list[str]:
-    """``--epsilon -1/2`` -> ``--epsilon=-1/2``: argparse would take the value for an option."""
-    joined: list[str] = []
-    for argument in arguments:
-        if joined and re.fullmatch(r"--[a-z][a-z0-9-]*", joined[-1]) and _NEGATIVE_VALUE.match(argument):
-            joined[-1] += "=" + argument
-        else:
-            joined.append(argument)
-    return joined
 
 
 if __name__ == "__main__":

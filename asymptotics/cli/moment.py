@@ -23,6 +23,6 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     p = parse_real(options.p, "--p")
     found = moment(p, digits=read_digits(options, MAX_DIGITS))
-    latex = rf"M_{{{p}}} = {found._repr_latex_().strip('$')}"
+    latex = rf"M_{{{p}}} = {found._formula()}"
     data = {"p": str(p), "value": found.value, "exact": found.exact, **({"latex": latex} if options.latex else {})}
     return Answer(data, latex if options.latex else f"M_{p} = {found.value} = {found.exact}", options.json)

@@ -14,18 +14,23 @@ for every t >= 0 (exponents below 1: up to that time), for powers of the velocit
 every digit proved, whatever the law and the start; closed forms where there are any, and for alpha = 1 a note whether
 the motion is under-, critically or overdamped.
 
+--best-order D says for one law where to stop at the local strength delta = D, and what is left, in half-swings.
+
 --spring P:C adds C x|x|^(P-1) (C in N/m^P), pendulum has K sin x in place of K x (rad).
 """
 
 import argparse
 from typing import Any
 
+from asymptotics.api.motions import Motion, Reference
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
-from asymptotics.cli.files import Makers, add_files, read_files, read_points, write_files
-from asymptotics.cli.motion_files import csv_of, picture_of, picture_of_reference
-from asymptotics.cli.quantities import Given, add_oscillator, read_oscillator
+from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, read_points, write_files
+from asymptotics.cli.motion_files import csv_of, reference_is_near
+from asymptotics.cli.quantities import OVERLAY, Given, add_oscillator, overlaid, read_oscillator
+from asymptotics.divergence.truncation import BestOrder
+from asymptotics.equations.build import expand
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.gauges import GAUGES, TURNING_POINT
 from asymptotics.law import Oscillator
@@ -45,10 +50,17 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--bound", action="store_true", help="with an order: a proved bound of the error of x at that time"
     )
+    text = "for one law at the local strength D: the best order and the smallest error, in half-swings"
+    parser.add_argument("--best-order", metavar="D", help=text)
     parser.add_argument("--reference", action="store_true", help="exact or high-precision motion instead")
     parser.add_argument("--gauge", metavar="G", help=f"one of {', '.join(GAUGES)} (default: the first)")
     parser.add_argument("--static", metavar="F", help="--reference, alpha = 0: static friction force in N, >= b")
-    add_files(parser, "waveform, envelope and error curve from 0 to T", "t, x, v, amplitude, phase from 0 to T")
+    add_files(
+        parser,
+        "waveform, envelope and error curve from 0 to T",
+        "t, x, v, amplitude, phase from 0 to T",
+        overlay=OVERLAY,
+    )
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS, "30 with --reference, else what the error leaves")
     add_json(parser)
@@ -70,7 +82,9 @@ def run(options: argparse.Namespace) -> Answer:
             raise InputError("--x0", "with x0 = 0 and v0 = 0 nothing moves: nothing to draw", "a start that moves")
         if options.static is not None:
             reference_motion(oscillator, 0, static=options.static)
-        return _answer(_rest(options.reference, order, gauge), options, given, [], "0" if options.bound else None)
+        best = _best_order(oscillator, options, seconds)
+        point = _rest(options.reference, order, gauge)
+        return _answer(point, options, given, [], "0" if options.bound else None, best=best)
     if files and not time > 0:
         raise InputError("--time", "0 leaves nothing to draw or to tabulate", "a time > 0 with --plot or --csv")
     if options.reference:
@@ -81,8 +95,16 @@ def run(options: argparse.Namespace) -> Answer:
             point = point.rounded_to_error()
     proved = proved_bound(oscillator, point.x, time, max_seconds=seconds) if options.bound else None
     always = _uniform(oscillator, point, time) if options.bound else None
+    best = _best_order(oscillator, options, seconds)
     written = write_files(files, _makers(given, time, options, order, gauge))
-    return _answer(point, options, given, written, proved, always)
+    return _answer(point, options, given, written, proved, always, best)
+
+
+def _best_order(oscillator: Oscillator, options: argparse.Namespace, seconds: float) -> BestOrder | None:
+    """Where the expansion of this law is best stopped, if that is asked for."""
+    if options.best_order is None:
+        return None
+    return expand(oscillator, order=1).best_order(parse_real(options.best_order, "--best-order"), max_seconds=seconds)
 
 
 def _uniform(oscillator: Oscillator, point: MotionPoint, time: ExactReal) -> UniformBound | None:
@@ -111,6 +133,8 @@ def _order_and_gauge(options: argparse.Namespace, digits: int) -> tuple[int, str
         raise InputError("--reference", "it has neither order nor gauge", "--reference alone, or --order and --gauge")
     if options.reference and options.bound:
         raise InputError("--bound", "the reference motion is certified by itself", "--bound with --order N")
+    if options.reference and options.best_order is not None:
+        raise InputError("--best-order", "the reference motion has no order", "--best-order with --order N")
     if options.static is not None and not options.reference:
         raise InputError("--static", "the expansion knows no static friction", "--static with --reference")
     if not options.reference and digits > MAX_ASYMPTOTIC_DIGITS:
@@ -129,17 +153,24 @@ def _rest(reference: bool, order: int, gauge: str) -> MotionPoint:
 def _makers(given: Given, time: ExactReal, options: argparse.Namespace, order: int, gauge: str) -> Makers:
     shown, points = None if options.reference else order, read_points(options)
 
-    def picture(kind: str) -> bytes:
+    def again(oscillator: Oscillator) -> Motion | Reference:
+        """The same for another law."""
         if options.reference:
-            return picture_of_reference(given, time, kind, options.static)
-        return picture_of(given, time, order, gauge, kind)
+            return Reference(oscillator, options.static, si=given.si)
+        return Motion(oscillator, order, gauge, si=given.si)
 
+    alone = options.overlay is None
+    more = "velocity" if options.reference else "errors"
+    shows = alone and (options.reference or reference_is_near(given.oscillator, time))
+    first = again(given.oscillator)
+    style = {"until": time, **({more: True} if shows else {})}
+    picture = picture_maker(options, lambda: overlaid(options, first, given, again), (6.4, 5.2), **style)
     return {"--plot": picture, "--csv": lambda _: csv_of(given, time, shown, gauge, options.static, points)}
 
 
 def _answer(
     point: MotionPoint, options: argparse.Namespace, given: Given, written: list[str], proved: str | None = None,
-    always: UniformBound | None = None,
+    always: UniformBound | None = None, best: BestOrder | None = None,
 ) -> Answer:  # fmt: skip
     data: dict[str, Any] = {**point.to_dict(), "units": "SI" if given.si else None, "files": written}
     if proved is not None:
@@ -148,6 +179,9 @@ def _answer(
     lines = [f"{name:9}  {data[name]}{given.unit(unit)}" for name, unit in units.items() if data[name] is not None]
     lines += [f"bound      {proved}{given.unit('m')} (proved: |x - x_N| is at most this)"] if proved is not None else []
     lines += [f"proved for x_N before rounding: {always}"] if always is not None else []
+    if best is not None:
+        data["best_order"] = best.to_dict()
+        lines.append(str(best))
     order = "" if point.order is None or options.reference else f", order {point.order}, gauge {point.gauge}"
     certified = f"certified: {str(point.certified).lower()}"
     lines += [f"{certified} ({point.method}{order})", *point.notes, *written]

@@ -1,10 +1,10 @@
-"""The files of the command ``motion``: a table of the motion, and a picture of it with its envelope and its error.
+"""The files of the command ``motion``: a table of the motion; what can be drawn.
 
 >>> from asymptotics.law import Law
 >>> from fractions import Fraction
 >>> drag = Given(Oscillator(Law({"3/2": "1/10"})), si=True)
 >>> csv_of(drag, ExactReal(Fraction(1)), 3, "turning-point").splitlines()[:2]
-['t [s],x [m],v [m/s],amplitude [m],phase [rad]', '0.0,1.0,-0.0,1.0,0.0']
+['t [s],x [m],v [m/s],amplitude [m],phase [rad],code', '0.0,1.0,-0.0,1.0,0.0,sha256:...']
 """
 
 from dataclasses import replace
@@ -12,7 +12,6 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from flint import ctx
 
 from asymptotics.cli.quantities import Given
 from asymptotics.costs import require_affordable
@@ -20,10 +19,10 @@ from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.motions.result import MotionSamples
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.present.figures import render
 
-_ROWS, _REFERENCE_ROWS, _REFERENCE_DIGITS = 1000, 240, 14
+_ROWS, _REFERENCE_DIGITS = 1000, 14
 _MAX_SECONDS = 60.0
 
 
@@ -43,51 +42,9 @@ def csv_of(
     return replace(found, si=given.si).to_csv()
 
 
-def picture_of(given: Given, time: ExactReal, order: int, gauge: str, kind: str) -> bytes:
-    """x(t) with +-A(t) above, |x_N - x_reference| below (left out without a reference in reach)."""
-    oscillator = given.oscillator
-    motion = AsymptoticMotion.of(oscillator, order, gauge)
-    dense = motion.sample(np.linspace(0.0, _float(time), 4 * _ROWS + 1))
-    error = None
-    known = oscillator.law.is_pure and estimated_seconds(oscillator, time, _REFERENCE_DIGITS) < _MAX_SECONDS
-    if known and time > 0:
-        t, x, _ = _reference(oscillator, time, _REFERENCE_ROWS)
-        error = t, np.abs(motion.sample(t).x - x)
-
-    def draw(axes: Any) -> None:
-        figure = axes.figure
-        axes.remove()
-        panels = figure.subplots(1 if error is None else 2, 1, sharex=True, squeeze=False)[:, 0]
-        upper, bottom = panels[0], panels[-1]
-        upper.plot(dense.t, dense.x, label=f"x, order {order}")
-        for sign in (1, -1):
-            label = "envelope" if sign > 0 else None
-            upper.plot(dense.t, sign * dense.amplitude, color="#c2410c", linewidth=1.0, label=label)
-        upper.set_ylabel(f"x{given.label('m')}")
-        upper.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2)
-        if error is not None:
-            bottom.semilogy(error[0][1:], np.maximum(error[1][1:], 1e-17), color="#15803d")
-            bottom.set_ylabel(f"|x - reference|{given.label('m')}")
-        bottom.set_xlabel(given.time_label)
-
-    return render(draw, size=(6.4, 5.2), kind=kind)
-
-
-def picture_of_reference(given: Given, time: ExactReal, kind: str, static: str | None) -> bytes:
-    """x(t) and v(t) of the reference motion."""
-    t, x, v = _reference(given.oscillator, time, _ROWS, static)
-
-    def draw(axes: Any) -> None:
-        figure = axes.figure
-        axes.remove()
-        upper, lower = figure.subplots(2, 1, sharex=True)
-        upper.plot(t, x)
-        upper.set_ylabel(f"x{given.label('m')}")
-        lower.plot(t, v, color="#15803d")
-        lower.set_ylabel(f"v{given.label('m/s')}")
-        lower.set_xlabel(given.time_label)
-
-    return render(draw, size=(6.4, 5.2), kind=kind)
+def reference_is_near(oscillator: Oscillator, time: ExactReal) -> bool:
+    """Whether the reference, and so the error of an expansion, can be drawn in reasonable time."""
+    return oscillator.law.is_pure and estimated_seconds(oscillator, time, _REFERENCE_DIGITS) < _MAX_SECONDS
 
 
 def _reference(oscillator: Oscillator, time: ExactReal, rows: int, static: str | None = None) -> tuple[Any, Any, Any]:

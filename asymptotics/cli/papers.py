@@ -4,7 +4,7 @@ asymptotics papers                           how many statements have which verd
 asymptotics papers smith2012                 all statements of one paper
 asymptotics papers smith2012:43              one statement: printed form, verdict, evidence, what is true instead
 asymptotics papers 43  |  papers Lambert     by number, or by words in text and formulas
-asymptotics papers smith2012:43 --check      run its check again (in a checkout)
+asymptotics papers smith2012:43 --check      run its check again
 """
 
 import argparse
@@ -26,7 +26,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("query", nargs="*", metavar="WHAT", help="a paper, an id, a number, or words")
     parser.add_argument("--verdict", choices=VERDICTS, help="only statements with this verdict")
     parser.add_argument("--latex", action="store_true", help="print the formulas alone, as LaTeX")
-    parser.add_argument("--check", action="store_true", help="run the checks again (in a checkout)")
+    parser.add_argument("--check", action="store_true", help="run the checks again")
     add_json(parser)
 
 
@@ -72,7 +72,7 @@ def _listed(chosen: tuple[PaperStatement, ...]) -> str:
 
 def _in_full(s: PaperStatement) -> str:
     rows = [
-        ("as printed", s.latex),
+        ("in our words" if s.paraphrase else "as printed", s.latex),
         ("verdict", f"{s.printed} ({s.kind}; {s.evidence}{', ' + s.extent if s.extent else ''})"),
         ("what is true", s.corrected),
         ("conditions", s.conditions),
@@ -81,7 +81,9 @@ def _in_full(s: PaperStatement) -> str:
         ("near miss", s.near_miss and f"refuted by the same check: {s.near_miss}"),
         ("order", s.order),
         ("digits", s.digits),
-        ("derivation", s.derivation and f"asymptotics derive {s.derivation}"),
+        ("partly", s.shortfall),
+        ("slip", s.slip),
+        (f"line {s.line} of" if s.line else "derivation", s.derivation and f"asymptotics derive {s.derivation}"),
         ("source", s.source),
     ]
     lines = [f"{s.id}: {s.title}"]
@@ -93,7 +95,7 @@ def _in_full(s: PaperStatement) -> str:
 
 def _checked(chosen: tuple[PaperStatement, ...], data: dict[str, object], as_json: bool) -> Answer:
     if find_spec("paper_checks") is None:
-        raise InputError("--check", "the checks are not part of the installed package", "a checkout of the repository")
+        raise InputError("--check", "the checks are not installed", "all of a wheel: pip install . in a clone")
     registry, runner = import_module("paper_checks.registry"), import_module("paper_checks.runner")
     results = runner.examine_all([registry.load(s.paper)[s.id] for s in chosen])
     outcomes = {r.statement.id: {name: str(outcome) for name, outcome in r.outcomes.items()} for r in results}

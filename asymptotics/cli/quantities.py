@@ -6,14 +6,17 @@ equation is X'' + X + sum_i E_i X'|X'|^(A_i-1) = 0 as it is typed, and starts at
 """
 
 import argparse
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.errors import InputError
-from asymptotics.law import Oscillator
+from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.present.drawn import Drawn
 
+OVERLAY = "with --plot: another law in the same picture, A:B or A:B+A:B; repeat it"
 PHYSICAL = ("damping", "mass", "stiffness")
 QUANTITIES = {
     "mass": ("M", "1", "the mass in kg"),
@@ -89,10 +92,24 @@ def read_oscillator(
     if named and si and (options.damping is not None or not epsilon_beside_units):
         other = next(name for name in PHYSICAL if getattr(options, name) is not None)
         raise InputError("--epsilon", f"it has no units, and --{other} has", "--epsilon alone, or --damping instead")
+    if options.alpha is not None and not (named or si or options.law):
+        raise InputError("--epsilon", "is missing", "--epsilon E, without units; or --damping B in N (s/m)^alpha")
     law = read_law(options, "epsilon" if named else "damping" if si else strength)
     numbers: dict[str, Any] = {name: parse_real(getattr(options, name), f"--{name}") for name in given}
     oscillator = Oscillator(law, **numbers)
     return Given(_with_epsilon(oscillator) if named and si else oscillator, si)
+
+
+def overlaid(
+    options: argparse.Namespace, found: Drawn, given: Given, again: Callable[[Oscillator], Drawn]
+) -> list[Drawn]:
+    """What --plot draws: the answer, and the same for each law of --overlay (terms joined by +), start and springs."""
+    results = [found]
+    for text in options.overlay or []:
+        terms = argparse.Namespace(alpha=None, epsilon=None, damping=None, spring=None, law=text.split("+"))
+        law = Law.from_terms([*read_law(terms, "epsilon").losses, *given.oscillator.law.springs])
+        results.append(again(given.oscillator.with_law(law)))
+    return results
 
 
 def _with_epsilon(unit: Oscillator) -> Oscillator:

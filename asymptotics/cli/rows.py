@@ -7,7 +7,7 @@ r"""Rows of coefficients as the command line shows them: lines of text, lines of
 >>> rows_latex({"L": row}, (r"\delta",))
 'L = \\frac{1}{2} \\delta - \\frac{1}{3} \\delta^{3}'
 >>> rows_csv({"L": row})
-'series,k,value,exact\nL,1,0.50000,1/2\nL,3,-0.33333,-1/3\n'
+'series,k,value,exact,code\nL,1,0.50000,1/2,sha256:...\nL,3,-0.33333,-1/3,sha256:...\n'
 """
 
 import argparse

@@ -6,6 +6,8 @@ stdout closed, ``| head``     silence: who closes the output does not want it
 ``> /dev/full``, a full disk  one line on stderr, exit code 2
 a letter that the terminal's
 encoding does not have        its escape, never a UnicodeEncodeError
+memory that is not there      one line on stderr, exit code 2
+a fault of the program        two lines that say how to report it, exit code 70
 ============================  ==========================================================
 
 >>> run_guarded("program", lambda: 1)
@@ -15,12 +17,20 @@ encoding does not have        its escape, never a UnicodeEncodeError
 import os
 import signal
 import sys
+import traceback
 from collections.abc import Callable
 from contextlib import suppress
 from types import FrameType
 from typing import Any, NoReturn
 
+from asymptotics.cli.memory import NO_MEMORY, in_child, is_little
+from asymptotics.errors import MAX_ACCEPTED, MAX_REASON, printable
+
 _USUAL: dict[int, Any] = {signal.SIGINT: signal.default_int_handler, signal.SIGTERM: signal.SIG_DFL}
+
+
+REFUSED, FAULT = 2, 70  # the second as EX_SOFTWARE of sysexits
+TRACEBACK = "ASYMPTOTICS_TRACEBACK"
 
 
 class OutputError(Exception):
@@ -67,6 +77,12 @@ class Interrupts:
 
 def run_guarded(name: str, body: Callable[[], int]) -> int:
     """Run ``body`` and return its exit code; interrupts and lost output as in the table of the module."""
+    if is_little():
+        return _guarded(name, lambda: in_child(lambda: _guarded(name, body), complain, name, REFUSED))
+    return _guarded(name, body)
+
+
+def _guarded(name: str, body: Callable[[], int]) -> int:
     interrupts = Interrupts()
     interrupts.install()
     try:
@@ -77,7 +93,7 @@ def run_guarded(name: str, body: Callable[[], int]) -> int:
         return _finished(name, body)
     except BaseException as error:
         if not interrupts.seen and not isinstance(error, KeyboardInterrupt):
-            raise
+            return _last_resort(name, error)
         complain(f"{name}: interrupted; no file was left half-written")
         _drop_output()
         return 128 + (interrupts.seen or signal.SIGINT)
@@ -100,6 +116,23 @@ def _finished(name: str, body: Callable[[], int]) -> int:
         complain(f"{name}: cannot write the answer: {error.reason}")
         return 2
     return code
+
+
+def _last_resort(name: str, error: BaseException) -> int:
+    """What nobody foresaw: never exit code 1, which means undecided, and never a traceback that was not asked for."""
+    if not isinstance(error, Exception):
+        raise error
+    _drop_output()
+    if isinstance(error, MemoryError):
+        complain(f"{name}: {NO_MEMORY}")
+        return REFUSED
+    if TRACEBACK in os.environ:
+        traceback.print_exception(error)
+    told = printable(f"{type(error).__name__}: {error}", MAX_REASON)
+    line = printable(" ".join(map(repr, sys.argv[1:])), MAX_ACCEPTED)
+    complain(f"{name}: a fault of the program, not of its input: {told}")
+    complain(f"{name}: please report these lines and `{name} --version`: arguments {line}; {TRACEBACK}=1 shows where")
+    return FAULT
 
 
 def emit(text: str) -> None:

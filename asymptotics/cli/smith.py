@@ -32,7 +32,10 @@ MAX_SECONDS, MAX_BYTES = 120, 1 << 30
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument(
-        "what", choices=("f", "c", "g", "r"), help="polynomial, coefficient, generating function or radii"
+        "what",
+        metavar="WHAT",
+        choices=("f", "c", "g", "r"),
+        help="f polynomial, c coefficient, g generating function, r radii",
     )
     parser.add_argument("--n", metavar="N", help=f"1 to {MAX_ROW} for f, 1 to {MAX_N} for c")
     parser.add_argument("--i", metavar="I", help=f"0 to n-1 for c, 0 to {MAX_G} for g")

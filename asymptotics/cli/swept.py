@@ -13,13 +13,14 @@ from functools import lru_cache
 from importlib import import_module
 from typing import Any, NoReturn
 
-from asymptotics.budget import budget
 from asymptotics.cli.answer import read_max_seconds
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.numbers.context import alone
 from asymptotics.numbers.exact import parse_real
+from asymptotics.public import limited
 from asymptotics.sweeps.grid import Point, values
 
-SWEPT = ("turning-points", "half-swing", "expand", "moment", "motion", "smith", "envelope", "limit-cycle")
+SWEPT = ("turning-points", "half-swing", "expand", "moment", "motion", "smith", "envelope", "limit-cycle", "stokes")
 EXCLUDED = ("json", "plot", "csv", "latex", "points", "save", "report", "quiet", "list", "store", "export")
 _WORD = re.compile(r"[a-z][a-z0-9-]{0,39}\Z")
 _FORMAL = ("expand", "half-swing")  # they need no strengths
@@ -122,7 +123,7 @@ def typed_options(command: str, point: Point) -> argparse.Namespace:
 def run_point(command: str, point: Point) -> dict[str, Any]:
     """One run of the command: its JSON, without what every command adds.  This is the task of a sweep."""
     options = typed_options(command, point)
-    with budget(read_max_seconds(options)):
+    with limited(read_max_seconds(options)), alone:
         answer = _command(command)[0].run(options)
     if answer.failed:
         raise UndecidedError("the command's own check failed")

@@ -12,7 +12,7 @@ zero), up (away from zero), floor, ceil, interval (both ends).  Every file carri
 import argparse
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
-from asymptotics.cli.files import add_csv
+from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import read_law
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
@@ -37,6 +37,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--rounding", default="nearest", metavar="MODE", help=", ".join(MODES))
     parser.add_argument("--format", metavar="FORMAT", help=f"{', '.join(FORMATS)} (default: the first)")
     parser.add_argument("--latex", action="store_true", help="as --format latex")
+    add_plot(parser, "its columns of numbers against its key")
     add_csv(parser, "the table with its provenance (as --format csv --output FILE)")
     parser.add_argument("--output", metavar="FILE", help="write it to a file, with its provenance")
     add_digits(parser, MAX_DIGITS)
@@ -58,9 +59,12 @@ def run(options: argparse.Namespace) -> Answer:
         raise InputError("--format", "parquet is not text", "--output FILE with it")
     target = None if options.output is None else target_file(options.output, "--csv" if options.csv else "--output")
     inputs = table_inputs(options.alpha, options.epsilon, options.law, options.rows)
+    drawn = read_files(argparse.Namespace(plot=options.plot))
     table = build(options.name, read_digits(options, MAX_DIGITS), inputs, options.rounding)
+    pictures = write_files(drawn, {"--plot": picture_maker(options, lambda: [table])})
     if target is None:
-        return Answer(table.to_dict(), _printed(table, options.format), options.json)
+        text = "\n".join([_printed(table, options.format), *pictures])
+        return Answer(table.to_dict(), text, options.json)
     write_atomically(target, _content(table, options.format), "--output")
     return Answer({**table.to_dict(), "output": str(target)}, f"written: {target}", options.json)
 

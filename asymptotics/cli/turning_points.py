@@ -3,6 +3,7 @@
   asymptotics turning-points --alpha 2 --epsilon 1 --count 6 --digits 60 --times
   asymptotics turning-points --alpha 2 --epsilon 1/3 --count 1 --start 1000000000 --digits 50
   asymptotics turning-points --law 0:1/20 --law 3/2:1/10 --count 10
+  asymptotics turning-points --law 0:1/50 --law 2:1/10 --count 30 --digits 300 --route help
   asymptotics turning-points --law 2:1/10 --spring pendulum --x0 2.967 --count 10
   asymptotics turning-points --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --count 10 --times
 
@@ -16,24 +17,26 @@ With --x0 the motion starts at X(0) = x0 (beside a spring: inside the well) and 
 units in which the strengths are given, rad for a pendulum, and point 0 is x0 itself.
 A header above the points says so, and `x_unit` in JSON: "x0", "m", "rad" or "strengths".  With --v0 point 0 is 1, and
 its amplitude is told below.
+
+The cheapest route is taken; --route NAME takes another one, and --route help lists them with what each would cost.
 """
 
 import argparse
 from dataclasses import replace
 from typing import Any
 
-from asymptotics.api.swings import OscillatorTurningPoints
+from asymptotics.api.swings import OscillatorTurningPoints, dimensionless
 from asymptotics.api.swings import turning_points as in_si
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
-from asymptotics.cli.files import Makers, add_csv, csv_text, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.quantities import add_physical, add_start, is_physical, read_oscillator
 from asymptotics.errors import LimitError
 from asymptotics.law import PENDULUM, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
-from asymptotics.present.figures import render
-from asymptotics.turning.general import turning_points
-from asymptotics.turning.quadratic import MAX_COUNT, MAX_DIGITS, MAX_START, TurningPoint, TurningPoints
+from asymptotics.turning.general import offers, turning_points
+from asymptotics.turning.result import TurningPoints
+from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START, Request
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -44,8 +47,9 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--start", default="0", metavar="N", help="the first point (default 0)")
     parser.add_argument("--times", action="store_true", help="the times as well")
     add_start(parser)
+    parser.add_argument("--route", metavar="NAME", help="the route to take instead of the cheapest; help lists them")
     parser.add_argument("--latex", action="store_true", help="print the table as LaTeX")
-    parser.add_argument("--plot", metavar="FILE", help="|x_n| against n: PNG or SVG")
+    add_plot(parser, "|x_n| against n")
     add_csv(parser, "n, x and the times")
     add_max_seconds(parser)
     add_digits(parser, MAX_DIGITS)
@@ -58,6 +62,8 @@ def run(options: argparse.Namespace) -> Answer:
     count = parse_integer(options.count, "--count", 1, MAX_COUNT)
     start = parse_integer(options.start, "--start", 0, MAX_START)
     digits = read_digits(options, MAX_DIGITS)
+    if options.route == "help":
+        return _routes(options, count, digits, start)
     try:
         result = _computed(options, count, digits, start)
     except LimitError as error:
@@ -66,9 +72,9 @@ def run(options: argparse.Namespace) -> Answer:
         raise
     data, si = result.to_dict(), isinstance(result, OscillatorTurningPoints)
     unit = _unit(options)
-    makers: Makers = {"--csv": lambda _: _table(result, unit), "--plot": lambda kind: _picture(result, kind)}
+    makers: Makers = {"--csv": lambda _: _table(result, unit), "--plot": picture_maker(options, lambda: [result])}
     data |= {"units": "SI" if si else None, "x_unit": unit, "files": write_files(files, makers)}
-    text = result._repr_latex_().strip("$") if options.latex else str(result) if si else _text(result, unit)
+    text = result._formula() if options.latex else str(result) if si else _text(result, unit)
     return Answer(data, "\n".join([text, *data["files"]]), options.json)
 
 
@@ -76,13 +82,37 @@ def _computed(
     options: argparse.Namespace, count: int, digits: int, start: int
 ) -> TurningPoints | OscillatorTurningPoints:
     if is_physical(options):
-        return in_si(read_oscillator(options).oscillator, count, digits=digits, start=start, times=options.times)
+        return in_si(
+            read_oscillator(options).oscillator,
+            count,
+            digits=digits,
+            start=start,
+            times=options.times,
+            route=options.route,
+        )
     law = read_law(options, "epsilon")
     x0, v0 = _start(options)
     if law.is_pure and v0.is_zero and x0 != 1:
-        return _undivided(Oscillator(law, x0=x0), count, digits, start, options.times)
+        return _undivided(Oscillator(law, x0=x0), count, digits, start, options)
     seconds = read_max_seconds(options)
-    return turning_points(law, count, digits, start=start, times=options.times, x0=x0, v0=v0, max_seconds=seconds)
+    chosen: dict[str, Any] = {"times": options.times, "route": options.route, "max_seconds": seconds}
+    return turning_points(law, count, digits, start=start, x0=x0, v0=v0, **chosen)
+
+
+def _routes(options: argparse.Namespace, count: int, digits: int, start: int) -> Answer:
+    """All routes, and what each would cost for this request; none is taken."""
+    if is_physical(options):
+        law, kick = dimensionless(read_oscillator(options).oscillator)
+    else:
+        (x0, v0), law = _start(options), read_law(options, "epsilon")
+        kick = {} if law.is_pure and v0.is_zero else {"x0": x0, "v0": v0}
+    offered = offers(Request.read(law, count, digits, start=start, times=options.times, **kick))
+    rows = [(r.name, "no" if s is None else f"{s:.2g}", r.domain, r.way) for r, s in offered]
+    head = ("route", "seconds", "serves", "by")
+    widths = [max(map(len, column)) for column in zip(head, *rows)]
+    lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in (head, *rows)]
+    routes = [dict(zip(("name", "seconds", "serves", "by"), row)) for row in rows]
+    return Answer({"routes": routes}, "\n".join(lines), options.json)
 
 
 def _start(options: argparse.Namespace) -> tuple[ExactReal, ExactReal]:
@@ -92,11 +122,14 @@ def _start(options: argparse.Namespace) -> tuple[ExactReal, ExactReal]:
     return x0, v0
 
 
-def _undivided(oscillator: Oscillator, count: int, digits: int, start: int, times: bool) -> TurningPoints:
+def _undivided(
+    oscillator: Oscillator, count: int, digits: int, start: int, options: argparse.Namespace
+) -> TurningPoints:
     """From rest at another place than 1, m = k = 1: as in SI, but nothing has a unit."""
-    found = in_si(oscillator, count, digits=digits, start=start, times=times)
+    rest = {"times": options.times, "route": options.route}
+    found = in_si(oscillator, count, digits=digits, start=start, **rest)
     assert isinstance(found, OscillatorTurningPoints)
-    points = tuple(TurningPoint(p.n, p.x, p.t) for p in found.points)
+    points = tuple(replace(q, x=p.x, tau=p.t) for p, q in zip(found.points, found.dimensionless.points, strict=True))
     strengths = ",".join(str(t.strength) for t in oscillator.law.terms)
     return replace(found.dimensionless, epsilon=strengths, digits=digits, points=points)
 
@@ -139,18 +172,6 @@ def _table(result: TurningPoints | OscillatorTurningPoints, unit: str) -> str:
     if isinstance(result, OscillatorTurningPoints):
         return csv_text(["n", "x [m]", "t [s]"], [(p.n, p.x, p.t) for p in result.points])
     return csv_text(["n", _HEADS[unit] or "x", "tau"], [(p.n, p.x, p.tau) for p in result.points])
-
-
-def _picture(result: TurningPoints | OscillatorTurningPoints, kind: str) -> bytes:
-    def draw(axes: Any) -> None:
-        sizes = [abs(float(p.x)) for p in result.points]
-        axes.plot([p.n for p in result.points], sizes, "o-", linewidth=0.8, markersize=4)
-        if all(sizes):
-            axes.set_yscale("log")
-        axes.set_xlabel("turning point n")
-        axes.set_ylabel("|x| (m)" if isinstance(result, OscillatorTurningPoints) else "|x|")
-
-    return render(draw, kind=kind)
 
 
 _WORDS = {"sticks": "sticks there", "creeps": "creeps from there on", "overdamped": "is overdamped"}

@@ -1,4 +1,4 @@
-"""``--version``: the version, and a warning when another distribution's package of the same name is in the way.
+"""``--version``: the version, the commit if it is known, and a warning of another package of the same name.
 
 >>> clash(["power-law-oscillator"]) is None
 True
@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from importlib.metadata import packages_distributions
 
 from asymptotics import __version__
+from asymptotics.made_by import commit
 
 DISTRIBUTION = "power-law-oscillator"
 
@@ -17,7 +18,7 @@ DISTRIBUTION = "power-law-oscillator"
 def text() -> str:
     """The answer to ``--version``."""
     warning = clash(packages_distributions().get("asymptotics", []))
-    return f"asymptotics {__version__}" + (f"\n{warning}" if warning else "")
+    return f"asymptotics {__version__} (commit {commit() or 'unknown'})" + (f"\n{warning}" if warning else "")
 
 
 def clash(distributions: Sequence[str]) -> str | None:

@@ -29,20 +29,26 @@ import numpy as np
 from asymptotics.comparison.digits import judged, significant
 from asymptotics.comparison.errors import Errors, of_motion, of_turning_points
 from asymptotics.comparison.look import Look, look_of
+from asymptotics.comparison.order import order_of, told_order
 from asymptotics.comparison.reading import Sheet, as_double, read_sheet
 from asymptotics.comparison.truth import Truth, at_times, at_turning_points
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator
+from asymptotics.made_by import mark
+from asymptotics.numbers.digits import spread
 from asymptotics.numbers.exact import parse_integer
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page, Rows, Shown
 from asymptotics.turning.general import turning_points
 
 MAX_DIGITS, MAX_N = 1000, 10**30
 LEAST_DIGITS, GUARD = 20, 4
+_AXES = {"n": "turning point n", "tau": r"$\tau = \omega_0 t$", "t": "t (s)"}
 _LOOKED_AT = 500  # half-swings whose errors are judged
 
 
-@dataclass(frozen=True)
-class Row:
+@dataclass(frozen=True, repr=False)
+class Row(Shown):
     """One value: where it stands, what it should be, and its right digits (-log10 of the relative error, two decimals).
 
     ``certified`` is None where there is no such value (the motion has ended); ``marked`` has wrong digits in brackets.
@@ -59,6 +65,11 @@ class Row:
     marked: str
     key_name: str = "n"
 
+    def _page(self) -> Page:
+        right = "there is no such value" if self.certified is None else f"certified {self.certified}"
+        title = f"{self.column} at {self.key_name} = {self.key}: {self.marked}, {self.digits} right digits"
+        return Page(title, (right, f"line {self.line}"))
+
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready."""
         keys: dict[str, Any] = dict(zip(self.key_name.split(","), self.key.split(", ")))
@@ -68,8 +79,8 @@ class Row:
         return {"line": self.line, **keys, **{name: getattr(self, name) for name in names}}
 
 
-@dataclass(frozen=True)
-class Comparison:
+@dataclass(frozen=True, repr=False)
+class Comparison(Rows, Drawn):
     """All values of a file beside the truth; ``certified`` is whether every value beside them is."""
 
     rows: tuple[Row, ...]
@@ -77,9 +88,45 @@ class Comparison:
     certified: bool
     method: str
 
+    def _page(self) -> Page:
+        summary, look = self.summary, self.summary["look"]
+        title = f"right digits: worst {summary['worst_digits']}, median {summary['median_digits']}"
+        right = f"{summary['all_right']} of {summary['values']} values are right in every digit written"
+        worth = f"certified: {str(self.certified).lower()} ({self.method})"
+        order = told_order(summary.get("order", {}))
+        lines = (right, *([order] if order else []), f"the errors look like {look['kind']}: {look['reason']}", worth)
+        head = (self.rows[0].key_name, "column", "given", "certified", "digits")
+        return Page(title, lines, head, tuple((r.key, r.column, r.marked, r.certified, r.digits) for r in self.rows))
+
+    def _heading(self) -> str:
+        return f"digits lost: looks like {self.summary['look']['kind']}"
+
+    def lost_digits(self) -> dict[str, tuple[list[float], list[float]]]:
+        """For each column the keys, and the digits lost there: written with 16 of which 7.4 are right, 8.6."""
+        columns: dict[str, tuple[list[float], list[float]]] = {}
+        for row in self.rows:
+            if row.certified is not None:
+                keys, lost = columns.setdefault(row.column, ([], []))
+                keys.append(as_double(row.key) if row.key_name in _AXES else len(keys))
+                lost.append(max(0.0, significant(row.given) - float(row.digits)))
+        return columns
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        for column, (keys, lost) in self.lost_digits().items():
+            axes.plot(keys, lost, **{"marker": ".", "markersize": 3, "linewidth": 0.8, "label": column, **style})
+        axes.set(xlabel=_AXES.get(self.rows[0].key_name, "value"), ylabel="digits lost")
+
+    def _table(self) -> dict[str, list[Any]]:
+        rows = self.rows
+        found: dict[str, list[Any]] = {"line": [row.line for row in rows]}
+        found |= {name: [row.to_dict()[name] for row in rows] for name in rows[0].key_name.split(",")}
+        found |= {"column": [row.column for row in rows], "given": [as_double(row.given) for row in rows]}
+        found |= spread("certified", [row.certified for row in rows], certified=self.certified)
+        return found | {"right_digits": [float(row.digits) for row in rows]}
+
     def to_csv(self) -> str:
-        """All rows as CSV."""
-        dicts = [row.to_dict() for row in self.rows]
+        """All rows as CSV; the last column says what code made it."""
+        dicts = [{**row.to_dict(), "code": mark()} for row in self.rows]
         text = io.StringIO()
         writer = csv.DictWriter(text, list(dicts[0]), lineterminator="\n")
         writer.writeheader()
@@ -120,6 +167,7 @@ def compare_file(
         errors, shift = _of_motion(sheet, truth, times, oscillator, si)
     rows = _rows(sheet, truth, key, values, wanted, si)
     summary = summary_of(rows, _judged(rows, errors, shift))
+    summary["order"] = order_of(list(sheet.numbers[key]), counted=key == "n")
     summary |= {"ended": truth.ended} if truth.ended else {}
     return Comparison(rows, summary, truth.certified, truth.method)
 

@@ -13,13 +13,15 @@ from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import arb, ctx, fmpq
+from flint import arb
 
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion, reference_states
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
-from asymptotics.numbers.exact import ExactReal, parse_rational
+from asymptotics.numbers.digits import ball_of
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.general import turning_points
 
 _GUARDS = (4, 20, 60)  # digits that a change of units may cost; more where a value is nearly halfway between decimals
@@ -130,17 +132,6 @@ class _Units:
         if found is None and value != 0:
             raise UndecidedError(f"{name} has no certified {self.digits} digits")
         return found or "0"
-
-
-def ball_of(decimal: str) -> arb:
-    """Every number that rounds to a decimal: it, give or take half a unit of its last digit; "0" is exact."""
-    if decimal == "0":
-        return arb(0)
-    value = parse_rational(decimal, "decimal")
-    mantissa, _, exponent = decimal.lower().partition("e")
-    places = len(mantissa.partition(".")[2]) - int(exponent or 0)
-    half = Fraction(1, 2) / Fraction(10) ** places
-    return arb(fmpq(value.numerator, value.denominator)) + arb(0, 1) * arb(fmpq(half.numerator, half.denominator))
 
 
 def _runs(numbers: list[int]) -> list[tuple[int, int]]:

@@ -30,12 +30,13 @@ moves at most D sup g there (at a first exit it would have moved h; equality is 
 from collections.abc import Sequence
 from fractions import Fraction
 
-from flint import acb, arb, ctx, fmpq
+from flint import acb, arb, fmpq
 
 from asymptotics.budget import tick
 from asymptotics.envelopes.numeric import NumericEnvelope
 from asymptotics.errors import InputError, LimitError
 from asymptotics.moments.certified import moment
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 
 Laws = Sequence[tuple[ExactReal, arb]]

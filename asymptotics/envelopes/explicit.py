@@ -34,19 +34,26 @@ from sympy import Expr, LambertW, S, atan, exp, latex, log, sqrt, tan, tanh
 
 from asymptotics.envelopes.symbolic import tau
 from asymptotics.errors import InputError
+from asymptotics.present.shown import Page, Shown
 
 ACCEPTED = "exponents among 1-mu, 1, 1+mu, or a pair (a, (1+a)/2) with a < 1 or (a, 2a-1) with a > 1"
 
 
-@dataclass(frozen=True)
-class ClosedForm:
+@dataclass(frozen=True, repr=False)
+class ClosedForm(Shown):
     """An explicit expression and the family it belongs to."""
 
     family: str
     expression: Expr
 
-    def _repr_latex_(self) -> str:
-        return f"${latex(self.expression)}$"
+    def __repr__(self) -> str:
+        return f"ClosedForm(family={self.family!r}, expression={self.expression})"
+
+    def _page(self) -> Page:
+        return Page(f"A/A(0) = {self.expression}", (f"family {self.family}; exact for the averaged law",))
+
+    def _formula(self) -> str:
+        return rf"A/A(0) = {latex(self.expression)}"
 
 
 def explicit_amplitude(laws: Mapping[Expr, Expr]) -> ClosedForm:

@@ -17,6 +17,7 @@ averaged law is from the motion is a matter of ``validity`` and of higher orders
 """
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import cast
 
 import numpy as np
@@ -27,9 +28,29 @@ from asymptotics.envelopes.numeric import Array, NumericEnvelope
 from asymptotics.envelopes.symbolic import MEAN, SQUARING, require_averaging
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
+from asymptotics.moments.symbolic import integer_moment
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
+from asymptotics.terms import Term
+
+_MOST_EXACT = 10_000  # an exponent beyond it has no tie within the digits that are served
+
+
+def exact_kappa(term: Term) -> ExactReal | None:
+    """epsilon <|cos|^m |sin|^(alpha+1)> as an exact number, whose ties a ball cannot tell; None where it is none.
+
+    >>> from asymptotics.law import Law
+    >>> exact_kappa(Law({(3, 2): "1/2"}).terms[0]), exact_kappa(Law({2: 1}).terms[0])
+    (ExactReal('1/32'), None)
+    """
+    a, m, e = term.velocity, term.position, term.strength
+    if not (a.is_integer and a < _MOST_EXACT and m < _MOST_EXACT and m % 2 == 0 and isinstance(e, ExactReal)):
+        return None
+    found, over_pi = integer_moment(int(a.rational) + 1)
+    for k in range(2, m + 1, 2):
+        found *= Fraction(k - 1, k + int(a.rational) + 1)
+    return None if over_pi else e * found
 
 
 @dataclass(frozen=True)
@@ -58,6 +79,8 @@ class FirstOrderEnvelope:
     def amplitude(self, t: Number, digits: int) -> str:
         """A(t) in m at an exact time t >= 0 in s, correctly rounded; "0" from the extinction time on."""
         seconds = exact_number(t, "time")
+        if seconds.is_zero and self.oscillator.v0.is_zero:
+            return certified_decimal(lambda: abs(self.oscillator.x0), digits)
         return certified_decimal(lambda: self.amplitude_ball(seconds.ball() * self.oscillator.omega_0()), digits)
 
     def amplitude_ball(self, tau: arb) -> arb:

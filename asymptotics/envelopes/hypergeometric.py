@@ -38,7 +38,7 @@ from collections.abc import Mapping
 
 from sympy import Expr, Rational, S, atan, atan2, cos, exp, expand_mul, hyper, log, pi, sin
 
-from asymptotics.envelopes.symbolic import amplitude_symbol
+from asymptotics.envelopes.symbolic import amplitude_symbol, held_power
 from asymptotics.errors import InputError
 
 Law = tuple[Expr, Expr]  # (exponent, kappa)
@@ -157,8 +157,8 @@ def long_time_amplitude(low: Law, high: Law, tau: Expr) -> Expr:
     if alpha == 1:
         return (1 + kappa_prime / kappa) ** (-1 / (alpha_prime - 1)) * exp(-kappa * tau)
     if alpha > 1:
-        return ((alpha - 1) * kappa * tau) ** (-1 / (alpha - 1))
-    return ((1 - alpha) * kappa * (companion_antiderivative(low, high, S.One) - tau)) ** (1 / (1 - alpha))
+        return held_power((alpha - 1) * kappa * tau, -1 / (alpha - 1))
+    return held_power((1 - alpha) * kappa * (companion_antiderivative(low, high, S.One) - tau), 1 / (1 - alpha))
 
 
 def elementary_F(a: Expr, w: Expr) -> Expr:

@@ -23,15 +23,15 @@ leave that interval.  *Extinction* (least weight w = m + alpha - 1 < 0): from xi
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
-from flint import acb, arb, ctx
+from flint import acb, arb
 
 from asymptotics.budget import tick
 from asymptotics.envelopes.slow_flow import SlowLaw, SlowTable
 from asymptotics.errors import InputError
+from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.precision import TooWideError
 from asymptotics.straightening.wells import Loss, Well
 

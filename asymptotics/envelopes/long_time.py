@@ -23,7 +23,7 @@ from sympy import Expr, S, exp
 
 from asymptotics.envelopes.explicit import explicit_extinction
 from asymptotics.envelopes.hypergeometric import extinction_time, long_time_amplitude
-from asymptotics.envelopes.symbolic import tau
+from asymptotics.envelopes.symbolic import held_power, tau
 from asymptotics.errors import InputError
 
 Laws = Mapping[Expr, Expr]
@@ -52,5 +52,5 @@ def long_time(laws: Laws) -> Expr | None:
     if len(pairs) == 2:
         return long_time_amplitude(pairs[0], pairs[1], tau)
     if alpha > 1:
-        return ((alpha - 1) * kappa * tau) ** (-1 / (alpha - 1))
+        return held_power((alpha - 1) * kappa * tau, -1 / (alpha - 1))
     return exp(-kappa * tau) if len(pairs) == 1 else None

@@ -21,17 +21,17 @@ instead.  A law that loses its sign (p <= 0) has no meaning there: InputError as
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from math import inf
 from typing import Any, Protocol
 
 import numpy as np
-from flint import acb, arb, ctx
+from flint import acb, arb
 
 from asymptotics.budget import tick
 from asymptotics.envelopes.certified import EVALUATIONS_PER_BIT
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.half_swings.grading import Grading, may_vanish
+from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.series import Series
 
 _KNOTS = 2048
@@ -195,8 +195,8 @@ class SlowLaw:
             step = (miss * self.p(s)).mid()
             s = (s - step).mid()
             if abs(step) < arb(2) ** (-ctx.prec // 2 - 4) * (1 + abs(s)):
-                break
-        return s, self._integral(self.Omega, start, s).mid()
+                return s, self._integral(self.Omega, start, s).mid()
+        raise UndecidedError("the amplitude at that time was not found by Newton's method")
 
     def _integral(self, numerator: Callable[[acb], acb], low: arb, high: arb) -> arb:
         if not (self.p(low) > 0 and self.p(high) > 0):

@@ -26,7 +26,7 @@ sqrt(2)/epsilon
 
 from dataclasses import dataclass
 
-from sympy import Expr, Integer, S, Symbol, exp, latex, log, powsimp, simplify, sqrt, symbols
+from sympy import Expr, Integer, Pow, S, Symbol, exp, latex, log, powsimp, simplify, sqrt, symbols
 
 from asymptotics.errors import InputError, require_choice
 from asymptotics.moments.symbolic import moment, squaring_moment
@@ -34,10 +34,20 @@ from asymptotics.moments.symbolic import moment, squaring_moment
 MEAN = "mean"
 SQUARING = "squaring"
 AVERAGINGS = (MEAN, SQUARING)
+_LARGEST_POWER = 50
 
 alpha, epsilon, amplitude_symbol = symbols("alpha epsilon A", positive=True)
 tau = Symbol("tau", nonnegative=True)
 b, k, m, x_0, t = symbols("b k m x_0 t", positive=True)
+
+
+def held_power(base: Expr, exponent: Expr) -> Expr:
+    """base^exponent, not multiplied out where the numbers in the base would grow to thousands of digits.
+
+    >>> held_power(tau / 2, Integer(-2)), held_power(tau / 100000, Integer(-100000))
+    (4/tau**2, (tau/100000)**(-100000))
+    """
+    return Pow(base, exponent, evaluate=not abs(exponent) > _LARGEST_POWER)
 
 
 @dataclass(frozen=True)

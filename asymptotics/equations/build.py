@@ -23,12 +23,14 @@ from asymptotics.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.results import Coefficients
 from asymptotics.numbers.policy import exact_integer, exact_seconds, float_notes
+from asymptotics.public import public
 from asymptotics.terms import Term
 
 MAX_ORDER, MAX_DIGITS, MAX_ALPHA, MAX_TERMS = 200, 1000, 1000, 4
 _FORMS = 'an exponent >= 0, a list of them, a Law, an Oscillator, a mapping exponent -> strength, or "symbolic"'
 
 
+@public
 def expand(
     law: Any, *, order: Any = 4, gauge: str = TURNING_POINT, digits: Any = 30, spring: Any = None,
     exact: bool = False, max_seconds: Any = 60,

@@ -19,12 +19,13 @@ from typing import Any
 
 from asymptotics.equations.observables import Observables
 from asymptotics.errors import InputError
+from asymptotics.present.shown import Page, Shown
 
 _NAMES = ("half_period", "amplitude_ratio", "decrement", "energy_loss")
 
 
-@dataclass(frozen=True)
-class Comparison:
+@dataclass(frozen=True, repr=False)
+class Comparison(Shown):
     """``agree``: within the estimated errors (None where that cannot be said); ``differences`` by name; ``text``."""
 
     agree: bool | None
@@ -33,6 +34,10 @@ class Comparison:
 
     def __str__(self) -> str:
         return self.text
+
+    def _page(self) -> Page:
+        rows = tuple((name, f"{gap:.3g}") for name, gap in self.differences.items())
+        return Page(self.text, ("estimates, in doubles",), ("", "difference"), rows)
 
 
 def compare_rows(mine: Observables, theirs: Observables, mine_name: str, their_name: str) -> Comparison:

@@ -15,7 +15,6 @@ which they are rounded when they are printed.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import exp, floor, inf, isfinite, log10, nan, pi
 from typing import Any
 
@@ -26,12 +25,14 @@ from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.quarter import HalfSwing, half_swing
 from asymptotics.law import Oscillator
+from asymptotics.numbers.context import lru_cache
+from asymptotics.present.shown import Page, Shown
 from asymptotics.series import Series
 from asymptotics.terms import Term
 
 
-@dataclass(frozen=True)
-class Observable:
+@dataclass(frozen=True, repr=False)
+class Observable(Shown):
     """A value with the estimated error that its printed digits respect, and its unit ("" if it has none)."""
 
     value: float
@@ -48,9 +49,12 @@ class Observable:
         text = f"{self.value:.{min(places, 15)}f}" if self.error < abs(self.value) else f"{self.value:.1g}"
         return f"{text} {self.unit}".strip()
 
+    def _page(self) -> Page:
+        return Page(str(self), (f"estimate, error about {self.error:.1e}",))
 
-@dataclass(frozen=True)
-class Observables:
+
+@dataclass(frozen=True, repr=False)
+class Observables(Shown):
     """The observables at one turning amplitude (m for an oscillator, else in units of x0).
 
     ``energy_loss`` is the fraction lost on the half-swing, ``energy`` the amount: J, or in units of k x0^2.
@@ -69,6 +73,17 @@ class Observables:
         names = ("half_period", "amplitude_ratio", "decrement", "energy_loss", "Q", "energy")
         seen = {n: {"value": repr(getattr(self, n).value), "error": f"{getattr(self, n).error:.1e}"} for n in names}
         return {"amplitude": repr(self.amplitude), **seen}
+
+    def _page(self) -> Page:
+        names = ("half_period", "amplitude_ratio", "decrement", "energy_loss", "Q", "energy")
+        rows = tuple((n.replace("_", " "), getattr(self, n), f"{getattr(self, n).error:.1e}") for n in names)
+        return Page(str(self), ("estimates, in doubles",), ("", "value", "estimated error"), rows)
+
+    def _formula(self) -> str:
+        return rf"\Lambda = {self.decrement},\quad Q = {self.Q},\quad A = {self.amplitude:g}"
+
+    def _letters(self) -> dict[str, str]:
+        return {r"\Lambda": "decrement over a full swing", "A": "turning amplitude"}
 
     def __str__(self) -> str:
         return (

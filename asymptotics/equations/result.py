@@ -27,6 +27,7 @@ from typing import Any
 
 import sympy
 
+from asymptotics.divergence.truncation import BestOrder, best_truncation
 from asymptotics.equations.comparison import Comparison, compare_functions, compare_rows
 from asymptotics.equations.observables import Observables, observables_at
 from asymptotics.equations.row import Row, sum_at
@@ -35,14 +36,16 @@ from asymptotics.errors import InputError, require_choice
 from asymptotics.law import Law, Oscillator
 from asymptotics.normal_form import show
 from asymptotics.numbers.policy import exact_integer, exact_number
-from asymptotics.numbers.value import Coefficient
+from asymptotics.numbers.value import Coefficient, coefficient_columns
+from asymptotics.present.shown import Page, Rows
+from asymptotics.public import public
 from asymptotics.terms import Term
 
 A_SYMBOL, TAU, T = sympy.Symbol("A", positive=True), sympy.Symbol("tau", real=True), sympy.Symbol("t", real=True)
 
 
 @dataclass(frozen=True, repr=False)
-class Equations:
+class Equations(Rows):
     """p_k (``p``) and Omega_k (``Omega``) of a law in one gauge through ``order``; see the module for the equations.
 
     ``terms``: the forces, losses first; with a symbolic exponent there is none, and ``symbol`` is the exponent.
@@ -79,13 +82,29 @@ class Equations:
         """
         return self.lambdify(epsilon=epsilon)(A, psi)
 
-    def lambdify(self, modules: str = "numpy", *, epsilon: Any = None) -> Callable[..., tuple[Any, Any]]:
-        """``f(A, psi) -> (dA/dtau, dpsi/dtau)``, for NumPy arrays or, with "mpmath", at the precision in force."""
+    @public
+    def lambdify(
+        self, modules: str = "numpy", *, epsilon: Any = None, max_seconds: Any = 60
+    ) -> Callable[..., tuple[Any, Any]]:
+        """``f(A, psi) -> (dA/dtau, dpsi/dtau)``, for NumPy arrays or, with "mpmath", at the precision in force.
+
+        Where no strength is known or given it is an argument of the function: ``f(A, psi, epsilon)``.
+
+        >>> from asymptotics.equations.build import expand
+        >>> expand(3, order=2).lambdify()(0.5, 0.0, 0.1) == expand({3: "1/10"}, order=2).lambdify()(0.5)
+        True
+        """
         require_choice(modules, "modules", ("numpy", "mpmath"))
         as_number: Callable[[Coefficient], Any] = float if modules == "numpy" else Coefficient.mpf
         from asymptotics.equations.rates import rates  # noqa: PLC0415 (NumPy: printing needs none)
 
         p, Omega = ([(k, as_number(c)) for k, c in row.keyed().items()] for row in (self.p, self.Omega))
+        if epsilon is None and self.law is None and self.terms:
+
+            def of_strength(A: Any, psi: Any = 0.0, epsilon: Any = None) -> tuple[Any, Any]:
+                return rates(p, Omega, self.strengths.numbers(modules, epsilon), modules)(A, psi)
+
+            return of_strength
         return rates(p, Omega, self.strengths.numbers(modules, epsilon), modules)
 
     def rhs(self, t: float, y: Any) -> list[Any]:
@@ -94,7 +113,8 @@ class Equations:
 
         return list(self(*state_of(y)))
 
-    def to_sympy(self) -> tuple[sympy.Expr, sympy.Expr]:
+    @public
+    def to_sympy(self, *, max_seconds: Any = 60) -> tuple[sympy.Expr, sympy.Expr]:
         """(dA/dtau, dpsi/dtau) in the symbols A and epsilon (epsilon_1, ... for several), SI numbers for an oscillator.
 
         Coefficients are exact where an exact form is known, Floats with all their digits elsewhere.
@@ -103,14 +123,16 @@ class Equations:
         p, Omega = (sum_at([(k, c.sympy()) for k, c in r.keyed().items()], deltas) for r in (self.p, self.Omega))
         return -scale * A_SYMBOL * p, scale * (1 + Omega)
 
-    def odes(self) -> tuple[sympy.Eq, sympy.Eq]:
+    @public
+    def odes(self, *, max_seconds: Any = 60) -> tuple[sympy.Eq, sympy.Eq]:
         """The two equations for the functions A and psi of tau (of t for an oscillator), as SymPy equations."""
         time = TAU if self.oscillator is None else T
         A, psi = sympy.Function("A", positive=True)(time), sympy.Function("psi", real=True)(time)
         rates = [rate.subs(A_SYMBOL, A) for rate in self.to_sympy()]
         return tuple(sympy.Eq(sympy.Derivative(f, time), r, evaluate=False) for f, r in zip((A, psi), rates))
 
-    def observables(self, A: Any = None, epsilon: Any = None) -> Observables:
+    @public
+    def observables(self, A: Any = None, epsilon: Any = None, *, max_seconds: Any = 60) -> Observables:
         """Half period, decrement, Q and energy loss at the turning amplitude A (default: the start), any gauge."""
         if not self.terms:
             raise InputError("alpha", "it is symbolic", "an exponent")
@@ -120,7 +142,10 @@ class Equations:
         deltas = [s * amplitude**w for s, w in zip(strengths, weights)]
         return observables_at(self.terms, self.order, deltas, amplitude, self.oscillator)
 
-    def compare(self, other: "Equations | Callable[..., Any]", A: Any = None, epsilon: Any = None) -> Comparison:
+    @public
+    def compare(
+        self, other: "Equations | Callable[..., Any]", A: Any = None, epsilon: Any = None, *, max_seconds: Any = 60
+    ) -> Comparison:
         """Against equations in any gauge or order (observables), or a function (A, psi) -> rates in this gauge."""
         if isinstance(other, Equations):
             names = (f"{eq.gauge} order {eq.order}" for eq in (self, other))
@@ -128,6 +153,18 @@ class Equations:
         if not callable(other):
             raise InputError("other", f"a {type(other).__name__}", "Equations, or a function of (A, psi)")
         return compare_functions(self.lambdify(epsilon=epsilon), other, 1.0 if A is None else _amplitude(A))
+
+    @public
+    def best_order(self, delta: Any, *, max_seconds: Any = 60) -> BestOrder:
+        """Where to stop at the local strength ``delta``, one law: |c_1| e^(-2 pi |c|/delta) beside the measured error.
+
+        Also the errors with one and two exponentials added back; all in half-swings, against the turning points that
+        follow, enclosed.  InputError for sums and springs (not treated); UndecidedError for a delta too large to
+        enclose, LimitError with the estimate for one too small.  Source: derivation ``cauchy-heine``.
+        """
+        if len(self.terms) != 1 or not self.terms[0].is_power_of_velocity:
+            raise InputError("law", "the large orders are known for one law only", "one law without a spring")
+        return best_truncation(self.terms[0].velocity, exact_number(delta, "delta"))
 
     def latex(self, digits: Any = show.SHOWN_DIGITS) -> str:
         """The two equations in LaTeX, coefficients to at most ``digits`` digits where they have no short exact form."""
@@ -160,8 +197,26 @@ class Equations:
     def __repr__(self) -> str:
         return f"Equations({self._subject()}, gauge {self.gauge}, order {self.order}, {self.arithmetic}, formal)"
 
-    def _repr_latex_(self) -> str:
-        return rf"$\displaystyle {self.latex()}$"
+    def _page(self) -> Page:
+        title, *rest = str(self).splitlines()
+        rows = [(f"{name}_{key}", c, c.exact or "") for name, key, c in self._named()]
+        return Page(title, tuple(rest), ("", "value", "exact"), tuple(rows))
+
+    def _named(self) -> list[tuple[str, str, Coefficient]]:
+        return [(name, k, c) for name, row in (("p", self.p), ("Omega", self.Omega)) for k, c in row.named().items()]
+
+    def _table(self) -> dict[str, list[Any]]:
+        named = self._named()
+        return {"name": [n for n, _, _ in named], "key": [k for _, k, _ in named]} | coefficient_columns(
+            [c for _, _, c in named]
+        )
+
+    def _letters(self) -> dict[str, str]:
+        lines = " and ".join(text.partition(" and ")[0] for text in self.strengths.texts())
+        return {"A": f"slow amplitude, gauge {self.gauge}", r"\delta": f"local strength, {lines}"}
+
+    def _formula(self) -> str:
+        return rf"\displaystyle {self.latex()}"
 
     def _subject(self) -> str:
         if not self.terms:

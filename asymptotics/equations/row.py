@@ -9,14 +9,15 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from asymptotics.errors import InputError
-from asymptotics.normal_form.show import SHOWN_DIGITS
+from asymptotics.normal_form.show import SHOWN_DIGITS, sum_latex
 from asymptotics.numbers.exact import MAX_ORDER
 from asymptotics.numbers.policy import exact_integer
-from asymptotics.numbers.value import Coefficient, rounded
+from asymptotics.numbers.value import Coefficient, coefficient_columns, rounded
+from asymptotics.present.shown import Page, Rows
 from asymptotics.series import Key
 
 
-class Row(Mapping[Any, Coefficient]):
+class Row(Rows, Mapping[Any, Coefficient]):
     """The coefficients of one series: ``row[3]`` for one law, ``row[2, 1]`` for several; text keys "2,1" work too."""
 
     def __init__(self, coefficients: Mapping[Key, Coefficient]) -> None:
@@ -59,6 +60,26 @@ class Row(Mapping[Any, Coefficient]):
 
     def __hash__(self) -> int:
         return hash(frozenset(self._items.items()))
+
+    def _page(self) -> Page:
+        rows = tuple((key, c, c.exact or "") for key, c in self.named().items())
+        return Page(
+            f"{len(self)} coefficients",
+            ("correctly rounded digits, exact where a form is known",),
+            ("power", "value", "exact"),
+            rows,
+        )
+
+    def _table(self) -> dict[str, list[Any]]:
+        return {"key": list(self.named())} | coefficient_columns(list(self.named().values()))
+
+    def _formula(self) -> str:
+        names = (
+            (r"\delta",)
+            if all(len(k) == 1 for k in self._items)
+            else tuple(rf"\delta_{{{i}}}" for i in range(1, 1 + max(map(len, self._items), default=1)))
+        )
+        return sum_latex(self._items, names)
 
     def to_dict(self) -> dict[str, dict[str, str | None]]:
         """JSON-ready: keys "k" or "k1,k2"."""

@@ -13,11 +13,12 @@ from typing import Any
 
 import mpmath
 import sympy
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import exact_number
 from asymptotics.terms import Term

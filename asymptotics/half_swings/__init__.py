@@ -6,8 +6,8 @@
 ``quarter``          the data of a quarter-swing, and the half-swing from it by the reversal identity
 ``exact``            integer exponents: rationals, and polynomials in pi
 ``certified``        any real exponents, and sums of laws: balls (``certified_orders``, ``certified_moments``)
-``finite``           half-swings at a given strength: the series summed, every tail proved (``finite_majorant``)
-``finite_result``    the same as a result object, correctly rounded
+``finite_majorant``  bounds of the half-swing on a polydisc of complex strengths, for Cauchy's inequality
+``finite_result``    one half-swing at a given strength as a result object, correctly rounded
 ``symbolic``         one law with a symbolic exponent: moments and one named integral, through fourth order
 ``orbit``            the recurrence in delta shared by the exact routes
 ``fourier_flow``     polynomial forces: the flow and the waveform by rational Fourier polynomials, in each gauge

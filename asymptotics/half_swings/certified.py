@@ -33,7 +33,7 @@ decide how narrow the balls are, not whether they are right.
 from collections.abc import Sequence
 from math import comb, log2
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.budget import require_seconds
 from asymptotics.costs import require_affordable, series_seconds
@@ -49,6 +49,7 @@ from asymptotics.half_swings.certified_orders import (
 )
 from asymptotics.half_swings.forces import Forces, Given
 from asymptotics.half_swings.quarter import QuarterSwing
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.series import Series
 

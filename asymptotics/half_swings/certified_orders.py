@@ -15,8 +15,8 @@ the powers of the *velocity*: 0 for a force of the position alone)
 
     Y = sum deltaⁿ theta^{n·alpha} y_n(t),   S = sum deltaⁿ theta^{n·alpha} s_n(t),
     P_i = sum deltaⁿ theta^{n·alpha} p_{i,n}(t),   p_{i,0} = 1,
-    s_n = sum_i varrho_i sigma^{v_i} c^{m_i} p_{i,n−k_i},   y_n = s_n + c sum_m s_m y_{n−m},
-    p_{i,n} = −a_i I_n[ g sum_m p_{i,m} y_{n−m} ],
+    C_{i,n} = sum_m p_{i,m} y_{n−m},   y_n = sum_i varrho_i sigma^{v_i} c^{m_i} (p_{i,n−k_i} + c C_{i,n−k_i}),
+    p_{i,n} = −a_i I_n[ g C_{i,n} ]      (sum_m s_m y_{n−m} = sum_i varrho_i sigma^{v_i} c^{m_i} C_{i,n−k_i}),
 
 where I_n divides the coefficient of t^j by n·alpha + 2j.  Here g = O(t), so j ≥ 1 and nothing is ever divided by zero,
 not even at n·alpha = 0.  All these functions are analytic in |t| < 4, because sigma(t) = prod_k (1 − t/(4k²)) has no
@@ -106,21 +106,22 @@ def convolve(f: Mapping[Key, Any], g: Mapping[Key, Any], n: Key) -> Any:
 def order_series(ring: Ring, orders: Sequence[Key]) -> dict[Key, Any]:
     """All y_n, n ≠ 0, of the module docstring in the arithmetic of ``ring``; ``orders`` as from `indices`."""
     zero, members = orders[0], range(len(ring.keys))
-    s: dict[Key, Any] = {}
     y: dict[Key, Any] = {}
     p: list[dict[Key, Any]] = [{zero: arb(1)} for _ in members]
+    C: list[dict[Key, Any]] = [{} for _ in members]
     top = sum(orders[-1])
     for n in orders[1:]:
         tick(f"order {sum(n)} of {top} of the quarter swing")
-        rests = ((i, minus(n, ring.keys[i])) for i in members)
-        terms = [ring.powers[i] * p[i][rest] for i, rest in rests if rest in p[i]]
-        s[n] = ring.cut(sum(terms, start=0 * ring.cosine))
-        y[n] = s[n] + ring.cut(ring.cosine * ring.cut(convolve(s, y, n)))
+        rests = [(i, minus(n, ring.keys[i])) for i in members]
+        s = ring.cut(sum((ring.powers[i] * p[i][m] for i, m in rests if m in p[i]), start=0 * ring.cosine))
+        products = (ring.powers[i] * C[i][m] for i, m in rests if m in C[i])
+        y[n] = s + ring.cut(ring.cosine * ring.cut(sum(products, start=0 * ring.cosine)))
         for i in members:
-            used = sum(n) + sum(ring.keys[i]) <= top
-            if used and (ring.slopes[i] != 0 or not ring.slopes[i].is_exact()):
-                drive = ring.cut(ring.turn * ring.cut(convolve(p[i], y, n)))
-                p[i][n] = ring.slopes[i] * ring.integrate(drive, dot(n, ring.velocities))
+            if sum(n) + sum(ring.keys[i]) > top:
+                continue
+            C[i][n] = ring.cut(convolve(p[i], y, n))
+            if ring.slopes[i] != 0 or not ring.slopes[i].is_exact():
+                p[i][n] = ring.slopes[i] * ring.integrate(ring.cut(ring.turn * C[i][n]), dot(n, ring.velocities))
     return y
 
 

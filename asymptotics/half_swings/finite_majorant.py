@@ -27,11 +27,13 @@ True
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache, reduce
-from math import exp, inf
+from functools import reduce
+from math import exp, inf, pi
 from typing import Any
 
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
+
+from asymptotics.numbers.context import ctx, lru_cache
 
 BITS = 64
 PIECES = 256
@@ -102,13 +104,25 @@ def widest(alphas: Sequence[arb], direction: Sequence[arb], *, whole: bool = Fal
     low, high = 0.0, _first_guess(alphas, direction)
     while high - low > 0.01 * high:
         middle = (low + high) / 2
-        exists = majorant(alphas, [d * arb(middle) for d in direction], whole=whole, pieces=128) is not None
-        low, high = (middle, high) if exists else (low, middle)
+        seems = _seems_to_exist(alphas, [float(d) * middle for d in direction], whole)
+        low, high = (middle, high) if seems else (low, middle)
     while True:
         found = majorant(alphas, [d * arb(low * share) for d in direction], whole=whole)
         if found is not None:
             return found
         low *= share
+
+
+def _seems_to_exist(alphas: Sequence[arb], radii: Sequence[float], whole: bool, pieces: int = 128) -> bool:
+    """Whether the fixed points of all pieces exist in floats: where to look, no claim."""
+    with ctx.workprec(BITS):
+        steps = _extremes(tuple((arb(a).mid().man_exp(), arb(a).rad().man_exp()) for a in alphas), pieces)
+    slopes, growth, h = [abs(float(a) - 1) for a in alphas], 0.0, pi / (2 * pieces)
+    for sines, products in [*steps, *reversed(steps)] if whole else steps:
+        growth = _fixed_point(growth, h, list(zip(radii, slopes, map(float, sines), map(float, products), strict=True)))
+        if growth == inf:
+            return False
+    return True
 
 
 def _first_guess(alphas: Sequence[arb], direction: Sequence[arb]) -> float:
@@ -142,7 +156,9 @@ class _Step:
 
     def upper_end(self, start: arb) -> arb | None:
         """A proved upper bound of G on the piece, or None."""
-        g = self._candidate(float(start))
+        columns = (self.radii, self.slopes, self.sines, self.products)
+        rows = list(zip(*(map(float, column) for column in columns), strict=True))
+        g = _fixed_point(float(start), float(self.h), rows)
         if g == inf:
             return None
         end = arb(g * (1 + 1e-12) + 1e-15)
@@ -151,24 +167,23 @@ class _Step:
             return None
         return end
 
-    def _candidate(self, start: float) -> float:
-        """The fixed point of g = G_j + h N*(g)/(1 - C*(g)) in floats: an oracle, checked afterwards."""
-        columns = (self.radii, self.slopes, self.sines, self.products)
-        rows = [tuple(map(float, row)) for row in zip(*columns, strict=True)]
-        h, g, previous = float(self.h), start, -1.0
-        for _ in range(200):
-            if g - previous <= 1e-14 * (1 + g):
-                return g
-            if any(k * g > 700 for _, k, _, _ in rows):
-                return inf
-            strengths = [r * exp(k * g) for r, k, _, _ in rows]
-            room = 1 - sum(v * row[3] for v, row in zip(strengths, rows, strict=True))
-            if room <= 0:
-                return inf
-            previous, g = g, start + h * sum(v * row[2] for v, row in zip(strengths, rows, strict=True)) / room
-            if g > 50:
-                return inf
-        return inf
+
+def _fixed_point(start: float, h: float, rows: Sequence[tuple[float, ...]]) -> float:
+    """The fixed point of g = G_j + h N*(g)/(1 - C*(g)) in floats; rows (rho, slope, s^(alpha+1), s^alpha |c|)."""
+    g, previous = start, -1.0
+    for _ in range(200):
+        if g - previous <= 1e-14 * (1 + g):
+            return g
+        if any(row[1] * g > 700 for row in rows):
+            return inf
+        strengths = [row[0] * exp(row[1] * g) for row in rows]
+        room = 1 - sum(v * row[3] for v, row in zip(strengths, rows, strict=True))
+        if room <= 0:
+            return inf
+        previous, g = g, start + h * sum(v * row[2] for v, row in zip(strengths, rows, strict=True)) / room
+        if g > 50:
+            return inf
+    return inf
 
 
 @lru_cache(maxsize=64)

@@ -1,37 +1,48 @@
-"""One half-swing at finite strength as a result: correctly rounded digits, enclosures, and how they were found.
-
->>> from asymptotics.numbers.exact import parse_real
->>> found = half_swing_at([parse_real("3/2", "--alpha")], [parse_real("1/10", "--delta")], 20)
->>> found
-half-swing of alpha = 3/2 at delta = 1/10: A'/A = 0.87019329198866231436, T = 3.1460821722171718997 (certified)
->>> found.route, found.amplitude == str(found.to_dict()["amplitude"]["value"])
-('series of the quarter-swing', True)
-"""
+"""One half-swing at finite strength as a result: correctly rounded digits, enclosures, and how they were found."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
+from math import inf, nextafter
 from typing import Any
 
 from flint import arb
 
 from asymptotics.errors import InputError
-from asymptotics.half_swings.finite import SwingValue, finite_quarter
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball, directed_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.rationals import bounds
+from asymptotics.numbers.value import Coefficient, number_of
+from asymptotics.present.shown import Page, Rows
+
+
+@dataclass(frozen=True)
+class SwingValue:
+    """One half-swing: L = ln(q/p), amplitude = q/p and duration as balls; how they were found.
+
+    ``terms``: the number of pieces; ``tail``: the largest bound of what was cut off in L.
+    """
+
+    log_ratio: arb
+    amplitude: arb
+    duration: arb
+    route: str
+    terms: int
+    tail: arb
+
 
 Evaluate = Callable[[int], SwingValue]
 _TRIES, _GUARD = 3, 32
 
 
 @dataclass(frozen=True, repr=False)
-class HalfSwingAt:
+class HalfSwingAt(Rows):
     """A'/A (``amplitude``), L = ln(A'/A) (``log_ratio``) and the duration T of one half-swing, in units of 1/omega_0.
 
     ``forces``: the terms in words where one of them is a spring or depends on the place, in the order of ``delta``.
-    ``enclosures``: for each of the three a pair of decimals that hold the number between them; ``terms``: the order of
-    the series (or what the route counts); ``tail``: the bound of what was cut off in L, rounded up.
+    ``enclosures``: for each of the three a pair of decimals that hold the number between them; ``terms``: what the
+    route counts; ``tail``: the bound of what was cut off in L, rounded up.
     """
 
     alphas: tuple[str, ...]
@@ -44,7 +55,7 @@ class HalfSwingAt:
     route: str
     terms: int
     tail: str
-    certified: bool = True
+    certified: bool
     forces: tuple[str, ...] = ()
     notes: tuple[str, ...] = field(default=(), compare=False)
 
@@ -68,23 +79,29 @@ class HalfSwingAt:
             return f"half-swing of {', '.join(self.forces)} at delta = {strength}: {numbers}"
         return f"half-swing of alpha = {law} at delta = {strength}: {numbers}"
 
-    def _repr_latex_(self) -> str:
-        return rf"$A'/A = {self.amplitude},\quad T = {self.duration}$"
+    def number(self, name: str = "amplitude") -> Coefficient:
+        """``amplitude``, ``log_ratio`` or ``duration`` as a number: mpf, interval, ball."""
+        return number_of(self, name)
 
+    def _page(self) -> Page:
+        named = (("A'/A", "amplitude"), ("L = ln(A'/A)", "log_ratio"), ("T omega_0", "duration"))
+        rows = tuple((text, getattr(self, name), *self.enclosures[name]) for text, name in named)
+        worth = f"{'certified' if self.certified else 'not certified'}, {self.digits} digits ({self.route})"
+        return Page(repr(self), (worth, *self.notes), ("", "value", "at least", "at most"), rows)
 
-def half_swing_at(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], digits: int = 30) -> HalfSwingAt:
-    """The half-swing from the local strengths delta_i = epsilon_i A^(alpha_i - 1) >= 0, to ``digits`` digits.
+    def _table(self) -> dict[str, list[Any]]:
+        names = ("amplitude", "log_ratio", "duration")
+        ends = [[float(Fraction(self.enclosures[n][i])) for n in names] for i in (0, 1)]
+        outward = [[nextafter(x, side) for x in row] for row, side in zip(ends, (-inf, inf))]
+        texts = [str(getattr(self, n)) for n in names]
+        return {"name": list(names), "value": ends[0], "value_low": outward[0],
+                "value_high": outward[1], "value_digits": texts}  # fmt: skip
 
-    X'' + X + sum_i delta_i X'|X'|^(alpha_i-1) = 0 from X = 1 at rest to the next turning point X = -A'/A.
-    InputError for a negative strength or a wrong number of them; LimitError outside the reach of the series.
-    """
-    require_strengths(alphas, delta)
+    def _formula(self) -> str:
+        return rf"A'/A = {self.amplitude},\quad T = {self.duration}"
 
-    def evaluate(bits: int) -> SwingValue:
-        quarter = finite_quarter(alphas, [d.ball() for d in delta], bits)
-        return quarter.half_swing([d.ball() for d in delta])
-
-    return certified_swing(alphas, delta, digits, evaluate)
+    def _letters(self) -> dict[str, str]:
+        return {"A": "turning amplitude, A' the next one", "T": "duration, in units of 1/omega_0"}
 
 
 def require_strengths(alphas: Sequence[ExactReal], delta: Sequence[ExactReal]) -> None:
@@ -109,7 +126,7 @@ def certified_swing(
             return None
         enclosures = {name: enclosure(ball, digits) for name, ball in balls.items()}
         law, strength, tail = tuple(map(str, alphas)), tuple(map(str, delta)), rounded_up(swing.tail)
-        return HalfSwingAt(law, strength, digits, L, q, T, enclosures, swing.route, swing.terms, tail)
+        return HalfSwingAt(law, strength, digits, L, q, T, enclosures, swing.route, swing.terms, tail, True)
 
     bits = bits_for(digits, 24) + _GUARD + _faint(delta)
     return at_growing_precision(attempt, digits, bits, max_bits=bits << (_TRIES - 1))

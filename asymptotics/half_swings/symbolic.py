@@ -40,11 +40,10 @@ value counts as closed is a matter of taste: it is evaluated here with certifica
 (1/6, ...)
 """
 
-from functools import cache
 from math import ceil
 from typing import Any
 
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 from sympy import QQ, Expr, Function, Integral, Symbol, pi, sin
 from sympy.polys.fields import field
 
@@ -55,6 +54,7 @@ from asymptotics.half_swings.quarter import HalfSwing
 from asymptotics.half_swings.theta_algebra import sine_power
 from asymptotics.moments.certified import moment as moment_ball
 from asymptotics.moments.symbolic import moment
+from asymptotics.numbers.context import cache, ctx
 from asymptotics.series import Series
 
 alpha = Symbol("alpha", nonnegative=True)

@@ -2,7 +2,8 @@
 
 ==================  =========================================================================================
 ``identify``        the whole way: data in, ``Identification`` out
-``sources``         what a file holds: ``reading`` (pandas), ``extraction`` (turning points of a record), ``defects``
+``sources``         what a table holds (``records`` reads it); ``extraction``: a record's turning points; ``defects``
+``quiet_times``     turning times, each from all of them: noise does not raise the extremes
 ``observations``    turning points, times and passages of one run; ``printed``: decrements from tables
 ``coefficients``    half-swing series in doubles, for losses and springs; ``quadrature`` where they do not reach
 ``swing``           one half-swing at many amplitudes, with exact derivatives; ``sequence``: all turning points

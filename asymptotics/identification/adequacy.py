@@ -16,6 +16,7 @@ from scipy.special import fdtrc
 
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.fitting import Fit, Model, Noise
+from asymptotics.identification.waveform import WaveformModel
 
 Levels = Mapping[str, tuple[float, float]]
 """For each kind of data the noise level and its degrees of freedom."""
@@ -26,6 +27,8 @@ _KNOWN = 1000.0
 
 def noise_levels(model: Model, noise: Noise | None) -> Levels:
     """The level of each kind of data: as given, or as a polynomial in n leaves it."""
+    if isinstance(model, WaveformModel):
+        return {"x": (noise.x, _KNOWN) if noise and noise.x else model.level()}
     found, columns = {}, model.smooth_columns()
     for kind in model.kinds:
         known = getattr(noise, kind) if noise else None

@@ -13,13 +13,14 @@ from dataclasses import dataclass
 
 from asymptotics.identification.coefficients import Element, swing_coefficients
 from asymptotics.identification.comparison import LawFit
+from asymptotics.present.shown import Shown
 
 WEAK = 0.5
 """The share of the loss from which on a term that is not excluded makes the verdict too weak for one law."""
 
 
-@dataclass(frozen=True)
-class Allowance:
+@dataclass(frozen=True, repr=False)
+class Allowance(Shown):
     """``term``: beside the law; ``largest``: the end of its 95 % interval (None: no limit); ``share``: of the loss of
     the law at the first amplitude, to first order (None for springs)."""
 

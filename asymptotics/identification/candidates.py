@@ -8,27 +8,32 @@
 """
 
 import re
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Element, loss, spring
 from asymptotics.identification.swing import MAX_FREE_ALPHA, Swing
+from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 
-FREE = "free"
+FREE, PENDULUM = "free", "pendulum"
 MAX_TERMS = 6
-FORMS = "exponents joined by commas, as 1,2 or 3/2; free; AxM for the loss |x|^M v|v|^(A-1); sP for a spring x|x|^(P-1)"
+FORMS = (
+    "exponents joined by commas, as 1,2 or 3/2; free; AxM for the loss |x|^M v|v|^(A-1); sP for a spring x|x|^(P-1); "
+    "pendulum"
+)
 _SPRINGS: tuple[tuple[int, ...], ...] = ((), (3,), (3, 5))
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """``losses``: pairs (exponent as text, or "free"; power m of |x|); ``springs``: the powers p of x|x|^(p-1)."""
+    """``losses``: pairs (exponent as text, or "free"; power m of |x|); ``springs``: the powers p of x|x|^(p-1);
+    ``pendulum``: sin x stands for x, without a coefficient of its own."""
 
     losses: tuple[tuple[str, int], ...]
     springs: tuple[int, ...] = ()
+    pendulum: bool = False
 
     @property
     def free(self) -> bool:
@@ -52,16 +57,17 @@ class Candidate:
 
     def is_within(self, other: "Candidate") -> bool:
         """Whether ``other`` has all these terms and more."""
-        return self != other and set(self.losses) <= set(other.losses) and set(self.springs) <= set(other.springs)
+        alike = self != other and self.pendulum == other.pendulum
+        return alike and set(self.losses) <= set(other.losses) and set(self.springs) <= set(other.springs)
 
     def formula(self) -> str:
         """The equation with letters for the strengths."""
         terms = [_loss_text(i + 1, a, m) for i, (a, m) in enumerate(self.losses)]
         terms += [f"c{p} x^{p}" if p % 2 else f"c{p} x|x|^{p - 1}" for p in self.springs]
-        return "x'' + x + " + " + ".join(terms) + " = 0"
+        return f"x'' + {'sin x' if self.pendulum else 'x'} + " + " + ".join(terms) + " = 0"
 
     def __str__(self) -> str:
-        return ",".join([*self.alphas, *(f"s{p}" for p in self.springs)])
+        return ",".join([*self.alphas, *(f"s{p}" for p in self.springs), *([PENDULUM] if self.pendulum else [])])
 
 
 def _float(value: ExactReal) -> float:
@@ -75,21 +81,27 @@ def _loss_text(number: int, alpha: str, m: int) -> str:
     return f"e{number} {factor}{text}"
 
 
-def default_candidates(with_springs: bool) -> list[Candidate]:
-    """Every subset of the exponents 0, 1, 2, 3, and one free exponent; each with the springs x^3 and x^3, x^5 too."""
+def default_candidates(with_springs: bool, angles: bool = False) -> list[Candidate]:
+    """Every subset of the exponents 0, 1, 2, 3, and one free exponent; each with the springs x^3 and x^3, x^5 too,
+    and for angles each sum as a pendulum."""
     exponents = ("0", "1", "2", "3")
     sets = [chosen for size in range(1, 5) for chosen in combinations(exponents, size)] + [(FREE,)]
     springs = _SPRINGS if with_springs else ((),)
-    return [Candidate(tuple((a, 0) for a in chosen), extra) for extra in springs for chosen in sets]
+    found = [Candidate(tuple((a, 0) for a in chosen), extra) for extra in springs for chosen in sets]
+    pendulums = [replace(c, pendulum=True) for c in found[: len(sets) - 1]] if with_springs and angles else []
+    return found + pendulums
 
 
 def read_candidate(text: str) -> Candidate:
     """A candidate from text such as ``1,2``, ``free,s3`` or ``1,1x2``; InputError for anything else."""
     losses: list[tuple[str, int]] = []
     springs: list[int] = []
+    pendulum = False
     for item in (part.strip() for part in text.split(",")):
         if re.fullmatch(r"s\d+", item):
             springs.append(parse_integer(item[1:], "laws", 2, 9))
+        elif item == PENDULUM:
+            pendulum = True
         elif item == FREE:
             losses.append((FREE, 0))
         else:
@@ -102,7 +114,11 @@ def read_candidate(text: str) -> Candidate:
         raise InputError("laws", f"{text[:40]!r} names a term twice", FORMS)
     if len(losses) + len(springs) > MAX_TERMS:
         raise InputError("laws", f"{text[:40]!r} has too many terms", f"at most {MAX_TERMS}")
-    return Candidate(tuple(losses), tuple(springs))
+    if pendulum and (springs or any(a == FREE or m for a, m in losses)):
+        raise InputError(
+            "laws", f"{text[:40]!r} is no pendulum with known exponents", "exponents and pendulum, as 1,2,pendulum"
+        )
+    return Candidate(tuple(losses), tuple(springs), pendulum)
 
 
 def _read_loss(item: str) -> tuple[str, int]:

@@ -22,15 +22,16 @@ lack at most Y q^(-K-1)/(1 - 1/q) at z = 1.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.quarter import half_swing
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.extremes import greatest
 from asymptotics.series import Key
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.passage import integrated
@@ -99,7 +100,7 @@ class CertifiedRatio:
         best: arb | None = None
         sizes = [arb(d.abs_upper()) for d in delta]
         S = sum((d * J for d, J in zip(sizes, self.areas)), arb(0))
-        W = max((abs(w) for w in self.weights), key=lambda w: float(w.upper())).upper()
+        W = greatest(abs(w) for w in self.weights).upper()
         for Y in _REACHES:
             H = sum((d * k * (abs(w) * Y).exp() for d, k, w in zip(sizes, self.crests, self.weights)), arb(0))
             E = -(-W * Y).expm1() / W if W > 0 else Y

@@ -20,12 +20,12 @@ compare them.  These doubles serve identification only: nothing here is a certif
 """
 
 from dataclasses import dataclass
-from functools import cache, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import sici
 
+from asymptotics.numbers.context import cache, lru_cache
 from asymptotics.series import Key, monomials
 
 Array = NDArray[np.float64]
@@ -94,7 +94,7 @@ def swing_coefficients(elements: tuple[Element, ...], order: int, alphas: tuple[
     shapes = [shape(e, grid, velocity) for e, velocity in zip(elements, exponents)]
     weights = [np.asarray(v + e.position - 1.0) for v, e in zip(exponents, elements)]
     m = _solve(shapes, weights, order, grid)
-    keys = tuple(k for d in range(order + 1) for k in _keys(len(elements), d))
+    keys = tuple(k for d in range(order + 1) for k in keys_of(len(elements), d))
     all_m = np.concatenate(m)
     rate = all_m * grid.cosine
     quarter = grid.middle
@@ -153,26 +153,27 @@ def shape(element: Element, grid: Grid, velocity: Array | float) -> Array:
 
 
 @cache
-def _keys(variables: int, degree: int) -> tuple[Key, ...]:
+def keys_of(variables: int, degree: int) -> tuple[Key, ...]:
+    """The exponents of all monomials of a degree."""
     return tuple(monomials(variables, degree))
 
 
 @cache
 def _sum_indices(variables: int, left: int, right: int) -> NDArray[np.intp]:
     """Where key_i + key_j stands among the keys of degree left + right."""
-    place = {k: i for i, k in enumerate(_keys(variables, left + right))}
+    place = {k: i for i, k in enumerate(keys_of(variables, left + right))}
     rows = [
-        [place[tuple(p + q for p, q in zip(a, b))] for b in _keys(variables, right)] for a in _keys(variables, left)
+        [place[tuple(p + q for p, q in zip(a, b))] for b in keys_of(variables, right)] for a in keys_of(variables, left)
     ]
     return np.array(rows, dtype=np.intp)
 
 
-def _product(variables: int, left: list[Array], right: list[Array], i: int, j: int) -> Array:
+def graded_product(variables: int, left: list[Array], right: list[Array], i: int, j: int) -> Array:
     """Degree i of ``left`` times degree j of ``right``: arrays (keys, alphas, nodes)."""
     a, b, places = left[i], right[j], _sum_indices(variables, i, j)
     if len(a) > len(b):
         a, b, places = b, a, places.T
-    total = np.zeros((len(_keys(variables, i + j)), *np.broadcast_shapes(a.shape[1:], b.shape[1:])))
+    total = np.zeros((len(keys_of(variables, i + j)), *np.broadcast_shapes(a.shape[1:], b.shape[1:])))
     for row, place in zip(a, places):
         total[place] += row * b
     return total
@@ -185,20 +186,20 @@ def _solve(shapes: list[Array], weights: list[Array], order: int, grid: Grid) ->
     y, m, n = [blank], [blank], [blank]
     strength = [[blank + s] for s in shapes]
     for d in range(1, order + 1):
-        n.append(_raised(count, strength, d))
-        m.append(n[d] + sum(_product(count, n, m, j, d - j) for j in range(1, d)) * grid.cosine)
+        n.append(forced(count, strength, d))
+        m.append(n[d] + sum(graded_product(count, n, m, j, d - j) for j in range(1, d)) * grid.cosine)
         y.append(product(-m[d] * grid.sine, grid.cumulative.T))
         if d < order:
             for known, weight in zip(strength, weights):
-                known.append(sum(j * _product(count, y, known, j, d - j) for j in range(1, d + 1)) * (weight / d))
+                known.append(sum(j * graded_product(count, y, known, j, d - j) for j in range(1, d + 1)) * (weight / d))
     return m
 
 
-def _raised(count: int, strength: list[list[Array]], d: int) -> Array:
+def forced(count: int, strength: list[list[Array]], d: int) -> Array:
     """N in degree d: sum_i delta_i (f_i exp(w_i y)) in degree d - 1."""
-    total = np.zeros((len(_keys(count, d)), *strength[0][d - 1].shape[1:]))
+    total = np.zeros((len(keys_of(count, d)), *strength[0][d - 1].shape[1:]))
     places = _sum_indices(count, 1, d - 1)
-    units = {k.index(1): i for i, k in enumerate(_keys(count, 1))}
+    units = {k.index(1): i for i, k in enumerate(keys_of(count, 1))}
     for i, known in enumerate(strength):
         total[places[units[i]]] += known[d - 1]
     return total

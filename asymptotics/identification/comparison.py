@@ -2,20 +2,27 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
+from asymptotics.budget import tick
 from asymptotics.identification.candidates import Candidate
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.contradiction import Contradiction, further_parameters
 from asymptotics.identification.fitting import Fit, Model, Noise, fit
+from asymptotics.identification.in_time import ALL, Time
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import DecrementModel, Decrements, decrement_start
 from asymptotics.identification.profile import Function, Interval, coordinate, profile_interval, wald_interval
 from asymptotics.identification.quadrature import TooStrongError
 from asymptotics.identification.starting import starting_values
+from asymptotics.identification.waveform import WaveformModel
 
 _ALWAYS, _MARGIN, _WORSE = 6, 50.0, 1e-3
+_SHARE = 0.2
+"""Of the time that is left, what one fit may take."""
+UNTRIED = "not tried to its end: the time was over"
 
 
 @dataclass(frozen=True)
@@ -76,7 +83,7 @@ class LawFit:
     def functions(self) -> list[Function]:
         """The strengths, and the exponent if it is free, as functions of the parameter vector of the fit."""
         assert self.fit is not None
-        reference, first = self.fit.model.seen.reference, self.fit.model.law.start
+        reference, first = self.fit.model.reference, self.fit.model.law.start
         found = [strength(self.candidate, i, reference, first) for i in range(self.terms)]
         return [*found, coordinate(first + self.terms)] if self.candidate.free else found
 
@@ -91,33 +98,54 @@ class LawFit:
         return tuple(a for a, e in zip(self.candidate.alphas, self.epsilon) if e.estimate < 0)
 
 
-def fit_laws(candidates: Sequence[Candidate], seen: Observations, noise: Noise | None = None) -> list[LawFit]:
-    """All candidates: a coarse fit of each, by the series alone, then the full one of each that could have support.
+def fit_laws(
+    candidates: Sequence[Candidate], seen: Observations, noise: Noise | None = None, time: Time = ALL
+) -> list[LawFit]:
+    """All candidates, from few parameters to many, each with a share of the time: a coarse fit, by the series alone,
+    then the full one of each that could have support.
 
     A coarse fit is left as it is only if it is far from the best and what its series neglects is small beside its
-    residuals.  A law that fits worse than one it contains has missed its optimum and starts again from there.
+    residuals.  A law that fits worse than one it contains has missed its optimum and starts again from there.  What
+    the time does not suffice for has no fit, and says so.
     """
-    fits = [fit_law(c, seen, noise, coarse=True) for c in candidates]
-    order = sorted(range(len(fits)), key=lambda i: fits[i].criterion)
-    least = float("inf")
+    fits = [LawFit(c, None, reason=UNTRIED) for c in candidates]
+    half, points, look = time.part(0.5), seen, noise
+    if seen.samples is not None:
+        points, look = (
+            replace(seen, samples=None),
+            Noise(*(float(np.sqrt(np.mean(s**2))) for s in (seen.sigma_x, seen.sigma_t))),
+        )
+    for i in sorted(range(len(fits)), key=lambda i: fits[i].parameters):
+        tick(f"the first look at the law {candidates[i]}")
+        fits[i] = half.within(_SHARE, partial(fit_law, candidates[i], points, look, coarse=True), fits[i])
+    order, least = sorted(range(len(fits)), key=lambda i: fits[i].criterion), float("inf")
     for rank, i in enumerate(order):
-        if rank < _ALWAYS or fits[i].criterion < least + _MARGIN or not _is_good(fits[i].fit):
-            coarse = fits[i].fit
-            fits[i] = fit_law(candidates[i], seen, noise, start=None if coarse is None else coarse.theta)
-            least = min(least, fits[i].criterion)
-    return _nested(fits, seen, noise)
+        rough = fits[i]
+        if rank < _ALWAYS or rough.criterion < least + _MARGIN or not _is_good(rough.fit):
+            tick(f"the law {candidates[i]}; the best at the first look: {candidates[order[0]]}")
+            work = partial(fit_law, candidates[i], seen, noise, start=None if rough.fit is None else rough.fit.theta)
+            kept = rough if _is_good(rough.fit) and points is seen else LawFit(candidates[i], None, reason=UNTRIED)
+            fits[i] = time.within(_SHARE, work, kept)
+            least = min(least, (fits[i] if points is seen else rough).criterion)
+        elif points is not seen:
+            reason = f"far from the data at the first look (AICc {rough.criterion - least:.3g} above the best)"
+            fits[i] = LawFit(candidates[i], None, verdict="refuted", reason=reason)
+    return _nested(fits, seen, noise, time)
 
 
-def _nested(fits: Sequence[LawFit], seen: Observations, noise: Noise | None) -> list[LawFit]:
+def _nested(fits: Sequence[LawFit], seen: Observations, noise: Noise | None, time: Time) -> list[LawFit]:
     """The same fits, none worse than that of a law it contains."""
     found = list(fits)
     for i in sorted(range(len(found)), key=lambda i: found[i].parameters):
+        if found[i].reason == UNTRIED:
+            continue
         inside = [law for law in found if law.usable and further_parameters(law.candidate, found[i].candidate) == 0]
         best = max((law for law in inside if law.fit), key=_likelihood, default=found[i])
         if best.fit is not None and _likelihood(best) > _likelihood(found[i]) + _WORSE:
             start, coarse = _embedded(best.fit, best.candidate, found[i].candidate), best.fit.model.swing.coarse
-            again = fit_law(found[i].candidate, seen, noise, coarse=coarse, start=start)
-            found[i] = max(found[i], again, key=_likelihood)
+            work = partial(fit_law, found[i].candidate, seen, noise, coarse=coarse, start=start)
+            missed = LawFit(found[i].candidate, None, reason=UNTRIED)
+            found[i] = max(found[i], time.within(_SHARE, work, missed), key=_likelihood)
     return found
 
 
@@ -155,7 +183,9 @@ def fit_law(
     start: Array | None = None,
 ) -> LawFit:
     """The fit of one candidate; without one if the data are too few or the motion of the law ends too early."""
-    model = Model(candidate.swing(coarse), seen)
+    if seen.samples is not None:
+        return _fit_motion(candidate, seen, noise, start)
+    model = Model(candidate.swing(coarse), seen, pendulum=candidate.pendulum)
     if len(model.data) < model.size + 2:
         return LawFit(candidate, None, reason=f"{len(model.data)} data for {model.size} unknowns")
     try:
@@ -165,6 +195,20 @@ def fit_law(
     if not np.isfinite(found.aicc):
         return LawFit(candidate, found, reason=f"{len(model.data)} data for {model.size} unknowns")
     return LawFit(candidate, found)
+
+
+def _fit_motion(candidate: Candidate, seen: Observations, noise: Noise | None, start: Array | None) -> LawFit:
+    """The fit to all samples, from where the turning points alone lead."""
+    model = WaveformModel(candidate.swing(), seen, candidate.pendulum)
+    if len(model.data) < model.size + 4:
+        return LawFit(candidate, None, reason=f"{len(model.data)} samples for {model.size} unknowns")
+    try:
+        if start is None:
+            first = Model(candidate.swing(), replace(seen, samples=None), pendulum=candidate.pendulum)
+            start = fit(first, starting_values(first)).theta
+        return LawFit(candidate, fit(model, model.start(start), noise))
+    except (TooStrongError, np.linalg.LinAlgError) as error:
+        return LawFit(candidate, None, reason=f"no fit: {error}")
 
 
 def fit_decrements(candidate: Candidate, table: Decrements, noise: Noise | None = None) -> LawFit:
@@ -220,13 +264,13 @@ def predicted_error(law: LawFit, seen: Observations, share: float = 2 / 3) -> fl
 
     None if the first part does not determine the law.
     """
-    if law.fit is None:
+    if law.fit is None or seen.samples is not None:
         return None
     early = seen.up_to(int(share * seen.last))
     first = fit_law(law.candidate, early)
     if first.fit is None:
         return None
-    model = Model(first.fit.model.swing, seen, first.fit.model.offset)
+    model = Model(first.fit.model.swing, seen, first.fit.model.offset, law.candidate.pendulum)
     late = np.flatnonzero(seen.n > early.last)
     try:
         predicted, _ = model.predict(first.fit.theta)

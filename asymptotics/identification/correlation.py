@@ -45,14 +45,14 @@ def block_length(fit: Fit) -> int:
             if abs(float(r[k:] @ r[:-k])) / power < 2 / np.sqrt(len(r)):
                 break
             longest = max(longest, k + 1)
-    swings = len(fit.model.seen.n)
+    swings = fit.model.units
     return int(np.clip(2 * longest, 3, max(3, swings // 5)))
 
 
 def replicas(fit: Fit, count: int = REPLICAS, seed: int = 1) -> Array:
     """Parameter vectors (count, parameters) of the bootstrap; the same at every call."""
     generator = np.random.default_rng(seed)
-    swings, length = len(fit.model.seen.n), block_length(fit)
+    swings, length = fit.model.units, block_length(fit)
     starts = generator.integers(0, swings, size=(count, swings // length + 1))
     order = ((starts[:, :, None] + np.arange(length)) % swings).reshape(count, -1)[:, :swings]
     sigma = fit.model.scale_vector(fit.scales)

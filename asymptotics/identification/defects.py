@@ -4,29 +4,34 @@ import numpy as np
 
 from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Array
-from asymptotics.identification.rows import Rows
+from asymptotics.identification.sampled import LEAST_SAMPLES
+from asymptotics.records.rows import Rows
 
-_LEAST_ROWS = 50
+Flags = np.ndarray[tuple[int], np.dtype[np.bool_]]
+_MOST_CLIPPED = 0.6
 _PLATEAU = 4
 """Equal samples that make a plateau on their own, if it is entered and left at speed."""
 
 
-def require_usable(t: Array, x: Array, rows: Rows) -> None:
-    """InputError for a record that is too short, constant, or clipped."""
-    if len(t) < _LEAST_ROWS:
-        raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers", f"at least {_LEAST_ROWS} samples")
+def usable(t: Array, x: Array, rows: Rows) -> Flags:
+    """Which samples are not clipped; InputError for a record that is too short, constant, or clipped for the most
+    part."""
+    if len(t) < LEAST_SAMPLES:
+        raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers", f"at least {LEAST_SAMPLES} samples")
     if not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name}, column x: all values are {x[0]:g}", "a motion")
+    whole = np.ones(len(x), dtype=bool)
     for extreme, word in ((x.max(), "largest"), (x.min(), "smallest")):
         runs = _runs(x == extreme)
         long = [run for run in runs if run[1] - run[0] >= 3]
         sharp = [run for run in long if run[1] - run[0] >= _PLATEAU and _is_sharp(x, *run)]
         if sharp or (len(long) >= 3 and _is_cut(x, long, float(extreme))):
-            long = long if len(long) >= 3 else sharp
-            where = rows.where(long[0][0], "x")
-            peaks = "1 peak is" if len(long) == 1 else f"{len(long)} peaks are"
-            reason = f"{where}: {peaks} clipped at the {word} value {extreme:g}"
+            whole[x == extreme] = False
+        if whole.mean() < _MOST_CLIPPED:
+            where = rows.where(int(np.argmin(whole)), "x")
+            reason = f"{where}: {1 - whole.mean():.0%} of the samples are clipped at the {word} value {extreme:g}"
             raise InputError("FILE", reason, "a record whose peaks are whole")
+    return whole
 
 
 def _runs(flags: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> list[tuple[int, int]]:

@@ -20,10 +20,14 @@ import numpy as np
 
 from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Array
-from asymptotics.identification.defects import require_usable, shape_notes
-from asymptotics.identification.observations import Indices, Observations
-from asymptotics.identification.reading import Table, require_increasing
-from asymptotics.identification.rows import Rows
+from asymptotics.identification.defects import shape_notes, usable
+from asymptotics.identification.demodulation import dominant_period
+from asymptotics.identification.observations import Indices, Observations, Samples
+from asymptotics.identification.quiet_times import quiet_times
+from asymptotics.identification.sampled import MAX_SAMPLES, observations_of_motion
+from asymptotics.records.rows import Rows
+from asymptotics.records.table import Table
+from asymptotics.records.units import ANGLES, UNITS
 
 _RECORD = Rows("the record")
 _WINDOW, _WIDEST, _SAMPLES = 0.11, 0.26, 4.6
@@ -35,6 +39,11 @@ _EXACT, _COARSE = 5e-5, 2e-4
 with losses of exponents 0 to 3."""
 _LEAST_SAMPLES = 22
 """Samples a period below which extremes cannot be fitted."""
+_LEAST_ROWS = 50
+_FAR = 1.4
+"""Radians beyond which the flat extremes and the growing half periods of a pendulum are no cosines any more."""
+_SPARSE, _NOISY = 100.0, 2e-3
+"""Samples a period and noise at which extremes tell less than the samples do: then the motion is fitted."""
 _FEW = 1.0
 """Extremes a period (there are two) below which a line is taken off before the passages are sought."""
 _MEANS, _FEW_MEANS = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16, np.array([1.0, 2.0, 1.0]) / 4
@@ -56,15 +65,21 @@ class _Points:
 def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: Rows = _RECORD) -> Observations:
     """Turning points, turning times and passages of a sampled motion; InputError for a record that has none."""
     columns = {"t": np.asarray(t, dtype=float), "x": np.asarray(x, dtype=float)}
-    table, said = Table("record", columns, unit, rows).whole()
-    t, x, rows, name, notes = table.columns["t"], table.columns["x"], table.rows, rows.name, list(said)
-    require_usable(t, x, rows)
-    require_increasing(t, "t", rows)
+    table = Table("record", columns, unit, rows).whole()
+    t, x, rows, name, notes = table.columns["t"], table.columns["x"], table.rows, rows.name, list(table.notes)
+    whole = usable(t, x, rows)
+    back = np.flatnonzero(np.diff(t) <= 0)
+    if len(back):
+        raise InputError("FILE", f"{rows.where(int(back[0]) + 1, 't')}: the time does not increase", "increasing times")
+    if not whole.all():
+        said = f"{int((~whole).sum())} clipped samples masked, the first is row {rows.row(int(np.argmin(whole)))}"
+        return observations_of_motion(t[whole], x[whole], unit=unit, name=name, notes=(*table.notes, said))
+    if len(t) < _LEAST_ROWS:
+        return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     period = dominant_period(t, x)
     per_period = period / float(np.median(np.diff(t)))
     if per_period < _LEAST_SAMPLES:
-        reason = f"{name} has {per_period:.3g} samples a period"
-        raise InputError("FILE", reason, f"at least {_LEAST_SAMPLES} samples a period, or turning points")
+        return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     base = np.array([float(np.median(x)), 0.0])
     found = _points(t, x - base[0], period)
     if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
@@ -81,27 +96,44 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: Rows = _
     else:
         notes.append(f"base line {base[0]:.4g} removed")
     chosen, discarded = _free_decay(found)
+    sparse = per_period < _SPARSE and found.noise > _NOISY * abs(found.x[chosen[0]])
+    if sparse and len(t) <= MAX_SAMPLES and (t[-1] - t[0]) / period > 4:
+        free = (t >= found.t[chosen[0]]) & (t <= found.t[chosen[-1]])
+        kept = (*table.notes, *discarded)
+        return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=kept, period=period)
+    found = _at_quiet_times(t, x - base[0] - base[1] * (t - t[0]), found, chosen, _half_width(t, period))
     notes += discarded + shape_notes(t, x, found.x[chosen], found.sigma_x[chosen], period)
     seen = _assembled(found, chosen, unit, name, [*notes, f"sample noise {found.noise:.3g}"])
+    if unit in ANGLES and abs(found.x[chosen[0]]) * UNITS[unit] > _FAR and len(t) <= MAX_SAMPLES:
+        free = (t >= seen.t[0]) & (t <= seen.t[-1])
+        samples = Samples(t[free], x[free], found.noise, float(free.sum()))
+        far = f"angles beyond {np.degrees(_FAR):.0f} degrees: all {free.sum()} samples fitted"
+        error = np.full(len(seen.n), found.noise)
+        return replace(seen, samples=samples, notes=(*seen.notes, far), sigma_x=error, sigma_t=error / seen.reference)
     return replace(seen, floor=float(np.interp(_half_width(t, period) / period, (_WINDOW, _WIDEST), (_EXACT, _COARSE))))
+
+
+def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: float) -> _Points:
+    """The extremes with their values at the times of a smooth curve through all turning times (``quiet_times``)."""
+    times = quiet_times(
+        found.t[chosen], found.x[chosen], found.sigma_t[chosen], found.passage_t, _steps(found.t[chosen])
+    )
+    if times is None:
+        return found
+    values = found.x.copy()
+    for place, centre in zip(chosen, times):
+        low, high = np.searchsorted(t, [centre - half, centre + half])
+        u = (t[low:high] - centre) / half
+        if len(u) >= _DEGREE + 3 and u[0] < -0.7 and u[-1] > 0.7:
+            V = np.vander(u, _DEGREE + 1, increasing=True)
+            values[place] = np.linalg.solve(V.T @ V, V.T @ x[low:high])[0]
+    return replace(found, x=values)
 
 
 def _half_width(t: Array, period: float) -> float:
     """Of the local fits: the same share of the period for all records, but as many samples as the fit needs."""
     step = float(np.median(np.diff(t)))
     return min(max(_WINDOW * period, _SAMPLES * step), _WIDEST * period)
-
-
-def dominant_period(t: Array, x: Array) -> float:
-    """The period of the strongest line of the spectrum, from the record resampled evenly."""
-    count = int(min(2**17, max(256, 2 ** int(np.log2(len(t)) + 1))))
-    grid = np.linspace(t[0], t[-1], count)
-    even = np.interp(grid, t, x)
-    even = even - np.polynomial.Polynomial.fit(grid, even, 1)(grid)
-    power = np.abs(np.fft.rfft(even * np.hanning(count)))
-    power[:2] = 0
-    k = int(np.argmax(power))
-    return float((t[-1] - t[0]) * count / (count - 1) / k)
 
 
 def _points(t: Array, x: Array, period: float) -> _Points:

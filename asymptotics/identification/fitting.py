@@ -11,15 +11,18 @@ which needs no outside estimate of the noise, and AICc and BIC follow with one p
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
+from asymptotics.budget import tick
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.observations import Observations
+from asymptotics.identification.pendulum import PendulumSwing, angle, well
 from asymptotics.identification.quadrature import TooStrongError
-from asymptotics.identification.sequence import turning_sequence
+from asymptotics.identification.sequence import TurningSequence, turning_sequence
 from asymptotics.identification.swing import MAX_FREE_ALPHA, TOLERANCE, Swing
+from asymptotics.numbers.context import cached_property
+from asymptotics.records.units import UNITS
 
 KINDS = ("x", "t", "passage")
 """Turning points, turning times, passages."""
@@ -43,13 +46,19 @@ class Noise:
 class Model:
     """Residuals of one law for one run, with their derivatives, as functions of the parameter vector.
 
+    ``pendulum``: x is an angle and the spring sin x; A stands for 2 sin(x/2) then (``pendulum``).
+
     The vector: ln(A_0/A_ref), the strengths s_i = epsilon_i A_ref^(w_i), the exponent if it is free, the offset, and
     (with times) ln omega_0 and t_0.
     """
 
     alternating = True
 
-    def __init__(self, swing: Swing, seen: Observations, offset: bool = True) -> None:
+    def __init__(self, swing: Swing, seen: Observations, offset: bool = True, pendulum: bool = False) -> None:
+        self.angle = UNITS.get(seen.unit, 1.0) if pendulum else None
+        self.reference = seen.reference if self.angle is None else float(well(seen.reference, self.angle))
+        if self.angle is not None:
+            swing = PendulumSwing(swing.elements, seen.reference * self.angle, coarse=swing.coarse)
         self.swing, self.seen = swing, seen
         self.offset = offset and len(seen.n) >= 8
         self.law = slice(1, 1 + swing.parameters)
@@ -62,18 +71,30 @@ class Model:
         sigmas = [seen.sigma_x, seen.sigma_t, seen.sigma_passage]
         shapes = [s / np.sqrt(np.mean(s**2)) if len(s) else np.ones(c) for s, c in zip(sigmas, counts) if c]
         self.shape = np.concatenate(shapes)
-        self._guess: Array | None = None
+        self._known: tuple[Array, TurningSequence] | None = None
+
+    def _sequence(self, theta: Array) -> TurningSequence:
+        """The turning points, sought from where the last ones lead by their derivatives."""
+        law = theta[: self.after]
+        guess = None
+        if self._known is not None:
+            before, run = self._known
+            guess = run.a + np.clip((law - before) @ run.d_a, -1.0, 1.0)
+        run = turning_sequence(self.swing, self.seen.last, law, guess)
+        self._known = law.copy(), run
+        return run
 
     def predict(self, theta: Array) -> tuple[Array, Array]:
         """The predicted data and their derivatives (data, parameters); TooStrongError outside the model's domain."""
         seen, after = self.seen, self.after
         if seen.has_times and not abs(theta[-2]) < _WILD:
             raise TooStrongError("the frequency leaves every bound")
-        run = turning_sequence(self.swing, seen.last, theta[:after], self._guess)
-        self._guess = run.a
-        radius = seen.reference * np.exp(run.a[seen.n])
-        values = [seen.sign * radius + (theta[after] if self.offset else 0.0)]
+        run = self._sequence(theta)
+        radius = self.reference * np.exp(run.a[seen.n])
+        size, stretch = (radius, np.ones(1)) if self.angle is None else angle(radius, self.angle)
+        values = [seen.sign * size + (theta[after] if self.offset else 0.0)]
         slopes = [np.zeros((len(seen.x), self.size))]
+        radius = radius * stretch
         slopes[0][:, :after] = (seen.sign * radius * run.d_a[:, seen.n]).T
         if self.offset:
             slopes[0][:, after] = 1.0
@@ -87,7 +108,7 @@ class Model:
             slopes.append(self._time_slopes(rate, tau, by))
             if self.offset:
                 first = seen.sign[0] * np.where((seen.n[0] + seen.passage_n) % 2, -1.0, 1.0)
-                ease = first * rate * np.exp(-run.log_speed[seen.passage_n]) / seen.reference
+                ease = first * rate * np.exp(-run.log_speed[seen.passage_n]) / self.reference
                 late = theta[after] * ease
                 values[-1] = values[-1] + late
                 slopes[-1][:, :after] -= (late * run.d_log_speed[:, seen.passage_n]).T
@@ -97,13 +118,18 @@ class Model:
 
     def neglected(self, theta: Array) -> float:
         """What the series lacks in ln(amplitude), all swings together, as they were at the last prediction."""
-        return 0.0 if self._guess is None else self.swing.neglected(self._guess[:-1], theta[self.law])
+        return 0.0 if self._known is None else self.swing.neglected(self._known[1].a[:-1], theta[self.law])
 
     def _time_slopes(self, rate: float, tau: Array, by: Array) -> Array:
         slopes = np.zeros((len(tau), self.size))
         slopes[:, : self.after] = rate * by.T
         slopes[:, -2], slopes[:, -1] = -rate * tau, 1.0
         return slopes
+
+    @property
+    def units(self) -> int:
+        """How many swings stand beside each other: what a bootstrap draws."""
+        return len(self.seen.n)
 
     def smooth_columns(self) -> dict[str, tuple[Array, Array]]:
         """For each kind of data, the variable of which it is a smooth function (up to alternating signs), and the
@@ -257,6 +283,7 @@ def minimise(
     r, J = residuals(theta)
     cost, damping = float(r @ r), 1e-6
     for _ in range(_STEPS):
+        tick()
         size = np.sqrt((J**2).sum(axis=0)) + 1e-300
         step = _step(J / size, r, damping) / size
         trial = _inside(model, theta + step)

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 from scipy.optimize import brentq
 
 from asymptotics.errors import UndecidedError
@@ -36,6 +36,7 @@ from asymptotics.identification.profile import Interval
 from asymptotics.identification.quadrature import TooStrongError
 from asymptotics.identification.swing import MAX_FREE_ALPHA, Swing
 from asymptotics.identification.table_rows import exact
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 
 _FREE = read_candidate("free")
@@ -98,7 +99,7 @@ class _Strips:
             for sign, rows in sides.items():
                 half = (exact(d) - sign * exact(r)) / 2
                 rows.append((exact(a) + half, ((exact(a) + half) / (exact(a) - half)).log()))
-        unit = max((amplitude for rows in sides.values() for amplitude, _ in rows), key=lambda v: float(v.upper()))
+        unit = max((amplitude for rows in sides.values() for amplitude, _ in rows), key=arb.upper)
         lower, upper = (tuple((a / unit, level) for a, level in sides[sign]) for sign in (1, -1))
         swing = Swing(_FREE.elements, free=True)
         swing.tolerance = 1e-7

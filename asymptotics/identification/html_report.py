@@ -19,9 +19,9 @@ import scipy
 from asymptotics import __version__
 from asymptotics.errors import InputError, printable
 from asymptotics.identification.observations import Observations
-from asymptotics.identification.plots import picture
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.result import Identification
+from asymptotics.made_by import line as made_by_line
 
 _TEMPLATE = Path(__file__).with_name("report.html")
 _LONG = 2000
@@ -38,11 +38,12 @@ def html_report(answer: Identification, provenance: Mapping[str, str] | None = N
     names = ", ".join(run.name or "the data" for run in answer.runs)
     lines = {"program": f"power-law-oscillator {__version__}, identify", **(provenance or {})}
     lines["arithmetic"] = f"Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}"
+    lines["made by"] = made_by_line()
     reasons = [(*(cell.replace("  ", "; ") for cell in entry.row()), entry.law.reason) for entry in answer.laws]
     fields = {
         "title": text(f"Which damping law? {names}"),
         "verdict": text(answer.verdict.text),
-        "telling": f"<p>{text(answer.verdict.telling)}</p>" if answer.verdict.telling else "",
+        "telling": "".join(f"<p>{text(line)}</p>" for line in (answer.in_words, answer.verdict.telling) if line),
         "equation": f"<code>{text(answer.best.law.candidate.formula())}</code>",
         "pictures": "".join(_pictures(answer)),
         "laws": table(("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]", "why"), reasons, ""),
@@ -70,7 +71,7 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]], caption: str) -> s
 def _pictures(answer: Identification) -> Iterable[str]:
     for one in answer.per_run or (answer,):
         try:
-            drawn = picture(one, "svg").decode()
+            drawn = one.picture("svg", size=(10, 7.5), panels=True).decode()
         except InputError as error:
             yield f"<p>No picture: {text(error.reason)}.</p>"
             continue

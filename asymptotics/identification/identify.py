@@ -9,31 +9,38 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 
+from asymptotics.budget import tick
 from asymptotics.errors import InputError, require_flag, shown
 from asymptotics.identification.adequacy import Levels, noise_levels
 from asymptotics.identification.amplitudes import relieved, spring_bound, widened
 from asymptotics.identification.candidates import Candidate, default_candidates, read_candidate
-from asymptotics.identification.column_units import UNITS
-from asymptotics.identification.comparison import LawFit, fit_decrements, fit_laws, predicted_error
+from asymptotics.identification.comparison import UNTRIED, LawFit, fit_decrements, fit_laws, predicted_error
 from asymptotics.identification.correlation import block_length
 from asymptotics.identification.defects import is_constant, is_growing
 from asymptotics.identification.fitting import Noise
+from asymptotics.identification.in_time import Time
 from asymptotics.identification.judgement import judged, minimal, relabelled
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import Decrements
+from asymptotics.identification.profile import coordinate, wald_interval
 from asymptotics.identification.result import Identification, LawAnswer, Units, sorted_laws
 from asymptotics.identification.runs import common, verdict_of_runs
 from asymptotics.identification.sources import LEAST_POINTS, load
 from asymptotics.identification.textbook import textbook_estimates
-from asymptotics.identification.verdicts import verdict_of
+from asymptotics.identification.verdicts import Verdict, verdict_of
+from asymptotics.public import public
+from asymptotics.records.sources import How
+from asymptotics.records.units import ANGLES, GRAVITY, UNITS
 
 MAX_RUNS = 50
 
 
+@public
 def identify(
     data: Any,
     *,
@@ -48,12 +55,19 @@ def identify(
     omega_0: float | None = None,
     noise: float | None = None,
     bootstrap: bool = True,
+    max_seconds: Any = 60,
+    columns: str | None = None,
+    decimal: str | None = None,
+    skip: int = 0,
+    sheet: str | None = None,
 ) -> Identification:
     """The laws that are consistent with measured data, with intervals for their strengths, and a verdict in words.
 
-    ``data``: a CSV file, a data frame, a mapping of columns, observations, or a list of several runs of one oscillator.
-    ``kind``: record, turning-points or decrement (found from the columns if not given); ``unit`` of x: m, cm, mm,
-    rad, deg.
+    ``data``: a file (a text table of any layout, xlsx, parquet, npz, mat), an open one, a data frame, a mapping of
+    columns, two arrays ``(t, x)``, observations, or a list of several runs of one oscillator.
+    ``kind``: record, velocity, acceleration, turning-points or decrement (found from the columns if not given);
+    ``unit`` of x: m, cm, mm, rad, deg.  ``columns`` such as "t=Time (s),x=3", ``decimal`` "." or ",", ``skip``
+    lines and ``sheet`` overrule what a file shows.
     ``laws``: candidates such as "1,2", "free", "1,s3" (default: every subset of 0, 1, 2, 3 and one free exponent,
     with and without the springs x^3 and x^3, x^5 when there are times); ``springs``: the springs to add to each of
     ``laws``.
@@ -70,25 +84,39 @@ def identify(
     omega_0, noise = _positive(omega_0, "omega_0"), _positive(noise, "noise")
     require_flag(amplitudes_only, "amplitudes_only")
     require_flag(bootstrap, "bootstrap")
-    sources = data if isinstance(data, list | tuple) else [data]
+    how = How(columns, decimal, skip, sheet)
+    sources = _sources(data)
     if not 1 <= len(sources) <= MAX_RUNS:
         raise InputError("data", f"{len(sources)} runs", f"1 to {MAX_RUNS} runs")
-    runs = [_in_range(load(source, kind, unit), amplitudes) for source in sources]
+    within = None if amplitudes is None else _two_numbers(amplitudes)
+    _candidates(laws, springs, times=True, angles=True)  # a law that cannot be read is refused before the work
+    tick("the reading of the data")
+    runs = [_in_range(run, within) for source in sources for run in load(source, kind, unit, how)]
     units = {run.unit for run in runs}
     if len(units) > 1:
         raise InputError("unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
     known = Units(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, _omega(mass, stiffness, omega_0))
     times = not amplitudes_only and all(isinstance(r, Observations) and r.has_times for r in runs)
-    candidates = _candidates(laws, springs, times)
+    candidates = _candidates(laws, springs, times, known.unit in ANGLES)
     scale = None if noise is None else Noise(x=noise)
-    answers = [_one_run(r, candidates, known, amplitudes_only, scale, bootstrap) for r in runs]
+    answers = []
+    for place, run in enumerate(runs):
+        time = Time.but_for_the_answer(1 / (len(runs) - place))
+        answers.append(_one_run(run, candidates, known, amplitudes_only, scale, bootstrap, time))
     return answers[0] if len(answers) == 1 else _together(answers, known)
+
+
+def _sources(data: Any) -> list[Any]:
+    """Several runs, or one; two arrays of numbers are one, (t, x)."""
+    if isinstance(data, tuple) and len(data) == 2 and all(isinstance(d, np.ndarray) and d.ndim == 1 for d in data):
+        return [{"t": data[0], "x": data[1]}]
+    return list(data) if isinstance(data, list | tuple) else [data]
 
 
 def _in_range(run: Observations | Decrements, amplitudes: tuple[float, float] | None) -> Observations | Decrements:
     if amplitudes is None:
         return run
-    low, high = _two_numbers(amplitudes)
+    low, high = amplitudes
     size = np.abs(run.x) if isinstance(run, Observations) else run.amplitude
     count = int(((size >= low) & (size <= high)).sum())
     if not 0 <= low < high or count < LEAST_POINTS:
@@ -97,14 +125,18 @@ def _in_range(run: Observations | Decrements, amplitudes: tuple[float, float] | 
     return run.between(low, high)
 
 
-def _candidates(laws: Sequence[str] | None, springs: Sequence[str], times: bool) -> list[Candidate]:
-    chosen = default_candidates(times) if laws is None else [read_candidate(text) for text in _texts(laws, "laws")]
+def _candidates(laws: Sequence[str] | None, springs: Sequence[str], times: bool, angles: bool) -> list[Candidate]:
+    chosen = (
+        default_candidates(times, angles) if laws is None else [read_candidate(text) for text in _texts(laws, "laws")]
+    )
     if not chosen:
         raise InputError("laws", "no law is named", "at least one law")
     powers = (",".join("s" + p.strip() for p in text.split(",")) for text in _texts(springs, "springs"))
     extra = [read_candidate(f"0,{text}").springs for text in powers]
-    chosen += [Candidate(c.losses, s) for s in extra for c in chosen if not c.springs]
-    if not times and any(c.springs for c in chosen):
+    chosen += [Candidate(c.losses, s) for s in extra for c in chosen if not (c.springs or c.pendulum)]
+    if any(c.pendulum for c in chosen) and not angles:
+        raise InputError("laws", "a pendulum needs angles", f"x in one of: {', '.join(ANGLES)} (--unit)")
+    if not times and any(c.springs or c.pendulum for c in chosen):
         raise InputError("laws", "springs need times", "laws without springs, or data with times")
     return list(dict.fromkeys(chosen))
 
@@ -116,6 +148,7 @@ def _one_run(
     amplitudes_only: bool,
     noise: Noise | None,
     bootstrap: bool,
+    time: Time,
 ) -> Identification:
     if isinstance(run, Decrements):
         return _decrements(run, candidates, units, noise)
@@ -129,7 +162,7 @@ def _one_run(
         simple = [c for c in candidates if len(c.elements) == 1 and not c.free]
         fits = [LawFit(c, None, reason=reason) for c in candidates if c not in simple]
         candidates = simple
-    fits = fit_laws(candidates, seen, noise) + fits
+    fits = fit_laws(candidates, seen, noise, time) + fits
     if not seen.has_times:
         unknown = "amplitudes cannot tell a nonlinear spring from position-dependent loss, nor measure either"
         notes.append(unknown + ("" if amplitudes_only else "; intervals and verdicts hold for a linear spring"))
@@ -138,20 +171,55 @@ def _one_run(
         bound, origin = spring_bound(run)
         notes[-1] += f"; {origin}: intervals and verdicts allow for it"
         fits = [relieved(law, bound) for law in fits]
-    laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap)
+    laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap, time=time)
     if bound is not None:
         laws = relabelled([widened(law, bound) for law in laws], growing)
-    verdict = verdict_of(laws, seen, growing)
-    notes += _memory(laws)
+    verdict = _in_time(
+        laws, time.within(0.4, partial(verdict_of, laws, seen, growing), verdict_of(laws, None, growing))
+    )
+    notes += [*_untried(laws), *_lengths(laws), *_memory(laws)]
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
     chosen = {law.candidate for law in minimal(laws)[:4]}
-    laws = [replace(law, held_out=predicted_error(law, seen)) if law.candidate in chosen else law for law in laws]
+    laws = [
+        replace(law, held_out=time.within(0.2, partial(predicted_error, law, seen), None))
+        if law.candidate in chosen
+        else law
+        for law in laws
+    ]
     units = _measured(units, laws)
     odd = [law for law in laws if law.negative and law.verdict == "consistent" and not law.unneeded and not growing]
     notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative: unphysical" for law in odd[:3]]
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
-    return Identification(verdict, answers, (run,), textbook_estimates(seen), tuple(notes), units)
+    textbook: dict[str, Any] = time.within(0.5, lambda: textbook_estimates(seen), {})
+    return Identification(verdict, answers, (run,), textbook, tuple(notes), units)
+
+
+def _untried(laws: Sequence[LawFit]) -> list[str]:
+    """What the time did not suffice for."""
+    left = [str(law.candidate) for law in laws if law.reason == UNTRIED]
+    return [f"the time was over before {len(left)} of {len(laws)} laws were tried: {'; '.join(left)}"] if left else []
+
+
+def _lengths(laws: Sequence[LawFit]) -> list[str]:
+    """The length of the simple pendulum in the best consistent law with one."""
+    best = next((law for law in sorted_laws(laws) if law.candidate.pendulum and law.verdict == "consistent"), None)
+    if best is None or best.fit is None:
+        return []
+    frequency = coordinate(len(best.fit.theta) - 2)
+    ends = wald_interval(best.fit, frequency, kind=best.fit.model.kinds[-1]).stretched(best.inflation)
+    long, middle, short = (
+        GRAVITY * float(np.exp(-2 * w)) for w in (ends.low, ends.estimate, ends.high) if w is not None
+    )
+    said = f"length g/omega_0^2 = {middle:.5g} m [{short:.5g}, {long:.5g}] where g = {GRAVITY} m/s^2"
+    return [f"{best.candidate}: omega_0 = {np.exp(ends.estimate):.6g} rad/s, {said}"]
+
+
+def _in_time(laws: Sequence[LawFit], verdict: Verdict) -> Verdict:
+    """The verdict, which says how many laws it does not know."""
+    left = sum(law.reason == UNTRIED for law in laws)
+    said = f"{verdict.text} (the time was over: {left} of {len(laws)} laws are not tried)"
+    return replace(verdict, text=said) if left else verdict
 
 
 def _levels(fits: Sequence[LawFit], noise: Noise | None) -> Levels:
@@ -216,13 +284,12 @@ def _omega(mass: float | None, stiffness: float | None, omega_0: float | None) -
 def _positive(value: Any, name: str) -> float | None:
     if value is None:
         return None
-    from asymptotics.numbers.arrays import real_array  # noqa: PLC0415 (loads SymPy, and most calls name no number)
-    from asymptotics.numbers.policy import exact_number  # noqa: PLC0415 (as above)
+    from asymptotics.numbers.policy import exact_double  # noqa: PLC0415 (loads SymPy, and most calls name no number)
 
-    number = exact_number(value, name)
+    number = exact_double(value, name)
     if not number > 0:
         raise InputError(name, f"{number} is not positive", "a positive number")
-    return float(real_array(value, name))
+    return number
 
 
 def _two_numbers(amplitudes: Any) -> tuple[float, float]:

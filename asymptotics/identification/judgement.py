@@ -1,38 +1,50 @@
 """Each law against the data and against the others: consistent, refuted, or undetermined.
 
-*Refuted* means that the data contradict the law: its residuals exceed the noise, or another law explains the data
-better than chance allows, or one of its strengths is negative beyond doubt.  A law that contains a consistent law and
-is not contradicted itself is *consistent* too, and the answer says which of its terms are not needed.  *Undetermined*:
-the data set no limit to its strengths, or it could not be fitted.
+*Refuted* means that the data contradict the law: its residuals exceed the noise, or another law with no negative loss
+explains the data better than chance allows, or one of its strengths is negative beyond doubt.  A law that contains a
+consistent law and is not contradicted itself is *consistent* too, and the answer says which of its terms are not
+needed.  *Undetermined*: the data set no limit to its strengths, or it could not be fitted.
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
+from asymptotics.budget import tick
 from asymptotics.identification.adequacy import Levels, adequate
 from asymptotics.identification.comparison import LawFit, with_intervals
 from asymptotics.identification.contradiction import REFUTED, Contradiction, contradiction, further_parameters
 from asymptotics.identification.correlation import is_correlated, replicas, stretch
+from asymptotics.identification.in_time import ALL, Time
 from asymptotics.identification.profile import Interval
 
+_SHARE = 0.3
 _PROFILED = FEW = 8
 """So many candidates get profile likelihoods all, whether the data support them or not."""
 _DISFAVOURED = 1e-2
 """A law with more parameters, not refuted but less probable than this beside a simpler one, is not its rival."""
 
 
-def judged(fits: Sequence[LawFit], levels: Levels, *, growing: bool = False, bootstrap: bool = False) -> list[LawFit]:
-    """Verdicts and intervals: by profile likelihood for the laws that matter (or all, if few), else by curvature."""
+def judged(
+    fits: Sequence[LawFit], levels: Levels, *, growing: bool = False, bootstrap: bool = False, time: Time = ALL
+) -> list[LawFit]:
+    """Verdicts and intervals: by profile likelihood for the laws that matter (or all, if few), else by curvature, as
+    where the time is over."""
     found = [_measured(law, levels, bootstrap) for law in fits]
     least = min((law.criterion for law in found), default=float("inf"))
     found = [replace(law, excess=law.criterion - least) if law.usable else law for law in found]
-    found = [replace(law, against=worst(law, found)) for law in found]
+    found = [replace(law, against=worst(law, found, growing)) for law in found]
     rough = [labelled(law, growing) for law in found]
     standing = sorted((law for law in rough if law.verdict == "consistent"), key=lambda law: law.criterion)
     best = sorted((law for law in rough if law.usable), key=lambda law: law.criterion)[:1]
     order = rough if len(rough) <= FEW else [*minimal(rough), *best, *standing]
     matter = list(dict.fromkeys(law.candidate for law in order if law.usable))[:_PROFILED]
-    return relabelled([_profiled(law) if law.candidate in matter else law for law in rough], growing)
+    profiled = {law.candidate: law for law in rough}
+    for candidate in matter:
+        tick(f"the intervals of the law {candidate}")
+        law = profiled[candidate]
+        profiled[candidate] = time.within(_SHARE, partial(_profiled, law), law)
+    return relabelled([profiled[law.candidate] for law in rough], growing)
 
 
 def _measured(law: LawFit, levels: Levels, bootstrap: bool) -> LawFit:
@@ -48,9 +60,10 @@ def _measured(law: LawFit, levels: Levels, bootstrap: bool) -> LawFit:
     return with_intervals(law, profiled=False)
 
 
-def worst(law: LawFit, others: Sequence[LawFit]) -> Contradiction:
-    """The law that contradicts ``law`` most."""
-    found = (against(law, other) for other in others if other.candidate != law.candidate)
+def worst(law: LawFit, others: Sequence[LawFit], growing: bool = False) -> Contradiction:
+    """The physically admissible law that contradicts ``law`` most: a loss that feeds a decay refutes nothing."""
+    rivals = (other for other in others if other.candidate != law.candidate and (growing or not other.negative))
+    found = (against(law, other) for other in rivals)
     return min(found, key=lambda c: c.p, default=Contradiction())
 
 

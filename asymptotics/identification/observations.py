@@ -18,6 +18,19 @@ Indices = NDArray[np.intp]
 
 
 @dataclass(frozen=True)
+class Samples:
+    """The motion as it was sampled, or a ``derivative`` of it; ``noise`` about a smooth line, with its degrees of
+    ``freedom``, and its ``memory``, the correlation of neighbours."""
+
+    t: Array
+    x: Array
+    noise: float
+    freedom: float
+    memory: float = 0.0
+    derivative: int = 0
+
+
+@dataclass(frozen=True)
 class Observations:
     """Turning points of one run, numbered from 0; gaps in ``n`` are allowed.
 
@@ -25,7 +38,7 @@ class Observations:
     ``passage_t``: times at which x crosses 0 after turning point n (empty: none); ``sigma_x``, ``sigma_t``,
     ``sigma_passage``: standard errors known from elsewhere (empty: unknown); ``notes``: what was found and discarded
     on the way here; ``floor``: the error, as a share of the first amplitude and of 1/omega_0, that is there without
-    noise too.
+    noise too; ``samples``: the motion itself, where it is fitted and the turning points only start the fit.
     """
 
     n: Indices
@@ -40,6 +53,7 @@ class Observations:
     name: str = ""
     notes: tuple[str, ...] = ()
     floor: float = 0.0
+    samples: Samples | None = None
 
     @classmethod
     def of(
@@ -102,7 +116,7 @@ class Observations:
         crossings: dict[str, Any] = {
             name: _kept(getattr(self, name), inside) for name in ("passage_n", "passage_t", "sigma_passage")
         }
-        return replace(self, **cut, **crossings)
+        return replace(self, **cut, **crossings, samples=None)
 
     def between(self, low: float, high: float) -> "Observations":
         """The longest stretch of turning points with low <= |x_n| <= high; the numbering starts with it."""
@@ -129,8 +143,9 @@ class Observations:
         """The amplitudes alone."""
         empty = np.array([])
         return replace(
-            self, t=empty, passage_n=np.array([], dtype=np.intp), passage_t=empty, sigma_t=empty, sigma_passage=empty
-        )
+            self, t=empty, passage_n=np.array([], dtype=np.intp), passage_t=empty, sigma_t=empty, sigma_passage=empty,
+            samples=None,
+        )  # fmt: skip
 
 
 def _kept(values: NDArray[np.generic], keep: NDArray[np.bool_]) -> NDArray[np.generic]:

@@ -1,11 +1,11 @@
 """Pictures of an identification: the decay, the decrement against amplitude with each law's curve and band, residuals.
 
-``picture`` draws four panels: turning points with the envelope of the best law; the classical plot of decrement against
-mean amplitude, with the band of the 95 % region for the laws of the verdict; the residuals of turning points (and
-times) against n; the profile of the first strength.  matplotlib is loaded when a picture is asked for.
+``draw_panels`` draws four panels: turning points with the envelope of the best law; the classical plot of decrement
+against mean amplitude, with the band of the 95 % region for the laws of the verdict; the residuals of turning points
+(and times) against n; the profile of the first strength.  matplotlib is loaded when a picture is asked for.
 """
 
-import io
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
@@ -15,35 +15,34 @@ from asymptotics.identification.coefficients import Array
 from asymptotics.identification.comparison import LawFit, strength
 from asymptotics.identification.fitting import Fit
 from asymptotics.identification.profile import profile_curve
-from asymptotics.identification.result import Identification
 from asymptotics.identification.sequence import turning_sequence
-from asymptotics.present.figures import STYLE
+from asymptotics.present.drawn import head
 
-KINDS = (".svg", ".png", ".pdf")
 _SHOWN = 3
 
 
-def picture(answer: Identification, kind: str = "svg") -> bytes:
-    """The four panels as SVG, PNG or PDF bytes; InputError for several runs or printed decrements (no sequence)."""
-    from matplotlib import rc_context  # noqa: PLC0415 (an extra: only pictures need it)
-    from matplotlib.figure import Figure  # noqa: PLC0415 (as above)
-
+def shown_laws(answer: Any) -> list[LawFit]:
+    """The laws of the verdict that are drawn; InputError for several runs or printed decrements (no sequence)."""
     laws = [found.law for found in answer.laws if found.law.fit is not None and found.law.fit.model.alternating]
     if answer.per_run or not laws:
         raise InputError("plot", "there is no single run of turning points to draw", "one record or turning points")
     consistent = [law for law in laws if law.verdict == "consistent" and law.held_out is not None]
-    shown = (consistent or laws)[:_SHOWN]
-    with rc_context(STYLE):
-        figure = Figure(figsize=(10, 7.5), layout="constrained")
-        (decay, classical), (residuals, profile) = figure.subplots(2, 2)
-        _decay(decay, shown[0], answer.units.unit)
-        _decrements(classical, shown, answer.units.unit)
-        _residuals(residuals, shown[0])
-        _profile(profile, shown[0])
-        buffer = io.BytesIO()
-        metadata = {"Date": None, "Creator": None} if kind == "svg" else {}
-        figure.savefig(buffer, format=kind, dpi=160, metadata=metadata)
-    return buffer.getvalue()
+    return (consistent or laws)[:_SHOWN]
+
+
+def draw_panels(answer: Any, axes: Any) -> None:
+    """The four panels in the place of ``axes``, the verdict above them."""
+    shown, figure, place = shown_laws(answer), axes.figure, axes.get_subplotspec()
+    if place is None:
+        raise InputError("ax", "these axes are not in a grid that could be divided", "axes of plt.subplots()")
+    grid = place.subgridspec(2, 2)
+    axes.set_subplotspec(grid[0, 0])
+    classical, residuals, profile = (figure.add_subplot(grid[k]) for k in ((0, 1), (1, 0), (1, 1)))
+    figure.suptitle("\n".join(wrap(answer.verdict.text, 110)), fontsize=11)
+    _decay(axes, shown[0], answer.units.unit)
+    draw_decrements(classical, shown, answer.units.unit)
+    _residuals(residuals, shown[0])
+    _profile(profile, shown[0])
 
 
 def _fit_of(law: LawFit) -> Fit:
@@ -62,8 +61,8 @@ def _decay(axes: Any, law: LawFit, unit: str) -> None:
             n, centre + sign * seen.reference * np.exp(run.a), color="C1", lw=1, label="envelope" if sign > 0 else None
         )
     axes.plot(seen.n, seen.x, "o", markersize=3, label="turning points")
-    axes.set(title=f"decay and envelope of {law.candidate}", xlabel="n", ylabel=f"x ({unit})" if unit else "x")
-    axes.legend()
+    axes.set(xlabel="turning point n", ylabel=f"x ({unit})" if unit else "x")
+    head(axes, [f"decay and envelope of {law.candidate}"])
 
 
 def decrement_band(fit: Fit) -> tuple[Array, Array, Array]:
@@ -77,7 +76,8 @@ def decrement_band(fit: Fit) -> tuple[Array, Array, Array]:
     return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], 1.96 * spread
 
 
-def _decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
+def draw_decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
+    """What was measured, and the decrement of each law with the band of its 95 % region."""
     fit = _fit_of(laws[0])
     seen = fit.model.seen
     size = np.abs(seen.x - (float(fit.theta[fit.model.after]) if fit.model.offset else 0.0))
@@ -89,8 +89,8 @@ def _decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
         axes.plot(amplitude, value, color=f"C{i}", label=str(law.candidate))
         axes.fill_between(amplitude, value - band, value + band, color=f"C{i}", alpha=0.25, lw=0)
     suffix = f" ({unit})" if unit else ""
-    axes.set(title="decrement against amplitude", xlabel="mean amplitude" + suffix, ylabel="decrement" + suffix)
-    axes.legend()
+    axes.set(xlabel="mean amplitude" + suffix, ylabel="decrement" + suffix)
+    head(axes, ["decrement against amplitude"])
 
 
 def _residuals(axes: Any, law: LawFit) -> None:
@@ -99,8 +99,8 @@ def _residuals(axes: Any, law: LawFit) -> None:
     for kind, group in zip(fit.model.kinds, fit.model.groups):
         axes.plot(numbers[kind], fit.weighted[group], "o", markersize=3, label=kind)
     axes.axhline(0, color="0.5", lw=0.6)
-    axes.set(title=f"residuals of {law.candidate}, in standard deviations", xlabel="n")
-    axes.legend()
+    axes.set(xlabel="turning point n", ylabel="residual / standard deviation")
+    head(axes, [f"residuals of {law.candidate}"])
 
 
 def _profile(axes: Any, law: LawFit) -> None:
@@ -110,7 +110,5 @@ def _profile(axes: Any, law: LawFit) -> None:
         estimate = law.epsilon[i].estimate
         axes.plot((values - estimate) / (abs(estimate) or 1.0), rise, label=f"strength of {name}")
     axes.axhline(3.84, color="0.5", lw=0.6)
-    axes.set(
-        title=f"profiles of {law.candidate}", xlabel="relative change of the strength", ylabel="rise of chi squared"
-    )
-    axes.legend()
+    axes.set(xlabel="relative change of the strength", ylabel="rise of chi squared")
+    head(axes, [f"profiles of {law.candidate}"])

@@ -15,13 +15,14 @@ from scipy.special import ndtri, stdtrit
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.fitting import Fit, minimise
 from asymptotics.identification.quadrature import TooStrongError
+from asymptotics.present.shown import Page, Shown
 
 Function = Callable[[Array], tuple[float, Array]]
 _STEPS = 12
 
 
 @dataclass(frozen=True)
-class Interval:
+class Interval(Shown):
     """An estimate with its interval; an end is None where the data set no limit.
 
     >>> Interval(0.5, 1.0, None).contains(3.0), Interval(0.5, 1.0, 2.0).widened(0.5, 0.5)
@@ -31,6 +32,17 @@ class Interval:
     low: float | None
     estimate: float
     high: float | None
+
+    def __repr__(self) -> str:
+        return f"Interval(low={self.low!r}, estimate={self.estimate!r}, high={self.high!r})"
+
+    def _page(self) -> Page:
+        ends = ("no limit" if v is None else f"{v:.6g}" for v in (self.low, self.high))
+        return Page(f"{self.estimate:.6g}", ("estimate, in doubles",), ("at least", "at most"), (tuple(ends),))
+
+    def _formula(self) -> str:
+        low, high = ("-" if v is None else f"{v:.6g}" for v in (self.low, self.high))
+        return rf"{self.estimate:.6g}\ \text{{in}}\ [{low},\, {high}]"
 
     def contains(self, value: float) -> bool:
         """Whether ``value`` lies in the interval."""

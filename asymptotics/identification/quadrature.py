@@ -14,7 +14,7 @@ import numpy as np
 from asymptotics.identification.coefficients import Array, Element, Grid, product, shape, theta_grid
 
 _ITERATIONS = 60
-_CLOSE = 1e-12
+_CLOSE, _CLOSE_SLOPES = 1e-12, 1e-9
 
 
 class TooStrongError(ArithmeticError):
@@ -69,7 +69,7 @@ def _linearised(by_y: Array, gain: Array, source: Array, grid: Grid) -> Array:
     z = np.zeros_like(by_y)
     for _ in range(_ITERATIONS):
         known, z = z, product(-grid.sine * gain * (by_y * z + source), grid.cumulative.T)
-        if np.abs(z - known).max() <= _CLOSE * (1 + np.abs(z).max()):
+        if np.abs(z - known).max() <= _CLOSE_SLOPES * (1 + np.abs(z).max()):
             break
     return gain * (by_y * z + source)
 

@@ -1,5 +1,6 @@
 """What identification found: a frozen record with a table, LaTeX and JSON."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -8,10 +9,20 @@ import numpy as np
 
 from asymptotics.identification.candidates import FREE
 from asymptotics.identification.comparison import LawFit
+from asymptotics.identification.in_words import equivalent, in_words
 from asymptotics.identification.observations import Observations
+from asymptotics.identification.plots import draw_decrements, draw_panels, shown_laws
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.profile import Interval
 from asymptotics.identification.verdicts import Verdict
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page, Rows, plain
+
+_LETTERS = {"x": "displacement", "b": "strength of a loss", "c": "strength of a spring",
+            r"\alpha": "the exponent that is fitted", r"\varepsilon": "strength of a loss"}  # fmt: skip
+
+
+_IN_TEX = ((r"\be(\d+)", r"\\varepsilon_{\1}"), (r"\bc(\d+)", r"c_{\1}"), (r"\^\(([^()]*)\)", r"^{\1}"))
 
 
 @dataclass(frozen=True)
@@ -37,8 +48,8 @@ class Units:
         return name, Interval(low, epsilon.estimate * factor, high)
 
 
-@dataclass(frozen=True)
-class LawAnswer:
+@dataclass(frozen=True, repr=False)
+class LawAnswer(Rows):
     """A candidate law for one run, as it is reported."""
 
     law: LawFit
@@ -80,6 +91,40 @@ class LawAnswer:
             return None
         return self.units.physical(element.velocity, element.position, self.law.epsilon[i])
 
+    def strengths(self) -> list[dict[str, Any]]:
+        """One row for each strength (and for a free exponent): estimate and both ends of its interval, as numbers."""
+        law, candidate = self.law, self.law.candidate
+        named = [("alpha", law.alpha)] if law.alpha is not None else []
+        named += [(f"epsilon {name}", e) for name, e in zip(candidate.alphas, law.epsilon)]
+        named += [(f"spring {p}", e) for p, e in zip(candidate.springs, law.springs)]
+        head = {"law": str(candidate), "verdict": law.verdict}
+        rest = {"dAICc": float(law.excess), "held_out_error": law.held_out}
+        return [
+            {**head, "parameter": name, "estimate": e.estimate, "low": e.low, "high": e.high, **rest}
+            for name, e in named
+        ]
+
+    def _page(self) -> Page:
+        rows = tuple(
+            (r["parameter"], f"{r['estimate']:.6g}", _end(r["low"]), _end(r["high"])) for r in self.strengths()
+        )
+        kind = "certified set" if self.certified else "profile likelihood" if self.law.profiled else "curvature"
+        title = f"law {self.law.candidate}: {self.law.verdict}"
+        return Page(title, (self.law.reason or "", f"intervals: {kind}"), ("", "estimate", "at least", "at most"), rows)
+
+    def _table(self) -> dict[str, list[Any]]:
+        rows = self.strengths()
+        return {name: [row[name] for row in rows] for name in (rows[0] if rows else ())}
+
+    def _formula(self) -> str:
+        formula = self.law.candidate.formula().removesuffix(" = 0").replace("sgn(x')", r"\operatorname{sgn}(x')")
+        for plain_text, tex in _IN_TEX:
+            formula = re.sub(plain_text, tex, formula)
+        return formula.replace("alpha", r"\alpha") + " = 0"
+
+    def _letters(self) -> dict[str, str]:
+        return _LETTERS
+
     def row(self) -> tuple[str, ...]:
         """One line of the table: law, verdict, strengths, AICc difference, held-out error."""
         law = self.law
@@ -92,8 +137,8 @@ class LawAnswer:
         return str(law.candidate), verdict, excess, held, strengths
 
 
-@dataclass(frozen=True)
-class Identification:
+@dataclass(frozen=True, repr=False)
+class Identification(Rows, Drawn):
     """The answer for one or several runs.
 
     ``verdict``: one of four, in words; ``laws``: the candidates, best first; ``runs``: the data; ``textbook``: the
@@ -114,6 +159,22 @@ class Identification:
         """The first law of the verdict."""
         return self.laws[0]
 
+    @property
+    def in_words(self) -> str:
+        """Q at both ends of the record and the half-life, of the first law; empty beside springs and for tables."""
+        return in_words(self._equivalent(), self.units.unit)
+
+    def _equivalent(self) -> dict[str, Any] | None:
+        return None if self.per_run or not self.laws else equivalent(self.best.law, self.units.omega_0)
+
+    def _equivalent_texts(self) -> dict[str, Any] | None:
+        """The same as JSON: numbers are strings."""
+        found = self._equivalent()
+        if found is None:
+            return None
+        rows = {name: [_number(x) for x in found[name]] for name in ("amplitudes", "Q", "zeta")}
+        return rows | {"half_life": _number(found["half_life"]), "half_life_unit": found["half_life_unit"]}
+
     def law(self, text: str) -> LawAnswer:
         """The answer for one candidate, by its name such as ``1,2`` or ``free,s3``; KeyError if it is not there."""
         for answer in self.laws:
@@ -127,6 +188,7 @@ class Identification:
             "verdict": self.verdict.text,
             "verdict_kind": self.verdict.kind,
             "telling": self.verdict.telling or None,
+            "equivalent": self._equivalent_texts(),
             "not_excluded": [term.to_dict() for term in self.verdict.allowed],
             "laws": [law.to_dict() for law in self.laws],
             "data": [_data(run) for run in self.runs],
@@ -149,9 +211,39 @@ class Identification:
     def __repr__(self) -> str:
         return f"Identification({self.verdict.text})"
 
-    def _repr_latex_(self) -> str:
-        formula = self.best.law.candidate.formula().removesuffix(" = 0").replace("sgn(x')", r"\operatorname{sgn}(x')")
-        return f"${formula} = 0$"
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Decay, decrement against amplitude, residuals and profiles; on given axes the decrements alone.
+
+        InputError for several runs and printed decrements, and as ``Motion.plot``.
+        """
+        return super().plot(ax, **{"panels": ax is None, **style})
+
+    def _heading(self) -> str:
+        return self.verdict.text
+
+    def _curve(self, axes: Any, **style: Any) -> bool:
+        panels = bool(style.pop("panels", False))
+        if panels:
+            draw_panels(self, axes)
+        else:
+            draw_decrements(axes, shown_laws(self), self.units.unit)
+        return panels
+
+    def _formula(self) -> str:
+        return rf"\text{{{plain(self.verdict.text)}}}\quad\text{{first of {len(self.laws)}: }} {self.best._formula()}"
+
+    def _page(self) -> Page:
+        """The verdict, then what tells the laws apart, the table of the first laws and the notes."""
+        head = ("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]")
+        lines = (self.in_words, self.verdict.telling, *self.notes)
+        return Page(self.verdict.text, lines, head, tuple(a.row() for a in self.laws))
+
+    def _letters(self) -> dict[str, str]:
+        return _LETTERS
+
+    def _table(self) -> dict[str, list[Any]]:
+        rows = [row for answer in self.laws for row in answer.strengths()]
+        return {name: [row[name] for row in rows] for name in (rows[0] if rows else ())}
 
 
 def _data(run: "Observations | Decrements") -> dict[str, Any]:
@@ -162,6 +254,10 @@ def _data(run: "Observations | Decrements") -> dict[str, Any]:
 
 def _number(value: float) -> str | None:
     return f"{value:.8g}" if np.isfinite(value) else None
+
+
+def _end(value: float | None) -> str:
+    return "no limit" if value is None else f"{value:.6g}"
 
 
 def _shown(interval: Interval) -> str:

@@ -22,7 +22,8 @@ from asymptotics.identification.quadrature import TooStrongError
 from asymptotics.identification.swing import Swing
 
 _NEWTON_STEPS = 12
-_CLOSE = 1e-11
+_CLOSE = 1e-7
+"""A change of ln(amplitude) whose square, the size of the next one, is below every noise and nearly below doubles."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +91,7 @@ def _polished(swing: Swing, a0: float, law: Array, a: Array) -> Array:
             break
         change = product * _before((a[:-1] + L - a[1:]) / product[1:])
         a = a + np.clip(change, -1.0, 1.0)
-        if np.abs(change).max() < _CLOSE * 100:  # quadratic: the next change would be far below
+        if np.abs(change).max() < _CLOSE:  # quadratic: the next change would be far below
             return a
     raise TooStrongError("the sequence of turning points could not be computed")
 

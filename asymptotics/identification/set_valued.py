@@ -20,7 +20,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.identification.candidates import Candidate
@@ -31,6 +31,7 @@ from asymptotics.identification.physical import Box, physical_box
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.profile import Interval
 from asymptotics.identification.table_rows import Row, bounds, is_empty, linear, meets, rows_of
+from asymptotics.numbers.context import ctx
 from asymptotics.terms import Term
 
 SEARCHED = 0.15

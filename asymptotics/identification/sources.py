@@ -1,5 +1,6 @@
 """From a table to observations: each kind of file has its own way."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -9,20 +10,59 @@ from asymptotics.identification.coefficients import Array
 from asymptotics.identification.extraction import observations_of_record
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import Decrements
-from asymptotics.identification.reading import Table, read_table, require_increasing
-from asymptotics.identification.rows import Rows
+from asymptotics.identification.sampled import LEAST_SAMPLES, observations_of_motion
+from asymptotics.records.clock import runs_of, straightened
+from asymptotics.records.rows import Rows
+from asymptotics.records.sources import How
+from asymptotics.records.table import Table, read_table
 
 LEAST_POINTS = 4
+Run = Observations | Decrements
 
 
-def load(source: Any, kind: str | None = None, unit: str = "") -> "Observations | Decrements":
-    """Observations of a record or of turning points, or printed decrements; InputError for what cannot be used."""
+def load(source: Any, kind: str | None = None, unit: str = "", how: How | None = None) -> list[Run]:
+    """The runs of a source, one if its clock never starts again; InputError for what cannot be used."""
     if isinstance(source, Observations | Decrements):
-        return source
-    table = read_table(source, kind, unit)
-    if table.kind == "record":
-        return observations_of_record(table.columns["t"], table.columns["x"], unit=table.unit, rows=table.rows)
-    return _turning_points(table) if table.kind == "turning-points" else _decrements(table)
+        return [source]
+    table = read_table(source, kind, unit, how)
+    if table.kind in ("record", "velocity", "acceleration"):
+        return _motions(table.whole())
+    return [_turning_points(table) if table.kind == "turning-points" else _decrements(table)]
+
+
+def _motions(table: Table) -> list[Run]:
+    t = table.columns["t"]
+    pieces = runs_of(t)
+    found: list[Run] = []
+    for number, places in enumerate(pieces, start=1):
+        run = table.kept(places) if len(pieces) > 1 else table
+        if len(pieces) > 1:
+            said = f"the clock starts again: run {number} of {len(pieces)}, from row {table.rows.row(int(places[0]))}"
+            name = f"{table.rows.name} (run {number})"
+            run = replace(run, notes=(*run.notes, said), rows=replace(run.rows, name=name))
+        found.append(_motion(run))
+    return found
+
+
+def _motion(run: Table) -> Observations:
+    order = ("record", "velocity", "acceleration").index(run.kind)
+    t, x, rows, notes = straightened(run.columns["t"], run.columns["xva"[order]], run.rows)
+    if order == 0:
+        seen = observations_of_record(t, x, unit=run.unit, rows=rows)
+        return replace(seen, notes=(*run.notes, *notes, *seen.notes))
+    if len(t) < LEAST_SAMPLES or not np.ptp(x) > 0:
+        raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
+    said = (*run.notes, *notes)
+    return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=said, derivative=order)
+
+
+def require_increasing(values: Array, column: str, rows: Rows) -> None:
+    """InputError with the row at which ``values`` does not increase."""
+    wrong = np.flatnonzero(np.diff(values) <= 0)
+    if len(wrong):
+        row = int(wrong[0]) + 1
+        reason = f"{rows.where(row, column)}: {values[row]:g} after {values[row - 1]:g}"
+        raise InputError("FILE", reason, "increasing values")
 
 
 def _turning_points(table: Table) -> Observations:
@@ -31,10 +71,11 @@ def _turning_points(table: Table) -> Observations:
     if len(fraction):
         reason = f"{table.rows.where(fraction[0], 'n')}: {n[fraction[0]]:g} is not a whole number"
         raise InputError("FILE", reason, "0, 1, 2, ...")
-    table, notes = table.whole()
+    table = table.whole()
+    notes = table.notes
     rows, name, tau = table.rows, table.rows.name, table.columns.get("tau")
     n, x = table.columns["n"], table.columns["x"]
-    _require_points(x, rows)
+    _require_points(x, rows, notes[1:])
     require_increasing(n, "n", rows)
     if tau is not None:
         require_increasing(tau, "tau", rows)
@@ -46,9 +87,10 @@ def _turning_points(table: Table) -> Observations:
     return seen
 
 
-def _require_points(x: Array, rows: Rows) -> None:
+def _require_points(x: Array, rows: Rows, notes: tuple[str, ...]) -> None:
     if len(x) < LEAST_POINTS:
-        raise InputError("FILE", f"{rows.name} has {len(x)} turning points", f"at least {LEAST_POINTS}")
+        reason = "; ".join([f"{rows.name} has {len(x)} turning points", *notes])
+        raise InputError("FILE", reason, f"at least {LEAST_POINTS}")
     if not np.ptp(np.abs(x)) > 0:
         raise InputError("FILE", f"{rows.name}, column x: all values are {abs(x[0]):g}", "amplitudes that change")
     if not abs(x[0]) > 0:
@@ -56,7 +98,8 @@ def _require_points(x: Array, rows: Rows) -> None:
 
 
 def _decrements(table: Table) -> Decrements:
-    table, notes = table.whole()
+    table = table.whole()
+    notes = table.notes
     rows, columns = table.rows, table.columns
     amplitude, decrement, resolution = columns["amplitude"], columns["decrement"], columns.get("resolution")
     if len(amplitude) < 2:

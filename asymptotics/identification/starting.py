@@ -14,6 +14,7 @@ import numpy as np
 from asymptotics.identification.coefficients import Array, swing_coefficients
 from asymptotics.identification.fitting import Model
 from asymptotics.identification.observations import Observations
+from asymptotics.identification.pendulum import PendulumSwing, well
 from asymptotics.identification.quadrature import TooStrongError
 from asymptotics.identification.sequence import turning_sequence
 
@@ -39,7 +40,8 @@ def _regressed(model: Model, alpha: float | None) -> tuple[Array, float]:
     seen, swing = model.seen, model.swing
     first = swing_coefficients(swing.elements, 1, () if alpha is None else (alpha,))
     offset = rest_position(seen) if model.offset else 0.0
-    size = np.maximum(np.abs(seen.x - offset), 1e-3 * seen.reference) / seen.reference
+    size = np.maximum(np.abs(seen.x - offset), 1e-3 * seen.reference)
+    size = (size if model.angle is None else well(size, model.angle)) / model.reference
     weights = first.weights[0]
     units = {k.index(1): j for j, k in enumerate(first.keys) if sum(k) == 1}
     by_loss = np.array([first.L[0, units[i]] for i in range(len(weights))])
@@ -58,7 +60,10 @@ def _regressed(model: Model, alpha: float | None) -> tuple[Array, float]:
     theta += [offset] if model.offset else []
     if seen.has_times:
         lag = [e * _sums(gap * middle**w) for e, w in zip(by_time[~losses], weights[~losses])]
-        columns = np.stack([np.ones(len(size)), np.pi * seen.n, *lag], axis=1)
+        half = np.pi * gap
+        if isinstance(swing, PendulumSwing):
+            half = half * swing.period_ratio(np.log(middle))
+        columns = np.stack([np.ones(len(size)), _sums(half), *lag], axis=1)
         clock, *_ = np.linalg.lstsq(columns, seen.t, rcond=1e-9)
         spring_place = 1 + np.flatnonzero(~losses)
         for place, value in zip(spring_place, clock[2:] / clock[1]):

@@ -14,13 +14,13 @@ exponent interpolates the coefficients in alpha at Chebyshev points of [0, 5].
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import chebyshev
 
 from asymptotics.identification.coefficients import Array, Element, SwingCoefficients, product, swing_coefficients
 from asymptotics.identification.quadrature import TooStrongError, integrated_swings
+from asymptotics.numbers.context import lru_cache
 
 QUANTITIES = ("L", "T", "R", "T_q")
 MAX_FREE_ALPHA = 5.0

@@ -83,7 +83,12 @@ ESTIMATORS: dict[str, tuple[str, Estimator]] = {
 
 def textbook_estimates(seen: Observations) -> dict[str, Any]:
     """Every estimator's strengths for x0 = 1 unit, with its systematic error at the strengths that fit the data."""
-    if len(seen.n) < 4 or not (np.diff(seen.n) == 1).all() or not (np.abs(seen.x) > 0).all():
+    if (
+        seen.samples is not None
+        or len(seen.n) < 4
+        or not (np.diff(seen.n) == 1).all()
+        or not (np.abs(seen.x) > 0).all()
+    ):
         return {}
     found: dict[str, Any] = {}
     for name, (law, estimator) in ESTIMATORS.items():

@@ -12,6 +12,7 @@ from asymptotics.identification.fitting import Noise
 from asymptotics.identification.judgement import rivals
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.quadrature import TooStrongError
+from asymptotics.present.shown import Page, Shown
 
 IDENTIFIED, SEVERAL, NONE, UNTOLD = "identified", "several laws are consistent", "none fits", "too short or too noisy"
 MANY = 3
@@ -19,8 +20,8 @@ _DIFFERENT = 12.0
 """The chi-squared by which a wrong law must be worse to be refuted, nearly: p = 5e-4 for one parameter."""
 
 
-@dataclass(frozen=True)
-class Verdict:
+@dataclass(frozen=True, repr=False)
+class Verdict(Shown):
     """``kind`` is one of the four; ``text`` says it in words; ``telling`` says what would tell more.
 
     ``allowed``: how strong each further term may still be beside the one law of the verdict.
@@ -30,6 +31,9 @@ class Verdict:
     text: str
     telling: str = ""
     allowed: tuple[Allowance, ...] = ()
+
+    def _page(self) -> Page:
+        return Page(self.text, (self.telling, *map(str, self.allowed)))
 
 
 def verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool = False) -> Verdict:
@@ -75,7 +79,7 @@ def _one_law(
             other
             for other in laws
             if set(other.candidate.alphas) == {*law.candidate.alphas, most.term}
-            and other.candidate.springs == law.candidate.springs
+            and (other.candidate.springs, other.candidate.pendulum) == (law.candidate.springs, law.candidate.pendulum)
         )
         text = f"{SEVERAL}: {named(law)} is the smallest, but a further term may carry most of the loss{said}"
         return Verdict(SEVERAL, text, what_would_tell(larger, law, seen), allowed)
@@ -114,7 +118,7 @@ def _beside(law: LawFit, best: LawFit, beaten: Sequence[LawFit]) -> str:
 
 def what_would_tell(one: LawFit, other: LawFit, seen: Observations) -> str:
     """How many turning points, or how little noise, would separate two consistent laws if the first is true."""
-    if one.fit is None or other.fit is None:
+    if one.fit is None or other.fit is None or seen.samples is not None:
         return ""
     scales = Noise(**one.fit.scales)
     for factor in (1.0, 1.25, 1.6, 2.0, 3.0, 4.0, 6.0):
@@ -142,7 +146,7 @@ def separation(one: LawFit, other: LawFit, seen: Observations, last: int, noise:
         n, np.where(n % 2, -1.0, 1.0) * seen.reference * np.sign(seen.x[0]), n.astype(float) if seen.has_times else ()
     )
     try:
-        model = type(first)(first.swing, template, first.offset)
+        model = type(first)(first.swing, template, first.offset, one.candidate.pendulum)
         theta = one.fit.theta
         data, _ = model.predict(theta)
     except TooStrongError:

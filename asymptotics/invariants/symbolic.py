@@ -28,7 +28,10 @@ from flint import arb, fmpq, fmpq_poly
 
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.context import inside
 from asymptotics.numbers.exact import require_integer
+from asymptotics.present.shown import Page, Shown
+from asymptotics.public import public
 
 Z, THETA = sympy.Symbol("z"), sympy.Symbol("theta")
 MAX_I = 1000
@@ -36,8 +39,8 @@ _C = fmpq_poly([0, 1])
 _S2 = fmpq_poly([1, 0, -1])
 
 
-@dataclass(frozen=True)
-class GeneratingFunction:
+@dataclass(frozen=True, repr=False)
+class GeneratingFunction(Shown):
     """G_i through sin^i(theta) G_i = theta P(c) + sin(theta) R(c), c = cos(theta), z = tan(theta)."""
 
     i: int
@@ -49,7 +52,8 @@ class GeneratingFunction:
         """The limit of sin^i(theta) G_i at theta = pi: pi P(-1)."""
         return to_sympy(self.P(fmpq(-1))) * sympy.pi
 
-    def in_angle(self) -> sympy.Expr:
+    @public
+    def in_angle(self, *, max_seconds: Any = 60) -> sympy.Expr:
         """G_i as a function of theta in (0, pi), continuous through theta = pi/2.
 
         >>> generating_function(1).in_angle()
@@ -59,7 +63,8 @@ class GeneratingFunction:
         numerator = THETA * _expression(self.P, c) + s * _expression(self.R, c)
         return sympy.expand(numerator / s**self.i) if self.i < 2 else numerator / s**self.i
 
-    def in_z(self) -> sympy.Expr:
+    @public
+    def in_z(self, *, max_seconds: Any = 60) -> sympy.Expr:
         """G_i as a function of z: A(z) atan(z) / z^i + B(z) / (z^k (1 + z^2)^m), for all real z and for |z| < 1.
 
         >>> generating_function(0).in_z(), generating_function(1).in_z()
@@ -70,6 +75,7 @@ class GeneratingFunction:
         rest = _homogenised(self.R, 2 * m + i - 1)  # sin(theta) c^j / sin(theta)^i = z (1+z^2)^((i-1-j)/2) / z^i
         return with_atan * sympy.atan(Z) + _fraction(rest, Z ** (i - 1) * (1 + Z**2) ** m)
 
+    @inside
     def scaled_at(self, theta: arb) -> arb:
         """sin^i(theta) G_i at an angle in [0, pi], a ball, as a ball; finite at pi."""
         if not isinstance(theta, arb):
@@ -88,8 +94,18 @@ class GeneratingFunction:
             "limit": str(self.limit),
         }
 
-    def _repr_latex_(self) -> str:
-        return f"$G_{{{self.i}}}(z) = {sympy.latex(self.in_z())}$"
+    def __repr__(self) -> str:
+        return f"G_{self.i}(z), exact"
+
+    def _page(self) -> Page:
+        limit = f"limit of sin^{self.i}(theta) G_{self.i} at theta = pi, z = tan(theta): {self.limit}"
+        return Page(f"G_{self.i}(z) = {self.in_z()}", ("exact", limit))
+
+    def _letters(self) -> dict[str, str]:
+        return {"z": "w/(w^2 - u) of Smith 2012", "G": "the sum of C_i^n z^n over n"}
+
+    def _formula(self) -> str:
+        return f"G_{{{self.i}}}(z) = {sympy.latex(self.in_z())}"
 
 
 def generating_function(i: int) -> GeneratingFunction:

@@ -21,21 +21,28 @@ balls depends on the step, the degree and the precision, which floats choose.
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import prod
+from operator import mul
 
-from flint import arb, arb_poly, ctx
+from flint import arb, arb_poly
 
 from asymptotics.budget import tick
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Law
-from asymptotics.limit_cycles.series import require_polynomial
+from asymptotics.limit_cycles.series import circle_mean, require_polynomial
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import TooWideError, at_growing_precision
+from asymptotics.numbers.value import Coefficient, number_of
+from asymptotics.present.shown import Page, Shown
 from asymptotics.terms import Term
 
-MAX_MU = 3
+MAX_MU = 10
 _STEPS_PER_TURN = 48
-_TRIES = 4
+_DOUBLINGS = 2
 _FLOAT_STEPS = 4000
+_NEWTON = 12
+_RELAXED = 3  # |mu| beyond which steps are halved and bits are spared
 
 
 @dataclass(frozen=True)
@@ -47,8 +54,8 @@ class HalfTurn:
     J: arb
 
 
-@dataclass(frozen=True)
-class CertifiedCycle:
+@dataclass(frozen=True, repr=False)
+class CertifiedCycle(Shown):
     """Turning amplitude, period, frequency 2 pi/period and multiplier as correctly rounded decimals, all proved.
 
     ``stable``: whether the multiplier is below 1, None if undecided; ``radius``: of the interval with one cycle.
@@ -61,6 +68,25 @@ class CertifiedCycle:
     multiplier: str
     stable: bool | None
     radius: str
+
+    @property
+    def certified(self) -> bool:
+        """True: what is not proved is refused."""
+        return True
+
+    def number(self, name: str = "amplitude") -> Coefficient:
+        """``amplitude``, ``period``, ``frequency`` or ``multiplier`` as a number: mpf, interval, ball."""
+        return number_of(self, name)
+
+    def _page(self) -> Page:
+        names = ("mu", "amplitude", "period", "frequency", "multiplier", "stable", "radius")
+        stable = {True: "stable", False: "unstable", None: "stability undecided"}[self.stable]
+        title = f"limit cycle at mu = {self.mu}: A = {self.amplitude}, period {self.period}, {stable}"
+        return Page(title, ("certified: every digit is proved",), ("", "value"),
+                    tuple((n, getattr(self, n)) for n in names))  # fmt: skip
+
+    def _formula(self) -> str:
+        return rf"A = {self.amplitude},\quad \omega = {self.frequency},\quad \mu = {self.mu}"
 
     def to_dict(self) -> dict[str, str | bool | None]:
         """JSON-ready."""
@@ -81,39 +107,62 @@ def certified_limit_cycle(law: Law, mu: ExactReal, digits: int, near: float) -> 
     size = abs(mu)
     if mu.is_zero or size > MAX_MU:
         raise InputError("mu", f"{mu} is out of range", f"a number other than 0, at most {MAX_MU} in size")
-    guess = _float_fixed_point(terms, float(mu.ball().mid()), near)
-    bits = bits_for(digits, 64)
-    for _ in range(_TRIES):
-        with ctx.workprec(bits):
-            found = _interval_newton(terms, mu.ball(), guess, bits - 24)
-            if found is not None:
-                amplitude, radius, turn = found
-                values = (amplitude, 2 * turn.T, arb.pi() / turn.T, (-2 * turn.J).exp())
-                texts = [decimal_of_ball(v, digits) for v in values]
-                if all(texts) and radius > 0:
-                    shown = radius.str(3, radius=False)
-                    stable = True if values[3] < 1 else False if values[3] > 1 else None
-                    a, period, frequency, multiplier = (text or "" for text in texts)
-                    return CertifiedCycle(str(mu), a, period, frequency, multiplier, stable, shown)
-        bits += bits // 2
-    raise UndecidedError(f"no limit cycle was proved near A = {guess.str(8, radius=False)} at mu = {mu}")
+    back = _repels(terms, float(mu.ball().mid()), near)
+    toward = -mu if back else mu
+    guess = _float_fixed_point(terms, float(toward.ball().mid()), near)
+
+    def attempt(bits: int) -> CertifiedCycle:
+        found = _interval_newton(terms, toward.ball(), guess, bits - 24)
+        made = None if found is None else _rounded(str(mu), found, digits, back)
+        if made is None:
+            reason = f"no limit cycle was proved near A = {guess.str(8, radius=False)} at mu = {mu}"
+            raise TooWideError(reason, lacking=bits // 2)
+        return made
+
+    bits = bits_for(digits, 64) + _lost(float(size.ball().mid()))
+    return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
+
+
+def _rounded(mu: str, found: tuple[arb, arb, HalfTurn], digits: int, back: bool) -> CertifiedCycle | None:
+    """The numbers of the cycle in an interval of this radius, ``back``: in reversed time; None where undecided."""
+    amplitude, radius, turn = found
+    multiplier = ((2 if back else -2) * turn.J).exp()
+    values = (amplitude, 2 * turn.T, arb.pi() / turn.T, multiplier)
+    a, period, frequency, shown = (decimal_of_ball(v, digits) for v in values)
+    if a is None or period is None or frequency is None or shown is None or not radius > 0:
+        return None
+    stable = True if multiplier < 1 else False if multiplier > 1 else None
+    return CertifiedCycle(mu, a, period, frequency, shown, stable, radius.str(3, radius=False))
+
+
+def _lost(mu: float) -> int:
+    """About how many bits the balls lose on a half-turn, where the cycle relaxes: a choice."""
+    return int(6 * mu * mu) if abs(mu) > _RELAXED else 0
+
+
+def _repels(terms: tuple[Term, ...], mu: float, near: float) -> bool:
+    """Whether the cycle near A seems to repel: t -> -t, mu -> -mu makes it attract, and inverts the multiplier.
+
+    By the mean of h_v on a circle, in doubles: a choice of the direction in which the orbit is followed.
+    """
+    losses = ((float(t.strength.ball().mid()), t.position, int(t.velocity.rational)) for t in terms if t.sign < 0)
+    return mu * sum(e * a * near ** (m + a - 1) * float(circle_mean(m, a - 1)) for e, m, a in losses) < 0
 
 
 def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) -> tuple[arb, arb, HalfTurn] | None:
     """(A, radius of the interval, half-turn over it) once a - F(a)/F'(I) lies inside I; None if it never does."""
-    a, turn_time, field = guess.mid(), None, _Field(terms, mu)
-    for _ in range(12):  # Newton's method on midpoints finds the centre
+    a, field = guess.mid(), _Field(terms, mu)
+    for _ in range(_NEWTON):  # Newton's method on midpoints finds the centre
         turn = half_turn(terms, mu, a)
         if turn is None:
             return None
         step = (turn.q - a) / ((field.at_rest(a) / field.at_rest(turn.q)) * (-turn.J).exp() - 1)
-        turn_time = turn
-        if abs(step.mid()) < arb(2) ** -good:
+        if abs(step.mid()) < arb(2) ** -good + 2 * step.rad():  # a multiplier near 1 magnifies what is not known
             break
         a = (a - step).mid()
-    if turn_time is None:
+    else:  # the half-turn is that of the place before
         return None
-    radius = 64 * (abs(turn_time.q - a).upper() + arb(2) ** -good)
+    radius = 8 * (abs(step).upper() + arb(2) ** -good)
     interval = arb(a, radius.upper())
     wide = half_turn(terms, mu, interval)
     if wide is None:
@@ -121,7 +170,7 @@ def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) ->
     slope = (field.at_rest(interval) / field.at_rest(wide.q)) * (-wide.J).exp() - 1
     if slope.contains(0):
         return None
-    newton = a - (turn_time.q - a) / slope
+    newton = a - (turn.q - a) / slope
     return (newton, radius, wide) if interval.contains_interior(newton) else None
 
 
@@ -130,7 +179,7 @@ def half_turn(terms: tuple[Term, ...], mu: arb, A: arb) -> HalfTurn | None:
     field, size = _Field(terms, mu), _size(terms, float(mu.mid()), float(A.mid()))
     T = _float_map(terms, float(mu.mid()), float(A.mid()))[1]
     z, degree = (A.mid() + arb(0, A.rad()), arb(0), arb(0)), max(16, int(ctx.prec * 0.22))
-    steps, time = int(_STEPS_PER_TURN * (1 + size)), arb(0)
+    steps, time = int(_STEPS_PER_TURN * (1 + size) * (2 if _lost(float(mu.mid())) else 1)), arb(0)
     for k in range(steps):
         tick(f"step {k} of {steps} around the cycle")
         eta = arb(T / steps) if k < steps - 1 else _last_step(field, z, T / steps, degree)
@@ -191,30 +240,38 @@ class _Field:
         return -self.at(x, arb(0))[0]
 
     def taylor(self, z: tuple[arb, arb, arb], degree: int) -> tuple[arb_poly, arb_poly, arb_poly]:
-        """The Taylor polynomials of x, v, J in time through ``degree``: Picard's iteration, one order each."""
-        x, v = arb_poly([z[0]]), arb_poly([z[1]])
-        J = arb_poly([z[2]])
-        for n in range(1, degree + 1):
-            acceleration, divergence = self._products(x, v, n)
-            x, v = z[0] + v.integral().truncate(n + 1), z[1] + acceleration.integral().truncate(n + 1)
-            J = z[2] + divergence.integral().truncate(n + 1)
-        return x, v, J
-
-    def _products(self, x: arb_poly, v: arb_poly, n: int) -> tuple[arb_poly, arb_poly]:
-        h = divergence = arb_poly([])
-        for e, m, a in self.parts:
-            low = _product(x, v, m, max(a - 1, 0), n)
-            h += ((low * v).truncate(n) if a else low) * e
-            divergence += low * (e * a)
-        return -x - h, divergence
+        """The Taylor polynomials of x, v, J in time through ``degree``, coefficient by coefficient."""
+        x, v, J = [z[0]], [z[1]], [z[2]]
+        products = [_Product(x, m, v, max(a - 1, 0)) for _, m, a in self.parts]
+        for n in range(degree):
+            pull, divergence = x[n], arb(0)
+            for (e, _, a), product in zip(self.parts, products):
+                low = product.following()
+                pull += e * (sum(map(mul, product.known, reversed(v)), arb(0)) if a else low)
+                divergence += e * a * low
+            x.append(v[n] / (n + 1))
+            v.append(-pull / (n + 1))
+            J.append(divergence / (n + 1))
+        return arb_poly(x), arb_poly(v), arb_poly(J)
 
 
-def _product(x: arb_poly, v: arb_poly, m: int, a: int, n: int) -> arb_poly:
-    total = arb_poly([1])
-    for factor, times in ((x, m), (v, a)):
-        for _ in range(times):
-            total = (total * factor).truncate(n)
-    return total
+class _Product:
+    """x^m v^a coefficient by coefficient, beside growing x and v: by partial products."""
+
+    def __init__(self, x: list[arb], m: int, v: list[arb], a: int) -> None:
+        self.factors = [x] * m + [v] * a
+        self.partial: list[list[arb]] = [[] for _ in self.factors]
+        self.known: list[arb] = []
+
+    def following(self) -> arb:
+        """The next coefficient."""
+        n = len(self.known)
+        before: list[arb] | None = None
+        for factor, row in zip(self.factors, self.partial):
+            row.append(factor[n] if before is None else sum(map(mul, before, reversed(factor[: n + 1])), arb(0)))
+            before = row
+        self.known.append(arb(int(n == 0)) if before is None else before[n])
+        return self.known[n]
 
 
 def _goes_on(field: _Field, box: tuple[arb, arb, arb], k: int, steps: int) -> bool:

@@ -8,8 +8,10 @@
 """
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
+import numpy as np
 import sympy
 from flint import arb, fmpq
 
@@ -23,11 +25,16 @@ from asymptotics.numbers.bridge import to_fraction, to_sympy
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import at_growing_precision
+from asymptotics.numbers.value import coefficient_columns
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page, Rows
 from asymptotics.series import Series
 
+_POINTS = 401
 
-@dataclass(frozen=True)
-class LimitCycle:
+
+@dataclass(frozen=True, repr=False)
+class LimitCycle(Rows, Drawn):
     """Series in mu through ``order``: turning amplitude, frequency, multiplier of a period and its logarithm.
 
     Amplitude and frequency are even in mu, the logarithm is odd; ``at`` is what was proved at a number mu.
@@ -49,9 +56,48 @@ class LimitCycle:
         rows = {name: row_to_dict(getattr(self, name)) for name in names}
         return {**head, **rows, "at": None if self.at is None else self.at.to_dict()}
 
-    def _repr_latex_(self) -> str:
+    def _named(self) -> list[tuple[str, str, Coefficient]]:
+        names = ("amplitude", "frequency", "multiplier", "log_multiplier")
+        return [(name, key, c) for name in names for key, c in getattr(self, name).items()]
+
+    def _page(self) -> Page:
+        proved = () if self.at is None else (self.at._page().title + " (certified)",)
+        worth = f"{self.arithmetic} coefficients of powers of mu, through order {self.order}; no bound on the remainder"
+        rows = tuple((name, key, c, c.exact or "") for name, key, c in self._named() if not c.is_zero)
+        lines = (*proved, worth) if rows else proved
+        head = ("series", "power of mu", "value", "exact") if rows else ()
+        return Page(f"limit cycle of x'' + x + mu ({self.law}) = 0", lines, head, rows)
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        """Amplitude (over that at mu = 0) and frequency against mu, the certified cycle as points."""
+        rows = {"amplitude": self.amplitude, "frequency": self.frequency}
+        last = style.pop("until", None) or (1.0 if self.at is None else 1.2 * abs(float(Fraction(self.at.mu))))
+        mu = np.linspace(0.0, float(last), _POINTS)
+        for name, row in rows.items():
+            start = float(row["0"].text()) if row else 1.0
+            scale, told = (start, f"amplitude / {start:g}") if name == "amplitude" else (1.0, name)
+            if row:
+                value = sum((float(c.text()) * mu ** int(key) for key, c in row.items()), 0.0 * mu)
+                axes.plot(mu, value / scale, **{"label": told, **(style if name == "amplitude" else {})})
+            if self.at is not None:
+                color = axes.lines[-1].get_color() if row else None
+                point = [abs(float(Fraction(self.at.mu)))], [float(getattr(self.at, name)) / scale]
+                axes.plot(*point, "o", color=color, label=f"{told}, certified")
+        axes.set(xlabel=r"$\mu$", ylabel="series through order " + str(self.order) if self.amplitude else "certified")
+
+    def _table(self) -> dict[str, list[Any]]:
+        named = self._named()
+        columns: dict[str, list[Any]] = {
+            "series": [name for name, _, _ in named],
+            "power": [int(key) for _, key, _ in named],
+        }
+        return columns | coefficient_columns([c for _, _, c in named])
+
+    def _formula(self) -> str:
+        if not self.amplitude and self.at is not None:
+            return self.at._formula()
         a, w = (_latex(row) for row in (self.amplitude, self.frequency))
-        return rf"$A = {a},\quad \omega = {w}$"
+        return rf"A = {a},\quad \omega = {w}"
 
 
 def limit_cycle(

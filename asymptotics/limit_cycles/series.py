@@ -30,7 +30,6 @@ polynomial in q^2.
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 from flint import arb, arb_poly, fmpq, fmpq_poly
@@ -39,6 +38,7 @@ from asymptotics.budget import tick
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.bridge import to_fmpq
+from asymptotics.numbers.context import cached_property
 from asymptotics.terms import Term
 
 MAX_ORDER = 60
@@ -107,7 +107,7 @@ def balanced_square(terms: tuple[Term, ...], near: float | None = None) -> Any:
         raise InputError("law", "a strength is irrational", "rational strengths: the common factor is mu")
     coefficients = [fmpq(0)] * (top + 1)
     for t in terms:
-        coefficients[(_degree(t) - 1) // 2] += _rational(t) * _mean(t.position, int(t.velocity.rational) + 1)
+        coefficients[(_degree(t) - 1) // 2] += _rational(t) * circle_mean(t.position, int(t.velocity.rational) + 1)
     balance = fmpq_poly(coefficients)
     found = _positive_roots(balance)
     if not found:
@@ -137,7 +137,7 @@ def _positive_roots(balance: fmpq_poly) -> list[Any]:
     return sorted(found, key=lambda z: float(arb(z).mid()))
 
 
-def _mean(m: int, n: int) -> fmpq:
+def circle_mean(m: int, n: int) -> fmpq:
     """<c^m s^n> for even m and n: (m-1)!! (n-1)!!/(m+n)!!."""
     value = fmpq(1)
     for k in range(1, m // 2 + 1):

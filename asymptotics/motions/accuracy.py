@@ -87,11 +87,7 @@ def _moment(alpha: str) -> float:
 
 def horizon(alphas: Sequence[str], kappa: Fraction) -> Fraction:
     """The end of the time interval of the module's docstring."""
-    lowest = min((parse_real(a, "alpha") for a in alphas), key=_order)
+    lowest = min(parse_real(a, "alpha") for a in alphas)
     if not lowest < 1:
         return 1 / kappa
     return min(1 / kappa, Fraction(4, 5) / ((1 - Fraction(lowest.rational)) * kappa))
-
-
-def _order(alpha: ExactReal) -> float:
-    return float(alpha.ball().mid())

@@ -32,12 +32,11 @@ is returned and said to be so.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 from math import log
 from typing import Any
 
 import numpy as np
-from flint import acb, arb, ctx
+from flint import acb, arb
 
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT, require_gauge
@@ -48,6 +47,7 @@ from asymptotics.motions.doubles import Doubles
 from asymptotics.motions.frame import Frame, State
 from asymptotics.motions.result import MotionPoint, MotionSamples
 from asymptotics.motions.stopping import LastSwing, friction_arc, last_swing
+from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
 

@@ -13,14 +13,15 @@ from fractions import Fraction
 
 from flint import arb
 
-from asymptotics.errors import InputError, UndecidedError
+from asymptotics.errors import InputError
 from asymptotics.motions.result import MotionPoint
-from asymptotics.numbers.decimals import bits_for, decimal_of_ball, rational_decimal
+from asymptotics.numbers.decimals import bits_for, decimal_of, rational_decimal
 from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number, exact_number
-from asymptotics.numbers.precision import TooWideError, at_growing_precision
+from asymptotics.numbers.precision import at_growing_precision
 
 MAX_BITS, MAX_DIGITS = 1 << 16, 10_000
+Pair = tuple[arb | ExactReal, arb | ExactReal]
 
 
 def time_of(t: Number) -> ExactReal:
@@ -31,21 +32,18 @@ def time_of(t: Number) -> ExactReal:
     return moment
 
 
-def certified_values(evaluate: Callable[[], tuple[arb, arb]], digits: int) -> tuple[str, str]:
-    """Both numbers to ``digits`` digits, correctly rounded; UndecidedError at the last precision."""
+def certified_values(evaluate: Callable[[], Pair], digits: int) -> tuple[str, str]:
+    """Both numbers, balls or exact, to ``digits`` digits, correctly rounded; UndecidedError at the last precision."""
     require_integer(digits, "digits", 1, MAX_DIGITS)
 
     def attempt(_bits: int) -> tuple[str, str] | None:
-        try:
-            x, v = (decimal_of_ball(value, digits) for value in evaluate())
-        except UndecidedError as undecided:  # which way the motion goes on may show at a higher precision
-            raise TooWideError(str(undecided)) from undecided
+        x, v = (decimal_of(value, digits) for value in evaluate())
         return None if x is None or v is None else (x, v)
 
     return at_growing_precision(attempt, digits, bits_for(digits, 48), max_bits=MAX_BITS)
 
 
-def certified_point(evaluate: Callable[[], tuple[arb, arb]], digits: int, method: str) -> MotionPoint:
+def certified_point(evaluate: Callable[[], Pair], digits: int, method: str) -> MotionPoint:
     """x and v as a MotionPoint; ``error`` is half a unit of the last digit of x."""
     x, v = certified_values(evaluate, digits)
     return MotionPoint(x, v, None, None, None, None, method, half_unit(x, digits), True)

@@ -21,19 +21,20 @@ Certified: balls, and the number of half-swings until rest is decided exactly wh
 '-0.4000000000'
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from math import ceil
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Oscillator
-from asymptotics.motions.certify import certified_point, certified_values, time_of
+from asymptotics.motions.certify import Pair, certified_point, certified_values, time_of
 from asymptotics.motions.result import MotionPoint
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal, square_root
 from asymptotics.numbers.policy import Number, exact_number
-from asymptotics.numbers.rationals import to_fmpq
 
 METHOD = "exact: dry friction, certified balls"
 
@@ -74,13 +75,13 @@ class _Course:
         side = self.sign * (-1) ** n
         return side * (self.centre + R * angle.cos()), -side * R * self.omega * angle.sin()
 
-    def stop(self) -> tuple[arb, arb]:
-        """(x, t) of the stop."""
-        n = self.half_swings
-        # the rational value may be exactly 0, which a ball cannot tell
-        r = self.amplitude + self.centre * (1 - 2 * n) if self.rest is None else arb(to_fmpq(self.rest))
+    def stop(self) -> tuple[arb | ExactReal, arb]:
+        """(x, t) of the stop; a rational x as such: it may be 0, or a tie between two decimals."""
+        n, side = self.half_swings, self.sign * (-1) ** self.half_swings
         t = self.begin + n * arb.pi() / self.omega
-        return self.sign * (-1) ** n * r, t
+        if self.rest is not None:
+            return ExactReal(side * self.rest), t
+        return side * (self.amplitude + self.centre * (1 - 2 * n)), t
 
 
 def coulomb_motion(oscillator: Oscillator, t: Number, digits: int = 30, *, static: Number | None = None) -> MotionPoint:
@@ -91,10 +92,10 @@ def coulomb_motion(oscillator: Oscillator, t: Number, digits: int = 30, *, stati
     moment = time_of(t)
     hold = _hold(oscillator, static)
 
-    def evaluate() -> tuple[arb, arb]:
+    def evaluate() -> Pair:
         course = _course(oscillator, hold)
         if course is None:
-            return oscillator.x0.ball(), arb(0)
+            return oscillator.x0, arb(0)
         x, end = course.stop()
         now = moment.ball()
         if now >= end:
@@ -104,7 +105,7 @@ def coulomb_motion(oscillator: Oscillator, t: Number, digits: int = 30, *, stati
         return course.place(now)
 
     if not moment > 0:
-        return certified_point(lambda: (oscillator.x0.ball(), oscillator.v0.ball()), digits, METHOD)
+        return certified_point(lambda: (oscillator.x0, oscillator.v0), digits, METHOD)
     return certified_point(evaluate, digits, METHOD)
 
 
@@ -113,11 +114,11 @@ def coulomb_stop(oscillator: Oscillator, digits: int = 30, *, static: Number | N
     hold = _hold(oscillator, static)
     found: list[int] = []
 
-    def evaluate() -> tuple[arb, arb]:
+    def evaluate() -> Pair:
         course = _course(oscillator, hold)
         if course is None:
             found[:] = [0]
-            return oscillator.x0.ball(), arb(0)
+            return oscillator.x0, arb(0)
         found[:] = [course.half_swings]
         return course.stop()
 
@@ -152,6 +153,29 @@ def _course(oscillator: Oscillator, hold: ExactReal) -> _Course | None:
     exact = _rational_count(oscillator, hold, _rational_radius(oscillator, sign))
     n, rest = (_count(R - c, c, h), None) if exact is None else exact
     return _Course(sign, c, R, -arb.atan2(w, y) / omega, omega, 1 + n, rest)
+
+
+def exact_turning_points(oscillator: Oscillator) -> Callable[[int], ExactReal] | None:
+    """n -> x_n in m, exactly, or None where the first amplitude is irrational and no multiple of the reach c.
+
+    >>> from asymptotics.law import Law
+    >>> place = exact_turning_points(Oscillator(Law({"0": "1/4"}), x0="1"))
+    >>> [str(place(n)) for n in range(3)]
+    ['1', '-1/2', '0']
+    """
+    c = oscillator.law.terms[0].b / oscillator.stiffness
+    if oscillator.v0.is_zero:
+        side, first = oscillator.x0.sign, abs(oscillator.x0)
+    else:
+        side, radius = oscillator.v0.sign, _rational_radius(oscillator, -oscillator.v0.sign)
+        if radius is None:
+            return None
+        first = radius
+    try:
+        first - c
+    except InputError:  # two roots: their difference is no tie
+        return None
+    return lambda n: side * (-1) ** n * (first - 2 * n * c)
 
 
 def _rational_radius(oscillator: Oscillator, sign: int) -> ExactReal | None:

@@ -11,9 +11,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
-from flint import acb, arb, ctx
+from flint import acb, arb
 
 from asymptotics.envelopes.slow_flow import ExponentialSum, SlowLaw
+from asymptotics.errors import UndecidedError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.forces import Forces
@@ -22,6 +23,7 @@ from asymptotics.law import Oscillator
 from asymptotics.motions.waveform import waveform_at
 from asymptotics.normal_form.expansion import Expansion, expansion_of
 from asymptotics.normal_form.flow import Flow
+from asymptotics.numbers.context import ctx
 from asymptotics.series import Key
 
 
@@ -122,8 +124,8 @@ class Frame:
             s = (s + (d * miss.real - b * miss.imag) / determinant).mid()
             psi = (psi + (a * miss.imag - c * miss.real) / determinant).mid()
             if abs(miss) < arb(2) ** (10 - ctx.prec):
-                break
-        return s, psi
+                return s, psi
+        raise UndecidedError("the start of the expansion was not found by Newton's method")
 
     def _iterated(self, near: State | None) -> tuple[arb, arb]:
         """Fixed-point steps from a start nearby, to the two digits of the change that an estimate needs."""
@@ -150,17 +152,17 @@ class Frame:
 
         The state is None when the amplitude vanishes just there: x0 may be a multiple of 2 eps_0.
         """
-        tau, state = near, start
-        for _ in range(ctx.prec.bit_length() + 4):
-            found = self.state(tau, start)
-            if found is None:
+        tau, last = near, None
+        for _ in range(2 * ctx.prec.bit_length() + 4):
+            state = self.state(tau, start)
+            if state is None:
                 return tau, None
-            state = found
             miss = state.turning_point(self)[1] - turn * arb.pi()
-            tau = (tau - miss / (1 + self.law.Omega(state.s))).mid()
+            rate = 1 + self.law.Omega(state.s) if last is None else ((miss - last[1]) / (tau - last[0])).mid()
+            last, tau = (tau, miss), (tau - miss / rate).mid()
             if abs(miss) < arb(2) ** (-ctx.prec // 2):
-                break
-        return tau, state
+                return tau, state
+        raise UndecidedError("the last turning point of the expansion was not found by Newton's method")
 
     @property
     def reach(self) -> arb:

@@ -14,12 +14,13 @@ entire functions of D t^2, so D > 0, = 0, < 0 need no distinction (cosh and sinh
 ('0.735758882343', ('critically damped',))
 """
 
-from flint import acb, arb, ctx
+from flint import acb, arb
 
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
-from asymptotics.motions.certify import certified_point, time_of
+from asymptotics.motions.certify import Pair, certified_point, time_of
 from asymptotics.motions.result import MotionPoint
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import MAX_EXPONENT
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
@@ -38,10 +39,10 @@ def linear_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Motion
     _require_linear(oscillator)
     _require_printable(oscillator, moment)
 
-    def evaluate() -> tuple[arb, arb]:
-        now, x0, v0 = moment.ball(), oscillator.x0.ball(), oscillator.v0.ball()
+    def evaluate() -> Pair:
         if not moment > 0:
-            return x0, v0
+            return oscillator.x0, oscillator.v0
+        now, x0, v0 = moment.ball(), oscillator.x0.ball(), oscillator.v0.ball()
         gamma = oscillator.law.terms[0].b.ball() / (2 * oscillator.mass.ball())
         stiffness = oscillator.stiffness.ball() / oscillator.mass.ball()
         root = acb((stiffness - gamma**2) * now**2).sqrt()

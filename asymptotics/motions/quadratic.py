@@ -13,13 +13,14 @@ chi is enclosed between two numbers at which ``elapsed`` is certainly below and 
 '-0.0320021521515164'
 """
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import certified_point, time_of
 from asymptotics.motions.result import MotionPoint
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.policy import Number
 from asymptotics.swing.damping import upper
@@ -48,7 +49,7 @@ def quadratic_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Mot
     if swings > MAX_HALF_SWINGS:
         raise LimitError("time", f"{swings:.0f} half-swings are too many", f"at most {MAX_HALF_SWINGS}")
     if not moment > 0:
-        return certified_point(lambda: (oscillator.x0.ball(), arb(0)), digits, METHOD)
+        return certified_point(lambda: (oscillator.x0, arb(0)), digits, METHOD)
     return certified_point(lambda: _state(oscillator, moment.ball()), digits, METHOD)
 
 

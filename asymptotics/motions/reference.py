@@ -18,26 +18,28 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import pi
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds
 from asymptotics.costs import half_swing_seconds, interpolation_seconds
-from asymptotics.errors import InputError, UndecidedError
+from asymptotics.errors import InputError
+from asymptotics.flow.taylor import GUARD
 from asymptotics.law import Oscillator, PhysicalLaw
-from asymptotics.motions.certify import half_unit, time_of
+from asymptotics.motions.certify import certified_values, half_unit, time_of
 from asymptotics.motions.coulomb import coulomb_motion
 from asymptotics.motions.linear import linear_motion
 from asymptotics.motions.quadratic import quadratic_is_feasible, quadratic_motion
 from asymptotics.motions.result import MotionPoint
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number
+from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
 from asymptotics.swing.linear import ROUTE as CLOSED_ROUTE
 from asymptotics.swing.lingering import lingering, lingering_seconds, lost_until, most_swings
 from asymptotics.swing.panels import panels_of
-from asymptotics.swing.taylor import GUARD
 from asymptotics.wells.dense import states as states_in_well
 from asymptotics.wells.ends import require_inside
 from asymptotics.wells.force import Force
@@ -47,7 +49,7 @@ METHOD = "reference: half-swing by half-swing, local expansions and Taylor steps
 CLOSED = f"reference: half-swing by half-swing, {CLOSED_ROUTE}, in balls"
 IN_WELL = "reference: half-swing by half-swing in the well, local expansions and Taylor steps in balls"
 MAX_DIGITS = 1000
-_TRIES = 6
+_DOUBLINGS = 5
 
 State = tuple[arb, arb]
 
@@ -102,16 +104,15 @@ def reference_states(
     """
     oscillator.law.require_dissipative("reference motion to rest")
     with budget(max_seconds):
-        bits, reason = bits_for(digits, 28) + _lost(oscillator, times), ""
-        for _ in range(_TRIES):
-            try:
-                found = _states(oscillator, times, bits)
-                if _within(oscillator, found, digits):
-                    return States(tuple(x for x, _ in found), tuple(v for _, v in found), bits)
-                reason, bits = "the enclosures are too wide", bits + 64
-            except UndecidedError as undecided:
-                reason, bits = str(undecided), 2 * bits
-    raise UndecidedError(f"no enclosure of {digits} digits at {bits} bits: {reason}")
+        bits = bits_for(digits, 28) + _lost(oscillator, times)
+
+        def attempt(bits: int) -> States:
+            found = _states(oscillator, times, bits)
+            if not _within(oscillator, found, digits):
+                raise TooWideError("the enclosures are too wide", lacking=64)
+            return States(tuple(x for x, _ in found), tuple(v for _, v in found), bits)
+
+        return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
 
 
 def _within(oscillator: Oscillator, found: Sequence[State], digits: int) -> bool:
@@ -124,19 +125,20 @@ def _within(oscillator: Oscillator, found: Sequence[State], digits: int) -> bool
 
 def _decimals(oscillator: Oscillator, t: ExactReal, digits: int) -> tuple[str, str]:
     """x and v at one time to ``digits`` significant digits, at whatever precision that takes."""
+    if t.is_zero:
+        return certified_values(lambda: (oscillator.x0, oscillator.v0), digits)
     require_seconds(estimated_seconds(oscillator, t, digits), f"{t} s with {digits} digits")
-    bits, reason = bits_for(digits, 56) + _lost(oscillator, (t,)), ""
-    for _ in range(_TRIES):
-        try:
-            state = _states(oscillator, (t,), bits)[0]
-            texts = [decimal_of_ball(c, digits) for c in state]
-            if all(text is not None for text in texts):
-                return str(texts[0]), str(texts[1])
-            reason, lacking = "the enclosure is too wide", max(bits_for(digits) - c.rel_accuracy_bits() for c in state)
-        except UndecidedError as undecided:
-            reason, lacking = str(undecided), bits
-        bits += min(max(64, lacking + 40), 4 * bits)
-    raise UndecidedError(f"no certified {digits} digits at {bits} bits: {reason}")
+    bits = bits_for(digits, 56) + _lost(oscillator, (t,))
+
+    def attempt(bits: int) -> tuple[str, str]:
+        state = _states(oscillator, (t,), bits)[0]
+        x, v = (decimal_of_ball(c, digits) for c in state)
+        if x is None or v is None:
+            lacking = max(bits_for(digits) - c.rel_accuracy_bits() for c in state)
+            raise TooWideError(lacking=min(max(64, lacking + 40), 4 * bits))  # at a zero of x or v much is lacking
+        return x, v
+
+    return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
 
 
 def _lost(oscillator: Oscillator, times: Sequence[ExactReal]) -> int:

@@ -6,12 +6,14 @@
 """
 
 from dataclasses import dataclass, fields, replace
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from asymptotics.numbers.value import rounded
+from asymptotics.made_by import mark
+from asymptotics.numbers.value import Coefficient, number_of, rounded
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page, Rows, Shown
 
 Array = Any
 
@@ -19,8 +21,8 @@ UNITS = {"t": "s", "x": "m", "v": "m/s", "amplitude": "m", "phase": "rad"}
 DIMENSIONLESS = {"t": "tau"}
 
 
-@dataclass(frozen=True)
-class MotionPoint:
+@dataclass(frozen=True, repr=False)
+class MotionPoint(Shown):
     """The motion at one time, SI units, decimals as strings.
 
     ``amplitude``, ``phase`` (psi - tau), ``order`` and ``gauge`` are None for reference and exact motion.  ``error``
@@ -53,12 +55,24 @@ class MotionPoint:
         values: dict[str, Any] = {n: rounded(getattr(self, n), digits) for n in names if getattr(self, n) is not None}
         return replace(self, **values)
 
-    def _repr_latex_(self) -> str:
-        return rf"$x = {self.x}\,\mathrm{{m}},\quad \dot x = {self.v}\,\mathrm{{m/s}}$"
+    def number(self, name: str = "x") -> Coefficient:
+        """``x`` or ``v`` of a certified motion as a number: mpf, interval, ball; InputError for an estimate."""
+        return number_of(self, name)
+
+    def _page(self) -> Page:
+        named = {"x": "m", "v": "m/s", "amplitude": "m", "phase": "rad", "error": "m"}
+        rows = tuple((n, f"{getattr(self, n)} {unit}") for n, unit in named.items() if getattr(self, n) is not None)
+        order = "" if self.order is None else f", order {self.order}, gauge {self.gauge}"
+        worth = f"{'certified' if self.certified else 'estimate'} ({self.method}{order})"
+        title = f"x = {self.x} m, v = {self.v} m/s, error {self.error} m"
+        return Page(title, (worth, *self.notes), ("", "value"), rows)
+
+    def _formula(self) -> str:
+        return rf"x = {self.x}\,\mathrm{{m}},\quad \dot x = {self.v}\,\mathrm{{m/s}}"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class MotionSamples:
+class MotionSamples(Rows, Drawn):
     """The motion at many times, doubles; all arrays have the shape of ``t``.  SI units, or none where ``si`` is False.
 
     ``missing`` counts the times that are NaN (their places hold NaN); ``extinct`` counts those beyond the fictitious
@@ -89,15 +103,30 @@ class MotionSamples:
             return [DIMENSIONLESS.get(name, name) for name in self.columns()]
         return [f"{name} [{UNITS[name]}]" for name in self.columns()]
 
-    def to_pandas(self) -> Any:
-        """A pandas DataFrame with units in the column names; pandas comes with the extra of that name."""
-        pandas = import_module("pandas")  # loaded only where it is asked for
-        return pandas.DataFrame({head: np.ravel(c) for head, c in zip(self.header(), self.columns().values())})
+    def _heading(self) -> str:
+        return repr(self)
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        axes.plot(np.ravel(self.t), np.ravel(self.x), **style)
+        axes.set(xlabel="t (s)" if self.si else r"$\tau = \omega_0 t$", ylabel="x (m)" if self.si else "x")
+
+    def _table(self) -> dict[str, Array]:
+        return {head: np.ravel(c) for head, c in zip(self.header(), self.columns().values())}
+
+    def _page(self) -> Page:
+        rows = [tuple(f"{x:.10g}" for x in row) for row in zip(*(np.ravel(c) for c in self.columns().values()))]
+        end = () if self.extinction is None else (f"the averaged amplitude is 0 from t = {self.extinction:.6g} s on",)
+        return Page(repr(self), ("estimates, in doubles", *end, *self.notes), tuple(self.header()), tuple(rows))
+
+    def _formula(self) -> str:
+        n, kind = np.size(self.t), "the reference" if self.order is None else f"order {self.order}"
+        return rf"x(t_{{1}}),\ \ldots,\ x(t_{{{n}}})\ \text{{of {kind}}}"
 
     def to_csv(self) -> str:
-        """CSV text: one row for each time, units in the header, shortest exact decimals."""
+        """CSV text: one row for each time, units in the header, shortest exact decimals; last, what code made it."""
         rows = zip(*(np.ravel(column) for column in self.columns().values()))
-        lines = [",".join(self.header()), *(",".join(repr(float(x)) for x in row) for row in rows)]
+        lines = [",".join((*self.header(), "code"))]
+        lines += (",".join((*(repr(float(x)) for x in row), mark())) for row in rows)
         return "\n".join(lines) + "\n"
 
     def __repr__(self) -> str:

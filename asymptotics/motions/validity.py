@@ -13,16 +13,16 @@ Everything is measured in doubles against the reference; nothing is proved.
 """
 
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
+from asymptotics.numbers.context import cache
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning.general import turning_points
-from asymptotics.turning.quadratic import TurningPoints
+from asymptotics.turning.result import TurningPoints
 
 Array = Any
 _DIGITS = 10

@@ -32,18 +32,18 @@ True
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from math import ceil, log, pi
 from typing import Any
 
 import numpy as np
-from flint import arb, arb_mat, ctx
+from flint import arb, arb_mat
 
 from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.motions.orbit_force import OrbitForce
 from asymptotics.normal_form.flow import Flow
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.series import Key, accumulate
 
 Parts = list[dict[Key, Any]]

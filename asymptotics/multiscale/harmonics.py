@@ -34,13 +34,9 @@ mean N = <|cos|^(p-1) |sin|^(alpha+1)> = (1/(2 p)) sum_(n>=1) n b_n d_n give, b_
 9/128
 """
 
-from sympy import Add, Expr, Integer, Pow, Sum, Symbol, gamma, oo
+from sympy import Expr, Integer, Pow, gamma
 
 from asymptotics.moments.symbolic import mean, moment
-
-_j = Symbol("j", integer=True, positive=True)
-N = 2 * _j + 1
-"""The odd n >= 3 of an open sum."""
 
 
 def harmonic(alpha: Expr, n: int) -> Expr:
@@ -60,23 +56,6 @@ def harmonic_closed_form(alpha: Expr, n: Expr) -> Expr:
 def cosine_harmonic(p: Expr, n: int) -> Expr:
     """d_n of |cos|^p sgn cos for an odd n >= 1."""
     return harmonic(p, n) * (-1) ** ((n - 1) // 2)
-
-
-def cosine_closed_form(p: Expr, n: Expr) -> Expr:
-    """d_n as printed, for a symbolic odd n."""
-    return harmonic_closed_form(p, n) * Pow(Integer(-1), (n - 1) / 2)
-
-
-def harmonic_sum(summand: Expr, *exponents: Expr) -> Expr:
-    """sum over n = 3, 5, ... of an expression in ``N``; written out to the last harmonic of an odd exponent.
-
-    >>> harmonic_sum(harmonic_closed_form(Integer(5), N) / (N**2 - 1), Integer(5))
-    -7/192
-    """
-    ends = [int(x) for x in exponents if x.is_odd]
-    if not ends:
-        return Sum(summand, (_j, 1, oo))
-    return Add(*[summand.subs(_j, k) for k in range(1, (min(ends) - 1) // 2 + 1)])
 
 
 def velocity_certificate(alpha: Expr, beta: Expr, n: Expr) -> Expr:

@@ -22,10 +22,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Add, Derivative, Eq, Expr, Function, Mul, Sum, Symbol, cos, expand, latex
+from sympy import Add, Derivative, Eq, Expr, Function, Mul, Symbol, cos, expand, latex
 
 from asymptotics.half_swings.forces import Forces, Member
 from asymptotics.numbers.bridge import to_sympy
+from asymptotics.present.shown import Page, Shown
 from asymptotics.series import Key
 from asymptotics.terms import Term
 
@@ -33,6 +34,8 @@ a = Symbol("a", positive=True)
 psi = Symbol("psi", real=True)
 epsilon = Symbol("epsilon", positive=True)
 theta_0 = Symbol("theta_0", positive=True)
+SECULAR = (r"secular, $\sin\psi$", r"secular, $\cos\psi$")
+"""The names of the two conditions in the gauge no-first-harmonic."""
 
 
 def law_symbols(count: int) -> tuple[Expr, ...]:
@@ -68,28 +71,34 @@ def solution_symbol(n: int) -> Expr:
 
 
 def _latex(x: Any) -> str:
-    """LaTeX; beside an infinite sum the terms keep their order, because sorting them would evaluate the sum."""
-    return str(latex(x, order="none" if x.has(Sum) else None))
+    return str(latex(x))
 
 
-@dataclass(frozen=True)
-class Order:
+def _plain(name: str) -> str:
+    """The name of a condition without LaTeX."""
+    return name.replace(r"\psi", " psi").translate(str.maketrans("", "", "${}\\"))
+
+
+@dataclass(frozen=True, repr=False)
+class Order(Shown):
     """Order n of the hierarchy; every field is SymPy, and LaTeX and notebooks show all of it.
 
     ``hierarchy``: the equation in the operators D_i (noncommutative symbols), with V_k = (X')_k; ``velocity``: V_(n-1);
-    ``equation``: everything lower inserted, f_n = D_n a and g_n = D_n psi still unknown; ``secular``: its coefficients
-    of sin psi and cos psi; ``solvability``: the f_n and g_n which make both vanish; ``solution``: X_n without first
-    harmonic, or None where it is not needed.
+    ``equation``: everything lower inserted, f_n = D_n a and g_n = D_n psi still unknown; ``conditions``: what must
+    vanish, by name: the coefficients of sin psi and cos psi, or X_n and V_n at psi = pi; ``solvability``: the f_n and
+    g_n for which it does; ``solution``: X_n (turning-point gauge: on 0 < psi < pi, X(a, psi + pi) = -X(a, psi));
+    ``where``: what other letters mean.
     """
 
     n: int
     hierarchy: Eq
     velocity: Eq | None
     equation: Eq
-    secular: tuple[Expr, Expr]
+    conditions: tuple[tuple[str, Expr], ...]
     solvability: tuple[Eq, ...]
     solution: Eq | None
     gauge: str
+    where: tuple[Eq, ...] = ()
 
     @property
     def lines(self) -> tuple[tuple[str, str], ...]:
@@ -97,22 +106,38 @@ class Order:
         shown = [(f"order {self.n}", _latex(self.hierarchy))]
         shown += [("velocity", _latex(self.velocity))] if self.velocity is not None else []
         shown += [("equation", _latex(self.equation))]
-        waves = (r"$\sin\psi$", r"$\cos\psi$") if self.n else ()
-        shown += [(f"secular, {wave}", _latex(c) + " = 0") for wave, c in zip(waves, self.secular)]
+        shown += [(name, _latex(c) + " = 0") for name, c in self.conditions]
         rates = zip(("a", r"\psi"), self.solvability)
         shown += [("solvability", f"D_{{{self.n}}} {x} = {_latex(e)}") for x, e in rates]
         shown += [(f"solution, {self.gauge}", _latex(self.solution))] if self.solution is not None else []
-        return tuple(shown)
+        return (*shown, *(("with", _latex(e)) for e in self.where))
 
-    def _repr_latex_(self) -> str:
+    def _page(self) -> Page:
+        title, *rest = str(self).splitlines()
+        return Page(title, (*(line.strip() for line in rest), f"exact; gauge {self.gauge}"))
+
+    def _letters(self) -> dict[str, str]:
+        return order_letters(self.gauge)
+
+    def _formula(self) -> str:
         rows = (rf"&\text{{{name}:}} && {line}" for name, line in self.lines)
-        return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
+        return r"\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}"
 
     def __str__(self) -> str:
         parts = [f"order {self.n}: {self.equation.lhs} = {self.equation.rhs}"]
+        parts += [f"  {_plain(name)}: {c} = 0" for name, c in self.conditions]
         parts += [f"  D_{self.n} {x} = {e.lhs} = {e.rhs}" for x, e in zip(("a", "psi"), self.solvability)]
         parts += [f"  solution: {self.solution.lhs} = {self.solution.rhs}"] if self.solution is not None else []
+        parts += [f"  with {e.lhs} = {e.rhs}" for e in self.where]
         return "\n".join(parts)
+
+
+def order_letters(gauge: str) -> dict[str, str]:
+    """What the letters of a hierarchy mean."""
+    return {r"\epsilon": "strength of the loss", "c": "strength of the spring", "X": "displacement, X_n its order n",
+            "a": f"slow amplitude, gauge {gauge}", "V": "velocity, V_n its order n", "j": "a number that counts",
+            "D": "derivative with respect to a slow time", "I": "integral", "J": "integral", "K": "integral",
+            "L": "integral", r"\theta": "angle of the pendulum at the start"}  # fmt: skip
 
 
 def _operator(n: int) -> Symbol:
@@ -145,7 +170,10 @@ def velocity_equation(n: int) -> Eq:
 
 
 def smooth_force(forces: Forces, symbols: tuple[Expr, ...], n: int) -> Expr:
-    """All forces at order n in terms of X_k and V_k = (X')_k, k < n; of one variable the strength is taken out."""
+    """All forces at order n in terms of X_k and V_k = (X')_k, k < n; of one variable the strength is taken out.
+
+    Forces that are no polynomials in V are those of 0 < psi < pi, where V < 0: V|V| = -V^2.
+    """
     return Add(*[_at_order(m, symbols, n) for m in forces.through(n)])
 
 
@@ -153,7 +181,8 @@ def _at_order(member: Member, symbols: tuple[Expr, ...], n: int) -> Expr:
     strength = Mul(*[s**k for s, k in zip(symbols, member.key)]) if len(symbols) > 1 else 1
     factors: list[Callable[[int], Symbol]] = [_displacement] * member.position
     factors += [_velocity] * member.integer_velocity
-    return expand(to_sympy(member.ratio) * strength * _product_part(factors, n - member.order))
+    odd = (member.integer_velocity + (member.sign < 0)) % 2  # where V < 0: V|V|^(A-1) = -(-V)^A, |V|^Q = (-V)^Q
+    return expand((-1) ** odd * to_sympy(member.ratio) * strength * _product_part(factors, n - member.order))
 
 
 def _product_part(factors: list[Callable[[int], Symbol]], degree: int) -> Expr:
@@ -162,22 +191,6 @@ def _product_part(factors: list[Callable[[int], Symbol]], degree: int) -> Expr:
     for factor in factors:
         parts = [expand(Add(*[factor(j) * parts[d - j] for j in range(d + 1)])) for d in range(degree + 1)]
     return parts[degree]
-
-
-def general_force(members: Sequence[Any], strength: Callable[[Any], Expr], n: int) -> Expr:
-    """The forces at order n = 1, 2: S_i(V) = V|V|^(alpha_i-1), R_j(X) = X|X|^(p_j-1) and their derivatives.
-
-    ``members`` have ``key`` and ``sign``; ``strength`` is what stands before one.
-    """
-    total, counts = Add(), {-1: 0, 1: 0}
-    for m in members:
-        name = f"{'S' if m.sign < 0 else 'R'}_{counts[m.sign]}"
-        counts[m.sign] += 1
-        at = _velocity if m.sign < 0 else _displacement
-        force, later = Function(name)(at(0)), n - sum(m.key)
-        if later in (0, 1):
-            total = total + strength(m) * (force, Derivative(force, at(0)) * at(1))[later]
-    return total
 
 
 def monomial(degrees: tuple[Any, ...], key: Key, power: int = 1, symbols: tuple[Expr, ...] = ()) -> Expr:
@@ -196,4 +209,4 @@ def leading_order(gauge: str) -> Order:
     solvability = tuple(Eq(s, v, evaluate=False) for s, v in zip(rate_symbols(0), (zero, Add(1))))
     equation = Eq(Derivative(X_0, (psi, 2)) + X_0, 0, evaluate=False)
     hierarchy = operator_equation(0, zero)
-    return Order(0, hierarchy, None, equation, (zero, zero), solvability, Eq(X_0, a * cos(psi)), gauge)
+    return Order(0, hierarchy, None, equation, (), solvability, Eq(X_0, a * cos(psi)), gauge)

@@ -25,7 +25,6 @@ psi = 0, the sum d_n/(n^2-1).
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from sympy import Expr, Integer, Rational, factor, pi
 
@@ -34,6 +33,7 @@ from asymptotics.half_swings.forces import Forces
 from asymptotics.moments.symbolic import mean, moment
 from asymptotics.multiscale.harmonics import displacement_sum, spring_sum
 from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.context import cached_property
 from asymptotics.series import Key
 from asymptotics.terms import Term
 

@@ -3,8 +3,8 @@
 >>> result = multiple_scales((3,), 3)
 >>> result.orders[1].equation.rhs
 3*a**3*sin(psi)/4 - a**3*sin(3*psi)/4 + 2*a*g_1*cos(psi) + 2*f_1*sin(psi)
->>> result.orders[1].secular, result.orders[1].solvability
-((3*a**3/4 + 2*f_1, 2*a*g_1), (Eq(f_1, -3*a**3/8), Eq(g_1, 0)))
+>>> [c for _, c in result.orders[1].conditions], result.orders[1].solvability
+([3*a**3/4 + 2*f_1, 2*a*g_1], (Eq(f_1, -3*a**3/8), Eq(g_1, 0)))
 >>> result.orders[1].solution
 Eq(X_1(psi), a**3*sin(3*psi)/32)
 >>> result.amplitude_rate, result.phase_rate
@@ -29,6 +29,7 @@ A spring stands beside the losses with its own strength c, and turns the phase a
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from flint import fmpq
 from sympy import Add, Derivative, Eq, Expr, cos, diff, expand, latex, sin
@@ -37,11 +38,13 @@ from asymptotics.errors import InputError, shown
 from asymptotics.multiscale.exact import MAX_SECONDS, OddHierarchy, odd_hierarchy
 from asymptotics.multiscale.initial import InitialConditions, initial_conditions
 from asymptotics.multiscale.orders import (
+    SECULAR,
     Order,
     a,
     leading_order,
     monomial,
     operator_equation,
+    order_letters,
     psi,
     rate_symbols,
     smooth_force,
@@ -49,35 +52,36 @@ from asymptotics.multiscale.orders import (
     strength_symbols,
     velocity_equation,
 )
+from asymptotics.multiscale.turning import TurningHierarchy
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import require_integer
+from asymptotics.present.shown import Page, Shown
+from asymptotics.public import public
 from asymptotics.series import Key, Series, monomials
 from asymptotics.terms import Term
 
 
 @dataclass(frozen=True, repr=False)
-class MultipleScales:
-    """The hierarchy solved through ``kernel.order``: orders 0, ..., N as objects, and their sums as expressions.
+class MultipleScales(Shown):
+    """The hierarchy solved through order N: orders 0, ..., N as objects, and their sums as expressions.
 
-    ``orders[n]`` holds X_n; for several forces X_n collects all terms of total degree n in their strengths ``symbols``
+    ``shapes``: the forces in words; ``symbols``: their strengths, epsilon or epsilon_i, c or c_j, and theta_0^2 for a
+    pendulum with x in units of theta_0; ``kernel``: the exact solution it shows, if there is one.  ``orders[n]`` holds
+    X_n; for several forces X_n collects all terms of total degree n in their strengths ``symbols``
     (of one force epsilon^n or c^n is taken out).  ``rates[n]`` = (D_n a, D_n psi).
     """
 
-    terms: tuple[Term, ...]
-    kernel: OddHierarchy
+    shapes: tuple[str, ...]
+    symbols: tuple[Expr, ...]
     orders: tuple[Order, ...]
     start: InitialConditions
+    kernel: OddHierarchy | TurningHierarchy | None = None
     notes: tuple[str, ...] = field(default=(), compare=False)
 
     @property
     def gauge(self) -> str:
-        """no-first-harmonic: the coefficient of cos psi in X is exactly a, that of sin psi is 0."""
-        return self.kernel.gauge
-
-    @property
-    def symbols(self) -> tuple[Expr, ...]:
-        """The strengths: epsilon or epsilon_i, c or c_j, and theta_0^2 for a pendulum with x in units of theta_0."""
-        return strength_symbols(self.terms)
+        """no-first-harmonic: the coefficient of cos psi in X is exactly a, that of sin psi is 0; or turning-point."""
+        return self.orders[0].gauge
 
     @property
     def rates(self) -> tuple[tuple[Expr, Expr], ...]:
@@ -96,7 +100,7 @@ class MultipleScales:
 
     @property
     def waveform(self) -> Expr:
-        """X(a, psi) through order N."""
+        """X(a, psi) through order N; in the turning-point gauge on 0 < psi < pi, and X(a, psi + pi) = -X(a, psi)."""
         return self._sum(tuple(order.solution.rhs for order in self.orders if order.solution is not None))
 
     @property
@@ -109,14 +113,16 @@ class MultipleScales:
         """psi(0) = phi(0) for X(0) = 1, X'(0) = 0."""
         return _in_strengths(self.start.phase, self.symbols)
 
-    def slow_derivative(self, n: int, f: Expr) -> Expr:
+    @public
+    def slow_derivative(self, n: int, f: Expr, *, max_seconds: Any = 60) -> Expr:
         """D_n f = (D_n a) df/da + (D_n psi) df/d psi for an expression in a and psi; n = 0 is the fast derivative."""
         rate, turn = self.rates[require_integer(n, "n", 0, len(self.rates) - 1)]
         if not isinstance(f, Expr):
             raise InputError("f", f"{shown(f)} is no expression", "a SymPy expression in a and psi")
         return expand(rate * diff(f, a) + turn * diff(f, psi))
 
-    def commutator(self, i: int, j: int) -> tuple[Expr, Expr]:
+    @public
+    def commutator(self, i: int, j: int, *, max_seconds: Any = 60) -> tuple[Expr, Expr]:
         """(D_i D_j - D_j D_i) of a and of psi: zero would mean that a(T_1, T_2, ...), phi(T_1, T_2, ...) exist."""
         last = len(self.rates) - 1
         pairs = zip(*(self.rates[require_integer(n, name, 0, last)] for name, n in (("i", i), ("j", j))))
@@ -124,14 +130,22 @@ class MultipleScales:
         return of_a, of_psi
 
     def _sum(self, parts: tuple[Expr, ...]) -> Expr:
-        step = self.symbols[0] if len(self.terms) == 1 else 1
-        return Add(*[expand(step**n * part) for n, part in enumerate(parts)])
+        step = self.symbols[0] if len(self.symbols) == 1 else 1
+        return Add(*[step**n * term for n, part in enumerate(parts) for term in Add.make_args(part)])
 
     def __repr__(self) -> str:
-        forces = ", ".join(t.shape() for t in self.terms)
-        return f"MultipleScales({forces}, orders 0 to {len(self.orders) - 1}, gauge {self.gauge})"
+        return f"MultipleScales({', '.join(self.shapes)}, orders 0 to {len(self.orders) - 1}, gauge {self.gauge})"
 
-    def _repr_latex_(self) -> str:
+    def _page(self) -> Page:
+        rates = (f"da/dtau = {self.amplitude_rate}", f"dpsi/dtau = {self.phase_rate}")
+        start = f"a(0) = {self.initial_amplitude}, psi(0) = {self.initial_phase} for X(0) = 1, X'(0) = 0"
+        worth = f"orders 0 to {len(self.orders) - 1}, gauge {self.gauge}: exact coefficients, no bound on the remainder"
+        return Page(f"X'' + X + {' + '.join(self.shapes)} = 0", (*rates, f"X = {self.waveform}", start, worth))
+
+    def _letters(self) -> dict[str, str]:
+        return order_letters(self.gauge)
+
+    def _formula(self) -> str:
         rows = (
             rf"\frac{{da}}{{d\tau}} &= {latex(self.amplitude_rate)}",
             rf"\frac{{d\psi}}{{d\tau}} &= {latex(self.phase_rate)}",
@@ -140,7 +154,7 @@ class MultipleScales:
             rf"\psi(0) &= {latex(self.initial_phase)}",
             rf"&\text{{gauge: {self.gauge}}}",
         )
-        return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
+        return r"\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}"
 
 
 def multiple_scales(given: Sequence[int | Term], order: int, *, max_seconds: float = MAX_SECONDS) -> MultipleScales:
@@ -153,7 +167,8 @@ def multiple_scales(given: Sequence[int | Term], order: int, *, max_seconds: flo
     terms = tuple(t if isinstance(t, Term) else Term(1, t) for t in given)
     made = _Display(kernel, strength_symbols(terms))
     orders = (leading_order(kernel.gauge), *(made.order(n) for n in range(1, order + 1)))
-    return MultipleScales(terms, kernel, orders, initial_conditions(kernel))
+    shapes = tuple(t.shape() for t in terms)
+    return MultipleScales(shapes, made.symbols, orders, initial_conditions(kernel), kernel)
 
 
 @dataclass(frozen=True)
@@ -180,7 +195,7 @@ class _Display:
                 2 * rate * sin(psi) + 2 * a * turn * cos(psi) + self._waves(known),
                 evaluate=False,
             ),
-            (2 * rate + sine, 2 * a * turn + cosine),
+            ((SECULAR[0], 2 * rate + sine), (SECULAR[1], 2 * a * turn + cosine)),
             tuple(Eq(s, v, evaluate=False) for s, v in zip((rate, turn), solved)),
             Eq(X_n, self._waves({key: kernel.harmonics(key) for key in kernel.keys(n)}), evaluate=False),
             kernel.gauge,

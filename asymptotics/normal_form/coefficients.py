@@ -14,6 +14,7 @@ Coefficient(value='-0.152788745368', expression=-12/(25*pi))
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from math import inf
 from typing import Any
@@ -44,6 +45,7 @@ from asymptotics.numbers.bridge import to_fraction, to_sympy
 from asymptotics.numbers.decimals import MAX_DIGITS, certified_decimal, rational_decimal
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.series import Key, Series, monomials
+from asymptotics.terms import Term
 
 
 def expansion_coefficients(
@@ -113,7 +115,10 @@ def half_swing_coefficients(
     """L, F, T, U, V, W through delta^order of one law or a sum; errors as ``expansion_coefficients``."""
     _require_counts(order, digits)
     with budget(max_seconds):
-        return _half_swing_coefficients(Forces.read(given, order), order, digits, exact_only)
+        found = _half_swing_coefficients(Forces.read(given, order), order, digits, exact_only)
+    if isinstance(given, Forces):
+        return found
+    return replace(found, forces=tuple(t.shape() if isinstance(t, Term) else f"alpha = {t}" for t in given))
 
 
 def _half_swing_coefficients(forces: Forces, order: int, digits: int, exact_only: bool) -> HalfSwingCoefficients:

@@ -19,7 +19,7 @@ rounded from balls: UndecidedError names it (odd alpha and few digits: take the 
 
 from collections.abc import Callable, Mapping, Sequence
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
@@ -34,6 +34,7 @@ from asymptotics.half_swings.certified_zeros import (
 from asymptotics.half_swings.forces import Forces, Given
 from asymptotics.half_swings.quarter import HalfSwing
 from asymptotics.normal_form.flow import flow_of
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.series import Key, Series, monomials
 

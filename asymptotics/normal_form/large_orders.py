@@ -1,14 +1,14 @@
-"""Large orders of the normal form of one law: factorial divergence, where to stop, and Borel-Pade.  All heuristic.
+"""Large orders of the normal form of one law: factorial divergence as a theorem, where to stop, and Borel-Pade.
 
-A map that is not a flow has a divergent formal flow.  At delta small V = (alpha - 1) delta U is nearly -(alpha - 1) p_1
-delta^2, so 1/delta grows by (alpha - 1) p_1 per unit of psi; the ripple of period pi in psi that a smooth flow cannot
-carry is exp(2 i psi) ~ exp(+-2 i/((alpha - 1) p_1 delta)), so the Borel plane has its nearest singularities at
-+-2 i/(|alpha - 1| p_1) and
+A map that is not a flow has a divergent formal flow.  With c, c_1, d_1, e_1 of ``divergence`` and f = 4 pi^2 e_1 c the
+laws are proved (derivation ``large-orders``), each with a factor 1 + f/n + O(n^-2), n! being the factorial:
 
-    V_(k+2)/V_k  ~  -k^2 (|alpha - 1| p_1/2)^2,   best truncation near k* = 2/(|alpha - 1| p_1 delta), error ~ e^(-k*).
+    V_k     = -(-1)^(k/2)     (2 c_1/(pi c))     (k-3)!/(2 pi c)^(k-2),     k even,
+    p_k/p_1 = -(-1)^((k-1)/2) 2 (c_1 + d_1/pi)   (k-2)!/(2 pi c)^(k-1),     k odd,
+    Omega_k = -(-1)^(k/2)     (2 d_1/pi)         (k-1)!/(2 pi c)^k,         k even,
 
-Measured at alpha = 2, 3, 4, 5 to order 40 and beyond, the ratio is -(k-1)(k-2)(...)^2 to O(k^-2): V_k grows like
-Gamma(k-2) (|alpha - 1| p_1/2)^k, so the smallest term comes two orders later than k*.
+so V_(k+2)/V_k -> -(k-1)(k-2) (|alpha - 1| p_1/2)^2, 2 pi |c| = 2/(|alpha - 1| p_1), unless the constant vanishes.  The
+O(n^-2) has no numbers; the place of the smallest term, near k* = 2 pi |c|/delta, and Borel-Pade are heuristic.
 
 At alpha = 0 and alpha = 1 the series of U and W end or converge, and nothing here applies.
 
@@ -26,12 +26,14 @@ from math import exp
 from typing import Any
 
 import mpmath
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import InputError, LimitError
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.normal_form.expansion import Expansion
 from asymptotics.numbers.bridge import bounds
+from asymptotics.numbers.context import ctx
+from asymptotics.numbers.decimal_context import workdps
 from asymptotics.series import Series
 
 LABEL = "heuristic"
@@ -51,6 +53,23 @@ class Truncation:
     smallest_term_index: int
     smallest_term: float
     status: str = LABEL
+
+
+def large_order(k: int, row: str, c: mpmath.mpf, f: mpmath.mpf, c_1: mpmath.mpf, d_1: mpmath.mpf) -> mpmath.mpf:
+    """The proved law of ``row`` "V", "p" (over p_1) or "Omega" at k with its first correction; 0 where k has no term.
+
+    >>> c, f, d_1 = map(mpmath.mpf, ("0.75", "3.948", "0.4125"))
+    >>> print(mpmath.nstr(large_order(40, "Omega", c, f, mpmath.mpf(0), d_1), 6))
+    -6.93621e+18
+    """
+    size, n, power, odd = {
+        "V": (2 * c_1 / (mpmath.pi * c), k - 3, k - 2, 0),
+        "p": (2 * (c_1 + d_1 / mpmath.pi), k - 2, k - 1, 1),
+        "Omega": (2 * d_1 / mpmath.pi, k - 1, k, 0),
+    }[row]
+    if n < 1 or k % 2 != odd:
+        return mpmath.mpf(0)
+    return -((-1) ** (k // 2)) * size * mpmath.factorial(n) / (2 * mpmath.pi * c) ** power * (1 + f / n)
 
 
 def slope(expansion: Expansion) -> float:
@@ -95,7 +114,7 @@ def borel_pade(series: Series, delta: float, digits: int = 20) -> str:
     coefficients = _mpf_coefficients(series)
     lead = next((n for n, c in enumerate(coefficients) if c), 0)
     steps = coefficients[lead::2]
-    with mpmath.workdps(4 * digits):
+    with workdps(4 * digits):
         borel = [c * mpmath.mpf(delta) ** (lead + 2 * i) / mpmath.factorial(lead + 2 * i) for i, c in enumerate(steps)]
         half = (len(borel) - 1) // 2
         try:
@@ -114,7 +133,7 @@ def borel_pade(series: Series, delta: float, digits: int = 20) -> str:
 
 def _mpf_coefficients(series: Series) -> list[mpmath.mpf]:
     """Midpoints of the coefficients in one variable: from here on nothing is claimed."""
-    with mpmath.workdps(60), ctx.workprec(220):
+    with workdps(60), ctx.workprec(220):
         return [_mpf(series[n]) for n in range(series.order + 1)]
 
 

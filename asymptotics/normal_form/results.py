@@ -10,11 +10,16 @@ from typing import Any
 
 import sympy
 
-from asymptotics.numbers.value import Coefficient
+from asymptotics.errors import InputError
+from asymptotics.normal_form.show import sum_latex
+from asymptotics.numbers.value import Coefficient, coefficient_columns
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page, Rows
 
 __all__ = ["ZERO", "Coefficient", "Coefficients", "HalfSwingCoefficients", "Row", "row_to_dict"]
 
 
+_POINTS = 401
 ZERO = Coefficient("0", sympy.Integer(0))
 Row = dict[str, Coefficient]
 
@@ -41,8 +46,8 @@ class Coefficients:
     integrals: dict[str, dict[str, Any]] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class HalfSwingCoefficients:
+@dataclass(frozen=True, repr=False)
+class HalfSwingCoefficients(Rows, Drawn):
     """The half-swing map through delta^order: ``map`` and ``V`` have one row per law."""
 
     order: int
@@ -54,6 +59,43 @@ class HalfSwingCoefficients:
     V: tuple[Row, ...]
     W: Row
     notes: tuple[str, ...] = field(default=(), compare=False)
+    forces: tuple[str, ...] = field(default=(), compare=False)
+
+    def _named(self) -> list[tuple[str, str, Coefficient]]:
+        rows = {"L": self.log_ratio, "T": self.duration, "U": self.U, "W": self.W}
+        for name, several in (("F", self.map), ("V", self.V)):
+            rows |= {name + (f"_{i}" if len(several) > 1 else ""): row for i, row in enumerate(several, start=1)}
+        return [(name, key, c) for name, row in rows.items() for key, c in row.items()]
+
+    def _page(self) -> Page:
+        rows = tuple((name, key, c, c.exact or "") for name, key, c in self._named() if not c.is_zero)
+        worth = f"{self.arithmetic} coefficients of powers of delta; no bound on the remainder"
+        head = ("series", "power", "value", "exact")
+        law = f" of {', '.join(self.forces)}" if self.forces else ""
+        return Page(f"the half-swing{law} through order {self.order}", (worth, *self.notes), head, rows)
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        """A'/A against the local strength, the last two orders of ln(A'/A); for one law."""
+        import numpy as np  # noqa: PLC0415 (a fifth of the time of a command that draws nothing)
+
+        powers = {tuple(map(int, key.split(","))): float(c.text()) for key, c in self.log_ratio.items()}
+        if any(len(key) > 1 for key in powers):
+            raise InputError("plot", "a sum of laws has several local strengths", "one law")
+        last = style.pop("until", 0.5)
+        delta = np.linspace(0.0, float(last), _POINTS)
+        for order in range(self.order, max(0, self.order - 2), -1):
+            size = np.exp(sum((c * delta**k for (k,), c in powers.items() if k <= order), 0.0 * delta))
+            own = style if order == self.order else {"linestyle": "--", "linewidth": 1.0}
+            axes.plot(delta, size, **{"label": f"order {order}", **own})
+        axes.set(xlabel=r"local strength $\delta$", ylabel="A'/A of one half-swing", ylim=(0, None))
+
+    def _table(self) -> dict[str, list[Any]]:
+        named = self._named()
+        columns = {"series": [name for name, _, _ in named], "power": [key for _, key, _ in named]}
+        return columns | coefficient_columns([c for _, _, c in named])
+
+    def _formula(self) -> str:
+        return rf"L = {_latex(self.log_ratio)},\quad T = {_latex(self.duration)}"
 
     def to_dict(self) -> dict[str, Any]:
         """The coefficients as the JSON of the command line; one law has its rows of map and V directly."""
@@ -63,3 +105,10 @@ class HalfSwingCoefficients:
             rows = [row_to_dict(row) for row in getattr(self, name)]
             data[name] = rows[0] if len(rows) == 1 else rows
         return data
+
+
+def _latex(row: Row) -> str:
+    """The sum in LaTeX, in delta or in delta_1, delta_2, ..."""
+    keyed = {tuple(map(int, key.split(","))): c for key, c in row.items()}
+    count = max(map(len, keyed), default=1)
+    return sum_latex(keyed, [r"\delta" if count == 1 else rf"\delta_{{{i}}}" for i in range(1, count + 1)])

@@ -24,7 +24,6 @@ D(chi_1 delta) = -(alpha - 1) p_1 chi_1 delta^2:
 """
 
 from collections.abc import Callable
-from functools import cache
 from typing import Any
 
 from flint import arb
@@ -36,6 +35,7 @@ from asymptotics.half_swings.symbolic import FIELD, I_4, alpha, field_half_swing
 from asymptotics.moments.certified import moment as moment_ball
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.flow import Flow, flow_of
+from asymptotics.numbers.context import cache
 
 
 @cache

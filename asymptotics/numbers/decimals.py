@@ -23,7 +23,7 @@ from math import log2
 from flint import arb, fmpz
 
 from asymptotics.errors import LimitError
-from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 
 BITS_PER_DIGIT = log2(10)
@@ -37,21 +37,34 @@ def bits_for(digits: int, guard: int = 32) -> int:
     return int(digits * BITS_PER_DIGIT) + guard
 
 
-def certified_decimal(evaluate: Callable[[], arb], digits: int, *, max_bits: int = MAX_BITS) -> str:
+def certified_decimal(evaluate: Callable[[], arb | ExactReal], digits: int, *, max_bits: int = MAX_BITS) -> str:
     """The number that ``evaluate`` encloses at the current precision, to ``digits`` significant digits.
 
-    ``evaluate`` is called at growing precision until the rounding is decided.  Raises UndecidedError at ``max_bits``.
+    ``evaluate`` is called at growing precision until the rounding is decided.  Raises UndecidedError at ``max_bits``;
+    a rational number that lies on a tie between two decimals is told only where it is given as an exact number.
     """
     require_integer(digits, "digits", 1, MAX_DIGITS)
 
     def attempt(_bits: int) -> str:
-        ball = evaluate()
-        text = decimal_of_ball(ball, digits)
+        found = evaluate()
+        text = decimal_of(found, digits)
         if text is None:
-            raise TooWideError(f"the enclosure is {ball.str(5)}")
+            raise TooWideError("the enclosure is " + (found if isinstance(found, arb) else found.ball()).str(5))
         return text
 
     return at_growing_precision(attempt, digits, bits_for(digits), max_bits=max_bits)
+
+
+def decimal_of(value: arb | ExactReal, digits: int) -> str | None:
+    """The rounding of a ball, or of an exact number, whose ties and zeros no ball could tell.
+
+    >>> tie = Fraction(1, 80)
+    >>> decimal_of(ExactReal(tie), 2), decimal_of(ExactReal(tie).ball(), 2), decimal_of(ExactReal(0), 2)
+    ('0.012', None, '0')
+    """
+    if isinstance(value, arb):
+        return decimal_of_ball(value, digits)
+    return rational_decimal(value.rational, digits) if value.is_rational else decimal_of_ball(value.ball(), digits)
 
 
 def decimal_of_ball(ball: arb, digits: int) -> str | None:

@@ -23,9 +23,11 @@ from math import isqrt
 from numbers import Rational
 from operator import index, mul
 
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 
 from asymptotics.errors import InputError, shown
+from asymptotics.numbers.context import ctx, inside
+from asymptotics.present.shown import Page, Shown
 
 _NUMBER = r"[+-]?(?:\d{1,400}(?:\.\d{0,400})?|\.\d{1,400})(?:[eE][+-]?\d{1,3})?(?:/\d{1,400})?"
 _RATIONAL = re.compile(_NUMBER + r"\Z", re.ASCII)
@@ -41,7 +43,7 @@ _ZERO, _ONE = Fraction(0), Fraction(1)
 
 
 @dataclass(frozen=True, init=False, repr=False, eq=False)
-class ExactReal:
+class ExactReal(Shown):
     """The real number ``coefficient * sqrt(radicand) + offset``, exactly; a rational number is its ``coefficient``.
 
     Equality and order are those of the numbers, decided by signs and squares, so no integer is ever factored.  Sums and
@@ -105,6 +107,7 @@ class ExactReal:
             raise InputError("number", f"{self} is irrational", "a rational number")
         return self.coefficient
 
+    @inside
     def ball(self) -> arb:
         """An enclosure at the current working precision; it holds 0 for 0 alone, however much cancels."""
         q = arb(fmpq(self.coefficient.numerator, self.coefficient.denominator))
@@ -208,6 +211,15 @@ class ExactReal:
     def __repr__(self) -> str:
         return f"ExactReal({str(self)!r})"
 
+    def _page(self) -> Page:
+        return Page(str(self), ("exact",))
+
+    def _formula(self) -> str:
+        text, root = _latex(self.coefficient), "" if self.is_rational else rf"\sqrt{{{_latex(self.radicand)}}}"
+        factor = {"1": "", "-1": "-"}.get(text, text + r"\,") if root else text
+        rest = f" {'-' if self.offset < 0 else '+'} {_latex(abs(self.offset))}" if root and self.offset else ""
+        return f"{factor}{root}{rest}"
+
 
 def _exact(x: object) -> ExactReal:
     """An operand as an exact number; InputError for a float, whose binary value is not what was typed."""
@@ -215,7 +227,15 @@ def _exact(x: object) -> ExactReal:
         return x
     if isinstance(x, bool) or not isinstance(x, Rational):  # the rationals of NumPy and SymPy are registered as such
         raise InputError("operand", f"{shown(x)} is no exact number", "an int, a Fraction or an ExactReal")
-    return ExactReal(Fraction(int(x.numerator), int(x.denominator)))
+    try:
+        return ExactReal(Fraction(int(x.numerator), int(x.denominator)))
+    except Exception:  # a foreign class may call itself rational and raise anything when it is asked for its value
+        raise InputError("operand", f"{shown(x)} has no value", "an int, a Fraction or an ExactReal") from None
+
+
+def _latex(q: Fraction) -> str:
+    top, _, bottom = _text(abs(q)).partition("/")
+    return ("-" if q < 0 else "") + (rf"\frac{{{top}}}{{{bottom}}}" if bottom else top)
 
 
 def _text(q: Fraction) -> str:

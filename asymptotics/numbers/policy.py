@@ -33,7 +33,39 @@ _TOO_LARGE = 10**_MAX_DIGITS
 
 
 def exact_number(value: Any, argument: str) -> ExactReal:
-    """``value`` as an exact real number; InputError names ``argument`` for everything that is not one."""
+    """``value`` as an exact real number; InputError names ``argument`` for everything that is not one.
+
+    The one gate for foreign objects: what calls itself a number may fail in any way when it is asked for its value.
+    """
+    try:
+        return _read(value, argument)
+    except (InputError, MemoryError):
+        raise
+    except Exception:
+        raise InputError(argument, f"{shown(value)} is not an exact number", REAL_FORMS) from None
+
+
+def exact_double(value: Any, argument: str) -> float:
+    """``value`` as the double next to it, where a double will do; InputError where that or its square is none.
+
+    >>> exact_double("1/4", "noise")
+    0.25
+    >>> exact_double("1e400", "noise")
+    Traceback (most recent call last):
+        ...
+    asymptotics.errors.InputError: argument noise: it is out of the range of doubles (accepted: ...)
+    """
+    number = exact_number(value, argument)
+    try:
+        found = float(number.rational if number.is_rational else number.ball().mid())
+    except OverflowError:
+        found = math.inf
+    if not math.isfinite(found * found) or (found * found == 0) != number.is_zero:
+        raise InputError(argument, "it is out of the range of doubles", f"about 1e-150 to 1e150 in size: {REAL_FORMS}")
+    return found
+
+
+def _read(value: Any, argument: str) -> ExactReal:
     if isinstance(value, ExactReal):
         return value
     if isinstance(value, str):
@@ -80,10 +112,12 @@ def exact_seconds(value: Any, argument: str = "max_seconds") -> float:
     >>> exact_seconds("1/2")
     0.5
     """
-    seconds = exact_number(value, argument)
-    if not 0 < seconds <= _MAX_SECONDS:
-        raise InputError(argument, f"{seconds} is out of range", f"a number of seconds > 0, at most {_MAX_SECONDS}")
-    return float(seconds.ball().mid())
+    number, accepted = exact_number(value, argument), f"a number of seconds > 0, at most {_MAX_SECONDS}"
+    if not number.is_rational:  # its size is a matter of balls, which may have to wait for another thread
+        raise InputError(argument, f"{number} is not rational", accepted)
+    if not 0 < number.rational <= _MAX_SECONDS:
+        raise InputError(argument, f"{number} is out of range", accepted)
+    return float(number.rational)
 
 
 def float_notes(**values: Any) -> tuple[str, ...]:

@@ -14,37 +14,53 @@ asymptotics.errors.UndecidedError: no certified 5 digits at 200 bits: the enclos
 from collections.abc import Callable
 from typing import TypeVar
 
-from flint import ctx
-
 from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import ctx
 
 Found = TypeVar("Found")
+TOO_WIDE = "the enclosure is too wide"
 
 
 class TooWideError(UndecidedError):
-    """More precision would help: the reason is told when the last precision is reached."""
+    """Not decided at this precision; ``lacking``: about how many bits more will do, if the attempt can tell."""
+
+    def __init__(self, reason: str = TOO_WIDE, lacking: int | None = None) -> None:
+        super().__init__(reason)
+        self.lacking = lacking
 
 
 def at_growing_precision(
     attempt: Callable[[int], Found | None], digits: int, bits: int, *, max_bits: int = 1 << 16
 ) -> Found:
-    """``attempt(bits)`` at a working precision of ``bits``, 2 ``bits``, ... up to ``max_bits`` until it has a result.
+    """``attempt(bits)`` at a growing working precision, from ``bits`` up to ``max_bits``, until it has a result.
 
-    None and ``TooWideError`` ask for more precision; at the limit UndecidedError says how far it went and why.  Any
-    other UndecidedError of the attempt is final.
+    None and every UndecidedError ask for more precision: how a motion goes on may show there.  Only where a loop inside
+    the attempt has given up, this one does too.  The precision doubles, unless the attempt says how much is
+    ``lacking``; a second guess of that kind must add half as much again, so that a tie, which no precision decides,
+    ends soon.  At the limit UndecidedError says how far it went and why.
     """
-    bits = min(bits, max_bits)
+    bits, least = min(bits, max_bits), 0
     while True:
         tick(f"{bits} bits")
-        reason = "the enclosure is too wide"
+        reason, more = TOO_WIDE, bits
         with ctx.workprec(bits):
             try:
                 found = attempt(bits)
-            except TooWideError as wide:
-                found, reason = None, str(wide)
+            except UndecidedError as undecided:
+                if undecided.given_up:
+                    raise
+                found, reason = None, str(undecided)
+                lacking = getattr(undecided, "lacking", None)
+                more = bits if lacking is None else max(lacking, least)
         if found is not None:
             return found
         if bits >= max_bits:
-            raise UndecidedError(f"no certified {digits} digits at {bits} bits: {reason}")
-        bits = min(2 * bits, max_bits)
+            raise _given_up(f"no certified {digits} digits at {bits} bits: {reason}")
+        least, bits = bits // 2, min(bits + more, max_bits)
+
+
+def _given_up(reason: str) -> UndecidedError:
+    error = UndecidedError(reason)
+    error.given_up = True
+    return error

@@ -14,21 +14,26 @@ Traceback (most recent call last):
 asymptotics.errors.InputError: argument coefficient: 4/(3*pi) is not rational (accepted: a rational number)
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 import mpmath
 import sympy
+from flint import arb
 from sympy import Expr
 
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.bridge import from_sympy
+from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.decimals import rational_decimal
+from asymptotics.numbers.digits import ball_of, interval_of, spread
+from asymptotics.present.shown import Page, Shown
 
 
 @dataclass(frozen=True)
-class Coefficient:
+class Coefficient(Shown):
     """Correctly rounded digits ``value`` (None for a symbolic exponent) and the exact form (None if none is known)."""
 
     value: str | None
@@ -59,20 +64,16 @@ class Coefficient:
 
     def mpf(self) -> Any:
         """The digits as an mpmath number of enough precision to hold them."""
-        with mpmath.workdps(len(self.text()) + 2):
+        with workdps(len(self.text()) + 2):
             return mpmath.mpf(self.text())
 
     def interval(self) -> Any:
         """An mpmath interval that contains the true value: the digits, half a unit in the last place either way."""
-        digits, half = self.text(), self._half_unit()
-        low, high = Fraction(digits) - half, Fraction(digits) + half
-        precision = mpmath.iv.prec
-        try:
-            mpmath.iv.prec = 4 * len(digits) + 32
-            ends = [mpmath.iv.mpf(q.numerator) / q.denominator for q in (low, high)]
-            return mpmath.iv.mpf([ends[0].a, ends[1].b])
-        finally:
-            mpmath.iv.prec = precision
+        return interval_of(self.text())
+
+    def ball(self) -> arb:
+        """The same as a ball of python-flint, at the precision in force."""
+        return ball_of(self.text())
 
     def sympy(self) -> Expr:
         """The exact form where one is known, else a SymPy Float with the digits."""
@@ -96,14 +97,35 @@ class Coefficient:
         """Digits and exact form as text."""
         return {"value": self.value, "exact": self.exact}
 
-    def _repr_latex_(self) -> str:
-        return f"${self.value if self.expression is None else sympy.latex(self.expression)}$"
+    def _page(self) -> Page:
+        claim = "correctly rounded" if self.value is not None else "a function of the exponent"
+        exact = () if self.expression is None or self.value is None else (f"= {self.exact}",)
+        return Page(str(self), (*exact, claim, *self.notes))
 
-    def _half_unit(self) -> Fraction:
-        if self.is_zero:
-            return Fraction(0)
-        mantissa, _, exponent = self.text().lower().partition("e")
-        return Fraction(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2])) / 2
+    def _formula(self) -> str:
+        return str(self.value if self.expression is None else sympy.latex(self.expression))
+
+
+def number_of(found: Any, name: str) -> Coefficient:
+    """A field of correctly rounded digits of a certified result as a number: mpf, interval, ball, float.
+
+    InputError for a result that is not certified (its digits are an estimate), and for a field that holds no number.
+    """
+    if not isinstance(name, str) or not isinstance(getattr(found, name, None), str):
+        raise InputError("name", f"{shown(name)} is no number of a {type(found).__name__}", "the name of a field")
+    if not found.certified:
+        raise InputError("name", f"{name} is not certified: no interval is known to hold it", "a certified result")
+    return Coefficient(getattr(found, name), None)
+
+
+def coefficient_columns(found: Sequence[Coefficient]) -> dict[str, list[Any]]:
+    """Columns of a data frame: doubles, both ends of the interval that holds the number, all digits, the exact form.
+
+    >>> columns = coefficient_columns([Coefficient("0.333", sympy.Rational(1, 3))])
+    >>> columns["value"], columns["value_low"][0] <= 0.3325, columns["exact"]
+    ([0.333], True, ['1/3'])
+    """
+    return spread("value", [c.value for c in found]) | {"exact": [c.exact for c in found]}
 
 
 def rounded(value: str, digits: int) -> str:

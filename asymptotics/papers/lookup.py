@@ -1,9 +1,11 @@
-"""Find a statement by its id, by its number alone, or by words in its text and formulas.
+"""Find a statement by its id, by its number alone, or by a referee's words (``search``).
 
 >>> paper("smith2012:45").title
 'The velocity at the first passage through equilibrium'
 >>> [found.id for found in find("(43)")]
 ['lelas2024:43', 'smith2012:43']
+>>> find("Lancaster eq. 13")[0].id, find("envelope for alpha = 3/2")[0].id
+('lancaster2020:13', 'lancaster2020:table1.alpha3-2')
 >>> paper("smith:43")
 Traceback (most recent call last):
     ...
@@ -17,6 +19,7 @@ from functools import cache
 from importlib.resources import files
 
 from asymptotics.errors import InputError, require_choice
+from asymptotics.papers.search import Searched, ranked
 from asymptotics.papers.statement import PaperStatement
 
 MAX_QUERY = 200
@@ -59,33 +62,21 @@ def paper(id: str) -> PaperStatement:  # noqa: A002 (the papers' own word)
 
 
 def find(query: str) -> tuple[PaperStatement, ...]:
-    """The statements with this id or number, else those that contain every word; InputError if there is none."""
+    """The statements with this id or number, else those with every word, best first; InputError if there is none."""
     wanted = query.strip()[:MAX_QUERY]
     if not wanted:
         raise InputError("query", "is empty", "an id (smith2012:43), a number (43) or words (Lambert)")
     if wanted in _all():
         return (_all()[wanted],)
-    number = re.fullmatch(r"\(?([\w.]+)\)?", wanted)
-    exact = [s for s in _all().values() if number and s.id.partition(":")[2].lower() == number[1].lower()]
-    if exact:
-        return tuple(exact)
-    words = [_plain(word) for word in wanted.split()]
-    found = tuple(s for s in _all().values() if all(word in _searched(s.id) for word in words))
+    found = tuple(_all()[key] for key in ranked(_searched(), wanted))
     if not found:
         raise InputError("query", f"nothing found for {wanted!r}", _suggestion(wanted))
     return found
 
 
 @cache
-def _searched(key: str) -> str:
-    s = _all()[key]
-    return _plain(" ".join((s.id, s.title, s.latex, s.corrected or "", s.note, s.conditions, " ".join(s.methods))))
-
-
-def _plain(text: str) -> str:
-    r"""Lower case, without the marks of LaTeX, so that S_3 is found in \hat{S}_3 and omega in \omega."""
-    text = re.sub(r"\\(hat|dot|ddot|tilde|text|mathrm|left|right)\b", "", text)
-    return re.sub(r"[{}\\$]", "", text).lower()
+def _searched() -> tuple[Searched, ...]:
+    return tuple(map(Searched.of, _all().values()))
 
 
 def _suggestion(wanted: str) -> str:

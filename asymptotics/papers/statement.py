@@ -3,14 +3,19 @@
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from asymptotics.present.letters import letters
+from asymptotics.present.shown import Page, Shown
+
 
 @dataclass(frozen=True)
-class PaperStatement:
+class PaperStatement(Shown):
     """A numbered equation, table entry, figure or claim with the verdict of its check.
 
     ``printed`` is the verdict on the printed form (holds, misprint, transcription, partly, refuted, open, definition),
     ``evidence`` what it rests on (proved, certified, measured, none) and ``extent`` how far that reaches; ``latex`` is
-    the printed form, ``corrected`` what is true instead (None if it holds); ``source`` is the file
+    the printed form (with ``paraphrase``: in our words), ``corrected`` what is true instead (None if it holds),
+    ``shortfall`` in which way it is partly true, ``slip`` a slip that changes nothing; ``line`` is the line of the
+    derivation that proves it; ``source`` is the file
     and line of the check.
     """
 
@@ -27,6 +32,10 @@ class PaperStatement:
     note: str
     methods: tuple[str, ...]
     derivation: str | None
+    line: int | None
+    paraphrase: bool
+    shortfall: str | None
+    slip: str
     digits: int | None
     order: str | None
     near_miss: str | None
@@ -35,8 +44,18 @@ class PaperStatement:
     def __repr__(self) -> str:
         return f"<{self.id}: {self.title} ({self.printed}, {self.evidence})>"
 
-    def _repr_latex_(self) -> str:
-        return f"${self.latex}$"
+    def _page(self) -> Page:
+        named = {"printed": self.latex, "true instead": self.corrected, "conditions": self.conditions,
+                 "near miss, refuted": self.near_miss, "derivation": self.derivation, "note": self.note}  # fmt: skip
+        rows = tuple((name, text) for name, text in named.items() if text)
+        title = f"{self.id}: {self.title}"
+        return Page(title, (f"{self.printed}, {self.evidence}: {self.extent}",), ("", ""), rows)
+
+    def _formula(self) -> str:
+        return self.latex
+
+    def _letters(self) -> dict[str, str]:
+        return dict.fromkeys(letters(self.latex), f"as in {self.paper}")
 
     def to_dict(self) -> dict[str, Any]:
         """The JSON of ``asymptotics papers``."""

@@ -1,1 +1,1 @@
-"""Presentation: reproducible figures, MathML, atomic files.  Nothing in the library imports this folder."""
+"""Presentation: how a result shows itself, reproducible figures, MathML, atomic files; nothing is computed here."""

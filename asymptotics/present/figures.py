@@ -7,9 +7,10 @@
 
 import io
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 
 STYLE: Any = {
     "axes.edgecolor": "#6b7280",
@@ -29,21 +30,62 @@ STYLE: Any = {
 }
 
 
-def render(draw: Callable[[Any], Any], *, size: tuple[float, float] = (6.4, 4.0), kind: str = "svg") -> bytes:
-    """Draw on one pair of axes and return the picture as SVG or PNG bytes, the same at each call.
+SIZE, DPI = (6.4, 4.0), 160
+MIN_SIZE, MAX_SIZE, MIN_DPI, MAX_DPI = 1.0, 40.0, 30, 1200
+_FORMATS = "svg, png or pdf"
+_WITHOUT = {  # what would differ from call to call
+    "svg": {"Date": None, "Creator": None},
+    "png": {"Software": None},
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+}
 
-    InputError where matplotlib, an extra, is not installed.
+
+def render(
+    draw: Callable[[Any], Any], *, size: Any = SIZE, kind: str = "svg", dpi: Any = DPI, title: str = ""
+) -> bytes:
+    """Draw on one pair of axes and return the picture as SVG, PNG or PDF bytes, the same at each call.
+
+    ``size`` in inches, ``dpi`` for PNG; ``title`` stands in the file.  InputError for another format, a size or a
+    resolution out of range, and where matplotlib, an extra, is not installed.
     """
-    try:
-        from matplotlib import rc_context  # noqa: PLC0415 (an extra, and slow to load: only pictures need it)
-        from matplotlib.figure import Figure  # noqa: PLC0415 (as above)
-    except ImportError as error:
-        accepted = "an installation with the extra plot: pip install 'power-law-oscillator[plot]'"
-        raise InputError("plot", "a picture needs matplotlib, which is not installed", accepted) from error
-    with rc_context(STYLE):
-        figure = Figure(figsize=size, layout="constrained")
+    if not isinstance(kind, str) or kind not in _WITHOUT:
+        raise InputError("kind", f"{shown(kind)} is no format of a picture", _FORMATS)
+    wide, high = _size(size)
+    if isinstance(dpi, bool) or not isinstance(dpi, int) or not MIN_DPI <= dpi <= MAX_DPI:
+        raise InputError("dpi", f"{shown(dpi)} is no resolution", f"an integer from {MIN_DPI} to {MAX_DPI}")
+    matplotlib = _matplotlib("matplotlib")
+    with matplotlib.rc_context(STYLE):
+        figure = _matplotlib("matplotlib.figure").Figure(figsize=(wide, high), layout="constrained")
         draw(figure.subplots())
         buffer = io.BytesIO()
-        metadata = {"Date": None, "Creator": None} if kind == "svg" else {"Software": None}
-        figure.savefig(buffer, format=kind, dpi=160, metadata=metadata)
+        metadata = {**_WITHOUT[kind], **({"Title": title} if title else {})}
+        figure.savefig(buffer, format=kind, dpi=dpi, metadata=metadata)
     return buffer.getvalue()
+
+
+def new_axes() -> Any:
+    """Axes of a new figure that notebooks and windows show, in the style of all pictures."""
+    with _matplotlib("matplotlib").rc_context(STYLE):
+        return _matplotlib("matplotlib.pyplot").subplots(figsize=SIZE, layout="constrained")[1]
+
+
+def _matplotlib(name: str) -> Any:
+    """A module of matplotlib: an extra, and slow to load, so that only pictures load it."""
+    try:
+        return import_module(name)
+    except ModuleNotFoundError as error:  # any other ImportError is a fault, or want of memory
+        accepted = "an installation with the extra plot: pip install '.[plot]' in a clone"
+        raise InputError("plot", "a picture needs matplotlib, which is not installed", accepted) from error
+
+
+def _size(size: Any) -> tuple[float, float]:
+    accepted = f"two numbers of inches from {MIN_SIZE:g} to {MAX_SIZE:g}"
+    if not isinstance(size, tuple | list) or len(size) != 2:
+        raise InputError("size", f"{shown(size)} is no size", accepted)
+    try:
+        wide, high = (float(side) for side in size)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InputError("size", f"{shown(size)} is no size", accepted) from error
+    if not all(MIN_SIZE <= side <= MAX_SIZE for side in (wide, high)):
+        raise InputError("size", f"{wide:g} by {high:g} is out of range", accepted)
+    return wide, high

@@ -1,7 +1,8 @@
 """A finished sweep as one file: CSV, JSON or Parquet, in the order of the sweep, every cell as text, nothing rounded.
 
 Results are flattened: ``points.1.x`` is the x of the second of ``points``.  The columns are the parameters, then what
-the results hold in the order of their first appearance, then ``failed`` (the reason, or empty).  The file is the same
+the results hold in the order of their first appearance, then ``failed`` (the reason, or empty) and ``code`` (what
+computed it, ``made_by.mark``).  The file is the same
 for the same sweep, whatever order its points were finished in.  Parquet needs the extra parquet.
 
 >>> flat({"x": "1/2", "points": [{"n": 0, "tau": None}], "certified": True})
@@ -24,6 +25,7 @@ import numpy as np
 
 from asymptotics import __version__
 from asymptotics.errors import InputError
+from asymptotics.made_by import made_by, mark
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.present.files import target_file
 from asymptotics.sweeps.grid import Point
@@ -31,6 +33,7 @@ from asymptotics.sweeps.shard import verified
 from asymptotics.sweeps.store import Store, place
 
 FORMATS = (".csv", ".json", ".parquet")
+_LAST = ("failed", "code")
 _CHUNK = 10_000  # rows in memory at a time
 
 Exact = Fraction | ExactReal | str | None
@@ -120,7 +123,7 @@ def _rows(command: str, points: Sequence[Point], store: Store) -> Iterator[dict[
     for point, record in records(command, points, store):
         found = record or {"failed": "not in the store"}
         result = flat(found.get("result", {}))
-        yield {**result, **point, "failed": found.get("failed", "")}
+        yield {**result, **point, "failed": found.get("failed", ""), "code": mark()}
 
 
 def _columns(command: str, points: Sequence[Point], store: Store) -> list[str]:
@@ -130,7 +133,7 @@ def _columns(command: str, points: Sequence[Point], store: Store) -> list[str]:
     for point, row in zip(points, _rows(command, points, store)):
         parameters |= dict.fromkeys(point)
         results |= dict.fromkeys(row)
-    return [*parameters, *(name for name in results if name not in parameters and name != "failed"), "failed"]
+    return [*parameters, *(name for name in results if name not in {*parameters, *_LAST}), *_LAST]
 
 
 def _write_csv(stream: Any, command: str, points: Sequence[Point], store: Store) -> int:
@@ -143,7 +146,7 @@ def _write_csv(stream: Any, command: str, points: Sequence[Point], store: Store)
 
 
 def _write_json(stream: Any, command: str, points: Sequence[Point], store: Store) -> int:
-    head = json.dumps({"command": command, "version": __version__})
+    head = json.dumps({"command": command, "version": __version__, "made_by": made_by()})
     stream.write((head[:-1] + ', "rows": [').encode())
     for i, (point, record) in enumerate(records(command, points, store)):
         found = record or {"failed": "not in the store"}
@@ -156,7 +159,8 @@ def _write_json(stream: Any, command: str, points: Sequence[Point], store: Store
 def _write_parquet(stream: Any, command: str, points: Sequence[Point], store: Store) -> int:
     arrow, parquet = _parquet()
     columns = _columns(command, points, store)
-    schema = arrow.schema([(name, arrow.string()) for name in columns])
+    metadata = {"made_by": json.dumps(made_by())}
+    schema = arrow.schema([(name, arrow.string()) for name in columns], metadata=metadata)
     with parquet.ParquetWriter(stream, schema) as writer:
         chunk: list[dict[str, str]] = []
         for row in _rows(command, points, store):
@@ -174,8 +178,8 @@ _WRITERS = {".csv": _write_csv, ".json": _write_json, ".parquet": _write_parquet
 def _parquet() -> tuple[Any, Any]:
     try:
         return import_module("pyarrow"), import_module("pyarrow.parquet")  # an extra, and slow to import
-    except ImportError as error:
-        accepted = "an installation with the extra parquet: pip install 'power-law-oscillator[parquet]'"
+    except ModuleNotFoundError as error:  # any other ImportError is a fault, or want of memory
+        accepted = "an installation with the extra parquet: pip install '.[parquet]' in a clone"
         raise InputError("export", "Parquet needs pyarrow, which is not installed", accepted) from error
 
 

@@ -29,11 +29,14 @@ from pathlib import Path
 from typing import Any
 
 from asymptotics.errors import InputError
+from asymptotics.made_by import mark
+from asymptotics.present.shown import Page, Shown
+from asymptotics.public import public_beside_others
 from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.plan import Job, Plan
 from asymptotics.sweeps.shard import record_of
 from asymptotics.sweeps.store import Store, require_usable, task_of
-from asymptotics.sweeps.workers import Crew, Outcome, Task, one_process, process_pool, run_batch
+from asymptotics.sweeps.workers import Crew, OtherCodeError, Outcome, Task, one_process, process_pool, run_batch
 
 _BATCH_SECONDS = 0.25
 _SLOT_SECONDS = 2e-3  # a scheduler needs about a millisecond for a task: batches grow with the slots it has to feed
@@ -45,8 +48,8 @@ Progress = Callable[[int, int], None]
 OpenCrew = Callable[[], AbstractContextManager[Crew]]
 
 
-@dataclass(frozen=True)
-class SweepResult:
+@dataclass(frozen=True, repr=False)
+class SweepResult(Shown):
     """What a sweep did: ``points`` asked for, ``reused`` from the store, ``computed`` now, ``failed`` of both.
 
     ``failures`` has the parameters and the reason of the first twenty.
@@ -60,11 +63,17 @@ class SweepResult:
     seconds: str
     store: str
 
+    def _page(self) -> Page:
+        title = f"{self.points} points: {self.computed} computed, {self.reused} from the store, {self.failed} failed"
+        rows = tuple((str(f["point"]), f["reason"]) for f in self.failures)
+        return Page(title, (f"in {self.seconds} s, store {self.store}",), ("point", "reason") if rows else (), rows)
+
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready."""
         return {**asdict(self), "failures": list(self.failures)}
 
 
+@public_beside_others
 def sweep(
     task: Task,
     command: str,
@@ -75,6 +84,7 @@ def sweep(
     executor: Executor | None = None,
     crew: OpenCrew | None = None,
     progress: Progress = lambda done, total: None,
+    max_seconds: Any = None,
 ) -> SweepResult:
     """Compute ``task`` at every point that the store in ``folder`` does not hold yet.
 
@@ -82,7 +92,8 @@ def sweep(
     filed under ``command``.  Any ``executor`` of concurrent.futures may be given, and is left open; otherwise there are
     ``workers`` processes (default: one for each core; 1: this process), or the ``crew`` that is opened, and opened
     again when it breaks.  ``progress`` is called with the numbers of points done and asked for.
-    Raises InputError for an unusable store or a full disk; everything finished is then in the store.
+    Raises InputError for an unusable store (one of other code among them), a worker of other code, or a full disk;
+    everything finished is then in the store.
     """
     start = time.perf_counter()
     require_usable(folder)
@@ -149,7 +160,7 @@ class _Driver:
 
     def _submit(self, jobs: list[Job]) -> None:
         try:
-            future = self.crew.executor.submit(run_batch, self.task, [job.point for job in jobs])
+            future = self.crew.executor.submit(run_batch, self.task, [job.point for job in jobs], mark())
         except BrokenExecutor:
             self.suspects.extend(jobs)
             self.broken = True
@@ -167,6 +178,8 @@ class _Driver:
             jobs, alone = self.flying.pop(future), len(self.flying) == 0
             try:
                 outcomes, seconds = future.result()
+            except OtherCodeError:
+                raise
             except (Exception, CancelledError) as error:
                 self.broken = self.broken or isinstance(error, BrokenExecutor)
                 if not last:

@@ -1,6 +1,6 @@
 """The folder in which the finished points of sweeps lie.
 
-    store.json          what this folder is, and the version of the program whose results it holds
+    store.json          what this folder is, and the code and libraries whose results it holds (``made_by``)
     shards/0a.points    the points whose bucket is 0a (see ``shard``), in the order in which they were finished
 
 A point is found by the SHA-256 of its task, whatever sweep it was computed for.  Its *bucket* has one hexadecimal digit
@@ -16,18 +16,19 @@ from typing import Any
 
 from asymptotics import __version__
 from asymptotics.errors import InputError
+from asymptotics.made_by import made_by, mark
 from asymptotics.present.files import require_writable, write_atomically
 from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.shard import LockedShard, content_key, lines
 
 FORMAT = "asymptotics-sweep/1"
-ACCEPTED = "a new or empty folder, or one that a sweep of this version has made"
+ACCEPTED = "a new or empty folder, or one that a sweep of this code has made"
 
 
 class Store:
     """A store on disk; ``create`` makes the folder if there is none.
 
-    InputError for a folder that is not a store, is unreadable, or holds the results of another version.
+    InputError for a folder that is not a store, is unreadable, or holds results of other code or libraries.
     """
 
     def __init__(self, folder: Path, *, create: bool = False) -> None:
@@ -36,7 +37,9 @@ class Store:
         try:
             if create and not about.exists() and not (folder.exists() and any(folder.iterdir())):
                 require_writable(folder / "shards", "store")
-                write_atomically(about, json.dumps({"format": FORMAT, "version": __version__}) + "\n")
+                write_atomically(
+                    about, json.dumps({"format": FORMAT, "version": __version__, "made_by": made_by()}) + "\n"
+                )
             found = json.loads(about.read_text())
         except InputError:
             raise
@@ -51,6 +54,9 @@ class Store:
         if found.get("version") != __version__:
             reason = f"{self.folder} holds results of version {str(found.get('version'))[:20]}, this is {__version__}"
             raise InputError("store", reason, ACCEPTED)
+        other = _difference(found.get("made_by"))
+        if other is not None:
+            raise InputError("store", f"{self.folder} holds results of {other}: they are not believed", ACCEPTED)
         if not (self.folder / "shards").is_dir():
             raise InputError("store", f"{self.folder} has no folder shards", ACCEPTED)
 
@@ -67,6 +73,18 @@ class Store:
         return lines(self.path(bucket))
 
 
+def _difference(found: Any) -> str | None:
+    """In what the maker of a store is not this program, for a message; None where it is."""
+    here = made_by()
+    if not isinstance(found, dict) or not isinstance(found.get("versions"), dict):
+        return f"unknown code (this is {mark()})"
+    if found.get("code") != here["code"]:
+        return f"other code (commit {str(found.get('commit'))[:16]}; this is commit {str(here['commit'])[:16]})"
+    names = [name for name, number in here["versions"].items() if found["versions"].get(name) != number]
+    changed = [f"{name} {str(found['versions'].get(name))[:20]} (this is {here['versions'][name]})" for name in names]
+    return ", ".join(changed) or None
+
+
 def require_usable(folder: Path) -> None:
     """InputError for a folder that ``Store(folder, create=True)`` would refuse for what is in it; writes nothing."""
     try:
@@ -78,7 +96,7 @@ def require_usable(folder: Path) -> None:
 
 def task_of(command: str, point: Point) -> dict[str, Any]:
     """What the key of a point is made of."""
-    return {"command": command, "point": point, "version": __version__}
+    return {"command": command, "point": point, "version": __version__, "code": mark()}
 
 
 def place(command: str, point: Point) -> tuple[int, str]:

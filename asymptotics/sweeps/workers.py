@@ -25,6 +25,7 @@ from time import perf_counter
 from typing import Any
 
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.made_by import mark
 from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.shard import canonical
 
@@ -48,8 +49,17 @@ class Outcome:
         return bool(self.reason)
 
 
-def run_batch(task: Task, batch: list[Point]) -> tuple[list[Outcome], float]:
-    """The outcomes of some points, in order, and the seconds they took; this is what a worker is asked to do."""
+class OtherCodeError(InputError):
+    """A worker whose code or libraries are not the driver's: its results would be filed as those of this code."""
+
+
+def run_batch(task: Task, batch: list[Point], code: str | None = None) -> tuple[list[Outcome], float]:
+    """The outcomes of some points, in order, and the seconds they took; this is what a worker is asked to do.
+
+    ``code``: the driver's ``made_by.mark``; OtherCodeError where this worker's is another one.
+    """
+    if code is not None and code != mark():
+        raise OtherCodeError("executor", f"a worker runs other code ({mark()}, here {code})", "workers of this code")
     start = perf_counter()
     return [_run(task, point) for point in batch], perf_counter() - start
 
@@ -163,6 +173,6 @@ def dask_executor(address: str, workers: int | None) -> Iterator[Crew]:
 def _distributed() -> Any:
     try:
         return import_module("distributed")  # an extra, and slow to import
-    except ImportError as error:
-        accepted = "an installation with the extra cluster: pip install 'power-law-oscillator[cluster]'"
+    except ModuleNotFoundError as error:  # any other ImportError is a fault, or want of memory
+        accepted = "an installation with the extra cluster: pip install '.[cluster]' in a clone"
         raise InputError("dask", "Dask is not installed", accepted) from error

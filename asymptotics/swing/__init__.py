@@ -5,10 +5,10 @@
 ``majorant``    the algebraic majorant of the local expansion at a turning point, its tail in balls
 ``keys``        which terms of a local expansion are kept, by integer weights
 ``expansion``   the motion next to a turning point, in powers of the speed: the branch point removed
-``taylor``      one Taylor step in between, with its error by the residual
 ``ends``        when no turning point follows: sticks, creeps, overdamped, decided in balls
 ``slow``        creep for all times: between two barriers beside the slow curve
 ``slow_series`` the slow curve as a sum of powers of the speed, cut off, and what the cut leaves
+``near_equal``  the slow curve over a stretch, where exponents are nearly equal: coefficients that are polynomials
 ``settling``    creep that begins where its speed is lost in the errors: beside the law itself
 ``linear``      linear damping and dry friction alone: the closed form
 ``lingering``   next to critical linear damping: how long a half-swing takes, how many bits it loses
@@ -26,6 +26,6 @@
 ``dense``       (x, v) at many times in one pass
 ==============  ======================================================================================
 
-Derivations ``motions-never-part``, ``turning-point-majorant``, ``taylor-residual``, ``slow-curve``, ``settling``,
-``arrival`` and ``quarter-collocation``.
+Taylor steps are those of ``flow``.  Derivations ``motions-never-part``, ``turning-point-majorant``, ``slow-curve``,
+``settling``, ``arrival`` and ``quarter-collocation``.
 """

@@ -24,9 +24,10 @@ holds.
 
 from dataclasses import dataclass
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping, dyadic, size_of, upper
 from asymptotics.swing.expansion import Expansion, plan_at
 from asymptotics.swing.keys import SMALL
@@ -100,7 +101,7 @@ def turns_within(damping: Damping, y: arb, w: arb, error: arb) -> bool:
     if not y < 0:
         return False
     size = (max(2 * size_of(y), 2 * size_of(w)) + 0.3) / 2  # by the energy
-    if damping.least < 1:  # braking may end the motion long before; below 1 the reach shrinks with the amplitude
+    if damping.sublinear:  # braking may end the motion long before; below 1 the reach shrinks with the amplitude
         size = size_of(y)
     near = bool(w < reach_at(damping, dyadic(size)))
     small = damping.least < SMALL and (near or bool(w < error))

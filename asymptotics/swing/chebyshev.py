@@ -29,8 +29,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
 
-from flint import arb, arb_poly, ctx, fmpq, fmpz_poly
+from flint import arb, arb_poly, fmpq, fmpz_poly
 
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import upper
 
 _BITS = 53  # in which errors are added

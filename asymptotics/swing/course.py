@@ -24,20 +24,24 @@ only add: no ball is carried through a step.
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.flow.taylor import TaylorStep
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.arrival import Arrival, arrive, turns_within
 from asymptotics.swing.damping import Damping, size_of, upper
 from asymptotics.swing.ends import CREEPS, may_trap, trap
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.linear import LinearOrbit, is_linear
+from asymptotics.swing.near_equal import Stretch, stretch
 from asymptotics.swing.settling import settled
+from asymptotics.swing.slide import Slide, sliding
 from asymptotics.swing.slow import Strip, caught
-from asymptotics.swing.taylor import TaylorStep
 
 MAX_PIECES, MAX_FREE = 200_000, 5000
+_ONE = arb(1)
 _FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision
 _LONGEST = 2.0**24  # bits of a time
 _BY_STEPS = "a creep by Taylor steps, as its slow curve is no short sum of powers yet"
@@ -155,6 +159,7 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         yield _linear(damping, u, w, error)
         return
     scale, watch = upper(abs(u) + w), may_trap(damping)
+    stiff = not watch and len(damping.alphas) == 1
     if w == 0:
         y = u - damping.friction
         if watch and trap(damping, y + arb(0, error), w) == CREEPS:
@@ -176,21 +181,36 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
         reason = trap(damping, y + blur, w + blur) if watch else None
         if reason == CREEPS and count % _CATCH == 0:
             yield from _caught(damping, y, w, t, error)
+        slide = _for_a_while(damping, (y, w, error), stiff, reason == CREEPS) if count % _CATCH == 0 else None
+        if slide is not None:
+            end = _later(t, slide.length)
+            yield Creep(damping, t, end, arb(0), reason, slide)
+            y, w = slide.state(slide.length)
+            error, given = upper(y.rad() + w.rad()), arb(0)  # what was known of the start is in the strip
+            u, w, t = (y + damping.friction).mid(), w.mid(), end
+            continue
         lost = upper(abs(y) + w) < 4 * error or (
             watch and y > _FAR * scale and w < 4 * error and _slowing(damping, y, w)
         )
         if reason is None and ((watch and count > MAX_FREE) or lost):
             where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
             raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
-        taylor = TaylorStep.at(damping, y, w, scale)
+        taylor = TaylorStep.at(damping, y, w, _ONE, scale)
         end = _later(t, taylor.length)
-        error = upper(error + taylor.error)
+        error = upper(error + taylor.residual)
         yield Step(damping, t, end, error, reason, taylor)
         y, w = taylor.state(taylor.length)
         error = upper(error + y.rad() + w.rad())
         u, w, t = (y + damping.friction).mid(), w.mid(), end
     reason = f"one half-swing takes more than {pieces} pieces: the motion is too stiff or too near a separatrix"
     raise LimitError("time", reason, "weaker damping, another strength, or a shorter time")
+
+
+def _for_a_while(damping: Damping, state: tuple[arb, arb, arb], stiff: bool, creeps: bool) -> Slide | Stretch | None:
+    """A strip about a slow curve that ends, from (y, w, error) on."""
+    if stiff and state[0] > 0:
+        return sliding(damping, *state)
+    return stretch(damping, *state) if creeps else None
 
 
 def _caught(damping: Damping, y: arb, w: arb, t: arb, error: arb) -> Iterator[Piece]:

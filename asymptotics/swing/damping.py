@@ -3,25 +3,29 @@
     y' = -w,    w' = y - N(w),    N(w) = sum_i epsilon_i w^alpha_i over alpha_i > 0          (units: amplitude, tau)
 
 Strengths and exponents are enclosures at the precision current when the ``Damping`` is made; the doubles beside them
-choose sizes and never enter a bound.
+choose sizes and never enter a bound.  The rest position of the flow is y = 0, and its linear term is kept exactly.
 
 >>> from fractions import Fraction
+>>> from flint import ctx
 >>> with ctx.workprec(60):
 ...     law = Damping.of([(arb(1) / 10, ExactReal(Fraction(3, 2))), (arb(1) / 50, ExactReal(Fraction(0)))])
 ...     law.resistance(arb(4)).str(10), law.friction.str(5)
 ('[0.8000000000 +/- ...]', '[0.020000 +/- ...]')
 """
 
-from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property
-from math import inf, log2
+from math import inf
+from typing import ClassVar
 
-from flint import arb, ctx
+from flint import arb
 
-from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import dyadic, in_doubles, size_of, upper
 from asymptotics.law import Law
+from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
+
+__all__ = ["Damping", "dyadic", "in_doubles", "size_of", "upper"]
 
 
 @dataclass(frozen=True)
@@ -32,6 +36,8 @@ class Damping:
     strengths: tuple[arb, ...]
     alphas: tuple[ExactReal, ...]
     exponents: tuple[arb, ...]
+    rate: ClassVar[None] = None
+    linear: ClassVar[int] = 1
 
     @classmethod
     def of(cls, terms: list[tuple[arb, ExactReal]]) -> "Damping":
@@ -58,8 +64,18 @@ class Damping:
         return tuple(zip(map(size_of, self.strengths), in_doubles(self.exponents)))
 
     @cached_property
+    def sublinear(self) -> bool:
+        """Whether some exponent is below 1."""
+        return any(a < 1 for a in self.alphas)
+
+    @cached_property
+    def leading(self) -> int:
+        """Which exponent is the least, decided exactly: no double may choose what then counts as exact."""
+        return min(range(len(self.alphas)), key=self.alphas.__getitem__)
+
+    @cached_property
     def least(self) -> float:
-        """The least exponent above 0, in doubles; infinity without one."""
+        """The least exponent above 0, in doubles, for choosing sizes; infinity without one."""
         return min((a for _, a in self.sizes), default=inf)
 
     @cached_property
@@ -76,33 +92,14 @@ class Damping:
         """N(w) for w >= 0."""
         return sum(self.terms(w), arb(0)) if w != 0 else arb(0)
 
+    def rest_powers(self, _side: int) -> list[tuple[arb, int]]:
+        """None: the force at rest is y."""
+        return []
 
-def in_doubles(exponents: Iterable[arb]) -> tuple[float, ...]:
-    """Exponents above 0, for choosing sizes; LimitError for one that is 0 there."""
-    found = tuple(float(a.mid()) for a in exponents)
-    if not all(a > 0 for a in found):
-        raise LimitError("alpha", "an exponent is above 0, but too small for a double", "0, or 1e-300 and above")
-    return found
+    def loss_powers(self, _side: int) -> list[tuple[arb, int, arb]]:
+        """(-epsilon_i, 0, alpha_i)."""
+        return [(-e, 0, a) for e, a in zip(self.strengths, self.exponents)]
 
-
-def size_of(x: arb) -> float:
-    """log2 |midpoint|, also far outside the range of doubles; -inf for 0."""
-    mantissa, exponent = x.mid().man_exp()
-    return log2(abs(int(mantissa))) + int(exponent) if mantissa != 0 else float("-inf")
-
-
-def dyadic(size: float) -> arb:
-    """A dyadic number near 2^size, exact at any precision.
-
-    >>> dyadic(-1.0), dyadic(-2000.5) == 0
-    (0.500000000000000, False)
-    """
-    whole = int(size // 1)
-    with ctx.workprec(53):
-        return arb(2.0 ** (size - whole)) * arb((1, whole), 0)
-
-
-def upper(x: arb) -> arb:
-    """An exact upper bound of |x|, short: errors are added in 53 bits."""
-    with ctx.workprec(53):
-        return abs(x).upper()
+    def largest(self, _y: arb, _dy: arb, w: arb, dw: arb) -> arb:
+        """A bound of |N| on the complex disc |W - w| <= dw < w."""
+        return upper(self.resistance(w + dw))

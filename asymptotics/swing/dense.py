@@ -18,10 +18,11 @@ from there on the speed grows at most at the rate |X|.
 
 from collections.abc import Sequence
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.course import Piece, Turned, course
 from asymptotics.swing.damping import Damping, size_of, upper
 from asymptotics.swing.panels import Panels

@@ -29,9 +29,10 @@ from dataclasses import dataclass
 from math import ceil, prod
 from operator import mul
 
-from flint import arb, arb_poly, ctx
+from flint import arb, arb_poly
 
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping, dyadic, size_of, upper
 from asymptotics.swing.keys import Plan, plan_for, sums_below
 from asymptotics.swing.majorant import majorant

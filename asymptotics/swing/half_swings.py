@@ -20,9 +20,10 @@ in z (``coordinate``) takes fewer nodes.  Where z -> -z turns the sign of every 
 
 from dataclasses import dataclass
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.swing.coordinate import Coordinate
 from asymptotics.swing.damping import upper

@@ -26,10 +26,10 @@ left out.
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from math import factorial, gcd, inf, lcm, log, prod
 
 from asymptotics.errors import LimitError
+from asymptotics.numbers.context import lru_cache
 
 Key = tuple[int, ...]
 MAX_LINE, MAX_KEYS = 3000, 1500

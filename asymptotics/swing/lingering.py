@@ -14,15 +14,17 @@ nothing.
 
 from math import ceil, inf, pi
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.budget import require_seconds
 from asymptotics.law import Law
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.linear import is_linear
 
 _LONG = 8.0  # times below it need no care
 _SECONDS, _PER_TIME, _BITS = 0.003, 6.0, 200  # of a Taylor step at so many bits; steps per unit of time
+_NEAR_LINEAR = 1e-3  # alpha - 1
 _LOST = 1.45  # bits per unit of time, a little above 1/ln 2
 
 
@@ -31,11 +33,19 @@ def lingering(law: Law) -> float:
     with ctx.workprec(2000):
         damping = Damping.of_law(law)
         total = sum((e for e, a in zip(damping.strengths, damping.alphas) if not a < 1 and not a > 1), arb(0))
+        if len(damping.alphas) == 1 and damping.alphas[0] > 1 and not damping.friction > 0:
+            return _nearly_linear(damping)
         gap = 1 - total**2 / 4
         if is_linear(damping) or any(a < 1 for a in damping.alphas) or not gap > 0:
             return 0.0
         time = float(arb.pi() / gap.sqrt())
     return time if time > _LONG else 0.0
+
+
+def _nearly_linear(damping: Damping) -> float:
+    """With alpha just above 1 and epsilon >= 2 the motion cannot turn before epsilon w^(alpha-1) is below 2."""
+    above, epsilon = (damping.alphas[0] - 1).ball(), damping.strengths[0]
+    return float((epsilon - 2) / above) if above < _NEAR_LINEAR and epsilon > 2 else 0.0
 
 
 def lost_bits(law: Law) -> int:

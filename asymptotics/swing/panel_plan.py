@@ -17,14 +17,14 @@ True
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 from math import ceil, cos, exp, inf, lgamma, log2, pi, sin, sqrt
 from operator import mul
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.finite_majorant import BITS, Majorant
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.swing.coordinate import Coordinate
 from asymptotics.swing.damping import upper
 

@@ -16,13 +16,13 @@ turning point exists.
 """
 
 from dataclasses import dataclass, field
-from functools import lru_cache
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Law
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.swing.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.swing.coordinate import Coordinate
 from asymptotics.swing.damping import Damping

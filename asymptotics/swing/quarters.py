@@ -39,13 +39,14 @@ Derivation ``quarter-collocation``.
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import reduce
 
 import numpy as np
-from flint import arb, arb_mat, arb_poly, ctx, fmpq
+from flint import arb, arb_mat, arb_poly, fmpq
 
 from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.swing.chebyshev import cut, nodes
 from asymptotics.swing.damping import Damping, upper
 from asymptotics.swing.expansion import Expansion

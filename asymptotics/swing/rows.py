@@ -16,12 +16,12 @@ All p_f with f > 0 are negative and all q_n positive: nothing cancels.  For each
 """
 
 from collections.abc import Iterator
-from functools import lru_cache
 from itertools import product
 from operator import mul, sub
 
-from flint import arb, arb_poly, ctx
+from flint import arb, arb_poly
 
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 
 Key = tuple[int, ...]

@@ -25,9 +25,10 @@ So what is known of y then says what w is: errors of y count 1/alpha times in ln
 
 from dataclasses import dataclass
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping, upper
 from asymptotics.swing.slow import Strip, solve
 
@@ -83,9 +84,9 @@ class Settled:
 
 def settled(damping: Damping, y: arb, w: arb, error: arb) -> Settled | None:
     """How all states within ``error`` of the exact (y, w) settle in a strip beside N; None where it is not narrow."""
-    if not damping.least < 1 or not y > 2 * error:
+    if not damping.sublinear or not y > 2 * error:
         return None
-    least = damping.exponents[min(range(len(damping.sizes)), key=lambda i: damping.sizes[i][1])]
+    least = damping.exponents[damping.leading]
     above, below = (ForceCurve(damping, h, least) for h in (0, 2))
     fine = arb(2) ** -ctx.prec
     allowed = upper(error + y * fine)

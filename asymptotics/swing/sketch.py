@@ -9,11 +9,11 @@ Choices only: nothing here enters a bound.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import lru_cache
 
 Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 _FIRST = 48  # nodes of the trial

@@ -22,16 +22,17 @@ from dataclasses import dataclass
 from math import log2
 from typing import Protocol
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import UndecidedError
-from asymptotics.swing.damping import Damping, upper
+from asymptotics.numbers.context import ctx
+from asymptotics.swing.damping import Damping, size_of, upper
 from asymptotics.swing.slow_series import Power, Truncated, summed, truncated
 
-_WIDEST = 2**10  # how much wider a strip may be than what the error of the state means for its height
-_INSIDE = arb(101) / 100  # the barriers are checked up to this multiple of w: the curves start beside the state
+WIDEST = 2**10  # how much wider a strip may be than what the error of the state means for its height
+INSIDE = arb(101) / 100  # the barriers are checked up to this multiple of w: the curves start beside the state
 _NEWTON, _LN2 = 60, 0.6931471805599453
-_ORDERS = (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36, 48, 64, 85, 110, 140)
+ORDERS = (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36, 48, 64, 85, 110, 140)
 
 
 @dataclass(frozen=True)
@@ -104,10 +105,14 @@ class Strip:
         """Enclosures of (y, w) at the exact time ``elapsed`` after the entrance: the lower w the slower the motion, so
         y is at most what it is on the curve above, and at least what it is on the curve below."""
         slow, fast = (_after(curve, log_w, elapsed) for curve, log_w in zip((self.above, self.below), self.starts))
-        if not (slow < self.most and fast < self.most):
+        if not (self.holds(slow) and self.holds(fast)):
             raise UndecidedError("the time on the slow curve was not found below the place where it begins")
         y = self.above.place(slow)[0].union(self.below.place(fast)[0])
         return y, self._speed(slow).union(self._speed(fast))
+
+    def holds(self, log_w: arb) -> bool:
+        """Whether the barriers are checked there."""
+        return bool(log_w < self.most)
 
     def _speed(self, log_w: arb) -> arb:
         """All speeds in the strip at the height of one of its curves at ``log_w``: d ln w/d theta = w^E/A."""
@@ -123,7 +128,8 @@ def _after(curve: Barrier, start: arb, elapsed: arb) -> arb:
     now, slope = curve.clock(start)
     y, step = curve.place(start)
     steep = 1 - (step / y).mid()
-    guess = (1 + elapsed * steep / slope).log() / steep if steep > 0 else elapsed / slope
+    shrunk = 1 + elapsed * steep / slope
+    guess = shrunk.log() / steep if steep != 0 and shrunk > 0 else elapsed / slope
     return solve(curve.clock, now - elapsed, start - guess)
 
 
@@ -148,20 +154,20 @@ def solve(function: Callable[[arb], tuple[arb, arb]], value: arb, guess: arb) ->
 def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
     """The strip that holds all states within ``error`` of the exact (y, w) from now on, or None where none is narrow
     enough."""
-    if not damping.least < 1 or not w > 2 * error:
+    if not damping.sublinear or not w > 2 * error:
         return None
-    leading = min(range(len(damping.sizes)), key=lambda i: damping.sizes[i][1])
+    leading = damping.leading
     a, size, place, speed = damping.exponents[leading], damping.resistance(w), y + arb(0, error), w + arb(0, error)
-    most = (_INSIDE * speed).upper().log()
+    most = (INSIDE * speed).upper().log()
     goal = upper((error * (1 + a * size / w) + abs(y) * arb(2) ** -ctx.prec) / size)
-    series = _short_enough(damping, leading, most, goal)
+    series = short_enough(damping, leading, most, goal)
     if series is None:
         return None
     E, log_w = series.cut, speed.log()
     lacking = (damping.resistance(speed) - place) / (series.epsilon * (a * log_w).exp()) - summed(series.b, log_w)
     theta = lacking * (-E * log_w).exp()
     h = 2 * upper(theta) + 4 * upper(summed(series.rest, most) * (-E * most).exp() / a)
-    if not h * (E * most).exp() < _WIDEST * goal or not one_way(series, h, most):
+    if not h * (E * most).exp() < WIDEST * goal or not one_way(series, h, most):
         return None
     above, below = (Curve(series.epsilon, a, series.others, (*series.b, (sign * h, E))) for sign in (-1, 1))
     try:
@@ -171,16 +177,14 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
     return Strip(above, below, starts, most, upper(4 * h / a), E) if all(start < most for start in starts) else None
 
 
-def _short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Truncated | None:
+def short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Truncated | None:
     """The shortest series whose rest is below the goal for ln w <= most; None where its terms grow before."""
-    size, alpha = damping.sizes[leading]
-    first = 2 * (1 - alpha) * float(most) / _LN2 - 2 * size
-    if first + log2((2 - alpha) / alpha**2) > -1:  # the second term would not be below half the first
+    if too_early(damping.strengths[leading], damping.exponents[leading], most):
         return None
     before = arb(1)
-    for order in _ORDERS:
+    for order in ORDERS:
         series = truncated(damping, leading, order)
-        if series is None or not (left := upper(summed(series.rest, most))) < before:
+        if series is None or not (left := upper(summed(series.rest, most))) <= before:
             return None
         if left < goal * series.alpha / 4:
             return series
@@ -188,12 +192,18 @@ def _short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Trunc
     return None
 
 
+def too_early(epsilon: arb, alpha: arb, most: arb) -> bool:
+    """Whether the second term of B would not be below half the first: no series is short, a choice."""
+    a = float(alpha.mid())
+    return 2 * (1 - a) * float(most) / _LN2 - 2 * size_of(epsilon) + log2(max(abs(2 - a), 1e-9) / a**2) > -1
+
+
 def one_way(series: Truncated, h: arb, most: arb) -> bool:
     """Whether for all ln w <= most the motion crosses the curves of theta = +-h as their drift +-alpha h w^E in A B
     says, and A > alpha/2: y and w fall together on them."""
     a, E, drift = series.alpha, series.cut, h * (series.cut * most).exp()
     others = summed([((a + d) * r, d) for r, d in series.others], most)
-    own = summed([((a + e) * abs(b), e) for b, e in series.b], most)
+    own = summed([(abs((a + e) * b), e) for b, e in series.b], most)
     plain = summed([(abs(b), e) for b, e in series.b], most)
-    rest = summed(series.rest, most) + drift * (others + own + (a + E) * (plain + drift))
-    return bool(rest < a * drift) and bool(own + (a + E) * drift < a / 2)
+    rest = summed(series.rest, most) + drift * (others + own + abs(a + E) * (plain + drift))
+    return bool(rest < a * drift) and bool(own + abs(a + E) * drift < a / 2)

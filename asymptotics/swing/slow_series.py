@@ -14,15 +14,16 @@ for B = sum_j b_j w^(e_j), a divergent series in products of w^(2-2 alpha) and t
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import product
 from math import ceil
 from operator import add, mul, sub
 from typing import Any
 
-from flint import arb, ctx
+from flint import arb
 
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.extremes import least
 from asymptotics.swing.damping import Damping, upper
 
 MOST = 200  # powers of a curve
@@ -63,11 +64,11 @@ def _truncated(
         a, e = [alpha.ball() for alpha in alphas], [arb(arb(mid), arb(rad)) for mid, rad in strengths]
         rest = [i for i in range(len(a)) if i != leading]
         steps = [2 - 2 * a[leading], *(a[i] - a[leading] for i in rest)]
-        keys = _lower_set(tuple(float(d.mid()) for d in steps), order)
+        keys = lower_set(tuple(abs(float(d.mid())) for d in steps), order)
         if keys is None:
             return None
         exponent = {key: sum(map(mul, steps, key), arb(0)) for key in keys}
-        others = {_unit(i, len(steps)): a[j] * e[j] / e[leading] for i, j in enumerate(rest, start=1)}
+        others = {unit(i, len(steps)): a[j] * e[j] / e[leading] for i, j in enumerate(rest, start=1)}
         b = _solved(keys, exponent, a[leading], others, 1 / e[leading] ** 2)
         A = {**others, **{key: -(a[leading] + exponent[key]) * b[key] for key in keys}}
         left: dict[Key, arb] = {}
@@ -76,8 +77,8 @@ def _truncated(
             if key not in b:
                 left[key] = left.get(key, arb(0)) + c * d
         powers = tuple((upper(c), sum(map(mul, steps, key), arb(0))) for key, c in left.items())
-        cut = min((d.lower() for _, d in powers), key=float)
-        cut = arb(float(cut)) * (1 - arb(2) ** -40)
+        first = least(d.lower() for _, d in powers) if alphas[leading] < 1 else -least(-d for _, d in powers).lower()
+        cut = first * (1 - arb(2) ** -40)
         return Truncated(
             e[leading],
             a[leading],
@@ -94,9 +95,9 @@ def _solved(
     """The coefficients of B, key by key: alpha b_j is what the smaller ones leave of the power j of A B."""
     b: dict[Key, arb] = {}
     for key in keys:
-        total = first if key == _unit(0, len(key)) else arb(0)
-        for unit, c in others.items():
-            total -= c * b.get(tuple(map(sub, key, unit)), arb(0))
+        total = first if key == unit(0, len(key)) else arb(0)
+        for before, c in others.items():
+            total -= c * b.get(tuple(map(sub, key, before)), arb(0))
         for smaller, c in b.items():
             other = b.get(tuple(map(sub, key, smaller)))
             if other is not None:
@@ -105,14 +106,15 @@ def _solved(
     return b
 
 
-def _unit(i: int, size: int) -> Key:
+def unit(i: int, size: int) -> Key:
+    """One factor of the kind i alone."""
     return tuple(int(j == i) for j in range(size))
 
 
-def _lower_set(steps: tuple[float, ...], order: int) -> list[Key] | None:
+def lower_set(steps: tuple[float, ...], order: int) -> list[Key] | None:
     """All keys with a factor w^(2-2 alpha) whose power is below the (order+1)-th of it, the small ones first."""
     top = steps[0] * (order + 1) * (1 - 1e-9)
-    if order * max([1.0, *(top / d for d in steps[1:])]) > 20 * MOST:
+    if order > 20 * MOST or any(order * top > 20 * MOST * d for d in steps[1:]):  # a step may be 0 at this precision
         return None
     counts = [range(ceil(top / d)) for d in steps[1:]]
     found = [

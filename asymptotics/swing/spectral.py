@@ -11,9 +11,9 @@ Through values at the m ``nodes`` of ``chebyshev`` goes sum b_k T_k, k < m.  Its
 ('[2.35040238729 +/- ...]', '[2.35040238729 +/- ...]')
 """
 
-from functools import lru_cache
+from flint import arb, arb_mat, fmpq
 
-from flint import arb, arb_mat, ctx, fmpq
+from asymptotics.numbers.context import ctx, lru_cache
 
 
 @lru_cache(maxsize=2)

@@ -6,8 +6,8 @@
 ``inputs``        exponents, laws, strengths, rows
 ``cells``         what stands in a cell, and its rounding
 ``table``         text, CSV, JSON (``schema.json``), LaTeX, Parquet
-``provenance``    inputs, versions, commit, SHA-256
-``moments`` ...   the rows: moments, coefficients, turning, slow, quadratic
+``provenance``    inputs, code, versions, commit, SHA-256
+``moments`` ...   the rows: moments, coefficients, turning, slow, stokes, quadratic
 ``standard_set``  ``python -m asymptotics.tables FOLDER``: every table in three forms
 ================  ==================================================================================
 

@@ -6,6 +6,7 @@ from asymptotics.tables.moments import moments, squaring_ratios
 from asymptotics.tables.quadratic import smith_c, smith_f, smith_table_1, transit_time
 from asymptotics.tables.recipe import Recipe
 from asymptotics.tables.slow import extinction_times, lancaster_table_1, phase_lags, two_law_times
+from asymptotics.tables.stokes import constants
 from asymptotics.tables.turning import half_periods, stops, turning
 
 RECIPES = {
@@ -85,6 +86,13 @@ RECIPES = {
         "quotient of Gamma functions in balls; rational values exactly",
         "the integral of |sin|^(alpha+1) by the double exponential rule",
         "milliseconds", squaring_ratios, "alpha",
+    ),
+    "stokes.constants": Recipe(
+        "Why the series diverge: pole c, action 2 pi |c|, Stokes constants c_1 (amplitude) and d_1 (time) of one law",
+        ("alpha", "pole", "action", "c_1", "d_1"), ("alpha",), ("1",) * 5,
+        "Abel functions of the half-swing at one height of the z-plane, in balls; alpha = 0 by theorem",
+        "another height, with another germ; the pole by quadrature",
+        "seconds; longer near alpha = 1, which is refused", constants, "alpha",
     ),
     "lancaster2020.table1": Recipe(
         "Lancaster 2020, Table I: the first-order amplitude, and (13) for any alpha",

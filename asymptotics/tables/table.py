@@ -13,20 +13,25 @@ import csv
 import io
 import json
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
 from typing import Any
 
 from asymptotics.errors import InputError
+from asymptotics.numbers.digits import spread
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page, Rows
 from asymptotics.tables.cells import Formula
 
 _ESCAPES = {"_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "$": r"\$", "^": r"\^{}", "~": r"\~{}", "{": r"\{",
             "}": r"\}", "\\": r"\textbackslash{}", "<": r"$<$", ">": r"$>$", "|": r"$|$"}  # fmt: skip
 _NUMBER = re.compile(r"-?[\d.]+(e-?\d+)?\Z")
+_INTERVAL = re.compile(r"\[-?[\d.]+(e-?\d+)?, -?[\d.]+(e-?\d+)?\]\Z")
 
 
-@dataclass(frozen=True)
-class Table:
+@dataclass(frozen=True, repr=False)
+class Table(Rows, Drawn):
     """Rows of strings under named columns.
 
     ``keys`` are the columns that say which row it is, ``source`` is one sentence on the route, ``certified`` whether
@@ -74,12 +79,15 @@ class Table:
     def to_csv(self) -> str:
         """The table as CSV text."""
         text = io.StringIO()
-        csv.writer(text, lineterminator="\n").writerows([self.columns, *self.rows])
+        columns = [_ends(name, [row[i] for row in self.rows]) for i, name in enumerate(self.columns)]
+        spread_out = [column for pair in columns for column in pair]
+        csv.writer(text, lineterminator="\n").writerows(zip(*spread_out))
         return text.getvalue()
 
     def to_csv_file(self) -> str:
-        """CSV with its provenance above, in lines that start with #."""
-        return "".join(f"# {line}\n" for line in self._origin_lines()) + self.to_csv()
+        """Provenance in lines that start with #, then CSV; ``pandas.read_csv(FILE, comment="#")`` reads it."""
+        lines = (*self._origin_lines(), 'to read it: pandas.read_csv(FILE, comment="#")')
+        return "".join(f"# {line}\n" for line in lines) + self.to_csv()
 
     def to_latex(self) -> str:
         """The table as a LaTeX tabular."""
@@ -94,8 +102,8 @@ class Table:
         """The table as a Parquet file; InputError without the extra parquet."""
         try:
             arrow, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")  # an extra, slow to import
-        except ImportError as error:
-            accepted = "an installation with the extra parquet: pip install 'power-law-oscillator[parquet]'"
+        except ModuleNotFoundError as error:  # any other ImportError is a fault, or want of memory
+            accepted = "an installation with the extra parquet: pip install '.[parquet]' in a clone"
             raise InputError("format", "parquet needs pyarrow, which is not installed", accepted) from error
         columns = {name: [str(row[i]) for row in self.rows] for i, name in enumerate(self.columns)}
         schema = arrow.schema([(name, arrow.string()) for name in self.columns])
@@ -108,10 +116,58 @@ class Table:
         texts = {name: value if isinstance(value, str) else json.dumps(value) for name, value in self.origin.items()}
         return [f"{self.name}: {self.title}", *(f"{name}: {text}" for name, text in texts.items())]
 
-    def _repr_latex_(self) -> str:
+    def _page(self) -> Page:
+        heads = tuple(f"{c} [{u}]" if u not in ("", "1") else c for c, u in zip(self.columns, self.units))
+        worth = f"certified: {str(self.certified).lower()} ({self.source})"
+        return Page(self.title, (worth,), heads or self.columns, self.rows)
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        """The columns of numbers against the last key that is a number, or against the row; ``columns`` chooses."""
+        rows = {name: cells for name, cells in self._table().items() if not name.endswith(("_low", "_high", "_digits"))}
+        numbers = {name: cells for name, cells in rows.items() if all(isinstance(c, int | float) for c in cells if c)}
+        keys = [name for name in self.columns if name in self.keys and name in numbers]
+        wanted = style.pop("columns", None) or [name for name in numbers if name not in self.keys]
+        unknown = [name for name in wanted if name not in numbers]
+        if unknown or not wanted:
+            raise InputError("columns", f"there is no column of numbers {unknown[:1]}", ", ".join(numbers) or "none")
+        place = numbers[keys[-1]] if keys else list(range(1, len(self.rows) + 1))
+        for name in wanted:
+            own = {"marker": "o", "markersize": 3, "linewidth": 0.8, "label": name}
+            axes.plot(place, numbers[name], **{**own, **style})
+        axes.set(xlabel=keys[-1] if keys else "row", ylabel=wanted[0] if len(wanted) == 1 else "value")
+
+    def _table(self) -> dict[str, list[Any]]:
+        found: dict[str, list[Any]] = {}
+        rounded = self.certified and self.origin.get("inputs", {}).get("rounding") == "nearest"
+        for i, name in enumerate(self.columns):
+            found |= _numbers(name, [row[i] for row in self.rows], key=name in self.keys, certified=rounded)
+        return found
+
+    def _formula(self) -> str:
         rows = r" \\ ".join(" & ".join(map(str, row)) for row in self.rows)
         heads = " & ".join(rf"\text{{{c.replace('_', ' ')}}}" for c in self.columns)
-        return rf"$\begin{{array}}{{{'r' * len(self.columns)}}} {heads} \\ \hline {rows} \end{{array}}$"
+        return rf"\begin{{array}}{{{'r' * len(self.columns)}}} {heads} \\ \hline {rows} \end{{array}}"
+
+
+def _numbers(name: str, cells: Sequence[str], *, key: bool, certified: bool) -> dict[str, list[Any]]:
+    """The columns of a data frame for one column: numbers with their ends, both ends of intervals, else text."""
+    filled = [cell for cell in cells if cell]
+    if filled and all(re.fullmatch(r"-?\d{1,18}", cell) for cell in filled) and (key or len(filled) == len(cells)):
+        return {name: [int(cell) if cell else None for cell in cells]}
+    if key or not all(_NUMBER.match(cell) or _INTERVAL.match(cell) for cell in filled):
+        return {name: [str(cell) for cell in cells]}
+    if any(_INTERVAL.match(cell) for cell in filled):
+        ends = [cell.strip("[]").split(", ") if cell else ["nan"] for cell in cells]
+        return {f"{name}_low": [float(e[0]) for e in ends], f"{name}_high": [float(e[-1]) for e in ends]}
+    return spread(name, [cell or None for cell in cells], certified=certified)
+
+
+def _ends(name: str, cells: Sequence[str]) -> list[list[str]]:
+    """A column with its name; intervals as two columns of numbers."""
+    if not any(_INTERVAL.match(cell) for cell in cells):
+        return [[name, *cells]]
+    pairs = [cell.strip("[]").split(", ") for cell in cells]
+    return [[f"{name}_low", *(p[0] for p in pairs)], [f"{name}_high", *(p[-1] for p in pairs)]]
 
 
 def escaped(text: str) -> str:

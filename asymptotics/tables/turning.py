@@ -7,8 +7,8 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.cells import Cell, Nearest
 from asymptotics.tables.inputs import SUMS, Inputs, label
 from asymptotics.tables.recipe import Found
-from asymptotics.turning.coulomb import last_turning_point
 from asymptotics.turning.general import turning_points
+from asymptotics.turning.routes.dry import last_turning_point
 
 _ROWS = 5
 

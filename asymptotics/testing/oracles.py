@@ -14,6 +14,7 @@ from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.numbers.policy import Number, exact_number
+from asymptotics.public import public
 from asymptotics.testing.assertions import assert_digits
 from asymptotics.turning.general import turning_points
 
@@ -21,8 +22,14 @@ GUARD = 6
 """Digits that the certified value has beyond those that are compared."""
 
 
+@public
 def check_turning_points(
-    mine: Callable[[Law, int], Sequence[Any]], law: Law | Mapping[Any, Any], count: int = 10, digits: int = 8
+    mine: Callable[[Law, int], Sequence[Any]],
+    law: Law | Mapping[Any, Any],
+    count: int = 10,
+    digits: int = 8,
+    *,
+    max_seconds: Any = 60,
 ) -> None:
     """``mine(law, count)`` returns x_0 = 1, x_1, ... with their signs, right to ``digits`` digits.
 
@@ -41,11 +48,14 @@ def check_turning_points(
         assert_digits(value, point.x, digits, f"turning point {point.n}")
 
 
+@public
 def check_motion(
     mine: Callable[[Oscillator, Sequence[Fraction]], Sequence[Any]],
     oscillator: Oscillator,
     times: Sequence[Number],
     digits: int = 8,
+    *,
+    max_seconds: Any = 60,
 ) -> None:
     """``mine(oscillator, times)`` returns x in m, wrong by at most 10^-digits of the oscillator's unit of length.
 
@@ -65,12 +75,15 @@ def check_motion(
             raise AssertionError(f"x({moment} s) = {value} is wrong by {float(error):.1e} of x0, certified: {truth.x}")
 
 
+@public
 def check_coefficients(
     mine: Mapping[str, Any],
     exponents: Sequence[Number],
     order: int,
     gauge: str = TURNING_POINT,
     digits: int = 10,
+    *,
+    max_seconds: Any = 60,
 ) -> None:
     """Coefficients of one's own expansion: keys "p_1", "Omega_2" (sums "p_1,0", ...), in the gauge that is named.
 

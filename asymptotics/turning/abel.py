@@ -28,16 +28,17 @@ mean value theorem.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from math import inf
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.finite_majorant import BITS, Majorant, majorant, widest
+from asymptotics.half_swings.odd_abel import odd_solution
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.moments.certified import moment
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 
 FOLLOWING = 8
@@ -147,9 +148,7 @@ def _abel_function(alpha: ExactReal, terms: int, bits: int) -> AbelFunction:
 
 def from_series(alpha: ExactReal, F: Sequence[arb], T: Sequence[arb], terms: int) -> AbelFunction:
     """The Abel function from F_1, F_2, … and T_0, T_1, …, 2 ``terms`` of each at least."""
-    (psi, psi_rest), (theta, theta_rest) = (
-        _solved(rise, F, terms) for rise in ([arb(1)] + [arb(0)] * (len(F) - 1), list(T))
-    )
+    (psi, psi_rest), (theta, theta_rest) = (odd_solution([arb(0), *F], rise, terms) for rise in ([arb(1)], T))
     return of_coefficients(alpha, (psi, theta), (psi_rest, theta_rest))
 
 
@@ -184,35 +183,3 @@ def _on_circle(coefficients: Sequence[arb], bound: Majorant) -> arb:
     for k, c in enumerate(coefficients[1:], 1):
         total += abs(c) * (high ** (2 * k - 1) + rho ** (2 * k - 1))
     return arb(total.upper())
-
-
-def _solved(rise: list[arb], F: Sequence[arb], terms: int) -> tuple[list[arb], list[arb]]:
-    """(c_0, …, c_(terms-1); the coefficients of the defect from delta^(2 terms) on) for f(F) - f = ``rise``.
-
-    Power by power: delta^(2k-1) grows by (2k-1) F_2 delta^(2k) + ….  The odd powers cancel because F is reversible.
-    """
-    n = len(F)
-    rest, found = [-x for x in rise[:n]], []
-    power, square = _inverse(F), _times(F, F)
-    for k in range(terms):
-        grown = [*power[1:], arb(0)] if k == 0 else [arb(0)] * (2 * k - 1) + [power[0] - 1, *power[1:]]
-        c = -rest[2 * k] / grown[2 * k]
-        found.append(c)
-        rest = [a + c * b for a, b in zip(rest, grown)]
-        power = _times(power, square)
-        if any(not rest[i].contains(0) for i in range(2 * k + 2)):
-            raise ArithmeticError("the increments leave a low power: the map is not reversible")
-    return found, rest[2 * terms : n - 1]
-
-
-def _times(a: Sequence[arb], b: Sequence[arb]) -> list[arb]:
-    """The product of two power series, to the length of the first."""
-    return [sum((a[j] * b[i - j] for j in range(i + 1)), arb(0)) for i in range(len(a))]
-
-
-def _inverse(a: Sequence[arb]) -> list[arb]:
-    """1/a for a power series that begins with 1."""
-    found = [arb(1)]
-    for i in range(1, len(a)):
-        found.append(-sum((a[j] * found[i - j] for j in range(1, i + 1)), arb(0)))
-    return found

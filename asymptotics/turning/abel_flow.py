@@ -27,16 +27,16 @@ terms of each, Psi = int f dx and Theta = int h dx grow on a half-swing by 1 + d
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from math import inf
 from typing import Any
 
-from flint import acb, arb, ctx
+from flint import acb, arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.half_swings.certified_zeros import certified_half_swing
 from asymptotics.half_swings.finite_majorant import BITS, Majorant, majorant, widest
 from asymptotics.normal_form.flow import flow_of
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key
 
@@ -186,9 +186,11 @@ class AbelFlow:
         for _ in range(_STEPS):
             reached, before = reached + self._integral(self.rates[:1], before, x), x
             step = ((reached - goal) / self.integrand(self.rates[:1], x)).mid()
-            if abs(step) < arb(2) ** (8 - ctx.prec) or not step.is_finite():
+            if abs(step) < arb(2) ** (8 - ctx.prec):
                 break
             x = (x - step).mid()
+        else:  # what was reached belongs to the place before
+            raise UndecidedError("Newton's method along the slow flow does not settle: raise the precision")
         near = x + arb(0, arb(2) ** -10)
         error = abs((reached - value) * 2 * _at(self.rates[0], self.strengths(near))).upper()
         if not (error < near.rad() and near < top):

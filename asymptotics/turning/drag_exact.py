@@ -1,4 +1,4 @@
-"""Any spring with quadratic drag and dry friction, exactly: turning points from one elementary function.
+"""Any spring with quadratic drag and dry friction: turning points from one closed primitive of the energy equation.
 
     x'' + V'(x) + eps_0 sgn x' + eps_2 x'|x'| = 0,    V'(x) = x + sum_j c_j x|x|^(p_j-1), or with sin x in place of x.
 
@@ -16,25 +16,27 @@ down to x*, falls from there on (on both sides of the centre), and has one zero.
 q - eta and q + eta.  q(a) grows with a, since dq/da = (V'(a) - eps_0) e^(-2 eps_2 a)/((V'(q) + eps_0) e^(2 eps_2 q)),
 so the image of a ball is the hull of the images of its ends.  V(q) <= V(a): the orbit stays in its well.
 
->>> law = Law({2: "1/5"}, spring="pendulum")
->>> [p.x for p in drag_turning_points(law, ExactReal(2), 3, 12).points]
-['2.00000000000', '-1.20380409635', '0.891896868559']
+>>> from itertools import islice
+>>> with ctx.workprec(120):
+...     pendulum = Well.of(Law({2: "1/5"}, spring="pendulum"))
+...     found = [x.str(10) for x, _ in islice(swings(pendulum, arb(2), 60), 3)]
+>>> found
+['2.000000000', '[-1.203804096 +/- ...]', '[0.8918968686 +/- ...]']
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
-from flint import arb, ctx
+from flint import arb, fmpq, fmpq_poly
 
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import InputError
 from asymptotics.law import Law
-from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.precision import at_growing_precision
-from asymptotics.turning.quadratic import TurningPoint, TurningPoints
 
-MAX_DIGITS, MAX_LAST = 1000, 10_000
-_TRIES, _PIECES = 6, 4096
+_PIECES = 4096
+_DEGREE, _RATIONAL = 12, 40  # powers of a spring, and places, that are looked at as rational numbers
 
 
 @dataclass(frozen=True)
@@ -97,10 +99,10 @@ class Well:
 
 
 def drag_serves(law: Law) -> bool:
-    """Whether these forces have their closed primitive, on one branch."""
-    springs = all(t.family or t.velocity.is_zero for t in law.springs)
+    """Whether these forces have their closed primitive, on one branch; the linear spring alone is one of them."""
+    springs = all(t.family or t.velocity.is_zero for t in law.springs)  # true of the linear spring alone
     losses = all(t.is_power_of_velocity and (t.velocity == 2 or t.velocity.is_zero) for t in law.losses)
-    return bool(law.springs) and springs and losses and not _has_two_branches(law)
+    return springs and losses and not _has_two_branches(law)
 
 
 def _has_two_branches(law: Law) -> bool:
@@ -131,59 +133,7 @@ def _power_primitive(x: arb, p: int, k: arb) -> arb:
     return -(-(k * x)).exp() * total
 
 
-def drag_turning_points(
-    law: Law,
-    x0: ExactReal,
-    count: int,
-    digits: int,
-    *,
-    start: int = 0,
-    progress: Callable[[int], None] = lambda done: None,
-) -> TurningPoints:
-    """Turning points n = start ... from rest at X(0) = x0, in the units of the strengths, certified.
-
-    InputError for a force other than alpha = 0, 2 and springs of the position, or a start outside the well (V' > 0 from
-    0 to x0); LimitError for the sizes; UndecidedError where balls cannot tell.
-    """
-    if digits > MAX_DIGITS or start + count > MAX_LAST:
-        raise LimitError("digits", f"{digits} digits of {start + count} points", f"{MAX_DIGITS} and {MAX_LAST}")
-    law.require_dissipative("a sequence of turning points to rest")
-
-    def attempt(bits: int) -> TurningPoints | None:
-        points, ended, done = _pass(law, x0, count, digits, start, bits, progress)
-        if not done:
-            return None
-        alpha, epsilon = (",".join(str(getattr(t, n)) for t in law.losses) for n in ("velocity", "strength"))
-        method = f"primitive of the energy equation in balls of {bits} bits"
-        return TurningPoints(alpha, epsilon, digits, tuple(points), method, True, ended)
-
-    bits = bits_for(digits, 48) + 2 * (start + count).bit_length()
-    return at_growing_precision(attempt, digits, bits, max_bits=bits << (_TRIES - 1))
-
-
-def _pass(
-    law: Law, x0: ExactReal, count: int, digits: int, start: int, bits: int, progress: Callable[[int], None]
-) -> tuple[list[TurningPoint], dict[str, object] | None, bool]:
-    """The points, how they end, and whether all could be rounded."""
-    points: list[TurningPoint] = []
-    with ctx.workprec(2 * bits):  # the primitive cancels as the amplitude falls
-        well = Well.of(law)
-        _require_well(well, x0)
-        for n, (x, stays) in enumerate(_swings(well, x0.ball(), bits)):
-            if n >= start:
-                text = decimal_of_ball(x, digits)
-                if text is None or stays is None:
-                    return points, None, False
-                points.append(TurningPoint(n, text, None))
-                progress(len(points))
-            if stays:
-                return points, {"n": n, "reason": "sticks"}, True
-            if n == start + count - 1:
-                return points, None, True
-    return points, None, False
-
-
-def _swings(well: Well, x: arb, bits: int) -> Iterator[tuple[arb, bool | None]]:
+def swings(well: Well, x: arb, bits: int) -> Iterator[tuple[arb, bool | None]]:
     """(x_n, whether the mass sticks there, None if undecided) for n = 0, 1, ...; ends where balls cannot go on."""
     side = 1 if x > 0 else -1
     a = side * x
@@ -197,6 +147,58 @@ def _swings(well: Well, x: arb, bits: int) -> Iterator[tuple[arb, bool | None]]:
         if low is None or high is None:
             return
         a, side = low.union(high), -side
+
+
+def rational_places(law: Law, x0: ExactReal) -> list[Fraction]:
+    """The turning points from x0 on as long as they are rational, with dry friction and springs of rational strengths.
+
+    x = 0 and ties are among them, which no ball tells: V(q) + eps_0 q = V(a) - eps_0 a, with -q for a stop before the
+    centre.
+
+    >>> rational_places(Law({0: "3/4"}, spring={3: 1}), ExactReal(1))
+    [Fraction(1, 1), Fraction(0, 1)]
+    """
+    terms = [(t, t.strength) for t in law.terms]
+    if not all(isinstance(e, ExactReal) and e.is_rational and not t.family for t, e in terms) or not x0.is_rational:
+        return []
+    springs = {t.position: e.rational for t, e in terms if t.sign > 0 and isinstance(e, ExactReal)}
+    losses = [(t, e.rational) for t, e in terms if t.sign < 0 and isinstance(e, ExactReal) and not e.is_zero]
+    if any(not t.velocity.is_zero for t, _ in losses) or max(springs, default=1) > _DEGREE:
+        return []
+    dry = sum((e for _, e in losses), Fraction(0))
+    well = [Fraction(0), dry, Fraction(1, 2)] + [Fraction(0)] * max(springs, default=1)  # V(q) + eps_0 q
+    for p, c in springs.items():
+        well[p + 1] += c / (p + 1)
+    places, a, side = [x0.rational], abs(x0.rational), 1 if x0.rational > 0 else -1
+    while len(places) < _RATIONAL and _force(well, a) > 2 * dry:
+        q = _rational_root(well, a, dry)
+        if q is None:
+            break
+        side = -side
+        places.append(side * q)
+        a = q
+        if q <= 0:
+            break
+    return places
+
+
+def _force(well: list[Fraction], x: Fraction) -> Fraction:
+    """V'(x) + eps_0."""
+    return sum((n * c * x ** (n - 1) for n, c in enumerate(well) if n), Fraction(0))
+
+
+def _rational_root(well: list[Fraction], a: Fraction, dry: Fraction) -> Fraction | None:
+    """The next turning distance where it is rational; below 0 for a stop before the centre."""
+    energy = sum((c * a**n for n, c in enumerate(well)), Fraction(0)) - 2 * dry * a
+    side = 1 if energy >= 0 else -1  # before the centre: V(z) - eps_0 z for q = -z
+    rows = [well[0] - energy, side * dry, *well[2:]]
+    whole = fmpq_poly([fmpq(c.numerator, c.denominator) for c in rows]).numer()
+    for factor, _ in whole.factor()[1]:
+        if factor.degree() == 1:
+            root = Fraction(-int(factor[0]), int(factor[1]))
+            if 0 <= root <= a and (side > 0 or _force(well, root) < 2 * dry):
+                return side * root
+    return None
 
 
 def _next(well: Well, a: arb, bits: int) -> arb | None:
@@ -238,7 +240,7 @@ def _falling_from(well: Well, a: arb) -> arb:
     return -high
 
 
-def _require_well(well: Well, x0: ExactReal) -> None:
+def require_well(well: Well, x0: ExactReal) -> None:
     """InputError unless V' > 0 from 0 to |x0|, decided by balls on pieces of V'(x)/x."""
     if x0.is_zero:
         raise InputError("x0", "0 is the place of rest", "a start at rest away from 0")

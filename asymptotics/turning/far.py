@@ -1,58 +1,43 @@
 """Turning points of any index where every alpha > 1: a certified head of the orbit, then one jump.
 
-*One law.*  The head is iterated by the series of the quarter-swing (``half_swings.finite``) until the local strength is
-small; the Abel function (``abel``) leads from its last point to any later one, and the series on from there.  Where
-delta is too large for the series at the start, another certified route has to lead the way.
+*One law.*  The head leads until the local strength is small; the Abel function (``abel``) leads from its last point to
+any later one.
 
-*Sums.*  Another certified route leads until delta of the least exponent is small; the integral of the slow flow
-(``abel_flow``) leads on.  ``planned`` weighs terms, whose coefficients cost, against the length of the head.
+*Sums.*  The head leads until delta of the least exponent is small; the integral of the slow flow (``abel_flow``) leads
+on.  ``planned`` weighs terms, whose coefficients cost, against the length of the head.
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> with ctx.workprec(100):
-...     point = next(far_points(parse_real("3", "--alpha"), arb(1) / 50, [Point(0, arb(0), arb(0))], 10**12))
->>> point.n, point.amplitude.str(12), point.tau.str(15)
-(1000000000000, '[4.60658865957e-6 +/- ...]', '[3141592653589.80 +/- ...]')
+...     start = Turning(0, 1, arb(1) / 1000, arb(0), arb(0), arb(0))
+...     there = jumped(parse_real("3", "--alpha"), arb(50), start, 10**12)
+>>> there.n, there.x.str(12), there.tau.str(15)
+(1000000000000, '[9.21317728013e-8 +/- ...]', '[3141592653589.79 +/- ...]')
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import chain, islice
 from math import ceil, log2
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.costs import flow_seconds, interpolation_seconds
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.finite import FiniteQuarter, finite_quarter, series_reach
 from asymptotics.half_swings.finite_majorant import widest
 from asymptotics.moments.certified import moment
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.swing.sequence import Turning
 from asymptotics.turning.abel import FOLLOWING, AbelFunction, abel_function
 from asymptotics.turning.abel_flow import FOLLOWING as FLOW_FOLLOWING
 from asymptotics.turning.abel_flow import abel_flow
 
 HEAD = 300
-"""Half-swings iterated before the jump, and one more for each bit."""
-LEAD_ORDER = 56
-"""The order of the series at which they take over."""
+"""Half-swings of the head of one law, and one more for each bit: delta is then so small that few terms will do."""
 MAX_TERMS = 40
 _MOST_TERMS, _REACH = 9, 0.4
+_NEAR, _WITHIN = 0.6, 0.5  # delta in units of the reach: where a jump may begin, and where a head ends at the latest
 _SPARE = 24  # bits that the steps of a head may lose, which a jump does not
 _SLOW = 3  # interpolation in ln A, in units of that in A
-
-
-@dataclass(frozen=True)
-class Point:
-    """Turning point n: ln A_n (A in units of x0) and the time, as balls."""
-
-    n: int
-    log: arb
-    tau: arb
-
-    @property
-    def amplitude(self) -> arb:
-        """A_n = |x_n|/x0."""
-        return self.log.exp()
 
 
 @dataclass(frozen=True)
@@ -80,58 +65,50 @@ def planned(alphas: Sequence[ExactReal], bits: int, start: int) -> FarPlan:
     return min(options, key=lambda option: option.seconds)
 
 
-def series_points(quarter: FiniteQuarter, epsilon: arb, here: Point) -> Iterator[Point]:
-    """Turning points from ``here`` on, as far as the series of ``quarter`` reach."""
-    tau = here.tau
-    for n, (x, e, time) in enumerate(quarter.orbit([epsilon], here.log.mid(), arb(here.log.rad())), start=here.n):
-        yield Point(n, x + arb(0, e), tau)
-        tau += time
+def head_of(alpha: ExactReal, bits: int) -> int:
+    """How many half-swings the head of one law has; the Abel function of ``jumped`` serves from its end on.
 
-
-def far_points(alpha: ExactReal, epsilon: arb, lead: Iterable[Point], start: int) -> Iterator[Point]:
-    """Turning points ``start``, start + 1, … of one law at the current precision.
-
-    ``lead``: turning points from a known one on, as many as are asked for; taken until the series reach on from there.
-    UndecidedError if delta never becomes small enough for the Abel function (alpha next to 1).
+    1/delta grows by g = (alpha-1) pi M_(alpha+1) at least in each half-swing (derivation ``abel-defect``), whatever the
+    start, so delta < 1/(g n) after n of them.
     """
-    bits = ctx.prec - 16
-    lead, within = iter(lead), series_reach(alpha, bits, LEAD_ORDER)
-    here = next(p for p in lead if p.n >= start or _delta(alpha, epsilon, p) < within)
-    if here.n >= start:
-        return chain([here], lead)
-    quarter = finite_quarter([alpha], [_delta(alpha, epsilon, here)], bits)
-    steps = min(start - here.n, HEAD + bits)
-    last = next(islice(series_points(quarter, epsilon, here), steps, None))
-    if last.n < start:
-        last = _jump(alpha, epsilon, last, start)
-    tail = finite_quarter([alpha], [_delta(alpha, epsilon, last)], bits)
-    return series_points(tail, epsilon, last)
+    with ctx.workprec(64):
+        gain = (alpha - 1).ball() * arb.pi() * moment(alpha.ball() + 1)
+        needed = 1 / (gain * _WITHIN * _reach(alpha))
+        return max(HEAD + bits, ceil(float(needed)) + 1)
 
 
-def far_point_of_sum(alphas: Sequence[ExactReal], epsilons: Sequence[arb], lead: Iterable[Point], start: int) -> Point:
-    """Turning point ``start`` of a sum at the current precision; ``lead`` as in ``far_points``."""
-    laws = sorted(zip(alphas, epsilons, strict=True), key=lambda law: float(law[0].ball()))
-    alphas, epsilons = zip(*laws, strict=True)
-    plan = planned(alphas, ctx.prec, start)
-    here = next(p for p in lead if p.n >= start or _delta(alphas[0], epsilons[0], p) < plan.delta)
-    if here.n >= start:
-        return here
-    log, time = abel_flow(alphas, epsilons, plan.terms).advance(here.log, start - here.n)
-    return Point(start, log, here.tau + time)
+def head_end(lead: Iterable[Turning], alpha: ExactReal, epsilon: arb, start: int, within: float) -> Turning:
+    """The first point of ``lead`` with delta = epsilon A^(alpha-1) < within; or ``start``, if it comes before."""
+    return next(p for p in lead if p.n >= start or _delta(alpha, epsilon, p) < within)
 
 
-def _jump(alpha: ExactReal, epsilon: arb, here: Point, start: int) -> Point:
+def jumped(alpha: ExactReal, epsilon: arb, here: Turning, start: int) -> Turning:
+    """Turning point ``start`` of one law from the point ``here``; UndecidedError where delta is too large."""
     delta, weight = _delta(alpha, epsilon, here), alpha.ball() - 1
     abel = _suited(alpha, delta)
     reached = abel.advance(delta, start - here.n)
-    return Point(start, here.log + (reached / delta).log() / weight, here.tau + abel.time_between(delta, reached))
+    log = _log(here) + (reached / delta).log() / weight
+    return _arrived(here, start, log, here.tau + abel.time_between(delta, reached))
+
+
+def jumped_by_flow(
+    alphas: Sequence[ExactReal], epsilons: Sequence[arb], terms: int, here: Turning, start: int
+) -> Turning:
+    """Turning point ``start`` of a sum, the least exponent first, from the point ``here``."""
+    log, time = abel_flow(alphas, epsilons, terms).advance(_log(here), start - here.n)
+    return _arrived(here, start, log, here.tau + time)
+
+
+def _arrived(here: Turning, n: int, log: arb, tau: arb) -> Turning:
+    """The point n of the orbit through ``here``, from balls of ln A and of the time."""
+    amplitude, side = log.exp(), here.side if (n - here.n) % 2 == 0 else -here.side
+    return Turning(n, side, amplitude.mid(), tau.mid(), arb(amplitude.rad()), arb(tau.rad()))
 
 
 def _suited(alpha: ExactReal, delta: arb) -> AbelFunction:
     """As many terms as make the defect as small as the precision; a float chooses, the bound decides."""
-    reach = 0.7 * float(widest([alpha.ball()], [arb(1)], whole=True).radii[0])
-    x = float(delta) / reach
-    if not x < 0.6:
+    x = float(delta) / _reach(alpha)
+    if not x < _NEAR:
         raise UndecidedError(f"delta = {float(delta):.3g} is still too large for the Abel function of alpha = {alpha}")
     terms = max(4, ceil(((ctx.prec + 16) / -log2(x) - FOLLOWING) / 2) + 1)
     if terms > MAX_TERMS:
@@ -139,5 +116,17 @@ def _suited(alpha: ExactReal, delta: arb) -> AbelFunction:
     return abel_function(alpha, terms)
 
 
-def _delta(alpha: ExactReal, epsilon: arb, here: Point) -> arb:
-    return epsilon * ((alpha.ball() - 1) * here.log).exp()
+@lru_cache(maxsize=64)
+def _reach(alpha: ExactReal) -> float:
+    """About the radius of the circle on which the defects are bounded."""
+    with ctx.workprec(64):
+        return 0.7 * float(widest([alpha.ball()], [arb(1)], whole=True).radii[0])
+
+
+def _delta(alpha: ExactReal, epsilon: arb, here: Turning) -> arb:
+    return epsilon * ((alpha.ball() - 1) * _log(here)).exp()
+
+
+def _log(here: Turning) -> arb:
+    """ln A of a turning point, with all that is uncertain about it."""
+    return arb(here.amplitude, here.amplitude_error).log()

@@ -1,42 +1,38 @@
-"""One half-swing at any strength as a result object: by the series of the quarter-swing where delta is small, else by
-local expansions and Taylor steps; both are enclosures.  Beside a spring, always by pieces.
+"""One half-swing at any strength as a result object, by local expansions and Taylor steps in balls.
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> strong = half_swing_result([parse_real("3", "--alpha")], [parse_real("5", "--delta")], 12)
 >>> strong.amplitude, strong.route
 ('0.258718608103', 'local expansions and Taylor steps')
->>> half_swing_result([parse_real("3", "--alpha")], [parse_real("1/1000", "--delta")], 12).route
-'series of the quarter-swing'
+>>> half_swing_result([parse_real("1", "--alpha")], [parse_real("1/1000", "--delta")], 12).route
+'closed form about the shifted centre'
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from flint import arb, ctx
+from flint import arb
 
-from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.half_swings.finite import SwingValue, finite_quarter, series_reach
-from asymptotics.half_swings.finite_result import HalfSwingAt, certified_swing, require_strengths
+from asymptotics.errors import InputError, LimitError
+from asymptotics.flow.taylor import GUARD
+from asymptotics.half_swings.finite_result import HalfSwingAt, SwingValue, certified_swing, require_strengths
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.precision import TooWideError
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import CREEPS, OVERDAMPED, STICKS
 from asymptotics.swing.linear import ROUTE as CLOSED
 from asymptotics.swing.passage import INTEGRATED, integrated
-from asymptotics.swing.taylor import GUARD
 from asymptotics.terms import Term
 from asymptotics.wells.ends import inside
 from asymptotics.wells.force import Force
 from asymptotics.wells.sequence import half_swing
 
 MAX_DELTA = 1000
-CHEAP_ORDER = 24
-"""The order up to which the coefficients cost less than a second."""
 _ENDS = {STICKS: "sticks there", CREEPS: "creeps from there on", OVERDAMPED: "is overdamped"}
 
 
 def half_swing_result(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], digits: int = 30) -> HalfSwingAt:
-    """The half-swing from the local strengths delta_i >= 0, to ``digits`` digits, by the cheaper route.
+    """The half-swing from the local strengths delta_i >= 0, to ``digits`` digits.
 
     InputError for a negative strength, a wrong number of them, or where no turning point follows (it sticks or creeps).
     """
@@ -52,8 +48,6 @@ def half_swing_result(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], d
         if all(d.is_zero for d in delta):
             return SwingValue(arb(0), arb(1), arb.pi(), CLOSED, 0, arb(0))
         balls = [d.ball() for d in delta]
-        if len(alphas) == 1 and balls[0] < series_reach(alphas[0], bits, CHEAP_ORDER):
-            return finite_quarter(alphas, balls, bits).half_swing(balls)
         found = integrated(Damping.of(list(zip(balls, alphas, strict=True))), arb(1))
         if found.amplitude is None or found.duration is None:
             how = _ENDS[str(found.ended)]
@@ -79,12 +73,6 @@ def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digit
     _require_in_range(terms, delta)
 
     def evaluate(bits: int) -> SwingValue:
-        try:
-            return followed(bits)
-        except UndecidedError as undecided:  # how the motion goes on may show at a higher precision
-            raise TooWideError(str(undecided)) from undecided
-
-    def followed(bits: int) -> SwingValue:
         with ctx.workprec(bits + GUARD):
             force = Force.of(terms, [d.ball() for d in delta])
         if inside(force, arb(1)) is not True:

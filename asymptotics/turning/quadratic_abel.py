@@ -12,10 +12,10 @@ The coefficients of ``quadratic_series`` belong to p = 2|u| = 2 delta; the bound
 """
 
 from fractions import Fraction
-from functools import lru_cache
 
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.abel import AbelFunction, of_coefficients
 from asymptotics.turning.quadratic_series import abel_coefficients, time_coefficients

@@ -28,10 +28,11 @@ a_(2ml -+ k), and the k >= m are dropped; on [0, pi] both together cost at most
 [3.380971060... +/- ...]
 """
 
-from functools import lru_cache
 from math import asinh, ceil, log
 
-from flint import arb, ctx
+from flint import arb
+
+from asymptotics.numbers.context import ctx, lru_cache
 
 _HEIGHT = 1.5  # b, below pi/2
 

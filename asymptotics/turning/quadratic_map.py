@@ -18,7 +18,9 @@ and F' = p (1-q) / (q (1+p)).  So F(ball) lies in F(midpoint) +- radius, and the
 
 from collections.abc import Iterator
 
-from flint import arb, ctx, fmpz
+from flint import arb, fmpz
+
+from asymptotics.numbers.context import ctx
 
 
 def next_amplitude(p: arb) -> arb:

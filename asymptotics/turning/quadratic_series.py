@@ -13,20 +13,9 @@ Theta + T) are odd Laurent series in p without a logarithm.
 ['1', '0', '1/24', '-1/36', '49/2304']
 """
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from flint import fmpq, fmpq_poly, fmpq_series
 
-from flint import ctx, fmpq, fmpq_poly, fmpq_series
-
-
-@contextmanager
-def _terms(n: int) -> Iterator[None]:
-    """Power series of FLINT keep n terms inside."""
-    previous, ctx.cap = ctx.cap, n
-    try:
-        yield
-    finally:
-        ctx.cap = previous
+from asymptotics.numbers.context import ctx
 
 
 def map_series(order: int) -> list[fmpq]:
@@ -35,7 +24,7 @@ def map_series(order: int) -> list[fmpq]:
     >>> [str(c) for c in map_series(3)]
     ['0', '1', '-2/3', '4/9']
     """
-    with _terms(order + 1):
+    with ctx.workcap(order + 1):
         sigma = _sigma()
         return _coefficients(-sigma.reversion()(-sigma), order)
 
@@ -46,7 +35,7 @@ def half_period_series(order: int) -> list[fmpq]:
     A half-swing that ends at q has the duration T(-q): both ends lie on one level.  Smith's series of the transit
     time, sum H_i(pi) u^i (``invariants.symbolic``), gives the same numbers by another route.
     """
-    with _terms(order + 2):
+    with ctx.workcap(order + 2):
         sigma, y = _sigma(), fmpq_series([0, 1], prec=order + 2)
         x = sigma.reversion()
         speed = list(x.derivative() / (1 + x).sqrt())
@@ -79,7 +68,7 @@ def _solve(increment: list[fmpq], terms: int) -> list[fmpq]:
     """The odd Laurent series with a given increment under F, power by power: p^(2k-1) grows by -(2k-1) 2/3 p^(2k)."""
     order = 2 * terms + 1
     ratio = fmpq_poly(map_series(order)[1:])  # F(p) / p
-    with _terms(order):
+    with ctx.workcap(order):
         power = fmpq_poly(_coefficients(1 / fmpq_series(list(ratio), prec=order), order - 1))
     square, rest, solution = ratio.mul_low(ratio, order), fmpq_poly(increment), []
     for k in range(terms):

@@ -9,9 +9,7 @@ from one turning point to the next the squares of the speeds at equal places dra
 
 ==============  ======================================================================================
 ``force``       the force in balls: values, slopes, what a disc of complex u and w can make of it
-``composition`` power series put into the force, on a line or on a simplex of exponents
 ``expansion``   the motion next to a turning point, in powers of the speed, with its majorant
-``taylor``      one Taylor step in between, with its error by the residual
 ``distance``    how far two motions can part: growth along a piece, places and times of turning
 ``ends``        sticks, creeps, overdamped; escapes and rotates: what leaves the well
 ``landing``     the turning point ahead
@@ -20,5 +18,6 @@ from one turning point to the next the squares of the speeds at equal places dra
 ``dense``       (x, v) at many times in one pass
 ==============  ======================================================================================
 
-Derivations ``wells-contract``, ``wells-distance``, ``wells-majorant``, ``wells-traps`` and ``taylor-residual``.
+Taylor steps and compositions are those of ``flow``.  Derivations ``wells-contract``, ``wells-distance``,
+``wells-majorant`` and ``wells-traps``.
 """

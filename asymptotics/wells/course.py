@@ -20,20 +20,22 @@ error.
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.flow.taylor import TaylorStep
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import size_of, upper
 from asymptotics.wells.distance import growth, lateness, turning_gap, unit_for
 from asymptotics.wells.ends import beyond, may_trap, trap
 from asymptotics.wells.expansion import Expansion
 from asymptotics.wells.force import Force
 from asymptotics.wells.landing import arrive, points_forward, turns_within
-from asymptotics.wells.taylor import TaylorStep
 
 MAX_PIECES, MAX_FREE, MAX_BEYOND = 200_000, 5000, 200
 _LOW = 40
+_NEAR = 10  # bits above the last one of the scale within which a place counts as the kink's
 
 
 @dataclass(frozen=True)
@@ -58,9 +60,10 @@ class Piece:
 
 @dataclass(frozen=True)
 class Departure(Piece):
-    """From a turning point at ``begin``."""
+    """From a turning point at ``begin``; a distance given there has grown by ``factor`` at the end."""
 
     expansion: Expansion
+    factor: arb
 
     def own(self, t: arb) -> tuple[arb, arb]:
         """(u, w) by the local expansion."""
@@ -82,25 +85,36 @@ class Step(Piece):
 class Landing(Piece):
     """The last piece: its own orbit turns at the exact place ``turn`` at a time in ``clock`` (middle: ``end``).
 
-    The orbit from the exact start of the course turns within ``miss`` of ``turn``, the truth within ``gap``, and at
-    most ``late`` later or earlier.
+    The orbit from the exact start of the course turns within ``miss`` of ``turn``.  It passes the place and the speed
+    ``beside`` within ``parted``; a distance given at the start of the course has ``grown`` by that factor until then,
+    and every distance grows by ``factor`` from there on.
     """
 
     expansion: Expansion
     turn: arb
     miss: arb
-    gap: arb
     clock: arb
-    late: arb
+    beside: tuple[arb, arb]
+    parted: arb
+    grown: arb
+    factor: arb
 
     def own(self, t: arb) -> tuple[arb, arb]:
         """(u, w) by the local expansion."""
         return at_time(self.expansion, t - self.clock)
 
-    @property
-    def time(self) -> arb:
-        """The time at which the truth turns."""
-        return self.clock + arb(0, self.late)
+    def gap(self, given: arb) -> arb:
+        """How far from ``turn`` an orbit turns that starts within ``given``, no more than the course was given."""
+        return _gap(self.force, self.unit, *self.beside, self.turn, self.apart(given))
+
+    def late(self, given: arb) -> arb:
+        """How much later or earlier than its own orbit such an orbit turns."""
+        distance = upper(self.factor * self.apart(given))
+        return lateness(self.force, self.unit, self.turn, self.gap(given), distance)
+
+    def apart(self, given: arb) -> arb:
+        """How far it is from ``beside`` when the piece begins."""
+        return upper(self.parted + self.grown * given)
 
 
 def course(force: Force, u: arb, w: arb, given: arb | None = None, *, pieces: int = MAX_PIECES) -> Iterator[Piece]:
@@ -111,7 +125,7 @@ def course(force: Force, u: arb, w: arb, given: arb | None = None, *, pieces: in
     and the course goes on.  LimitError after ``pieces`` pieces, UndecidedError where the enclosures are too wide.
     """
     local, error = arb(0), arb(0) if given is None else given
-    t, unit, watch = arb(0), unit_at(force, u, w), may_trap(force)
+    t, unit, watch, grown = arb(0), unit_at(force, u, w), may_trap(force), arb(1)
     scale, beyond_count = upper(unit * abs(u) + w), 0
     if w == 0:
         first = _departure(force, unit, u, error)
@@ -119,10 +133,11 @@ def course(force: Force, u: arb, w: arb, given: arb | None = None, *, pieces: in
         t, w = first.end, first.expansion.reach
         u, more = _middle(first.expansion.state(w)[0], unit)
         local, error = upper(first.local + more), upper(first.error + more)
+        grown = first.factor
     for count in range(pieces):
         tick(f"piece {count} of a half-swing")
         if turns_within(force, u, w):
-            yield _landing(force, unit, u, w, t, local, error)
+            yield _landing(force, unit, u, w, t, local, error, grown)
             return
         ended = beyond(force, u + arb(0, upper(error / unit)))
         beyond_count += ended is not None
@@ -132,12 +147,14 @@ def course(force: Force, u: arb, w: arb, given: arb | None = None, *, pieces: in
         step = _step(force, unit, u, w, scale)
         factor = growth(force, unit, *step.box, step.length, upper(error + step.residual))
         local, error = (upper(factor * (e + step.residual)) for e in (local, error))
+        grown = upper(factor * grown)
         end = _later(t, step.length)
         yield Step(force, unit, t, end, local, error, ended, step)
         if beyond_count > MAX_BEYOND:
             break
         (u, more), (w, rest), t = *(_middle(c, f) for c, f in zip(step.state(step.length), (unit, arb(1)))), end
-        if force.kinked and step.us[0] > 0 and size_of(u) < size_of(step.us[0]) - ctx.prec / 2:
+        near = max(size_of(step.us[0]) - ctx.prec / 2, size_of(scale) - ctx.prec + _NEAR)
+        if force.kinked and step.us[0] > 0 and u > 0 and size_of(u) < near:
             u, more = arb(0), upper(more + unit * u)
         local, error = (upper(e + more + rest) for e in (local, error))
     where = "the motion is too stiff, leaves its well or is near its top"
@@ -178,7 +195,7 @@ def _departure(force: Force, unit: arb, u: arb, error: arb) -> Departure:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")
     local = upper(tau.rad() * expansion.speed(unit))
     factor = growth(force, unit, u.union(end), arb(0).union(expansion.reach), tau, error)
-    return Departure(force, unit, arb(0), tau.mid(), local, upper(factor * error + local), None, expansion)
+    return Departure(force, unit, arb(0), tau.mid(), local, upper(factor * error + local), None, expansion, factor)
 
 
 def _step(force: Force, unit: arb, u: arb, w: arb, scale: arb) -> TaylorStep:
@@ -197,8 +214,8 @@ def _step(force: Force, unit: arb, u: arb, w: arb, scale: arb) -> TaylorStep:
     return step.shortened(early)
 
 
-def _landing(force: Force, unit: arb, u: arb, w: arb, t: arb, local: arb, error: arb) -> Landing:
-    """The last piece; ``local`` and ``error`` belong to its start."""
+def _landing(force: Force, unit: arb, u: arb, w: arb, t: arb, local: arb, error: arb, grown: arb) -> Landing:
+    """The last piece; ``local``, ``error`` and ``grown`` belong to its start."""
     expansion = arrive(force, u, w)
     turn = expansion.u0
     place, time = expansion.state(w)
@@ -207,12 +224,13 @@ def _landing(force: Force, unit: arb, u: arb, w: arb, t: arb, local: arb, error:
     slack = upper(unit * (place - u))
     local, error = upper(local + slack), upper(error + slack)
     factor = growth(force, unit, turn.union(place), arb(0).union(w), -time, error)
-    gap, miss = (_gap(force, unit, u, w, turn, e) for e in (error, local))
     clock = t - time
-    late = lateness(force, unit, turn, gap, upper(factor * error))
-    own = upper(clock.rad() * expansion.speed(unit))
-    local, error = (upper(factor * e + own) for e in (local, error))
-    return Landing(force, unit, t, clock.mid(), local, error, None, expansion, turn, miss, gap, clock, late)
+    own, miss = upper(clock.rad() * expansion.speed(unit)), _gap(force, unit, u, w, turn, local)
+    _gap(force, unit, u, w, turn, error)  # the truth turns as well, or that is undecided
+    last, end = (upper(factor * e + own) for e in (local, error))
+    return Landing(
+        force, unit, t, clock.mid(), last, end, None, expansion, turn, miss, clock, (u, w), local, grown, factor
+    )
 
 
 def _gap(force: Force, unit: arb, u: arb, w: arb, turn: arb, error: arb) -> arb:

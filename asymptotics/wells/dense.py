@@ -16,10 +16,11 @@ by at most e^2 S, S bounding |s_0| and the losses there.  An uncertain time is r
 from collections.abc import Sequence
 from typing import NoReturn
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import upper
 from asymptotics.swing.dense import exact_sum
 from asymptotics.swing.sequence import Turning
@@ -91,7 +92,7 @@ def _first(force: Force, X: arb, V: arb, wanted: _Wanted) -> Turning:
         if wanted.done:
             return rest(X)
         if isinstance(piece, Landing):
-            here = after_kick(force, piece, side)
+            here = after_kick(force, piece, side, given)
             return here if isinstance(here, Turning) else _refuse(here)
     raise UndecidedError("the first half-swing has no end")
 

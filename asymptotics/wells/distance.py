@@ -17,9 +17,10 @@ u~_1| min |s_0| at the second end:
 with the strength epsilon of the loss epsilon w and the time t that the faster one needs for the places of both.
 """
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import size_of, upper
 from asymptotics.wells.force import Force
 

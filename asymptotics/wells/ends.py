@@ -21,9 +21,10 @@ pendulum rotates, and any other mass escapes.
 (False, 'escapes', None)
 """
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import InputError
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.precision import TooWideError
 from asymptotics.swing.ends import CREEPS, OVERDAMPED
 from asymptotics.wells.force import Force

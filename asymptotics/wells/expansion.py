@@ -33,12 +33,13 @@ from fractions import Fraction
 from math import ceil, gcd
 from operator import mul
 
-from flint import arb, arb_poly, ctx
+from flint import arb, arb_poly
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.composition import Curve, Grid, Line, Simplex, keys_of
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import dyadic, in_doubles, size_of, upper
 from asymptotics.swing.keys import Key, Plan, plan_for
-from asymptotics.wells.composition import Curve, Grid, Line, Simplex, keys_of
 from asymptotics.wells.force import Force
 
 _STEPS, _LOW = 4, 40
@@ -207,18 +208,17 @@ def _majorant(force: Force, u0: arb, size: arb, w: arb, plan: Plan) -> tuple[arb
 def _coefficients(force: Force, u0: arb, brake: arb, grid: Grid, exponents: list[arb]) -> tuple[list[arb], list[arb]]:
     """Coefficients of u and tau/w."""
     side = 1 if u0 > 0 or not u0 < 0 else -1
-    powers = force.rest_powers(side)
-    curve = Curve(grid, force.rate, {n for _, n in powers} | {f.place for f in force.losses}, u0)
-    factors = [-f.strength * side**f.place for f in force.losses]
+    powers, losses = force.rest_powers(side), force.loss_powers(side)
+    curve = Curve(grid, force.rate, {n for _, n in powers} | {m for _, m, _ in losses}, u0)
     P, Q, scale, none = [brake], [1 / brake], -1 / brake, arb(0)
     for k in range(1, len(exponents)):
         before = grid.back(k, 0)
         curve.append(none if before is None else -Q[before] / exponents[k])
         total = curve.rest(powers)
-        for i, (c, loss) in enumerate(zip(factors, force.losses), start=1):
+        for i, (c, m, _) in enumerate(losses, start=1):
             at = grid.back(k, i)
             if at is not None:
-                total += c * curve.power[loss.place][at]
+                total += c * curve.power[m][at]
         P.append(total)
         Q.append(scale * grid.product_from_1(P, Q))
     return curve.u, [c / (e + 1) for c, e in zip(Q, exponents)]

@@ -16,12 +16,13 @@ made. On one side of u = 0 everything is a polynomial or a sine of u: ``rest_pow
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from typing import ClassVar
 
 from flint import arb
 
 from asymptotics.costs import well_seconds
 from asymptotics.errors import InputError
+from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import upper
 from asymptotics.terms import Term
@@ -45,6 +46,7 @@ class Force:
     springs: tuple[tuple[arb, int], ...]
     grips: tuple[tuple[arb, int], ...]
     losses: tuple[Loss, ...]
+    linear: ClassVar[int] = 0
 
     @classmethod
     def of(cls, terms: Sequence[Term], strengths: Sequence[arb] | None = None) -> "Force":
@@ -136,19 +138,23 @@ class Force:
         return sum((c * abs(u) ** (p + 1) / (p + 1) for c, p in self.springs), linear)
 
     def rest_powers(self, side: int) -> list[tuple[arb, int]]:
-        """(coefficient, power of u) of s_0 where u has the sign ``side``, without the sine of a pendulum."""
-        powers = [(c * side ** (p - 1), p) for c, p in self.springs] + [(-e * side**m, m) for e, m in self.grips]
-        return powers if self.rate is not None else [(arb(1), 1), *powers]
+        """(coefficient, power of u) of s_0 where u has the sign ``side``, without u itself or the sine."""
+        return [(c * side ** (p - 1), p) for c, p in self.springs] + [(-e * side**m, m) for e, m in self.grips]
+
+    def loss_powers(self, side: int) -> list[tuple[arb, int, arb]]:
+        """(coefficient, power of u, exponent of w) of what a loss adds to w' where u has the sign ``side``."""
+        return [(-f.strength * side**f.place, f.place, f.exponent) for f in self.losses]
 
     def largest_change(self, u: arb, reach: arb) -> arb:
         """sum_(k>=1) |s_0^(k)(u)|/k! reach^k term by term: how far s_0 goes within ``reach``, also for complex u."""
         size = abs(u)
         wide = size + reach
         total = sum((abs(c) * (wide**n - size**n) for c, n in self.rest_powers(1)), arb(0))
-        if self.rate is not None:
-            sine, cosine = (self.rate * size).sin_cos()
-            cosh, sinh = (self.rate * reach).cosh(), (self.rate * reach).sinh()
-            total += (abs(sine) * (cosh - 1) + abs(cosine) * sinh) / self.rate
+        if self.rate is None:
+            return upper(total + reach)
+        sine, cosine = (self.rate * size).sin_cos()
+        cosh, sinh = (self.rate * reach).cosh(), (self.rate * reach).sinh()
+        total += (abs(sine) * (cosh - 1) + abs(cosine) * sinh) / self.rate
         return upper(total)
 
     def largest(self, u: arb, du: arb, w: arb, dw: arb) -> arb:

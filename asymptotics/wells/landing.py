@@ -15,9 +15,10 @@ secant method in doubled precisions.
 True
 """
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import size_of
 from asymptotics.wells.expansion import Expansion, reach_at
 from asymptotics.wells.force import Force

@@ -17,9 +17,10 @@ what ``distance.lateness`` allows.
 
 from collections.abc import Iterator
 
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import upper
 from asymptotics.swing.ends import STICKS
 from asymptotics.swing.sequence import Turning
@@ -45,13 +46,17 @@ def first_from(force: Force, X: arb, V: arb) -> Turning | str:
         if piece.ended is not None:
             return piece.ended
         if isinstance(piece, Landing):
-            return after_kick(force, piece, side)
+            return after_kick(force, piece, side, given)
     raise UndecidedError("the first half-swing has no end")
 
 
-def after_kick(force: Force, piece: Landing, side: int) -> Turning | str:
-    """Turning point 0 after a course that began in motion, or how it left the well; UndecidedError at its edge."""
-    here = Turning(0, -side, -piece.turn, piece.clock.mid(), piece.gap, upper(piece.late + piece.clock.rad()))
+def after_kick(force: Force, piece: Landing, side: int, given: arb) -> Turning | str:
+    """Turning point 0 after a course that began in motion, within ``given`` of the truth, or how it left the well.
+
+    UndecidedError at its edge.
+    """
+    late = upper(piece.late(given) + piece.clock.rad())
+    here = Turning(0, -side, -piece.turn, piece.clock.mid(), piece.gap(given), late)
     stays = inside(force, arb(here.amplitude, here.amplitude_error))
     if stays is None:
         raise UndecidedError("whether the first turning point lies inside the well is undecided")
@@ -96,11 +101,15 @@ def _followed(force: Force, here: Turning) -> tuple[Turning | str, int]:
 
 
 def after_landing(force: Force, here: Turning, piece: Landing) -> Turning:
-    """The next turning point: midpoints, and errors by contraction."""
-    duration = (piece.clock - piece.late).lower()
+    """The next turning point: midpoints, and errors by contraction.
+
+    A motion that is late at one turning point is as late at the next one: the time's error only adds.
+    """
+    late = piece.late(upper(piece.unit * here.amplitude_error))
+    duration = (piece.clock - late).lower()
     carried = contracted(force, here.amplitude, here.amplitude_error, duration, piece.turn, piece.miss)
     clock = here.time + piece.clock
-    error = upper(here.time_error + clock.rad() + piece.late)
+    error = upper(here.time_error + clock.rad() + late)
     return Turning(here.n + 1, -here.side, -piece.turn, clock.mid(), upper(carried + piece.miss), error)
 
 

@@ -1,19 +1,16 @@
-"""Formulas as MathML in the page itself: no script, no font, no network."""
+"""Formulas as MathML in the page itself: no script, no network."""
 
 from docutils import nodes
-from latex2mathml.converter import convert
+from well_set import well_set
 
 
 def _inline(self, node):
-    self.body.append(convert(node.astext(), display="inline"))
+    self.body.append(well_set(node.astext(), display=False))
     raise nodes.SkipNode
 
 
 def _display(self, node):
-    text = node.astext().strip()
-    self.body.append('<div class="math-display" style="overflow-x: auto; margin: 1em 0">')
-    self.body.append(convert(text, display="block"))
-    self.body.append("</div>")
+    self.body.append(f'<div class="math-display">{well_set(node.astext().strip(), display=True)}</div>')
     raise nodes.SkipNode
 
 

@@ -20,14 +20,16 @@ from functools import cache
 from math import cos, exp, log2, sin, sqrt
 
 import sympy
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.law import Law
+from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
 from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import vanishes
+from paper_checks.units import SYSTEMS, agreed
 
 b, k, m, x0, omega0, t, alpha = sympy.symbols("b k m x_0 omega_0 t alpha", positive=True)
 b2, alpha2 = sympy.symbols("b' alpha'", positive=True)  # the second damping term
@@ -139,8 +141,12 @@ def reaches(order: float, wanted: int) -> Outcome:
     return Outcome.REFUTED if order < wanted - 0.6 else Outcome.UNDECIDED
 
 
-def numeric(form: sympy.Expr, a: sympy.Expr, *more: tuple[sympy.Symbol, float]) -> Callable[[float, float], float]:
-    """A form of the paper as a function of (epsilon, tau) with m = k = x0 = omega_0 = 1; heuristic."""
-    fixed = form.subs({alpha: a}).subs({m: 1, k: 1, x0: 1, omega0: 1, **dict(more)})
-    compiled = sympy.lambdify((b, t), fixed, "math")
-    return lambda epsilon, tau: float(compiled(epsilon, tau))
+def numeric(form: sympy.Expr, a: sympy.Expr) -> Callable[[float, float], float]:
+    """A length over x0 as a function of (epsilon, tau), in two systems of units, which must agree; heuristic."""
+    e, tau = sympy.symbols("e tau", positive=True)
+    compiled = []
+    for mass, rate, length, _ in SYSTEMS:
+        places = {t: tau / omega0, b: strength(e, a), k: m * omega0**2}
+        value = form.subs(alpha, a).subs(places).subs(places)  # b and t stand for expressions with k
+        compiled.append(sympy.lambdify((e, tau), value.subs({m: mass, omega0: rate, x0: length}) / length, "math"))
+    return lambda epsilon, s: float(agreed(*(f(epsilon, s) for f in compiled)))

@@ -11,7 +11,7 @@ from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lancaster2020.model import SI, alpha, b, dimension, k, linear_motion, m, numeric, omega0, t, v, x, x0
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 
 f, v0 = sympy.symbols("f v_0", positive=True)
 gamma, omega = sympy.symbols("gamma omega", positive=True)
@@ -52,7 +52,7 @@ def power_law_force(form: sympy.Expr) -> Outcome:
 )
 def underdamped(form: sympy.Expr) -> Outcome:
     """The discriminant b^2 - 4mk grows with b and vanishes at the form."""
-    return all_confirmed(vanishes((form**2 - 4 * m * k).subs(SI)), decided(form.is_positive is True))
+    return all_confirmed(vanishes((form**2 - 4 * m * k).subs(SI)), decided(form.is_positive))
 
 
 @statement(
@@ -121,6 +121,7 @@ def weakly_damped(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.solvable-only-linear", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONSEQUENCE,
     title="Linear, and therefore solvable in elementary functions, only for alpha = 1",
     latex=r"\text{Eq. (1) is a linear equation---and therefore solvable in terms of elementary functions---only for}"
     r"\ \alpha = 1",

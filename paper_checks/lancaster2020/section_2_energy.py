@@ -28,7 +28,7 @@ from paper_checks.lancaster2020.model import (
     x0,
     zero,
 )
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 
 A = sympy.Function("A", positive=True)(t)
 rate = sympy.diff(A, t)
@@ -40,6 +40,7 @@ LAW = (("3/2", "1"),)
 
 @statement(
     id="lancaster2020:claim.phase-at-start", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONDITION,
     title="phi(0) = 0 corresponds to a start from rest",
     latex=r"\varphi(0) = 0 \text{, corresponding to } \dot{x}(0) = 0 \text{ without loss of generality}",
     corrected_latex=r"\varphi(0) = 0 \text{ with } \varphi \text{ constant: } \dot{x}(0) = \dot{A}(0) ="
@@ -60,6 +61,7 @@ def phase_at_start(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.phase-constant", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="The phase remains equal to its initial value to lowest order in b",
     latex=r"\varphi(t) = \varphi(0) + O(b) \text{ for } \epsilon\omega_0 t \text{ of order } 1",
     printed=-sympy.cos(theta), near_miss=-sympy.sin(theta), conditions="times of the order of 1/(epsilon omega_0)",
@@ -106,7 +108,7 @@ def energy(form: sympy.Expr) -> Outcome:
 )
 def velocity(form: sympy.Expr) -> Outcome:
     """The derivative of A(t) cos(omega_0 t)."""
-    return decided(sympy.expand(sympy.diff(A * sympy.cos(omega0 * t), t) - form) == 0)
+    return vanishes(sympy.diff(A * sympy.cos(omega0 * t), t) - form)
 
 
 def energy_of_ansatz(sign: int) -> sympy.Expr:
@@ -122,6 +124,7 @@ def energy_of_ansatz(sign: int) -> sympy.Expr:
     r" - \left(\frac{\dot{A}(t)}{\omega_0 A(t)}\right)\sin(2\omega_0 t)\right]",
     printed=energy_of_ansatz(-1), near_miss=energy_of_ansatz(1), conditions="phi = 0 for all time",
     methods=("the velocity inserted in (4)",),
+    derivation="lancaster-energy", line=2,
 )
 def energy_with_amplitude(form: sympy.Expr) -> Outcome:
     """(4) with x = A cos and its derivative."""
@@ -167,6 +170,7 @@ def slow_energy(form: sympy.Expr) -> Outcome:
     latex=r"\dot{E} = \dot{x}[m\ddot{x} + kx] = f_{\alpha}(\dot{x})\dot{x}",
     printed=1, near_miss=-1, conditions="none", methods=("(4) differentiated, (1) inserted",),
     note="Never positive: f v = -b|v|^(alpha+1). Form: the coefficient of f v.",
+    derivation="lancaster-energy", line=5,
 )
 def energy_rate(form: int) -> Outcome:
     """dE/dt along (1)."""
@@ -185,11 +189,12 @@ def energy_rate(form: int) -> Outcome:
 )
 def derivative_of_slow_energy(form: sympy.Expr) -> Outcome:
     """d(k A^2/2)/dt."""
-    return decided(sympy.expand(sympy.diff(k * A**2 / 2, t) - form) == 0)
+    return vanishes(sympy.diff(k * A**2 / 2, t) - form)
 
 
 @statement(
     id="lancaster2020:8", kind=Kind.IDENTITY, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONDITION,
     title="The equation for the amplitude", latex=r"kA\dot{A} = f_{\alpha}(\dot{x})\dot{x}",
     corrected_latex=r"kA\dot{A}\,[1 - \cos(2\omega_0 t)] \simeq f_{\alpha}(\dot{x})\dot{x} \text{ for } x ="
     r" A\cos\omega_0 t; \quad kA\dot{A} = f_{\alpha}(\dot{x})\dot{x} \text{ for } A = \sqrt{2E/k}",
@@ -210,6 +215,7 @@ def amplitude_equation(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.energy-amplitude", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="Sign of (8): the amplitude never grows", latex=r"kA\dot{A} = -b|\dot{x}|^{\alpha+1} \le 0",
     printed=-b * v ** (alpha + 1), near_miss=b * v ** (alpha + 1), conditions="b > 0",
     methods=("f_alpha inserted in (8), both signs of the velocity",), note="Form: f v, with v = |x'|.",

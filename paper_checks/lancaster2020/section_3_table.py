@@ -114,6 +114,7 @@ ENTRIES = (
 
 @statement(
     id="lancaster2020:claim.table1", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    slip="'computed form' should read 'computed from'.",
     title="Table I, caption: the entries are computed from (13)",
     latex=r"\text{Approximate time-dependence of oscillation amplitude in low-dissipation limit computed form Eq. (13)"
     r" for } \alpha = 0, 1, \tfrac{3}{2}, 2, 3", printed=ENTRIES,

@@ -1,17 +1,19 @@
 """Figures 1 and 2, footnote 20 and dry friction: the mass stops away from equilibrium."""
 
+from fractions import Fraction
 from functools import cache
 from math import cos, log2
 
 import sympy
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.law import Law
 from asymptotics.numbers.bridge import closed_form_ball, from_sympy
+from asymptotics.numbers.context import ctx
 from asymptotics.turning.general import turning_points
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import mark, sampled
-from paper_checks.identities import all_confirmed, below, decided, same
+from paper_checks.identities import all_confirmed, below, decided, rounds_to, same
 from paper_checks.lancaster2020.model import (
     amplitude,
     b,
@@ -24,7 +26,7 @@ from paper_checks.lancaster2020.model import (
     reaches,
     x,
 )
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 
 THREE_HALVES, HALF = sympy.Rational(3, 2), sympy.Rational(1, 2)
 g, mu = sympy.symbols("g mu", positive=True)
@@ -64,25 +66,28 @@ def range_of_strength(form: tuple[str, sympy.Expr, str, str]) -> Outcome:
     title="Dry friction: the mass stops away from equilibrium",
     latex=r"\text{Sliding friction allows for the mass to stop away from equilibrium, which is not captured by the}"
     r"\ \text{approximate solution}",
-    printed=sympy.Rational(42, 1000), near_miss=1 / (8 * sympy.pi),
+    printed=("0.042", "-0.056"), near_miss=("0.042", "-0.057"), premises=(0,), digits=2,
     conditions="kappa = 0.042, that is epsilon = 0.0660; off centre for all epsilon of claim.kappa-fig1, after 8 half-"
     "swings for epsilon < 1/15 and after 7 above",
     methods=("exact turning points x_n = (-1)^n (1 - 2 n epsilon), balls",),
     note="Regenerated, half-swing by half-swing: the mass stops at x = -0.056 x0 after 8 half-swings (the amplitude of"
     " Table I is zero after 7.6), and from there on Table I grows again with the opposite sign. At the turning points"
-    " before the stop it is exact. Near miss: kappa = 1/(8 pi) = 0.0398, where the mass stops at the origin. Form:"
-    " kappa.",
+    " before the stop it is exact. At kappa = 1/(8 pi) = 0.0398 the mass would stop at the origin. Form: kappa, and the"
+    " place of rest in x0.",
 )
-def stops_off_centre(form: sympy.Expr) -> Outcome:
-    """|x_7| > epsilon >= |x_8| > 0: the mass stops at n = 8, off centre."""
+def stops_off_centre(form: tuple[str, str]) -> Outcome:
+    """|x_7| > epsilon >= |x_8| > 0: the mass stops at n = 8, off centre, at the place of the form."""
+    kappa, rest = form
     with ctx.workprec(80):
-        epsilon = closed_form_ball(form * sympy.pi / 2)
+        epsilon = closed_form_ball(sympy.Rational(kappa) * sympy.pi / 2)
         before, place = 1 - 14 * epsilon, 1 - 16 * epsilon
-        return all_confirmed(below(epsilon, before), below(abs(place), epsilon), below(arb(0), abs(place)))
+        stays = all_confirmed(below(epsilon, before), below(abs(place), epsilon), below(arb(0), abs(place)))
+        return all_confirmed(stays, rounds_to(rest, place))
 
 
 @statement(
     id="lancaster2020:claim.gradual-breakdown", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
+    shortfall=Shortfall.CONDITION,
     title="Figure 1 depicts the gradual breakdown for alpha = 0 at long times",
     latex=r"\text{Figure 1 depicts the gradual breakdown for the case } \alpha = 0",
     corrected_latex=r"|x_n| = |x_0 - 2nb/k| = |A(n\pi/\omega_0)| \text{ for } n \le 8 \text{, where the mass stops}",
@@ -221,6 +226,30 @@ def _mean_speed(step: float, steps: int = 4000) -> float:
         x_ += step * v_
         total += abs(v_)
     return total / steps
+
+
+@statement(
+    id="lancaster2020:claim.never-strictly-zero", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.MEASURED,
+    extent="sampled: 60 points", shortfall=Shortfall.CONDITION,
+    title="Within a numerical scheme the velocity is never strictly zero (footnote 20)",
+    latex=r"\text{Within a numerical integration scheme, the velocity is never strictly zero}",
+    corrected_latex=r"\text{it is zero at the start from rest, and in a scheme that goes from turning point to"
+    r" turning point}",
+    printed=0, corrected=1, near_miss=2, conditions="a fixed step, after the start from rest",
+    methods=("60 steps of the scheme of fn20 in exact rationals, from rest",),
+    note="In 60 exact steps of 1/250 the velocity vanishes at the start alone. Half-swing by half-swing it is zero at"
+    " each turning point, and the mass stops exactly. Form: how many of these velocities are zero.",
+)
+def never_strictly_zero(form: int) -> Outcome:
+    """v' = -x - epsilon sgn v, x' = v in steps of 1/250 from x = 1, v = 0, without rounding."""
+    mark(Evidence.MEASURED)
+    place, speed, step, epsilon = Fraction(1), Fraction(0), Fraction(1, 250), Fraction(66, 1000)
+    speeds = []
+    for _ in sampled(range(60)):
+        speeds.append(speed)
+        speed += step * (-place - epsilon * ((speed > 0) - (speed < 0)))
+        place += step * speed
+    return decided(sum(v == 0 for v in speeds) == form)
 
 
 @statement(

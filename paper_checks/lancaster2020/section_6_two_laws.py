@@ -9,7 +9,7 @@ from math import cos, sin
 import sympy
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
-from paper_checks.identities import all_confirmed, vanishes
+from paper_checks.identities import all_confirmed, opposite, vanishes
 from paper_checks.lancaster2020.model import (
     SI,
     A,
@@ -112,8 +112,7 @@ def not_separable(form: tuple[int, int]) -> Outcome:
     general = c * A**alpha * s ** (alpha + 1) + d * A**beta * s ** (beta + 1)
     factor = (beta - alpha) ** 2 * c * d * A ** (alpha + beta - 1) * s ** (alpha + beta + 1) / general**2
     formula = zero(sympy.diff(sympy.log(general), A, s) - factor)
-    flipped = {Outcome.REFUTED: Outcome.CONFIRMED, Outcome.CONFIRMED: Outcome.REFUTED}
-    return all_confirmed(formula, flipped.get(mixed, mixed))
+    return all_confirmed(formula, opposite(mixed))
 
 
 @statement(
@@ -137,7 +136,7 @@ def averaged(form: sympy.Expr) -> Outcome:
     title="The constants c and c'",
     latex=r"c = b(2\omega_0)^{\alpha+1}B\left(\frac{\alpha}{2}+1,\frac{\alpha}{2}+1\right), \quad c' ="
     r" b'(2\omega_0)^{\alpha'+1}B\left(\frac{\alpha'}{2}+1,\frac{\alpha'}{2}+1\right)",
-    printed=constant(b, alpha), near_miss=constant(b, alpha) / (2 * omega0), derivation="lancaster-average",
+    printed=constant(b, alpha), near_miss=constant(b, alpha) / (2 * omega0), derivation="lancaster-average", line=15,
     conditions="none", methods=("c = pi k kappa omega_0 x0^(1-alpha)", "dimension"), note="Form: c.",
 )
 def constants(form: sympy.Expr) -> Outcome:
@@ -173,9 +172,15 @@ FRACTION = c * LAMBDA * DECAY / (1 - LAMBDA * d * DECAY)
 
 
 def envelope(form: sympy.Expr) -> Callable[[float, float], float]:
-    """A form in c, c' as a function of (epsilon, tau) with m = k = x0 = omega_0 = 1 and b = b' = epsilon."""
+    """A length in c, c', in units of x0, as a function of (epsilon, tau), with b = omega_0 x0 b'."""
     values = {c: VISCOUS, d: QUADRATIC}
-    return numeric(form.subs(values).subs(b2, b), sympy.Integer(1))
+    return numeric(form.subs(values).subs(b2, b / (omega0 * x0)), sympy.Integer(1))
+
+
+def solves_20(form: sympy.Expr) -> Outcome:
+    """(20) differentiated, with alpha = 1 and alpha' = 2: A' = -(c A + c' A^2)/(pi k), and A(0) = x0."""
+    law = vanishes(sympy.diff(form, t) + (c * form + d * form**2) / (sympy.pi * k))
+    return all_confirmed(vanishes(form.subs(t, 0) - x0), law)
 
 
 @statement(
@@ -184,23 +189,20 @@ def envelope(form: sympy.Expr) -> Callable[[float, float], float]:
     latex=r"A(t) \simeq \frac{c\lambda e^{-\frac{ct}{\pi k}}}{1 - \lambda c'e^{-\frac{ct}{\pi k}}}",
     printed=FRACTION, near_miss=c * LAMBDA * DECAY / (1 + LAMBDA * d * DECAY), conditions="alpha = 1, alpha' = 2",
     methods=("solution of (20), proved", "error of A cos(omega_0 t) against the exact motion, b = omega_0 x0 b'"),
-    derivation="two-laws-time",
+    derivation="two-laws-time", line=13,
 )
 @statement(
     id="lancaster2020:claim.no-restriction", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="No restriction on the relative sizes of b and omega_0 x0 b'",
     latex=r"\text{we have made no restrictions whatsoever on the relative sizes of } b \text{ and } \omega_0 x_0 b'",
     printed=FRACTION, near_miss=x0 * DECAY, conditions="relative sizes only: both must be weak, b, omega_0 x0 b' <<"
-    " m omega_0", derivation="two-laws-time",
+    " m omega_0", derivation="two-laws-time", line=13,
     methods=("(21) solves (20) for all positive c, c'", "error of A cos(omega_0 t) as for (21)"),
     note="Near miss: (21) without c', which needs omega_0 x0 b' << b.",
 )
 def viscous_and_quadratic(form: sympy.Expr) -> Outcome:
     """A' = -(c A + c' A^2)/(pi k), A(0) = x0; and a first-order error of the motion."""
-    formal = all_confirmed(
-        vanishes(form.subs(t, 0) - x0),
-        vanishes(sympy.diff(form, t) + (c * form + d * form**2) / (sympy.pi * k)),
-    )
+    formal = solves_20(form)
     if formal != Outcome.CONFIRMED:
         return formal
     A_of = envelope(form)

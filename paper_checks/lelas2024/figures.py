@@ -11,9 +11,10 @@ from math import pi, sqrt
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 from numpy.typing import NDArray
 
+from asymptotics.numbers.context import ctx
 from asymptotics.turning.quadratic_duration import duration, elapsed
 from asymptotics.turning.quadratic_map import amplitudes
 from paper_checks.lelas2024.model import half_swings

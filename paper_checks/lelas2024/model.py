@@ -15,13 +15,16 @@ from fractions import Fraction
 from itertools import islice
 
 import sympy
-from flint import arb, ctx
+from flint import arb
 from mpmath import cos, log, mp, mpf, pi, sin, sqrt
 
+from asymptotics.numbers.context import ctx
+from asymptotics.numbers.decimal_context import workdps
 from asymptotics.turning.quadratic_duration import duration, elapsed
 from asymptotics.turning.quadratic_map import amplitudes
 from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import mark, sampled
+from paper_checks.units import SYSTEMS, agreed
 
 PAPER = "lelas2024"
 m, k, g, mu, C, b, x0, A0, B0, t = sympy.symbols("m k g mu C b x_0 A_0 B_0 t", positive=True)
@@ -104,7 +107,7 @@ def as_mpf(ball: arb) -> mpf:
 def order_of(error: Callable[[mpf], mpf], values: Sequence[str] = SMALL) -> float:
     """log_2 of the ratio of the errors at two values of the small parameter, the second half the first."""
     mark(Evidence.MEASURED)
-    with mp.workdps(DIGITS), ctx.workprec(120):
+    with workdps(DIGITS), ctx.workprec(120):
         coarse, fine = (abs(error(mpf(value))) for value in sampled(values[-2:]))
         return float(log(coarse / fine) / log(2)) if fine else float("inf")
 
@@ -117,18 +120,26 @@ def has_order(wanted: int, error: Callable[[mpf], mpf], values: Sequence[str] = 
     return Outcome.REFUTED if abs(order - wanted) > 0.75 else Outcome.UNDECIDED
 
 
-def dimensionless(form: sympy.Expr, *strengths: sympy.Symbol) -> Callable[[mpf, mpf], mpf]:
-    """A form in physical letters as a function of (eps, tau) at x0 = omega_0 = m = k = g = 1."""
-    units = dict.fromkeys((x0, w0, m, k, g), 1)
-    eps = sympy.Symbol("eps", positive=True)
-    return sympy.lambdify((eps, t), form.subs(units).subs(dict.fromkeys(strengths, eps)), "mpmath")
+def dimensionless(form: sympy.Expr, law: sympy.Symbol, unit: sympy.Expr = x0) -> Callable[[mpf, mpf], mpf]:
+    """A form in the letters of one law (b, mu or C), over ``unit``, as a function of (eps, tau) with tau = omega_0 t.
+
+    It is computed in two systems of units, which must agree.
+    """
+    eps, tau = sympy.symbols("eps tau", positive=True)
+    scale = {b: m * w0, mu: w0**2 * x0 / g, C: m / x0}[law]
+    value = (form / unit).subs({law: eps * scale, t: tau / w0}).subs(k, m * w0**2)
+    compiled = [
+        sympy.lambdify((eps, tau), value.subs({m: mass, w0: rate, x0: length, g: gravity}), "mpmath")
+        for mass, rate, length, gravity in SYSTEMS
+    ]
+    return lambda e, s: agreed(*(f(e, s) for f in compiled))
 
 
 def slow_error(
-    form: sympy.Expr, strength: sympy.Symbol, exact: Callable[[mpf], Motion], slow: str = "0.8"
+    form: sympy.Expr, strength: sympy.Symbol, exact: Callable[[mpf], Motion], unit: sympy.Expr = x0, slow: str = "0.8"
 ) -> Callable[[mpf], mpf]:
     """The largest error of a motion over one swing that begins at the fixed slow time eps tau = ``slow``."""
-    value = dimensionless(form, strength)
+    value = dimensionless(form, strength, unit)
 
     def error(eps: mpf) -> mpf:
         true = exact(eps)

@@ -24,7 +24,7 @@ from paper_checks.lelas2024.model import (
     x,
     x0,
 )
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 
 sin, cos, sign = sympy.sin(w0 * t), sympy.cos(w0 * t), sympy.sign
 force = sympy.Symbol("F_d", real=True)
@@ -131,7 +131,7 @@ def energy(form: sympy.Expr) -> Outcome:
 def undamped_solution(frequency: sympy.Expr) -> Outcome:
     """m x'' + k x for the cosine, whose phase is free."""
     motion = sympy.cos(frequency * t + x0)
-    return all_confirmed(vanishes(m * sympy.diff(motion, t, 2) + k * motion), decided(frequency.is_positive is True))
+    return all_confirmed(vanishes(m * sympy.diff(motion, t, 2) + k * motion), decided(frequency.is_positive))
 
 
 @statement(
@@ -155,8 +155,8 @@ def dissipation_rate(form: sympy.Expr) -> Outcome:
 def energy_decreases(form: tuple[sympy.Expr, ...]) -> Outcome:
     """For each law F_d v is negative at v = V and v = -V, and zero at v = 0."""
     powers = [law * v for law in form]
-    negative = all(p.subs(v, side * speed).is_negative for p in powers for side in (1, -1))
-    return decided(bool(negative) and all(p.subs(v, 0) == 0 for p in powers))
+    negative = [p.subs(v, side * speed).is_negative for p in powers for side in (1, -1)]
+    return all_confirmed(decided(*negative), *(vanishes(p.subs(v, 0)) for p in powers))
 
 
 @statement(
@@ -219,7 +219,7 @@ def initial_phase(form: tuple[int, sympy.Expr]) -> Outcome:
     phase = sympy.atan(beta / sympy.sqrt(w0**2 - beta**2))
     lower = [vanishes(sympy.diff(phase, b, order).subs(b, 0)) for order in range(form[0])]
     leading = sympy.diff(phase, b, form[0]).subs(b, 0) if form[0] > 0 else sympy.Integer(0)
-    return all_confirmed(*lower, decided(leading.is_nonzero is True and form[1] == sympy.oo))
+    return all_confirmed(*lower, decided(leading.is_nonzero, form[1] == sympy.oo))
 
 
 
@@ -270,7 +270,8 @@ def assumed_form(form: tuple[sympy.Expr, str]) -> Outcome:
         "v1": viscous_velocity,
         "v2": lambda eps: viscous_velocity(eps, kicked=True),
     }[which]
-    return has_order(1, slow_error(expression.subs(f, EXPONENTIAL), b, exact))
+    unit = x0 if which.startswith("x") else w0 * x0
+    return has_order(1, slow_error(expression.subs(f, EXPONENTIAL), b, exact, unit))
 
 
 @statement(
@@ -312,6 +313,7 @@ def slope_small(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.dropping-the-slope", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONSEQUENCE,
     title="|f'| << omega_0 is enough to drop f' from the velocities",
     latex=r"|\dot f(t)| \ll \omega_0 \text{ for all } t \text{, thus } v_1(t) = -\omega_0x_0f(t)\sin(\omega_0t)",
     corrected_latex=r"|\dot f(t)| \ll \omega_0f(t)", printed=w0, corrected=w0 * f, near_miss=w0 * f**2,
@@ -360,6 +362,7 @@ def initial_amplitude(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.amplitude-not-negative", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONSEQUENCE,
     title="f(0) = 1 and f decreasing imply f >= 0 for all t",
     latex=r"f(t) \ge 0 \text{ must also hold, for all } t \ge 0",
     corrected_latex=r"f(t) \ge 0 \text{ for } t \le \tau \text{ in case of (32), for all } t \text{ in case of (20) and"
@@ -377,7 +380,8 @@ def amplitude_not_negative(form: tuple[str, ...]) -> Outcome:
         "friction": 1 - mu * g * t / (sympy.sqrt(2) * w0 * x0),
         "air": 1 / (1 + C * w0 * x0 * t / (2 * sympy.sqrt(2) * m)),
     }
-    starts = [f.subs(t, 0) == 1 for f in slopes.values()]
-    falls = [bool(sympy.simplify(sympy.diff(f, t)).is_negative) for f in slopes.values()]
-    stay = tuple(name for name, f in slopes.items() if bool(sympy.limit(f, t, sympy.oo) >= 0))
-    return decided(all(starts) and all(falls) and form == stay)
+    starts = [vanishes(f.subs(t, 0) - 1) for f in slopes.values()]
+    falls = [decided(sympy.simplify(sympy.diff(f, t)).is_negative) for f in slopes.values()]
+    stays = [sympy.limit(f, t, sympy.oo) >= 0 for f in slopes.values()]
+    claimed = [decided(stay if name in form else sympy.Not(stay)) for name, stay in zip(slopes, stays)]
+    return all_confirmed(*starts, *falls, *claimed, decided(set(form) <= slopes.keys(), len(set(form)) == len(form)))

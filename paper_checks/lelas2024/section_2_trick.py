@@ -9,7 +9,7 @@ from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import A0, B0, b, f, k, m, slope, t, theta, w0, x0
 from paper_checks.lelas2024.section_2 import ENERGY, V1, V2, X1, X2, along, v, x
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 
 sin, cos = sympy.sin(w0 * t), sympy.cos(w0 * t)
 ENERGY_OF_F = m * w0**2 * x0**2 * f**2 / 2
@@ -84,6 +84,7 @@ def viscous_rate(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.two-rates-contradict", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONDITION,
     title="One function f obeys both (18) and (19)", printed=1, corrected=2, near_miss=3,
     latex=r"\frac{df}{dt} = -\frac{b}{m}f\sin^2(\omega_0t) \text{ and } \frac{df}{dt} = -\frac{b}{m}f\cos^2(\omega_0t)",
     corrected_latex=r"\left\langle\sin^2\right\rangle = \left\langle\cos^2\right\rangle = \frac{1}{2}",
@@ -179,6 +180,7 @@ def weak_viscous_damping(bound: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.trick-fails", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="The trick does not work unchanged for the other two types of damping",
     latex=r"|\sin|^{n+1} + |\cos|^{n+1} \text{ is constant for } n = 1 \text{ only}", printed=(0, 2), near_miss=(0, 1),
     conditions="n = 0, 1, 2", methods=("values at 0 and at pi/4",),
@@ -210,8 +212,9 @@ def trick_fails(form: tuple[int, ...]) -> Outcome:
 def procedure_works(form: tuple[sympy.Expr, ...]) -> Outcome:
     """r = f^n A^(n-1) |sin(theta + phase)|^(n+1) for each pair; the sum of the r^(2/(n+1)) must not depend on theta."""
     first, second, shift, *powers = form
-    if not (first.is_positive and second.is_positive):
-        return Outcome.REFUTED  # an amplitude is positive; a sign is a phase
+    positive = decided(first.is_positive, second.is_positive)  # an amplitude is; a sign is a phase
+    if positive != Outcome.CONFIRMED:
+        return positive
     outcomes = []
     for n in powers or (1,):
         weights = [amplitude ** sympy.Rational(2 * (n - 1), n + 1) for amplitude in (first, second)]

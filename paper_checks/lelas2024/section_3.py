@@ -13,7 +13,7 @@ from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import c, f, g, has_order, k, m, mu, s, slope, t, v, w0, x0
 from paper_checks.lelas2024.section_2 import V1, V2, X1, X2
 from paper_checks.lelas2024.section_2_trick import RATE_OF_ENERGY
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 
 root2 = sympy.sqrt(2)
 STRENGTH = mu * g / (w0 * x0)  # the paper's recurring factor, an inverse time
@@ -71,13 +71,13 @@ def sign_times_power(form: tuple[int, sympy.Expr]) -> Outcome:
     id="lelas2024:24", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The approximate power, first pair", latex=r"P_{d1}(t) = -\mu mg\omega_0x_0f(t)|\sin(\omega_0t)|",
     printed=("v1", -mu * m * g * w0 * x0 * f * s), near_miss=("v1", -mu * m * g * w0 * x0 * f * s**2),
-    conditions="with (12); f >= 0, which ends at tau", methods=("-mu m g |v|",), derivation="lelas-friction",
+    conditions="with (12); f >= 0, which ends at tau", methods=("-mu m g |v|",), derivation="lelas-friction", line=2,
 )
 @statement(
     id="lelas2024:25", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The approximate power, second pair", latex=r"P_{d2}(t) = -\mu mg\omega_0x_0f(t)|\cos(\omega_0t)|",
     printed=("v2", -mu * m * g * w0 * x0 * f * c), near_miss=("v2", -mu * m * g * x0 * f * c),
-    conditions="with (13); f >= 0, which ends at tau", methods=("-mu m g |v|",), derivation="lelas-friction",
+    conditions="with (13); f >= 0, which ends at tau", methods=("-mu m g |v|",), derivation="lelas-friction", line=3,
 )
 def approximate_friction_power(form: tuple[str, sympy.Expr]) -> Outcome:
     """-mu m g |v| with the approximate velocity."""
@@ -89,14 +89,14 @@ def approximate_friction_power(form: tuple[str, sympy.Expr]) -> Outcome:
     title="The rate of f from the first pair",
     latex=r"\frac{df(t)}{dt} = -\frac{\mu g}{\omega_0x_0}|\sin(\omega_0t)|", printed=("v1", -STRENGTH * s),
     near_miss=("v1", -STRENGTH * s / 2), conditions="f > 0", methods=("(15) = (24) solved for df/dt",),
-    derivation="lelas-friction",
+    derivation="lelas-friction", line=4,
 )
 @statement(
     id="lelas2024:27", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The rate of f from the second pair",
     latex=r"\frac{df(t)}{dt} = -\frac{\mu g}{\omega_0x_0}|\cos(\omega_0t)|", printed=("v2", -STRENGTH * c),
     near_miss=("v2", -STRENGTH * c * w0), conditions="f > 0", methods=("(15) = (25) solved for df/dt",),
-    derivation="lelas-friction",
+    derivation="lelas-friction", line=5,
 )
 def friction_rate(form: tuple[str, sympy.Expr]) -> Outcome:
     """m omega_0^2 x_0^2 f f' = -mu m g |v|."""
@@ -129,7 +129,7 @@ def squared_rate(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     title="The sum of the squares",
     latex=r"\left(\frac{df(t)}{dt}\right)^2 = \frac{1}{2}\left(\frac{\mu g}{\omega_0x_0}\right)^2",
     printed=STRENGTH**2 / 2, near_miss=STRENGTH**2, conditions="none", methods=("half the sum of (28) and (29)",),
-    derivation="lelas-friction",
+    derivation="lelas-friction", line=6,
     note="The mean of the two squares replaces the square of the mean: a quadratic mean 1/sqrt(2) of |sin| in the place"
     " of the arithmetic mean 2/pi.",
 )
@@ -160,7 +160,7 @@ def turning_error(decay: sympy.Expr) -> Callable[[mpf], mpf]:
 )
 def constant_rate(form: sympy.Expr) -> Outcome:
     """The square is (30), the sign is negative, and the amplitude error at half amplitude has order 0."""
-    root = all_confirmed(same(form**2, STRENGTH**2 / 2), decided(bool(form.is_negative)))
+    root = all_confirmed(same(form**2, STRENGTH**2 / 2), decided(form.is_negative))
     return all_confirmed(root, has_order(0, turning_error(-form)))
 
 
@@ -201,6 +201,8 @@ def linear_decay(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.same-decay-friction", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    paraphrase=True,
+    shortfall=Shortfall.CONDITION,
     title="The same f for both pairs, with friction", order="2",
     latex=r"f_1(t) = f_2(t)",
     corrected_latex=r"f_2 - f_1 = \left(\frac{1}{2} - \frac{2}{\pi}\right)\left(\frac{\mu mg}{kx_0}\right)^2 + \dots",
@@ -252,7 +254,7 @@ def unphysical_after_stop(sign: int) -> Outcome:
     """(f^2)' at t = tau + d is positive for every d > 0."""
     d = sympy.Symbol("d", positive=True)
     growth = sympy.simplify(sympy.diff(FRICTION_LINE**2, t).subs(t, TAU + d))
-    return decided(bool(growth.is_positive) and sign == 1)
+    return decided(growth.is_positive, sign == 1)
 
 
 @statement(

@@ -16,7 +16,7 @@ from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import C, as_mpf, c, f, has_order, m, s, slope, t, v, w0, x0
 from paper_checks.lelas2024.section_2_trick import RATE_OF_ENERGY
 from paper_checks.lelas2024.section_3 import SPEEDS, power_holds
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 
 STRENGTH = C * w0 * x0 / m  # an inverse time
 SLOW = 2 * sympy.sqrt(2)  # 2^(3/2)
@@ -62,14 +62,14 @@ def approximate_air_power(form: tuple[str, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:38", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The rate of f from the first pair", derivation="lelas-air",
+    title="The rate of f from the first pair", derivation="lelas-air", line=1,
     latex=r"-\frac{df(t)}{dt} = \frac{C\omega_0x_0}{m}f^2(t)|\sin(\omega_0t)|^3",
     printed=("v1", STRENGTH * f**2 * s**3), near_miss=("v1", STRENGTH * f * s**3), conditions="f > 0",
     methods=("(15) = (36) solved for -df/dt",),
 )
 @statement(
     id="lelas2024:39", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The rate of f from the second pair", derivation="lelas-air",
+    title="The rate of f from the second pair", derivation="lelas-air", line=2,
     latex=r"-\frac{df(t)}{dt} = \frac{C\omega_0x_0}{m}f^2(t)|\cos(\omega_0t)|^3",
     printed=("v2", STRENGTH * f**2 * c**3), near_miss=("v2", STRENGTH / 2 * f**2 * c**3), conditions="f > 0",
     methods=("(15) = (37) solved for -df/dt",),
@@ -81,6 +81,7 @@ def air_rate(form: tuple[str, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.both-sides-positive", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.RANGE,
     title="Both sides of (38) and (39) are positive for any t", printed=(0, 1, 2, 3), corrected=(1, 3),
     near_miss=(1, 2, 3), latex=r"\frac{C\omega_0x_0}{m}f^2(t)|\sin(\omega_0t)|^3 > 0 \text{ for any } t",
     corrected_latex=r"\frac{C\omega_0x_0}{m}f^2(t)|\sin(\omega_0t)|^3 \ge 0",
@@ -95,7 +96,7 @@ def both_sides_positive(quarters: tuple[int, ...]) -> Outcome:
 @statement(
     id="lelas2024:40", premises=(0,),
     kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The first rate to the power 2/3", derivation="lelas-air",
+    title="The first rate to the power 2/3", derivation="lelas-air", line=3,
     latex=r"\left(-\frac{df(t)}{dt}\right)^{\frac{2}{3}} = \left(\frac{C\omega_0x_0}{m}\right)^{\frac{2}{3}}"
     r"f^{\frac{4}{3}}(t)|\sin(\omega_0t)|^2",
     printed=(STRENGTH * f**2 * s**3, STRENGTH**TWO_THIRDS * f ** (2 * TWO_THIRDS) * s**2),
@@ -105,7 +106,7 @@ def both_sides_positive(quarters: tuple[int, ...]) -> Outcome:
 @statement(
     id="lelas2024:41", premises=(0,),
     kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The second rate to the power 2/3", derivation="lelas-air",
+    title="The second rate to the power 2/3", derivation="lelas-air", line=4,
     latex=r"\left(-\frac{df(t)}{dt}\right)^{\frac{2}{3}} = \left(\frac{C\omega_0x_0}{m}\right)^{\frac{2}{3}}"
     r"f^{\frac{4}{3}}(t)|\cos(\omega_0t)|^2",
     printed=(STRENGTH * f**2 * c**3, STRENGTH**TWO_THIRDS * f ** (2 * TWO_THIRDS) * c**2),
@@ -119,7 +120,7 @@ def rate_to_two_thirds(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:42", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The sum", derivation="lelas-air",
+    title="The sum", derivation="lelas-air", line=5,
     latex=r"\left(-\frac{df(t)}{dt}\right)^{\frac{2}{3}} = \frac{1}{2}\left(\frac{C\omega_0x_0}{m}\right)^{\frac{2}{3}}"
     r"f^{\frac{4}{3}}(t)",
     printed=STRENGTH**TWO_THIRDS * f ** (2 * TWO_THIRDS) / 2,
@@ -145,7 +146,7 @@ def sum_of_powers(form: sympy.Expr) -> Outcome:
 def rate_of_amplitude(form: sympy.Expr) -> Outcome:
     """(-form)^2 is the cube of (42); the amplitude that solves it has an error of order 0 at fixed slow time."""
     cube = (STRENGTH**TWO_THIRDS * f ** (2 * TWO_THIRDS) / 2) ** 3
-    algebra = all_confirmed(same(form**2, cube), decided(bool(form.is_negative)))
+    algebra = all_confirmed(same(form**2, cube), decided(form.is_negative))
     return all_confirmed(algebra, has_order(0, turning_error(-form / (STRENGTH * f**2))))
 
 
@@ -208,6 +209,6 @@ def hyperbolic_decay(form: sympy.Expr) -> Outcome:
 )
 def weak_air(bound: sympy.Expr) -> Outcome:
     """|f'(0)|/omega_0 = C/bound, and |f'| is largest at t = 0 since f'' > 0."""
-    convex = decided(bool(sympy.simplify(sympy.diff(HYPERBOLA, t, 2)).is_positive))
+    convex = decided(sympy.simplify(sympy.diff(HYPERBOLA, t, 2)).is_positive)
     start = -sympy.diff(HYPERBOLA, t).subs(t, 0)
     return all_confirmed(convex, same(start / w0, C / bound))

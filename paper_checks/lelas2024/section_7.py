@@ -6,7 +6,7 @@ from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same
 from paper_checks.lelas2024.model import A0, b, f, g, k, m, s, v, w0, x0
 from paper_checks.lelas2024.section_2 import opposes, speed
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 
 n = sympy.Symbol("n", integer=True, nonnegative=True)
 sine = sympy.Symbol("sine", real=True)
@@ -15,6 +15,7 @@ POWERS = (0, 1, 2)
 
 @statement(
     id="lelas2024:claim.force-powers", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.RANGE,
     title="The three forces as powers of the velocity", latex=r"F_d(t) \propto v^n(t), \quad n = \{0, 1, 2\}",
     corrected_latex=r"F_d(t) \propto -\mathrm{sgn}[v(t)]|v(t)|^n", printed=-(v**n),
     corrected=-sympy.sign(v) * abs(v) ** n, near_miss=sympy.sign(v) * abs(v) ** n, conditions="true for n = 1",
@@ -29,6 +30,7 @@ def force_powers(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:54", kind=Kind.IDENTITY, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.RANGE,
     title="The rate of f for the three laws at once",
     latex=r"m\omega_0^2A_0^2f(t)\frac{df(t)}{dt} \propto \omega_0^{n+1}A_0^{n+1}f^{n+1}(t)"
     r"\sin^{n+1}(\omega_0t + \phi_0)",
@@ -52,6 +54,7 @@ def rate_for_all_laws(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.amplitude-cancels", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="The amplitude can be crossed out for n = 1 only", printed=(1,), near_miss=(0, 1),
     latex=r"\text{in case } n = 1 \text{ amplitude } A_0 \text{ can be eliminated; for } n = 0, 2 \text{ it can not}",
     conditions="none", methods=("powers of A_0 on both sides of (54)",), note="Form: the n for which it cancels.",
@@ -66,6 +69,7 @@ BOUNDS = {0: sympy.sqrt(2) * k * x0 / (m * g), 1: 2 * sympy.sqrt(k * m), 2: 2 * 
 
 @statement(
     id="lelas2024:claim.conditions-and-x0", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="The weak damping conditions (33) and (46) depend on the initial displacement, (21) does not",
     latex=r"\text{(33) and (46) both depend on } x_0 \text{; initial conditions do not appear in (21)}",
     printed=(0, 2), near_miss=(0, 1, 2),
@@ -85,6 +89,7 @@ def without_sign(power: int) -> sympy.Expr:
 
 @statement(
     id="lelas2024:claim.force-without-sign", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONDITION,
     title="The forces without the sign function", latex=r"F_d(t) \propto -v^{n+1}(t)/|v(t)|, \quad n = \{0, 2\}",
     corrected_latex=r"F_d(t) \propto -v^{n+1}(t)/|v(t)| \text{ if } v(t) \ne 0", printed=(1, 0, -1), corrected=(1, -1),
     near_miss=(1, 0), conditions="v != 0, not stated", methods=("compared with -sgn(v)|v|^n at v = V, 0, -V",),

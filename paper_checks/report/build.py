@@ -10,18 +10,22 @@ from typing import Any
 import jinja2
 
 from asymptotics import __version__
+from asymptotics.made_by import made_by
+from asymptotics.papers.search import Searched, plain, words_for_pages
+from asymptotics.papers.statement import PaperStatement
 from asymptotics.present.figures import render
 from asymptotics.present.files import write_all
 from asymptotics.present.mathml import to_mathml
 from asymptotics.tables.cells import Formula
 from asymptotics.tables.registry import build
 from asymptotics.verdict import Printed
-from paper_checks.data import source
-from paper_checks.registry import PAPERS, Entry
+from paper_checks.data import record, source
+from paper_checks.registry import PAPERS, Entry, Shortfall
 from paper_checks.report import pages
 from paper_checks.report.difference import marked
 from paper_checks.report.engine import engine_data, regimes_picture, validity_picture
-from paper_checks.report.font import font_faces
+from paper_checks.report.font import font_face
+from paper_checks.report.play import play_page
 from paper_checks.report.tex import tex
 from paper_checks.report.words import OUTCOMES, evidence, inline
 
@@ -31,20 +35,25 @@ TABLES = {
     "lancaster2020": ("lancaster2020.table1",),
     "smith2012": ("smith2012.table1", "smith2012.transit-time"),
 }
+DIGITS = 20
 HEADS = {  # columns as the papers write them
     "alpha": r"\alpha", "A": "A(t)", "half_cycle": "n", "S_hat": r"\hat{S}_{n-1}", "u": "u_{n-1}", "i": "i",
     "c_i": "c_i",
 }  # fmt: skip
+BESIDE_PLAY = (("The papers, checked", "index.html"), ("Documentation", "../docs/index.html"))
 PAGES = ("index.html", "errata.html", "derivations.html", "engine.html")
 FOLDER = Path(__file__).parent
 MEASURED = FOLDER.parents[1] / "docs" / "benchmarks.svg"
 """What ``make benchmarks`` has drawn, if it has been run."""
 SLIPS = (Printed.MISPRINT, Printed.TRANSCRIPTION, Printed.PARTLY, Printed.REFUTED)
 ERRATA = (
-    ("slips", "Slips of the papers", (Printed.MISPRINT, Printed.REFUTED)),
-    ("garbled", "Garbled in the text at hand", (Printed.TRANSCRIPTION,)),
-    ("conditions", "True under a condition that is omitted", (Printed.PARTLY,)),
+    ("slips", "Slips of the papers", "printed", (Printed.MISPRINT, Printed.REFUTED)),
+    ("garbled", "Garbled in the text at hand", "printed", (Printed.TRANSCRIPTION,)),
+    ("conditions", "True under a condition that is omitted", "shortfall", (Shortfall.CONDITION,)),
+    ("consequences", "Does not follow", "shortfall", (Shortfall.CONSEQUENCE,)),
+    ("ranges", "False in a stated range", "shortfall", (Shortfall.RANGE,)),
 )
+HARMLESS = ("harmless", "Slips that change no statement")
 
 
 def write_report(folder: Path, entries: list[Entry], progress: Progress = lambda name: None) -> list[Path]:
@@ -60,7 +69,7 @@ def _contents(entries: list[Entry], progress: Progress) -> dict[str, bytes | str
     contents["report.json"] = json.dumps(data, indent=1, ensure_ascii=False)
     contents["report.tex"] = _template("report.tex.j2").render(data)
     made = _pages(data, {e.statement.id: e for e in entries})
-    contents["style.css"] = (FOLDER / "style.css").read_text(encoding="utf-8") + font_faces(made.values())
+    contents["style.css"] = (FOLDER / "style.css").read_text(encoding="utf-8") + font_face(made.values())
     return contents | made | ({"benchmarks.svg": MEASURED.read_bytes()} if MEASURED.exists() else {})
 
 
@@ -69,14 +78,17 @@ def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
     papers = [{**p, "entries": [{**e, **_shown(entries[e["id"]])} for e in p["entries"]]} for p in data["papers"]]
     cards = [e for p in papers for e in p["entries"]]
     shown = {**data, "papers": papers, "errata": [_slips(cards, *kind) for kind in ERRATA]}
+    name, title = HARMLESS
+    shown["errata"].append({"name": name, "title": title, "entries": [e for e in cards if e["slip"]]})
     shown["measured"] = MEASURED.exists()
     made = {name: _template(f"{name}.j2").render(shown, derivations=pages.derivations()) for name in PAGES}
+    made["play.html"] = play_page(BESIDE_PLAY)
     made |= {f"{p['key']}.html": _template("paper.html.j2").render(shown, paper=p) for p in papers}
     for path in sorted({e["source"].partition(":")[0] for e in cards}):
         page = _template("source.html.j2").render(shown, path=path, lines=pages.source_lines(path))
         made[pages.source_name(path)] = page
-    index = json.dumps([_found(e) for e in cards], ensure_ascii=False)
-    made["search.js"] = (FOLDER / "search.js").read_text(encoding="utf-8").replace("{{ index }}", index)
+    script = (FOLDER / "search.js").read_text(encoding="utf-8").replace("{{ index }}", _index(papers, entries))
+    made["search.js"] = script.replace("{{ words }}", json.dumps(words_for_pages(), ensure_ascii=False))
     return made
 
 
@@ -95,19 +107,29 @@ def _shown(entry: Entry) -> dict[str, Any]:
     }
 
 
-def _slips(cards: list[dict[str, Any]], name: str, title: str, verdicts: tuple[Printed, ...]) -> dict[str, Any]:
-    return {"name": name, "title": title, "entries": [e for e in cards if e["printed"] in verdicts]}
+def _slips(cards: list[dict[str, Any]], name: str, title: str, field: str, values: tuple[str, ...]) -> dict[str, Any]:
+    return {"name": name, "title": title, "entries": [e for e in cards if e[field] in values]}
 
 
-def _found(card: dict[str, Any]) -> dict[str, str]:
-    """One entry of the search index; the text is reduced as the query is, in search.js."""
-    text = " ".join(
-        (card["id"], card["title"], card["latex"], card["corrected"] or "", card["note"], card["conditions"])
-    )
-    for mark in (r"\hat", r"\ddot", r"\dot", r"\tilde", r"\text", r"\mathrm", r"\left", r"\right", *"{}\\$()"):
-        text = text.replace(mark, "")
+def _index(papers: list[dict[str, Any]], entries: dict[str, Entry]) -> str:
+    """What search.js searches: the tables as a whole, and the statements, each reduced as ``papers.search`` does it."""
+    found = [_found_table(paper["key"], table) for paper in papers for table in paper["tables"]]
+    found += [_found(card, record(entries[card["id"]].statement)) for paper in papers for card in paper["entries"]]
+    return json.dumps(found, ensure_ascii=False)
+
+
+def _found(card: dict[str, Any], data: dict[str, Any]) -> dict[str, str]:
+    searched = Searched.of(PaperStatement(**{**data, "methods": tuple(data["methods"])}))
     page = card["id"].partition(":")[0] + ".html"
-    return {"id": card["id"], "title": card["title"], "page": page, "verdict": card["printed"], "text": text.lower()}
+    shown = {"id": card["id"], "title": card["title"], "page": page, "verdict": card["printed"]}
+    words = {"plain": searched.title, "said": searched.said, "formula": searched.formula, "notes": searched.notes}
+    return shown | words
+
+
+def _found_table(key: str, table: dict[str, Any]) -> dict[str, str]:
+    name = table["table"].partition(".")[2]
+    shown = {"id": f"{key}:{name}", "title": table["title"], "page": f"{key}.html", "anchor": table["table"]}
+    return shown | {"plain": plain(table["title"]), "said": "table", "formula": "", "notes": "", "verdict": ""}
 
 
 def report_data(entries: list[Entry]) -> dict[str, Any]:
@@ -115,6 +137,7 @@ def report_data(entries: list[Entry]) -> dict[str, Any]:
     return {
         "command": "paper_checks",
         "version": __version__,
+        "made_by": made_by(),
         "summary": dict(Counter(str(e.printed) for e in entries)),
         "engine": engine_data(),
         "papers": [_paper(key, [e for e in entries if e.statement.paper == key]) for key in _papers(entries)],
@@ -131,7 +154,7 @@ def _paper(key: str, entries: list[Entry]) -> dict[str, Any]:
         "entries": [e.to_dict() for e in entries],
         "slips": [e.statement.id for e in entries if e.printed in SLIPS],
         "disagreements": [e.statement.id for e in entries if not e.agrees],
-        "tables": [_table(name) for name in TABLES.get(key, ())],
+        "tables": [_table(name, entries) for name in TABLES.get(key, ())],
         "figures": [
             {"name": name, "file": f"{key}-{name}", "statement": _statement_of(key, name, entries), "caption": text}
             for name, (text, _) in _pictures(key).items()
@@ -139,8 +162,14 @@ def _paper(key: str, entries: list[Entry]) -> dict[str, Any]:
     }
 
 
-def _table(name: str) -> dict[str, Any]:
-    table = build(name, 30)
+def _table(name: str, entries: list[Entry]) -> dict[str, Any]:
+    table = build(name, DIGITS)
+    typeset = [[cell.latex if isinstance(cell, Formula) else cell for cell in row] for row in table.rows]
+    forms = {e.statement.id: e.statement.corrected_latex or e.statement.latex for e in entries}
+    for row, plain_row in zip(typeset, table.rows):  # an entry of the paper as the paper writes it, or as it is right
+        form = forms.get(f"{name.replace('.', ':', 1)}.alpha{str(plain_row[0]).replace('/', '-')}")
+        if form is not None:
+            row[-1] = form
     return {
         "table": name,
         "title": table.title,
@@ -148,7 +177,7 @@ def _table(name: str) -> dict[str, Any]:
         "rows": [[str(cell) for cell in row] for row in table.rows],
         "provenance": table.source,
         "heads": [HEADS.get(column, rf"\text{{{column.replace('_', ' ')}}}") for column in table.columns],
-        "typeset": [[cell.latex if isinstance(cell, Formula) else cell for cell in row] for row in table.rows],
+        "typeset": typeset,
         "tabular": table.to_latex(),
     }
 

@@ -4,8 +4,6 @@ from functools import cache
 from math import isnan
 from typing import Any
 
-from flint import ctx
-
 from asymptotics.bounds.local import local_bounds
 from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.certified import quarter_swing
@@ -14,9 +12,10 @@ from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.expansion import Expansion, exact_expansion, expansion_of
 from asymptotics.normal_form.large_orders import growth_ratios
 from asymptotics.normal_form.verify import exact_reference, verify
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal, parse_real
-from asymptotics.present import regimes, validity_map
 from asymptotics.present.figures import render
+from paper_checks.report import regimes, validity_map
 from paper_checks.report.expansion_errors import stored
 
 EXPONENTS = ("0", "1/2", "3/4", "1", "3/2", "5/3", "2", "5/2", "3", "4", "5", "7", "sqrt(2)")

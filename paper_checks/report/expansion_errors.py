@@ -25,6 +25,7 @@ from asymptotics.bounds.turning import turning_bounds
 from asymptotics.bounds.uniform import uniform_bound
 from asymptotics.errors import LimitError
 from asymptotics.law import Oscillator
+from asymptotics.made_by import made_by
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.decimals import directed_decimal
@@ -105,7 +106,11 @@ def stored() -> list[dict[str, str]]:
 def main() -> None:
     """Write the file."""
     made = list(rows())
-    origin: dict[str, Any] = {"made by": "python -m paper_checks.report.expansion_errors", "version": __version__}
+    origin: dict[str, Any] = {
+        "made by": "python -m paper_checks.report.expansion_errors",
+        "version": __version__,
+        **made_by(),
+    }
     lines = ",\n".join(json.dumps(r, ensure_ascii=False) for r in made)
     write_atomically(STORED, f'{{"origin": {json.dumps(origin)},\n"rows": [\n{lines}\n]}}\n')
 

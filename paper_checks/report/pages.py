@@ -42,8 +42,11 @@ def _derivation(name: str) -> dict[str, Any]:
 
 
 def near_miss(entry: Statement) -> dict[str, str]:
-    """The near miss as LaTeX if it is an expression, else as text."""
+    """The near miss as LaTeX if it is an expression, with what it stands in place of; else as text."""
     form = entry.near_miss
+    if isinstance(form, sympy.Expr) and isinstance(entry.printed, sympy.Expr):
+        instead = rf"{sympy.latex(form)} \quad\text{{in place of}}\quad {sympy.latex(entry.printed)}"
+        return {"latex": instead, "text": ""}
     if isinstance(form, sympy.Basic):
         return {"latex": sympy.latex(form), "text": ""}
     if isinstance(form, tuple) and form and all(isinstance(part, sympy.Basic) for part in form):

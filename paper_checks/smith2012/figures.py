@@ -11,9 +11,10 @@ from math import log, pi, sqrt
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 from numpy.typing import NDArray
 
+from asymptotics.numbers.context import ctx
 from asymptotics.turning.quadratic_duration import duration, elapsed
 from asymptotics.turning.quadratic_map import amplitudes
 
@@ -21,6 +22,7 @@ Array = NDArray[np.float64]
 HALF_CYCLES = 6
 _POINTS = 48
 GREY = "#6b7280"
+FIRST_ORDER = r"to first order in $\gamma v/\omega$, (69) and (71)"
 
 
 @dataclass(frozen=True)
@@ -83,16 +85,14 @@ def closed_curve(axes: Any) -> None:
 
 
 def exponential_envelope(axes: Any) -> None:
-    """Fig. 6: the exponential through the first and the third turning point, and the averaged amplitude."""
-    exact = half_cycles()
-    tau, u = (np.concatenate(parts) for parts in zip(*((start + h.tau, h.u) for start, h in exact)))
-    axes.plot(tau, u, label="exact motion")
-    decay = log(exact[0][1].u[0] / exact[2][1].u[0]) / exact[2][0]
+    """Fig. 6: the curve of Fig. 5, to first order, and the exponential that meets it at omega t = 0 and 2 pi."""
+    tau, u = first_order_motion()
+    axes.plot(tau, u, label=FIRST_ORDER)
+    halves = [half for _, half in half_cycles()]
+    decay = log(halves[0].u[0] / halves[2].u[0]) / (2 * pi)
     for sign in (1, -1):
         axes.plot(tau, sign * np.exp(-decay * tau), "--", color="#c2410c", label="exponential" if sign > 0 else None)
-        averaged = sign / (1 + 4 * tau / (3 * pi))
-        axes.plot(tau, averaged, ":", color="#15803d", label="averaged amplitude" if sign > 0 else None)
-    axes.plot([0, exact[2][0]], [exact[0][1].u[0], exact[2][1].u[0]], "o", color=GREY, markersize=4)
+    axes.plot([0, 2 * pi], [halves[0].u[0], halves[2].u[0]], "o", color=GREY, markersize=4)
     axes.set_xlabel(r"$\omega t$")
     axes.set_ylabel(r"$u = \gamma x$")
     axes.legend(loc="upper right")
@@ -113,10 +113,10 @@ def three_oscillators(axes: Any) -> None:
     axes.plot(np.cos(angle), np.sin(angle), "--", color=GREY, linewidth=1, label="no damping")
     axes.plot([halves[0].u[0], halves[2].u[0]], [0, 0], "o", color=GREY, markersize=4)
     _phase_axes(axes)
-    axes.set_xlim(-1.1, 2.2)
+    axes.set_xlim(-1.85, 1.85)
     axes.set_ylim(-1.1, 1.1)
     axes.set_aspect("equal")
-    axes.legend(loc="upper right")
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3)
 
 
 def one_cycle(axes: Any) -> None:
@@ -131,10 +131,17 @@ def three_cycles(axes: Any) -> None:
     """Fig. 3: three full cycles in phase space, with the turning points of Table I."""
     halves = [half for _, half in half_cycles()]
     axes.plot(np.concatenate([h.u for h in halves]), np.concatenate([h.w for h in halves]))
-    turning = [h.u[0] for h in halves] + [halves[-1].u[-1]]
-    axes.plot(turning, np.zeros(len(turning)), "o", markersize=4, label="turning points (Table I)")
+    turning = [h.u[0] for h in halves]
+    axes.plot(turning, np.zeros(len(turning)), "o", markersize=4, label=r"$u_0, \ldots, u_5$ (Table I)")
     _phase_axes(axes)
     axes.legend(loc="upper right")
+
+
+def first_order_motion() -> tuple[Array, Array]:
+    """(omega t, u) by (69), the half-cycles mated every pi as in (71)."""
+    halves = [half for _, half in half_cycles()]
+    tau = np.concatenate([n * np.pi + half.first_order_time() for n, half in enumerate(halves)])
+    return tau, np.concatenate([half.u for half in halves])
 
 
 def motion(axes: Any) -> None:
@@ -145,12 +152,7 @@ def motion(axes: Any) -> None:
         np.concatenate([h.u for _, h in exact]),
         label="exact (certified quadrature)",
     )
-    axes.plot(
-        np.concatenate([n * np.pi + h.first_order_time() for n, (_, h) in enumerate(exact)]),
-        np.concatenate([h.u for _, h in exact]),
-        "--",
-        label="first order in $\\gamma v/\\omega$, (72)",
-    )
+    axes.plot(*first_order_motion(), "--", label=FIRST_ORDER)
     axes.set_xlabel(r"$\omega t$")
     axes.set_ylabel(r"$u = \gamma x$")
     axes.legend(loc="upper right")
@@ -167,9 +169,9 @@ def _phase_axes(axes: Any) -> None:
 FIGURES: dict[str, tuple[str, Callable[[Any], None]]] = {
     "fig1": ("The constants of the falling and the rising half-cycle at one value, u₀ = 1", constants_at_one_value),
     "fig2": ("One full cycle of the quadratically damped oscillator in phase space, u₀ = 1", one_cycle),
-    "fig3": ("Three full cycles in phase space, u₀ = 1, with the turning points of Table I", three_cycles),
+    "fig3": ("Three full cycles in phase space, u₀ = 1, with the six turning points of Table I", three_cycles),
     "fig4": ("The phase space plot of y(t), u₀ = 1", closed_curve),
     "fig5": ("Three full cycles: the paper's first order beside the exact motion", motion),
-    "fig6": ("The exponential that meets the motion at both ends of the first period", exponential_envelope),
+    "fig6": ("The exponential that meets the curve of Fig. 5 at both ends of its first period", exponential_envelope),
     "fig7": ("Three cycles in phase space: quadratic damping, linear damping, no damping", three_oscillators),
 }

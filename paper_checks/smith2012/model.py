@@ -13,9 +13,10 @@ from fractions import Fraction
 from functools import cache
 
 import sympy
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.numbers.bridge import closed_form_ball
+from asymptotics.numbers.context import ctx
 from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import mark
 from paper_checks.identities import decided
@@ -99,12 +100,15 @@ def invariant(index: int, point: arb) -> arb:
 
 
 def excludes_zero_on_orbit(difference: sympy.Expr) -> bool:
-    """Whether an expression in u_0 and u_1 is certainly nonzero on the orbit from u_0 = 1."""
-    y = 1 + 2 * sympy.Integer(1)
-    first = -(1 + sympy.LambertW(-y * sympy.exp(-y))) / 2
-    with ctx.workprec(200):
-        ball = closed_form_ball(difference.subs({u0: 1, u1: first}))
-    return not ball.contains(0)
+    """Whether an expression in u_0 and u_1 is certainly nonzero on one of two orbits, from u_0 = 1 and u_0 = 3/5."""
+    for start in (sympy.Integer(1), sympy.Rational(3, 5)):
+        y = 1 + 2 * start
+        first = -(1 + sympy.LambertW(-y * sympy.exp(-y))) / 2
+        with ctx.workprec(200):
+            ball = closed_form_ball(difference.subs({u0: start, u1: first}))
+        if ball.is_finite() and not ball.contains(0):
+            return True
+    return False
 
 
 def vanishes_on_orbit(difference: sympy.Expr) -> Outcome:

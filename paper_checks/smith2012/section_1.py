@@ -6,8 +6,9 @@ v(x) or f(x, v) are arbitrary functions wherever the paper leaves them so; M is 
 import sympy
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.evidence import sampled
 from paper_checks.identities import all_confirmed, decided, same, vanishes
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 from paper_checks.smith2012.model import omega, same_polynomial, t, v, x
 
 M = sympy.Symbol("M", positive=True)
@@ -98,6 +99,7 @@ def number_of_constants(form: tuple[int, int]) -> Outcome:
 
 @statement(
     id="smith2012:claim.inversion", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONDITION,
     title="Independent constants can be inverted to give the motion", printed=1, corrected=2, near_miss=4,
     latex=r"\text{once } n \text{ independent solutions } S_i(q^i; t) \text{ have been found, they may be inverted}",
     corrected_latex=r"\text{locally: } \frac{\partial(S, T)}{\partial(x, v)} = m\omega \ne 0 \text{, yet } (x, v)"
@@ -217,7 +219,10 @@ def energy_is_constant(form: sympy.Expr) -> Outcome:
 )
 def angular_momentum(form: tuple[sympy.Expr, ...]) -> Outcome:
     """d/dt (x cross v) = x cross a."""
-    return decided(sympy.Matrix(QS).cross(sympy.Matrix(form)).is_zero_matrix is True)
+    return all_confirmed(*map(vanishes, sympy.Matrix(QS).cross(sympy.Matrix(form))))
+
+
+path = sympy.Function("x", positive=True)(t)
 
 
 @statement(
@@ -225,14 +230,21 @@ def angular_momentum(form: tuple[sympy.Expr, ...]) -> Outcome:
     title="One dimension, no explicit time", latex=r"m\dot{v} = f(x, v)", printed=force / M, near_miss=force,
     conditions="none", methods=("(4b) in one dimension",), note="Form: the acceleration.",
 )
-@statement(
-    id="smith2012:10", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
-    title="The identity by which it is multiplied", latex=r"v = \dot{x}", printed=force / M, near_miss=-force / M,
-    conditions="none", methods=("(9) times v dt is (11)",), note="Form: the acceleration for which v dv = a dx.",
-)
-def one_dimension(acceleration: sympy.Expr) -> Outcome:
+def law_in_one_dimension(acceleration: sympy.Expr) -> Outcome:
     """m a = f."""
     return same_polynomial(M * acceleration, force)
+
+
+@statement(
+    id="smith2012:10", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
+    title="The identity by which it is multiplied", latex=r"v = \dot{x}", printed=diff(path, t),
+    near_miss=2 * diff(path, t), conditions="none", methods=("(9) times v dt is (11), differentiated",),
+    note="Form: v, for a motion x(t).",
+)
+def one_dimension(speed: sympy.Expr) -> Outcome:
+    """m v v' = m x'' v for the form v, so that m v dv = f dx; and dx = v dt."""
+    power = same(M * speed * diff(speed, t), M * diff(path, t, 2) * speed)
+    return all_confirmed(same(speed, diff(path, t)), power)
 
 
 @statement(
@@ -254,6 +266,7 @@ def pfaffian(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="smith2012:claim.integrating-factor-exists", kind=Kind.CLAIM, verdict=Printed.PARTLY,
+    shortfall=Shortfall.CONDITION,
     evidence=Evidence.PROVED, title="Every Pfaffian form in two variables has an integrating factor",
     latex=r"\text{All two-variable Pfaffian forms can be transformed into total integrals by the use of an integrating"
     r" factor}",
@@ -292,17 +305,20 @@ def integrability(form: sympy.Expr) -> Outcome:
 
 
 @statement(
-    id="smith2012:14", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="smith2012:14", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    extent="sampled: 1 points",
     title="The first constant of the motion", latex=r"S(x, v) = S(x_0, v_0)", printed=ENERGY,
     conditions="along the motion", near_miss=M * (v**2 - omega**2 * x**2) / 2, methods=("on the harmonic oscillator",),
 )
 @statement(
-    id="smith2012:15", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="smith2012:15", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    extent="sampled: 1 points",
     title="The second constant of the motion", latex=r"T(x, v; t) = T(x_0, v_0; t_0)", printed=CLOCK,
     near_miss=omega * t + atan(omega * x / v), methods=("on the harmonic oscillator",), conditions="along the motion",
 )
 def constants(form: sympy.Expr) -> Outcome:
     """The total time derivative of the example, which is the energy, or a clock that runs like omega t (18a)."""
+    sampled(("harmonic oscillator",))
     scale = same(diff(form, t), omega) if form.has(t) else same(diff(form, v), M * v)
     return all_confirmed(vanishes(along_harmonic(form)), scale)
 
@@ -312,7 +328,8 @@ SOLVED = sympy.sqrt(2 * S_value / M) / omega * sympy.sin(omega * t - T_value)
 
 
 @statement(
-    id="smith2012:16", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="smith2012:16", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    extent="sampled: 1 points",
     title="The motion from the two constants", printed=SOLVED, near_miss=SOLVED * omega,
     latex=r"x = x\left(S(x_0, v_0), T(x_0, v_0; t_0); t\right)", conditions="v eliminated",
     methods=("on the harmonic oscillator: equation of motion, value of S",),
@@ -320,6 +337,7 @@ SOLVED = sympy.sqrt(2 * S_value / M) / omega * sympy.sin(omega * t - T_value)
 )
 def motion_from_constants(form: sympy.Expr) -> Outcome:
     """x'' = -omega^2 x, the energy is S, and omega x/v = tan(omega t - T)."""
+    sampled(("harmonic oscillator",))
     rate = diff(form, t)
     return all_confirmed(
         vanishes(diff(form, t, 2) + omega**2 * form),

@@ -6,8 +6,9 @@ An integration by parts is checked by differentiating: boundary' + integrand is 
 import sympy
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.evidence import sampled
 from paper_checks.identities import all_confirmed, decided, same, vanishes
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 from paper_checks.smith2012.model import omega, same_polynomial, t, v, x
 from paper_checks.smith2012.section_1 import CLOCK, M, along_harmonic, atan, diff
 
@@ -107,7 +108,8 @@ def series(sign: int, scale: sympy.Expr) -> sympy.Expr:
 
 
 @statement(
-    id="smith2012:21", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="smith2012:21", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    extent="sampled: 1 points",
     title="The infinite series in 1/v", printed=series(-1, 1 / omega), near_miss=series(1, 1 / omega),
     latex=r"t - t_0 = \sum_{n=0}^{\infty}F_n(x, v)\left(\frac{1}{v}\right)^n\Big|_{x_0}^x",
     conditions="where it converges; v != 0",
@@ -117,6 +119,7 @@ def series(sign: int, scale: sympy.Expr) -> sympy.Expr:
 )
 def series_in_inverse_velocity(form: sympy.Expr) -> Outcome:
     """d(F_n/v^n)/dx = F_n'/v^n - n F_n a/v^(n+2): with F_1 = x, F_(n+2)' = n F_n a the sum leaves but its last term."""
+    sampled(("harmonic oscillator",))
     F, n = sympy.Function("F")(x), sympy.Symbol("n", positive=True)
     along = diff(F / speed**n, x).subs(DV, acceleration / speed)
     parts = same(along, diff(F, x) / speed**n - n * F * acceleration / speed ** (n + 2))
@@ -130,6 +133,7 @@ def series_in_inverse_velocity(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:claim.hat-T", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONDITION,
     title="The series (21) is the function that completes (22)", printed=sympy.Integer(1), corrected=omega,
     near_miss=omega**2, latex=r"\sum_nF_n\left(\frac{1}{v}\right)^n\Big|_{x_0}^x = \hat{T}(x, v) - \hat{T}(x_0, v_0)",
     corrected_latex=r"\omega\sum_nF_n\left(\frac{1}{v}\right)^n\Big|_{x_0}^x = \hat{T}(x, v) - \hat{T}(x_0, v_0)",
@@ -142,13 +146,15 @@ def factor_of_hat(factor: sympy.Expr) -> Outcome:
 
 
 @statement(
-    id="smith2012:22", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="smith2012:22", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    extent="sampled: 1 points",
     title="The second constant from the series", printed=-1, near_miss=1,
     latex=r"T(x, v; t) = \omega t - \hat{T}(x, v) = \omega t_0 - \hat{T}(x_0, v_0)",
     conditions="T-hat is omega times the series (21)", methods=("harmonic oscillator",), note="Form: its sign.",
 )
 def second_constant(sign: int) -> Outcome:
     """omega t + sign omega (t - t_0) has no rate."""
+    sampled(("harmonic oscillator",))
     return vanishes(along_harmonic(omega * t + sign * atan(omega * x / v)))
 
 

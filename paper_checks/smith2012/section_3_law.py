@@ -92,6 +92,7 @@ def mirrored_acceleration(sign: int) -> Outcome:
 
 @statement(
     id="smith2012:claim.power-series", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="The power series in t is formally correct",
     latex=r"x(t) = \sum_{n=0}^{\infty} a_nt^n \text{ is, while formally correct, of little help}",
     printed=(-HALF * x * omega**2, x * omega**4 * (1 + 2 * gamma * x) / 24),
@@ -135,7 +136,7 @@ def pfaffian_forms(form: tuple[tuple[sympy.Expr, sympy.Expr], ...]) -> Outcome:
 def not_integrable(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """The cross derivatives of (36) differ by the form, which is not zero."""
     defects = [sympy.diff(dv, x) - sympy.diff(dx, v) for dv, dx in PFAFFIAN]
-    return all_confirmed(*map(same, defects, form), decided(all(part != 0 for part in form)))
+    return all_confirmed(*map(same, defects, form), decided(*(part.is_nonzero for part in form)))
 
 
 def factor_residual(mu: sympy.Expr, sign: int) -> sympy.Expr:

@@ -4,11 +4,12 @@ Turning points are signed, u_0 > 0 > u_1, u_2 > 0 > u_3 and so on, as in Table I
 """
 
 import sympy
-from flint import arb, ctx
+from flint import arb
 
+from asymptotics.numbers.context import ctx
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, balls_agree, below, decided, same, vanishes
-from paper_checks.registry import statement
+from paper_checks.registry import Shortfall, statement
 from paper_checks.smith2012.model import (
     HALF,
     QUARTER,
@@ -85,6 +86,33 @@ def constant_at_start(form: sympy.Expr) -> Outcome:
 def turning_point_equation(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """Left minus right is -4 (S(u_0, 0) - S(u_1, 0))."""
     return same(form[0] - form[1], -4 * (START - S_falling(u1, 0)))
+
+
+g0, p_root, r_root = sympy.symbols("g_0 p r", positive=True)
+
+
+@statement(
+    id="smith2012:claim.iterations", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONDITION, title="The turning point is found by iteratively solving (43), and later (51)",
+    latex=r"\text{The turning point at the end of this half-cycle is found by iteratively solving (43)}",
+    corrected_latex=r"u \mapsto \frac{e^{-2u_0}(2u_0+1)e^{2u} - 1}{2} \text{ converges; } u \mapsto u_0 -"
+    r" \frac{1}{2}\ln\frac{2u_0+1}{2u+1} \text{ does not}",
+    printed=-sympy.log((2 * u1 + 1) / g0) / -2, corrected=(g0 * exp(2 * u1) - 1) / 2,
+    near_miss=(g0 * exp(2 * u1) + 1) / 2, conditions="an iteration whose slope at the root is below 1 in size",
+    methods=("slope of the iteration at the root", "(43) at the fixed point"),
+    note="The paper does not say which iteration. Of the two ways to solve (43) for u the one with the logarithm has"
+    " the slope 1/(1 + 2u_1) > 1 at the root and runs away from it; the other has 1 + 2u_1, between 0 and 1,"
+    " falls from"
+    " u = 0 to the root, and converges for every u_0. (51) is (43) for the mirror image. Form: the iteration, g_0 ="
+    " e^{-2u_0}(2u_0+1).",
+)
+def iterations(form: sympy.Expr) -> Outcome:
+    """The root u_1 = -1/(2(1+r)) with r > 0 (it lies between -1/2 and 0) is a fixed point, of slope below 1 in size."""
+    root = {u1: -1 / (2 * (1 + r_root))}
+    of_root = {g0: (exp(-2 * u1) * (2 * u1 + 1)).subs(root)}
+    fixed = vanishes(sympy.simplify((form - u1).subs(root).subs(of_root)))
+    slope = sympy.simplify(sympy.diff(form, u1).subs(root).subs(of_root))
+    return all_confirmed(fixed, decided(sympy.factor(1 - slope**2).is_positive))
 
 
 @statement(
@@ -171,7 +199,7 @@ def point_of_zero_acceleration(form: sympy.Expr) -> Outcome:
     latex=r"\hat{S}^{-} = -e^{-2u_0}\left(\frac{u_0}{2} + \frac{1}{4}\right) = \hat{S}^{+} + \hat{S}_1",
     printed=(-exp(-2 * u0) * (u0 / 2 + QUARTER), S_plus + S1),
     near_miss=(-exp(-2 * u0) * (u0 / 2 - QUARTER), S_plus + S1), conditions="at (u_1, 0)",
-    methods=("elimination by (43)", "balls on the orbit u_0 = 1"),
+    methods=("elimination by (43)", "balls on the orbits from u_0 = 1 and 3/5"),
 )
 def matching_condition(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """With S_1 the jump S^- - S^+ at (u_1, 0), the two members agree because of (43)."""
@@ -272,6 +300,7 @@ def second_turning_point(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:claim.second-cycle", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
+    shortfall=Shortfall.CONDITION,
     title="u_2 fed back into (42) determines S for the second cycle",
     latex=r"\hat{S} = -e^{-2u_2}\left(\frac{u_2}{2} + \frac{1}{4}\right) \text{ for the second cycle}",
     corrected_latex=r"\hat{S} - \hat{S}_2 = -e^{-2u_2}\left(\frac{u_2}{2} + \frac{1}{4}\right)",

@@ -9,8 +9,9 @@ Half-cycle n = 0, 1, 2, ... starts at the turning point u_n with S - S_n = S^-(u
 """
 
 import sympy
-from flint import arb, ctx
+from flint import arb
 
+from asymptotics.numbers.context import ctx
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import mark
 from paper_checks.identities import all_confirmed, balls_agree, below, decided, rounds_to, same, vanishes

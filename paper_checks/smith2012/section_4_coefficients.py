@@ -18,7 +18,8 @@ double = sympy.factorial2
     title="The recurrence of the coefficients",
     latex=r"C_i^n = \frac{2(n-1)}{n+i}C_{i-1}^{n-1} - \frac{n-2}{n+i}C_i^{n-2}", conditions="n >= 2, C_0^1 = 1",
     printed=(2 * (n - 1) / (n + i), -(n - 2) / (n + i)), near_miss=(2 * (n - 1) / (n + i), (n - 2) / (n + i)),
-    methods=("coefficient of w^i in (59d), n and i symbolic", f"rows to n = {ROWS}"), derivation="smith-closed-sum",
+    methods=("coefficient of w^i in (59d), n and i symbolic", f"rows to n = {ROWS}"),
+    derivation="smith-closed-sum", line=2,
 )
 def coefficient_recurrence(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """(59d) on f_n = C w^i, f_(n-1) = C' w^(i-1), f_(n-2) = C'' w^i, and the rows."""
@@ -53,7 +54,7 @@ def closed_term(exponent: sympy.Expr, last: sympy.Expr) -> tuple[sympy.Expr, sym
     printed=closed_term(k, n + 1 - 2 * k), corrected=closed_term(k - 1, n + 1 - 2 * k),
     near_miss=closed_term(k - 1, n - 2 * k), conditions="1 <= i < n, n and i of opposite parity",
     methods=(f"all rows to n = {ROWS}", "(62a) unrolled, n and i symbolic: the derivation"),
-    derivation="smith-closed-sum",
+    derivation="smith-closed-sum", line=10,
     note="(62a) has the first term +2(n-1)/(n+i), so k = 1 must come with a plus: C_1^2 = 2/3 by (60b), the printed sum"
     " gives -2/3. The text cannot tell whether print or transcription lost the -1. For i = 0 use (63).",
 )
@@ -75,7 +76,7 @@ def closed_sum_of_coefficients(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     title="n and i have opposite parity",
     latex=r"C_i^n = 0 \text{ unless } n \text{ and } i \text{ have opposite parity}", printed=1, near_miss=0,
     conditions="none",
-    methods=(f"rows to n = {ROWS}", "(62a) keeps n - i mod 2, C_0^1 = 1"), derivation="smith-closed-sum",
+    methods=(f"rows to n = {ROWS}", "(62a) keeps n - i mod 2, C_0^1 = 1"), derivation="smith-closed-sum", line=5,
     note="Form: the n - i (mod 2) for which C_i^n may differ from 0; there it never vanishes:"
     " by (62a) and induction its sign is (-1)^{(n-1-i)/2}.",
 )
@@ -101,7 +102,7 @@ def sign_power(shift: int) -> sympy.Expr:
     conditions="n >= 5 for the middle members", methods=(f"rows to n = {ROWS}", "(62a) at i = 0"),
     note="The left superscript must be n: 2m+1 is odd for every m, so that with it the line for even n states that some"
     " C_0^{2m+1} is 0, and none is. The values are right. The text cannot tell print from transcription.",
-    derivation="smith-closed-sum",
+    derivation="smith-closed-sum", line=3,
 )
 def column_zero(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """Every C_0^superscript with even n vanishes (for some m, if m is free), and for odd n the values hold."""

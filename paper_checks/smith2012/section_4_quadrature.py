@@ -11,6 +11,7 @@ from paper_checks.identities import all_confirmed, same, vanishes
 from paper_checks.registry import statement
 from paper_checks.smith2012.model import (
     FALLING_FORCE,
+    HALF,
     S_falling,
     gamma,
     omega,
@@ -69,6 +70,21 @@ def velocity_squared(energy: sympy.Expr = E) -> sympy.Expr:
 def quadrature(form: sympy.Expr) -> Outcome:
     """dt = dx/v: the form times v(x) = -sqrt(v^2) is 1."""
     return all_confirmed(vanishes(1 / form**2 - velocity_squared()), same(form * sqrt(RADICAND), sympy.Integer(-1)))
+
+
+@statement(
+    id="smith2012:claim.not-in-tables", kind=Kind.CLAIM, verdict=Printed.OPEN, evidence=Evidence.NONE,
+    title="The integral (54) is not found in standard tables",
+    latex=r"\text{Eq. (54) is not found in standard tables of integrals}",
+    printed=1 / sqrt(2 * E * exp(2 * x) + x + HALF), near_miss=1 / sqrt(x + HALF),
+    conditions="none", methods=("SymPy's own integrator, which finds the near miss",),
+    note="Open: the paper names no table. SymPy finds no antiderivative, which proves nothing; see"
+    " claim.not-elementary. Near miss: E = 0, which every table has. Form: the integrand with gamma = omega = 1.",
+)
+def not_in_tables(form: sympy.Expr) -> Outcome:
+    """REFUTED if an antiderivative is found in closed form, else UNDECIDED."""
+    found = sympy.integrate(form, x)
+    return Outcome.UNDECIDED if found.has(sympy.Integral) else Outcome.REFUTED
 
 
 @statement(

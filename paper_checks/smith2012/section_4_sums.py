@@ -43,7 +43,7 @@ def starts_like(expression: sympy.Expr, column: int, order: int = 14) -> Outcome
     printed=sympy.atan(omega * v / (gamma * v**2 - omega**2 * x)),
     near_miss=sympy.atan(omega * v / (gamma * v**2 + omega**2 * x)),
     conditions="|z| <= 1 for the series; beyond, by continuation along the motion (then + pi, see below)",
-    methods=("differential equation", "Taylor coefficients"), derivation="smith-generating-functions",
+    methods=("differential equation", "Taylor coefficients"), derivation="smith-generating-functions", line=2,
 )
 def sum_zero(form: sympy.Expr) -> Outcome:
     """(1 + z^2) g_0' = 1 with the right Taylor coefficients."""
@@ -59,7 +59,8 @@ def sum_zero(form: sympy.Expr) -> Outcome:
     r" - \frac{n-2}{n+1}C_1^{n-2}, & n = \text{even}, \\ 0, & n = \text{odd} \end{cases}",
     printed=(2 * (n - 1) / (n + 1), 2 * sign_power(2) / (n + 1), -(n - 2) / (n + 1)),
     near_miss=(2 * (n - 1) / (n + 1), 2 * sign_power(0) / (n + 1), -(n - 2) / (n + 1)),
-    conditions="none", methods=(f"rows to n = {ROWS}", "(62a) at i = 1 with (63)"), derivation="smith-closed-sum",
+    conditions="none", methods=(f"rows to n = {ROWS}", "(62a) at i = 1 with (63)"),
+    derivation="smith-closed-sum", line=4,
 )
 def column_one(form: tuple[sympy.Expr, sympy.Expr, sympy.Expr]) -> Outcome:
     """Both members give C_1^n for even n, and C_1^n = 0 for odd n."""
@@ -78,7 +79,7 @@ def column_one(form: tuple[sympy.Expr, sympy.Expr, sympy.Expr]) -> Outcome:
     title="The hypothesis of the induction", latex=r"C_1^{n-2} = (-1)^{(n-4)/2}\cdot\frac{2}{3}",
     printed=(-2, (-1) ** ((n - 4) / 2) * sympy.Rational(2, 3)), conditions="n even, n >= 4",
     near_miss=(-2, (-1) ** ((n - 2) / 2) * sympy.Rational(2, 3)), methods=(f"rows to n = {ROWS}", "induction step"),
-    derivation="smith-footnote-8",
+    derivation="smith-footnote-8", line=6,
 )
 @statement(
     id="smith2012:67", premises=(0,),
@@ -86,7 +87,7 @@ def column_one(form: tuple[sympy.Expr, sympy.Expr, sympy.Expr]) -> Outcome:
     title="The coefficients of column 1 in closed form", latex=r"C_1^n = (-1)^{(n-2)/2}\cdot\frac{2}{3}",
     printed=(0, (-1) ** ((n - 2) / 2) * sympy.Rational(2, 3)), conditions="n even, n >= 2",
     near_miss=(0, (-1) ** ((n - 2) / 2) * sympy.Rational(1, 3)), methods=(f"rows to n = {ROWS}", "induction step"),
-    derivation="smith-footnote-8",
+    derivation="smith-footnote-8", line=6,
 )
 def column_one_closed(form: tuple[int, sympy.Expr]) -> Outcome:
     """The value in all rows; and the step 2s/(n+1) - (n-2)/(n+1)(-s)(2/3) = (2/3)s with s = (-1)^((n-2)/2)."""
@@ -102,7 +103,8 @@ def column_one_closed(form: tuple[int, sympy.Expr]) -> Outcome:
     id="smith2012:claim.induction-start", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="It is true for n = 2, hence for all even n", latex=r"C_1^2 = \frac{2}{3}", printed=2, near_miss=3,
     conditions="none",
-    methods=("f_2 = (2/3) w", "induction step"), derivation="smith-footnote-8", note="Form: the n where it starts.",
+    methods=("f_2 = (2/3) w", "induction step"),
+    derivation="smith-footnote-8", line=6, note="Form: the n where it starts.",
 )
 def induction_start(start: int) -> Outcome:
     """(67) at the start, and n - 2 = 0 there, so that nothing before it is needed."""
@@ -116,7 +118,7 @@ def induction_start(start: int) -> Outcome:
     latex=r"\sum_{k=0}^{m} \frac{(2k+1)!!}{2^k k!} = \frac{(2m+3)!!}{3(2^m)m!}", conditions="m = 0, 1, 2, ...",
     printed=(double(2 * k + 1) / (2**k * sympy.factorial(k)), double(2 * m + 3) / (3 * 2**m * sympy.factorial(m))),
     near_miss=(double(2 * k + 1) / (2**k * sympy.factorial(k)), double(2 * m + 3) / (2**m * sympy.factorial(m))),
-    methods=("telescoping", "m = 0 ... 40"), derivation="smith-footnote-8",
+    methods=("telescoping", "m = 0 ... 40"), derivation="smith-footnote-8", line=5,
     note="It does follow from (67): (62b), corrected, at i = 1 is this sum with n = 2m + 2.",
 )
 def footnote_sum(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
@@ -138,7 +140,7 @@ def footnote_sum(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     printed=2 * gamma * omega * v**3 / (3 * (omega**2 * v**2 + (gamma * v**2 - omega**2 * x) ** 2)),
     near_miss=gamma * omega * v**3 / (3 * (omega**2 * v**2 + (gamma * v**2 - omega**2 * x) ** 2)),
     conditions="|z| < 1 for the series; the closed form continues it to the whole half-cycle",
-    methods=("differential equation", "Taylor coefficients"), derivation="smith-generating-functions",
+    methods=("differential equation", "Taylor coefficients"), derivation="smith-generating-functions", line=21,
     note="g_1 includes the factor w = gamma v/omega of (61).",
 )
 def sum_one(form: sympy.Expr) -> Outcome:
@@ -206,7 +208,7 @@ def composed(outer: fmpq_poly, inner: fmpq_poly, modulus: fmpq_poly) -> fmpq_pol
     r" \quad \text{for every } i",
     printed=1, corrected=sympy.oo, near_miss=2, conditions="P_i, R_i polynomials of parity (-1)^i and (-1)^{i+1}",
     methods=(f"closed forms and Taylor coefficients, i <= {SUMS}", "induction on i: the derivation"),
-    derivation="smith-generating-functions",
+    derivation="smith-generating-functions", line=11,
     note="Form: the largest i whose sum is elementary. G_i is a rational function of z plus a rational function times"
     " arctan z, for every i; e.g. G_2 = (arctan z/6)(1+z^2)/z^2 + a rational function.",
 )

@@ -9,8 +9,8 @@ from scipy.integrate import solve_ivp
 
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.errors import InputError, LimitError
-from asymptotics.half_swings.finite import finite_quarter
 from asymptotics.numbers.exact import parse_real
+from tests.second_route.quarter_series import finite_quarter
 
 
 def reals(*texts):

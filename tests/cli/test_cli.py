@@ -94,13 +94,12 @@ ERRORS = [
     ("smith r --w 1 --n 3", "--n"),
     ("smith c --n 3 --i 2 --digits 5", "--digits"),
     ("smith f --n 3 --w 1", "--w"),
-    ("smith h", "what"),
+    ("smith h", "WHAT"),
     ("table nope", "NAME"),
     ("table", "NAME"),
     ("table smith2012.table1 --digits x", "--digits"),
     ("table smith2012.table1 --colour red", "--colour"),
     ("nope", "COMMAND"),
-    ("", "COMMAND"),
 ]
 
 

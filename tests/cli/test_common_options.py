@@ -11,6 +11,7 @@ import pytest
 
 from asymptotics.cli.common import COMMON, MISSING, missing
 from asymptotics.cli.main import COMMANDS, Parser, main
+from asymptotics.made_by import mark
 
 SHOWN = ("csv", "plot", "latex", "points", "gauge", "digits")
 PAGE = Path(__file__).parents[2] / "docs/command_line.md"
@@ -67,8 +68,8 @@ def test_series_as_latex_and_as_a_table(capsys, tmp_path):
     assert call(capsys, *at, "--latex") == "A'/A = 0.763337,\\quad L = -0.270055,\\quad T = 3.15854\n"
     call(capsys, *at, "--csv", target)
     head, ratio = target.read_text().splitlines()[:2]
-    low, high = map(float, ratio.split(",")[2:])
-    assert (head, ratio[:14]) == ("quantity,value,low,high", "A'/A,0.763337,")
+    low, high = map(float, ratio.split(",")[2:4])
+    assert (head, ratio[:14]) == ("quantity,value,low,high,code", "A'/A,0.763337,")
     assert low <= 0.7633373962099577 <= high < low + 1e-9
     cycle = ("limit-cycle", "--law", "1:-1", "--law", "1,2:1", "--order", 2)
     assert call(capsys, *cycle, "--latex").startswith(r"A = 2 + \frac{1}{96} \mu^{2} \\")
@@ -82,7 +83,8 @@ def test_numbers_as_latex_and_as_a_table(capsys, tmp_path):
     polynomial = r"f_{5}(w) = \frac{1}{5} - \frac{104}{105} w^{2} + \frac{128}{315} w^{4}"
     target = tmp_path / "rows.csv"
     assert call(capsys, "smith", "f", "--n", 5, "--latex", "--csv", target) == polynomial + "\n"
-    assert target.read_text().splitlines() == ["n,i,C", "5,0,1/5", "5,2,-104/105", "5,4,128/315"]
+    lines = ["n,i,C,code", *(f"{row},{mark()}" for row in ("5,0,1/5", "5,2,-104/105", "5,4,128/315"))]
+    assert target.read_text().splitlines() == lines
     assert main(["smith", "g", "--i", "2", "--csv", str(target)]) == 2
     capsys.readouterr()
     table = ("table", "moments", "--alpha", 1, "--digits", 5)
@@ -135,3 +137,13 @@ def test_one_rule_for_units(capsys, tmp_path):
     own.write_text("n,x,tau\n" + "\n".join(f"{p['n']},{p['x']},{p['tau']}" for p in bare["points"]))
     held = json.loads(call(capsys, "compare", own, "--law", "2:1/10", "--x0", 3, "--json"))
     assert held["summary"]["all_right"] == held["summary"]["values"] == 6
+
+
+def test_a_bare_call_helps_and_a_slip_of_the_pen_is_answered_with_the_word_that_was_meant(capsys):
+    assert main([]) == 0
+    assert "turning-points" in capsys.readouterr().out
+    for line, meant in ((["tabel"], "did you mean table?"), (["moment", "--p", "2", "--digit", "3"], "--digits?")):
+        assert main(line) == 2
+        assert meant in capsys.readouterr().err
+    assert main(["zzzz"]) == 2
+    assert "did you mean" not in capsys.readouterr().err

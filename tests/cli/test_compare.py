@@ -58,7 +58,7 @@ def test_units(capsys, tmp_path):
         ["--alpha", 2],
         ["--alpha", 2, "--epsilon", 1, "--columns", "n,y"],
         ["--alpha", 2, "--epsilon", 1, "--columns", "n=k,x"],
-        ["--alpha", 2, "--epsilon", 1, "--plot", "a.pdf"],
+        ["--alpha", 2, "--epsilon", 1, "--plot", "a.bmp"],
         ["--alpha", 2, "--epsilon", 1, "--plot", "no/such/folder.svg"],
         ["--alpha", 2, "--epsilon", 1, "--digits", 0],
         ["--alpha", 2, "--mass", 1],

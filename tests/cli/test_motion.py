@@ -68,13 +68,13 @@ def test_files_appear_whole(capsys, tmp_path):
     data = answer(capsys, f"motion {DRAG} --time 3 --csv {csv} --plot {png}")
     assert data["files"] == [str(png), str(csv)]
     rows = csv.read_text().splitlines()
-    assert rows[0] == "t [s],x [m],v [m/s],amplitude [m],phase [rad]" and len(rows) == 1002
+    assert rows[0] == "t [s],x [m],v [m/s],amplitude [m],phase [rad],code" and len(rows) == 1002
     assert float(rows[-1].split(",")[1]) == pytest.approx(float(data["x"]), abs=2 * float(data["error"]))
     assert png.read_bytes().startswith(b"\x89PNG")
     line = f"motion --alpha 2 --damping 1/10 --x0 1 --time 2 --reference --csv {csv} --plot {svg} --digits 10"
     exact = answer(capsys, line)
     rows = csv.read_text().splitlines()
-    assert rows[0] == "t [s],x [m],v [m/s]" and float(rows[-1].split(",")[1]) == pytest.approx(
+    assert rows[0] == "t [s],x [m],v [m/s],code" and float(rows[-1].split(",")[1]) == pytest.approx(
         float(exact["x"]), abs=1e-9
     )
     first = svg.read_bytes()
@@ -105,7 +105,7 @@ def test_text_for_people(capsys):
         ("motion --alpha 0 --damping 1 --x0 1 --time 1 --static 2", "--static"),
         ("motion --alpha 0 --damping 1 --x0 1 --time 1 --static 1/2 --reference", "--static"),
         ("motion --alpha 3/2 --damping 1 --x0 1 --time 1e9 --reference", "--max-seconds"),
-        ("motion --alpha 2 --damping 1 --x0 1 --time 1 --plot a.pdf", "--plot"),
+        ("motion --alpha 2 --damping 1 --x0 1 --time 1 --plot a.bmp", "--plot"),
         ("motion --alpha 2 --damping 1 --x0 1 --time 1 --csv /proc/none/a.csv", "--csv"),
         ("motion --alpha 2 --damping 1 --x0 1 --time 1 --digits 5000", "--digits"),
         ("turning-points --law 2 --count 3", "--law"),

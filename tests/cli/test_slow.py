@@ -151,7 +151,7 @@ def test_the_files_of_the_envelope(capsys, tmp_path, monkeypatch):
     code, out, err = run(capsys, "envelope --alpha 2 --epsilon 1/5 --time 9 --plot e.svg --csv e.csv --points 30")
     assert code == 0, err
     rows = list(csv.reader((folder / "e.csv").read_text().splitlines()))
-    assert rows[0] == ["tau", "amplitude", "phase"]
+    assert rows[0] == ["tau", "amplitude", "phase", "code"]
     assert len(rows) == 32
     last = answer(capsys, "envelope --alpha 2 --epsilon 1/5 --time 9 --digits 15")
     assert float(rows[-1][1]) == pytest.approx(float(last["amplitude"]), abs=1e-12)
@@ -203,16 +203,16 @@ BAD = [
     ("envelope --alpha 2 --epsilon 1 --time -1", "--time"),
     ("envelope --law 0:1 --law sqrt(3):1 --latex", "--latex"),
     ("envelope --alpha 2 --epsilon 1 --digits 0", "--digits"),
-    ("multiple-scales --alpha 3/2 --order 3", "--order"),
+    ("multiple-scales --alpha 3/2 --order 13", "--order"),
     ("multiple-scales --alpha 3 --order 0", "--order"),
     ("multiple-scales", "--alpha"),
     ("multiple-scales --alpha symbolic --law 2", "--law"),
-    ("multiple-scales --law 1,1", "--law"),
-    ("multiple-scales --law 3/2 --spring 3 --order 3", "--order"),
-    ("multiple-scales --law 3/2 --spring 3,2", "--spring"),
-    ("multiple-scales --law 3/2,2 --spring 3", "--law"),
+    ("multiple-scales --law 1,1 --order 3", "--order"),
+    ("multiple-scales --law 3/2 --spring 2 --order 4", "--order"),
+    ("multiple-scales --alpha 2 --gauge no-first-harmonic", "--gauge"),
+    ("multiple-scales --alpha 3 --gauge averaging", "--gauge"),
     ("multiple-scales --law 1 --spring 1/2", "--spring"),
-    ("multiple-scales --alpha symbolic --spring 3,2", "--spring"),
+    ("multiple-scales --alpha 2 --map", "--gauge"),
     ("motion --alpha 2 --damping 1 --x0 1 --time 1 --csv no/such/folder/a.csv", "--csv"),
     ("motion --alpha 2 --damping 1 --x0 1 --time 1 --csv a.svg --plot a.svg", "--csv"),
     ("motion --alpha 2 --damping 1 --x0 0 --time 1 --csv a.csv", "--x0"),

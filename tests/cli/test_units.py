@@ -7,6 +7,7 @@ import math
 import pytest
 
 from asymptotics.cli.main import main
+from asymptotics.made_by import mark
 
 SI = "--alpha 2 --damping 1/10 --mass 3/2 --stiffness 30"
 EPSILON = "--alpha 2 --epsilon 1/75"  # b omega_0^2 x0/k of SI with x0 = 1/5: (1/10) 20 (1/5)/30
@@ -78,7 +79,10 @@ def test_units_that_have_no_meaning_are_refused_by_name(capsys, line, named, tmp
 
 
 def rows_of(path) -> list[list[str]]:
-    return list(csv.reader(path.read_text().splitlines()))
+    """Without the last column, which says what code made the file."""
+    rows = list(csv.reader(path.read_text().splitlines()))
+    assert [row[-1] for row in rows] == ["code", *[mark()] * (len(rows) - 1)]
+    return [row[:-1] for row in rows]
 
 
 def test_turning_points_as_a_table_and_a_picture(capsys, tmp_path):

@@ -14,10 +14,9 @@ from hypothesis import strategies as st
 from asymptotics.cli.main import main
 from asymptotics.comparison import compare_file
 from asymptotics.comparison.digits import judged, marked, right_digits
-from asymptotics.comparison.picture import lost_digits, picture_of
-from asymptotics.comparison.truth import ball_of
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
+from asymptotics.numbers.digits import ball_of
 from asymptotics.turning.general import turning_points
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -208,8 +207,8 @@ def test_the_rows_as_csv_and_as_a_picture(tmp_path):
     found = compare_file(file_of(tmp_path, "n,x", ["0,1", "1,-0.42", "2,0.2635"]), Oscillator({2: 1}))
     rows = list(csv.DictReader(io.StringIO(found.to_csv())))
     assert [row["digits"] for row in rows] == [row.digits for row in found.rows]
-    assert lost_digits(found)["x"][0] == [0, 1, 2]
-    assert picture_of(found, "svg").startswith(b"<?xml")
+    assert found.lost_digits()["x"][0] == [0, 1, 2]
+    assert found.picture("svg").startswith(b"<?xml")
 
 
 # --- digits

@@ -4,8 +4,8 @@ import pytest
 from flint import arb, fmpq
 
 from asymptotics.comparison.run import compare_file
-from asymptotics.comparison.truth import ball_of
 from asymptotics.law import Oscillator
+from asymptotics.numbers.digits import ball_of
 
 
 def test_a_record_in_si_may_begin_at_the_start(tmp_path):

@@ -65,6 +65,17 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("uniform_bound", "sympy.I * (W - 1) * Z - U * Z", "sympy.I * (W + 1) * Z - U * Z"),
     ("uniform_bound", "delta**m / (1 + w * m)", "delta**m / (1 - w * m)"),
     ("uniform_bound", "    f_1 + (1 - a / b) * (f_2 - f_1),", "    f_1 + (a / b) * (f_2 - f_1),"),
+    ("one_law_quarter", 'named("Q\'", eta * s * Y', 'named("Q\'", eta * Y'),
+    ("cauchy_heine", "    4 * pi**2 * eps1 / (n - 1),", "    2 * pi**2 * eps1 / (n - 1),"),
+    ("cauchy_heine", "    y - eps1 / y + eps3 / y**3,", "    y + eps1 / y + eps3 / y**3,"),
+    ("large_orders", "2 * pi * i * q * (c1 + d1 / pi) / Wm)", "2 * pi * i * q * c1 / Wm)"),
+    ("large_orders", "pi * (Wm - 1) + h * (-2 * pi", "pi * (Wm - 1) + h * (2 * pi"),
+    (
+        "stokes_small_alpha",
+        "4 / (2 * x + 1) - 4 / (2 * x - 1) + 2 / x**2,",
+        "4 / (2 * x + 1) - 4 / (2 * x - 1) - 2 / x**2,",
+    ),
+    ("stokes_small_alpha", "{rho: -2 * (ln(2 * a) - 1)", "{rho: -2 * (ln(a) - 1)"),
     ("smith_footnote_8", "/ (3 * 2**m * sympy.factorial(m))", "/ (2**m * sympy.factorial(m))"),
 ]
 

@@ -4,7 +4,10 @@ from importlib import import_module, util
 from pathlib import Path
 
 import pytest
+import sympy
 from latex2mathml.converter import convert
+
+from derivations.waiting import At
 
 FOLDER = Path(__file__).parents[2] / "derivations"
 CORRUPTIONS = [  # a wrong sign, factor or exponent where the source states a formula
@@ -23,8 +26,10 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent where the source states a fo
     ("two_laws_time", "index = (beta - 1) / gap", "index = beta / gap"),
     ("two_laws_time", "lam = x_0 / (c + d * x_0)", "lam = x_0 / (c - d * x_0)"),
     ("two_laws_time", "(0, 1): -log(c + d * x) / d", "(0, 1): -log(c + d * x) / c"),
-    ("finite_phase_lag", "phase = -w_2 / ((alpha - 1) * p_1)", "phase = -w_2 / (alpha * p_1)"),
-    ("finite_phase_lag", "sympy.sin(x) ** 6", "sympy.sin(x) ** 4"),
+    ("finite_phase_lag", "-p_1 * A * local", "-p_1 * local"),
+    ("finite_phase_lag", "phase = -w_2 * epsilon**2 * tau", "phase = -w_2 * epsilon * tau"),
+    ("finite_phase_lag", "lag = w_2 * epsilon / (nu * p_1)", "lag = w_2 * epsilon / p_1"),
+    ("finite_phase_lag", "sin(x) ** 6", "sin(x) ** 4"),
 ]  # fmt: skip
 
 
@@ -47,3 +52,11 @@ def test_a_corrupted_step_raises(name, right, wrong, tmp_path):
     module = util.module_from_spec(spec)
     with pytest.raises(AssertionError, match=name.replace("_", "-")):
         spec.loader.exec_module(module)
+
+
+def test_the_phase_is_derived_before_its_limit_is_told():
+    """Every line of phi(tau) displays an operation that waits on its left, not a rearranged result."""
+    derivation = import_module("derivations.finite_phase_lag").derivation
+    waiting = (sympy.Derivative, sympy.Integral, sympy.Limit, At)
+    lines = [one for one in derivation.steps if one.right is not None]
+    assert len(lines) > 15 and all(one.left.has(*waiting) for one in lines)

@@ -16,7 +16,7 @@ from asymptotics.normal_form.flow import flow_of
 from asymptotics.normal_form.symbolic import symbolic_expansion
 from asymptotics.numbers.exact import parse_real
 from asymptotics.series import Series, divided
-from asymptotics.turning.quadratic import quadratic_turning_points
+from tests.second_route.forced import quadratic_turning_points
 
 CASES = [(0, 6), (2, 6), (3, 7), (4, 4), (5, 6)]
 

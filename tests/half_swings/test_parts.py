@@ -1,26 +1,13 @@
 """The parts on which a proved tail rests, each alone: the majorant, the order, the reach, the integrals of I_4."""
 
-from dataclasses import replace
-from itertools import islice
-
 import mpmath
 import pytest
 from flint import arb, arb_poly, ctx
 
-from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.half_swings import finite_majorant
 from asymptotics.half_swings.certified import enclose, quarter_swing, tail_constants, terms_needed
 from asymptotics.half_swings.certified_orders import bound_ring, indices, integrate_series, order_series
 from asymptotics.half_swings.certified_zeros import certified_half_swing, duration_vanishes
-from asymptotics.half_swings.finite import (
-    MAX_ORDER,
-    FiniteQuarter,
-    Tail,
-    TruncatedSum,
-    _order,
-    _polydisc,
-    finite_quarter,
-    series_reach,
-)
 from asymptotics.half_swings.finite_majorant import _extremes, _Step, majorant, widest
 from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.quarter import half_swing
@@ -33,26 +20,11 @@ from asymptotics.half_swings.symbolic import (
     nested_integral_exact,
 )
 from asymptotics.numbers.exact import parse_real
-from asymptotics.series import Series
+from tests.second_route.quarter_series import finite_quarter
 
 
 def real(text):
     return parse_real(text, "alpha")
-
-
-@pytest.mark.parametrize("factor", ["1.001", "1.5", "1.99", "5"])
-def test_outside_the_polydisc_no_order_is_enough(factor):
-    (radius,) = widest([arb(2)], [arb(1)]).radii
-    with pytest.raises(LimitError, match="out of reach"):
-        finite_quarter([real("2")], [radius * arb(factor)], 30)
-
-
-@pytest.mark.parametrize("exponent", ["0", "3/2", "3"])
-def test_the_reach_of_an_order_is_what_that_order_reaches(exponent):
-    disc = _polydisc((real(exponent),), (1.0,))
-    for order, bits in ((MAX_ORDER[1], 40), (12, 10)):
-        reach = series_reach(real(exponent), bits, order)
-        assert _order(disc, [reach], bits) <= order < _order(disc, [reach * arb("1.5")], bits)
 
 
 @pytest.mark.parametrize("exponent", ["0", "2", "3"])
@@ -62,7 +34,7 @@ def test_the_final_strength_and_its_inverse_are_bounded_and_nearly_attained(expo
         a = real(exponent).ball()
         rho = widest([a], [arb(1)]).radii[0] / 5
         bound, quarter = majorant([a], [rho]), finite_quarter([real(exponent)], [rho], 60)
-        ends = [abs(d * ((a - 1) * quarter._R([d])).exp()) for d in (rho, -rho)]
+        ends = [abs(d * ((a - 1) * quarter.R([d], quarter._tail(quarter.R, [d]))).exp()) for d in (rho, -rho)]
         largest, smallest = max(ends, key=float), min(ends, key=float)
         assert largest < bound.final(0) < largest * arb("1.3")
         assert 1 / smallest < bound.inverse() < 1 / smallest * arb("1.3")
@@ -70,70 +42,6 @@ def test_the_final_strength_and_its_inverse_are_bounded_and_nearly_attained(expo
             assert bound.inverse() >= 1 / bound.radii[0] + abs(a - 1) * bound.gains[0]
         inside = (bound.inverse() - 1 / rho) / 2 + 1 / rho  # with half the gain it would be no bound
         assert not 1 / smallest < inside
-
-
-def test_a_tail_that_is_known_is_counted():
-    quarter = finite_quarter([real("2")], [arb("0.05")], 40)
-    residual = quarter._residual([arb("0.05")], arb(0), arb("-0.1"), arb("1e-5"))
-    assert residual.rad() >= 1e-5
-
-
-def test_a_tail_is_the_next_terms_and_a_geometric_sum():
-    """2 d^3 + M sum over k > 3 of x^k, term by term."""
-    M, d, x = arb("0.7"), arb("0.1"), arb("0.4")
-    found = Tail(Series({(3,): arb(2)}, 1, 3), 2, 3, M)([d], x)
-    whole = 2 * d**3 + sum((M * x**k for k in range(4, 200)), arb(0))
-    assert whole <= found * (1 + arb(1e-12)) and found <= whole * (1 + arb(1e-12))
-
-
-def test_the_majorant_of_the_polydisc_is_what_cauchy_s_inequality_takes():
-    quarter = finite_quarter([real("3/2")], [arb("0.05")], 40)
-    assert quarter.R.tail.cauchy >= quarter.majorant.growth and quarter.T.tail.cauchy >= quarter.majorant.excess
-
-
-def test_a_root_without_a_change_of_sign_is_not_claimed(monkeypatch):
-    quarter = finite_quarter([real("1/2")], [arb("0.05")], 40)
-    monkeypatch.setattr(FiniteQuarter, "_residual", lambda *_: arb("0.001"))
-    with pytest.raises(UndecidedError, match="not enclosed"):
-        quarter._enclosed([arb("0.05")], arb(0), arb("-0.1"))
-
-
-@pytest.mark.parametrize("exponent", ["1/2", "3/2"])
-def test_what_is_rounded_at_a_turning_point_is_carried(exponent):
-    rough, fine = (finite_quarter([real(exponent)], [arb("0.02")], bits) for bits in (20, 90))
-    with ctx.workprec(24):
-        found = list(islice(rough.orbit([arb(1) / 64], arb(0), arb(0)), 8))
-    with ctx.workprec(120):
-        true = list(islice(fine.orbit([arb(1) / 64], arb(0), arb(0)), 8))
-        for (x, e, _), (right, _, _) in zip(found[1:], true[1:], strict=True):
-            assert 0 < abs(x - right) < e and e < arb(2) ** -14
-
-
-def test_what_is_uncertain_about_the_start_is_its_radius():
-    quarter, e = finite_quarter([real("3/2")], [arb("0.05")], 40), arb(2) ** -20
-    ((x, radius, _),) = islice(quarter.orbit([arb("0.02")], arb(0, e), e), 1)
-    assert x == 0 and 2 * e <= radius and radius <= arb("2.001") * e
-
-
-@pytest.mark.parametrize("side", [-1, 1])
-def test_a_duration_is_taken_over_the_whole_ball_at_both_ends(side):
-    """Were T_q = d^2, an even function, the changes at both ends would add up: neither of them may be left out."""
-    square = TruncatedSum(Series({(2,): arb(1)}, 1, 2), Tail(Series({}, 1, 2), 2, 2, arb(0)))
-    e = side * arb(2) ** -10
-    with ctx.workprec(100):
-        quarter = replace(finite_quarter([real("3/2")], [arb(1) / 32], 60), T=square)
-        ((_, _, wide),) = islice(quarter.orbit([arb(1) / 40], arb(0), abs(e)), 1)
-        ((_, _, end),) = islice(quarter.orbit([arb(1) / 40], e, arb(0)), 1)
-        assert wide.contains(end.mid()) and abs(end - wide.mid()) > wide.rad() * arb("0.99")
-
-
-def test_the_tail_that_is_shown_is_that_of_both_quarters():
-    """Below alpha = 1 the local strength grows: the end lacks more than the beginning."""
-    delta = [arb("0.05")]
-    quarter = finite_quarter([real("1/2")], delta, 40)
-    found = quarter.half_swing(delta)
-    before, after = (quarter._tail(quarter.R, d) for d in (delta, quarter.strengths(delta, found.log_ratio)))
-    assert before < after and before + after <= found.tail and found.tail <= arb("2.001") * after
 
 
 @pytest.mark.parametrize("exponent", ["1/2", "2"])
@@ -220,9 +128,9 @@ def test_an_end_that_was_not_proved_is_refused(monkeypatch):
     found = step.upper_end(arb(0))
     assert found is not None
     for share in (0.9, 0.99, 0.999):
-        monkeypatch.setattr(_Step, "_candidate", lambda self, start, share=share: float(found) * share)
+        monkeypatch.setattr(finite_majorant, "_fixed_point", lambda *given, share=share: float(found) * share)
         assert step.upper_end(arb(0)) is None
-    monkeypatch.setattr(_Step, "_candidate", lambda self, start: float(found) * 1.01)
+    monkeypatch.setattr(finite_majorant, "_fixed_point", lambda *given: float(found) * 1.01)
     assert step.upper_end(arb(0)) is not None
 
 

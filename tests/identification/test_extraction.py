@@ -5,7 +5,6 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import asymptotics as asy
-from asymptotics.errors import InputError
 from asymptotics.identification.examples import roll_decay
 from asymptotics.identification.extraction import observations_of_record
 from asymptotics.identification.sources import load
@@ -84,7 +83,7 @@ def test_units_and_known_omega_give_the_physical_strength(tmp_path):
 
 
 def test_the_tanker_rolls_with_quadratic_loss_and_a_stiffening_spring():
-    seen = load(roll_decay())
+    (seen,) = load(roll_decay())
     assert 140 <= len(seen.n) <= 147
     assert seen.unit == "rad"
     answer = asy.identify(seen, laws=["1", "2", "free"], springs=["3"], amplitudes=(np.radians(5), np.radians(11)))
@@ -115,15 +114,13 @@ def two_losses():
 
 
 @pytest.mark.parametrize("samples", [23, 35])
-def test_few_samples_a_period_are_enough_and_too_few_are_named(samples):
+def test_few_samples_a_period_are_enough(samples):
     t = np.arange(0, 120, 2 * np.pi / SPEED / samples)
     x = motion(t) + 1e-3 * np.random.default_rng(samples).standard_normal(len(t))
     answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "1,2"])
     assert answer.verdict.text.startswith("identified: 1,")
     assert answer.law("1").law.epsilon[0].contains(EPSILON)
     assert len(answer.runs[0].n) > 90
-    with pytest.raises(InputError, match=r"samples a period \(accepted: at least 22"):
-        asy.identify({"t": t[::3], "x": x[::3]})
 
 
 def test_a_hand_that_holds_before_the_release_is_no_clipped_peak():
@@ -168,17 +165,34 @@ def test_times_in_other_units_are_turned_into_seconds(two_losses, header, scale,
     t, x = two_losses
     path = tmp_path / "record.csv"
     np.savetxt(path, np.column_stack([t * scale, x]), delimiter=",", header=header, comments="", fmt="%.12g")
-    seen = load(path)
+    (seen,) = load(path)
     assert seen.unit == "mm"
     assert seen.t[-1] - seen.t[0] == pytest.approx(np.pi * seen.last, rel=1e-2)
 
 
-def test_one_clipped_peak_is_seen_and_a_hand_that_holds_is_not_one(two_losses):
+def test_one_clipped_peak_is_masked_and_a_hand_that_holds_is_not_one(two_losses):
     t, x = two_losses
     noisy = x + 1e-3 * np.random.default_rng(2).standard_normal(len(t))
-    with pytest.raises(asy.InputError, match="1 peak is clipped"):
-        observations_of_record(t, np.clip(noisy, -0.85, 2))
+    notes = observations_of_record(t, np.clip(noisy, -0.85, 2)).notes
+    assert any("clipped samples masked" in note for note in notes)
     held = np.concatenate([np.linspace(0, 1, 50), np.ones(40), x])
     for step in (0, 1e-3, 1e-2):
         quantised = np.round(held / step) * step if step else held
         assert observations_of_record(np.arange(len(held)) * 0.05, quantised).last >= 20
+
+
+@pytest.mark.parametrize(("alpha", "strength"), [(1, 0.0402449), (2, 0.1414044)])
+@pytest.mark.parametrize("noise", [0.01, 0.03])
+def test_sparse_noisy_deep_decays_are_not_called_slower_than_they_are(alpha, strength, noise):
+    """16 cycles down to 15 %, 60 samples a period.  The values at noisy extremes gave -8 % at 3 % noise (alpha = 2)."""
+    t = np.arange(0, 32 * np.pi, np.pi / 30)
+    found = solve_ivp(
+        lambda _, y: [y[1], -y[0] - strength * y[1] * abs(y[1]) ** (alpha - 1)], (0, t[-1]), [1, 0], t_eval=t, rtol=1e-9
+    )
+    assert abs(found.y[0][-60:]).max() == pytest.approx(0.15, abs=0.01)
+    intervals = []
+    for seed in range(100, 105):
+        x = found.y[0] + noise * np.random.default_rng(seed).standard_normal(len(t))
+        intervals.append(asy.identify({"t": t, "x": x}, laws=[str(alpha)]).law(str(alpha)).law.epsilon[0])
+    assert abs(np.mean([i.estimate for i in intervals]) / strength - 1) < 0.5 * noise
+    assert sum(i.contains(strength) for i in intervals) >= 4

@@ -8,6 +8,7 @@ from asymptotics.identification.adequacy import strongest_line
 from asymptotics.identification.candidates import read_candidate
 from asymptotics.identification.comparison import fit_law
 from asymptotics.identification.contradiction import REFUTED, contradiction, further_parameters
+from asymptotics.identification.judgement import against
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.synthetic import exact, observed
 
@@ -95,8 +96,8 @@ def test_residuals_that_remember_weaken_a_contradiction():
     noise = np.convolve(random.standard_normal(140), np.ones(12) / 12, mode="valid")[:121] * 3e-3
     n = np.arange(121)
     seen = Observations.of(n, (-1.0) ** n * (np.exp(run.a) + noise))
-    white = asy.identify(seen, laws=["1", "0,1,2,3"], bootstrap=False).law("1").law.against
-    longer = asy.identify(seen, laws=["1", "0,1,2,3"]).law("1").law.against
+    answers = [asy.identify(seen, laws=["1", "0,1,2,3"], bootstrap=drawn) for drawn in (False, True)]
+    white, longer = (against(a.law("1").law, a.law("0,1,2,3").law) for a in answers)
     assert longer.ratio < 0.7 * white.ratio
     assert longer.p > white.p
 
@@ -107,6 +108,8 @@ def test_a_constant_amplitude_says_nothing_and_says_so_at_once():
     answer = asy.identify(data)
     assert answer.verdict.kind == "too short or too noisy"
     assert "do not show any loss" in answer.verdict.text
+    assert answer._repr_html_().startswith("<div><p><strong>" + answer.verdict.text.split(":")[0])
+    assert answer._repr_latex_().startswith(r"$\text{" + answer.verdict.text.split(":")[0])  # before any equation
     assert answer.law("1").law.epsilon[0].contains(0.0)
     assert answer.law("1,s3").law.verdict == "undetermined"
     assert any("constant within the noise" in note for note in answer.notes)
@@ -119,3 +122,12 @@ def test_a_law_that_is_no_candidate_is_not_identified_as_a_sum_with_negative_los
     assert answer.verdict.kind != "identified" or not answer.best.law.negative
     right = asy.identify(seen, laws=["1", "2", "1,3", "1,1x2"])
     assert right.verdict.text.startswith("identified: 1,1x2")
+
+
+def test_a_law_with_a_negative_loss_refutes_no_other():
+    seen = observed("1,2", [0.05, -0.02], 30, noise_x=1e-4, seed=3)
+    answer = asy.identify(seen, laws=["1", "1,2"], bootstrap=False)
+    assert answer.law("1,2").law.negative == ("2",)
+    assert answer.law("1").law.against.by is None
+    physical = observed("1,2", [0.03, 0.02], 30, noise_x=1e-4, seed=3)
+    assert asy.identify(physical, laws=["1", "1,2"], bootstrap=False).law("1").law.against.p < 1e-3

@@ -14,7 +14,7 @@ from asymptotics.identification.candidates import read_candidate
 from asymptotics.identification.comparison import fit_law, strength
 from asymptotics.identification.html_report import html_report
 from asymptotics.identification.identifiability import standard_errors, swings_needed
-from asymptotics.identification.plots import decrement_band, picture
+from asymptotics.identification.plots import decrement_band
 from asymptotics.identification.profile import profile_interval, quantile
 from asymptotics.identification.runs import random_effects
 from asymptotics.identification.synthetic import exact, observed
@@ -83,13 +83,13 @@ def test_random_effects_cover_runs_that_differ():
 
 def test_the_picture_is_drawn():
     answer = asy.identify(observed("1,2", [0.01, 0.02], 40, 1e-3, seed=1), laws=["1", "1,2"])
-    svg = picture(answer)
+    svg = answer.picture("svg", panels=True)
     assert svg.startswith(b"<?xml")
     mean, decrement, band = decrement_band(answer.law("1,2").law.fit)
     first_order = np.pi / 2 * 0.01 * mean + 4 / 3 * 0.02 * mean**2
     assert (np.abs(decrement - first_order) < 3 * band + 0.02 * first_order).all()
     with pytest.raises(InputError, match="plot"):
-        picture(asy.identify([observed("1", [0.01], 30, 1e-3, seed=s) for s in (1, 2)], laws=["1"]))
+        asy.identify([observed("1", [0.01], 30, 1e-3, seed=s) for s in (1, 2)], laws=["1"]).picture()
 
 
 def test_the_page_is_whole_escapes_what_it_was_given_and_fetches_nothing(tmp_path):

@@ -3,12 +3,16 @@
 Names = dict[str, str]
 
 LOCAL, TURNING, ORBIT = "tests/bounds/test_local.py", "tests/bounds/test_turning.py", "tests/bounds/test_orbit.py"
+PETAL = "tests/divergence/test_bounds.py"
+HEIGHTS = "tests/divergence/test_constants.py::test_another_height_gives_the_same_numbers"
+ONE_LAW = "tests/half_swings/test_one_law.py"
 LATE, FINITE, SLOW = "tests/bounds/test_late.py", "tests/half_swings/test_finite.py", "tests/swing/test_slow.py"
 UNIFORM, AT_LARGEST = (
     "tests/bounds/test_uniform.py",
     "test_the_constant_for_all_strengths_is_the_bound_at_its_largest",
 )
-SETTLING = "tests/swing/test_settling.py"
+NEAR = "tests/swing/test_near_equal.py"
+SETTLING, STEP = "tests/swing/test_settling.py", "tests/flow/test_taylor.py"
 NEXT = "tests/wells/test_force_bounds.py"
 SWING, WELLS, PANELS = "tests/swing/test_bounds.py", "tests/wells/test_bounds.py", "tests/swing/test_panels.py"
 CHEBYSHEV, ABEL, FLOW = "tests/swing/test_chebyshev.py", "tests/turning/test_abel.py", "tests/turning/test_abel_flow.py"
@@ -17,6 +21,7 @@ RATIO, QUADRATIC = "tests/identification/test_certified_ratio.py", "tests/turnin
 
 EXACT = "arithmetic of balls and nothing else: no truncation, no choice"
 CHOICE = "a choice that claims nothing"
+WAVES, COURSE = "tests/multiscale/test_waves.py", "tests/half_swings/test_course.py"
 MIDPOINTS = "midpoints of the asymptotic motion, which is not certified"
 
 
@@ -24,7 +29,45 @@ def _each(room: str, names: str, told: str) -> Names:
     return {f"asymptotics.{room}.{name}": told for name in names.split()}
 
 
+EQUIVALENT = "tests/equivalent/test_orbit_damping.py::test_every_rung_of_an_orbit_holds_what_is_above_it"
+FULL_SWING = "tests/equivalent/test_cycle_damping.py"
+CUT = "tests/bounds/test_half_swing_series.py"
+
 BOUNDS: Names = {
+    **_each(
+        "bounds.half_swing",
+        "HalfSwingSeries.at half_swing_series",
+        f"{CUT}::test_the_motion_is_within_the_bound_and_not_within_half_of_it",
+    ),
+    **_each("bounds.half_swing", "disc", f"{CUT}::test_the_disc_is_where_the_motion_is_bounded"),
+    **_each("bounds.local", "sizes_from", f"{CUT}::test_the_motion_is_within_the_bound_and_not_within_half_of_it"),
+    **_each("equivalent.cycle", "expanded_swing", f"{FULL_SWING}::test_half_of_the_bound_would_be_wrong"),
+    **_each(
+        "numbers.extremes",
+        "greatest least",
+        "tests/test_chosen_in_doubles.py::test_the_extremes_of_balls_hold_those_of_their_numbers",
+    ),
+    **_each("swing.slow", "short_enough", f"{SLOW}::test_the_rest_is_what_the_cut_leaves"),
+    **_each("swing.near_equal", "rest", f"{NEAR}::test_what_is_left_is_the_residual_of_the_curve"),
+    **_each("swing.near_equal", "Grouped.size", f"{NEAR}::test_what_is_cut_off_the_sums_is_bounded"),
+    **_each("swing.slide", "sliding", "tests/swing/test_slide.py::test_the_strip_holds_every_state_that_enters"),
+    **_each("divergence.germ", "germ majorants", f"{PETAL}::test_the_numbers_of_a_petal_are_those_of_its_definition"),
+    **_each(
+        "divergence.petal",
+        "petal quadratic_bound Petal.tail",
+        f"{PETAL}::test_the_numbers_of_a_petal_are_those_of_its_definition",
+    ),
+    **_each(
+        "divergence.half_step",
+        "half_step at",
+        f"{PETAL}::test_a_half_swing_at_complex_strength_holds_smiths_map",
+    ),
+    **_each(
+        "divergence.half_step", "tail share", f"{PETAL}::test_the_tail_of_cauchy_is_its_formula_and_ends_at_the_circle"
+    ),
+    **_each("divergence.abel", "odd_series at at_height later", f"{PETAL}::test_what_an_orbit_leaves_out_is_bounded"),
+    **_each("half_swings.one_law", "real_quarter", f"{ONE_LAW}::test_the_balls_hold_those_of_the_sums"),
+    **_each("divergence.constants", "stokes_balls rough_petal", HEIGHTS),
     **_each(
         "bounds.local",
         "Remainder.constant Remainder.__call__ local_bounds",
@@ -60,9 +103,6 @@ BOUNDS: Names = {
     **_each("bounds.flow", "TruncatedFlow.beyond", f"{UNIFORM}::test_what_is_reached_later_is_hardly_later"),
     **_each("bounds.orbit", "orbit_bounds", f"{ORBIT}::test_the_bounds_hold_and_half_of_them_would_not"),
     **_each(
-        "half_swings.finite", "Tail.__call__", f"{FINITE}::test_half_the_tail_or_one_coefficient_less_would_be_wrong"
-    ),
-    **_each(
         "half_swings.finite_majorant",
         "Majorant.final Majorant.inverse Majorant.ratio majorant widest",
         f"{FINITE}::test_the_majorant_is_above_the_function_and_not_far_above",
@@ -70,6 +110,9 @@ BOUNDS: Names = {
     **_each(
         "identification.certified_ratio", "CertifiedRatio.tail", f"{RATIO}::test_L_is_bounded_on_the_circle_of_the_tail"
     ),
+    **_each("flow.taylor", "TaylorStep.residual discs", f"{STEP}::test_the_residual_of_a_step"),
+    **_each("flow.taylor", "TaylorStep.box", f"{STEP}::test_the_box_of_a_step_holds_it"),
+    **_each("swing.damping", "Damping.largest", f"{STEP}::test_the_residual_of_a_step"),
     **_each("swing.chebyshev", "cut", f"{CHEBYSHEV}::test_the_cut_is_attained_by_the_first_polynomial_left_out"),
     **_each("swing.coordinate", "Coordinate.bounds", f"{PANELS}::test_a_ladder_of_panels"),
     **_each("swing.course", "delay", f"{SWING}::test_a_shifted_orbit_turns_as_much_later_as_the_bound_says"),
@@ -83,7 +126,6 @@ BOUNDS: Names = {
     **_each("swing.quarters", "Path.drags", f"{QUARTERS}::test_the_drags_are_those_on_the_orbit"),
     **_each("swing.quarters", "largest", f"{QUARTERS}::test_largest_is_an_upper_bound"),
     **_each("swing.quarters", "peak", f"{QUARTERS}::test_the_peak_is_attained"),
-    **_each("swing.taylor", "discs residual", f"{SWING}::test_the_cauchy_part_of_a_taylor_step"),
     **_each(
         "turning.abel",
         "AbelFunction.defects AbelFunction.power_sum",
@@ -94,6 +136,11 @@ BOUNDS: Names = {
         "AbelFlow.defects Defects.total",
         f"{FLOW}::test_half_of_the_next_term_or_one_term_less_would_be_wrong",
     ),
+    **_each(
+        "wells.course",
+        "Landing.gap Landing.late Landing.apart",
+        "tests/wells/test_distance_bounds.py::test_a_landing_holds_the_orbits_of_both_ends",
+    ),
     **_each("wells.distance", "growth", f"{WELLS}::test_growth_is_attained_in_the_worst_direction"),
     **_each(
         "wells.distance", "turning_gap lateness", f"{WELLS}::test_the_gap_and_the_lateness_are_attained_by_free_fall"
@@ -103,12 +150,31 @@ BOUNDS: Names = {
     **_each("wells.force", "Force.slope", f"{NEXT}::test_every_slope_is_in_the_ball_and_hardly_more"),
     **_each("wells.force", "Force.largest_change", f"{NEXT}::test_the_change_of_the_force_is_attained"),
     **_each("wells.force", "Force.largest", f"{NEXT}::test_the_largest_force_on_two_discs_is_attained"),
-    **_each("wells.taylor", "TaylorStep.residual discs", f"{WELLS}::test_the_residual_of_a_taylor_step"),
-    **_each("wells.taylor", "TaylorStep.box", f"{NEXT}::test_the_box_of_a_step_holds_it"),
 }
 """Upper bounds, not enclosures -> the test in which half of them fails or that evaluates them again."""
 
 ELSEWHERE: Names = {
+    **_each("api.waves", "Waveforms.balls Waveforms.enclosed", f"{WAVES}::test_more_digits_are_narrower_and_overlap"),
+    **_each("half_swings.certified_course", "Course.slopes", f"{COURSE}::test_few_terms_are_enclosed_by_many"),
+    **_each("half_swings.certified_course", "course_series", f"{COURSE}::test_few_terms_are_enclosed_by_many"),
+    **_each(
+        "multiscale.certified_waves",
+        "waves_at wave_source",
+        f"{WAVES}::test_more_digits_are_narrower_and_overlap",
+    ),
+    **_each("multiscale.ring", "Wave.at", f"{WAVES}::test_the_balls_hold_the_polynomials_of_integer_exponents"),
+    **_each("equivalent.orbit", "Orbit.of Orbit.zeta Orbit.quality Orbit.decrement Orbit.coefficient", EQUIVALENT),
+    **_each(
+        "equivalent.orbit",
+        "Spring.of Spring.potential Spring.force Spring.stiffness",
+        "tests/equivalent/test_orbit_damping.py::test_the_spring_of_an_orbit_is_its_potential",
+    ),
+    **_each("equivalent.rows", "orbit_of", EQUIVALENT),
+    **_each(
+        "equivalent.cycle",
+        "full_swing Swing.zeta Swing.quality",
+        f"{FULL_SWING}::test_the_certified_swing_is_that_of_an_integrator",
+    ),
     **_each(
         "bounds.flow",
         "TruncatedFlow.of TruncatedFlow.time TruncatedFlow.phase TruncatedFlow.turning_point",
@@ -124,14 +190,12 @@ ELSEWHERE: Names = {
         "bounds.motion", "enclosure", "tests/bounds/test_motion.py::test_the_bound_covers_the_distance_and_hardly_more"
     ),
     **_each(
-        "comparison.truth",
+        "numbers.digits",
         "ball_of",
         "tests/comparison/test_si_start.py::test_a_decimal_is_every_number_that_rounds_to_it",
     ),
     **_each(
-        "half_swings.finite",
-        "FiniteQuarter.half_swing finite_quarter TruncatedSum.__call__",
-        f"{FINITE}::test_a_ladder_of_precisions_contains_the_closed_form",
+        "numbers.value", "Coefficient.ball", "tests/numbers/test_digits.py::test_the_ball_of_digits_reaches_its_ends"
     ),
     **_each("motions.reference", "reference_states", "tests/motions/test_reference.py::test_a_ladder_of_digits"),
     **_each(
@@ -151,6 +215,11 @@ ELSEWHERE: Names = {
     **_each("swing.spectral", "analysis integrals of_the_integral", f"{QUARTERS}::test_the_matrices_of_integration"),
     **_each("swing.course", "Settling.own", f"{SETTLING}::test_a_ladder_of_precisions"),
     **_each("swing.settling", "ForceCurve.place ForceCurve.clock settled", f"{SETTLING}::test_a_ladder_of_precisions"),
+    **_each(
+        "swing.near_equal",
+        "StretchCurve.of StretchCurve.place StretchCurve.clock Scale.slope Grouped.slope grouped stretch",
+        f"{NEAR}::test_a_ladder_of_precisions",
+    ),
     **_each("swing.panels", "Panel.passage laid_out", f"{PANELS}::test_a_ladder_of_panels"),
     **_each(
         "swing.slow", "Curve.a Curve.place Curve.clock Strip.state solve caught", f"{SLOW}::test_a_ladder_of_precisions"
@@ -175,13 +244,13 @@ ELSEWHERE: Names = {
 """Function -> the test that is its ladder."""
 
 NONE_NEEDED: Names = {
+    **_each("multiscale.certified_waves", "half_turns", EXACT),
     **_each("bounds.local", "Remainder.largest_term LocalBounds.limit", CHOICE),
     **_each("bounds.local", "Remainder.known", EXACT),
     **_each("envelopes.slow_flow", "ExponentialSum.of Rate.terms SlowLaw.solve", MIDPOINTS),
+    **_each("half_swings.odd_abel", "odd_solution", EXACT),
     **_each("half_swings.certified_moments", "divide", EXACT),
     **_each("half_swings.certified_orders", "dot integrate_series", EXACT),
-    **_each("half_swings.finite", "FiniteQuarter.strengths", EXACT),
-    **_each("half_swings.finite", "series_reach", CHOICE),
     **_each("identification.certified_ratio", "CertifiedRatio.areas CertifiedRatio.gradient", EXACT),
     **_each(
         "identification.certified_ratio", "followed", "ln of swing.passage.integrated, which has a ladder, at 53 bits"
@@ -197,27 +266,28 @@ NONE_NEEDED: Names = {
     **_each("swing.arrival", "reach_at", CHOICE),
     **_each("swing.course", "Piece.own", "abstract"),
     **_each("swing.damping", "Damping.of_law", "Damping.of for a law"),
-    **_each("swing.damping", "dyadic", CHOICE),
-    **_each("swing.damping", "upper", "rounds up, by arb.upper"),
+    **_each("flow.balls", "dyadic", CHOICE),
+    **_each("flow.balls", "upper", "rounds up, by arb.upper"),
+    **_each("flow.force", "Force.rate Force.rest_powers Force.loss_powers Force.largest", "abstract"),
+    **_each("swing.damping", "Damping.rest_powers Damping.loss_powers", EXACT),
     **_each("swing.dense", "exact_sum", "exact by its precision"),
     **_each("swing.half_swings", "Quarters.place", EXACT),
     **_each("swing.quarters", "found moved", CHOICE),
     **_each("swing.settling", "ForceCurve.sums spread", EXACT),
+    **_each("swing.near_equal", "Scale.t Grouped.exponent", EXACT),
     **_each("swing.slow", "Barrier.place Barrier.clock", "abstract"),
     **_each("swing.panels", "Panels.serving panels_of", "hands out what laid_out made"),
-    **_each("turning.far", "Point.amplitude", EXACT),
-    **_each("turning.far", "series_points", "FiniteQuarter.orbit, numbered"),
-    **_each(
-        "turning.far",
-        "far_points far_point_of_sum",
-        "series_points and the jumps of abel and abel_flow, which have ladders, in a row",
-    ),
-    **_each("wells.composition", "Grid.product Grid.product_from_1 Line.product Line.product_from_1 Curve.rest", EXACT),
-    **_each("wells.composition", "Simplex.product Simplex.product_from_1", EXACT),
+    **_each("turning.far", "jumped jumped_by_flow", "the jumps of abel and abel_flow, which have ladders, in Turnings"),
+    **_each("turning.far", "head_end", CHOICE),
+    **_each("turning.drag_exact", "swings", "Well.work, which has a ladder, half-swing by half-swing"),
+    **_each("turning.enclosing", "damping_of first_of", "Damping.of and swing.sequence.first_from for a request"),
+    **_each("turning.table", "size", EXACT),
+    **_each("flow.composition", "Grid.product Grid.product_from_1 Line.product Line.product_from_1 Curve.rest", EXACT),
+    **_each("flow.composition", "Simplex.product Simplex.product_from_1", EXACT),
     **_each("wells.course", "Piece.own", "abstract"),
     **_each("wells.course", "unit_at", CHOICE),
     **_each("wells.distance", "unit_for", CHOICE),
     **_each("wells.expansion", "reach_at", CHOICE),
     **_each("wells.landing", "without_loss", CHOICE),
-    **_each("wells.taylor", "sizes", EXACT),
+    **_each("flow.taylor", "sizes", EXACT),
 }

@@ -4,10 +4,10 @@ from itertools import islice
 
 from flint import arb, ctx
 
+from asymptotics.flow.taylor import GUARD, TaylorStep, coefficients
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.certified_orders import elementary_series, sine_ratio_power
 from asymptotics.half_swings.certified_zeros import certified_half_swing
-from asymptotics.half_swings.finite import finite_quarter
 from asymptotics.identification.certified_ratio import CertifiedRatio
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
@@ -24,12 +24,10 @@ from asymptotics.swing.passage import integrated
 from asymptotics.swing.rows import rows_below
 from asymptotics.swing.sequence import first_from, first_turning, sequence
 from asymptotics.swing.slow_series import summed, truncated
-from asymptotics.swing.taylor import GUARD, TaylorStep, coefficients
 from asymptotics.terms import Term
 from asymptotics.turning import drag_exact
 from asymptotics.turning.quadratic_duration import duration, elapsed
 from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
-from asymptotics.turning.routes import Plan
 from tests.ladders.machine import Ladder
 
 ROOT, SUM = (("3/2", "1/5"),), (("0", "1/50"), ("sqrt(2)", "1/7"), ("3", "1/3"))
@@ -59,8 +57,8 @@ def landed(x):
 
 def stepped(pairs):
     def value(x):
-        step = TaylorStep.at(law(pairs), x, arb("0.5"), arb(1))
-        return [near(c, step.error) for c in step.state(min(step.length, arb(2) ** -6))]
+        step = TaylorStep.at(law(pairs), x, arb("0.5"), arb(1), arb(1))
+        return [near(c, step.residual) for c in step.state(min(step.length, arb(2) ** -6))]
 
     return value
 
@@ -101,12 +99,6 @@ def swung(x):
     return [found.amplitude, found.duration]
 
 
-def followed(x):
-    """Two half-swings of the series, as far as 3 bits fewer than the precision."""
-    quarter = finite_quarter([parse_real("3/2", "a")], [arb(1) / 10], max(8, ctx.prec - 8))
-    return [c for x, e, T in islice(quarter.orbit([arb(1) / 10], x, arb(0)), 3) for c in (near(x, e), T)]
-
-
 def coordinate(pairs):
     def value(x):
         z = Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
@@ -142,11 +134,6 @@ def ratio(x):
     return [CertifiedRatio.of((Term(1, 1), Term(1, 2))).at([x, x])]
 
 
-def planned(_):
-    plan = Plan.of(Law({"3/2": "1/5"}), 0, 3, ctx.prec)
-    return [c for p in islice(plan.turnings(), 3) for c in (p.x, p.tau)]
-
-
 def exact_swing(name, *arguments):
     spring = Law({0: "1/20", 2: "1/7"}, spring={3: "1/3"})
     return lambda x: [getattr(drag_exact.Well.of(spring), name)(*arguments, x)]
@@ -159,7 +146,7 @@ def many(names, room=SWING):
 LAW = many("damping.Damping.of damping.Damping.terms damping.Damping.resistance")
 EXPANSION, STEP = (
     many("expansion.Expansion.at expansion.Expansion.state"),
-    many("taylor.TaylorStep.at taylor.TaylorStep.state"),
+    many("at shortened state", "asymptotics.flow.taylor.TaylorStep."),
 )
 OWN = many("course.Departure.own course.Step.own course.Landing.own course.course course.at_time")
 SEQUENCE = many(
@@ -177,7 +164,7 @@ PIECES = [
     *(Ladder(STEP, stepped(p), lost=14) for p in (ROOT, SUM, SLOW)),
     *(
         Ladder(
-            many("taylor.coefficients"),
+            many("taylor.coefficients", "asymptotics.flow."),
             lambda x, p=p: [c for part in coefficients(law(p), x, arb("0.5"), 5) for c in part],
             lost=16,
             stretch=40,
@@ -248,14 +235,6 @@ SERIES = [
         truth=160,
     ),
     Ladder(
-        many("orbit", "asymptotics.half_swings.finite.FiniteQuarter."),
-        followed,
-        "0.25",
-        20,
-        rungs=(10, 20, 40),
-        truth=72,
-    ),
-    Ladder(
         many("of at polynomial", "asymptotics.identification.certified_ratio.CertifiedRatio."),
         ratio,
         "0.01",
@@ -284,7 +263,6 @@ TURNING = [
         Ladder(tuple(EXACT + n for n in ("of", name)), exact_swing(name, *rest), lost=18, stretch=300)
         for name, rest in (("force", ()), ("work", (arb("-0.5"),)))
     ),
-    Ladder(("asymptotics.turning.routes.Plan.turnings",), planned, lost=16, **DEAR),
 ]
 
 SWINGS = [*PIECES, *SEQUENCES, *SERIES, *TURNING]

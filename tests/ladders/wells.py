@@ -4,6 +4,7 @@ from itertools import islice
 
 from flint import arb
 
+from asymptotics.flow.taylor import TaylorStep, coefficients
 from asymptotics.law import Law
 from asymptotics.wells.course import course
 from asymptotics.wells.dense import states
@@ -11,7 +12,6 @@ from asymptotics.wells.expansion import Expansion
 from asymptotics.wells.force import Force
 from asymptotics.wells.landing import arrive
 from asymptotics.wells.sequence import first_from, half_swing, rest, sequence
-from asymptotics.wells.taylor import TaylorStep, coefficients
 from tests.ladders.machine import Ladder
 from tests.ladders.swings import DEAR, many, near
 
@@ -29,7 +29,7 @@ def force(given):
 def forces(given):
     def value(x):
         F, w = force(given), arb("0.5")
-        powers = [c for c, _ in F.rest_powers(1)]
+        powers = [c for c, *_ in (*F.rest_powers(1), *F.loss_powers(1))]
         return [F.pull(x), F.grip(x), F.rest(x), F.drag(x, w), F.acceleration(x, w), F.potential(x), F.viscous, *powers]
 
     return value
@@ -66,7 +66,7 @@ def pieces(given, *times):
             inside = [arb(t) for t in times if piece.begin <= arb(t) < piece.end]
             for u, w in map(piece.own, inside):
                 found += [near(u, piece.local / piece.unit), near(w, piece.local)]
-        return [*found, piece.time, near(piece.turn, piece.gap)]
+        return [*found, near(piece.clock, piece.late(arb(0))), near(piece.turn, piece.gap(arb(0)))]
 
     return value
 
@@ -91,13 +91,15 @@ def dense(given):
 
 
 WELLS_ROOM = "asymptotics.wells."
-FORCE = many("of pull grip rest drag acceleration potential viscous rest_powers", WELLS_ROOM + "force.Force.")
+FORCE = many(
+    "of pull grip rest drag acceleration potential viscous rest_powers loss_powers", WELLS_ROOM + "force.Force."
+)
 EXPANSION, LANDING = (
     many("expansion.Expansion.at expansion.Expansion.state", WELLS_ROOM),
     many("landing.arrive", WELLS_ROOM),
 )
-STEP = many("at shortened state", WELLS_ROOM + "taylor.TaylorStep.")
-OWN = many("course Departure.own Step.own Landing.own Landing.time at_time", WELLS_ROOM + "course.")
+STEP = many("at shortened state", "asymptotics.flow.taylor.TaylorStep.")
+OWN = many("course Departure.own Step.own Landing.own at_time", WELLS_ROOM + "course.")
 SEQUENCE = many("sequence next_turning after_landing rest", WELLS_ROOM + "sequence.")
 
 WELLS = [
@@ -112,7 +114,7 @@ WELLS = [
         for given in (PENDULUM, DUFFING, KINKED)
     ),
     *(
-        Ladder(many("taylor.coefficients", WELLS_ROOM), grown(given), lost=16, stretch=40)
+        Ladder(many("taylor.coefficients", "asymptotics.flow."), grown(given), lost=16, stretch=40)
         for given in (PENDULUM, DUFFING)
     ),
     *(

@@ -163,7 +163,7 @@ def test_refusals():
         with pytest.raises(InputError, match="static"):
             reference_motion(oscillator(closed), "1", 10, static="3/4")
     with pytest.raises(LimitError, match="stiff"), ctx.workprec(64):
-        stiff = Damping.of([(arb(10) ** 12, parse_real("3/2", "a"))])
+        stiff = Damping.of([(arb(10) ** 12, parse_real("3/2", "a")), (arb(1), parse_real("2", "a"))])
         list(course(stiff, arb(1), arb(0), pieces=20))
     with pytest.raises(LimitError, match="max_seconds"):
         reference_motion(oscillator(("3/2", "1e300")), "6", 10, max_seconds=0.2)

@@ -7,6 +7,7 @@ import pytest
 from sympy import gammasimp, simplify
 
 from asymptotics.multiscale.symbolic import multiple_scales
+from asymptotics.multiscale.turning_orders import turning_scales
 from asymptotics.normal_form.symbolic import alpha, omega_2
 
 CORRUPTIONS = [
@@ -15,12 +16,17 @@ CORRUPTIONS = [
     ("cubic", "R(9, 256) * a**4)", "R(27, 256) * a**4)"),
     ("general", "rest = 2 * M - 4 * p * q", "rest = M - 4 * p * q"),
     ("general", "weight = (alpha + beta + 1)", "weight = (alpha + beta + 2)"),
+    ("general", "(D_0 * D_1 + D_1 * D_0) * X_1", "2 * D_0 * D_1 * X_1"),
+    ("general", "Solution(2 * slope + 2 * p", "Solution(2 * slope - 2 * p"),
+    ("general", "drag(V_a + eps * V_b)", "drag(V_a - eps * V_b)"),
     ("general", "chi = p + turn", "chi = p - turn"),
     (
         "springs",
         "fall, turn = (n - alpha) / (n + alpha + 2), -(n - p)",
         "fall, turn = (n - alpha) / (n + alpha + 2), (n - p)",
     ),
+    ("turning", "+ alpha * (a * s) ** (alpha - 1) * V_1\n", "- alpha * (a * s) ** (alpha - 1) * V_1\n"),
+    ("turning", "f_1 = -p * a**alpha", "f_1 = p * a**alpha"),
     ("springs", "+ (alpha + 1) * S * unit", "+ (alpha - 1) * S * unit"),
     ("springs", "observed = closed + P", "observed = closed - P"),
 ]
@@ -41,6 +47,13 @@ def test_second_order_of_the_engine():
     general = derivation("general")
     found = general.Omega_2.subs(general.alpha, alpha)
     assert simplify(gammasimp(found - omega_2("no-first-harmonic"))) == 0
+
+
+@pytest.mark.slow
+def test_air_to_fourth_order_is_the_packages():
+    air, package = derivation("quadratic"), turning_scales((2,), 4)
+    assert [simplify(x - y) for n in range(1, 5) for x, y in zip(air.rates[n], package.rates[n])] == [0] * 8
+    assert [simplify(x - order.solution.rhs) for x, order in zip(air.X, package.orders)] == [0] * 5
 
 
 @pytest.mark.parametrize(("name", "right", "wrong"), CORRUPTIONS)

@@ -30,7 +30,7 @@ def test_each_order_is_what_its_operators_say(cubic):
         solved = order.equation.rhs.subs({e.lhs: e.rhs for e in order.solvability})
         assert vanishes(right - solved)
         assert vanishes(diff(X[n], psi, 2) + X[n] - solved)
-        assert all(s.subs({e.lhs: e.rhs for e in order.solvability}) == 0 for s in order.secular)
+        assert all(s.subs({e.lhs: e.rhs for e in order.solvability}) == 0 for _, s in order.conditions)
 
 
 def test_residual_in_sympy(cubic):

@@ -11,6 +11,7 @@ from flint import arb
 
 import asymptotics
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
+from asymptotics.envelopes.slow_time import certified_slow_time
 from asymptotics.errors import InputError
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.invariants.exact import coefficient, coefficients
@@ -27,10 +28,7 @@ from asymptotics.normal_form.coefficients import expansion_coefficients, half_sw
 from asymptotics.numbers.decimals import certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.registry import build
-from asymptotics.turning.coulomb import coulomb_turning_points
 from asymptotics.turning.general import turning_points
-from asymptotics.turning.linear import linear_turning_points
-from asymptotics.turning.quadratic import quadratic_turning_points
 
 EPS, TWO = ExactReal(Fraction(1, 10)), (ExactReal(Fraction(2)),)
 AIR, DRY, LINEAR = (Oscillator({a: "1/10"}) for a in (2, 0, 1))
@@ -50,9 +48,6 @@ DIGITS = {
     "FirstOrderEnvelope.phase": lambda d: FirstOrderEnvelope(AIR).phase(1, d),
     "FirstOrderEnvelope.extinction_time": lambda d: FirstOrderEnvelope(DRY).extinction_time(d),
     "turning_points": lambda d: turning_points(LAW, 2, d),
-    "quadratic_turning_points": lambda d: quadratic_turning_points(EPS, 2, d),
-    "coulomb_turning_points": lambda d: coulomb_turning_points(EPS, 2, d),
-    "linear_turning_points": lambda d: linear_turning_points(EPS, 2, d),
     "expansion_coefficients": lambda d: expansion_coefficients(TWO, 2, d),
     "half_swing_coefficients": lambda d: half_swing_coefficients(TWO, 2, d),
     "symbolic_coefficients": lambda d: symbolic_coefficients(2, "turning-point", d),
@@ -61,9 +56,12 @@ DIGITS = {
     "api moment 1/2": lambda d: asymptotics.moment("1/2", digits=d),
     "api turning_points": lambda d: asymptotics.turning_points(LAW, 2, digits=d),
     "api table": lambda d: asymptotics.table("smith2012.table1", digits=d),
+    "certified_slow_time": lambda d: certified_slow_time(ExactReal(Fraction(3, 2)), 2, d),
     "envelope_series": lambda d: asymptotics.envelope(AIR).series(2, digits=d),
     "api Envelope.amplitude": lambda d: asymptotics.envelope(AIR).amplitude(1, digits=d),
     "api half_swing": lambda d: asymptotics.half_swing(2, digits=d),
+    "api stokes": lambda d: asymptotics.stokes(0, digits=d),
+    "api damping": lambda d: asymptotics.damping({2: "1/10"}, 1, motion=False, digits=d),
     "api limit_cycle": lambda d: asymptotics.limit_cycle({1: -1, (1, 2): 1}, order=2, digits=d),
     "api Motion.at": lambda d: asymptotics.motion(AIR).at(1, digits=0 if d is None else d),
 }
@@ -82,17 +80,11 @@ ORDERS = {
 }
 COUNTS = {
     "turning_points": lambda n: turning_points(LAW, n, 5),
-    "quadratic_turning_points": lambda n: quadratic_turning_points(EPS, n, 5),
-    "coulomb_turning_points": lambda n: coulomb_turning_points(EPS, n, 5),
-    "linear_turning_points": lambda n: linear_turning_points(EPS, n, 5),
     "api turning_points": lambda n: asymptotics.turning_points(LAW, n),
     "coefficients": coefficients,
 }
 STARTS = {
     "turning_points": lambda n: turning_points(LAW, 1, 5, start=n),
-    "quadratic_turning_points": lambda n: quadratic_turning_points(EPS, 1, 5, start=n),
-    "coulomb_turning_points": lambda n: coulomb_turning_points(EPS, 1, 5, start=n),
-    "linear_turning_points": lambda n: linear_turning_points(EPS, 1, 5, start=n),
     "api turning_points": lambda n: asymptotics.turning_points(LAW, 1, start=n),
     "generating_function": generating_function,
 }
@@ -116,10 +108,12 @@ def test_what_is_no_integer_in_range_is_refused_by_name(call, values):
 INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.comparison", "asymptotics.testing", "asymptotics.half_swings", "asymptotics.motions.certify",
     "asymptotics.normal_form", "asymptotics.numbers", "asymptotics.swing", "asymptotics.tables",
+    "asymptotics.equivalent",
     "asymptotics.verdict", "asymptotics.cli", "asymptotics.equations", "asymptotics.turning.quadratic_map",
-    "asymptotics.turning.drag_exact", "asymptotics.turning.any_well", "asymptotics.turning.kicked",
+    "asymptotics.turning.drag_exact", "asymptotics.turning.routes", "asymptotics.turning.result",
     "asymptotics.turning.half_swing",
-    "asymptotics.limit_cycles", "asymptotics.bounds",
+    "asymptotics.limit_cycles", "asymptotics.bounds", "asymptotics.api.evaluated", "asymptotics.api.started",
+    "asymptotics.multiscale.rates",
 }  # fmt: skip
 
 
@@ -140,8 +134,13 @@ def test_no_public_function_with_digits_is_forgotten():
         "require_counts",
         "estimated_seconds",
         "map_seconds",
+        "closed_form_seconds",
         "quadratic_is_feasible",
         "reference_states",
+        "divergence.constants.effort",
+        "divergence.constants.stokes_balls",
+        "divergence.result.stokes_constants",
+        "divergence.result.rounds_to",
     )
     assert not [name for name in forgotten if not name.endswith(allowed)]
 

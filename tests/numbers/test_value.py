@@ -51,7 +51,7 @@ def test_a_symbolic_coefficient_has_no_digits():
     alpha = sympy.Symbol("alpha")
     symbolic = Coefficient(None, alpha / 2)
     assert str(symbolic) == "alpha/2" and symbolic.sympy() == alpha / 2
-    assert symbolic._repr_latex_() == r"$\frac{\alpha}{2}$"
+    assert symbolic._repr_latex_() == r"$\frac{\alpha}{2}$ where $\alpha$: exponent of the damping"
     for refused in (symbolic.text, symbolic.mpf, symbolic.interval, symbolic.__float__):
         with pytest.raises(InputError, match="depends on the exponent"):
             refused()

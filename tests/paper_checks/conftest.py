@@ -8,9 +8,8 @@ import os
 
 import pytest
 
-from asymptotics.present import validity_map
 from paper_checks.registry import Entry, expected_outcomes, load
-from paper_checks.report import engine, write_report
+from paper_checks.report import engine, validity_map, write_report
 
 
 def recorded_entries() -> list[Entry]:

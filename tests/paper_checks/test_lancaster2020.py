@@ -24,6 +24,8 @@ NOT_HOLDING = {  # found by hand from the paper's own equations, see the notes o
     "fn22": "partly",
     "table1.alpha3": "transcription",
     "claim.solvable-only-linear": "partly",
+    "claim.corollary": "partly",
+    "claim.never-strictly-zero": "partly",
     "claim.phase-at-start": "partly",
     "claim.slow-dissipation": "transcription",
     "claim.energy-derivative": "transcription",

@@ -60,6 +60,9 @@ def test_every_page_is_well_formed_and_self_contained(report):
             assert not target or target in files or target in BESIDE, link  # nothing comes from a network
             assert not anchor or anchor in pages[target or name].ids, link
         text = (report / name).read_text()
+        if name == "play.html":  # one file, its script inside: test_play.py
+            continue
+        assert "play.html" in page.links
         assert text.count("<script") == text.count('<script src="search.js">') == 1
         assert text.count("<img") == text.count(' alt="')
         assert 'alt=""' not in text
@@ -81,6 +84,15 @@ def test_every_card_is_complete(report):
     errata = (report / "errata.html").read_text()
     assert errata.index('id="slips"') < errata.index('id="garbled"') < errata.index('id="conditions"')
     assert "mathcolor" in errata  # what a correction changes is coloured
+
+
+def test_the_first_table_of_lancaster_has_the_form_of_the_paper():
+    entries = [Entry(entry, expected_outcomes(entry), 0.0) for entry in load("lancaster2020").values()]
+    table = build._table("lancaster2020.table1", entries)
+    shown = {str(row[0]): typeset[-1] for row, typeset in zip(table["rows"], table["typeset"])}
+    assert shown["2"] == r"\frac{x_0}{1 + \frac{4b\omega_0x_0t}{3\pi m}}" and r"\Gamma^2" in shown["3/2"]
+    assert shown["3"] == load()["lancaster2020:table1.alpha3"].corrected_latex  # printed garbled
+    assert list(shown) == ["0", "1", "3/2", "2", "3", "alpha"]
 
 
 def test_derivations_are_rendered(report):

@@ -13,12 +13,15 @@ from paper_checks.registry import load
 PROVED = {
     inspect.unwrap(entry.check): key
     for key, entry in load().items()
-    if entry.check and entry.evidence == Evidence.PROVED and entry.derivation is None
+    if entry.check and entry.evidence == Evidence.PROVED and entry.line is None
 }
 TOOLS = ("paper_checks.identities", "paper_checks.evidence", "paper_checks.forms", "paper_checks.registry")
 EXHAUSTED = {  # what is looped over, and why there are no other cases
     "(0, 1, 2)": "the statement names these three exponents",
     "(1, -1)": "both signs of the velocity",
+    "zip(form, (1, -1))": "both signs of the velocity",
+    "physical_constants(-1)": "both signs of the velocity",
+    "(X1, X2, V1, V2)": "the four quantities of the statement",
     "(-1, 1)": "both signs of the velocity",
     "(1, 0, -1)": "the three signs of the velocity",
     "(-1, 0, 1)": "the three signs of the exponent, of any size",
@@ -36,9 +39,9 @@ EXHAUSTED = {  # what is looped over, and why there are no other cases
     "powers or (1,)": "the powers that the statement names",
     "(Z_OF_STATE, THIRD)": "the two terms of the formula",
     "PANELS": "the two panels of the figure",
-    "(1, 3, 5, 7, 9)": "all terms that the form states",
     "VS": "the components of the velocity",
     "BOUNDS.items()": "the three bounds of the paper",
+    "(sympy.Integer(1), sympy.Rational(3, 5))": "two orbits that may refute; what is confirmed is reduced to zero",
     "PFAFFIAN": "the two components",
 }
 

@@ -39,6 +39,35 @@ def test_found_by_id_number_and_words(query, wanted):
     assert wanted in [s.id for s in find(query)]
 
 
+@pytest.mark.parametrize(
+    ("query", "first"),
+    [
+        ("Lancaster eq. 13", "lancaster2020:13"),
+        ("Lancaster's equation (13)", "lancaster2020:13"),
+        ("smith 2012 eq 62b", "smith2012:62b"),
+        ("Lelas (49)", "lelas2024:49"),
+        ("Smith Table I", "smith2012:table1.S"),
+        ("Lancaster Table 1", "lancaster2020:table1.alpha0"),
+        ("envelope for alpha = 3/2", "lancaster2020:table1.alpha3-2"),
+        ("envelope for \u03b1 = 3/2", "lancaster2020:table1.alpha3-2"),
+        ("dry friction envelope", "lancaster2020:table1.alpha0"),
+        ("Smith fig. 5", "smith2012:fig5"),
+        ("figure 7", "smith2012:fig7"),
+        ("footnote 22", "lancaster2020:fn22"),
+        ("\u03ba", "lancaster2020:claim.kappa"),
+        ("kappa", "lancaster2020:claim.kappa"),
+        ("S_3", "smith2012:table1.S3"),
+    ],
+)
+def test_the_words_of_a_referee_find_the_entry_first(query, first):
+    assert find(query)[0].id == first
+
+
+@pytest.mark.parametrize(("greek", "latin"), [("\u03b1", "alpha"), ("\u03c9", "omega"), ("\u03b3", "gamma")])
+def test_greek_and_latin_letters_find_the_same(greek, latin):
+    assert find(greek) == find(latin)
+
+
 @pytest.mark.parametrize("query", ["smith:43", "Lambbert", "zzzz", "", "   ", "x" * 10_000, "\x00", "((((", "\\frac{"])
 def test_what_is_not_found_is_said_in_one_line(query, capsys):
     assert main(["papers", query, "--verdict", "open"]) in (0, 2)

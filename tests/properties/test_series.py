@@ -15,7 +15,6 @@ from hypothesis import strategies as st
 from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.exact import exact_half_swing
-from asymptotics.half_swings.finite import finite_quarter
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.normal_form.expansion import exact_expansion, expansion_of
 from asymptotics.normal_form.flow import flow_of
@@ -25,6 +24,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Series
 from asymptotics.testing import strategies
 from asymptotics.turning.abel import abel_function
+from tests.second_route.quarter_series import finite_quarter
 
 LONGER = max(1, settings().max_examples // 80)  # the nightly profile draws more
 

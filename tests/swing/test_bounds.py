@@ -22,7 +22,6 @@ from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.majorant import majorant
 from asymptotics.swing.passage import Passage, integrated
 from asymptotics.swing.sequence import Turning, first_from, following, sequence
-from asymptotics.swing.taylor import TaylorStep, discs, residual
 
 
 def damping(*pairs):
@@ -109,84 +108,13 @@ def test_a_wrong_guess_of_the_turning_point_is_paid_for(law, monkeypatch):
         assert found.duration.rad() / 2 < late and found.duration.rad() < late * arb(1.3)
 
 
-@pytest.mark.parametrize("bits", [20, 53, 120])
-def test_the_cut_of_a_taylor_step(bits):
-    """Without damping the residual is the last coefficients': attained up to the square root of 2."""
-    d = damping(*NOTHING)
-    with ctx.workprec(bits):
-        step = TaylorStep.at(d, arb("0.5"), arb("0.75"), arb(1))
-    with ctx.workprec(400):
-        c, s, (y, w) = step.length.cos(), step.length.sin(), (arb("0.5"), arb("0.75"))
-        ys, ws = _coefficients(y, w, len(step.ys) - 1)
-        found_y, found_w = (sum((k * step.length**i for i, k in enumerate(v)), arb(0)) for v in (ys, ws))
-        truth = ((found_y - (y * c - w * s)) ** 2 + (found_w - (w * c + y * s)) ** 2).sqrt()
-        assert truth <= step.error and step.error / 2 < truth
-
-
-def _coefficients(y, w, order):
-    """Of the undamped motion."""
-    ys, ws = [y], [w]
-    for k in range(order):
-        ys.append(-ws[k] / (k + 1))
-        ws.append(ys[k] / (k + 1))
-    return ys, ws
-
-
-@pytest.mark.parametrize("law", [(("3/2", "2"),), (("1/2", "1/2"),), (("5/2", "3"), ("1", "1/2"))])
-def test_the_cauchy_part_of_a_taylor_step(law):
-    """N(w_0 (1+rho)) covers |N(W)| on the circle, found by sampling, within a factor of 4; the rest is an integral."""
-    d = damping(*law)
-    with ctx.workprec(90):
-        step = TaylorStep.at(d, arb("0.3"), arb("0.5"), arb(1))
-        radius, resistance = next(discs(d, list(step.ws)))
-        bound = residual(list(step.ys), list(step.ws), step.length, radius, resistance)
-    ws = [mpmath.mpf(str(float(c.mid()))) for c in step.ws]
-    laws = [(float(e.mid()), float(a.mid())) for e, a in zip(d.strengths, d.exponents)]
-
-    def size(angle):
-        W = mpmath.polyval(ws[::-1], float(radius) * mpmath.expj(angle))
-        assert W.real > 0
-        return abs(sum(e * W**a for e, a in laws))
-
-    largest = max(size(2 * mpmath.pi * k / 60) for k in range(60))
-    assert largest <= float(resistance) <= 4 * largest
-    n, h, R = len(ws) - 1, float(step.length), float(radius)
-    cut = (abs(ws[-1]) + abs(float(step.ys[-1].mid()))) * mpmath.mpf(h) ** (n + 1) / (n + 1)
-    rest = mpmath.quad(lambda t: float(resistance) * (t / R) ** n / (1 - h / R), [0, h])
-    assert float(bound) == pytest.approx(float(cut + rest), rel=1e-6)
-
-
-def test_smaller_discs_are_tried_for_exponents_above_8_only():
-    """Each has the resistance of its own radius, in (0, 1] of the largest."""
-    for text, count in (("3/2", 1), ("8", 1), ("17/2", 6), ("40", 6)):
-        d = damping((text, "1/10"))
-        with ctx.workprec(60):
-            step = TaylorStep.at(d, arb("0.3"), arb("0.5"), arb(1))
-            (largest, most), *smaller = discs(d, list(step.ws))
-        assert 1 + len(smaller) == count
-        shares = [float(radius / largest) for radius, _ in smaller]
-        alpha = float(d.exponents[0].mid())
-        assert shares == pytest.approx([min(1, k / alpha) for k in (16, 8, 4, 2, 1)][: count - 1])
-        assert all(0 < resistance <= most for _, resistance in smaller)
-
-
-def test_the_parts_of_a_residual():
-    """Each of the two alone, against its integral: nothing else of the Taylor polynomials enters."""
-    h, R, n = 0.25, 0.5, 6
-    nothing, one = [arb(1)] + [arb(0)] * n, [arb(1)] + [arb(0)] * (n - 1) + [arb(3)]
-    cut = residual(nothing, one, arb(h), arb(R), arb(0))
-    rest = residual(nothing, nothing, arb(h), arb(R), arb(2))
-    assert float(cut) == pytest.approx(float(mpmath.quad(lambda t: 3 * t**n, [0, h])), rel=1e-9)
-    assert float(rest) == pytest.approx(float(mpmath.quad(lambda t: 2 * (t / R) ** n / (1 - h / R), [0, h])), rel=1e-9)
-
-
 def test_errors_of_pieces_add_up():
     """Each piece has at least the error of the one before it and its own, rounding of the restart included."""
     with ctx.workprec(24):
         first, *steps, last = course(damping(("3/2", "1/5")), arb(1), arb(0))
         dropped = [[c.rad() for c in step.taylor.state(step.taylor.length)] for step in steps]
     for step, following_step, (y, w) in zip(steps, steps[1:], dropped, strict=False):
-        assert following_step.error >= step.error + following_step.taylor.error + y + w
+        assert following_step.error >= step.error + following_step.taylor.residual + y + w
     assert last.error >= steps[-1].error + last.arrival.miss and steps[0].error > first.error
 
 

@@ -7,13 +7,13 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.taylor import GUARD
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing.course import Landing, course
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.sequence import sequence
-from asymptotics.swing.taylor import GUARD
 from asymptotics.turning.general import turning_points
 from asymptotics.turning.quadratic_duration import duration
 from asymptotics.turning.quadratic_map import next_amplitude

@@ -16,7 +16,6 @@ from asymptotics.swing.keys import Plan
 from asymptotics.swing.passage import Passage, integrated, of_landing
 from asymptotics.swing.sequence import Turning, after_landing, first_from, following
 from asymptotics.swing.slow import solve
-from asymptotics.swing.taylor import TaylorStep, discs
 from tests.swing.test_bounds import NOTHING, damping
 
 
@@ -48,25 +47,6 @@ def test_a_guess_that_is_far_off_is_paid_for_at_the_nearer_orbit(monkeypatch):
     assert float(found.duration.rad()) == pytest.approx(e * float(w) / (size - e) ** 2, rel=1e-6)
 
 
-def test_a_disc_on_which_the_speed_may_vanish_is_not_taken():
-    """|w - 1| <= R + R^2 < 1 below the golden ratio's inverse only."""
-    radius, resistance = next(discs(damping(("2", "1")), [arb(1), arb(1), arb(-1)]))
-    moved = radius + radius**2
-    assert moved < 1 and radius > arb("0.5")
-    assert float(resistance) == pytest.approx(float((1 + moved) ** 2), rel=1e-9)
-
-
-def test_the_resistance_on_the_smaller_discs():
-    """N(w_0 (1 + rho)) with the rho of each disc, evaluated again."""
-    law = damping(("40", "1/10"))
-    with ctx.workprec(60):
-        step = TaylorStep.at(law, arb("0.3"), arb("0.5"), arb(1))
-        for radius, resistance in discs(law, list(step.ws)):
-            rho = sum((abs(c) * radius**k for k, c in enumerate(step.ws) if k), arb(0))
-            again = law.resistance((step.ws[0] + rho).upper())
-            assert again * arb("0.999") <= resistance <= again * arb("1.001")
-
-
 def test_every_rounding_of_a_course_is_in_its_errors():
     """At 20 bits: the time of the departure, the restarts, the clock and the place of the landing, each recomputed."""
     law = damping(("0", "1/30"), ("3/2", "1/5"))
@@ -77,7 +57,7 @@ def test_every_rounding_of_a_course_is_in_its_errors():
         assert first.error >= tau.rad() * first.expansion.speed() * less > 0
         begun = first.error + y.rad()
         for step in steps:
-            assert step.error >= (begun + step.taylor.error) * less
+            assert step.error >= (begun + step.taylor.residual) * less
             y, w = step.taylor.state(step.taylor.length)
             begun = step.error + y.rad() + w.rad()
         at = last.arrival.turning + law.friction

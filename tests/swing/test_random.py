@@ -5,10 +5,10 @@ import random
 import pytest
 from flint import arb, ctx
 
+from asymptotics.flow.taylor import GUARD
 from asymptotics.law import Law
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
-from asymptotics.swing.taylor import GUARD
 
 EXPONENTS = ("0", "1/3", "1/2", "1", "3/2", "sqrt(2)", "2", "5/2", "3", "7")
 

@@ -17,8 +17,10 @@ import pytest
 import sympy
 from scipy.integrate import quad, solve_ivp
 
+from asymptotics.divergence.constants import stokes_balls
 from asymptotics.invariants.exact import coefficient_by_closed_sum, rows_by_integration
 from asymptotics.law import Law
+from asymptotics.numbers.exact import parse_real
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.registry import build, names
 from asymptotics.turning.quadratic_series import half_period_series
@@ -223,6 +225,25 @@ def _(row):
 def _(row):
     a, e = (number(row["alpha"]),), (number(row["epsilon"]),)
     return {"tau_e": agrees(row["tau_e"], quad(lambda A: 1 / slow_law(a, e, A), 0, 1)[0], 1e-7)}
+
+
+@route("stokes.constants")
+def _(row):
+    """The Abel functions 0.6 higher up the petal, where the germ takes another order; the pole by quadrature."""
+    a = number(row["alpha"])
+    pole = 1 / ((a - 1) * pi * mean_of_sine(a + 1))
+    c_1, d_1 = (float(x) for x in higher_up(row["alpha"]))
+    found = {"pole": agrees(row["pole"], pole), "action": agrees(row["action"], 2 * pi * abs(pole))}
+    return found | {"c_1": agrees(row["c_1"], c_1), "d_1": agrees(row["d_1"], d_1)}
+
+
+@lru_cache
+def higher_up(a):
+    if a == "0":  # z' = z + 1: all vanish
+        return 0, 0
+    (c_1,), (d_1,) = stokes_balls(parse_real(a, "alpha"), 1, 13, lift=0.6)
+    assert max(c_1.rad() / abs(c_1), d_1.rad() / abs(d_1)) < 1e-12
+    return c_1, d_1
 
 
 @route("lancaster2020.table1")

@@ -6,6 +6,7 @@ import json
 import re
 import shutil
 import subprocess
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -109,7 +110,7 @@ def test_the_word_certified_is_computed(monkeypatch):
 
     def doubtful(*args, **more):
         found = real(*args, **more)
-        return type(found)(**{**vars(found), "certified": False})
+        return replace(found, points=tuple(replace(p, certified=False) for p in found.points))
 
     monkeypatch.setattr(turning, "turning_points", doubtful)
     table = build("half-periods", 8, Inputs.of(alphas=["2"]))

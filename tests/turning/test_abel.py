@@ -6,13 +6,15 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, UndecidedError
-from asymptotics.half_swings.finite import finite_quarter
 from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.numbers.exact import parse_real
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.sequence import sequence
 from asymptotics.turning import far
 from asymptotics.turning.abel import Approximant, abel_function
-from asymptotics.turning.far import Point, far_points, series_points
+from asymptotics.turning.far import jumped
 from asymptotics.turning.quadratic_abel import quadratic_abel
+from tests.second_route.quarter_series import finite_quarter
 
 
 def real(text):
@@ -112,17 +114,13 @@ def test_a_wrong_coefficient_is_noticed():
 def test_a_far_point_is_one_jump_from_any_head():
     with ctx.workprec(130):
         alpha, epsilon = real("3/2"), arb(1) / 40
-        origin = Point(0, arb(0), arb(0))
-        near = finite_quarter([alpha], [epsilon], 110)
-        lead = list(islice(series_points(near, epsilon, origin), 30))
-        found = [next(far_points(alpha, epsilon, head, 10**9)) for head in ([origin], lead[29:])]
-        assert found[0].log.overlaps(found[1].log)
-        assert found[0].tau.overlaps(found[1].tau)
-        assert min(found[0].log.rel_accuracy_bits(), found[0].tau.rel_accuracy_bits()) > 100
-        following = list(islice(far_points(alpha, epsilon, [origin], 10**9), 2))
-        assert following[1].n == 10**9 + 1
-        assert following[1].tau > following[0].tau + arb("3.14")
-        assert next(far_points(alpha, epsilon, lead, 7)).n == 7
+        lead = list(islice(sequence(Damping.of([(epsilon, alpha)])), 5))
+        found = [jumped(alpha, epsilon, head, 10**9) for head in (lead[0], lead[4])]
+        assert found[0].x.overlaps(found[1].x) and found[0].tau.overlaps(found[1].tau)
+        assert min(found[0].x.rel_accuracy_bits(), found[0].tau.rel_accuracy_bits()) > 100
+        other = jumped(alpha, epsilon, lead[0], 10**9 + 1)
+        assert other.side == -found[0].side and other.tau > found[0].tau + arb("3.14")
+        assert not other.tau.overlaps(found[0].tau)
 
 
 @pytest.mark.parametrize("alpha", ["3/2", "3"])

@@ -18,7 +18,8 @@ from asymptotics.swing.sequence import sequence
 from asymptotics.turning.abel_flow import abel_flow
 from asymptotics.turning.far import planned
 from asymptotics.turning.general import turning_points
-from asymptotics.turning.routes import Plan
+from asymptotics.turning.routes import abel_flow as by_flow
+from asymptotics.turning.table import Request
 
 LAWS = [(("3/2", "3"), ("1/1000", "1/100000")), (("sqrt(2)", "5/2"), ("1/1000", "1/100000"))]
 
@@ -136,13 +137,11 @@ def test_far_points_from_two_heads_agree(orbits):
         assert other[0].rad() < 1e-24 and other[1].rad() < 1e-12
 
 
-def test_a_jump_gives_the_points_that_interpolation_gives(monkeypatch):
+def test_a_jump_gives_the_points_that_interpolation_gives():
     law, start = Law({"3/2": "1/1000", 3: "1/100000"}), {"x0": "1/2", "v0": "-1"}
-    monkeypatch.setattr("asymptotics.turning.routes.FAR_SUM", 2000)
-    jumped = turning_points(law, 2, 8, start=2001, times=True, **start)
+    jumped = turning_points(law, 2, 8, start=2001, times=True, route="abel-flow", **start)
     assert "slow flow" in jumped.method
-    monkeypatch.setattr("asymptotics.turning.routes.FAR_SUM", 10**9)
-    walked = turning_points(law, 2, 8, start=2001, times=True, **start)
+    walked = turning_points(law, 2, 8, start=2001, times=True, route="interpolated", **start)
     assert "slow flow" not in walked.method and jumped.points == walked.points and jumped.first == walked.first
 
 
@@ -158,5 +157,12 @@ def test_a_moving_start_reaches_far_points_of_one_law():
 def test_what_is_out_of_reach_is_refused():
     with ctx.workprec(80), pytest.raises(UndecidedError, match=r"not decrease here|too large|no circle"):
         flow_of((("3/2", "3"), ("2", "5")), 2).advance(arb(0), 100)
-    assert Plan.of(Law({"3/2": "1/5", 3: 1}), 10**18, 1, 4000).seconds > 1000
+    assert by_flow.serves(Request.read(Law({"3/2": "1/5", 3: 1}), 1, 1000, start=10**18)) > 1000
     assert planned([parse_real("1.000001", "a"), parse_real("3", "a")], 120, 10**18).seconds > 60
+
+
+def test_a_newton_method_that_runs_out_says_so(monkeypatch):
+    """What was reached is known at the place before: beside the next one it encloses nothing."""
+    monkeypatch.setattr("asymptotics.turning.abel_flow._STEPS", 1)
+    with ctx.workprec(90), pytest.raises(UndecidedError, match="does not settle"):
+        flow_of(LAWS[0], 4).advance(arb(0), 2000)

@@ -9,9 +9,10 @@ from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import parse_real
-from asymptotics.turning.any_well import METHOD
-from asymptotics.turning.drag_exact import Well, drag_turning_points
+from asymptotics.turning.drag_exact import Well
 from asymptotics.turning.general import turning_points
+from asymptotics.turning.routes.stepping import METHOD
+from tests.second_route.forced import drag_turning_points
 
 LAWS = {
     "pendulum in air": (Law({2: "1/10"}, spring="pendulum"), "2.967", np.sin),
@@ -119,6 +120,8 @@ def test_what_cannot_be_taken_is_refused_by_name(law, x0, reason):
 def test_what_the_primitive_does_not_know_goes_by_pieces(law, reason):
     assert turning_points(law, 2, 10, x0="1/2").method == METHOD
     with pytest.raises(InputError, match=reason):
+        Well.of(law)
+    with pytest.raises(InputError, match="closed-primitive does not serve"):
         drag_turning_points(law, exact("1/2"), 2, 10)
 
 

@@ -18,7 +18,7 @@ def test_a_stiff_motion_is_refused_by_its_estimate(law):
 
 @pytest.mark.parametrize("law", [{"3/2": "1/10"}, {3: "1/20"}], ids=str)
 def test_a_thousand_digits_are_refused_by_their_estimate(law):
-    with pytest.raises(LimitError, match="2 half-swings with 1000 digits would take about 2"):
+    with pytest.raises(LimitError, match="2 half-swings with 1000 digits would take about [23]"):
         turning_points(Law(law), 2, 1000)
 
 

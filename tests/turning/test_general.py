@@ -9,10 +9,10 @@ from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, parse_real
-from asymptotics.turning import general
-from asymptotics.turning.coulomb import last_turning_point
+from asymptotics.turning import enclosing
 from asymptotics.turning.general import turning_points
-from asymptotics.turning.quadratic import quadratic_turning_points
+from asymptotics.turning.routes.dry import last_turning_point
+from tests.second_route.forced import quadratic_turning_points
 from tests.second_route.local_expansion import Damping, LocalExpansion
 from tests.second_route.orbit import orbit, trap
 
@@ -112,7 +112,7 @@ def test_what_could_not_be_rounded_is_tried_with_the_bits_it_lacked(monkeypatch)
     wanted = turning_points(law(("3/2", "1/10")), 3, 12, times=True)
     # 39 bits hold 12 digits, 20 spare ones and 2 x 2 for three half-swings: 63.
     assert wanted.method == "half-swing by half-swing, local expansions and Taylor steps in balls of 63 bits"
-    monkeypatch.setattr(general, "_SPARE", -25)
+    monkeypatch.setattr(enclosing, "_SPARE", -25)
     again = turning_points(law(("3/2", "1/10")), 3, 12, times=True)
     assert again.points == wanted.points and again.method != wanted.method
     assert 39 < int(again.method.split()[-2]) < 130

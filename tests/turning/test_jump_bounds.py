@@ -13,11 +13,10 @@ from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing.sequence import Turning
-from asymptotics.turning import any_well, drag_exact, kicked, routes
+from asymptotics.turning import drag_exact, far, table
 from asymptotics.turning import half_swing as half_swings
 from asymptotics.turning.abel import AbelFunction, Approximant, abel_function
 from asymptotics.turning.abel_flow import AbelFlow, Defects, abel_flow
-from asymptotics.turning.far import Point
 
 
 def real(text):
@@ -220,12 +219,13 @@ def test_the_amplitude_equation_falls_up_to_half_of_its_first_term():
 
 def test_points_and_turning_points_keep_their_radii():
     here = Turning(7, -1, arb("0.5"), arb(9), arb(2) ** -10, arb(2) ** -8)
-    point = routes._point(here)
-    assert all(point.log.contains((here.amplitude + side * here.amplitude_error).log().mid()) for side in (-1, 1))
-    there = routes._turning(Point(7, arb(-1, arb(2) ** -10), arb(9, arb(2) ** -8)), 1)
-    assert all(there.x.contains(-(arb(-1) + side * arb(2) ** -10).exp().mid()) for side in (-1, 1))
+    log = far._log(here)
+    assert all(log.contains((here.amplitude + side * here.amplitude_error).log().mid()) for side in (-1, 1))
+    there = far._arrived(here, 10, arb(-1, arb(2) ** -10), arb(9, arb(2) ** -8))
+    assert (there.n, there.side) == (10, 1) and far._arrived(here, 11, arb(0), arb(0)).side == -1
+    assert all(there.x.contains((arb(-1) + side * arb(2) ** -10).exp().mid()) for side in (-1, 1))
     assert there.time_error >= arb(2) ** -8
-    size = kicked._size(here)
+    size = table.size(here)
     assert all(size.contains(here.amplitude + side * here.amplitude_error) for side in (-1, 1))
 
 
@@ -250,7 +250,7 @@ def test_the_image_of_a_ball_is_the_hull_of_both_ends():
 
 
 def swing(well, x):
-    points = drag_exact._swings(well, x, 80)
+    points = drag_exact.swings(well, x, 80)
     return [next(points)[0], next(points)[0]]
 
 
@@ -266,11 +266,6 @@ def test_a_half_swing_of_any_terms_keeps_its_radii(monkeypatch):
 
 def reals(*texts):
     return [real(text) for text in texts]
-
-
-def test_the_first_amplitude_in_any_well_keeps_its_radius():
-    size = any_well._size(Turning(0, 1, arb("0.5"), arb(3), arb(2) ** -20, arb(0)))
-    assert all(size.contains(arb("0.5") + side * arb(2) ** -20) for side in (-1, 1))
 
 
 def test_a_following_term_that_vanishes_at_the_start_counts_later():

@@ -1,53 +1,133 @@
-"""All routes to the turning points agree, and each says which it was."""
+"""All routes to the turning points agree wherever two of them serve, and each says which it was."""
 
-from itertools import islice
+from fractions import Fraction
+from itertools import combinations
 
 import pytest
 from flint import arb, ctx
 
-from asymptotics.half_swings.finite import finite_quarter
+from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law
-from asymptotics.numbers.exact import parse_real
-from asymptotics.turning.far import Point, series_points
-from asymptotics.turning.general import turning_points
-from asymptotics.turning.routes import Plan
+from asymptotics.turning.general import choose, offers, turning_points
+from asymptotics.turning.routes import ROUTES
+from asymptotics.turning.table import Request
+
+QUICK = [  # law, count, digits, and the rest of the request
+    ({0: "10/503"}, 4, 20, {}),
+    ({0: "10/503"}, 30, 12, {"times": True}),
+    ({0: "1/10"}, 2, 8, {"x0": "0.46", "v0": "-0.48", "times": True}),
+    ({1: "1/5"}, 4, 20, {"times": True}),
+    ({1: "1/1000"}, 300, 12, {"start": 290}),
+    ({2: "1/3"}, 4, 25, {}),
+    ({2: "1/10"}, 300, 12, {"start": 295}),
+    ({0: "1/50", 2: "1/10"}, 40, 12, {}),
+    ({2: "1/5"}, 4, 20, {"spring": "pendulum", "x0": 2}),
+    ({0: "1/21"}, 10, 15, {"spring": {3: "1/4"}}),
+]
+LONG = [
+    ({2: "1/10"}, 3, 12, {"start": 900, "times": True}),
+    ({0: "1/2000", 2: "1/10"}, 30, 12, {"start": 110}),
+    ({"3/2": "1/5"}, 2, 12, {"start": 1500, "times": True}),
+    ({"1/2": "1/400"}, 500, 12, {"start": 350, "times": True}),
+    ({"3/2": "1/1000", 3: "1/100000"}, 2, 8, {"start": 2001, "times": True, "x0": "1/2", "v0": "-1"}),
+]
+ENOUGH = {"quick": 0.6, "long": 60.0}  # seconds by the estimate: dearer routes are left out
 
 
-def plan(law, *, count, interpolates, jump=False, start=0):
-    return Plan(Law(law), start, count, jump, interpolates, 0.0, 64)
+def asked(law, count, digits, rest):
+    rest = dict(rest)
+    return Law(law, spring=rest.pop("spring", None)), count, digits, rest
 
 
-@pytest.mark.parametrize("law", [{"3/2": "1/4"}, {"1/2": "1/900"}, {3: "1/50"}, {1: "1/20", 2: "1/5"}])
-def test_interpolation_and_the_pieces_agree(law):
-    with ctx.workprec(80):
-        routes = [plan(law, count=400, interpolates=chosen) for chosen in (False, True)]
-        found = [list(islice(route.turnings(), 40)) for route in routes]
-        assert len(found[0]) == len(found[1])
-        for a, b in zip(*found, strict=True):
-            assert (a.n, a.side, a.ended) == (b.n, b.side, b.ended)
-            assert a.x.overlaps(b.x) and a.tau.overlaps(b.tau)
-            assert b.amplitude_error < b.amplitude * 2.0**-50
+def agree(one, other, digits):
+    """The same points to the digits of both, the same end."""
+    same = one.ended == other.ended and len(one.points) == len(other.points)
+    with ctx.workprec(4 * digits + 64):
+        close = arb(10) ** (1 - digits)
+        for p, q in zip(one.points, other.points):
+            pairs = [(p.x, q.x), *([] if p.tau is None or q.tau is None else [(p.tau, q.tau)])]
+            same &= p.n == q.n and all(abs(arb(a) - arb(b)) <= abs(arb(b)) * close for a, b in pairs)
+    return same
 
 
-@pytest.mark.parametrize("law", [{"1/2": "1/100"}, {0: "1/200", 2: "1/50"}])
-def test_interpolation_follows_a_law_to_its_end(law):
-    with ctx.workprec(60):
-        ends = [list(plan(law, count=1000, interpolates=chosen).turnings())[-1] for chosen in (False, True)]
-    assert ends[0].ended == ends[1].ended and ends[0].ended in ("creeps", "sticks")
-    assert ends[0].n == ends[1].n and ends[0].x.overlaps(ends[1].x)
+def first(made):
+    return next(iter(made[0]))
 
 
-@pytest.mark.parametrize("start", [1500, 1501])
-def test_a_jump_lands_where_the_half_swings_lead(start):
-    with ctx.workprec(60):
-        law = {"3/2": "1/5"}
-        routes = [plan(law, start=start, count=2, interpolates=True, jump=jump) for jump in (True, False)]
-        found = [list(islice((p for p in route.turnings() if p.n >= start), 2)) for route in routes]
-        for jumped, passed, n in zip(*found, (start, start + 1), strict=True):
-            assert jumped.n == passed.n == n and jumped.side == passed.side == (-1) ** n
-            for ours, theirs in ((jumped.x, passed.x), (jumped.tau, passed.tau)):
-                assert ours.overlaps(theirs) and ours.rad() < abs(ours) * arb(2) ** -44
-            assert jumped.ended is None
+def off(made):
+    """The first strength, a few units of the last digits larger."""
+    return Fraction(made[0][first(made)]) * (1 + Fraction(1, 10 ** (made[2] - 4)))
+
+
+def serving(made, enough):
+    law, count, digits, rest = asked(*made)
+    return [r.name for r, s in offers(Request.read(law, count, digits, **rest)) if s is not None and s < enough]
+
+
+def compared(made, enough):
+    (law, count, digits, rest), names = asked(*made), serving(made, enough)
+    assert len(names) >= 2
+    found = {name: turning_points(law, count, digits, route=name, **rest) for name in names}
+    for one, other in combinations(names, 2):
+        assert agree(found[one], found[other], digits), (one, other)
+        assert found[one].method != found[other].method and found[one].certified
+    near, *_ = asked(made[0] | {first(made): off(made)}, *made[1:])
+    missed = turning_points(near, count, digits, **rest)
+    assert not agree(missed, found[names[-1]], digits)
+
+
+@pytest.mark.parametrize("made", QUICK, ids=str)
+def test_every_pair_of_routes_that_serve_agrees_and_a_near_miss_does_not(made):
+    compared(made, ENOUGH["quick"])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("made", [*QUICK, *LONG], ids=str)
+def test_the_dear_routes_agree_with_the_others(made):
+    compared(made, ENOUGH["long"])
+
+
+def test_every_route_stands_beside_another_in_these_tests():
+    pairs = {pair for made in (*QUICK, *LONG) for pair in combinations(serving(made, ENOUGH["long"]), 2)}
+    assert {name for pair in pairs for name in pair} == {route.name for route in ROUTES}
+
+
+def test_dry_friction_and_drag_have_their_primitive_beside_the_linear_spring():
+    """Refused after 60 s before, and answered at once with a spring of strength 1e-400."""
+    law = Law({0: "1/50", 2: "1/10"})
+    found = turning_points(law, 30, 300, max_seconds=60)
+    beside = turning_points(Law({0: "1/50", 2: "1/10"}, spring={3: "1e-400"}), 30, 300)
+    assert [p.x for p in found.points] == [p.x for p in beside.points] and found.ended == beside.ended
+    assert found.method.startswith("primitive of the energy equation") and found.certified
+
+
+def test_the_cheapest_route_is_taken_and_one_can_be_named():
+    chosen = {
+        "dry": Request.read(Law({0: "1/50"}), 5, 20),
+        "linear": Request.read(Law({1: "1/5", 3: 0}), 5, 20),
+        "quadratic": Request.read(Law({2: "1/5"}), 5, 20, start=10**9),
+        "closed-primitive": Request.read(Law({2: "1/5"}, spring={3: 1}), 5, 20),
+        "abel-series": Request.read(Law({"3/2": "1/5"}), 1, 40, start=10**9),
+        "abel-flow": Request.read(Law({"3/2": "1/5", 3: 1}), 1, 20, start=10**9),
+        "interpolated": Request.read(Law({"3/2": "1/5"}), 2000, 20),
+        "stepping": Request.read(Law({"3/2": "1/5"}), 5, 20),
+    }
+    assert {name: choose(request).name for name, request in chosen.items()} == {
+        route.name: route.name for route in ROUTES
+    }
+    assert choose(chosen["dry"], "stepping").name == "stepping"
+    with pytest.raises(InputError, match=r"argument route: linear does not serve this request .accepted: dry, closed"):
+        choose(chosen["dry"], "linear")
+    with pytest.raises(InputError, match="argument route: 'fast' is unknown"):
+        turning_points(Law({2: 1}), 2, route="fast")
+
+
+def test_a_route_with_times_or_a_velocity_is_one_that_knows_them():
+    drag = Law({2: "1/5"}, spring="pendulum")
+    assert choose(Request.read(drag, 5, 20, times=True)).name == "stepping"
+    assert choose(Request.read(drag, 5, 20, v0=1)).name == "stepping"
+    with pytest.raises(LimitError):
+        turning_points(drag, 100_000, 900, max_seconds=5)
 
 
 def test_the_method_names_how_the_nodes_were_found():
@@ -56,27 +136,12 @@ def test_the_method_names_how_the_nodes_were_found():
     assert "collocation" not in turning_points(Law({"1/2": "1/1000"}), 300, 10, start=290).method
 
 
-def test_a_wide_start_of_the_series_stays_wide():
-    alpha, epsilon, width = parse_real("3", "alpha"), arb("0.02"), arb("1e-6")
-    quarter = finite_quarter([alpha], [epsilon * 2], 50)
-    wide, low, high = (
-        list(islice(series_points(quarter, epsilon, Point(5, log, arb(7))), 4))
-        for log in (arb(0, width), -width, width)
-    )
-    for whole, *ends in zip(wide, low, high, strict=True):
-        assert all(whole.log.contains(end.log.mid()) and whole.tau.contains(end.tau.mid()) for end in ends)
-    assert [p.n for p in wide] == [5, 6, 7, 8] and wide[0].tau == 7
-
-
 @pytest.mark.slow
 def test_a_far_start_is_certified_and_agrees_with_the_quadratic_route():
     far = turning_points(Law({"3/2": "1/5"}), 1, 50, start=10**9, times=True, max_seconds=600)
     assert far.certified
     assert far.points[0].x == "4.8375135770288450459451814859410988637559037236490e-17"
-    general = plan({2: "1/5"}, start=10**6, count=1, interpolates=True, jump=True)
-    with ctx.workprec(120):
-        here = next(general.turnings())
-    exact = turning_points(Law({2: "1/5"}), 1, 25, start=10**6, times=True).points[0]
-    with ctx.workprec(200):
-        assert abs(here.x - arb(exact.x)) < abs(arb(exact.x)) * arb("1e-24")
-        assert abs(here.tau - arb(exact.tau)) < arb("1e-17")
+    exact, jumped = (
+        turning_points(Law({2: "1/5"}), 1, 25, start=10**6, times=True, route=r) for r in ("quadratic", "abel-series")
+    )
+    assert exact.points == jumped.points

@@ -15,7 +15,6 @@ from asymptotics.swing.sequence import Turning
 from asymptotics.wells import course as courses
 from asymptotics.wells import dense
 from asymptotics.wells import expansion as expansions
-from asymptotics.wells.composition import Curve, Line, Simplex
 from asymptotics.wells.course import Landing, course
 from asymptotics.wells.distance import contracted, growth, lateness, turning_gap
 from asymptotics.wells.ends import inside, trap
@@ -23,7 +22,6 @@ from asymptotics.wells.expansion import Expansion
 from asymptotics.wells.force import Force
 from asymptotics.wells.landing import points_forward
 from asymptotics.wells.sequence import after_landing, rest
-from asymptotics.wells.taylor import TaylorStep
 
 
 def force_of(losses, spring=None, bits=250):
@@ -146,35 +144,6 @@ def test_a_turning_point_near_the_place_of_rest_is_undecided():
             call()
 
 
-@pytest.mark.parametrize("name", FORCES)
-def test_the_residual_of_a_taylor_step(name):
-    """M is at least the largest |G| on the circle, and little more; the bound holds against 300 bits."""
-    force = FORCES[name]
-    with ctx.workprec(50):
-        step = TaylorStep.at(force, arb("0.5"), arb("0.75"), arb(1), arb(1))
-    us, ws = ([mpmath.mpf(float(c.mid())) for c in s] for s in (step.us, step.ws))
-    radius = float(step.radius)
-
-    def size(angle):
-        z = radius * mpmath.expj(angle)
-        U, W = mpmath.polyval(us[::-1], z), mpmath.polyval(ws[::-1], z)
-        pull = U if force.rate is None else mpmath.sin(U)
-        pull += sum(float(c) * U**p for c, p in force.springs) - sum(float(c) * U**m for c, m in force.grips)
-        return abs(pull - sum(float(f.strength) * U**f.place * W ** float(f.exponent) for f in force.losses))
-
-    largest = max(size(2 * mpmath.pi * k / 48) for k in range(48))
-    assert largest <= float(step.largest) <= 8 * largest
-    n, h = len(ws) - 1, float(step.length)
-    share = h / radius
-    again = (abs(ws[-1]) * mpmath.mpf(h) ** (n + 1) + float(step.largest) * share**n * h / (1 - share)) / (n + 1)
-    assert 0.999 * again <= float(step.residual) <= 1.001 * again
-    with ctx.workprec(250):
-        fine = TaylorStep.at(force, arb("0.5"), arb("0.75"), arb(1), arb(1))
-        t = min(step.length, fine.length)
-        missing = sum((abs(a - b) for a, b in zip(step.state(t), fine.state(t))), arb(0))
-    assert missing < arb(2) ** -40
-
-
 def test_a_step_stops_before_a_kink():
     """The orbit of the kinked force passes u = 0 between pieces, and one with a smooth force does not care."""
     with ctx.workprec(90):
@@ -262,30 +231,3 @@ def test_a_force_that_turns_round_between_two_places_is_seen():
     assert all(hump.rest(arb(end)) < 0 for end in ("-1", "-0.2"))
     assert not points_forward(hump, arb(-1), arb("-0.2"))
     assert points_forward(hump, arb(-1), arb("-0.86")) and points_forward(hump, arb("-0.52"), arb("-0.2"))
-
-
-def test_products_on_a_simplex_are_those_of_polynomials():
-    grid = Simplex((2, 3), 30)
-    a, b = ([arb(k * s % 7 - 3) for k in range(len(grid.keys))] for s in (5, 11))
-    for k, key in enumerate(grid.keys):
-        direct = sum(
-            a[i] * b[j] for i, f in enumerate(grid.keys) for j, g in enumerate(grid.keys)
-            if tuple(map(sum, zip(f, g))) == key
-        )  # fmt: skip
-        assert grid.product(a[: k + 1], b[: k + 1]) == direct
-        assert grid.product_from_1(a[: k + 1], b[:k]) == direct - a[0] * b[k]
-
-
-def test_curves_on_a_line_are_power_series():
-    curve = Curve(Line(()), arb(2), {0, 5}, arb("0.5"))
-    for k in range(1, 6):
-        curve.append(arb(1) / k)
-    with mpmath.workdps(30):
-        u = [mpmath.mpf(1) / 2, *(mpmath.mpf(1) / k for k in range(1, 6))]
-
-        def f(t):
-            return mpmath.polyval(u[::-1], t)
-
-        for series, g in ((curve.power[5], lambda t: f(t) ** 5), (curve.sine, lambda t: mpmath.sin(2 * f(t)))):
-            for found, value in zip(series, mpmath.taylor(g, 0, 5)):
-                assert float(found) == pytest.approx(float(value), rel=1e-10)

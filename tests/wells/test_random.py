@@ -6,8 +6,8 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.flow.taylor import GUARD
 from asymptotics.law import Law
-from asymptotics.swing.taylor import GUARD
 from asymptotics.wells.dense import states
 from asymptotics.wells.ends import inside
 from asymptotics.wells.force import Force

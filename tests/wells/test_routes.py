@@ -14,13 +14,11 @@ from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.passage import integrated
-from asymptotics.turning.any_well import well_turning_points
-from asymptotics.turning.drag_exact import drag_turning_points
 from asymptotics.turning.half_swing import half_swing_of_terms
-from asymptotics.turning.quadratic import quadratic_turning_points
 from asymptotics.wells.dense import states
 from asymptotics.wells.force import Force
 from asymptotics.wells.sequence import half_swing
+from tests.second_route.forced import drag_turning_points, quadratic_turning_points, stepping_turning_points
 
 REST = ExactReal(0)
 
@@ -79,7 +77,7 @@ def test_the_motion_of_a_pendulum_without_loss_is_a_jacobi_function():
 def test_quadratic_drag_and_dry_friction_have_their_primitive(law, p):
     """The integrator against the closed primitive: places only, no code in common."""
     primitive = drag_turning_points(law, exact(p), 5, 25)
-    pieces = well_turning_points(law, exact(p), REST, 5, 25)
+    pieces = stepping_turning_points(law, exact(p), 5, 25)
     assert [a.x for a in pieces.points] == [a.x for a in primitive.points]
 
 

@@ -1,0 +1,90 @@
+"""What a loss is at an amplitude, in the words of linear damping: zeta, Q, decrement, energy loss, c_eq, half-life.
+
+>>> air = damping({2: "1/10"}, ["1/2", 1], digits=6)
+>>> air.formulas["Q"], air.rows[0].first.Q, air.rows[1].motion.decrement
+(3*pi/(8*A*epsilon), '23.5619', '0.236684')
+>>> damping("symbolic").formulas["zeta"]
+A**(alpha - 1)*epsilon*gamma(alpha/2 + 1)/(sqrt(pi)*gamma(alpha/2 + 3/2))
+"""
+
+from typing import Any
+
+from asymptotics.api.units import law_of
+from asymptotics.equivalent.result import EquivalentDamping
+from asymptotics.equivalent.rows import row_at
+from asymptotics.equivalent.symbolic import closed_forms, symbolic_exponent
+from asymptotics.errors import InputError, LimitError, require_flag
+from asymptotics.law import Oscillator
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
+from asymptotics.public import public
+
+MAX_DIGITS, MAX_ORDER, MAX_AMPLITUDES = 100, 12, 1000
+_SHARES = (1, 2, 4, 8)
+
+
+@public
+def damping(
+    law: Any, amplitudes: Any = None, *, order: Any = None, digits: Any = 12, motion: bool = True, spring: Any = None,
+    max_seconds: Any = 60,
+) -> EquivalentDamping:  # fmt: skip
+    """Equivalent damping of any law, sum or spring at turning amplitudes A: formulas and certified numbers.
+
+        zeta = Delta E/(4 pi E),  Q = 2 pi E/Delta E,  decrement = ln(A_n/A_(n+2)),  c_eq = Delta E/closed int v dx
+
+    of first order (one cycle without loss) with the half-life, the time in which A falls to A/2; of the ``motion``
+    itself, one full swing from rest at A; and with ``order`` N of the series to delta^N, each with the proved bound of
+    what it lacks.  ``law``: epsilons (A in their unit), an oscillator (A in m, answers in SI) or "symbolic".
+    ``amplitudes``: a number or a list (default: the start and its half, quarter, eighth).  InputError for a law without
+    a loss, amplitudes <= 0 or outside the well; LimitError after ``max_seconds``.  Source: derivation
+    ``equivalent-damping``.
+    """
+    D = exact_integer(digits, "digits", 1, MAX_DIGITS)
+    N = None if order is None else exact_integer(order, "order", 1, MAX_ORDER)
+    require_flag(motion, "motion")
+    if isinstance(law, str) and law == "symbolic":
+        if amplitudes is not None or N is not None or spring is not None:
+            raise InputError("law", "a symbolic exponent has formulas only", "no amplitudes, order or spring beside it")
+        return EquivalentDamping(None, False, D, None, symbolic_exponent(si=False), ())
+    si = isinstance(law, Oscillator)
+    oscillator = _oscillator(law, spring)
+    given, notes = _amplitudes(amplitudes, oscillator)
+    formulas = closed_forms(oscillator.law.terms, si=si)
+    rows = tuple(row_at(oscillator, a, D, N, motion) for a in given)
+    return EquivalentDamping(oscillator, si, D, N, formulas, rows, (*oscillator.notes, *notes))
+
+
+def _oscillator(law: Any, spring: Any) -> Oscillator:
+    """The oscillator with the losses that act; InputError where there is none."""
+    if isinstance(law, Oscillator):
+        if spring is not None:
+            raise InputError("spring", "it belongs to the oscillator", "Oscillator(..., spring=)")
+        made = law
+    else:
+        made = Oscillator(law_of(law), spring=spring)
+    if all(t.strength.is_zero for t in made.law.losses):
+        raise InputError("law", "there is no loss in it", "a law with a strength that is not 0")
+    for t in made.law.springs:
+        if not t.velocity.is_zero:
+            raise InputError("spring", f"{t.shape()} depends on the velocity: no potential", "springs c x|x|^(P-1)")
+    return made
+
+
+def _amplitudes(given: Any, oscillator: Oscillator) -> tuple[list[ExactReal], tuple[str, ...]]:
+    if given is None:
+        if oscillator.x0.is_zero:
+            raise InputError("amplitudes", "the oscillator starts at x0 = 0", "amplitudes > 0")
+        return [abs(oscillator.x0) / n for n in _SHARES], ()
+    try:
+        values = [given] if isinstance(given, str | ExactReal) or not hasattr(given, "__len__") else list(given)
+    except TypeError:
+        values = [given]
+    if not values:
+        raise InputError("amplitudes", "there is none", "a number > 0 or a list of them")
+    if len(values) > MAX_AMPLITUDES:
+        raise LimitError("amplitudes", f"{len(values)} are too many", f"at most {MAX_AMPLITUDES}")
+    numbers = [exact_number(a, "amplitudes") for a in values]
+    for a in numbers:
+        if not a > 0:
+            raise InputError("amplitudes", f"{a} is not positive", "amplitudes > 0")
+    return numbers, tuple(note for a in values for note in float_notes(amplitudes=a))

@@ -1,0 +1,145 @@
+"""From a table (A, zeta), (A, Q) or (A, decrement) with resolutions to laws with intervals.
+
+>>> A = ["0.1", "0.2", "0.4", "0.8"]
+>>> found = damping_law({"A": A, "zeta": [0.0120, 0.0141, 0.0178, 0.0261]}, resolution="0.0002")
+>>> print(found.verdict)
+viscous drag and drag in v^2: consistent; epsilon_1 = ...; the table cannot tell dry friction below ... from none
+>>> found.law("2").grade
+'refuted'
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from asymptotics.equivalent.found_law import DampingLaw
+from asymptotics.equivalent.inverse import QUANTITIES, Candidate, Problem, fitted, weighted
+from asymptotics.equivalent.rows import row_at
+from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.law import Oscillator
+from asymptotics.numbers.arrays import real_array
+from asymptotics.numbers.policy import exact_number
+from asymptotics.public import public
+from asymptotics.records.sources import How, opened
+
+DEFAULT = ("0", "1", "2", "3", "0,1", "1,2", "0,2", "1,3", "0,1,2")
+MAX_POINTS, MAX_TERMS = 1000, 4
+NAMES = {
+    "amplitude": ("a", "amplitude", "a [m]", "amplitude [m]", "a [rad]", "amplitude [rad]"),
+    "zeta": ("zeta", "damping ratio", "damping_ratio"),
+    "Q": ("q", "quality factor", "quality_factor"),
+    "decrement": ("decrement", "lambda", "log decrement", "log_decrement"),
+    "resolution": ("resolution", "sigma", "s", "uncertainty", "error"),
+}
+
+
+@public
+def damping_law(
+    table: Any, *, resolution: Any = None, laws: Any = None, spring: Any = None, mass: Any = None,
+    stiffness: Any = None, max_seconds: Any = 60,
+) -> DampingLaw:  # fmt: skip
+    """The damping law behind amplitudes and zeta, Q or decrement (ln(A_n/A_(n+2))): candidates with grades, intervals.
+
+    ``table``: a file, a data frame or a mapping with a column A (amplitude, m or rad), one of zeta, Q, decrement, and
+    perhaps resolution (the standard deviation of each); or give ``resolution``, one number for all.  ``laws``: the
+    candidates, such as ["1", "1,2"].  With ``mass`` and ``stiffness`` strengths are b in SI, else epsilon;
+    ``spring`` as for ``Law``.  First order; what it neglects is measured on the best law.  InputError by
+    name, LimitError after ``max_seconds``.  Source: derivation ``equivalent-damping``.
+    """
+    columns, quantity, notes = _read(table)
+    given = _positive(columns["amplitude"], "A")
+    values = _positive(columns[quantity], quantity)
+    known = columns.get("resolution")
+    if resolution is not None:
+        if known is not None:
+            raise InputError("resolution", "the table has a column of that name", "one of the two")
+        known = np.full(len(given), float(exact_number(resolution, "resolution").ball().mid()))
+    spread = None if known is None else _positive(known, "resolution")
+    if (mass is None) != (stiffness is None):
+        raise InputError("mass" if mass is None else "stiffness", "is missing", "both, or neither")
+    candidates = _candidates(laws)
+    if len(given) < 1 + max(map(len, candidates)):
+        raise InputError("table", f"{len(given)} rows are too few", f"more than {max(map(len, candidates))} rows")
+    problem = Problem(quantity, candidates, mass or 1, stiffness or 1, spring)
+    table_of = given.tolist(), values.tolist(), None if spread is None else spread.tolist()
+    found, (zeta, s) = fitted(*table_of, problem), weighted(*table_of, problem)
+    if spread is None:
+        notes += ("no resolutions: taken equal, as large as the best candidate needs, so none is refuted by chance",)
+    ends = float(given.min()), float(given.max())
+    off, relative = _neglected(problem, found[0], ends), float(np.median(s / zeta))
+    return DampingLaw(problem, found, len(given), ends, off, relative, mass is not None, notes)
+
+
+def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
+    """The columns by what they are, and which quantity there is."""
+    if isinstance(table, Mapping):
+        named = {str(name): table[name] for name in table}
+        places = {what: name for name in named if (what := _what(name)) is not None}
+        columns = {what: real_array(list(named[name]), name) for what, name in places.items()}
+        left = [name for name in named if _what(name) is None]
+    else:
+        source = opened(table, How())
+        at = {what: i for i, name in enumerate(source.names) if (what := _what(name)) is not None}
+        body = source.read(sorted(at.values()))
+        if body.unread.first is not None:
+            row, _, cell = body.unread.first
+            raise InputError("table", f"{source.name}, row {row + 1}: {cell[:30]!r} is not a number", "numbers")
+        columns, left = {what: body.columns[i] for what, i in at.items()}, [n for n in source.names if _what(n) is None]
+    quantities = [q for q in QUANTITIES if q in columns]
+    if "amplitude" not in columns or len(quantities) != 1:
+        reason = "no column A" if "amplitude" not in columns else f"{len(quantities)} of the columns zeta, Q, decrement"
+        raise InputError("table", f"it has {reason}", "columns A and one of zeta, Q, decrement, perhaps resolution")
+    if len({len(c) for c in columns.values()}) != 1:
+        raise InputError("table", "its columns differ in length", "columns of one length")
+    return columns, quantities[0], (f"not used: {', '.join(left)}",) if left else ()
+
+
+def _what(name: str) -> str | None:
+    plain = name.strip().lower()
+    return next((what for what, words in NAMES.items() if plain in words), None)
+
+
+def _positive(values: Any, name: str) -> Any:
+    if values.ndim != 1 or len(values) > MAX_POINTS:
+        raise LimitError(name, f"its shape is {values.shape}", f"one column of at most {MAX_POINTS} rows")
+    bad = np.flatnonzero(~((values > 1e-100) & (values < 1e100)))
+    if len(bad):
+        raise InputError(name, f"{values[bad[0]]:g} in row {bad[0] + 1} is not positive", "numbers > 0")
+    return values
+
+
+def _candidates(laws: Any) -> tuple[tuple[str, ...], ...]:
+    """Exponents as text; InputError for what is no exponent, twice the same, or too many."""
+    given = DEFAULT if laws is None else (laws,) if isinstance(laws, str) else laws
+    if not isinstance(given, list | tuple) or not given:
+        raise InputError("laws", "there is none", 'texts such as ["1", "1,2"]')
+    made = []
+    for law in given:
+        alphas = [exact_number(part, "laws") for part in (law.split(",") if isinstance(law, str) else [law])]
+        if len(alphas) > MAX_TERMS or len({str(a) for a in alphas}) < len(alphas) or any(a < 0 for a in alphas):
+            raise InputError(
+                "laws", f"{str(law)[:40]!r} is no candidate", f"up to {MAX_TERMS} different exponents >= 0"
+            )
+        made.append(tuple(str(a) for a in alphas))
+    return tuple(dict.fromkeys(made))
+
+
+def _neglected(problem: Problem, best: Candidate, ends: tuple[float, float]) -> float | None:
+    """The largest relative difference of the motion from the first order at both ends, for the best law."""
+    strengths = {exact_number(s.alpha, "laws"): s.estimate for s in best.strengths if s.estimate > 0}
+    if not strengths:
+        return None
+    law = Oscillator(strengths, mass=problem.mass, stiffness=problem.stiffness, spring=problem.spring)
+    off = []
+    for a in ends:
+        try:
+            row = row_at(law, exact_number(a, "A"), 6, None)
+        except UndecidedError:
+            return None
+        first = getattr(row.first, problem.quantity)
+        motion = None if row.motion is None else getattr(row.motion, problem.quantity)
+        if motion is None:
+            return None
+        off.append(abs(float(motion) / float(first) - 1))
+    return max(off)

@@ -1,0 +1,133 @@
+"""A ``Solution`` in numbers: NumPy functions in doubles, and mpmath at any precision; nothing here is certified.
+
+Polynomial and closed waveforms are evaluated as they stand; open integrals come from the table of ``waves`` (doubles)
+and from its balls (mpmath), the rates without a closed form from the certified half-swing at the precision asked for.
+
+>>> from asymptotics.api.solution import solution
+>>> found = solution({"3/2": "1/10"}, order=4)
+>>> [x[:25] for x in (found.at(7, digits=20).x, found.at(7, digits=60).x)]
+['0.58239487308158191715', '0.58239487308158191714515']
+"""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy
+from flint import arb
+from sympy import Expr, Symbol
+
+from asymptotics.envelopes.slow_time import epsilon
+from asymptotics.errors import InputError
+from asymptotics.multiscale.turning import TurningHierarchy
+from asymptotics.numbers.context import ctx
+from asymptotics.numbers.decimal_context import workdps
+from asymptotics.numbers.decimals import bits_for
+
+Function = Callable[..., Any]
+delta = Symbol("delta", positive=True)
+tau = Symbol("tau", nonnegative=True)
+chi = Symbol("chi", real=True)
+_CHUNK, _GUARD = 1 << 14, 64
+
+
+def functions(s: Any, strength: Any) -> tuple[Function, Function, Function]:
+    """(A, phi, x) as functions of arrays tau and epsilon, or of tau alone with a ``strength``."""
+    s = s.refined(20)
+    names, shape, begun = [tau, epsilon, *s.letters], _shape(s), _letters(s)
+    amplitude, phase = (sympy.lambdify(names, e, "numpy", cse=True) for e in (s.amplitude, s.phase))
+
+    def both(times: Any, eps: Any) -> tuple[Any, Any]:
+        times, values = np.asarray(times, dtype=float), begun(eps)
+        return amplitude(times, eps, *values) + 0.0 * times, phase(times, eps, *values) + 0.0 * times
+
+    def x(times: Any, eps: Any) -> Any:
+        size, lag = both(times, eps)
+        turned = np.asarray(times, dtype=float) + lag
+        swings = np.floor(turned / np.pi)
+        sign = 1.0 - 2.0 * np.mod(swings, 2.0)
+        local = eps * size ** (float(s.alpha) - 1.0)
+        return sign * size * shape(turned - np.pi * swings, local)
+
+    found = (lambda t, e: both(t, e)[0], lambda t, e: both(t, e)[1], _in_chunks(x))
+    if strength is None:
+        return found
+    A, phi, x_of = (partial(_at, f, float(strength)) for f in found)
+    return A, phi, x_of
+
+
+def _letters(s: Any) -> Function:
+    """The values of ``letters`` at a strength: a_0 and phi_0, and epsilon_0 = epsilon a_0^(alpha-1)."""
+    if s.start is None:
+        return lambda _: ()
+    first = sympy.lambdify([epsilon], list(s.start), "numpy", cse=True)
+
+    def values(eps: Any) -> tuple[Any, Any, Any]:
+        size, turn = first(eps)
+        return size, turn, eps * size ** (float(s.alpha) - 1.0)
+
+    return values
+
+
+def _shape(s: Any) -> Function:
+    """cos psi + sum delta^k x_k(psi) in doubles, 0 <= psi <= pi: polynomials, or a table of the open integrals."""
+    if isinstance(s.scales.kernel, TurningHierarchy) or s.order == 1:
+        return sympy.lambdify([chi, delta], s.shape(chi), "numpy", cse=True)  # type: ignore[no-any-return]
+    waves = s.waveforms
+
+    def shape(psi: Any, local: Any) -> Any:
+        rows, c, sine = waves.table.at(psi), np.cos(psi), np.sin(psi)
+        total = c.copy()
+        for (n,), P, Q in zip(waves.table.keys, rows[::2], rows[1::2]):
+            total += local**n * (c * P - sine * Q)
+        return total
+
+    return shape
+
+
+def numbers(s: Any, number: Expr, digits: int) -> tuple[Any, Any, Any]:
+    """A, phi and x at tau = ``number`` as mpmath numbers of about that many digits."""
+    made, dps = s.refined(digits), digits + 15
+    value: dict[Any, Any] = {tau: number, epsilon: made.strength}
+    for letter, e in made.letters.items():
+        value[letter] = sympy.N(e.subs(value), dps)
+    if made.alpha < 1 and not made.begun(1 / made.leading[1]).subs(value).evalf(30) > 0:
+        end = made.begun(1 / ((1 - made.alpha) * made.p_1 * epsilon)).subs(value).evalf(6)
+        raise InputError("time", f"A_0 has vanished at tau = {end}", "an earlier time")
+    with workdps(dps):
+        size, lag = (mpmath.mpf(sympy.N(e.subs(value), dps)) for e in (made.amplitude, made.phase))
+        turned = mpmath.mpf(sympy.N(number, dps)) + lag
+        swings = mpmath.floor(turned / mpmath.pi)
+        psi = turned - swings * mpmath.pi
+        local = mpmath.mpf(sympy.N(made.strength, dps)) * size ** mpmath.mpf(sympy.N(made.alpha - 1, dps))
+        side = 1 - 2 * (int(swings) % 2)  # a power of -1 would pass through a double
+        if made.is_closed:
+            return size, lag, side * size * sympy.lambdify([chi, delta], made.shape(chi), "mpmath")(psi, local)
+        shape = mpmath.cos(psi) + sum(local**n * x for n, x in _open_waves(made, psi, digits).items())
+        return size, lag, side * size * shape
+
+
+def _open_waves(s: Any, psi: Any, digits: int) -> dict[int, Any]:
+    """x_n at a phase, from the middle of balls."""
+    with ctx.workprec(bits_for(digits, _GUARD)):
+        found = s.waveforms.enclosed(arb(mpmath.nstr(psi, digits + 15)).mid())
+        return {n: mpmath.mpf(x.mid().str(digits + 15, radius=False)) for (n,), x in found.items()}
+
+
+def _at(f: Function, strength: float, times: Any) -> Any:
+    return f(times, strength)
+
+
+def _in_chunks(f: Function) -> Function:
+    """The same function, evaluated in pieces that stay in the cache of the processor."""
+
+    def chunked(times: Any, *rest: Any) -> Any:
+        flat = np.asarray(times, dtype=float)
+        found = np.empty(flat.size)
+        for i in range(0, flat.size, _CHUNK):
+            found[i : i + _CHUNK] = f(flat.ravel()[i : i + _CHUNK], *rest)
+        return found.reshape(flat.shape)
+
+    return chunked

@@ -1,0 +1,104 @@
+"""A solution in words and in LaTeX: every letter that is printed is defined in the same output.
+
+>>> from sympy import symbols
+>>> x, y = symbols("x y")
+>>> rows_of("f", x + y), document("f")[:23]
+(['f = x + y'], '\\\\documentclass{article}')
+"""
+
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import sympy
+from sympy import Add, Eq, Expr, Integer, latex
+
+from asymptotics.present.shown import Page, Shown, fields_of
+
+_TERMS = 6
+A_0 = sympy.Symbol("A_0", positive=True)
+
+
+class _Numbers(NamedTuple):
+    amplitude: str
+    phase: str
+    x: str
+
+
+class SolutionPoint(Shown, _Numbers):
+    """A, phi and x at one time, in decimals; heuristic: the error of the truncation is not in them."""
+
+    __slots__ = ()
+
+    def _page(self) -> Page:
+        page = fields_of(self)
+        return replace(page, lines=("estimate: the error of the truncation is not in it",))
+
+    def _formula(self) -> str:
+        return rf"A = {self.amplitude},\quad \phi = {self.phase},\quad x = {self.x}"
+
+
+def text_of(s: Any) -> str:
+    """The formulas of a ``Solution`` as text."""
+    leading, slow, relative, slow_phase, start = _slow_part(s)
+    power = {Integer(1): "x'", Integer(2): "x'|x'|"}.get(s.alpha, f"x'|x'|^({s.alpha} - 1)")
+    place = "x(0) = 1, x'(0) = 0" if s.start is None else "x(0)**2 + x'(0)**2 = 1"
+    lines = [f"x'' + x + epsilon {power} = 0, {place}: through order {s.order}, turning-point gauge"]
+    lines += [f"{e.lhs!s:7} = {e.rhs}" for e in start]
+    lines += [] if s.alpha == 1 else [f"D       = {slow}"]
+    lines += [f"A_0     = {leading}", f"A       = {relative}", f"phi     = {slow_phase}"]
+    waves = "".join(f" + delta{f'**{n}' if n > 1 else ''}*x_{n}(psi)" for n in range(1, s.order))
+    where = f"psi = tau + phi, delta = {s.local_strength}, on 0 < psi < pi"
+    lines.append(f"x       = A*(cos(psi){waves}), {where}")
+    lines += [f"x_{n}     = {wave}" for n, wave in enumerate(s.shown_waves(), start=1)]
+    lines += [f"{e.lhs} = {e.rhs}" for e in s.definitions()]
+    lines.append("X(psi + pi) = -X(psi)")
+    lines += [] if s.oscillator is None else [f"epsilon = {s.strength}"]
+    limit = "for every tau >= 0 (alpha >= 1)" if s.valid_until == sympy.oo else f"while tau < {s.valid_until}"
+    return "\n".join([*lines, f"valid   {limit}", f"error   O(epsilon**{s.order}) at fixed epsilon*tau; not certified"])
+
+
+def _slow_part(s: Any) -> tuple[Expr, Expr, Expr, Expr, list[Eq]]:
+    """A_0, D, A and phi as they are shown, and what a start in motion puts before them: a_0, phi_0, epsilon_0."""
+    found = (*s.leading, A_0 * s.relative, s.slow_phase)
+    if s.start is None:
+        return *found, []
+    leading, slow, relative, slow_phase = (s.begun(e) for e in found)
+    a_0, phi_0, _ = s.letters
+    begin = [Eq(letter, value, evaluate=False) for letter, value in s.letters.items()]
+    return leading, slow, a_0 * relative, phi_0 + slow_phase, begin
+
+
+def latex_lines(s: Any) -> list[str]:
+    """The formulas of a ``Solution`` as displayed lines of LaTeX."""
+    leading, slow, relative, slow_phase, start = _slow_part(s)
+    force = r"\dot x" if s.alpha == 1 else rf"\dot x|\dot x|^{{{latex(s.alpha - 1)}}}"
+    place = r"x(0) = 1,\quad \dot x(0) = 0" if s.start is None else r"x(0)^2 + \dot x(0)^2 = 1"
+    lines = [rf"\ddot x + x + \epsilon\,{force} = 0,\quad {place}"]
+    for e in start:
+        lines += rows_of(latex(e.lhs), e.rhs)
+    lines += [] if s.alpha == 1 else [rf"D = {latex(slow)}"]
+    lines += [rf"A_{{0}} = {latex(leading)}", *rows_of(r"A/A_{0}", sympy.expand(relative / A_0))]
+    lines += rows_of(r"\phi", sympy.expand(slow_phase))
+    waves = "".join(rf" + \delta^{{{n}}} x_{{{n}}}(\psi)" for n in range(1, s.order))
+    lines.append(rf"x = A\Bigl(\cos\psi{waves}\Bigr),\quad \psi = \tau + \phi,\quad \delta = {latex(s.local_strength)}")
+    for n, wave in enumerate(s.shown_waves(), start=1):
+        lines += rows_of(f"x_{{{n}}}", wave)
+    for e in s.definitions():
+        lines += rows_of(latex(e.lhs), e.rhs)
+    return [*lines, r"0 < \psi < \pi,\quad X(\psi + \pi) = -X(\psi)"]
+
+
+def rows_of(name: str, expression: Expr) -> list[str]:
+    """name = sum, broken into lines of a few terms so that it fits on a page."""
+    parts = Add.make_args(expression)
+    pieces = [latex(Add(*parts[i : i + _TERMS])) for i in range(0, len(parts), _TERMS)]
+    if len(pieces) == 1:
+        return [f"{name} = {pieces[0]}"]
+    joined = r" \\ &\quad {} + ".join(pieces)
+    return [rf"\begin{{aligned}} {name} &= {joined} \end{{aligned}}"]
+
+
+def document(body: str) -> str:
+    """A LaTeX document that compiles by itself."""
+    head = "\\documentclass{article}\n\\usepackage{amsmath,amssymb}\n\\usepackage[margin=1.5cm,landscape]{geometry}\n"
+    return f"{head}\\allowdisplaybreaks\n\\begin{{document}}\n{body}\n\\end{{document}}\n"

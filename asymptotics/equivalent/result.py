@@ -1,0 +1,235 @@
+"""Equivalent damping as a result: formulas, a table of proved numbers, a curve; text, CSV, JSON, LaTeX, HTML.
+
+Immutable; every number of the table is a decimal with its label, and the curve alone is in doubles.
+"""
+
+import csv
+import io
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy import Expr
+
+from asymptotics.equivalent.conversions import Conversion, conversions
+from asymptotics.equivalent.rows import QUANTITIES, DampingRow, Measure, orbit_of
+from asymptotics.errors import InputError, require_choice
+from asymptotics.law import Oscillator
+from asymptotics.made_by import mark
+from asymptotics.numbers.arrays import real_array
+from asymptotics.numbers.context import ctx
+from asymptotics.numbers.digits import outward, spread
+from asymptotics.numbers.policy import exact_number
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page, Rows
+from asymptotics.public import public
+
+UNITS = {"amplitude": "m", "energy_loss": "J", "c_eq": "N s/m", "half_life": "s"}
+ANGULAR = {**UNITS, "amplitude": "rad", "c_eq": "N m s"}
+"""Of a pendulum, whose m is a moment of inertia and whose k is m g l."""
+LETTERS = {
+    "zeta": r"\zeta", "Q": "Q", "decrement": r"\Lambda", "energy_loss": r"\Delta E", "c_eq": r"c_{\mathrm{eq}}",
+    "half_life": r"t_{1/2}",
+}  # fmt: skip
+PARTS = {"first": "first order", "motion": "the motion itself", "expanded": "order N"}
+_CURVE, _LOW, _WIDE = 60, 53, 8
+
+
+@dataclass(frozen=True, repr=False)
+class EquivalentDamping(Rows, Drawn):
+    """zeta, Q, decrement, energy loss, c_eq and half-life at turning amplitudes A (m, or rad for a pendulum).
+
+    ``formulas``: of first order in A, b, m, k (epsilon without units); ``rows``: the numbers, a row an amplitude, each
+    with the ``first`` order (one cycle without loss), the ``motion`` itself (one full swing from rest at A) and, if
+    asked for, ``expanded``: order N with the proved bound of each number.  ``oscillator`` is None for a symbolic
+    exponent.
+    """
+
+    oscillator: Oscillator | None
+    si: bool
+    digits: int
+    order: int | None
+    formulas: dict[str, Expr]
+    rows: tuple[DampingRow, ...]
+    notes: tuple[str, ...] = field(default=(), compare=False)
+
+    @property
+    def certified(self) -> bool:
+        """Whether all numbers of the table are proved."""
+        return all(m.certified for row in self.rows for m in row.parts.values() if not m.reason or m.zeta)
+
+    def header(self) -> list[str]:
+        """The columns of the table, with their units."""
+        return ["part", *(self._named(name) for name in ("amplitude", *QUANTITIES)), "bound of zeta", "remark"]
+
+    def table(self) -> list[list[str]]:
+        """The rows of the table as text: first order, then the motion, then order N."""
+        rows = []
+        for part in PARTS:
+            for row in self.rows:
+                found = row.parts.get(part)
+                if found is not None:
+                    values = [getattr(found, name) or "" for name in QUANTITIES]
+                    rows.append([self._part(part), row.amplitude, *values, found.bounds.get("zeta", ""), found.reason])
+        return rows
+
+    def to_csv(self) -> str:
+        """CSV text: units in the header; the last column says what code made it."""
+        stream, made = io.StringIO(), mark()
+        csv.writer(stream, lineterminator="\n").writerows(
+            [[*self.header(), "code"], *([*row, made] for row in self.table())]
+        )
+        return stream.getvalue()
+
+    @public
+    def sample(self, A: Any, *, max_seconds: Any = 60) -> dict[str, Any]:
+        """zeta, Q, decrement, energy_loss, c_eq of first order at an array of amplitudes > 0: doubles."""
+        oscillator = self._numbers()
+        amplitudes = real_array(A, "A")
+        rows = [_doubles(oscillator, a) for a in np.ravel(amplitudes)]
+        names = [name for name in QUANTITIES if name != "half_life"]
+        return {name: np.reshape([row[i] for row in rows], amplitudes.shape) for i, name in enumerate(names)}
+
+    def _curve(self, axes: Any, quantity: str = "Q", **style: Any) -> None:
+        """A quantity against A: first order as a line, the motion as points."""
+        require_choice(quantity, "quantity", [name for name in QUANTITIES if name != "half_life"])
+        ends = sorted(float(exact_number(row.amplitude, "A").ball().mid()) for row in self.rows)
+        low, high = (ends[0], ends[-1]) if ends[-1] > ends[0] else (ends[0] / 10, ends[0])
+        A = np.geomspace(low, high, _CURVE)
+        axes.plot(A, self.sample(A)[quantity], **{"label": "first order", **style})
+        points = [(r.amplitude, getattr(r.motion, quantity)) for r in self.rows if r.motion is not None]
+        told = [(float(exact_number(a, "A").ball().mid()), float(v)) for a, v in points if v]
+        if told:
+            axes.plot(*zip(*told), "o", markersize=4, label="the motion, one full swing")
+        if high > _WIDE * low:
+            axes.set(xscale="log", yscale="log")
+        axes.set(xlabel=self._named("amplitude"), ylabel=self._named(quantity))
+
+    @public
+    def conversions(self, *, max_seconds: Any = 60) -> tuple[Conversion, ...]:
+        """The strengths under the names of ITTC, IMO, OpenFAST, OrcaFlex and of dampers, with their definitions; SI."""
+        if not self.si:
+            raise InputError("law", "it has no units", "an oscillator: mass, stiffness and b in SI")
+        return conversions(self._numbers(), self.digits)
+
+    def latex(self) -> str:
+        """The formulas of first order in LaTeX."""
+        return " \\\\\n".join(f"{LETTERS[name]}(A) = {sympy.latex(e)}" for name, e in self.formulas.items())
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: numbers are strings."""
+        formulas = {n: {"exact": str(e), "latex": sympy.latex(e)} for n, e in self.formulas.items()}
+        rows = [
+            {"amplitude": row.amplitude, **{part: m.to_dict() for part, m in row.parts.items()}} for row in self.rows
+        ]
+        units = {name: self._unit(name) for name in ("amplitude", *QUANTITIES)}
+        return {
+            "law": None if self.oscillator is None else str(self.oscillator.law), "si": self.si, "units": units,
+            "formulas": formulas, "order": self.order, "digits": self.digits, "rows": rows,
+            "certified": self.certified, "notes": list(self.notes),
+        }  # fmt: skip
+
+    def __str__(self) -> str:
+        lines = [f"{name} = {e}" for name, e in self.formulas.items()]
+        for part in PARTS:
+            told = [(row.amplitude, row.parts[part]) for row in self.rows if part in row.parts]
+            if told:
+                lines += [f"{self._part(part)}:", *self._lines(told)]
+        claim = [f"certified: {str(self.certified).lower()}"] if self.rows else []
+        return "\n".join([*lines, *claim, *self.notes])
+
+    def _lines(self, told: list[tuple[str, Measure]]) -> list[str]:
+        """One part as a table of text."""
+        names = [n for n in QUANTITIES if any(getattr(m, n) for _, m in told)]
+        head = [self._named("amplitude"), *map(self._named, names)]
+        rows = [
+            [a, *(_shown(m, n) for n in names)] if m.zeta else [a, m.reason, *[""] * (len(names) - 1)][: len(head)]
+            for a, m in told
+        ]
+        if not names:
+            return [f"  {a}  {m.reason}" for a, m in told]
+        widths = [max(len(r[i]) for r in (head, *rows) if i != 1 or r[1:] != [""]) for i in range(len(head))]
+        lines = ["  " + "  ".join(c.ljust(w) for c, w in zip(row, widths)).rstrip() for row in (head, *rows)]
+        return [*lines, *dict.fromkeys(f"  {m.reason}" for _, m in told if m.zeta and m.reason)]
+
+    def _page(self) -> Page:
+        """The value first: Q at the amplitudes; then the formulas and the table."""
+        told = ", ".join(f"{(m.motion or m.first).Q or m.first.Q} at {m.amplitude}" for m in self.rows[:4])
+        title = f"Q = {told}" if told else f"Q = {self.formulas['Q']}"
+        law = "x'|x'|^(alpha-1)" if self.oscillator is None else str(self.oscillator.law)
+        worth = "; ".join(dict.fromkeys(m.worth for row in self.rows for m in row.parts.values()))
+        lines = (f"equivalent damping of {law}", worth or "formulas of first order, exact", *self.notes)
+        return Page(title, lines, tuple(self.header()) if self.rows else (), tuple(map(tuple, self.table())))
+
+    def _table(self) -> dict[str, list[Any]]:
+        told = [(part, row.amplitude, row.parts[part]) for part in PARTS for row in self.rows if part in row.parts]
+        columns: dict[str, list[Any]] = {
+            "part": [self._part(part) for part, _, _ in told],
+            self._named("amplitude"): [_double(a) for _, a, _ in told],
+        }
+        for name in QUANTITIES:
+            columns |= _spread(self._named(name), [(getattr(m, name), m.bounds.get(name)) for _, _, m in told])
+        return columns | {"remark": [m.reason for _, _, m in told]}
+
+    def _formula(self) -> str:
+        return rf"\displaystyle\begin{{gathered}}{self.latex()}\end{{gathered}}"
+
+    def _letters(self) -> dict[str, str]:
+        return {
+            "A": "turning amplitude", "a": "the amplitude integrated over", "E": "energy V(A)", "k": "stiffness",
+            "x": "the place integrated over", r"\zeta": "equivalent damping ratio", r"\Lambda": "decrement of a swing",
+            r"\Delta": "what a cycle takes", "F": "hypergeometric function",
+        }  # fmt: skip
+
+    def _part(self, part: str) -> str:
+        return f"order {self.order}, with its bound" if part == "expanded" else PARTS[part]
+
+    def _unit(self, name: str) -> str:
+        if not self.si or self.oscillator is None:
+            return ""
+        return (ANGULAR if any(t.family for t in self.oscillator.law.springs) else UNITS).get(name, "")
+
+    def _named(self, name: str) -> str:
+        unit = self._unit(name)
+        return f"{name.replace('_', ' ')} [{unit}]" if unit else name.replace("_", " ")
+
+    def _numbers(self) -> Oscillator:
+        if self.oscillator is None:
+            raise InputError("alpha", "it is symbolic", "an exponent")
+        return self.oscillator
+
+
+def _spread(name: str, cells: list[tuple[str | None, str | None]]) -> dict[str, list[Any]]:
+    """Columns of a data frame: digits within half a unit of the last, or within the bound that stands beside them."""
+    columns = spread(name, [value for value, _ in cells])
+    for i, (value, bound) in enumerate(cells):
+        if value is not None and bound is not None:
+            low, high = Fraction(value) - Fraction(bound), Fraction(value) + Fraction(bound)
+            columns[f"{name}_low"][i], columns[f"{name}_high"][i] = outward(low, -1), outward(high, 1)
+    return columns
+
+
+def _double(text: str) -> float:
+    return float(exact_number(text, "A").ball().mid())
+
+
+def _shown(m: Measure, name: str) -> str:
+    value = getattr(m, name)
+    return "-" if value is None else f"{value} +- {m.bounds[name]}" if name in m.bounds else value
+
+
+def _doubles(oscillator: Oscillator, a: float) -> tuple[float, ...]:
+    """The first order at one amplitude; NaN stays NaN."""
+    if not a > 0:
+        return (float("nan"),) * 5
+    local = Oscillator(oscillator.law, mass=oscillator.mass, stiffness=oscillator.stiffness, x0=exact_number(a, "A"))
+    with ctx.workprec(_LOW):
+        orbit = orbit_of(local)
+        k = oscillator.stiffness.ball()
+        numbers = (
+            orbit.zeta, orbit.quality, orbit.decrement, orbit.lost * k * local.length() ** 2,
+            orbit.coefficient * (k * oscillator.mass.ball()).sqrt(),
+        )  # fmt: skip
+        return tuple(float(x.mid()) for x in numbers)

@@ -1,0 +1,47 @@
+"""Numbers that bound and numbers that choose: upper bounds in 53 bits, and doubles for sizes, which bound nothing.
+
+>>> from flint import arb
+>>> upper(arb(-3, 0.5)).str(5), round(size_of(arb(10) ** -400), 1)
+('[3.5000 +/- ...]', -1328.8)
+"""
+
+from collections.abc import Iterable
+from math import log2
+
+from flint import arb
+
+from asymptotics.errors import LimitError
+from asymptotics.numbers.context import ctx
+
+_LEAST = 1e-300
+
+
+def in_doubles(exponents: Iterable[arb]) -> tuple[float, ...]:
+    """Exponents above 0, for choosing sizes; LimitError for one so small that its inverse would leave the doubles."""
+    found = tuple(float(a.mid()) for a in exponents)
+    if not all(a >= _LEAST for a in found):
+        raise LimitError("alpha", "an exponent is above 0, but too small for a double", "0, or 1e-300 and above")
+    return found
+
+
+def size_of(x: arb) -> float:
+    """log2 |midpoint|, also far outside the range of doubles; -inf for 0."""
+    mantissa, exponent = x.mid().man_exp()
+    return log2(abs(int(mantissa))) + int(exponent) if mantissa != 0 else float("-inf")
+
+
+def dyadic(size: float) -> arb:
+    """A dyadic number near 2^size, exact at any precision.
+
+    >>> dyadic(-1.0), dyadic(-2000.5) == 0
+    (0.500000000000000, False)
+    """
+    whole = int(size // 1)
+    with ctx.workprec(53):
+        return arb(2.0 ** (size - whole)) * arb((1, whole), 0)
+
+
+def upper(x: arb) -> arb:
+    """An exact upper bound of |x|, short: errors are added in 53 bits."""
+    with ctx.workprec(53):
+        return abs(x).upper()

@@ -1,0 +1,175 @@
+"""One Taylor step in time from an exact state with w > 0, as an enclosure: the error is bounded by the residual.
+
+The residual (the field says defect) of any approximant bounds how far the truth parts from it: the differential
+inequality of the logarithmic norm (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
+theorem I.10.6).  The powers p = w^alpha come from w l = w' and p' = alpha l p, those of u and the sine from
+``composition``.  Let W, U be the Taylor polynomials of degree n, and on |t| <= R |U - u_0| <= du, |W - w_0| <= dw <
+w_0, |F(U, W)| <= M (``largest``), where G = lambda u + F: lambda is 1 where F depends on w alone, else 0 (``linear``).
+By Cauchy they solve the equations up to
+
+    U' + W = w_n t^n,        W' - G(U, W) = -lambda u_n t^n + (terms of F(U, W) from t^n on),
+
+so the truth parts from them, in the distance with the given ``unit`` of places, at time h by at most the factor by
+which distances grow times
+
+    (unit |w_n| + lambda |u_n|) h^(n+1)/(n+1) + M (h/R)^n h/((n+1) (1 - h/R))        (derivation ``taylor-residual``).
+
+Beside the linear spring the factor is 1.  The true motion may meanwhile have turned: nothing above needs its speed to
+stay positive.
+
+>>> from asymptotics.law import Law
+>>> from asymptotics.swing.damping import Damping
+>>> with ctx.workprec(60):
+...     law = Damping.of_law(Law({"3/2": "1/10"}))
+...     step = TaylorStep.at(law, arb(0), arb(1), arb(1), arb(1))
+...     u, w = step.state(step.length)
+>>> step.length > 0.1, u < 0, step.residual < 1e-17
+(True, True, True)
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import islice
+from math import inf
+from operator import mul
+
+from flint import arb, arb_poly
+
+from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import dyadic, size_of, upper
+from asymptotics.flow.composition import Curve, Line
+from asymptotics.flow.force import Force
+from asymptotics.numbers.context import cached_property, ctx
+
+GUARD = 32  # bits more for the coefficients, whose recurrence cancels; the force should carry them
+_SHARES = (0.95, 0.88, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.12, 0.05, 0.02, 0.01, 0.004, 0.001)
+_NEXT = 0.1  # log2 of the ratio of two radii at least
+_LOW = 40  # bits in which bounds are computed
+
+
+@dataclass(frozen=True)
+class TaylorStep:
+    """Taylor polynomials of u and w, good for 0 <= t <= ``length`` but for the integrated ``residual``.
+
+    ``radius``, ``largest`` and ``linear``: R, M and lambda of the module's docstring.
+    """
+
+    us: tuple[arb, ...]
+    ws: tuple[arb, ...]
+    length: arb
+    unit: arb
+    radius: arb
+    largest: arb
+    linear: int
+
+    @classmethod
+    def at(cls, force: Force, u: arb, w: arb, unit: arb, scale: arb) -> "TaylorStep":
+        """A step from (u, w), w > 0 exact, whose residual is near 2^-precision ``scale``.
+
+        UndecidedError where no disc is found on which w keeps its sign.
+        """
+        tolerance = size_of(scale) - ctx.prec
+        with ctx.workprec(ctx.prec + GUARD):
+            us, ws = coefficients(force, u, w, order_for(ctx.prec - GUARD))
+        with ctx.workprec(_LOW):
+            radius, largest, length = _longest(force, us, ws, unit, tolerance)
+        return cls(tuple(us), tuple(ws), dyadic(length), unit, radius, largest, force.linear)
+
+    def shortened(self, length: arb) -> "TaylorStep":
+        """The same polynomials for another time below R."""
+        return replace(self, length=length)
+
+    @cached_property
+    def residual(self) -> arb:
+        """The integral of the residual at h = ``length`` < R = ``radius``."""
+        with ctx.workprec(_LOW):
+            h, n = self.length, len(self.ws) - 1
+            share = h / self.radius
+            cut = (self.unit * abs(self.ws[-1]) + self.linear * abs(self.us[-1])) * h ** (n + 1)
+            return upper((cut + self.largest * share**n * h / (1 - share)) / (n + 1))
+
+    @cached_property
+    def box(self) -> tuple[arb, arb]:
+        """Balls with all places and speeds of the polynomials; U falls.  UndecidedError where w may vanish."""
+        with ctx.workprec(_LOW):
+            h, n = self.length, len(self.ws) - 1
+            w = arb(self.ws[0].mid(), upper(sizes(self.ws)(h) + self.ws[0].rad()))
+            if not w.lower() > abs(self.ws[-1]) * h**n:
+                raise UndecidedError("the speed of a step may vanish")
+            return self.us[0].union(self.state(h)[0]), w
+
+    @cached_property
+    def _polynomials(self) -> tuple[arb_poly, arb_poly]:
+        return arb_poly(list(self.us)), arb_poly(list(self.ws))
+
+    def state(self, t: arb) -> tuple[arb, arb]:
+        """(u, w) of the Taylor polynomials at 0 <= t <= ``length``."""
+        u, w = self._polynomials
+        return u(t), w(t)
+
+
+def order_for(bits: int) -> int:
+    """The degree at which full precision is reached near e^-1.65 of the radius."""
+    return int(0.42 * bits) + 6
+
+
+def coefficients(force: Force, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
+    """Taylor coefficients of u and w about a state with w > 0, through t^order; at u = 0 on the side u < 0."""
+    side, none = 1 if u > 0 else -1, arb(0)
+    rest, losses, ln_w, inverse = force.rest_powers(side), force.loss_powers(side), w.log(), 1 / w
+    curve = Curve(Line(()), force.rate, {n for _, n in rest} | {m for _, m, _ in losses if m}, u)
+    ws, powers = [w], [[d * (a * ln_w).exp()] for d, _, a in losses]
+    placed = [(curve.power[m], p) for (_, m, _), p in zip(losses, powers) if m]
+    alone = [p for (_, m, _), p in zip(losses, powers) if not m]
+    growing = [(a, p) for (_, _, a), p in zip(losses, powers)]
+    ratio: list[arb] = []  # of w'/w
+    for k in range(order):
+        slope = curve.rest(rest)
+        for p in alone:
+            slope += p[-1]
+        for q, p in placed:
+            slope += sum(map(mul, q, reversed(p)), none)
+        curve.append(-ws[k] / (k + 1))
+        ws.append(slope / (k + 1))
+        ratio.append((slope - sum(map(mul, islice(ws, 1, k + 1), reversed(ratio)), none)) * inverse)
+        for a, p in growing:
+            p.append(a * sum(map(mul, ratio, reversed(p)), none) / (k + 1))
+    return curve.u, ws
+
+
+def _longest(force: Force, us: list[arb], ws: list[arb], unit: arb, tolerance: float) -> tuple[arb, arb, float]:
+    """R, M and log2 of the time for which the residual is near 2^tolerance, where it is longest: chosen in doubles."""
+    n, best = len(ws) - 1, None
+    parts = [size_of(unit) + size_of(ws[-1]), size_of(us[-1]) if force.linear else -inf]
+    cut = min((tolerance - size) / (n + 1) for size in parts)
+    least = size_of(ws[1] - us[0] if force.linear else ws[1])  # no M is smaller than |F(u_0, w_0)|
+    for radius, largest in discs(force, us, ws):
+        edge = size_of(radius)
+        length = min(edge - 0.2, cut, (tolerance - size_of(largest)) / n + edge)
+        if best is not None and length <= best[2]:
+            break
+        best = (radius, largest, length)
+        if (tolerance - least) / n + edge - _NEXT <= length:
+            break
+    if best is None:
+        raise UndecidedError("the Taylor coefficients of a step are too wide")
+    return best
+
+
+def discs(force: Force, us: list[arb], ws: list[arb]) -> Iterator[tuple[arb, arb]]:
+    """(R, M) for some R, descending, on which W keeps its sign certainly."""
+    w, moving_u, moving_w = ws[0], None if force.linear else sizes(us), sizes(ws)
+    start = size_of(w)
+    steepest = [(start - size_of(c)) / k for k, c in enumerate(moving_w.coeffs()) if c != 0]
+    widest = min(steepest, default=0.0)
+    for share in _SHARES:
+        radius = dyadic(widest) * arb(share)
+        moved = upper(moving_w(radius))
+        if moved < w:
+            du = arb(0) if moving_u is None else upper(moving_u(radius))
+            yield radius, force.largest(us[0], du, w, moved)
+
+
+def sizes(series: "list[arb] | tuple[arb, ...]") -> arb_poly:
+    """sum_(k>=1) |c_k| t^k."""
+    return arb_poly([arb(0), *(abs(c).upper() for c in series[1:])])

@@ -1,0 +1,66 @@
+"""Work that has a share of the time: what is not finished in it is left, and what is known stays known.
+
+>>> from asymptotics.budget import tick
+>>> def endless():
+...     while True:
+...         tick()
+>>> Time.of(0.02).within(0.5, endless, "not finished")
+'not finished'
+>>> ALL.within(0.5, lambda: "no limit", "not finished")
+'no limit'
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import inf
+from time import monotonic
+from typing import TypeVar
+
+from asymptotics.budget import budget, seconds_left, tick
+from asymptotics.errors import LimitError
+
+T = TypeVar("T")
+_RESERVE, _LEAST = 0.2, 2.0
+
+
+@dataclass(frozen=True)
+class Time:
+    """When the work must end."""
+
+    deadline: float = inf
+
+    @classmethod
+    def of(cls, seconds: float) -> "Time":
+        """So many seconds from now."""
+        return cls(monotonic() + seconds)
+
+    @classmethod
+    def but_for_the_answer(cls, share: float = 1.0) -> "Time":
+        """This share of the time in force but for a reserve, in which what is known is judged and told."""
+        left = seconds_left()
+        return cls.of(share * max(left - max(_RESERVE * left, min(_LEAST, left / 2)), 0.0)) if left < inf else cls()
+
+    def part(self, share: float) -> "Time":
+        """This share of what is left."""
+        return Time.of(share * (self.deadline - monotonic())) if self.deadline < inf else self
+
+    def within(self, share: float, work: Callable[[], T], otherwise: T) -> T:
+        """What ``work`` gives in this share of what is left; ``otherwise`` where that is not enough.
+
+        Only inside is the time shorter than the caller's: who stands between two pieces of work is not stopped.
+        """
+        left = self.deadline - monotonic()
+        if left == inf:
+            return work()
+        if left <= 0:
+            return otherwise
+        try:
+            with budget(share * left):
+                tick()
+                return work()
+        except LimitError:
+            return otherwise
+
+
+ALL = Time()
+"""No limit but the caller's."""

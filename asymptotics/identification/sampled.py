@@ -1,0 +1,81 @@
+"""Records whose extremes cannot be fitted, or are known too badly: the motion itself is observed.
+
+Few samples a period, uneven sampling, gaps, clipped peaks (masked), and records of a velocity or an acceleration, whose
+extremes are no turning points: every sample is kept, and a smooth line through them (``demodulation``) gives the
+turning points that start the fit.  An offset or a drift of the sensor is the base line of the fit.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from asymptotics.errors import InputError
+from asymptotics.identification.coefficients import Array
+from asymptotics.identification.demodulation import Line, demodulated
+from asymptotics.identification.observations import Observations, Samples
+
+MAX_SAMPLES = 20_000
+LEAST_SAMPLES = 14
+_PER_PERIOD = 2.2
+_HIDDEN, _LOUD = 1.5, 0.5
+_WORDS = ("the motion", "the velocity", "the acceleration")
+
+
+def observations_of_motion(
+    t: Array, x: Array, *, unit: str, name: str, notes: tuple[str, ...] = (), derivative: int = 0,
+    period: float | None = None,
+) -> Observations:  # fmt: skip
+    """The samples of a free decay, with the turning points of a smooth line through them; InputError if there is no
+    such line."""
+    if len(t) > MAX_SAMPLES:
+        t, x, said = _thinned(t, x)
+        notes = (*notes, said)
+    line = demodulated(t, x, period)
+    keep = _free(line, t)
+    if keep.sum() >= LEAST_SAMPLES and not keep.all():
+        t, x = t[keep], x[keep]
+        notes = (*notes, f"free decay from t = {t[0]:.6g} to {t[-1]:.6g}: the rest is forced, held or hidden by noise")
+        line = demodulated(t, x, 2 * np.pi / line.omega)
+    _require_line(line, t, name)
+    n, times, values = line.turning_points(derivative)
+    per_period = 2 * np.pi / line.omega / float(np.median(np.diff(t)))
+    said = f"all {len(t)} samples of {_WORDS[derivative]} fitted ({per_period:.3g} a period); noise {line.noise:.3g}"
+    said += f", neighbours correlated by {line.memory:.2f}: allowed for" if line.memory else ""
+    samples = Samples(t, x, line.noise, line.freedom, line.memory, derivative)
+    # as if each swing were known by its own samples alone: the first look then weighs laws as the samples will
+    error = np.full(len(n), line.noise / line.omega**derivative * np.sqrt(4 / max(per_period, _PER_PERIOD)))
+    late = error / np.abs(values) / line.omega
+    seen = Observations.of(n, values, times, sigma_x=error, sigma_t=late, unit=unit, name=name, notes=(*notes, said))
+    return replace(seen, x=values, samples=samples)
+
+
+def _thinned(t: Array, x: Array) -> tuple[Array, Array, str]:
+    step = -(-len(t) // MAX_SAMPLES)
+    count = len(t) // step * step
+    means = (v[:count].reshape(-1, step).mean(axis=1) for v in (t, x))
+    return *means, f"the means of {step} samples each are fitted"
+
+
+def _free(line: Line, t: Array) -> Array:
+    """Which samples belong to the free decay: from the largest swing, if it is early, to where noise hides it."""
+    size = line.at(t)[0]
+    first = int(np.argmax(size))
+    keep = np.ones(len(t), dtype=bool)
+    if 0 < first < len(t) // 2 and size[first] > 1.05 * size[0]:
+        keep[:first] = False
+    hidden = np.flatnonzero(size[first:] < _HIDDEN * line.noise)
+    if len(hidden):
+        keep[first + hidden[0] :] = False
+    return np.asarray(keep)
+
+
+def _require_line(line: Line, t: Array, name: str) -> None:
+    per_period = 2 * np.pi / line.omega * (len(t) - 1) / (t[-1] - t[0])
+    periods = (t[-1] - t[0]) * line.omega / (2 * np.pi)
+    if len(t) < LEAST_SAMPLES or per_period < _PER_PERIOD:
+        reason = f"{name} has {len(t)} samples, {per_period:.3g} a period"
+        raise InputError("FILE", reason, f"at least {LEAST_SAMPLES} samples, {_PER_PERIOD} a period, or turning points")
+    if periods < 1.5:
+        raise InputError("FILE", f"{name} shows {periods:.2g} periods", "at least 1.5 periods of a free decay")
+    if line.noise > _LOUD * float(line.at(t)[0].max()):
+        raise InputError("FILE", f"{name} shows no oscillation above its noise", "a free decay")

@@ -1,0 +1,27 @@
+"""The door of ``numbers.context`` for mpmath: its precision, and that of its intervals, are the process's as well.
+
+>>> with workdps(30):
+...     mpmath.mp.dps
+30
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import mpmath
+
+from asymptotics.numbers.context import Setting, alone
+
+alone.guarded += [(mpmath.mp, "prec"), (mpmath.iv, "prec")]
+
+
+@contextmanager
+def workdps(digits: int) -> Iterator[None]:
+    """``mpmath.workdps``, alone."""
+    with alone, mpmath.workdps(digits):
+        yield
+
+
+def intervals(bits: int) -> Setting:
+    """``with intervals(bits):`` intervals of mpmath at that many bits."""
+    return Setting(mpmath.iv, "prec", bits)

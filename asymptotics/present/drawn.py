@@ -1,0 +1,118 @@
+"""A result that draws itself: one function for notebooks, scripts and ``--plot``, with law, start and order in it.
+
+``_curve(axes, **options)`` draws on Matplotlib axes and returns nothing; ``_heading`` says of what the curve is.  The
+legend stands between the heading and the axes, never over the data; a second result on the same axes adds its heading.
+
+>>> class Line(Drawn):
+...     def _heading(self):
+...         return "a line"
+...     def _curve(self, axes, **style):
+...         axes.plot([0, 1], [0, 1], label="x", **style)
+>>> svg = Line().picture("svg")
+>>> b"<title>a line</title>" in svg, Line().picture("png", size=(2, 1), dpi=100)[:4], Line().picture("pdf")[:4]
+(True, b'\\x89PNG', b'%PDF')
+"""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from textwrap import wrap
+from typing import Any
+
+from asymptotics.budget import budget
+from asymptotics.errors import InputError, shown
+from asymptotics.present.figures import DPI, SIZE, new_axes, render
+from asymptotics.present.html import image
+from asymptotics.present.shown import Shown
+
+KINDS = (".svg", ".png", ".pdf")
+_WIDTH, _COLUMNS, _ROW = 78, 3, 15.0  # characters in a line of the heading; entries and points of a row of the legend
+_IN_PAGE, _SECONDS = (6.4, 3.6), 5
+
+
+class Drawn(Shown):
+    """A result that has a curve."""
+
+    def _heading(self) -> str:
+        """Of what the picture is: law, start, order."""
+        return self._page().title
+
+    def _curve(self, axes: Any, **options: Any) -> Any:
+        """Draw; what is no option of its own is the style of the main line.  True if it has made its own headings."""
+        raise NotImplementedError
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw on ``ax`` (new axes by default) and return the axes; ``style`` goes to the main line of Matplotlib.
+
+        Curves in time take ``until`` (s, or tau).  InputError for a style that Matplotlib does not have, where there
+        is nothing to draw, and where Matplotlib, an extra, is not installed.
+        """
+        axes = new_axes() if ax is None else ax
+        draw_on(axes, [self], style)
+        return axes
+
+    def picture(self, kind: str = "svg", *, size: Any = SIZE, dpi: Any = DPI, **style: Any) -> bytes:
+        """The same as a file: "svg" (with a title), "png" or "pdf"; ``size`` in inches; the same bytes at each call."""
+        return pictured([self], kind, size=size, dpi=dpi, **style)
+
+    def _picture(self) -> str:
+        try:
+            with budget(_SECONDS):
+                return image(self.picture("svg", size=_IN_PAGE), self._heading())
+        except InputError:  # no Matplotlib, nothing to draw, or too long for a page
+            return ""
+
+
+def pictured(results: Sequence[Any], kind: str, *, size: Any = SIZE, dpi: Any = DPI, **style: Any) -> bytes:
+    """The file of one result, or of several on the same axes; the headings are its title."""
+    title = "; ".join(result._heading() for result in results)
+    return render(lambda axes: draw_on(axes, results, style), size=size, kind=kind, dpi=dpi, title=title)
+
+
+def below(axes: Any) -> Any:
+    """Axes under ``axes`` with the same abscissa, in the place that it had; InputError for axes without a grid."""
+    place = axes.get_subplotspec()
+    if place is None:
+        raise InputError("ax", "these axes are not in a grid that could be divided", "axes of plt.subplots()")
+    grid = place.subgridspec(2, 1)
+    axes.set_subplotspec(grid[0])
+    lower = axes.figure.add_subplot(grid[1], sharex=axes)
+    axes.tick_params(labelbottom=False)
+    lower.set_xlabel(axes.get_xlabel())
+    axes.set_xlabel("")
+    return lower
+
+
+def draw_on(axes: Any, results: Sequence[Any], style: dict[str, Any]) -> None:
+    """All results on the same axes, each under its own heading; InputError for axes that are none."""
+    if not hasattr(axes, "get_legend_handles_labels"):
+        raise InputError("ax", f"{shown(axes)} are no axes", "axes of Matplotlib, or None")
+    for result in results:
+        own = dict(style)
+        if len(results) > 1:
+            own.setdefault("label", result._heading())
+        if _drawn(partial(result._curve, axes, **own)):
+            return  # panels, which have headings of their own
+    told = axes.get_title().split("\n") if axes.get_title() else []
+    new = [] if len(results) > 1 else wrap(results[0]._heading(), _WIDTH, break_on_hyphens=False)
+    head(axes, [*told, *(line for line in new if line not in told)])
+
+
+def _drawn(draw: Callable[[], Any]) -> Any:
+    try:
+        return draw()
+    except (AttributeError, TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        reason = " ".join(str(error).split())[:120] or type(error).__name__
+        raise InputError("style", reason, "options of this plot, and of a line of Matplotlib") from error
+
+
+def head(axes: Any, lines: list[str]) -> None:
+    """Heading, legend below it, axes below that."""
+    handles, labels = axes.get_legend_handles_labels()
+    longest = max(map(len, labels), default=0)
+    columns = 1 if longest > 40 else min(_COLUMNS, max(1, len(labels)))
+    rows = -(-len(labels) // columns) if labels else 0
+    axes.set_title("\n".join(lines), loc="center", pad=6.0 + _ROW * rows, fontsize=9)
+    if labels:
+        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=columns, fontsize=8, borderaxespad=0.2)

@@ -1,0 +1,67 @@
+"""The times of a record: repeated stamps are merged, a clock that starts again begins another run, the rest is asked.
+
+>>> t, x = np.array([0, 0.1, 0.1, 0.2, 0.0, 0.1]), np.arange(6.0)
+>>> [piece.tolist() for piece in runs_of(t, 2)]
+[[0, 1, 2, 3], [4, 5]]
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from asymptotics.errors import InputError
+from asymptotics.records.rows import Rows
+
+Array = NDArray[np.float64]
+LEAST_RUN = 50
+
+
+def runs_of(t: Array, least: int = LEAST_RUN) -> list[NDArray[np.intp]]:
+    """The places of each stretch of a clock that does not go back, if all stretches have ``least`` rows at least;
+    otherwise one stretch of all."""
+    step = np.diff(t)
+    cuts = np.flatnonzero(step < 0) + 1
+    pieces = np.split(np.arange(len(t)), cuts)
+    usual = float(np.median(np.abs(step))) if len(step) else 0.0
+    whole = all(len(p) >= least and step[p[0]] <= 3 * usual for p in pieces if len(cuts))
+    return pieces if whole else [np.arange(len(t))]
+
+
+def straightened(t: Array, x: Array, rows: Rows) -> tuple[Array, Array, Rows, tuple[str, ...]]:
+    """Increasing times: a reversed record turned round, equal neighbours merged, rows in another order put in it.
+
+    InputError, with the row, if a time does not fit where its value would go.
+    """
+    notes: list[str] = []
+    if len(t) > 1 and (np.diff(t) <= 0).all() and t[-1] < t[0]:
+        t, x, rows = t[::-1], x[::-1], rows.kept(np.arange(len(t))[::-1])
+        notes.append("time runs backwards: the rows are taken from the last to the first")
+    back = np.flatnonzero(np.diff(t) < 0)
+    if len(back):
+        order = np.argsort(t, kind="stable")
+        step = np.diff(t[order])
+        usual = float(np.median(step))
+        if (
+            len(back) > max(1, len(t) // 10)
+            or usual <= 0
+            or float(step.min()) < 0.3 * usual
+            or float(step.max()) > 3 * usual
+        ):
+            row = int(back[0]) + 1
+            reason = f"{rows.where(row, 't')}: {t[row]:g} after {t[row - 1]:g}"
+            raise InputError("FILE", reason, "increasing values")
+        notes.append(f"rows out of order (the first is row {rows.row(int(back[0]) + 1)}) sorted by their times")
+        t, x, rows = t[order], x[order], rows.kept(order)
+    same = np.diff(t) == 0
+    if same.any():
+        first = int(np.argmax(same)) + 1
+        many = int(same.sum())
+        if many > 0.5 * len(t) and many < len(t) - 1:
+            notes.append("most time stamps stand several times: the clock is coarser than the samples")
+        starts = np.concatenate([[True], ~same])
+        group = np.cumsum(starts) - 1
+        x = np.bincount(group, weights=x) / np.bincount(group)
+        notes.append(
+            f"{many} repeated time stamps (the first in row {rows.row(first)}): the mean of their values taken"
+        )
+        t, rows = t[starts], rows.kept(starts)
+    return t, x, rows, tuple(notes)

@@ -1,0 +1,110 @@
+"""Units in the names of columns: ``x_mm``, ``phi [deg]``, ``Zeit t / s``; and what they say is measured.
+
+>>> suffix("t_ms"), suffix("phi [deg]"), suffix("x (m/s)"), suffix("x_n"), suffix("Zeit t / s"), suffix("x_raw")
+('ms', 'deg', 'm/s', '', 's', '')
+>>> unit_of(["x_deg"], "m", "data.csv")
+Traceback (most recent call last):
+    ...
+asymptotics.errors.InputError: argument unit: m does not fit the column x_deg of data.csv (accepted: deg)
+"""
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from asymptotics.errors import InputError
+
+UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "um": 1e-6, "rad": 1.0, "deg": float(np.pi / 180)}
+"""Units of x, with their size in m or rad."""
+ANGLES = ("rad", "deg")
+SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0}
+"""Units of time, with their size in s."""
+_LENGTHS = ("m", "cm", "mm", "um")
+SPEEDS = {f"{u}/s": u for u in UNITS}
+"""Units of velocities, with the unit of x that belongs to them."""
+ACCELERATIONS = {"g": "m"} | {f"{u}/s^2": u for u in UNITS}
+GRAVITY = 9.80665
+"""Standard gravity in m/s^2: what accelerometers call 1 g."""
+_ALSO = {
+    "degrees": "deg", "degree": "deg", "\u00b0": "deg", "grad": "deg", "radians": "rad", "radian": "rad",
+    "metres": "m", "meters": "m", "metre": "m", "meter": "m", "centimeters": "cm", "millimeters": "mm",
+    "sec": "s", "secs": "s", "seconds": "s", "second": "s", "sekunden": "s", "milliseconds": "ms", "minutes": "min",
+    "hours": "h", "\u00b0/s": "deg/s", "1/s": "rad/s", "rad s^-1": "rad/s", "m s^-1": "m/s", "m*s^-1": "m/s",
+    "g0": "g",
+}  # fmt: skip
+_RUN = re.compile(r"\b(?:run|lauf|latest|data set|set)\b\s*#?\s*\d*\s*:?", re.IGNORECASE)
+_NONE = ("n", "-", "1", "")
+"""No unit: the index in x_n, and the ways to write that a number has none."""
+
+
+def standard(named: str) -> str:
+    """A unit under its usual name.
+
+    >>> standard("seconds"), standard("m/s\u00b2"), standard("(ms)")
+    ('s', 'm/s^2', 'ms')
+    """
+    text = named.strip().strip("[]() ").replace("\u00b5", "u").replace("\N{GREEK SMALL LETTER MU}", "u")
+    text = text.replace("\u00b2", "^2").replace("**", "^").replace("/s/s", "/s^2").replace("/s2", "/s^2")
+    text = _ALSO.get(text.lower(), text)
+    return "" if text in _NONE else text
+
+
+def is_unit(cell: str) -> bool:
+    """Whether a cell holds a unit and nothing else (or nothing at all)."""
+    text = cell.strip()
+    return not text or (text[0] in "[(" and text[-1] in ")]") or _is_known(standard(text)) or text in _NONE[1:]
+
+
+def _is_known(unit: str) -> bool:
+    return unit in UNITS or unit in SECONDS or unit in SPEEDS or unit in ACCELERATIONS
+
+
+def without_run(column: str) -> str:
+    """The name without the run that some exporters add.
+
+    >>> without_run("Angle (rad) Run #1"), without_run("Latest: Time (s)")
+    ('Angle (rad)', 'Time (s)')
+    """
+    return _RUN.sub(" ", column).strip() or column
+
+
+def suffix(column: str) -> str:
+    """The unit in a column's name: in brackets at its end, after a slash, or a known one after its last underscore."""
+    column = without_run(column)
+    found = re.fullmatch(r".*[\[(]([^\])]*)[\])]\s*", column)
+    if found:
+        return standard(found[1])
+    found = re.fullmatch(r"(?:.*\S\s+/\s*|[^\s/]+/)(\S+)\s*", column)
+    if found and not _is_known(standard(column)):
+        return standard(found[1])
+    found = re.fullmatch(r".*_([^_]+)", column)
+    return standard(found[1]) if found and _is_known(standard(found[1])) else ""
+
+
+def seconds(column: str, name: str) -> float:
+    """The size in seconds of the unit in the name of a column of times; 1 without one."""
+    named = suffix(column)
+    after = re.fullmatch(r".*_([a-z]{2,})", column)
+    if not named and after and after[1] not in ("n", "time", "t", "raw"):
+        named = after[1]
+    if named and named not in SECONDS:
+        reason = f"{name}, row 1, column {column}: {named[:20]!r} is no unit of time"
+        raise InputError("FILE", reason, f"{', '.join(SECONDS)}, or no unit in the name")
+    return SECONDS.get(named, 1.0)
+
+
+def unit_of(columns: Sequence[str], unit: str, name: str) -> str:
+    """The one known unit of these columns and of the option --unit, empty for one that is unknown."""
+    found = unit
+    for column in columns:
+        named = suffix(column)
+        named = SPEEDS.get(named, ACCELERATIONS.get(named, named))
+        if named not in UNITS:
+            continue
+        if found and (found in _LENGTHS) != (named in _LENGTHS):
+            raise InputError("unit", f"{found} does not fit the column {column} of {name}", named)
+        if found and found != named:
+            raise InputError("unit", f"{found} contradicts the column {column} of {name}", "one unit")
+        found = named
+    return found

@@ -1,0 +1,94 @@
+"""Turning points by enclosures: an orbit is followed in balls until every digit asked for is decided.
+
+The *first* turning point is the start itself, from rest, or what a start in motion reaches, if it turns at all; the
+points *after* it are the route's business.  Both are found anew at each precision.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from asymptotics.flow.taylor import GUARD
+from asymptotics.numbers.context import ctx
+from asymptotics.numbers.decimals import bits_for
+from asymptotics.numbers.precision import at_growing_precision
+from asymptotics.swing.damping import Damping
+from asymptotics.swing.lingering import lost_bits, require_brief
+from asymptotics.swing.sequence import Turning, first_from, first_turning
+from asymptotics.turning.result import TurningPoints
+from asymptotics.turning.table import Progress, Request, named, rounded
+
+MANY = 200_000
+"""Half-swings beyond this number are jumped over, and cost no bits."""
+_SPARE, _SPARE_IN_MOTION = 20, 48  # bits beyond the digits: one value in thousands is too near a tie for them
+_DOUBLINGS = 5
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """A motion at the current precision: ``first`` turning point, or why there is none; the sequence ``after`` it."""
+
+    first: Callable[[], Turning | str]
+    after: Callable[[Turning], Iterator[Turning]]
+
+
+def bits_of(request: Request) -> int:
+    """The working precision to begin with, for powers of the velocity: digits, rounding errors that add, and what a
+    half-swing next to critical damping loses."""
+    return _without_losses(request) + lost_bits(request.law)
+
+
+def require_soon(request: Request) -> None:
+    """LimitError at once where a half-swing next to critical damping would last too long, before any route is asked."""
+    if request.law.is_pure:
+        require_brief(request.law, request.last + 1, request.digits, _without_losses(request))
+
+
+def _without_losses(request: Request) -> int:
+    spare = _SPARE_IN_MOTION if request.in_motion else _SPARE
+    swings = min(request.start, MANY) + request.count
+    return bits_for(request.digits, spare) + 2 * swings.bit_length()
+
+
+def damping_of(request: Request) -> Damping:
+    """The forces of powers of the velocity, a little sharper than the current precision."""
+    with ctx.workprec(ctx.prec + GUARD):
+        return Damping.of_law(request.law)
+
+
+def first_of(request: Request, damping: Damping) -> Turning | str:
+    """Turning point 0 under powers of the velocity, or why there is none."""
+    if not request.in_motion:
+        return first_turning()
+    return first_from(damping, request.place.ball(), request.speed.ball())
+
+
+def in_words(request: Request, by: str, bits: int) -> str:
+    """How the points were found."""
+    return f"half-swing by half-swing, {by} in balls" + ("" if request.in_motion else f" of {bits} bits")
+
+
+def enclosed(
+    request: Request,
+    orbit: Callable[[], Orbit],
+    method: Callable[[int], str],
+    bits: int,
+    progress: Progress,
+    *,
+    doublings: int = _DOUBLINGS,
+) -> TurningPoints:
+    """The table of the points of ``orbit``, from ``bits`` of working precision on; ``method`` tells how, and the bits.
+
+    UndecidedError where ``doublings`` of the precision do not decide how the motion goes on.
+    """
+
+    def attempt(bits: int) -> TurningPoints:
+        motion = orbit()
+        first = motion.first()
+        if isinstance(first, str):
+            return request.table((), method(bits), {"n": -1, "reason": first})
+        unit: dict[str, Any] | None = named(request, first) if request.in_motion else None
+        points, ended = rounded(request, motion.after(first), first if request.in_motion else None, progress)
+        return request.table(points, method(bits), ended, unit)
+
+    return at_growing_precision(attempt, request.digits, bits, max_bits=bits << doublings)

@@ -1,0 +1,64 @@
+"""Route "abel-series": one power of the velocity with alpha > 1, far from the start, by the Abel function of its map.
+
+Psi(F) = Psi + 1 counts half-swings (Abel's equation): after a certified head of some hundred half-swings one evaluation
+of Psi and one Newton step lead to any later turning point (``far``, ``abel``).
+"""
+
+from collections.abc import Iterator
+from itertools import islice
+
+from asymptotics.costs import jump_seconds
+from asymptotics.numbers.context import ctx
+from asymptotics.swing.panels import panels_of
+from asymptotics.swing.sequence import Turning, sequence
+from asymptotics.turning.enclosing import Orbit, bits_of, damping_of, enclosed, first_of, in_words
+from asymptotics.turning.far import head_of, jumped
+from asymptotics.turning.result import TurningPoints
+from asymptotics.turning.route import Route
+from asymptotics.turning.routes.interpolated import nodes_in_words
+from asymptotics.turning.routes.stepping import require_moderate, swing_seconds
+from asymptotics.turning.table import Progress, Request
+
+
+def serves(request: Request) -> float | None:
+    """The seconds; None unless one alpha > 1 acts alone, and the start lies beyond the head."""
+    law = request.law
+    if not law.is_pure or len(law.terms) > 1 or not law.alphas[0] > 1:
+        return None
+    bits = bits_of(request)
+    head = head_of(law.alphas[0], bits)
+    if request.start <= head:
+        return None
+    pieces = panels_of(law, bits).pieces(head)
+    return swing_seconds(request, head + request.count, pieces) + jump_seconds(bits)
+
+
+def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+    """The turning points, which never end; LimitError for the sizes, UndecidedError where delta stays too large."""
+    require_moderate(request, serves(request) or 0.0)
+    alpha, epsilon = request.law.alphas[0], request.law.terms[0].strength
+
+    def orbit() -> Orbit:
+        damping, panels, head = damping_of(request), panels_of(request.law, ctx.prec), head_of(alpha, ctx.prec)
+
+        def after(first: Turning) -> Iterator[Turning]:
+            lead = sequence(damping, first, panels=panels, count=head)
+            here = next(islice(lead, min(head, request.start), None))
+            there = jumped(alpha, epsilon.ball(), here, request.start)
+            return sequence(damping, there, panels=panels, count=request.count)
+
+        return Orbit(lambda: first_of(request, damping), after)
+
+    def method(bits: int) -> str:
+        return in_words(request, f"{nodes_in_words(request, bits)} and Abel function", bits)
+
+    return enclosed(request, orbit, method, bits_of(request), progress)
+
+
+ROUTE = Route(
+    "abel-series",
+    "one power of the velocity with alpha > 1, a start beyond some hundred half-swings",
+    "a certified head, then one jump by the Abel function of the return map",
+    serves,
+    points,
+)

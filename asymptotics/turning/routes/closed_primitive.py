@@ -1,0 +1,101 @@
+"""Route "closed primitive": quadratic drag and dry friction, beside the linear spring or any other, from rest.
+
+The work on a half-swing is an elementary function (``drag_exact``), so a turning point is the root of one equation; its
+time is not known.  Beside the linear spring with drag alone this is the equation of the Lambert W map, which is some
+fifty times faster (``quadratic``).
+
+>>> from asymptotics.law import Law
+>>> law = Law({2: "1/5"}, spring="pendulum")
+>>> [p.x for p in points(Request.read(law, 3, 12, x0=2)).points]
+['2.00000000000', '-1.20380409635', '0.891896868559']
+"""
+
+from collections.abc import Iterator
+
+from flint import arb
+
+from asymptotics.budget import require_seconds
+from asymptotics.costs import primitive_seconds
+from asymptotics.numbers.context import ctx
+from asymptotics.numbers.decimals import bits_for
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import TooWideError, at_growing_precision
+from asymptotics.turning.drag_exact import Well, drag_serves, rational_places, require_well, swings
+from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
+from asymptotics.turning.route import Route
+from asymptotics.turning.table import Ended, Points, Progress, Request
+
+MAX_DIGITS, MAX_LAST = 1000, 100_000
+_DOUBLINGS = 5
+
+
+def serves(request: Request) -> float | None:
+    """The seconds; None for other forces, for times, for a start in motion, and beyond the limits."""
+    if not drag_serves(request.law) or request.times or request.in_motion:
+        return None
+    if request.digits > MAX_DIGITS or request.last >= MAX_LAST:
+        return None
+    return primitive_seconds(request.last + 1, _bits(request))
+
+
+def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+    """The turning points from rest at ``place``, in the units of the strengths.
+
+    InputError for a force other than alpha = 0, 2 and springs of the position, or a start outside the well (V' > 0 from
+    0 to x0); LimitError for the time; UndecidedError where balls cannot tell.
+    """
+    require_seconds(primitive_seconds(request.last + 1, _bits(request)), f"{request.last + 1} half-swings")
+
+    def attempt(bits: int) -> TurningPoints:
+        with ctx.workprec(2 * bits):  # the primitive cancels as the amplitude falls
+            made, ended = _rounded(request, bits, progress)
+        return request.table(made, f"primitive of the energy equation in balls of {bits} bits", ended)
+
+    bits = _bits(request)
+    return at_growing_precision(attempt, request.digits, bits, max_bits=bits << _DOUBLINGS)
+
+
+def _bits(request: Request) -> int:
+    return bits_for(request.digits, 48) + 2 * (request.last + 1).bit_length()
+
+
+def _rounded(request: Request, bits: int, progress: Progress) -> tuple[Points, Ended]:
+    """The points and how they end; TooWideError where one cannot be rounded, or what follows it is undecided."""
+    made: list[TurningPoint] = []
+    well = Well.of(request.law)
+    require_well(well, request.place)
+    for n, (x, stays) in enumerate(_places(request, well, bits)):
+        if n >= request.start:
+            point = proved_point(n, x, None, request.digits)
+            if stays is None:
+                raise TooWideError(f"whether dry friction holds the mass at turning point {n} is undecided")
+            made.append(point)
+            progress(len(made))
+        if stays:
+            return tuple(made), {"n": n, "reason": "sticks"}
+        if n == request.last:
+            return tuple(made), None
+    raise TooWideError("the next turning point is not enclosed")
+
+
+def _places(request: Request, well: Well, bits: int) -> Iterator[tuple[arb | ExactReal, bool | None]]:
+    """The places as exact numbers as long as they are rational, in balls from the last one on."""
+    exact = [ExactReal(q) for q in rational_places(request.law, request.place)] or [request.place]
+    for place in exact[:-1]:
+        yield place, False
+    last = exact[-1]
+    if last.is_zero:
+        yield last, True
+        return
+    balls = swings(well, last.ball(), bits)
+    yield last, next(balls)[1]
+    yield from balls
+
+
+ROUTE = Route(
+    "closed-primitive",
+    "quadratic drag and dry friction beside any spring of the position, from rest, without times",
+    "primitive of the energy equation",
+    serves,
+    points,
+)

@@ -1,0 +1,113 @@
+"""Route "dry": dry friction alone (alpha = 0), exactly: each half-swing costs 2 epsilon, until the mass sticks.
+
+X'' + X + epsilon sign(X') = 0 is a harmonic motion about +-epsilon on each half-swing (Lelas 2024, section 2), so
+
+    x_n = (-1)^n (1 - 2 n epsilon),    tau_n = n pi,    n = 0, 1, ..., N,
+
+and the mass sticks at the first turning point with 1 - 2 N epsilon <= epsilon, off centre in general: the restoring
+force is there at most the friction.  x_N may lie on the side it came from (1 - 2 N epsilon < 0).
+
+After a start in motion the first half-swing has s X = c + R cos theta, c = epsilon, R^2 = (s x0 - c)^2 + v0^2; it
+turns at theta = pi, at the amplitude a = R - c.  Where a is rational, ties are decided exactly; elsewhere another route
+serves.
+
+>>> from asymptotics.law import Law
+>>> table = points(Request.read(Law({0: "3/10"}), 5, 10, times=True))
+>>> [(p.n, p.x, p.tau) for p in table.points], table.ended
+([(0, '1.000000000', '0'), (1, '-0.4000000000', '3.141592654'), (2, '-0.2000000000', '6.283185307')],
+ {'n': 2, 'reason': 'sticks'})
+"""
+
+from fractions import Fraction
+
+from flint import arb
+
+from asymptotics.costs import closed_form_seconds
+from asymptotics.errors import InputError
+from asymptotics.numbers.exact import ExactReal, square_root
+from asymptotics.numbers.rationals import to_fmpq
+from asymptotics.swing.ends import STICKS
+from asymptotics.turning.result import Number, TurningPoints, proved_digits, proved_point
+from asymptotics.turning.route import Route
+from asymptotics.turning.table import Ended, Points, Progress, Request
+
+METHOD = "closed form, exact"
+
+
+def last_turning_point(epsilon: ExactReal) -> int:
+    """N: the smallest n >= 0 with (2 n + 1) epsilon >= 1, decided exactly; InputError unless epsilon > 0.
+
+    >>> last_turning_point(ExactReal(Fraction(1, 3))), last_turning_point(ExactReal(Fraction(33, 100)))
+    (1, 2)
+    """
+    if not epsilon > 0:
+        raise InputError("epsilon", f"{epsilon} never brings the mass to rest", "a positive number")
+    low, high = -1, 1
+    while _moves_on(epsilon, high):
+        low, high = high, 2 * high
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if _moves_on(epsilon, middle) else (low, middle)
+    return high
+
+
+def _moves_on(epsilon: ExactReal, n: int) -> bool:
+    """(2 n + 1) epsilon < 1."""
+    return n < 0 or epsilon < Fraction(1, 2 * n + 1)
+
+
+def serves(request: Request) -> float | None:
+    """The seconds; None unless dry friction acts alone, and the first turning point is rational."""
+    alone = request.alone
+    if alone is None or alone[0] != 0 or (request.in_motion and _first_amplitude(request) is None):
+        return None
+    return closed_form_seconds(request.count, request.digits)
+
+
+def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+    """The turning points as far as they exist; all digits are correctly rounded."""
+    if not request.in_motion:
+        return request.table(*_from_rest(request, request.epsilon, 1, progress))
+    a = _first_amplitude(request)
+    assert a is not None
+    c, v0 = request.epsilon.rational, request.speed
+    y = (-1 if v0 > 0 else 1) * request.place.rational - c
+    tau = proved_digits(lambda: arb.pi() - arb.atan2(abs(v0.ball()), arb(to_fmpq(y))), request.digits)
+    first = {"amplitude": proved_digits(a, request.digits), "tau": tau}
+    side = 1 if v0 > 0 else -1
+    return request.table(*_from_rest(request, ExactReal(c / a), side, progress), first)
+
+
+def _from_rest(request: Request, epsilon: ExactReal, side: int, progress: Progress) -> tuple[Points, str, Ended]:
+    """The points from X = ``side`` at rest, the method, and how they end."""
+    last, made = last_turning_point(epsilon), []
+    for n in range(request.start, min(request.last, last) + 1):
+        made.append(proved_point(n, _place(epsilon, n, side), _time(n) if request.times else None, request.digits))
+        progress(len(made))
+    ended = {"n": last, "reason": STICKS} if request.last >= last else None
+    return tuple(made), METHOD, ended
+
+
+def _first_amplitude(request: Request) -> Fraction | None:
+    """a = R - c of a start in motion, where x0, c and R are rational and it moves on at all; else None."""
+    alone, x0, v0 = request.alone, request.place, request.speed
+    if alone is None or not (alone[1].is_rational and x0.is_rational):
+        return None
+    c = alone[1].rational
+    R = square_root(((-1 if v0 > 0 else 1) * x0.rational - c) ** 2 + v0.coefficient**2 * v0.radicand)
+    return R.rational - c if R.is_rational and R.rational > c else None
+
+
+def _place(epsilon: ExactReal, n: int, side: int) -> Number:
+    if epsilon.is_rational:
+        return Fraction(side * (-1) ** n) * (1 - 2 * n * epsilon.rational)
+    return lambda: side * (-1) ** n * (1 - 2 * n * epsilon.ball())
+
+
+def _time(n: int) -> Number:
+    return (lambda: arb.pi() * n) if n else Fraction(0)
+
+
+ROUTE = Route(
+    "dry", "dry friction alone, from rest or a rational first amplitude", METHOD, serves, points, "motions.coulomb"
+)

@@ -1,0 +1,155 @@
+"""Where a bound is made, found in the syntax trees of ``asymptotics``: each place, with what weakens it.
+
+    radius   arb(m, r)                            half of r
+    upper    upper(x), x.upper(), x.abs_upper()   half of it
+    lower    lower(x), x.lower(), x.abs_lower()   twice it
+    union    a.union(b)                           a alone
+    guard    if c: return None, False or raise    c never holds; of "c or d" each part is dropped by itself
+    premise  c and d; all(c for …)                each part that compares is dropped by itself
+
+A guard that refuses a request (``InputError``, ``LimitError``) bounds nothing, and a bound that is all of a radius is
+that radius.  Modules that use no balls have no sites.
+
+>>> text = "from flint import arb\\ndef f(x, r):\\n    return arb(x, r).upper()\\n"
+>>> [(site.kind, site.weaker) for site in sites_of(text, "f.py")]
+[('upper', '(arb(x, r).upper() / 2)'), ('radius', 'arb(x, (r) / 2)')]
+"""
+
+import ast
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+REFUSALS = {"InputError", "LimitError", "TypeError", "ValueError", "NotImplementedError"}
+HALVED, DOUBLED = {"upper", "abs_upper"}, {"lower", "abs_lower"}
+Weaken = Callable[[str], str]
+Found = Iterator[tuple[str, ast.expr, Weaken]]
+
+
+@dataclass(frozen=True)
+class Site:
+    """``text`` at ``start`` of ``file``, in ``function``, becomes ``weaker``; ``nth`` among equal ones there."""
+
+    file: str
+    function: str
+    kind: str
+    text: str
+    weaker: str
+    start: int
+    line: int
+    nth: int
+
+    @property
+    def key(self) -> str:
+        """What names it, whatever line it stands in."""
+        words = " ".join(self.text.split())
+        return f"{self.file}::{self.function}::{self.kind}::{words}" + (f"::{self.nth}" if self.nth else "")
+
+    def planted(self, source: str) -> str:
+        """The source of the file with this one bound weakened."""
+        return source[: self.start] + self.weaker + source[self.start + len(self.text) :]
+
+
+@lru_cache(maxsize=1)
+def sites() -> tuple[Site, ...]:
+    """All sites of the library."""
+    files = sorted((ROOT / "asymptotics").rglob("*.py"))
+    return tuple(site for path in files for site in sites_of(path.read_text(), str(path.relative_to(ROOT))))
+
+
+def sites_of(source: str, file: str) -> Iterator[Site]:
+    """The sites of one module, in the order of its text."""
+    tree = ast.parse(source)
+    if not _uses_balls(tree):
+        return
+    starts = [0]
+    for line in source.encode().splitlines(keepends=True):
+        starts.append(starts[-1] + len(line.decode()))
+    lines = source.splitlines(keepends=True)
+
+    def place(line: int, column: int) -> int:
+        return starts[line - 1] + len(lines[line - 1].encode()[:column].decode())
+
+    seen: Counter[tuple[str, str, str]] = Counter()
+    for function, node in _functions(tree.body, ""):
+        for kind, part, weaken in _weakened(node):
+            start, end = place(part.lineno, part.col_offset), place(part.end_lineno or 0, part.end_col_offset or 0)
+            text = source[start:end]
+            same = (function, kind, text)
+            yield Site(file, function, kind, text, weaken(text), start, part.lineno, seen[same])
+            seen[same] += 1
+
+
+def _uses_balls(tree: ast.Module) -> bool:
+    imports = (node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.module == "flint")
+    return any(alias.name.startswith(("arb", "acb")) for node in imports for alias in node.names)
+
+
+def _functions(body: list[ast.stmt], prefix: str) -> Iterator[tuple[str, ast.FunctionDef]]:
+    for node in body:
+        if isinstance(node, ast.FunctionDef):
+            yield f"{prefix}{node.name}", node
+        elif isinstance(node, ast.ClassDef):
+            yield from _functions(node.body, f"{prefix}{node.name}.")
+
+
+def _weakened(function: ast.FunctionDef) -> Found:
+    """(kind, node, text -> weaker text) of each site, outer ones first."""
+    whole = {id(radius) for node in ast.walk(function) if (radius := _radius(node)) is not None}
+    for node in ast.walk(function):
+        if isinstance(node, ast.Call):
+            yield from (found for found in _call(node) if id(node) not in whole)
+        elif isinstance(node, ast.BoolOp) and isinstance(node.op, ast.And):
+            yield from (("premise", part, lambda text: "True") for part in node.values if _compares(part))
+        elif isinstance(node, ast.If) and not node.orelse and len(node.body) == 1 and _gives_up(node.body[0]):
+            test = node.test
+            parts = test.values if isinstance(test, ast.BoolOp) and isinstance(test.op, ast.Or) else [test]
+            yield from (("guard", part, lambda text: "False") for part in parts if _compares(part))
+
+
+def _radius(node: ast.AST) -> ast.expr | None:
+    """r of arb(m, r)."""
+    if isinstance(node, ast.Call) and _name(node) == "arb" and len(node.args) == 2:
+        return None if isinstance(node.args[0], ast.Tuple) else node.args[1]
+    return None
+
+
+def _name(node: ast.Call) -> str:
+    f = node.func
+    return f.id if isinstance(f, ast.Name) else f.attr if isinstance(f, ast.Attribute) else ""
+
+
+def _call(node: ast.Call) -> Found:
+    name, radius = _name(node), _radius(node)
+    if radius is not None:
+        middle, half = ast.unparse(node.args[0]), ast.unparse(radius)
+        yield "radius", node, lambda text: f"arb({middle}, ({half}) / 2)"
+    elif name in HALVED:
+        yield "upper", node, lambda text: f"({text} / 2)"
+    elif name in DOUBLED:
+        yield "lower", node, lambda text: f"({text} * 2)"
+    elif name == "all" and node.args and isinstance(node.args[0], ast.GeneratorExp) and _compares(node.args[0].elt):
+        yield "premise", node, lambda text: "True"
+    elif name == "union" and isinstance(node.func, ast.Attribute):
+        first = ast.unparse(node.func.value)
+        yield "union", node, lambda text: f"({first})"
+
+
+def _gives_up(statement: ast.stmt) -> bool:
+    if isinstance(statement, ast.Return):
+        return isinstance(statement.value, ast.Constant) and statement.value.value in (None, False)
+    if isinstance(statement, ast.Raise) and isinstance(statement.exc, ast.Call):
+        return ast.unparse(statement.exc.func) not in REFUSALS
+    return False
+
+
+def _compares(test: ast.expr) -> bool:
+    """Whether the condition compares values (not ``is None``, a flag, or a type)."""
+    inner = test.operand if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not) else test
+    comparisons = [n for n in ast.walk(inner) if isinstance(n, ast.Compare)]
+    ordered = any(isinstance(op, ast.Lt | ast.LtE | ast.Gt | ast.GtE) for n in comparisons for op in n.ops)
+    calls = {n.func.attr for n in ast.walk(inner) if isinstance(n, ast.Call) and isinstance(n.func, ast.Attribute)}
+    return ordered or bool(calls & {"contains", "contains_interior", "is_finite", "overlaps"})

@@ -1,0 +1,119 @@
+"""The public table of equivalent damping: units, labels, formats, refusals, and the command."""
+
+import csv
+import io
+import json
+
+import numpy as np
+import pytest
+
+import asymptotics as asy
+from asymptotics.cli.main import main
+
+OSC = asy.Oscillator({1: "1/10", 2: "1/5"}, mass="3/2", stiffness=30, x0="1/5")
+
+
+def test_units_come_from_the_oscillator():
+    """b = 1/10 viscous: zeta b/(2 sqrt(k m)), Delta E pi b omega A^2, half-life 2 m ln 2/b."""
+    osc = asy.Oscillator({1: "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+    row = asy.damping(osc, "1/10", digits=10).rows[0].first
+    omega = np.sqrt(20)
+    assert float(row.zeta) == pytest.approx(0.1 / (2 * np.sqrt(45)))
+    assert float(row.energy_loss) == pytest.approx(np.pi * 0.1 * omega * 0.01)
+    assert float(row.c_eq) == pytest.approx(0.1) and float(row.half_life) == pytest.approx(3 * np.log(2) / 0.1)
+
+
+def test_the_first_order_is_the_limit_of_the_motion():
+    weak = asy.damping({2: "1/1000000"}, 1, digits=10).rows[0]
+    for name in ("zeta", "Q", "decrement", "energy_loss", "c_eq"):
+        assert float(getattr(weak.first, name)) == pytest.approx(float(getattr(weak.motion, name)), rel=1e-4)
+
+
+def test_the_half_life_beside_the_pendulum_is_that_of_the_envelope():
+    law = asy.Oscillator({2: "1/20"}, spring="pendulum", x0=2)
+    time = asy.envelope(law).time(1, digits=10)
+    assert asy.damping(law, 2, digits=10, motion=False).rows[0].first.half_life == time
+
+
+def test_the_table_says_what_it_is_in_every_format():
+    found = asy.damping(OSC, ["1/5", "1/10"], digits=6, order=2)
+    rows = list(csv.reader(io.StringIO(found.to_csv())))
+    assert rows[0][1] == "amplitude [m]" and len(rows) == 7 and rows[0][-1] == "code"
+    frame = found.to_dataframe()
+    assert frame["zeta"].tolist() == pytest.approx([float(row[2]) for row in rows[1:]])
+    data = json.loads(json.dumps(found.to_dict()))
+    assert data["rows"][0]["expanded"]["bounds"]["zeta"] and data["certified"] is True
+    assert (
+        data["units"]["energy_loss"] == "J"
+        and "\\zeta" in found.latex()
+        and "<table>" in found._repr_html_()
+        and found._page().title.startswith("Q = ")
+    )
+    assert found.picture(quantity="zeta")[:5] == b"<?xml" and found.picture("png")[:4] == b"\x89PNG"
+    angles = asy.damping(asy.Oscillator({1: 1}, spring="pendulum", x0=1), 1, motion=False)
+    assert angles.header()[1] == "amplitude [rad]"
+
+
+def test_the_curve_is_the_table():
+    found = asy.damping(OSC, ["1/5", "1/10"], digits=12, motion=False)
+    curve = found.sample([0.2, 0.1, np.nan])
+    assert curve["Q"][:2].tolist() == pytest.approx([float(row.first.Q) for row in found.rows])
+    assert np.isnan(curve["Q"][2])
+    assert found.sample([[0.1]])["c_eq"].shape == (1, 1)
+
+
+def test_the_result_cannot_be_changed():
+    found = asy.damping({2: 1}, 1, motion=False)
+    with pytest.raises(AttributeError):
+        found.rows = ()
+
+
+REFUSED = [
+    (({2: 0},), {}, "no loss"), (({2: 1}, 0), {}, "not positive"), (({2: 1}, []), {}, "there is none"),
+    (({2: 1}, 4), {"spring": "pendulum"}, "outside the well"), (({2: 1}, 1), {"order": 0}, "order"),
+    (("symbolic", 1), {}, "formulas only"), (({2: 1},), {"spring": {(1, 2): 1}}, "no potential"),
+    ((OSC, 1), {"spring": {3: 1}}, "belongs to the oscillator"), (({2: 1}, [1] * 1001), {}, "too many"),
+    (({2: 1}, 1), {"motion": 1}, "truth value"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("args", "options", "said"), REFUSED, ids=[r[-1] for r in REFUSED])
+def test_what_is_refused_is_named(args, options, said):
+    with pytest.raises(asy.InputError, match=said):
+        asy.damping(*args, **options)
+
+
+def test_anti_damping_has_a_first_order_and_no_motion():
+    row = asy.damping({1: -1, (1, 2): 1}, ["1/2"]).rows[0]
+    assert float(row.first.zeta) < 0 and row.motion.zeta is None and "anti-damping" in row.motion.reason
+    assert row.first.half_life is None
+
+
+BAD = {
+    "--alpha 2 --damping 1": "--amplitudes",
+    "--alpha 2 --epsilon 1 --quantity Q": "--plot",
+    "--alpha symbolic --digits 5": "--digits",
+    "--alpha 2 --epsilon 1 --gauge x": "gauge",
+}
+
+
+def run(capsys, line):
+    status = main(line.split())
+    out, err = capsys.readouterr()
+    return status, out, err
+
+
+def test_the_command_answers_and_refuses(capsys, tmp_path):
+    line = "damping --law 1:0.1 --law 2:0.2 --mass 3/2 --stiffness 30 --amplitudes 0.2,0.1 --digits 6"
+    status, out, _ = run(capsys, f"{line} --csv {tmp_path}/d.csv --plot {tmp_path}/d.svg --quantity zeta")
+    assert status == 0 and "0.0187712" in out and (tmp_path / "d.svg").exists()
+    assert (tmp_path / "d.csv").read_text().startswith("part,amplitude [m],zeta")
+    status, out, _ = run(capsys, f"{line} --json")
+    assert status == 0 and json.loads(out)["rows"][0]["first"]["zeta"] == "0.0187712"
+    assert "gamma" in run(capsys, "damping --alpha symbolic")[1]
+    for bad, said in BAD.items():
+        try:
+            status, _, err = run(capsys, f"damping {bad}")
+        except SystemExit as left:
+            status, err = left.code, capsys.readouterr().err
+        assert status == 2 and said in err

@@ -1,0 +1,38 @@
+"""The forces of the flow's tests: linear spring and others, each with what a bound may go wrong about."""
+
+from flint import ctx
+
+from asymptotics.flow.force import Force
+from asymptotics.law import Law
+from asymptotics.swing.damping import Damping
+from asymptotics.wells.force import Force as Well
+
+LINEAR = {
+    "free": {2: "1e-300"},
+    "linear": {1: "1/5"},
+    "dry": {0: "1/20", "3/2": "1/10"},
+    "sum": {"5/2": 3, 1: "1/2"},
+    "irrational": {"sqrt(2)": "1/3", 2: "1/2"},
+    "root": {"1/2": "1/2"},
+    "steep": {40: "1/10"},
+}
+OTHERS = {
+    "free pendulum": ({2: 0}, "pendulum"),
+    "pendulum": ({"3/2": "1/10"}, "pendulum"),
+    "duffing": ({2: "1/3"}, {3: "1/2"}),
+    "soft, sqrt(2)": ({"sqrt(2)": "1/10"}, {3: "-1/4"}),
+    "place": ({(1, 1): "1/3", "1/2": "1/9"}, {2: "1/4"}),
+    "dry beside springs": ({0: "1/20", (0, 2): "1/30", 3: "1/5"}, {5: 2}),
+}
+
+
+def force_of(name: str, bits: int = 250) -> Force:
+    """The force of that name, at ``bits``."""
+    with ctx.workprec(bits):
+        if name in LINEAR:
+            return Damping.of_law(Law(LINEAR[name]))
+        losses, spring = OTHERS[name]
+        return Well.of(Law(losses, spring=spring).terms)
+
+
+FORCES = {name: force_of(name) for name in (*LINEAR, *OTHERS)}

@@ -1,0 +1,140 @@
+"""Every result type of the public API, found by walking it, with one of each: a new type without a sample is an error.
+
+>>> len(types()) > 40 and {name_of(found) for found in types()} == set(SAMPLES)
+True
+"""
+
+import inspect
+import typing
+from dataclasses import is_dataclass
+from functools import cache
+
+import asymptotics as asy
+
+PARTS = {  # what stands inside a result and is no answer of its own
+    "equivalent.inverse.Problem": "what was asked, behind DampingLaw",
+    "envelopes.laurent.LaurentEnvelope": "formulas behind EnvelopeSeries",
+    "series.Series": "arithmetic of series",
+    "terms.Scaled": "a strength, printed as text",
+    "terms.Units": "the units of Scaled",
+    "equations.strengths.Strengths": "how an equation prints its strengths",
+    "identification.comparison.LawFit": "the fit behind LawAnswer",
+    "identification.observations.Observations": "the data as they were read",
+    "identification.printed.Decrements": "the data as they were read",
+    "identification.result.Units": "the units of the data",
+    "multiscale.initial.InitialConditions": "series behind MultipleScales",
+    "multiscale.exact.OddHierarchy": "the kernel behind MultipleScales",
+    "multiscale.turning.TurningHierarchy": "the kernel behind MultipleScales",
+}
+SETUP = """
+import numpy as np, tempfile
+from pathlib import Path
+import asymptotics as asy
+osc = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+eq = asy.expand({"3/2": "1/10"}, order=3)
+motion = asy.motion(osc, order=2)
+points = asy.turning_points(osc, 4, digits=15, times=True)
+cycle = asy.limit_cycle({1: -1, (1, 2): 1}, order=4, digits=12, mu='1/5')
+folder = Path(tempfile.mkdtemp())
+_ = (folder / "mine.csv").write_text("n,x\\n0,1\\n1,-0.4107197\\n2,0.2635711\\n")
+compared = asy.compare(folder / "mine.csv", {2: 1})
+rows = {"A": [1, 2, 3, 4], "zeta": [0.011, 0.019, 0.031, 0.041]}
+table_law = asy.damping_law(rows, resolution="1/1000", laws=["1", "2"])
+n = np.arange(30)
+noise = 1e-3 * np.random.default_rng(0).standard_normal(30)
+answer = asy.identify({"n": n, "x": (-1.0) ** n * 0.95**n + noise}, laws=["1", "2", "1,2"], bootstrap=False)
+"""
+SAMPLES = {
+    "api.large.SpringEnvelope": "asy.envelope(asy.Oscillator({2: '1/20'}, spring='pendulum', x0=3))",
+    "api.motions.Events": "motion.events(3)",
+    "api.motions.Motion": "motion",
+    "api.motions.Reference": "asy.reference(osc)",
+    "api.shown_solution.SolutionPoint": "asy.solution({2: '1/10'}, order=3).at(7, digits=12)",
+    "api.implicit.ImplicitSolution": "asy.solution({1: '1/10', 2: '1/20'}, order=2)",
+    "api.slow.Envelope": "asy.envelope(osc)",
+    "api.slow_series.EnvelopeSeries": "asy.envelope({2: '1/10'}).series(3)",
+    "api.slowness.SlowPart": "asy.envelope(osc).slow('1/50')",
+    "api.solution.Solution": "asy.solution({2: '1/10'}, order=3)",
+    "api.swings.OscillatorTurningPoints": "points",
+    "api.swings.SwingPoint": "points.points[1]",
+    "api.waves.Waveforms": "asy.waveforms('3/2', order=3)",
+    "bounds.reach.Reach": "asy.solution({1: '1/10', 2: '1/20'}, order=1).proved_until('1/2')",
+    "bounds.uniform.UniformBound": "motion.uniform_bound()",
+    "comparison.run.Comparison": "compared",
+    "comparison.run.Row": "compared.rows[1]",
+    "divergence.result.StokesConstants": "asy.stokes(2, digits=8)",
+    "divergence.truncation.BestOrder": "asy.expand(2, order=2).best_order('1/4')",
+    "envelopes.explicit.ClosedForm": "asy.envelope(osc).formula",
+    "equivalent.conversions.Conversion": "asy.damping(asy.Oscillator({1: 1}, mass=2), 1, digits=6).conversions()[0]",
+    "equivalent.found_law.DampingLaw": "table_law",
+    "equivalent.inverse.Candidate": "table_law.best",
+    "equivalent.inverse.Strength": "table_law.best.strengths[0]",
+    "equivalent.result.EquivalentDamping": "asy.damping(osc, ['1/5', '1/10'], order=2, digits=6)",
+    "equivalent.rows.DampingRow": "asy.damping(osc, '1/5', order=2, digits=6).rows[0]",
+    "equivalent.rows.Measure": "asy.damping(osc, '1/5', digits=6).rows[0].first",
+    "equations.comparison.Comparison": "eq.compare(asy.expand({'3/2': '1/10'}, order=2))",
+    "equations.observables.Observable": "eq.observables().Q",
+    "equations.observables.Observables": "eq.observables()",
+    "equations.result.Equations": "eq",
+    "equations.row.Row": "eq.p",
+    "half_swings.finite_result.HalfSwingAt": "asy.half_swing(2, delta='1/10', digits=12)",
+    "identification.allowance.Allowance": "answer.verdict.allowed[0]",
+    "identification.profile.Interval": "answer.law('1').law.epsilon[0]",
+    "identification.result.Identification": "answer",
+    "identification.result.LawAnswer": "answer.best",
+    "identification.verdicts.Verdict": "answer.verdict",
+    "invariants.symbolic.GeneratingFunction": "asy.G(2)",
+    "law.Law": "asy.Law({0: '1/50', 2: '1/10'})",
+    "law.Oscillator": "osc",
+    "law.PhysicalLaw": "osc.law",
+    "limit_cycles.certified.CertifiedCycle": "cycle.at",
+    "limit_cycles.result.LimitCycle": "cycle",
+    "motions.result.MotionPoint": "motion.at(7)",
+    "motions.result.MotionSamples": "motion.sample([0.0, 1.0, 2.0])",
+    "multiscale.orders.Order": "asy.multiple_scales(2, order=2).orders[1]",
+    "multiscale.symbolic.MultipleScales": "asy.multiple_scales(3, order=2)",
+    "normal_form.results.HalfSwingCoefficients": "asy.half_swing(2, order=3, digits=12)",
+    "numbers.exact.ExactReal": "asy.ExactReal(1, 2)",
+    "numbers.value.Coefficient": "asy.moment(3, digits=15)",
+    "papers.statement.PaperStatement": "asy.paper('smith2012:43')",
+    "sweeps.run.SweepResult": "asy.sweep(lambda point: {}, 'none', [{'n': '1'}], folder / 'store', workers=1)",
+    "tables.table.Table": "asy.table('smith2012.table1', digits=9)",
+    "terms.Term": "osc.law.terms[0]",
+    "turning.result.TurningPoint": "asy.turning_points({2: 1}, 3, digits=12, times=True).points[1]",
+    "turning.result.TurningPoints": "asy.turning_points({2: 1}, 3, digits=12, times=True)",
+}
+
+
+def name_of(found: type) -> str:
+    return f"{found.__module__.removeprefix('asymptotics.')}.{found.__qualname__}"
+
+
+@cache
+def types() -> tuple[type, ...]:
+    """The classes that public functions return, and what their public attributes, properties and methods are."""
+    seen: set[type] = set()
+    for name in asy.__all__:
+        found = getattr(asy, name)
+        if inspect.isfunction(found):
+            _add(typing.get_type_hints(inspect.unwrap(found)).get("return"), seen)
+        elif isinstance(found, type) and not issubclass(found, Exception):
+            _add(found, seen)
+    return tuple(sorted((t for t in seen if name_of(t) not in PARTS), key=name_of))
+
+
+def _add(hint: object, seen: set[type]) -> None:
+    for inner in typing.get_args(hint):
+        _add(inner, seen)
+    if not isinstance(hint, type) or not hint.__module__.startswith("asymptotics") or hint in seen:
+        return
+    seen.add(hint)
+    if name_of(hint) in PARTS:
+        return
+    for name, member in inspect.getmembers(hint):
+        function = getattr(member, "fget", None) or getattr(member, "func", None) or member
+        if (not name.startswith("_") or name == "__call__") and inspect.isfunction(function):
+            _add(typing.get_type_hints(inspect.unwrap(function)).get("return"), seen)
+    if is_dataclass(hint):
+        for name, kind in typing.get_type_hints(hint).items():
+            if not name.startswith("_"):
+                _add(kind, seen)

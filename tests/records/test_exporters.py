@@ -1,0 +1,185 @@
+"""Files in the layouts of common exporters, written here from the descriptions of their formats: the right numbers.
+
+Every layout holds the same motion, x = exp(-t/20) cos 3t, and each must be read as that, with its unit, and told.
+"""
+
+import gzip
+import io
+import zipfile
+
+import numpy as np
+import pytest
+
+import asymptotics as asy
+from asymptotics.errors import InputError
+from asymptotics.records.sources import How
+from asymptotics.records.table import read_table
+
+T = np.arange(0, 12, 0.02)
+X = np.exp(-T / 20) * np.cos(3 * T)
+
+
+def rows(separator, mark=".", form="{:.6f}", end="", extra=()):
+    """The motion as lines of text, with constant cells behind."""
+    lines = []
+    for t, x in zip(T, X):
+        cells = [form.format(t), form.format(x), *extra]
+        lines.append(separator.join(c.replace(".", mark) if c not in extra else c for c in cells) + end)
+    return "\n".join(lines) + "\n"
+
+
+LABVIEW = """LabVIEW Measurement\t
+Writer_Version\t2
+Reader_Version\t2
+Separator\tTab
+Decimal_Separator\t.
+Date\t2024/03/01
+Time\t11:02:03.5
+***End_of_Header***\t
+
+Channels\t1
+Samples\t600
+X_Dimension\tTime
+***End_of_Header***
+X_Value\tAngle (rad)\tComment
+"""
+CASSY = """MIN=0\tMAX=12
+SCALE=1
+DEC=6
+DEF="t / s"\t"phi / rad"
+t / s\tphi / rad
+"""
+MOKU = """% Moku:Go Data Logger
+% Acquired 2024-03-01 T 11:02:03 +0000
+% Time (s), Input 1 Displacement (mm)
+"""
+OPENFAST = """
+Predictions were generated on 01-Mar-2024 with a program in the layout of its text tables.
+
+Description from the input file: free decay
+
+Time\tRoll\tWave1Elev
+(s)\t(deg)\t(m)
+"""
+LAYOUTS = {  # name: (text, unit, options)
+    "phyphox csv": ('"Time (s)","Angle (rad)"\n' + rows(",", form="{:.9E}"), "rad", {}),
+    "phyphox csv, decimal comma": ('"Time (s)";"Angle (\u00b0)"\n' + rows(";", ",", "{:.9E}"), "deg", {}),
+    "Tracker": ("mass A\t\t\nt\tx\ty\n" + rows("\t", form="{:.3E}", extra=("1.0",)), "", {"columns": "t=t,x=x"}),
+    "Tracker, several points": (
+        "\tmass_A\t\nt\tx\tx\n" + rows("\t", form="{:.5E}", extra=("2.0",)),
+        "",
+        {"columns": "t=1,x=2"},
+    ),
+    "Vernier": ("Latest: Time (s),Latest: Position (m)\n" + rows(","), "m", {}),
+    "Logger Pro text": (
+        "Vernier Format 2\nUntitled 3/1/2024 11:02:03 .\nRun 1\nTime\tPosition\nt\tx\ns\tm\n\n" + rows("\t"),
+        "m",
+        {},
+    ),
+    "PASCO": ('Time (s) Run #1,"Angle (rad) Run #1"\n' + rows(","), "rad", {}),
+    "PASCO, semicolons": ('"Zeit (s) Lauf #1";"Winkel (rad) Lauf #1"\n' + rows(";", ","), "rad", {}),
+    "CASSY": (CASSY + rows("\t"), "rad", {}),
+    "LabVIEW lvm": (LABVIEW + rows("\t"), "rad", {}),
+    "OpenFAST": (OPENFAST + rows("\t", extra=("0.0",)), "deg", {"columns": "t=Time,x=Roll"}),
+    "aligned columns": ("  Time (s)   Roll (deg)\n" + rows("   "), "deg", {}),
+    "Moku": (MOKU + rows(", "), "mm", {}),
+    "numpy.savetxt": ("# t x\n" + rows(" ", form="{:.18e}"), "", {}),
+    "no names": (rows(" "), "", {}),
+    "Excel's German CSV": ("sep=;\nZeit t / s;Weg x / cm\n" + rows(";", ","), "cm", {}),
+    "quoted decimal commas": (
+        '"t / s","x / cm"\n' + rows('","', ",").replace("\n", '"\n"')[:-1].join(['"', ""]),
+        "cm",
+        {},
+    ),
+    "pipes": ("| t (s) | x (m) |\n" + "".join(f"| {t:.6f} | {x:.6f} |\n" for t, x in zip(T, X)), "m", {}),
+    "Fortran": ("t x\n" + rows("  ", form="{:.6E}").replace("E", "D"), "", {}),
+    "a comma behind each row": ("t,x,\n" + rows(",", end=","), "", {}),
+}
+
+
+def check(table, tolerance=2e-3):
+    assert table.kind == "record"
+    np.testing.assert_allclose(table.columns["t"], T, atol=tolerance)
+    np.testing.assert_allclose(table.columns["x"], X, atol=tolerance)
+    assert table.notes[0].startswith("time: ")
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
+@pytest.mark.parametrize("ends", ["\n", "\r\n"])
+def test_the_layouts_of_exporters_are_read_in_every_encoding(name, encoding, ends, tmp_path):
+    text, unit, options = LAYOUTS[name]
+    path = tmp_path / "record.txt"
+    path.write_bytes(text.replace("\n", ends).encode(encoding))
+    table = read_table(path, how=How(**options))
+    check(table)
+    assert table.unit == unit
+
+
+def test_packed_files_open_files_frames_and_arrays_are_read(tmp_path):
+    text = LAYOUTS["Vernier"][0].encode()
+    (tmp_path / "a.csv.gz").write_bytes(gzip.compress(text))
+    with zipfile.ZipFile(tmp_path / "a.zip", "w") as archive:
+        archive.writestr("Raw Data.csv", text)
+        archive.writestr("meta/device.csv", "property,value\n")
+    np.savez(tmp_path / "a.npz", t=T, theta=X)
+    np.save(tmp_path / "a.npy", np.column_stack([T, X]))
+    from scipy.io import savemat  # noqa: PLC0415
+
+    savemat(tmp_path / "a.mat", {"t": T, "x": X})
+    import pandas  # noqa: PLC0415
+
+    frame = pandas.DataFrame({"time": T, "x": X})
+    frame.to_parquet(tmp_path / "a.parquet")
+    for name in ("a.csv.gz", "a.zip", "a.npz", "a.npy", "a.mat", "a.parquet"):
+        check(read_table(tmp_path / name), 1e-6)
+    for source in (frame, {"t": T, "x": X}, io.StringIO(text.decode()), io.BytesIO(text)):
+        check(read_table(source), 1e-6)
+    assert asy.identify((T, X), laws=["1"]).law("1").law.epsilon[0].estimate == pytest.approx(1 / 30, rel=1e-3)
+
+
+def test_spreadsheets_are_read_and_several_sheets_are_asked_for(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    pytest.importorskip("openpyxl")
+    frame = pandas.DataFrame({"Time (s)": T, "Angle (rad)": X})
+    frame.to_excel(tmp_path / "one.xlsx", index=False)
+    check(read_table(tmp_path / "one.xlsx"), 1e-9)
+    with pandas.ExcelWriter(tmp_path / "two.xlsx") as book:
+        frame.to_excel(book, sheet_name="run 1", index=False)
+        frame.to_excel(book, sheet_name="run 2", index=False)
+    with pytest.raises(InputError, match="2 sheets with numbers: run 1, run 2 .*--sheet NAME"):
+        read_table(tmp_path / "two.xlsx")
+    check(read_table(tmp_path / "two.xlsx", how=How(sheet="run 2")), 1e-9)
+
+
+def test_dates_and_times_of_day_are_times(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("timestamp;x\n2024-03-01 23:59:59.5;1,5\n2024-03-02 00:00:00.25;2,5\n2024-03-02 00:00:01;0,5\n")
+    assert np.diff(read_table(path).columns["t"]) == pytest.approx([0.75, 0.75])
+    path.write_text("time,x\n10:00:00.5,1.5\n10:00:01.5,2.5\n10:01:00,0.5\n")
+    assert np.diff(read_table(path).columns["t"]) == pytest.approx([1, 58.5])
+
+
+def test_what_is_measured_is_found_or_asked_for(tmp_path):
+    path = tmp_path / "gyro.csv"
+    names = "Time (s),Gyroscope x (rad/s),Gyroscope y (rad/s)"
+    v = -3 * np.exp(-T / 20) * np.sin(3 * T) - X / 20
+    path.write_text(names + "\n" + "".join(f"{t:.6f},{a:.9f},0.1\n" for t, a in zip(T, v)))
+    with pytest.raises(InputError, match=r"v may be any of 'Gyroscope x \(rad/s\)', 'Gyroscope y .*--columns t=1,v=2"):
+        asy.identify(path, laws=["1"])
+    answer = asy.identify(path, laws=["1"], columns="t=Time,v=Gyroscope x")
+    assert answer.units.unit == "rad"
+    assert answer.law("1").law.epsilon[0].estimate == pytest.approx(1 / 30, rel=2e-3)
+    assert any("samples of the velocity fitted" in note for note in answer.notes)
+
+
+def test_a_clock_that_starts_again_begins_a_run_and_a_reversed_one_is_turned(tmp_path):
+    path = tmp_path / "two.csv"
+    text = rows(",")
+    path.write_text("t,x\n" + text + text)
+    answer = asy.identify(path, laws=["1"])
+    assert len(answer.per_run) == 2
+    path.write_text("t,x\n" + "\n".join(reversed(text.splitlines())))
+    answer = asy.identify(path, laws=["1"])
+    assert any("time runs backwards" in note for note in answer.notes)
+    assert answer.law("1").law.epsilon[0].estimate == pytest.approx(1 / 30, rel=1e-3)

@@ -1,0 +1,76 @@
+"""A double may choose a size or a route; what it chose may not enter as if it were exact: a walk over the choices.
+
+Found is every min, max, sorted, sort, argmin and argmax in the certified rooms whose key is made of doubles.  Where the
+numbers differ by less than a double shows, such a choice is wrong, so each is listed with the reason why any
+choice would do.
+"""
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from flint import arb, ctx
+
+from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.numbers.extremes import greatest, least
+from asymptotics.swing.damping import Damping
+
+ROOT = Path(__file__).parents[1] / "asymptotics"
+ROOMS = ("bounds", "half_swings", "limit_cycles", "moments", "multiscale", "invariants", "numbers", "straightening")
+ROOMS += ("flow", "swing", "turning", "wells", "envelopes", "motions", "normal_form", "identification")
+IN_DOUBLES = re.compile(r"float|_double|\.sizes|\.seconds|size_of|np\.")
+ANY_WILL_DO = {
+    "envelopes/large.py": "Newton's method starts at one of two places",
+    "limit_cycles/series.py": "the cycle nearest to a guess, which is a double itself",
+    "swing/settling.py": "Newton's method starts at one of several places",
+    "turning/abel.py": "each circle has a bound of its own: the least of them is sought",
+    "turning/abel_flow.py": "each polydisc has a bound of its own: the least of them is sought",
+    "turning/far.py": "the cheaper of several routes",
+}
+
+
+def choices(text: str) -> Iterator[str]:
+    """The calls that choose by a key in which doubles are read."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Call):
+            name = getattr(node.func, "id", getattr(node.func, "attr", ""))
+            keys = [k.value for k in node.keywords if k.arg == "key"]
+            if name in ("min", "max", "sorted", "sort") and any(IN_DOUBLES.search(ast.unparse(k)) for k in keys):
+                yield ast.unparse(node)
+
+
+def test_no_double_chooses_what_counts_as_exact():
+    found = {
+        str(path.relative_to(ROOT))
+        for room in ROOMS
+        for path in (ROOT / room).rglob("*.py")
+        if any(True for _ in choices(path.read_text()))
+    }
+    assert found == set(ANY_WILL_DO)
+
+
+def test_the_walk_finds_one():
+    assert list(choices("least = min(range(3), key=lambda i: damping.sizes[i][1])"))
+    assert list(choices("w = max(weights, key=float)")) and not list(choices("w = max(alphas)"))
+
+
+@pytest.mark.parametrize("apart", ["1e-17", "1e-19", "1e-40"])
+@pytest.mark.parametrize("at", ["1/2", "1", "3/2"])
+def test_the_least_exponent_is_the_least(at, apart):
+    here = parse_real(at, "alpha")
+    for sign in (1, -1):
+        there = here + sign * parse_real(apart, "d").rational
+        law = Damping.of([(arb(1), here), (arb(1), there)])
+        assert law.alphas[law.leading] == min(here, there)
+        assert law.sublinear is (min(here, there) < 1)
+
+
+def test_the_extremes_of_balls_hold_those_of_their_numbers():
+    with ctx.workprec(200):
+        near = [ExactReal(1).ball(), 1 + arb(10) ** -40]
+        assert greatest(near).contains(near[1].mid()) and greatest(near) > 1 and least(near[::-1]) == near[0]
+        wide = [arb(2, 1), arb(3, "0.5")]
+        assert all(greatest(wide).contains(x) for x in (arb("2.5"), arb("3.5"))) and greatest(wide) > 2
+        assert all(least(wide).contains(x) for x in (arb(1), arb(3)))

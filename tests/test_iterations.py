@@ -1,0 +1,120 @@
+"""An iteration that can end unproved says so: a walk over every loop that may run out before its goal is reached.
+
+Found are loops ``for ... in range(...)`` that can be left early (``break``, ``return``) and update a value by itself.
+Each must tell the two ends apart: an ``else`` (or what follows, where the loop is left by ``return`` alone) that raises
+or returns; or it is listed with the reason why a value that is not the limit does no harm.
+"""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1] / "asymptotics"
+ROOMS = ("bounds", "envelopes", "half_swings", "limit_cycles", "moments", "motions", "multiscale", "normal_form")
+ROOMS += ("invariants", "numbers", "straightening", "swing", "turning", "wells")
+HARMLESS = {
+    "envelopes/large.py:_newton": "the time reached is integrated anew up to the place returned, and enclosed after",
+    "half_swings/finite_majorant.py:_fixed_point": "an oracle in doubles: inf if it does not settle, checked in balls",
+    "limit_cycles/certified.py:_float_fixed_point": "a guess in doubles for interval Newton",
+    "motions/frame.py:_iterated": "two digits of the change of a start, for a measured estimate",
+    "swing/arrival.py:_guess": "any place ahead will do: the miss there is bounded",
+    "swing/half_swings.py:_near": "the place with the least residual: the residual bounds its error after",
+    "swing/slow.py:solve": "the interval about the last place must hold its own image",
+    "turning/drag_exact.py:_guess": "the signs on both sides enclose the root",
+    "wells/ends.py:_held": "a bisection whose two ends are proved, however near they are",
+    "wells/expansion.py:_majorant": "the bound that comes out is checked against its own equation",
+    "wells/landing.py:_guess": "any place ahead will do: the miss there is bounded",
+}
+
+
+def loops(tree: ast.AST) -> Iterator[tuple[str, ast.For, list[ast.stmt]]]:
+    """(function, loop, the statements after it, those after a ``with`` about it too) of every counted loop."""
+    for function in ast.walk(tree):
+        if isinstance(function, ast.FunctionDef):
+            yield from ((function.name, *found) for found in inside(function.body, []))
+
+
+def inside(block: list[ast.stmt], outer: list[ast.stmt]) -> Iterator[tuple[ast.For, list[ast.stmt]]]:
+    for i, here in enumerate(block):
+        rest = block[i + 1 :] + outer
+        if isinstance(here, ast.For) and counted(here):
+            yield here, rest
+        if not isinstance(here, ast.FunctionDef | ast.ClassDef):
+            for name in ("body", "orelse"):
+                yield from inside(getattr(here, name, []), rest if isinstance(here, ast.With) else [])
+
+
+def counted(loop: ast.For) -> bool:
+    return isinstance(loop.iter, ast.Call) and getattr(loop.iter.func, "id", "") == "range"
+
+
+def names(node: ast.AST, context: type[ast.expr_context]) -> set[str]:
+    return {n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, context)}
+
+
+def iterates(loop: ast.For) -> bool:
+    """Whether a value that the loop makes enters the next round, and the loop can be left early."""
+    own = [s for s in loop.body for s in ast.walk(s)]
+    made: set[str] = set()
+    for statement in own:
+        if isinstance(statement, ast.Assign | ast.AugAssign):
+            targets = statement.targets if isinstance(statement, ast.Assign) else [statement.target]
+            made |= {name for target in targets for name in names(target, ast.Store)}
+    before: set[str] = set()
+    seen: set[str] = set()
+    for statement in loop.body:
+        before |= (names(statement, ast.Load) & made) - seen
+        seen |= names(statement, ast.Store)
+    return bool(before) and any(isinstance(s, ast.Break) or (isinstance(s, ast.Return) and not ends(s)) for s in own)
+
+
+def ends(statement: ast.stmt | None) -> bool:
+    """Whether it says that nothing was found."""
+    if isinstance(statement, ast.Return):
+        return statement.value is None or ast.unparse(statement.value) in ("None", "False")
+    return isinstance(statement, ast.Raise) or (isinstance(statement, ast.If) and ends(statement.body[-1]))
+
+
+def honest(loop: ast.For, rest: list[ast.stmt]) -> bool:
+    """Whether running out leads to a refusal: in ``else``, or in what follows but for a reason in words."""
+    if loop.orelse:
+        return ends(loop.orelse[-1])
+    after = [s for s in rest if not (isinstance(s, ast.Assign) and isinstance(s.value, ast.Constant | ast.JoinedStr))]
+    return bool(after) and ends(after[0])
+
+
+def open_ends(text: str) -> list[str]:
+    return [name for name, loop, rest in loops(ast.parse(text)) if iterates(loop) and not honest(loop, rest)]
+
+
+def test_every_iteration_that_can_run_out_says_so():
+    found = {
+        f"{path.relative_to(ROOT)}:{name}"
+        for room in ROOMS
+        for path in sorted((ROOT / room).rglob("*.py"))
+        for name in open_ends(path.read_text())
+    }
+    assert found == set(HARMLESS)
+
+
+STALE = """
+def root(f, x):
+    for _ in range(12):
+        value = f(x)
+        step = value / 2
+        if abs(step) < 1e-9:
+            break
+        x = x - step
+    return x, value
+"""
+
+
+def test_the_walk_finds_a_newton_loop_that_goes_on_with_a_stale_value():
+    assert open_ends(STALE) == ["root"]
+    assert not open_ends(STALE.replace("    return x", "    else:\n        raise ValueError\n    return x"))
+    assert open_ends(STALE.replace("break", "return x")) == ["root"]
+    assert not open_ends(STALE.replace("break", "return x").replace("return x, value", "raise ValueError"))
+
+
+def test_every_reason_is_one():
+    assert all(len(reason) > 20 for reason in HARMLESS.values())

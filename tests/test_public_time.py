@@ -1,0 +1,211 @@
+"""Every public call has a time of its own and is alone when it computes: what has none is listed with its reason."""
+
+import inspect
+import signal
+import threading
+import time
+from itertools import count
+
+import pytest
+
+import asymptotics as asy
+from asymptotics import budget as module
+from asymptotics import public
+from asymptotics.budget import budget, seconds_left, tick
+from asymptotics.errors import InputError, LimitError
+from asymptotics.numbers.context import alone
+from asymptotics.testing import oracles
+from tests.test_public_calls import FUNCTIONS, public_results
+
+QUICK = {  # public methods without a time, and why it is bounded by what they are given
+    "doubles at the places they are given": {"__call__", "rhs"},
+    "what is known, as text or data": {
+        "to_dict", "to_json", "to_text", "to_csv", "to_csv_file", "to_latex", "to_parquet", "latex", "latex_shape",
+        "to_dataframe",
+        "shape", "told", "text", "keyed", "named", "get", "keys", "items", "values", "noted", "rounded_to_error",
+        "header", "table",
+    },
+    "draws: what it computes has the time of ``sample``, and a page gives it five seconds": {"plot", "picture"},
+    "one conversion of known digits": {"mpf", "interval", "sympy", "fraction", "ball", "number"},
+    "a law or oscillator read, compared or put together": {
+        "with_law", "from_terms", "require_pure", "require_dissipative", "plus", "read",
+    },
+    "balls for the package itself: one formula": {
+        "omega_0", "length", "epsilons", "deltas", "to_si", "delta", "scaled_at",
+    },
+}  # fmt: skip
+LOOKED_UP = {"paper", "statements"}  # texts, without a library: nothing computes
+WITHOUT = {name for names in QUICK.values() for name in names}
+ALSO = {"kappas"}  # an oscillator's are balls, an envelope's are decimals
+
+
+def functions():
+    named = {n: getattr(asy, n) for n in asy.__all__ if inspect.isfunction(getattr(asy, n)) and n not in LOOKED_UP}
+    checks = {n: f for n, f in vars(oracles).items() if n.startswith("check_")}
+    return named | checks
+
+
+def methods():
+    found = {}
+    for thing in public_results():
+        for kind in type(thing).__mro__[:-1]:
+            if not kind.__module__.startswith("asymptotics"):
+                continue
+            for name, made in vars(kind).items():
+                if inspect.isfunction(made) and (name == "__call__" or not name.startswith("_")):
+                    found[f"{kind.__name__}.{name}"] = made
+    return found
+
+
+def timed(function):
+    parameter = inspect.signature(function).parameters.get("max_seconds")
+    return parameter is not None and parameter.kind is parameter.KEYWORD_ONLY and hasattr(function, "__wrapped__")
+
+
+@pytest.mark.parametrize("name", sorted(functions()))
+def test_every_public_function_has_a_time(name):
+    assert timed(functions()[name])
+
+
+def test_every_public_method_has_a_time_or_a_reason():
+    without = {name for name, made in methods().items() if not timed(made) and name.partition(".")[2] not in ALSO}
+    assert {name.partition(".")[2] for name in without} <= WITHOUT
+    assert len(methods()) - len(without) > 30
+
+
+@pytest.mark.parametrize("name", sorted(set(FUNCTIONS) & set(functions())))
+def test_a_time_that_is_none_is_refused_by_name(name):
+    for bad in (0, -1, "x", float("nan"), True, [], 10**7, "1e400"):
+        with pytest.raises(InputError, match="argument max_seconds: "):
+            getattr(asy, name)(**FUNCTIONS[name], max_seconds=bad)
+
+
+OSC = asy.Oscillator({"17/7": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+LONG = {  # the numbers are not used elsewhere in the tests, so that no cache answers
+    "expand": lambda s: asy.expand("sqrt(19)", order=9, max_seconds=s),
+    "half_swing": lambda s: asy.half_swing("sqrt(23)", order=9, max_seconds=s),
+    "half_swing, certified": lambda s: asy.half_swing("19/11", delta="1/3", max_seconds=s),
+    "limit_cycle": lambda s: asy.limit_cycle({1: -1, (1, 2): 3}, order=1, mu="18/19", max_seconds=s),
+    "multiple_scales": lambda s: asy.multiple_scales([1, 7], order=21, max_seconds=s),
+    "turning_points": lambda s: asy.turning_points({"19/7": "1/10"}, 40, max_seconds=s),
+    "Reference.at": lambda s: asy.reference(OSC).at(400, max_seconds=s),
+    "Reference.sample": lambda s: asy.reference(OSC).sample([30.0, 400.0], max_seconds=s),
+    "Motion.at": lambda s: asy.motion(OSC, order=9).at(30, digits=30, max_seconds=s),
+    "Motion.bound": lambda s: asy.motion(OSC, order=3).bound(30, max_seconds=s),
+    "Envelope.amplitude": lambda s: asy.envelope(
+        {"1/2": "1/100", "3/2": "1/5", "sqrt(3)": "1/10"}).amplitude(4, digits=5, max_seconds=s),
+    "Envelope.series": lambda s: asy.envelope({"19/7": "1/10"}).series(9, max_seconds=s),
+    "f": lambda s: asy.f(450, max_seconds=s),
+}  # fmt: skip
+
+
+@pytest.fixture
+def ticking(monkeypatch):
+    """A clock that goes one second further each time it is read; no alarm helps."""
+    seconds = count()
+    monkeypatch.setattr(module, "monotonic", lambda: float(next(seconds)))
+    monkeypatch.setattr(public, "PERIOD", 3600.0)
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_the_work_of_a_public_call_asks_for_the_time(name, ticking):
+    with pytest.raises(LimitError, match="argument max_seconds: "):
+        LONG[name](12)
+
+
+def test_work_that_never_asks_is_stopped(monkeypatch):
+    monkeypatch.setattr(public, "PERIOD", 0.01)
+
+    @public.public
+    def deaf(*, max_seconds=60):
+        for _ in count():
+            pass
+
+    with pytest.raises(LimitError, match="are over"):
+        deaf(max_seconds="1/20")
+    assert signal.getsignal(signal.SIGALRM) is signal.SIG_DFL
+    assert signal.getitimer(signal.ITIMER_REAL) == (0, 0)
+    assert not alone.lock.locked()
+
+
+def test_what_a_library_makes_of_the_alarm_is_still_a_matter_of_time(monkeypatch):
+    monkeypatch.setattr(public, "PERIOD", 0.01)
+
+    @public.public
+    def muddled(*, max_seconds=60):
+        try:
+            for _ in count():
+                pass
+        except LimitError:
+            raise TypeError("not understood") from None
+
+    with pytest.raises(LimitError, match="are over"):
+        muddled(max_seconds="1/20")
+    with pytest.raises(ZeroDivisionError), public.limited(60):
+        raise ZeroDivisionError
+
+
+def test_an_alarm_of_somebody_else_is_left_alone():
+    rung = []
+    before = signal.signal(signal.SIGALRM, lambda *_: rung.append(1))
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.05)
+        asy.moment("1/2", max_seconds=5)
+        end = time.monotonic() + 5
+        while not rung and time.monotonic() < end:
+            time.sleep(0.01)
+        assert rung
+    finally:
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_a_call_inside_another_has_the_time_of_the_outer_one(monkeypatch):
+    monkeypatch.setattr(public, "PERIOD", 3600.0)
+    left = []
+
+    @public.public
+    def inner(*, max_seconds=60):
+        left.append(seconds_left())
+
+    with budget(1000):
+        inner()
+        inner(max_seconds=5)
+    inner()
+    assert left[0] > 900 and left[1] <= 5 and 5 < left[2] <= 60
+
+
+def test_who_waits_for_another_thread_asks_for_the_time():
+    inside, done = threading.Event(), threading.Event()
+
+    def hold():
+        with alone:
+            inside.set()
+            done.wait(30)
+
+    thread = threading.Thread(target=hold)
+    thread.start()
+    inside.wait(30)
+    try:
+        with pytest.raises(LimitError, match="wait for another thread"):
+            asy.moment("1/2", max_seconds="1/10")
+    finally:
+        done.set()
+        thread.join()
+    assert asy.moment("1/2").value
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # a ring in a callback of the gc
+def test_the_alarm_does_not_leave_the_door_half_open(monkeypatch):
+    """Ten thousand rings a second while the door is opened and closed: it is free, or ours, each time."""
+    monkeypatch.setattr(public, "PERIOD", 1e-4)
+    for _ in range(300):
+        with pytest.raises(LimitError), public.limited(0.001):
+            while True:
+                with alone:
+                    pass
+        assert (alone.lock.locked(), alone.owner, alone.depth) == (False, 0, 0)
+
+
+def test_ticks_inside_a_public_call_count_down():
+    with budget(0), pytest.raises(LimitError):
+        tick()
