@@ -21,8 +21,9 @@ from asymptotics.bounds.local import BITS
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError
+from asymptotics.flow.balls import size_of, upper
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import Damping, size_of, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states_from
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.sequence import Turning, sequence

@@ -9,6 +9,7 @@ with it, each with its own theorem on how far two motions part.
 ``force``        what the flow asks of a force
 ``composition``  power series put into the force, on a line or on a simplex of exponents
 ``taylor``       one Taylor step with its error by the residual (defect), the same for all forces
+``times``        times added exactly; the state at a time next to a turning point
 ===============  =====================================================================================
 
 Derivation ``taylor-residual``.

@@ -17,13 +17,13 @@ from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import certified_point, time_of
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.policy import Number
-from asymptotics.swing.damping import upper
 from asymptotics.turning.quadratic_duration import duration, elapsed, node_count
 from asymptotics.turning.quadratic_map import next_amplitude
 

@@ -27,8 +27,9 @@ from dataclasses import dataclass
 from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import dyadic, size_of, upper
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import Damping, dyadic, size_of, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.expansion import Expansion, plan_at
 from asymptotics.swing.keys import SMALL
 

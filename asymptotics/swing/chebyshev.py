@@ -31,8 +31,8 @@ from functools import reduce
 
 from flint import arb, arb_poly, fmpq, fmpz_poly
 
+from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import upper
 
 _BITS = 53  # in which errors are added
 

@@ -13,6 +13,7 @@ only add: no ball is carried through a step.
 * ``LinearSwing``: the only piece where linear damping below its critical strength and dry friction act alone.
 
 >>> from fractions import Fraction
+>>> from asymptotics.numbers.context import ctx
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(100):
 ...     quadratic = Damping.of([(arb(1), ExactReal(Fraction(2)))])
@@ -28,10 +29,11 @@ from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.flow.taylor import TaylorStep
-from asymptotics.numbers.context import ctx
+from asymptotics.flow.times import at_time, later
 from asymptotics.swing.arrival import Arrival, arrive, turns_within
-from asymptotics.swing.damping import Damping, size_of, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import CREEPS, may_trap, trap
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.linear import LinearOrbit, is_linear
@@ -43,7 +45,6 @@ from asymptotics.swing.slow import Strip, caught
 MAX_PIECES, MAX_FREE = 200_000, 5000
 _ONE = arb(1)
 _FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision
-_LONGEST = 2.0**24  # bits of a time
 _BY_STEPS = "a creep by Taylor steps, as its slow curve is no short sum of powers yet"
 _CATCH = 4  # every so many pieces a strip about the slow curve is tried
 
@@ -183,7 +184,7 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
             yield from _caught(damping, y, w, t, error)
         slide = _for_a_while(damping, (y, w, error), stiff, reason == CREEPS) if count % _CATCH == 0 else None
         if slide is not None:
-            end = _later(t, slide.length)
+            end = later(t, slide.length)
             yield Creep(damping, t, end, arb(0), reason, slide)
             y, w = slide.state(slide.length)
             error, given = upper(y.rad() + w.rad()), arb(0)  # what was known of the start is in the strip
@@ -196,7 +197,7 @@ def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces
             where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
             raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
         taylor = TaylorStep.at(damping, y, w, _ONE, scale)
-        end = _later(t, taylor.length)
+        end = later(t, taylor.length)
         error = upper(error + taylor.residual)
         yield Step(damping, t, end, error, reason, taylor)
         y, w = taylor.state(taylor.length)
@@ -220,7 +221,7 @@ def _caught(damping: Damping, y: arb, w: arb, t: arb, error: arb) -> Iterator[Pi
         yield from _creep(damping, t, strip)
     found = settled(damping, y, w, error)
     if found is not None:
-        end = _later(t, found.wait)
+        end = later(t, found.wait)
         yield Settling(damping, t, end, arb(0), CREEPS, found.y, found.w)
         yield from _creep(damping, end, found.strip)
 
@@ -229,7 +230,7 @@ def _creep(damping: Damping, t: arb, strip: Strip) -> Iterator[Piece]:
     """Longer and longer pieces without an end."""
     length = arb(1)
     while True:
-        end = _later(t, length)
+        end = later(t, length)
         yield Creep(damping, t, end, arb(0), CREEPS, strip)
         length *= 2
 
@@ -248,16 +249,6 @@ def _linear(damping: Damping, u: arb, w: arb, error: arb) -> LinearSwing:
     at = there + damping.friction
     own = upper(error + 4 * damping.friction * time.rad())
     return LinearSwing(damping, arb(0), time.mid(), own, None, -at.mid(), upper(at.rad()), time, orbit)
-
-
-def _later(t: arb, length: arb) -> arb:
-    """t + length, exactly: a short step after a long time must not be lost."""
-    apart = max(0.0, size_of(t) - size_of(length))
-    if apart > _LONGEST:
-        reason = f"a step next to rest would last 2^{size_of(length):.3g}: an exponent is too near 0"
-        raise LimitError("alpha", reason, "larger exponents, or another strength")
-    with ctx.workprec(160 + int(apart) + t.bits()):
-        return t + length
 
 
 def _departure(damping: Damping, u: arb, error: arb) -> Departure:
@@ -292,30 +283,3 @@ def delay(amplitude: arb, distance: arb, friction: arb) -> arb:
     if not rate > 0:
         raise UndecidedError("the enclosure of a turning point reaches the place of rest: raise the precision")
     return upper(distance / rate)
-
-
-def at_time(expansion: Expansion, s: arb) -> tuple[arb, arb]:
-    """(y, w) at the time s (a ball) from the turning point of an expansion, within its reach.
-
-    Newton's method in w finds a speed whose time is near; the rest of the time is bounded by the speed in phase space.
-    """
-    w = _speed_at(expansion, s.mid())
-    y, tau = expansion.state(w)
-    blur = arb(0, upper((s - tau) * expansion.speed()))
-    return y + blur, w + blur
-
-
-def _speed_at(expansion: Expansion, s: arb) -> arb:
-    """w with tau(w) near s; a choice."""
-    full, known = ctx.prec, 0
-    w = min(expansion.reach, abs(s * expansion.y0).mid())
-    while known < full:
-        bits = min(full, max(30, 4 * known))
-        with ctx.workprec(bits):
-            for _ in range(3 if known == 0 else 1):
-                y, tau = expansion.state(w)
-                step = (tau - s) * (y - expansion.damping.resistance(w))
-                w = abs((w - step).mid())
-                w = w if w < expansion.reach else expansion.reach
-        known = bits if known else 20
-    return w

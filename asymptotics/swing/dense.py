@@ -22,9 +22,10 @@ from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
-from asymptotics.numbers.context import ctx
+from asymptotics.flow.balls import upper
+from asymptotics.flow.times import exact_sum
 from asymptotics.swing.course import Piece, Turned, course
-from asymptotics.swing.damping import Damping, size_of, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.passage import of_landing
 from asymptotics.swing.sequence import Turning, after_landing, following
@@ -162,11 +163,3 @@ def _moved(damping: Damping, u: arb, w: arb, width: arb) -> arb:
     size = upper(u + w)
     fastest = upper(w + size * width)
     return upper(width * (size + fastest + damping.friction + damping.resistance(fastest)))
-
-
-def exact_sum(a: arb, b: arb) -> arb:
-    """a + b of two exact numbers, exactly."""
-    if a == 0 or b == 0:
-        return a if b == 0 else b
-    with ctx.workprec(a.bits() + b.bits() + int(abs(size_of(a) - size_of(b))) + 8):
-        return a + b

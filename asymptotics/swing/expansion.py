@@ -32,8 +32,9 @@ from operator import mul
 from flint import arb, arb_poly
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import dyadic, size_of, upper
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import Damping, dyadic, size_of, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.keys import Plan, plan_for, sums_below
 from asymptotics.swing.majorant import majorant
 from asymptotics.swing.rows import Row, rows_below
@@ -93,6 +94,15 @@ class Expansion:
         """A bound of |(y', w')| within the reach, on both sides of the turning point: |P| <= 2 |P_0| where r < 1."""
         fast = upper(self.damping.resistance(self.reach)) if self.plan.short else arb(0)
         return upper(2 * abs(self.y0) + 2 * self.damping.friction + self.reach + fast)
+
+    def acceleration(self, y: arb, w: arb) -> arb:
+        """y - N(w)."""
+        return y - self.damping.resistance(w)
+
+    def moved(self, wait: arb) -> tuple[arb, arb]:
+        """How far y and w move at most in the time |wait|."""
+        far = upper(wait * self.speed())
+        return far, far
 
     def state(self, w: arb) -> tuple[arb, arb]:
         """(y, tau) at the speed 0 <= w <= ``reach``; tau since (or, if negative, until) the turning point."""

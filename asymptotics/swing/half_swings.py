@@ -23,10 +23,10 @@ from dataclasses import dataclass
 from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
 from asymptotics.swing.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.swing.coordinate import Coordinate
-from asymptotics.swing.damping import upper
 from asymptotics.swing.panel_plan import MAX_STRETCH, reach_of, verified
 from asymptotics.swing.quarters import quarter_swings
 

@@ -28,9 +28,10 @@ from operator import add, mul, sub
 from flint import arb, arb_poly
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.swing.damping import Damping, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.slow import INSIDE, ORDERS, WIDEST, Strip, solve, too_early
 from asymptotics.swing.slow_series import Key, lower_set, unit
 

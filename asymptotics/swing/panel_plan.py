@@ -23,10 +23,10 @@ from operator import mul
 from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.half_swings.finite_majorant import BITS, Majorant
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.swing.coordinate import Coordinate
-from asymptotics.swing.damping import upper
 
 MIN_STRETCH, MAX_STRETCH = 1.5, 1e6
 """Of the ellipse, (R + 1/R)/2: below, nodes are many and polynomials cancel; above, one node is enough."""

@@ -15,8 +15,9 @@ from dataclasses import dataclass
 from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.swing.course import MAX_PIECES, LinearSwing, Turned, course
-from asymptotics.swing.damping import Damping, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import STICKS, trap
 from asymptotics.swing.linear import ROUTE as CLOSED
 

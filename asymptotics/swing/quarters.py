@@ -46,9 +46,10 @@ from flint import arb, arb_mat, arb_poly, fmpq
 
 from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.swing.chebyshev import cut, nodes
-from asymptotics.swing.damping import Damping, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.sketch import Array, Sketch, corrected
 from asymptotics.swing.spectral import analysis, integrals, of_the_integral

@@ -27,8 +27,9 @@ from dataclasses import dataclass
 from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.swing.course import Turned, course, delay
-from asymptotics.swing.damping import Damping, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.passage import Passage, integrated
 

@@ -28,8 +28,9 @@ from dataclasses import dataclass
 from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import Damping, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.slow import Strip, solve
 
 _SMALL = arb(1) / 16

@@ -20,8 +20,9 @@ from math import log, log2
 from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import Damping, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.slow import WIDEST, Curve, Strip, one_way, short_enough, solve
 from asymptotics.swing.slow_series import Truncated, summed
 

@@ -25,8 +25,9 @@ from typing import Protocol
 from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import size_of, upper
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import Damping, size_of, upper
+from asymptotics.swing.damping import Damping
 from asymptotics.swing.slow_series import Power, Truncated, summed, truncated
 
 WIDEST = 2**10  # how much wider a strip may be than what the error of the state means for its height

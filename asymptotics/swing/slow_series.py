@@ -21,10 +21,11 @@ from typing import Any
 
 from flint import arb
 
+from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.extremes import least
-from asymptotics.swing.damping import Damping, upper
+from asymptotics.swing.damping import Damping
 
 MOST = 200  # powers of a curve
 

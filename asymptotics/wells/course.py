@@ -24,9 +24,10 @@ from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.flow.balls import size_of, upper
 from asymptotics.flow.taylor import TaylorStep
+from asymptotics.flow.times import at_time, later
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import size_of, upper
 from asymptotics.wells.distance import growth, lateness, turning_gap, unit_for
 from asymptotics.wells.ends import beyond, may_trap, trap
 from asymptotics.wells.expansion import Expansion
@@ -148,7 +149,7 @@ def course(force: Force, u: arb, w: arb, given: arb | None = None, *, pieces: in
         factor = growth(force, unit, *step.box, step.length, upper(error + step.residual))
         local, error = (upper(factor * (e + step.residual)) for e in (local, error))
         grown = upper(factor * grown)
-        end = _later(t, step.length)
+        end = later(t, step.length)
         yield Step(force, unit, t, end, local, error, ended, step)
         if beyond_count > MAX_BEYOND:
             break
@@ -177,12 +178,6 @@ def _require_room(ended: str | None, count: int, u: arb, w: arb, error: arb) -> 
 def _middle(x: arb, unit: arb) -> tuple[arb, arb]:
     """A dyadic number in the ball, and how far it may be off in the distance."""
     return x.mid(), upper(unit * x.rad())
-
-
-def _later(t: arb, length: arb) -> arb:
-    """t + length, exactly: a short step after a long time must not be lost."""
-    with ctx.workprec(160 + int(max(0.0, size_of(t) - size_of(length))) + t.bits()):
-        return t + length
 
 
 def _departure(force: Force, unit: arb, u: arb, error: arb) -> Departure:
@@ -251,30 +246,3 @@ def _gap(force: Force, unit: arb, u: arb, w: arb, turn: arb, error: arb) -> arb:
         if not points_forward(force, (turn - gap).lower(), box.upper()):
             raise UndecidedError("the force ahead of a turning point is undecided")
         return gap
-
-
-def at_time(expansion: Expansion, s: arb) -> tuple[arb, arb]:
-    """(u, w) at the time s (a ball) from the turning point of an expansion, within its reach.
-
-    Newton's method in w finds a speed whose time is near; the rest of the time is bounded by the speeds of u and w.
-    """
-    w = _speed_at(expansion, s.mid())
-    u, tau = expansion.state(w)
-    wait = upper(s - tau)
-    return u + arb(0, upper(wait * expansion.reach)), w + arb(0, upper(wait * expansion.rate))
-
-
-def _speed_at(expansion: Expansion, s: arb) -> arb:
-    """w with tau(w) near s; a choice."""
-    full, known = ctx.prec, 0
-    w = min(expansion.reach, abs(s * expansion.brake).mid())
-    while known < full:
-        bits = min(full, max(30, 4 * known))
-        with ctx.workprec(bits):
-            for _ in range(3 if known == 0 else 1):
-                u, tau = expansion.state(w)
-                step = (tau - s) * expansion.force.acceleration(u, w)
-                w = abs((w - step).mid())
-                w = w if w < expansion.reach else expansion.reach
-        known = bits if known else 20
-    return w

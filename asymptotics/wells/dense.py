@@ -20,9 +20,9 @@ from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.flow.balls import upper
+from asymptotics.flow.times import exact_sum
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import upper
-from asymptotics.swing.dense import exact_sum
 from asymptotics.swing.sequence import Turning
 from asymptotics.wells.course import Landing, Piece, course, unit_at
 from asymptotics.wells.ends import ESCAPES, ROTATES

@@ -20,8 +20,8 @@ with the strength epsilon of the loss epsilon w and the time t that the faster o
 from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import size_of, upper
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import size_of, upper
 from asymptotics.wells.force import Force
 
 _LOW = 40

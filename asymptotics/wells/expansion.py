@@ -36,9 +36,9 @@ from operator import mul
 from flint import arb, arb_poly
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import dyadic, in_doubles, size_of, upper
 from asymptotics.flow.composition import Curve, Grid, Line, Simplex, keys_of
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import dyadic, in_doubles, size_of, upper
 from asymptotics.swing.keys import Key, Plan, plan_for
 from asymptotics.wells.force import Force
 
@@ -98,6 +98,15 @@ class Expansion:
     def speed(self, unit: arb) -> arb:
         """A bound of |(unit u', w')| within the reach, on both sides of the turning point."""
         return upper(self.rate + unit * self.reach)
+
+    def acceleration(self, u: arb, w: arb) -> arb:
+        """G(u, w)."""
+        return self.force.acceleration(u, w)
+
+    def moved(self, wait: arb) -> tuple[arb, arb]:
+        """How far u and w move at most in the time |wait|."""
+        time = upper(wait)
+        return upper(time * self.reach), upper(time * self.rate)
 
     def state(self, w: arb) -> tuple[arb, arb]:
         """(u, tau) at the speed 0 <= w <= ``reach``; tau since (or, if negative, until) the turning point."""

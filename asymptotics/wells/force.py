@@ -22,9 +22,9 @@ from flint import arb
 
 from asymptotics.costs import well_seconds
 from asymptotics.errors import InputError
+from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.swing.damping import upper
 from asymptotics.terms import Term
 
 

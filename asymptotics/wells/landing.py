@@ -18,8 +18,8 @@ True
 from flint import arb
 
 from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.flow.balls import size_of
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import size_of
 from asymptotics.wells.expansion import Expansion, reach_at
 from asymptotics.wells.force import Force
 

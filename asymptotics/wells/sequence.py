@@ -20,8 +20,8 @@ from collections.abc import Iterator
 from flint import arb
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import upper
 from asymptotics.swing.ends import STICKS
 from asymptotics.swing.sequence import Turning
 from asymptotics.wells.course import Landing, course, unit_at

@@ -148,7 +148,11 @@ EXPANSION, STEP = (
     many("expansion.Expansion.at expansion.Expansion.state"),
     many("at shortened state", "asymptotics.flow.taylor.TaylorStep."),
 )
-OWN = many("course.Departure.own course.Step.own course.Landing.own course.course course.at_time")
+OWN = (
+    *many("course.Departure.own course.Step.own course.Landing.own course.course expansion.Expansion.acceleration"),
+    *many("expansion.Expansion.moved"),
+    "asymptotics.flow.times.at_time",
+)
 SEQUENCE = many(
     "sequence.sequence sequence.swung sequence.following sequence.Turning.x sequence.Turning.tau sequence.first_turning"
 )

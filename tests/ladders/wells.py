@@ -99,7 +99,11 @@ EXPANSION, LANDING = (
     many("landing.arrive", WELLS_ROOM),
 )
 STEP = many("at shortened state", "asymptotics.flow.taylor.TaylorStep.")
-OWN = many("course Departure.own Step.own Landing.own at_time", WELLS_ROOM + "course.")
+OWN = (
+    *many("course Departure.own Step.own Landing.own", WELLS_ROOM + "course."),
+    *many("Expansion.acceleration Expansion.moved", WELLS_ROOM + "expansion."),
+    "asymptotics.flow.times.at_time",
+)
 SEQUENCE = many("sequence next_turning after_landing rest", WELLS_ROOM + "sequence.")
 
 WELLS = [

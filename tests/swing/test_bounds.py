@@ -10,12 +10,13 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.flow.times import at_time
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing import arrival as arrivals
 from asymptotics.swing import dense
 from asymptotics.swing.arrival import arrive
-from asymptotics.swing.course import Landing, at_time, course, delay
+from asymptotics.swing.course import Landing, course, delay
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import trap
 from asymptotics.swing.expansion import Expansion

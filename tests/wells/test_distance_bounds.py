@@ -7,6 +7,7 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.times import at_time
 from asymptotics.swing.sequence import Turning
 from asymptotics.wells import course as courses
 from asymptotics.wells import dense, distance
@@ -373,10 +374,10 @@ def test_a_wide_time_near_a_turning_point(name):
     with ctx.workprec(90):
         expansion = courses.Expansion.at(FORCES[name], arb(1))
         middle, width = (expansion.state(expansion.reach)[1] * arb("0.96")).mid(), arb(2) ** -18
-        u, w = courses.at_time(expansion, middle + arb(0, width))
+        u, w = at_time(expansion, middle + arb(0, width))
         moved = []
         for end in (middle - width, middle + width):
-            exact_u, exact_w = courses.at_time(expansion, end.mid())
+            exact_u, exact_w = at_time(expansion, end.mid())
             assert u.contains(exact_u) and w.contains(exact_w)
             moved.append((abs(exact_u - u.mid()), abs(exact_w - w.mid())))
         assert u.rad() / 2 < moved[0][0] and w.rad() < 8 * moved[0][1]
