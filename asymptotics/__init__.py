@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from asymptotics import testing
+    from asymptotics.api.constants import S, T, radii
     from asymptotics.api.damping import damping
     from asymptotics.api.damping_law import damping_law
     from asymptotics.api.divergence import stokes
@@ -51,6 +52,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOMES = {
+    "api.constants": ("S", "T", "radii"),
     "api.damping": ("damping",),
     "api.damping_law": ("damping_law",),
     "api.divergence": ("stokes",),
@@ -100,6 +102,8 @@ __all__ = [
     "PaperStatement",
     "PhysicalLaw",
     "Reference",
+    "S",
+    "T",
     "UndecidedError",
     "compare",
     "damping",
@@ -116,6 +120,7 @@ __all__ = [
     "multiple_scales",
     "paper",
     "plot",
+    "radii",
     "reference",
     "solution",
     "statements",

@@ -76,6 +76,7 @@ NO_NUMBERS = {
 HOSTILE = NUMBERS | NO_NUMBERS
 FEW = NO_NUMBERS | {name: NUMBERS[name] for name in ("float", "int64", "-1", "big")}
 FUNCTIONS = {
+    "S": {"u": "1/4", "w": "-1/4"}, "T": {"u": "1/4", "w": "-1/4"}, "radii": {"w": "1/2"},
     "C": {"n": 5, "i": 3}, "Coefficient": {"value": "1", "expression": None}, "ExactReal": {"coefficient": 1},
     "G": {"i": 2}, "Law": {"law": {2: 1}}, "Oscillator": {"law": {2: 1}}, "PhysicalLaw": {"law": {2: 1}},
     "damping": {"law": {2: "1/10"}, "amplitudes": 1, "digits": 5, "motion": False},
@@ -114,6 +115,7 @@ def public_results():
 
 
 METHODS = {
+    "number": {"name": "amplitude", "at": 1},
     "best_order": {"delta": 2}, "columns": {"t": [0.0, 1.0]},
     "__call__": {"A": 0.5, "epsilon": "1/10"}, "amplitude": {"t": 1}, "amplitudes": {"t": [1.0]}, "at": {"t": 1},
     "bound": {"t": 1}, "commutator": {"i": 0, "j": 1}, "compare": {"other": asy.expand("3/2"), "epsilon": "1/10"},

@@ -21,7 +21,7 @@ from asymptotics.law import Oscillator
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import exact_number
 from asymptotics.public import public
-from asymptotics.records.sources import How, opened
+from asymptotics.records.sources import How, Source, opened
 
 DEFAULT = ("0", "1", "2", "3", "0,1", "1,2", "0,2", "1,3", "0,1,2")
 MAX_POINTS, MAX_TERMS = 1000, 4
@@ -79,7 +79,7 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
         columns = {what: real_array(list(named[name]), name) for what, name in places.items()}
         left = [name for name in named if _what(name) is None]
     else:
-        source = opened(table, How())
+        source = _opened(table)
         at = {what: i for i, name in enumerate(source.names) if (what := _what(name)) is not None}
         body = source.read(sorted(at.values()))
         if body.unread.first is not None:
@@ -93,6 +93,16 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
     if len({len(c) for c in columns.values()}) != 1:
         raise InputError("table", "its columns differ in length", "columns of one length")
     return columns, quantities[0], (f"not used: {', '.join(left)}",) if left else ()
+
+
+def _opened(table: Any) -> Source:
+    """The file, named in a refusal by the parameter that gave it."""
+    try:
+        return opened(table, How())
+    except InputError as error:
+        if not error.argument.startswith("FILE"):
+            raise
+        raise type(error)("table", error.reason, error.accepted) from error
 
 
 def _what(name: str) -> str | None:

@@ -3,14 +3,17 @@
 ``identify`` and ``sweep`` are owned by their rooms (``identification``, ``sweeps``).
 """
 
+from collections.abc import Mapping
 from difflib import get_close_matches
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from asymptotics.api.lookups import table_inputs
 from asymptotics.api.units import oscillator_of
 from asymptotics.comparison.run import Comparison, compare_file
+from asymptotics.comparison.tabled import compare_table
 from asymptotics.errors import InputError, shown
 from asymptotics.law import Oscillator
 from asymptotics.numbers.policy import exact_integer
@@ -21,18 +24,41 @@ MAX_DIGITS = 1000
 
 @public
 def compare(
-    file: Any, law: Any, *, columns: str | None = None, digits: Any = None, max_seconds: Any = 60
-) -> Comparison:
-    """A CSV file of turning points (column n) or a motion (tau or t) beside the certified values.
+    file: Any, law: Any = None, *, columns: str | None = None, digits: Any = None, table: str | None = None,
+    alpha: Any = None, epsilon: Any = None, max_seconds: Any = 60,
+) -> Comparison:  # fmt: skip
+    """Turning points (column n) or a motion (tau or t) beside the certified values, each with its right digits.
 
-    The file is in SI units when ``law`` is an oscillator, else in units of x0 and tau.  InputError for what the file
-    does not say or says wrongly.
+    ``file``: a CSV file, or columns by name: a mapping of sequences or arrays, or a data frame.  It is in SI units when
+    ``law`` is an oscillator, else in units of x0 and tau.  With ``table`` the rows are held against that table, and
+    ``law``, ``alpha``, ``epsilon`` are its inputs (``asy.table``).  InputError for what is missing or wrong.
+
+    >>> compare({"n": [1, 2], "x": [-0.4107197, 0.2635711]}, {2: 1}).rows[1].marked
+    '0.26357[11]'
     """
-    if not isinstance(file, str | Path):
-        raise InputError("file", f"a {type(file).__name__} is no file name", "a path")
+    source = _source(file)
     wanted = None if digits is None else exact_integer(digits, "digits", 1, MAX_DIGITS)
+    if table is not None:
+        if not isinstance(table, str):
+            raise InputError("table", f"{shown(table)} is no name", "a name of table_names()")
+        return compare_table(source, table, table_inputs(alpha, epsilon, law), columns=columns, digits=wanted)
+    for name, value in (("alpha", alpha), ("epsilon", epsilon)):
+        if value is not None:
+            raise InputError(name, "there is no table", f"{name} with table, or the law")
     si = isinstance(law, Oscillator)
-    return compare_file(Path(file), oscillator_of(law), columns=columns, digits=wanted, si=si)
+    return compare_file(source, oscillator_of(law), columns=columns, digits=wanted, si=si)
+
+
+def _source(file: Any) -> Path | Mapping[str, Any]:
+    """A file by its name, or columns by theirs; a data frame has ``keys`` and columns as a mapping has."""
+    if isinstance(file, str | Path):
+        return Path(file)
+    if isinstance(file, Mapping):
+        return file
+    if hasattr(file, "columns") and hasattr(file, "to_dict"):
+        found: dict[str, Any] = file.to_dict("list")
+        return found
+    raise InputError("file", f"a {type(file).__name__} is no file name", "a path, a mapping of columns, a data frame")
 
 
 @public_beside_others

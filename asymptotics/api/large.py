@@ -24,6 +24,7 @@ import numpy as np
 from flint import arb
 
 from asymptotics.api.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve
+from asymptotics.api.slow_numbers import SlowNumbers
 from asymptotics.api.units import oscillator_of
 from asymptotics.envelopes.first_order import exact_kappa
 from asymptotics.envelopes.large import SlowFlow
@@ -45,7 +46,7 @@ NOTE = "first order in the loss, exact in the spring"
 
 
 @dataclass(frozen=True, repr=False)
-class SpringEnvelope(Drawn):
+class SpringEnvelope(SlowNumbers, Drawn):
     """A(t), phi(t) and the motion of an oscillator with the spring x^3 or of a pendulum; build it with ``of``."""
 
     oscillator: Oscillator

@@ -63,12 +63,17 @@ def table(
     """
     if not isinstance(name, str):
         raise InputError("name", f"a {type(name).__name__} is no name", ", ".join(registry.names()))
-    exponents, strengths = _listed(alpha, "alpha"), _listed(epsilon, "epsilon")
-    count = None if rows is None else exact_integer(rows, "rows", 1, MAX_ROWS)
-    inputs = Inputs.of(exponents, None if law is None else law_of(law), strengths, count)
+    inputs = table_inputs(alpha, epsilon, law, rows)
     if not isinstance(rounding, str):
         raise InputError("rounding", f"{shown(rounding)} is no mode", ", ".join(MODES))
     return registry.build(name, exact_integer(digits, "digits", 1, registry.MAX_DIGITS), inputs, rounding)
+
+
+def table_inputs(alpha: Any, epsilon: Any, law: Any, rows: Any = None) -> Inputs:
+    """What a table is asked for; InputError by name."""
+    exponents, strengths = _listed(alpha, "alpha"), _listed(epsilon, "epsilon")
+    count = None if rows is None else exact_integer(rows, "rows", 1, MAX_ROWS)
+    return Inputs.of(exponents, None if law is None else law_of(law), strengths, count)
 
 
 def _listed(given: Any, name: str) -> tuple[str, ...]:

@@ -17,6 +17,7 @@ from flint import arb
 
 from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve, times_of
+from asymptotics.api.slow_numbers import SlowNumbers
 from asymptotics.api.slow_series import MAX_ORDER as MAX_SERIES_ORDER
 from asymptotics.api.slow_series import EnvelopeSeries, envelope_series
 from asymptotics.api.slowness import SlowPart, slow_part
@@ -44,7 +45,7 @@ MAX_DIGITS = 1000
 
 
 @dataclass(frozen=True, repr=False)
-class Envelope(Drawn):
+class Envelope(SlowNumbers, Drawn):
     """A(t) and phi(t) of dA/dtau = -sum kappa_i A^alpha_i, SI units for an oscillator.
 
     Digits are certified for the averaged law; how far that is from the motion is what higher orders tell.

@@ -21,7 +21,7 @@ GROUPS = {
     "what to compute": (
         "conversions", "best_order", "bound", "check", "count", "delta", "exact", "gauge", "i", "laws", "map", "mu",
         "n", "near", "no_bootstrap", "order", "p", "phase", "quantity", "reference", "rounding", "route", "rows",
-        "slow", "springs", "squaring", "start", "time", "times", "verdict", "w",
+        "slow", "springs", "squaring", "start", "tau", "time", "times", "u", "verdict", "w",
     ),
     "output": (
         "csv", "digits", "dpi", "export", "format", "fragment", "html", "json", "latex", "output", "overlay", "plot",

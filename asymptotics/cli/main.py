@@ -8,8 +8,10 @@ for an answer, 1 for a failed check or an undecided computation, 2 for a bad val
 import argparse
 import re
 import sys
+from collections.abc import Mapping
 from difflib import get_close_matches
 from importlib import import_module
+from types import MappingProxyType
 from typing import Any, NoReturn
 
 from asymptotics.cli.common import add_missing
@@ -114,7 +116,7 @@ def run(argv: list[str] | None = None) -> int:
         typed(options)
         return int(_answer(module, options).show(name))
     except InputError as error:
-        complain(f"asymptotics {name}: {as_option(error, options)}")
+        complain(f"asymptotics {name}: {as_option(error, options, _written(parser))}")
         return 2
     except ValueError as error:
         if "integer string conversion" not in str(error):
@@ -141,19 +143,32 @@ def _answer(module: Any, options: argparse.Namespace) -> Any:
         return module.run(options)
 
 
-def as_option(error: InputError, options: argparse.Namespace) -> InputError:
+def _written(parser: argparse.ArgumentParser) -> dict[str, str]:
+    """What each option is called on the command line, where that is not the name it is kept under."""
+    called = {a.dest: a.option_strings[-1] for a in parser._actions if a.option_strings}
+    return {dest: option for dest, option in called.items() if option != f"--{dest.replace('_', '-')}"}
+
+
+def as_option(
+    error: InputError, options: argparse.Namespace, written: Mapping[str, str] = MappingProxyType({})
+) -> InputError:
     """The same error with the library's name of a parameter turned into the option that set it.
+
+    ``written``: what options are called that are kept under other names (``--from`` under ``table``).
 
     >>> line = argparse.Namespace(alpha=None, damping="-1", law=["2:-1"])
     >>> str(as_option(InputError("b", "-1 is negative", "b >= 0"), line))
     'argument --law: -1 is negative (accepted: b >= 0)'
+    >>> as_option(InputError("table", "is gone", "a file"), argparse.Namespace(table="a"), {"table": "--from"}).argument
+    '--from'
     """
     names = [name.replace("-", "_") for name in _OPTIONS.get(error.argument, (error.argument,))]
     given = [name for name in names if getattr(options, name, None) not in (None, False)]
     known = given or [name for name in names if hasattr(options, name)]
     if error.argument.startswith("-") or not known:
         return error
-    return type(error)(f"--{known[0].replace('_', '-')}", error.reason, error.accepted)
+    option = written.get(known[0], f"--{known[0].replace('_', '-')}")
+    return type(error)(option, error.reason, error.accepted)
 
 
 _OPTIONS = {  # a parameter of the library: the options that may have set it

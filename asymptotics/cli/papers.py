@@ -15,10 +15,8 @@ from importlib.util import find_spec
 
 from asymptotics.cli.answer import Answer, add_json
 from asymptotics.errors import InputError
-from asymptotics.papers.lookup import find, papers, statements
+from asymptotics.papers.lookup import VERDICTS, find, papers, statements
 from asymptotics.papers.statement import PaperStatement
-
-VERDICTS = ("holds", "misprint", "transcription", "partly", "refuted", "open", "definition")
 
 
 def configure(parser: argparse.ArgumentParser) -> None:

@@ -4,10 +4,12 @@
   asymptotics smith c --n 31 --i 10  one coefficient C_i^n
   asymptotics smith g --i 3          the sum G_i(z) = sum_n C_i^n z^n in closed form
   asymptotics smith r --w 1/2        where sum_n f_n(w) z^n converges: certified radii in z
+  asymptotics smith s --u 1/4 --w -1/4          the first constant S at a point of the orbit, certified
+  asymptotics smith t --u 1/4 --w -1/4 --tau 3  the second, T = omega t - (time since the last turning point)
 
 w = gamma v / omega, z = w / (w^2 - u), u = gamma x; the limit given for G_i is that of sin^i(theta) G_i(tan theta)
 at theta = pi.  The series converges for |z| < R and diverges for |z| > R; summed over i and n at once it converges
-absolutely for |z| < rho <= R.
+absolutely for |z| < rho <= R.  S and T are the same all along a half-swing; at w = 0 it is the one that starts there.
 """
 
 import argparse
@@ -21,12 +23,20 @@ from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.costs import binomial_seconds, require_affordable
 from asymptotics.errors import InputError, LimitError
 from asymptotics.invariants.exact import coefficient, coefficients
-from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 from asymptotics.numbers.rationals import to_fmpq
 
 MAX_ROW, MAX_N, MAX_G = 5_000, 100_000, 100
-MAX_W, MAX_DIGITS = 10, 1000
+MAX_DIGITS = 1000
 MAX_SECONDS, MAX_BYTES = 120, 1 << 30
+_USERS = {
+    "n": ("f", "c"),
+    "i": ("c", "g"),
+    "w": ("r", "s", "t"),
+    "u": ("s", "t"),
+    "tau": ("t",),
+    "digits": ("r", "s", "t"),
+}
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -34,13 +44,15 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "what",
         metavar="WHAT",
-        choices=("f", "c", "g", "r"),
-        help="f polynomial, c coefficient, g generating function, r radii",
+        choices=("f", "c", "g", "r", "s", "t"),
+        help="f polynomial, c coefficient, g generating function, r radii, s and t constants of the motion",
     )
     parser.add_argument("--n", metavar="N", help=f"1 to {MAX_ROW} for f, 1 to {MAX_N} for c")
     parser.add_argument("--i", metavar="I", help=f"0 to n-1 for c, 0 to {MAX_G} for g")
-    parser.add_argument("--w", metavar="W", help="for r: a real number other than 0")
-    add_digits(parser, MAX_DIGITS, "30 with r, where alone there is something to round")
+    parser.add_argument("--w", metavar="W", help="for r, s, t: gamma v/omega (for r other than 0)")
+    parser.add_argument("--u", metavar="U", help="for s, t: gamma x")
+    parser.add_argument("--tau", metavar="TAU", help="for t: omega t at that point (default 0)")
+    add_digits(parser, MAX_DIGITS, "30 with r, s, t, where alone there is something to round")
     parser.add_argument("--latex", action="store_true", help="print it as LaTeX")
     add_csv(parser, "the coefficients: n, i, C_i^n")
     add_max_seconds(parser)
@@ -50,15 +62,23 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     files = read_files(options)
-    if files and options.what in "gr":
+    if files and options.what not in "fc":
         raise InputError("--csv", f"smith {options.what} is not a row of coefficients", "--csv with f or c")
-    if options.what != "r":
-        _refuse(options, "w", "r")
-        _refuse(options, "digits", "r")
-    data = {"f": _polynomial, "c": _coefficient, "g": _generating_function, "r": _radii}[options.what](options)
+    for name, users in _USERS.items():
+        if options.what not in users:
+            _refuse(options, name, " and ".join(users))
+    makers = {
+        "f": _polynomial,
+        "c": _coefficient,
+        "g": _generating_function,
+        "r": _radii,
+        "s": _constant,
+        "t": _constant,
+    }
+    data = makers[options.what](options)
     text = data["latex"] if options.latex else data["text"]
     written = write_files(files, {"--csv": lambda _: csv_text(["n", "i", "C"], _rows(data))})
-    hidden = ("text",) if options.latex or options.what in "gr" else ("text", "latex")
+    hidden = ("text",) if options.latex or options.what not in "fc" else ("text", "latex")
     data = {name: value for name, value in data.items() if name not in hidden} | ({"files": written} if written else {})
     shown = [text] if options.latex else [text, *written]
     return Answer({"what": options.what, **data}, "\n".join(shown), options.json)
@@ -75,7 +95,6 @@ def _rows(data: dict[str, Any]) -> list[tuple[object, object, str]]:
 
 
 def _polynomial(options: argparse.Namespace) -> dict[str, Any]:
-    _refuse(options, "i", "c and g")
     n = _integer(options, "n", 1, MAX_ROW)
     row = {str(i): _text(c) for i, c in coefficients(n).items()}
     terms = "\n".join(f"  w^{i:<5}{c}" for i, c in row.items())
@@ -97,7 +116,6 @@ def _coefficient(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def _generating_function(options: argparse.Namespace) -> dict[str, Any]:
-    _refuse(options, "n", "f and c")
     i = _integer(options, "i", 0, MAX_G)
     symbolic = import_module("asymptotics.invariants.symbolic")  # loads SymPy, which f and c do without
     result = symbolic.generating_function(i).to_dict()
@@ -107,26 +125,34 @@ def _generating_function(options: argparse.Namespace) -> dict[str, Any]:
 
 def _radii(options: argparse.Namespace) -> dict[str, Any]:
     """R(w) and rho(w), correctly rounded."""
-    _refuse(options, "n", "f and c")
-    _refuse(options, "i", "c and g")
-    if options.w is None:
-        raise InputError("--w", "is missing", "a real number other than 0")
-    w, digits = parse_real(options.w, "--w"), read_digits(options, MAX_DIGITS)
-    if w.is_zero or not abs(w) <= MAX_W:
-        raise InputError("--w", f"{w} is out of range", f"0 < |w| <= {MAX_W}")
-    certified = import_module("asymptotics.invariants.certified")  # with its decimals, which f and c do without
-    decimal = import_module("asymptotics.numbers.decimals").certified_decimal
-    R = decimal(lambda: certified.series_radius(w.ball()), digits)
-    rho = decimal(lambda: certified.absolute_radius(w.ball()), digits)
+    w, digits = _real(options, "w"), read_digits(options, MAX_DIGITS)
+    R, rho = import_module("asymptotics.api.constants").radii(w, digits=digits)  # loads SymPy, as for G
     latex = rf"R = {R},\quad \rho = {rho}"
-    return {"w": str(w), "R": R, "rho": rho, "digits": digits, "certified": True, "latex": latex,
+    return {"w": str(w), "R": str(R), "rho": str(rho), "digits": digits, "certified": True, "latex": latex,
             "text": f"R    {R}\nrho  {rho}"}  # fmt: skip
+
+
+def _constant(options: argparse.Namespace) -> dict[str, Any]:
+    """S or T at a point, correctly rounded."""
+    u, w, digits = _real(options, "u"), _real(options, "w"), read_digits(options, MAX_DIGITS)
+    constants, name = import_module("asymptotics.api.constants"), options.what.upper()
+    tau = None if options.tau is None else parse_real(options.tau, "--tau")
+    value = str(constants.S(u, w, digits=digits) if name == "S" else constants.T(u, w, tau or 0, digits=digits))
+    where = {"u": str(u), "w": str(w), **({} if name == "S" else {"tau": str(tau or 0)})}
+    return {**where, "value": value, "digits": digits, "certified": True, "latex": f"{name} = {value}",
+            "text": f"{name}  {value}"}  # fmt: skip
 
 
 def _refuse(options: argparse.Namespace, name: str, users: str) -> None:
     """An option that has no effect here is a mistake, not a decoration."""
     if getattr(options, name) is not None:
         raise InputError(f"--{name}", f"smith {options.what} does not use it", f"--{name} with {users}")
+
+
+def _real(options: argparse.Namespace, name: str) -> ExactReal:
+    if getattr(options, name) is None:
+        raise InputError(f"--{name}", "is missing", "a real number")
+    return parse_real(getattr(options, name), f"--{name}")
 
 
 def _integer(options: argparse.Namespace, name: str, low: int, high: int) -> int:

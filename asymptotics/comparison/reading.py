@@ -11,13 +11,18 @@ lines that start with # are comments.
 
 import csv
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
 from pathlib import Path
+from typing import Any
 
 from asymptotics.errors import InputError, LimitError, shown
 from asymptotics.numbers.exact import parse_rational
+from asymptotics.numbers.policy import exact_number
+
+Columns = Mapping[str, Any]
 
 QUANTITIES = ("n", "tau", "t", "x", "v", "amplitude")
 UNITS = {"t": "s", "x": "m", "amplitude": "m", "v": "m/s"}
@@ -44,19 +49,20 @@ class Sheet:
 
 
 def read_sheet(
-    path: Path,
+    path: Path | Columns,
     mapping: str | None,
     known: tuple[str, ...] = QUANTITIES,
     *,
     si: bool = False,
     words: tuple[str, ...] = (),
 ) -> Sheet:
-    """Read a CSV file; InputError for a file that is none, a column that is missing, and units that do not fit.
+    """Read a CSV file, or columns by name; InputError for what is neither, a column that is missing, units that differ.
 
     The cells of the columns that are used are proved to be numbers here, except those of ``words``, so that nothing is
     computed for a bad file.
     """
-    rows, header = _rows(path)
+    rows, header = _rows(path) if isinstance(path, Path) else _rows_of(path)
+    place_of = "FILE line" if isinstance(path, Path) else "row"
     if not rows:
         raise InputError("FILE", f"{path} has no rows of values", "a CSV file with a header")
     names, units = _names(header) if header else ([f"column {i + 1}" for i in range(len(rows[0][1]))], {})
@@ -71,7 +77,7 @@ def read_sheet(
         if len(cells) <= wanted:
             raise InputError("FILE", f"line {line} has {len(cells)} cells", f"{wanted + 1} cells in each row")
     numbers = {
-        name: tuple(parse_rational(cells[place], f"FILE line {line}") for line, cells in rows)
+        name: tuple(parse_rational(cells[place], f"{place_of} {line}") for line, cells in rows)
         for name, place in columns.items()
         if name not in words
     }
@@ -141,6 +147,38 @@ def _rows(path: Path) -> tuple[list[tuple[int, list[str]]], list[str] | None]:
     if rows and not any(_is_number(cell) for cell in rows[0][1]):
         return rows[1:], rows[0][1]
     return rows, None
+
+
+def _rows_of(given: Columns) -> tuple[list[tuple[int, list[str]]], list[str]]:
+    """The same from columns by name: sequences of one length, arrays or a data frame."""
+    names = [str(name) for name in given]
+    columns = [[cell_of(value, key == "n") for value in _listed(given[name], key)] for name, key in zip(given, names)]
+    if not columns or len({len(column) for column in columns}) != 1:
+        reason = "it has no column" if not columns else "its columns differ in length"
+        raise InputError("FILE", reason, "columns of one length")
+    if len(columns[0]) > MAX_ROWS:
+        raise LimitError("FILE", f"{len(columns[0])} rows are too many", f"at most {MAX_ROWS} in one comparison")
+    return [(i, list(cells)) for i, cells in enumerate(zip(*columns), start=1)], names
+
+
+def _listed(column: Any, name: str) -> list[Any]:
+    found = column.tolist() if hasattr(column, "tolist") else column
+    if not isinstance(found, list | tuple):
+        raise InputError(name, f"a {type(column).__name__} is no column", "a sequence of numbers")
+    return list(found)
+
+
+def cell_of(value: Any, counts: bool = False) -> str:
+    """A number as the text of a cell: doubles by their shortest decimals; ``counts``: 1.0 is the integer 1.
+
+    >>> cell_of(0.1), cell_of(1.0), cell_of(1.0, True), cell_of("3/2"), cell_of(Fraction(1, 3))
+    ('0.1', '1.0', '1', '3/2', '1/3')
+    """
+    if isinstance(value, str):
+        return value
+    if isinstance(value, float):
+        return str(int(value)) if counts and value.is_integer() else repr(value)
+    return str(exact_number(value, "row"))
 
 
 def _is_number(cell: str) -> bool:

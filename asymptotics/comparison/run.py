@@ -30,7 +30,7 @@ from asymptotics.comparison.digits import judged, significant
 from asymptotics.comparison.errors import Errors, of_motion, of_turning_points
 from asymptotics.comparison.look import Look, look_of
 from asymptotics.comparison.order import order_of, told_order
-from asymptotics.comparison.reading import Sheet, as_double, read_sheet
+from asymptotics.comparison.reading import Columns, Sheet, as_double, read_sheet
 from asymptotics.comparison.truth import Truth, at_times, at_turning_points
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator
@@ -140,9 +140,14 @@ class Comparison(Rows, Drawn):
 
 
 def compare_file(
-    path: Path, oscillator: Oscillator, *, columns: str | None = None, digits: int | None = None, si: bool = False
+    path: Path | Columns,
+    oscillator: Oscillator,
+    *,
+    columns: str | None = None,
+    digits: int | None = None,
+    si: bool = False,
 ) -> Comparison:
-    """Compare turning points (a column n) or a motion (a column tau or t) with the certified ones.
+    """Compare turning points (a column n) or a motion (a column tau or t) with the certified ones: a file, or columns.
 
     The file is in the units of the oscillator if ``si``, else dimensionless.  ``digits`` of the certified values: by
     default four more than the longest value given.  InputError for what the file does not say or says wrongly.
@@ -156,7 +161,8 @@ def compare_file(
     if key == "n":
         if "v" in values:
             raise InputError("columns", "v is 0 at every turning point", "x, amplitude, tau, t")
-        numbers = [parse_integer(cell, f"FILE line {n}", 0, MAX_N) for n, cell in zip(sheet.lines, sheet.column("n"))]
+        where = "FILE line" if isinstance(path, Path) else "row"
+        numbers = [parse_integer(cell, f"{where} {n}", 0, MAX_N) for n, cell in zip(sheet.lines, sheet.column("n"))]
         truth = at_turning_points(oscillator, numbers, wanted, set(values), si=si)
         errors, shift = _of_turning(sheet, truth, numbers, values, oscillator, si)
     else:

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from asymptotics.comparison.digits import significant
 from asymptotics.comparison.look import Look
-from asymptotics.comparison.reading import Sheet, read_sheet
+from asymptotics.comparison.reading import Columns, Sheet, read_sheet
 from asymptotics.comparison.run import GUARD, LEAST_DIGITS, MAX_DIGITS, Comparison, Row, row_of, summary_of
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_real
@@ -30,9 +30,14 @@ _GRIDS = {"alpha", "law", "epsilon", "u_0", "A"}  # keys that are no counters
 
 
 def compare_table(
-    path: Path, name: str, inputs: Inputs | None = None, *, columns: str | None = None, digits: int | None = None
+    path: Path | Columns,
+    name: str,
+    inputs: Inputs | None = None,
+    *,
+    columns: str | None = None,
+    digits: int | None = None,
 ) -> Comparison:
-    """Compare a file with the table ``name``; InputError for rows and columns that the table does not have."""
+    """Compare a file, or columns by name, with the table ``name``; InputError for rows and columns that it lacks."""
     about = description(name)
     names = tuple(about["columns"])
     sheet = read_sheet(path, columns, names, words=tuple(about["keys"]))

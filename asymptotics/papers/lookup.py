@@ -45,11 +45,28 @@ def papers() -> dict[str, str]:
     return dict(references)
 
 
-def statements(paper: str | None = None) -> tuple[PaperStatement, ...]:
-    """All statements, of one paper or of all three, in reading order; InputError for an unknown paper."""
+VERDICTS = ("holds", "misprint", "transcription", "partly", "refuted", "open", "definition")
+
+
+def statements(
+    paper: str | None = None, *, words: str | None = None, verdict: str | None = None
+) -> tuple[PaperStatement, ...]:
+    """All statements, of one paper or of all three, in reading order; with ``words`` those that are found, best first.
+
+    ``verdict``: only those whose printed form has it.  InputError for an unknown paper or verdict, and for words that
+    nothing has.
+
+    >>> [found.id for found in statements("smith2012", words="Lambert", verdict="holds")][:2]
+    ['smith2012:43', ...]
+    """
     if paper is not None:
         require_choice(paper, "paper", papers())
-    return tuple(s for s in _all().values() if paper in (None, s.paper))
+    if verdict is not None:
+        require_choice(verdict, "verdict", VERDICTS)
+    if words is not None and not isinstance(words, str):
+        raise InputError("words", "is not text", "a number (43) or words (Lambert)")
+    found = tuple(_all().values()) if words is None else find(words)
+    return tuple(s for s in found if paper in (None, s.paper) and verdict in (None, s.printed))
 
 
 def paper(id: str) -> PaperStatement:  # noqa: A002 (the papers' own word)

@@ -119,7 +119,8 @@ def flat(data: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
     return row
 
 
-def _rows(command: str, points: Sequence[Point], store: Store) -> Iterator[dict[str, str]]:
+def rows_of(command: str, points: Sequence[Point], store: Store) -> Iterator[dict[str, str]]:
+    """The rows of the file, as text."""
     for point, record in records(command, points, store):
         found = record or {"failed": "not in the store"}
         result = flat(found.get("result", {}))
@@ -130,7 +131,7 @@ def _columns(command: str, points: Sequence[Point], store: Store) -> list[str]:
     """The names of all columns: this takes a pass of its own, since results may differ in what they hold."""
     parameters: dict[str, None] = {}
     results: dict[str, None] = {}
-    for point, row in zip(points, _rows(command, points, store)):
+    for point, row in zip(points, rows_of(command, points, store)):
         parameters |= dict.fromkeys(point)
         results |= dict.fromkeys(row)
     return [*parameters, *(name for name in results if name not in {*parameters, *_LAST}), *_LAST]
@@ -140,7 +141,7 @@ def _write_csv(stream: Any, command: str, points: Sequence[Point], store: Store)
     text = io.TextIOWrapper(stream, encoding="utf-8", newline="")
     writer = csv.DictWriter(text, _columns(command, points, store), restval="", lineterminator="\n")
     writer.writeheader()
-    writer.writerows(_rows(command, points, store))
+    writer.writerows(rows_of(command, points, store))
     text.detach()
     return len(points)
 
@@ -163,7 +164,7 @@ def _write_parquet(stream: Any, command: str, points: Sequence[Point], store: St
     schema = arrow.schema([(name, arrow.string()) for name in columns], metadata=metadata)
     with parquet.ParquetWriter(stream, schema) as writer:
         chunk: list[dict[str, str]] = []
-        for row in _rows(command, points, store):
+        for row in rows_of(command, points, store):
             chunk.append({name: row.get(name, "") for name in columns})
             if len(chunk) == _CHUNK:
                 writer.write_table(arrow.Table.from_pylist(chunk, schema=schema))

@@ -23,15 +23,17 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from contextlib import AbstractContextManager, ExitStack, nullcontext
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
 from typing import Any
 
 from asymptotics.errors import InputError
 from asymptotics.made_by import mark
-from asymptotics.present.shown import Page, Shown
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public_beside_others
+from asymptotics.sweeps.frame import columns, draw
 from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.plan import Job, Plan
 from asymptotics.sweeps.shard import record_of
@@ -42,6 +44,7 @@ _BATCH_SECONDS = 0.25
 _SLOT_SECONDS = 2e-3  # a scheduler needs about a millisecond for a task: batches grow with the slots it has to feed
 _MAX_BATCH = 500
 _PAUSE = 0.2  # seconds between two looks at a shard that another driver holds
+_DRAWN = 2000  # points of a sweep that a notebook draws by itself
 _DEATHS = 2  # lonely deaths of a worker before its point is given up
 
 Progress = Callable[[int, int], None]
@@ -49,10 +52,11 @@ OpenCrew = Callable[[], AbstractContextManager[Crew]]
 
 
 @dataclass(frozen=True, repr=False)
-class SweepResult(Shown):
+class SweepResult(Rows, Drawn):
     """What a sweep did: ``points`` asked for, ``reused`` from the store, ``computed`` now, ``failed`` of both.
 
-    ``failures`` has the parameters and the reason of the first twenty.
+    ``failures`` has the parameters and the reason of the first twenty.  ``to_dataframe()`` reads all results from the
+    store, ``plot(x=, y=)`` draws one column against another.
     """
 
     points: int
@@ -62,15 +66,30 @@ class SweepResult(Shown):
     failures: tuple[dict[str, Any], ...]
     seconds: str
     store: str
+    command: str = field(default="", compare=False)
+    grid: Sequence[Point] = field(default=(), compare=False, repr=False)
 
     def _page(self) -> Page:
         title = f"{self.points} points: {self.computed} computed, {self.reused} from the store, {self.failed} failed"
         rows = tuple((str(f["point"]), f["reason"]) for f in self.failures)
         return Page(title, (f"in {self.seconds} s, store {self.store}",), ("point", "reason") if rows else (), rows)
 
+    def _table(self) -> dict[str, list[Any]]:
+        return columns(self.command, self.grid, Path(self.store))
+
+    def _heading(self) -> str:
+        return f"{self.command} at {self.points} points"
+
+    def _curve(self, axes: Any, **style: Any) -> None:
+        draw(axes, self.grid, self._table(), style)
+
+    def _picture(self) -> str:
+        return "" if self.points > _DRAWN else super()._picture()
+
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready."""
-        return {**asdict(self), "failures": list(self.failures)}
+        names = ("points", "reused", "computed", "failed", "failures", "seconds", "store")
+        return {name: getattr(self, name) for name in names} | {"failures": list(self.failures)}
 
 
 @public_beside_others
@@ -78,7 +97,7 @@ def sweep(
     task: Task,
     command: str,
     points: Sequence[Point],
-    folder: Path,
+    folder: Path | str,
     *,
     workers: int | None = None,
     executor: Executor | None = None,
@@ -96,6 +115,7 @@ def sweep(
     everything finished is then in the store.
     """
     start = time.perf_counter()
+    folder = _folder(folder)
     require_usable(folder)
     count = workers or os.cpu_count() or 1
     if executor is not None:
@@ -110,7 +130,15 @@ def sweep(
     plan = driver.plan
     failures = tuple({"point": point, "reason": reason} for _, point, reason in plan.failures.first)
     seconds = f"{time.perf_counter() - start:.3f}"
-    return SweepResult(len(points), plan.reused, driver.computed, plan.failures.count, failures, seconds, str(folder))
+    return SweepResult(
+        len(points), plan.reused, driver.computed, plan.failures.count, failures, seconds, str(folder), command, points
+    )
+
+
+def _folder(given: Any) -> Path:
+    if not isinstance(given, str | Path):
+        raise InputError("folder", f"a {type(given).__name__} is no folder", "a path")
+    return Path(given)
 
 
 class _Driver:
