@@ -30,6 +30,11 @@ def series_seconds(products: int, terms: int, bits: int) -> float:
     return 5e-7 * products * terms * (1 + bits // 64)
 
 
+def node_seconds(order: int, nodes: int, bits: int) -> float:
+    """The quarter-swing of one law at Chebyshev nodes: convolutions at each, and two matrices for each order."""
+    return (1e-7 * order**2 * nodes + 6e-8 * order * nodes**2) * (1 + bits / 500)
+
+
 def hierarchy_seconds(monomials: int, powers: int, length: int) -> float:
     """(powers) x (pairs of monomials) x (length of the polynomials)."""
     return 3e-7 * powers * monomials**2 * length

@@ -48,11 +48,36 @@ step(
     sympy.expand(At(delta * s**alpha * (c * slope + eta * s * Q), {slope: -s * D}) / -s),
     delta * s**alpha * (c * D - eta * Q),
 )
-v, n = sympy.symbols("v n", positive=True)
+v, n, beta = sympy.symbols("v n beta", positive=True)
+half = sympy.sin(theta / 2) ** 2
 step(
-    "Order by order Q_n' = eta [g (1 + c Y)_(n-1)]/theta, g = theta s. Its coefficients of t^j are divided by n alpha +"
-    " 2j (t = theta^2 up to a factor): an integral over the radius that, by Schwarz' lemma, divides a bound by"
-    " n alpha + 2 at least",
-    sympy.Integral(v ** (n * alpha / 2 - 1) * v / 2, (v, 0, 1)),
-    1 / (n * alpha + 2),
+    "For any other alpha v = sin(theta/2)^2 is the variable, dv/d theta = s/2,",
+    sympy.simplify(sympy.diff(half, theta)),
+    sympy.sin(theta) / 2,
+)
+step("with c = 1 - 2v and s^2 = 4v(1 - v):", sympy.simplify(1 - (1 - 2 * half) ** 2), sympy.sin(theta) ** 2)
+step(
+    "dR/d theta = -s Y, so P = e^(eta R) = u/delta has dP/dv = -2 eta P Y = -2 eta C, and Y is",
+    Y,
+    s**alpha * u * (1 + c * Y),
+)
+f = sympy.Function("f")
+step(
+    "H f = int_0^1 x^(beta-1) f(x v) dx on a power of v: it solves beta h + v h' = f, and |H f| <= |f|/beta",
+    sympy.Integral(u ** (beta - 1) * (u * v) ** n, (u, 0, 1)),
+    v**n / (beta + n),
+)
+step(
+    "For p_n (2v)^(n alpha/2) the equation of P is (n alpha/2) p_n + v p_n' = -2 eta v C_n: p_n = v h with beta = n"
+    " alpha/2 + 1. The time d tau = (1 + c Y) d theta, d theta = 2 dv/s, where 2/s is",
+    At(2 / s, {s: 2 * sympy.sqrt(v * (1 - v))}),
+    1 / sympy.sqrt(v * (1 - v)),
+)
+x = sympy.Symbol("x")
+T = [sympy.chebyshevt(k, x) for k in range(6)]
+step(
+    "v h' = (x + 1) dh/dx, x = 4v - 1: (x + 1) T_k' = k T_k + 2k (T_(k-1) + … + T_1) + k, here for k = 5. So the"
+    " coefficients of h obey (beta + k) h_k + s_k = f_k with s_(k-1) = s_k + 2k h_k, from the highest down, s_0 half",
+    sympy.expand((x + 1) * T[5].diff(x)),
+    sympy.expand(5 * T[5] + 10 * sum(T[1:5]) + 5),
 )

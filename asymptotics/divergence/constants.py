@@ -26,9 +26,9 @@ from math import ceil, log, log2, log10, pi
 from flint import arb, arb_mat
 
 from asymptotics.budget import require_seconds, tick
-from asymptotics.costs import series_seconds
+from asymptotics.costs import node_seconds
 from asymptotics.divergence.abel import at_height, odd_series
-from asymptotics.divergence.germ import Germ, germ
+from asymptotics.divergence.germ import Germ, germ, majorants
 from asymptotics.divergence.petal import Petal, petal
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.numbers.context import ctx
@@ -54,7 +54,7 @@ class Effort:
 def rough_petal(alpha: ExactReal) -> tuple[Germ, Petal]:
     """A germ of low order with its petal."""
     with ctx.workprec(ROUGH_BITS):
-        g = germ(alpha, ROUGH_ORDER, ROUGH_BITS, 0.3)
+        g = germ(alpha, ROUGH_ORDER, ROUGH_BITS, min(0.3, float(majorants(alpha)[1].radii[0])))
         return g, petal(g)
 
 
@@ -109,8 +109,7 @@ def _solved(p: Petal, rows: list[tuple[arb, arb, arb]], size: arb) -> list[arb]:
 
 def require_affordable(alpha: ExactReal, plan: Effort, max_seconds: float) -> None:
     """Refuse what is too large before it starts."""
-    terms = int(plan.bits / 2 + 2 * plan.order)
-    seconds = series_seconds(plan.order**2, terms, plan.bits)
+    seconds = node_seconds(plan.order, int(plan.bits / 2.4) + 10, plan.bits)
     told = f"the germ to order {plan.order} at {plan.bits} bits"
     if plan.order > MAX_ORDER or seconds > max_seconds:
         reason = f"{alpha} needs {told}, an estimated {seconds:.0f} s"

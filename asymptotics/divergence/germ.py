@@ -22,7 +22,8 @@ from math import ceil, log2
 from flint import arb, arb_series
 
 from asymptotics.half_swings.finite_majorant import Majorant, widest
-from asymptotics.half_swings.one_law import even_quarter, real_quarter
+from asymptotics.half_swings.nodes import node_quarter
+from asymptotics.half_swings.one_law import even_quarter
 from asymptotics.moments.certified import moment
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
@@ -80,12 +81,12 @@ def majorants(alpha: ExactReal) -> tuple[Majorant, Majorant]:
 
 
 def _quarter(alpha: ExactReal, order: int, bits: int, small: float) -> tuple[list[arb], list[arb]]:
-    """R_n and T_n; exact where alpha is an even integer."""
-    if alpha.rational is not None and alpha.rational.denominator == 1 and alpha.rational % 2 == 0:
-        R, T = even_quarter(int(alpha.rational), order)
+    """R_n and T_n; exactly at alpha = 2 (from 4 on the nodes are faster than the polynomials)."""
+    if alpha == ExactReal(2):
+        R, T = even_quarter(2, order)
         rows = [[arb(x) for x in R], [x.ball() for x in T]]
     else:
-        rows = [list(row) for row in real_quarter(alpha, order, bits, small)]
+        rows = [list(row) for row in node_quarter(alpha, order, bits, small)]
     return [arb(0), *rows[0][1:]], [arb(0), *rows[1][1:]]
 
 

@@ -66,6 +66,7 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("uniform_bound", "delta**m / (1 + w * m)", "delta**m / (1 - w * m)"),
     ("uniform_bound", "    f_1 + (1 - a / b) * (f_2 - f_1),", "    f_1 + (a / b) * (f_2 - f_1),"),
     ("one_law_quarter", 'named("Q\'", eta * s * Y', 'named("Q\'", eta * Y'),
+    ("one_law_quarter", "expand(5 * T[5] + 10 * sum", "expand(5 * T[5] + 5 * sum"),
     ("cauchy_heine", "    4 * pi**2 * eps1 / (n - 1),", "    2 * pi**2 * eps1 / (n - 1),"),
     ("cauchy_heine", "    y - eps1 / y + eps3 / y**3,", "    y + eps1 / y + eps3 / y**3,"),
     ("large_orders", "2 * pi * i * q * (c1 + d1 / pi) / Wm)", "2 * pi * i * q * c1 / Wm)"),

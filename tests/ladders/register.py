@@ -66,7 +66,7 @@ BOUNDS: Names = {
         "divergence.half_step", "tail share", f"{PETAL}::test_the_tail_of_cauchy_is_its_formula_and_ends_at_the_circle"
     ),
     **_each("divergence.abel", "odd_series at at_height later", f"{PETAL}::test_what_an_orbit_leaves_out_is_bounded"),
-    **_each("half_swings.one_law", "real_quarter", f"{ONE_LAW}::test_the_balls_hold_those_of_the_sums"),
+    **_each("half_swings.nodes", "node_quarter", f"{ONE_LAW}::test_the_balls_hold_those_of_the_sums"),
     **_each("divergence.constants", "stokes_balls rough_petal", HEIGHTS),
     **_each(
         "bounds.local",

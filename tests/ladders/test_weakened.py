@@ -75,6 +75,7 @@ contained at few bits or the parts are evaluated again."""
 NO_BOUND = {
     "bounds.local._sharp": "asks whether radii are small enough",
     "half_swings.finite_majorant._seems_to_exist": "balls as a key of a cache; the answer is in floats",
+    "half_swings.nodes._lost": "how wide the balls are; wider than wanted, they are made again",
     "identification.set_valued._searched": "boxes of doubles that are searched; what is claimed comes from table_rows",
     "motions.orbit_force.OrbitForce.__init__": "a union of sets",
     "motions.reference._within": "asks whether a radius is small enough",
