@@ -18,6 +18,7 @@ LAYERS = [  # a module may import its own folder and what stands before it
     "errors",
     "made_by",
     "budget",
+    "cut_short",
     "present",
     "costs",
     "verdict",

@@ -10,8 +10,9 @@ A**(alpha - 1)*epsilon*gamma(alpha/2 + 1)/(sqrt(pi)*gamma(alpha/2 + 3/2))
 from typing import Any
 
 from asymptotics.api.units import law_of
+from asymptotics.cut_short import keeping
 from asymptotics.equivalent.result import EquivalentDamping
-from asymptotics.equivalent.rows import row_at
+from asymptotics.equivalent.rows import DampingRow, row_at
 from asymptotics.equivalent.symbolic import closed_forms, symbolic_exponent
 from asymptotics.errors import InputError, LimitError, require_flag
 from asymptotics.law import Oscillator
@@ -36,7 +37,8 @@ def damping(
     itself, one full swing from rest at A; and with ``order`` N of the series to delta^N, each with the proved bound of
     what it lacks.  ``law``: epsilons (A in their unit), an oscillator (A in m, answers in SI) or "symbolic".
     ``amplitudes``: a number or a list (default: the start and its half, quarter, eighth).  InputError for a law without
-    a loss, amplitudes <= 0 or outside the well; LimitError after ``max_seconds``.  Source: derivation
+    a loss, amplitudes <= 0 or outside the well; LimitError after ``max_seconds``, which
+    ``asymptotics.cut_short.done`` asks for the rows that were done.  Source: derivation
     ``equivalent-damping``.
     """
     D = exact_integer(digits, "digits", 1, MAX_DIGITS)
@@ -50,8 +52,16 @@ def damping(
     oscillator = _oscillator(law, spring)
     given, notes = _amplitudes(amplitudes, oscillator)
     formulas = closed_forms(oscillator.law.terms, si=si)
-    rows = tuple(row_at(oscillator, a, D, N, motion) for a in given)
-    return EquivalentDamping(oscillator, si, D, N, formulas, rows, (*oscillator.notes, *notes))
+    rows: list[DampingRow] = []
+
+    def so_far() -> EquivalentDamping | None:
+        made = EquivalentDamping(oscillator, si, D, N, formulas, tuple(rows), (*oscillator.notes, *notes))
+        return made if rows else None
+
+    with keeping(so_far):
+        for a in given:
+            rows.append(row_at(oscillator, a, D, N, motion))
+    return EquivalentDamping(oscillator, si, D, N, formulas, tuple(rows), (*oscillator.notes, *notes))
 
 
 def _oscillator(law: Any, spring: Any) -> Oscillator:

@@ -15,6 +15,7 @@ from typing import Any
 from flint import arb
 
 from asymptotics.api.units import law_of
+from asymptotics.cut_short import changed
 from asymptotics.errors import InputError, require_flag
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.coulomb import exact_turning_points
@@ -149,7 +150,8 @@ def turning_points(
     A law or mapping (epsilons) starts at rest and is answered in units of x0 and tau; an oscillator in m and s, and
     with v0 != 0 its n = 0 is the first turning point after the start, where t counts from.  ``route``: the name
     of a route to take instead of the cheapest one.  InputError for anti-damping, values out of range and a route that
-    does not serve, LimitError with the estimate, UndecidedError.
+    does not serve, LimitError with the estimate, UndecidedError.  ``asymptotics.cut_short.done(error)`` hands over
+    the points that were done when the time was over, or at Ctrl-C.
     """
     sizes = (
         exact_integer(count, "count", 1, MAX_COUNT),
@@ -162,17 +164,25 @@ def turning_points(
     count, digits, start = sizes
     pure, kick = dimensionless(law)
 
-    def attempt(bits: int) -> OscillatorTurningPoints | None:
-        found = _computed(pure, count, int(bits / BITS_PER_DIGIT), start, times, route=route, **kick)
+    def in_si(found: TurningPoints) -> OscillatorTurningPoints | None:
         points = _in_si(law, found, digits)
         return None if points is None else OscillatorTurningPoints(law, digits, points, found)
+
+    def attempt(bits: int) -> OscillatorTurningPoints | None:
+        with changed(in_si):
+            found = _computed(pure, count, int(bits / BITS_PER_DIGIT), start, times, route=route, **kick)
+        return in_si(found)
 
     bits = bits_for(digits, _SPARE)
     return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
 
 
 def _computed(law: Law, count: int, digits: int, start: int, times: bool, **rest: Any) -> TurningPoints:
-    return replace(general.turning_points(law, count, digits, start=start, times=times, **rest), notes=law.notes)
+    def noted(found: TurningPoints) -> TurningPoints:
+        return replace(found, notes=law.notes)
+
+    with changed(noted):
+        return noted(general.turning_points(law, count, digits, start=start, times=times, **rest))
 
 
 def dimensionless(oscillator: Oscillator) -> tuple[Law, dict[str, ExactReal]]:

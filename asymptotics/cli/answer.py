@@ -2,7 +2,7 @@
 
 import argparse
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from asymptotics import __version__
@@ -32,6 +32,12 @@ class Answer:
         else:
             emit(self.text)
         return int(self.failed)
+
+
+def cut_short(answer: Answer, done: int, missing: str) -> Answer:
+    """The same with a line that only ``done`` rows are there and what is ``missing``; the error itself says why."""
+    data = {**answer.data, "missing": missing}
+    return replace(answer, data=data, text=f"{answer.text}\ncut short: {done} rows are done; missing: {missing}")
 
 
 def add_json(parser: argparse.ArgumentParser) -> None:

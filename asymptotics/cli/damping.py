@@ -20,6 +20,7 @@ from typing import Any
 from asymptotics.api.damping import MAX_DIGITS, MAX_ORDER, damping
 from asymptotics.api.damping_law import damping_law
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds
+from asymptotics.cli.answer import cut_short as shortened
 from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.quantities import add_physical, read_oscillator
@@ -71,6 +72,18 @@ def run(options: argparse.Namespace) -> Answer:
     if options.quantity is not None and options.quantity not in _DRAWN:
         raise InputError("--quantity", f"{options.quantity[:40]!r} is unknown", ", ".join(_DRAWN))
     found = _symbolic(options, files) if options.alpha == "symbolic" else _asked(options)
+    return _answer(options, files, found)
+
+
+def cut_short(options: argparse.Namespace, found: EquivalentDamping) -> Answer:
+    """The rows that were done when the time was over."""
+    asked = [] if options.amplitudes is None else options.amplitudes.split(",")[len(found.rows) :]
+    missing = f"amplitudes {','.join(asked)}" if asked else "the smaller amplitudes"
+    return shortened(_answer(options, read_files(options), found), len(found.rows), missing)
+
+
+def _answer(options: argparse.Namespace, files: dict[str, Path], found: EquivalentDamping) -> Answer:
+    """Printed and written."""
     makers: Makers = {
         "--csv": lambda _: found.to_csv(),
         "--plot": picture_maker(options, lambda: [found], quantity=options.quantity or "Q"),

@@ -18,7 +18,7 @@ from asymptotics.cli.common import add_missing
 from asymptotics.cli.gate import typed, words
 from asymptotics.cli.groups import group_options, lacking
 from asymptotics.cli.shell import complain, emit, run_guarded
-from asymptotics.errors import MAX_ACCEPTED, InputError, UndecidedError, printable
+from asymptotics.errors import MAX_ACCEPTED, InputError, LimitError, UndecidedError, printable
 
 COMMANDS = {
     "compare": "your own values beside certified ones: right digits, and what the errors look like",
@@ -114,7 +114,7 @@ def run(argv: list[str] | None = None) -> int:
     options = parser.parse_args(arguments[1:])
     try:
         typed(options)
-        return int(_answer(module, options).show(name))
+        return _shown(name, module, options)
     except InputError as error:
         complain(f"asymptotics {name}: {as_option(error, options, _written(parser))}")
         return 2
@@ -134,6 +134,18 @@ def _require_known(top: Parser, name: str) -> None:
     if not name.startswith("-") and name not in COMMANDS:
         near = get_close_matches(name.lower(), COMMANDS, n=2)
         top.error(f"argument COMMAND: no command {name!r}" + (f"; did you mean {' or '.join(near)}?" if near else ""))
+
+
+def _shown(name: str, module: Any, options: argparse.Namespace) -> int:
+    """Print the answer; of a command whose time is over, or that is interrupted, the rows that are done."""
+    try:
+        answer = _answer(module, options)
+    except (LimitError, KeyboardInterrupt) as stop:
+        rows = import_module("asymptotics.cut_short").done(stop) if hasattr(module, "cut_short") else None
+        if rows is not None:
+            module.cut_short(options, rows).show(name)
+        raise
+    return int(answer.show(name))
 
 
 def _answer(module: Any, options: argparse.Namespace) -> Any:

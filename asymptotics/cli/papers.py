@@ -12,8 +12,11 @@ import textwrap
 from collections import Counter
 from importlib import import_module
 from importlib.util import find_spec
+from typing import Any
 
 from asymptotics.cli.answer import Answer, add_json
+from asymptotics.cli.answer import cut_short as shortened
+from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError
 from asymptotics.papers.lookup import VERDICTS, find, papers, statements
 from asymptotics.papers.statement import PaperStatement
@@ -95,7 +98,23 @@ def _checked(chosen: tuple[PaperStatement, ...], data: dict[str, object], as_jso
     if find_spec("paper_checks") is None:
         raise InputError("--check", "the checks are not installed", "all of a wheel: pip install . in a clone")
     registry, runner = import_module("paper_checks.registry"), import_module("paper_checks.runner")
-    results = runner.examine_all([registry.load(s.paper)[s.id] for s in chosen])
+    results: list[Any] = []
+    with keeping(lambda: (chosen, data, list(results)) if results else None):
+        for s in chosen:
+            results += runner.examine_all([registry.load(s.paper)[s.id]])
+    return _examined(data, results, as_json)
+
+
+def cut_short(
+    options: argparse.Namespace, done: tuple[tuple[PaperStatement, ...], dict[str, object], list[Any]]
+) -> Answer:
+    """The checks that were done at the interrupt."""
+    chosen, data, results = done
+    left = chosen[len(results) :]
+    return shortened(_examined(data, results, options.json), len(results), f"{len(left)} checks, {left[0].id} ...")
+
+
+def _examined(data: dict[str, object], results: list[Any], as_json: bool) -> Answer:
     outcomes = {r.statement.id: {name: str(outcome) for name, outcome in r.outcomes.items()} for r in results}
     failed = [r.statement.id for r in results if not r.agrees]
     shown = [f"{key}: " + ", ".join(f"{name} {o}" for name, o in found.items()) for key, found in outcomes.items()]

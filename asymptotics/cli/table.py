@@ -10,8 +10,10 @@ zero), up (away from zero), floor, ceil, interval (both ends).  Every file carri
 """
 
 import argparse
+from pathlib import Path
 
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
+from asymptotics.cli.answer import cut_short as shortened
 from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import read_law
 from asymptotics.errors import InputError
@@ -57,10 +59,28 @@ def run(options: argparse.Namespace) -> Answer:
     require_mode(options.rounding)
     if options.format == "parquet" and options.output is None:
         raise InputError("--format", "parquet is not text", "--output FILE with it")
-    target = None if options.output is None else target_file(options.output, "--csv" if options.csv else "--output")
+    target = _target(options)
     inputs = table_inputs(options.alpha, options.epsilon, options.law, options.rows)
     drawn = read_files(argparse.Namespace(plot=options.plot))
     table = build(options.name, read_digits(options, MAX_DIGITS), inputs, options.rounding)
+    return _answer(options, drawn, target, table)
+
+
+def cut_short(options: argparse.Namespace, table: Table) -> Answer:
+    """The rows that were done when the time was over."""
+    options = _spelled_out(options)
+    target, drawn = _target(options), read_files(argparse.Namespace(plot=options.plot))
+    last = ", ".join(f"{key} = {table.rows[-1][table.columns.index(key)]}" for key in table.keys)
+    return shortened(_answer(options, drawn, target, table), len(table.rows), f"what comes after {last}")
+
+
+def _target(options: argparse.Namespace) -> Path | None:
+    """The file of --output, or of --csv."""
+    return None if options.output is None else target_file(options.output, "--csv" if options.csv else "--output")
+
+
+def _answer(options: argparse.Namespace, drawn: dict[str, Path], target: Path | None, table: Table) -> Answer:
+    """Printed and written."""
     pictures = write_files(drawn, {"--plot": picture_maker(options, lambda: [table])})
     if target is None:
         text = "\n".join([_printed(table, options.format), *pictures])

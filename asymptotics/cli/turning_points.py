@@ -23,14 +23,17 @@ The cheapest route is taken; --route NAME takes another one, and --route help li
 
 import argparse
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from asymptotics.api.swings import OscillatorTurningPoints, dimensionless
 from asymptotics.api.swings import turning_points as in_si
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
+from asymptotics.cli.answer import cut_short as shortened
 from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.quantities import add_physical, add_start, is_physical, read_oscillator
+from asymptotics.cut_short import changed
 from asymptotics.errors import LimitError
 from asymptotics.law import PENDULUM, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
@@ -70,6 +73,19 @@ def run(options: argparse.Namespace) -> Answer:
         if error.argument == "time":  # the integrator speaks of its own argument
             raise LimitError("--epsilon", error.reason, "weaker damping") from error
         raise
+    return _answer(options, files, result)
+
+
+def cut_short(options: argparse.Namespace, result: TurningPoints | OscillatorTurningPoints) -> Answer:
+    """The points that were done when the time was over."""
+    first, last = result.points[-1].n + 1, int(options.start) + int(options.count) - 1
+    return shortened(_answer(options, read_files(options), result), len(result.points), f"n = {first} ... {last}")
+
+
+def _answer(
+    options: argparse.Namespace, files: dict[str, Path], result: TurningPoints | OscillatorTurningPoints
+) -> Answer:
+    """Printed and written."""
     data, si = result.to_dict(), isinstance(result, OscillatorTurningPoints)
     unit = _unit(options)
     makers: Makers = {"--csv": lambda _: _table(result, unit), "--plot": picture_maker(options, lambda: [result])}
@@ -127,11 +143,17 @@ def _undivided(
 ) -> TurningPoints:
     """From rest at another place than 1, m = k = 1: as in SI, but nothing has a unit."""
     rest = {"times": options.times, "route": options.route}
-    found = in_si(oscillator, count, digits=digits, start=start, **rest)
-    assert isinstance(found, OscillatorTurningPoints)
-    points = tuple(replace(q, x=p.x, tau=p.t) for p, q in zip(found.points, found.dimensionless.points, strict=True))
     strengths = ",".join(str(t.strength) for t in oscillator.law.terms)
-    return replace(found.dimensionless, epsilon=strengths, digits=digits, points=points)
+
+    def bare(found: OscillatorTurningPoints) -> TurningPoints:
+        inner = found.dimensionless
+        points = tuple(replace(q, x=p.x, tau=p.t) for p, q in zip(found.points, inner.points, strict=True))
+        return replace(inner, epsilon=strengths, digits=digits, points=points)
+
+    with changed(bare):
+        found = in_si(oscillator, count, digits=digits, start=start, **rest)
+    assert isinstance(found, OscillatorTurningPoints)
+    return bare(found)
 
 
 def _unit(options: argparse.Namespace) -> str:

@@ -3,7 +3,7 @@
 from asymptotics.bounds.local import local_bounds
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.inputs import GRID, Inputs
-from asymptotics.tables.recipe import Found
+from asymptotics.tables.recipe import Found, begun
 
 _ORDERS = 3
 
@@ -15,7 +15,10 @@ def error_bounds(inputs: Inputs, _digits: int) -> Found:
     constants are rounded up and delta_max down, to two digits whatever is asked for.
     """
     orders = range(1, inputs.count(_ORDERS) + 1)
-    return Found([_row(a, order) for a in inputs.alphas_or(GRID) for order in orders], True)
+    rows = begun()
+    for a in inputs.alphas_or(GRID):
+        rows += [_row(a, order) for order in orders]
+    return Found(rows, True)
 
 
 def _row(a: ExactReal, order: int) -> tuple[str, ...]:

@@ -61,5 +61,20 @@ def round_rows(compute: Callable[[int], Rows], digits: int, mode: str) -> tuple[
     raise UndecidedError(f"a value is too near to a decimal of {digits} digits to be rounded by {mode!r}")
 
 
+def rounded_so_far(rows: Rows, digits: int, mode: str) -> tuple[tuple[str, ...], ...]:
+    """The rows up to the first that these digits do not decide.
+
+    >>> rounded_so_far([("1", Fraction(1, 3)), ("2", Nearest("0.500"))], 3, "floor")
+    (('1', '0.333'),)
+    """
+    made: list[tuple[str, ...]] = []
+    for row in rows:
+        cells = [printed(cell, digits, mode) for cell in row]
+        if None in cells:
+            break
+        made.append(tuple(map(_text, cells)))
+    return tuple(made)
+
+
 def _text(cell: str | None) -> str:
     return cell if isinstance(cell, Formula) else str(cell)

@@ -10,14 +10,14 @@ from asymptotics.normal_form.results import Coefficient
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.cells import Cell, Formula, Nearest
 from asymptotics.tables.inputs import GRID, Inputs
-from asymptotics.tables.recipe import Found
+from asymptotics.tables.recipe import Found, begun
 
 _ORDER = 4
 
 
 def normal_form(inputs: Inputs, digits: int) -> Found:
     """Rows (alpha, coefficient, value, exact): p_k and Omega_k in the turning-point gauge; --rows is the order."""
-    found = Found([], True)
+    found = Found(begun(), True)
     for alphas in _exponents(inputs):
         made = expansion_coefficients(alphas, inputs.count(_ORDER), digits)
         for name, row in (("p", made.amplitude), ("Omega", made.frequency)):
@@ -27,7 +27,7 @@ def normal_form(inputs: Inputs, digits: int) -> Found:
 
 def half_swing(inputs: Inputs, digits: int) -> Found:
     """Rows (alpha, coefficient, value, exact): L, T, U, W and, for one law, F and V; --rows is the order."""
-    found = Found([], True)
+    found = Found(begun(), True)
     for alphas in _exponents(inputs):
         made = half_swing_coefficients(alphas, inputs.count(_ORDER), digits)
         rows = [("L", made.log_ratio), ("T", made.duration), ("U", made.U), ("W", made.W)]
@@ -47,7 +47,8 @@ def _exponents(inputs: Inputs) -> list[tuple[ExactReal, ...]]:
 def _with(found: Found, alphas: Sequence[ExactReal], name: str, row: Mapping[str, Coefficient]) -> Found:
     label = ",".join(map(str, alphas))
     rows = [(label, f"{name}_{key}", _value(c), _exact(c)) for key, c in row.items()]
-    return Found([*found.rows, *rows], found.certified and all(c.value is not None for c in row.values()))
+    found.rows.extend(rows)
+    return Found(found.rows, found.certified and all(c.value is not None for c in row.values()))
 
 
 def _value(c: Coefficient) -> Cell:

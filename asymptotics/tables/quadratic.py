@@ -15,9 +15,9 @@ from asymptotics.numbers.decimals import MAX_BITS, bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.rationals import to_fraction
-from asymptotics.tables.cells import Cell, Formula, Nearest
+from asymptotics.tables.cells import Cell, Formula, Nearest, Rows
 from asymptotics.tables.inputs import Inputs
-from asymptotics.tables.recipe import Found
+from asymptotics.tables.recipe import Found, begun
 from asymptotics.turning.quadratic_map import amplitudes
 
 _HALF_CYCLES, _TRANSIT_ORDER, _ROWS = 6, 24, 12
@@ -26,29 +26,29 @@ _ONE = ExactReal(Fraction(1))
 
 def smith_table_1(inputs: Inputs, digits: int) -> Found:
     """Rows (u_0, n, S_(n-1), u_(n-1)) of Smith's Table I, S_0 = 0 by definition; u_0 is left out where it is 1."""
-    rows: list[tuple[Cell, ...]] = []
+    rows: Rows = []
     for u_0 in inputs.epsilons_or("1"):
-        for n, offset, u in _half_cycles(u_0, inputs.count(_HALF_CYCLES), digits):
-            start: Cell = u_0.rational if n == 0 and u_0.is_rational else Nearest(u)
-            rows.append((str(u_0), str(n + 1), Nearest(offset) if n else Fraction(0), start))
+        rows = _half_cycles(rows, u_0, inputs.count(_HALF_CYCLES), digits)
     return Found(rows if inputs.epsilons else [row[1:] for row in rows], True)
 
 
-def _half_cycles(u_0: ExactReal, count: int, digits: int) -> list[tuple[int, str, str]]:
-    """(n, S_n, u_n) for n < count, at growing precision until all are decided."""
+def _half_cycles(before: Rows, u_0: ExactReal, count: int, digits: int) -> Rows:
+    """The rows ``before``, and those of n < count, at growing precision until all are decided."""
 
-    def attempt(_bits: int) -> list[tuple[int, str, str]] | None:
+    def attempt(_bits: int) -> Rows | None:
         start = u_0.ball()
         constant = first_constant(start, arb(0))
-        found = []
+        rows = begun()
+        rows.extend(before)
         for n, p in enumerate(islice(amplitudes(2 * start), count)):
             tick(f"row {n} of {count}")
             offset = constant - first_constant(p / 2, arb(0)) if n else arb(1)
             S, u = decimal_of_ball(offset, digits), decimal_of_ball(-p / 2 if n % 2 else p / 2, digits)
             if S is None or u is None:
                 return None
-            found.append((n, S, u))
-        return found
+            first: Cell = u_0.rational if n == 0 and u_0.is_rational else Nearest(u)
+            rows.append((str(u_0), str(n + 1), Nearest(S) if n else Fraction(0), first))
+        return rows
 
     return at_growing_precision(attempt, digits, bits_for(digits, 48) + 2 * count.bit_length(), max_bits=MAX_BITS)
 
@@ -61,7 +61,7 @@ def transit_time(inputs: Inputs, _digits: int) -> Found:
 
 def smith_c(inputs: Inputs, _digits: int) -> Found:
     """Rows (n, i, C_i^n, value), n up to --rows."""
-    rows: list[tuple[Cell, ...]] = []
+    rows = begun()
     for n in range(1, inputs.count(_ROWS, per_row=inputs.rows or _ROWS) + 1):
         rows += [(str(n), str(i), str(c), c) for i, c in coefficients(n).items()]
     return Found(rows, True)
@@ -70,7 +70,7 @@ def smith_c(inputs: Inputs, _digits: int) -> Found:
 def smith_f(inputs: Inputs, _digits: int) -> Found:
     """Rows (n, f_n(w)), n up to --rows."""
     w = sympy.Symbol("w")
-    rows: list[tuple[Cell, ...]] = []
+    rows = begun()
     for n in range(1, inputs.count(_ROWS, per_row=inputs.rows or _ROWS) + 1):
         f = sum((to_sympy(ExactReal(c)) * w**i for i, c in coefficients(n).items()), sympy.S.Zero)
         rows.append((str(n), Formula(str(f), sympy.latex(f))))

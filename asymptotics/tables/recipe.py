@@ -1,6 +1,7 @@
 """How a named table is made: its columns and units, the route to its values, the route that checks them, its cost."""
 
 from collections.abc import Callable
+from contextvars import ContextVar
 from dataclasses import dataclass
 
 from asymptotics.tables.cells import Rows
@@ -13,6 +14,34 @@ class Found:
 
     rows: Rows
     certified: bool
+
+
+_made: ContextVar[list[Rows] | None] = ContextVar("rows", default=None)
+
+
+def begun() -> Rows:
+    """Where a recipe puts its rows, one by one: those that are done when it is stopped are kept."""
+    rows: Rows = []
+    begun_before = _made.get()
+    if begun_before is not None:
+        begun_before.append(rows)
+    return rows
+
+
+class Begun:
+    """``with Begun() as begun:`` the rows of every recipe that begins inside; ``begun.most()`` are the most of them."""
+
+    def __enter__(self) -> "Begun":
+        self.tried: list[Rows] = []
+        self.before = _made.set(self.tried)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        _made.reset(self.before)
+
+    def most(self) -> Rows:
+        """The rows of the attempt that came farthest."""
+        return max(self.tried, key=len, default=[])
 
 
 @dataclass(frozen=True)

@@ -10,12 +10,13 @@
 from dataclasses import asdict
 from typing import Any
 
+from asymptotics.cut_short import changed, keeping
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import require_integer
-from asymptotics.tables.cells import Rows, round_rows
+from asymptotics.tables.cells import Rows, round_rows, rounded_so_far
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.provenance import checksum, provenance
-from asymptotics.tables.recipe import Recipe
+from asymptotics.tables.recipe import Begun, Recipe
 from asymptotics.tables.recipes import RECIPES
 from asymptotics.tables.table import Table
 
@@ -46,12 +47,29 @@ def build(name: str, digits: int = 30, inputs: Inputs | None = None, rounding: s
         verdicts.append(found.certified)
         return found.rows
 
-    rows = round_rows(compute, digits, rounding)
-    columns, units = _columns(recipe, rows)
-    asked = {**given.to_dict(), "digits": digits, "rounding": rounding}
-    origin = provenance(asked, recipe.source, verdicts[-1], checksum(columns, rows))
-    keys = tuple(key for key in recipe.keys if key in columns)
-    return Table(name, recipe.title, columns, rows, recipe.source, verdicts[-1], keys, units, origin)
+    def table(rows: tuple[tuple[str, ...], ...], certified: bool) -> Table:
+        columns, units = _columns(recipe, rows)
+        asked = {**given.to_dict(), "digits": digits, "rounding": rounding}
+        origin = provenance(asked, recipe.source, certified, checksum(columns, rows))
+        keys = tuple(key for key in recipe.keys if key in columns)
+        return Table(name, recipe.title, columns, rows, recipe.source, certified, keys, units, origin)
+
+    def so_far(found: Any) -> Table | None:
+        """The rows that were done; a sequence that a row would have come from is none."""
+        cells = found if isinstance(found, list) else begun.most()
+        done = rounded_so_far(cells, digits, rounding)
+        return table(done, _proved(recipe, done)) if done else None
+
+    with Begun() as begun, changed(so_far), keeping(begun.most):
+        rows = round_rows(compute, digits, rounding)
+    return table(rows, verdicts[-1])
+
+
+def _proved(recipe: Recipe, rows: tuple[tuple[str, ...], ...]) -> bool:
+    """Whether rows that stand alone are proved: a column says so, or every value was found with its digits."""
+    columns = _columns(recipe, rows)[0]
+    unproved = {"certified": "false", "value": ""}
+    return not any(row[i] == unproved[name] for row in rows for i, name in enumerate(columns) if name in unproved)
 
 
 def _columns(recipe: Recipe, rows: tuple[tuple[str, ...], ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:

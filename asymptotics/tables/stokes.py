@@ -6,7 +6,7 @@ from asymptotics.divergence.result import action_of, pole_of, stokes_constants
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.cells import Cell, Nearest
 from asymptotics.tables.inputs import Inputs
-from asymptotics.tables.recipe import Found
+from asymptotics.tables.recipe import Found, begun
 
 _ALPHAS = ("0", "2", "4", "6")  # cheap ones: alpha = 3/2 takes a second more, alpha near 1 far more
 
@@ -14,12 +14,13 @@ _ALPHAS = ("0", "2", "4", "6")  # cheap ones: alpha = 3/2 takes a second more, a
 def constants(inputs: Inputs, digits: int) -> Found:
     """Rows (alpha, c, 2 pi |c|, c_1, d_1); InputError for alpha = 1 and above 50, LimitError near 1."""
     alphas = inputs.alphas_or(_ALPHAS)
-    found = [stokes_constants(a, 1, digits) for a in alphas]
-    rows: list[tuple[Cell, ...]] = []
-    for alpha, s in zip(alphas, found, strict=True):
+    rows, certified = begun(), True
+    for alpha in alphas:
+        s = stokes_constants(alpha, 1, digits)
+        certified = certified and s.certified
         exact = _cell(pole_of(alpha), s.pole), _cell(action_of(alpha), s.action)
         rows.append((s.alpha, *exact, Nearest(s.constants[0]), Nearest(s.time_constants[0])))
-    return Found(rows, all(s.certified for s in found))
+    return Found(rows, certified)
 
 
 def _cell(number: arb | ExactReal, text: str) -> Cell:

@@ -1,13 +1,16 @@
 """Turning points, half periods and stops, for exponents, strengths and sums of laws."""
 
 from fractions import Fraction
+from functools import partial
 
+from asymptotics.cut_short import changed
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.tables.cells import Cell, Nearest
+from asymptotics.tables.cells import Cell, Nearest, Rows
 from asymptotics.tables.inputs import SUMS, Inputs, label
-from asymptotics.tables.recipe import Found
+from asymptotics.tables.recipe import Found, begun
 from asymptotics.turning.general import turning_points
+from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.routes.dry import last_turning_point
 
 _ROWS = 5
@@ -15,22 +18,34 @@ _ROWS = 5
 
 def turning(inputs: Inputs, digits: int) -> Found:
     """Rows (law, n, x, tau, certified, ended): turning points and times until --rows of them or the end."""
-    rows: list[tuple[Cell, ...]] = []
+    rows = begun()
     certified = True
     for law in inputs.laws_or(SUMS):
-        made = turning_points(law, inputs.count(_ROWS), digits, times=True)
+        with changed(partial(_after, rows, law)):
+            made = turning_points(law, inputs.count(_ROWS), digits, times=True)
         certified = certified and made.certified
-        for point in made.points:
-            last = made.ended is not None and point.n == made.ended["n"]
-            ended = str(made.ended["reason"]) if last and made.ended else ""
-            x, tau = _x(law, point.n, point.x), _tau(point.n, str(point.tau))
-            rows.append((label(law), str(point.n), x, tau, str(made.certified).lower(), ended))
+        rows += _points(law, made)
     return Found(rows, certified)
+
+
+def _after(rows: Rows, law: Law, made: TurningPoints) -> Rows:
+    return rows + _points(law, made)
+
+
+def _points(law: Law, made: TurningPoints) -> Rows:
+    """The rows of one law."""
+    rows: Rows = []
+    for point in made.points:
+        last = made.ended is not None and point.n == made.ended["n"]
+        ended = str(made.ended["reason"]) if last and made.ended else ""
+        x, tau = _x(law, point.n, point.x), _tau(point.n, str(point.tau))
+        rows.append((label(law), str(point.n), x, tau, str(made.certified).lower(), ended))
+    return rows
 
 
 def half_periods(inputs: Inputs, digits: int) -> Found:
     """Rows (law, ratio, T, certified): the first half-swing from amplitude 1, where delta is epsilon."""
-    rows: list[tuple[Cell, ...]] = []
+    rows = begun()
     certified = True
     for law in inputs.laws_or((), ("1/10", "1/2", "1")):
         made = turning_points(law, 2, digits, times=True)
@@ -48,7 +63,7 @@ def half_periods(inputs: Inputs, digits: int) -> Found:
 
 def stops(inputs: Inputs, digits: int) -> Found:
     """Rows (epsilon, N, x_N, tau_N): where and when dry friction alone holds the mass."""
-    rows: list[tuple[Cell, ...]] = []
+    rows = begun()
     for epsilon in inputs.epsilons_or("1/100", "1/20", "1/10", "3/20", "1/5", "1/4", "3/10", "1/2"):
         law, last = Law({0: epsilon}), last_turning_point(epsilon)
         point = turning_points(law, 1, digits, start=last, times=True).points[0]

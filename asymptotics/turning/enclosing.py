@@ -6,7 +6,6 @@ points *after* it are the route's business.  Both are found anew at each precisi
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
 from asymptotics.flow.taylor import GUARD
 from asymptotics.numbers.context import ctx
@@ -16,7 +15,7 @@ from asymptotics.swing.damping import Damping
 from asymptotics.swing.lingering import lost_bits, require_brief
 from asymptotics.swing.sequence import Turning, first_from, first_turning
 from asymptotics.turning.result import TurningPoints
-from asymptotics.turning.table import Progress, Request, named, rounded
+from asymptotics.turning.table import Kept, Progress, Request, named, rounded
 
 MANY = 200_000
 """Half-swings beyond this number are jumped over, and cost no bits."""
@@ -82,13 +81,17 @@ def enclosed(
     UndecidedError where ``doublings`` of the precision do not decide how the motion goes on.
     """
 
+    kept = Kept(request)
+
     def attempt(bits: int) -> TurningPoints:
         motion = orbit()
         first = motion.first()
         if isinstance(first, str):
             return request.table((), method(bits), {"n": -1, "reason": first})
-        unit: dict[str, Any] | None = named(request, first) if request.in_motion else None
-        points, ended = rounded(request, motion.after(first), first if request.in_motion else None, progress)
+        unit = named(request, first) if request.in_motion else None
+        start, made = first if request.in_motion else None, kept.begin(lambda: method(bits), unit)
+        points, ended = rounded(request, motion.after(first), start, progress, made)
         return request.table(points, method(bits), ended, unit)
 
-    return at_growing_precision(attempt, request.digits, bits, max_bits=bits << doublings)
+    with kept:
+        return at_growing_precision(attempt, request.digits, bits, max_bits=bits << doublings)

@@ -23,6 +23,7 @@ from typing import Any
 from flint import arb
 
 from asymptotics.budget import tick
+from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, require_integer
@@ -104,14 +105,42 @@ def require_counts(count: int, digits: int, start: int) -> None:
     require_integer(start, "start", 0, MAX_START)
 
 
+class Kept(keeping):
+    """``with Kept(request) as kept:`` an error carries the points of the attempt that came farthest, all proved."""
+
+    def __init__(self, request: Request) -> None:
+        super().__init__(self._table)
+        self.request = request
+        self.tried: list[tuple[list[TurningPoint], Callable[[], str], dict[str, str] | None]] = []
+
+    def __enter__(self) -> "Kept":
+        return self
+
+    def begin(self, method: Callable[[], str], first: dict[str, str] | None = None) -> list[TurningPoint]:
+        """Where an attempt puts its points, one by one; ``method`` and ``first`` as in the table."""
+        self.tried.append(([], method, first))
+        return self.tried[-1][0]
+
+    def _table(self) -> TurningPoints | None:
+        farthest = max(self.tried, key=lambda attempt: len(attempt[0]), default=None)
+        if farthest is None or not farthest[0]:
+            return None
+        made, method, first = farthest
+        return self.request.table(tuple(made), method(), None, first)
+
+
 def rounded(
-    request: Request, turnings: Iterator[Turning], unit: Turning | None, progress: Progress
+    request: Request,
+    turnings: Iterator[Turning],
+    unit: Turning | None,
+    progress: Progress,
+    made: list[TurningPoint] | None = None,
 ) -> tuple[Points, Ended]:
     """The points asked for and how the sequence ends; ``unit``: turning point 0 of a start in motion.
 
-    TooWideError as soon as a point cannot be rounded.
+    ``made``: where the points are put, one by one.  TooWideError as soon as a point cannot be rounded.
     """
-    made: list[TurningPoint] = []
+    made = [] if made is None else made
     for here in turnings:
         tick(f"turning point {here.n}")
         if here.n >= request.start:

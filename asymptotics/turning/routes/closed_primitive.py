@@ -23,7 +23,7 @@ from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.turning.drag_exact import Well, drag_serves, rational_places, require_well, swings
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Ended, Points, Progress, Request
+from asymptotics.turning.table import Ended, Kept, Points, Progress, Request
 
 MAX_DIGITS, MAX_LAST = 1000, 100_000
 _DOUBLINGS = 5
@@ -46,22 +46,25 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     """
     require_seconds(primitive_seconds(request.last + 1, _bits(request)), f"{request.last + 1} half-swings")
 
+    kept = Kept(request)
+
     def attempt(bits: int) -> TurningPoints:
+        method = f"primitive of the energy equation in balls of {bits} bits"
         with ctx.workprec(2 * bits):  # the primitive cancels as the amplitude falls
-            made, ended = _rounded(request, bits, progress)
-        return request.table(made, f"primitive of the energy equation in balls of {bits} bits", ended)
+            made, ended = _rounded(request, bits, progress, kept.begin(lambda: method))
+        return request.table(made, method, ended)
 
     bits = _bits(request)
-    return at_growing_precision(attempt, request.digits, bits, max_bits=bits << _DOUBLINGS)
+    with kept:
+        return at_growing_precision(attempt, request.digits, bits, max_bits=bits << _DOUBLINGS)
 
 
 def _bits(request: Request) -> int:
     return bits_for(request.digits, 48) + 2 * (request.last + 1).bit_length()
 
 
-def _rounded(request: Request, bits: int, progress: Progress) -> tuple[Points, Ended]:
+def _rounded(request: Request, bits: int, progress: Progress, made: list[TurningPoint]) -> tuple[Points, Ended]:
     """The points and how they end; TooWideError where one cannot be rounded, or what follows it is undecided."""
-    made: list[TurningPoint] = []
     well = Well.of(request.law)
     require_well(well, request.place)
     for n, (x, stays) in enumerate(_places(request, well, bits)):

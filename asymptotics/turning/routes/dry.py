@@ -29,7 +29,7 @@ from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.swing.ends import STICKS
 from asymptotics.turning.result import Number, TurningPoints, proved_digits, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Ended, Points, Progress, Request
+from asymptotics.turning.table import Ended, Kept, Points, Progress, Request
 
 METHOD = "closed form, exact"
 
@@ -75,15 +75,19 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     tau = proved_digits(lambda: arb.pi() - arb.atan2(abs(v0.ball()), arb(to_fmpq(y))), request.digits)
     first = {"amplitude": proved_digits(a, request.digits), "tau": tau}
     side = 1 if v0 > 0 else -1
-    return request.table(*_from_rest(request, ExactReal(c / a), side, progress), first)
+    return request.table(*_from_rest(request, ExactReal(c / a), side, progress, first), first)
 
 
-def _from_rest(request: Request, epsilon: ExactReal, side: int, progress: Progress) -> tuple[Points, str, Ended]:
+def _from_rest(
+    request: Request, epsilon: ExactReal, side: int, progress: Progress, first: dict[str, str] | None = None
+) -> tuple[Points, str, Ended]:
     """The points from X = ``side`` at rest, the method, and how they end."""
-    last, made = last_turning_point(epsilon), []
-    for n in range(request.start, min(request.last, last) + 1):
-        made.append(proved_point(n, _place(epsilon, n, side), _time(n) if request.times else None, request.digits))
-        progress(len(made))
+    last = last_turning_point(epsilon)
+    with Kept(request) as kept:
+        made = kept.begin(lambda: METHOD, first)
+        for n in range(request.start, min(request.last, last) + 1):
+            made.append(proved_point(n, _place(epsilon, n, side), _time(n) if request.times else None, request.digits))
+            progress(len(made))
     ended = {"n": last, "reason": STICKS} if request.last >= last else None
     return tuple(made), METHOD, ended
 

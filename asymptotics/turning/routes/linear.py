@@ -23,7 +23,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.ends import OVERDAMPED
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Progress, Request
+from asymptotics.turning.table import Kept, Progress, Request
 
 METHOD = "closed form, certified"
 
@@ -38,11 +38,13 @@ def serves(request: Request) -> float | None:
 
 def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
     """The turning points as far as they exist; all digits are correctly rounded."""
-    epsilon, made = request.epsilon, []
+    epsilon = request.epsilon
     oscillates = epsilon < 2
-    for n in range(request.start, request.last + 1 if oscillates else min(request.last + 1, 1)):
-        made.append(_point(epsilon, n, request.digits, request.times))
-        progress(len(made))
+    with Kept(request) as kept:
+        made = kept.begin(lambda: METHOD)
+        for n in range(request.start, request.last + 1 if oscillates else min(request.last + 1, 1)):
+            made.append(_point(epsilon, n, request.digits, request.times))
+            progress(len(made))
     return request.table(tuple(made), METHOD, None if oscillates else {"n": 0, "reason": OVERDAMPED})
 
 

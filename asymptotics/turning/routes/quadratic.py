@@ -26,9 +26,9 @@ from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.turning.quadratic_abel import quadratic_abel
 from asymptotics.turning.quadratic_duration import duration, node_count
 from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
-from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
+from asymptotics.turning.result import TurningPoints, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Progress, Request
+from asymptotics.turning.table import Kept, Progress, Request
 
 MAX_JUMP_DIGITS = 1_000  # the exact coefficients of the Abel function cost about digits^4
 MAX_SECONDS = 600
@@ -53,15 +53,18 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     epsilon, start = request.epsilon, request.start
     bits = bits_for(request.digits, 48) + 2 * (start + request.count).bit_length() + _magnitude(epsilon)
 
+    kept, name = Kept(request), "iterated map" if start <= _DIRECT else "Abel function"
+
     def attempt(bits: int) -> TurningPoints:
-        made: list[TurningPoint] = []
+        method = f"{name}, balls of {bits} bits"
+        made = kept.begin(lambda: method)
         for n, ratio, tau in islice(_balls(epsilon, start, request.times), request.count):
             made.append(proved_point(n, -ratio if n % 2 else ratio, tau if request.times else None, request.digits))
             progress(len(made))
-        method = "iterated map" if start <= _DIRECT else "Abel function"
-        return request.table(tuple(made), f"{method}, balls of {bits} bits")
+        return request.table(tuple(made), method)
 
-    return at_growing_precision(attempt, request.digits, bits, max_bits=MAX_BITS)
+    with kept:
+        return at_growing_precision(attempt, request.digits, bits, max_bits=MAX_BITS)
 
 
 def _balls(epsilon: ExactReal, start: int, times: bool) -> Iterator[tuple[int, arb, arb]]:

@@ -1,0 +1,84 @@
+"""What is done when work is cut short, by its time or by Ctrl-C: the error carries it out, and ``done`` hands it over.
+
+>>> rows = []
+>>> try:
+...     with keeping(lambda: tuple(rows)):
+...         rows.append("row 1")
+...         raise KeyboardInterrupt
+... except KeyboardInterrupt as stop:
+...     done(stop)
+('row 1',)
+>>> try:
+...     with changed(lambda found: found + ("and its unit",)), keeping(lambda: tuple(rows)):
+...         try:
+...             raise KeyboardInterrupt
+...         except KeyboardInterrupt:
+...             raise RuntimeError("what a library has made of it")
+... except RuntimeError as stop:
+...     done(stop)
+('row 1', 'and its unit')
+>>> done(ValueError()) is None
+True
+
+What is handed over is made when it is asked for: by then the time that was over is over for nobody.
+"""
+
+from collections.abc import Callable
+from contextlib import AbstractContextManager, suppress
+from types import TracebackType
+from typing import Any
+
+_NAME, _DEPTH = "_rows_done", 20
+
+
+def done(error: BaseException) -> Any:
+    """The rows that were finished before ``error``, in the form of the result that was asked for; None without any."""
+    made = _maker(error)
+    return None if made is None else made()
+
+
+def _maker(error: BaseException | None) -> Callable[[], Any] | None:
+    """What the error carries, or one that it came from: a library may have made it of another."""
+    for _ in range(_DEPTH):
+        if error is None:
+            return None
+        made: Callable[[], Any] | None = getattr(error, _NAME, None)
+        if made is not None:
+            return made
+        error = error.__cause__ or error.__context__
+    return None
+
+
+class keeping(AbstractContextManager[Any]):  # noqa: N801 (used as a context manager, as ``suppress`` is)
+    """``with keeping(rows):`` an error from inside carries ``rows()``, unless it carries rows already."""
+
+    def __init__(self, rows: Callable[[], Any]) -> None:
+        self.rows = rows
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if error is not None and _maker(error) is None:
+            with suppress(AttributeError, TypeError):
+                setattr(error, _NAME, self.rows)
+
+
+class changed(AbstractContextManager[Any]):  # noqa: N801 (as above)
+    """``with changed(into):`` what an error from inside carries is turned ``into`` the result of this place."""
+
+    def __init__(self, into: Callable[[Any], Any]) -> None:
+        self.into = into
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        made = None if error is None else _maker(error)
+        if made is None:
+            return
+
+        def again(made: Callable[[], Any] = made) -> Any:
+            found = made()
+            return None if found is None else self.into(found)
+
+        with suppress(AttributeError, TypeError):
+            setattr(error, _NAME, again)
