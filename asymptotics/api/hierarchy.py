@@ -34,6 +34,7 @@ from asymptotics.half_swings.symbolic import I_4, alpha
 from asymptotics.multiscale.exact import odd_hierarchy
 from asymptotics.multiscale.initial import map_to_turning_points
 from asymptotics.multiscale.open_orders import open_scales
+from asymptotics.multiscale.open_start import start_of_open, theta
 from asymptotics.multiscale.orders import a, psi, strength_symbols
 from asymptotics.multiscale.rates import Rates, certified_rates, closed_rates
 from asymptotics.multiscale.start import start_of
@@ -146,16 +147,25 @@ def map_of_gauges(terms: Sequence[Term], order: int) -> dict[str, Expr]:
 def any_start(scales: MultipleScales) -> dict[str, Expr]:
     """a(0) and psi(0) for X(0) = r cos theta, X'(0) = -r sin theta, 0 < theta < pi, through the order of ``scales``.
 
-    A start with X' > 0 is minus one of these: theta and psi move by pi.  InputError where the waveforms are no
-    polynomials or the gauge is no-first-harmonic.
+    A start with X' > 0 is minus one of these: theta and psi move by pi.  Any order where the waveforms are polynomials;
+    other exponents through order 2 of one law and 1 of a sum (``multiscale.open_start``).  InputError beyond, in the
+    gauge no-first-harmonic, and beside springs of an open hierarchy.
 
     >>> any_start(multiple_scales(2, order=1))["psi(0)"]
     -epsilon*r*sin(theta)*cos(theta)**2/3 + epsilon*r*sin(theta)/3 + theta
+    >>> any_start(multiple_scales("3/2", order=1))["psi(0)"]
+    2*epsilon*sqrt(r)*sin(theta)**(5/2)/5 + theta
     """
+    r = Symbol("r", positive=True)
+    if scales.losses:
+        return _open_start(scales, r)
     if not isinstance(scales.kernel, TurningHierarchy):
-        accepted = f"gauge {TURNING_POINT}, integer powers of x', |x|^M of losses with M even, x|x|^(P-1) with P odd"
-        raise InputError("start", "no polynomial waveforms are at hand", accepted)
-    found, r, theta = start_of(scales.kernel), Symbol("r", positive=True), Symbol("theta", real=True)
+        accepted = (
+            f"gauge {TURNING_POINT}; powers of x' alone (others than integers to order 2), or integer powers of x', "
+            "|x|^M of losses with M even, x|x|^(P-1) with P odd"
+        )
+        raise InputError("start", "no waveforms of closed form are at hand", accepted)
+    found = start_of(scales.kernel)
     weights = [to_sympy(w) for w in scales.kernel.grading.weights]
     local = [s * r**w for s, w in zip(scales.symbols, weights)]
     rows = []
@@ -165,3 +175,12 @@ def any_start(scales: MultipleScales) -> dict[str, Expr]:
         ]
         rows.append(Add(*[scale * part for scale, c in terms for part in Add.make_args(c)]).subs(psi, theta))
     return {"a(0)": (r * (1 + rows[0])).expand(), "psi(0)": theta + rows[1]}
+
+
+def _open_start(scales: MultipleScales, r: Expr) -> dict[str, Expr]:
+    """The same from the closed waveforms of other exponents."""
+    sizes, turns = start_of_open(scales.losses, len(scales.orders) - 1)
+    local = [s * r ** (x - 1) for s, x in zip(scales.symbols, scales.losses)]
+    scale = local if len(sizes) == len(local) else [local[0], local[0] ** 2]
+    size, turn = (Add(*[d * part for d, part in zip(scale, parts)]) for parts in (sizes, turns))
+    return {"a(0)": r * (1 + size), "psi(0)": theta + turn}

@@ -54,7 +54,19 @@ def text_of(s: Any) -> str:
     lines.append("X(psi + pi) = -X(psi)")
     lines += [] if s.oscillator is None else [f"epsilon = {s.strength}"]
     limit = "for every tau >= 0 (alpha >= 1)" if s.valid_until == sympy.oo else f"while tau < {s.valid_until}"
-    return "\n".join([*lines, f"valid   {limit}", f"error   O(epsilon**{s.order}) at fixed epsilon*tau; not certified"])
+    lines += [f"valid   {limit}", f"error   O(epsilon**{s.order}) at fixed epsilon*tau; not certified"]
+    return "\n".join([*lines, *_proved(s)])
+
+
+def _proved(s: Any) -> list[str]:
+    """What is proved of the error, where a strength is given."""
+    if s.oscillator is None:
+        return []
+    found = s.validity
+    if found["valid_label"] != "proved":
+        return [f"proved  nothing for all times: {found['not_proved']}"]
+    end = "every tau >= 0" if found["valid_until"] == "oo" else f"0 <= tau <= {found['valid_until']}"
+    return [f"proved  |x - x_{s.order}| <= {found['valid_within']} for {end} (x_0 = 1, before rounding)"]
 
 
 def _slow_part(s: Any) -> tuple[Expr, Expr, Expr, Expr, list[Eq]]:

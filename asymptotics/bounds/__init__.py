@@ -7,6 +7,9 @@
 ``orbit``         the same half-swing by half-swing, for alpha < 1 as well, as far as it holds
 ``flow``          the truncated equations over any number of half-swings at once, in balls
 ``late``          x at a late time, by the theorem for all turning points
+``waveform``      how large the waveform is, and what an expansion leaves over in the motion, on every piece
+``uniform``       |x - x_N| for all times at once, A and psi solving the truncated equations
+``explicit``      the same for the explicit form of one law
 ``reach``         until when |x - x_N| is proved below a size that is stated
 ``motion``        |x - x_N| at a given time, by an enclosure of x
 ================  ====================================================================================

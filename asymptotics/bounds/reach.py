@@ -1,4 +1,4 @@
-"""Until when |x - x_N| is proved to stay below a size that the user states: the theorem of ``uniform``, asked by time.
+"""Until when |x - x_N| is proved to stay below a size that the user states: a theorem for all times, asked by time.
 
 The bound up to ``until`` grows with ``until``, hence bisection; every time that is handed out was itself proved.
 
@@ -7,6 +7,7 @@ The bound up to ``until`` grows with ``until``, hence bisection; every time that
 (|x - x_N| <= 1/1000 for ever: proved, |x - x_N| <= 1/10000000 for 0 <= t <= 0: not proved)
 """
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -40,25 +41,38 @@ class Reach(Shown, _Ends):
         return rf"|x - x_{{n}}| \le {self.size},\quad 0 \le t \le {end}\ \text{{({self.label})}}"
 
 
+Theorem = Callable[[Fraction | None], Reach]
+
+
 def proved_reach(oscillator: Oscillator, order: int, size: Number) -> Reach:
-    """How long x_N, before rounding, is proved within ``size``; InputError for a size <= 0 and for springs."""
+    """How long x_N of the truncated equations is proved within ``size``, by ``uniform``."""
+
+    def theorem(until: Fraction | None) -> Reach:
+        found = uniform_bound(oscillator, order, until=until)
+        return Reach(found.until or "oo", found.bound, "proved")
+
+    return reach_within(theorem, size)
+
+
+def reach_within(theorem: Theorem, size: Number) -> Reach:
+    """How long x_N, before rounding, is proved within ``size`` by a theorem; InputError for a size <= 0."""
     wanted = exact_number(size, "within")
     if not wanted > 0:
         raise InputError("within", f"{wanted} is no size", "a number > 0 in the units of x")
-    end = _until(oscillator, order, wanted)
+    end = _until(theorem, wanted)
     return Reach(end or "0", str(wanted), "proved" if end else "not proved")
 
 
-def _until(oscillator: Oscillator, order: int, wanted: Number) -> str | None:
+def _until(theorem: Theorem, wanted: Number) -> str | None:
     """The latest time found, "oo" for ever; None for none."""
 
     def proved(until: Fraction | None) -> str | None:
         """The time up to which this bound, small enough, was proved."""
         try:
-            found = uniform_bound(oscillator, order, until=until)
+            found = theorem(until)
         except (LimitError, UndecidedError):
             return None
-        return (found.until or "oo") if parse_rational(found.bound, "bound") <= wanted else None
+        return found.until if parse_rational(found.size, "bound") <= wanted else None
 
     if (end := proved(None)) is not None:
         return end

@@ -114,7 +114,7 @@ class _Theorem:
         self.weights = [(a - 1).ball() for a in waves.alphas]  # exact first: a ball of alpha near 1 has lost 1 - alpha
         self.falling = [bool(a >= 1) for a in waves.alphas]
         self.fades = all(self.falling)
-        limit = _limit(waves, fades=self.fades)
+        limit = largest_strength(waves, fades=self.fades)
         self.limit = arb(limit.numerator) / limit.denominator
 
     def bound(self, *, moving: bool, until: arb | None) -> tuple[arb, arb, arb | None]:
@@ -228,7 +228,7 @@ def displacement_bound(alphas: Sequence[ExactReal], order: int) -> Displacement 
         return None
     waves = waveform_bounds(tuple(alphas), order)
     with ctx.workprec(BITS):
-        grid = [two_digits(_limit(waves, fades=True) * k / _GRID) for k in range(1, _GRID)]
+        grid = [two_digits(largest_strength(waves, fades=True) * k / _GRID) for k in range(1, _GRID)]
         constants = [_constant(waves, order, arb(d.numerator) / d.denominator) for d in grid]
         k = sum(1 for _ in takewhile(lambda c: c <= 2 * constants[0], constants)) - 1
         return Displacement(order, grid[k], constants[k])
@@ -244,7 +244,7 @@ def _constant(waves: WaveformBounds, order: int, d: arb) -> arb:
     return arb((sum(terms, beyond) / low + xi[order] + xi[order + 1] * d).upper())
 
 
-def _limit(waves: WaveformBounds, *, fades: bool) -> Fraction:
+def largest_strength(waves: WaveformBounds, *, fades: bool) -> Fraction:
     """How large |delta| may be: p_N keeps sign and size; where it grows, the known terms of R outweigh the others."""
     r, best = waves.residual, Fraction(0)
     radius = Fraction(float(r.radius))

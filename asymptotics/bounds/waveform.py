@@ -53,12 +53,14 @@ Parts = list[Part]
 @dataclass(frozen=True)
 class WaveformBounds:
     """|R| <= ``residual``(|delta|), and for |n| = k <= N + 1, all psi, in units of the multinomial coefficient of n:
-    |Z_n| <= ``sizes``[k], |c P_n - s Q_n| <= ``displacements``[k], |s P_n + c Q_n| <= ``velocities``[k]."""
+    |Z_n| <= ``sizes``[k], |Z_n' + i Z_n| <= ``turns``[k], |c P_n - s Q_n| <= ``displacements``[k],
+    |s P_n + c Q_n| <= ``velocities``[k]."""
 
     alphas: tuple[ExactReal, ...]
     p: Series
     Omega: Series
     sizes: tuple[arb, ...]
+    turns: tuple[arb, ...]
     displacements: tuple[arb, ...]
     velocities: tuple[arb, ...]
     residual: Remainder
@@ -123,6 +125,7 @@ class _Waveform:
     P: Parts
     Q: Parts
     g: Parts
+    turns: list[arb]
 
     @classmethod
     def of(cls, alphas: tuple[ExactReal, ...], order: int, count: int) -> "_Waveform":
@@ -135,16 +138,9 @@ class _Waveform:
             zero, one = (0,) * len(alphas), pieces.s * 0 + 1
             weights = tuple(a.ball() - 1 for a in alphas)
             powers = [pieces.power(a) for a in alphas]
-            self = cls(
-                order,
-                alphas,
-                weights,
-                true,
-                Flow(true.grading, -p * W, W),
-                pieces,
-                powers,
-                *([{zero: x}] for x in (one, one * 0, one)),
-            )
+            P, Q, g = ([{zero: x}] for x in (one, one * 0, one))
+            cut = Flow(true.grading, -p * W, W)
+            self = cls(order, alphas, weights, true, cut, pieces, powers, P, Q, g, [arb(1)])
             self._solve()
             return self
 
@@ -161,6 +157,7 @@ class _Waveform:
             self.P.append(P)
             self.Q.append(Q)
             self.g.append(g)
+            self.turns.append(_size({k: _modulus(dP[k] - Q[k], dQ[k] + P[k]) for k in dP}))
 
     def _right_hand_sides(self, flow: Flow, force: "_Force", n: int) -> tuple[Part, Part]:
         """The parts of degree n of i (W - 1) Z - (U + U D) Z - i W F e^(-i psi)."""
@@ -200,7 +197,7 @@ class _Waveform:
                 M = arb(0)
             p, Omega = (f.truncate(self.order).without_constant() for f in (self.true.p, self.true.Omega))
             remainder = Remainder(self.order + 1, tuple(rows), M, rho)
-            return WaveformBounds(self.alphas, p, Omega, tuple(sizes), tuple(x), tuple(v), remainder)
+            return WaveformBounds(self.alphas, p, Omega, tuple(sizes), tuple(self.turns), tuple(x), tuple(v), remainder)
 
     def _secular(self) -> arb:
         """|R| of degree N + 1: the true U and W less those of order N, the same for every psi."""

@@ -23,7 +23,7 @@ epsilon**2*(D**2/90 - D/90) + 1
 epsilon**3*(43*pi*D**3/8640 - pi*D**2/720 - 31*pi/8640) + epsilon*(pi*D/8 - pi/8)
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
 from flint import arb, fmpq
@@ -59,8 +59,8 @@ def slow_time(alpha: Any, p: Series, Omega: Series) -> SlowTime:
     return explicit(envelope_of_series(alpha, p, Omega), p.order - 1)
 
 
-def explicit(envelope: LaurentEnvelope, last: int) -> SlowTime:
-    """The same from the Laurent polynomials, through epsilon^``last``."""
+def explicit(envelope: LaurentEnvelope, last: int, weight: Any = None) -> SlowTime:
+    """The same from the Laurent polynomials, through epsilon^``last``; ``weight``: 1/(alpha-1) in their ring."""
     rows = [{n[0]: c for n, c in s.coefficients.items()} for s in (envelope.q, envelope.r, envelope.reversal)]
     q, r, reversal = rows
     lagging: dict[Key, Any] = {(k,): TauPolynomial((0, divided(-c, k - 1))) for k, c in q.items() if 2 <= k <= last}
@@ -69,7 +69,7 @@ def explicit(envelope: LaurentEnvelope, last: int) -> SlowTime:
     for k, c in sorted(reversal.items()):
         if 3 <= k <= last + 1:
             y = y + _monomial(k - 1, k - 1, last) * c * z**k
-    weight = 1 / (envelope.alpha - 1)
+    weight = 1 / (envelope.alpha - 1) if weight is None else weight
     amplitude = ((y.without_constant() + 1).log() * weight).exp()
     phase, powers = Series({}, 1, last), y
     for k in range(1, last + 1):
@@ -129,12 +129,13 @@ def _monomial(n: int, power: int, order: int) -> Series:
 
 def expressions(found: SlowTime) -> tuple[Expr, Expr]:
     """A/A_0 and phi as SymPy expressions in epsilon and D."""
-    amplitude, phase = (_expression(series) for series in found)
+    amplitude, phase = (expression(series, _number) for series in found)
     return amplitude, phase
 
 
-def _expression(series: Series) -> Expr:
-    return _sum((n, i, _number(x)) for n, i, x in _coefficients(series))
+def expression(series: Series, written: Callable[[Any], Expr]) -> Expr:
+    """One series in epsilon and D, each coefficient as it is ``written``."""
+    return _sum((n, i, written(x)) for n, i, x in _coefficients(series))
 
 
 def _sum(rows: Iterable[tuple[int, int, Expr]]) -> Expr:

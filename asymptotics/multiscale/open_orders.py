@@ -125,7 +125,7 @@ def open_scales(
     orders = (leading_order(TURNING_POINT), *(made.order(n) for n in range(1, order + 1)))
     start = InitialConditions(Series.constant(1, len(symbols), order), Series({}, len(symbols), order))
     shapes = (*(f"x'|x'|^({x}-1)" for x in alphas), *(term.shape() for term in terms))
-    return MultipleScales(shapes, symbols, orders, start)
+    return MultipleScales(shapes, symbols, orders, start, losses=alphas if not terms else ())
 
 
 def require_exponents(alphas: tuple[Expr, ...]) -> None:
@@ -271,10 +271,15 @@ def first_wave(alpha: Expr) -> Expr:
 
 def second_wave(alpha: Expr) -> Expr:
     """X_2/a^(2 alpha-1) of one law."""
-    s, c, u, r = sin(psi), cos(psi), lag(alpha), alpha / (alpha + 1)
-    rest = moment(2 * alpha) * (psi - pi / 2) + _sine_integral(2 * alpha, psi)
-    w = r * s ** (alpha + 1) * (u - s**alpha * c / (alpha + 1)) - r**2 * rest
-    return c * alpha / 2 * (u**2 + (s ** (alpha + 1) / (alpha + 1)) ** 2) + s * w
+    s, c, u = sin(psi), cos(psi), lag(alpha)
+    return c * alpha / 2 * (u**2 + (s ** (alpha + 1) / (alpha + 1)) ** 2) + s * second_turn(alpha)
+
+
+def second_turn(alpha: Expr, phase: Expr = psi) -> Expr:
+    """w of X_2 = a^(2 alpha-1) (cos psi u_2 + sin psi w)."""
+    s, c, u, r = sin(phase), cos(phase), lag(alpha, phase), alpha / (alpha + 1)
+    rest = moment(2 * alpha) * (phase - pi / 2) + _sine_integral(2 * alpha, phase)
+    return r * s ** (alpha + 1) * (u - s**alpha * c / (alpha + 1)) - r**2 * rest
 
 
 def wave(letter: str, n: int, phase: Expr = psi) -> Expr:

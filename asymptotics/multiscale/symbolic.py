@@ -68,7 +68,8 @@ class MultipleScales(Shown):
     ``shapes``: the forces in words; ``symbols``: their strengths, epsilon or epsilon_i, c or c_j, and theta_0^2 for a
     pendulum with x in units of theta_0; ``kernel``: the exact solution it shows, if there is one.  ``orders[n]`` holds
     X_n; for several forces X_n collects all terms of total degree n in their strengths ``symbols``
-    (of one force epsilon^n or c^n is taken out).  ``rates[n]`` = (D_n a, D_n psi).
+    (of one force epsilon^n or c^n is taken out).  ``rates[n]`` = (D_n a, D_n psi).  ``losses``: the exponents where
+    waveforms are no polynomials and all forces are powers of x'.
     """
 
     shapes: tuple[str, ...]
@@ -77,6 +78,7 @@ class MultipleScales(Shown):
     start: InitialConditions
     kernel: OddHierarchy | TurningHierarchy | None = None
     notes: tuple[str, ...] = field(default=(), compare=False)
+    losses: tuple[Expr, ...] = field(default=(), compare=False)
 
     @property
     def gauge(self) -> str:

@@ -9,7 +9,7 @@ from flint import arb, ctx
 
 from asymptotics.bounds.flow import TruncatedFlow
 from asymptotics.bounds.turning import rates
-from asymptotics.bounds.uniform import _limit, _Theorem, displacement_bound, uniform_bound
+from asymptotics.bounds.uniform import _Theorem, displacement_bound, largest_strength, uniform_bound
 from asymptotics.bounds.waveform import waveform_bounds
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
@@ -78,7 +78,7 @@ def test_below_alpha_1_it_ends_where_it_says_and_grows_until_then(law):
 def test_at_the_stated_end_delta_is_still_in_range():
     """dA/dt = -p_1 eps A^alpha - ... : for alpha = 1/2, order 1, 2 (1 - sqrt A) = p_1 eps t, delta = eps/sqrt A."""
     waves = waveform_bounds((parse_real("1/2", "alpha"),), 1)
-    limit, p_1 = float(_limit(waves, fades=False)), float(arb(waves.p[1]))
+    limit, p_1 = float(largest_strength(waves, fades=False)), float(arb(waves.p[1]))
     found = float(uniform_bound(Oscillator({"1/2": "1/50"}), 1).until)
     end = 2 * (1 - (0.02 / limit)) / (p_1 * 0.02)
     assert 0.95 * end < found <= end
@@ -215,9 +215,9 @@ def test_the_range_ends_where_the_amplitude_equation_may_lose_its_sign():
     """p = 0.4 d - d^3 is between d (0.4 -+ d^2): a factor of three at d^2 = 0.2; dry friction keeps below 3/10."""
     waves = waveform_bounds(reals("2"), 3)
     p, Omega = (Series({(k,): arb(c) for k, c in row.items()}, 1, 3) for row in ({1: 0.4, 3: -1}, {}))
-    assert 0.42 < _limit(replace(waves, p=p, Omega=Omega), fades=True) < 0.2**0.5
-    assert _limit(waves, fades=True) > 0.5
-    assert _limit(waveform_bounds(reals("0"), 3), fades=False) == Fraction(3, 10)
+    assert 0.42 < largest_strength(replace(waves, p=p, Omega=Omega), fades=True) < 0.2**0.5
+    assert largest_strength(waves, fades=True) > 0.5
+    assert largest_strength(waveform_bounds(reals("0"), 3), fades=False) == Fraction(3, 10)
 
 
 def test_where_the_amplitude_equation_may_lose_its_sign_there_is_no_bound():

@@ -166,3 +166,17 @@ def test_the_largest_is_chosen_in_balls_not_in_doubles():
         one, more = arb(1), 1 + arb(2) ** -70
         assert _size({(0, 1): one, (1, 0): more}) >= more
         assert _modulus(np.array([one, more], dtype=object), np.array([one * 0, one * 0], dtype=object)) >= more
+
+
+@pytest.mark.parametrize("alpha", ["2", "1/2"])
+def test_how_fast_the_waveform_turns_is_attained(alpha):
+    """|Z_k' + i Z_k|, the slope by differences of a quadrature."""
+    h = 1e-6
+    with ctx.workprec(BITS):
+        waveform = _Waveform.of(reals(alpha), 2, 512)
+        rows = [[quadrature(waveform, arb.pi() * j / 24 + step) for step in (-h, 0, h)] for j in range(1, 12)]
+        for k, bound in enumerate(waveform.bounds().turns):
+            if k:
+                slopes = [(acb(*b[(k,)]) - acb(*a[(k,)])) / (2 * h) + acb(0, 1) * acb(*m[(k,)]) for a, m, b in rows]
+                seen = max(float(abs(s)) for s in slopes)
+                assert seen < float(bound) < 1.5 * seen

@@ -17,7 +17,10 @@ import asymptotics as asy
 from asymptotics.api.implicit import ImplicitSolution
 from asymptotics.api.solution import A_0, D, epsilon, kappa, tau
 from asymptotics.cli.main import main
+from asymptotics.envelopes.named_slow_time import named_slow_time, rate_letters
 from asymptotics.errors import InputError
+from asymptotics.half_swings.symbolic import alpha as symbolic_alpha
+from asymptotics.multiscale.orders import a
 from asymptotics.normal_form.digits import certified_digits
 from asymptotics.terms import Term
 
@@ -203,7 +206,56 @@ def test_until_when_a_sum_is_proved_within_a_size(law, size, kind):
 def test_a_proved_time_needs_a_size():
     with pytest.raises(InputError, match="within"):
         asy.solution(FADING, order=2).proved_until(0)
-    assert asy.solution({2: "1/10"}, order=2).to_dict()["valid_label"] == "asymptotic"
+
+
+def test_what_is_proved_is_told_and_what_is_not_has_its_reason(capsys):
+    """One law from rest: proved, with a size; no strength, a start in motion, strong damping: asymptotic, and why."""
+    proved = asy.solution({2: "1/20"}, order=2)
+    told = proved.to_dict()
+    assert (told["valid_until"], told["valid_label"]) == ("oo", "proved")
+    assert told["valid_within"] == proved.proved().size and f"<= {told['valid_within']} for every tau" in str(proved)
+    moving = asy.reference({2: "1/20"})
+    for time in ("7", "100"):
+        gap = float(moving.at(time, digits=15).x) - float(proved.at(time, digits=20).x)
+        assert 0 < abs(gap) <= float(told["valid_within"])
+    for law, why in ((2, "strength"), ({2: 2}, "range"), (asy.Oscillator({2: "1/10"}, v0=1), "start in motion")):
+        found = asy.solution(law, order=2).to_dict()
+        assert found["valid_label"] == "asymptotic" and why in found["not_proved"]
+    assert proved.proved_until("1/1000").until == "oo" and proved.proved_until("1/10000000").label == "not proved"
+    with pytest.raises(InputError, match="within"):
+        proved.proved_until(0)
+    assert main(["solution", "--alpha", "2", "--epsilon", "3", "--order", "2"]) == 0
+    assert "proved  nothing for all times" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("order", [4, 5, 7])
+def test_rates_held_by_name_give_the_closed_solution(order):
+    """Letters replaced by the exact rates of alpha = 2: the solution of that law; with one of them wrong it is not."""
+    exact, (relative, phase) = asy.solution("2", order=order), named_slow_time(symbolic_alpha, order)
+    values = {symbolic_alpha: 2}
+    for letters, side in zip(rate_letters(order), (0, 1)):
+        for n, letter in letters.items():
+            values[letter] = exact.scales.rates[n][side].subs(a, 1) * (1 if side else -1)
+    assert sympy.expand(relative.subs(values) - exact.relative) == 0
+    assert sympy.expand(phase.subs(values) - exact.slow_phase) == 0
+    third = next(letter for letter in values if str(letter) == "p_3")
+    assert sympy.expand(relative.subs(values | {third: values[third] * 2}) - exact.relative) != 0
+
+
+def test_every_letter_of_a_symbolic_exponent_is_defined():
+    found = asy.solution("symbolic", order=5)
+    told = found.to_dict()["where"]
+    letters = (found.amplitude.free_symbols | found.phase.free_symbols) - {tau, epsilon, symbolic_alpha}
+    assert letters and all(any(line.startswith(f"{letter} = ") for line in told) for letter in letters)
+    assert any(line.startswith("p_5 = -a**(") and "f_5" in line for line in told)
+    assert any(line.startswith("f_5 = Integral(") for line in told)
+
+
+@pytest.mark.slow
+def test_a_symbolic_exponent_reaches_order_twelve():
+    """No rate is expanded: the whole of order 12 in a few seconds, and still x(0) = 1."""
+    found = asy.solution("symbolic", order=12)
+    assert sympy.expand(found.relative.subs(D, 1)) == 1 and sympy.expand(found.slow_phase.subs(D, 1)) == 0
 
 
 def test_a_sum_in_motion_has_a_start_and_refuses_what_is_not_exact():
@@ -233,8 +285,8 @@ def test_digits_beyond_those_that_are_shown_are_right():
     """Rates and start of a law without closed forms are made again for more digits."""
     osc = asy.Oscillator({"3/2": "1/10"}, x0="3/5", v0="-4/5")
     short, long = (asy.solution(osc, order=4).at(7, digits=d) for d in (40, 60))
-    for a, b in zip(short, long):
-        assert abs(mpmath.mpf(a) - mpmath.mpf(b)) < mpmath.mpf(10) ** -39
+    for x, y in zip(short, long):
+        assert abs(mpmath.mpf(x) - mpmath.mpf(y)) < mpmath.mpf(10) ** -39
     assert asy.solution("5/2", order=4).to_dict()["x"].count("x_3(") == 1
 
 

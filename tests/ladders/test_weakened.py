@@ -29,6 +29,7 @@ LATE = "tests/bounds/test_late.py"
 PETAL = "tests/divergence/test_bounds.py"
 
 OWN = {
+    "bounds.explicit._Theorem._pieces": "tests/bounds/test_explicit.py::test_on_each_piece_is_what_is_anywhere_on_it",
     "bounds.half_swing.HalfSwingSeries.at": (
         "tests/bounds/test_half_swing_series.py::test_the_motion_is_within_the_bound_and_not_within_half_of_it"
     ),
