@@ -1,4 +1,4 @@
-"""What the letters of a solution mean where waveforms or rates do not close: X_j, f_j, g_j, K_j, L_j, V_j, p_j, Omega_j.
+"""What the letters of a solution mean where waveforms or rates do not close: X_j, f_j, g_j, K_j, L_j, V_j, p_j, ...
 
 >>> from asymptotics.api.solution import solution
 >>> [str(e.lhs) for e in definitions_of(solution("symbolic", order=5))][4:8]
