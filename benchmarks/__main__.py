@@ -22,6 +22,7 @@ BENCHMARKS = {
     "multiple-scales": "multiple_scales",
     "start-up": "start_up",
     "promises": "promises",
+    "identified": "identified",
 }
 """The name of each benchmark, and its module: a function ``run`` that takes a size."""
 

@@ -30,6 +30,7 @@ from asymptotics.terms import Term
 from asymptotics.turning.general import turning_points
 from benchmarks.certified_motion import certified, moments
 from benchmarks.certified_orbits import far_point
+from benchmarks.decays import motion
 from benchmarks.table import Table, seconds_text
 
 AIR = Law({2: "1/10"}, spring="pendulum")
@@ -71,9 +72,21 @@ def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
                 partial(anew, law),
                 1,
             )
+        for degrees, rows, promised in ((40, 3_401, 10), (100, 3_401, 10), (40, 100_000, 20)):
+            angles = swung(degrees, rows)
+            name = f"identify: {rows} rows of a pendulum from {degrees} degrees, default candidates"
+            found[name] = (partial(asy.identify, angles, unit="deg", max_seconds=200), promised)
         found["point 10^9 of 3/2 at 50 digits, after the coefficients"] = (far_point, 1)
         found["reference motion at 10^4 times over 100 swings, 20 digits"] = (lambda: certified(moments(10_000)), 5)
     return found
+
+
+def swung(degrees: float, rows: int) -> dict[str, object]:
+    """A noisy record of a pendulum in air, 79 samples a period (10^5 rows: 500)."""
+    t = np.arange(rows) * (0.08 if rows < 10_000 else 0.0125)
+    x, _ = motion(lambda x: float(np.sin(x)), [(1.0, 0.006), (2.0, 0.008)], float(np.radians(degrees)), t)
+    noisy = np.degrees(x) + 0.1 * np.random.default_rng(rows).standard_normal(rows)
+    return {"t": t / 4, "x": noisy}
 
 
 def constants(alpha: object, digits: int) -> object:

@@ -3,6 +3,7 @@
   asymptotics compare mine.csv --alpha 2 --epsilon 1/10 --columns n,x,tau
   asymptotics compare motion.csv --law 0:1/20 --law 2:1/10 --columns tau=time,x=pos --plot lost.svg
   asymptotics compare table_one.csv --table smith2012.table1 --columns half_cycle,S_hat,u
+  asymptotics compare exported.csv                           # a table of this program says itself what it is
   asymptotics compare lab.csv --alpha 3/2 --damping 1/10 --mass 3/2 --stiffness 30 --x0 1/5 --columns t,x
 
 FILE is CSV.  A row is a turning point (n, with x, amplitude, tau or t) or a moment (tau or t, with x or v).
@@ -12,6 +13,7 @@ digits is -log10 of the relative error: 0 for a wrong sign, at most what the cer
 """
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
 from asymptotics.cli.answer import Answer, add_json, add_max_seconds
@@ -21,10 +23,13 @@ from asymptotics.cli.quantities import PHYSICAL, add_physical, add_start, read_o
 from asymptotics.cli.table import table_inputs
 from asymptotics.comparison.order import told_order
 from asymptotics.comparison.run import MAX_DIGITS, Comparison, Row, compare_file
+from asymptotics.comparison.stated import stated
 from asymptotics.comparison.tabled import compare_table
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.present.files import require_different
+from asymptotics.tables.inputs import Inputs
+from asymptotics.tables.registry import names
 
 _SHOWN = 40
 
@@ -58,6 +63,13 @@ def run(options: argparse.Namespace) -> Answer:
 def _compared(options: argparse.Namespace, digits: int | None) -> tuple[Comparison, str]:
     """The comparison, and what the values were held against."""
     path = Path(options.file)
+    head = stated(path)
+    if options.table is None and head is not None and head.table in names() and not _said(options):
+        law = list(head.law) or None
+        inputs = table_inputs(None, None, law, None) if law else Inputs.of(head.alphas, None, head.epsilons)
+        inputs = replace(inputs, rows=head.rows)
+        found = compare_table(path, head.table, inputs, columns=options.columns, digits=digits)
+        return found, f"{head.table}, with the inputs of its head"
     if options.table is None:
         given = read_oscillator(options, "epsilon", epsilon_beside_units=True)
         own = given.si or options.x0 is not None
@@ -68,6 +80,11 @@ def _compared(options: argparse.Namespace, digits: int | None) -> tuple[Comparis
             raise InputError(f"--{name}", "a table has its own units", "no such option with --table")
     inputs = table_inputs(options.alpha, options.epsilon, options.law, None)
     return compare_table(path, options.table, inputs, columns=options.columns, digits=digits), options.table
+
+
+def _said(options: argparse.Namespace) -> bool:
+    """Whether the command itself says what the values are of."""
+    return any(getattr(options, name) is not None for name in (*PHYSICAL, "alpha", "epsilon", "law", "x0"))
 
 
 def _text(found: Comparison, equation: str) -> str:
@@ -89,6 +106,7 @@ def _text(found: Comparison, equation: str) -> str:
         *([order] if (order := told_order(summary.get("order", {}))) else []),
         f"the errors look like {look['kind']}: {look['reason']}",
         *([summary["ended"]] if "ended" in summary else []),
+        *(f"not compared: {name} (of a gauge and an order)" for name in summary.get("not_compared", ())),
         f"certified: {str(found.certified).lower()} ({found.method})",
     ]
     return "\n".join(lines)

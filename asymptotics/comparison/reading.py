@@ -65,7 +65,7 @@ def read_sheet(
     place_of = "FILE line" if isinstance(path, Path) else "row"
     if not rows:
         raise InputError("FILE", f"{path} has no rows of values", "a CSV file with a header")
-    names, units = _names(header) if header else ([f"column {i + 1}" for i in range(len(rows[0][1]))], {})
+    names, units = _names(header, known) if header else ([f"column {i + 1}" for i in range(len(rows[0][1]))], {})
     if header is None and mapping is None:
         accepted = f"--columns, such as n,x,tau (known: {', '.join(known)})"
         raise InputError("FILE", f"{path} has no header", accepted)
@@ -189,11 +189,15 @@ def _is_number(cell: str) -> bool:
     return True
 
 
-def _names(header: list[str]) -> tuple[list[str], dict[int, str]]:
-    """The names of the columns without their units, and the units by place."""
+def _names(header: list[str], known: tuple[str, ...]) -> tuple[list[str], dict[int, str]]:
+    """The names of the columns without their units, and the units by place; a known name is whole as it is.
+
+    >>> _names(["M_(alpha+1)", "x [m]"], ("M_(alpha+1)", "x"))
+    (['M_(alpha+1)', 'x'], {1: 'm'})
+    """
     names, units = [], {}
     for place, cell in enumerate(header):
-        unit = _UNIT.search(cell)
+        unit = None if cell.strip() in known else _UNIT.search(cell)
         names.append((cell[: unit.start()] if unit else cell).strip())
         if unit:
             units[place] = unit["unit"].strip()

@@ -152,7 +152,7 @@ def compare_file(
     The file is in the units of the oscillator if ``si``, else dimensionless.  ``digits`` of the certified values: by
     default four more than the longest value given.  InputError for what the file does not say or says wrongly.
     """
-    sheet = read_sheet(path, columns, si=si)
+    sheet, left = read_sheet(path, columns, si=si), list[str]()
     key = next((name for name in ("n", "tau", "t") if name in sheet.columns), None)
     values = [name for name in sheet.columns if name != key]
     if key is None or not values:
@@ -166,7 +166,9 @@ def compare_file(
         truth = at_turning_points(oscillator, numbers, wanted, set(values), si=si)
         errors, shift = _of_turning(sheet, truth, numbers, values, oscillator, si)
     else:
-        if set(values) - {"x", "v"}:
+        left = [name for name in values if name not in ("x", "v")]
+        values = [name for name in values if name in ("x", "v")]
+        if not values or (left and columns is not None):
             raise InputError("columns", "at a time there are x and v", "tau,x  or  tau,x,v")
         times = list(sheet.numbers[key])
         truth = at_times(oscillator, times, wanted, values, si=si)
@@ -175,6 +177,7 @@ def compare_file(
     summary = summary_of(rows, _judged(rows, errors, shift))
     summary["order"] = order_of(list(sheet.numbers[key]), counted=key == "n")
     summary |= {"ended": truth.ended} if truth.ended else {}
+    summary |= {"not_compared": left} if left else {}
     return Comparison(rows, summary, truth.certified, truth.method)
 
 

@@ -40,9 +40,10 @@ def compare_table(
     """Compare a file, or columns by name, with the table ``name``; InputError for rows and columns that it lacks."""
     about = description(name)
     names = tuple(about["columns"])
-    sheet = read_sheet(path, columns, names, words=tuple(about["keys"]))
+    words = tuple(c for c, unit in zip(names, about["units"]) if not unit or c in about["keys"])
+    sheet = read_sheet(path, columns, names, words=words)
     keys = [column for column in sheet.columns if column in about["keys"]]
-    values = [column for column in sheet.columns if column not in keys and about["units"][names.index(column)]]
+    values = [column for column in sheet.columns if column not in words]
     if not keys or not values:
         raise InputError("columns", f"{name} needs a key and a value", f"keys {', '.join(about['keys'])}; {names}")
     given = inputs or Inputs()

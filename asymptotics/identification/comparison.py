@@ -1,6 +1,6 @@
 """One law against one run: its fit, the intervals of its strengths, and how it predicts swings it has not seen."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -11,6 +11,7 @@ from asymptotics.identification.candidates import Candidate
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.contradiction import Contradiction, further_parameters
 from asymptotics.identification.fitting import Fit, Model, Noise, fit
+from asymptotics.identification.grades import ADEQUATE, Unexplained, percent
 from asymptotics.identification.in_time import ALL, Time
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import DecrementModel, Decrements, decrement_start
@@ -20,6 +21,8 @@ from asymptotics.identification.starting import starting_values
 from asymptotics.identification.waveform import WaveformModel
 
 _ALWAYS, _MARGIN, _WORSE = 6, 50.0, 1e-3
+_MANY, _FAR = 6, 10.0
+"""So many laws of one spring are worth a look at the largest of them first."""
 _SHARE = 0.2
 """Of the time that is left, what one fit may take."""
 UNTRIED = "not tried to its end: the time was over"
@@ -46,6 +49,22 @@ class LawFit:
     stretches: tuple[float, ...] = ()
     left: float = 1.0
     unneeded: tuple[str, ...] = ()
+    unexplained: Unexplained | None = None
+
+    @property
+    def grade(self) -> str:
+        """consistent (at the noise level), adequate (contradicted, but it leaves little of the loss), refuted, or
+        undetermined."""
+        left = self.unexplained
+        near = left is not None and left.share <= ADEQUATE and not self.negative
+        return "adequate" if self.verdict == "refuted" and near else self.verdict
+
+    @property
+    def graded(self) -> str:
+        """The grade in words."""
+        if self.grade != "adequate" or self.unexplained is None:
+            return self.grade
+        return f"adequate to {percent(self.unexplained.share)} of the loss"
 
     @property
     def criterion(self) -> float:
@@ -109,19 +128,26 @@ def fit_laws(
     the time does not suffice for has no fit, and says so.
     """
     fits = [LawFit(c, None, reason=UNTRIED) for c in candidates]
-    half, points, look = time.part(0.5), seen, noise
+    half, points, look, first = time.part(0.5), seen, noise, first_of_families(candidates)
     if seen.samples is not None:
         points, look = (
             replace(seen, samples=None),
             Noise(*(float(np.sqrt(np.mean(s**2))) for s in (seen.sigma_x, seen.sigma_t))),
         )
-    for i in sorted(range(len(fits)), key=lambda i: fits[i].parameters):
+    for i in sorted(range(len(fits)), key=lambda i: (candidates[i] not in first, fits[i].parameters)):
+        far = _beyond_hope(candidates[i], fits, first)
+        if far:
+            fits[i] = LawFit(candidates[i], None, verdict="refuted", reason=far)
+            continue
         tick(f"the first look at the law {candidates[i]}")
         fits[i] = half.within(_SHARE, partial(fit_law, candidates[i], points, look, coarse=True), fits[i])
     order, least = sorted(range(len(fits)), key=lambda i: fits[i].criterion), float("inf")
+    margin = _margin(fits)
     for rank, i in enumerate(order):
         rough = fits[i]
-        if rank < _ALWAYS or rough.criterion < least + _MARGIN or not _is_good(rough.fit):
+        if rough.verdict == "refuted":
+            continue
+        if rank < _ALWAYS or rough.criterion < least + margin or not _is_good(rough.fit):
             tick(f"the law {candidates[i]}; the best at the first look: {candidates[order[0]]}")
             work = partial(fit_law, candidates[i], seen, noise, start=None if rough.fit is None else rough.fit.theta)
             kept = rough if _is_good(rough.fit) and points is seen else LawFit(candidates[i], None, reason=UNTRIED)
@@ -130,14 +156,84 @@ def fit_laws(
         elif points is not seen:
             reason = f"far from the data at the first look (AICc {rough.criterion - least:.3g} above the best)"
             fits[i] = LawFit(candidates[i], None, verdict="refuted", reason=reason)
-    return _nested(fits, seen, noise, time)
+    fits = _nested(_reconsidered(fits, seen, noise, time), seen, noise, time)
+    return fits
+
+
+def _reconsidered(fits: Sequence[LawFit], seen: Observations, noise: Noise | None, time: Time) -> list[LawFit]:
+    """The same fits, with those that the first look left out although a law that contains them hardly needs its
+    further terms: their strengths are 0 within ``_MARGIN`` of chi-squared."""
+    found = list(fits)
+    for i in sorted(range(len(found)), key=lambda i: -found[i].parameters):
+        if found[i].fit is not None or found[i].verdict != "refuted":
+            continue
+        least = min((law.criterion for law in found), default=float("inf"))
+        near = [law for law in found if law.usable and law.criterion < least + _MARGIN]
+        for law in near:
+            if law.fit is not None and found[i].candidate.is_within(law.candidate) and _dispensable(law, found[i]):
+                start = _embedded(law.fit, law.candidate, found[i].candidate)
+                work = partial(fit_law, found[i].candidate, seen, noise, start=start)
+                found[i] = time.within(_SHARE, work, LawFit(found[i].candidate, None, reason=UNTRIED))
+                break
+    return found
+
+
+def _dispensable(larger: LawFit, law: LawFit) -> bool:
+    assert larger.fit is not None
+    first = larger.fit.model.law.start
+    further = [first + k for k, e in enumerate(larger.candidate.elements) if e not in law.candidate.elements]
+    strengths, covariance = larger.fit.theta[further], larger.fit.covariance[np.ix_(further, further)]
+    return float(strengths @ np.linalg.pinv(covariance) @ strengths) < _MARGIN
+
+
+def _margin(fits: Sequence[LawFit]) -> float:
+    """How far from the best a law is far: farther where the best itself leaves more than the noise that is stated."""
+    best = min((law for law in fits if law.fit is not None), key=lambda law: law.criterion, default=None)
+    if best is None or best.fit is None or not best.fit.known:
+        return _MARGIN
+    return _MARGIN * max(best.fit.chi2 / max(best.fit.freedom, 1), 1.0)
+
+
+def first_of_families(candidates: Sequence[Candidate]) -> dict[Candidate, list[Candidate]]:
+    """The law of a spring (or the pendulum) that contains the others with it, where they are many, with those; and
+    the smallest ones, which show whether the fit of the largest can be trusted."""
+    families: dict[tuple[tuple[int, ...], bool], list[Candidate]] = {}
+    for candidate in candidates:
+        families.setdefault((candidate.springs, candidate.pendulum), []).append(candidate)
+    found: dict[Candidate, list[Candidate]] = {}
+    for family in families.values():
+        largest = max(family, key=lambda c: len(c.losses))
+        inside = [c for c in family if c.is_within(largest)]
+        if len(inside) >= _MANY:
+            found[largest] = inside
+            found |= {c: [] for c in inside if len(c.losses) == 1}
+    return found
+
+
+def _beyond_hope(candidate: Candidate, fits: Sequence[LawFit], first: Mapping[Candidate, Sequence[Candidate]]) -> str:
+    """Why a law needs no look: the one that contains it is far from the data, and no worse than what it contains."""
+    if candidate in first:
+        return ""
+    looked = {law.candidate: law for law in fits if law.fit is not None and law.candidate in first}
+    least = min((law.criterion for law in looked.values()), default=float("inf"))
+    for largest, inside in first.items():
+        head = looked.get(largest)
+        if head is None or candidate not in inside or not _is_good(head.fit):
+            continue
+        trusted = all(_likelihood(head) >= _likelihood(looked[c]) - _WORSE for c in inside if c in looked)
+        if trusted and -2 * _likelihood(head) > least + _FAR * _margin(fits):
+            beyond = -2 * _likelihood(head) - least
+            return (
+                f"far from the data at the first look: so is {largest}, which contains it ({beyond:.3g} above the best)"
+            )
+    return ""
 
 
 def _nested(fits: Sequence[LawFit], seen: Observations, noise: Noise | None, time: Time) -> list[LawFit]:
     """The same fits, none worse than that of a law it contains."""
     found = list(fits)
     for i in sorted(range(len(found)), key=lambda i: found[i].parameters):
-        if found[i].reason == UNTRIED:
+        if found[i].reason == UNTRIED or found[i].verdict == "refuted":
             continue
         inside = [law for law in found if law.usable and further_parameters(law.candidate, found[i].candidate) == 0]
         best = max((law for law in inside if law.fit), key=_likelihood, default=found[i])

@@ -63,7 +63,8 @@ def replicas(fit: Fit, count: int = REPLICAS, seed: int = 1) -> Array:
         drawn[:, group] = r[order[:, : len(r)] % len(r)]
     J = fit.slopes / sigma[:, None]
     size = np.linalg.norm(J, axis=0) + 1e-300
-    change = product(drawn, np.linalg.pinv(J / size, rcond=1e-12).T)
+    J = J / size
+    change = product(drawn, J) @ np.linalg.pinv(J.T @ J, rcond=1e-13)
     return np.asarray(fit.theta + change / size)
 
 

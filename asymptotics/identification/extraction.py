@@ -42,8 +42,9 @@ _LEAST_SAMPLES = 22
 _LEAST_ROWS = 50
 _FAR = 1.4
 """Radians beyond which the flat extremes and the growing half periods of a pendulum are no cosines any more."""
-_SPARSE, _NOISY = 100.0, 2e-3
-"""Samples a period and noise at which extremes tell less than the samples do: then the motion is fitted."""
+_SPARSE, _NOISY, _DEEP = 100.0, 2e-3, 8.0
+"""Samples a period, and noise, at which extremes tell less than the samples do, and how near to the noise a decay may
+come: then the motion is fitted."""
 _FEW = 1.0
 """Extremes a period (there are two) below which a line is taken off before the passages are sought."""
 _MEANS, _FEW_MEANS = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16, np.array([1.0, 2.0, 1.0]) / 4
@@ -96,8 +97,9 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: Rows = _
     else:
         notes.append(f"base line {base[0]:.4g} removed")
     chosen, discarded = _free_decay(found)
-    sparse = per_period < _SPARSE and found.noise > _NOISY * abs(found.x[chosen[0]])
-    if sparse and len(t) <= MAX_SAMPLES and (t[-1] - t[0]) / period > 4:
+    noisy = found.noise > _NOISY * abs(found.x[chosen[0]])
+    hard = per_period < _SPARSE or abs(found.x[chosen[-1]]) < _DEEP * found.noise
+    if noisy and hard and (t[-1] - t[0]) / period > 4:
         free = (t >= found.t[chosen[0]]) & (t <= found.t[chosen[-1]])
         kept = (*table.notes, *discarded)
         return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=kept, period=period)

@@ -84,6 +84,14 @@ class Model:
         self._known = law.copy(), run
         return run
 
+    def amplitudes(self, theta: Array) -> tuple[Array, Array]:
+        """The amplitudes at the turning points 0 ... last, about the rest position, in the unit of the data, and their
+        derivatives by the first amplitude and the law."""
+        run = self._sequence(theta)
+        radius = self.reference * np.exp(run.a)
+        size, stretch = (radius, np.ones(1)) if self.angle is None else angle(radius, self.angle)
+        return size, radius * stretch * run.d_a
+
     def predict(self, theta: Array) -> tuple[Array, Array]:
         """The predicted data and their derivatives (data, parameters); TooStrongError outside the model's domain."""
         seen, after = self.seen, self.after
@@ -171,6 +179,12 @@ class Fit:
         return self.residuals / self.model.scale_vector(self.scales)
 
     @property
+    def rest(self) -> float:
+        """The rest position among the turning points: those of a line through samples are about it already."""
+        model = self.model
+        return float(self.theta[model.after]) if model.offset and model.seen.samples is None else 0.0
+
+    @property
     def chi2(self) -> float:
         """The weighted sum of squares."""
         return float((self.weighted**2).sum())
@@ -256,10 +270,11 @@ def likely_scales(model: Model, theta: Array, scales: dict[str, float]) -> dict[
 
 def _left_over(model: Model, slopes: Array, scales: dict[str, float]) -> dict[str, float]:
     J = slopes / model.scale_vector(scales)[:, None]
-    U = np.linalg.svd(J / (np.linalg.norm(J, axis=0) + 1e-300), full_matrices=False)[0]
-    leverage = (U**2).sum(axis=1)
+    J = J / (np.linalg.norm(J, axis=0) + 1e-300)
+    inverse = np.linalg.pinv(J.T @ J, rcond=1e-13)
     return {
-        kind: group.stop - group.start - float(leverage[group].sum()) for kind, group in zip(model.kinds, model.groups)
+        kind: group.stop - group.start - float(np.sum(inverse * (J[group].T @ J[group])))
+        for kind, group in zip(model.kinds, model.groups)
     }
 
 

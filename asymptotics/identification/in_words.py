@@ -43,8 +43,7 @@ def equivalent(law: LawFit, omega_0: float | None) -> dict[str, Any] | None:
     losses, fit = _losses(law), law.fit
     if losses is None or fit is None or not fit.model.alternating:
         return None
-    centre = float(fit.theta[fit.model.after]) if fit.model.offset else 0.0
-    size = np.abs(fit.model.seen.x - centre)
+    size = np.abs(fit.model.seen.x - fit.rest)
     ends = [float(size[0]), float(size[-1])]
     zeta = equivalent_ratio(losses)
     ratios = [float(zeta(a)) for a in ends]

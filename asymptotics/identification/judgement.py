@@ -15,6 +15,7 @@ from asymptotics.identification.adequacy import Levels, adequate
 from asymptotics.identification.comparison import LawFit, with_intervals
 from asymptotics.identification.contradiction import REFUTED, Contradiction, contradiction, further_parameters
 from asymptotics.identification.correlation import is_correlated, replicas, stretch
+from asymptotics.identification.grades import unexplained
 from asymptotics.identification.in_time import ALL, Time
 from asymptotics.identification.profile import Interval
 
@@ -56,7 +57,9 @@ def _measured(law: LawFit, levels: Levels, bootstrap: bool) -> LawFit:
     if bootstrap and is_correlated(law.fit):
         drawn = replicas(law.fit)
         stretches = tuple(stretch(law.fit, g, drawn) for g in law.functions)
-    law = replace(law, misfit="" if good else said, residuals=said, stretches=stretches)
+    law = replace(
+        law, misfit="" if good else said, residuals=said, stretches=stretches, unexplained=unexplained(law.fit)
+    )
     return with_intervals(law, profiled=False)
 
 

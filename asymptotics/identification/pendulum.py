@@ -32,6 +32,7 @@ from asymptotics.identification.coefficients import (
     theta_grid,
 )
 from asymptotics.identification.quadrature import TooStrongError
+from asymptotics.identification.stepped import PRECISE, is_smooth, stepped_swings
 from asymptotics.identification.swing import QUANTITIES, Swing, SwingValues
 from asymptotics.numbers.context import lru_cache
 
@@ -88,7 +89,10 @@ class PendulumSwing(Swing):
         scale = np.exp(np.clip(weights[:, None] * a, -50, 50))
         found = SwingValues((C * monomials).sum(axis=1), by_a, by_delta * scale[:, None])
         if wild.any():
-            exact = _integrated(self.elements, a[wild], parameters, self.k2)
+            if self.tolerance >= PRECISE and is_smooth(self.elements):
+                exact = stepped_swings(self.elements, a[wild], parameters, self.k2, self.tolerance)
+            else:
+                exact = _integrated(self.elements, a[wild], parameters, self.k2)
             for part, replaced in zip((found.values, found.by_amplitude, found.by_parameter), exact, strict=True):
                 part[..., wild] = replaced
         return found

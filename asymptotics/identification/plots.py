@@ -12,10 +12,10 @@ import numpy as np
 
 from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Array
-from asymptotics.identification.comparison import LawFit, strength
+from asymptotics.identification.comparison import LawFit
 from asymptotics.identification.fitting import Fit
+from asymptotics.identification.grades import percent
 from asymptotics.identification.profile import profile_curve
-from asymptotics.identification.sequence import turning_sequence
 from asymptotics.present.drawn import head
 
 _SHOWN = 3
@@ -53,13 +53,10 @@ def _fit_of(law: LawFit) -> Fit:
 def _decay(axes: Any, law: LawFit, unit: str) -> None:
     fit = _fit_of(law)
     model, seen = fit.model, fit.model.seen
-    run = turning_sequence(model.swing, seen.last, fit.theta[: model.after])
-    centre = float(fit.theta[model.after]) if model.offset else 0.0
+    size, centre = model.amplitudes(fit.theta)[0], fit.rest
     n = np.arange(seen.last + 1)
     for sign in (1, -1):
-        axes.plot(
-            n, centre + sign * seen.reference * np.exp(run.a), color="C1", lw=1, label="envelope" if sign > 0 else None
-        )
+        axes.plot(n, centre + sign * size, color="C1", lw=1, label="envelope" if sign > 0 else None)
     axes.plot(seen.n, seen.x, "o", markersize=3, label="turning points")
     axes.set(xlabel="turning point n", ylabel=f"x ({unit})" if unit else "x")
     head(axes, [f"decay and envelope of {law.candidate}"])
@@ -68,10 +65,9 @@ def _decay(axes: Any, law: LawFit, unit: str) -> None:
 def decrement_band(fit: Fit) -> tuple[Array, Array, Array]:
     """(mean amplitude, decrement, half-width of its 95 % band) of a law at the measured turning points."""
     model = fit.model
-    run = turning_sequence(model.swing, model.seen.last, fit.theta[: model.after])
-    size = model.seen.reference * np.exp(run.a)
+    size, by_law = model.amplitudes(fit.theta)
     slopes = np.zeros((model.size, len(size) - 1))
-    slopes[: model.after] = size[:-1] * run.d_a[:, :-1] - size[1:] * run.d_a[:, 1:]
+    slopes[: model.after] = by_law[:, :-1] - by_law[:, 1:]
     spread = np.sqrt(np.maximum(np.einsum("in,ij,jn->n", slopes, fit.covariance, slopes), 0.0))
     return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], 1.96 * spread
 
@@ -80,7 +76,7 @@ def draw_decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
     """What was measured, and the decrement of each law with the band of its 95 % region."""
     fit = _fit_of(laws[0])
     seen = fit.model.seen
-    size = np.abs(seen.x - (float(fit.theta[fit.model.after]) if fit.model.offset else 0.0))
+    size = np.abs(seen.x - fit.rest)
     next_ = np.diff(seen.n) == 1
     mean, decrement = ((size[1:] + size[:-1]) / 2)[next_], (size[:-1] - size[1:])[next_]
     axes.plot(mean, decrement, "o", markersize=3, color="0.5", label="measured")
@@ -88,13 +84,32 @@ def draw_decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
         amplitude, value, band = decrement_band(_fit_of(law))
         axes.plot(amplitude, value, color=f"C{i}", label=str(law.candidate))
         axes.fill_between(amplitude, value - band, value + band, color=f"C{i}", alpha=0.25, lw=0)
+    _draw_left(axes, laws[0])
     suffix = f" ({unit})" if unit else ""
     axes.set(xlabel="mean amplitude" + suffix, ylabel="decrement" + suffix)
     head(axes, ["decrement against amplitude"])
 
 
+def _draw_left(axes: Any, law: LawFit) -> None:
+    """What the law leaves of the loss: the measured loss, smoothed, where it is not that of the law."""
+    left = law.unexplained
+    if left is None or law.verdict == "consistent" or not left.share > 0:
+        return
+    amplitude, value, _ = decrement_band(_fit_of(law))
+    drawn = np.interp(left.amplitudes, amplitude[::-1], value[::-1])
+    label = f"left unexplained: {percent(left.share)} of the loss"
+    axes.fill_between(left.amplitudes, drawn, drawn * (1 + left.ratio), color="C3", alpha=0.4, lw=0, label=label)
+
+
 def _residuals(axes: Any, law: LawFit) -> None:
     fit = _fit_of(law)
+    samples = fit.model.seen.samples
+    if samples is not None:
+        axes.plot(samples.t, fit.weighted, ".", markersize=2, label=f"{len(samples.t)} samples")
+        axes.axhline(0, color="0.5", lw=0.6)
+        axes.set(xlabel="t", ylabel="residual / standard deviation")
+        head(axes, [f"residuals of {law.candidate}"])
+        return
     numbers = {"x": fit.model.seen.n, "t": fit.model.seen.n, "passage": fit.model.seen.passage_n}
     for kind, group in zip(fit.model.kinds, fit.model.groups):
         axes.plot(numbers[kind], fit.weighted[group], "o", markersize=3, label=kind)
@@ -106,7 +121,7 @@ def _residuals(axes: Any, law: LawFit) -> None:
 def _profile(axes: Any, law: LawFit) -> None:
     fit = _fit_of(law)
     for i, name in enumerate(law.candidate.alphas):
-        values, rise = profile_curve(fit, strength(law.candidate, i, fit.model.seen.reference), count=13)
+        values, rise = profile_curve(fit, law.functions[i], count=13)
         estimate = law.epsilon[i].estimate
         axes.plot((values - estimate) / (abs(estimate) or 1.0), rise, label=f"strength of {name}")
     axes.axhline(3.84, color="0.5", lw=0.6)

@@ -18,7 +18,7 @@ from asymptotics.identification.quadrature import TooStrongError
 from asymptotics.present.shown import Page, Shown
 
 Function = Callable[[Array], tuple[float, Array]]
-_STEPS = 12
+_STEPS, _CLOSE = 12, 5e-3
 
 
 @dataclass(frozen=True)
@@ -135,7 +135,7 @@ def _end(fit: Fit, g: Function, value: float, error: float, t: float) -> float |
             continue
         height = float(np.sqrt(max(rise, 0.0)))
         known.append((height, at))
-        if abs(height - t) < 2e-3 * t:
+        if abs(height - t) < _CLOSE * t:
             return at
         (h0, v0), (h1, v1) = sorted(known, key=lambda point: abs(point[0] - t))[:2]
         slope = (v1 - v0) / (h1 - h0) if h1 != h0 else 0.0
@@ -154,7 +154,13 @@ def _minimum_at(fit: Fit, g: Function, start: Array, target: float, error: float
         value, gradient = g(theta)
         return (value - target) / width, gradient / width
 
-    theta, _ = minimise(fit.model, start, fit.scales, penalty)
+    gradient = g(fit.theta)[1]
+    step = fit.covariance @ gradient
+    straight = fit.theta + step * (target - g(fit.theta)[0]) / max(float(gradient @ step), 1e-300)
+    try:
+        theta, _ = minimise(fit.model, straight, fit.scales, penalty)
+    except TooStrongError:  # where a straight line leaves the model's domain, the last point of the curve may not
+        theta, _ = minimise(fit.model, start, fit.scales, penalty)
     predicted, _ = fit.model.predict(theta)
     r = (fit.model.data - predicted) / fit.model.scale_vector(fit.scales)
     return theta, g(theta)[0], float(r @ r) - fit.chi2

@@ -63,6 +63,8 @@ class LawAnswer(Rows):
             "alphas": list(candidate.alphas),
             "springs": [str(p) for p in candidate.springs],
             "verdict": law.verdict,
+            "grade": law.grade,
+            "unexplained": None if law.unexplained is None else _number(law.unexplained.share),
             "reason": law.reason or None,
             "epsilon": [e.to_dict() for e in law.epsilon],
             "spring_strengths": [e.to_dict() for e in law.springs],
@@ -133,7 +135,7 @@ class LawAnswer(Rows):
             strengths = f"alpha {_shown(law.alpha)}  " + strengths
         excess = f"{law.excess:.1f}" if np.isfinite(law.excess) else "-"
         held = "-" if law.held_out is None else f"{law.held_out:.2f}"
-        verdict = law.verdict + (f", {' and '.join(law.unneeded)} not needed" if law.unneeded else "")
+        verdict = law.graded + (f", {' and '.join(law.unneeded)} not needed" if law.unneeded else "")
         return str(law.candidate), verdict, excess, held, strengths
 
 

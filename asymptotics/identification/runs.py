@@ -69,7 +69,8 @@ def _judged(place: int, laws: Sequence[LawFit], least: float, per_run: Sequence[
     law = laws[place]
     if not np.isfinite(law.criterion):
         return law
-    found = [_combined([against(run[place], run[i]) for run in per_run]) for i in range(len(laws)) if i != place]
+    rivals = [i for i, other in enumerate(laws) if i != place and not other.negative]
+    found = [_combined([against(run[place], run[i]) for run in per_run]) for i in rivals]
     law = replace(law, excess=law.criterion - least, against=min(found, key=lambda c: c.p, default=Contradiction()))
     if law.against.p < REFUTED:
         return law.judged_as("refuted", f"{law.against}, in all runs together")

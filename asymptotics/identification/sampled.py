@@ -11,13 +11,16 @@ import numpy as np
 
 from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Array
-from asymptotics.identification.demodulation import Line, demodulated
+from asymptotics.identification.demodulation import Line, demodulated, dominant_period
 from asymptotics.identification.observations import Observations, Samples
 
-MAX_SAMPLES = 20_000
+MAX_SAMPLES, ENOUGH = 20_000, 6_000
+_A_PERIOD = 24
 LEAST_SAMPLES = 14
 _PER_PERIOD = 2.2
 _HIDDEN, _LOUD = 1.5, 0.5
+_TRUE, _GUESSED = 3e-4, 0.05
+"""What the line itself may be off, as a share of an extreme: inside the record, and beyond its ends."""
 _WORDS = ("the motion", "the velocity", "the acceleration")
 
 
@@ -27,9 +30,12 @@ def observations_of_motion(
 ) -> Observations:  # fmt: skip
     """The samples of a free decay, with the turning points of a smooth line through them; InputError if there is no
     such line."""
-    if len(t) > MAX_SAMPLES:
-        t, x, said = _thinned(t, x)
-        notes = (*notes, said)
+    if len(t) > ENOUGH:
+        period = period or dominant_period(t, x)
+        step = _thinning(t, period)
+        if step > 1:
+            t, x = _thinned(t, x, 2 * np.pi / period, step)
+            notes = (*notes, f"the means of {step} samples each are fitted")
     line = demodulated(t, x, period)
     keep = _free(line, t)
     if keep.sum() >= LEAST_SAMPLES and not keep.all():
@@ -37,23 +43,33 @@ def observations_of_motion(
         notes = (*notes, f"free decay from t = {t[0]:.6g} to {t[-1]:.6g}: the rest is forced, held or hidden by noise")
         line = demodulated(t, x, 2 * np.pi / line.omega)
     _require_line(line, t, name)
-    n, times, values = line.turning_points(derivative)
+    n, times, values, inside = line.turning_points(derivative)
     per_period = 2 * np.pi / line.omega / float(np.median(np.diff(t)))
     said = f"all {len(t)} samples of {_WORDS[derivative]} fitted ({per_period:.3g} a period); noise {line.noise:.3g}"
     said += f", neighbours correlated by {line.memory:.2f}: allowed for" if line.memory else ""
     samples = Samples(t, x, line.noise, line.freedom, line.memory, derivative)
     # as if each swing were known by its own samples alone: the first look then weighs laws as the samples will
     error = np.full(len(n), line.noise / line.omega**derivative * np.sqrt(4 / max(per_period, _PER_PERIOD)))
+    error = np.hypot(error, np.where(inside, _TRUE, _GUESSED) * np.abs(values))
     late = error / np.abs(values) / line.omega
     seen = Observations.of(n, values, times, sigma_x=error, sigma_t=late, unit=unit, name=name, notes=(*notes, said))
     return replace(seen, x=values, samples=samples)
 
 
-def _thinned(t: Array, x: Array) -> tuple[Array, Array, str]:
-    step = -(-len(t) // MAX_SAMPLES)
+def _thinning(t: Array, period: float) -> int:
+    """How many samples are one mean: as many as leave ``ENOUGH``, and enough of a period; in the end MAX_SAMPLES."""
+    per_period = period / float(np.median(np.diff(t)))
+    return max(min(len(t) // ENOUGH, int(per_period / _A_PERIOD)), -(-len(t) // MAX_SAMPLES), 1)
+
+
+def _thinned(t: Array, x: Array, omega: float, step: int) -> tuple[Array, Array]:
+    """Means of groups of samples, over |mean of e^(i omega t)| of each: a mean is smaller than the middle of a wave."""
     count = len(t) // step * step
-    means = (v[:count].reshape(-1, step).mean(axis=1) for v in (t, x))
-    return *means, f"the means of {step} samples each are fitted"
+    times, values = t[:count].reshape(-1, step), x[:count].reshape(-1, step)
+    middle = times.mean(axis=1)
+    smaller = np.abs(np.exp(1j * omega * (times - middle[:, None])).mean(axis=1))
+    level = float(np.median(values))
+    return middle, level + (values.mean(axis=1) - level) / np.maximum(smaller, 0.1)
 
 
 def _free(line: Line, t: Array) -> Array:

@@ -20,6 +20,7 @@ from numpy.polynomial import chebyshev
 
 from asymptotics.identification.coefficients import Array, Element, SwingCoefficients, product, swing_coefficients
 from asymptotics.identification.quadrature import TooStrongError, integrated_swings
+from asymptotics.identification.stepped import PRECISE, is_smooth, stepped_swings
 from asymptotics.numbers.context import lru_cache
 
 QUANTITIES = ("L", "T", "R", "T_q")
@@ -77,7 +78,10 @@ class Swing:
         if wild.any():
             if self.coarse:
                 raise TooStrongError("the series does not reach these strengths")
-            exact = integrated_swings(self.elements, a[wild], parameters[:count], alpha)
+            if self.tolerance >= PRECISE and not self.free and is_smooth(self.elements):
+                exact = stepped_swings(self.elements, a[wild], parameters, tolerance=self.tolerance)
+            else:
+                exact = integrated_swings(self.elements, a[wild], parameters[:count], alpha)
             for part, replaced in zip((found.values, found.by_amplitude, found.by_parameter), exact, strict=True):
                 part[..., wild] = replaced
         return found

@@ -9,6 +9,7 @@ from asymptotics.identification.allowance import WEAK, Allowance, allowances, to
 from asymptotics.identification.comparison import LawFit, fit_law
 from asymptotics.identification.contradiction import REFUTED
 from asymptotics.identification.fitting import Noise
+from asymptotics.identification.grades import percent
 from asymptotics.identification.judgement import rivals
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.quadrature import TooStrongError
@@ -93,11 +94,27 @@ def _is_imitation(law: LawFit) -> bool:
 
 
 def _nothing_fits(fitted: Sequence[LawFit], best: LawFit) -> Verdict:
+    near = _nearest(fitted, best)
     if any(law.negative and not law.misfit and law.against.p >= REFUTED for law in fitted):
-        return Verdict(NONE, f"{NONE}: the laws with support need a negative loss; the best is {best.candidate}")
+        text = f"{NONE}: the laws with support need a negative loss; the best is {best.candidate}{near}"
+        return Verdict(NONE, text, "a loss that depends on position such as 1,2: (|x|^2 x'), or a free exponent")
     why = "model inadequate, or noise that is not independent from swing to swing"
-    text = f"{NONE} at the noise level ({why}); the best is {best.candidate}: {best.residuals}"
+    text = f"{NONE} at the noise level ({why}); the best is {best.candidate}: {best.residuals}{near}"
     return Verdict(NONE, text, "the residuals against n show what is missing: a term, a second mode, the base")
+
+
+def _nearest(fitted: Sequence[LawFit], best: LawFit) -> str:
+    """The law of fewest terms that is adequate, or how much of the loss the best one leaves open."""
+    adequate = [law for law in fitted if law.grade == "adequate"]
+    for law in sorted(adequate, key=lambda law: (law.parameters, law.criterion))[:1]:
+        left = law.unexplained
+        if left is not None:
+            low, high = left.ends
+            where = f"at amplitudes {low:.3g} to {high:.3g}"
+            return f"; {named(law)} is adequate to {percent(left.share)} of the loss {where}"
+    if best.unexplained is None:
+        return ""
+    return f"; {named(best)} leaves {percent(best.unexplained.share)} of the loss open"
 
 
 def named(law: LawFit) -> str:

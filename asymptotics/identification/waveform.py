@@ -12,7 +12,7 @@ law: the first amplitude, the base line (offset and drift), omega_0 and the star
 
 import numpy as np
 
-from asymptotics.identification.coefficients import Array
+from asymptotics.identification.coefficients import Array, Element
 from asymptotics.identification.fitting import Model
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.quadrature import TooStrongError
@@ -71,6 +71,8 @@ class WaveformModel(Model):
         values, speed = _between(*nodes, n, clock - run.tau[n], order)
         radius = self.seen.sign[0] * np.where(n % 2, -1.0, 1.0) * self.reference
         x, by_a = values[0], (values[1] - values[0]) / _STEP
+        if not np.isfinite(values).all():
+            raise TooStrongError("the motion leaves every bound")
         slopes = np.zeros((len(t), self.size))
         slopes[:, :after] = (by_a * run.d_a[:, n] - speed * run.d_tau[:, n]).T
         slopes[:, self.law] += ((values[2:] - x) / _STEP).T
@@ -110,53 +112,68 @@ def _nodes(swing: Swing, a: Array, law: Array, well: float) -> tuple[Array, Arra
     w = [v + e.position - 1 for v, e in zip(q, swing.elements, strict=True)]
     delta = [laws[:, i : i + 1] * np.exp(np.clip(w[i] * A, -50, 50)) for i in range(count)]
 
-    def force(theta: float, y: Array) -> Array:
-        s, c = abs(np.sin(theta)), np.cos(theta)
-        total, E = np.zeros_like(y), np.exp(y)
-        for e, v, weight, d in zip(swing.elements, q, w, delta, strict=True):
-            f = s**v * abs(c) ** e.position if e.kind == "loss" else -c * abs(c) ** (e.position - 1)
-            total += d * f * _power(E, y, weight)
-        return total
-
-    def slope(theta: float, y: Array) -> Array | float:
-        return np.sqrt(np.maximum(1 - (well * np.cos(theta) * np.exp(A + y)) ** 2, 0.0)) if well else 1.0
-
-    def rates(theta: float, y: Array) -> tuple[Array, Array]:
-        N, c = force(theta, y), np.cos(theta)
-        d = slope(theta, y) - c * N
-        if not (d > 0.01).all():
-            raise TooStrongError("no turning point follows on the other side")
-        return -abs(np.sin(theta)) * N / d, 1 / d
-
     steps = _STEPS if well < 0.9 else _NEAR_THE_TOP
     h = np.pi / steps
+    places = np.arange(2 * steps + 1) * h / 2
+    sines, cosines = np.abs(np.sin(places)), np.cos(places)
+    shapes = [
+        [_shape(e, v, sine, cosine) for e, v in zip(swing.elements, q, strict=True)]
+        for sine, cosine in zip(sines, cosines, strict=True)
+    ]
+    powers = [_whole(weight) for weight in w]
+
+    def force(k: int, y: Array) -> Array:
+        """At the node k of half-steps."""
+        total, E = np.zeros_like(y), np.exp(y)
+        for f, power, weight, d in zip(shapes[k], powers, w, delta, strict=True):
+            if power == 0:
+                total += d * f
+            else:
+                total += d * f * (E if power == 1 else E * E if power == 2 else np.exp(weight * y))
+        return total
+
+    def slope(k: int, y: Array) -> Array | float:
+        return np.sqrt(np.maximum(1 - (well * cosines[k] * np.exp(A + y)) ** 2, 0.0)) if well else 1.0
+
+    def rates(k: int, y: Array) -> tuple[Array, Array]:
+        N = force(k, y)
+        d = slope(k, y) - cosines[k] * N
+        if not (d > 0.01).all():
+            raise TooStrongError("no turning point follows on the other side")
+        clock = 1 / d
+        return -sines[k] * N * clock, clock
+
     y, tau = np.zeros_like(A), np.zeros_like(A)
     found = []
-    for k in range(steps + 1):
-        theta = k * h
-        r = np.exp(A + y)
-        x = np.arcsin(np.clip(well * r * np.cos(theta), -1, 1)) / well if well else r * np.cos(theta)
-        acceleration = r * (force(theta, y) - np.cos(theta) * slope(theta, y))
-        found.append((tau, x, -r * abs(np.sin(theta)), acceleration))
-        if k == steps:
+    for k in range(0, 2 * steps + 1, 2):
+        r, N, c = np.exp(A + y), force(k, y), cosines[k]
+        x = np.arcsin(np.clip(well * r * c, -1, 1)) / well if well else r * c
+        found.append((tau, x, -r * sines[k], r * (N - c * slope(k, y))))
+        if k == 2 * steps:
             break
-        y1, t1 = rates(theta, y)
-        y2, t2 = rates(theta + h / 2, y + h / 2 * y1)
-        y3, t3 = rates(theta + h / 2, y + h / 2 * y2)
-        y4, t4 = rates(theta + h, y + h * y3)
+        y1, t1 = rates(k, y)
+        y2, t2 = rates(k + 1, y + h / 2 * y1)
+        y3, t3 = rates(k + 1, y + h / 2 * y2)
+        y4, t4 = rates(k + 2, y + h * y3)
         y, tau = y + h / 6 * (y1 + 2 * y2 + 2 * y3 + y4), tau + h / 6 * (t1 + 2 * t2 + 2 * t3 + t4)
     nodes = [np.stack(part) for part in zip(*found, strict=True)]
     return nodes[0], nodes[1], nodes[2], nodes[3]
 
 
-def _power(E: Array, y: Array, weight: Array) -> Array | float:
-    """e^(weight y), by products where the weight is a small whole number."""
+def _shape(element: Element, velocity: Array, sine: float, cosine: float) -> Array:
+    """f(theta) of one term, a column over the sets of parameters."""
+    if element.kind == "loss":
+        return np.asarray(sine**velocity * abs(cosine) ** element.position)
+    return np.full_like(velocity, -cosine * abs(cosine) ** (element.position - 1))
+
+
+def _whole(weight: Array) -> int:
+    """The weight where it is 0, 1 or 2 throughout, for which products do; otherwise -1."""
     w = float(weight.flat[0])
-    if np.ptp(weight) == 0 and w in (0.0, 1.0, 2.0):
-        return (1.0, E, E * E)[int(w)]
-    return np.asarray(np.exp(weight * y))
+    return int(w) if np.ptp(weight) == 0 and w in (0.0, 1.0, 2.0) else -1
 
 
+@np.errstate(over="ignore", invalid="ignore", divide="ignore")
 def _between(
     tau: Array, x: Array, v: Array, acceleration: Array, n: Array, since: Array, order: int
 ) -> tuple[Array, Array]:

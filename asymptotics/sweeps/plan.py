@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from asymptotics.sweeps.grid import Point
-from asymptotics.sweeps.shard import LockedShard
+from asymptotics.sweeps.shard import LockedShard, failure
 from asymptotics.sweeps.store import Store, place
 
 SHOWN = 20  # failures that are reported with their reason
@@ -102,3 +102,20 @@ class Plan:
         """Close every shard that is still open."""
         while self.open_shards:
             self.open_shards.pop().close()
+
+
+def finished(command: str, points: Sequence[Point], store: Store) -> Plan | None:
+    """The plan of a sweep of which the store, that is only read here, holds every point; None where one is missing."""
+    plan = Plan(command, points, store)
+    buckets = plan.buckets()
+    for bucket in map(int, np.unique(buckets)):
+        found = {key: failure(record) for _, key, record in store.read(bucket)}
+        for index in map(int, np.flatnonzero(buckets == bucket)):
+            key = place(command, points[index])[1]
+            if key not in found:
+                return None
+            plan.reused += 1
+            reason = found[key]
+            if reason is not None:
+                plan.failures.add(index, points[index], reason)
+    return plan

@@ -35,7 +35,7 @@ from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public_beside_others
 from asymptotics.sweeps.frame import columns, draw
 from asymptotics.sweeps.grid import Point
-from asymptotics.sweeps.plan import Job, Plan
+from asymptotics.sweeps.plan import Job, Plan, finished
 from asymptotics.sweeps.shard import record_of
 from asymptotics.sweeps.store import Store, require_usable, task_of
 from asymptotics.sweeps.workers import Crew, OtherCodeError, Outcome, Task, one_process, process_pool, run_batch
@@ -111,12 +111,15 @@ def sweep(
     filed under ``command``.  Any ``executor`` of concurrent.futures may be given, and is left open; otherwise there are
     ``workers`` processes (default: one for each core; 1: this process), or the ``crew`` that is opened, and opened
     again when it breaks.  ``progress`` is called with the numbers of points done and asked for.
+    A store that can only be read serves a sweep of which it holds every point.
     Raises InputError for an unusable store (one of other code among them), a worker of other code, or a full disk;
     everything finished is then in the store.
     """
     start = time.perf_counter()
     folder = _folder(folder)
     require_usable(folder)
+    if folder.is_dir() and any(folder.iterdir()) and not os.access(folder / "shards", os.W_OK):
+        return _result(_read_only(command, points, folder), 0, start)
     count = workers or os.cpu_count() or 1
     if executor is not None:
         given = Crew(executor, getattr(executor, "_max_workers", count))
@@ -127,11 +130,23 @@ def sweep(
         first_crew = stack.enter_context(opened())  # a store is made only when there is somebody to fill it
         driver = _Driver(task, Plan(command, points, Store(folder, create=True)), opened, progress, stack, first_crew)
         driver.run()
-    plan = driver.plan
+    return _result(driver.plan, driver.computed, start)
+
+
+def _read_only(command: str, points: Sequence[Point], folder: Path) -> Plan:
+    found = finished(command, points, Store(folder))
+    if found is None:
+        accepted = "a folder that can be written, or a sweep that is finished in it"
+        raise InputError("store", f"{folder} can only be read, and does not hold every point", accepted)
+    return found
+
+
+def _result(plan: Plan, computed: int, start: float) -> SweepResult:
     failures = tuple({"point": point, "reason": reason} for _, point, reason in plan.failures.first)
     seconds = f"{time.perf_counter() - start:.3f}"
+    where, points = str(plan.store.folder), plan.points
     return SweepResult(
-        len(points), plan.reused, driver.computed, plan.failures.count, failures, seconds, str(folder), command, points
+        len(points), plan.reused, computed, plan.failures.count, failures, seconds, where, plan.command, points
     )
 
 

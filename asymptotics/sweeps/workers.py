@@ -31,7 +31,7 @@ from asymptotics.sweeps.shard import canonical
 
 Task = Callable[[Point], dict[str, Any]]
 _ANSWER = 10  # seconds that a scheduler may take to answer
-_PATIENCE = 120  # seconds that workers may take to join a scheduler
+_PATIENCE = 20  # seconds that workers may take to join a scheduler
 _REASON = 300  # characters of a reason that are kept
 
 
@@ -165,7 +165,7 @@ def dask_executor(address: str, workers: int | None) -> Iterator[Crew]:
             client.wait_for_workers(1, timeout=_PATIENCE)
         except OSError as error:
             reason = f"no worker has joined {address[:80]!r} in {_PATIENCE} s"
-            raise InputError("dask", reason, "a scheduler with workers") from error
+            raise InputError("dask", reason, "a scheduler whose workers are there: start them first") from error
         slots = sum(client.ncores().values())
         yield Crew(client.get_executor(pure=False), slots or 1)
 

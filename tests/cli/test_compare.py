@@ -116,3 +116,39 @@ def test_what_a_table_does_not_have_is_refused(capsys, tmp_path, text, more):
     code, out, err = call(capsys, path, "--table", "smith2012.table1", *more)
     assert (code, out) == (2, "")
     assert err.count("\n") == 1
+
+
+EXPORTS = {
+    "turning points": (["turning-points", "--count", "4", "--times"], ["--alpha", "2", "--epsilon", "1/10"]),
+    "motion": (["motion", "--time", "9", "--points", "9"], ["--alpha", "2", "--epsilon", "1/10"]),
+    "reference": (["motion", "--time", "9", "--points", "9", "--reference"], ["--alpha", "2", "--epsilon", "1/10"]),
+    "moments": (["table", "moments", "--alpha", "1/2,2"], []),
+    "coefficients": (["table", "normal-form", "--alpha", "3/2", "--rows", "3"], []),
+    "points": (["table", "turning-points", "--law", "1:1/20", "--law", "2:1/10", "--rows", "4"], []),
+    "bounds": (["table", "error-bounds", "--alpha", "2", "--rows", "2"], []),
+    "smith": (["table", "smith2012.table1"], []),
+}
+
+
+@pytest.mark.parametrize("name", EXPORTS)
+def test_what_the_program_exports_it_reads_with_the_inputs_of_its_head(capsys, tmp_path, name):
+    path = tmp_path / "exported.csv"
+    making, law = EXPORTS[name]
+    assert main([*making, *law, "--csv", str(path)]) == 0
+    capsys.readouterr()
+    code, out, _ = call(capsys, path, *law, "--json")
+    found = json.loads(out)
+    assert (code, found["certified"]) == (0, True)
+    if name == "motion":  # an expansion of order 3: right to some digits; its amplitude belongs to a gauge
+        assert found["summary"]["not_compared"] == ["amplitude"]
+    else:
+        assert float(found["summary"]["worst_digits"]) > 14 or name == "bounds"
+        assert found["summary"]["look"]["kind"] == "rounding"
+
+
+def test_a_digit_changed_in_an_exported_table_is_found(capsys, tmp_path):
+    path = tmp_path / "exported.csv"
+    assert main(["table", "moments", "--alpha", "1/2,2", "--digits", "12", "--csv", str(path)]) == 0
+    path.write_text(path.read_text().replace("0.4244", "0.4245"))
+    capsys.readouterr()
+    assert json.loads(call(capsys, path, "--json")[1])["summary"]["look"]["kind"] == "undecided"

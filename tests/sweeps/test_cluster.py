@@ -96,6 +96,15 @@ def test_nothing_answers(tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
+def test_a_scheduler_without_workers_is_told(tmp_path, monkeypatch):
+    assert workers._PATIENCE <= 30
+    monkeypatch.setattr(workers, "_PATIENCE", 0.5)
+    with scheduler() as address, pytest.raises(InputError, match="no worker has joined .* in 0.5 s"):
+        sweep(tasks.square, "square", tasks.grid(tmp_path / "log", 3), tmp_path / "s",
+              crew=partial(dask_executor, address, None))  # fmt: skip
+
+
+@pytest.mark.slow
 def test_a_local_cluster_from_the_command_line(tmp_path, capsys):
     command = ["sweep", "moment", "--p", "0:3:1/4", "--digits", "20", "--dask", "local", "--workers", "2"]
     assert main([*command, "--store", str(tmp_path / "a"), "--json"]) == 0

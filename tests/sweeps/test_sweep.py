@@ -320,3 +320,16 @@ def test_a_million_points_need_no_million_files_and_little_memory(tmp_path):
     assert result.computed == 10_000
     assert len(list((tmp_path / "shards").iterdir())) <= 256
     assert float(result.seconds) < 2e-3 * 10_000  # the overhead of a point, here with nothing to compute
+
+
+def test_a_finished_sweep_on_a_read_only_disk_is_read_and_exported(tmp_path, log, folder, monkeypatch):
+    points = tasks.grid(log, 12)
+    sweep(tasks.square, "square", points, folder, workers=1)
+    writable = os.access
+    monkeypatch.setattr(os, "access", lambda path, mode: mode != os.W_OK and writable(path, mode))
+    monkeypatch.setattr(LockedShard, "take", lambda *_: pytest.fail("a shard is opened for writing"))
+    again = sweep(tasks.square, "square", points, folder, workers=1)
+    assert (again.points, again.reused, again.computed, again.failed) == (12, 12, 0, 0)
+    assert export(tmp_path / "out.json", "square", points, folder) == 12
+    with pytest.raises(InputError, match="can only be read, and does not hold every point"):
+        sweep(tasks.square, "square", tasks.grid(log, 13), folder, workers=1)

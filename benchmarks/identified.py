@@ -1,0 +1,95 @@
+"""Evidence for ``identify``: decays of a known law (``decays``), the verdicts, and how often they are right, by class.
+
+What is counted: records with an answer; 95 % intervals of the true law's strengths that hold the truth; records in
+which the true law is among the consistent ones; records with another law called identified.  The seeds of the printed
+table are used for nothing else.  ``size`` is the number of records, which go round the classes.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from time import process_time
+from typing import Any
+
+import numpy as np
+
+import asymptotics as asy
+from asymptotics.errors import InputError, LimitError
+from asymptotics.identification.judgement import rivals
+from benchmarks.decays import CLASSES, SEED, Decay, decay
+from benchmarks.table import Table, seconds_text
+
+SIZE = 240
+_HEAD = ("class", "records", "answered", "intervals", "covered", "law consistent", "identified", "wrongly", "CPU s")
+
+
+@dataclass
+class Counts:
+    """What was found in the records of one class; ``seconds``: processor time of each."""
+
+    records: int = 0
+    answered: int = 0
+    intervals: int = 0
+    covered: int = 0
+    consistent: int = 0
+    identified: int = 0
+    wrongly: int = 0
+    seconds: tuple[float, ...] = ()
+
+    def add(self, made: Decay, **asked: Any) -> str:
+        """One record more; what is remarkable about its answer, in a few words."""
+        self.records += 1
+        start = process_time()
+        try:
+            answer = asy.identify(made.data, **made.said, **asked)
+        except (InputError, LimitError) as error:
+            return f"refused: {error}"
+        finally:
+            self.seconds = (*self.seconds, process_time() - start)
+        self.answered += 1
+        law = answer.law(made.law).law
+        pairs = list(zip((*law.epsilon, *law.springs), made.strengths))
+        held = [interval.contains(true) for interval, true in pairs]
+        named = [str(other.candidate) for other in rivals([entry.law for entry in answer.laws])[0]]
+        found = answer.verdict.kind == "identified"
+        right, wrong = found and named == [made.law], found and named != [made.law]
+        self.intervals += len(made.strengths)
+        self.covered += sum(held)
+        self.consistent += law.verdict == "consistent"
+        self.identified += right
+        self.wrongly += wrong
+        amiss = wrong or law.verdict != "consistent"
+        said = [f"{answer.verdict.text[:150]}; {made.law}: {law.verdict} {law.reason[:120]}"] if amiss else []
+        said += [f"missed {made.strengths} by {law.epsilon}{law.springs}"] if len(pairs) > sum(held) else []
+        return "; ".join(said)
+
+    def row(self, name: str) -> tuple[str, ...]:
+        """One line of the table: shares of what was answered, the median and the ninth decile of the time."""
+        times = [seconds_text(float(np.quantile(self.seconds, q))) for q in (0.5, 0.9)] if self.seconds else ["-", "-"]
+        shares = (_share(n, self.answered) for n in (self.consistent, self.identified, self.wrongly))
+        return (
+            name, str(self.records), str(self.answered), str(self.intervals), _share(self.covered, self.intervals),
+            *shares, " / ".join(times),
+        )  # fmt: skip
+
+
+def _share(part: int, whole: int) -> str:
+    return f"{100 * part / whole:.1f} %" if whole else "-"
+
+
+def total(counts: Iterable[Counts]) -> Counts:
+    """All classes together."""
+    whole = Counts()
+    for c in counts:
+        for name in ("records", "answered", "intervals", "covered", "consistent", "identified", "wrongly", "seconds"):
+            setattr(whole, name, getattr(whole, name) + getattr(c, name))
+    return whole
+
+
+def run(size: int = SIZE, seed: int = SEED) -> Table:
+    """``size`` records, every default candidate, one after the other."""
+    found = {kind: Counts() for kind in CLASSES[:size]}
+    for number in range(size):
+        kind = CLASSES[number % len(CLASSES)]
+        found[kind].add(decay(kind, number // len(CLASSES), seed))
+    rows = [counts.row(kind) for kind, counts in found.items()]
+    return Table("identify on decays of a known law", _HEAD, (*rows, total(found.values()).row("all")))
