@@ -86,7 +86,8 @@ def motion(
     x, v = np.full(len(tau), start), np.zeros(len(tau))
     for begin, end, between in half_swings(spring, losses, start, float(tau[-1])):
         inside = (tau >= begin) & (tau <= end)
-        x[inside], v[inside] = between(tau[inside])
+        if inside.any():
+            x[inside], v[inside] = between(tau[inside])
         x[tau > end] = between(np.array(end))[0]
     return x, v
 
