@@ -41,6 +41,7 @@ lint: $(VENV)/.test
 docs: $(VENV)/.docs
 	$(RUN) sphinx -W --keep-going -q -b html docs build/docs
 	$(RUN) sphinx -W --keep-going -q -b doctest docs build/doctest
+	$(RUN) tests.docs_drawn build/docs
 
 # What a release would ship, tried: built, its metadata checked, installed into a fresh environment and used there from an empty folder.
 wheel: $(VENV)/.reproduce

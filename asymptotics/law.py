@@ -24,7 +24,7 @@ alpha = 1 is linear: delta = epsilon for all time; under-, critically or over-da
 1/10 x' - 1/6 x^3
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
@@ -341,3 +341,9 @@ def _float_notes(mapping: Any, name: str) -> tuple[str, ...]:
     keys = [k for key in mapping for k in (key if isinstance(key, tuple) else (key,))]
     of_keys = (float_notes(**{name: k}) for k in keys)
     return tuple(n for notes in (*of_keys, *(float_notes(strength=s) for s in mapping.values())) for n in notes)
+
+
+LawLike = Law | Oscillator | Mapping[Any, Any] | Sequence[Any] | Number
+"""A law, an oscillator, a mapping exponent -> strength; an exponent or several where no strength is needed."""
+SpringLike = Mapping[Any, Any] | str
+"""A mapping power -> strength, or "pendulum"."""

@@ -14,13 +14,14 @@ release = __version__
 
 extensions = [
     "myst_parser",
-    "sphinx.ext.autodoc",
     "sphinx.ext.doctest",
+    "sphinx.ext.viewcode",
     "sphinx_gallery.gen_gallery",
     "offline_math",
-    "plain_docstrings",
+    "reference",
     "gallery_style",
     "page_to_play",
+    "math_font",
 ]
 exclude_patterns = ["extensions", "gallery"]
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence", "substitution"]
@@ -34,8 +35,6 @@ html_math_renderer = "offline_mathml"
 html_show_sphinx = False
 html_copy_source = False
 templates_path: list[str] = []
-autodoc_member_order = "bysource"
-autodoc_typehints = "none"
 doctest_global_setup = "import numpy as np\nimport sympy\nimport asymptotics as asy"
 doctest_default_flags = 8 | 4  # ELLIPSIS, NORMALIZE_WHITESPACE
 sphinx_gallery_conf = {

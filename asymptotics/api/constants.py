@@ -8,8 +8,6 @@ All for quadratic damping, in u = gamma x and w = gamma v/omega (X = u/epsilon i
 0.97158589 0.73655239
 """
 
-from typing import Any
-
 from asymptotics.errors import InputError
 from asymptotics.invariants.certified import absolute_radius, first_constant, second_constant, series_radius
 from asymptotics.numbers.decimals import bits_for, certified_decimal, rational_decimal
@@ -22,7 +20,7 @@ MAX_U, MAX_RADIUS_W, MAX_DIGITS, MAX_TIME = 100, 10, 1000, 10**12
 
 
 @public
-def S(u: Number, w: Number, *, digits: int = 30, max_seconds: Any = 60) -> Coefficient:
+def S(u: Number, w: Number, *, digits: int = 30, max_seconds: Number = 60) -> Coefficient:
     """S = e^(2 s u) (w^2/2 + s u/2 - 1/4), s the sign of w: the same number all along a half-swing (Smith 2012, (40)).
 
     At w = 0 the point belongs to the half-swing that it starts: s = -sign(u).  Correctly rounded; InputError for
@@ -41,7 +39,7 @@ def S(u: Number, w: Number, *, digits: int = 30, max_seconds: Any = 60) -> Coeff
 
 
 @public
-def T(u: Number, w: Number, tau: Number = 0, *, digits: int = 30, max_seconds: Any = 60) -> Coefficient:
+def T(u: Number, w: Number, tau: Number = 0, *, digits: int = 30, max_seconds: Number = 60) -> Coefficient:
     """T = omega t - (omega times the time since the last turning point), tau = omega t: when that half-swing began.
 
     Source: Smith 2012, (69), by quadrature on either branch.  InputError where S >= 0: no turning point came before.
@@ -65,7 +63,7 @@ def T(u: Number, w: Number, tau: Number = 0, *, digits: int = 30, max_seconds: A
 
 
 @public
-def radii(w: Number, *, digits: int = 30, max_seconds: Any = 60) -> tuple[Coefficient, Coefficient]:
+def radii(w: Number, *, digits: int = 30, max_seconds: Number = 60) -> tuple[Coefficient, Coefficient]:
     """(R, rho): sum_n f_n(w) z^n converges where z is below R in size, absolutely over i and n at once below rho <= R.
 
     InputError unless 0 < abs(w) <= 10.  Source: derivation ``smith-series-radii``.

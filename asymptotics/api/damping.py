@@ -7,6 +7,7 @@
 A**(alpha - 1)*epsilon*gamma(alpha/2 + 1)/(sqrt(pi)*gamma(alpha/2 + 3/2))
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 from asymptotics.api.units import law_of
@@ -15,9 +16,9 @@ from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import DampingRow, row_at
 from asymptotics.equivalent.symbolic import closed_forms, symbolic_exponent
 from asymptotics.errors import InputError, LimitError, require_flag
-from asymptotics.law import Oscillator
+from asymptotics.law import LawLike, Oscillator, SpringLike
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
+from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
 from asymptotics.public import public
 
 MAX_DIGITS, MAX_ORDER, MAX_AMPLITUDES = 100, 12, 1000
@@ -26,9 +27,15 @@ _SHARES = (1, 2, 4, 8)
 
 @public
 def damping(
-    law: Any, amplitudes: Any = None, *, order: Any = None, digits: Any = 12, motion: bool = True, spring: Any = None,
-    max_seconds: Any = 60,
-) -> EquivalentDamping:  # fmt: skip
+    law: LawLike,
+    amplitudes: Number | Sequence[Number] | None = None,
+    *,
+    order: int | None = None,
+    digits: int = 12,
+    motion: bool = True,
+    spring: SpringLike | None = None,
+    max_seconds: Number = 60,
+) -> EquivalentDamping:
     """Equivalent damping of any law, sum or spring at turning amplitudes A: formulas and certified numbers.
 
         zeta = Delta E/(4 pi E),  Q = 2 pi E/Delta E,  decrement = ln(A_n/A_(n+2)),  c_eq = Delta E/closed int v dx

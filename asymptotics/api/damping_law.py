@@ -8,7 +8,7 @@ viscous drag and drag in v^2: consistent; epsilon_1 = ...; the table cannot tell
 'refuted'
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,9 +17,9 @@ from asymptotics.equivalent.found_law import DampingLaw
 from asymptotics.equivalent.inverse import QUANTITIES, Candidate, Problem, fitted, weighted
 from asymptotics.equivalent.rows import row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.law import Oscillator
+from asymptotics.law import Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
-from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.public import public
 from asymptotics.records.sources import How, Source, opened
 
@@ -36,9 +36,15 @@ NAMES = {
 
 @public
 def damping_law(
-    table: Any, *, resolution: Any = None, laws: Any = None, spring: Any = None, mass: Any = None,
-    stiffness: Any = None, max_seconds: Any = 60,
-) -> DampingLaw:  # fmt: skip
+    table: Any,
+    *,
+    resolution: Number | None = None,
+    laws: str | Sequence[str] | None = None,
+    spring: SpringLike | None = None,
+    mass: Number | None = None,
+    stiffness: Number | None = None,
+    max_seconds: Number = 60,
+) -> DampingLaw:
     """The damping law behind amplitudes and zeta, Q or decrement (ln(A_n/A_(n+2))): candidates with grades, intervals.
 
     ``table``: a file, a data frame or a mapping with a column A (amplitude, m or rad), one of zeta, Q, decrement, and

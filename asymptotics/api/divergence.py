@@ -4,15 +4,13 @@
 ('-0.0909280010378',)
 """
 
-from typing import Any
-
 from asymptotics.divergence.result import MAX_COUNT, MAX_DIGITS, StokesConstants, stokes_constants
-from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
+from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
 from asymptotics.public import public
 
 
 @public
-def stokes(alpha: Any, *, count: Any = 1, digits: Any = 17, max_seconds: Any = 60) -> StokesConstants:
+def stokes(alpha: Number, *, count: int = 1, digits: int = 17, max_seconds: Number = 60) -> StokesConstants:
     """The Stokes constants c_k (amplitude) and d_k (time) of x'|x'|^(alpha-1), k = 1 ... ``count``, certified.
 
     Phi_+ - Phi_- = sum c_k q^k and theta_+ - theta_- = sum d_k q^k, q = e^(-2 pi i w), for the Abel function Phi of the

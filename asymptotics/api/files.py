@@ -3,7 +3,7 @@
 ``identify`` and ``sweep`` are owned by their rooms (``identification``, ``sweeps``).
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from importlib import import_module
 from importlib.util import find_spec
@@ -15,8 +15,8 @@ from asymptotics.api.units import oscillator_of
 from asymptotics.comparison.run import Comparison, compare_file
 from asymptotics.comparison.tabled import compare_table
 from asymptotics.errors import InputError, shown
-from asymptotics.law import Oscillator
-from asymptotics.numbers.policy import exact_integer
+from asymptotics.law import LawLike, Oscillator
+from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.public import public, public_beside_others
 
 MAX_DIGITS = 1000
@@ -24,9 +24,16 @@ MAX_DIGITS = 1000
 
 @public
 def compare(
-    file: Any, law: Any = None, *, columns: str | None = None, digits: Any = None, table: str | None = None,
-    alpha: Any = None, epsilon: Any = None, max_seconds: Any = 60,
-) -> Comparison:  # fmt: skip
+    file: Any,
+    law: LawLike | None = None,
+    *,
+    columns: str | None = None,
+    digits: int | None = None,
+    table: str | None = None,
+    alpha: Number | Sequence[Number] | None = None,
+    epsilon: Number | Sequence[Number] | None = None,
+    max_seconds: Number = 60,
+) -> Comparison:
     """Turning points (column n) or a motion (tau or t) beside the certified values, each with its right digits.
 
     ``file``: a CSV file, or columns by name: a mapping of sequences or arrays, or a data frame.  It is in SI units when
@@ -62,10 +69,13 @@ def _source(file: Any) -> Path | Mapping[str, Any]:
 
 
 @public_beside_others
-def derive(name: str | None = None, *, max_seconds: Any = 60) -> Any:
+def derive(name: str | None = None, *, max_seconds: Number = 60) -> Any:
     """A derivation by name, run as it is loaded (each displayed step asserted); without a name the list of names.
 
     InputError where only this package was installed, without the folder ``derivations`` of its wheel.
+
+    >>> derive("abel-petal").title
+    '...'
     """
     if find_spec("derivations") is None:
         raise InputError("name", "the derivations are not installed", "all of a wheel: pip install . in a clone")

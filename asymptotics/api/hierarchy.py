@@ -31,6 +31,7 @@ from asymptotics.half_swings.forces import Forces
 from asymptotics.half_swings.fourier_flow import is_smooth
 from asymptotics.half_swings.pi_ring import PiNumber
 from asymptotics.half_swings.symbolic import I_4, alpha
+from asymptotics.law import LawLike, SpringLike
 from asymptotics.multiscale.exact import odd_hierarchy
 from asymptotics.multiscale.initial import map_to_turning_points
 from asymptotics.multiscale.open_orders import open_scales
@@ -43,7 +44,7 @@ from asymptotics.multiscale.symbolic import multiple_scales as smooth_multiple_s
 from asymptotics.multiscale.turning import TurningHierarchy, is_closed
 from asymptotics.multiscale.turning_orders import turning_scales
 from asymptotics.numbers.bridge import to_sympy
-from asymptotics.numbers.policy import exact_integer
+from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.public import public
 from asymptotics.terms import Term
 
@@ -53,7 +54,12 @@ _EXIST = f"{TURNING_POINT} for any law, {NO_FIRST_HARMONIC} for polynomial force
 
 @public
 def multiple_scales(
-    law: Any, *, order: Any = 2, spring: Any = None, gauge: Any = None, max_seconds: Any = 60
+    law: LawLike,
+    *,
+    order: int = 2,
+    spring: SpringLike | None = None,
+    gauge: str | None = None,
+    max_seconds: Number = 60,
 ) -> MultipleScales:
     """The hierarchy T_0, T_1, ... solved through ``order``, for every law.
 

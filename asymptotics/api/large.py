@@ -22,6 +22,7 @@ from typing import Any
 
 import numpy as np
 from flint import arb
+from numpy.typing import ArrayLike
 
 from asymptotics.api.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve
 from asymptotics.api.slow_numbers import SlowNumbers
@@ -82,7 +83,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         return found
 
     @public
-    def amplitude(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
+    def amplitude(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """The turning amplitude A(t) in m, correctly rounded; "0" from the extinction time on."""
 
         def metres(seconds: ExactReal) -> arb | ExactReal:
@@ -93,12 +94,12 @@ class SpringEnvelope(SlowNumbers, Drawn):
         return self._decimal(metres, t, digits)
 
     @public
-    def phase(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
+    def phase(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """phi(t) = psi - omega_0 t in rad."""
         return self._decimal(lambda seconds: self._flow().phase(self._tau(seconds)), t, digits)
 
     @public
-    def time(self, amplitude: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
+    def time(self, amplitude: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """The time in s at which the turning amplitude falls to ``amplitude`` (m)."""
         metres = exact_number(amplitude, "amplitude")
         if not 0 < metres <= abs(self.oscillator.x0):
@@ -113,7 +114,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         return certified_decimal(seconds, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
-    def period(self, amplitude: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
+    def period(self, amplitude: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """The period in s of the motion without loss at a turning amplitude in m: exact, an elliptic integral."""
         metres = exact_number(amplitude, "amplitude")
 
@@ -125,7 +126,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         return certified_decimal(seconds, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
-    def extinction_time(self, *, digits: Any = 30, max_seconds: Any = 60) -> str | None:
+    def extinction_time(self, *, digits: int = 30, max_seconds: Number = 60) -> str | None:
         """When the averaged amplitude reaches 0 in s (a loss of degree below 1), or None: not the end of the motion."""
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
         if self._flow().extinction_time() is None:
@@ -133,7 +134,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         return certified_decimal(lambda: (self._flow().extinction_time() or arb(0)) / self.oscillator.omega_0(), D)
 
     @public
-    def kappas(self, *, digits: Any = 30, max_seconds: Any = 60) -> tuple[str, ...]:
+    def kappas(self, *, digits: int = 30, max_seconds: Number = 60) -> tuple[str, ...]:
         """kappa_i = <|cos|^m |sin|^(alpha+1)> epsilon_i of the losses: their rates at small amplitude."""
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
         exact = [exact_kappa(t) for t in self.oscillator.dimensionless.losses if not t.strength.is_zero]
@@ -144,17 +145,17 @@ class SpringEnvelope(SlowNumbers, Drawn):
         return tuple(certified_decimal(partial(rate, i), D) for i in range(len(exact)))
 
     @public
-    def amplitudes(self, t: Any, *, max_seconds: Any = 60) -> Array:
+    def amplitudes(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
         """A in m at an array of times in s: doubles; NaN stays NaN, extinct is 0."""
         return self.sample(t).amplitude
 
     @public
-    def phases(self, t: Any, *, max_seconds: Any = 60) -> Array:
+    def phases(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
         """phi in rad at an array of times in s: doubles; NaN where there is no amplitude."""
         return self.sample(t).phase
 
     @public
-    def sample(self, t: Any, *, max_seconds: Any = 60) -> MotionSamples:
+    def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """x, v, A, phi at many times in s: doubles."""
         times = real_array(t, "time")
         if np.any(times < 0) or np.any(np.isinf(times)):
@@ -178,7 +179,9 @@ class SpringEnvelope(SlowNumbers, Drawn):
                              int((gone & ~missing).sum()), extinction, self.notes)  # fmt: skip
 
     @public
-    def columns(self, t: Any, *, order: Any = None, max_seconds: Any = 60) -> tuple[Array, Array, Array]:
+    def columns(
+        self, t: ArrayLike, *, order: int | None = None, max_seconds: Number = 60
+    ) -> tuple[Array, Array, Array]:
         """Arrays t, A, phi at times in s, in doubles; there is no other order than the first."""
         if order is not None:
             raise InputError("order", "it is not known beside a spring", "one law alone")
@@ -239,7 +242,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         return SlowFlow(well, self._losses(), arb(1))
 
     @public
-    def to_dict(self, *, max_seconds: Any = 60) -> dict[str, object]:
+    def to_dict(self, *, max_seconds: Number = 60) -> dict[str, object]:
         """JSON-ready: the oscillator, the rates at small amplitude, the period at the start, the extinction."""
         start = abs(self.oscillator.x0)
         numbers = {"kappas": list(self.kappas()), "period": self.period(start), "extinction": self.extinction_time()}

@@ -10,6 +10,7 @@ Fraction(2010398511427223552, 37418691427425)
 2*z**2/(3*z**2 + 3)
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -17,11 +18,12 @@ from asymptotics.api.units import law_of
 from asymptotics.errors import InputError, shown
 from asymptotics.invariants.exact import coefficient, coefficients
 from asymptotics.invariants.symbolic import GeneratingFunction, generating_function
+from asymptotics.law import LawLike
 from asymptotics.moments.certified import moment as moment_ball
 from asymptotics.moments.symbolic import moment as moment_expression
 from asymptotics.numbers.bridge import from_sympy, to_sympy
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
-from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
+from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
 from asymptotics.numbers.rounding import MODES
 from asymptotics.numbers.value import Coefficient
 from asymptotics.public import public
@@ -33,7 +35,7 @@ MAX_P, MAX_DIGITS, MAX_ROW, MAX_N, MAX_G = 10_000, 10_000, 5_000, 10_000, 100
 
 
 @public
-def moment(p: Any, *, digits: Any = 30, max_seconds: Any = 60) -> Coefficient:
+def moment(p: Number, *, digits: int = 30, max_seconds: Number = 60) -> Coefficient:
     """M_p = <|sin|^p> = Gamma((p+1)/2)/(sqrt(pi) Gamma(p/2+1)), p > -1: certified digits and closed form.
 
     InputError for p <= -1, where the average diverges, and for what is not an exact number.
@@ -50,9 +52,16 @@ def moment(p: Any, *, digits: Any = 30, max_seconds: Any = 60) -> Coefficient:
 
 @public
 def table(
-    name: str, *, alpha: Any = None, epsilon: Any = None, law: Any = None, rows: Any = None, rounding: str = "nearest",
-    digits: Any = 30, max_seconds: Any = 60,
-) -> Table:  # fmt: skip
+    name: str,
+    *,
+    alpha: Number | Sequence[Number] | None = None,
+    epsilon: Number | Sequence[Number] | None = None,
+    law: LawLike | None = None,
+    rows: int | None = None,
+    rounding: str = "nearest",
+    digits: int = 30,
+    max_seconds: Number = 60,
+) -> Table:
     """A reference table by name (``table_names`` lists them): rows of certified strings with their provenance.
 
     ``alpha`` and ``epsilon`` are numbers or lists of them, ``law`` is one sum, ``rows`` how many rows (or the order),
@@ -83,25 +92,29 @@ def _listed(given: Any, name: str) -> tuple[str, ...]:
 
 
 @public
-def table_names(*, max_seconds: Any = 60) -> dict[str, str]:
-    """The names of the tables and their titles."""
+def table_names(*, max_seconds: Number = 60) -> dict[str, str]:
+    """The names of the tables and their titles.
+
+    >>> table_names()["moments"]
+    'The averages M_p = <|sin|^p> that the first orders need'
+    """
     return registry.names()
 
 
 @public
-def f(n: Any, *, max_seconds: Any = 60) -> dict[int, Fraction]:
+def f(n: int, *, max_seconds: Number = 60) -> dict[int, Fraction]:
     """Smith's polynomial f_n(w) = sum_i C_i^n w^i: i -> C_i^n (Smith 2012, (59) and (62)), exactly."""
     return dict(coefficients(exact_integer(n, "n", 1, MAX_ROW)))
 
 
 @public
-def C(n: Any, i: Any, *, max_seconds: Any = 60) -> Fraction:
+def C(n: int, i: int, *, max_seconds: Number = 60) -> Fraction:
     """Smith's coefficient C_i^n, exactly."""
     row = exact_integer(n, "n", 1, MAX_N)
     return coefficient(row, exact_integer(i, "i", 0, row - 1))
 
 
 @public
-def G(i: Any, *, max_seconds: Any = 60) -> GeneratingFunction:
+def G(i: int, *, max_seconds: Number = 60) -> GeneratingFunction:
     """The sum G_i(z) = sum_n C_i^n z^n in closed form, for any i (derivation ``smith-generating-functions``)."""
     return generating_function(exact_integer(i, "i", 0, MAX_G))

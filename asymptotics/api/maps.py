@@ -11,19 +11,19 @@
 ('1/96', '-1/16')
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 from asymptotics.budget import budget
 from asymptotics.equations.build import terms_of
 from asymptotics.errors import InputError, require_flag
 from asymptotics.half_swings.finite_result import HalfSwingAt
-from asymptotics.law import Law
+from asymptotics.law import Law, LawLike, SpringLike
 from asymptotics.limit_cycles.result import LimitCycle
 from asymptotics.limit_cycles.result import limit_cycle as of_law
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.normal_form.results import HalfSwingCoefficients
-from asymptotics.numbers.policy import exact_integer, exact_number, exact_seconds, float_notes
+from asymptotics.numbers.policy import Number, exact_integer, exact_number, exact_seconds, float_notes
 from asymptotics.public import public
 from asymptotics.turning.half_swing import half_swing_of_terms
 
@@ -32,14 +32,14 @@ MAX_ORDER, MAX_DIGITS = 200, 1000
 
 @public
 def half_swing(
-    law: Any,
+    law: LawLike,
     *,
-    order: Any = 4,
-    digits: Any = 30,
-    delta: Any = None,
-    spring: Any = None,
+    order: int = 4,
+    digits: int = 30,
+    delta: Number | Sequence[Number] | None = None,
+    spring: SpringLike | None = None,
     exact: bool = False,
-    max_seconds: Any = 60,
+    max_seconds: Number = 60,
 ) -> HalfSwingCoefficients | HalfSwingAt:
     """L, F, T and the flow U, V, W through delta^order; with ``delta`` the certified numbers at that local strength.
 
@@ -62,9 +62,15 @@ def half_swing(
 
 @public
 def limit_cycle(
-    law: Any, *, order: Any = 8, digits: Any = 30, mu: Any = None, spring: Any = None, near: Any = None,
-    max_seconds: Any = 60,
-) -> LimitCycle:  # fmt: skip
+    law: LawLike,
+    *,
+    order: int = 8,
+    digits: int = 30,
+    mu: Number | None = None,
+    spring: SpringLike | None = None,
+    near: Number | None = None,
+    max_seconds: Number = 60,
+) -> LimitCycle:
     """Amplitude, frequency and multiplier of the limit cycle of x'' + x + mu (law) = 0 as series in mu.
 
     With a number ``mu`` also a certified fixed point of the half-swing; beside springs (x^p x'^q, not multiplied by mu)

@@ -17,6 +17,7 @@ from fractions import Fraction
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from asymptotics.api.units import oscillator_of
 from asymptotics.bounds.motion import proved_bound
@@ -25,7 +26,7 @@ from asymptotics.budget import seconds_left
 from asymptotics.costs import require_affordable
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.law import Oscillator
+from asymptotics.law import LawLike, Oscillator
 from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
@@ -75,7 +76,7 @@ class _Sampled(Protocol):
     @property
     def oscillator(self) -> Oscillator: ...
 
-    def sample(self, t: Any) -> MotionSamples: ...
+    def sample(self, t: ArrayLike) -> MotionSamples: ...
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -89,7 +90,7 @@ class Motion(Drawn):
     si: bool = True
 
     @public
-    def at(self, t: Number, *, digits: Any = None, max_seconds: Any = 60) -> MotionPoint:
+    def at(self, t: Number, *, digits: int | None = None, max_seconds: Number = 60) -> MotionPoint:
         """One time in s; without ``digits`` every value is rounded to the error estimate of x."""
         time, notes = exact_number(t, "t"), (*self.notes, *float_notes(t=t))
         if digits is not None:
@@ -97,7 +98,7 @@ class Motion(Drawn):
         return self._motion.at(time).rounded_to_error().noted(notes)
 
     @public
-    def bound(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
+    def bound(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """A proved bound, rounded up, of |x(t) - x_N| in m, where x_N is ``at(t, digits=digits).x``.
 
         LimitError where no enclosure of x(t) is within a minute's reach.
@@ -105,7 +106,7 @@ class Motion(Drawn):
         return proved_bound(self.oscillator, self.at(t, digits=digits).x, t, max_seconds=seconds_left())
 
     @public
-    def uniform_bound(self, *, until: Number | None = None, max_seconds: Any = 60) -> UniformBound:
+    def uniform_bound(self, *, until: Number | None = None, max_seconds: Number = 60) -> UniformBound:
         """Proved bounds of |x - x_N| and |x' - x_N'| for every t >= 0 at once, or for t <= ``until`` (s).
 
         For powers of the velocity in the turning-point gauge; with an exponent below 1 the bound ends at a stated time
@@ -117,18 +118,18 @@ class Motion(Drawn):
         return uniform_bound(self.oscillator, self.order, until=until)
 
     @public
-    def sample(self, t: Any, *, max_seconds: Any = 60) -> MotionSamples:
+    def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
         return replace(self._motion.sample(times_of(t)), si=self.si)
 
     @public
-    def sol(self, t: Any, *, max_seconds: Any = 60) -> Array:
+    def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
         """The dense solution: array [x, v] at t, as the ``sol`` of SciPy's ``solve_ivp``."""
         found = self.sample(t)
         return np.array([found.x, found.v])
 
     @public
-    def events(self, until: Number, *, max_seconds: Any = 60) -> Events:
+    def events(self, until: Number, *, max_seconds: Number = 60) -> Events:
         """Turning points, zeros and the stop in 0 < t <= until (s)."""
         return events_of(self, until, None)
 
@@ -176,7 +177,7 @@ class Reference(Drawn):
     si: bool = True
 
     @public
-    def at(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> MotionPoint:
+    def at(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> MotionPoint:
         """One time in s to ``digits`` significant digits; ``certified`` and ``method`` say what they are worth."""
         point = reference_motion(
             self.oscillator,
@@ -188,7 +189,7 @@ class Reference(Drawn):
         return point.noted((*self.notes, *float_notes(t=t)))
 
     @public
-    def sample(self, t: Any, *, max_seconds: Any = 60) -> MotionSamples:
+    def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """Many times (array-like, s): arrays x and v in doubles, from one computation; NaN stays in its place."""
         times = times_of(t)
         missing = np.isnan(times)
@@ -200,13 +201,13 @@ class Reference(Drawn):
         return MotionSamples(times, x, v, None, None, None, None, int(missing.sum()), 0, None, notes, self.si)
 
     @public
-    def sol(self, t: Any, *, max_seconds: Any = 60) -> Array:
+    def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
         """The dense solution: array [x, v] at t."""
         found = self.sample(t)
         return np.array([found.x, found.v])
 
     @public
-    def events(self, until: Number, *, max_seconds: Any = 60) -> Events:
+    def events(self, until: Number, *, max_seconds: Number = 60) -> Events:
         """Turning points, zeros and the stop in 0 < t <= until (s)."""
         stop = None
         if self._is_dry:
@@ -262,7 +263,7 @@ class Reference(Drawn):
 
 
 @public
-def motion(law: Any, *, order: Any = 3, gauge: str = TURNING_POINT, max_seconds: Any = 60) -> Motion:
+def motion(law: LawLike, *, order: int = 3, gauge: str = TURNING_POINT, max_seconds: Number = 60) -> Motion:
     """The asymptotic motion of an oscillator (SI) or of a law alone (m = k = x0 = 1); order 1 is Lancaster (13).
 
     InputError for an unknown gauge, an order out of range, or anti-damping, at once.
@@ -274,7 +275,7 @@ def motion(law: Any, *, order: Any = 3, gauge: str = TURNING_POINT, max_seconds:
 
 
 @public
-def reference(law: Any, *, static: Number | None = None, max_seconds: Any = 60) -> Reference:
+def reference(law: LawLike, *, static: Number | None = None, max_seconds: Number = 60) -> Reference:
     """The reference motion of an oscillator (SI) or of a law alone; ``static``: a static friction force in N."""
     oscillator = oscillator_of(law)
     oscillator.law.require_dissipative("reference motion to rest")

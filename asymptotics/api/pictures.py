@@ -9,13 +9,14 @@
 from typing import Any
 
 from asymptotics.errors import InputError
+from asymptotics.numbers.policy import Number
 from asymptotics.present.drawn import Drawn, draw_on
 from asymptotics.present.figures import new_axes
 from asymptotics.public import public
 
 
 @public
-def plot(*results: Any, ax: Any = None, max_seconds: Any = 60, **style: Any) -> Any:
+def plot(*results: Any, ax: Any = None, max_seconds: Number = 60, **style: Any) -> Any:
     """Results with a curve on the same axes (new ones by default), which are returned; ``style`` as in ``Motion.plot``.
 
     InputError for no result, and for one that has no curve.

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import sympy
 from flint import arb
+from numpy.typing import ArrayLike
 
 from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve, times_of
@@ -29,7 +30,7 @@ from asymptotics.envelopes.long_time import extinction, long_time
 from asymptotics.envelopes.slow_time import epsilon
 from asymptotics.envelopes.symbolic import MEAN, AveragedLaw, averaged_law, tau
 from asymptotics.errors import InputError
-from asymptotics.law import Oscillator
+from asymptotics.law import LawLike, Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.bridge import to_sympy
@@ -57,32 +58,32 @@ class Envelope(SlowNumbers, Drawn):
     si: bool = field(default=True, compare=False)
 
     @public
-    def amplitude(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
+    def amplitude(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """A(t) in m, correctly rounded; "0" from the extinction time of the averaged law on."""
         return self._law.amplitude(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
-    def phase(self, t: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
+    def phase(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """phi(t) in rad, turning-point gauge."""
         return self._law.phase(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
-    def time(self, amplitude: Number, *, digits: Any = 30, max_seconds: Any = 60) -> str:
+    def time(self, amplitude: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """The time in s at which A falls to ``amplitude`` (m)."""
         return self._law.time(amplitude, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
-    def extinction_time(self, *, digits: Any = 30, max_seconds: Any = 60) -> str | None:
+    def extinction_time(self, *, digits: int = 30, max_seconds: Number = 60) -> str | None:
         """When the averaged amplitude reaches 0 (some alpha < 1): the end of the averaged law, not of the motion."""
         return self._law.extinction_time(exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
-    def slow(self, eta: Any = "1/10", *, max_seconds: Any = 60) -> SlowPart:
+    def slow(self, eta: Number = "1/10", *, max_seconds: Number = 60) -> SlowPart:
         """Where |dA/dt| <= eta omega_0 A: times in s for one law, amplitudes in m for a sum; doubles, heuristic."""
         return slow_part(self._law, eta)
 
     @public
-    def series(self, order: Any = 4, *, digits: Any = 30, max_seconds: Any = 60) -> EnvelopeSeries:
+    def series(self, order: int = 4, *, digits: int = 30, max_seconds: Number = 60) -> EnvelopeSeries:
         """tau, phi and delta beyond the first order, for one law with alpha != 1; dimensionless and formal.
 
         >>> print(envelope({2: "1/10"}).series(4))
@@ -101,7 +102,7 @@ class Envelope(SlowNumbers, Drawn):
         return envelope_series(terms[0].velocity, N, D)
 
     @public
-    def kappas(self, *, digits: Any = 30, max_seconds: Any = 60) -> tuple[str, ...]:
+    def kappas(self, *, digits: int = 30, max_seconds: Number = 60) -> tuple[str, ...]:
         """kappa_i = M_(alpha_i+1) epsilon_i, correctly rounded."""
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
         terms = self.oscillator.dimensionless.terms
@@ -175,17 +176,17 @@ class Envelope(SlowNumbers, Drawn):
         return {to_sympy(t.velocity): sympy.Symbol(f"kappa_{i}", positive=True) for i, t in terms if not t.b.is_zero}
 
     @public
-    def sample(self, t: Any, *, max_seconds: Any = 60) -> MotionSamples:
+    def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """Arrays of amplitude and phase at many times (s), with the motion x = A cos(omega_0 t + phi): doubles."""
         return AsymptoticMotion.of(self.oscillator, 1).sample(times_of(t))
 
     @public
-    def amplitudes(self, t: Any, *, max_seconds: Any = 60) -> Any:
+    def amplitudes(self, t: ArrayLike, *, max_seconds: Number = 60) -> Any:
         """A in m at an array of times in s: doubles; NaN stays NaN, extinct is 0."""
         return self._law.amplitudes(np.asarray(times_of(t)))
 
     @public
-    def phases(self, t: Any, *, max_seconds: Any = 60) -> Any:
+    def phases(self, t: ArrayLike, *, max_seconds: Number = 60) -> Any:
         """phi in rad at an array of times in s, 0 at the start: doubles; NaN where it is not known."""
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
@@ -194,7 +195,7 @@ class Envelope(SlowNumbers, Drawn):
         return np.where(self.amplitudes(t) > 0, phi, np.nan)
 
     @public
-    def columns(self, t: Any, *, order: Any = None, max_seconds: Any = 60) -> tuple[Any, Any, Any]:
+    def columns(self, t: ArrayLike, *, order: int | None = None, max_seconds: Number = 60) -> tuple[Any, Any, Any]:
         """Arrays t, A, phi at times in s, in doubles: first order, or ``order`` of one law from rest (``series``)."""
         times = times_of(t)
         if order is None:
@@ -264,7 +265,7 @@ class Envelope(SlowNumbers, Drawn):
 
 
 @public
-def envelope(law: Any, *, averaging: str = MEAN, max_seconds: Any = 60) -> Envelope | SpringEnvelope:
+def envelope(law: LawLike, *, averaging: str = MEAN, max_seconds: Number = 60) -> Envelope | SpringEnvelope:
     """The first-order envelope of an oscillator (SI) or of a law alone; ``averaging`` "mean" (Lancaster) or "squaring".
 
     Beside a spring c x^3, or for a pendulum, it is exact in the spring for any amplitude inside the well.  InputError

@@ -13,7 +13,7 @@ asymptotics.errors.InputError: argument name: there is no extinction_time here (
 from typing import Any
 
 from asymptotics.errors import InputError, require_choice
-from asymptotics.numbers.policy import exact_number, float_notes
+from asymptotics.numbers.policy import Number, exact_number, float_notes
 from asymptotics.numbers.value import Coefficient
 from asymptotics.public import public
 
@@ -24,7 +24,7 @@ class SlowNumbers:
     """What the two kinds of envelopes share: their values by name."""
 
     @public
-    def number(self, name: str, at: Any = None, *, digits: Any = 30, max_seconds: Any = 60) -> Coefficient:
+    def number(self, name: str, at: Any = None, *, digits: int = 30, max_seconds: Number = 60) -> Coefficient:
         """A value as a number that knows mpf, interval, ball and float, certified for the averaged law.
 
         ``name``: "amplitude" (m) or "phase" (rad) ``at`` a time in s; "time" (s) or, beside a spring, "period" (s)

@@ -38,7 +38,7 @@ from asymptotics.normal_form.show import sum_latex, sum_text
 from asymptotics.numbers.bridge import to_fraction, to_sympy
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.value import Coefficient, coefficient_columns
 from asymptotics.present.shown import Page, Rows
@@ -64,17 +64,17 @@ class EnvelopeSeries(Rows):
     formulas: LaurentEnvelope = field(compare=False)
 
     @public
-    def time(self, delta: Any, delta_0: Any, *, max_seconds: Any = 60) -> float:
+    def time(self, delta: Number, delta_0: Any, *, max_seconds: Number = 60) -> float:
         """tau at which the local strength has become ``delta``, in doubles."""
         return self._number("time", delta=delta, delta_0=delta_0)
 
     @public
-    def phase(self, delta: Any, delta_0: Any, *, max_seconds: Any = 60) -> float:
+    def phase(self, delta: Number, delta_0: Any, *, max_seconds: Number = 60) -> float:
         """phi at the same place, 0 at the start."""
         return self._number("phase", delta=delta, delta_0=delta_0)
 
     @public
-    def delta(self, tau: Any, delta_0: Any, *, max_seconds: Any = 60) -> float:
+    def delta(self, tau: Number, delta_0: Any, *, max_seconds: Number = 60) -> float:
         """The local strength at ``tau``, by the reversal; for alpha < 1 InputError from the extinction on."""
         if self.alpha < 1:
             end = self.extinction_time(delta_0)
@@ -83,7 +83,7 @@ class EnvelopeSeries(Rows):
         return self._number("delta", tau=tau, delta_0=delta_0)
 
     @public
-    def extinction_time(self, delta_0: Any, *, max_seconds: Any = 60) -> float:
+    def extinction_time(self, delta_0: Any, *, max_seconds: Number = 60) -> float:
         """alpha < 1: tau beyond which these series say nothing; InputError for alpha > 1, which never ends."""
         return self._number("extinction_time", delta_0=delta_0)
 

@@ -61,7 +61,7 @@ from asymptotics.envelopes.slow_time import (
 from asymptotics.errors import InputError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.symbolic import alpha as symbolic_alpha
-from asymptotics.law import Law, Oscillator
+from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.motions.certify import time_of
 from asymptotics.multiscale.orders import a, psi
 from asymptotics.multiscale.symbolic import MultipleScales
@@ -290,7 +290,7 @@ class Solution(ProvedCurve):
 
 
 @public
-def solution(law: Any, *, order: Any = 3, max_seconds: Any = 60) -> Solution | ImplicitSolution:
+def solution(law: LawLike, *, order: int = 3, max_seconds: Number = 60) -> Solution | ImplicitSolution:
     """The multiple-scale solution through ``order``: explicit for one law, implicit for sums and springs.
 
     ``law``: {alpha: epsilon}, a law or an oscillator (SI); an exponent alone, or "symbolic", leaves the strength a

@@ -17,13 +17,13 @@ from flint import arb
 from asymptotics.api.units import law_of
 from asymptotics.cut_short import changed
 from asymptotics.errors import InputError, require_flag
-from asymptotics.law import Law, Oscillator
+from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.motions.coulomb import exact_turning_points
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, bits_for, decimal_of, decimal_of_ball
 from asymptotics.numbers.digits import ball_of, spread
 from asymptotics.numbers.exact import ExactReal, square_root
-from asymptotics.numbers.policy import exact_integer
+from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.value import Coefficient, number_of
 from asymptotics.present.drawn import Drawn
@@ -136,14 +136,14 @@ class OscillatorTurningPoints(Rows, Drawn):
 
 @public
 def turning_points(
-    law: Any,
-    count: Any = 10,
+    law: LawLike,
+    count: int = 10,
     *,
-    digits: Any = 30,
-    start: Any = 0,
+    digits: int = 30,
+    start: int = 0,
     times: bool = False,
     route: str | None = None,
-    max_seconds: Any = 60,
+    max_seconds: Number = 60,
 ) -> TurningPoints | OscillatorTurningPoints:
     """Turning points n = start ... start + count - 1, as far as they exist.
 

@@ -20,6 +20,7 @@ from typing import Any
 
 import numpy as np
 from flint import arb
+from numpy.typing import ArrayLike
 from sympy import Eq
 from sympy import Integral as Integral  # for the examples
 
@@ -29,7 +30,7 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.certified_zeros import certified_half_swing
 from asymptotics.half_swings.forces import Forces
-from asymptotics.law import Law
+from asymptotics.law import Law, LawLike, SpringLike
 from asymptotics.motions.waveform import WaveformTable
 from asymptotics.multiscale.certified_waves import WaveSource, half_turns, wave_source, waves_at
 from asymptotics.multiscale.orders import order_letters
@@ -60,7 +61,7 @@ class Waveforms(Shown):
     notes: tuple[str, ...] = field(default=(), compare=False)
 
     @public
-    def at(self, psi: Number, *, digits: Any = 30, max_seconds: Any = 60) -> dict[Label, str]:
+    def at(self, psi: Number, *, digits: int = 30, max_seconds: Number = 60) -> dict[Label, str]:
         """x_k at one phase (rad), correctly rounded and proved to be; "0" where it is 0."""
         phase, D = exact_number(psi, "psi"), exact_integer(digits, "digits", 1, MAX_DIGITS)
         return {
@@ -69,7 +70,7 @@ class Waveforms(Shown):
         }
 
     @public
-    def balls(self, psi: Any, *, digits: Any = 30, max_seconds: Any = 60) -> dict[Label, list[arb]]:
+    def balls(self, psi: ArrayLike, *, digits: int = 30, max_seconds: Number = 60) -> dict[Label, list[arb]]:
         """x_k at a sequence of exact phases as balls of FLINT, absolute radius about 10^-``digits``."""
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
         if isinstance(psi, str) or not isinstance(psi, Sequence | np.ndarray):
@@ -80,7 +81,7 @@ class Waveforms(Shown):
         return {_label(k): [row[k] for row in found] for k in self.keys}
 
     @public
-    def sample(self, psi: Any, *, max_seconds: Any = 60) -> dict[Label, Any]:
+    def sample(self, psi: ArrayLike, *, max_seconds: Number = 60) -> dict[Label, Any]:
         """x_k at an array of phases in doubles, to about 1e-13: an array of the same shape for each k."""
         phases = real_array(psi, "psi")
         turns = np.floor(phases / np.pi)
@@ -90,7 +91,7 @@ class Waveforms(Shown):
         return {_label(k): (c * P - s * Q).reshape(phases.shape) * side for k, P, Q in waves}
 
     @public
-    def integral(self, n: int, *, max_seconds: Any = 60) -> Eq:
+    def integral(self, n: int, *, max_seconds: Number = 60) -> Eq:
         """X_n as the hierarchy has it: a polynomial, a closed form by 2F1, or the integral of the lower orders."""
         found = self.scales.orders[exact_integer(n, "n", 1, self.order)].solution
         assert found is not None
@@ -137,7 +138,7 @@ class Waveforms(Shown):
 
 
 @public
-def waveforms(law: Any, *, order: Any = 4, spring: Any = None, max_seconds: Any = 60) -> Waveforms:
+def waveforms(law: LawLike, *, order: int = 4, spring: SpringLike | None = None, max_seconds: Number = 60) -> Waveforms:
     """The waveforms x_k(psi) of the turning-point gauge through ``order`` <= 12, as certified numbers and as arrays.
 
     ``law``, ``spring``: as for ``multiple_scales``, with exponents that are numbers.  InputError for others, for an

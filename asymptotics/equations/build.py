@@ -18,11 +18,11 @@ from asymptotics.equations.row import Row
 from asymptotics.errors import InputError, require_flag
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.symbolic import alpha
-from asymptotics.law import Law, Oscillator
+from asymptotics.law import Law, LawLike, Oscillator, SpringLike
 from asymptotics.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.results import Coefficients
-from asymptotics.numbers.policy import exact_integer, exact_seconds, float_notes
+from asymptotics.numbers.policy import Number, exact_integer, exact_seconds, float_notes
 from asymptotics.public import public
 from asymptotics.terms import Term
 
@@ -32,8 +32,8 @@ _FORMS = 'an exponent >= 0, a list of them, a Law, an Oscillator, a mapping expo
 
 @public
 def expand(
-    law: Any, *, order: Any = 4, gauge: str = TURNING_POINT, digits: Any = 30, spring: Any = None,
-    exact: bool = False, max_seconds: Any = 60,
+    law: LawLike, *, order: int = 4, gauge: str = TURNING_POINT, digits: int = 30, spring: SpringLike | None = None,
+    exact: bool = False, max_seconds: Number = 60,
 ) -> Equations:  # fmt: skip
     """The amplitude and phase equations through delta^order (derivations ``half-swing-equations``, ``no-logarithms``).
 

@@ -21,7 +21,7 @@ alpha = 3/2, gauge turning-point, order 4, certified coefficients; formal: no bo
 (-0.0161808635, 0.9992355564)
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -35,7 +35,7 @@ from asymptotics.equations.strengths import Strengths
 from asymptotics.errors import InputError, require_choice
 from asymptotics.law import Law, Oscillator
 from asymptotics.normal_form import show
-from asymptotics.numbers.policy import exact_integer, exact_number
+from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.numbers.value import Coefficient, coefficient_columns
 from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public
@@ -84,7 +84,7 @@ class Equations(Rows):
 
     @public
     def lambdify(
-        self, modules: str = "numpy", *, epsilon: Any = None, max_seconds: Any = 60
+        self, modules: str = "numpy", *, epsilon: Any = None, max_seconds: Number = 60
     ) -> Callable[..., tuple[Any, Any]]:
         """``f(A, psi) -> (dA/dtau, dpsi/dtau)``, for NumPy arrays or, with "mpmath", at the precision in force.
 
@@ -114,7 +114,7 @@ class Equations(Rows):
         return list(self(*state_of(y)))
 
     @public
-    def to_sympy(self, *, max_seconds: Any = 60) -> tuple[sympy.Expr, sympy.Expr]:
+    def to_sympy(self, *, max_seconds: Number = 60) -> tuple[sympy.Expr, sympy.Expr]:
         """(dA/dtau, dpsi/dtau) in the symbols A and epsilon (epsilon_1, ... for several), SI numbers for an oscillator.
 
         Coefficients are exact where an exact form is known, Floats with all their digits elsewhere.
@@ -124,7 +124,7 @@ class Equations(Rows):
         return -scale * A_SYMBOL * p, scale * (1 + Omega)
 
     @public
-    def odes(self, *, max_seconds: Any = 60) -> tuple[sympy.Eq, sympy.Eq]:
+    def odes(self, *, max_seconds: Number = 60) -> tuple[sympy.Eq, sympy.Eq]:
         """The two equations for the functions A and psi of tau (of t for an oscillator), as SymPy equations."""
         time = TAU if self.oscillator is None else T
         A, psi = sympy.Function("A", positive=True)(time), sympy.Function("psi", real=True)(time)
@@ -132,7 +132,7 @@ class Equations(Rows):
         return tuple(sympy.Eq(sympy.Derivative(f, time), r, evaluate=False) for f, r in zip((A, psi), rates))
 
     @public
-    def observables(self, A: Any = None, epsilon: Any = None, *, max_seconds: Any = 60) -> Observables:
+    def observables(self, A: Any = None, epsilon: Any = None, *, max_seconds: Number = 60) -> Observables:
         """Half period, decrement, Q and energy loss at the turning amplitude A (default: the start), any gauge."""
         if not self.terms:
             raise InputError("alpha", "it is symbolic", "an exponent")
@@ -144,7 +144,12 @@ class Equations(Rows):
 
     @public
     def compare(
-        self, other: "Equations | Callable[..., Any]", A: Any = None, epsilon: Any = None, *, max_seconds: Any = 60
+        self,
+        other: "Equations | Callable[..., Any]",
+        A: Any = None,
+        epsilon: Number | Sequence[Number] | None = None,
+        *,
+        max_seconds: Number = 60,
     ) -> Comparison:
         """Against equations in any gauge or order (observables), or a function (A, psi) -> rates in this gauge."""
         if isinstance(other, Equations):
@@ -155,7 +160,7 @@ class Equations(Rows):
         return compare_functions(self.lambdify(epsilon=epsilon), other, 1.0 if A is None else _amplitude(A))
 
     @public
-    def best_order(self, delta: Any, *, max_seconds: Any = 60) -> BestOrder:
+    def best_order(self, delta: Number, *, max_seconds: Number = 60) -> BestOrder:
         """Where to stop at the local strength ``delta``, one law: |c_1| e^(-2 pi |c|/delta) beside the measured error.
 
         Also the errors with one and two exponentials added back; all in half-swings, against the turning points that
@@ -166,7 +171,7 @@ class Equations(Rows):
             raise InputError("law", "the large orders are known for one law only", "one law without a spring")
         return best_truncation(self.terms[0].velocity, exact_number(delta, "delta"))
 
-    def latex(self, digits: Any = show.SHOWN_DIGITS) -> str:
+    def latex(self, digits: int = show.SHOWN_DIGITS) -> str:
         """The two equations in LaTeX, coefficients to at most ``digits`` digits where they have no short exact form."""
         D = exact_integer(digits, "digits", 1, show.MAX_DIGITS)
         time, names = (r"\tau" if self.oscillator is None else "t"), self._names(r"\delta", "_{%d}")

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from numpy.typing import ArrayLike
 from sympy import Expr
 
 from asymptotics.equivalent.conversions import Conversion, conversions
@@ -21,7 +22,7 @@ from asymptotics.made_by import mark
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.digits import outward, spread
-from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public
@@ -84,7 +85,7 @@ class EquivalentDamping(Rows, Drawn):
         return stream.getvalue()
 
     @public
-    def sample(self, A: Any, *, max_seconds: Any = 60) -> dict[str, Any]:
+    def sample(self, A: ArrayLike, *, max_seconds: Number = 60) -> dict[str, Any]:
         """zeta, Q, decrement, energy_loss, c_eq of first order at an array of amplitudes > 0: doubles."""
         oscillator = self._numbers()
         amplitudes = real_array(A, "A")
@@ -108,7 +109,7 @@ class EquivalentDamping(Rows, Drawn):
         axes.set(xlabel=self._named("amplitude"), ylabel=self._named(quantity))
 
     @public
-    def conversions(self, *, max_seconds: Any = 60) -> tuple[Conversion, ...]:
+    def conversions(self, *, max_seconds: Number = 60) -> tuple[Conversion, ...]:
         """The strengths under the names of ITTC, IMO, OpenFAST, OrcaFlex and of dampers, with their definitions; SI."""
         if not self.si:
             raise InputError("law", "it has no units", "an oscillator: mass, stiffness and b in SI")

@@ -33,6 +33,7 @@ from asymptotics.identification.runs import common, verdict_of_runs
 from asymptotics.identification.sources import LEAST_POINTS, load
 from asymptotics.identification.textbook import textbook_estimates
 from asymptotics.identification.verdicts import Verdict, verdict_of
+from asymptotics.numbers.policy import Number
 from asymptotics.public import public
 from asymptotics.records.sources import How
 from asymptotics.records.units import ANGLES, GRAVITY, UNITS
@@ -55,7 +56,7 @@ def identify(
     omega_0: float | None = None,
     noise: float | None = None,
     bootstrap: bool = True,
-    max_seconds: Any = 60,
+    max_seconds: Number = 60,
     columns: str | None = None,
     decimal: str | None = None,
     skip: int = 0,

@@ -30,6 +30,7 @@ from asymptotics.errors import InputError, shown
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import inside
 from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.policy import Number
 from asymptotics.present.shown import Page, Shown
 from asymptotics.public import public
 
@@ -53,7 +54,7 @@ class GeneratingFunction(Shown):
         return to_sympy(self.P(fmpq(-1))) * sympy.pi
 
     @public
-    def in_angle(self, *, max_seconds: Any = 60) -> sympy.Expr:
+    def in_angle(self, *, max_seconds: Number = 60) -> sympy.Expr:
         """G_i as a function of theta in (0, pi), continuous through theta = pi/2.
 
         >>> generating_function(1).in_angle()
@@ -64,7 +65,7 @@ class GeneratingFunction(Shown):
         return sympy.expand(numerator / s**self.i) if self.i < 2 else numerator / s**self.i
 
     @public
-    def in_z(self, *, max_seconds: Any = 60) -> sympy.Expr:
+    def in_z(self, *, max_seconds: Number = 60) -> sympy.Expr:
         """G_i as a function of z: A(z) atan(z) / z^i + B(z) / (z^k (1 + z^2)^m), for all real z and for |z| < 1.
 
         >>> generating_function(0).in_z(), generating_function(1).in_z()

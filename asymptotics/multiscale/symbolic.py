@@ -29,7 +29,6 @@ A spring stands beside the losses with its own strength c, and turns the phase a
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from flint import fmpq
 from sympy import Add, Derivative, Eq, Expr, cos, diff, expand, latex, sin
@@ -55,6 +54,7 @@ from asymptotics.multiscale.orders import (
 from asymptotics.multiscale.turning import TurningHierarchy
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.policy import Number
 from asymptotics.present.shown import Page, Shown
 from asymptotics.public import public
 from asymptotics.series import Key, Series, monomials
@@ -116,7 +116,7 @@ class MultipleScales(Shown):
         return _in_strengths(self.start.phase, self.symbols)
 
     @public
-    def slow_derivative(self, n: int, f: Expr, *, max_seconds: Any = 60) -> Expr:
+    def slow_derivative(self, n: int, f: Expr, *, max_seconds: Number = 60) -> Expr:
         """D_n f = (D_n a) df/da + (D_n psi) df/d psi for an expression in a and psi; n = 0 is the fast derivative."""
         rate, turn = self.rates[require_integer(n, "n", 0, len(self.rates) - 1)]
         if not isinstance(f, Expr):
@@ -124,7 +124,7 @@ class MultipleScales(Shown):
         return expand(rate * diff(f, a) + turn * diff(f, psi))
 
     @public
-    def commutator(self, i: int, j: int, *, max_seconds: Any = 60) -> tuple[Expr, Expr]:
+    def commutator(self, i: int, j: int, *, max_seconds: Number = 60) -> tuple[Expr, Expr]:
         """(D_i D_j - D_j D_i) of a and of psi: zero would mean that a(T_1, T_2, ...), phi(T_1, T_2, ...) exist."""
         last = len(self.rates) - 1
         pairs = zip(*(self.rates[require_integer(n, name, 0, last)] for name, n in (("i", i), ("j", j))))

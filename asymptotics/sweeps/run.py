@@ -30,6 +30,7 @@ from typing import Any
 
 from asymptotics.errors import InputError
 from asymptotics.made_by import mark
+from asymptotics.numbers.policy import Number
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public_beside_others
@@ -103,7 +104,7 @@ def sweep(
     executor: Executor | None = None,
     crew: OpenCrew | None = None,
     progress: Progress = lambda done, total: None,
-    max_seconds: Any = None,
+    max_seconds: Number | None = None,
 ) -> SweepResult:
     """Compute ``task`` at every point that the store in ``folder`` does not hold yet.
 

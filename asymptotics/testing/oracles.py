@@ -29,7 +29,7 @@ def check_turning_points(
     count: int = 10,
     digits: int = 8,
     *,
-    max_seconds: Any = 60,
+    max_seconds: Number = 60,
 ) -> None:
     """``mine(law, count)`` returns x_0 = 1, x_1, ... with their signs, right to ``digits`` digits.
 
@@ -55,7 +55,7 @@ def check_motion(
     times: Sequence[Number],
     digits: int = 8,
     *,
-    max_seconds: Any = 60,
+    max_seconds: Number = 60,
 ) -> None:
     """``mine(oscillator, times)`` returns x in m, wrong by at most 10^-digits of the oscillator's unit of length.
 
@@ -83,7 +83,7 @@ def check_coefficients(
     gauge: str = TURNING_POINT,
     digits: int = 10,
     *,
-    max_seconds: Any = 60,
+    max_seconds: Number = 60,
 ) -> None:
     """Coefficients of one's own expansion: keys "p_1", "Omega_2" (sums "p_1,0", ...), in the gauge that is named.
 
