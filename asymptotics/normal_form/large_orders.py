@@ -8,7 +8,8 @@ laws are proved (derivation ``large-orders``), each with a factor 1 + f/n + O(n^
     Omega_k = -(-1)^(k/2)     (2 d_1/pi)         (k-1)!/(2 pi c)^k,         k even,
 
 so V_(k+2)/V_k -> -(k-1)(k-2) (|alpha - 1| p_1/2)^2, 2 pi |c| = 2/(|alpha - 1| p_1), unless the constant vanishes.  The
-O(n^-2) has no numbers; the place of the smallest term, near k* = 2 pi |c|/delta, and Borel-Pade are heuristic.
+O(n^-2) goes on as a series (``divergence.rows``); the place of the smallest term, near k* = 2 pi |c|/delta, and
+Borel-Pade are heuristic.
 
 At alpha = 0 and alpha = 1 the series of U and W end or converge, and nothing here applies.
 
@@ -21,6 +22,7 @@ At alpha = 0 and alpha = 1 the series of U and W end or converge, and nothing he
 (13, 16)
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import exp
 from typing import Any
@@ -55,8 +57,12 @@ class Truncation:
     status: str = LABEL
 
 
-def large_order(k: int, row: str, c: mpmath.mpf, f: mpmath.mpf, c_1: mpmath.mpf, d_1: mpmath.mpf) -> mpmath.mpf:
+def large_order(
+    k: int, row: str, c: mpmath.mpf, f: mpmath.mpf, c_1: mpmath.mpf, d_1: mpmath.mpf, further: Sequence[mpmath.mpf] = ()
+) -> mpmath.mpf:
     """The proved law of ``row`` "V", "p" (over p_1) or "Omega" at k with its first correction; 0 where k has no term.
+
+    ``further``: g_2, g_3, … of ``divergence.rows.corrections``, each of which takes a power of k from what is left.
 
     >>> c, f, d_1 = map(mpmath.mpf, ("0.75", "3.948", "0.4125"))
     >>> print(mpmath.nstr(large_order(40, "Omega", c, f, mpmath.mpf(0), d_1), 6))
@@ -69,7 +75,8 @@ def large_order(k: int, row: str, c: mpmath.mpf, f: mpmath.mpf, c_1: mpmath.mpf,
     }[row]
     if n < 1 or k % 2 != odd:
         return mpmath.mpf(0)
-    return -((-1) ** (k // 2)) * size * mpmath.factorial(n) / (2 * mpmath.pi * c) ** power * (1 + f / n)
+    factor = 1 + sum(g / mpmath.ff(n, j) for j, g in enumerate((f, *further), 1))
+    return -((-1) ** (k // 2)) * size * mpmath.factorial(n) / (2 * mpmath.pi * c) ** power * factor
 
 
 def slope(expansion: Expansion) -> float:

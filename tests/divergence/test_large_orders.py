@@ -9,6 +9,7 @@ from mpmath import mp
 from asymptotics.divergence.abel import at_height, odd_series
 from asymptotics.divergence.constants import effort, rough_petal, stokes_balls
 from asymptotics.divergence.germ import germ
+from asymptotics.divergence.rows import corrections, rows_of
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.large_orders import large_order
@@ -20,7 +21,7 @@ ORDERS = [
     ("2", 30),
     pytest.param("2", 60, marks=pytest.mark.slow),
     pytest.param("3", 60, marks=pytest.mark.slow),
-    pytest.param("3/2", 24, marks=pytest.mark.slow),
+    pytest.param("3/2", 60, marks=pytest.mark.slow),
 ]
 
 
@@ -73,34 +74,58 @@ def heights(y_0, top, step):
 
 @pytest.mark.parametrize(("text", "order"), ORDERS)
 def test_the_laws_of_p_and_omega(text, order):
-    """p_k has c_1 + d_1/pi, Omega_k has d_1, with the first correction; c_1 alone and no correction are refuted."""
-    c, f, c_1, d_1 = known(text)
-    p, Omega = rows(text, order)
-    least = 40 if "/" not in text else 120  # the O(k^-2) has no numbers: at 3/2 it is 90 k^-2
-    with mp.workdps(40):
-        k = max(p)
-        law = large_order(k, "p", c, f, c_1, d_1) * p[1]
-        assert abs(p[k] / law - 1) < least / mp.mpf(k) ** 2
-        wrong = large_order(k, "p", c, f, c_1, 0) * p[1]
-        assert not abs(p[k] / wrong - 1) < 0.1
-        shown = (p[k] / law * (1 + f / (k - 2)) - 1) * (k - 2)  # the first correction, seen in p_k
-        assert abs(shown / f - 1) < 2 * least / mp.mpf(k) / abs(f) < 1
-        k = max(Omega)
-        law = large_order(k, "Omega", c, f, c_1, d_1)
-        assert abs(Omega[k] / law - 1) < least / mp.mpf(k) ** 2
-        assert abs(Omega[k] / law - 1) < abs(Omega[k] / law * (1 + f / (k - 1)) - 1)
+    """Each correction takes a power of k from what is left, down to c_2 or 10^-14; near misses are refuted."""
+    law = parse_real(text, "alpha")
+    c_1, d_1 = (x[0] for x in stokes_balls(law, 1, 25))
+    made = rows_of(law, order)
+    with mp.workdps(40), ctx.workprec(200):
+        c, constants = number(made.c), (number(c_1), number(d_1))
+        for row, values in zip(("p", "Omega"), rows(text, order, made), strict=True):
+            k = max(values)
+            g = [number(x) for x in corrections(made, row, c_1, d_1, 14)]
+            scale = values[1] if row == "p" else 1
+
+            def left(count, pair=constants, row=row, k=k, g=g, ratio=values[k] / scale):
+                kept = [*g[:count], *[mp.mpf(0)] * (count == 0)]
+                return abs(ratio / large_order(k, row, c, kept[0], *pair, kept[1:]) - 1)
+
+            falling = [left(count) for count in (0, 1, 2, 6, 10, 14)]
+            assert all(a > 1.5 * b for a, b in zip(falling, falling[1:], strict=False))
+            least = 30 * mp.mpf(2) ** -min(k, 50)
+            assert falling[-1] < least and falling[2] < 450 / mp.mpf(k) ** 3
+            assert not left(14, (constants[0], constants[1] * (1 + 9 * least))) < least
+            if row == "p":  # c_1 alone: a constant of the amplitude without that of the time
+                assert not left(14, (constants[0], mp.mpf(0))) < 0.1
 
 
-def rows(text, order):
-    """p_k of odd k and Omega_k of even k > 0: exact for integers, certified for 3/2."""
+def test_the_first_correction_is_f():
+    c, f, _, _ = known("2")
+    for row in ("V", "p", "Omega"):
+        g = corrections(rows_of(parse_real("2", "alpha"), 6), row, arb(1), arb(1), 2)
+        assert abs(number(g[0]) / f - 1) < 1e-15 and not abs(number(g[1]) / (f**2 / 2) - 1) < 0.1
+
+
+def rows(text, order, made):
+    """p_k of odd k and Omega_k of even k > 0: exact for integers, for 3/2 those of the Abel function."""
     if "/" not in text:
         found = exact_expansion((int(text),), order)
-        with ctx.workprec(200):
-            p = {k: number(found.p[k].ball()) for k in range(1, order + 1, 2)}
-            return p, {k: number(found.Omega[k].ball()) for k in range(2, order + 1, 2)}
-    found = expansion_coefficients([parse_real(text, "alpha")], order, 25)
-    p, Omega = ({int(k): mp.mpf(c.value) for k, c in row.items()} for row in (found.amplitude, found.frequency))
-    return {k: x for k, x in p.items() if x}, {k: x for k, x in Omega.items() if x}
+        p, Omega = ({k: row[k].ball() for k in range(1, order + 1) if row[k]} for row in (found.p, found.Omega))
+    else:
+        p, Omega = ({k: row[k] for k in range(1, order + 1)} for row in (made.p, made.Omega))
+    return {k: number(p[k]) for k in range(1, order + 1, 2)}, {k: number(Omega[k]) for k in range(2, order + 1, 2)}
+
+
+@pytest.mark.parametrize(("text", "order"), [("3/2", 8), ("sqrt(7)", 6), ("1/3", 6)])
+def test_the_rows_of_the_abel_function_are_those_of_the_half_swing(text, order):
+    law = parse_real(text, "alpha")
+    made, found = rows_of(law, order), expansion_coefficients([law], order, 20)
+    with mp.workdps(30):
+        for row, values in ((found.amplitude, made.p), (found.frequency, made.Omega)):
+            for k, coefficient in row.items():
+                ball, value = values[int(k)], mp.mpf(coefficient.value)
+                assert abs(number(ball) - value) <= mp.mpf(10) ** -19 * abs(value) and float(ball.rad()) < 1e-15
+    moved = rows_of(parse_real("1001/2000", "alpha"), 4)
+    assert not moved.p[3].overlaps(rows_of(parse_real("1/2", "alpha"), 4).p[3])
 
 
 def test_the_law_of_v():

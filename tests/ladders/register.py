@@ -4,6 +4,7 @@ Names = dict[str, str]
 
 LOCAL, TURNING, ORBIT = "tests/bounds/test_local.py", "tests/bounds/test_turning.py", "tests/bounds/test_orbit.py"
 PETAL = "tests/divergence/test_bounds.py"
+ORDERS = "tests/divergence/test_large_orders.py"
 HEIGHTS = "tests/divergence/test_constants.py::test_another_height_gives_the_same_numbers"
 ONE_LAW = "tests/half_swings/test_one_law.py"
 LATE, FINITE, SLOW = "tests/bounds/test_late.py", "tests/half_swings/test_finite.py", "tests/swing/test_slow.py"
@@ -65,6 +66,8 @@ BOUNDS: Names = {
     **_each(
         "divergence.half_step", "tail share", f"{PETAL}::test_the_tail_of_cauchy_is_its_formula_and_ends_at_the_circle"
     ),
+    **_each("divergence.rows", "rows_of", f"{ORDERS}::test_the_rows_of_the_abel_function_are_those_of_the_half_swing"),
+    **_each("divergence.rows", "corrections", f"{ORDERS}::test_the_first_correction_is_f"),
     **_each("divergence.abel", "odd_series at at_height later", f"{PETAL}::test_what_an_orbit_leaves_out_is_bounded"),
     **_each("half_swings.nodes", "node_quarter", f"{ONE_LAW}::test_the_balls_hold_those_of_the_sums"),
     **_each("divergence.constants", "stokes_balls rough_petal", HEIGHTS),
