@@ -22,6 +22,8 @@ extensions = [
     "gallery_style",
     "page_to_play",
     "math_font",
+    "paper_links",
+    "theory_figures",
 ]
 exclude_patterns = ["extensions", "gallery"]
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence", "substitution"]
@@ -47,6 +49,7 @@ sphinx_gallery_conf = {
     "abort_on_example_error": True,
     "plot_gallery": True,
     "reset_modules": ("gallery_style.reset",),
+    "image_scrapers": ("gallery_style.looked_at",),
     "write_computation_times": False,
     "min_reported_time": 1000,
     "copyfile_regex": "",

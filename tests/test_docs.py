@@ -5,12 +5,15 @@ import shlex
 from importlib import import_module
 from pathlib import Path
 
+import matplotlib as mpl
+import matplotlib.pyplot as plt
 import pytest
 
 import asymptotics as asy
 from asymptotics.cli.main import main
 from derivations.__main__ import names
 
+mpl.use("Agg")
 ROOT = Path(__file__).parents[1]
 PAGES = sorted((ROOT / "docs").rglob("*.md"))
 GALLERY = sorted((ROOT / "docs/gallery").glob("plot_*.py"))
@@ -86,3 +89,36 @@ def test_the_names_of_the_reference_are_public():
     named = re.findall(r"^reference/([\w.]+)$", page, re.MULTILINE)
     assert set(asy.__all__) - set(named) == {"testing"}  # a page of its own
     assert not {name.rpartition(".")[2] for name in named if "." in name} & set(asy.__all__)
+
+
+def test_every_theory_page_has_a_figure_a_number_a_derivation_and_statements(monkeypatch):
+    monkeypatch.syspath_prepend(str(ROOT / "docs/extensions"))
+    drawn = {figure.__name__ for figure in import_module("theory_figures").FIGURES}
+    known, ids = set(names()), {statement.id for statement in asy.statements()}
+    pages = {path.stem: path.read_text() for path in (ROOT / "docs/theory").glob("*.md")}
+    assert drawn == set(pages)
+    for name, text in pages.items():
+        assert f"](figures/{name}.svg)" in text and re.search(r"```(\{doctest\}|console)\n", text), name
+        code = set(re.findall(r"`([\w.:-]+)`", text))
+        assert code & known, name
+        cited = {c for c in code if re.match(r"(lancaster2020|lelas2024|smith2012):", c)}
+        assert cited and cited <= ids, (name, cited - ids)
+
+
+def test_faults_of_a_picture_are_noticed(monkeypatch):
+    monkeypatch.syspath_prepend(str(ROOT / "docs/extensions"))
+    faults = import_module("picture_faults").faults
+    figure, axes = plt.subplots()
+    axes.plot([0, 1], [0, 1], label="a line")
+    axes.legend(loc="upper left")
+    assert faults(figure) == []
+    axes.legend(loc="upper right")
+    assert "the legend covers data" in faults(figure)[0]
+    axes.get_legend().remove()
+    axes.set_xticks([0.5, 0.501, 0.502], ["one long label", "another", "and a third"])
+    assert "ticks overlap" in faults(figure)[0]
+    plt.close(figure)
+    figure, (left, right) = plt.subplots(1, 2)
+    left.plot([0, 1], [0, 1])
+    assert faults(figure) == ["axes: empty"]
+    plt.close(figure)

@@ -12,11 +12,12 @@ from typing import Any
 
 from asymptotics.errors import InputError, shown
 
+COLOURS = ["#1f4e9c", "#c2410c", "#15803d", "#7e22ce", "#0e7490", "#be185d", "#78716c", "#ca8a04"]
 STYLE: Any = {
     "axes.edgecolor": "#6b7280",
     "axes.grid": True,
     "axes.labelsize": 11,
-    "axes.prop_cycle": "cycler('color', ['#1f4e9c', '#c2410c', '#15803d', '#7e22ce'])",
+    "axes.prop_cycle": f"cycler('color', {COLOURS})",
     "axes.spines.right": False,
     "axes.spines.top": False,
     "axes.titlesize": 11,

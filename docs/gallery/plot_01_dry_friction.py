@@ -22,7 +22,7 @@ axes.plot(events.turning, events.turning_x, "o", markersize=4, label="turning po
 axes.axhspan(-0.14715 / 30, 0.14715 / 30, color="#c2410c", alpha=0.25, label="|k x| < friction: it can stay")
 axes.axvline(events.stop, color="#6b7280", linestyle=":", label=f"stops at {events.stop:.2f} s")
 axes.set(xlabel="t (s)", ylabel="x (m)")
-axes.legend(loc="upper right")
+axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=3, fontsize=8)
 
 # %%
 # Twenty half-swings of the time :math:`\pi\sqrt{m/k}` each, and then it lies 3.8 mm from the middle.

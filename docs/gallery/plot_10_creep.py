@@ -9,6 +9,7 @@ claims that it is at rest.
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import NullFormatter
 
 import asymptotics as asy
 
@@ -25,6 +26,7 @@ right.loglog(tau[60:], np.abs(x[60:]), label="|X|")
 right.loglog(tau[60:], 0.25 / tau[60:], ":", label=r"$\varepsilon^2/\tau$")
 right.set(xlabel=r"$\tau$")
 right.legend()
+right.xaxis.set_minor_formatter(NullFormatter())
 
 # %%
 # How the sequence of turning points ends:

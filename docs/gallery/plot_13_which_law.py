@@ -20,7 +20,7 @@ for alpha, b in (("0", "0.05"), ("1/2", "0.06"), ("1", "0.1"), ("3/2", "0.2"), (
     axes.loglog(amplitudes, Q, "o-", markersize=3, label=rf"$\alpha = {alpha}$")
     slopes[alpha] = -np.polyfit(np.log(amplitudes[:4]), np.log(Q[:4]), 1)[0] + 1
 axes.set(xlabel="amplitude (m)", ylabel="Q")
-axes.legend()
+axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=5, fontsize=8)
 
 # %%
 # The exponents read off the slopes at small amplitude:

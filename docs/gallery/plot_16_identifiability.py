@@ -8,6 +8,7 @@ turning points with noise sigma allow, and so the number of swings after which (
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import NullFormatter
 
 from asymptotics.identification.identifiability import swings_needed
 
@@ -22,6 +23,7 @@ for i, noise in enumerate(noises):
 figure, axes = plt.subplots()
 picture = axes.contourf(shares, noises, needed, levels=[10, 20, 40, 80, 160, 320, 640])
 axes.set(xscale="log", yscale="log")
+axes.xaxis.set_minor_formatter(NullFormatter())
 axes.set(xlabel="share of the linear term in the first decrement", ylabel="noise / first amplitude")
 figure.colorbar(picture, label="half-swings needed")
 

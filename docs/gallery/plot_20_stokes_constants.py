@@ -16,7 +16,7 @@ import asymptotics as asy
 # right petal orbits run into 0, on the left one they come from 0; by the reversal -F(-F(delta)) = delta one is the
 # mirror image of the other.  Above and below 0 the petals overlap: there an orbit has both counts.
 
-figure, (plane, curve) = plt.subplots(1, 2, figsize=(9, 4))
+figure, plane = plt.subplots(figsize=(5.4, 4.4))
 log_ratio = {int(k): float(c) for k, c in asy.half_swing(2, order=12).log_ratio.items()}
 z = np.concatenate([-3 + 1j * np.array([-9, -7, -5, -4, -3, 3, 4, 5, 7, 9]), [2.5 + 1.5j, 2.5, 2.5 - 1.5j]])
 orbits = [0.75 / z]  # z = c/delta: a half-swing is nearly z + 1
@@ -28,12 +28,13 @@ for paths, colour, name in ((to, "C0", "right petal, to 0"), (back, "C1", "left 
     lines[0].set_label(name)
 plane.plot(0, 0, "k.")
 plane.set(xlabel=r"Re $\delta$", ylabel=r"Im $\delta$", aspect="equal")
-plane.legend(loc="lower right", fontsize="small")
+plane.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2, fontsize="small")
 
 # %%
 # The constants at a few exponents, to four digits.  Near 1, in the grey strip, the zeros of c_1 seem to
 # accumulate; three on either side of 1 are proved, the outermost are the diamonds.
 
+figure, curve = plt.subplots()
 grid = {0.2: "1/5", 0.3: "3/10", 0.4: "2/5", 0.5: "1/2", 2: "2", 4: "4", 6: "6"}
 found = {alpha: asy.stokes(text, digits=4) for alpha, text in grid.items()}
 for name, colour in (("c", "C0"), ("d", "C3")):
@@ -44,8 +45,7 @@ curve.axvspan(0.55, 1.9, color="0.9")
 curve.axhline(0, color="0.5", linewidth=0.6)
 curve.plot([0.543614812520, 2.162839771406], [0, 0], "kD", markersize=5, label="$c_1 = 0$")
 curve.set(xlabel=r"$\alpha$", ylabel="Stokes constant")
-curve.legend()
-figure.tight_layout()
+curve.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=3)
 
 # %%
 # A sign that changes between two certified values proves a zero in between.

@@ -1,0 +1,63 @@
+"""What is wrong with a picture, as far as a program sees it: empty axes, ticks that overlap, a legend over the data."""
+
+import numpy as np
+
+GAP = 2.0  # pixels between two labels
+
+
+def faults(figure):
+    """The faults in words; an empty list for a picture without any."""
+    figure.canvas.draw()
+    frame = figure.bbox
+    found = []
+    for axes in (a for a in figure.axes if a.get_visible()):
+        name = axes.get_title() or axes.get_ylabel() or axes.get_xlabel() or "axes"
+        if not axes.has_data() and not axes.texts and axes.get_label() != "<colorbar>":
+            found.append(f"{name}: empty")
+        found += [f"{name}: ticks overlap at {text!r}" for axis in (axes.xaxis, axes.yaxis) for text in crowded(axis)]
+        legend = axes.get_legend()
+        if legend is not None and covered(axes, legend.get_window_extent()):
+            found.append(f"{name}: the legend covers data")
+        box = axes.get_tightbbox()
+        if box is not None and (box.x0 < frame.x0 - 2 or box.x1 > frame.x1 + 2 or box.y1 > frame.y1 + 2):
+            found.append(f"{name}: cut off by the edge")
+    return found
+
+
+def crowded(axis):
+    """The labels of ticks that touch their neighbour."""
+    low, high = sorted(axis.get_view_interval())
+    ticks = [t for t in (*axis.get_major_ticks(), *axis.get_minor_ticks()) if low <= t.get_loc() <= high]
+    labels = [t.label1 for t in ticks if t.label1.get_visible() and t.label1.get_text()]
+    side = "x" if axis.axis_name == "x" else "y"
+    boxes = [(label.get_window_extent(), label.get_text()) for label in labels]
+    boxes.sort(key=lambda b: getattr(b[0], f"{side}0"))
+    pairs = zip(boxes, boxes[1:])
+    return [b[1] for a, b in pairs if getattr(b[0], f"{side}0") < getattr(a[0], f"{side}1") + GAP]
+
+
+def covered(axes, box):
+    """Whether a line or a cloud of points passes under the box."""
+    for line in axes.lines:
+        data = np.column_stack([line.get_xdata(orig=False), line.get_ydata(orig=False)])
+        places = line.get_transform().transform(data)
+        drawn = _dense(places) if line.get_linestyle() not in ("None", "", " ") else places
+        if _any_inside(drawn, box):
+            return True
+    clouds = [c for c in axes.collections if len(c.get_offsets()) > 1]
+    return any(_any_inside(c.get_offset_transform().transform(c.get_offsets()), box) for c in clouds)
+
+
+def _dense(places, steps=20):
+    """Points along the segments, so that a long one does not pass unseen."""
+    if len(places) < 2 or len(places) > 2000:
+        return places
+    share = np.linspace(0, 1, steps)[:, None, None]
+    return (places[None, :-1] * (1 - share) + places[None, 1:] * share).reshape(-1, 2)
+
+
+def _any_inside(places, box):
+    places = np.asarray(places, float)
+    ok = np.isfinite(places).all(axis=1)
+    x, y = places[ok].T
+    return bool(((x > box.x0) & (x < box.x1) & (y > box.y0) & (y < box.y1)).any())
