@@ -15,7 +15,7 @@ from asymptotics.identification.coefficients import Element, swing_coefficients
 from asymptotics.identification.comparison import LawFit
 from asymptotics.present.shown import Shown
 
-WEAK = 0.5
+WEAK = 0.2
 """The share of the loss from which on a term that is not excluded makes the verdict too weak for one law."""
 
 

@@ -45,6 +45,7 @@ _FAR = 1.4
 _SPARSE, _NOISY, _DEEP = 100.0, 2e-3, 8.0
 """Samples a period, and noise, at which extremes tell less than the samples do, and how near to the noise a decay may
 come: then the motion is fitted."""
+_UNEVEN = 2.0
 _FEW = 1.0
 """Extremes a period (there are two) below which a line is taken off before the passages are sought."""
 _MEANS, _FEW_MEANS = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16, np.array([1.0, 2.0, 1.0]) / 4
@@ -79,7 +80,9 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: Rows = _
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     period = dominant_period(t, x)
     per_period = period / float(np.median(np.diff(t)))
-    if per_period < _LEAST_SAMPLES:
+    steps = np.diff(t)
+    uneven = float(np.quantile(steps, 0.9)) > _UNEVEN * float(np.median(steps))
+    if per_period < (_SPARSE if uneven else _LEAST_SAMPLES):
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     base = np.array([float(np.median(x)), 0.0])
     found = _points(t, x - base[0], period)
@@ -91,7 +94,7 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: Rows = _
         base = base + _base_line(found, t[0])
         found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
     if len(found.x) < 4:
-        raise InputError("FILE", f"{name} has {len(found.x)} turning points", "at least 4 in a free decay")
+        return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     if abs(base[1]) * (t[-1] - t[0]) > 3 * np.median(found.sigma_x):
         notes.append(f"base line {base[0]:.4g} and drift {base[1]:.3g} a unit of time removed")
     else:
@@ -246,7 +249,7 @@ def _base_line(found: _Points, start: float) -> Array:
 def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
     """Indices of the free decay: from the largest turning point to the first that the noise hides."""
     size, notes = np.abs(found.x), []
-    first = int(np.argmax(size))
+    first = int(np.argmax(size >= size.max() - 4 * float(np.median(found.sigma_x))))  # noise alone makes none larger
     if first > len(size) // 2:  # a growing record: nothing to cut off
         first = 0
     else:
