@@ -1,8 +1,9 @@
 """The certified flow u' = -w, w' = G(u, w) = s_0(u) - (losses at the speed w) of a half-swing, for every force.
 
 The mass moves towards smaller u with the speed w >= 0; s_0 is the force of the springs less dry friction.  What is
-here is proved once for the linear spring and for every other well; the rooms ``swing`` and ``wells`` follow an orbit
-with it, each with its own theorem on how far two motions part.
+here is proved once for the linear spring, for every other well and for polynomial forces with gains; the rooms
+``swing``, ``wells`` and ``limit_cycles`` follow an orbit with it, each with its own theorem on how far two motions
+part.
 
 ===============  =====================================================================================
 ``balls``        upper bounds, sizes in doubles, dyadic numbers

@@ -12,7 +12,10 @@ from flint import arb
 
 
 class Force(Protocol):
-    """``rate``: r of a pendulum, else None; ``linear``: 1 where G - u depends on w alone, else 0."""
+    """``rate``: r of a pendulum, else None; ``linear``: 1 where G - u depends on w alone, else 0.
+
+    ``entire``: whether every exponent of the speed is a whole number, so that the speed may vanish on a step.
+    """
 
     @property
     def rate(self) -> arb | None:
@@ -21,6 +24,10 @@ class Force(Protocol):
     @property
     def linear(self) -> int:
         """1 or 0."""
+
+    @property
+    def entire(self) -> bool:
+        """Whether the speed may vanish."""
 
     def rest_powers(self, side: int, /) -> list[tuple[arb, int]]:
         """(c_j, n_j) where u has the sign ``side``."""

@@ -115,6 +115,27 @@ def order_for(bits: int) -> int:
 
 def coefficients(force: Force, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
     """Taylor coefficients of u and w about a state with w > 0, through t^order; at u = 0 on the side u < 0."""
+    return (_of_whole_powers if force.entire else _of_real_powers)(force, u, w, order)
+
+
+def _of_whole_powers(force: Force, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
+    """w^alpha by products: the speed may vanish."""
+    side, none = 1 if u > 0 else -1, arb(0)
+    rest = force.rest_powers(side)
+    losses = [(d, m, int(float(a))) for d, m, a in force.loss_powers(side)]
+    curve = Curve(Line(()), force.rate, {n for _, n in rest} | {m for _, m, _ in losses}, u)
+    speed = Curve(Line(()), None, {a for _, _, a in losses}, w)
+    for k in range(order):
+        slope = curve.rest(rest)
+        for d, m, a in losses:
+            slope += d * (sum(map(mul, curve.power[m], reversed(speed.power[a])), none) if m else speed.power[a][-1])
+        curve.append(-speed.u[k] / (k + 1))
+        speed.append(slope / (k + 1))
+    return curve.u, speed.u
+
+
+def _of_real_powers(force: Force, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
+    """w^alpha by its logarithmic derivative."""
     side, none = 1 if u > 0 else -1, arb(0)
     rest, losses, ln_w, inverse = force.rest_powers(side), force.loss_powers(side), w.log(), 1 / w
     curve = Curve(Line(()), force.rate, {n for _, n in rest} | {m for _, m, _ in losses if m}, u)
@@ -159,13 +180,13 @@ def _longest(force: Force, us: list[arb], ws: list[arb], unit: arb, tolerance: f
 def discs(force: Force, us: list[arb], ws: list[arb]) -> Iterator[tuple[arb, arb]]:
     """(R, M) for some R, descending, on which W keeps its sign certainly."""
     w, moving_u, moving_w = ws[0], None if force.linear else sizes(us), sizes(ws)
-    start = size_of(w)
+    start = max(size_of(us[0]), size_of(w)) if force.entire else size_of(w)
     steepest = [(start - size_of(c)) / k for k, c in enumerate(moving_w.coeffs()) if c != 0]
     widest = min(steepest, default=0.0)
     for share in _SHARES:
         radius = dyadic(widest) * arb(share)
         moved = upper(moving_w(radius))
-        if moved < w:
+        if force.entire or moved < w:
             du = arb(0) if moving_u is None else upper(moving_u(radius))
             yield radius, force.largest(us[0], du, w, moved)
 

@@ -10,24 +10,18 @@ half-swing, f at rest and derivation ``energy-contraction``, f(q) dq = f(A) dA e
 and for an interval I with centre a: if a - F(a)/F'(I) lies inside I, then I contains exactly one turning amplitude of a
 limit cycle (interval Newton; F'(I) must not contain 0).  The multiplier of a whole period is e^(-2 J) at q = A.
 
-*The orbit in balls.*  Taylor steps for (x, v, J): over a step of length eta, a box B with z + [0, eta] f(B) inside B
-contains the orbit (Picard), and the remainder of the Taylor polynomial of degree n - 1 is the n-th coefficient of the
-same recurrence started from B, times eta^n.  On the first box the acceleration is negative, on the last it is positive,
-between them v is negative: v has no other zero on the way.  The last step ends at a time at which v is certainly small;
-the turning point is then |v|/min|x + h| away in time, and less than |v| times that in x.  Nothing but the width of the
-balls depends on the step, the degree and the precision, which floats choose.
+The half-swing in balls is that of ``half_turn``.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import prod
-from operator import mul
 
-from flint import arb, arb_poly
+from flint import arb
 
-from asymptotics.budget import tick
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Law
+from asymptotics.limit_cycles.force import PolynomialForce
+from asymptotics.limit_cycles.half_turn import HalfTurn, half_turn
 from asymptotics.limit_cycles.series import circle_mean, require_polynomial
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
@@ -37,21 +31,11 @@ from asymptotics.numbers.value import Coefficient, number_of
 from asymptotics.present.shown import Page, Shown
 from asymptotics.terms import Term
 
-MAX_MU = 10
-_STEPS_PER_TURN = 48
-_DOUBLINGS = 2
-_FLOAT_STEPS = 4000
+MAX_MU = 20
+_DOUBLINGS = 3
 _NEWTON = 12
-_RELAXED = 3  # |mu| beyond which steps are halved and bits are spared
-
-
-@dataclass(frozen=True)
-class HalfTurn:
-    """From (A, 0) to (-q, 0): q, the time T, and J = int h_v d tau."""
-
-    q: arb
-    T: arb
-    J: arb
+_GUESSED = (80, 160, 320, 640)  # bits in which the guess is improved
+_SECANTS = 30
 
 
 @dataclass(frozen=True, repr=False)
@@ -109,7 +93,7 @@ def certified_limit_cycle(law: Law, mu: ExactReal, digits: int, near: float) -> 
         raise InputError("mu", f"{mu} is out of range", f"a number other than 0, at most {MAX_MU} in size")
     back = _repels(terms, float(mu.ball().mid()), near)
     toward = -mu if back else mu
-    guess = _float_fixed_point(terms, float(toward.ball().mid()), near)
+    guess = _fixed_point(terms, toward, near)
 
     def attempt(bits: int) -> CertifiedCycle:
         found = _interval_newton(terms, toward.ball(), guess, bits - 24)
@@ -119,7 +103,7 @@ def certified_limit_cycle(law: Law, mu: ExactReal, digits: int, near: float) -> 
             raise TooWideError(reason, lacking=bits // 2)
         return made
 
-    bits = bits_for(digits, 64) + _lost(float(size.ball().mid()))
+    bits = bits_for(digits, 64)
     return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
 
 
@@ -135,11 +119,6 @@ def _rounded(mu: str, found: tuple[arb, arb, HalfTurn], digits: int, back: bool)
     return CertifiedCycle(mu, a, period, frequency, shown, stable, radius.str(3, radius=False))
 
 
-def _lost(mu: float) -> int:
-    """About how many bits the balls lose on a half-turn, where the cycle relaxes: a choice."""
-    return int(6 * mu * mu) if abs(mu) > _RELAXED else 0
-
-
 def _repels(terms: tuple[Term, ...], mu: float, near: float) -> bool:
     """Whether the cycle near A seems to repel: t -> -t, mu -> -mu makes it attract, and inverts the multiplier.
 
@@ -151,12 +130,12 @@ def _repels(terms: tuple[Term, ...], mu: float, near: float) -> bool:
 
 def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) -> tuple[arb, arb, HalfTurn] | None:
     """(A, radius of the interval, half-turn over it) once a - F(a)/F'(I) lies inside I; None if it never does."""
-    a, field = guess.mid(), _Field(terms, mu)
+    a, rest = guess.mid(), _at_rest(terms, mu)
     for _ in range(_NEWTON):  # Newton's method on midpoints finds the centre
         turn = half_turn(terms, mu, a)
         if turn is None:
             return None
-        step = (turn.q - a) / ((field.at_rest(a) / field.at_rest(turn.q)) * (-turn.J).exp() - 1)
+        step = (turn.q - a) / ((rest(a) / rest(turn.q)) * (-turn.J).exp() - 1)
         if abs(step.mid()) < arb(2) ** -good + 2 * step.rad():  # a multiplier near 1 magnifies what is not known
             break
         a = (a - step).mid()
@@ -167,184 +146,37 @@ def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) ->
     wide = half_turn(terms, mu, interval)
     if wide is None:
         return None
-    slope = (field.at_rest(interval) / field.at_rest(wide.q)) * (-wide.J).exp() - 1
+    slope = (rest(interval) / rest(wide.q)) * (-wide.J).exp() - 1
     if slope.contains(0):
         return None
     newton = a - (turn.q - a) / slope
     return (newton, radius, wide) if interval.contains_interior(newton) else None
 
 
-def half_turn(terms: tuple[Term, ...], mu: arb, A: arb) -> HalfTurn | None:
-    """The half-swing from (A, 0) in balls; None if an enclosure fails."""
-    field, size = _Field(terms, mu), _size(terms, float(mu.mid()), float(A.mid()))
-    T = _float_map(terms, float(mu.mid()), float(A.mid()))[1]
-    z, degree = (A.mid() + arb(0, A.rad()), arb(0), arb(0)), max(16, int(ctx.prec * 0.22))
-    steps, time = int(_STEPS_PER_TURN * (1 + size) * (2 if _lost(float(mu.mid())) else 1)), arb(0)
-    for k in range(steps):
-        tick(f"step {k} of {steps} around the cycle")
-        eta = arb(T / steps) if k < steps - 1 else _last_step(field, z, T / steps, degree)
-        box = _picard_box(field, z, eta)
-        if box is None or not _goes_on(field, box, k, steps):
-            return None
-        z, time = _step(field, z, box, eta, degree), time + eta
-    return _to_the_turn(field, *z, time)
+def _at_rest(terms: tuple[Term, ...], mu: arb) -> Callable[[arb], arb]:
+    """The force f(x) of the springs at v = 0."""
+    force = PolynomialForce.of(terms, mu)
+    return lambda x: force.at(x, arb(0))
 
 
-def _size(terms: tuple[Term, ...], mu: float, A: float) -> float:
-    """How far the field is from that of the linear oscillator, which chooses the steps."""
-    parts = (abs(float(t.strength.ball().mid())) * A ** float(t.weight.ball().mid()) for t in terms)
-    return float(max(abs(mu), abs(mu) * sum(parts) / 5))
+def _fixed_point(terms: tuple[Term, ...], mu: ExactReal, near: float) -> arb:
+    """A fixed point of q by the secant method on midpoints: a guess."""
 
+    def excess(a: float) -> float:
+        for bits in _GUESSED:
+            with ctx.workprec(bits):
+                turn = half_turn(terms, mu.ball(), arb(a))
+            if turn is not None:
+                return float(turn.q.mid()) - a
+        raise UndecidedError(f"from A = {a:.6g} no next turning point was found")
 
-def _last_step(field: "_Field", z: tuple[arb, arb, arb], eta: float, degree: int) -> arb:
-    """Where the Taylor polynomial of v vanishes, by Newton's method on midpoints: a choice, not a claim."""
-    v = field.taylor((z[0].mid(), z[1].mid(), z[2].mid()), degree)[1]
-    slope, end = v.derivative(), arb(eta)
-    for _ in range(12):
-        end = (end - v(end) / slope(end)).mid()
-    return end
-
-
-def _to_the_turn(field: "_Field", x: arb, v: arb, J: arb, T: arb) -> HalfTurn | None:
-    """What is missing to v = 0: with |v| <= w and an acceleration >= g near the end, |dt| <= w/g."""
-    w = abs(v).upper()
-    box_v, box_x = arb(0, 2 * w), x + arb(0, 4 * w)
-    acceleration, divergence = field.at(box_x, box_v)
-    g = abs(acceleration).lower()
-    if not (g > 4 * w and g > 0):  # then |dt| < 1/4 and the orbit stays in the box
-        return None
-    dt = (w / g).upper()
-    more = arb(0, (abs(divergence).upper() * dt).upper())
-    return HalfTurn(-(x + arb(0, (2 * w * dt).upper())), T + arb(0, dt), J + more)
-
-
-class _Field:
-    """The right side (v, -x - h, h_v), springs among h, and its Taylor recurrence."""
-
-    def __init__(self, terms: tuple[Term, ...], mu: arb) -> None:
-        self.parts = [
-            (t.strength.ball() * (mu if t.sign < 0 else 1), t.position, int(t.velocity.rational)) for t in terms
-        ]
-
-    def at(self, x: arb, v: arb) -> tuple[arb, arb]:
-        """(acceleration, h_v) at balls."""
-        h, divergence = arb(0), arb(0)
-        for e, m, a in self.parts:
-            h += e * prod([x] * m + [v] * a, start=arb(1))
-            if a:
-                divergence += e * a * prod([x] * m + [v] * (a - 1), start=arb(1))
-        return -x - h, divergence
-
-    def at_rest(self, x: arb) -> arb:
-        """The force f(x) of the springs at v = 0."""
-        return -self.at(x, arb(0))[0]
-
-    def taylor(self, z: tuple[arb, arb, arb], degree: int) -> tuple[arb_poly, arb_poly, arb_poly]:
-        """The Taylor polynomials of x, v, J in time through ``degree``, coefficient by coefficient."""
-        x, v, J = [z[0]], [z[1]], [z[2]]
-        products = [_Product(x, m, v, max(a - 1, 0)) for _, m, a in self.parts]
-        for n in range(degree):
-            pull, divergence = x[n], arb(0)
-            for (e, _, a), product in zip(self.parts, products):
-                low = product.following()
-                pull += e * (sum(map(mul, product.known, reversed(v)), arb(0)) if a else low)
-                divergence += e * a * low
-            x.append(v[n] / (n + 1))
-            v.append(-pull / (n + 1))
-            J.append(divergence / (n + 1))
-        return arb_poly(x), arb_poly(v), arb_poly(J)
-
-
-class _Product:
-    """x^m v^a coefficient by coefficient, beside growing x and v: by partial products."""
-
-    def __init__(self, x: list[arb], m: int, v: list[arb], a: int) -> None:
-        self.factors = [x] * m + [v] * a
-        self.partial: list[list[arb]] = [[] for _ in self.factors]
-        self.known: list[arb] = []
-
-    def following(self) -> arb:
-        """The next coefficient."""
-        n = len(self.known)
-        before: list[arb] | None = None
-        for factor, row in zip(self.factors, self.partial):
-            row.append(factor[n] if before is None else sum(map(mul, before, reversed(factor[: n + 1])), arb(0)))
-            before = row
-        self.known.append(arb(int(n == 0)) if before is None else before[n])
-        return self.known[n]
-
-
-def _goes_on(field: _Field, box: tuple[arb, arb, arb], k: int, steps: int) -> bool:
-    """Whether step k of the half-swing certainly has no turning point but its two ends."""
-    if 0 < k < steps - 1:
-        return bool(box[1] < 0)
-    acceleration = field.at(box[0], box[1])[0]
-    return bool(acceleration < 0 if k == 0 else acceleration > 0)
-
-
-def _step(
-    field: _Field, z: tuple[arb, arb, arb], box: tuple[arb, arb, arb], eta: arb, degree: int
-) -> tuple[arb, arb, arb]:
-    """One Taylor step of length ``eta`` with its remainder, ``box`` containing the orbit."""
-    near = field.taylor(z, degree - 1)
-    far = field.taylor(box, degree)
-    return tuple(p(eta) + r[degree] * eta**degree for p, r in zip(near, far))  # type: ignore[return-value]
-
-
-def _picard_box(field: _Field, z: tuple[arb, arb, arb], eta: arb) -> tuple[arb, arb, arb] | None:
-    """A box B with z + [0, eta] f(B) inside B: it contains the orbit over the step."""
-    span = arb(eta / 2, (eta / 2).upper())  # [0, eta]
-    x, v, J = z
-    box = (x, v, J)
-    for _ in range(20):
-        acceleration, divergence = field.at(box[0], box[1])
-        image = (x + span * box[1], v + span * acceleration, J + span * divergence)
-        if all(b.contains_interior(i) for b, i in zip(box, image)):
-            return image
-        box = tuple(arb(i.mid(), (i.rad() * 1.1 + arb(2) ** -30).upper()) for i in image)  # type: ignore[assignment]
-    return None
-
-
-def _rk4(f: Callable[[float, float], float], x: float, v: float, h: float) -> tuple[float, float]:
-    k1, l1 = v, f(x, v)
-    k2, l2 = v + h / 2 * l1, f(x + h / 2 * k1, v + h / 2 * l1)
-    k3, l3 = v + h / 2 * l2, f(x + h / 2 * k2, v + h / 2 * l2)
-    k4, l4 = v + h * l3, f(x + h * k3, v + h * l3)
-    return x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4), v + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
-
-
-def _float_map(terms: tuple[Term, ...], mu: float, A: float) -> tuple[float, float]:
-    """(q, T) in doubles: a guess."""
-    parts = [
-        (float(t.strength.ball().mid()) * (mu if t.sign < 0 else 1), t.position, int(t.velocity.rational))
-        for t in terms
-    ]
-
-    def f(x: float, v: float) -> float:
-        return -x - sum(e * x**m * v**a for e, m, a in parts)
-
-    x, v, h, t = A, 0.0, 3.2 / _FLOAT_STEPS, 0.0
-    for k in range(40 * _FLOAT_STEPS):
-        before = (x, v)
-        x, v = _rk4(f, x, v, h)
-        t += h
-        if k and v >= 0:
-            share = before[1] / (before[1] - v)
-            return -(before[0] + share * (x - before[0])), t - h * (1 - share)
-        if abs(x) > 1e6:
-            break
-    raise UndecidedError(f"from A = {A:.6g} no next turning point was found")
-
-
-def _float_fixed_point(terms: tuple[Term, ...], mu: float, near: float) -> arb:
-    """A fixed point in doubles by the secant method: a guess."""
     a, b = near, near * 1.01
-    fa, fb = (_float_map(terms, mu, s)[0] - s for s in (a, b))
-    for _ in range(30):
+    fa, fb = excess(a), excess(b)
+    for _ in range(_SECANTS):
         if abs(b - a) < 1e-11 * abs(b) or fb == fa:
             break
         a, fa, b = b, fb, b - fb * (b - a) / (fb - fa)
         if not 0 < b < 1e6:
             raise UndecidedError(f"no limit cycle was found near A = {near:.6g}")
-        fb = _float_map(terms, mu, b)[0] - b
+        fb = excess(b)
     return arb(b)

@@ -38,6 +38,7 @@ class Damping:
     exponents: tuple[arb, ...]
     rate: ClassVar[None] = None
     linear: ClassVar[int] = 1
+    entire: ClassVar[bool] = False
 
     @classmethod
     def of(cls, terms: list[tuple[arb, ExactReal]]) -> "Damping":

@@ -47,6 +47,7 @@ class Force:
     grips: tuple[tuple[arb, int], ...]
     losses: tuple[Loss, ...]
     linear: ClassVar[int] = 0
+    entire: ClassVar[bool] = False
 
     @classmethod
     def of(cls, terms: Sequence[Term], strengths: Sequence[arb] | None = None) -> "Force":

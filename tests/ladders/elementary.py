@@ -11,7 +11,7 @@ from asymptotics.half_swings.symbolic import nested_integral, nested_integral_ex
 from asymptotics.invariants import certified as constants
 from asymptotics.invariants.symbolic import generating_function
 from asymptotics.law import Oscillator
-from asymptotics.limit_cycles.certified import half_turn
+from asymptotics.limit_cycles.half_turn import half_turn
 from asymptotics.moments.certified import moment, squaring_ratio
 from asymptotics.motions.admission import local_strength
 from asymptotics.normal_form.symbolic import certified_coefficients
@@ -223,7 +223,7 @@ INVARIANTS = [
     ),
     smith("series_radius", lost=14, stretch=60),
     smith("absolute_radius", lost=14, stretch=20),
-    Ladder(("asymptotics.limit_cycles.certified.half_turn",), turn, "2", 28, None, 40, (20, 40, 80), 120),
+    Ladder(("asymptotics.limit_cycles.half_turn.half_turn",), turn, "2", 28, None, 40, (20, 40, 80), 120),
 ]
 
 ELEMENTARY = [*NUMBERS, *LAWS, *ENVELOPES, *INVARIANTS]

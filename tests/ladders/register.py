@@ -35,6 +35,7 @@ FULL_SWING = "tests/equivalent/test_cycle_damping.py"
 CUT = "tests/bounds/test_half_swing_series.py"
 
 BOUNDS: Names = {
+    **_each("limit_cycles.half_turn", "parting", "tests/limit_cycles/test_bounds.py::test_how_far_two_motions_part"),
     **_each(
         "bounds.half_swing",
         "HalfSwingSeries.at half_swing_series",
@@ -272,6 +273,12 @@ NONE_NEEDED: Names = {
     **_each("flow.balls", "dyadic", CHOICE),
     **_each("flow.balls", "upper", "rounds up, by arb.upper"),
     **_each("divergence.result", "pole_of action_of", EXACT),
+    **_each(
+        "limit_cycles.force",
+        "PolynomialForce.of PolynomialForce.rest_powers PolynomialForce.loss_powers PolynomialForce.largest "
+        "PolynomialForce.at PolynomialForce.slopes PolynomialForce.bends",
+        EXACT,
+    ),
     **_each("flow.times", "NearRest.reach NearRest.state NearRest.acceleration NearRest.moved", "abstract"),
     **_each("flow.force", "Force.rate Force.rest_powers Force.loss_powers Force.largest", "abstract"),
     **_each("swing.damping", "Damping.rest_powers Damping.loss_powers", EXACT),

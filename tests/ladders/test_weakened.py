@@ -50,8 +50,6 @@ OWN = {
     "envelopes.large._power": "tests/envelopes/test_large.py::test_the_extinction_of_the_averaged_amplitude",
     "half_swings.symbolic._integrate": LADDER,
     "limit_cycles.certified._interval_newton": CYCLES,
-    "limit_cycles.certified._picard_box": CYCLES,
-    "limit_cycles.certified.half_turn": LADDER,
     "motions.quadratic._angle": "tests/motions/test_exact.py::test_quadratic_motion_after_many_half_swings",
     "numbers.decimals.decimal_of_ball": (
         "tests/numbers/test_decimal_edges.py::test_a_ball_is_printed_when_both_exact_ends_round_alike_and_only_then"

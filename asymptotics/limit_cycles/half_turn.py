@@ -1,0 +1,170 @@
+"""From one turning point of a polynomial oscillator to the next, on the certified flow, with gains as well as losses.
+
+The orbit from the midpoint of the start is laid out in Taylor steps of ``flow``, each from an exact state.  Two motions
+part, in the distance D = sqrt(s^2 (u - u~)^2 + (w - w~)^2) with a unit s > 0, at most as the differential inequality of
+the logarithmic norm says (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., theorem I.10.6):
+
+    D' <= lambda D + residual,    lambda = G_w/2 + sqrt((G_w/2)^2 + c^2),    c = (G_u - s^2)/(2 s),
+
+G_u and G_w taken over a convex box that holds both (derivation ``parting-with-gains``). lambda is near c^2/|G_w|
+where losses are strong: along the slow branch of a relaxation oscillation nothing parts, and only the jump costs
+digits. With J = -int G_w d tau,
+
+    |J - int over the polynomials| <= length (|G_uw|/s + |G_ww|) D.
+
+Before the first step ends G > 0 on its box, in the steps between w > 0, on the last box G < 0: w has no other zero on
+the way.  The last step ends where the polynomial of w vanishes; there |w| <= omega, and with an acceleration of at most
+-g next to it the turning point is omega/g away in time and less than omega times that in u.
+
+>>> from asymptotics.law import Law
+>>> with ctx.workprec(80):
+...     turn = half_turn(Law({1: -1, (1, 2): 1}).terms, arb(1), arb(2))
+>>> turn.q.str(12), turn.T.str(12)
+('[2.00836140871 +/- ...]', '[3.32026115191 +/- ...]')
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from flint import arb, arb_poly
+
+from asymptotics.budget import tick
+from asymptotics.flow.balls import dyadic, size_of, upper
+from asymptotics.flow.taylor import TaylorStep, sizes
+from asymptotics.limit_cycles.force import PolynomialForce
+from asymptotics.numbers.context import ctx
+from asymptotics.terms import Term
+
+MAX_STEPS = 20_000
+_FAR = 1e6  # times the start: it goes off
+_LOW = 53  # bits of bounds
+_NEWTON = 12
+_HALVINGS = 60
+_ROOM = 4  # by which the distance of two motions may grow on a step
+
+
+@dataclass(frozen=True)
+class HalfTurn:
+    """From (A, 0) to (-q, 0): q, the time T, and J = int h_v d tau."""
+
+    q: arb
+    T: arb
+    J: arb
+
+
+@dataclass(frozen=True)
+class _Course:
+    """An exact state (u, w), the distance ``error`` of the truth from it, the time and J until then."""
+
+    u: arb
+    w: arb
+    error: arb
+    T: arb
+    J: arb
+
+
+def half_turn(terms: Sequence[Term], mu: arb, A: arb) -> HalfTurn | None:
+    """The half-swing from (A, 0) in balls; None if an enclosure fails."""
+    force = PolynomialForce.of(terms, mu)
+    unit = _unit(force, A)
+    far = _FAR * abs(A.mid())
+    here = _Course(A.mid(), arb(0), upper(unit * A.rad()), arb(0), arb(0))
+    for k in range(MAX_STEPS):
+        tick(f"step {k} around the cycle")
+        step, ends = _step(force, unit, here)
+        if step is None:
+            return None
+        here = _after(force, unit, here, step)
+        if not (here.w < far and abs(here.u) < far):
+            return None
+        if ends:
+            return _to_the_turn(force, unit, here)
+    return None
+
+
+def _unit(force: PolynomialForce, A: arb) -> arb:
+    """A power of two near the root of the largest slope of G, the unit of the distance: a choice."""
+    size = abs(A.mid())
+    return dyadic(round(size_of(force.largest(size, arb(0), size, arb(0)) / size) / 2))
+
+
+def _step(force: PolynomialForce, unit: arb, here: _Course) -> tuple[TaylorStep | None, bool]:
+    """A step on whose box w keeps its sign as the docstring of the module says, and whether it is the last one."""
+    scale = upper(unit * abs(here.u) + here.w)
+    step = TaylorStep.at(force, here.u, here.w, unit, scale)
+    for _ in range(_HALVINGS):
+        end = None if here.w == 0 or step.state(step.length)[1] > 0 else _root(step)
+        last = step if end is None else step.shortened(end)
+        u, w = _box(unit, here, last)
+        pull, steady = force.at(u, w), parting(force, unit, u, w, last.length) <= _ROOM
+        if end is not None and steady and pull < 0:
+            return last, True
+        if end is None and steady and (pull > 0 if here.w == 0 else w > 0):
+            return step, False
+        step = step.shortened((last.length / 2).mid())
+    return None, False
+
+
+def _root(step: TaylorStep) -> arb:
+    """Where the polynomial of w vanishes, by Newton's method on midpoints: a choice, not a claim."""
+    w = arb_poly([c.mid() for c in step.ws])
+    slope, low, high = w.derivative(), arb(0), step.length
+    for _ in range(_NEWTON):  # bisection first: w falls through 0 once
+        middle = ((low + high) / 2).mid()
+        low, high = (middle, high) if w(middle) > 0 else (low, middle)
+    end = high
+    for _ in range(_NEWTON):
+        end = (end - w(end) / slope(end)).mid()
+    return min(max(end, low), high)
+
+
+def _box(unit: arb, here: _Course, step: TaylorStep) -> tuple[arb, arb]:
+    """Balls that hold (u, w) of the polynomials on the step, and all that is as near to them as the truth stays."""
+    with ctx.workprec(_LOW):
+        h, room = step.length, upper(_ROOM * (here.error + step.residual))
+        return tuple(
+            arb(c[0].mid(), upper(sizes(c)(h) + c[0].rad() + r)) for c, r in ((step.us, room / unit), (step.ws, room))
+        )  # type: ignore[return-value]
+
+
+def _after(force: PolynomialForce, unit: arb, here: _Course, step: TaylorStep) -> _Course:
+    """The state after a step."""
+    with ctx.workprec(_LOW):
+        error, box = upper(here.error + step.residual), _box(unit, here, step)
+        factor = parting(force, unit, *box, step.length)
+        mixed, twice = (abs(c) for c in force.bends(*box))
+        parted = upper(step.length * (mixed / unit + twice) * factor * error)
+    u, w = step.state(step.length)
+    J = here.J - _integral(force, step) + arb(0, parted)
+    error = upper(factor * error + unit * u.rad() + w.rad())
+    return _Course(u.mid(), w.mid(), error, here.T + step.length, J)
+
+
+def parting(force: PolynomialForce, unit: arb, u: arb, w: arb, length: arb) -> arb:
+    """The factor by which the distance of two motions in the box may grow in that time."""
+    with ctx.workprec(_LOW):
+        in_u, in_w = force.slopes(u, w)
+        half, c = (in_w / 2).upper(), abs((in_u - unit**2) / (2 * unit)).upper()
+        root = (half**2 + c**2).sqrt()
+        rate = c**2 / (root - half) if half < 0 else half + root
+        return upper((length * rate).exp())
+
+
+def _integral(force: PolynomialForce, step: TaylorStep) -> arb:
+    """int G_w over the polynomials of the step."""
+    u, w = arb_poly(list(step.us)), arb_poly(list(step.ws))
+    slope = sum((u**m * w ** (a - 1) * (d * a) for d, m, a in force.parts if a), arb_poly([]))
+    return slope.integral()(step.length)
+
+
+def _to_the_turn(force: PolynomialForce, unit: arb, end: _Course) -> HalfTurn | None:
+    """What is missing to w = 0: with |w| <= omega and a deceleration of at least g near the end, |dt| <= omega/g."""
+    omega = upper(end.w + arb(0, end.error))
+    u, w = end.u + arb(0, upper(end.error / unit + 4 * omega)), arb(0, 2 * omega)
+    g = (-force.at(u, w)).lower()
+    if not (g > 4 * omega and g > 0):  # then |dt| < 1/4 and the orbit stays in the box
+        return None
+    dt = (omega / g).upper()
+    more = arb(0, upper(abs(force.slopes(u, w)[1]) * dt))
+    place = end.u + arb(0, upper(end.error / unit + 2 * omega * dt))
+    return HalfTurn(-place, end.T + arb(0, dt), end.J + more)
