@@ -37,11 +37,13 @@ lint: $(VENV)/.test
 	$(RUN) ruff format --check --quiet .
 	$(RUN) mypy
 
-# The pages in build/docs, offline and without a script; warnings are errors, every code block is run.
+# The pages in build/docs, offline and without a script; warnings are errors, every code block is run, every page is looked at
+# in Chromium where that is installed, and every result type is shown in a notebook of its own.
 docs: $(VENV)/.docs
 	$(RUN) sphinx -W --keep-going -q -b html docs build/docs
 	$(RUN) sphinx -W --keep-going -q -b doctest docs build/doctest
 	$(RUN) tests.docs_drawn build/docs
+	$(RUN) tests.notebook build/notebook
 
 # What a release would ship, tried: built, its metadata checked, installed into a fresh environment and used there from an empty folder.
 wheel: $(VENV)/.reproduce
