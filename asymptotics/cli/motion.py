@@ -11,7 +11,8 @@ m = k = x0 = 1 and there are none.  --order N (default 3): p_k and Omega_k for k
 delta^(N-1); order 1 is x0 A(t) cos(omega_0 t).  `phase` is psi - omega_0 t, and `error` an estimate from the orders
 N + 1 and N + 2; with --bound, `bound` is a proved bound of |x - x_N| at that time, rounded up, and `uniform_bound` one
 for every t >= 0 (exponents below 1: up to that time), for powers of the velocity in the first gauge.  --reference:
-every digit proved, whatever the law and the start; closed forms where there are any, and for alpha = 1 a note whether
+every digit proved, for any powers of the velocity, whole powers of the place in springs and losses, the pendulum, from
+any start (springs with |x'|^Q are for expand); closed forms where there are any, and for alpha = 1 a note whether
 the motion is under-, critically or overdamped.
 
 --best-order D says for one law where to stop at the local strength delta = D, and what is left, in half-swings.
