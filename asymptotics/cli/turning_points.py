@@ -10,8 +10,8 @@
 X'' + X + sum_i epsilon_i X'|X'|^(alpha_i-1) = 0 starts from rest at X(0) = 1, which is turning point 0: x is in units
 of x0, and tau = omega_0 t.  With --damping, --mass or --stiffness everything is in SI, x in m, t in s; without them
 --x0 and --v0 start the same equation elsewhere.  All digits are
-proved, for any powers of the velocity, whole powers of the place in springs and losses, and the pendulum.  `ended` tells the last turning point there is, and why: sticks, creeps, overdamped, rotates
-or escapes.
+proved, for any powers of the velocity, whole powers of the place in springs and losses, and the pendulum.  `ended`
+tells the last turning point there is, and why: sticks, creeps, overdamped, rotates or escapes.
 
 With --x0 the motion starts at X(0) = x0 (beside a spring: inside the well) and x is not divided by it: it is in the
 units in which the strengths are given, rad for a pendulum, and point 0 is x0 itself.
