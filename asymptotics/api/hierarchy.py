@@ -24,7 +24,7 @@ from typing import Any
 
 from sympy import Add, Expr, Mul, Symbol
 
-from asymptotics.equations.build import terms_of
+from asymptotics.equations.given import terms_of
 from asymptotics.errors import InputError
 from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
 from asymptotics.half_swings.forces import Forces
@@ -148,6 +148,12 @@ def map_of_gauges(terms: Sequence[Term], order: int) -> dict[str, Expr]:
         parts = [c.to_sympy() if isinstance(c, PiNumber) else to_sympy(c) for c in series.coefficients.values()]
         rows.append(Add(*[c * Mul(*[d**n for d, n in zip(local, k)]) for k, c in zip(series.coefficients, parts)]))
     return {"A": (a * rows[0]).expand(), "psi_tp": psi + rows[1]}
+
+
+def ordered(terms: Sequence[Term], scales: MultipleScales) -> list[Term]:
+    """The terms in the order of the symbols of the hierarchy: where it does not close, powers of v come first."""
+    closed = isinstance(scales.kernel, TurningHierarchy)
+    return sorted(terms, key=lambda t: not closed and not t.is_power_of_velocity)
 
 
 def any_start(scales: MultipleScales) -> dict[str, Expr]:

@@ -20,10 +20,10 @@ from typing import Any
 import sympy
 from sympy import Expr, Integer, Integral, Symbol, latex
 
-from asymptotics.api.hierarchy import multiple_scales
+from asymptotics.api.hierarchy import multiple_scales, ordered
 from asymptotics.api.shown_solution import SolutionPoint, document
 from asymptotics.api.solution_curve import SolutionCurve
-from asymptotics.api.started import ordered, start_in_motion
+from asymptotics.api.started import start_in_motion
 from asymptotics.bounds.reach import Reach, proved_reach
 from asymptotics.envelopes.hypergeometric import time_of_amplitude
 from asymptotics.envelopes.symbolic import amplitude_symbol

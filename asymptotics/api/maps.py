@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from asymptotics.budget import budget
-from asymptotics.equations.build import terms_of
+from asymptotics.equations.given import terms_of
 from asymptotics.errors import InputError, require_flag
 from asymptotics.half_swings.finite_result import HalfSwingAt
 from asymptotics.law import Law, LawLike, SpringLike

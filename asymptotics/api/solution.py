@@ -3,8 +3,8 @@
     x = A [cos psi + sum_(0<k<N) delta^k x_k(psi)],   psi = tau + phi,   delta = epsilon A^(alpha-1),
 
 A and phi explicit in the slow time (``envelopes.slow_time``), x_k the waveforms of the hierarchy on 0 < psi < pi, and
-X(psi + pi) = -X(psi).  Start at rest: x(0) = 1.  At fixed slow time epsilon tau the error is O(epsilon^N); nothing is
-certified but what ``bound`` proves.
+X(psi + pi) = -X(psi).  Start at rest: x(0) = 1.  At fixed slow time epsilon tau the error is O(epsilon^N); what is proved
+of it is told by ``proved`` for all times and ``bound`` for one.
 
 >>> air = solution({2: "1/10"}, order=3)
 >>> print(air)
@@ -44,7 +44,7 @@ from asymptotics.api.evaluated import chi, delta, functions, numbers, tau
 from asymptotics.api.hierarchy import multiple_scales
 from asymptotics.api.implicit import ImplicitSolution, implicit_solution
 from asymptotics.api.proved_curve import ProvedCurve
-from asymptotics.api.shown_solution import SolutionPoint, document, latex_lines, text_of
+from asymptotics.api.shown_solution import SolutionPoint, document, latex_lines, text_of, text_of_x, x_by_name
 from asymptotics.api.started import DIGITS, start_in_motion
 from asymptotics.api.units import oscillator_of
 from asymptotics.api.waves import Waveforms, waveforms
@@ -277,7 +277,8 @@ class Solution(ProvedCurve):
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: SymPy text in tau and epsilon."""
         head = {"alpha": str(self.alpha), "order": self.order, "gauge": TURNING_POINT}
-        rest: dict[str, Any] = {"amplitude": str(self.amplitude), "phase": str(self.phase), "x": str(self.x)}
+        rest: dict[str, Any] = {"amplitude": str(self.amplitude), "phase": str(self.phase), "x": text_of_x(self)}
+        rest |= {"x_by_name": x_by_name(self)}
         begin = [f"{letter} = {value}" for letter, value in self.letters.items()]
         rest["where"] = [*begin, *(f"{e.lhs} = {e.rhs}" for e in self.definitions())]
         return {**head, **rest, **self.validity, "certified": False}

@@ -10,13 +10,11 @@
 (0.0169376567596*epsilon**2 + 1, 0.4*epsilon + pi/2)
 """
 
-from collections.abc import Sequence
-
 import sympy
 from flint import acb, arb
 from sympy import Add, Expr, Float, Integer, Mul, Symbol, acos, cos, pi, sin
 
-from asymptotics.api.hierarchy import any_start
+from asymptotics.api.hierarchy import any_start, ordered
 from asymptotics.half_swings.forces import Forces
 from asymptotics.law import Oscillator
 from asymptotics.multiscale.certified_waves import start_series, wave_source
@@ -26,7 +24,6 @@ from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.series import Series
-from asymptotics.terms import Term
 
 r, theta = Symbol("r", positive=True), Symbol("theta", real=True)
 DIGITS = 30
@@ -48,12 +45,6 @@ def start_in_motion(given: Oscillator, scales: MultipleScales, *, digits: int = 
         size, turn = _in_balls(given, scales, side, digits)
         turn = angle + turn
     return size, turn - (pi if side < 0 else 0)
-
-
-def ordered(terms: Sequence[Term], scales: MultipleScales) -> list[Term]:
-    """The terms in the order of the symbols of the hierarchy: where it does not close, powers of v come first."""
-    closed = isinstance(scales.kernel, TurningHierarchy)
-    return sorted(terms, key=lambda t: not closed and not t.is_power_of_velocity)
 
 
 def _in_balls(given: Oscillator, scales: MultipleScales, side: int, digits: int) -> tuple[Expr, Expr]:

@@ -25,7 +25,7 @@ from sympy import Eq
 from sympy import Integral as Integral  # for the examples
 
 from asymptotics.api.hierarchy import MAX_OPEN_ORDER, multiple_scales
-from asymptotics.equations.build import terms_of
+from asymptotics.equations.given import terms_of
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.half_swings.certified_zeros import certified_half_swing

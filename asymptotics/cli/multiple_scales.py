@@ -34,9 +34,9 @@ from asymptotics.api.hierarchy import (
     any_start,
     map_of_gauges,
     multiple_scales,
+    ordered,
     symbolic_multiple_scales,
 )
-from asymptotics.api.started import ordered
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
 from asymptotics.cli.forces import add_forces, read_terms
 from asymptotics.cli.rows import strengths_given

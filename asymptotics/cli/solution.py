@@ -11,7 +11,8 @@
 One law: A and phi explicit in the slow time, x through order N (x(0) = 1, turning-point gauge); without a strength
 the formulas alone.  Sums of laws and springs: tau(A) and phi(A), with the numeric inverse.  --units epsilon (default),
 kappa = M_(alpha+1) epsilon (Lancaster 2020), or SI: t, m, k, b, x_0, the default where --damping, --mass or
---stiffness is given.  --time is in s there, else tau.  Nothing is certified but what --bound proves: |x - x_N| at T.
+--stiffness is given.  --time is in s there, else tau.  Proved are the line "proved" (valid_until in JSON: |x - x_N|
+for all times, before rounding) and what --bound tells, |x - x_N| at T; the rest is an expansion.
 --v0: a start in motion; the unit of length is sqrt(x0^2 + m v0^2/k) then, and x_0 in the formulas means it.
 --latex prints a document that compiles, --fragment its formulas alone.
 """

@@ -10,24 +10,23 @@
 (True, ('alpha: the float 1.5 was read as 3/2',))
 """
 
-from collections.abc import Mapping
 from typing import Any
 
+from asymptotics.equations.given import terms_of
 from asymptotics.equations.result import Equations
 from asymptotics.equations.row import Row
 from asymptotics.errors import InputError, require_flag
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.symbolic import alpha
-from asymptotics.law import Law, LawLike, Oscillator, SpringLike
+from asymptotics.law import LawLike, SpringLike
 from asymptotics.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.results import Coefficients
-from asymptotics.numbers.policy import Number, exact_integer, exact_seconds, float_notes
+from asymptotics.numbers.policy import Number, exact_integer, exact_seconds
 from asymptotics.public import public
 from asymptotics.terms import Term
 
-MAX_ORDER, MAX_DIGITS, MAX_ALPHA, MAX_TERMS = 200, 1000, 1000, 4
-_FORMS = 'an exponent >= 0, a list of them, a Law, an Oscillator, a mapping exponent -> strength, or "symbolic"'
+MAX_ORDER, MAX_DIGITS, MAX_TERMS = 200, 1000, 4
 
 
 @public
@@ -66,37 +65,6 @@ def _equations(found: Coefficients, terms: tuple[Term, ...], **rest: Any) -> Equ
     """The one result that every route ends in."""
     p, Omega = (Row({_key(k): c for k, c in row.items()}) for row in (found.amplitude, found.frequency))
     return Equations(terms, found.gauge, found.order, found.arithmetic, p, Omega, **rest)
-
-
-def terms_of(law: Any, spring: Any = None) -> tuple[tuple[Term, ...], Law | None, Oscillator | None, tuple[str, ...]]:
-    """(terms, strengths if known, oscillator if there are units, notes)."""
-    if isinstance(law, Oscillator):
-        if spring is not None:
-            raise InputError("spring", "the oscillator has its springs", "Oscillator(law, spring=...)")
-        made = law.dimensionless
-        return made.terms, made, law, law.notes
-    if isinstance(law, Mapping) or hasattr(law, "terms"):
-        made = Law.read(law) if spring is None else Law(Law.read(law), spring)
-        return made.terms, made, None, made.notes
-    exponents = law if isinstance(law, list | tuple) else [law]
-    if not exponents and spring is None:
-        raise InputError("alpha", "no exponent is given", _FORMS)
-    if law is None:
-        raise InputError("alpha", "None is not an exponent", _FORMS)
-    bare = Law.from_terms([*[Term(1, a) for a in exponents], *_springs(spring)], float_notes_of(exponents))
-    for t in bare.terms:
-        if t.velocity > MAX_ALPHA:
-            raise InputError("alpha", f"{t.velocity} is out of range", f"a real number from 0 to {MAX_ALPHA}")
-    return bare.terms, None, None, bare.notes
-
-
-def _springs(spring: Any) -> tuple[Term, ...]:
-    return () if spring is None else Law({}, spring).terms
-
-
-def float_notes_of(exponents: Any) -> tuple[str, ...]:
-    """What the floats among the exponents were read as."""
-    return tuple(note for a in exponents for note in float_notes(alpha=a))
 
 
 def _key(key: str) -> tuple[int, ...]:

@@ -332,6 +332,21 @@ def test_the_command_has_the_keys_of_the_contract(capsys, tmp_path):
     assert (tmp_path / "x.svg").read_text().startswith("<?xml")
 
 
+@pytest.mark.parametrize(("law", "order"), [("2", 4), ("2", 5), ("0", 5), ("1", 3)])
+def test_the_text_of_x_is_x(law, order):
+    """Read by SymPy: the number that ``at`` gives, x(0) = 1; from order 5 on A and psi are written once."""
+    found = asy.solution({law: "1/10"}, order=order)
+    text = found.to_dict()["x"]
+    form = sympy.sympify(text, locals={"tau": tau, "epsilon": epsilon})
+    assert form.free_symbols <= {tau, epsilon} and form.subs({tau: 0}).subs(epsilon, sympy.Rational(1, 7)) == 1
+    with mpmath.workdps(30):
+        value = sympy.lambdify([tau, epsilon], form, "mpmath")(mpmath.mpf(7), mpmath.mpf(1) / 10)
+        assert abs(value - mpmath.mpf(found.at(7, digits=25).x)) < mpmath.mpf(10) ** -22
+    assert text.startswith("Lambda((A, psi)") == (order > 4) and len(text) < 15_000
+    named = found.to_dict()["x_by_name"]
+    assert set(named) == {"x", "chi", "psi", "delta", "A"} and "delta" in named["x"]
+
+
 @pytest.mark.parametrize("law", ["2", "3/2", "symbolic", "1", "0"])
 def test_latex_is_a_document(law, tmp_path):
     text = asy.solution(law, order=4 if law == "2" else 2).latex(standalone=True)
