@@ -3,8 +3,8 @@
     x = A [cos psi + sum_(0<k<N) delta^k x_k(psi)],   psi = tau + phi,   delta = epsilon A^(alpha-1),
 
 A and phi explicit in the slow time (``envelopes.slow_time``), x_k the waveforms of the hierarchy on 0 < psi < pi, and
-X(psi + pi) = -X(psi).  Start at rest: x(0) = 1.  At fixed slow time epsilon tau the error is O(epsilon^N); what is proved
-of it is told by ``proved`` for all times and ``bound`` for one.
+X(psi + pi) = -X(psi).  Start at rest: x(0) = 1.  At fixed slow time epsilon tau the error is O(epsilon^N);
+``proved`` tells what is proved of it for all times, ``bound`` for one.
 
 >>> air = solution({2: "1/10"}, order=3)
 >>> print(air)
