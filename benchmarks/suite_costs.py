@@ -1,7 +1,9 @@
 """``python -m benchmarks.suite_costs``: which tests are dear and run nothing that cheaper ones do not run.
 
-The fast tests run once in one process, under coverage with one context for each test (the module is a plugin of pytest
-then), and their processor time is taken.  From the dearest down, a test moves to ``make test-thorough`` if
+The fast tests run once under coverage with one context for each test (the module is a plugin of pytest then), a part of
+the files in each of ``--processes``, and their processor time is taken.  No alarm is set meanwhile, as one that rings
+inside the recorder of coverage never lets go of its lock; the tests of alarms are left out, and stay.  From the dearest
+down, a test moves to ``make test-thorough`` if
 
 * each line of the project that it runs is run by at least ``WITNESSES`` tests that stay,
 * no list of weakened bounds names it, and another case of the same function stays, or it costs more than a second,
@@ -14,7 +16,9 @@ until the tests that stay cost no more than ``--seconds``.  Their names go to ``
 
 import argparse
 import json
+import os
 import resource
+import signal
 import subprocess
 import sys
 from collections import Counter
@@ -29,6 +33,7 @@ THOROUGH = ROOT / "tests" / "thorough.txt"
 BUILD = ROOT / "build" / "suite"
 WITNESSES = 2
 DEAR = 0.25
+ALARMED = {"tests/test_public_time.py"}
 SOURCES = "asymptotics,derivations,paper_checks"
 
 
@@ -52,6 +57,21 @@ class Cost:
         return self.name.split("[")[0]
 
 
+def pytest_configure() -> None:
+    """No alarms."""
+    signal.setitimer = lambda *_: (0.0, 0.0)  # type: ignore[assignment,misc]
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """The tests of this process's files: every ``of``-th one, from ``part`` on."""
+    part, of = map(int, os.environ["SUITE_PART"].split("/"))
+    files = sorted({item.nodeid.split("::")[0] for item in items} - ALARMED)
+    mine = set(files[part::of])
+    left_out = [item for item in items if item.nodeid.split("::")[0] not in mine]
+    config.hook.pytest_deselected(items=left_out)
+    items[:] = [item for item in items if item.nodeid.split("::")[0] in mine]
+
+
 @pytest.hookimpl(hookwrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     """A context of coverage and a line of the log for each test."""
@@ -63,7 +83,7 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     before = _used()
     yield
     own, children = (after - was for after, was in zip(_used(), before, strict=True))
-    with (BUILD / "costs.jsonl").open("a") as log:
+    with (BUILD / "costs.jsonl").open("a") as log:  # one short line: written at once
         log.write(json.dumps([item.nodeid, round(own, 4), round(children, 4)]) + "\n")
 
 
@@ -77,10 +97,11 @@ def main(argv: list[str] | None = None) -> int:
     """Measure (or read the last measurement), choose, and write the list."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.suite_costs", description=__doc__)
     parser.add_argument("--seconds", type=float, default=300, help="processor time that stays (default 300)")
+    parser.add_argument("--processes", type=int, default=os.cpu_count() or 1, help="default: as many as cores")
     parser.add_argument("--again", action="store_true", help="choose again from the last measurement")
     options = parser.parse_args(argv)
     if not options.again:
-        _measure()
+        _measure(options.processes)
     costs = list(_costs())
     moved = chosen(costs, options.seconds, _named())
     THOROUGH.write_text("".join(f"{name}\n" for name in sorted(moved)))
@@ -89,25 +110,32 @@ def main(argv: list[str] | None = None) -> int:
     return 0
 
 
-def _measure() -> None:
+def _measure(processes: int) -> None:
     BUILD.mkdir(parents=True, exist_ok=True)
-    (BUILD / "costs.jsonl").unlink(missing_ok=True)
+    for old in (BUILD / "costs.jsonl", *BUILD.glob("coverage*")):
+        old.unlink(missing_ok=True)
     THOROUGH.write_text("")
-    trace = ["-m", "coverage", "run", f"--source={SOURCES}", f"--data-file={BUILD / 'coverage'}"]
     tests = ["-m", "pytest", "-p", "no:xdist", "-p", "benchmarks.suite_costs", "-m", "not slow", "--timeout", "1200"]
-    subprocess.run([sys.executable, *trace, *tests], cwd=ROOT, check=False)
+    running = []
+    for part in range(processes):
+        trace = ["-m", "coverage", "run", f"--source={SOURCES}", f"--data-file={BUILD / f'coverage{part}'}"]
+        place = {**os.environ, "SUITE_PART": f"{part}/{processes}"}
+        running.append(subprocess.Popen([sys.executable, *trace, *tests], cwd=ROOT, env=place))
+    for process in running:
+        process.wait()
 
 
 def _costs() -> Iterator[Cost]:
     from coverage import CoverageData  # noqa: PLC0415  as above
 
-    data = CoverageData(str(BUILD / "coverage"))
-    data.read()
     ran: dict[str, set[tuple[str, int]]] = {}
-    for file in sorted(data.measured_files()):
-        for number, contexts in data.contexts_by_lineno(file).items():
-            for context in contexts:
-                ran.setdefault(context, set()).add((file, number))
+    for part in sorted(BUILD.glob("coverage*")):
+        data = CoverageData(str(part))
+        data.read()
+        for file in data.measured_files():
+            for number, contexts in data.contexts_by_lineno(file).items():
+                for context in contexts:
+                    ran.setdefault(context, set()).add((file, number))
     for line in (BUILD / "costs.jsonl").read_text().splitlines():
         name, own, children = json.loads(line)
         yield Cost(name, own, children, frozenset(ran.get(name, ())))
