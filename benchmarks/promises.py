@@ -67,6 +67,7 @@ def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
     if size >= FULL:
         found["c_1 and d_1 of alpha = 2, 60 digits"] = (partial(constants, 2, 60), 3)
         found["c_1 and d_1 of alpha = 3/2, 17 digits, coefficients included"] = (partial(constants, "3/2", 17), 5)
+        found["c_1 and d_1 of alpha = 11/10, 50 digits"] = (partial(constants, "11/10", 50), 60)
         for name, law in {"3/2": BETWEEN, "3": CUBE, "(1, 2)": PAIR}.items():
             found[f"1000 turning points and times of {name}, 30 digits, coefficients included"] = (
                 partial(anew, law),

@@ -6,6 +6,8 @@ Half-swings can be counted by where an orbit goes, or by where it comes from.  T
 exponentially small in 1/delta.  Its size is the Stokes constant of the law: certified, and zero for some exponents.
 """
 
+from fractions import Fraction
+
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -31,17 +33,19 @@ plane.set(xlabel=r"Re $\delta$", ylabel=r"Im $\delta$", aspect="equal")
 plane.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2, fontsize="small")
 
 # %%
-# The constants at a few exponents, to four digits.  Near 1, in the grey strip, the zeros of c_1 seem to
-# accumulate; three on either side of 1 are proved, the outermost are the diamonds.
+# The constants at forty exponents, to four digits, evenly in 1/(alpha - 1) near 1: there they beat with period 1, and
+# the zeros of c_1 accumulate.  Three on either side of 1 are proved, the outermost are the diamonds.
 
 figure, curve = plt.subplots()
-grid = {0.2: "1/5", 0.3: "3/10", 0.4: "2/5", 0.5: "1/2", 2: "2", 4: "4", 6: "6"}
-found = {alpha: asy.stokes(text, digits=4) for alpha, text in grid.items()}
+below = [f"{k}/10" for k in range(1, 6)] + [str(Fraction(k - 4, k)) for k in range(9, 20)]
+above = [str(Fraction(k + 4, k)) for k in range(20, 3, -1)] + ["9/4", "5/2", "3", "7/2", "4", "5", "6"]
+found = {text: asy.stokes(text, digits=4) for text in (*below, *above)}
 for name, colour in (("c", "C0"), ("d", "C3")):
-    for side in (np.array([a for a in grid if a < 1]), np.array([a for a in grid if a > 1])):
-        values = [float(getattr(found[a], name)(1)) for a in side]
-        curve.plot(side, values, "o:", color=colour, markersize=4, label=f"${name}_1$" if side[0] > 1 else None)
-curve.axvspan(0.55, 1.9, color="0.9")
+    for side in (below, above):
+        exponents = [float(Fraction(text)) for text in side]
+        values = [float(getattr(found[text], name)(1)) for text in side]
+        curve.plot(exponents, values, ".-", color=colour, linewidth=0.7, label=f"${name}_1$" if side is above else None)
+curve.axvspan(0.8, 1.2, color="0.9")
 curve.axhline(0, color="0.5", linewidth=0.6)
 curve.plot([0.543614812520, 2.162839771406], [0, 0], "kD", markersize=5, label="$c_1 = 0$")
 curve.set(xlabel=r"$\alpha$", ylabel="Stokes constant")
@@ -50,6 +54,6 @@ curve.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=3)
 # %%
 # A sign that changes between two certified values proves a zero in between.
 
-print(found[2])
+print(found["2"])
 assert all(constants.certified for constants in found.values())
-assert float(found[2].c(1)) < 0 < float(found[4].c(1))
+assert float(found["2"].c(1)) < 0 < float(found["4"].c(1))

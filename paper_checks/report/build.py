@@ -23,7 +23,7 @@ from paper_checks.data import record, source
 from paper_checks.registry import PAPERS, Entry, Shortfall
 from paper_checks.report import pages
 from paper_checks.report.difference import marked
-from paper_checks.report.engine import engine_data, regimes_picture, validity_picture
+from paper_checks.report.engine import engine_data, regimes_picture, stokes_picture, validity_picture
 from paper_checks.report.font import font_face
 from paper_checks.report.play import play_page
 from paper_checks.report.tex import tex
@@ -204,6 +204,7 @@ def _figures(entries: list[Entry], progress: Progress) -> Iterator[tuple[str, by
             progress(f"{key} {name}")
     yield "engine-validity.svg", validity_picture()
     yield "engine-regimes.svg", regimes_picture()
+    yield "engine-stokes.svg", stokes_picture()
 
 
 def _template(name: str) -> jinja2.Template:

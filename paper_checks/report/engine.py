@@ -15,12 +15,13 @@ from asymptotics.normal_form.verify import exact_reference, verify
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.present.figures import render
-from paper_checks.report import regimes, validity_map
+from paper_checks.report import regimes, stokes_curve, validity_map
 from paper_checks.report.expansion_errors import stored
 
 EXPONENTS = ("0", "1/2", "3/4", "1", "3/2", "5/3", "2", "5/2", "3", "4", "5", "7", "sqrt(2)")
 LAWS = (["0"], ["1/2"], ["3/2"], ["2"], ["3"], ["1", "2"])
 ORDER, DIGITS = 4, 12
+DRAWN = ("1/10", "1/2", "9/10", "11/10", "3/2", "2", "5/2", "3", "4", "6")
 BOUNDED = [([alpha], range(1, 7)) for alpha in ("1/2", "3/2", "2", "5/2", "3")]
 BOUNDED += [(laws, range(1, 3)) for laws in (["0", "1"], ["1", "2"], ["1", "3"])]
 AT_ONE_TIME = "{error} / {estimate} / {bound}"
@@ -34,7 +35,7 @@ GAUGE_USERS = {
 @cache
 def engine_data() -> dict[str, Any]:
     """All tables of the page, as text."""
-    found = {"coefficients": _coefficients(), "gauges": _gauges(), "growth": _growth()}
+    found = {"coefficients": _coefficients(), "gauges": _gauges(), "growth": _growth(), "stokes": _stokes()}
     cells = {"at_one_time": AT_ONE_TIME, "everywhere": "{all turning points}", "always": "{all times}"}
     compared = {name: _compared(cell) for name, cell in cells.items()}
     return {**found, "accuracy": _accuracy(), "bounds": _bounds(), **compared}
@@ -50,6 +51,18 @@ def validity_picture() -> str:
 def regimes_picture() -> str:
     """Creep for alpha < 1, slow starts without overdamping for alpha > 1, as SVG."""
     return render(regimes.draw, size=(11, 3)).decode()
+
+
+@cache
+def stokes_picture() -> str:
+    """c_1 and d_1 against alpha, and how they beat towards alpha = 1, as SVG."""
+    return render(stokes_curve.draw, size=(11, 4)).decode()
+
+
+def _stokes() -> list[dict[str, str]]:
+    """Some rows of the stored curve."""
+    found = {row["alpha"]: row for row in stokes_curve.stored()}
+    return [{"alpha": alpha, "c_1": found[alpha]["c_1"], "d_1": found[alpha]["d_1"]} for alpha in DRAWN]
 
 
 def _coefficients() -> list[dict[str, str]]:

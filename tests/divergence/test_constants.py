@@ -1,6 +1,7 @@
 """The Stokes constants: two heights, the complex plane, Smith's map in mpmath, the large orders; near misses."""
 
 from functools import cache, partial
+from time import process_time
 
 import mpmath
 import pytest
@@ -33,6 +34,21 @@ def test_another_height_gives_the_same_numbers(text):
     for a, b in zip((*low[0], *low[1]), (*high[0], *high[1]), strict=True):
         assert a.overlaps(b) and a.rad() < 1e-12 * abs(a) and b.rad() < 1e-12 * abs(b)
         assert not (a * (1 + arb("1e-11"))).overlaps(b)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("text", ["1.1", "1.2", "3/2", "5/2", "6"])
+def test_fifty_digits_beside_seventeen_more_from_farther_up(text):
+    """Within the default time: d digits at one height, d + 17 at another."""
+    start = process_time()
+    found = asy.stokes(text, digits=50)
+    assert process_time() - start < 60 and found.certified
+    more = stokes_balls(alpha(text), 1, 67, lift=0.6)
+    for (ball,), decimal in zip(more, (found.constants[0], found.time_constants[0]), strict=True):
+        assert ball.rad() < arb("1e-66") * abs(ball)
+        with ctx.workprec(300):
+            assert abs(ball - arb(decimal)) < arb("0.51e-49") * abs(ball)
+            assert not abs(ball * (1 + arb("1e-49")) - arb(decimal)) < arb("0.4e-49") * abs(ball)
 
 
 @pytest.mark.parametrize(("n", "rounds", "orders"), [(2, 2, (1,)), pytest.param(3, 12, (1, 2), marks=pytest.mark.slow)])
