@@ -99,3 +99,25 @@ step(
     -sympy.gamma(k) / sympy.gamma(k - 2) / (2 * pi * c) ** 2,
     -(k - 1) * (k - 2) / (2 * pi * c) ** 2,
 )
+step(
+    "Beyond the first correction: to first order in q the change of Omega, over 2 i d_1 q, is for any W",
+    sympy.simplify(-change / Wm**2 / (2 * i * d1 * q)),
+    named("(1 - (pi c_1/d_1)(W - 1))/W^2", (1 - pi * c1 / d1 * (Wm - 1)) / Wm**2),
+)
+step(
+    "and Delta p is 1/W times p; W, V/delta^2, p/delta go on in powers of delta^2, which on z = -iy is",
+    At((c / w) ** 2, {w: -i * y}),
+    -(c**2) / y**2,
+)
+x, eps_3, s_2 = sympy.symbols("x epsilon_3 s_2")
+step(
+    "With x = 1/y, v = y - epsilon_1 x + epsilon_3 x^3 - …, q is e^(-2 pi y) times a series in x; beside a factor 1 +"
+    " s_2 x^2 + … of V, p or Omega its second coefficient is",
+    Coefficient(sympy.exp(2 * pi * (eps * x - eps_3 * x**3)) * (1 + s_2 * x**2), x, 2),
+    2 * pi**2 * eps**2 + s_2,
+)
+step(
+    "and x^j lowers the moment by j powers of y: relatively by (2 pi)^j/(n (n-1) … (n-j+1)), at j = 2",
+    (sympy.gamma(n - 1) / (2 * pi) ** (n - 1)) / (sympy.gamma(n + 1) / (2 * pi) ** (n + 1)),
+    (2 * pi) ** 2 / (n * (n - 1)),
+)

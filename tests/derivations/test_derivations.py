@@ -73,6 +73,7 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("cauchy_heine", "    4 * pi**2 * eps1 / (n - 1),", "    2 * pi**2 * eps1 / (n - 1),"),
     ("cauchy_heine", "    y - eps1 / y + eps3 / y**3,", "    y + eps1 / y + eps3 / y**3,"),
     ("large_orders", "2 * pi * i * q * (c1 + d1 / pi) / Wm)", "2 * pi * i * q * c1 / Wm)"),
+    ("large_orders", "(1 - pi * c1 / d1 * (Wm - 1)) / Wm**2", "(1 + pi * c1 / d1 * (Wm - 1)) / Wm**2"),
     ("large_orders", "pi * (Wm - 1) + h * (-2 * pi", "pi * (Wm - 1) + h * (2 * pi"),
     (
         "stokes_small_alpha",
