@@ -16,6 +16,7 @@ enclosure at the working precision), ``sign``, ``is_zero`` and a text.
 (('1', -1), ('2', 1))
 """
 
+import re
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -30,6 +31,29 @@ from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.present.shown import Page, Shown
 
 MAX_POSITION = 100
+
+
+def terms_of(text: str, argument: str) -> list[str]:
+    """The terms of a law without strengths, joined by +: exponents, and A,M: for |x|^M v|v|^(A-1) as ``--law A,M:E``.
+
+    InputError, with the new spelling, for the old one: sums joined by commas, AxM.
+
+    >>> terms_of("0+1,2:", "laws")
+    ['0', '1,2:']
+    >>> terms_of("1,2", "laws")
+    Traceback (most recent call last):
+        ...
+    asymptotics.errors.InputError: argument laws: '1,2' is the old spelling of a sum (accepted: 1+2, or 1,2: for ...
+    """
+    parts = [part.strip() for part in text.split("+")]
+    for part in parts:
+        new = "+".join(re.sub(r"^(.+)x(\d+)$", r"\1,\2:", piece.strip()) for piece in part.split(","))
+        if "," in part and not part.endswith(":"):
+            accepted = f"{new}, or {part}: for |x|^M v|v|^(A-1) with A,M as in --law A,M:E"
+            raise InputError(argument, f"{part[:40]!r} is the old spelling of a sum", accepted)
+        if new != part and ":" not in part:
+            raise InputError(argument, f"{part[:40]!r} is the old spelling of |x|^M v|v|^(A-1)", new)
+    return parts
 
 
 @dataclass(frozen=True)

@@ -106,7 +106,7 @@ def decay(kind: str, index: int, seed: int = SEED) -> Decay:
     cubic = float(random.uniform(0.02, 0.15)) / start**2 if kind == "cubic spring" else 0.0
     pendulum = kind == "pendulum"
     spring: Callable[[float], float] = (lambda x: float(np.sin(x))) if pendulum else (lambda x: x + cubic * x**3)
-    name = ",".join(law) + {"cubic spring": ",s3", "pendulum": ",pendulum"}.get(kind, "")
+    name = "+".join(law) + {"cubic spring": "+s3", "pendulum": "+pendulum"}.get(kind, "")
     strengths = (*(e for _, e in losses), *([cubic] if cubic else []))
     noise = 10 ** float(random.uniform(-3.3, -2)) * start
     if kind == "turning points":

@@ -46,7 +46,7 @@ VAN_DER_POL = Law({1: -1, (1, 2): 1})
 def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
     """What is done, and in how many seconds it shall be done, at the stated size 8."""
     swing, p = Swing((loss(1), loss(2))), np.array([0.0, 0.01, 0.02])
-    seen = observed("1,2", [0.005, 0.015], 18 * size + 5, 1e-3, 1e-2, seed=8)
+    seen = observed("1+2", [0.005, 0.015], 18 * size + 5, 1e-3, 1e-2, seed=8)
     orbit = turning_sequence(swing, 100, p)
     few, many = (min(digits, 4 * size) for digits in (15, 30))
     found: dict[str, tuple[Callable[[], object], float]] = {

@@ -22,8 +22,9 @@ from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.public import public
 from asymptotics.records.sources import How, Source, opened
+from asymptotics.terms import terms_of
 
-DEFAULT = ("0", "1", "2", "3", "0,1", "1,2", "0,2", "1,3", "0,1,2")
+DEFAULT = ("0", "1", "2", "3", "0+1", "1+2", "0+2", "1+3", "0+1+2")
 MAX_POINTS, MAX_TERMS = 1000, 4
 NAMES = {
     "amplitude": ("a", "amplitude", "a [m]", "amplitude [m]", "a [rad]", "amplitude [rad]"),
@@ -49,7 +50,7 @@ def damping_law(
 
     ``table``: a file, a data frame or a mapping with a column A (amplitude, m or rad), one of zeta, Q, decrement, and
     perhaps resolution (the standard deviation of each); or give ``resolution``, one number for all.  ``laws``: the
-    candidates, such as ["1", "1,2"].  With ``mass`` and ``stiffness`` strengths are b in SI, else epsilon;
+    candidates, such as ["1", "1+2"].  With ``mass`` and ``stiffness`` strengths are b in SI, else epsilon;
     ``spring`` as for ``Law``.  First order; what it neglects is measured on the best law.  InputError by
     name, LimitError after ``max_seconds``.  Source: derivation ``equivalent-damping``.
     """
@@ -129,10 +130,10 @@ def _candidates(laws: Any) -> tuple[tuple[str, ...], ...]:
     """Exponents as text; InputError for what is no exponent, twice the same, or too many."""
     given = DEFAULT if laws is None else (laws,) if isinstance(laws, str) else laws
     if not isinstance(given, list | tuple) or not given:
-        raise InputError("laws", "there is none", 'texts such as ["1", "1,2"]')
+        raise InputError("laws", "there is none", 'texts such as ["1", "1+2"]')
     made = []
     for law in given:
-        alphas = [exact_number(part, "laws") for part in (law.split(",") if isinstance(law, str) else [law])]
+        alphas = [exact_number(part, "laws") for part in (terms_of(law, "laws") if isinstance(law, str) else [law])]
         if len(alphas) > MAX_TERMS or len({str(a) for a in alphas}) < len(alphas) or any(a < 0 for a in alphas):
             raise InputError(
                 "laws", f"{str(law)[:40]!r} is no candidate", f"up to {MAX_TERMS} different exponents >= 0"

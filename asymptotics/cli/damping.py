@@ -4,7 +4,7 @@
   asymptotics damping --law 1:0.1 --law 2:0.2 --mass 3/2 --stiffness 30 --amplitudes 0.2,0.1 --order 3
   asymptotics damping --law 1:1/50 --law 2:1/20 --spring pendulum --amplitudes 0.2,0.7 --plot q.svg
   asymptotics damping --alpha symbolic
-  asymptotics damping --from TABLE.csv --resolution 0.0002 --laws 1 2 1,2
+  asymptotics damping --from TABLE.csv --resolution 0.0002 --laws 1 2 1+2
 
 Formulas of first order (one cycle without loss: zeta = Delta E/(4 pi E), Q = 2 pi E/Delta E, decrement
 ln(A_n/A_(n+2)), c_eq = Delta E/closed integral of v dx, half-life from A to A/2), certified numbers of it, and of the
@@ -46,7 +46,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--resolution", metavar="S", help="with --from: the standard deviation of each value")
     parser.add_argument(
-        "--laws", nargs="+", metavar="LAW", help="with --from: candidate laws, exponents: 1 1,2 0,2 ..."
+        "--laws", nargs="+", metavar="LAW", help="with --from: candidate laws, exponents: 1 1+2 0+2 ..."
     )
     text = "b under the names of ITTC, IMO, OpenFAST, OrcaFlex and of dampers; needs SI units"
     parser.add_argument("--conversions", action="store_true", help=text)

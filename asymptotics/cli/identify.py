@@ -1,13 +1,14 @@
 """Which damping law is it?  From a measured decay to exponents, strengths and honest intervals.
 
   asymptotics identify DATA.csv                              # the columns say what it is
-  asymptotics identify DATA.csv --kind turning-points --laws 1 1,2 0,2 free --json
+  asymptotics identify DATA.csv --kind turning-points --laws 1 1+2 0+2 free --json
   asymptotics identify RUN1.csv RUN2.csv --unit deg          # several runs of one oscillator
 
 Columns: record `t,x`; velocity `t,v`; acceleration `t,a`; turning-points `n,x[,tau]`; decrement
 `amplitude,decrement[,resolution]` of half-swings. Names, units, separators and decimal marks are found and told;
-where two readings are possible, --columns or --decimal is asked for. Laws: exponents joined by commas (1,2 or 3/2),
-`free` (one exponent to be found), `AxM` for the loss |x|^M v|v|^(A-1), `sP` for a spring x|x|^(P-1). By default every
+where two readings are possible, --columns or --decimal is asked for. Laws: exponents joined by + (1+2, or 3/2 alone),
+`free` (one exponent to be found), `A,M:` for the loss |x|^M v|v|^(A-1), as `--law A,M:E` in other commands, `sP` for a
+spring x|x|^(P-1), `pendulum` for sin x. By default every
 subset of 0, 1, 2, 3 and a free exponent compete, each with and without the springs x^3 and x^3, x^5 where there are
 times. epsilon refers to x0 = 1 unit of the file; intervals are 95 %.
 """
@@ -41,8 +42,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--decimal", metavar="MARK", help="the decimal mark: . or , (default: found in the file)")
     parser.add_argument("--skip", metavar="N", default="0", help="lines before the table that are not read")
     parser.add_argument("--sheet", metavar="NAME", help="the sheet of a spreadsheet, where several hold numbers")
-    parser.add_argument("--laws", nargs="+", metavar="LAW", help="candidate laws: 1 1,2 0,2 free 1,s3 ...")
-    parser.add_argument("--springs", nargs="+", default=[], metavar="P", help="springs to add to each law: 3 3,5")
+    parser.add_argument("--laws", nargs="+", metavar="LAW", help="candidate laws: 1 1+2 0+2 free 1+s3 1,2: ...")
+    parser.add_argument("--springs", nargs="+", default=[], metavar="P", help="springs to add to each law: 3 3+5")
     parser.add_argument("--amplitudes", metavar="LOW:HIGH", help="use the turning points with |x| in this range only")
     parser.add_argument("--amplitudes-only", action="store_true", help="use no times; intervals widen by the cost")
     parser.add_argument("--mass", metavar="M", help="mass in kg, if known")

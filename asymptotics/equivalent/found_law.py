@@ -35,7 +35,7 @@ class DampingLaw(Rows):
         return self.laws[0]
 
     def law(self, name: str) -> Candidate:
-        """A candidate by its name such as ``1,2``; KeyError if it is not there."""
+        """A candidate by its name such as ``1+2``; KeyError if it is not there."""
         return {c.name: c for c in self.laws}[name]
 
     @property

@@ -166,7 +166,7 @@ def _candidate(problem: Problem, alphas: tuple[str, ...], amplitudes: Sequence[f
     criterion = square + 2 * count + (2 * count * (count + 1) / spare if spare > 0 else np.inf)
     profile = [_interval(z / s[:, None], zeta / s, b, i, square) for i in range(count)]
     strengths = tuple(Strength(a, low, float(e), high) for a, e, (low, high) in zip(alphas, b, profile))
-    return Candidate(",".join(alphas), strengths, left, square, p, float(criterion), grade)
+    return Candidate("+".join(alphas), strengths, left, square, p, float(criterion), grade)
 
 
 def _interval(z: Any, y: Any, b: Any, i: int, least: float) -> tuple[float, float]:

@@ -1,8 +1,8 @@
 """Candidate laws: which losses, which springs.
 
 >>> [str(c) for c in default_candidates(with_springs=False)][:6]
-['0', '1', '2', '3', '0,1', '0,2']
->>> law = read_candidate("1,1x2,s3")
+['0', '1', '2', '3', '0+1', '0+2']
+>>> law = read_candidate("1+1,2:+s3")
 >>> law.formula()
 "x'' + x + e1 x' + e2 x^2 x' + c3 x^3 = 0"
 """
@@ -16,11 +16,12 @@ from asymptotics.identification.coefficients import Element, loss, spring
 from asymptotics.identification.swing import MAX_FREE_ALPHA, Swing
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
+from asymptotics.terms import terms_of
 
 FREE, PENDULUM = "free", "pendulum"
 MAX_TERMS = 6
 FORMS = (
-    "exponents joined by commas, as 1,2 or 3/2; free; AxM for the loss |x|^M v|v|^(A-1); sP for a spring x|x|^(P-1); "
+    "exponents joined by +, as 1+2 or 3/2; free; A,M: for the loss |x|^M v|v|^(A-1); sP for a spring x|x|^(P-1); "
     "pendulum"
 )
 _SPRINGS: tuple[tuple[int, ...], ...] = ((), (3,), (3, 5))
@@ -42,8 +43,8 @@ class Candidate:
 
     @property
     def alphas(self) -> tuple[str, ...]:
-        """The losses as text: exponents, with xM for a factor |x|^M."""
-        return tuple(a + (f"x{m}" if m else "") for a, m in self.losses)
+        """The losses as text: exponents, A,M for a factor |x|^M."""
+        return tuple(a + (f",{m}" if m else "") for a, m in self.losses)
 
     @cached_property
     def elements(self) -> tuple[Element, ...]:
@@ -67,7 +68,8 @@ class Candidate:
         return f"x'' + {'sin x' if self.pendulum else 'x'} + " + " + ".join(terms) + " = 0"
 
     def __str__(self) -> str:
-        return ",".join([*self.alphas, *(f"s{p}" for p in self.springs), *([PENDULUM] if self.pendulum else [])])
+        losses = [f"{a}:" if "," in a else a for a in self.alphas]
+        return "+".join([*losses, *(f"s{p}" for p in self.springs), *([PENDULUM] if self.pendulum else [])])
 
 
 def _float(value: ExactReal) -> float:
@@ -93,11 +95,11 @@ def default_candidates(with_springs: bool, angles: bool = False) -> list[Candida
 
 
 def read_candidate(text: str) -> Candidate:
-    """A candidate from text such as ``1,2``, ``free,s3`` or ``1,1x2``; InputError for anything else."""
+    """A candidate from text such as ``1+2``, ``free+s3`` or ``1+1,2:``; InputError for anything else."""
     losses: list[tuple[str, int]] = []
     springs: list[int] = []
     pendulum = False
-    for item in (part.strip() for part in text.split(",")):
+    for item in terms_of(text, "laws"):
         if re.fullmatch(r"s\d+", item):
             springs.append(parse_integer(item[1:], "laws", 2, 9))
         elif item == PENDULUM:
@@ -116,14 +118,17 @@ def read_candidate(text: str) -> Candidate:
         raise InputError("laws", f"{text[:40]!r} has too many terms", f"at most {MAX_TERMS}")
     if pendulum and (springs or any(a == FREE or m for a, m in losses)):
         raise InputError(
-            "laws", f"{text[:40]!r} is no pendulum with known exponents", "exponents and pendulum, as 1,2,pendulum"
+            "laws", f"{text[:40]!r} is no pendulum with known exponents", "exponents and pendulum, as 1+2+pendulum"
         )
     return Candidate(tuple(losses), tuple(springs), pendulum)
 
 
 def _read_loss(item: str) -> tuple[str, int]:
-    alpha_text, _, power = item.partition("x")
+    powers, colon, strength = item.partition(":")
+    if strength:
+        raise InputError("laws", f"{item[:40]!r} has a strength, which is to be found", f"{powers}: without it")
+    alpha_text, comma, power = powers.partition(",")
     alpha = parse_real(alpha_text, "laws")
     if alpha < 0 or alpha > 10:
         raise InputError("laws", f"{alpha} is out of range", f"exponents from 0 to 10; free: 0 to {MAX_FREE_ALPHA:g}")
-    return str(alpha), parse_integer(power, "laws", 1, 9) if power or "x" in item else 0
+    return str(alpha), parse_integer(power, "laws", 1, 9) if comma else 0

@@ -43,7 +43,7 @@ def further_parameters(larger: Candidate, law: Candidate) -> int:
     A pendulum and a linear spring are two points of one family, sin x and x in some share: a parameter either way.
 
     >>> from asymptotics.identification.candidates import read_candidate as read
-    >>> [further_parameters(read(b), read(c)) for b, c in (("1,2", "1"), ("1", "1,2"), ("2,s3", "1"), ("free", "1"))]
+    >>> [further_parameters(read(b), read(c)) for b, c in (("1+2", "1"), ("1", "1+2"), ("2+s3", "1"), ("free", "1"))]
     [1, 0, 2, 1]
     """
     springs = len(set(larger.springs) - set(law.springs)) + (larger.pendulum != law.pendulum)

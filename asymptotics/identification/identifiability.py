@@ -5,10 +5,10 @@ normal errors the information is J^T J/sigma^2, J = dx_n/dtheta, and its inverse
 covariance (Cramer and Rao).  A term is needed, at 95 % with power 90 %, when its strength exceeds (1.96 + 1.28)
 standard errors.
 
->>> errors = standard_errors("1,2", [0.01, 0.02], swings=100, noise=1e-3)
+>>> errors = standard_errors("1+2", [0.01, 0.02], swings=100, noise=1e-3)
 >>> [float(e) for e in errors.round(6)]
 [3e-05, 8.1e-05]
->>> swings_needed("1,2", [0.002, 0.03], term=0, noise=1e-3)      # is there linear loss beside the quadratic one?
+>>> swings_needed("1+2", [0.002, 0.03], term=0, noise=1e-3)      # is there linear loss beside the quadratic one?
 16
 """
 

@@ -37,6 +37,7 @@ from asymptotics.numbers.policy import Number
 from asymptotics.public import public
 from asymptotics.records.sources import How
 from asymptotics.records.units import ANGLES, GRAVITY, UNITS
+from asymptotics.terms import terms_of
 
 MAX_RUNS = 50
 
@@ -69,7 +70,7 @@ def identify(
     ``kind``: record, velocity, acceleration, turning-points or decrement (found from the columns if not given);
     ``unit`` of x: m, cm, mm, rad, deg.  ``columns`` such as "t=Time (s),x=3", ``decimal`` "." or ",", ``skip``
     lines and ``sheet`` overrule what a file shows.
-    ``laws``: candidates such as "1,2", "free", "1,s3" (default: every subset of 0, 1, 2, 3 and one free exponent,
+    ``laws``: candidates such as "1+2", "free", "1+s3", "1,2:" for |x|^2 x' (default: every subset of 0, 1, 2, 3 and one free exponent,
     with and without the springs x^3 and x^3, x^5 when there are times); ``springs``: the springs to add to each of
     ``laws``.
     ``amplitudes``: (low, high), the range of |x_n| that is used, in the unit of the data.
@@ -132,8 +133,8 @@ def _candidates(laws: Sequence[str] | None, springs: Sequence[str], times: bool,
     )
     if not chosen:
         raise InputError("laws", "no law is named", "at least one law")
-    powers = (",".join("s" + p.strip() for p in text.split(",")) for text in _texts(springs, "springs"))
-    extra = [read_candidate(f"0,{text}").springs for text in powers]
+    powers = ("+".join("s" + p for p in terms_of(text, "springs")) for text in _texts(springs, "springs"))
+    extra = [read_candidate(f"0+{text}").springs for text in powers]
     chosen += [Candidate(c.losses, s) for s in extra for c in chosen if not (c.springs or c.pendulum)]
     if any(c.pendulum for c in chosen) and not angles:
         raise InputError("laws", "a pendulum needs angles", f"x in one of: {', '.join(ANGLES)} (--unit)")
@@ -306,5 +307,5 @@ def _texts(given: Any, name: str) -> list[str]:
     texts = list(given) if isinstance(given, list | tuple) else [given]
     for text in texts:
         if not isinstance(text, str):
-            raise InputError(name, f"{shown(text)} is no text", 'a list of texts such as "1,2"')
+            raise InputError(name, f"{shown(text)} is no text", 'a list of texts such as "1+2"')
     return texts

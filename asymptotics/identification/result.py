@@ -178,7 +178,7 @@ class Identification(Rows, Drawn):
         return rows | {"half_life": _number(found["half_life"]), "half_life_unit": found["half_life_unit"]}
 
     def law(self, text: str) -> LawAnswer:
-        """The answer for one candidate, by its name such as ``1,2`` or ``free,s3``; KeyError if it is not there."""
+        """The answer for one candidate, by its name such as ``1+2`` or ``free+s3``; KeyError if it is not there."""
         for answer in self.laws:
             if str(answer.law.candidate) == text:
                 return answer

@@ -74,10 +74,10 @@ def _means(x: Array) -> tuple[Array, Array]:
 
 ESTIMATORS: dict[str, tuple[str, Estimator]] = {
     "logarithmic decrement": ("1", logarithmic_decrement),
-    "Froude": ("1,2", froude),
+    "Froude": ("1+2", froude),
     "Bertin": ("2", bertin),
-    "Feeny-Liang": ("0,1", feeny_liang),
-    "energy": ("1,2", energy_method),
+    "Feeny-Liang": ("0+1", feeny_liang),
+    "energy": ("1+2", energy_method),
 }
 
 
@@ -95,7 +95,7 @@ def textbook_estimates(seen: Observations) -> dict[str, Any]:
         estimate = estimator(seen.x)
         error = systematic_error(read_candidate(law), estimator, seen)
         found[name] = {
-            "alphas": law.split(","),
+            "alphas": law.split("+"),
             "epsilon": [f"{e:.6g}" for e in estimate],
             "systematic_error": None if error is None else [f"{e:.3g}" for e in error],
         }

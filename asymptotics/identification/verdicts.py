@@ -55,7 +55,9 @@ def _verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool
     if not growing and all(_is_imitation(law) for law in chosen):
         text = f"{NONE} with strengths >= 0: {names} needs a negative one ({', '.join(chosen[0].negative)})"
         return Verdict(
-            NONE, text, "candidates of another kind: a loss that depends on position such as 1x2, a free exponent"
+            NONE,
+            text,
+            "candidates of another kind: a loss that depends on position such as 1,2: (|x|^2 x'), a free exponent",
         )
     if all(e.contains(0.0) for law in chosen for e in law.epsilon):
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")

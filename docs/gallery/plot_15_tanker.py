@@ -14,7 +14,7 @@ import numpy as np
 import asymptotics as asy
 from asymptotics.identification.examples import roll_decay
 
-laws, springs = ["1", "2", "1,2", "1,3", "1,2,3", "free"], ["3"]
+laws, springs = ["1", "2", "1+2", "1+3", "1+2+3", "free"], ["3"]
 whole = asy.identify(roll_decay(), laws=laws, springs=springs)
 print(whole.verdict.text)
 assert whole.verdict.kind == "none fits"
@@ -25,8 +25,8 @@ assert whole.verdict.kind == "none fits"
 large = asy.identify(roll_decay(), laws=laws, springs=springs, amplitudes=(np.radians(5), np.radians(11)))
 print(large.verdict.text)
 print(large.table(6))
-exponent = large.law("free,s3").law.alpha
-quadratic = large.law("2,s3").law.epsilon[0]
+exponent = large.law("free+s3").law.alpha
+quadratic = large.law("2+s3").law.epsilon[0]
 print(f"alpha = {exponent.estimate:.2f} [{exponent.low:.2f}, {exponent.high:.2f}]")
 print(f"B2 = {quadratic.estimate:.3f} [{quadratic.low:.3f}, {quadratic.high:.3f}]; published: 0.13 [-1.2, 1.4]")
 assert exponent.contains(2.0) and large.law("2").law.verdict == "refuted"

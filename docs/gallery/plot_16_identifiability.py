@@ -18,7 +18,7 @@ needed = np.full((len(noises), len(shares)), np.nan)
 for i, noise in enumerate(noises):
     for j, share in enumerate(shares):
         strengths = [share * total * 2 / np.pi, (1 - share) * total * 3 / 4]
-        needed[i, j] = swings_needed("1,2", strengths, term=0, noise=noise) or np.nan
+        needed[i, j] = swings_needed("1+2", strengths, term=0, noise=noise) or np.nan
 
 figure, axes = plt.subplots()
 picture = axes.contourf(shares, noises, needed, levels=[10, 20, 40, 80, 160, 320, 640])
@@ -32,5 +32,5 @@ figure.colorbar(picture, label="half-swings needed")
 
 assert (np.diff(needed, axis=0)[np.isfinite(np.diff(needed, axis=0))] >= 0).all()
 assert (np.diff(needed, axis=1)[np.isfinite(np.diff(needed, axis=1))] <= 0).all()
-example = swings_needed("1,2", [0.05 * total * 2 / np.pi, 0.95 * total * 3 / 4], term=0, noise=1e-3)
+example = swings_needed("1+2", [0.05 * total * 2 / np.pi, 0.95 * total * 3 / 4], term=0, noise=1e-3)
 print(f"5 % linear loss, noise 1e-3: {example} half-swings")

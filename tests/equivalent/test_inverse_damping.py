@@ -43,9 +43,9 @@ def test_wrong_laws_are_refuted_and_more_terms_are_not_needed():
     zeta = table({1: 0.02, 2: 0.05}, 0, np.random.default_rng(0))
     found = fitted(A.tolist(), zeta.tolist(), [1e-5] * len(A), Problem("zeta", (*LAWS, ("0", "1", "2"))))
     grades = {c.name: c.grade for c in found}
-    assert found[0].name == "1,2" and grades["0,1,2"] == "consistent"
-    assert [grades[name] for name in ("1", "2", "0,1", "0,2")] == ["refuted"] * 4
-    wide = next(c for c in found if c.name == "0,1,2")
+    assert found[0].name == "1+2" and grades["0+1+2"] == "consistent"
+    assert [grades[name] for name in ("1", "2", "0+1", "0+2")] == ["refuted"] * 4
+    wide = next(c for c in found if c.name == "0+1+2")
     assert wide.unneeded == ("0",) and wide.strengths[0].high < 1e-4
 
 
@@ -73,11 +73,11 @@ def test_the_public_table_in_si_and_beside_the_pendulum(tmp_path):
     rows = [asy.damping(osc, a, motion=False).rows[0] for a in ("1/10", "1/2", "1", "2")]
     path = tmp_path / "q.csv"
     path.write_text("A,Q,sigma\n" + "".join(f"{float(eval(r.amplitude))},{r.first.Q},0.001\n" for r in rows))  # noqa: S307
-    found = asy.damping_law(path, mass="3/2", stiffness=30, spring="pendulum", laws=["1", "1,2"])
-    assert found.best.name == "1,2" and found.best.strengths[1].estimate == pytest.approx(0.2, rel=1e-3)
+    found = asy.damping_law(path, mass="3/2", stiffness=30, spring="pendulum", laws=["1", "1+2"])
+    assert found.best.name == "1+2" and found.best.strengths[1].estimate == pytest.approx(0.2, rel=1e-3)
     assert found.verdict.startswith("viscous drag and drag in v^2: consistent; b_1 = 0.1")
     assert found.neglected > 0.1 and "more than the resolution" in str(found)
-    straight = asy.damping_law(path, mass="3/2", stiffness=30, laws=["1", "1,2"])
+    straight = asy.damping_law(path, mass="3/2", stiffness=30, laws=["1", "1+2"])
     assert straight.best.grade != "consistent"  # the pendulum is no linear spring
 
 
@@ -85,8 +85,8 @@ THREE = {"A": [1, 2, 3], "zeta": [1, 2, 3]}
 REFUSED = [
     ({"x": [1, 2, 3]}, {}, "no column A"), ({"A": [1, 2, 3]}, {}, "0 of the columns"),
     ({**THREE, "Q": [1, 2, 3]}, {}, "2 of the columns"), ({"A": [1, 2, 3], "zeta": [1, 2]}, {}, "differ in length"),
-    ({**THREE, "A": [1, -2, 3]}, {}, "not positive"), ({"A": [1, 2], "zeta": [1, 2]}, {"laws": ["1,2"]}, "too few"),
-    (THREE, {"mass": 1}, "stiffness"), (THREE, {"laws": ["1,1"]}, "no candidate"),
+    ({**THREE, "A": [1, -2, 3]}, {}, "not positive"), ({"A": [1, 2], "zeta": [1, 2]}, {"laws": ["1+2"]}, "too few"),
+    (THREE, {"mass": 1}, "stiffness"), (THREE, {"laws": ["1+1"]}, "no candidate"),
     (THREE, {"laws": [-1]}, "no candidate"), ({**THREE, "sigma": [1, 1, 1]}, {"resolution": 1}, "one of the two"),
 ]  # fmt: skip
 
@@ -100,7 +100,7 @@ def test_what_is_refused_is_named(given, options, said):
 def test_the_command_reads_a_table(capsys, tmp_path):
     path = tmp_path / "z.csv"
     path.write_text("A,zeta\n0.1,0.0120\n0.2,0.0141\n0.4,0.0178\n0.8,0.0261\n")
-    line = ["damping", "--from", str(path), "--resolution", "0.0002", "--laws", "1", "2", "1,2"]
+    line = ["damping", "--from", str(path), "--resolution", "0.0002", "--laws", "1", "2", "1+2"]
     assert main([*line, "--csv", str(tmp_path / "laws.csv")]) == 0
     assert capsys.readouterr().out.startswith("viscous drag and drag in v^2: consistent; epsilon_1 = 0.01995")
     assert (tmp_path / "laws.csv").read_text().startswith("law,grade,alpha,low,strength,high,code")

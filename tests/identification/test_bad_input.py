@@ -98,10 +98,10 @@ def test_bad_files_end_with_one_line_and_code_2(case, tmp_path, capsys):
 BAD_OPTIONS = [
     ["--kind", "movie"],
     ["--unit", "kg"],
-    ["--laws", "1,1"],
+    ["--laws", "1+1"],
     ["--laws", "-1"],
-    ["--laws", "free,1"],
-    ["--laws", "1,s3"],
+    ["--laws", "free+1"],
+    ["--laws", "1+s3"],
     ["--laws", "__import__('os')"],
     ["--mass", "-1"],
     ["--noise", "0"],

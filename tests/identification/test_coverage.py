@@ -16,7 +16,7 @@ from asymptotics.identification.observations import Observations
 from asymptotics.identification.quadrature import TooStrongError
 from asymptotics.identification.synthetic import observed
 
-LAWS = ("1", "2", "1,2", "0,1", "3/2")
+LAWS = ("1", "2", "1+2", "0+1", "3/2")
 
 
 def draw(index: int) -> tuple[str, list[float], Observations]:
@@ -29,7 +29,7 @@ def draw(index: int) -> tuple[str, list[float], Observations]:
     share = random.uniform(0.3, 0.7)
     parts = [share, 1 - share] if len(first) == 2 else [1.0]
     strengths = [fall * part / (c * swings) for part, c in zip(parts, first)]
-    if law == "0,1":
+    if law == "0+1":
         strengths[0] *= 0.5  # dry friction ends the motion in finite time
     return law, strengths, observed(law, strengths, swings, noise, seed=index)
 

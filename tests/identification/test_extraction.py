@@ -63,7 +63,7 @@ def test_missing_samples_a_push_and_a_noisy_tail_are_discarded_and_said():
 
 def test_a_record_identifies_its_law_and_agrees_with_its_turning_points():
     t, x = sampled(noise=1e-3)
-    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "0,1", "free"])
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "0+1", "free"])
     assert answer.verdict.text.startswith("identified: 1")
     assert answer.law("1").law.epsilon[0].contains(EPSILON)
     assert answer.units.omega_0 == pytest.approx(OMEGA, rel=1e-4)
@@ -87,10 +87,10 @@ def test_the_tanker_rolls_with_quadratic_loss_and_a_stiffening_spring():
     assert 140 <= len(seen.n) <= 147
     assert seen.unit == "rad"
     answer = asy.identify(seen, laws=["1", "2", "free"], springs=["3"], amplitudes=(np.radians(5), np.radians(11)))
-    assert answer.law("free,s3").law.alpha.contains(2.0)
-    assert answer.law("2,s3").law.verdict == "consistent"
+    assert answer.law("free+s3").law.alpha.contains(2.0)
+    assert answer.law("2+s3").law.verdict == "consistent"
     assert answer.law("2").law.verdict == "refuted"  # the spring is needed: the period depends on the amplitude
-    quadratic = answer.law("2,s3").law.epsilon[0]
+    quadratic = answer.law("2+s3").law.epsilon[0]
     assert quadratic.high - quadratic.low < 0.01 < 1.4 + 1.2  # published: 0.13 in [-1.2, 1.4]
     assert 0.11 < quadratic.estimate < 0.14
 
@@ -100,9 +100,9 @@ def test_a_record_without_noise_identifies_its_law():
     force = lambda t, y: [y[1], -4 * y[0] - 0.02 * y[1] - 0.03 * y[1] * abs(y[1])]  # noqa: E731
     t = np.arange(0, 60, 0.02)
     x = solve_ivp(force, (0, 60), [1.0, 0.0], t_eval=t, rtol=1e-9, atol=1e-11, max_step=0.05).y[0]
-    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "1,2", "1,3", "free"])
-    assert answer.verdict.text.startswith("identified: 1,2")
-    assert [e.contains(v) for e, v in zip(answer.law("1,2").law.epsilon, (0.01, 0.03), strict=True)] == [True, True]
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "1+2", "1+3", "free"])
+    assert answer.verdict.text.startswith("identified: 1+2")
+    assert [e.contains(v) for e, v in zip(answer.law("1+2").law.epsilon, (0.01, 0.03), strict=True)] == [True, True]
 
 
 @pytest.fixture(scope="module")
@@ -117,7 +117,7 @@ def two_losses():
 def test_few_samples_a_period_are_enough(samples):
     t = np.arange(0, 120, 2 * np.pi / SPEED / samples)
     x = motion(t) + 1e-3 * np.random.default_rng(samples).standard_normal(len(t))
-    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "1,2"])
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "1+2"])
     assert answer.verdict.text.startswith("identified: 1,")
     assert answer.law("1").law.epsilon[0].contains(EPSILON)
     assert len(answer.runs[0].n) > 90
@@ -137,7 +137,7 @@ def test_a_decay_does_not_pass_for_an_offset(two_losses):
     # second differences of a strong decay leave 1e-4 of its base line, which refuted the right law
     base = observations_of_record(*two_losses).notes[0]
     assert abs(float(base.split()[2])) < 5e-6
-    assert asy.identify({"t": two_losses[0], "x": two_losses[1]}, laws=["1,2", "free"]).law("1,2").law.verdict == (
+    assert asy.identify({"t": two_losses[0], "x": two_losses[1]}, laws=["1+2", "free"]).law("1+2").law.verdict == (
         "consistent"
     )
 

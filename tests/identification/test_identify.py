@@ -15,8 +15,8 @@ from asymptotics.identification.synthetic import exact, observed
     [
         ("1", [0.02], 60, 1e-3),
         ("2", [0.03], 80, 1e-3),
-        ("1,2", [0.01, 0.02], 100, 1e-3),
-        ("0,1", [0.002, 0.01], 60, 3e-4),
+        ("1+2", [0.01, 0.02], 100, 1e-3),
+        ("0+1", [0.002, 0.01], 60, 3e-4),
     ],
 )
 def test_the_right_law_is_identified_with_its_strengths(law, strengths, swings, noise):
@@ -31,12 +31,12 @@ def test_the_right_law_is_identified_with_its_strengths(law, strengths, swings, 
 
 def test_what_is_identified_says_what_is_not_excluded_beside_it():
     # 20 swings with 1 % of noise: dry friction that carries half of the loss is not seen, and the answer says so
-    weak = asy.identify(observed("1", [0.03], 20, 1e-2, seed=6), laws=["0", "1", "0,1", "1,2"])
-    sharp = asy.identify(observed("1", [0.03], 20, 1e-4, seed=6), laws=["0", "1", "0,1", "1,2"])
+    weak = asy.identify(observed("1", [0.03], 20, 1e-2, seed=6), laws=["0", "1", "0+1", "1+2"])
+    sharp = asy.identify(observed("1", [0.03], 20, 1e-4, seed=6), laws=["0", "1", "0+1", "1+2"])
     for answer, largest in ((weak, 1.0), (sharp, 0.02)):
         friction, drag = answer.verdict.allowed
         assert (friction.term, drag.term) == ("0", "2")
-        assert friction.largest == pytest.approx(answer.law("0,1").law.epsilon[0].high)
+        assert friction.largest == pytest.approx(answer.law("0+1").law.epsilon[0].high)
         assert friction.share == pytest.approx(2 * friction.largest / (np.pi / 2 * 0.03), rel=0.05)
         assert largest / 20 < friction.share < largest
         assert (
@@ -48,10 +48,10 @@ def test_what_is_identified_says_what_is_not_excluded_beside_it():
 
 
 def test_a_term_that_may_carry_most_of_the_loss_leaves_no_law_identified():
-    answer = asy.identify(observed("1", [0.01], 12, 1e-2, seed=2), laws=["1", "1,2"])
+    answer = asy.identify(observed("1", [0.01], 12, 1e-2, seed=2), laws=["1", "1+2"])
     assert answer.verdict.kind == "several laws are consistent"
     assert "1 is the smallest, but a further term may carry most of the loss" in answer.verdict.text
-    assert answer.verdict.telling.startswith("to tell 1,2 from 1: ")
+    assert answer.verdict.telling.startswith("to tell 1+2 from 1: ")
 
 
 def test_a_free_exponent_finds_three_halves_and_refutes_the_integers():
@@ -77,16 +77,16 @@ def test_the_unit_of_the_file_sets_the_strengths():
 
 
 def test_times_tell_a_spring_from_cubic_loss_and_amplitudes_do_not():
-    seen = observed("1,s3", [0.02, 0.05], 80, 3e-4, 1e-3, seed=3)
+    seen = observed("1+s3", [0.02, 0.05], 80, 3e-4, 1e-3, seed=3)
     answer = asy.identify(seen)
-    assert answer.verdict.text.startswith("identified: 1,s3")
-    assert answer.law("1,s3").law.springs[0].contains(0.05)
+    assert answer.verdict.text.startswith("identified: 1+s3")
+    assert answer.law("1+s3").law.springs[0].contains(0.05)
     assert answer.law("1").law.verdict == "refuted"
     alone = asy.identify(seen, amplitudes_only=True)
-    assert alone.law("1,3").law.epsilon[1].contains(0.0)  # widened: the spring looks like cubic loss
+    assert alone.law("1+3").law.epsilon[1].contains(0.0)  # widened: the spring looks like cubic loss
     assert any("cannot tell" in note for note in alone.notes)
     narrow = asy.identify(seen.without_times())
-    assert not narrow.law("1,3").law.epsilon[1].contains(0.0)
+    assert not narrow.law("1+3").law.epsilon[1].contains(0.0)
 
 
 def test_two_modes_fit_no_law():
@@ -105,20 +105,20 @@ def test_a_short_noisy_record_is_refused_and_says_what_would_tell():
 
 
 def test_negative_strengths_are_reported_not_clipped():
-    run = exact("1,2", [0.03, -0.01], 60)
+    run = exact("1+2", [0.03, -0.01], 60)
     x = (-1.0) ** np.arange(61) * np.exp(run.a) + 1e-5 * np.random.default_rng(0).standard_normal(61)
-    answer = asy.identify({"n": np.arange(61), "x": x}, laws=["1,2"])
-    assert answer.law("1,2").law.epsilon[1].estimate == pytest.approx(-0.01, rel=0.05)
-    assert answer.law("1,2").law.negative == ("2",)
+    answer = asy.identify({"n": np.arange(61), "x": x}, laws=["1+2"])
+    assert answer.law("1+2").law.epsilon[1].estimate == pytest.approx(-0.01, rel=0.05)
+    assert answer.law("1+2").law.negative == ("2",)
     assert answer.to_dict()["laws"][0]["unphysical"] == ["2"]
 
 
 def test_several_runs_share_a_law_and_scatter():
-    runs = [observed("1,2", [0.01 * f, 0.02 * f], 80, 3e-4, seed=i) for i, f in enumerate((0.9, 1.0, 1.1))]
-    answer = asy.identify(runs, laws=["1", "2", "1,2"])
-    assert "1,2" in answer.verdict.text
-    mean = answer.law("1,2").law.epsilon[0]
-    alone = answer.per_run[0].law("1,2").law.epsilon[0]
+    runs = [observed("1+2", [0.01 * f, 0.02 * f], 80, 3e-4, seed=i) for i, f in enumerate((0.9, 1.0, 1.1))]
+    answer = asy.identify(runs, laws=["1", "2", "1+2"])
+    assert "1+2" in answer.verdict.text
+    mean = answer.law("1+2").law.epsilon[0]
+    alone = answer.per_run[0].law("1+2").law.epsilon[0]
     assert mean.contains(0.01)
     assert mean.high - mean.low > 3 * (alone.high - alone.low)  # the runs differ by more than their errors
 
@@ -134,19 +134,19 @@ def test_correlated_residuals_stretch_the_intervals():
 
 
 def test_the_command_answers_in_the_json_of_the_contract(tmp_path, capsys):
-    seen = observed("1,2", [0.01, 0.02], 80, 1e-3, 1e-3, seed=9)
+    seen = observed("1+2", [0.01, 0.02], 80, 1e-3, 1e-3, seed=9)
     path = tmp_path / "points.csv"
     rows = [f"{n},{x:.8f},{t:.8f}" for n, x, t in zip(seen.n, seen.x, seen.t)]
     path.write_text("n,x,tau\n" + "\n".join(rows) + "\n")
-    options = ["--kind", "turning-points", "--laws", "1", "1,2", "0,2", "free", "--json"]
+    options = ["--kind", "turning-points", "--laws", "1", "1+2", "0+2", "free", "--json"]
     assert main(["identify", str(path), *options]) == 0
     answer = json.loads(capsys.readouterr().out)
-    laws = {",".join(law["alphas"]): law for law in answer["laws"]}
-    assert set(laws) == {"1", "1,2", "0,2", "free"}
-    assert laws["1,2"]["verdict"] == "consistent"
+    laws = {"+".join(law["alphas"]): law for law in answer["laws"]}
+    assert set(laws) == {"1", "1+2", "0+2", "free"}
+    assert laws["1+2"]["verdict"] == "consistent"
     assert laws["1"]["verdict"] == "refuted"
-    assert laws["1,2"]["springs"] == []
-    low, estimate, high = (float(laws["1,2"]["epsilon"][1][k]) for k in ("low", "estimate", "high"))
+    assert laws["1+2"]["springs"] == []
+    low, estimate, high = (float(laws["1+2"]["epsilon"][1][k]) for k in ("low", "estimate", "high"))
     assert low < estimate < high
-    assert isinstance(laws["1,2"]["criterion"], str)
-    assert answer["verdict"].startswith("identified: 1,2")
+    assert isinstance(laws["1+2"]["criterion"], str)
+    assert answer["verdict"].startswith("identified: 1+2")

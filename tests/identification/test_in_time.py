@@ -13,7 +13,7 @@ from asymptotics.identification.in_time import ALL, Time
 from asymptotics.identification.judgement import judged
 from asymptotics.identification.synthetic import observed
 
-LAWS = ["1", "2", "1,2", "0,1"]
+LAWS = ["1", "2", "1+2", "0+1"]
 SEEN = observed("1", [0.02], 40, 1e-3, seed=2)
 
 
@@ -29,7 +29,7 @@ def test_laws_are_tried_from_cheap_to_dear_and_the_rest_is_told(monkeypatch):
     fit_law = comparison.fit_law
     monkeypatch.setattr(comparison, "fit_law", patient)
     monkeypatch.setattr(Time, "but_for_the_answer", classmethod(lambda cls, share: cls.of(60.0)))
-    answer = asy.identify(SEEN, laws=["1,2", "0,1", "2", "1"], bootstrap=False)
+    answer = asy.identify(SEEN, laws=["1+2", "0+1", "2", "1"], bootstrap=False)
     assert tried[:2] == ["2", "1"]
     assert "the time was over: 2 of 4 laws are not tried" in answer.verdict.text
     assert any("before 2 of 4 laws were tried" in note for note in answer.notes)

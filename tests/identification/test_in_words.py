@@ -14,7 +14,7 @@ def answer():
     points = asy.turning_points({1: "1/100", 2: "1/20"}, 40, digits=12, times=True).points
     x = np.array([float(p.x) for p in points]) + 1e-5 * np.random.default_rng(0).standard_normal(40)
     record = {"n": np.arange(40), "x": x, "t": [float(p.tau) / 2 for p in points]}
-    return asy.identify(record, laws=["1", "1,2"], bootstrap=False)
+    return asy.identify(record, laws=["1", "1+2"], bootstrap=False)
 
 
 def test_the_words_are_those_of_the_true_law(answer):

@@ -27,7 +27,7 @@ from asymptotics.terms import Term
 
 
 def losses(law):
-    """Terms of strength 1 from a candidate such as 1,1x2."""
+    """Terms of strength 1 from a candidate such as 1+1,2:."""
     return tuple(Term(1, a, m) for a, m in read_candidate(law).losses)
 
 
@@ -39,7 +39,7 @@ def printed(law, strengths, digits, rows=12):
 
 
 @pytest.mark.parametrize(
-    ("law", "strengths"), [("1", [0.02]), ("2", [0.03]), ("0,1", [0.004, 0.01]), ("1,2", [0.01, 0.03])]
+    ("law", "strengths"), [("1", [0.02]), ("2", [0.03]), ("0+1", [0.004, 0.01]), ("1+2", [0.01, 0.03])]
 )
 @pytest.mark.parametrize("digits", [3, 4])
 def test_the_set_holds_the_truth_and_shrinks_with_the_digits(law, strengths, digits):
@@ -66,11 +66,11 @@ def test_the_ends_of_the_set_are_attained():
 
 
 def test_a_wrong_law_is_refuted_by_proof_and_a_wrong_digit_too():
-    table = printed("1,2", [0.01, 0.03], 4)
+    table = printed("1+2", [0.01, 0.03], 4)
     assert strengths_that_fit(losses("1"), table).verdict == "refuted"
     assert strengths_that_fit(losses("2"), table).verdict == "refuted"
     wrong = Decrements(table.amplitude, table.decrement + 2e-4 * (np.arange(12) == 5), table.resolution)
-    assert strengths_that_fit(losses("1,2"), wrong).verdict == "refuted"
+    assert strengths_that_fit(losses("1+2"), wrong).verdict == "refuted"
 
 
 def test_the_tail_of_the_series_is_an_enclosure_that_bites():
@@ -104,7 +104,7 @@ def test_a_row_that_the_truth_just_meets_is_met_with_the_tail_only():
 
 def test_the_tail_reaches_strong_losses_and_holds_what_is_left_out():
     with ctx.workprec(80):
-        for law, strengths in (("3", ["0.12"]), ("0", ["0.1"]), ("1,3", ["0.05", "0.06"])):
+        for law, strengths in (("3", ["0.12"]), ("0", ["0.1"]), ("1+3", ["0.05", "0.06"])):
             ratio = CertifiedRatio.of(losses(law))
             d = [arb(s) for s in strengths]
             low = {k: c for k, c in ratio.coefficients.items() if sum(k) <= 3}
@@ -117,39 +117,39 @@ def test_the_tail_reaches_strong_losses_and_holds_what_is_left_out():
 
 def test_a_strong_cubic_loss_is_proved_and_so_is_every_law_that_contains_it():
     # a decrement of an eighth of the amplitude
-    answer = asy.identify(printed("3", [0.1], 4, rows=30), laws=["2", "3", "0,3", "1,2,3"])
+    answer = asy.identify(printed("3", [0.1], 4, rows=30), laws=["2", "3", "0+3", "1+2+3"])
     verdicts = {str(entry.law.candidate): entry.law.verdict for entry in answer.laws}
-    assert verdicts == {"2": "refuted", "3": "consistent", "0,3": "consistent", "1,2,3": "consistent"}
+    assert verdicts == {"2": "refuted", "3": "consistent", "0+3": "consistent", "1+2+3": "consistent"}
     assert answer.verdict.text.startswith("identified: 3")
-    assert answer.law("0,3").law.epsilon[0].high < 1e-5
-    assert answer.law("0,3").law.epsilon[1].contains(0.1)
+    assert answer.law("0+3").law.epsilon[0].high < 1e-5
+    assert answer.law("0+3").law.epsilon[1].contains(0.1)
 
 
 def test_the_command_reads_resolutions(tmp_path, capsys):
-    table = printed("1,2", [0.01, 0.03], 4)
+    table = printed("1+2", [0.01, 0.03], 4)
     rows = [f"{a},{d:.4f},0.00005" for a, d in zip(table.amplitude, table.decrement)]
     path = tmp_path / "decrements.csv"
     path.write_text("amplitude,decrement,resolution\n" + "\n".join(rows) + "\n")
-    assert main(["identify", str(path), "--laws", "1", "1,2", "--json"]) == 0
+    assert main(["identify", str(path), "--laws", "1", "1+2", "--json"]) == 0
     answer = json.loads(capsys.readouterr().out)
-    assert answer["verdict"].startswith("identified: 1,2")
-    laws = {",".join(law["alphas"]): law for law in answer["laws"]}
+    assert answer["verdict"].startswith("identified: 1+2")
+    laws = {"+".join(law["alphas"]): law for law in answer["laws"]}
     assert laws["1"]["verdict"] == "refuted"
-    assert laws["1,2"]["intervals"] == "certified set"
-    assert float(laws["1,2"]["epsilon"][0]["low"]) <= 0.01 <= float(laws["1,2"]["epsilon"][0]["high"])
+    assert laws["1+2"]["intervals"] == "certified set"
+    assert float(laws["1+2"]["epsilon"][0]["low"]) <= 0.01 <= float(laws["1+2"]["epsilon"][0]["high"])
 
 
 def test_decrements_without_resolution_have_statistical_intervals():
-    table = printed("1,2", [0.01, 0.03], 5, rows=30)
+    table = printed("1+2", [0.01, 0.03], 5, rows=30)
     noisy = table.decrement + 1e-5 * np.random.default_rng(1).standard_normal(30)
-    answer = asy.identify({"amplitude": table.amplitude, "decrement": noisy}, laws=["1", "1,2"])
-    assert answer.law("1,2").law.epsilon[1].contains(0.03)
+    answer = asy.identify({"amplitude": table.amplitude, "decrement": noisy}, laws=["1", "1+2"])
+    assert answer.law("1+2").law.epsilon[1].contains(0.03)
     assert answer.law("1").law.verdict == "refuted"
 
 
 def test_exact_coefficients_are_those_of_the_balls():
     with ctx.workprec(80):
-        for law in ("1,2", "0,3", "1x2,2"):
+        for law in ("1+2", "0+3", "1,2:+2"):
             ratio = CertifiedRatio.of(losses(law))
             balls = half_swing(quarter_swing(losses(law), 4)).L.coefficients
             for key, ball in balls.items():
@@ -159,8 +159,8 @@ def test_exact_coefficients_are_those_of_the_balls():
 
 
 def test_a_loss_that_depends_on_position_has_a_certified_set():
-    table = printed("1,1x2", [0.01, 0.04], 4)
-    found = strengths_that_fit(losses("1,1x2"), table)
+    table = printed("1+1,2:", [0.01, 0.04], 4)
+    found = strengths_that_fit(losses("1+1,2:"), table)
     assert found.verdict == "consistent"
     for interval, true in zip(found.epsilon, (0.01, 0.04), strict=True):
         assert interval.low <= true <= interval.high
@@ -169,16 +169,16 @@ def test_a_loss_that_depends_on_position_has_a_certified_set():
 
 
 def test_every_law_that_contains_a_consistent_one_is_consistent_and_no_other_is_left_open():
-    answer = asy.identify(printed("1,2", [0.01, 0.03], 4), laws=["1", "2", "0,3", "1,2", "0,1,2", "free"])
+    answer = asy.identify(printed("1+2", [0.01, 0.03], 4), laws=["1", "2", "0+3", "1+2", "0+1+2", "free"])
     verdicts = {str(entry.law.candidate): entry.law.verdict for entry in answer.laws}
     assert answer.verdict.text.startswith(
-        "identified: 1,2 meets every printed value (proved); not excluded beside it (proved"
+        "identified: 1+2 meets every printed value (proved); not excluded beside it (proved"
     )
     assert [a.term for a in answer.verdict.allowed] == ["0"]
-    assert answer.verdict.allowed[0].largest == answer.law("0,1,2").law.epsilon[0].high
-    assert {verdicts[law] for law in ("1,2", "0,1,2")} == {"consistent"}
-    assert {verdicts[law] for law in ("1", "2", "0,3", "free")} == {"refuted"}
-    assert answer.law("0,1,2").law.unneeded == ("0",)
+    assert answer.verdict.allowed[0].largest == answer.law("0+1+2").law.epsilon[0].high
+    assert {verdicts[law] for law in ("1+2", "0+1+2")} == {"consistent"}
+    assert {verdicts[law] for law in ("1", "2", "0+3", "free")} == {"refuted"}
+    assert answer.law("0+1+2").law.unneeded == ("0",)
 
 
 def test_strengths_beyond_the_searched_box_are_found_among_the_physical_ones():
@@ -193,23 +193,23 @@ def test_strengths_beyond_the_searched_box_are_found_among_the_physical_ones():
 def test_a_table_that_only_negative_strengths_meet_refutes_the_law_as_unphysical():
     # a decrement that falls faster than a^2 between 1 and 2: linear loss minus quadratic loss is met, but not physical
     a = np.array([1.0, 0.8, 0.6, 0.4])
-    model = DecrementModel(read_candidate("1,2").swing(), Decrements(a, a))
+    model = DecrementModel(read_candidate("1+2").swing(), Decrements(a, a))
     D = np.round(model.predict(np.array([0.04, -0.01]))[0], 5)
     table = Decrements(a, D, np.full(4, 5e-6))
-    found = strengths_that_fit(losses("1,2"), table)
+    found = strengths_that_fit(losses("1+2"), table)
     assert found.verdict == "refuted"
     assert "unphysical" in found.reason
 
 
 def test_a_table_that_grows_is_met_by_no_loss():
     table = {"amplitude": [1.0, 0.5, 0.2], "decrement": [-0.1, -0.05, -0.02], "resolution": [0.005] * 3}
-    answer = asy.identify(table, laws=["1", "2", "1,2", "free"])
+    answer = asy.identify(table, laws=["1", "2", "1+2", "free"])
     assert {entry.law.verdict for entry in answer.laws} == {"refuted"}
     assert "negative ones do: unphysical" in answer.law("1").law.reason
 
 
 def test_the_physical_box_holds_the_truth_and_its_tests_bite():
-    terms, table = losses("1,2"), printed("1,2", [0.01, 0.03], 3)
+    terms, table = losses("1+2"), printed("1+2", [0.01, 0.03], 3)
     with ctx.workprec(80):
         ratio = CertifiedRatio.of(terms)
         low, high = physical_box(terms, ratio, rows_of(ratio, table))
@@ -237,7 +237,7 @@ def test_the_set_of_a_free_exponent_holds_the_truth_and_its_ends_are_nearly_atta
 
 
 def test_no_exponent_fits_a_sum_and_a_wrong_digit_is_noticed():
-    assert exponents_that_fit(printed("0,2", [0.01, 0.03], 4)).verdict == "refuted"
+    assert exponents_that_fit(printed("0+2", [0.01, 0.03], 4)).verdict == "refuted"
     table = printed("2", [0.05], 4)
     assert exponents_that_fit(table).alpha.contains(2.0)
     wrong = Decrements(table.amplitude, table.decrement + 3e-4 * (np.arange(12) == 5), table.resolution)

@@ -22,8 +22,8 @@ from asymptotics.identification.textbook import ESTIMATORS, textbook_estimates
 
 
 def test_profile_intervals_are_those_of_minos():
-    seen = observed("1,2", [0.01, 0.02], 60, 5e-3, seed=2)
-    fit = fit_law(read_candidate("1,2"), seen).fit
+    seen = observed("1+2", [0.01, 0.02], 60, 5e-3, seed=2)
+    fit = fit_law(read_candidate("1+2"), seen).fit
     sigma = fit.model.scale_vector(fit.scales)
 
     def chi2(theta):
@@ -34,7 +34,7 @@ def test_profile_intervals_are_those_of_minos():
     minuit.migrad()
     minuit.minos()
     for i in (0, 1):
-        mine = profile_interval(fit, strength(fit_law(read_candidate("1,2"), seen).candidate, i, seen.reference))
+        mine = profile_interval(fit, strength(fit_law(read_candidate("1+2"), seen).candidate, i, seen.reference))
         scale = seen.reference ** -fit.model.swing.elements[i].weight
         errors = minuit.merrors[1 + i]
         assert mine.low - mine.estimate == pytest.approx(errors.lower * scale, rel=0.02)
@@ -52,22 +52,22 @@ def test_textbook_estimators_have_the_errors_they_are_said_to_have():
     # exact cases: logarithmic decrement up to (epsilon/2)^2/2, Feeny and Liang for dry and linear friction exactly
     viscous = (-1.0) ** n * np.exp(exact("1", [0.1], 12).a)
     assert ESTIMATORS["logarithmic decrement"][1](viscous)[0] == pytest.approx(0.1 / np.sqrt(1 - 0.05**2), rel=1e-9)
-    both = (-1.0) ** n * np.exp(exact("0,1", [0.01, 0.05], 12).a)
+    both = (-1.0) ** n * np.exp(exact("0+1", [0.01, 0.05], 12).a)
     assert ESTIMATORS["Feeny-Liang"][1](both) == pytest.approx([0.01, 0.05], rel=1e-9)
 
 
 def test_the_scatter_of_estimates_is_the_fisher_bound():
-    bound = standard_errors("1,2", [0.01, 0.02], swings=60, noise=1e-3)
+    bound = standard_errors("1+2", [0.01, 0.02], swings=60, noise=1e-3)
     found = []
     for seed in range(60):
-        fit = fit_law(read_candidate("1,2"), observed("1,2", [0.01, 0.02], 60, 1e-3, seed=seed)).fit
+        fit = fit_law(read_candidate("1+2"), observed("1+2", [0.01, 0.02], 60, 1e-3, seed=seed)).fit
         found.append(fit.theta[fit.model.law])
     ratio = np.std(found, axis=0) / bound
     assert ((ratio > 0.75) & (ratio < 1.3)).all()
 
 
 def test_more_noise_needs_more_swings():
-    needed = [swings_needed("1,2", [0.002, 0.02], term=0, noise=noise) for noise in (3e-4, 1e-3, 3e-3)]
+    needed = [swings_needed("1+2", [0.002, 0.02], term=0, noise=noise) for noise in (3e-4, 1e-3, 3e-3)]
     assert needed == sorted(needed)
     assert needed[0] < needed[-1]
 
@@ -82,10 +82,10 @@ def test_random_effects_cover_runs_that_differ():
 
 
 def test_the_picture_is_drawn():
-    answer = asy.identify(observed("1,2", [0.01, 0.02], 40, 1e-3, seed=1), laws=["1", "1,2"])
+    answer = asy.identify(observed("1+2", [0.01, 0.02], 40, 1e-3, seed=1), laws=["1", "1+2"])
     svg = answer.picture("svg", panels=True)
     assert svg.startswith(b"<?xml")
-    mean, decrement, band = decrement_band(answer.law("1,2").law.fit)
+    mean, decrement, band = decrement_band(answer.law("1+2").law.fit)
     first_order = np.pi / 2 * 0.01 * mean + 4 / 3 * 0.02 * mean**2
     assert (np.abs(decrement - first_order) < 3 * band + 0.02 * first_order).all()
     with pytest.raises(InputError, match="plot"):
@@ -94,10 +94,10 @@ def test_the_picture_is_drawn():
 
 def test_the_page_is_whole_escapes_what_it_was_given_and_fetches_nothing(tmp_path):
     data = tmp_path / "<script>alert(1)</script>&.csv".replace("/", "_")
-    seen = observed("1,2", [0.01, 0.02], 40, 1e-3, seed=1)
+    seen = observed("1+2", [0.01, 0.02], 40, 1e-3, seed=1)
     data.write_text("n,x_mm\n" + "\n".join(f"{n},{x:.6f}" for n, x in zip(seen.n, seen.x)))
     page = tmp_path / "page.html"
-    line = ["identify", str(data), "--laws", "1", "1,2", "--no-bootstrap", "--html", str(page)]
+    line = ["identify", str(data), "--laws", "1", "1+2", "--no-bootstrap", "--html", str(page)]
     assert main(line) == 0
     text = page.read_text()
     assert ElementTree.fromstring(text).tag == "html"  # well formed
@@ -107,7 +107,7 @@ def test_the_page_is_whole_escapes_what_it_was_given_and_fetches_nothing(tmp_pat
     )
     assert "&lt;script&gt;alert(1)&lt;_script&gt;&amp;.csv" in text
     for wanted in (
-        "identified: 1,2",
+        "identified: 1+2",
         "ΔAICc",
         "SHA-256",
         "Froude",
@@ -129,15 +129,15 @@ def test_a_page_of_printed_decrements_says_why_it_has_no_picture():
 TABLE = [  # the table of the theory page: percent, without and with an ignored spring of 1 % drift
     ("1", [0.1], "logarithmic decrement", [0.13], [-0.29]),
     ("2", [0.1], "Bertin", [-0.17], [-0.82]),
-    ("1,2", [0.06, 0.2], "Froude", [1.41, -2.00], [2.74, -3.73]),
-    ("1,2", [0.06, 0.2], "energy", [2.21, -2.38], [4.26, -4.47]),
-    ("0,1", [0.01, 0.05], "Feeny-Liang", [0, 0], [4.56, -3.34]),
+    ("1+2", [0.06, 0.2], "Froude", [1.41, -2.00], [2.74, -3.73]),
+    ("1+2", [0.06, 0.2], "energy", [2.21, -2.38], [4.26, -4.47]),
+    ("0+1", [0.01, 0.05], "Feeny-Liang", [0, 0], [4.56, -3.34]),
 ]
 
 
 @pytest.mark.parametrize(("law", "strengths", "name", "alone", "sprung"), TABLE)
 def test_the_errors_of_the_theory_page(law, strengths, name, alone, sprung):
     sign = np.where(np.arange(13) % 2, -1.0, 1.0)
-    for text, given, expected in ((law, strengths, alone), (law + ",s3", [*strengths, 8 / 300], sprung)):
+    for text, given, expected in ((law, strengths, alone), (law + "+s3", [*strengths, 8 / 300], sprung)):
         found = ESTIMATORS[name][1](sign * np.exp(exact(text, given, 12).a))
         assert 100 * (found / np.array(strengths) - 1) == pytest.approx(expected, abs=0.006)

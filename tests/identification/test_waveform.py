@@ -11,7 +11,7 @@ from asymptotics.identification.comparison import fit_law
 from asymptotics.identification.fitting import likely_scales
 from asymptotics.identification.sampled import observations_of_motion
 
-LAWS = ["1", "2", "1,2", "0,1"]
+LAWS = ["1", "2", "1+2", "0+1"]
 FEW = np.arange(0, 47, 2.1)  # 3 samples a period, 15 swings
 MANY = np.linspace(0, 32 * np.pi, 961)
 
@@ -25,7 +25,7 @@ def truth(t, e1, e2):
 
 def test_three_samples_a_period_without_noise_give_the_strengths_to_six_digits():
     seen = observations_of_motion(FEW, truth(FEW, 0.04, 0.02)[0], unit="", name="r")
-    found = fit_law(read_candidate("1,2"), seen).fit
+    found = fit_law(read_candidate("1+2"), seen).fit
     strengths = found.theta[1:3] / seen.reference ** np.array([0, 1])
     assert strengths == pytest.approx([0.04, 0.02], rel=2e-6)
 
@@ -34,7 +34,7 @@ def test_three_samples_a_period_without_noise_give_the_strengths_to_six_digits()
 def test_its_derivatives_are_those_of_what_it_predicts(derivative):
     x = truth(FEW + 0.1, 0.04, 0.02)[derivative] + 1e-3 * np.random.default_rng(1).standard_normal(len(FEW))
     seen = observations_of_motion(FEW, x, unit="", name="r", derivative=derivative)
-    fit = fit_law(read_candidate("1,2"), seen).fit
+    fit = fit_law(read_candidate("1+2"), seen).fit
     model, theta = fit.model, fit.theta
     _, slopes = model.predict(theta)
     for i, step in enumerate(np.eye(len(theta)) * 1e-5):
@@ -46,7 +46,7 @@ def test_its_derivatives_are_those_of_what_it_predicts(derivative):
 def test_three_samples_a_period_and_fifteen_swings_have_an_answer():
     x = truth(FEW, 0.04, 0.02)[0] + 2e-3 * np.random.default_rng(5).standard_normal(len(FEW))
     answer = asy.identify({"t": FEW, "x": x}, laws=LAWS)
-    law = answer.law("1,2").law
+    law = answer.law("1+2").law
     assert law.verdict == "consistent"
     assert [e.contains(v) for e, v in zip(law.epsilon, (0.04, 0.02), strict=True)] == [True, True]
     assert any("all 23 samples of the motion fitted (2.99 a period)" in note for note in answer.notes)
@@ -58,8 +58,8 @@ def test_three_samples_a_period_and_fifteen_swings_have_an_answer():
 def test_velocities_and_accelerations_are_fitted_with_the_offset_of_their_sensor(column, place, shift):
     measured = truth(MANY, 0.02, 0.04)[place] + shift + 0.01 * np.random.default_rng(5).standard_normal(len(MANY))
     answer = asy.identify({"t": MANY, column: measured}, laws=LAWS)
-    assert answer.verdict.text.startswith("identified: 1,2")
-    law = answer.law("1,2").law
+    assert answer.verdict.text.startswith("identified: 1+2")
+    law = answer.law("1+2").law
     assert [e.contains(v) for e, v in zip(law.epsilon, (0.02, 0.04), strict=True)] == [True, True]
 
 
@@ -78,7 +78,7 @@ def test_what_is_wrong_with_samples_is_told_and_the_true_law_stands(defect):
         keep = random.random(len(t)) < 0.15
         t, x = t[keep], x[keep]
     answer = asy.identify({"t": t, "x": x}, laws=LAWS)
-    law = answer.law("1,2").law
+    law = answer.law("1+2").law
     assert law.verdict == "consistent"
     assert [e.contains(v) for e, v in zip(law.epsilon, (0.02, 0.04), strict=True)] == [True, True]
     said = {"clipped": "clipped samples masked", "remembering": "neighbours correlated by 0.", "gaps": "a period)"}

@@ -42,7 +42,7 @@ rows = {"A": [1, 2, 3, 4], "zeta": [0.011, 0.019, 0.031, 0.041]}
 table_law = asy.damping_law(rows, resolution="1/1000", laws=["1", "2"])
 n = np.arange(30)
 noise = 1e-3 * np.random.default_rng(0).standard_normal(30)
-answer = asy.identify({"n": n, "x": (-1.0) ** n * 0.95**n + noise}, laws=["1", "2", "1,2"], bootstrap=False)
+answer = asy.identify({"n": n, "x": (-1.0) ** n * 0.95**n + noise}, laws=["1", "2", "1+2"], bootstrap=False)
 """
 SAMPLES = {
     "api.large.SpringEnvelope": "asy.envelope(asy.Oscillator({2: '1/20'}, spring='pendulum', x0=3))",
