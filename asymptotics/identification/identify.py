@@ -70,9 +70,9 @@ def identify(
     ``kind``: record, velocity, acceleration, turning-points or decrement (found from the columns if not given);
     ``unit`` of x: m, cm, mm, rad, deg.  ``columns`` such as "t=Time (s),x=3", ``decimal`` "." or ",", ``skip``
     lines and ``sheet`` overrule what a file shows.
-    ``laws``: candidates such as "1+2", "free", "1+s3", "1,2:" for |x|^2 x' (default: every subset of 0, 1, 2, 3 and one free exponent,
-    with and without the springs x^3 and x^3, x^5 when there are times); ``springs``: the springs to add to each of
-    ``laws``.
+    ``laws``: candidates such as "1+2", "free", "1+s3", "1,2:" for |x|^2 x' (default: every subset of 0, 1, 2, 3 and
+    one free exponent, with and without the springs x^3 and x^3, x^5 when there are times); ``springs``: the springs to
+    add to each of ``laws``.
     ``amplitudes``: (low, high), the range of |x_n| that is used, in the unit of the data.
     ``amplitudes_only``: times are not used; intervals are widened by what an unseen spring could do.
     ``mass`` (kg), ``stiffness`` (N/m), ``omega_0`` (rad/s): whatever is known; b or b/m is given as far as it can be.
