@@ -21,10 +21,10 @@ import sympy
 from sympy import Expr, Integer, Integral, Symbol, latex
 
 from asymptotics.api.hierarchy import multiple_scales, ordered
-from asymptotics.api.shown_solution import SolutionPoint, document
-from asymptotics.api.solution_curve import SolutionCurve
+from asymptotics.api.proved_curve import ProvedCurve
+from asymptotics.api.shown_solution import SolutionPoint, document, proved_lines
 from asymptotics.api.started import start_in_motion
-from asymptotics.bounds.reach import Reach, proved_reach
+from asymptotics.bounds.reach import Theorem, uniform_theorem
 from asymptotics.envelopes.hypergeometric import time_of_amplitude
 from asymptotics.envelopes.symbolic import amplitude_symbol
 from asymptotics.errors import InputError
@@ -45,7 +45,7 @@ u, a_0 = Symbol("u", positive=True), Symbol("a_0", positive=True)
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class ImplicitSolution(SolutionCurve):
+class ImplicitSolution(ProvedCurve):
     """tau(A) and phi(A) with A in units of the start, through ``order``, and the motion by the numeric inverse."""
 
     order: int
@@ -109,12 +109,8 @@ class ImplicitSolution(SolutionCurve):
         found = self._motion.sample(times)
         return found.amplitude, found.phase, found.x
 
-    def proved_until(self, within: Number) -> Reach:
-        """Until which tau |x - x_N| <= ``within`` (in units of x_0) is proved for what ``at`` gives, before rounding.
-
-        The label is computed: "proved", or "not proved" with until = "0".  InputError for a size <= 0 and for springs.
-        """
-        return proved_reach(_dimensionless(self.oscillator), self.order, within)
+    def _theorem(self) -> Theorem:
+        return uniform_theorem(_dimensionless(self.oscillator), self.order)
 
     @property
     def strengths(self) -> dict[str, str]:
@@ -127,7 +123,7 @@ class ImplicitSolution(SolutionCurve):
         head = {"order": self.order, "gauge": TURNING_POINT, "amplitude": None, "phase": None, "x": None}
         forms = {"time_of_amplitude": str(self.time_of_amplitude), "phase_of_amplitude": str(self.phase_of_amplitude)}
         forms |= {} if self.start is None else dict(zip(("a_0", "phi_0"), map(str, self.start)))
-        return {**head, **forms, "strengths": self.strengths, "valid_until": None, "certified": False}
+        return {**head, **forms, "strengths": self.strengths, **self.validity, "certified": False}
 
     def latex(self, *, standalone: bool = False) -> str:
         """The formulas as LaTeX: a fragment, or a document that compiles with pdflatex."""
@@ -157,7 +153,8 @@ class ImplicitSolution(SolutionCurve):
         lines += [f"{name} = {value}" for name, value in self.strengths.items()]
         unit = "x(0), 0 < A <= 1" if self.start is None else "the radius of the start, 0 < A <= a_0"
         lines += [f"A in units of {unit}; A(tau) has no explicit form", "x: numerically, by the inverse"]
-        return "\n".join([*lines, f"error   O(epsilon**{self.order}) at fixed epsilon*tau; not certified", *self.notes])
+        lines.append(f"error   O(epsilon**{self.order}) at fixed epsilon*tau; not certified")
+        return "\n".join([*lines, *proved_lines(self), *self.notes])
 
     def __repr__(self) -> str:
         return f"ImplicitSolution({', '.join(self.scales.shapes)}, order {self.order})"

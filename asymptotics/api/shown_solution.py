@@ -55,9 +55,12 @@ def text_of(s: Any) -> str:
     lines += [f"{e.lhs} = {e.rhs}" for e in s.definitions()]
     lines.append("X(psi + pi) = -X(psi)")
     lines += [] if s.oscillator is None else [f"epsilon = {s.strength}"]
-    limit = "for every tau >= 0 (alpha >= 1)" if s.valid_until == sympy.oo else f"while tau < {s.valid_until}"
+    end = s.valid_until
+    limit = "for every tau >= 0 (alpha >= 1)" if end == sympy.oo else f"while tau < {end}"
+    if isinstance(end, sympy.Piecewise):
+        limit = f"for every tau >= 0 where alpha >= 1, else while tau < {end.args[0][0]}"
     lines += [f"valid   {limit}", f"error   O(epsilon**{s.order}) at fixed epsilon*tau; not certified"]
-    return "\n".join([*lines, *_proved(s)])
+    return "\n".join([*lines, *proved_lines(s)])
 
 
 def x_by_name(s: Any) -> dict[str, str]:
@@ -93,7 +96,7 @@ def _replaced(text: str, values: dict[str, str]) -> str:
     return text
 
 
-def _proved(s: Any) -> list[str]:
+def proved_lines(s: Any) -> list[str]:
     """What is proved of the error, where a strength is given."""
     if s.oscillator is None:
         return []
@@ -101,7 +104,8 @@ def _proved(s: Any) -> list[str]:
     if found["valid_label"] != "proved":
         return [f"proved  nothing for all times: {found['not_proved']}"]
     end = "every tau >= 0" if found["valid_until"] == "oo" else f"0 <= tau <= {found['valid_until']}"
-    return [f"proved  |x - x_{s.order}| <= {found['valid_within']} for {end} (x_0 = 1, before rounding)"]
+    unit = "x_0 = 1" if s.start is None else "x(0)**2 + x'(0)**2 = 1"
+    return [f"proved  |x - x_{s.order}| <= {found['valid_within']} for {end} ({unit}, before rounding)"]
 
 
 def _slow_part(s: Any) -> tuple[Expr, Expr, Expr, Expr, list[Eq]]:

@@ -37,7 +37,7 @@ import mpmath
 import numpy as np
 import sympy
 from flint import fmpq
-from sympy import Add, Eq, Expr, Function, Integer, Integral, Pow, Symbol, cos, exp, floor, pi
+from sympy import Add, Eq, Expr, Function, Integer, Integral, Piecewise, Pow, Symbol, cos, exp, floor, pi
 
 from asymptotics.api.definitions import definitions_of
 from asymptotics.api.evaluated import chi, delta, functions, numbers, tau
@@ -48,7 +48,9 @@ from asymptotics.api.shown_solution import SolutionPoint, document, latex_lines,
 from asymptotics.api.started import DIGITS, start_in_motion
 from asymptotics.api.units import oscillator_of
 from asymptotics.api.waves import Waveforms, waveforms
+from asymptotics.bounds.explicit import explicit_bound
 from asymptotics.bounds.motion import proved_bound
+from asymptotics.bounds.reach import Theorem
 from asymptotics.envelopes.named_slow_time import named_slow_time
 from asymptotics.envelopes.slow_time import (
     D,
@@ -173,7 +175,8 @@ class Solution(ProvedCurve):
         """tau until which delta < 1 can be hoped for: infinity for alpha >= 1, else where A_0 makes delta = 1."""
         if self.alpha.is_number and bool(self.alpha >= 1):
             return sympy.oo
-        return self.begun((1 - epsilon) / ((1 - self.alpha) * self.p_1 * epsilon))
+        end = self.begun((1 - epsilon) / ((1 - self.alpha) * self.p_1 * epsilon))
+        return end if self.alpha.is_number else Piecewise((end, self.alpha < 1), (sympy.oo, True))
 
     def in_units(self, units: str = "epsilon") -> tuple[Expr, Expr]:
         """(A, phi) in tau and epsilon, in tau and Lancaster's kappa = M_(alpha+1) epsilon, or in t, m, k, b, x_0."""
@@ -253,6 +256,12 @@ class Solution(ProvedCurve):
             raise InputError("v0", "a bound in units of the radius of the start is not served", "at_time, proved_bound")
         dimensionless = Oscillator(self._given().dimensionless)
         return proved_bound(dimensionless, self.at(time, digits=digits).x, time)
+
+    def _theorem(self) -> Theorem:
+        if self.start is not None:
+            raise InputError("v0", "for a start in motion no bound for all times is proved", "v0 = 0, proved_bound")
+        oscillator = Oscillator(self._given().dimensionless)
+        return lambda until: explicit_bound(oscillator, self.order, until=until)
 
     def latex(self, *, standalone: bool = False) -> str:
         """The formulas as LaTeX: a fragment, or a document that compiles with pdflatex."""

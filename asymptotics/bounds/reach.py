@@ -2,8 +2,8 @@
 
 The bound up to ``until`` grows with ``until``, hence bisection; every time that is handed out was itself proved.
 
->>> drag = Oscillator({"2": "1/10"})
->>> proved_reach(drag, 3, "1/1000"), proved_reach(drag, 3, "1/10000000")
+>>> drag = uniform_theorem(Oscillator({"2": "1/10"}), 3)
+>>> reach_within(drag, "1/1000"), reach_within(drag, "1/10000000")
 (|x - x_N| <= 1/1000 for ever: proved, |x - x_N| <= 1/10000000 for 0 <= t <= 0: not proved)
 """
 
@@ -41,17 +41,17 @@ class Reach(Shown, _Ends):
         return rf"|x - x_{{n}}| \le {self.size},\quad 0 \le t \le {end}\ \text{{({self.label})}}"
 
 
-Theorem = Callable[[Fraction | None], Reach]
+Theorem = Callable[[Number | None], Reach]
 
 
-def proved_reach(oscillator: Oscillator, order: int, size: Number) -> Reach:
-    """How long x_N of the truncated equations is proved within ``size``, by ``uniform``."""
+def uniform_theorem(oscillator: Oscillator, order: int) -> Theorem:
+    """The theorem of ``uniform``, for x_N of the truncated equations."""
 
-    def theorem(until: Fraction | None) -> Reach:
+    def theorem(until: Number | None) -> Reach:
         found = uniform_bound(oscillator, order, until=until)
         return Reach(found.until or "oo", found.bound, "proved")
 
-    return reach_within(theorem, size)
+    return theorem
 
 
 def reach_within(theorem: Theorem, size: Number) -> Reach:

@@ -221,6 +221,15 @@ def test_what_is_proved_is_told_and_what_is_not_has_its_reason(capsys):
     for law, why in ((2, "strength"), ({2: 2}, "range"), (asy.Oscillator({2: "1/10"}, v0=1), "start in motion")):
         found = asy.solution(law, order=2).to_dict()
         assert found["valid_label"] == "asymptotic" and why in found["not_proved"]
+    both = asy.Oscillator({1: "1/40", "3/2": "1/40"}, x0="3/5", v0="-4/5")
+    summed, moving = asy.solution(both, order=2), asy.reference(both)
+    told = summed.to_dict()
+    assert told["valid_label"] == "proved" and f"<= {told['valid_within']} for every tau" in str(summed)
+    gap = float(moving.at("9", digits=15).x) - float(summed.at("9", digits=20).x)
+    assert 0 < abs(gap) <= float(told["valid_within"])
+    sprung = asy.solution(asy.Oscillator({2: "1/10"}, spring={3: "1/10"}), order=2).to_dict()
+    assert (sprung["valid_until"], sprung["valid_label"]) == (None, "asymptotic") and "springs" in sprung["not_proved"]
+    assert asy.solution("symbolic", order=2).valid_until.subs(symbolic_alpha, 2) == sympy.oo
     assert proved.proved_until("1/1000").until == "oo" and proved.proved_until("1/10000000").label == "not proved"
     with pytest.raises(InputError, match="within"):
         proved.proved_until(0)
