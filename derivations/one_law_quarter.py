@@ -52,10 +52,10 @@ v, n, beta = sympy.symbols("v n beta", positive=True)
 half = sympy.sin(theta / 2) ** 2
 step(
     "For any other alpha v = sin(theta/2)^2 is the variable, dv/d theta = s/2,",
-    sympy.simplify(sympy.diff(half, theta)),
+    sympy.Derivative(half, theta),
     sympy.sin(theta) / 2,
 )
-step("with c = 1 - 2v and s^2 = 4v(1 - v):", sympy.simplify(1 - (1 - 2 * half) ** 2), sympy.sin(theta) ** 2)
+step("with c = 1 - 2v and s^2 = 1 - c^2:", 1 - (1 - 2 * v) ** 2, 4 * v * (1 - v))
 step(
     "dR/d theta = -s Y, so P = e^(eta R) = u/delta has dP/dv = -2 eta P Y = -2 eta C, and Y is",
     Y,
@@ -78,6 +78,6 @@ T = [sympy.chebyshevt(k, x) for k in range(6)]
 step(
     "v h' = (x + 1) dh/dx, x = 4v - 1: (x + 1) T_k' = k T_k + 2k (T_(k-1) + … + T_1) + k, here for k = 5. So the"
     " coefficients of h obey (beta + k) h_k + s_k = f_k with s_(k-1) = s_k + 2k h_k, from the highest down, s_0 half",
-    sympy.expand((x + 1) * T[5].diff(x)),
-    sympy.expand(5 * T[5] + 10 * sum(T[1:5]) + 5),
+    (x + 1) * sympy.Derivative(T[5], x),
+    5 * T[5] + 10 * sum(T[1:5]) + 5,
 )
