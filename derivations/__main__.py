@@ -7,7 +7,7 @@ from pathlib import Path
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import InputError
 
-NOT_DERIVATIONS = {"__init__", "__main__", "steps", "waiting"}
+NOT_DERIVATIONS = {"__init__", "__main__", "relations", "steps", "waiting"}
 
 
 def names() -> list[str]:

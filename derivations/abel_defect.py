@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import Coefficient, Derivation, Taylor, named
+from derivations.steps import At, Coefficient, Derivation, Taylor
 
 theta, alpha, delta, rho, D, gain, m, x = sympy.symbols("theta alpha delta rho D g m x", positive=True)
 k, u1, u2 = sympy.symbols("k u_1 u_2", positive=True)
@@ -18,13 +18,13 @@ derivation = Derivation(
     "The n-th turning point without iterating: the defect of a truncated Abel function",
     source="turning.abel; alpha > 1, delta = epsilon A^(alpha-1); the majorant is that of quarter-swing-tail",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 slope = -(alpha - 1) * u**2 * s ** (alpha + 1) / (1 - u * s**alpha * c)
 step(
     "Along a half-swing u = epsilon r^(alpha-1) obeys u' = -(alpha-1) u^2 s^(alpha+1)/(1 - u s^alpha c): 1/u grows, and"
     " 1/F - 1/delta is the integral of this over 0 <= theta <= pi",
-    named("-u'/u^2", -slope / u**2),
+    At(sympy.Derivative(1 / u, theta), {sympy.Derivative(u, theta): slope}),
     (alpha - 1) * s ** (alpha + 1) / (1 - u * s**alpha * c),
 )
 pair = 1 / (1 - k * u1) + 1 / (1 + k * u2)
@@ -34,11 +34,10 @@ step(
     (k * (u1 - u2) + 2 * k**2 * u1 * u2) / ((1 - k * u1) * (1 + k * u2)),
 )
 gap = sympy.Symbol("d", nonnegative=True)
-holds(
-    "this is >= 0, so each pair gives 2 at least: 1/F >= 1/delta + g, g = (alpha-1) int_0^pi s^(alpha+1) = (alpha-1) pi"
-    " M_(alpha+1)",
-    bool((k * gap + 2 * k**2 * (u2 + gap) * u2).is_nonnegative),
-    (k * gap + 2 * k**2 * (u2 + gap) * u2),
+asserts(
+    "the numerator, with u_1 = u_2 + d, is not negative, so each pair gives 2 at least: 1/F >= 1/delta + g, g ="
+    " (alpha-1) int_0^pi s^(alpha+1) = (alpha-1) pi M_(alpha+1)",
+    sympy.Ge(k * gap + 2 * k**2 * (u2 + gap) * u2, 0, evaluate=False),
 )
 n = sympy.Symbol("n", positive=True, integer=True)
 step(
@@ -54,7 +53,7 @@ step(
 )
 step(
     "the sum over all j >= 0 is at most minus P at x = -1/2 (m > 1, 1/delta_0 > g/2)",
-    named("-P(-1/2)", -primitive.subs(x, -sympy.Rational(1, 2))),
+    -At(primitive, {x: -sympy.Rational(1, 2)}),
     (1 / delta - gain / 2) ** (1 - m) / ((m - 1) * gain),
 )
 step(

@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import At, Derivation, named
+from derivations.steps import At, Coefficient, Derivation
 
 x, Y, lam, b, r = sympy.symbols("x Y lambda b r", positive=True)
 k, n = sympy.symbols("k n", positive=True, integer=True)
@@ -34,22 +34,24 @@ step(
     At(b * (sympy.pi / (lam * Y) + 1 / Y**2), {lam: 1}),
     b * (sympy.pi * Y + 1) / Y**2,
 )
+plus, minus = sympy.symbols("Phi_+ Phi_-")
+axis = {plus: u - sympy.I * v, minus: -sympy.conjugate(u - sympy.I * v)}
 step(
     "Phi_-(delta) = -Phi_+(-delta), from the orbit backwards (reversal): on the imaginary axis -delta is the conjugate"
     " of delta and F is real, so with Phi_+ = u - i v the difference D = Phi_+ - Phi_- is real,",
-    named("D", (u - sympy.I * v) + sympy.conjugate(u - sympy.I * v)),
+    At(plus - minus, axis),
     2 * u,
 )
 step(
     "and w = (Phi_+ + Phi_-)/2 is imaginary:",
-    named("w", ((u - sympy.I * v) - sympy.conjugate(u - sympy.I * v)) / 2),
+    At((plus + minus) / 2, axis),
     -sympy.I * v,
 )
 step(
     "Both Abel functions grow by 1 under F, so D does not change under F and w grows by 1 (|w - z| <= s and Rouche's"
     " theorem: w takes each value with Im w <= -Y_0 once). D is a function of period 1 of w, bounded by 2 s, that tends"
     " to 0: a series in q,",
-    named("q(w + 1)", sympy.exp(-2 * sympy.pi * sympy.I * (w + 1))),
+    At(sympy.exp(-2 * sympy.pi * sympy.I * w), {w: w + 1}),
     sympy.exp(-2 * sympy.pi * sympy.I * w),
 )
 step(
@@ -61,18 +63,18 @@ step(
     "Its coefficients are means over a period at Im w = -Y_0, |c_k| <= 2 s e^(2 pi k Y_0). At w = -i v, Q ="
     " e^(2 pi (Y_0 - v)) < 1, what lies beyond the n-th term is at most",
     sympy.Sum(2 * s * Q ** (n + k), (k, 1, sympy.oo)).subs(Q, 1 / (1 + r)),
-    (2 * s * Q ** (n + 1) / (1 - Q)).subs(Q, 1 / (1 + r)),
+    At(2 * s * Q ** (n + 1) / (1 - Q), {Q: 1 / (1 + r)}),
 )
 step(
     "The same holds for the time, |theta_+| <= s_T, for theta_+(delta) = -sum (T - pi) and T(-F) = T(delta) make"
-    " theta_-(delta) = -theta_+(-delta); with theta_+ = p + i q the difference on the axis is",
-    named("theta_+ - theta_-", (p + sympy.I * q_) + sympy.conjugate(p + sympy.I * q_)),
+    " theta_-(delta) = -theta_+(-delta); with theta_+ = p + i q for Phi_+ the difference on the axis is",
+    At(plus - minus, {plus: p + sympy.I * q_, minus: -sympy.conjugate(p + sympy.I * q_)}),
     2 * p,
 )
 first, second, pi = sympy.Symbol("c_1", real=True), sympy.Symbol("c_2", real=True), sympy.pi
 h = sympy.Symbol("h")
 step(
     "Why w and not Phi_-: with h = e^(-2 pi i Phi_-) and w = Phi_- + D/2 the second coefficient is not real any more,",
-    sympy.series(first * h * sympy.exp(-pi * sympy.I * first * h) + second * h**2, h, 0, 3).removeO().coeff(h, 2),
-    named("c_2 - i pi c_1^2", second - sympy.I * pi * first**2),
+    Coefficient(first * h * sympy.exp(-pi * sympy.I * first * h) + second * h**2, h, 2),
+    second - sympy.I * pi * first**2,
 )

@@ -17,7 +17,7 @@ derivation = Derivation(
     "The turning point ahead",
     source="linearised flow; no-crossing of orbits",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 step(
     "Where y < 0 and w > 0 the orbit turns: w' = y - N <= y < 0, and y only falls",

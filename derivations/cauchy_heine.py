@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import At, Coefficient, Derivation, named
+from derivations.steps import At, Coefficient, Derivation
 
 y, r, Y, s, b, lam = sympy.symbols("y r Y s b lambda", positive=True)
 m = sympy.Symbol("m", nonnegative=True, integer=True)
@@ -20,6 +20,7 @@ derivation = Derivation(
     source="divergence; Phi_+, Phi_-, D, Y, s, Y_0 of abel-petal; Phi = z + sum eps_n z^(-n), eps_n = e_n c^n, n odd",
 )
 step, asserts = derivation.step, derivation.asserts
+z_ = sympy.Symbol("z")
 
 step(
     "Where it holds: let y_0 = sqrt(2) (Y + s). A point with |z| >= y_0, Re z >= 0 has |Im z| >= Y + s (abel-petal), or"
@@ -46,14 +47,17 @@ step(
 )
 step(
     "and at odd n = 2m + 1, divided by 2 pi i, they are",
-    sympy.expand_power_base(At(-(i ** (-n)) + (-i) ** (-n), {n: 2 * m + 1}).doit() / (2 * pi * i), force=True),
-    named("(-1)^m/pi", (-1) ** m / pi),
+    At(-(i ** (-n)) + (-i) ** (-n), {n: 2 * m + 1}) / (2 * pi * i),
+    (-1) ** m / pi,
 )
 step(
-    "Hence |eps_n - ((-1)^((n-1)/2)/pi) int_(y_0)^oo D(-iy) y^(n-1) dy| <= s y_0^n for odd n. On z = -iy, w = -iv with",
-    named("v", sympy.expand(i * (-i * y + eps1 / (-i * y) + eps3 / (-i * y) ** 3))),
+    "Hence |eps_n - ((-1)^((n-1)/2)/pi) int_(y_0)^oo D(-iy) y^(n-1) dy| <= s y_0^n for odd n. On z = -iy, w = -iv with"
+    " v = i w,",
+    At(i * (z_ + eps1 / z_ + eps3 / z_**3), {z_: -i * y}),
     y - eps1 / y + eps3 / y**3,
 )
+delta = sympy.Symbol("delta")
+Phi = sympy.Function("Phi")(delta)
 q = sympy.exp(2 * pi * (eps1 * x - eps3 * x**3))
 step(
     "up to O(y^(-5)), for w has the expansion of Phi: q = e^(-2 pi v) = e^(-2 pi y)(1 + 2 pi eps_1/y + O(1/y^2)), with"
@@ -81,9 +85,10 @@ step(
     "So e_n c^n = (c_1/pi)(-1)^((n-1)/2) Gamma(n)/(2 pi)^n (1 + f/(n-1) + O(n^(-2))), f = 4 pi^2 e_1 c. If all c_k"
     " vanish, |eps_n| <= s y_0^n: Phi converges for |z| > y_0, and V = 1/(pi Phi') is an analytic amplitude equation"
     " whose motion over pi is F, since along it Phi grows at the rate",
-    named("Phi' V", sympy.Symbol("Phi'") * (1 / (pi * sympy.Symbol("Phi'")))),
+    Phi.diff(delta) * At(1 / (pi * sympy.Symbol("u")), {sympy.Symbol("u"): Phi.diff(delta)}),
     1 / pi,
 )
+lag, W = sympy.Function("theta")(delta), sympy.Symbol("W")
 V2, V4 = sympy.symbols("V_2 V_4", nonzero=True)
 step(
     "Conversely let an analytic V = V_2 delta^2 + V_4 delta^4 + … have F as its motion over pi (F is reversible: its"
@@ -98,6 +103,6 @@ step(
     " c_k = int_0^1 D e^(2 pi i k w) dw. No analytic amplitude equation has the half-swing as its map unless all c_k"
     " vanish; and an analytic W beside it would make theta = int (W - 1)/V analytic, all d_k zero, as its increment"
     " is the integral of",
-    named("V theta'", sympy.Symbol("V") * ((sympy.Symbol("W") - 1) / sympy.Symbol("V"))),
-    sympy.Symbol("W") - 1,
+    sympy.Symbol("V") * At(sympy.Derivative(lag, delta), {sympy.Derivative(lag, delta): (W - 1) / sympy.Symbol("V")}),
+    W - 1,
 )

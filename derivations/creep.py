@@ -18,7 +18,7 @@ derivation = Derivation(
     "Creep for 0 < alpha < 1",
     source="theory page ``finite_strength``; asymptotics.swing",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 m = (y / e) ** (1 / a)
 slow = defined("m", lambda y: (y / e) ** (1 / a))
@@ -83,13 +83,11 @@ more = sympy.Symbol("N_2", nonnegative=True)
 step("A further term N_2 >= 0 lowers the rate on the upper boundary: the trap of one term is a trap of the sum",
      sympy.Add(drift, -more, -drift, evaluate=False), -more)  # fmt: skip
 b_1 = sympy.Symbol("beta", positive=True)  # alpha - alpha_1 >= 0, for a term of an exponent alpha_1 <= alpha
-V = sympy.Symbol("V", positive=True)
 step("By the energy w <= V on all of the half-swing, V^2 = y^2 + w^2; with alpha_1 = alpha - beta w^alpha_1/w^alpha is",
      w ** (a - b_1) / w**a, w**-b_1)  # fmt: skip
-holds(
+asserts(
     "which falls as w grows: e_1 w^alpha_1 >= e_1 V^(alpha_1 - alpha) w^alpha, and such terms together have a trap",
-    bool((diff(w**-b_1, w) < 0) == True),  # noqa: E712 (a relation of SymPy)
-    sympy.Le(V**-b_1, w**-b_1, evaluate=False),
+    sympy.Lt(sympy.Derivative(w**-b_1, w), 0, evaluate=False),
 )
 
 # Inside the trap the orbit approaches the slow curve: r = w/m(y) tends to 1.
@@ -112,11 +110,11 @@ step(
     At(y / m, {a: 1 / (1 + b)}),
     e ** (1 + b) * y**-b,
 )
-holds(
+asserts(
     "So from some sigma on r falls wherever r > 1 + eta and rises wherever r < 1 - eta, at a rate away from 0, for"
-    " any eta > 0: r -> 1, and every orbit of the trap approaches the slow curve",
-    bool(diff(1 - r**a, r) == -a * r**a / r and (1 - r**a).subs(r, 1) == 0),
-    sympy.Eq(sympy.Symbol("r"), 1, evaluate=False),
+    " any eta > 0, since 1 - r^a falls through 0 at r = 1: r -> 1, every orbit of the trap approaches the slow curve",
+    sympy.Eq(At(1 - r**a, {r: 1}), 0, evaluate=False),
+    sympy.Lt(sympy.Derivative(1 - r**a, r), 0, evaluate=False),
 )
 x = (a / (1 - a)) ** (a / (1 - a)) * e ** (1 / (1 - a)) * tau ** (-a / (1 - a))
 step("On the slow curve e (-x')^alpha = x.  For this x:", -sympy.Derivative(x, tau), a / (1 - a) * x / tau)

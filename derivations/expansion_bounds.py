@@ -6,7 +6,7 @@ exp(delta_1)*exp(delta_2) = exp(delta_1 + delta_2)
 
 import sympy
 
-from derivations.steps import Derivation, named
+from derivations.steps import At, Derivation
 
 n, m, x = sympy.symbols("n m x", positive=True)
 Y, g, G, delta = sympy.symbols("Y g G delta", positive=True)
@@ -17,7 +17,7 @@ derivation = Derivation(
     "What the O() of an expansion holds, on one half-swing and on all of them",
     source="bounds.local, bounds.turning, bounds.orbit; the map, its majorant and L1b are those of quarter-swing-tail",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 # 1. One half-swing.
 step(
@@ -67,7 +67,7 @@ rate = sympy.Symbol("r", positive=True)
 step(
     "The truncated orbit: |delta| = d falls at least like d' = -w r d^2, r = inf p_N/(d (1 + Omega_N)),"
     " w = min alpha_i - 1; then 1/d grows at the rate",
-    named("-d'/d^2", -(-w * rate * d**2) / d**2),
+    At(sympy.Derivative(1 / d, psi), {sympy.Derivative(d, psi): -w * rate * d**2}),
     w * rate,
 )
 half = sympy.Rational(1, 2)
@@ -81,7 +81,7 @@ primitive = -((Y + g * x) ** (1 - m)) / ((m - 1) * g)
 step("with the primitive", sympy.Derivative(primitive, x), power)
 step(
     "Hence the sum over j < n is at most the integral from -1/2 to n - 1/2, S_m(n) (Hermite-Hadamard)",
-    named("P(n - 1/2) - P(-1/2)", primitive.subs(x, n - half) - primitive.subs(x, -half)),
+    At(primitive, {x: n - half}) - At(primitive, {x: -half}),
     ((Y - g / 2) ** (1 - m) - (Y + g * (n - half)) ** (1 - m)) / ((m - 1) * g),
 )
 eta, before, later, now = sympy.symbols("eta_j sigma_j Lambda_(j+1) lambda_j", positive=True)
@@ -106,11 +106,11 @@ step(
 )
 share = sympy.Symbol("t", nonnegative=True)  # 1 + t = e^x
 spare = 1 / (1 + share) - 1 + sympy.log(1 + share)
-holds(
+asserts(
     "so with L' <= -k it is at most 1 - x <= e^(-x), x = (alpha-1) k delta: with e^x = 1 + t, e^(-x) - 1 + x is 0 at t"
     " = 0 and grows with t",
-    bool(sympy.factor(sympy.diff(spare, share)).is_nonnegative),
-    sympy.Derivative(spare, share),
+    sympy.Eq(At(spare, {share: 0}), 0, evaluate=False),
+    sympy.Ge(sympy.Derivative(spare, share), 0, evaluate=False),
 )
 j = sympy.Symbol("j", positive=True)
 step(
@@ -119,11 +119,10 @@ step(
     1 / (Y + G * x),
 )
 extra = sympy.Symbol("h", nonnegative=True)
-holds(
+asserts(
     "so an error made at j counts ((Y + G (j+1))/(Y + G n))^q at n, q = (alpha-1) k/G. With G = g + h >= g,"
-    " (Y + G (j+1)) <= (G/g)(1 + g/Y)(Y + g j), since the difference",
-    bool(sympy.expand((g + extra) * (1 + g / Y) * (Y + g * j) - g * (Y + (g + extra) * (j + 1))).is_nonnegative),
-    sympy.expand((g + extra) * (1 + g / Y) * (Y + g * j) - g * (Y + (g + extra) * (j + 1))),
+    " (Y + G (j+1)) <= (G/g)(1 + g/Y)(Y + g j):",
+    sympy.Le(Y + (g + extra) * (j + 1), (g + extra) / g * (1 + g / Y) * (Y + g * j), evaluate=False),
 )
 m_, q_ = sympy.symbols("a q", positive=True)
 step(
@@ -145,8 +144,8 @@ step(
 )
 step(
     "which vanishes at both ends of the half-swing",
-    named("P(pi) - P(0)", primitive.subs(theta, sympy.pi) - primitive.subs(theta, 0)),
-    0 * alpha,
+    At(primitive, {theta: sympy.pi}) - At(primitive, {theta: 0}),
+    0,
 )
 c_n, w_1, w_2, w_max = sympy.symbols("c_n w_1 w_2 w", positive=True)
 n_1, n_2 = sympy.symbols("n_1 n_2", integer=True, nonnegative=True)
@@ -164,11 +163,12 @@ step(
     sympy.Integral(B * w_max * (delta * sympy.exp(w_max * log_a)) ** 2, (log_a, 0, e)),
     B * delta**2 * (sympy.exp(2 * w_max * e) - 1) / 2,
 )
-holds(
+slack = x * sympy.exp(2 * x) - (sympy.exp(2 * x) - 1) / 2
+asserts(
     "which is at most B w e (delta exp(w e))^2: e^(2x) - 1 <= 2 x e^(2x), for x e^(2x) - (e^(2x) - 1)/2 is 0 at x = 0"
     " and grows",
-    bool(sympy.expand(sympy.diff(x * sympy.exp(2 * x) - (sympy.exp(2 * x) - 1) / 2, x)).is_positive),
-    sympy.diff(x * sympy.exp(2 * x) - (sympy.exp(2 * x) - 1) / 2, x),
+    sympy.Eq(At(slack, {x: 0}), 0, evaluate=False),
+    sympy.Gt(sympy.Derivative(slack, x), 0, evaluate=False),
 )
 
 # 4. Any exponents, half-swing by half-swing.
@@ -177,15 +177,13 @@ A_n, A_hat, D = sympy.symbols("A_n Ahat_n D", positive=True)
 step(
     "A -> Q(A) from one turning point to the next, |Q(A) - Q(B)| <= |A - B| (motions-never-part); the truncated map Q_N"
     " differs by the error there was, contracted, and the error of this half-swing",
-    named("[Q(A_n) - Q(A_hat_n)] + [Q(A_hat_n) - Q_N(A_hat_n)]", (Q(A_n) - Q(A_hat)) + (Q(A_hat) - Q_N(A_hat))),
+    sympy.Add(Q(A_n) - Q(A_hat), Q(A_hat) - Q_N(A_hat), evaluate=False),
     Q(A_n) - Q_N(A_hat),
 )
 gap = sympy.Symbol("x", nonnegative=True)
-holds(
-    "|Q - Q_N| = Q_N |exp(L - L_N) - 1| <= Q_N (exp(|L - L_N|) - 1): e^x - 1 is at least 1 - e^(-x), the difference",
-    bool(
-        sympy.expand((sympy.exp(gap / 2) - sympy.exp(-gap / 2)) ** 2 - (sympy.exp(gap) - 1 - 1 + sympy.exp(-gap))) == 0
-    ),
+step(
+    "|Q - Q_N| = Q_N |exp(L - L_N) - 1| <= Q_N (exp(|L - L_N|) - 1): e^x - 1 is at least 1 - e^(-x), by a square",
+    (sympy.exp(gap) - 1) - (1 - sympy.exp(-gap)),
     (sympy.exp(gap / 2) - sympy.exp(-gap / 2)) ** 2,
 )
 step(

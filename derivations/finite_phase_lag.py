@@ -1,6 +1,6 @@
 """The uniform phase phi(tau) for any exponent, line by line, and why the total lag is finite for alpha > 1.
 
->>> print(derivation.steps[7].text())
+>>> print(derivation.steps[8].text())
 Subs(w_2*(-epsilon + x)/(mu*p_1), x, epsilon/(epsilon*mu*p_1*tau + 1)) = -epsilon**2*tau*w_2/(epsilon*mu*p_1*tau + 1)
 """
 
@@ -22,12 +22,12 @@ derivation = Derivation(
     "The phase correction and its finite total",
     source="theory page ``slow_flow``; Lancaster 2020 neglects it, below (9)",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 # The flow: dA/dtau = -p_1 A delta, dphi/dtau = Omega_2 delta^2 = -w_2 delta^2 (derivation multiple-scales-turning).
-local = epsilon * A**mu
+local = derivation.defines("The local strength, mu = alpha - 1", "delta", epsilon * A**mu)
 step(
-    "The local strength delta = epsilon A^mu, mu = alpha - 1, moves with dA/dtau = -p_1 A delta: ddelta/dtau",
+    "moves with dA/dtau = -p_1 A delta: ddelta/dtau",
     At(Derivative(local, tau), {Derivative(A, tau): -p_1 * A * local}),
     -mu * p_1 * local**2,
 )
@@ -73,9 +73,8 @@ step(
 )
 step("alpha -> 1: the lag has no end, dphi/dtau is constant", Limit(phase, mu, 0), -w_2 * epsilon**2 * tau)
 below = Limit(At(in_delta, {mu: -nu}), x, oo)
-holds(
+asserts(
     "alpha = 1 - nu: delta grows without bound towards the extinction, the lag too",
-    bool(below.doit() == -oo),
     sympy.Eq(below, -oo, evaluate=False),
 )
 step(

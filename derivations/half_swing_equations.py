@@ -38,19 +38,19 @@ step(
 friction = sum(b * (r * s) ** a for b, a in laws)
 step(
     "X = r cos(theta), X' = -r sin(theta), 0 <= theta <= pi: X' <= 0, |X'| = r s, and X'' = drag - X with the drag",
-    acceleration.subs({X: r * c, velocity: -r * s}, simultaneous=True) + r * c,
+    At(acceleration + X, {X: r * c, velocity: -r * s}),
     friction,
 )
 radius, angle = sympy.Function("r")(tau), sympy.Function("theta")(tau)
 x_of, v_of = radius * cos(angle), -radius * sin(angle)
 step(
     "Rotating (dX, dX') by theta: c dX/d tau - s dX'/d tau is the radial rate",
-    cos(angle) * diff(x_of, tau) - sin(angle) * diff(v_of, tau),
+    cos(angle) * sympy.Derivative(x_of, tau) - sin(angle) * sympy.Derivative(v_of, tau),
     diff(radius, tau),
 )
 step(
     "and -s dX/d tau - c dX'/d tau is r d theta/d tau",
-    -sin(angle) * diff(x_of, tau) - cos(angle) * diff(v_of, tau),
+    -sin(angle) * sympy.Derivative(x_of, tau) - cos(angle) * sympy.Derivative(v_of, tau),
     radius * diff(angle, tau),
 )
 r_rate = c * (-r * s) - s * (drag - r * c)
@@ -71,7 +71,7 @@ step("d tau/d theta = 1/D = 1 + c N/D = 1 - cot(theta) d ln r/d theta", 1 - c / 
 for p, (_, a) in zip(rho, laws, strict=True):
     step(
         "and d ln rho_i/d ln r = alpha_i - 1: no parameter is left but the starting values rho_i(0) = delta_i",
-        diff(p, r) * r / p,
+        sympy.Derivative(p, r) * r / p,
         a - 1,
     )
 

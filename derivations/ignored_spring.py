@@ -10,7 +10,7 @@ is the bias.
 
 import sympy
 
-from derivations.steps import At, Derivation, Taylor, defined, named
+from derivations.steps import At, Derivation, Solution, Taylor, defined
 
 alpha = sympy.Symbol("alpha", nonnegative=True)
 p = sympy.Symbol("p", positive=True)
@@ -73,8 +73,9 @@ step(
     apparent(-sympy.Rational(11, 12) * epsilon * c),
     11 * sympy.pi / 32 * epsilon * c,
 )
+strength = sympy.Symbol("epsilon_3", real=True)
 step(
-    "that is, in letters",
-    named("epsilon_3", (11 * sympy.pi / 32 * epsilon * c) / (-3 * sympy.pi / 8)),
+    "that is, solved for its strength,",
+    Solution(apparent(strength), 11 * sympy.pi / 32 * epsilon * c, strength),
     -sympy.Rational(11, 12) * epsilon * c,
 )

@@ -19,16 +19,16 @@ derivation = Derivation(
     "The mean of a power of the sine",
     source="Lancaster 2020, (11), (12); lancaster2020:12",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 u = (1 - cos(theta)) / 2
 step("With u = sin^2(theta/2) the sine is 2 sqrt(u(1-u))", 4 * u * (1 - u), sympy.expand(1 - cos(theta) ** 2))
 step("1 - cos^2 = sin^2", 1 - cos(theta) ** 2, sin(theta) ** 2)
 step("and du = (sin theta/2) dtheta", sympy.Derivative(u, theta), sin(theta) / 2)
-integrand = (2 * sqrt(y * (1 - y))) ** (alpha + 1) / sqrt(y * (1 - y))
+shape = sympy.Symbol("s", positive=True)  # sin(theta); du = (s/2) dtheta
 step(
     "so sin^(alpha+1) dtheta = 2^(alpha+1) [u(1-u)]^(alpha/2) du on 0 <= theta <= pi, 0 <= u <= 1",
-    integrand,
+    At(shape ** (alpha + 1) / (shape / 2), {shape: 2 * sqrt(y * (1 - y))}),
     sympy.powsimp(sympy.expand_power_base(2 ** (alpha + 1) * (y * (1 - y)) ** (alpha / 2), force=True)),
 )
 M = defined("M", moment, index=True)

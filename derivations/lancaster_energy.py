@@ -22,7 +22,7 @@ derivation = Derivation(
     "The energy argument for the envelope",
     source="Lancaster 2020, (4)-(10), (13)-(15); lancaster2020:5, 6, 7, 8, 10, 13, 14, 15",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 x = A * cos(omega_0 * t)
 step(

@@ -1,13 +1,13 @@
 """The limit alpha -> 1 of the envelope, the time and the phase: no new integration, no gap.
 
 >>> print(derivation.steps[7].text())
-b*t*M_2/m = b*t/(2*m)
+b*t*M(2)/m = b*t/(2*m)
 """
 
 import sympy
 
 from asymptotics.moments.symbolic import moment
-from derivations.steps import Derivation, Taylor, named
+from derivations.steps import Derivation, Taylor, defined
 
 alpha, kappa, tau, A, epsilon = sympy.symbols("alpha kappa tau A epsilon", positive=True)
 mu, w_2, p_1, nu = sympy.symbols("mu w_2 p_1 nu", positive=True)
@@ -18,7 +18,7 @@ derivation = Derivation(
     "The limit alpha -> 1",
     source="Lancaster 2020, below (10) and Table I, alpha = 1; lancaster2020:table1.alpha1; theory page ``slow_flow``",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 envelope = (1 + mu * kappa * tau) ** (-1 / mu)  # mu = alpha - 1
 step(
@@ -38,8 +38,9 @@ time = (A**-mu - 1) / (mu * kappa)
 step("The time", sympy.Limit(time, mu, 0, "+"), -sympy.log(A) / kappa)
 paper = (sympy.exp((1 - alpha) * sympy.log(A)) - 1) / (1 - alpha)
 step("the paper's way: expand e^{(1-alpha) ln A}", sympy.Limit(paper, alpha, 1), sympy.log(A))
-M_2 = named("M_2", moment(2))
-step("The mean of the squared sine", M_2, sympy.Rational(1, 2))
+M_2 = defined("M", moment, index=True)(2)
+theta = sympy.Symbol("theta", real=True)
+step("The mean of the squared sine", M_2, sympy.Integral(sympy.sin(theta) ** 2, (theta, 0, sympy.pi)) / sympy.pi)
 omega_0 = sympy.sqrt(k / m)
 step(
     "kappa tau = b t/(2m): Table I",

@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import At, Coefficient, Derivation, named
+from derivations.steps import At, Coefficient, Derivation
 
 h, q, c1, d1, Wm, w = sympy.symbols("h q c_1 d_1 W w")
 y, K = sympy.symbols("y K", positive=True)
@@ -23,6 +23,7 @@ derivation = Derivation(
 )
 step = derivation.step
 
+n = sympy.Symbol("n")
 step(
     "On the two petals Phi = w + h D, theta = t + h E with h = 1/2 and -1/2, D = c_1 q + …, E = d_1 q + …, q ="
     " e^(-2 pi i w). By dw, D is, to first order in q,",
@@ -33,37 +34,36 @@ rate = 1 + h * (-2 * pi * i * c1 * q)
 step(
     "V = 1/(pi Phi') = (1/(pi w'))/(1 + h dD/dw): the difference of its two values, relatively, is",
     Coefficient(1 / rate, h, 1),
-    named("Delta V/V", 2 * pi * i * c1 * q),
+    2 * pi * i * c1 * q,
 )
 time = 1 + (pi * (Wm - 1) + h * (-2 * pi * i * d1 * q)) / (pi * rate)
 step(
     "W = 1 + (dt/dw + h dE/dw)/(pi (1 + h dD/dw)), where dt/dw = pi (W - 1):",
-    Coefficient(sympy.series(time, h, 0, 2).removeO(), h, 1),
-    named("Delta W", 2 * pi * i * q * (c1 * (Wm - 1) - d1 / pi)),
+    Coefficient(time, h, 1),
+    2 * pi * i * q * (c1 * (Wm - 1) - d1 / pi),
 )
 change = 2 * pi * i * q * (c1 * (Wm - 1) - d1 / pi)
 step(
     "The amplitude equation has p = -V/((alpha - 1) delta W): relatively",
     2 * pi * i * c1 * q - change / Wm,
-    named("Delta p/p", 2 * pi * i * q * (c1 + d1 / pi) / Wm),
+    2 * pi * i * q * (c1 + d1 / pi) / Wm,
 )
 step(
     "and the phase Omega = 1/W (Omega - 1 alike): at W = 1",
     At(-change / Wm**2, {Wm: 1}),
-    named("Delta Omega", 2 * i * d1 * q),
+    2 * i * d1 * q,
 )
-moment = sympy.Symbol("I_n")
 step(
     "Cauchy's formula on the two half-discs (cauchy-heine) for f = V, p/p_1, Omega: [delta^k] f c^k is 1/(2 pi i)"
     " times -i^(-k) int Delta f(-iy) y^(k-1) dy + (-i)^(-k) int Delta f(iy) y^(k-1) dy. V and Omega are even, so"
     " Delta f is odd; for even k = 2m that is, per unit of int Delta f(-iy) y^(k-1) dy,",
-    sympy.simplify((-(i ** (-2 * m)) - (-i) ** (-2 * m)) / (2 * pi * i)),
-    named("i (-1)^m/pi", i * (-1) ** m / pi),
+    At(-(i**-n) - (-i) ** -n, {n: 2 * m}) / (2 * pi * i),
+    i * (-1) ** m / pi,
 )
 step(
     "p is odd, Delta p even; for odd k = 2m + 1",
-    sympy.simplify((-(i ** (-2 * m - 1)) + (-i) ** (-2 * m - 1)) / (2 * pi * i)),
-    named("(-1)^m/pi", (-1) ** m / pi),
+    At(-(i**-n) + (-i) ** -n, {n: 2 * m + 1}) / (2 * pi * i),
+    (-1) ** m / pi,
 )
 step(
     "V begins with -delta^2/(pi c), delta = c/z. At z = -iy, Delta V = 2 pi i c_1 q V is",
@@ -101,8 +101,8 @@ step(
 )
 step(
     "Beyond the first correction: to first order in q the change of Omega, over 2 i d_1 q, is for any W",
-    sympy.simplify(-change / Wm**2 / (2 * i * d1 * q)),
-    named("(1 - (pi c_1/d_1)(W - 1))/W^2", (1 - pi * c1 / d1 * (Wm - 1)) / Wm**2),
+    -change / Wm**2 / (2 * i * d1 * q),
+    (1 - pi * c1 / d1 * (Wm - 1)) / Wm**2,
 )
 step(
     "and Delta p is 1/W times p; W, V/delta^2, p/delta go on in powers of delta^2, which on z = -iy is",

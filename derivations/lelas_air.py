@@ -6,7 +6,7 @@
 
 import sympy
 
-from asymptotics.moments.symbolic import moment, squaring_moment
+from asymptotics.moments.symbolic import squaring_moment
 from derivations.steps import At, Derivation, Solution
 
 C, m, k, x_0, omega_0, t, sine, f, r = sympy.symbols("C m k x_0 omega_0 t s f r", positive=True)
@@ -69,7 +69,7 @@ for u, power in ((sine, general), (size, other)):
     )
 step(
     "added",
-    (general + other).subs(size, cosine),
+    At(general + other, {size: cosine}),
     sympy.powdenest((epsilon * f**alpha) ** (2 / p), force=True),
 )
 trick = squaring_moment(alpha) * epsilon * f**alpha
@@ -78,10 +78,13 @@ step(
     sympy.powdenest(2 * sympy.powdenest(trick ** (2 / p), force=True), force=True),
     sympy.powdenest((epsilon * f**alpha) ** (2 / p), force=True),
 )
-step("The replacement is a power mean too: M_2^{(alpha+1)/2}", moment(2) ** (p / 2), squaring_moment(alpha))
+mean_square = sympy.Integral(sympy.sin(theta) ** 2, (theta, 0, sympy.pi)) / sympy.pi
+step("The replacement is a power mean too: M_2^{(alpha+1)/2}", mean_square ** (p / 2), squaring_moment(alpha))
 convex = y**q
 step(
-    "Jensen: y^q, q = (alpha+1)/2, y = sin^2, has the second derivative", diff(convex, y, 2), q * (q - 1) * y ** (q - 2)
+    "Jensen: y^q, q = (alpha+1)/2, y = sin^2, has the second derivative",
+    sympy.Derivative(convex, y, 2),
+    q * (q - 1) * y ** (q - 2),
 )
 for reason, value in (
     ("positive for alpha = 1 + 2 r > 1, q = 1 + r: M_(alpha+1) = <y^q> > <y>^q, underestimated", 1 + r),

@@ -22,7 +22,7 @@ derivation = Derivation(
     "Multiple scales for air drag to fourth order",
     source="turning-point gauge; Lancaster 2020, (13) is the first order, Smith 2012 has the half-swing",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 
 def D(field: Field, h: sympy.Expr) -> sympy.Expr:
@@ -140,7 +140,7 @@ for n in range(1, 5):
         sympy.Derivative(X_n, psi) + K_n + D_n(waves[0]),
         V[n],
     )
-    holds(f"X_{n} on 0 < psi < pi; X(psi + pi) = -X(psi)", bool(X[n].subs(psi, pi) == 0), X[n])
+    step(f"X_{n} is this on 0 < psi < pi, X(psi + pi) = -X(psi), and vanishes at psi = pi", At(X[n], {psi: pi}), 0)
 
 step("p_1 = 4/(3 pi), Lancaster's", -named("D_1(a)", rates[1][0]) / a**2, R(4, 3) / pi)
 step("Omega_2 = -1/6", named("D_2(psi)", rates[2][1]) / a**2, -R(1, 6))

@@ -8,7 +8,7 @@ import sympy
 
 from asymptotics.half_swings.symbolic import nested_integral_exact
 from asymptotics.moments.symbolic import moment
-from derivations.steps import At, Derivation, named
+from derivations.steps import At, Derivation, defined
 
 phi, m, u = sympy.symbols("phi m u", real=True)
 alpha = sympy.Symbol("alpha", positive=True)
@@ -22,7 +22,7 @@ derivation = Derivation(
     source="half_swings.symbolic; J = <s^(2 alpha) S^2>, suppose J = r_1 pi^2 M_(alpha+1)^2 M_(2alpha)"
     " + r_2 M_(4alpha) + r_3 M_(alpha+1) M_(3alpha+1), r_i in Q(alpha)",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 # Odd integers.
 quarter = (phi, -pi / 2, pi / 2)
@@ -61,13 +61,14 @@ step(
     sympy.Integral(sympy.cos(phi) ** 2 * (phi / 2 + sympy.sin(2 * phi) / 4) ** 2, quarter) / pi,
     pi**2 * moment(2) ** 3 / 12,
 )
-odd = {n: nested_integral_exact(n).to_sympy() for n in (1, 3, 5, 7)}
-holds(
-    "(the algebra of theta, s, c finds I_4 = J - pi^2 M_(alpha+1)^2 M_(2alpha)/12 rational at 1, 3, 5, 7). pi^2 is"
-    " irrational: r_1 = 1/12 at every odd integer that is no pole of an r_i, so r_1 - 1/12 has infinitely many zeros",
-    all(value.is_rational is True for value in odd.values()),
-    sympy.Tuple(*odd.values()),
+I_4 = defined("I_4", lambda n: nested_integral_exact(int(n)).to_sympy())
+step(
+    "(the algebra of theta, s, c finds I_4 = J - pi^2 M_(alpha+1)^2 M_(2alpha)/12 rational, here at 1, 3 and 5.) pi^2"
+    " is irrational: r_1 = 1/12 at every odd integer that is no pole of an r_i: r_1 - 1/12 has infinitely many zeros",
+    sympy.Tuple(I_4(1), I_4(3), I_4(5)),
+    sympy.Tuple(0, -sympy.Rational(143, 20480), -sympy.Rational(289731, 58720256)),
 )
+M_of = defined("M", moment, index=True)
 
 # Half-integers.
 step(
@@ -85,45 +86,45 @@ step(
 step(
     "and S' = s^(alpha+1), so integrals of s^(p+alpha+1) remain, p - alpha - 2 = 0, 2, …: even powers 2 alpha + 3, …,"
     " hence rational after division by pi. J = pi^2 M_(alpha+1)^2 M_(2alpha)/4 + rational; at alpha = 1/2 it is",
-    -sympy.Rational(4, 5) * named("M_4", moment(4)),
+    -sympy.Rational(4, 5) * M_of(4),
     -sympy.Rational(3, 10),
 )
-step("M_(p+2) = (p+1)/(p+2) M_p", moment(p + 2), (p + 1) / (p + 2) * moment(p))
+step("M_(p+2) = (p+1)/(p+2) M_p", M_of(p + 2) / M_of(p), (p + 1) / (p + 2))
 step(
     "brings every half-integer to 1/2 or 3/2. There M_(4alpha) is rational and M_(2alpha) rational/pi,",
-    named("M_1", moment(1)),
+    M_of(1),
     2 / pi,
 )
 low, high = sympy.Rational(3, 2), sympy.Rational(5, 2)
 step(
     "M_(alpha+1) M_(3alpha+1) is rational/pi, as 2 alpha is odd: one of both is a rational times M_(3/2), one M_(5/2)",
-    named("M_(3/2) M_(5/2)", moment(low) * moment(high)),
+    M_of(low) * M_of(high),
     sympy.Rational(4, 5) / pi,
 )
 step(
     "Reflection",
-    named("Gamma(1/4) Gamma(3/4)", sympy.gamma(half / 2) * sympy.gamma(3 * half / 2)),
+    sympy.Mul(sympy.gamma(half / 2), sympy.gamma(3 * half / 2), evaluate=False),
     sympy.sqrt(2) * pi,
 )
 step(
     "and pi^2 M_(alpha+1)^2 M_(2alpha) is a rational multiple of g = Gamma(1/4)^4/pi^2 or of 1/g: of g for M_(3/2)",
-    named("pi^2 M_(3/2)^2 M_1", pi**2 * moment(low) ** 2 * moment(1)),
+    pi**2 * M_of(low) ** 2 * M_of(1),
     2 * (sympy.gamma(half / 2) / sympy.gamma(3 * half / 2)) ** 2 / 9,
 )
 step(
     "here with the square of Gamma(3/4) = sqrt(2) pi/Gamma(1/4),",
     At(2 * (sympy.gamma(half / 2) / u) ** 2 / 9, {u: sympy.sqrt(2) * pi / sympy.gamma(half / 2)}),
-    named("g", g) / 9,
+    g / 9,
 )
 step(
     "of 1/g for M_(5/2)",
-    named("pi^2 M_(5/2)^2 M_3", pi**2 * moment(high) ** 2 * moment(3)),
+    pi**2 * M_of(high) ** 2 * M_of(3),
     sympy.Rational(192, 25) * (sympy.gamma(3 * half / 2) / sympy.gamma(half / 2)) ** 2,
 )
 step(
     "here",
     At(sympy.Rational(192, 25) * (u / sympy.gamma(half / 2)) ** 2, {u: sympy.sqrt(2) * pi / sympy.gamma(half / 2)}),
-    sympy.Rational(384, 25) / named("g", g),
+    sympy.Rational(384, 25) / g,
 )
 r_1, r_3, rho, sigma, kappa, X, Y = sympy.symbols("r_1 r_3 rho sigma kappa X Y")
 step(
@@ -139,6 +140,6 @@ step(
 )
 step(
     "and r_1 would be 1/12 and 1/4 identically. No such r_i exist. (Other polynomials in moments are not excluded.)",
-    named("1/4", sympy.Rational(1, 4)) - named("1/12", sympy.Rational(1, 12)),
+    At(r_1, {r_1: sympy.Rational(1, 4)}) - At(r_1, {r_1: sympy.Rational(1, 12)}),
     sympy.Rational(1, 6),
 )

@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import At, Derivation, named
+from derivations.steps import At, Derivation
 
 theta = sympy.Symbol("theta", real=True)
 s, delta, alpha, u = sympy.symbols("s delta alpha u", positive=True)
@@ -20,21 +20,22 @@ derivation = Derivation(
 )
 step = derivation.step
 
+R = sympy.Function("R")(theta)
 Y = s**alpha * u / (1 - c * s**alpha * u)
 step(
     "Q = delta/u = e^(-eta R) has the derivative -eta R' Q, with Y = s^alpha u/(1 - c s^alpha u), R' = -s Y,",
-    named("Q'", eta * s * Y * delta / u),
-    eta * delta * s ** (alpha + 1) / (1 - c * s**alpha * u),
+    At(sympy.Derivative(sympy.exp(-eta * R), theta), {sympy.Derivative(R, theta): -s * Y}),
+    eta * s ** (alpha + 1) * u / (1 - c * s**alpha * u) * sympy.exp(-eta * R),
 )
 step(
     "where the quotient is the rate of the time:",
     1 / (1 - c * s**alpha * u),
-    named("1 + c Y", 1 + c * Y),
+    1 + c * Y,
 )
 rate = eta * delta * s ** (alpha + 1) / (1 - c * s**alpha * delta / Q)
 step(
     "Multiplied by 1 - c s^alpha u, u = delta/Q, and by Q: Q Q' - delta s^alpha c Q' is",
-    named("Q Q' - delta s^alpha c Q'", Q * rate - delta * s**alpha * c * rate),
+    At(Q * slope - delta * s**alpha * c * slope, {slope: rate}),
     delta * s**alpha * eta * s * Q,
 )
 q = sympy.Function("q")(theta)
@@ -45,7 +46,7 @@ step(
 )
 step(
     "In c, Q' = -s Q_c: the same equation without s, polynomial where alpha is even",
-    sympy.expand(At(delta * s**alpha * (c * slope + eta * s * Q), {slope: -s * D}) / -s),
+    At(delta * s**alpha * (c * slope + eta * s * Q), {slope: -s * D}) / -s,
     delta * s**alpha * (c * D - eta * Q),
 )
 v, n, beta = sympy.symbols("v n beta", positive=True)
@@ -55,7 +56,7 @@ step(
     sympy.Derivative(half, theta),
     sympy.sin(theta) / 2,
 )
-step("with c = 1 - 2v and s^2 = 1 - c^2:", 1 - (1 - 2 * v) ** 2, 4 * v * (1 - v))
+step("with c = 1 - 2v: s^2 = 1 - c^2 is", At(1 - c**2, {c: 1 - 2 * v}), 4 * v * (1 - v))
 step(
     "dR/d theta = -s Y, so P = e^(eta R) = u/delta has dP/dv = -2 eta P Y = -2 eta C, and Y is",
     Y,

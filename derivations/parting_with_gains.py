@@ -19,12 +19,17 @@ derivation = Derivation(
     "How far two motions can part where there are gains",
     source="logarithmic norms (Dahlquist 1958, Lozinskii 1958) in one degree of freedom",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
+
+place, speed = sympy.Function("U")(t), sympy.Function("W")(t)
 
 step(
     "U, W: the differences of two motions; G differs by m U + g W with slopes of G between the two (mean value"
     " theorem).  Half the square of k^2 U^2 + W^2 changes at the rate",
-    sympy.Add(k**2 * U * -W, W * (m * U + g * W), evaluate=False),
+    At(
+        sympy.Derivative((k**2 * place**2 + speed**2) / 2, t),
+        {sympy.Derivative(place, t): -W, sympy.Derivative(speed, t): m * U + g * W, place: U, speed: W},
+    ),
     (m - k**2) * U * W + g * W**2,
 )
 step(

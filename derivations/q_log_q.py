@@ -1,7 +1,7 @@
 """Quadratic damping, alpha = 2: q = e^(-u) gives q'' = -q ln q, and its energy is Smith's S.
 
 >>> print(derivation.steps[6].text())
-E*(r - 1)*exp(r - 1) = (r - 1)*exp(r)
+E*Subs(y*exp(y), y, r - 1) = (r - 1)*exp(r)
 """
 
 import sympy
@@ -50,15 +50,16 @@ step(
     (exp(-2 * s * v) * (s**2 * w**2 / 2 - s * v / 2 - sympy.Rational(1, 4))).expand(),
 )
 p, r = sympy.symbols("p r", positive=True)
-ends = [(exp(-2 * v) * (-v / 2 - sympy.Rational(1, 4))).subs(v, end) for end in (p / 2, -r / 2)]
+y = sympy.Symbol("y")
+at_rest = exp(-2 * v) * (-v / 2 - sympy.Rational(1, 4))
 step(
     "from rest at u = p/2 to rest at u = -r/2 (s = 1) it gives (1 + p) e^(-p) = (1 - r) e^r (Smith (43))",
-    -4 * (ends[0] - ends[1]),
+    -4 * (At(at_rest, {v: p / 2}) - At(at_rest, {v: -r / 2})),
     (1 + p) * exp(-p) - (1 - r) * exp(r),
 )
 step(
     "hence r = 1 + W(-(1+p) e^(-p-1)), the principal branch because r < 1: y = r - 1 solves y e^y = -(1+p) e^(-p-1)",
-    ((r - 1) * exp(r - 1)) * sympy.E,
+    At(y * exp(y), {y: r - 1}) * sympy.E,
     -(1 - r) * exp(r),
 )
 t = sympy.Symbol("t", positive=True)

@@ -6,7 +6,7 @@ E(t) = Integral(exp(-l*t), (l, 0, 1))
 
 import sympy
 
-from derivations.steps import At, Derivation, defined, named
+from derivations.steps import At, Derivation, defined
 
 u, p, ell, m, x, y, chi = sympy.symbols("u p l m x y chi", real=True)
 t, end, a, M, N, k = sympy.symbols("t t_* a M N k", positive=True)
@@ -17,7 +17,7 @@ derivation = Derivation(
     "The duration of a half-swing for alpha = 2: the trapezoidal rule and its error",
     source="turning.quadratic_duration; u = gamma x, w = gamma v/omega, |u_n| = p/2, t = p - 2u, t* = p + q",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 # The first integral and its factors.
 speed = u + sympy.Rational(1, 2) - (1 + p) / 2 * sympy.exp(2 * u - p)
@@ -94,7 +94,7 @@ step(
 )
 step(
     "and T = (pi/2) c_0 (f is even) by at most",
-    sympy.pi / 2 * named("2M/(e^(aN)-1)", 2 * M / (sympy.exp(a * N) - 1)),
+    sympy.pi / 2 * At(2 * M * x / (1 - x), {x: sympy.exp(-a * N)}),
     sympy.pi * M / (sympy.exp(a * N) - 1),
 )
 
@@ -107,10 +107,11 @@ step(
 )
 z = sympy.Symbol("z", positive=True)
 tail = z**n / (1 - z)
+j, r_ = sympy.Symbol("j", integer=True), sympy.Symbol("r", positive=True)  # z = 1/(1 + r) < 1
 step(
     "Dropped, k >= m: 1/2 sum 2 M z^k |sin(k chi)|/k, z = e^(-a) and |sin(k chi)|/k <= pi: at most pi M times",
-    z**n * named("1/(1-z)", 1 / (1 - z)),
-    tail,
+    sympy.Sum(At(z ** (n + j), {z: 1 / (1 + r_)}), (j, 0, sympy.oo)),
+    At(tail, {z: 1 / (1 + r_)}),
 )
 step(
     "Aliases (N = 2m): a_k is wrong by at most 2 M sum_(l>=1) (z^(2ml-k) + z^(2ml+k)), c_0 by half of that at k = 0;"

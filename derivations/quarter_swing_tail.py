@@ -6,7 +6,7 @@ Derivative(x/(-k*x + 1), x) = (-k*x + 1)**(-2)
 
 import sympy
 
-from derivations.steps import Derivation, named
+from derivations.steps import At, Derivation
 
 x, k = sympy.symbols("x k", real=True)
 n = sympy.Symbol("n", integer=True, nonnegative=True)
@@ -20,7 +20,7 @@ derivation = Derivation(
     "A half-swing at finite strength from the truncated series of the quarter-swing, with proved errors",
     source="half_swings.finite_majorant; the equations are those of half-swing-equations",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 # 1. The majorant.
 delta = sympy.Symbol("delta")
@@ -40,11 +40,10 @@ step(
     (X * y) * (K * z) ** n / (X * K**n),
     y * z**n,
 )
-holds(
+asserts(
     "Hence |x/(1-k)| <= X/(1-K): |g|' <= N*/(1-C*), and |g| <= G as long as C* < 1: the right-hand side grows with G"
     " and is smooth there (comparison of scalar equations)",
-    bool(sympy.diff(X / (1 - K), K).subs(K, 1 - y).is_positive),
-    sympy.Derivative(X / (1 - K), K),
+    sympy.Gt(At(sympy.Derivative(X / (1 - K), K), {K: 1 - y}), 0, evaluate=False),
 )
 
 # 2. The root equation.
@@ -62,10 +61,9 @@ step(
     1 - weight * F * slope,
 )
 a_plus, F_plus, fall = sympy.symbols("a_+ F_+ D", nonnegative=True)
-holds(
+asserts(
     "a >= 0, F >= 0 and R' = -D <= 0: G' = 1 + a F D >= 1. So |L - L_hat| <= |G(L_hat)| for every number L_hat",
-    bool((1 + a_plus * F_plus * fall - 1).is_nonnegative),
-    1 + a_plus * F_plus * fall,
+    sympy.Ge(1 + a_plus * F_plus * fall, 1, evaluate=False),
 )
 rate, place = sympy.Function("f_g"), sympy.Symbol("t", real=True)  # d(g')/dg along the orbit
 growth = sympy.exp(sympy.Integral(rate(place), (place, 0, theta)))
@@ -76,19 +74,17 @@ step(
     rate(theta),
 )
 exponent = sympy.Symbol("I", real=True)
-holds(
+asserts(
     "D is the exponential of a real number, so G increases: it has one root, enclosed by a change of sign",
-    bool(sympy.exp(exponent).is_positive),
-    sympy.exp(exponent),
+    sympy.Gt(sympy.exp(exponent), 0, evaluate=False),
 )
 
 # 3. Errors along the orbit.
 energy = sympy.Symbol("E", positive=True)
-holds(
+asserts(
     "Energy E = w^2/2 against -y: dE/d(-y) = y - N(w). N grows with w, so the right-hand side falls with E:"
     " one motion forwards, and a larger N gives a smaller E",
-    bool(sympy.diff(y - sympy.sqrt(2 * energy) ** alpha, energy).simplify().is_negative),
-    sympy.Derivative(y - sympy.sqrt(2 * energy) ** alpha, energy),
+    sympy.Lt(sympy.Derivative(y - sympy.sqrt(2 * energy) ** alpha, energy), 0, evaluate=False),
 )
 step(
     "L1b. Scale a motion that starts at lambda p, lambda >= 1, by 1/lambda: it obeys the same equation with N~(w) =",
@@ -96,11 +92,11 @@ step(
     lam ** (alpha - 1) * w**alpha,
 )
 excess = sympy.Symbol("m", nonnegative=True)
-holds(
-    "For alpha = 1 + m >= 1 this is at least N(w): E~ <= E, the scaled motion ends no later: q~/lambda <= q."
+asserts(
+    "For alpha = 1 + m >= 1, lambda = 1 + y, this is N(w) times e^(m ln(1 + y)), at least N(w): E~ <= E, the scaled"
+    " motion ends no later: q~/lambda <= q."
     " With q~ >= q (orbits do not meet) 0 <= d ln q/d ln p <= 1: relative errors only add",
-    bool(sympy.expand_log(excess * sympy.log(1 + y)).is_nonnegative),
-    (1 + y) ** excess,
+    sympy.Ge(excess * sympy.log(1 + y), 0, evaluate=False),
 )
 v1, v2, x1, x2 = sympy.symbols("v_1 v_2 x_1 x_2", real=True)
 force = sympy.Function("N")
@@ -110,10 +106,11 @@ step(
     change,
     -(v1 - v2) * (force(v1) - force(v2)),
 )
-top, ratio = sympy.symbols("M rho", positive=True)
+top, odds = sympy.symbols("M y", positive=True)
+ratio = odds / (1 + odds)  # |delta|/rho < 1
 order = sympy.Symbol("J", positive=True, integer=True)
 step(
     "Cauchy beyond the last order J, at x = |delta|/rho < 1: the sum of M x^n over n > J",
-    named("M (1/(1-x) - (1 - x^(J+1))/(1-x))", top * (1 / (1 - ratio) - (1 - ratio ** (order + 1)) / (1 - ratio))),
+    sympy.Sum(top * ratio ** (order + n), (n, 1, sympy.oo)),
     top * ratio ** (order + 1) / (1 - ratio),
 )

@@ -12,7 +12,7 @@ from asymptotics.half_swings.exact import exact_quarter_swing
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.moments.symbolic import moment
 from asymptotics.normal_form.flow import flow_of
-from derivations.steps import At, Derivation, defined, named
+from derivations.steps import At, Derivation, defined
 
 x, y, s = sympy.symbols("x y s", positive=True)
 c = sympy.Symbol("c", real=True)
@@ -24,7 +24,7 @@ derivation = Derivation(
     "The frequency of a sum of laws at second order",
     source="theory page ``closed_forms``; asymptotics.normal_form.symbolic.second_order_sum",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 
 def rate(f: sympy.Expr) -> sympy.Expr:
@@ -103,17 +103,24 @@ step(
 
 M_of = defined("M", moment, index=True)
 # Against the exact engine, which integrates polynomials in theta, s and c.
-for pair in ((1, 2), (0, 3), (2, 3), (1, 4)):
-    flow = flow_of(half_swing(exact_quarter_swing(pair, 2)))
-    values = {x: pair[0], y: pair[1]}
+FLOWS = {pair: flow_of(half_swing(exact_quarter_swing(pair, 2))) for pair in ((1, 2), (0, 3), (2, 3), (1, 4))}
+
+
+def of_engine(part: str, *pair: sympy.Expr) -> sympy.Expr:
+    """The coefficient of delta_1 delta_2 in U or W of two laws."""
+    found = getattr(FLOWS[tuple(int(a) for a in pair)], part)[1, 1]
+    return sympy.Integer(0) if found == 0 else found.to_sympy()
+
+
+W_11, U_11 = (defined(f"{part}_11", lambda *a, part=part: of_engine(part, *a)) for part in "WU")
+for pair in FLOWS:
     step(
         f"Exact engine, alpha = {pair[0]}, {pair[1]}: the coefficient of delta_1 delta_2 in W",
-        named("W_11", sympy.Integer(0) if flow.W[1, 1] == 0 else flow.W[1, 1].to_sympy()),
-        At(weight, values) * M_of(sum(pair)),
+        W_11(*pair),
+        At(weight, {x: pair[0], y: pair[1]}) * M_of(sum(pair)),
     )
-    holds("and U has no second order", flow.U[1, 1] == 0, sympy.Eq(sympy.Symbol("U_11"), 0, evaluate=False))
-holds(
+    step("and U has no second order", U_11(*pair), 0)
+asserts(
     "Without the factor 2 of the cross term the value at alpha = 1, 2 would be 4/(9 pi): not what the engine has",
-    bool(weight.subs({x: 1, y: 2}) * moment(3) / 2 != sympy.Rational(8, 9) / sympy.pi),
-    weight.subs({x: 1, y: 2}) * moment(3) / 2,
+    sympy.Ne(W_11(1, 2), At(x * y / ((x + 1) * (y + 1)), {x: 1, y: 2}) * M_of(3), evaluate=False),
 )

@@ -9,7 +9,7 @@ import sympy
 from derivations.steps import At, Derivation
 
 w, W, m, kappa, sigma = sympy.symbols("w W m kappa sigma", positive=True)
-n, n_most, n_m, t, y = sympy.symbols("n n(W) n(m) t y", positive=True)
+n, n_m, t = sympy.symbols("n n(m) t", positive=True)
 rho, h = sympy.symbols("rho h", nonnegative=True)
 N = sympy.Function("N", positive=True)(w)
 
@@ -18,7 +18,7 @@ derivation = Derivation(
     "A creep whose speed is lost in the errors settles beside N",
     source="derivations creep and slow-curve; asymptotics.swing.settling",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 a, e, b, f = sympy.symbols("alpha epsilon beta phi", positive=True)
 two = e * w**a + f * w**b
@@ -60,10 +60,9 @@ step(
     At(h * (1 - h * (2 - rho) * sigma) - 1, {h: 2, rho: 0, sigma: sympy.Rational(1, 8)}),
     0,
 )
-holds(
+asserts(
     "The second curve rises with w, at the rate n (1 - 2 (2 - rho) sigma) >= n (1 - 4 sigma); as the two are 2 n sigma"
     " apart, ln w differs at one height by at most 2 sigma/(1 - 4 sigma)",
-    bool(sympy.simplify(1 - 2 * (2 - rho) * sigma - (1 - 4 * sigma) - 2 * rho * sigma) == 0),
     sympy.Ge(1 - 2 * (2 - rho) * sigma, 1 - 4 * sigma, evaluate=False),
 )
 step(
@@ -72,12 +71,11 @@ step(
     w * sympy.Derivative(w / first, w),
     (1 - second / first) * w / first,
 )
-least = sympy.Symbol("alpha_min", positive=True)
-holds(
-    "so that the antiderivative from 0 on lies between w/n over 1 - alpha_min and over 1 - rho, as rho grows from"
-    " alpha_min on",
-    bool((1 - least) - (1 - rho) == rho - least),
-    sympy.Le((w / n) / (1 - least), (w / n) / (1 - rho), evaluate=False),
+room, grown = sympy.Symbol("v", positive=True), sympy.Symbol("d", nonnegative=True)
+asserts(
+    "so that the antiderivative from 0 on lies between w/n over 1 - alpha_min and over 1 - rho: rho = alpha_min + d"
+    " grows from alpha_min on, and with 1 - rho = v > 0",
+    sympy.Le((w / n) / (room + grown), (w / n) / room, evaluate=False),
 )
 
 # From above: z = N - y = kappa n > 0 with kappa > 2 sigma, so w' = -z and N(w) > y: w stays above the slow speed m.
@@ -93,11 +91,11 @@ step(
     At(-1 + sigma / kappa + rho * kappa, {kappa: 2 * sigma, rho: 0}) + sympy.Rational(1, 8),
     -sympy.Rational(3, 8),
 )
-holds(
+step(
     "where n/w >= n(W)/W, as its slope is (rho - 1) n/w <= 0; so kappa falls from 1/8 to 2 sigma(m) in the time"
     " (8/3) (W/n(W)) ln(1/(16 sigma(m))) at most",
-    bool(sympy.simplify(D(first / w) - (second / first - 1) * first / w) == 0),
-    sympy.Ge(n / w, n_most / W, evaluate=False),
+    w * sympy.Derivative(first / w, w),
+    (second / first - 1) * first / w,
 )
 step(
     "and before that, while kappa >= 1/8, w' = -kappa n <= -n(m)/8, for which w <= W has no longer than",
@@ -114,13 +112,11 @@ step(
     -k * u - c,
 )
 step("which is 0 at the time", At(u, {t: sympy.log(1 + k * u_0 / c) / k}), 0)
-holds(
-    "and up to w = m/e, where ln w is 1 less than at m and n grows with w, y - N(w) >= N(m) - N(m/e) >= n(m/e): it is"
-    " passed in the time (m/e)/n(m/e)",
-    bool(sympy.simplify(sympy.integrate(sympy.Integer(1), (t, -1, 0)) - 1) == 0),
-    sympy.Ge(
-        sympy.Function("N")(m) - sympy.Function("N")(m / sympy.E), sympy.Function("n")(m / sympy.E), evaluate=False
-    ),
+step(
+    "and up to w = m/e y - N(w) >= N(m) - N(m/e), which is the mean of n over ln w from ln m - 1 to ln m: at least"
+    " n(m/e), as n grows with w; it is passed in the time (m/e)/n(m/e)",
+    At(two, {w: m}) - At(two, {w: m / sympy.E}),
+    sympy.Integral(first.subs(w, m * sympy.exp(-t)), (t, 0, 1)),
 )
 step(
     "At z = 0 the motion is in the region, since z' = w there and z goes on growing",

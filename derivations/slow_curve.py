@@ -18,7 +18,7 @@ derivation = Derivation(
     "Creep for 0 < alpha < 1 between two barriers",
     source="derivation creep; asymptotics.swing.slow, asymptotics.swing.slow_series",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 N = e * w**a * (1 + R)  # the law: its least exponent and, relative to it, all others
 Y = N - e * w**a * B
@@ -37,7 +37,7 @@ step(
 powers = {R: r * w**d, B: b * w**q}
 step(
     "A for a power r w^d of R and a power b w^q of B (several add)",
-    slope.subs(powers).doit(),
+    At(slope, powers),
     a + (a + d) * r * w**d - (a + q) * b * w**q,
 )
 step(

@@ -19,7 +19,7 @@ derivation = Derivation(
     "The closed sum of the coefficients",
     source="Smith 2012, (62a), (62b); smith2012:62a, 62b",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 
 def double_factorial(N: sympy.Expr) -> sympy.Expr:

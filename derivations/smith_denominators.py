@@ -15,14 +15,15 @@ Fraction(16, 35)
 """
 
 from fractions import Fraction
+from math import factorial
 
 import sympy
 from flint import fmpq_poly
 
-from derivations.steps import At, Derivation, named
+from derivations.steps import At, Derivation, Solution, defined
 
 n, i, k = sympy.symbols("n i k", integer=True, positive=True)
-B, D_below = sympy.symbols("C_{i-1}^{n-1} C_i^{n-2}")
+C, B, D_below = sympy.symbols("C_i^n C_{i-1}^{n-1} C_i^{n-2}")
 w, t, z = sympy.symbols("w t z", positive=True)
 D, E = sympy.symbols("D E", positive=True)
 ROWS = 100
@@ -32,7 +33,7 @@ derivation = Derivation(
     "The denominators of Smith's coefficients",
     source="Smith 2012, (62a); the lemma is not in the paper; smith2012:60h, 62a",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 
 def integer_rows(last: int) -> dict[int, tuple[int, ...]]:
@@ -69,22 +70,24 @@ def double_factorial(N: int) -> int:
 q = sympy.Symbol("(n+i-2)!!", positive=True)
 step(
     "With (n+i)!! = (n+i)(n+i-2)!!, (62a) times (n+i)!!",
-    sympy.expand((n + i) * q * (2 * (n - 1) * B - (n - 2) * D_below) / (n + i)),
+    (n + i) * q * Solution((n + i) * C, 2 * (n - 1) * B - (n - 2) * D_below, C),
     2 * (n - 1) * (q * B) - (n - 2) * (q * D_below),
 )
 step("and C_{i-1}^{n-1} has the same index sum n+i-2", At(n + i, {n: n - 1, i: i - 1}), n + i - 2)
 step("as has C_i^{n-2}", At(n + i, {n: n - 2}), n + i - 2)
-holds(
-    "So A_i^n = (n+i)!! C_i^n obeys A_i^n = 2(n-1) A_{i-1}^{n-1} - (n-2) A_i^{n-2} with A_0^1 = 1: an"
-    " integer for all n, i,"
-    " by induction on n",
-    all(isinstance(a, int) for a in integer_rows(12)[12]),
-    sympy.Tuple(*integer_rows(12)[12]),
+ratio = sympy.Rational
+f_7 = (-ratio(1, 7), 0, ratio(272, 189), 0, -ratio(1856, 1155), 0, ratio(1024, 3003))
+row_of = defined("A", lambda row: sympy.Tuple(*integer_rows(int(row))[int(row)]))
+step(
+    "So A_i^n = (n+i)!! C_i^n obeys A_i^n = 2(n-1) A_{i-1}^{n-1} - (n-2) A_i^{n-2} with A_0^1 = 1: an integer for all"
+    " n, i, by induction on n; A(7), i = 0 ... 6, from this against Smith's f_7 times (7+i)!!",
+    row_of(7),
+    sympy.Tuple(*(double_factorial(7 + j) * x for j, x in enumerate(f_7))),
 )
-a_left, a_below = sympy.symbols("a_{i-1}^{n-1} a_i^{n-2}")
+a_left, a_below, A_left, A_below = sympy.symbols("a_{i-1}^{n-1} a_i^{n-2} A_{i-1}^{n-1} A_i^{n-2}")
 step(
     "and A_i^n = 2^i a_i^n with a_i^n = (n-1) a_{i-1}^{n-1} - (n-2) a_i^{n-2}, integer too",
-    2 * (n - 1) * 2 ** (i - 1) * a_left - (n - 2) * 2**i * a_below,
+    At(2 * (n - 1) * A_left - (n - 2) * A_below, {A_left: 2 ** (i - 1) * a_left, A_below: 2**i * a_below}),
     2**i * ((n - 1) * a_left - (n - 2) * a_below),
 )
 step(
@@ -94,28 +97,33 @@ step(
     2 * n - 1 - 2 * k,
 )
 rows, exact = integer_rows(ROWS), rational_rows(ROWS)
-holds(
-    f"Checked against (62a) in rational arithmetic, all n <= {ROWS}: C_i^n = A_i^n/(n+i)!!, 2^i divides"
-    f" A_i^n, and (2n-1)!! C_i^n"
-    " is an integer",
-    all(
-        a == double_factorial(row + j) * exact[row][j]
-        and a % 2**j == 0
-        and (double_factorial(2 * row - 1) * exact[row][j]).denominator == 1
-        for row in range(1, ROWS + 1)
-        for j, a in enumerate(rows[row])
-    ),
-    sympy.Tuple(*rows[7]),
+
+
+def violations(last: sympy.Expr) -> sympy.Expr:
+    """How many C_i^n, n <= last, break one of the three statements of the next line."""
+    return sympy.Integer(
+        sum(
+            a != double_factorial(row + j) * exact[row][j]
+            or a % 2**j != 0
+            or (double_factorial(2 * row - 1) * exact[row][j]).denominator != 1
+            for row in range(1, int(last) + 1)
+            for j, a in enumerate(rows[row])
+        )
+    )
+
+
+step(
+    "Checked against (62a) in rational arithmetic: C_i^n = A_i^n/(n+i)!!, 2^i divides A_i^n, and (2n-1)!! C_i^n is an"
+    " integer; the number of failures up to n",
+    defined("failures", violations)(ROWS),
+    0,
 )
-holds(
-    "(2n-1)!! cannot be replaced by (2n-3)!!: C_{n-1}^n = 2^{n-1} (n-1)!/(2n-1)!!, e.g. for n = 2, 3, 4,"
-    " 6 (2n-1 prime)",
-    all((double_factorial(2 * row - 3) * exact[row][row - 1]).denominator != 1 for row in (2, 3, 4, 6))
-    and all(
-        exact[row][row - 1] * double_factorial(2 * row - 1) == 2 ** (row - 1) * sympy.factorial(row - 1)
-        for row in range(1, 21)
-    ),
-    sympy.Rational(2, 3),
+last_of = defined("C", lambda row: sympy.Rational(*exact[int(row)][int(row) - 1].as_integer_ratio()))
+step(
+    "(2n-1)!! cannot be replaced by (2n-3)!!: C(n) = C_{n-1}^n = 2^{n-1} (n-1)!/(2n-1)!!, e.g. for n = 2, 3, 4, 6"
+    " (2n-1 prime) (2n-3)!! C_{n-1}^n is",
+    sympy.Tuple(*(double_factorial(2 * row - 3) * last_of(row) for row in (2, 3, 4, 6))),
+    sympy.Tuple(*(ratio(2 ** (row - 1) * factorial(row - 1), 2 * row - 1) for row in (2, 3, 4, 6))),
 )
 
 # Second proof: an integral.
@@ -123,29 +131,26 @@ u, s = sympy.symbols("u s")
 acceleration = w**2 - u
 rate = w * sympy.Derivative(acceleration, u) + acceleration * sympy.Derivative(acceleration, w)
 step("Along the motion the acceleration D = w^2 - u has dD/dtau = 2wD - w", rate, 2 * w * acceleration - w)
-step("dw = D dtau, ds = w dw with s = w^2/2: dD/ds = 2 - 1/D", (2 * w * D - w) / (D * w), 2 - 1 / D)
-step("so E = 1/D obeys dE/ds = E^3 - 2E^2", (-(2 - 1 / D) / D**2).subs(D, 1 / E), E**3 - 2 * E**2)
-integrals = [sympy.integrate(sympy.expand((1 - t**2) ** power), (t, 0, 1)) for power in range(8)]
+slope = sympy.Symbol("dD/ds", real=True)
+step(
+    "dw = D dtau, ds = w dw with s = w^2/2: D w dD/ds is dD/dtau, solved",
+    Solution(D * w * slope, 2 * w * D - w, slope),
+    2 - 1 / D,
+)
+step("so E = 1/D obeys dE/ds = E^3 - 2E^2", At(sympy.Derivative(1 / D, D) * (2 - 1 / D), {D: 1 / E}), E**3 - 2 * E**2)
 b = sympy.Symbol("b", positive=True)
 step(
     "I_k = int_0^1 b^k dt with b = 1-t^2: since d(t b^k)/dt = b^k - 2k t^2 b^{k-1} and t b^k vanishes at both ends,"
     " (2k+1) I_k = 2k I_{k-1}",
-    b**k - 2 * k * (1 - b) * b ** (k - 1),
+    At(sympy.Derivative(t * (1 - t**2) ** k, t), {t: sympy.sqrt(1 - b)}),
     (2 * k + 1) * b**k - 2 * k * b ** (k - 1),
 )
-whole = sympy.Symbol("k", integer=True, positive=True)
+top = defined("r", lambda k: 2**k * sympy.factorial(k))
+step("which 2^k k!/(2k+1)!! obeys too, (2k+1)!! = (2k+1) (2k-1)!! and, for r(k) = 2^k k!,", top(k) / top(k - 1), 2 * k)
 step(
-    "which 2^k k!/(2k+1)!! obeys too, (2k+1)!! = (2k+1) (2k-1)!!,",
-    named("r_k", sympy.gammasimp(2**whole * sympy.factorial(whole) / (2 ** (whole - 1) * sympy.factorial(whole - 1)))),
-    2 * whole,
-)
-holds(
-    "so I_k = 2^k k!/(2k+1)!!, both 1 at k = 0; for instance",
-    all(
-        value == sympy.Rational(2**power * sympy.factorial(power), double_factorial(2 * power + 1))
-        for power, value in enumerate(integrals)
-    ),
-    sympy.Tuple(*integrals),
+    "so I_k = 2^k k!/(2k+1)!!, both 1 at k = 0; k = 0, 1, 2, 3, 4",
+    sympy.Tuple(*(sympy.Integral((1 - t**2) ** power, (t, 0, 1)) for power in range(5))),
+    sympy.Tuple(*(top(power) / double_factorial(2 * power + 1) for power in range(5))),
 )
 # E along the orbit is Taylor-expanded about its end point: s' - s = -(w^2/2)(1-t^2) with w' = tw.
 field = fmpq_poly([0, 0, -2, 1])
@@ -156,7 +161,7 @@ step(
     "tau = int_0^w E dw' with E(s') = sum_k p_k(E) (s'-s)^k/k!, p_0 = E, p_{k+1} = (E^3-2E^2) p_k' in"
     " Z[E], and w' = tw:"
     " the k-th term, with (s'-s)^k = (-w^2/2)^k (1-t^2)^k",
-    sympy.powsimp((-(w**2) / 2) ** k * w * (2**k * sympy.factorial(k)) / sympy.factorial(k)),
+    At(s**k * w * top(k) / sympy.factorial(k), {s: -(w**2) / 2}),
     (-1) ** k * w ** (2 * k + 1),
 )
 step(
@@ -164,13 +169,18 @@ step(
     At(n + i, {i: 2 * k + 1 - n}),
     2 * k + 1,
 )
-holds(
-    "Hence A_i^n = (-1)^k [E^n] p_k(E), 2k+1 = n+i: equal to the recurrence for all n+i <= 61",
-    all(
-        sum((row + j) == 2 * power + 1 and rows[row][j] != (-1) ** power * polynomials[power][row] for j in range(row))
-        == 0
-        for power in range(31)
-        for row in range(1, min(2 * power + 1, ROWS) + 1)
-    ),
-    sympy.Tuple(*(int(coefficient.p) for coefficient in polynomials[3].coeffs())),
+
+
+def disagreements(last: sympy.Expr) -> sympy.Expr:
+    """How many A_i^n with n + i <= last differ from (-1)^k [E^n] p_k(E), 2k+1 = n+i."""
+    pairs = (
+        (row, 2 * power + 1 - row, power) for power in range((int(last) + 1) // 2) for row in range(1, 2 * power + 2)
+    )
+    return sympy.Integer(sum(j < row and rows[row][j] != (-1) ** p * polynomials[p][row] for row, j, p in pairs))
+
+
+step(
+    "Hence A_i^n = (-1)^k [E^n] p_k(E), 2k+1 = n+i: the number of disagreements with the recurrence up to n+i",
+    defined("disagreements", disagreements)(61),
+    0,
 )

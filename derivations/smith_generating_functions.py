@@ -13,7 +13,7 @@ i = 2 on.
 
 import sympy
 
-from derivations.steps import Derivation, named
+from derivations.steps import At, Derivation, Taylor
 
 z, theta, t = sympy.symbols("z theta t", positive=True)
 c = sympy.Symbol("c", real=True)
@@ -26,17 +26,20 @@ derivation = Derivation(
     "The sums over n are elementary for every i",
     source="Smith 2012, (62a), (64), (68) and the claim after it; smith2012:64, 68, claim.not-identifiable",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 # 1. The differential equation.
 step(
     "z(1+z^2) d/dz + i on C_i^n z^n: the power z^n also collects C_i^{n-2} from z^3 d/dz; 2 z^2 d/dz on"
     " C_{i-1}^{n-1} z^{n-1}"
     " gives the right side: z(1+z^2) G_i' + i G_i = 2 z^2 G_{i-1}' is (62a), power by power",
-    sympy.simplify(
-        (z * diff(A * z**n, z) + i * A * z**n + z**3 * diff(D * z ** (n - 2), z) - 2 * z**2 * diff(B * z ** (n - 1), z))
-        / z**n
-    ),
+    (
+        z * sympy.Derivative(A * z**n, z)
+        + i * A * z**n
+        + z**3 * sympy.Derivative(D * z ** (n - 2), z)
+        - 2 * z**2 * sympy.Derivative(B * z ** (n - 1), z)
+    )
+    / z**n,
     (n + i) * A + (n - 2) * D - 2 * (n - 1) * B,
 )
 step(
@@ -109,22 +112,19 @@ step(
 )
 step("(the case m = 0)", (1 - c**2) * sympy.Derivative(sympy.Integer(1), c) - c, -c)
 even, odd = c ** (2 * m), c ** (2 * m + 1)
-holds(
+parts = [
+    (sign, part)
+    for sign, first, second in ((1, even, odd), (-1, odd, even))
+    for part in (slope.subs(p(c), first), c * known.subs({p(c): first, r(c): second}))
+]
+asserts(
     "Parity: the slope has the parity of P_{i-1}, so P_i the opposite one; the known terms have the opposite parity of"
     " P_{i-1} and the parity of R_{i-1}; L changes the parity. With (even, odd) for (P, R) at i - 1"
     " follows (odd, even) at"
     " i, the right side of L R_i being odd, with no constant term to miss; with (odd, even) follows"
     " (even, odd), where the"
     " free constant of P_i is chosen so that L R_i is reached. Hence P_i, R_i exist for every i",
-    all(
-        sympy.expand(part.subs(c, -c) - sign * part) == 0
-        for sign, first, second in ((1, even, odd), (-1, odd, even))
-        for part in (
-            sympy.powsimp(sympy.expand(slope.subs(p(c), first).doit())),
-            sympy.powsimp(sympy.expand(c * known.subs({p(c): first, r(c): second}).doit())),
-        )
-    ),
-    sympy.Eq(sympy.Symbol("H_i"), theta * sympy.Symbol("P_i") + sin(theta) * sympy.Symbol("R_i"), evaluate=False),
+    *(sympy.Eq(At(part, {c: -c}), sign * part, evaluate=False) for sign, part in parts),
     proves=("smith2012:claim.not-identifiable",),
 )
 
@@ -145,31 +145,28 @@ closed = [(sympy.Integer(1), sympy.Integer(0))]
 for number in range(1, 9):
     closed.append(next_pair(number, closed[-1]))
     new, old = ({P(c): closed[-1][0], R(c): closed[-1][1]}, {p(c): closed[-2][0], r(c): closed[-2][1], i: number})
-    holds(
-        f"P_{number}, R_{number}",
-        all(
-            sympy.expand(equation.subs(old).subs(new).doit()) == 0
-            for equation in (diff(P(c), c) - slope, P(c) - ((1 - c**2) * diff(R(c), c) - c * R(c)) - known)
-        ),
-        sympy.Tuple(*closed[-1]),
+    asserts(
+        f"P_{number}, R_{number}: P_i' is its slope, and (1-c^2) R_i' - c R_i is P_i less the known terms",
+        sympy.Eq(sympy.Derivative(P(c), c).subs(new), slope.subs(old), evaluate=False),
+        sympy.Eq(((1 - c**2) * diff(R(c), c) - c * R(c)).subs(new), P(c).subs(new) - known.subs(old), evaluate=False),
     )
 limits = [sympy.pi * pair[0].subs(c, -1) for pair in closed]
-holds(
-    "At theta = pi: H_i(pi) = pi P_i(-1), so the half period is sum_i H_i(pi) u_1^i (u_1 < 0 where it ends)",
-    limits[:3] == [sympy.pi, 0, sympy.pi / 6],
-    sympy.Tuple(*limits),
-)
 step(
-    "i = 1: R_1 = (2/3)(1-c^2), G_1 = (2/3) sin^2(theta) = (2/3) z^2/(1+z^2), which is (68)",
-    named("R_1", closed[1][1]),
-    sympy.Rational(2, 3) * (1 - c**2),
-    proves=("smith2012:68",),
+    "At theta = pi: H_i(pi) = pi P_i(-1), so the half period is sum_i H_i(pi) u_1^i (u_1 < 0 where it ends):"
+    " i = 0, 1, 2, 3, 4",
+    sympy.Tuple(*(sympy.pi * At(pair[0], {c: -1}) for pair in closed[:5])),
+    sympy.Tuple(sympy.pi, 0, sympy.pi / 6, -2 * sympy.pi / 9, 49 * sympy.pi / 144),
 )
 cosine = 1 / sympy.sqrt(1 + z**2)
+step(
+    "i = 1: P_1 = 0, so G_1 = R_1 = (2/3) sin^2(theta) at c = 1/sqrt(1+z^2), which is (68)",
+    At(closed[1][1], {c: cosine}),
+    sympy.Rational(2, 3) * z**2 / (1 + z**2),
+    proves=("smith2012:68",),
+)
 G2 = (sympy.atan(z) * closed[2][0] + z * cosine * closed[2][1].subs(c, cosine)) * (1 + z**2) / z**2
-holds(
+step(
     "i = 2, in z: its Taylor coefficients are C_2^3 = 8/15, C_2^5 = -104/105, C_2^7 = 272/189",
-    sympy.series(sympy.expand(sympy.simplify(G2)), z, 0, 9).removeO()
-    == sympy.Rational(8, 15) * z**3 - sympy.Rational(104, 105) * z**5 + sympy.Rational(272, 189) * z**7,
-    sympy.simplify(G2),
+    Taylor(sympy.simplify(G2), z, 8),
+    sympy.Rational(8, 15) * z**3 - sympy.Rational(104, 105) * z**5 + sympy.Rational(272, 189) * z**7,
 )

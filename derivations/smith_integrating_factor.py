@@ -31,7 +31,12 @@ step(
     At(force, {s: -s, x: -x, v: -v}),
     -force,
 )
-step("(36): v dv + (omega^2 x - s gamma v^2) dx vanishes along dx = v dt, dv = a dt", v * force + coefficient_dx * v, 0)
+dv, dx = sympy.symbols("dv dx")
+step(
+    "(36): v dv + (omega^2 x - s gamma v^2) dx vanishes along dx = v dt, dv = a dt",
+    At(v * dv + coefficient_dx * dx, {dv: force, dx: v}),
+    0,
+)
 step(
     "It is not closed: its cross derivatives differ",
     sympy.Derivative(v, x) - sympy.Derivative(coefficient_dx, v),
@@ -39,7 +44,7 @@ step(
 )
 step(
     "(37) for a factor mu(x): the cross derivatives of mu times the form",
-    diff(mu * v, x) - diff(mu * coefficient_dx, v),
+    sympy.Derivative(mu * v, x) - sympy.Derivative(mu * coefficient_dx, v),
     v * (diff(mu, x) + 2 * s * gamma * mu),
 )
 factor = exp(-2 * s * gamma * x)
@@ -51,25 +56,25 @@ step(
 step(
     "(38a): the form is now closed",
     sympy.Derivative(factor * v, x),
-    diff(sympy.expand(factor * coefficient_dx), v),
+    sympy.Derivative(factor * coefficient_dx, v),
 )
 S = factor * (v**2 / 2 - omega**2 / (2 * s * gamma) * (x + 1 / (2 * s * gamma)))
 step("(38b): S integrates it: the coefficient of dv", sympy.Derivative(S, v), factor * v)
-step("and that of dx", diff(S, x), factor * coefficient_dx)
-step("S is constant along the motion", v * diff(S, x) + force * diff(S, v), 0)
+step("and that of dx", sympy.Derivative(S, x), factor * coefficient_dx)
+step("S is constant along the motion", v * sympy.Derivative(S, x) + force * sympy.Derivative(S, v), 0)
 step(
     "S^-(-x, -v) = S^+(x, v)",
-    S.subs({s: 1, x: -x, v: -v}, simultaneous=True),
-    S.subs(s, -1),
+    At(S, {s: 1, x: -x, v: -v}),
+    At(S, {s: -1}),
 )
 units = {x: u / gamma, v: omega * w / gamma}
 step(
     "(40) in u = gamma x, w = gamma v/omega, for v < 0",
-    gamma**2 / omega**2 * S.subs(s, 1).subs(units, simultaneous=True),
+    gamma**2 / omega**2 * At(S, {s: 1} | units),
     exp(-2 * u) * (w**2 / 2 - u / 2 - sympy.Rational(1, 4)),
 )
 step(
     "and for v > 0",
-    gamma**2 / omega**2 * S.subs(s, -1).subs(units, simultaneous=True),
+    gamma**2 / omega**2 * At(S, {s: -1} | units),
     exp(2 * u) * (w**2 / 2 + u / 2 - sympy.Rational(1, 4)),
 )

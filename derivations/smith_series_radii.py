@@ -20,7 +20,7 @@ derivation = Derivation(
     source="Smith 2012, (57), (61); invariants.certified; z = w/D, dw/dtau = D, dz/dtau = 1 - 2wz + z^2"
     " (smith-time-series)",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 
 def along(f: sympy.Expr) -> sympy.Expr:
@@ -121,15 +121,14 @@ step(
     At(-(1 + b) * sympy.exp(-(1 + b)), {sympy.exp(-(1 + b)): sympy.exp(-1 - 2 * p**2) / (1 + b)}),
     -sympy.exp(-1 - 2 * p**2),
 )
-holds(
-    "(so they are through n = 7, for instance). A series with coefficients >= 0 is singular at its radius (Pringsheim):"
-    " (61) converges absolutely for |z| < rho and not for |z| >= rho. Absolute convergence is convergence: rho <= R",
-    all(
-        coefficient * (-1) ** ((number - power - 1) // 2) > 0
-        for number, row in polynomials.items()
-        for (power,), coefficient in sympy.Poly(row, real_w).terms()
+asserts(
+    "(f_n(i p)/i^(n-1), with the absolute values of all coefficients, is positive for n = 2 ... 7.) A series with"
+    " coefficients >= 0 is singular at its radius (Pringsheim): (61) converges absolutely for |z| < rho and not for"
+    " |z| >= rho. Absolute convergence is convergence: rho <= R",
+    *(
+        sympy.Gt(sympy.I ** (1 - number) * At(polynomials[number], {real_w: sympy.I * p}), 0, evaluate=False)
+        for number in range(2, 8)
     ),
-    polynomials[7],
 )
 
 # Both radii fall from 1.

@@ -19,7 +19,7 @@ derivation = Derivation(
     "The time as a power series in z = w/(w^2 - u)",
     source="Smith 2012, (56a)-(60g); smith2012:56a ... 60g",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 
 def rate(expression: sympy.Expr) -> sympy.Expr:

@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import At, Derivation
+from derivations.steps import At, Derivation, defined
 
 u0, q = sympy.symbols("u_0 q", positive=True)
 u, w, L = sympy.symbols("u w L", real=True)
@@ -19,25 +19,27 @@ derivation = Derivation(
     "Turning points, Lambert's W, and why there is no overdamping",
     source="Smith 2012, (41)-(46c), (51)-(52b); smith2012:43, 44, 45, 46c; Lambert's form is not in the paper",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 value = sympy.Symbol("S")
 S = exp(-2 * u) * (w**2 / 2 - u / 2 - quarter)
 g = exp(-2 * u) * (2 * u + 1)
 start = g.subs(u, u0)
-step("With g(u) = e^{-2u}(2u+1), a turning point (w = 0) has -4 S = g(u)", -4 * S.subs(w, 0), g)
-step("g rises to its maximum 1 at u = 0 and falls from there", diff(g, u), -4 * u * exp(-2 * u))
-holds(
+step("With g(u) = e^{-2u}(2u+1), a turning point (w = 0) has -4 S = g(u)", -4 * At(S, {w: 0}), g)
+step("g rises to its maximum 1 at u = 0 and falls from there", sympy.Derivative(g, u), -4 * u * exp(-2 * u))
+asserts(
     "from minus infinity up to g(0) = 1 and down to 0",
-    bool(g.subs(u, 0) == 1 and sympy.limit(g, u, sympy.oo) == 0 and sympy.limit(g, u, -sympy.oo) == -sympy.oo),
-    sympy.Interval.Lopen(-sympy.oo, 1),
+    sympy.Eq(sympy.Limit(g, u, -sympy.oo), -sympy.oo, evaluate=False),
+    sympy.Eq(At(g, {u: 0}), 1, evaluate=False),
+    sympy.Eq(sympy.Limit(g, u, sympy.oo), 0, evaluate=False),
 )
+g_of = defined("g", lambda place: g.subs(u, place))
 squared = (u + half) - exp(2 * u) * start / 2
 step("The speed on the falling orbit from (u_0, 0)", At(S, {w: sqrt(squared)}), -start / 4)
 step(
     "is positive exactly where g(u) > g(u_0): between u_0 and the other root u_1 < 0 of (43)",
     squared,
-    exp(2 * u) * (g - start) / 2,
+    exp(2 * u) * (g_of(u) - g_of(u0)) / 2,
 )
 step(
     "(45): at u = 0 it is not zero, since g(u_0) < 1: the origin is passed, never approached",
@@ -55,10 +57,10 @@ step("(46c): that zero", At(half - start / 2 * exp(2 * u), {u: turning}), sympy.
 y = 1 + 2 * u0
 step(
     "(43) in L = -(2u_1+1): multiply g(u_1) = g(u_0) by -1/e; with y = 1 + 2u_0 it is L e^L = -y e^{-y}",
-    (-g / exp(1)).subs(u, -(L + 1) / 2),
+    -At(g, {u: -(L + 1) / 2}) / sympy.E,
     L * exp(L),
 )
-step("the right side likewise", -start / exp(1), -y * exp(-y))
+step("the right side likewise", -At(g, {u: u0}) / sympy.E, -y * exp(-y))
 step(
     "L = -y is one root, the branch W_{-1}, since y > 1: the starting point itself",
     At(L * exp(L), {L: -y}),
@@ -70,7 +72,7 @@ step(
     "L e^L rises from -1/e to 0 as L goes from -1 to 0, so there is exactly one other root, in (-1, 0):"
     " L = W_0(-y e^{-y}),"
     " and 2|u_1| = -2u_1 = 1 + W_0(-y e^{-y})",
-    diff(L * exp(L), L),
+    sympy.Derivative(L * exp(L), L),
     (1 + L) * exp(L),
 )
 step(
@@ -78,14 +80,18 @@ step(
     At(At(g, {u: -(1 + L) / 2}) - start, {exp(L): -y * exp(-y) / L}),
     sympy.Integer(0),
 )
-holds(
-    "W_0 maps (-1/e, 0) into (-1, 0): 0 < |u_1| < 1/2 for every u_0 > 0: never overdamped, whatever the strength",
-    bool(diff(L * exp(L), L).subs(L, -1) == 0 and (L * exp(L)).subs(L, -1) == -exp(-1)),
-    sympy.Interval.open(0, half),
+inner = sympy.Symbol("r", positive=True)
+asserts(
+    "W_0 maps (-1/e, 0) into (-1, 0), where L = -1/(1 + r), r > 0: 0 < |u_1| = (1 + L)/2 < 1/2 for every u_0 > 0:"
+    " never overdamped, whatever the strength",
+    sympy.Eq(At(L * exp(L), {L: -1}), -1 / sympy.E, evaluate=False),
+    sympy.Gt(At(sympy.Derivative(L * exp(L), L), {L: -1 / (1 + inner)}), 0, evaluate=False),
+    sympy.Gt(At((1 + L) / 2, {L: -1 / (1 + inner)}), 0, evaluate=False),
+    sympy.Lt(At((1 + L) / 2, {L: -1 / (1 + inner)}), half, evaluate=False),
 )
 step(
     "The rising half-swing is the mirror image, S^+(u, w) = S^-(-u, -w): the same map for |u_n|, all n",
-    S.subs({u: -u, w: -w}, simultaneous=True).subs(w, 0),
+    At(S, {u: -u, w: 0}),
     exp(2 * u) * (2 * u - 1) / 4,
 )
 
@@ -101,9 +107,9 @@ for sign, reason in ((1, "u' < 0: q = e^{-u} obeys q'' = -q ln q"), (-1, "u' > 0
     )
 rate = sympy.Symbol("p", real=True)
 energy = rate**2 / 2 + q**2 * (2 * log(q) - 1) / 4
-step("whose energy", diff(energy, q), q * log(q))
+step("whose energy", sympy.Derivative(energy, q), q * log(q))
 step(
     "is Smith's constant: E(q = e^{-u}, q' = -w e^{-u}) = S^-",
-    sympy.expand_log(energy.subs({q: exp(-u), rate: -w * exp(-u)})),
+    At(energy, {q: exp(-u), rate: -w * exp(-u)}),
     S,
 )

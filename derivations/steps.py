@@ -10,8 +10,10 @@ a side is written with objects that wait: ``Derivative``, ``Integral``, ``Limit`
     defined("h", body)     a function that prints as h(...) and stands for body(...)
     named("U_1", value)    a number or expression computed elsewhere, under its name
 
-``step`` evaluates both sides and reduces the difference to zero; it refuses two sides that are printed alike.
-``asserts`` displays a relation (<, >, !=) as it is written, and evaluates that very relation.
+``step`` evaluates both sides and reduces the difference to zero; it refuses two sides that are printed alike, and a
+bare name beside its value.  ``asserts`` displays relations (<, >, !=, or several) as they are written and decides those
+very relations: nothing can be displayed that was not decided.  ``defines`` displays ``name := value``; such a line
+proves nothing and says so.
 
 >>> x = sympy.Symbol("x")
 >>> d = Derivation("square", "The square of a sum", source="school")
@@ -38,39 +40,38 @@ from dataclasses import dataclass, field
 
 import sympy
 
-from derivations.waiting import At, Coefficient, Solution, Taylor, defined, exact, named
+from derivations.relations import difference, established, shown_in_latex, shown_in_text
+from derivations.waiting import At, Coefficient, Solution, Taylor, defined, exact, is_name, named
 
 __all__ = ["At", "Coefficient", "Derivation", "Solution", "Step", "Taylor", "defined", "difference", "named"]
 
 
 @dataclass(frozen=True)
 class Step:
-    """One displayed line: ``left = right`` (or the statement ``left`` alone), with the reason in words.
+    """One displayed line: ``left = right``, ``left := right``, or relations alone (``right`` is None).
 
-    ``proves`` are the ids of the papers' statements that this line proves, with the lines above it.
+    ``proves`` are the ids of the papers' statements that this line proves, with the lines above it; ``kind`` is
+    "equality", "relation" or "definition".
     """
 
     reason: str
     left: sympy.Basic
     right: sympy.Basic | None = None
     proves: tuple[str, ...] = ()
+    kind: str = "equality"
 
     def latex(self) -> str:
         """The line in LaTeX."""
-        return sympy.latex(self.left) + ("" if self.right is None else " = " + sympy.latex(self.right))
+        if self.right is None:
+            return shown_in_latex(self.left)
+        sign = " := " if self.kind == "definition" else " = "
+        return sympy.latex(self.left) + sign + sympy.latex(self.right)
 
     def text(self) -> str:
         """The line in plain text."""
-        return str(self.left) + ("" if self.right is None else f" = {self.right}")
-
-
-def difference(left: sympy.Basic, right: sympy.Basic) -> sympy.Expr:
-    """``left - right`` with everything that waits evaluated, reduced as far as SymPy can; 0 if they are equal."""
-    remainder = left.doit() - right.doit()
-    for reduce in (sympy.expand, sympy.simplify, sympy.expand_func, sympy.gammasimp):
-        if remainder != 0:
-            remainder = reduce(remainder)
-    return remainder
+        if self.right is None:
+            return shown_in_text(self.left)
+        return f"{self.left} {':=' if self.kind == 'definition' else '='} {self.right}"
 
 
 @dataclass
@@ -83,22 +84,35 @@ class Derivation:
     steps: list[Step] = field(default_factory=list)
 
     def step(self, reason: str, left: sympy.Basic, right: sympy.Basic, proves: tuple[str, ...] = ()) -> None:
-        """Display ``left = right``; AssertionError if they are not equal, or printed alike."""
+        """Display ``left = right``; AssertionError if they are not equal, printed alike, or a name and its value."""
         left, right = exact(left), exact(right)
         if (remainder := difference(left, right)) != 0:
             raise AssertionError(f"{self._where(reason)}: the two sides differ by {remainder}")
         if str(left) == str(right) or sympy.latex(left) == sympy.latex(right):
             raise AssertionError(f"{self._where(reason)}: both sides are printed as {left}")
+        if is_name(left) or is_name(right):
+            raise AssertionError(f"{self._where(reason)}: {left} = {right} says what a name stands for: `defines`")
         self.steps.append(Step(reason, left, right, proves))
 
-    def holds(self, reason: str, truth: bool, shown: sympy.Basic, proves: tuple[str, ...] = ()) -> None:
-        """Display ``shown`` after asserting a fact that an exact computation decided."""
-        if truth is not True:
-            raise AssertionError(f"{self._where(reason)}: not established ({truth!r})")
-        self.steps.append(Step(reason, shown, None, proves))
+    def defines(self, reason: str, name: str | sympy.Expr, value: sympy.Basic) -> sympy.Expr:
+        """Display ``name := value`` and return the name, which stands for the value from here on; it proves nothing.
 
-    def asserts(self, reason: str, relation: sympy.core.relational.Relational, proves: tuple[str, ...] = ()) -> None:
-        """Display a relation, built with ``evaluate=False``; AssertionError if it is not true as displayed.
+        >>> x = sympy.Symbol("x")
+        >>> d = Derivation("square", "The square of a sum", source="school")
+        >>> s = d.defines("let", "s", x + 1)
+        >>> d.step("expand", s**2, x**2 + 2*x + 1)
+        >>> [(step.kind, step.text()) for step in d.steps]
+        [('definition', 's := x + 1'), ('equality', 's**2 = x**2 + 2*x + 1')]
+        """
+        value = exact(value)
+        left = named(name, value) if isinstance(name, str) else name
+        if difference(left, value) != 0:
+            raise AssertionError(f"{self._where(reason)}: {left} does not stand for {value}")
+        self.steps.append(Step(reason, left, value, kind="definition"))
+        return left
+
+    def asserts(self, reason: str, *relations: sympy.core.relational.Relational, proves: tuple[str, ...] = ()) -> None:
+        """Display relations, built with ``evaluate=False``; AssertionError if one is not true as displayed.
 
         >>> x = sympy.Symbol("x", positive=True)
         >>> d = Derivation("order", "An order", source="school")
@@ -107,15 +121,20 @@ class Derivation:
         Traceback (most recent call last):
             ...
         AssertionError: order, step 2 (a square is larger): x**2 > x is not established
+        >>> d.asserts("a result of a computation", True)
+        Traceback (most recent call last):
+            ...
+        AssertionError: order, step 2 (a result of a computation): True is no relation that could be displayed
         >>> d.steps[0].text()
         'E < pi'
         """
-        if not isinstance(relation, sympy.core.relational.Relational):
-            raise AssertionError(f"{self._where(reason)}: {relation} is no relation that could be displayed")
-        left, right = (side.doit() for side in relation.args)
-        if relation.func(sympy.simplify(left - right), 0) is not sympy.true:
-            raise AssertionError(f"{self._where(reason)}: {relation} is not established")
-        self.steps.append(Step(reason, relation, None, proves))
+        for relation in relations:
+            if not isinstance(relation, sympy.core.relational.Relational):
+                raise AssertionError(f"{self._where(reason)}: {relation} is no relation that could be displayed")
+            if not established(relation):
+                raise AssertionError(f"{self._where(reason)}: {relation} is not established")
+        shown = relations[0] if len(relations) == 1 else sympy.Tuple(*relations)
+        self.steps.append(Step(reason, shown, None, proves, "relation"))
 
     def _where(self, reason: str) -> str:
         return f"{self.name}, step {len(self.steps) + 1} ({reason})"
@@ -125,7 +144,8 @@ class Derivation:
         steps = [
             {
                 "reason": s.reason,
-                "left": str(s.left),
+                "kind": s.kind,
+                "left": s.text() if s.right is None else str(s.left),
                 "right": None if s.right is None else str(s.right),
                 "latex": s.latex(),
                 "proves": list(s.proves),

@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import At, Coefficient, Derivation, Taylor, named
+from derivations.steps import At, Coefficient, Derivation, Taylor
 
 delta, z = sympy.symbols("delta z")
 c, kappa = sympy.symbols("c kappa", nonzero=True)
@@ -46,7 +46,7 @@ step(
     z + 1,
 )
 Phi = c / delta + e1 * delta
-grown = sympy.series(Phi.subs(delta, R.subs(kappa, 1 / c)) - Phi, delta, 0, 3).removeO()
+grown = At(Phi, {delta: R.subs(kappa, 1 / c)}) - Phi - 1
 step(
     "The odd ansatz Phi = c/delta + e_1 delta + … in Phi(F) = Phi + 1: in delta^1 all cancels,",
     Coefficient(grown, delta, 1),
@@ -54,6 +54,6 @@ step(
 )
 step(
     "and the next power determines e_1 (f_4 is that of F)",
-    named("[delta^2] (Phi(F) - Phi - 1)", grown.coeff(delta, 2)),
+    Coefficient(grown, delta, 2),
     -c * f4 - (1 + e1 * c) / c**2,
 )

@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import At, Derivation, Taylor, named
+from derivations.steps import At, Derivation, Taylor
 
 theta = sympy.Symbol("theta", positive=True)
 X, x, A, a, alpha = sympy.symbols("X x A a alpha", positive=True)
@@ -29,10 +29,9 @@ step(
     sympy.sin(theta) * ln(sympy.sin(theta)),
 )
 step("vanishes at pi/2 and is, as theta -> 0,", sympy.Limit(primitive, theta, 0, "+"), 1 - ln(2))
-work = 2 * a * ln(a) + 2 * a * (ln(2) - 1)
 step(
     "so the work is A + A' + alpha times int_0^pi ln(a sin) a sin d theta",
-    named("2 a ln a + a (2 ln 2 - 2)", work),
+    ln(a) * a * sympy.Integral(sympy.sin(theta), (theta, 0, sympy.pi)) - 2 * a * At(1 - ln(A), {A: 2}),
     2 * a * (ln(2 * a) - 1),
 )
 step(
@@ -43,12 +42,12 @@ step(
 )
 A_of = X + alpha * X * ln(X)
 following = A_of - 2 - 2 * alpha * (ln(2 * (X - 1)) - 1)
-first = sympy.diff(following - alpha * (X - 2) * ln(X - 2), alpha).subs(alpha, 0)
+first = At(sympy.Derivative(following - alpha * (X - 2) * ln(X - 2), alpha), {alpha: 0})
 r = X * ln(X) - (X - 2) * ln(X - 2) - 2 * ln(2 * (X - 1)) + 2
 step(
     "vanishes for rho = -2 (ln(2a) - 1). X = 1/delta = A^(1 - alpha) = A - alpha A ln A, A = X + alpha X ln X: X' ="
     " X - 2 + alpha r, r being",
-    named("[alpha] X'", first),
+    first,
     r,
 )
 step(

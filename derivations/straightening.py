@@ -10,7 +10,7 @@ from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.forces import Forces
 from asymptotics.straightening.series import straighten
 from asymptotics.terms import Term
-from derivations.steps import Derivation
+from derivations.steps import Derivation, defined
 
 x, h, xi, c, A = sympy.symbols("x h xi c A", positive=True)
 V = sympy.Function("V", positive=True)(x)
@@ -21,7 +21,7 @@ derivation = Derivation(
     "Every even potential is a linear spring in its own coordinate",
     source="asymptotics.straightening",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 step("For x > 0 put xi = sqrt(2 V): xi xi' = V'", root * sympy.Derivative(root, x), sympy.Derivative(V, x))
 step("so that xi'(x) is", sympy.Derivative(V, x) / root, sympy.Derivative(root, x))
@@ -47,25 +47,20 @@ step(
 ORDER = 4
 
 
-def defect(forces: Forces, straight: Forces) -> bool:
-    """Whether L in xi differs from the L of the straightened loss."""
+def defect(forces: Forces, straight: Forces) -> sympy.Expr:
+    """The first coefficient in which L in xi differs from the L of the straightened loss, or 0."""
     log = forces.potential(ORDER).log() / 2
     swing = exact_half_swing(forces, ORDER)
     there = exact_half_swing(straight, ORDER).L.compose(forces.exact_grading().strengths(log))
-    return any(y != 0 for y in (swing.L + log.compose(swing.F) - log - there).coefficients.values())
+    off = (swing.L + log.compose(swing.F) - log - there).coefficients.values()
+    return next((y.to_sympy() for y in off if y != 0), sympy.Integer(0))
 
 
 pendulum = Forces.read([Term(1, 2), Term(1, 0, 3, "position", "pendulum")], ORDER)
 duffing = Forces.read([Term(1, 1), Term(1, 0, 3, "position")], ORDER)
 for name, forces in (("a pendulum with quadratic loss", pendulum), ("a Duffing oscillator with linear loss", duffing)):
-    holds(
-        f"{name}: both half-swings agree through order {ORDER}",
-        not defect(forces, straighten(forces, ORDER)),
-        sympy.Eq(sympy.Symbol("L_xi(A)"), sympy.Symbol("L_straight(xi_A)")),
-    )
+    off = defined("d", lambda order, forces=forces: defect(forces, straighten(forces, int(order))))
+    step(f"{name}: d(n), the first coefficient in which the two half-swings differ through order n", off(ORDER), 0)
 bare = Forces(pendulum.weights, pendulum.signs, pendulum.velocities, pendulum.members[:1])
-holds(
-    "Without the factor x'(xi) they do not",
-    defect(pendulum, bare),
-    sympy.Ne(sympy.Symbol("L_xi(A)"), sympy.Symbol("L_linear(xi_A)")),
-)
+off = defined("d", lambda order: defect(pendulum, bare))
+asserts("Without the factor x'(xi) they do", sympy.Ne(off(ORDER), 0, evaluate=False))

@@ -6,7 +6,7 @@ True
 
 import sympy
 
-from derivations.steps import At, Derivation, named
+from derivations.steps import At, Derivation
 
 t, h, R, w0, rho, a, N, c = sympy.symbols("t h R w_0 rho a N c", positive=True)
 n = sympy.Symbol("n", positive=True, integer=True)
@@ -17,7 +17,7 @@ derivation = Derivation(
     "The error of a Taylor step by its residual",
     source="derivation motions-never-part",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 later, place, load = sympy.symbols("c_(k+1) y_k N_k")
 step(
@@ -43,17 +43,18 @@ step(
     At((n + 1) * w_next * t**n - y_next * t ** (n + 1) + N_n * t**n, {w_next: (y_n - N_n) / (n + 1)}),
     y_n * t**n - y_next * t ** (n + 1),
 )
-z = sympy.Symbol("z")
+z, r = sympy.Symbol("z"), sympy.Symbol("r", positive=True)
+k = sympy.Symbol("k", integer=True, nonnegative=True)
 step(
     "Where |W - w_0| <= rho w_0 < w_0, W stays in the right half-plane, |W^a| = |W|^a: at most",
     (w0 + rho * w0) ** a,
     (w0 * (1 + rho)) ** a,
 )
 step(
-    "By Cauchy the k-th coefficient of N(W) is at most N_R R^-k, N_R = N(w_0 (1+rho)): with x = t/R those from t^n on"
-    " add up to N_R times the geometric series without its first n terms",
-    named("sum_(k>=n) x^k", 1 / (1 - z) - (1 - z**n) / (1 - z)),
-    z**n / (1 - z),
+    "By Cauchy the k-th coefficient of N(W) is at most N_R R^-k, N_R = N(w_0 (1+rho)): with x = t/R = 1/(1 + r) < 1"
+    " those from t^n on add up to N_R times the geometric series without its first n terms",
+    sympy.Sum((1 / (1 + r)) ** (n + k), (k, 0, sympy.oo)),
+    At(z**n / (1 - z), {z: 1 / (1 + r)}),
 )
 step("Integrated from 0 to h, the first part gives", sympy.Integral(t**n, (t, 0, h)), h ** (n + 1) / (n + 1))
 step(

@@ -20,7 +20,7 @@ derivation = Derivation(
     "A majorant of the local expansion at a turning point",
     source="Cauchy's method of majorants, in the variables w^2 and w^alpha_i",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 f = sympy.Function("r")(w)
 P = P0 * (1 - f)
@@ -31,7 +31,7 @@ step(
 )
 step(
     "and the right side (w/P_0) (-w/P - N'(w)) is, for one term of N (several add)",
-    w / P0 * (-w / (P0 * (1 - r)) - e * alpha * w ** (alpha - 1)),
+    w / P0 * (-w / (P0 * (1 - r)) - sympy.Derivative(e * w**alpha, w)),
     -(w**2) / P0**2 / (1 - r) - alpha * e / P0 * w**alpha,
 )
 step(
@@ -71,8 +71,8 @@ step(
     z * lam**-n,
 )
 excess = sympy.Symbol("mu", nonnegative=True)
-holds(
-    "and lambda^(-n) <= 1 for lambda = 1 + mu >= 1: all monomials from G on add up to at most lambda^(-G) R*",
-    bool(sympy.expand_log(power * sympy.log(1 + excess)).is_nonnegative),
-    sympy.expand_log(power * sympy.log(1 + excess)),
+asserts(
+    "and lambda^(-n) = e^(-n ln lambda) <= 1 for lambda = 1 + mu >= 1: all monomials from G on add up to at most"
+    " lambda^(-G) R*",
+    sympy.Ge(power * sympy.log(1 + excess), 0, evaluate=False),
 )

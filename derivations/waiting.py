@@ -163,6 +163,11 @@ def named(name: str, value: sympy.Expr) -> sympy.Expr:
     return _Named(sympy.Symbol(name), exact(value))
 
 
+def is_name(value: sympy.Basic) -> bool:
+    """Whether a bare name is printed: what it stands for does not show."""
+    return isinstance(value, _Named)
+
+
 def defined(name: str, body: Callable[..., sympy.Expr], *, index: bool = False) -> Callable[..., sympy.Expr]:
     """The function ``name(...)`` that stands for ``body(...)``; with ``index`` the argument is a subscript."""
 
@@ -175,5 +180,5 @@ def defined(name: str, body: Callable[..., sympy.Expr], *, index: bool = False) 
         shown = f"{head}_{{{arguments}}}" if index else rf"{head}\left({arguments}\right)"
         return shown if exp is None else rf"\left({shown}\right)^{{{exp}}}"
 
-    methods = {"doit": doit, "_latex": latex, "eval": classmethod(lambda cls, *a: None)}
+    methods = {"doit": doit, "body": body, "_latex": latex, "eval": classmethod(lambda cls, *a: None)}
     return type(name, (sympy.Function,), methods)

@@ -20,12 +20,16 @@ derivation = Derivation(
     "How far two motions in a well can part",
     source="logarithmic norms (Dahlquist 1958, Lozinskii 1958) in one degree of freedom",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
+place, speed = sympy.Function("U")(t), sympy.Function("W")(t)
 step(
     "U, W: the differences of two motions; G(u_1, w_1) - G(u_2, w_2) = m U - Delta_h with a slope m of G in u between"
     " the two and Delta_h = h(u_2, w_1) - h(u_2, w_2).  Half the square of k^2 U^2 + W^2 changes at the rate",
-    sympy.Add(k**2 * U * -W, W * (m * U - hh), evaluate=False),
+    At(
+        sympy.Derivative((k**2 * place**2 + speed**2) / 2, t),
+        {sympy.Derivative(place, t): -W, sympy.Derivative(speed, t): m * U - hh, place: U, speed: W},
+    ),
     (m - k**2) * U * W - W * hh,
 )
 chord = sympy.Symbol("s", nonnegative=True)

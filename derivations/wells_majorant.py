@@ -21,7 +21,7 @@ derivation = Derivation(
     "A majorant of the local expansion at a turning point of any well",
     source="Cauchy's method of majorants; derivation turning-point-majorant for the linear spring",
 )
-step, holds = derivation.step, derivation.holds
+step, asserts = derivation.step, derivation.asserts
 
 step(
     "du/dw = -w/P, so with eta = u_0 - u and P = P_0 (1 - r): D eta = -w du/dw",
@@ -67,12 +67,11 @@ step(
     a / (1 - R) ** 2,
 )
 gap, left = sympy.symbols("d e", positive=True)  # R(H) = 1 - e, R(H_j) = R(H) - d
-holds(
+asserts(
     "So if a/(1 - R(H)) <= H < oo with R(H) < 1 for one number H, then H_j <= H gives H_(j+1) <= a/(1 - R(H)) <= H:"
     " with R(H) = 1 - e, R(H_j) = 1 - e - d the difference is >= 0. All iterates from 0 stay below H, and with them"
     " the sums of absolute values of all coefficients of eta; those of r are <= R(H)",
-    bool(sympy.together(a / left - a / (left + gap)).is_positive),
-    sympy.together(a / left - a / (left + gap)),
+    sympy.Ge(a / left, a / (left + gap), evaluate=False),
 )
 step(
     "1/P = (1/P_0)/(1 - r) without its constant term is then at most",

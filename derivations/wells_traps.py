@@ -18,7 +18,7 @@ derivation = Derivation(
     "Traps beside any spring",
     source="derivation creep, for a spring below a chord",
 )
-step, holds = derivation.step, derivation.holds
+step = derivation.step
 
 m = (K * y / e) ** (1 / a)
 boundary = C * m

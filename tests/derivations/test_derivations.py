@@ -12,7 +12,7 @@ import sympy
 from latex2mathml.converter import convert
 
 from derivations.__main__ import main, names
-from derivations.steps import Derivation
+from derivations.steps import Derivation, defined, named
 
 FOLDER = Path(__file__).parents[2] / "derivations"
 SMITH = {
@@ -68,12 +68,12 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("explicit_bound", "-w * p_1 * epsilon * growth**-2", "-p_1 * epsilon * growth**-2"),
     ("explicit_bound", "p_3 / (w * p_1) * (D**2 - D)", "p_3 / (w * p_1) * (D - D**2)"),
     ("explicit_bound", "    R_0 ** (1 + w) / p_1 *", "    R_0**w / p_1 *"),
-    ("one_law_quarter", 'named("Q\'", eta * s * Y', 'named("Q\'", eta * Y'),
     ("one_law_quarter", "5 * T[5] + 10 * sum", "5 * T[5] + 5 * sum"),
+    ("one_law_quarter", "sympy.Derivative(R, theta): -s * Y", "sympy.Derivative(R, theta): s * Y"),
     ("cauchy_heine", "    4 * pi**2 * eps1 / (n - 1),", "    2 * pi**2 * eps1 / (n - 1),"),
     ("cauchy_heine", "    y - eps1 / y + eps3 / y**3,", "    y + eps1 / y + eps3 / y**3,"),
-    ("large_orders", "2 * pi * i * q * (c1 + d1 / pi) / Wm)", "2 * pi * i * q * c1 / Wm)"),
     ("large_orders", "(1 - pi * c1 / d1 * (Wm - 1)) / Wm**2", "(1 + pi * c1 / d1 * (Wm - 1)) / Wm**2"),
+    ("large_orders", "2 * pi * i * q * (c1 + d1 / pi) / Wm,", "2 * pi * i * q * c1 / Wm,"),
     ("large_orders", "pi * (Wm - 1) + h * (-2 * pi", "pi * (Wm - 1) + h * (2 * pi"),
     (
         "stokes_small_alpha",
@@ -98,7 +98,7 @@ def test_the_derivations_of_smith_are_there():
     assert set(names()) >= SMITH
 
 
-@pytest.mark.parametrize("name", [*names(), "steps", "waiting"])
+@pytest.mark.parametrize("name", [*names(), "relations", "steps", "waiting"])
 def test_the_examples_of_a_derivation(name):
     module = import_module("derivations." + name.replace("-", "_"))
     outcome = doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS)
@@ -123,15 +123,36 @@ def test_a_corrupted_step_raises(name, right, wrong, tmp_path):
         load_source(name, source.replace(right, wrong), tmp_path)
 
 
-def test_a_step_must_be_true_and_a_fact_exactly_true():
-    x = sympy.Symbol("x")
+def test_a_step_must_be_true_and_a_relation_established():
+    x = sympy.Symbol("x", positive=True)
     derivation = Derivation("d", "", source="")
     with pytest.raises(AssertionError, match="differ by"):
         derivation.step("false", x, x + 1)
-    for truth in (False, None, 1, sympy.Symbol("undecided")):
-        with pytest.raises(AssertionError, match="not established"):
-            derivation.holds("unknown", truth, x)
+    with pytest.raises(AssertionError, match="says what a name stands for"):
+        derivation.step("a name", named("U_1", 2 * x), 2 * x)
+    for truth in (True, False, None, 1, sympy.true, x):
+        with pytest.raises(AssertionError, match="no relation that could be displayed"):
+            derivation.asserts("decided elsewhere", truth)
+    for relation in (sympy.Gt(x, 1, evaluate=False), sympy.Ne(x + x, 2 * x, evaluate=False), sympy.Eq(x, 1)):
+        with pytest.raises(AssertionError, match="is not established"):
+            derivation.asserts("one of two", sympy.Gt(x, 0, evaluate=False), relation)
+    with pytest.raises(AssertionError, match="does not stand for"):
+        derivation.defines("another body", defined("h", lambda z: z**2)(x), x**3)
     assert derivation.steps == []
+
+
+def test_two_relations_stand_on_one_line():
+    x = sympy.Symbol("x", positive=True)
+    derivation = Derivation("d", "", source="")
+    derivation.asserts("between", sympy.Gt(x, 0, evaluate=False), sympy.Ne(x, -1, evaluate=False))
+    assert derivation.to_dict()["steps"][0] == {
+        "reason": "between",
+        "kind": "relation",
+        "left": "x > 0,  x != -1",
+        "right": None,
+        "latex": r"x > 0,\quad x \neq -1",
+        "proves": [],
+    }
 
 
 def test_command(capsys):

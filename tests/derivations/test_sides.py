@@ -14,7 +14,7 @@ from paper_checks.report.words import inline
 
 def equalities(name):
     derivation = import_module("derivations." + name.replace("-", "_")).derivation
-    return [step for step in derivation.steps if step.right is not None]
+    return [step for step in derivation.steps if step.kind == "equality"]
 
 
 @pytest.mark.parametrize("name", names())
@@ -34,20 +34,6 @@ def test_the_report_shows_no_ascii_mathematics_beside_the_formulas(name):
     derivation = import_module("derivations." + name.replace("-", "_")).derivation
     for text in (derivation.title, *(step.reason for step in derivation.steps)):
         assert not ASCII.search(re.sub(r"<[^>]*>", " ", unescape(str(inline(text))))), text
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", names())
-def test_a_step_with_either_side_altered_stops(name):
-    altered = Derivation(name, "", source="")
-    for step in equalities(name):
-        left, right = step.left.doit(), step.right.doit()
-        for change in (lambda side: side + 1, lambda side: -side, lambda side: sympy.Rational(11, 10) * side):
-            for sides in ((change(left), right), (left, change(right))):
-                if left != 0 and right != 0:
-                    with pytest.raises(AssertionError, match="differ by"):
-                        altered.step(step.reason, *sides)
-    assert altered.steps == []
 
 
 def test_sides_that_look_alike_are_refused():

@@ -1,0 +1,143 @@
+"""Every displayed line notices when a side of it is altered structurally; what is displayed is what is decided."""
+
+import json
+from importlib import import_module
+from itertools import islice
+from pathlib import Path
+
+import pytest
+import sympy
+
+from derivations.__main__ import names
+from derivations.relations import value
+from derivations.steps import At, Coefficient, Derivation, Solution, Taylor, defined, named
+from derivations.waiting import is_name
+from tests.derivations.alterations import altered
+
+LISTED = json.loads(Path(__file__).with_name("rearranged.json").read_text(encoding="utf-8"))
+WAITING = (At, Coefficient, Solution, Taylor)
+WAITING += (sympy.Derivative, sympy.Integral, sympy.Limit, sympy.Sum, sympy.Subs)
+PER_SIDE = 4
+
+
+def lines(name):
+    return import_module("derivations." + name.replace("-", "_")).derivation.steps
+
+
+def operates(side):
+    """Whether an operation, a name or a function with a body is displayed, which the check has to evaluate."""
+    nodes = sympy.preorder_traversal(side)
+    return any(isinstance(x, WAITING) or is_name(x) or hasattr(type(x), "body") for x in nodes)
+
+
+def rearranged(step):
+    """Whether both sides are one expression, written in two ways that distribution alone connects."""
+    if step.kind != "equality" or operates(step.left) or operates(step.right):
+        return False
+    return sympy.expand(step.left - step.right) == 0
+
+
+def spread(alterations, number):
+    """Some of the alterations, from all over the expression."""
+    found = list(islice(alterations, 400))
+    return found[:: max(1, len(found) // number)][:number]
+
+
+def passes(step, left, right):
+    """Whether the line is accepted with these sides."""
+    line = Derivation("altered", "", source="")
+    try:
+        line.step(step.reason, left, right)
+    except (AssertionError, ArithmeticError, AttributeError, LookupError, NotImplementedError, TypeError, ValueError):
+        return False
+    return True
+
+
+def same(one, other):
+    """Whether two expressions have the same value at a point where all symbols are numbers, within 20 digits."""
+    rest = value(one) - value(other)
+    point = {x: sympy.Rational(31 + 7 * k, 53) for k, x in enumerate(sorted(rest.free_symbols, key=str))}
+    return abs(sympy.N(rest.subs(point), 30)) < sympy.Rational(1, 10**20)
+
+
+def accepted(step, number):
+    """(alterations tried, those accepted) for each side; an alteration is (left, right, the altered, the original)."""
+    for side in (0, 1):
+        was = (step.left, step.right)[side]
+        tried = [(step.right, other) for other in spread(altered(was), number)]
+        pairs = [(other, right, other) if side == 0 else (step.left, other, other) for right, other in tried]
+        yield pairs, [pair for pair in pairs if passes(step, *pair[:2])], was
+
+
+def unnoticed(step, number):
+    """What a line does not notice: an alteration that changes the value, or every alteration of a side."""
+    found = []
+    for side, (tried, taken, was) in enumerate(accepted(step, number)):
+        found += [str(other) for _, _, other in taken if not same(other, was)]
+        if tried and len(tried) == len(taken):
+            more, still, _ = list(accepted(step, 40))[side]
+            found += ["every alteration of " + str(was)] * (len(more) == len(still))
+    return found
+
+
+@pytest.mark.parametrize("name", names())
+def test_no_line_is_an_expression_beside_itself_but_those_listed(name):
+    found = {step.reason for step in lines(name) if rearranged(step)}
+    assert found == set(LISTED["lines"].get(name, {}))  # a line that is mended leaves the list
+    assert set(LISTED["lines"].get(name, {}).values()) <= set(LISTED["why"])
+
+
+def test_the_list_names_derivations_and_its_length_may_only_shrink():
+    assert set(LISTED["lines"]) <= set(names())
+    assert sum(map(len, LISTED["lines"].values())) <= LISTED["at most"]
+
+
+@pytest.mark.parametrize("name", names())
+def test_relations_are_decided_and_definitions_prove_nothing(name):
+    for step in lines(name):
+        shown = step.left if isinstance(step.left, sympy.Tuple) and step.right is None else (step.left,)
+        relations = [isinstance(part, sympy.core.relational.Relational) for part in shown]
+        assert (step.kind == "relation") == (step.right is None) == all(relations)
+        assert step.kind != "definition" or not step.proves
+        assert step.kind != "equality" or not (is_name(step.left) or is_name(step.right))
+
+
+@pytest.mark.parametrize("name", ["smith-time-series", "lelas-friction", "wells-traps"])
+def test_a_line_with_a_side_altered_stops(name):
+    for step in lines(name)[::4]:
+        if step.kind == "equality":
+            assert unnoticed(step, 1) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", names())
+def test_every_line_with_a_side_altered_stops(name):
+    for step in lines(name):
+        if step.kind == "equality":
+            assert unnoticed(step, PER_SIDE) == [], step.reason
+
+
+def test_the_walk_reaches_every_kind_of_place():
+    x, y = sympy.symbols("x y", positive=True)
+    h = defined("h", lambda z: z**2)
+    shown = sympy.Integral(h(x) * sympy.sin(y), (x, 0, 1)) + At(x**2, {x: y + 3}) + named("U_1", x)
+    found = [str(other) for other in altered(shown)]
+    assert len(found) == len(set(found))
+    for part in ("cos(y)", "(x, 1, 1)", "(x, 0, 2)", "h(2*x)", "Subs(x**3, x, y + 3)", "Subs(x**2, x, y + 4)", "2*U_1"):
+        assert any(part in other for other in found), part
+    assert not any("(2*x, 0, 1)" in other for other in found)
+
+
+def test_a_line_that_cannot_fail_would_be_found():
+    x = sympy.Symbol("x")
+    blind = defined("D", lambda z: sympy.Integer(0))
+    derivation = Derivation("d", "", source="")
+    derivation.step("nothing can alter it", blind(x), 0 * x)
+    assert unnoticed(derivation.steps[0], 3) == ["every alteration of D(x)"]
+    assert rearranged(_line(x * (x + 1), x**2 + x)) and not rearranged(_line(sympy.Derivative(x**2, x), 2 * x))
+
+
+def _line(left, right):
+    derivation = Derivation("d", "", source="")
+    derivation.step("a line", left, right)
+    return derivation.steps[0]
