@@ -2,6 +2,6 @@
 
 import sys
 
-from asymptotics.cli.main import main
+from asymptotics.cli.entry import main
 
 sys.exit(main())

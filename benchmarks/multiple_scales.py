@@ -28,6 +28,11 @@ COMMANDS = {
     "x' and x'|x'|, order 5": ["--law", "1", "--law", "2", "--order", "5"],
     "symbolic alpha, order 2": ["--alpha", "symbolic", "--order", "2"],
 }
+SOLUTIONS = {
+    "solution of x'|x'|, order 3, with its proved bound": ["--alpha", "2", "--epsilon", "1/10", "--order", "3"],
+    "solution of x'|x'|, order 12, with its proved bound": ["--alpha", "2", "--epsilon", "1/10", "--order", "12"],
+    "solution of a symbolic alpha, order 12": ["--alpha", "symbolic", "--order", "12"],
+}
 BY_HAND = "import derivations.multiple_scales_quadratic"
 OSCILATE = """
 start = process_time()
@@ -80,9 +85,11 @@ def evaluation(points: int) -> float:
 
 
 def run(size: int = 3) -> Table:
-    """The first ``size`` commands, evaluation at 10^6 times (10^4 below size 3), plain SymPy, and the peers."""
+    """The first ``size`` commands, solutions and evaluation at 10^6 times (10^4 below size 3), SymPy, and the peers."""
     program = [sys.executable, "-m", "asymptotics", "multiple-scales"]
     rows = [(name, process([*program, *line])) for name, line in list(COMMANDS.items())[:size]]
+    if size > 2:
+        rows += [(name, process([*program[:-1], "solution", *line])) for name, line in SOLUTIONS.items()]
     points = 10**6 if size > 2 else 10**4
     rows.append((f"x(tau) of order 3 at {points} times", evaluation(points)))
     found: list[tuple[str, float | None]] = [*rows]
