@@ -149,7 +149,7 @@ def why_the_series_diverge(axes):
 def identifiability(axes):
     """Half-swings needed to tell a law from none, against the noise."""
     noise = [1e-4, 3e-4, 1e-3, 3e-3, 1e-2]
-    for name, law, strengths in (("α = 2", "2", [0.02]), ("α = 1", "1", [0.005]), ("1 beside 2", "1,2", [0.002, 0.03])):
+    for name, law, strengths in (("α = 2", "2", [0.02]), ("α = 1", "1", [0.005]), ("1 beside 2", "1+2", [0.002, 0.03])):
         axes.loglog(
             noise, [swings_needed(law, strengths, term=0, noise=s) for s in noise], "o-", markersize=4, label=name
         )
