@@ -1,7 +1,7 @@
 """How much of the loss a law leaves unexplained, and its grade: consistent, adequate to p % of the loss, refuted.
 
 With A_n the amplitudes of the fitted law and r_n = (measured - A_n)/A_n, the measured loss per swing at amplitude A is
-1 + dr/ds times that of the law, s = ln A.  r is fitted by a polynomial in s, its degree by AICc, so that what noise
+1 + dr/ds times that of the law, s = ln A.  r is fitted by a polynomial in s, its degree by BIC, so that what noise
 alone makes counts for nothing; p is the root mean square of dr/ds over the measured range of s.
 
 >>> s = np.linspace(0.0, -1.5, 60)
@@ -62,10 +62,7 @@ def open_share(size: Array, residual: Array) -> Unexplained:
         V = np.polynomial.chebyshev.chebvander(u, degree) * size[:, None]
         c = np.asarray(np.linalg.lstsq(V, residual * size, rcond=None)[0], dtype=float)
         rss, k = max(float(((residual * size - V @ c) ** 2).sum()), 1e-300), degree + 2
-        spare = len(s) - k - 1
-        if spare < 1:
-            break
-        criterion = len(s) * np.log(rss / len(s)) + 2 * k + 2 * k * (k + 1) / spare
+        criterion = len(s) * np.log(rss / len(s)) + k * np.log(len(s))
         if criterion < best[0]:
             best = criterion, c
     grid = np.linspace(-1, 1, _POINTS)

@@ -11,6 +11,7 @@ from asymptotics.identification.extraction import observations_of_record
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.sampled import LEAST_SAMPLES, observations_of_motion
+from asymptotics.identification.sensors import sensor_notes
 from asymptotics.records.clock import runs_of, straightened
 from asymptotics.records.rows import Rows
 from asymptotics.records.sources import How
@@ -49,10 +50,10 @@ def _motion(run: Table) -> Observations:
     t, x, rows, notes = straightened(run.columns["t"], run.columns["xva"[order]], run.rows)
     if order == 0:
         seen = observations_of_record(t, x, unit=run.unit, rows=rows)
-        return replace(seen, notes=(*run.notes, *notes, *seen.notes))
+        return replace(seen, notes=(*run.notes, *notes, *seen.notes, *sensor_notes(t, x)))
     if len(t) < LEAST_SAMPLES or not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
-    said = (*run.notes, *notes)
+    said = (*run.notes, *notes, *sensor_notes(t, x))
     return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=said, derivative=order)
 
 
