@@ -83,7 +83,7 @@ def draw(axes: Any) -> None:
             plain.plot(alpha[side], values[side], ".-", color=colour, linewidth=0.7, markersize=3,
                        label=rf"${name}$" if alpha[side][0] > 1 else None)  # fmt: skip
     plain.axhline(0, color="#6b7280", linewidth=0.8)
-    plain.set(xlabel=r"$\alpha$", ylabel="Stokes constant", ylim=(-2.5, 2.5))
+    plain.set(xlabel=r"$\alpha$", ylabel="Stokes constant", ylim=(-3.3, 2.7))
     plain.legend(loc="lower right")
     x, c_1, _ = beats()
     line = np.linspace(NEAR, FAR, 600)
@@ -92,7 +92,7 @@ def draw(axes: Any) -> None:
     beating.plot(line, np.cos(np.pi * line) / np.pi, color="#6b7280", linewidth=0.8, label=r"$\cos(\pi x)/\pi$")
     beating.axhline(0, color="#6b7280", linewidth=0.8)
     beating.set(xlabel=r"$x = 1/|\alpha - 1|$", ylabel=r"$c_1$")
-    beating.legend(loc="lower right")
+    beating.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=3)
 
 
 def main() -> None:
