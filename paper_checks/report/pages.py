@@ -11,6 +11,8 @@ import sympy
 
 from derivations.__main__ import names
 from paper_checks.data import ROOT
+from paper_checks.reader import RELATION, tied
+from paper_checks.readings import READINGS
 from paper_checks.registry import SECTIONS, Statement
 from paper_checks.report.words import typeset
 
@@ -41,12 +43,29 @@ def _derivation(name: str) -> dict[str, Any]:
     return {"name": name, "title": derivation.title, "source": derivation.source, "steps": steps}
 
 
+def left_side(entry: Statement) -> str:
+    r"""The left side and the relation of a printed formula whose right side is the form, as it reads; else nothing.
+
+    >>> from paper_checks.registry import load
+    >>> [left_side(load()[key]) for key in ("smith2012:46c", "lancaster2020:6", "smith2012:2")]
+    ['u_f = ', '', '']
+    """
+    found = RELATION.search(entry.latex)
+    if found is None or entry.id in READINGS and (READINGS[entry.id].unit or READINGS[entry.id].parts):
+        return ""
+    left, right = entry.latex[: found.start()], entry.latex[found.end() :]
+    several = RELATION.search(right) or "," in re.sub(r"\([^()]*\)|\\[,;:!]", "", right) or r"\text" in entry.latex
+    if several or left.count("{") != left.count("}") or not left.strip() or not tied(right, entry.printed, entry.id):
+        return ""
+    return f"{left.strip()} {found[0]} "
+
+
 def near_miss(entry: Statement) -> dict[str, str]:
     """The near miss as LaTeX if it is an expression, with what it stands in place of; else as text."""
     form = entry.near_miss
     if isinstance(form, sympy.Expr) and isinstance(entry.printed, sympy.Expr):
         instead = rf"{sympy.latex(form)} \quad\text{{in place of}}\quad {sympy.latex(entry.printed)}"
-        return {"latex": instead, "text": ""}
+        return {"latex": left_side(entry) + instead, "text": ""}
     if isinstance(form, sympy.Basic):
         return {"latex": sympy.latex(form), "text": ""}
     if isinstance(form, tuple) and form and all(isinstance(part, sympy.Basic) for part in form):
