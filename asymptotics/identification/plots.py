@@ -125,5 +125,6 @@ def _profile(axes: Any, law: LawFit) -> None:
         estimate = law.epsilon[i].estimate
         axes.plot((values - estimate) / (abs(estimate) or 1.0), rise, label=f"strength of {name}")
     axes.axhline(3.84, color="0.5", lw=0.6)
+    axes.locator_params(axis="x", nbins=4)
     axes.set(xlabel="relative change of the strength", ylabel="rise of chi squared")
     head(axes, [f"profiles of {law.candidate}"])

@@ -1,6 +1,8 @@
 """Pictures: law, start and order in them, units on the axes, no legend over the data; --plot is the plot of Python."""
 
 import re
+import sys
+from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
@@ -10,6 +12,10 @@ import asymptotics as asy
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.present.drawn import Drawn
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "docs/extensions"))
+
+from picture_faults import faults  # noqa: E402 (the pages of the docs are looked at by the same function)
 
 mpl.use("Agg")
 OSC = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
@@ -53,6 +59,7 @@ def test_a_curve_has_a_heading_units_and_a_legend_outside(name):
         title = axes.title.get_window_extent()
         assert title.y0 >= legend.get_window_extent().y1 - 3 and title.y1 <= axes.figure.bbox.y1 + 1
     assert axes.figure.bbox.x0 <= axes.get_tightbbox().x0 and axes.get_tightbbox().x1 <= axes.figure.bbox.x1 + 1
+    assert faults(axes.figure) == []  # no ticks over ticks, no legend over data, nothing empty or cut off
 
 
 def test_units_are_those_of_the_result():
