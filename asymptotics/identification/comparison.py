@@ -21,7 +21,7 @@ from asymptotics.identification.starting import starting_values
 from asymptotics.identification.waveform import WaveformModel
 
 _ALWAYS, _MARGIN, _WORSE = 6, 50.0, 1e-3
-_MANY, _FAR = 6, 10.0
+_MANY, _FAR, _WEAKER = 6, 10.0, 3
 """So many laws of one spring are worth a look at the largest of them first."""
 _SHARE = 0.2
 """Of the time that is left, what one fit may take."""
@@ -302,9 +302,20 @@ def _fit_motion(candidate: Candidate, seen: Observations, noise: Noise | None, s
         if start is None:
             first = Model(candidate.swing(), replace(seen, samples=None), pendulum=candidate.pendulum)
             start = fit(first, starting_values(first)).theta
-        return LawFit(candidate, fit(model, model.start(start), noise))
+        return LawFit(candidate, _fit_from(model, model.start(start), noise))
     except (TooStrongError, np.linalg.LinAlgError) as error:
         return LawFit(candidate, None, reason=f"no fit: {error}")
+
+
+def _fit_from(model: WaveformModel, start: Array, noise: Noise | None) -> Fit:
+    """The fit; from weaker strengths where the motion of the start ends before the record does."""
+    for _ in range(_WEAKER):
+        try:
+            return fit(model, start, noise)
+        except TooStrongError:
+            start = np.concatenate([start[:1], 0.8 * start[1 : 1 + len(model.swing.elements)],
+                                    start[1 + len(model.swing.elements) :]])  # fmt: skip
+    return fit(model, start, noise)
 
 
 def fit_decrements(candidate: Candidate, table: Decrements, noise: Noise | None = None) -> LawFit:
