@@ -48,7 +48,7 @@ def terms_of(text: str, argument: str) -> list[str]:
     parts = [part.strip() for part in text.split("+")]
     for part in parts:
         new = "+".join(re.sub(r"^(.+)x(\d+)$", r"\1,\2:", piece.strip()) for piece in part.split(","))
-        if "," in part and not part.endswith(":"):
+        if "," in part and ":" not in part:
             accepted = f"{new}, or {part}: for |x|^M v|v|^(A-1) with A,M as in --law A,M:E"
             raise InputError(argument, f"{part[:40]!r} is the old spelling of a sum", accepted)
         if new != part and ":" not in part:
