@@ -15,7 +15,7 @@ ROOMS += ("invariants", "numbers", "straightening", "swing", "turning", "wells")
 HARMLESS = {
     "envelopes/large.py:_newton": "the time reached is integrated anew up to the place returned, and enclosed after",
     "half_swings/finite_majorant.py:_fixed_point": "an oracle in doubles: inf if it does not settle, checked in balls",
-    "limit_cycles/certified.py:_float_fixed_point": "a guess in doubles for interval Newton",
+    "limit_cycles/certified.py:_fixed_point": "a guess in doubles for interval Newton",
     "motions/frame.py:_iterated": "two digits of the change of a start, for a measured estimate",
     "swing/arrival.py:_guess": "any place ahead will do: the miss there is bounded",
     "swing/half_swings.py:_near": "the place with the least residual: the residual bounds its error after",

@@ -71,9 +71,10 @@ def half_turn(terms: Sequence[Term], mu: arb, A: arb) -> HalfTurn | None:
     here = _Course(A.mid(), arb(0), upper(unit * A.rad()), arb(0), arb(0))
     for k in range(MAX_STEPS):
         tick(f"step {k} around the cycle")
-        step, ends = _step(force, unit, here)
-        if step is None:
+        found = _step(force, unit, here)
+        if found is None:
             return None
+        step, ends = found
         here = _after(force, unit, here, step)
         if not (here.w < far and abs(here.u) < far):
             return None
@@ -88,7 +89,7 @@ def _unit(force: PolynomialForce, A: arb) -> arb:
     return dyadic(round(size_of(force.largest(size, arb(0), size, arb(0)) / size) / 2))
 
 
-def _step(force: PolynomialForce, unit: arb, here: _Course) -> tuple[TaylorStep | None, bool]:
+def _step(force: PolynomialForce, unit: arb, here: _Course) -> tuple[TaylorStep, bool] | None:
     """A step on whose box w keeps its sign as the docstring of the module says, and whether it is the last one."""
     scale = upper(unit * abs(here.u) + here.w)
     step = TaylorStep.at(force, here.u, here.w, unit, scale)
@@ -102,7 +103,7 @@ def _step(force: PolynomialForce, unit: arb, here: _Course) -> tuple[TaylorStep 
         if end is None and steady and (pull > 0 if here.w == 0 else w > 0):
             return step, False
         step = step.shortened((last.length / 2).mid())
-    return None, False
+    return None
 
 
 def _root(step: TaylorStep) -> arb:
