@@ -12,6 +12,8 @@ settings.register_profile("ci", max_examples=80, deadline=None, derandomize=True
 settings.register_profile("nightly", max_examples=2000, deadline=None, print_blob=True)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 
+collect_ignore = ["notebook.py"]  # a program of `make docs`, whose libraries `make test` does not install
+
 FIRST = (  # what imports the derivations or needs the report of the tests
     "tests/derivations/", "tests/envelopes/test_derivations", "tests/multiscale/test_derivations",
     "tests/paper_checks/test_report", "tests/paper_checks/test_font", "tests/paper_checks/test_browser",
