@@ -96,7 +96,7 @@ ELSEWHERE = {
     "sweep",
     "testing",
 }  # they read files and data: below, or with their own tests
-SLOW = {("limit_cycle", "mu"), ("table", "name")}  # an answer to one of the numbers takes seconds
+SLOW = {("limit_cycle", "mu"), ("table", "name"), ("T", "w")}  # one of the numbers takes seconds, or all its time
 
 
 def public_results():
