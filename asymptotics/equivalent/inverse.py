@@ -16,7 +16,7 @@ Without resolutions they are taken equal, as large as the best candidate needs: 
 >>> A = [0.1, 0.2, 0.4, 0.8]
 >>> found = fitted(A, [0.012, 0.0141, 0.0178, 0.0261], [2e-4] * 4, Problem("zeta", (("1",), ("2",), ("1", "2"))))
 >>> [(fit.name, fit.grade) for fit in found]
-[('1,2', 'consistent'), ('1', 'refuted'), ('2', 'refuted')]
+[('1+2', 'consistent'), ('1', 'refuted'), ('2', 'refuted')]
 >>> [f"{s.low:.3f} {s.estimate:.3f} {s.high:.3f}" for s in found[0].strengths]
 ['0.019 0.020 0.021', '0.046 0.047 0.049']
 """
