@@ -68,7 +68,7 @@ def test_a_distance_grows_by_its_factor_and_the_next_state_keeps_it():
 
 
 def test_the_residual_of_a_step_counts():
-    """A step beyond its length, where the polynomials are off: the truth of many bits is within the error, not half."""
+    """A step of few bits, where its polynomials are off: the truth of many bits is within the error alone."""
     field = PolynomialForce.of(VAN_DER_POL, ONE)
     with ctx.workprec(200):
         fine = TaylorStep.at(field, arb("0.5"), arb("1.5"), ONE, ONE)
