@@ -25,17 +25,17 @@ from asymptotics.moments.certified import moment
 from asymptotics.motions.reference import reference_motion, reference_states
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.flow import Flow
-from asymptotics.normal_form.verify import (
+from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.series import Series
+from asymptotics.swing.damping import Damping
+from asymptotics.verdict import Outcome
+from paper_checks.report.verification import (
     equation_residual,
     exact_reference,
     map_residual,
     measured_order,
     residual_order,
 )
-from asymptotics.numbers.exact import ExactReal, parse_real
-from asymptotics.series import Series
-from asymptotics.swing.damping import Damping
-from asymptotics.verdict import Outcome
 from tests.second_route.forced import quadratic_turning_points
 
 TIGHT = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-14}

@@ -7,15 +7,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 USERS = ("asymptotics", "paper_checks", "derivations", "docs", "benchmarks")
-SECOND_ROUTES = {  # only tests reach these: each answers anew what a function in use answers, to be held beside it
-    "invariants/exact.py": None,  # three other routes to the integers of a row
-    "motions/waveform.py": {"ball_flow"},  # exact flows in the place of certified ones
+SECOND_ROUTES = {  # only tests reach these: what they certify is the closed form that stands above them
     "multiscale/harmonics.py": None,  # certificates of the telescoping sums, and sums in closed form
-    "multiscale/observables.py": None,  # the classical route to flow and half-swing
-    "multiscale/turning_verify.py": None,  # the same in the turning-point gauge
-    "multiscale/verify.py": None,  # residuals in the equation of motion, and the near miss
     "normal_form/symbolic.py": {"field_flow", "derived_coefficient", "certified_coefficients"},  # closed forms, derived
-    "normal_form/verify.py": {"equation_residual"},  # the residual of the waveform
 }
 
 

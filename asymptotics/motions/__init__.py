@@ -7,7 +7,6 @@
 ``coulomb``        alpha = 0: exact, with sticking, static friction, stop time and place; certified
 ``linear``         alpha = 1: exact, under-, critically and over-damped; certified
 ``quadratic``      alpha = 2 from rest: Lambert W and quadrature; certified
-``accuracy``       the error of an order against the reference, and the order that the errors show
 ``certify``        from balls to proved decimals
 ``result``         the immutable results
 =================  ==========================================================================================

@@ -21,10 +21,10 @@ U and W.
 whose half-width is 0.55 of that distance m Chebyshev nodes give about 5.4^-m, and summing from the left keeps the
 relative accuracy near psi = 0 that g needs.  Heuristic arithmetic (doubles, or midpoints of balls), no proved error.
 
->>> from asymptotics.half_swings.exact import exact_half_swing
->>> from asymptotics.normal_form.flow import flow_of
->>> from flint import ctx
->>> flow = ball_flow(flow_of(exact_half_swing((2,), 3)))
+>>> from asymptotics.half_swings.certified import quarter_swing
+>>> from asymptotics.normal_form.expansion import expansion_of
+>>> from asymptotics.numbers.exact import ExactReal
+>>> flow = expansion_of(quarter_swing([ExactReal(2)], 3), arithmetic="certified").flow
 >>> Z = waveform_at(flow, Forces.losses((2,)), arb(1), 1)[(1,)]                    # Im Z_1 = -sin^(alpha+1)/(alpha+1)
 >>> abs(Z[1] + arb(1).sin() ** 3 / 3) < arb(10) ** -12
 True
@@ -75,12 +75,6 @@ def balls() -> Arithmetic:
     """Midpoints of balls at the current precision, in object arrays."""
     exp, sin, cos, log = (np.frompyfunc(_mid(f), 1, 1) for f in (arb.exp, arb.sin, arb.cos, arb.log))
     return Arithmetic(exp, sin, cos, lambda x: x.mid(), log, _ball_product, ctx.prec, in_doubles=False)
-
-
-def ball_flow(flow: Flow) -> Flow:
-    """A flow with exact coefficients as one with balls at the current precision."""
-    U, W = (series.map(_ball) for series in (flow.U, flow.W))
-    return Flow(replace(flow.grading, weights=tuple(_ball(w) for w in flow.grading.weights)), U, W)
 
 
 def waveform_at(flow: Flow, forces: Forces, psi: arb, order: int) -> dict[Key, tuple[arb, arb]]:

@@ -5,7 +5,6 @@
 ``gauges``            turning-point, averaging, no-first-harmonic; exact maps between them
 ``expansion``         p_k and Omega_k as a result that carries gauge, arithmetic and order
 ``observables``       amplitude ratio, half period, energy loss, logarithmic decrement: the same in every gauge
-``verify``            exact residuals and a measured (heuristic) order of convergence
 ``symbolic``          one law with symbolic exponent, closed forms through Omega_4
 ``results``           the rows of an expansion and of a half-swing
 ``show``              series as text and LaTeX, written as one would by hand

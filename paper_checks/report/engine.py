@@ -7,16 +7,16 @@ from typing import Any
 from asymptotics.bounds.local import local_bounds
 from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.motions.accuracy import measured_errors
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.expansion import Expansion, exact_expansion, expansion_of
 from asymptotics.normal_form.large_orders import growth_ratios
-from asymptotics.normal_form.verify import exact_reference, verify
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.present.figures import render
 from paper_checks.report import regimes, stokes_curve, validity_map
 from paper_checks.report.expansion_errors import stored
+from paper_checks.report.measured_errors import measured_errors
+from paper_checks.report.verification import exact_reference, verify
 
 EXPONENTS = ("0", "1/2", "3/4", "1", "3/2", "5/3", "2", "5/2", "3", "4", "5", "7", "sqrt(2)")
 LAWS = (["0"], ["1/2"], ["3/2"], ["2"], ["3"], ["1", "2"])

@@ -13,8 +13,8 @@ from flint import arb
 from asymptotics.bounds.orbit import orbit_bounds
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.errors import LimitError
-from asymptotics.motions.validity import TurningPointErrors, turning_point_errors
 from asymptotics.numbers.exact import parse_real
+from paper_checks.report.turning_point_errors import TurningPointErrors, turning_point_errors
 
 LEVELS = (1e-3, 1e-2, 1e-1)
 EPSILONS = ("1/100", "1/50", "1/30", "1/20", "1/15", "1/12", "1/8", "1/5", "3/10", "9/20", "7/10", "1")

@@ -8,7 +8,7 @@ from asymptotics.half_swings.fourier_flow import fourier_flow
 from asymptotics.half_swings.grading import Grading
 from asymptotics.half_swings.pi_ring import PI
 from asymptotics.half_swings.quarter import half_swing
-from asymptotics.normal_form.verify import numerical_half_swing
+from paper_checks.report.verification import numerical_half_swing
 
 
 @pytest.mark.parametrize(

@@ -19,9 +19,9 @@ from asymptotics.half_swings.quarter import half_swing
 from asymptotics.moments.symbolic import mean
 from asymptotics.normal_form.flow import flow_of
 from asymptotics.normal_form.spring_terms import cross_term
-from asymptotics.normal_form.verify import numerical_half_swing
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.terms import Term
+from paper_checks.report.verification import numerical_half_swing
 
 
 def loss(alpha, m=0):

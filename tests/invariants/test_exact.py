@@ -7,14 +7,16 @@ from hypothesis import strategies as st
 
 from asymptotics.invariants.exact import (
     coefficient,
-    coefficient_by_closed_sum,
     coefficients,
     integer_rows,
+)
+from asymptotics.numbers.rationals import to_fraction
+from tests.second_route.smith_rows import (
+    coefficient_by_closed_sum,
     leading_coefficient,
     rows_by_integration,
     rows_by_rationals,
 )
-from asymptotics.numbers.rationals import to_fraction
 
 LAST = 60
 

@@ -78,7 +78,6 @@ NO_BOUND = {
     "identification.set_valued._searched": "boxes of doubles that are searched; what is claimed comes from table_rows",
     "motions.orbit_force.OrbitForce.__init__": "a union of sets",
     "motions.reference._within": "asks whether a radius is small enough",
-    "normal_form.verify.map_residual": "asks whether a radius is small enough",
     "numbers.pickling._make_arb": "the same ball, read and written",
     "numbers.pickling._reduce_arb": "the same ball, read and written",
     "swing.slow_series.truncated": "balls as a key of a cache",

@@ -7,11 +7,10 @@ import pytest
 from flint import acb, arb, ctx
 
 from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.forces import Forces
-from asymptotics.motions.waveform import WaveformTable, ball_flow, waveform_at
+from asymptotics.motions.waveform import WaveformTable, waveform_at
 from asymptotics.normal_form.expansion import expansion_of
-from asymptotics.normal_form.flow import Flow, flow_of
+from asymptotics.normal_form.flow import Flow
 from asymptotics.numbers.exact import parse_real
 from asymptotics.series import Series
 
@@ -80,10 +79,3 @@ def test_the_table_agrees_with_the_balls_and_keeps_its_symmetry():
                     assert abs(float(exact[key][0]) - rows[2 * i, j]) < 2e-13
                     assert abs(float(exact[key][1]) - rows[2 * i + 1, j]) < 2e-13
             assert np.allclose(table.at(np.array([0.0, pi])), 0, atol=1e-13)
-
-
-def test_exact_coefficients_serve_as_well():
-    with ctx.workprec(80):
-        one = waveform_at(ball_flow(flow_of(exact_half_swing((2,), 3))), losses("2"), arb(1), 2)
-        two = waveform_at(flow(("2",)), losses("2"), arb(1), 2)
-        assert all(abs(one[k][i] - two[k][i]) < arb(10) ** -20 for k in one for i in (0, 1))

@@ -5,14 +5,14 @@ from flint import fmpq
 
 from asymptotics.errors import InputError, LimitError
 from asymptotics.multiscale.exact import odd_hierarchy
-from asymptotics.multiscale.verify import (
+from asymptotics.normal_form.expansion import exact_expansion
+from asymptotics.verdict import Outcome
+from tests.second_route.multiscale_residual import (
     equation_residual,
     residual,
     residual_order,
     with_amplitude_coefficient,
 )
-from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.verdict import Outcome
 
 LAWS = [((1,), 6), ((3,), 6), ((5,), 6), ((3,), 12), ((1, 3), 5), ((3, 5), 4), ((7, 1, 3), 3)]
 

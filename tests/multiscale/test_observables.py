@@ -8,9 +8,9 @@ from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
 from asymptotics.half_swings.quarter import half_swing
 from asymptotics.multiscale.exact import odd_hierarchy
 from asymptotics.multiscale.initial import initial_conditions, map_to_turning_points
-from asymptotics.multiscale.observables import flow_in, half_swing_of
-from asymptotics.multiscale.verify import with_amplitude_coefficient
 from asymptotics.normal_form.expansion import exact_expansion
+from tests.second_route.multiscale_observables import flow_in, half_swing_of
+from tests.second_route.multiscale_residual import with_amplitude_coefficient
 
 LAWS = [((1,), 6), ((3,), 6), ((5,), 6), ((1, 3), 4), ((3, 5), 4)]
 

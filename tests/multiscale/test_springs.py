@@ -12,13 +12,13 @@ from asymptotics.half_swings.quarter import half_swing
 from asymptotics.multiscale import exact
 from asymptotics.multiscale.exact import odd_hierarchy
 from asymptotics.multiscale.initial import map_to_turning_points
-from asymptotics.multiscale.observables import flow_in, half_swing_of
 from asymptotics.multiscale.orders import a, psi
 from asymptotics.multiscale.symbolic import multiple_scales
-from asymptotics.multiscale.verify import equation_residual, residual_order, with_amplitude_coefficient
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.terms import Term
 from asymptotics.verdict import Outcome
+from tests.second_route.multiscale_observables import flow_in, half_swing_of
+from tests.second_route.multiscale_residual import equation_residual, residual_order, with_amplitude_coefficient
 
 DUFFING, QUINTIC, INERTIAL = (Term(1, q, p, "position") for q, p in ((0, 3), (0, 5), (2, 1)))
 PENDULUM = Term(1, 0, 3, "position", "pendulum")

@@ -13,14 +13,14 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.half_swings.pi_ring import PI, PiNumber
 from asymptotics.half_swings.symbolic import alpha
 from asymptotics.multiscale.exact import odd_hierarchy
-from asymptotics.multiscale.observables import flow_in
 from asymptotics.multiscale.open_orders import first_wave, psi, second_wave
 from asymptotics.multiscale.orders import a, epsilon
 from asymptotics.multiscale.turning import turning_hierarchy
-from asymptotics.multiscale.turning_verify import turning_outcome, turning_residual, with_rate
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.terms import Term
 from asymptotics.verdict import Outcome
+from tests.second_route.multiscale_observables import flow_in
+from tests.second_route.turning_residual import turning_outcome, turning_residual, with_rate
 
 PENDULUM = Term(1, 0, 3, "position", "pendulum")
 

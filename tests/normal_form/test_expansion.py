@@ -11,7 +11,10 @@ from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.large_orders import borel_pade, growth_ratios, optimal_truncation
 from asymptotics.normal_form.observables import observables
 from asymptotics.normal_form.show import sum_latex, sum_text
-from asymptotics.normal_form.verify import (
+from asymptotics.numbers.value import Coefficient
+from asymptotics.terms import Term
+from asymptotics.verdict import Outcome
+from paper_checks.report.verification import (
     equation_residual,
     exact_reference,
     map_residual,
@@ -19,9 +22,6 @@ from asymptotics.normal_form.verify import (
     residual_order,
     verify,
 )
-from asymptotics.numbers.value import Coefficient
-from asymptotics.terms import Term
-from asymptotics.verdict import Outcome
 
 
 @pytest.mark.parametrize("gauge", GAUGES)

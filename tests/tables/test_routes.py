@@ -18,12 +18,12 @@ import sympy
 from scipy.integrate import quad, solve_ivp
 
 from asymptotics.divergence.constants import stokes_balls
-from asymptotics.invariants.exact import coefficient_by_closed_sum, rows_by_integration
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.registry import build, names
 from asymptotics.turning.quadratic_series import half_period_series
+from tests.second_route.smith_rows import coefficient_by_closed_sum, rows_by_integration
 from tests.tables import second
 
 SECOND = {}

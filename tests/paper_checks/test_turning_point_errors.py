@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from asymptotics.motions.validity import turning_point_errors
+from paper_checks.report.turning_point_errors import turning_point_errors
 
 
 @pytest.mark.parametrize("alpha", ["1/2", "3/2", "2", "3"])

@@ -5,7 +5,7 @@ from math import isnan
 
 import pytest
 
-from asymptotics.motions.accuracy import horizon, measured_errors, unit_oscillator
+from paper_checks.report.measured_errors import horizon, measured_errors, unit_oscillator
 
 KAPPAS = (Fraction(1, 10), Fraction(1, 20), Fraction(1, 40))
 
