@@ -4,7 +4,7 @@ dPhi/dpsi = 1/pi and W = d tau/d psi make (derivation ``large-orders``)
 
     V = 1/(pi Phi'),     W = 1 + V theta',     p = -V/((alpha - 1) delta W),     Omega = 1/W,
 
-In the law of each (``normal_form.large_orders``) the factor 1 + g_1/n + g_2/(n (n-1)) + … is that of one exponential:
+In the law of each (``large_orders``) the factor 1 + g_1/n + g_2/(n (n-1)) + … is that of one exponential:
 with x = 1/y at z = -iy, delta^2 = -c^2 x^2, eps_n = e_n c^n, the numbers g_j = (2 pi)^j a_j belong to
 
     sum a_j x^j = exp(2 pi (eps_1 x - eps_3 x^3 + …)) times V/(V_2 delta^2), p/(p_1 delta W) or

@@ -8,7 +8,6 @@
 ``symbolic``          one law with symbolic exponent, closed forms through Omega_4
 ``results``           the rows of an expansion and of a half-swing
 ``show``              series as text and LaTeX, written as one would by hand
-``large_orders``      factorial growth, optimal truncation, Borel-Pade: heuristic
 ``tau_polynomial``    polynomials in tau as coefficients, for the gauge brackets
 ====================  ==================================================================================
 """

@@ -9,12 +9,12 @@ from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.expansion import Expansion, exact_expansion, expansion_of
-from asymptotics.normal_form.large_orders import growth_ratios
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.present.figures import render
 from paper_checks.report import regimes, stokes_curve, validity_map
 from paper_checks.report.expansion_errors import stored
+from paper_checks.report.growth import growth_ratios
 from paper_checks.report.measured_errors import measured_errors
 from paper_checks.report.verification import exact_reference, verify
 

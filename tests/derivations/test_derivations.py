@@ -13,6 +13,7 @@ from latex2mathml.converter import convert
 
 from derivations.__main__ import main, names
 from derivations.steps import Derivation, defined, named
+from derivations.waiting import At
 
 FOLDER = Path(__file__).parents[2] / "derivations"
 SMITH = {
@@ -82,6 +83,47 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ),
     ("stokes_small_alpha", "{rho: -2 * (ln(2 * a) - 1)", "{rho: -2 * (ln(a) - 1)"),
     ("smith_footnote_8", "/ (3 * 2**m * sympy.factorial(m))", "/ (2**m * sympy.factorial(m))"),
+    ("lancaster_energy", "slow * sin(2 * omega_0 * t)", "slow * sin(omega_0 * t)"),
+    ("lancaster_energy", "root = x_0 * growth ** (-1 / mu)", "root = x_0 * growth ** (1 / mu)"),
+    ("lancaster_average", "beta = gamma(alpha / 2 + 1) ** 2", "beta = gamma(alpha / 2 + 1)"),
+    ("lancaster_average", "(p + 2) * sin(theta) ** (p + 2)", "(p + 1) * sin(theta) ** (p + 2)"),
+    ("lancaster_linear_limit", "kappa * tau) ** (-1 / mu)", "kappa * tau) ** (1 / mu)"),
+    ("lancaster_linear_limit", "-(epsilon**2) / 8", "-(epsilon**2) / 4"),
+    ("lelas_viscous", "solution = sympy.exp(-b * t / (2 * m))", "solution = sympy.exp(-b * t / m)"),
+    (
+        "lelas_viscous",
+        "printed = -omega_0 * (x_0 * f * sin(omega_0 * t) +",
+        "printed = -omega_0 * (x_0 * f * sin(omega_0 * t) -",
+    ),  # noqa: E501
+    ("lelas_friction", "slope = -mu * g / (sqrt(2) *", "slope = -mu * g / (2 *"),
+    ("lelas_friction", "end = sqrt(2) * omega_0", "end = sqrt(3) * omega_0"),
+    ("lelas_air", "slope = C * omega_0 * x_0 / (2 * sqrt(2) * m)", "slope = C * omega_0 * x_0 / (2 * m)"),
+    ("lelas_air", "trick = squaring_moment(alpha) * epsilon", "trick = squaring_moment(alpha + 1) * epsilon"),
+    ("two_laws_time", "index = (beta - 1) / gap", "index = beta / gap"),
+    ("two_laws_time", "lam = x_0 / (c + d * x_0)", "lam = x_0 / (c - d * x_0)"),
+    ("two_laws_time", "(0, 1): -log(c + d * x) / d", "(0, 1): -log(c + d * x) / c"),
+    ("finite_phase_lag", "-p_1 * A * local", "-p_1 * local"),
+    ("finite_phase_lag", "phase = -w_2 * epsilon**2 * tau", "phase = -w_2 * epsilon * tau"),
+    ("finite_phase_lag", "lag = w_2 * epsilon / (nu * p_1)", "lag = w_2 * epsilon / p_1"),
+    ("finite_phase_lag", "sin(x) ** 6", "sin(x) ** 4"),
+    ("multiple_scales_cubic", "right = rest - one_two - two_one", "right = rest - 2 * two_one"),
+    ("multiple_scales_cubic", "- 3 * V[0] ** 2 * V[1]\n", "- 2 * V[0] ** 2 * V[1]\n"),
+    ("multiple_scales_cubic", "R(9, 256) * a**4)", "R(27, 256) * a**4)"),
+    ("multiple_scales_general", "rest = 2 * M - 4 * p * q", "rest = M - 4 * p * q"),
+    ("multiple_scales_general", "weight = (alpha + beta + 1)", "weight = (alpha + beta + 2)"),
+    ("multiple_scales_general", "(D_0 * D_1 + D_1 * D_0) * X_1", "2 * D_0 * D_1 * X_1"),
+    ("multiple_scales_general", "Solution(2 * slope + 2 * p", "Solution(2 * slope - 2 * p"),
+    ("multiple_scales_general", "drag(V_a + eps * V_b)", "drag(V_a - eps * V_b)"),
+    ("multiple_scales_general", "chi = p + turn", "chi = p - turn"),
+    (
+        "multiple_scales_springs",
+        "fall, turn = (n - alpha) / (n + alpha + 2), -(n - p)",
+        "fall, turn = (n - alpha) / (n + alpha + 2), (n - p)",
+    ),
+    ("multiple_scales_turning", "+ alpha * (a * s) ** (alpha - 1) * V_1\n", "- alpha * (a * s) ** (alpha - 1) * V_1\n"),
+    ("multiple_scales_turning", "f_1 = -p * a**alpha", "f_1 = p * a**alpha"),
+    ("multiple_scales_springs", "+ (alpha + 1) * S * unit", "+ (alpha - 1) * S * unit"),
+    ("multiple_scales_springs", "observed = closed + P", "observed = closed - P"),
 ]
 
 
@@ -164,3 +206,11 @@ def test_command(capsys):
     assert r"\[" in capsys.readouterr().out
     assert main(["no-such"]) == 2
     assert "no derivation 'no-such'" in capsys.readouterr().err
+
+
+def test_the_phase_is_derived_before_its_limit_is_told():
+    """Every line of phi(tau) displays an operation that waits on its left, not a rearranged result."""
+    derivation = import_module("derivations.finite_phase_lag").derivation
+    waiting = (sympy.Derivative, sympy.Integral, sympy.Limit, At)
+    lines = [one for one in derivation.steps if one.kind == "equality"]
+    assert len(lines) > 15 and all(one.left.has(*waiting) for one in lines)

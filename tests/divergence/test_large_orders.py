@@ -9,10 +9,10 @@ from mpmath import mp
 from asymptotics.divergence.abel import at_height, odd_series
 from asymptotics.divergence.constants import effort, rough_petal, stokes_balls
 from asymptotics.divergence.germ import germ
+from asymptotics.divergence.large_orders import large_order
 from asymptotics.divergence.rows import corrections, rows_of
 from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.normal_form.large_orders import large_order
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning.quadratic_series import abel_coefficients

@@ -8,12 +8,12 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import GAUGES
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.normal_form.large_orders import borel_pade, growth_ratios, optimal_truncation
 from asymptotics.normal_form.observables import observables
 from asymptotics.normal_form.show import sum_latex, sum_text
 from asymptotics.numbers.value import Coefficient
 from asymptotics.terms import Term
 from asymptotics.verdict import Outcome
+from paper_checks.report.growth import growth_ratios
 from paper_checks.report.verification import (
     equation_residual,
     exact_reference,
@@ -124,24 +124,6 @@ def test_large_orders_follow_the_prediction(alpha):
     k, ratio = ratios[-1]
     assert abs(ratio - (k - 1) * (k - 2) / k**2) < 10 / k**2
     assert abs(ratio - 1) < 0.1 < abs(ratios[3][1] - 1)
-
-
-def test_optimal_truncation_beats_its_neighbours():
-    expansion = exact_expansion((3,), 41)
-    stop = optimal_truncation(expansion, 0.15)
-    assert stop.status == "heuristic" and abs(stop.smallest_term_index - stop.predicted_index) <= 4
-    assert stop.smallest_term < 1e-5
-
-
-def test_borel_pade_stays_near_the_optimally_truncated_sum():
-    U = exact_expansion((3,), 31).flow.U
-    delta = 0.15
-    resummed, stop = float(borel_pade(U, delta)), 15
-    partial = _value(U.truncate(stop), delta)
-    assert abs(resummed - partial) < 1e-5 and abs(resummed - _value(U.truncate(3), delta)) > 1e-7
-
-    with pytest.raises(LimitError, match="order"):
-        borel_pade(U, delta, 4)
 
 
 @pytest.mark.parametrize("alphas", [(0,), (1,), (2, 3)])
