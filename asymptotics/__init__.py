@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from asymptotics.api.damping_law import damping_law
     from asymptotics.api.divergence import stokes
     from asymptotics.api.files import compare, derive
-    from asymptotics.api.hierarchy import multiple_scales
+    from asymptotics.api.hierarchy import any_start, map_of_gauges, multiple_scales
     from asymptotics.api.lookups import C, G, f, moment, table, table_names
     from asymptotics.api.maps import half_swing, limit_cycle
     from asymptotics.api.motions import Events, Motion, Reference, motion, reference
@@ -35,11 +35,14 @@ if TYPE_CHECKING:
     from asymptotics.api.solution import solution
     from asymptotics.api.swings import OscillatorTurningPoints, turning_points
     from asymptotics.api.waves import waveforms
+    from asymptotics.bounds.remainder import remainder
+    from asymptotics.cli.swept import sweep_command
     from asymptotics.equations.build import expand
     from asymptotics.equations.result import Equations
     from asymptotics.equivalent.found_law import DampingLaw
     from asymptotics.equivalent.result import EquivalentDamping
     from asymptotics.errors import InputError, LimitError, UndecidedError
+    from asymptotics.identification.html_report import html_report
     from asymptotics.identification.identify import identify
     from asymptotics.identification.result import Identification
     from asymptotics.law import Law, Oscillator, PhysicalLaw
@@ -57,7 +60,7 @@ _HOMES = {
     "api.damping_law": ("damping_law",),
     "api.divergence": ("stokes",),
     "api.files": ("compare", "derive"),
-    "api.hierarchy": ("multiple_scales",),
+    "api.hierarchy": ("any_start", "map_of_gauges", "multiple_scales"),
     "api.lookups": ("C", "G", "f", "moment", "table", "table_names"),
     "api.maps": ("half_swing", "limit_cycle"),
     "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
@@ -66,11 +69,14 @@ _HOMES = {
     "api.solution": ("solution",),
     "api.waves": ("waveforms",),
     "api.swings": ("OscillatorTurningPoints", "turning_points"),
+    "bounds.remainder": ("remainder",),
+    "cli.swept": ("sweep_command",),
     "equations.build": ("expand",),
     "equations.result": ("Equations",),
     "equivalent.found_law": ("DampingLaw",),
     "equivalent.result": ("EquivalentDamping",),
     "errors": ("InputError", "LimitError", "UndecidedError"),
+    "identification.html_report": ("html_report",),
     "identification.identify": ("identify",),
     "identification.result": ("Identification",),
     "law": ("Law", "Oscillator", "PhysicalLaw"),
@@ -105,6 +111,7 @@ __all__ = [
     "S",
     "T",
     "UndecidedError",
+    "any_start",
     "compare",
     "damping",
     "damping_law",
@@ -113,8 +120,10 @@ __all__ = [
     "expand",
     "f",
     "half_swing",
+    "html_report",
     "identify",
     "limit_cycle",
+    "map_of_gauges",
     "moment",
     "motion",
     "multiple_scales",
@@ -122,10 +131,12 @@ __all__ = [
     "plot",
     "radii",
     "reference",
+    "remainder",
     "solution",
     "statements",
     "stokes",
     "sweep",
+    "sweep_command",
     "table",
     "table_names",
     "testing",

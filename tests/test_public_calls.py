@@ -83,7 +83,8 @@ FUNCTIONS = {
     "derive": {"name": None}, "envelope": {"law": OSC}, "expand": {"law": "3/2", "order": 2}, "f": {"n": 3},
     "half_swing": {"law": 2, "order": 2}, "limit_cycle": {"law": {1: -1, (1, 2): 1}, "order": 2}, "moment": {"p": 1},
     "motion": {"law": OSC, "order": 2}, "multiple_scales": {"law": 3, "order": 2}, "paper": {"id": "smith2012:43"},
-    "reference": {"law": OSC}, "solution": {"law": {2: "1/10"}, "order": 2},
+    "any_start": {"scales": asy.multiple_scales(2, order=1)}, "map_of_gauges": {"law": 3},
+    "remainder": {"law": 2, "order": 2}, "reference": {"law": OSC}, "solution": {"law": {2: "1/10"}, "order": 2},
     "waveforms": {"law": "3/2", "order": 2},
     "statements": {}, "table": {"name": "smith2012.table1", "digits": 9}, "table_names": {},
     "stokes": {"alpha": 0}, "turning_points": {"law": {2: 1}, "count": 2, "digits": 9},
@@ -91,9 +92,11 @@ FUNCTIONS = {
 ELSEWHERE = {
     "damping_law",
     "compare",
+    "html_report",
     "identify",
     "plot",
     "sweep",
+    "sweep_command",
     "testing",
 }  # they read files and data: below, or with their own tests
 SLOW = {("limit_cycle", "mu"), ("table", "name"), ("T", "w")}  # one of the numbers takes seconds, or all its time

@@ -128,17 +128,21 @@ def _require_open(order: int) -> None:
         raise InputError("order", reason, f"1 to {MAX_OPEN_ORDER}, or integer exponents")
 
 
-def map_of_gauges(terms: Sequence[Term], order: int) -> dict[str, Expr]:
+@public
+def map_of_gauges(
+    law: LawLike, *, order: int = 2, spring: SpringLike | None = None, max_seconds: Number = 60
+) -> dict[str, Expr]:
     """The exact map from no-first-harmonic to turning-point through ``order``: the new amplitude and phase.
 
-    A = a exp(lambda), psi_tp = psi + chi with lambda, chi series in the local strengths; InputError where
-    no-first-harmonic does not exist.
+    A = a exp(lambda), psi_tp = psi + chi with lambda, chi series in the local strengths; ``law`` and ``spring`` as in
+    ``multiple_scales``.  InputError where no-first-harmonic does not exist.
 
-    >>> found = map_of_gauges((Term(1, 3),), 2)
+    >>> found = map_of_gauges(3)
     >>> found["A"], found["psi_tp"]
     (-87*a**5*epsilon**2/2048 + a, 9*a**2*epsilon/32 + psi)
     """
-    terms = tuple(terms)
+    terms = terms_of(law, spring)[0]
+    order = exact_integer(order, "order", 1, MAX_ORDER)
     _gauge(NO_FIRST_HARMONIC, is_smooth(Forces.of(terms, order)))
     change, symbols = map_to_turning_points(odd_hierarchy(terms, order)), strength_symbols(terms)
     weights = [to_sympy(t.weight) for t in terms]
@@ -156,7 +160,8 @@ def ordered(terms: Sequence[Term], scales: MultipleScales) -> list[Term]:
     return sorted(terms, key=lambda t: not closed and not t.is_power_of_velocity)
 
 
-def any_start(scales: MultipleScales) -> dict[str, Expr]:
+@public
+def any_start(scales: MultipleScales, *, max_seconds: Number = 60) -> dict[str, Expr]:
     """a(0) and psi(0) for X(0) = r cos theta, X'(0) = -r sin theta, 0 < theta < pi, through the order of ``scales``.
 
     A start with X' > 0 is minus one of these: theta and psi move by pi.  Any order where the waveforms are polynomials;
@@ -168,6 +173,8 @@ def any_start(scales: MultipleScales) -> dict[str, Expr]:
     >>> any_start(multiple_scales("3/2", order=1))["psi(0)"]
     2*epsilon*sqrt(r)*sin(theta)**(5/2)/5 + theta
     """
+    if not isinstance(scales, MultipleScales):
+        raise InputError("scales", f"a {type(scales).__name__}", "what multiple_scales returns")
     r = Symbol("r", positive=True)
     if scales.losses:
         return _open_start(scales, r)

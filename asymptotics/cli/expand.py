@@ -27,7 +27,6 @@ import argparse
 
 import sympy
 
-from asymptotics.bounds.local import LocalBounds, local_bounds
 from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
 from asymptotics.cli.files import add_csv, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
@@ -47,7 +46,6 @@ from asymptotics.normal_form.results import Row, row_to_dict
 from asymptotics.numbers.exact import parse_integer, parse_real
 
 MAX_DIGITS, MAX_ORDER = 1000, 200
-MAX_BOUND_ORDER = 12
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -111,29 +109,16 @@ def run(options: argparse.Namespace) -> Answer:
         best = found.best_order(parse_real(options.best_order, "--best-order"), max_seconds=seconds)
         data["best_order"], text = best.to_dict(), "\n".join([text, str(best)])
     if options.bound:
-        proved = _bound(given, order, options.gauge)
-        data["bound"], lines = proved.to_dict(), [text, str(proved)]
-        from asymptotics.bounds.uniform import displacement_bound  # noqa: PLC0415 (NumPy, which expand does not need)
+        if options.gauge != TURNING_POINT:
+            raise InputError("--bound", f"it is not known in the gauge {options.gauge}", f"the gauge {TURNING_POINT}")
+        from asymptotics.bounds.remainder import remainder  # noqa: PLC0415 (NumPy, which expand does not need)
 
-        for_ever = displacement_bound(proved.alphas, order)
-        if for_ever is not None:
-            data["bound"] |= for_ever.to_dict()
-            lines.append(str(for_ever))
-        text = "\n".join(lines)
+        proved = remainder(law, order=order, max_seconds=seconds)
+        data["bound"], text = proved.to_dict(), "\n".join([text, str(proved)])
     return Answer(data, text, options.json)
 
 
 _LATEX = {"Omega": r"\Omega"}
-
-
-def _bound(given: GivenTerms, order: int, gauge: str) -> LocalBounds:
-    if gauge != TURNING_POINT:
-        raise InputError("--bound", f"it is not known in the gauge {gauge}", f"the gauge {TURNING_POINT}")
-    if not all(t.is_power_of_velocity for t in given.terms):
-        raise InputError("--bound", "it is known for powers of the velocity alone", "--alpha, or --law A:E")
-    if order > MAX_BOUND_ORDER:
-        raise InputError("--bound", f"order {order} is too high", f"an order up to {MAX_BOUND_ORDER}")
-    return local_bounds([t.velocity for t in given.terms], order)
 
 
 def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:

@@ -90,7 +90,9 @@ def run(options: argparse.Namespace) -> Answer:
         lines.append("any start X(0) = r cos theta, X'(0) = -r sin theta, 0 < theta < pi:")
         lines += [f"  {name} = {text}" for name, text in data["start"].items()]
     if options.map:
-        data["map"] = {name: str(e) for name, e in map_of_gauges(read_terms(options).terms, order).items()}
+        data["map"] = {
+            name: str(e) for name, e in map_of_gauges(Law.from_terms(read_terms(options).terms), order=order).items()
+        }
         lines += [f"turning-point gauge from no-first-harmonic: {name} = {text}" for name, text in data["map"].items()]
     if options.phase is not None:
         data |= {"phase": options.phase, "waves": _waves(options, found)}

@@ -10,8 +10,6 @@ asymptotics papers smith2012:43 --check      run its check again
 import argparse
 import textwrap
 from collections import Counter
-from importlib import import_module
-from importlib.util import find_spec
 from typing import Any
 
 from asymptotics.cli.answer import Answer, add_json
@@ -95,18 +93,15 @@ def _in_full(s: PaperStatement) -> str:
 
 
 def _checked(chosen: tuple[PaperStatement, ...], data: dict[str, object], as_json: bool) -> Answer:
-    if find_spec("paper_checks") is None:
-        raise InputError("--check", "the checks are not installed", "all of a wheel: pip install . in a clone")
-    registry, runner = import_module("paper_checks.registry"), import_module("paper_checks.runner")
-    results: list[Any] = []
-    with keeping(lambda: (chosen, data, list(results)) if results else None):
+    results: dict[str, Any] = {}
+    with keeping(lambda: (chosen, data, results) if results else None):
         for s in chosen:
-            results += runner.examine_all([registry.load(s.paper)[s.id]])
+            results[s.id] = s.check()
     return _examined(data, results, as_json)
 
 
 def cut_short(
-    options: argparse.Namespace, done: tuple[tuple[PaperStatement, ...], dict[str, object], list[Any]]
+    options: argparse.Namespace, done: tuple[tuple[PaperStatement, ...], dict[str, object], dict[str, Any]]
 ) -> Answer:
     """The checks that were done at the interrupt."""
     chosen, data, results = done
@@ -114,9 +109,9 @@ def cut_short(
     return shortened(_examined(data, results, options.json), len(results), f"{len(left)} checks, {left[0].id} ...")
 
 
-def _examined(data: dict[str, object], results: list[Any], as_json: bool) -> Answer:
-    outcomes = {r.statement.id: {name: str(outcome) for name, outcome in r.outcomes.items()} for r in results}
-    failed = [r.statement.id for r in results if not r.agrees]
+def _examined(data: dict[str, object], results: dict[str, Any], as_json: bool) -> Answer:
+    outcomes = {key: found["outcomes"] for key, found in results.items()}
+    failed = [key for key, found in results.items() if not found["agrees"]]
     shown = [f"{key}: " + ", ".join(f"{name} {o}" for name, o in found.items()) for key, found in outcomes.items()]
     last = f"disagrees: {', '.join(failed)}" if failed else "the verdicts are borne out"
     return Answer(

@@ -8,17 +8,21 @@
 
 import argparse
 import re
-from collections.abc import Mapping
-from functools import lru_cache
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
+from functools import lru_cache, partial
 from importlib import import_module
+from pathlib import Path
 from typing import Any, NoReturn
 
 from asymptotics.cli.answer import read_max_seconds
-from asymptotics.errors import InputError, UndecidedError
+from asymptotics.errors import InputError, UndecidedError, require_choice
 from asymptotics.numbers.context import alone
 from asymptotics.numbers.exact import parse_real
-from asymptotics.public import limited
-from asymptotics.sweeps.grid import Point, values
+from asymptotics.numbers.policy import Number
+from asymptotics.public import limited, public_beside_others
+from asymptotics.sweeps.grid import Grid, Point, values
+from asymptotics.sweeps.run import SweepResult, sweep
 
 SWEPT = ("turning-points", "half-swing", "expand", "moment", "motion", "smith", "envelope", "limit-cycle", "stokes")
 EXCLUDED = ("json", "plot", "csv", "latex", "points", "save", "report", "quiet", "list", "store", "export")
@@ -100,7 +104,7 @@ def _forces(command: str, name: str, text: str) -> tuple[str, ...]:
     return tuple(f"{shape}:{strength}" for strength in values(strengths, f"--{name}")) if colon else (shape,)
 
 
-def point_options(command: str, row: Mapping[str | None, Any]) -> Point:
+def point_options(command: str, row: Mapping[Any, Any]) -> Point:
     """A row of a list of points: each cell a number, empty cells left out."""
     point: Point = {}
     for name, cell in row.items():
@@ -129,3 +133,33 @@ def run_point(command: str, point: Point) -> dict[str, Any]:
         raise UndecidedError("the command's own check failed")
     data: dict[str, Any] = answer.data
     return data
+
+
+@public_beside_others
+def sweep_command(
+    command: str,
+    options: Mapping[str, str | int | Sequence[str]] | Sequence[Point],
+    folder: Path | str,
+    *,
+    workers: int | None = None,
+    executor: Executor | None = None,
+    max_seconds: Number | None = None,
+) -> SweepResult:
+    """What ``asymptotics sweep COMMAND`` does: every combination of the values of the options, kept in ``folder``.
+
+    ``options``: option -> a value, a comma list or a range start:stop:step, a list where the option is repeated; or a
+    list of points.  InputError for what cannot be swept, and as ``sweep``.
+
+    >>> import tempfile
+    >>> sweep_command("moment", {"p": "0:1:1/2", "digits": 5}, tempfile.mkdtemp(), workers=1)
+    3 points: 3 computed, 0 from the store, 0 failed
+    in ... s, store ...
+    """
+    require_choice(command, "command", SWEPT)
+    if isinstance(options, Mapping):
+        texts = [(n, [v] if isinstance(v, str | int) else v) for n, v in options.items()]
+        points: Grid | list[Point] = Grid(read_axes(command, [f"--{n}={text}" for n, each in texts for text in each]))
+    else:
+        points = [point_options(command, row) for row in options]
+    typed_options(command, points[0])
+    return sweep(partial(run_point, command), command, points, folder, workers=workers, executor=executor)

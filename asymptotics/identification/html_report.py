@@ -22,6 +22,8 @@ from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.result import Identification
 from asymptotics.made_by import line as made_by_line
+from asymptotics.numbers.policy import Number
+from asymptotics.public import public
 
 _TEMPLATE = Path(__file__).with_name("report.html")
 _LONG = 2000
@@ -33,8 +35,23 @@ _READING = (
 )
 
 
-def html_report(answer: Identification, provenance: Mapping[str, str] | None = None) -> str:
-    """The page; ``provenance``: further lines for its last section, such as the digests of the files."""
+@public
+def html_report(
+    answer: Identification, provenance: Mapping[str, str] | None = None, *, max_seconds: Number = 60
+) -> str:
+    """The page; ``provenance``: further lines for its last section, such as the digests of the files.
+
+    InputError for what ``identify`` has not returned.
+
+    >>> from asymptotics.identification.identify import identify
+    >>> found = identify({"n": range(9), "x": [(-0.9) ** n for n in range(9)]}, laws=["1"], bootstrap=False)
+    >>> html_report(found)[:15]
+    '<!doctype html>'
+    """
+    if not isinstance(answer, Identification):
+        raise InputError("answer", f"a {type(answer).__name__}", "what identify returns")
+    if provenance is not None and not isinstance(provenance, Mapping):
+        raise InputError("provenance", f"a {type(provenance).__name__}", "a mapping of names to texts")
     names = ", ".join(run.name or "the data" for run in answer.runs)
     lines = {"program": f"power-law-oscillator {__version__}, identify", **(provenance or {})}
     lines["arithmetic"] = f"Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}"

@@ -1,10 +1,15 @@
 """One statement of a paper, as it is shown: printed form, verdict, what is true instead, and why."""
 
 from dataclasses import asdict, dataclass
+from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
+from asymptotics.errors import InputError
+from asymptotics.numbers.policy import Number
 from asymptotics.present.letters import letters
 from asymptotics.present.shown import Page, Shown
+from asymptotics.public import public_beside_others
 
 
 @dataclass(frozen=True)
@@ -60,3 +65,19 @@ class PaperStatement(Shown):
     def to_dict(self) -> dict[str, Any]:
         """The JSON of ``asymptotics papers``."""
         return {**asdict(self), "methods": list(self.methods)}
+
+    @public_beside_others
+    def check(self, *, max_seconds: Number = 60) -> dict[str, Any]:
+        """Its check, run again: ``outcomes`` of each form (confirmed, refuted), and whether they bear the verdict out.
+
+        InputError where the checks, a part of the wheel of their own, are not installed.
+
+        >>> from asymptotics.papers.lookup import paper
+        >>> paper("smith2012:45").check()
+        {'outcomes': {'printed': 'confirmed', 'near miss': 'refuted'}, 'agrees': True}
+        """
+        if find_spec("paper_checks") is None:
+            raise InputError("check", "the checks are not installed", "all of a wheel: pip install . in a clone")
+        statement = import_module("paper_checks.registry").load(self.paper)[self.id]
+        found = import_module("paper_checks.runner").examine(statement)
+        return {"outcomes": {name: str(o) for name, o in found.outcomes.items()}, "agrees": found.agrees}

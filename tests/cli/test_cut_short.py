@@ -110,7 +110,7 @@ def test_amplitudes_and_checks_that_are_done(capsys, monkeypatch):
     assert len(found["rows"]) == 1 and found["missing"] == "amplitudes 1/2,1/4"
     main(["papers", "smith2012:43", "--check"])  # the runner is loaded
     capsys.readouterr()
-    stop_at(monkeypatch, "paper_checks.runner.examine_all", 2, KeyboardInterrupt)
+    stop_at(monkeypatch, "paper_checks.runner.examine", 2, KeyboardInterrupt)
     assert main(["papers", "Lambert", "--check", "--json"]) == 130
     found = json.loads(capsys.readouterr().out)
     assert len(found["outcomes"]) == 1 and "checks, " in found["missing"]

@@ -12,6 +12,8 @@ from functools import cache
 import asymptotics as asy
 
 PARTS = {  # what stands inside a result and is no answer of its own
+    "bounds.local.LocalBounds": "the constants behind ExpansionBounds",
+    "bounds.uniform.Displacement": "the constants behind ExpansionBounds",
     "equivalent.inverse.Problem": "what was asked, behind DampingLaw",
     "envelopes.laurent.LaurentEnvelope": "formulas behind EnvelopeSeries",
     "series.Series": "arithmetic of series",
@@ -59,6 +61,7 @@ SAMPLES = {
     "api.swings.SwingPoint": "points.points[1]",
     "api.waves.Waveforms": "asy.waveforms('3/2', order=3)",
     "bounds.reach.Reach": "asy.solution({1: '1/10', 2: '1/20'}, order=1).proved_until('1/2')",
+    "bounds.remainder.ExpansionBounds": "asy.remainder(2, order=2)",
     "bounds.uniform.UniformBound": "motion.uniform_bound()",
     "comparison.run.Comparison": "compared",
     "comparison.run.Row": "compared.rows[1]",

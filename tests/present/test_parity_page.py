@@ -5,7 +5,7 @@ import inspect
 import json
 import re
 import sys
-from functools import cache, partial
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
@@ -13,8 +13,6 @@ import pytest
 
 import asymptotics as asy
 from asymptotics.cli.main import COMMANDS, main
-from asymptotics.cli.swept import run_point
-from asymptotics.sweeps.grid import Grid
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 
@@ -110,6 +108,14 @@ PAIRS = {  # a line of the shell, where its answer is, and the same from Python
     "expand --alpha 3 --order 2 --gauge averaging --exact": (
         "frequency.2.exact", lambda: asy.expand(3, order=2, gauge="averaging", exact=True).Omega[2].exact
     ),
+    "expand --alpha 2 --order 3 --bound": ("bound.amplitude", lambda: asy.remainder(2, order=3).to_dict()["amplitude"]),
+    "multiple-scales --alpha 3 --order 2 --map": ("map.A", lambda: str(asy.map_of_gauges(3, order=2)["A"])),
+    "multiple-scales --alpha 2 --order 2 --start": (
+        "start.psi(0)", lambda: str(asy.any_start(asy.multiple_scales(2, order=2))["psi(0)"])
+    ),
+    "papers smith2012:45 --check": (
+        "outcomes.smith2012:45.printed", lambda: asy.paper("smith2012:45").check()["outcomes"]["printed"]
+    ),
     "half-swing --alpha 2 --delta 1/5 --digits 9": (
         "amplitude.value", lambda: asy.half_swing(2, delta="1/5", digits=9).amplitude
     ),
@@ -176,8 +182,7 @@ def test_the_commands_that_read_files_say_the_same(tmp_path, capsys):
     assert found["verdict"] == json.loads(json.dumps(answer.to_dict()))["verdict"]
     line = f"sweep moment --p 1,2 --digits 6 --store {tmp_path / 'a'} --quiet --workers 1"
     assert main(line.split()) == 0
-    points = Grid({"p": ("1", "2"), "digits": ("6",)})
-    swept = asy.sweep(partial(run_point, "moment"), "moment", points, tmp_path / "a", workers=1)
+    swept = asy.sweep_command("moment", {"p": "1,2", "digits": 6}, tmp_path / "a", workers=1)
     assert (swept.reused, swept.computed) == (2, 0)  # the shell's points are the same points
 
 
