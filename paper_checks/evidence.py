@@ -29,12 +29,24 @@ STRENGTH = (Evidence.MEASURED, Evidence.CERTIFIED, Evidence.PROVED)
 Point = TypeVar("Point")
 
 
+@dataclass(frozen=True)
+class Difference:
+    """Two sides that a check has told apart: as LaTeX, their values, and at which point."""
+
+    left: str
+    relation: str
+    right: str
+    values: tuple[str, str] = ("", "")
+    where: str = ""
+
+
 @dataclass
 class Marks:
-    """The sorts of evidence that were used, and at how many sample points."""
+    """The sorts of evidence that were used, at how many sample points, and what was told apart."""
 
     evidence: list[Evidence] = field(default_factory=list)
     points: int = 0
+    differences: list[Difference] = field(default_factory=list)
 
     @property
     def weakest(self) -> Evidence:
@@ -56,6 +68,13 @@ def mark(evidence: Evidence) -> None:
     marks = _marks.get()
     if marks is not None:
         marks.evidence.append(evidence)
+
+
+def differ(found: Difference) -> None:
+    """Note the sides of a comparison that failed."""
+    marks = _marks.get()
+    if marks is not None:
+        marks.differences.append(found)
 
 
 def sampled(points: Iterable[Point]) -> tuple[Point, ...]:

@@ -125,3 +125,14 @@ def _decimals(form: Any) -> Iterable[int]:
             yield from _decimals(part)
     elif isinstance(form, str) and (found := DECIMAL.fullmatch(form)):
         yield len(found[1] or "")
+
+
+def tex(expression: sympy.Basic) -> str:
+    r"""LaTeX in the letters of the papers: a primed Greek letter and eps have their signs.
+
+    >>> tex(sympy.Symbol("alpha'") + sympy.Symbol("eps"))
+    "\\alpha' + \\varepsilon"
+    """
+    found = {s: s.name.replace("eps", "varepsilon") for s in expression.free_symbols if re.search("eps$|'$", str(s))}
+    names = {s: sympy.latex(sympy.Symbol(n.rstrip("'"))) + "'" * n.count("'") for s, n in found.items()}
+    return str(sympy.latex(expression, symbol_names=names))

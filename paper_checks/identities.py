@@ -21,16 +21,29 @@ from asymptotics import verdict
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
 from asymptotics.numbers.context import ctx
 from asymptotics.verdict import Evidence, Outcome
-from paper_checks.evidence import mark
-from paper_checks.forms import DECIMAL
+from paper_checks.evidence import Difference, differ, mark
+from paper_checks.forms import DECIMAL, tex
 
+Place = dict[sympy.Symbol, sympy.Rational]
 POINTS = (Fraction(2, 7), Fraction(3, 5), Fraction(5, 3), Fraction(7, 11), Fraction(13, 9))
 
 
 def vanishes(difference: sympy.Expr, points: tuple[Fraction, ...] = POINTS) -> Outcome:
     """Whether an expression in (positive) free symbols is identically zero."""
+    return _same(difference, sympy.S.Zero, difference, points)
+
+
+def same(left: sympy.Expr, right: sympy.Expr) -> Outcome:
+    """Whether two expressions are identically equal."""
+    left, right = sympy.S.Zero + left, sympy.S.Zero + right
+    return _same(left, right, left - right, POINTS)
+
+
+def _same(left: sympy.Expr, right: sympy.Expr, difference: sympy.Expr, points: tuple[Fraction, ...]) -> Outcome:
     for shift in range(len(points)):
-        if _excludes_zero(difference, points[shift:] + points[:shift]):
+        place = _excludes_zero(difference, points[shift:] + points[:shift])
+        if place is not None:
+            differ(_apart(left, right, place))
             return Outcome.REFUTED
     if difference.is_zero or sympy.expand(difference) == 0 or sympy.simplify(difference) == 0:
         mark(Evidence.PROVED)
@@ -38,9 +51,24 @@ def vanishes(difference: sympy.Expr, points: tuple[Fraction, ...] = POINTS) -> O
     return Outcome.UNDECIDED
 
 
-def same(left: sympy.Expr, right: sympy.Expr) -> Outcome:
-    """Whether two expressions are identically equal."""
-    return vanishes(left - right)
+def _apart(left: sympy.Expr, right: sympy.Expr, place: Place) -> Difference:
+    """The two sides as they stand, and their values at a point where they differ."""
+    with ctx.workprec(200):
+        try:
+            values = [_shown(closed_form_ball(_in_letters(side).subs(place))) for side in (left, right)]
+        except (TypeError, ValueError):  # one side alone has no enclosure
+            values = ["", ""]
+    where = ", ".join(f"{tex(s)} = {tex(q)}" for s, q in place.items() if not isinstance(s, sympy.Dummy))
+    return Difference(tex(left), "=", tex(right), (values[0], values[1]), where)
+
+
+def _shown(ball: arb) -> str:
+    return ball.str(6, radius=False) if ball.is_finite() else ""
+
+
+def _numbers(left: arb, relation: str, right: arb) -> Difference:
+    values = _shown(left), _shown(right)
+    return Difference(values[0], relation, values[1])
 
 
 def all_confirmed(*outcomes: Outcome) -> Outcome:
@@ -66,6 +94,8 @@ def below(a: arb, b: arb) -> Outcome:
     mark(Evidence.CERTIFIED)
     if bool(a < b):
         return Outcome.CONFIRMED
+    if bool(a >= b):
+        differ(_numbers(a, "<", b))
     return Outcome.REFUTED if bool(a >= b) else Outcome.UNDECIDED
 
 
@@ -80,13 +110,25 @@ def rounds_to(printed: str, ball: arb) -> Outcome:
         return Outcome.REFUTED
     value = Fraction(printed)
     half = arb(1) / (2 * arb(10) ** len(found[1] or ""))
-    return below(abs(ball - arb(value.numerator) / value.denominator), half)
+    outcome = below(abs(ball - arb(value.numerator) / value.denominator), half)
+    if outcome == Outcome.REFUTED:
+        differ(Difference(printed, "=", _shown(ball)))
+    return outcome
 
 
 def balls_agree(a: arb, b: arb, digits: int) -> Outcome:
     """``asymptotics.verdict.balls_agree``, noted as certified evidence."""
     mark(Evidence.CERTIFIED)
-    return verdict.balls_agree(a, b, digits)
+    outcome = verdict.balls_agree(a, b, digits)
+    if outcome == Outcome.REFUTED:
+        differ(_numbers(a, "=", b))
+    return outcome
+
+
+def not_of_order(order: float, wanted: int) -> Outcome:
+    """REFUTED: an error that falls like another power than it should."""
+    differ(Difference(r"\text{order of the error}", "=", str(wanted), (f"{order:.2f}", "")))
+    return Outcome.REFUTED
 
 
 def decided(*facts: object) -> Outcome:
@@ -118,17 +160,21 @@ def limit_is(expression: sympy.Expr, variable: sympy.Symbol, end: sympy.Expr, va
     if found.has(sympy.Limit, sympy.AccumBounds, sympy.nan):
         return Outcome.UNDECIDED
     if wanted.is_infinite or found.is_infinite:
+        if found != wanted:
+            standing = sympy.Limit(expression, variable, end, side)
+            differ(Difference(tex(standing), "=", tex(wanted), (tex(found), "")))
         return decided(found == wanted)
     return same(found, wanted)
 
 
-def _excludes_zero(expression: sympy.Expr, points: tuple[Fraction, ...]) -> bool:
+def _excludes_zero(expression: sympy.Expr, points: tuple[Fraction, ...]) -> Place | None:
+    """The rational point at which the expression is certainly not zero, if this is one."""
     expression = _in_letters(expression)
     symbols = sorted(expression.free_symbols, key=str)
     values = {s: to_sympy(q) for s, q in zip(symbols, cycle(points))}
     with ctx.workprec(200):
         ball = closed_form_ball(expression.subs(values))
-    return ball.is_finite() and not ball.contains(0)
+    return values if ball.is_finite() and not ball.contains(0) else None
 
 
 def _in_letters(expression: sympy.Expr) -> sympy.Expr:

@@ -36,7 +36,7 @@ from importlib import import_module
 from typing import Any
 
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
-from paper_checks.evidence import Marks
+from paper_checks.evidence import Difference, Marks
 from paper_checks.forms import guarded
 
 Check = Callable[[Any], Outcome]
@@ -202,12 +202,16 @@ def proved_by_line(s: Statement) -> bool:
 
 @dataclass(frozen=True)
 class Entry:
-    """The result of running one statement's check: the verdict with its outcomes, or a disagreement."""
+    """The result of running one statement's check: the verdict with its outcomes, or a disagreement.
+
+    ``apart``: the two sides at the near miss, where the check has told them apart.
+    """
 
     statement: Statement
     outcomes: dict[str, Outcome]
     seconds: float
     marks: Marks | None = None
+    apart: Difference | None = None
 
     @property
     def agrees(self) -> bool:

@@ -15,27 +15,32 @@ from contextlib import contextmanager
 from multiprocessing.connection import wait
 
 from asymptotics.verdict import Outcome
-from paper_checks.evidence import Marks, recorded
+from paper_checks.evidence import Difference, Marks, recorded
 from paper_checks.registry import Entry, Statement, forms, load
 
 Progress = Callable[[str], None]
 
 
 def examine(entry: Statement) -> Entry:
-    """Run the check of one statement on all its forms; what evidence it used is noted on the form that it confirms."""
-    start, outcomes, used = time.perf_counter(), {}, Marks()
+    """Run the check of one statement on all its forms; what evidence it used is noted on the form that it confirms.
+
+    What it has told apart on the near miss, and on no form that it confirms, is what refutes the near miss.
+    """
+    start, outcomes, marks = time.perf_counter(), {}, {}
     for name, form in forms(entry):
-        with recorded() as marks:
+        with recorded() as marks[name]:
             outcomes[name] = entry.check(form)
-        if outcomes[name] == Outcome.CONFIRMED:
-            used = marks
-    return Entry(entry, outcomes, time.perf_counter() - start, used)
+    confirmed = [marks[name] for name, outcome in outcomes.items() if outcome == Outcome.CONFIRMED]
+    usual = [d for found in confirmed for d in found.differences]
+    apart = [d for d in marks["near miss"].differences if d not in usual] if "near miss" in marks else []
+    used = confirmed[-1] if confirmed else Marks()
+    return Entry(entry, outcomes, time.perf_counter() - start, used, apart[-1] if apart else None)
 
 
-def _examine_id(paper: str, key: str) -> tuple[dict[str, Outcome], float, Marks | None]:
+def _examine_id(paper: str, key: str) -> tuple[dict[str, Outcome], float, Marks | None, Difference | None]:
     """In a worker: statements travel as ids, their checks are found again in the registry."""
     result = examine(load(paper)[key])
-    return result.outcomes, result.seconds, result.marks
+    return result.outcomes, result.seconds, result.marks, result.apart
 
 
 def examine_all(

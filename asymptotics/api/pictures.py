@@ -10,8 +10,7 @@ from typing import Any
 
 from asymptotics.errors import InputError
 from asymptotics.numbers.policy import Number
-from asymptotics.present.drawn import Drawn, draw_on
-from asymptotics.present.figures import new_axes
+from asymptotics.present.drawn import Drawn, plotted
 from asymptotics.public import public
 
 
@@ -27,6 +26,4 @@ def plot(*results: Any, ax: Any = None, max_seconds: Number = 60, **style: Any) 
             raise InputError("results", f"a {type(result).__name__} has no curve", accepted)
     if not results:
         raise InputError("results", "there is nothing to draw", "at least one result")
-    axes = new_axes() if ax is None else ax
-    draw_on(axes, results, style)
-    return axes
+    return plotted(results, ax, style)

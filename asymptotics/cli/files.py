@@ -44,12 +44,12 @@ def add_plot(parser: argparse.ArgumentParser, what: str, *, overlay: str = "") -
 
 
 def picture_maker(
-    options: argparse.Namespace, results: Callable[[], Sequence[Drawn]], size: tuple[float, float] = SIZE, **style: Any
+    options: argparse.Namespace, results: Callable[[], Sequence[Drawn]], **style: Any
 ) -> Callable[[str], bytes]:
     """What makes the file of --plot: the ``plot`` of the results, on the same axes."""
     if options.plot is None and (options.size is not None or options.dpi is not None):
         raise InputError("--dpi" if options.size is None else "--size", "there is no picture", "--plot FILE with it")
-    sides = size if options.size is None else _sides(options.size)
+    sides = None if options.size is None else _sides(options.size)
     dots = DPI if options.dpi is None else parse_integer(options.dpi, "--dpi", MIN_DPI, MAX_DPI)
     return lambda kind: pictured(results(), kind, size=sides, dpi=dots, **style)
 

@@ -81,7 +81,7 @@ def run(options: argparse.Namespace) -> Answer:
         **numbers,
     )
     makers: Makers = {
-        "--plot": picture_maker(options, lambda: [answer], (10, 7.5), panels=True),
+        "--plot": picture_maker(options, lambda: [answer], panels=True),
         "--csv": lambda _: _table(answer),
         "--html": lambda _: html_report(answer, _provenance(options)),
     }

@@ -165,7 +165,7 @@ def _makers(given: Given, time: ExactReal, options: argparse.Namespace, order: i
     shows = alone and (options.reference or reference_is_near(given.oscillator, time))
     first = again(given.oscillator)
     style = {"until": time, **({more: True} if shows else {})}
-    picture = picture_maker(options, lambda: overlaid(options, first, given, again), (6.4, 5.2), **style)
+    picture = picture_maker(options, lambda: overlaid(options, first, given, again), **style)
     return {"--plot": picture, "--csv": lambda _: csv_of(given, time, shown, gauge, options.static, points)}
 
 

@@ -112,8 +112,29 @@ def cut_short(
 def _examined(data: dict[str, object], results: dict[str, Any], as_json: bool) -> Answer:
     outcomes = {key: found["outcomes"] for key, found in results.items()}
     failed = [key for key, found in results.items() if not found["agrees"]]
-    shown = [f"{key}: " + ", ".join(f"{name} {o}" for name, o in found.items()) for key, found in outcomes.items()]
+    shown = [
+        line
+        for key, found in results.items()
+        for line in (
+            f"{key}: " + ", ".join(f"{name} {outcome}" for name, outcome in found["outcomes"].items()),
+            *([f"  near miss: {_told(found['apart'])}"] if found["apart"] else []),
+        )
+    ]
     last = f"disagrees: {', '.join(failed)}" if failed else "the verdicts are borne out"
     return Answer(
-        {**data, "outcomes": outcomes, "agrees": not failed}, "\n".join([*shown, last]), as_json, bool(failed)
+        {
+            **data,
+            "outcomes": outcomes,
+            "apart": {key: found["apart"] for key, found in results.items()},
+            "agrees": not failed,
+        },
+        "\n".join([*shown, last]),
+        as_json,
+        bool(failed),
     )
+
+
+def _told(apart: dict[str, Any]) -> str:
+    """The two sides that differ, by their values where there are any."""
+    left, right = (value or side for value, side in zip(apart["values"], (apart["left"], apart["right"])))
+    return f"{left} is not {apart['relation']} {right}" + (f" at {apart['where']}" if apart["where"] else "")

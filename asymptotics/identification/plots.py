@@ -107,7 +107,7 @@ def _residuals(axes: Any, law: LawFit) -> None:
     if samples is not None:
         axes.plot(samples.t, fit.weighted, ".", markersize=2, label=f"{len(samples.t)} samples")
         axes.axhline(0, color="0.5", lw=0.6)
-        axes.set(xlabel="t", ylabel="residual / standard deviation")
+        axes.set(xlabel="t (s)", ylabel="residual / standard deviation")
         head(axes, [f"residuals of {law.candidate}"])
         return
     numbers = {"x": fit.model.seen.n, "t": fit.model.seen.n, "passage": fit.model.seen.passage_n}

@@ -1,7 +1,7 @@
 """What identification found: a frozen record with a table, LaTeX and JSON."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -222,6 +222,9 @@ class Identification(Rows, Drawn):
 
     def _heading(self) -> str:
         return self.verdict.text
+
+    def _size(self, style: Mapping[str, Any]) -> tuple[float, float]:
+        return (10, 7.5) if style.get("panels") else super()._size(style)
 
     def _curve(self, axes: Any, **style: Any) -> bool:
         panels = bool(style.pop("panels", False))

@@ -70,14 +70,19 @@ class PaperStatement(Shown):
     def check(self, *, max_seconds: Number = 60) -> dict[str, Any]:
         """Its check, run again: ``outcomes`` of each form (confirmed, refuted), and whether they bear the verdict out.
 
+        ``apart``: the two sides that the check has told apart at the near miss (LaTeX, values, where), if it has.
+
         InputError where the checks, a part of the wheel of their own, are not installed.
 
         >>> from asymptotics.papers.lookup import paper
-        >>> paper("smith2012:45").check()
-        {'outcomes': {'printed': 'confirmed', 'near miss': 'refuted'}, 'agrees': True}
+        >>> found = paper("smith2012:45").check()
+        >>> found["outcomes"], found["agrees"], found["apart"]["values"]
+        ({'printed': 'confirmed', 'near miss': 'refuted'}, True, (...))
         """
         if find_spec("paper_checks") is None:
             raise InputError("check", "the checks are not installed", "all of a wheel: pip install . in a clone")
         statement = import_module("paper_checks.registry").load(self.paper)[self.id]
         found = import_module("paper_checks.runner").examine(statement)
-        return {"outcomes": {name: str(o) for name, o in found.outcomes.items()}, "agrees": found.agrees}
+        apart = None if found.apart is None else asdict(found.apart)
+        outcomes = {name: str(outcome) for name, outcome in found.outcomes.items()}
+        return {"outcomes": outcomes, "agrees": found.agrees, "apart": apart}

@@ -13,20 +13,20 @@ legend stands between the heading and the axes, never over the data; a second re
 (True, b'\\x89PNG', b'%PDF')
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from textwrap import wrap
 from typing import Any
 
 from asymptotics.budget import budget
 from asymptotics.errors import InputError, shown
-from asymptotics.present.figures import DPI, SIZE, new_axes, render
+from asymptotics.present.figures import DPI, SIZE, new_axes, render, styled
 from asymptotics.present.html import image
 from asymptotics.present.shown import Shown
 
 KINDS = (".svg", ".png", ".pdf")
 _WIDTH, _COLUMNS, _ROW = 78, 3, 15.0  # characters in a line of the heading; entries and points of a row of the legend
-_IN_PAGE, _SECONDS = (6.4, 3.6), 5
+_IN_PAGE, _TWO, _SECONDS = (6.4, 3.6), (6.4, 5.2), 5
 
 
 class Drawn(Shown):
@@ -40,17 +40,19 @@ class Drawn(Shown):
         """Draw; what is no option of its own is the style of the main line.  True if it has made its own headings."""
         raise NotImplementedError
 
+    def _size(self, style: Mapping[str, Any]) -> tuple[float, float]:
+        """The size of its picture in inches, where none is asked for; what stands below the curve has its room."""
+        return _TWO if style.get("errors") or style.get("velocity") else SIZE
+
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Draw on ``ax`` (new axes by default) and return the axes; ``style`` goes to the main line of Matplotlib.
 
-        Curves in time take ``until`` (s, or tau).  InputError for a style that Matplotlib does not have, where there
-        is nothing to draw, and where Matplotlib, an extra, is not installed.
+        Curves in time take ``until`` (s, or tau); new axes a ``size`` in inches.  InputError for a style that
+        Matplotlib does not have, where there is nothing to draw, and where Matplotlib, an extra, is not installed.
         """
-        axes = new_axes() if ax is None else ax
-        draw_on(axes, [self], style)
-        return axes
+        return plotted([self], ax, style)
 
-    def picture(self, kind: str = "svg", *, size: Any = SIZE, dpi: Any = DPI, **style: Any) -> bytes:
+    def picture(self, kind: str = "svg", *, size: Any = None, dpi: Any = DPI, **style: Any) -> bytes:
         """The same as a file: "svg" (with a title), "png" or "pdf"; ``size`` in inches; the same bytes at each call."""
         return pictured([self], kind, size=size, dpi=dpi, **style)
 
@@ -62,8 +64,22 @@ class Drawn(Shown):
             return ""
 
 
-def pictured(results: Sequence[Any], kind: str, *, size: Any = SIZE, dpi: Any = DPI, **style: Any) -> bytes:
+def plotted(results: Sequence[Any], ax: Any, style: dict[str, Any]) -> Any:
+    """Results on ``ax``, or on new axes, which are in the style of all pictures; the axes."""
+    if ax is not None:
+        draw_on(ax, results, style)
+        return ax
+    given = dict(style)
+    with styled():
+        size = given.pop("size", None)
+        axes = new_axes(results[0]._size(given) if size is None else size)
+        draw_on(axes, results, given)
+    return axes
+
+
+def pictured(results: Sequence[Any], kind: str, *, size: Any = None, dpi: Any = DPI, **style: Any) -> bytes:
     """The file of one result, or of several on the same axes; the headings are its title."""
+    size = results[0]._size(style) if size is None else size
     title = "; ".join(result._heading() for result in results)
     return render(lambda axes: draw_on(axes, results, style), size=size, kind=kind, dpi=dpi, title=title)
 

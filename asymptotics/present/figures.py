@@ -26,7 +26,7 @@ STYLE: Any = {
     "grid.linewidth": 0.6,
     "legend.frameon": False,
     "lines.linewidth": 1.5,
-    "mathtext.fontset": "stix",
+    "mathtext.fontset": "dejavusans",
     "svg.hashsalt": "power-law-oscillator",
 }
 
@@ -54,8 +54,7 @@ def render(
     wide, high = _size(size)
     if isinstance(dpi, bool) or not isinstance(dpi, int) or not MIN_DPI <= dpi <= MAX_DPI:
         raise InputError("dpi", f"{shown(dpi)} is no resolution", f"an integer from {MIN_DPI} to {MAX_DPI}")
-    matplotlib = _matplotlib("matplotlib")
-    with matplotlib.rc_context(STYLE):
+    with styled():
         figure = _matplotlib("matplotlib.figure").Figure(figsize=(wide, high), layout="constrained")
         draw(figure.subplots())
         buffer = io.BytesIO()
@@ -64,10 +63,14 @@ def render(
     return buffer.getvalue()
 
 
-def new_axes() -> Any:
-    """Axes of a new figure that notebooks and windows show, in the style of all pictures."""
-    with _matplotlib("matplotlib").rc_context(STYLE):
-        return _matplotlib("matplotlib.pyplot").subplots(figsize=SIZE, layout="constrained")[1]
+def styled() -> Any:
+    """A context in which everything is drawn in the style of all pictures."""
+    return _matplotlib("matplotlib").rc_context(STYLE)
+
+
+def new_axes(size: Any = SIZE) -> Any:
+    """Axes of a new figure that notebooks and windows show."""
+    return _matplotlib("matplotlib.pyplot").subplots(figsize=_size(size), layout="constrained")[1]
 
 
 def _matplotlib(name: str) -> Any:

@@ -67,9 +67,8 @@ class Shown:
 
     def _repr_html_(self) -> str:
         page = self._page()
-        rows = page.rows[:MAX_ROWS]
-        more = (f"{len(page.rows) - MAX_ROWS} more rows: to_dataframe()",) if len(page.rows) > MAX_ROWS else ()
-        return block(page.title, (*page.lines, *more), page.head, rows, self._picture())
+        more = (("...", f"{len(page.rows) - MAX_ROWS} more rows: to_dataframe()"),) if len(page.rows) > MAX_ROWS else ()
+        return block(page.title, page.lines, page.head, (*page.rows[:MAX_ROWS], *more), self._picture())
 
     def _repr_latex_(self) -> str:
         formula = self._formula()

@@ -19,9 +19,43 @@ def faults(figure):
         if legend is not None and covered(axes, legend.get_window_extent()):
             found.append(f"{name}: the legend covers data")
         box = axes.get_tightbbox()
-        if box is not None and (box.x0 < frame.x0 - 2 or box.x1 > frame.x1 + 2 or box.y1 > frame.y1 + 2):
+        if box is not None and _outside(box, frame):
             found.append(f"{name}: cut off by the edge")
-    return found
+    for text in figure.texts + ([figure._suptitle] if figure._suptitle is not None else []):
+        if _outside(text.get_window_extent(), frame):
+            found.append(f"{text.get_text()!r}: cut off by the edge")
+    return found + overlaps(figure)
+
+
+def _outside(box, frame):
+    return box.x0 < frame.x0 - 2 or box.x1 > frame.x1 + 2 or box.y0 < frame.y0 - 2 or box.y1 > frame.y1 + 2
+
+
+def overlaps(figure):
+    """Headings, legends and names of axes that lie over one another, or over the axes of a neighbour."""
+    shown = [a for a in figure.axes if a.get_visible() and a.axison]
+    words = []
+    for axes in shown:
+        parts = [axes.title, axes.xaxis.label, axes.yaxis.label, axes.get_legend()]
+        kept = [p for p in parts if p is not None and p.get_visible() and (not hasattr(p, "get_text") or p.get_text())]
+        words += [(axes, getattr(p, "get_text", lambda: "the legend")(), p.get_window_extent()) for p in kept]
+    pairs = [(a, b) for i, a in enumerate(words) for b in words[:i] if _meet(a[2], b[2])]
+    found = [f"{a[1]!r} lies over {b[1]!r}" for a, b in pairs]
+    return found + [
+        f"{text!r} lies over its neighbour"
+        for axes, text, box in words
+        for other in shown
+        if other is not axes and _apart(axes, other) and _meet(box, other.get_window_extent())
+    ]
+
+
+def _apart(one, other):
+    """Whether two axes stand beside each other, and not one in the other, as twins and insets do."""
+    return not _meet(one.get_window_extent(), other.get_window_extent())
+
+
+def _meet(a, b):
+    return min(a.x1, b.x1) - max(a.x0, b.x0) > 1 and min(a.y1, b.y1) - max(a.y0, b.y0) > 1
 
 
 def crowded(axis):

@@ -28,7 +28,7 @@ from asymptotics.swing.damping import Damping
 from asymptotics.swing.dense import states
 from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import mark, sampled
-from paper_checks.identities import vanishes
+from paper_checks.identities import not_of_order, vanishes
 from paper_checks.units import SYSTEMS, agreed
 
 b, k, m, x0, omega0, t, alpha = sympy.symbols("b k m x_0 omega_0 t alpha", positive=True)
@@ -138,7 +138,7 @@ def reaches(order: float, wanted: int) -> Outcome:
     """CONFIRMED if the measured order is at least ``wanted``, REFUTED if clearly less."""
     if order > wanted - 0.25:
         return Outcome.CONFIRMED
-    return Outcome.REFUTED if order < wanted - 0.6 else Outcome.UNDECIDED
+    return not_of_order(order, wanted) if order < wanted - 0.6 else Outcome.UNDECIDED
 
 
 def numeric(form: sympy.Expr, a: sympy.Expr) -> Callable[[float, float], float]:

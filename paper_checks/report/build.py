@@ -101,6 +101,7 @@ def _shown(entry: Entry) -> dict[str, Any]:
         "evidence_words": evidence(plain),
         "outcome_words": {name: OUTCOMES[str(outcome)] for name, outcome in entry.outcomes.items()},
         "near_miss_form": pages.near_miss(s) if "near miss" in entry.outcomes else None,
+        "apart": pages.apart(entry.apart),
         "source": path,
         "source_page": pages.source_name(path.partition(":")[0]) + "#L" + path.partition(":")[2],
         "section": pages.section_of(s),

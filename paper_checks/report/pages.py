@@ -11,10 +11,14 @@ import sympy
 
 from derivations.__main__ import names
 from paper_checks.data import ROOT
+from paper_checks.evidence import Difference
+from paper_checks.forms import tex
 from paper_checks.reader import RELATION, tied
 from paper_checks.readings import READINGS
 from paper_checks.registry import SECTIONS, Statement
 from paper_checks.report.words import typeset
+
+_LONG = 500  # characters of LaTeX that a line has room for
 
 
 def sections(key: str) -> list[dict[str, str]]:
@@ -64,15 +68,32 @@ def near_miss(entry: Statement) -> dict[str, str]:
     """The near miss as LaTeX if it is an expression, with what it stands in place of; else as text."""
     form = entry.near_miss
     if isinstance(form, sympy.Expr) and isinstance(entry.printed, sympy.Expr):
-        instead = rf"{sympy.latex(form)} \quad\text{{in place of}}\quad {sympy.latex(entry.printed)}"
+        instead = rf"{tex(form)} \quad\text{{in place of}}\quad {tex(entry.printed)}"
         return {"latex": left_side(entry) + instead, "text": ""}
     if isinstance(form, sympy.Basic):
-        return {"latex": sympy.latex(form), "text": ""}
+        return {"latex": tex(form), "text": ""}
     if isinstance(form, tuple) and form and all(isinstance(part, sympy.Basic) for part in form):
-        return {"latex": r",\quad ".join(sympy.latex(part) for part in form), "text": ""}
+        return {"latex": r",\quad ".join(tex(part) for part in form), "text": ""}
     if callable(form):
         return {"latex": "", "text": form.__name__.strip("_").replace("_", " ")}
     return {"latex": "", "text": typeset(re.sub(r"Fraction\((-?\d+), (\d+)\)", r"\1/\2", str(form)))}
+
+
+def apart(found: Difference | None) -> dict[str, str] | None:
+    r"""What the check has compared at the near miss, where the two sides differ; long sides by their values alone.
+
+    >>> apart(Difference("2 b", "=", "b", ("0.5", "0.25"), "b = 1/4"))
+    {'where': 'b = 1/4', 'latex': '2 b = 0.5 \neq b = 0.25'}
+    """
+    if found is None:
+        return None
+    values = [re.sub(r"e([+-]?\d+)$", r" \\cdot 10^{\1}", value) for value in found.values]
+    sides = [found.left, found.right]
+    if sum(map(len, sides)) > _LONG and all(values):
+        sides = [r"\text{left side}", r"\text{right side}"]
+    shown = [f"{side} = {value}" if value and value != side else side for side, value in zip(sides, values)]
+    sign = {"=": r"\neq", "<": r"\nless"}[found.relation]
+    return {"where": found.where, "latex": f"{shown[0]} {sign} {shown[1]}"}
 
 
 def source_name(path: str) -> str:

@@ -18,7 +18,8 @@ from flint import arb
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.context import ctx
 from asymptotics.verdict import Evidence, Outcome
-from paper_checks.evidence import mark
+from paper_checks.evidence import Difference, differ, mark
+from paper_checks.forms import tex
 from paper_checks.identities import decided
 
 PAPER = "smith2012"
@@ -57,7 +58,10 @@ def physical(expression: sympy.Expr) -> sympy.Expr:
 def same_polynomial(left: sympy.Expr, right: sympy.Expr) -> Outcome:
     """Equality of polynomials in whatever atoms occur (derivatives included): decided by expansion, both ways."""
     mark(Evidence.PROVED)
-    return decided(sympy.expand(left - right) == 0)
+    equal = sympy.expand(left - right) == 0
+    if not equal:
+        differ(Difference(tex(left), "=", tex(right)))
+    return decided(equal)
 
 
 @cache

@@ -1,10 +1,17 @@
 """How symbolic forms are judged."""
 
+from dataclasses import replace
+
 import pytest
 import sympy
+from flint import arb
 
 from asymptotics.verdict import Outcome
-from paper_checks.identities import all_confirmed, decided, same, vanishes
+from paper_checks.evidence import recorded
+from paper_checks.identities import all_confirmed, below, decided, rounds_to, same, vanishes
+from paper_checks.registry import load
+from paper_checks.report.pages import apart
+from paper_checks.runner import examine
 
 x = sympy.Symbol("x", positive=True)
 
@@ -35,3 +42,24 @@ def test_conjunction_is_the_weakest():
 
 def test_decided():
     assert (decided(True), decided(False)) == (Outcome.CONFIRMED, Outcome.REFUTED)
+
+
+def test_what_refutes_is_told_with_both_sides_where_they_differ():
+    x, y = sympy.symbols("x alpha'", positive=True)
+    with recorded() as marks:
+        assert same(2 * x, x * y) == Outcome.REFUTED
+        assert rounds_to("0.334", arb(1) / 3) == Outcome.REFUTED and below(arb(2), arb(1)) == Outcome.REFUTED
+    first, _, second, third = marks.differences
+    assert (first.left, first.right, first.values) == ("2 x", r"\alpha' x", ("1.20000", "0.171429"))
+    assert first.where == r"\alpha' = \frac{2}{7}, x = \frac{3}{5}"
+    assert (second.left, second.right[:6], third.relation) == ("0.334", "0.3333", "<")
+    with recorded() as marks:
+        assert same(x, x) == Outcome.CONFIRMED
+    assert marks.differences == []
+
+
+def test_most_near_misses_show_both_sides_and_no_true_form_does():
+    statement = load()["lancaster2020:13"]
+    found = examine(statement)
+    assert found.apart is not None and apart(found.apart)["latex"].count("neq") == 1
+    assert examine(replace(statement, near_miss=None)).apart is None

@@ -62,6 +62,25 @@ def test_a_curve_has_a_heading_units_and_a_legend_outside(name):
     assert faults(axes.figure) == []  # no ticks over ticks, no legend over data, nothing empty or cut off
 
 
+def test_panels_have_room_and_the_style_of_all_pictures():
+    n = np.arange(30)
+    noise = 1e-3 * np.random.default_rng(0).standard_normal(30)
+    decay = {"n": n, "x": (-1.0) ** n * 0.95**n + noise}
+    answer = asy.identify(decay, laws=["1", "2", "1+2"], bootstrap=False)
+    figure = answer.plot().figure
+    assert len(figure.axes) == 4 and faults(figure) == []
+    assert not any(axes.spines["top"].get_visible() or axes.get_legend().get_frame_on() for axes in figure.axes)
+    cramped = mpl.pyplot.subplots(figsize=(6.4, 4), layout="constrained")[1]
+    answer.plot(cramped, panels=True)  # a heading that the edge cuts is noticed
+    assert any("cut off" in fault for fault in faults(cramped.figure))
+    over = mpl.pyplot.subplots(1, 2, figsize=(4, 2))[1]
+    over[0].plot([0, 1], [0, 1], label="a legend that is much wider than its axes")
+    over[0].legend(loc="lower left")
+    over[1].plot([0, 1], [0, 1])
+    assert any("lies over" in fault for fault in faults(over[0].figure))
+    mpl.pyplot.close("all")
+
+
 def test_units_are_those_of_the_result():
     assert (drawn(asy.motion(OSC)).get_xlabel(), drawn(asy.motion(OSC)).get_ylabel()) == ("t (s)", "x (m)")
     alone = drawn(asy.motion(LAW))

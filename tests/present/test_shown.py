@@ -152,7 +152,7 @@ def test_a_long_table_is_cut_and_says_so():
             return Page("n", (), ("n",), tuple((n,) for n in range(40)))
 
     shown = Long()._repr_html_()
-    assert shown.count("<tr>") == 13 and "28 more rows" in shown
+    assert shown.count("<tr>") == 14 and "28 more rows" in shown
 
 
 @pytest.mark.timeout(120)
