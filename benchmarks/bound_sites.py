@@ -8,7 +8,8 @@
     premise  c and d; all(c for …)                each part that compares is dropped by itself
 
 A guard that refuses a request (``InputError``, ``LimitError``) bounds nothing, and a bound that is all of a radius is
-that radius.  Modules that use no balls have no sites.
+that radius; of two that plant the same text the first counts.  A text or a set has no bounds.  Modules that use no
+balls have no sites, nor those that ``docs/maintainers/arithmetics.md`` calls heuristic: nothing is claimed there.
 
 >>> text = "from flint import arb\\ndef f(x, r):\\n    return arb(x, r).upper()\\n"
 >>> [(site.kind, site.weaker) for site in sites_of(text, "f.py")]
@@ -16,6 +17,7 @@ that radius.  Modules that use no balls have no sites.
 """
 
 import ast
+import re
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -23,6 +25,7 @@ from functools import lru_cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
+ARITHMETICS = ROOT / "docs" / "maintainers" / "arithmetics.md"
 REFUSALS = {"InputError", "LimitError", "TypeError", "ValueError", "NotImplementedError"}
 HALVED, DOUBLED = {"upper", "abs_upper"}, {"lower", "abs_lower"}
 Weaken = Callable[[str], str]
@@ -56,8 +59,27 @@ class Site:
 @lru_cache(maxsize=1)
 def sites() -> tuple[Site, ...]:
     """All sites of the library."""
-    files = sorted((ROOT / "asymptotics").rglob("*.py"))
-    return tuple(site for path in files for site in sites_of(path.read_text(), str(path.relative_to(ROOT))))
+    files = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "asymptotics").rglob("*.py"))
+    return tuple(site for file in files if not is_heuristic(file) for site in sites_of((ROOT / file).read_text(), file))
+
+
+@lru_cache(maxsize=1)
+def _arithmetics() -> dict[str, str]:
+    """The room or the file -> its arithmetic."""
+    rows = re.findall(r"^\|(.*)\| (exact|certified|heuristic|none) \|(.*)\|$", ARITHMETICS.read_text(), re.MULTILINE)
+    found, room = {}, ""
+    for left, arithmetic, right in rows:
+        rooms, files = (re.findall(r"`([\w/.]+)`", cell) for cell in (left, right))
+        room = rooms[-1] if rooms else room
+        here = rooms if not right.strip() else [room] if "all others" in right else files
+        found |= dict.fromkeys(here, arithmetic)
+    return found
+
+
+def is_heuristic(file: str) -> bool:
+    """Whether the table of arithmetics says so: of the file itself, else of its room."""
+    name, known = file.removeprefix("asymptotics/"), _arithmetics()
+    return known.get(name, known.get(f"{name.split('/')[0]}/")) == "heuristic"
 
 
 def sites_of(source: str, file: str) -> Iterator[Site]:
@@ -74,13 +96,19 @@ def sites_of(source: str, file: str) -> Iterator[Site]:
         return starts[line - 1] + len(lines[line - 1].encode()[:column].decode())
 
     seen: Counter[tuple[str, str, str]] = Counter()
+    planted: set[tuple[int, str]] = set()
     for function, node in _functions(tree.body, ""):
         for kind, part, weaken in _weakened(node):
             start, end = place(part.lineno, part.col_offset), place(part.end_lineno or 0, part.end_col_offset or 0)
             text = source[start:end]
             same = (function, kind, text)
-            yield Site(file, function, kind, text, weaken(text), start, part.lineno, seen[same])
-            seen[same] += 1
+            site = Site(file, function, kind, text, weaken(text), start, part.lineno, seen[same])
+            negated = isinstance(part, ast.UnaryOp) and isinstance(part.op, ast.Not) and kind == "guard"
+            outcome = (end, f"True {text.removeprefix('not ')}" if negated else f"{site.weaker} {text}")
+            if outcome not in planted:
+                planted.add(outcome)
+                yield site
+                seen[same] += 1
 
 
 def _uses_balls(tree: ast.Module) -> bool:
@@ -117,6 +145,12 @@ def _radius(node: ast.AST) -> ast.expr | None:
     return None
 
 
+def _is_no_ball(node: ast.Call) -> bool:
+    """str(…).lower(), set().union(…)."""
+    made = node.func.value if isinstance(node.func, ast.Attribute) else None
+    return isinstance(made, ast.Call) and _name(made) in ("str", "set")
+
+
 def _name(node: ast.Call) -> str:
     f = node.func
     return f.id if isinstance(f, ast.Name) else f.attr if isinstance(f, ast.Attribute) else ""
@@ -124,6 +158,8 @@ def _name(node: ast.Call) -> str:
 
 def _call(node: ast.Call) -> Found:
     name, radius = _name(node), _radius(node)
+    if _is_no_ball(node):
+        return
     if radius is not None:
         middle, half = ast.unparse(node.args[0]), ast.unparse(radius)
         yield "radius", node, lambda text: f"arb({middle}, ({half}) / 2)"

@@ -19,11 +19,16 @@ def made(p, Omega, order=2):
     return TruncatedFlow(*rows, (arb(1),), (arb(1) / 10,))
 
 
-def test_a_bad_guess_of_the_root_is_paid_for(monkeypatch):
-    """Where 1 + Omega = 0.3 a first radius of twice the change would miss the root: it is widened until it does not."""
-    flow, target, off = made({1: "0.5"}, {0: "-0.7"}), arb(2), arb(2) ** -20
+@pytest.mark.parametrize("speed", ["0.3", "0.14"])
+def test_a_bad_guess_of_the_root_is_paid_for(monkeypatch, speed):
+    """Where 1 + Omega is small a first radius of twice the change would miss the root: it is widened until it does not.
+
+    At 0.14 eight times the change is hardly enough, and half of what is missing would take half of that for enough.
+    """
+    target, off = arb(2), arb(2) ** -20
     with ctx.workprec(80):
-        root = (arb(4) / 3).log()  # psi = 0.3 int ds/(0.05 e^-s) = 6 (e^s - 1)
+        flow = made({1: "0.5"}, {0: arb(speed) - 1})
+        root = (1 + 1 / (10 * arb(speed))).log()  # psi = speed int ds/(0.05 e^-s) = 20 speed (e^s - 1)
         assert flow.phase(root).contains(target)
         for side in (-1, 1):
             monkeypatch.setattr(TruncatedFlow, "_near", lambda *_, side=side: (root + side * off).mid())
@@ -38,6 +43,13 @@ def test_a_root_that_no_widening_encloses_is_undecided(monkeypatch):
         monkeypatch.setattr(TruncatedFlow, "_near", lambda *_: (root + arb(2) ** -20).mid())
         with pytest.raises(UndecidedError, match="not enclosed"):
             flow._enclosed(arb(1) / 100)
+
+
+def test_where_the_amplitude_may_not_fall_is_undecided():
+    flow = made({1: "0.1", 2: "-1"}, {1: "0"})
+    with pytest.raises(UndecidedError, match="may lose its sign"):
+        flow._p(arb(0))
+    assert flow._p(arb(1)) > 0
 
 
 def test_an_integral_across_a_zero_is_refused():

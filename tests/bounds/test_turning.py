@@ -1,5 +1,6 @@
 """The theorem for all turning points, against the truncated equations and the certified orbit."""
 
+from dataclasses import replace
 from itertools import islice
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
+from asymptotics.bounds import turning
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.errors import InputError, LimitError
 from asymptotics.numbers.exact import parse_real
@@ -78,3 +80,21 @@ def test_what_the_theorem_does_not_cover_is_refused():
         turning_bounds(reals("1/2"), 1, [arb("0.01")])
     with pytest.raises(LimitError, match="range of the theorem"):
         turning_bounds(reals("2"), 1, [arb(1)])
+
+
+def test_without_their_premises_the_sharper_bounds_are_not_claimed():
+    """What does not fade, or does not fall, adds up: n |delta|^m, and no less."""
+    bounds = replace(turning_bounds(reals("2"), 1, [arb("0.05")]), delta=arb("0.3"), G=arb(1))
+    slow = replace(bounds, g=arb("0.001"), fading=arb(-1))
+    assert abs(slow.log_amplitude(10) - slow._crude(10)) < 1e-9
+    rising = replace(bounds, g=arb(-1), fading=arb(1))
+    assert abs(rising.log_amplitude(10) - rising._crude(10)) < 1e-9
+    steep = replace(bounds, g=arb(10))
+    assert abs(steep._sum(arb(2), 5) - 5 * arb("0.3") ** 2) < 1e-9
+
+
+@pytest.mark.parametrize("found", [(-1, 1), (1, -1)])
+def test_an_amplitude_equation_that_may_lose_its_sign_is_refused(monkeypatch, found):
+    monkeypatch.setattr(turning, "rates", lambda *_: tuple(map(arb, found)))
+    with pytest.raises(LimitError, match="may lose its sign"):
+        turning_bounds(reals("2"), 1, [arb("0.05")])

@@ -1,5 +1,8 @@
 """Enclosures of the waveform: they hold a quadrature of another kind with few pieces, and half of each does not."""
 
+from dataclasses import replace
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from flint import acb, arb, ctx
@@ -9,6 +12,7 @@ from asymptotics.bounds.waveform import _modulus, _Pieces, _size, _Waveform, wav
 from asymptotics.half_swings.forces import Forces
 from asymptotics.motions.waveform import waveform_at
 from asymptotics.numbers.exact import parse_real
+from asymptotics.series import Series
 
 BITS = 80
 
@@ -180,3 +184,17 @@ def test_how_fast_the_waveform_turns_is_attained(alpha):
                 slopes = [(acb(*b[(k,)]) - acb(*a[(k,)])) / (2 * h) + acb(0, 1) * acb(*m[(k,)]) for a, m, b in rows]
                 seen = max(float(abs(s)) for s in slopes)
                 assert seen < float(bound) < 1.5 * seen
+
+
+def test_the_circle_of_cauchy_keeps_away_from_zeros():
+    """g = 1 + 3 delta and 1 + Omega = 1 + 3 delta vanish at delta = -1/3: each alone keeps rho below 1/6."""
+    with ctx.workprec(BITS):
+        waveform = _Waveform.of(reals("2"), 2, 2)
+        rates = SimpleNamespace(p=Series({(1,): arb(1)}, 1, 2), Omega=Series({}, 1, 2))
+        flat = [{(0,): waveform.pieces.s * 0 + 1}]
+        plain = replace(waveform, g=flat, true=rates)
+        assert plain._cauchy()[1] == 1
+        steep = replace(plain, g=[*flat, {(1,): flat[0][(0,)] * 3}])
+        fast = replace(plain, true=SimpleNamespace(p=rates.p, Omega=Series({(1,): arb(3)}, 1, 2)))
+        for changed in (steep, fast):
+            assert arb(1) / 7 < changed._cauchy()[1] < arb(1) / 6
