@@ -98,6 +98,11 @@ def map_seconds(steps: int, digits: int, nodes: float = 0.0, *, times: bool = Fa
     return seconds + (nodes + steps * digits / 3) * one_evaluation if times else seconds
 
 
+def deep_quadrature_seconds(bits: int) -> float:
+    """One time on a half-swing under quadratic damping: as many nodes as bits, and a sum over them for each."""
+    return float(8 * (bits / 1600) ** 3.5)
+
+
 def closed_form_seconds(points: int, digits: int) -> float:
     """Turning points in closed form: an exponential or a product each."""
     return float(2e-5 * points * (1 + digits / 100))

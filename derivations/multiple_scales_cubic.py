@@ -67,6 +67,7 @@ X = [a * cos(psi)]
 step("Order 0: X_0 = a cos psi", sympy.Derivative(X[0], psi, 2) + X[0], sympy.S.Zero)
 V = [sympy.diff(X[0], psi)]
 f, g = sympy.symbols("f g")
+pair = sympy.Tuple
 D_0, D_n = defined("D_0", lambda h: D(rates[0], h)), defined("D_n", lambda h: D((f, g), h))
 D_1, D_2 = defined("D_1", lambda h: D(rates[1], h)), defined("D_2", lambda h: D(rates[2], h))
 X_0, V_0, phase = named("X_0", X[0]), named("V_0", V[0]), named("psi", psi)
@@ -78,8 +79,7 @@ step(
 right = -(V[0] ** 3)
 step("Order 1: -V_0^3", -(V_0**3), R(3, 4) * a**3 * sin(psi) - R(1, 4) * a**3 * sin(3 * psi))
 rates.append((-secular(right)[0] / 2, -secular(right)[1] / (2 * a)))
-step("Solvability", D_1(a), -R(3, 8) * a**3)
-step("and", D_1(phase), 0)
+step("Solvability", pair(D_1(a), D_1(phase)), pair(-R(3, 8) * a**3, 0))
 X.append(solve(right))
 X_1 = named("X_1", X[1])
 step(
@@ -99,8 +99,7 @@ step(
     a**5 * (-R(9, 128) * cos(psi) - R(27, 128) * cos(3 * psi) + R(9, 128) * cos(5 * psi)),
 )
 rates.append((-secular(right)[0] / 2, -secular(right)[1] / (2 * a)))
-step("Solvability", D_2(a), 0)
-step("and, in the gauge no-first-harmonic,", D_2(phase), R(9, 256) * a**4)
+step("Solvability, in the gauge no-first-harmonic", pair(D_2(a), D_2(phase)), pair(0, R(9, 256) * a**4))
 X.append(solve(right))
 step(
     "The second wave X_2",
@@ -110,8 +109,11 @@ step(
 
 # Order 3.
 V.append(D(rates[0], X[2]) + D(rates[1], X[1]) + D(rates[2], X[0]))
-step("The slow derivatives do not commute", D_1(D_2(phase)), -R(27, 512) * a**6)
-step("but", D_2(D_1(phase)), 0)
+step(
+    "The slow derivatives do not commute",
+    pair(D_1(D_2(phase)), D_2(D_1(phase))),
+    pair(-R(27, 512) * a**6, 0),
+)
 rest = (
     -2 * D(rates[1], D(rates[0], X[2]))
     - D(rates[1], D(rates[1], X[1]))
@@ -124,8 +126,11 @@ step("so D_1 D_2 X_0 and D_2 D_1 X_0 differ by", D_1(D_2(X_0)) - D_2(D_1(X_0)), 
 right = rest - one_two - two_one
 rates.append((-secular(right)[0] / 2, -secular(right)[1] / (2 * a)))
 D_3 = defined("D_3", lambda h: D(rates[3], h))
-step("Solvability at order 3 with D_1 D_2 + D_2 D_1", D_3(a), -R(351, 8192) * a**7)
-step("and", D_3(phase), 0)
+step(
+    "Solvability at order 3 with D_1 D_2 + D_2 D_1",
+    pair(D_3(a), D_3(phase)),
+    pair(-R(351, 8192) * a**7, 0),
+)
 X.append(solve(right))
 
 

@@ -8,6 +8,10 @@ All for quadratic damping, in u = gamma x and w = gamma v/omega (X = u/epsilon i
 0.97158589 0.73655239
 """
 
+from math import log
+
+from asymptotics.budget import seconds_left
+from asymptotics.costs import deep_quadrature_seconds, require_affordable
 from asymptotics.errors import InputError
 from asymptotics.invariants.certified import absolute_radius, first_constant, second_constant, series_radius
 from asymptotics.numbers.decimals import bits_for, certified_decimal, rational_decimal
@@ -42,7 +46,8 @@ def S(u: Number, w: Number, *, digits: int = 30, max_seconds: Number = 60) -> Co
 def T(u: Number, w: Number, tau: Number = 0, *, digits: int = 30, max_seconds: Number = 60) -> Coefficient:
     """T = omega t - (omega times the time since the last turning point), tau = omega t: when that half-swing began.
 
-    Source: Smith 2012, (69), by quadrature on either branch.  InputError where S >= 0: no turning point came before.
+    Source: Smith 2012, (69), by quadrature on either branch.  InputError where S >= 0: no turning point came before;
+    LimitError where the digits, or those that are lost next to a turning point, take longer than there is time.
 
     >>> print(T("1/4", "-1/4", 3, digits=12))
     2.16811921419
@@ -56,6 +61,11 @@ def T(u: Number, w: Number, tau: Number = 0, *, digits: int = 30, max_seconds: N
         return Coefficient(certified_decimal(lambda: now, D), None, notes)
     if not _level(place, speed) < 0:
         raise InputError("w", "S >= 0: no turning point came before this point", "w^2/2 + s u/2 < 1/4, s the sign of w")
+    bits, lost = bits_for(D), -2 * float(abs(speed).ball().log()) / log(2)
+    while bits < bits_for(D, 0) + lost:
+        bits *= 2
+    work = f"{D} digits at a speed of {speed.ball().str(3, radius=False)}"
+    require_affordable(deep_quadrature_seconds(bits), seconds_left(), "digits" if lost < D else "w", work)
     found = certified_decimal(
         lambda: second_constant(place.ball(), speed.ball(), now.ball()), D, max_bits=bits_for(D, 1 << 12)
     )

@@ -8,6 +8,7 @@ from flint import arb
 
 import asymptotics as asy
 from asymptotics.cli.main import main
+from asymptotics.errors import LimitError
 
 U0 = "1/3"
 
@@ -68,3 +69,10 @@ def test_the_command_line_has_the_same(capsys):
     assert (found["R"], found["rho"]) == tuple(c.value for c in asy.radii("1/2"))
     assert main(["smith", "s", "--u", "1", "--w", "0", "--tau", "3"]) == 2
     assert "--tau: smith s does not use it" in capsys.readouterr().err
+
+
+def test_what_next_to_a_turning_point_takes_too_long_is_refused_before_it_begins():
+    assert asy.T("-1/4", "1e-60", digits=10).value == "-4.000000000e-60"
+    for w, digits, argument in ((5e-324, 10, "w"), ("-1/4", 1000, "digits")):
+        with pytest.raises(LimitError, match=f"argument {argument}: .* would take about"):
+            asy.T("-1/4", w, digits=digits)

@@ -109,6 +109,19 @@ def test_a_wrong_guess_of_the_turning_point_is_paid_for(law, monkeypatch):
         assert found.duration.rad() / 2 < late and found.duration.rad() < late * arb(1.3)
 
 
+def test_a_guess_beyond_the_place_of_rest_is_undecided(monkeypatch):
+    law = damping(("2", "1/10"))
+    monkeypatch.setattr(arrivals, "_guess", lambda *_: arb(-1))
+    with pytest.raises(UndecidedError, match="not found"):
+        arrive(law, arb("-0.1"), arb("0.01").mid())
+
+
+def test_a_mass_that_leaves_its_turning_point_does_not_turn():
+    law = damping(("2", "1/10"))
+    assert arrivals.turns_within(law, arb("-0.1"), arb("0.001"), arb(0))
+    assert not arrivals.turns_within(law, arb("0.1"), arb("0.001"), arb(0))
+
+
 def test_errors_of_pieces_add_up():
     """Each piece has at least the error of the one before it and its own, rounding of the restart included."""
     with ctx.workprec(24):

@@ -321,3 +321,9 @@ def test_the_sketch_refuses_what_blows_up():
     strong = Sketch(np.array([3.0]), np.array([[-9.0]]), np.array([1.5]), np.array([0.0]))
     with pytest.raises(UndecidedError):
         strong.planned(60)
+
+
+def test_an_ellipse_that_may_lie_on_the_other_side_of_zero_has_no_majorant():
+    falls = coordinate(("2", "1/10"))
+    assert falls.bounds(arb(0), arb("0.1")) is not None and falls.bounds(arb("-0.01"), arb("0.1")) is None
+    assert falls.is_quartered and not coordinate(("1", "1/10")).is_quartered

@@ -6,6 +6,7 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
+from asymptotics.errors import UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping
@@ -89,3 +90,9 @@ def test_strengths_near_1_are_served(law, n):
 def test_a_moving_start_is_served():
     table = turning_points(Law({"1/1000": "9/10"}), 4, 12, x0="1/2", v0="-3")
     assert table.ended == {"n": 1, "reason": "creeps"} and table.points[1].x.startswith("0.15341082")
+
+
+def test_where_braking_may_stop_the_motion_at_once_there_is_no_room():
+    law = damping(("1", "1"))
+    with pytest.raises(UndecidedError, match="may stop the motion at once"):
+        room(law, arb("0.1"), arb("0.2"))
