@@ -13,12 +13,14 @@ from time import process_time
 
 from flint import arb
 
+from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
+from asymptotics.flow.turning import rest
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import Panels
-from asymptotics.swing.sequence import sequence
+from asymptotics.swing.sequence import Interpolated
 from asymptotics.turning.general import turning_points
 from benchmarks.table import Table, seconds_text
 
@@ -57,7 +59,7 @@ def orbit_seconds(law: Law, digits: int, size: int) -> tuple[float, float]:
 
     def orbit() -> None:
         with ctx.workprec(panels.bits):
-            *_, last = islice(sequence(damping, panels=panels, count=size), size + 1)
+            *_, last = islice(sequence(Interpolated(damping, panels, size), rest(arb(1))), size + 1)
             assert last.amplitude_error < last.amplitude * arb(10) ** -digits
             assert last.time_error < last.time * arb(10) ** -digits
 

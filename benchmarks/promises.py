@@ -9,10 +9,13 @@ from itertools import islice
 from time import process_time
 
 import numpy as np
+from flint import arb
 
 import asymptotics as asy
 from asymptotics.divergence import germ
+from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
+from asymptotics.flow.turning import rest
 from asymptotics.half_swings.certified_zeros import certified_half_swing
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.identification.coefficients import loss
@@ -24,7 +27,7 @@ from asymptotics.limit_cycles.series import limit_cycle_series
 from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import panels_of
-from asymptotics.swing.sequence import sequence
+from asymptotics.swing.sequence import Interpolated
 from asymptotics.swing.spectral import analysis, integrals
 from asymptotics.terms import Term
 from asymptotics.turning.general import turning_points
@@ -111,7 +114,7 @@ def points(pairs: dict[object, object], digits: int, size: int) -> object:
     with ctx.workprec(bits + GUARD):
         damping = Damping.of_law(law)
     with ctx.workprec(bits):
-        return list(islice(sequence(damping, panels=panels_of(law, bits), count=count), count + 1))[-1]
+        return list(islice(sequence(Interpolated(damping, panels_of(law, bits), count), rest(arb(1))), count + 1))[-1]
 
 
 def run(size: int = 8) -> Table:

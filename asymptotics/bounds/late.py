@@ -22,11 +22,14 @@ from asymptotics.bounds.turning import turning_bounds
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError
 from asymptotics.flow.balls import size_of, upper
+from asymptotics.flow.dense import states_from
+from asymptotics.flow.sequence import sequence
+from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.dense import states_from
 from asymptotics.swing.panels import Panels
-from asymptotics.swing.sequence import Turning, sequence
+from asymptotics.swing.sequence import Interpolated
 
 ORDERS = {1: 7, 2: 5}
 """The order K of the jump, by the number of laws; 3 for more than two."""
@@ -39,7 +42,7 @@ def late_state(damping: Damping, first: Turning, tau: arb, lead: int, panels: Pa
     """
     there = late_turning(damping, first, tau, lead, panels)
     with ctx.workprec(_as_long_as(tau)):
-        return states_from(damping, there, [tau])[0][0]
+        return states_from(LinearSpring(damping), there, [tau])[0][0]
 
 
 def late_turning(damping: Damping, first: Turning, tau: arb, lead: int, panels: Panels | None = None) -> Turning:
@@ -47,7 +50,8 @@ def late_turning(damping: Damping, first: Turning, tau: arb, lead: int, panels: 
 
     LimitError where the motion ends before, or the local strengths there are still out of the range of the theorem.
     """
-    here = _led(sequence(damping, first, panels=panels, count=lead), first.n + lead)
+    led = LinearSpring(damping) if panels is None else Interpolated(damping, panels, first.n + lead)
+    here = _led(sequence(led, first), first.n + lead)
     a, order = here.amplitude, ORDERS.get(len(damping.alphas), 3)
     with ctx.workprec(_as_long_as(tau)):
         epsilons = [e * a ** (alpha - 1) for e, alpha in zip(damping.strengths, damping.exponents, strict=True)]

@@ -23,6 +23,8 @@ from flint import arb
 from asymptotics.bounds.late import late_state
 from asymptotics.budget import DEFAULT_SECONDS, budget
 from asymptotics.errors import LimitError
+from asymptotics.flow.sequence import first_from
+from asymptotics.flow.turning import Turning, rest
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import time_of
 from asymptotics.motions.reference import reference_states
@@ -31,9 +33,9 @@ from asymptotics.numbers.decimals import bits_for, directed_decimal
 from asymptotics.numbers.exact import ExactReal, parse_rational
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.rationals import bounds
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import panels_of
-from asymptotics.swing.sequence import Turning, first_from, first_turning
 
 LATE = 20_000
 """Half-swings beyond which the motion is reached by a jump, where every exponent is at least 1."""
@@ -88,11 +90,13 @@ def _jumped(oscillator: Oscillator, t: ExactReal, digits: int) -> arb:
         tau, damping = t.ball() * oscillator.omega_0(), Damping.of_law(law)
     with ctx.workprec(bits):
         omega, length = oscillator.omega_0(), oscillator.length()
-        first: Turning | str = first_turning()
+        first: Turning | str = rest(arb(1))
         if oscillator.x0 < 0:
-            first = replace(first_turning(), side=-1)
+            first = replace(rest(arb(1)), side=-1)
         if not oscillator.v0.is_zero:
-            first = first_from(damping, oscillator.x0.ball() / length, oscillator.v0.ball() / (omega * length))
+            first = first_from(
+                LinearSpring(damping), oscillator.x0.ball() / length, oscillator.v0.ball() / (omega * length)
+            )
         if isinstance(first, str):
             raise LimitError("time", f"the motion {first}", "a motion that turns")
         return late_state(damping, first, tau, lead, panels_of(law, bits)) * length

@@ -11,8 +11,8 @@ from typing import Protocol
 from flint import arb
 
 
-class Force(Protocol):
-    """``rate``: r of a pendulum, else None; ``linear``: 1 where G - u depends on w alone, else 0.
+class Smooth(Protocol):
+    """What a Taylor step asks.  ``rate``: r of a pendulum, else None; ``linear``: 1 where G - u depends on w alone.
 
     ``entire``: whether every exponent of the speed is a whole number, so that the speed may vanish on a step.
     """
@@ -37,3 +37,47 @@ class Force(Protocol):
 
     def largest(self, u: arb, du: arb, w: arb, dw: arb, /) -> arb:
         """A bound of |G - ``linear`` u|, up to a constant, on the complex discs |U - u| <= du, |W - w| <= dw < w."""
+
+
+class Parting(Smooth, Protocol):
+    """What the distance of two motions asks.  ``nonexpansive``: whether it never grows."""
+
+    @property
+    def nonexpansive(self) -> bool:
+        """Whether two motions never part."""
+
+    def slopes(self, u: arb, w: arb, /) -> tuple[arb, arb]:
+        """Balls with all G_u, and with all G_w above 0 (0 where losses only grow with the speed)."""
+
+
+class Force(Parting, Protocol):
+    """A force that only loses energy.  ``kinked``: not one analytic function on both sides of u = 0.
+
+    ``viscous``: the strength of the loss epsilon w that contracts; ``superlinear``: whether relative distances of
+    turning points never grow.
+    """
+
+    @property
+    def kinked(self) -> bool:
+        """Whether a Taylor step must end at u = 0."""
+
+    @property
+    def viscous(self) -> arb:
+        """epsilon."""
+
+    @property
+    def superlinear(self) -> bool:
+        """Whether ln q of two motions draw together."""
+
+    @property
+    def grips(self) -> object:
+        """Whether (or what) dry friction holds the mass somewhere."""
+
+    def rest(self, u: arb, /) -> arb:
+        """s_0(u) = G(u, 0)."""
+
+    def drag(self, u: arb, w: arb, /) -> arb:
+        """s_0 - G at speeds up to that of a ball w."""
+
+    def strongest(self, u: arb, w: arb, /) -> arb:
+        """A bound of the acceleration in either direction at the place u, not counted from a shifted rest."""

@@ -38,7 +38,7 @@ from flint import arb, arb_poly
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import dyadic, size_of, upper
 from asymptotics.flow.composition import Curve, Line
-from asymptotics.flow.force import Force
+from asymptotics.flow.force import Smooth
 from asymptotics.numbers.context import cached_property, ctx
 
 GUARD = 32  # bits more for the coefficients, whose recurrence cancels; the force should carry them
@@ -63,7 +63,7 @@ class TaylorStep:
     linear: int
 
     @classmethod
-    def at(cls, force: Force, u: arb, w: arb, unit: arb, scale: arb) -> "TaylorStep":
+    def at(cls, force: Smooth, u: arb, w: arb, unit: arb, scale: arb) -> "TaylorStep":
         """A step from (u, w), w > 0 exact, whose residual is near 2^-precision ``scale``.
 
         UndecidedError where no disc is found on which w keeps its sign.
@@ -113,12 +113,12 @@ def order_for(bits: int) -> int:
     return int(0.42 * bits) + 6
 
 
-def coefficients(force: Force, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
+def coefficients(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
     """Taylor coefficients of u and w about a state with w > 0, through t^order; at u = 0 on the side u < 0."""
     return (_of_whole_powers if force.entire else _of_real_powers)(force, u, w, order)
 
 
-def _of_whole_powers(force: Force, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
+def _of_whole_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
     """w^alpha by products: the speed may vanish."""
     side, none = 1 if u > 0 else -1, arb(0)
     rest = force.rest_powers(side)
@@ -134,7 +134,7 @@ def _of_whole_powers(force: Force, u: arb, w: arb, order: int) -> tuple[list[arb
     return curve.u, speed.u
 
 
-def _of_real_powers(force: Force, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
+def _of_real_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
     """w^alpha by its logarithmic derivative."""
     side, none = 1 if u > 0 else -1, arb(0)
     rest, losses, ln_w, inverse = force.rest_powers(side), force.loss_powers(side), w.log(), 1 / w
@@ -158,7 +158,7 @@ def _of_real_powers(force: Force, u: arb, w: arb, order: int) -> tuple[list[arb]
     return curve.u, ws
 
 
-def _longest(force: Force, us: list[arb], ws: list[arb], unit: arb, tolerance: float) -> tuple[arb, arb, float]:
+def _longest(force: Smooth, us: list[arb], ws: list[arb], unit: arb, tolerance: float) -> tuple[arb, arb, float]:
     """R, M and log2 of the time for which the residual is near 2^tolerance, where it is longest: chosen in doubles."""
     n, best = len(ws) - 1, None
     parts = [size_of(unit) + size_of(ws[-1]), size_of(us[-1]) if force.linear else -inf]
@@ -177,7 +177,7 @@ def _longest(force: Force, us: list[arb], ws: list[arb], unit: arb, tolerance: f
     return best
 
 
-def discs(force: Force, us: list[arb], ws: list[arb]) -> Iterator[tuple[arb, arb]]:
+def discs(force: Smooth, us: list[arb], ws: list[arb]) -> Iterator[tuple[arb, arb]]:
     """(R, M) for some R, descending, on which W keeps its sign certainly."""
     w, moving_u, moving_w = ws[0], None if force.linear else sizes(us), sizes(ws)
     start = max(size_of(us[0]), size_of(w)) if force.entire else size_of(w)

@@ -23,6 +23,7 @@ from flint import arb
 from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds
 from asymptotics.costs import half_swing_seconds, interpolation_seconds
 from asymptotics.errors import InputError
+from asymptotics.flow.dense import states
 from asymptotics.flow.taylor import GUARD
 from asymptotics.law import Oscillator, PhysicalLaw
 from asymptotics.motions.certify import certified_values, half_unit, time_of
@@ -36,11 +37,11 @@ from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.dense import states
 from asymptotics.swing.linear import ROUTE as CLOSED_ROUTE
 from asymptotics.swing.lingering import lingering, lingering_seconds, lost_until, most_swings
 from asymptotics.swing.panels import panels_of
-from asymptotics.wells.dense import states as states_in_well
+from asymptotics.swing.sequence import Interpolated
+from asymptotics.wells.course import Well
 from asymptotics.wells.ends import require_inside
 from asymptotics.wells.force import Force
 from asymptotics.wells.force import estimated_seconds as estimated_in_well
@@ -168,9 +169,9 @@ def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> li
         ascending = [taus[i] for i in order]
         if isinstance(acting, Force):
             require_inside(acting, X, str(oscillator.x0))
-            found = states_in_well(acting, X, V, ascending)
+            found = states(Well(acting), X, V, ascending)
         else:
-            found = states(acting, X, V, ascending, panels=panels_of(oscillator.dimensionless, bits))
+            found = states(Interpolated(acting, panels_of(oscillator.dimensionless, bits)), X, V, ascending)
         scaled = [(x * length, v * length * omega) for x, v in found]
         start = oscillator.x0.ball(), oscillator.v0.ball()
     back = dict(zip(order, scaled))

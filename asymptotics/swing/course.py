@@ -1,38 +1,33 @@
-"""A half-swing in pieces, from an exact state to the next turning point; every piece encloses the true motion.
+"""The flow beside the linear spring: what is known of its motions, for the course of ``flow``.
 
-Orientation: the motion goes towards smaller u = +-X, with the speed w >= 0; y = u - friction.  The state at the start
-of a piece is a pair of dyadic numbers, and ``error`` bounds the Euclidean distance of the true (u, w) from the
-piece's own orbit at the same time.  Two motions never part (derivation ``motions-never-part``), so errors of pieces
-only add: no ball is carried through a step.
+Places are y = u - friction in the force; the unit of the distance is 1, and two motions never part (derivation
+``motions-never-part``).  Besides the local expansions and Taylor steps a course has here
 
-* ``Departure``: from rest, by the local expansion at the turning point;
-* ``Step``: a Taylor step;
 * ``Settling``: until a creep is known to lie beside the slow curve, where its speed is still lost in the errors;
-* ``Creep``: for ever, once the motion is caught beside the slow curve;
-* ``Landing``: the last piece, by the local expansion at the turning point ahead;
+* ``Creep``: for ever, once the motion is caught beside the slow curve, or as long as a strip about it goes;
 * ``LinearSwing``: the only piece where linear damping below its critical strength and dry friction act alone.
 
->>> from fractions import Fraction
+>>> from asymptotics.law import Law
 >>> from asymptotics.numbers.context import ctx
->>> from asymptotics.numbers.exact import ExactReal
->>> with ctx.workprec(100):
-...     quadratic = Damping.of([(arb(1), ExactReal(Fraction(2)))])
-...     *_, last = course(quadratic, arb(1), arb(0))
->>> arb(last.turn, last.miss).str(20), last.time.str(20)
-('[0.41071968606103944670 +/- ...]', '[3.3809710603589252128 +/- ...]')
+>>> with ctx.workprec(60):
+...     flow = LinearSpring(Damping.of_law(Law({1: "1/5", 0: "1/50"})))
+...     swing = flow.closed(arb(1), arb(0), arb(0))
+>>> swing.turn.str(5), swing.time.str(5)
+('[-0.69466 +/- ...]', '[3.1574 +/- ...]')
 """
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass
 
 from flint import arb
 
-from asymptotics.budget import tick
-from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
-from asymptotics.flow.taylor import TaylorStep
-from asymptotics.flow.times import at_time, later
-from asymptotics.swing.arrival import Arrival, arrive, turns_within
+from asymptotics.flow.course import Flow, Piece, State, Turned
+from asymptotics.flow.parting import Errors
+from asymptotics.flow.times import later
+from asymptotics.numbers.context import cached_property
+from asymptotics.swing.arrival import arrive, turns_within
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import CREEPS, may_trap, trap
 from asymptotics.swing.expansion import Expansion
@@ -42,48 +37,7 @@ from asymptotics.swing.settling import settled
 from asymptotics.swing.slide import Slide, sliding
 from asymptotics.swing.slow import Strip, caught
 
-MAX_PIECES, MAX_FREE = 200_000, 5000
-_ONE = arb(1)
-_FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision
-_BY_STEPS = "a creep by Taylor steps, as its slow curve is no short sum of powers yet"
-_CATCH = 4  # every so many pieces a strip about the slow curve is tried
-
-
-@dataclass(frozen=True)
-class Piece:
-    """The motion from the time ``begin`` to ``end`` (exact): its own orbit, within ``error`` of the truth."""
-
-    damping: Damping
-    begin: arb
-    end: arb
-    error: arb
-    trapped: str | None
-
-    def own(self, t: arb) -> tuple[arb, arb]:
-        """(y, w) of the piece's own orbit at an exact time from ``begin`` to ``end``."""
-        raise NotImplementedError
-
-
-@dataclass(frozen=True)
-class Departure(Piece):
-    """From a turning point at ``begin``."""
-
-    expansion: Expansion
-
-    def own(self, t: arb) -> tuple[arb, arb]:
-        """(y, w) by the local expansion."""
-        return at_time(self.expansion, t - self.begin)
-
-
-@dataclass(frozen=True)
-class Step(Piece):
-    """A Taylor step; ``error`` includes its own."""
-
-    taylor: TaylorStep
-
-    def own(self, t: arb) -> tuple[arb, arb]:
-        """(y, w) of the Taylor polynomials."""
-        return self.taylor.state(t - self.begin)
+_ONE, _EXACT = arb(1), Errors(arb(0), arb(0))
 
 
 @dataclass(frozen=True)
@@ -110,35 +64,8 @@ class Creep(Piece):
 
 
 @dataclass(frozen=True)
-class Turned(Piece):
-    """The last piece: the orbit from the exact start of the course turns within ``miss`` of -``turn``, at a time in
-    ``time``."""
-
-    turn: arb
-    miss: arb
-    time: arb
-
-    def late(self, distance: arb) -> arb:
-        """How much the time differs at most for an orbit that starts ``distance`` away."""
-        return delay(self.turn, upper(distance + self.miss), self.damping.friction)
-
-
-@dataclass(frozen=True)
-class Landing(Turned):
-    """By the local expansion ahead: its own orbit turns at the exact place u = -``turn`` and the time ``clock``,
-    of which ``end`` is the middle."""
-
-    arrival: Arrival
-    clock: arb
-
-    def own(self, t: arb) -> tuple[arb, arb]:
-        """(y, w) by the local expansion."""
-        return at_time(self.arrival.expansion, t - self.clock)
-
-
-@dataclass(frozen=True)
 class LinearSwing(Turned):
-    """The whole course in closed form, up to the middle of ``time``: if its own orbit has turned before, its friction
+    """The whole course in closed form, up to the middle of ``clock``: if its own orbit has turned before, its friction
     has the wrong sign for as long as the radius, which is in ``error``."""
 
     orbit: LinearOrbit
@@ -148,138 +75,95 @@ class LinearSwing(Turned):
         return self.orbit.state(t)
 
 
-def course(damping: Damping, u: arb, w: arb, error: arb | None = None, *, pieces: int = MAX_PIECES) -> Iterator[Piece]:
-    """The pieces from the exact state (u, w >= 0) at time 0, at the precision current at each call, to the last one.
+@dataclass(frozen=True)
+class LinearSpring(Flow):
+    """The flow of a ``Damping``."""
 
-    ``error`` bounds the distance of the true state.  A piece in a trap names it, and the course goes on.  LimitError
-    after ``pieces`` pieces, UndecidedError where the enclosures are too wide.
-    """
-    given = arb(0) if error is None else error
-    t, error = arb(0), given
-    if is_linear(damping):
-        yield _linear(damping, u, w, error)
-        return
-    scale, watch = upper(abs(u) + w), may_trap(damping)
-    stiff = not watch and len(damping.alphas) == 1
-    if w == 0:
-        y = u - damping.friction
-        if watch and trap(damping, y + arb(0, error), w) == CREEPS:
-            yield from _caught(damping, y, w, t, error)
-        first = _departure(damping, u, error)
-        yield first
-        t = first.end
-        y, w = first.expansion.state(first.expansion.reach)
-        error = upper(first.error + y.rad())
-        u, w = (y + damping.friction).mid(), first.expansion.reach
-    reason: str | None = None
-    for count in range(pieces):
-        tick(f"piece {count} of {'a half-swing' if reason is None else _BY_STEPS}")
-        y = u - damping.friction
-        blur = arb(0, error)
-        if y + error < 0 and turns_within(damping, y, w, error):  # whatever the true speed: it turns, or just did
-            yield _landing(damping, y, w, t, error, given)
-            return
-        reason = trap(damping, y + blur, w + blur) if watch else None
-        if reason == CREEPS and count % _CATCH == 0:
-            yield from _caught(damping, y, w, t, error)
-        slide = _for_a_while(damping, (y, w, error), stiff, reason == CREEPS) if count % _CATCH == 0 else None
-        if slide is not None:
-            end = later(t, slide.length)
-            yield Creep(damping, t, end, arb(0), reason, slide)
-            y, w = slide.state(slide.length)
-            error, given = upper(y.rad() + w.rad()), arb(0)  # what was known of the start is in the strip
-            u, w, t = (y + damping.friction).mid(), w.mid(), end
-            continue
-        lost = upper(abs(y) + w) < 4 * error or (
-            watch and y > _FAR * scale and w < 4 * error and _slowing(damping, y, w)
-        )
-        if reason is None and ((watch and count > MAX_FREE) or lost):
-            where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
-            raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
-        taylor = TaylorStep.at(damping, y, w, _ONE, scale)
-        end = later(t, taylor.length)
-        error = upper(error + taylor.residual)
-        yield Step(damping, t, end, error, reason, taylor)
-        y, w = taylor.state(taylor.length)
-        error = upper(error + y.rad() + w.rad())
-        u, w, t = (y + damping.friction).mid(), w.mid(), end
-    reason = f"one half-swing takes more than {pieces} pieces: the motion is too stiff or too near a separatrix"
-    raise LimitError("time", reason, "weaker damping, another strength, or a shorter time")
+    force: Damping
 
+    @property
+    def shift(self) -> arb | None:
+        """The friction."""
+        return self.force.friction
 
-def _for_a_while(damping: Damping, state: tuple[arb, arb, arb], stiff: bool, creeps: bool) -> Slide | Stretch | None:
-    """A strip about a slow curve that ends, from (y, w, error) on."""
-    if stiff and state[0] > 0:
-        return sliding(damping, *state)
-    return stretch(damping, *state) if creeps else None
+    @cached_property
+    def traps(self) -> bool:
+        """An exponent below 1, or a linear term of 2 or more."""
+        return may_trap(self.force)
 
+    @cached_property
+    def endless(self) -> bool:
+        """Every alpha_i > 1, and no dry friction."""
+        return self.force.friction == 0 and bool(self.force.alphas) and all(a > 1 for a in self.force.alphas)
 
-def _caught(damping: Damping, y: arb, w: arb, t: arb, error: arb) -> Iterator[Piece]:
-    """The rest of a creep, for ever, where a strip holds it now or soon; else nothing."""
-    strip = caught(damping, y, w, error)
-    if strip is not None:
-        yield from _creep(damping, t, strip)
-    found = settled(damping, y, w, error)
-    if found is not None:
-        end = later(t, found.wait)
-        yield Settling(damping, t, end, arb(0), CREEPS, found.y, found.w)
-        yield from _creep(damping, end, found.strip)
+    @cached_property
+    def _stiff(self) -> bool:
+        return not self.traps and len(self.force.alphas) == 1
 
+    def unit(self, _u: arb, _w: arb) -> arb:
+        """1."""
+        return _ONE
 
-def _creep(damping: Damping, t: arb, strip: Strip) -> Iterator[Piece]:
-    """Longer and longer pieces without an end."""
-    length = arb(1)
-    while True:
-        end = later(t, length)
-        yield Creep(damping, t, end, arb(0), CREEPS, strip)
-        length *= 2
+    def expansion(self, place: arb) -> Expansion:
+        """The local expansion, its coefficients shared."""
+        return Expansion.at(self.force, place)
 
+    def turns_within(self, place: arb, w: arb, error: arb) -> bool:
+        """Whatever the true speed: it turns, or just did."""
+        return bool(place + error < 0) and turns_within(self.force, place, w, error)
 
-def _slowing(damping: Damping, y: arb, w: arb) -> bool:
-    """Whether the speed falls; with y > 0 it then goes on falling."""
-    return bool(damping.resistance(w) > y)
+    def arrive(self, place: arb, w: arb) -> Expansion:
+        """The expansion of the orbit that turns nearly there."""
+        return arrive(self.force, place, w)
 
+    def ended(self, place: arb, w: arb) -> str | None:
+        """The trap."""
+        return trap(self.force, place, w) if self.traps else None
 
-def _linear(damping: Damping, u: arb, w: arb, error: arb) -> LinearSwing:
-    y = u - damping.friction
-    if w == 0 and not y > error:
-        raise UndecidedError("whether dry friction holds the mass here is undecided")
-    orbit = LinearOrbit.of(damping, y, w)
-    time, there = orbit.turning()
-    at = there + damping.friction
-    own = upper(error + 4 * damping.friction * time.rad())
-    return LinearSwing(damping, arb(0), time.mid(), own, None, -at.mid(), upper(at.rad()), time, orbit)
+    def closed(self, u: arb, w: arb, given: arb) -> LinearSwing | None:
+        """Linear damping and dry friction alone."""
+        if not is_linear(self.force):
+            return None
+        y = self.place(u)
+        if w == 0 and not y > given:
+            raise UndecidedError("whether dry friction holds the mass here is undecided")
+        orbit = LinearOrbit.of(self.force, y, w)
+        time, there = orbit.turning()
+        at, own = self.back(there), upper(4 * self.force.friction * time.rad())
+        miss = upper(at.rad())
+        return LinearSwing(self, _ONE, arb(0), time.mid(), Errors(miss, upper(given + own)), None,
+                           at.mid(), miss, time, orbit)  # fmt: skip
 
+    def aside(self, here: State, ended: str | None) -> Generator[Piece, None, State | None]:
+        """A creep for ever, where a strip holds it now or soon; or a strip about a slow curve that ends."""
+        y, error = self.place(here.u), here.errors.error
+        if ended == CREEPS:
+            strip = caught(self.force, y, here.w, error)
+            if strip is not None:
+                yield from self._creep(here.t, strip)
+            found = settled(self.force, y, here.w, error)
+            if found is not None:
+                end = later(here.t, found.wait)
+                yield Settling(self, _ONE, here.t, end, _EXACT, CREEPS, found.y, found.w)
+                yield from self._creep(end, found.strip)
+        slide = self._for_a_while(y, here.w, error, ended) if here.w != 0 else None
+        if slide is None:
+            return None
+        end = later(here.t, slide.length)
+        yield Creep(self, _ONE, here.t, end, _EXACT, ended, slide)
+        y, w = slide.state(slide.length)
+        u = self.back(y)
+        dropped = upper(u.rad() + w.rad())  # the strip holds the truth, whatever was known of the start
+        return State(end, u.mid(), w.mid(), Errors(dropped, dropped))
 
-def _departure(damping: Damping, u: arb, error: arb) -> Departure:
-    y0 = u - damping.friction
-    if not y0 > error:
-        raise UndecidedError("whether dry friction holds the mass here is undecided")
-    expansion = Expansion.at(damping, y0)
-    _, tau = expansion.state(expansion.reach)
-    error = upper(error + tau.rad() * expansion.speed())
-    return Departure(damping, arb(0), tau.mid(), error, None, expansion)
+    def _for_a_while(self, y: arb, w: arb, error: arb, ended: str | None) -> Slide | Stretch | None:
+        if self._stiff and y > 0:
+            return sliding(self.force, y, w, error)
+        return stretch(self.force, y, w, error) if ended == CREEPS else None
 
-
-def _landing(damping: Damping, y: arb, w: arb, t: arb, error: arb, given: arb) -> Landing:
-    """Two orbits that are some distance apart turn within that distance; ``given`` is the part of the start."""
-    arrival = arrive(damping, y, w)
-    at = arrival.turning + damping.friction
-    turn, slack = -at.mid(), upper(at.rad() + arrival.miss)
-    clock = t + arrival.own_duration
-    local = upper(error + slack - given)
-    time = t + arrival.duration + arb(0, delay(turn, local, damping.friction))
-    own = upper(error + slack + clock.rad() * arrival.expansion.speed())
-    return Landing(damping, t, clock.mid(), own, None, turn, local, time, arrival, clock)
-
-
-def delay(amplitude: arb, distance: arb, friction: arb) -> arb:
-    """How much later the second of two orbits turns that are ``distance`` apart, one of them at -``amplitude``.
-
-    When the first turns the other moves with a speed of at most ``distance``, and y <= -(amplitude - 2 distance): its
-    speed falls at least at that rate.  UndecidedError where this is not positive.
-    """
-    rate = amplitude - 2 * distance + friction
-    if not rate > 0:
-        raise UndecidedError("the enclosure of a turning point reaches the place of rest: raise the precision")
-    return upper(distance / rate)
+    def _creep(self, t: arb, strip: Strip) -> Iterator[Piece]:
+        """Longer and longer pieces without an end."""
+        length = arb(1)
+        while True:
+            yield Creep(self, _ONE, t, later(t, length), _EXACT, CREEPS, strip)
+            length *= 2

@@ -39,6 +39,9 @@ class Damping:
     rate: ClassVar[None] = None
     linear: ClassVar[int] = 1
     entire: ClassVar[bool] = False
+    nonexpansive: ClassVar[bool] = True
+    kinked: ClassVar[bool] = False
+    viscous: ClassVar[arb] = arb(0)
 
     @classmethod
     def of(cls, terms: list[tuple[arb, ExactReal]]) -> "Damping":
@@ -92,6 +95,28 @@ class Damping:
     def resistance(self, w: arb) -> arb:
         """N(w) for w >= 0."""
         return sum(self.terms(w), arb(0)) if w != 0 else arb(0)
+
+    @property
+    def grips(self) -> bool:
+        """Whether there is dry friction."""
+        return bool(self.friction > 0)
+
+    def rest(self, y: arb) -> arb:
+        """The displacement y itself."""
+        return y
+
+    def drag(self, _y: arb, w: arb) -> arb:
+        """N(w) for w >= 0 (a ball: at its upper end)."""
+        top = w.upper()
+        return self.resistance(top) if top > 0 else arb(0)
+
+    def slopes(self, _y: arb, _w: arb) -> tuple[arb, arb]:
+        """1 in the place."""
+        return arb(1), arb(0)
+
+    def strongest(self, u: arb, w: arb) -> arb:
+        """|u| and all losses together."""
+        return upper(abs(u) + self.friction + self.drag(u, w))
 
     def rest_powers(self, _side: int) -> list[tuple[arb, int]]:
         """None: the force at rest is y."""

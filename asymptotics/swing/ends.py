@@ -26,7 +26,7 @@ from flint import arb
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping
 
-STICKS, CREEPS, OVERDAMPED = "sticks", "creeps", "overdamped"
+CREEPS, OVERDAMPED = "creeps", "overdamped"
 
 
 def may_trap(damping: Damping) -> bool:

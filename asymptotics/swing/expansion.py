@@ -90,7 +90,7 @@ class Expansion:
         """How many terms are kept."""
         return self.plan.count if self.line else sum(len(y) for _, y, _ in self.rows)
 
-    def speed(self) -> arb:
+    def speed(self, _unit: arb) -> arb:
         """A bound of |(y', w')| within the reach, on both sides of the turning point: |P| <= 2 |P_0| where r < 1."""
         fast = upper(self.damping.resistance(self.reach)) if self.plan.short else arb(0)
         return upper(2 * abs(self.y0) + 2 * self.damping.friction + self.reach + fast)
@@ -101,7 +101,7 @@ class Expansion:
 
     def moved(self, wait: arb) -> tuple[arb, arb]:
         """How far y and w move at most in the time |wait|."""
-        far = upper(wait * self.speed())
+        far = upper(wait * self.speed(arb(1)))
         return far, far
 
     def state(self, w: arb) -> tuple[arb, arb]:

@@ -62,7 +62,7 @@ class Panel:
         """The half-swing from the exact amplitude p; the duration is that of all amplitudes within ``error``."""
         t = self._place(p)
         wide = t if error is None or error == 0 else self._place(arb(p, error))
-        return Passage(self.ratio(t), self.duration(wide), ROUTE, self.ratio.degree, self.ratio.error, uniform=True)
+        return Passage(self.ratio(t), self.duration(wide), ROUTE, self.ratio.degree, self.ratio.error)
 
     def _place(self, p: arb) -> arb:
         return (self.coordinate(p) - self.middle) * self.scale

@@ -16,9 +16,10 @@ from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
-from asymptotics.swing.course import MAX_PIECES, LinearSwing, Turned, course
+from asymptotics.flow.course import MAX_PIECES, Turned, course
+from asymptotics.flow.sequence import STICKS
+from asymptotics.swing.course import LinearSpring, LinearSwing
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.ends import STICKS, trap
 from asymptotics.swing.linear import ROUTE as CLOSED
 
 INTEGRATED = "local expansions and Taylor steps"
@@ -29,8 +30,7 @@ class Passage:
     """A half-swing from the amplitude p: ``amplitude`` encloses q/p, ``duration`` its time.
 
     ``route``: how; ``terms``: Taylor pieces, or terms of the series; ``tail``: what was left out, in units of p.
-    ``ended``: why there is no next turning point (then the enclosures are None).  ``uniform``: the duration is that of
-    all amplitudes within the error of p.
+    ``ended``: why there is no next turning point (then the enclosures are None).
     """
 
     amplitude: arb | None
@@ -39,7 +39,6 @@ class Passage:
     terms: int
     tail: arb
     ended: str | None = None
-    uniform: bool = False
 
 
 def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: int = MAX_PIECES) -> Passage:
@@ -51,12 +50,13 @@ def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: in
     error = arb(0) if error is None else error
     if p + error <= damping.friction:
         return Passage(None, None, INTEGRATED, 0, arb(0), STICKS)
-    reason = trap(damping, p - damping.friction + arb(0, error), arb(0))
+    flow = LinearSpring(damping)
+    reason = flow.ended(p - damping.friction + arb(0, error), arb(0))
     if reason is not None:
         return Passage(None, None, INTEGRATED, 0, arb(0), reason)
-    for count, piece in enumerate(course(damping, p, arb(0), error, pieces=pieces), start=1):
-        if piece.trapped is not None:
-            return Passage(None, None, INTEGRATED, count, upper((piece.error - error) / p), piece.trapped)
+    for count, piece in enumerate(course(flow, p, arb(0), error, pieces=pieces), start=1):
+        if piece.ended is not None:
+            return Passage(None, None, INTEGRATED, count, upper((piece.error - error) / p), piece.ended)
         if isinstance(piece, Turned):
             return of_landing(p, error, piece, count)
     raise UndecidedError("the half-swing has no end")
@@ -66,4 +66,4 @@ def of_landing(p: arb, error: arb, piece: Turned, count: int) -> Passage:
     """The half-swing whose last piece is known; ``error`` was the distance allowed at its start."""
     tail = upper((piece.error - error) / p)
     route = CLOSED if isinstance(piece, LinearSwing) else INTEGRATED
-    return Passage(arb(piece.turn, piece.miss) / p, piece.time, route, count, tail)
+    return Passage(arb(-piece.turn, piece.miss) / p, piece.time, route, count, tail)

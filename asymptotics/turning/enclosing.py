@@ -7,13 +7,17 @@ points *after* it are the route's business.  Both are found anew at each precisi
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+from flint import arb
+
+from asymptotics.flow.sequence import first_from
 from asymptotics.flow.taylor import GUARD
+from asymptotics.flow.turning import Turning, rest
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.precision import at_growing_precision
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.lingering import lost_bits, require_brief
-from asymptotics.swing.sequence import Turning, first_from, first_turning
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.table import Kept, Progress, Request, named, rounded
 
@@ -58,8 +62,8 @@ def damping_of(request: Request) -> Damping:
 def first_of(request: Request, damping: Damping) -> Turning | str:
     """Turning point 0 under powers of the velocity, or why there is none."""
     if not request.in_motion:
-        return first_turning()
-    return first_from(damping, request.place.ball(), request.speed.ball())
+        return rest(arb(1))
+    return first_from(LinearSpring(damping), request.place.ball(), request.speed.ball())
 
 
 def in_words(request: Request, by: str, bits: int) -> str:

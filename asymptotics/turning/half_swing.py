@@ -14,18 +14,20 @@ from dataclasses import replace
 from flint import arb
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.flow.sequence import STICKS, swung
 from asymptotics.flow.taylor import GUARD
+from asymptotics.flow.turning import rest
 from asymptotics.half_swings.finite_result import HalfSwingAt, SwingValue, certified_swing, require_strengths
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.ends import CREEPS, OVERDAMPED, STICKS
+from asymptotics.swing.ends import CREEPS, OVERDAMPED
 from asymptotics.swing.linear import ROUTE as CLOSED
 from asymptotics.swing.passage import INTEGRATED, integrated
 from asymptotics.terms import Term
+from asymptotics.wells.course import Well
 from asymptotics.wells.ends import inside
 from asymptotics.wells.force import Force
-from asymptotics.wells.sequence import half_swing
 
 MAX_DELTA = 1000
 _ENDS = {STICKS: "sticks there", CREEPS: "creeps from there on", OVERDAMPED: "is overdamped"}
@@ -77,7 +79,7 @@ def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digit
             force = Force.of(terms, [d.ball() for d in delta])
         if inside(force, arb(1)) is not True:
             raise InputError("delta", "the amplitude lies outside the well, where V' > 0 fails", "a smaller amplitude")
-        found, pieces = half_swing(force, arb(1))
+        found, pieces = swung(Well(force), rest(arb(1)))
         if isinstance(found, str) or not found.amplitude > found.amplitude_error:
             how = _ENDS[found] if isinstance(found, str) else "stops before the centre"
             raise InputError("delta", f"no turning point follows: the motion {how}", "a smaller delta")

@@ -25,10 +25,10 @@ from flint import arb
 from asymptotics.budget import tick
 from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError
+from asymptotics.flow.turning import Turning
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number, exact_number
-from asymptotics.swing.sequence import Turning
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_digits, proved_point
 
 MAX_COUNT, MAX_DIGITS, MAX_START = 100_000, 10_000, 10**30

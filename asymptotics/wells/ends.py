@@ -24,12 +24,12 @@ pendulum rotates, and any other mass escapes.
 from flint import arb
 
 from asymptotics.errors import InputError
+from asymptotics.flow.course import ESCAPES, ROTATES
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.precision import TooWideError
 from asymptotics.swing.ends import CREEPS, OVERDAMPED
 from asymptotics.wells.force import Force
 
-ESCAPES, ROTATES = "escapes", "rotates"
 _PIECES, _LOW = 4096, 53
 
 

@@ -48,6 +48,8 @@ class Force:
     losses: tuple[Loss, ...]
     linear: ClassVar[int] = 0
     entire: ClassVar[bool] = False
+    nonexpansive: ClassVar[bool] = False
+    superlinear: ClassVar[bool] = False
 
     @classmethod
     def of(cls, terms: Sequence[Term], strengths: Sequence[arb] | None = None) -> "Force":
@@ -132,6 +134,14 @@ class Force:
                 largest = f.strength * f.place * abs(u) ** (f.place - 1) * (f.exponent * ln_w).exp() * side
                 total -= largest.union(arb(0))
         return total
+
+    def slopes(self, u: arb, w: arb) -> tuple[arb, arb]:
+        """All dG/du, and 0: losses only grow with the speed."""
+        return self.slope(u, w), arb(0)
+
+    def strongest(self, u: arb, w: arb) -> arb:
+        """Pull and all losses together."""
+        return upper(abs(self.pull(u)) + self.grip(u) + self.drag(u, w))
 
     def potential(self, u: arb) -> arb:
         """V(u) with V(0) = 0."""

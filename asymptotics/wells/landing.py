@@ -2,7 +2,7 @@
 
 Where s_0 < 0 and w > 0, w' <= s_0(u): the motion turns.  The orbit that ends at a guess u_1 passes the speed w at the
 place U(w) (``expansion``), at the distance unit |U(w) - u| from the state: it is followed instead, and the truth
-turns near u_1 (``distance``).  The guess decides how good the enclosure is, not whether it holds; it comes from the
+turns near u_1 (``flow.parting``).  The guess decides how good the enclosure is, not whether it holds; it comes from the
 secant method in doubled precisions.
 
 >>> from asymptotics.law import Law
@@ -19,11 +19,12 @@ from flint import arb
 
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.balls import size_of
+from asymptotics.flow.parting import points_forward
 from asymptotics.numbers.context import ctx
 from asymptotics.wells.expansion import Expansion, reach_at
 from asymptotics.wells.force import Force
 
-_FIRST, _MOST, _LOW, _PIECES = 53, 40, 53, 64
+_FIRST, _MOST, _LOW = 53, 40, 53
 
 
 def arrive(force: Force, u: arb, w: arb) -> Expansion:
@@ -68,22 +69,6 @@ def without_loss(force: Force, u: arb, square: arb) -> arb | None:
         if abs(step) < (u - turn) * arb("0.001"):
             return turn
     return None
-
-
-def points_forward(force: Force, low: arb, high: arb) -> bool:
-    """Whether s_0 < 0 from ``low`` to ``high``, proved on pieces."""
-    stack, pieces = [(low.lower(), high.upper())], 0
-    with ctx.workprec(_LOW):
-        while stack:
-            a, b = stack.pop()
-            pieces += 1
-            if force.rest(a.union(b)) < 0:
-                continue
-            if pieces > _PIECES or not force.rest(b) < 0:
-                return False
-            middle = ((a + b) / 2).mid()
-            stack += [(a, middle), (middle, b)]
-    return True
 
 
 def _guess(force: Force, goal: arb, w: arb) -> arb:

@@ -22,10 +22,11 @@ from math import cos, exp, log2, sin, sqrt
 import sympy
 from flint import arb
 
+from asymptotics.flow.dense import states
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.dense import states
 from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import not_of_order, vanishes
@@ -101,7 +102,7 @@ def exact_states(laws: tuple[tuple[str, str], ...], times: tuple[str, ...]) -> t
     with ctx.workprec(BITS):
         damping = Damping.of_law(Law(dict(laws)))
         wanted = [arb(sympy.Rational(time).p) / sympy.Rational(time).q for time in times]
-        return tuple((float(X.mid()), float(V.mid())) for X, V in states(damping, arb(1), arb(0), wanted))
+        return tuple((float(X.mid()), float(V.mid())) for X, V in states(LinearSpring(damping), arb(1), arb(0), wanted))
 
 
 def linear_motion(epsilon: float, tau: float) -> float:

@@ -11,19 +11,22 @@ from asymptotics.bounds.local import local_bounds
 from asymptotics.bounds.motion import _by_energy, enclosure
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.errors import LimitError
+from asymptotics.flow.dense import states
+from asymptotics.flow.sequence import first_from, sequence
+from asymptotics.flow.turning import Turning, rest
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.dense import states
 from asymptotics.swing.panels import panels_of
-from asymptotics.swing.sequence import Turning, first_from, first_turning, sequence
+from asymptotics.swing.sequence import Interpolated
 
 ONE = [parse_real("2", "alpha")]
 
 
 def followed(law, first, tau, bits=100):
     with ctx.workprec(bits):
-        return states(Damping.of_law(law), *first, [tau], panels=panels_of(law, bits))[0][0]
+        return states(Interpolated(Damping.of_law(law), panels_of(law, bits)), *first, [tau])[0][0]
 
 
 # A law, the start, the time, the half-swings before the jump; the share of the radius that is attained at least.
@@ -42,7 +45,7 @@ def test_the_jump_holds_the_motion_and_is_not_wide(law, start, tau, lead, share)
         damping = Damping.of_law(law)
         side = 1 if start[0] > 0 else -1
         rest = Turning(0, side, arb(1), arb(0), arb(0), arb(0))
-        first = rest if start[1] == 0 else first_from(damping, *start)
+        first = rest if start[1] == 0 else first_from(LinearSpring(damping), *start)
         found = late_state(damping, first, arb(tau), lead)
         true = followed(law, start, arb(tau))
         error = abs(found.mid() - true)
@@ -55,7 +58,7 @@ def test_the_turning_point_after_the_jump_is_held_and_its_errors_are_attained():
     with ctx.workprec(100):
         start, damping = Turning(0, 1, arb(1), arb(0), arb(0), arb(0)), Damping.of([(arb(1) / 50, ONE[0])])
         found = late_turning(damping, start, arb(40), 1)
-        true = next(islice(sequence(damping, start), found.n, None))
+        true = next(islice(sequence(LinearSpring(damping), start), found.n, None))
         amplitude, time = abs(found.amplitude - true.amplitude), abs(found.time - true.time)
         assert 0.75 * found.amplitude_error < amplitude < found.amplitude_error
         assert 0.75 * found.time_error < time < found.time_error
@@ -78,7 +81,7 @@ def test_an_uncertain_start_counts():
 def followed_points(epsilon, amplitude, count):
     damping = Damping.of([(epsilon, ONE[0])])
     start = Turning(0, 1, amplitude.mid(), arb(0), arb(0), arb(0))
-    return [(abs(p.x), p.tau) for p in islice(sequence(damping, start), count + 1)]
+    return [(abs(p.x), p.tau) for p in islice(sequence(LinearSpring(damping), start), count + 1)]
 
 
 def test_the_truncated_equations_are_enclosed_at_every_precision():
@@ -98,7 +101,7 @@ def test_the_truncated_equations_are_enclosed_at_every_precision():
 def test_what_is_out_of_range_falls_back_on_energy():
     creeping = Oscillator({"1/2": "1/3"})
     with pytest.raises(LimitError, match="turn"):
-        late_state(Damping.of_law(Law({1: 3})), first_turning(), arb(100), 10)
+        late_state(Damping.of_law(Law({1: 3})), rest(arb(1)), arb(100), 10)
     found, known = _by_energy(creeping, ExactReal(400), 20), enclosure(creeping, ExactReal(400), 15)
     assert found.mid() == 0
     assert abs(known) < found.rad() < 20 * abs(known)

@@ -9,11 +9,13 @@ from flint import arb, ctx
 from asymptotics.bounds import motion, turning
 from asymptotics.bounds.late import late_turning
 from asymptotics.bounds.turning import TurningBounds, rates, sensitivity, turning_bounds
+from asymptotics.flow.sequence import sequence
+from asymptotics.flow.turning import Turning
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.sequence import Turning, sequence
 
 DELTA = arb("0.25")
 TIGHT = arb(1e-9)
@@ -88,7 +90,7 @@ def test_a_jump_from_an_uncertain_turning_point_holds_both_ends(side):
         damping = Damping.of([(arb(1) / 50, parse_real("2", "alpha"))])
         found = late_turning(damping, Turning(0, 1, arb(1), arb(0), e, e), arb(40), 1)
         end = Turning(0, 1, 1 + side * e, side * e, arb(0), arb(0))
-        true = next(islice(sequence(damping, end), found.n, None))
+        true = next(islice(sequence(LinearSpring(damping), end), found.n, None))
         apart, late = abs(found.amplitude - true.amplitude), abs(found.time - true.time)
         assert found.amplitude_error / 4 < apart < found.amplitude_error
         assert found.time_error / 4 < late < found.time_error

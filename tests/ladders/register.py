@@ -14,6 +14,7 @@ UNIFORM, AT_LARGEST = (
 )
 NEAR = "tests/swing/test_near_equal.py"
 SETTLING, STEP = "tests/swing/test_settling.py", "tests/flow/test_taylor.py"
+KEPT, DISTANCE = "tests/swing/test_kept_radii.py", "tests/wells/test_distance_bounds.py"
 NEXT = "tests/wells/test_force_bounds.py"
 SWING, WELLS, PANELS = "tests/swing/test_bounds.py", "tests/wells/test_bounds.py", "tests/swing/test_panels.py"
 CHEBYSHEV, ABEL, FLOW = "tests/swing/test_chebyshev.py", "tests/turning/test_abel.py", "tests/turning/test_abel_flow.py"
@@ -119,7 +120,7 @@ BOUNDS: Names = {
     **_each("swing.damping", "Damping.largest", f"{STEP}::test_the_residual_of_a_step"),
     **_each("swing.chebyshev", "cut", f"{CHEBYSHEV}::test_the_cut_is_attained_by_the_first_polynomial_left_out"),
     **_each("swing.coordinate", "Coordinate.bounds", f"{PANELS}::test_a_ladder_of_panels"),
-    **_each("swing.course", "delay", f"{SWING}::test_a_shifted_orbit_turns_as_much_later_as_the_bound_says"),
+    **_each("swing.damping", "Damping.strongest", f"{KEPT}::test_what_is_uncertain_at_a_time_is_a_distance"),
     **_each("swing.expansion", "Expansion.speed", f"{SWING}::test_a_wide_time_near_a_turning_point"),
     **_each(
         "swing.expansion", "room", "tests/swing/test_short.py::test_half_of_the_drop_or_of_the_delay_would_be_wrong"
@@ -141,15 +142,28 @@ BOUNDS: Names = {
         f"{FLOW}::test_half_of_the_next_term_or_one_term_less_would_be_wrong",
     ),
     **_each(
-        "wells.course",
-        "Landing.gap Landing.late Landing.apart",
+        "flow.course",
+        "Landing.gap Landing.late Piece.error",
         "tests/wells/test_distance_bounds.py::test_a_landing_holds_the_orbits_of_both_ends",
     ),
-    **_each("wells.distance", "growth", f"{WELLS}::test_growth_is_attained_in_the_worst_direction"),
+    **_each("flow.parting", "growth parting", f"{WELLS}::test_growth_is_attained_in_the_worst_direction"),
     **_each(
-        "wells.distance", "turning_gap lateness", f"{WELLS}::test_the_gap_and_the_lateness_are_attained_by_free_fall"
+        "flow.parting", "turning_gap lateness", f"{WELLS}::test_the_gap_and_the_lateness_are_attained_by_free_fall"
     ),
-    **_each("wells.distance", "contracted", f"{WELLS}::test_turning_points_draw_together_at_most_as_the_bound_says"),
+    **_each(
+        "flow.parting",
+        "state_gap",
+        "tests/wells/test_distance_bounds.py::test_the_gap_of_a_state_counts_place_and_speed",
+    ),
+    **_each("flow.parting", "contracted", f"{WELLS}::test_turning_points_draw_together_at_most_as_the_bound_says"),
+    **_each("flow.parting", "by_ratio", f"{SWING}::test_amplitudes_carry_their_error_by_contraction"),
+    **_each(
+        "flow.parting",
+        "Errors.plus Errors.times Errors.apart",
+        "tests/wells/test_distance_bounds.py::test_the_parts_of_a_landing",
+    ),
+    **_each("flow.sequence", "given_at", f"{DISTANCE}::test_turning_points_hold_those_of_every_start"),
+    **_each("wells.force", "Force.strongest", f"{DISTANCE}::test_an_uncertain_time_moves_a_state"),
     **_each("wells.expansion", "Expansion.rate Expansion.speed", f"{NEXT}::test_the_rate_next_to_a_turning_point"),
     **_each("wells.force", "Force.slope", f"{NEXT}::test_every_slope_is_in_the_ball_and_hardly_more"),
     **_each("wells.force", "Force.largest_change", f"{NEXT}::test_the_change_of_the_force_is_attained"),
@@ -158,6 +172,7 @@ BOUNDS: Names = {
 """Upper bounds, not enclosures -> the test in which half of them fails or that evaluates them again."""
 
 ELSEWHERE: Names = {
+    **_each("swing.sequence", "Interpolated.leap following", f"{PANELS}::test_a_ladder_of_panels"),
     **_each("api.waves", "Waveforms.balls Waveforms.enclosed", f"{WAVES}::test_more_digits_are_narrower_and_overlap"),
     **_each("half_swings.certified_course", "Course.slopes", f"{COURSE}::test_few_terms_are_enclosed_by_many"),
     **_each("half_swings.certified_course", "course_series", f"{COURSE}::test_few_terms_are_enclosed_by_many"),
@@ -268,7 +283,6 @@ NONE_NEEDED: Names = {
     **_each("motions.stopping", "friction_arc", MIDPOINTS),
     **_each("motions.waveform", "waveform_at", MIDPOINTS),
     **_each("swing.arrival", "reach_at", CHOICE),
-    **_each("swing.course", "Piece.own", "abstract"),
     **_each("swing.damping", "Damping.of_law", "Damping.of for a law"),
     **_each("flow.balls", "dyadic", CHOICE),
     **_each("flow.balls", "upper", "rounds up, by arb.upper"),
@@ -280,7 +294,10 @@ NONE_NEEDED: Names = {
         EXACT,
     ),
     **_each("flow.times", "NearRest.reach NearRest.state NearRest.acceleration NearRest.moved", "abstract"),
-    **_each("flow.force", "Force.rate Force.rest_powers Force.loss_powers Force.largest", "abstract"),
+    **_each(
+        "flow.force", "Smooth.rate Smooth.rest_powers Smooth.loss_powers Smooth.largest Parting.slopes", "abstract"
+    ),
+    **_each("flow.force", "Force.viscous Force.rest Force.drag Force.strongest", "abstract"),
     **_each("swing.damping", "Damping.rest_powers Damping.loss_powers", EXACT),
     **_each("flow.times", "exact_sum later", "exact by its precision"),
     **_each("swing.half_swings", "Quarters.place", EXACT),
@@ -292,13 +309,20 @@ NONE_NEEDED: Names = {
     **_each("turning.far", "jumped jumped_by_flow", "the jumps of abel and abel_flow, which have ladders, in Turnings"),
     **_each("turning.far", "head_end", CHOICE),
     **_each("turning.drag_exact", "swings", "Well.work, which has a ladder, half-swing by half-swing"),
-    **_each("turning.enclosing", "damping_of first_of", "Damping.of and swing.sequence.first_from for a request"),
+    **_each("turning.enclosing", "damping_of first_of", "Damping.of and flow.sequence.first_from for a request"),
     **_each("turning.table", "size", EXACT),
     **_each("flow.composition", "Grid.product Grid.product_from_1 Line.product Line.product_from_1 Curve.rest", EXACT),
     **_each("flow.composition", "Simplex.product Simplex.product_from_1", EXACT),
-    **_each("wells.course", "Piece.own", "abstract"),
-    **_each("wells.course", "unit_at", CHOICE),
-    **_each("wells.distance", "unit_for", CHOICE),
+    **_each(
+        "flow.course", "Piece.own Expansion.speed Flow.shift Flow.unit Flow.aside Flow.leap Flow.closed", "abstract"
+    ),
+    **_each("flow.course", "Flow.place Flow.back", "a sum with the place of rest"),
+    **_each("wells.course", "Well.unit unit_for", CHOICE),
+    **_each("wells.force", "Force.slopes", "Force.slope, and 0"),
+    **_each("swing.course", "LinearSpring.shift LinearSpring.unit", EXACT),
+    **_each("swing.course", "LinearSpring.closed LinearSpring.aside", "pieces, whose own orbits have ladders"),
+    **_each("wells.course", "Well.of", "Force.of for a law"),
+    **_each("swing.damping", "Damping.slopes", EXACT),
     **_each("wells.expansion", "reach_at", CHOICE),
     **_each("wells.landing", "without_loss", CHOICE),
     **_each("flow.taylor", "sizes", EXACT),

@@ -4,7 +4,11 @@ from itertools import islice
 
 from flint import arb, ctx
 
+from asymptotics.flow.course import course
+from asymptotics.flow.dense import states, states_from
+from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.taylor import GUARD, TaylorStep, coefficients
+from asymptotics.flow.turning import rest
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.certified_orders import elementary_series, sine_ratio_power
 from asymptotics.half_swings.certified_zeros import certified_half_swing
@@ -15,14 +19,12 @@ from asymptotics.swing.arrival import arrive
 from asymptotics.swing.chebyshev import coefficients as chebyshev
 from asymptotics.swing.chebyshev import nodes
 from asymptotics.swing.coordinate import Coordinate
-from asymptotics.swing.course import course
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.dense import states, states_from
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.linear import LinearOrbit
 from asymptotics.swing.passage import integrated
 from asymptotics.swing.rows import rows_below
-from asymptotics.swing.sequence import first_from, first_turning, sequence
 from asymptotics.swing.slow_series import summed, truncated
 from asymptotics.terms import Term
 from asymptotics.turning import drag_exact
@@ -32,7 +34,7 @@ from tests.ladders.machine import Ladder
 
 ROOT, SUM = (("3/2", "1/5"),), (("0", "1/50"), ("sqrt(2)", "1/7"), ("3", "1/3"))
 SLOW, LINEAR = (("1/2", "1/9"), ("2", "1/3")), (("0", "1/50"), ("1", "1/3"))
-SWING = "asymptotics.swing."
+SWING, FLOW = "asymptotics.swing.", "asymptotics.flow."
 DEAR = {"rungs": (20, 40, 80), "truth": 120}
 
 
@@ -51,8 +53,7 @@ def expanded(pairs, w="0.03125"):
 
 
 def landed(x):
-    found = arrive(law(ROOT), x, arb("0.25"))
-    return [near(found.turning, found.miss), found.duration]
+    return arrive(law(ROOT), x, arb("0.25")).state(arb("0.25"))
 
 
 def stepped(pairs):
@@ -68,7 +69,7 @@ def pieces(pairs, *times):
 
     def value(x):
         found: list[arb] = []
-        for piece in course(law(pairs), x, arb(0)):
+        for piece in course(LinearSpring(law(pairs)), x, arb(0)):
             inside = [arb(t) for t in times if piece.begin <= arb(t) < piece.end]
             found += [near(c, piece.error) for t in inside for c in piece.own(t)]
         return found
@@ -77,21 +78,21 @@ def pieces(pairs, *times):
 
 
 def turnings(pairs, count=4):
-    return lambda _: [c for p in islice(sequence(law(pairs)), count) for c in (p.x, p.tau)]
+    return lambda _: [c for p in islice(sequence(LinearSpring(law(pairs)), rest(arb(1))), count) for c in (p.x, p.tau)]
 
 
 def first(x):
-    found = first_from(law(ROOT), arb("0.5"), x)
+    found = first_from(LinearSpring(law(ROOT)), arb("0.5"), x)
     return [found.x, found.tau]
 
 
 def dense(pairs):
     times = [arb(1) / 4, arb(3) / 2, arb(5), arb(9)]
-    return lambda x: [c for state in states(law(pairs), arb(1) / 2, x, times) for c in state]
+    return lambda x: [c for state in states(LinearSpring(law(pairs)), arb(1) / 2, x, times) for c in state]
 
 
 def timed(x):
-    return [c for state in states_from(law(SUM), first_turning(), [x]) for c in state]
+    return [c for state in states_from(LinearSpring(law(SUM)), rest(arb(1)), [x]) for c in state]
 
 
 def swung(x):
@@ -149,14 +150,15 @@ EXPANSION, STEP = (
     many("at shortened state", "asymptotics.flow.taylor.TaylorStep."),
 )
 OWN = (
-    *many("course.Departure.own course.Step.own course.Landing.own course.course expansion.Expansion.acceleration"),
-    *many("expansion.Expansion.moved"),
+    *many("Departure.own Step.own Landing.own Turned.time course", FLOW + "course."),
+    *many("course.LinearSpring.expansion course.LinearSpring.arrive"),
+    *many("expansion.Expansion.acceleration expansion.Expansion.moved damping.Damping.rest damping.Damping.drag"),
     "asymptotics.flow.times.at_time",
 )
 SEQUENCE = many(
-    "sequence.sequence sequence.swung sequence.following sequence.Turning.x sequence.Turning.tau sequence.first_turning"
+    "sequence.sequence sequence.swung sequence.after_landing turning.Turning.x turning.Turning.tau turning.rest", FLOW
 )
-STATES, FROM = many("dense.states"), many("dense.states_from")
+STATES, FROM = many("dense.states", FLOW), many("dense.states_from", FLOW)
 MAP, DURATION = "asymptotics.turning.quadratic_map.", "asymptotics.turning.quadratic_duration."
 EXACT = "asymptotics.turning.drag_exact.Well."
 ORDERS = "asymptotics.half_swings.certified_orders."
@@ -191,7 +193,7 @@ PIECES = [
 SEQUENCES = [
     *(Ladder(SEQUENCE, turnings(p), lost=16, least=20, **DEAR) for p in (ROOT, LINEAR)),
     Ladder(
-        many("sequence.first_from sequence.after_landing course.Turned.late"),
+        many("sequence.first_from sequence.after_kick course.Turned.late course.Turned.gap", FLOW),
         first,
         lost=14,
         stretch=6,

@@ -60,13 +60,11 @@ OWN = {
     "swing.quarters.Path.along": f"{QUARTERS}::test_coefficients_that_are_dropped_count",
     "swing.quarters.Path.enclosed": f"{QUARTERS}::test_the_error_is_made_of_its_parts",
     "swing.quarters.Path.on_ellipse": f"{QUARTERS}::test_the_bounds_on_the_ellipse",
-    "swing.sequence.Turning.tau": LADDER,
-    "swing.sequence.Turning.x": LADDER,
     "swing.settling.ForceCurve.clock": f"{SETTLING}::test_the_time_on_the_curves_is_the_integral_of_their_slope",
     "swing.settling.settled": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
     "turning.far._log": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
     "wells.ends._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
-    "wells.landing.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",
+    "flow.parting.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",
 }
 """Functions that widen a ball, none of whose lines is on the list -> the test of their own, in which the truth is
 contained at few bits or the parts are evaluated again."""

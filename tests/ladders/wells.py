@@ -4,14 +4,16 @@ from itertools import islice
 
 from flint import arb
 
+from asymptotics.flow.course import course
+from asymptotics.flow.dense import states
+from asymptotics.flow.sequence import first_from, sequence, swung
 from asymptotics.flow.taylor import TaylorStep, coefficients
+from asymptotics.flow.turning import rest
 from asymptotics.law import Law
-from asymptotics.wells.course import course
-from asymptotics.wells.dense import states
+from asymptotics.wells.course import Well
 from asymptotics.wells.expansion import Expansion
 from asymptotics.wells.force import Force
 from asymptotics.wells.landing import arrive
-from asymptotics.wells.sequence import first_from, half_swing, rest, sequence
 from tests.ladders.machine import Ladder
 from tests.ladders.swings import DEAR, many, near
 
@@ -62,35 +64,36 @@ def grown(given):
 def pieces(given, *times):
     def value(x):
         found: list[arb] = []
-        for piece in course(force(given), x, arb(0)):
+        for piece in course(Well(force(given)), x, arb(0)):
             inside = [arb(t) for t in times if piece.begin <= arb(t) < piece.end]
             for u, w in map(piece.own, inside):
-                found += [near(u, piece.local / piece.unit), near(w, piece.local)]
+                local = piece.errors.local
+                found += [near(u, local / piece.unit), near(w, local)]
         return [*found, near(piece.clock, piece.late(arb(0))), near(piece.turn, piece.gap(arb(0)))]
 
     return value
 
 
 def turnings(given, count=3):
-    return lambda x: [c for p in islice(sequence(force(given), rest(x)), count) for c in (p.x, p.tau)]
+    return lambda x: [c for p in islice(sequence(Well(force(given)), rest(x)), count) for c in (p.x, p.tau)]
 
 
-def swung(x):
-    there, _ = half_swing(force(DUFFING), x)
+def by_pieces(x):
+    there, _ = swung(Well(force(DUFFING)), rest(x))
     return [there.x, there.tau]
 
 
 def kicked(x):
-    found = first_from(force(PENDULUM), arb("0.5"), x)
+    found = first_from(Well(force(PENDULUM)), arb("0.5"), x)
     return [found.x, found.tau]
 
 
 def dense(given):
     times = [arb(1) / 4, arb(3) / 2, arb(5)]
-    return lambda x: [c for state in states(force(given), arb(1) / 2, x, times) for c in state]
+    return lambda x: [c for state in states(Well(force(given)), arb(1) / 2, x, times) for c in state]
 
 
-WELLS_ROOM = "asymptotics.wells."
+WELLS_ROOM, FLOW = "asymptotics.wells.", "asymptotics.flow."
 FORCE = many(
     "of pull grip rest drag acceleration potential viscous rest_powers loss_powers", WELLS_ROOM + "force.Force."
 )
@@ -100,11 +103,12 @@ EXPANSION, LANDING = (
 )
 STEP = many("at shortened state", "asymptotics.flow.taylor.TaylorStep.")
 OWN = (
-    *many("course Departure.own Step.own Landing.own", WELLS_ROOM + "course."),
+    *many("course Departure.own Step.own Landing.own", FLOW + "course."),
+    *many("expansion arrive", WELLS_ROOM + "course.Well."),
     *many("Expansion.acceleration Expansion.moved", WELLS_ROOM + "expansion."),
     "asymptotics.flow.times.at_time",
 )
-SEQUENCE = many("sequence next_turning after_landing rest", WELLS_ROOM + "sequence.")
+SEQUENCE = (*many("sequence next_turning after_landing", FLOW + "sequence."), FLOW + "turning.rest")
 
 WELLS = [
     *(Ladder(FORCE, forces(given), lost=12, stretch=4) for given in (PENDULUM, DUFFING, KINKED)),
@@ -126,7 +130,7 @@ WELLS = [
         for given in (PENDULUM, KINKED)
     ),
     Ladder(SEQUENCE, turnings(PENDULUM), "0.75", 18, 20, 20, wide=(-20,), **DEAR),
-    Ladder((WELLS_ROOM + "sequence.half_swing",), swung, "0.75", 18, least=20, rungs=(20, 40), truth=72),
-    Ladder(many("first_from after_kick", WELLS_ROOM + "sequence."), kicked, "0.75", 18, 20, 20, wide=(-20,), **DEAR),
-    Ladder((WELLS_ROOM + "dense.states",), dense(PENDULUM), "0.25", 20, 20, 20, wide=(-20,), **DEAR),
+    Ladder(("asymptotics.flow.sequence.swung",), by_pieces, "0.75", 18, least=20, rungs=(20, 40), truth=72),
+    Ladder(many("first_from after_kick kicked", FLOW + "sequence."), kicked, "0.75", 18, 20, 20, wide=(-20,), **DEAR),
+    Ladder((FLOW + "dense.states",), dense(PENDULUM), "0.25", 20, 20, 20, wide=(-20,), **DEAR),
 ]

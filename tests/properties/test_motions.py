@@ -6,10 +6,11 @@ from flint import arb, ctx
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from asymptotics.flow.dense import states
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.dense import states
 from asymptotics.testing import strategies
 from tests.properties.in_time import answered_in_time
 
@@ -48,7 +49,9 @@ def test_the_energy_that_is_missing_is_the_work_of_the_damping(law):
     order = sorted(range(12), key=lambda i: float(places[i]))
     with ctx.workprec(80):
         with answered_in_time(law):
-            found = states(Damping.of_law(law), arb(1), arb(0), [first, *(places[i].mid() for i in order), last])
+            found = states(
+                LinearSpring(Damping.of_law(law)), arb(1), arb(0), [first, *(places[i].mid() for i in order), last]
+            )
         assume(all(bool(arb("-0.01") > V) for _, V in found))  # moving all the time, towards the other side
         terms = [(t.strength.ball(), t.velocity.ball() + 1) for t in law.terms]
         power = {i: sum((e * (-V) ** a for e, a in terms), arb(0)) for i, (_, V) in zip(order, found[1:-1])}

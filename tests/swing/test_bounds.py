@@ -10,19 +10,22 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.flow import dense
+from asymptotics.flow.course import Landing, State, _landing, course
+from asymptotics.flow.parting import Errors, lateness
+from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.times import at_time
+from asymptotics.flow.turning import Turning
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing import arrival as arrivals
-from asymptotics.swing import dense
-from asymptotics.swing.arrival import arrive
-from asymptotics.swing.course import Landing, course, delay
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import trap
 from asymptotics.swing.expansion import Expansion
 from asymptotics.swing.majorant import majorant
 from asymptotics.swing.passage import Passage, integrated
-from asymptotics.swing.sequence import Turning, first_from, following, sequence
+from asymptotics.swing.sequence import following
 
 
 def damping(*pairs):
@@ -96,17 +99,18 @@ def _tails(d, expansion):
 
 @pytest.mark.parametrize("law", [NOTHING, (("3/2", "1/5"),), (("2", "3"),)])
 def test_a_wrong_guess_of_the_turning_point_is_paid_for(law, monkeypatch):
-    """|y_1 - guess| <= |Y - y| and |time| <= e w/y^2 with a guess that is off: attained to a few per cent."""
+    """|y_1 - guess| <= |Y - y| with a guess that is off: attained to a few per cent, and so is the time."""
     d, w, off = damping(*law), arb(2) ** -6, arb(2) ** -30
     with ctx.workprec(120):
         there = Expansion.at(d, arb(-1), w)
         y, tau = there.state(w)
         monkeypatch.setattr(arrivals, "_guess", lambda *given: arb(-1) + off)
-        found = arrive(d, y.mid(), w)
+        flow, friction = LinearSpring(d), d.friction
+        here = State(arb(0), (y + friction).mid(), w, Errors(arb(0), arb(0)))
+        found = _landing(flow, arb(1), here)
         assert off <= found.miss and found.miss / 2 < off and found.miss < off * arb(1.2)
-        late = abs(found.own_duration + tau)
-        assert found.duration.contains(-tau.mid())
-        assert found.duration.rad() / 2 < late and found.duration.rad() < late * arb(1.3)
+        late = abs(found.clock + tau)
+        assert found.time.contains(-tau.mid()) and late <= found.late(arb(0)) < off * arb(1.2)
 
 
 def test_a_guess_beyond_the_place_of_rest_is_undecided(monkeypatch):
@@ -125,17 +129,18 @@ def test_a_mass_that_leaves_its_turning_point_does_not_turn():
 def test_errors_of_pieces_add_up():
     """Each piece has at least the error of the one before it and its own, rounding of the restart included."""
     with ctx.workprec(24):
-        first, *steps, last = course(damping(("3/2", "1/5")), arb(1), arb(0))
+        first, *steps, last = course(LinearSpring(damping(("3/2", "1/5"))), arb(1), arb(0))
+        off = last.expansion.state(last.beside[1])[0] - last.beside[0]
         dropped = [[c.rad() for c in step.taylor.state(step.taylor.length)] for step in steps]
     for step, following_step, (y, w) in zip(steps, steps[1:], dropped, strict=False):
         assert following_step.error >= step.error + following_step.taylor.residual + y + w
-    assert last.error >= steps[-1].error + last.arrival.miss and steps[0].error > first.error
+    assert last.error >= steps[-1].error + abs(off).lower() and steps[0].error > first.error
 
 
 def test_a_shifted_orbit_turns_as_much_later_as_the_bound_says():
     """Undamped, an orbit d ahead on its circle turns d/p earlier."""
     p, d = arb(1), arb(2) ** -20
-    bound = delay(p, d, arb(0))
+    bound = lateness(damping(*NOTHING), arb(1), -p, d, d)
     assert d / p <= bound and bound / 2 < d / p
 
 
@@ -143,8 +148,8 @@ def test_the_error_of_a_start_reaches_the_turning_point():
     """The enclosure from a start with an error contains the orbits from both of its ends, and half of it does not."""
     law, d = damping(*NOTHING), arb(2) ** -20
     with ctx.workprec(80):
-        *_, last = course(law, arb("0.5"), arb("0.5"), d)
-        *_, high = course(law, arb("0.5") + d * arb(0.7), arb("0.5") + d * arb(0.7))
+        *_, last = course(LinearSpring(law), arb("0.5"), arb("0.5"), d)
+        *_, high = course(LinearSpring(law), arb("0.5") + d * arb(0.7), arb("0.5") + d * arb(0.7))
         assert isinstance(last, Landing) and isinstance(high, Landing)
         apart = abs(high.turn - last.turn)
         assert apart <= last.error and last.error / 2 < apart
@@ -164,14 +169,11 @@ def test_amplitudes_carry_their_error_by_contraction(law):
 
 
 def test_radii_of_a_passage_are_kept():
-    """What the midpoints drop: the radius of q, that of T, and the time that the error of p may cost, error/q."""
-    law, error = damping(("1", "1/10")), arb(2) ** -30
+    """What the midpoints drop: the radius of q and that of T."""
+    law = damping(("1", "1/10"))
     found = Passage(arb("0.75", arb(2) ** -20), arb(3, arb(2) ** -21), "", 1, arb(0))
     there = following(law, Turning(0, 1, arb(1), arb(0), arb(0), arb(0)), found)
     assert there.amplitude_error >= arb(2) ** -20 and there.time_error >= arb(2) ** -21
-    exact = Passage(arb("0.75"), arb(3), "", 1, arb(0))
-    late = following(law, Turning(0, 1, arb("0.5"), arb(0), error, arb(0)), exact).time_error
-    assert error / arb("0.375") <= late and late < error / arb("0.375") * arb(1.01)
 
 
 @pytest.mark.parametrize("law", [NOTHING, (("3/2", "1/2"),), (("0", "1/10"), ("2", "1"))])
@@ -186,13 +188,13 @@ def test_a_wide_time_near_a_turning_point(law):
             assert y.contains(exact_y) and w.contains(exact_w)
         assert w.rad() < 10 * width
         largest = abs(expansion.y0) + expansion.damping.friction
-        assert largest <= expansion.speed() and expansion.speed() < 4 * largest
+        assert largest <= expansion.speed(arb(1)) and expansion.speed(arb(1)) < 4 * largest
 
 
 def test_the_error_of_a_time_becomes_a_distance():
     """Near a turning point of amplitude a the state moves by a |t|."""
     law, late = damping(*NOTHING), arb(2) ** -20
-    bound = dense._distance(law, Turning(1, -1, arb(2), arb(3), arb(0), late))
+    bound = dense._distance(LinearSpring(law), Turning(1, -1, arb(2), arb(3), arb(0), late))
     truth = 2 * (2 * (late / 2).sin())
     assert truth <= bound and bound / 2 < truth
 
@@ -200,8 +202,10 @@ def test_the_error_of_a_time_becomes_a_distance():
 def test_an_uncertain_time_widens_the_state():
     law = damping(("2", "1/10"))
     with ctx.workprec(100):
-        (low, _), (high, _) = dense.states(law, arb(1), arb(0), [arb("1.5"), arb("1.5") + arb(2) ** -20])
-        ((x, v),) = dense.states(law, arb(1), arb(0), [arb("1.5") + arb(2) ** -21 + arb(0, arb(2) ** -21)])
+        (low, _), (high, _) = dense.states(LinearSpring(law), arb(1), arb(0), [arb("1.5"), arb("1.5") + arb(2) ** -20])
+        ((x, v),) = dense.states(
+            LinearSpring(law), arb(1), arb(0), [arb("1.5") + arb(2) ** -21 + arb(0, arb(2) ** -21)]
+        )
         assert x.contains(low) and x.contains(high) and x.rad() < 4 * abs(high - low)
 
 
@@ -210,8 +214,8 @@ def test_a_time_with_more_bits_than_the_work_is_not_rounded():
     with ctx.workprec(200):
         time = arb(10) ** 6 / 3
     with ctx.workprec(30):
-        wanted = dense._Wanted(law, [time])
-        (first,), width = wanted.queue, wanted.widest
+        wanted = dense._Wanted(LinearSpring(law), [time])
+        ((first, width),) = wanted.queue
     with ctx.workprec(300):
         assert first <= time and time <= first + width and width < arb(2) ** -170
 
@@ -248,9 +252,9 @@ def test_dry_friction_holds_exactly_up_to_itself():
 def test_a_start_in_motion_and_its_mirror_image(side):
     law, state = damping(("3/2", "1/5")), (arb("0.25"), arb("0.5"))
     with ctx.workprec(80):
-        first, other = first_from(law, *state), first_from(law, *(side * x for x in state))
+        first, other = first_from(LinearSpring(law), *state), first_from(LinearSpring(law), *(side * x for x in state))
         assert first.side == 1 and other.side == side and first.n == other.n == 0
-        for a, b in zip(*(islice(sequence(law, here), 3) for here in (first, other)), strict=True):
+        for a, b in zip(*(islice(sequence(LinearSpring(law), here), 3) for here in (first, other)), strict=True):
             assert (b.n, b.side) == (a.n, side * a.side)
             for name in ("amplitude", "amplitude_error", "time", "time_error"):
                 assert getattr(a, name).mid() == getattr(b, name).mid()

@@ -7,13 +7,16 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.course import Landing, course
+from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
+from asymptotics.flow.turning import rest
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.course import Landing, course
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import Panels
-from asymptotics.swing.sequence import sequence
+from asymptotics.swing.sequence import Interpolated
 from asymptotics.turning.general import turning_points
 from asymptotics.turning.quadratic_duration import duration
 from asymptotics.turning.quadratic_map import next_amplitude
@@ -41,9 +44,9 @@ def landing(pairs, bits, p="1", start=None):
         u, w = (arb(1), arb(0)) if start is None else (arb(start[0]), arb(start[1]))
         with ctx.workprec(bits + GUARD):
             law = damping(pairs)
-        *_, last = course(law, u, w)
+        *_, last = course(LinearSpring(law), u, w)
     assert isinstance(last, Landing)
-    return arb(last.turn, last.miss), last.time
+    return arb(-last.turn, last.miss), last.time
 
 
 @pytest.mark.parametrize("pairs", LAWS, ids=str)
@@ -89,7 +92,7 @@ def test_errors_only_add():
         found = []
         for bits in (60, 180):
             with ctx.workprec(bits):
-                points = sequence(damping(pairs))
+                points = sequence(LinearSpring(damping(pairs)), rest(arb(1)))
                 found.append([next(points) for _ in range(12)])
         for low, high in zip(*found):
             with ctx.workprec(180):
@@ -107,7 +110,7 @@ def test_near_a_separatrix_the_precision_rises_until_it_is_decided():
     with ctx.workprec(110):
         low = damping((("1/2", "0.83708879743"),))
     with pytest.raises(UndecidedError, match="separatrix|place of rest|undecided"), ctx.workprec(30):
-        list(sequence(low))
+        list(sequence(LinearSpring(low), rest(arb(1))))
 
 
 def test_exponents_at_the_rims():
@@ -133,7 +136,7 @@ def test_a_long_sequence_loses_nothing_and_memory_stays_flat(pairs):
         with ctx.workprec(bits + GUARD):
             d = damping(pairs)
         with ctx.workprec(bits):
-            for here in sequence(d, panels=Panels(law, bits), count=count):
+            for here in sequence(Interpolated(d, Panels(law, bits), count), rest(arb(1))):
                 if here.n == 100:  # the panel is made: watching is slow
                     tracemalloc.start()
                 if here.n == count // 2:

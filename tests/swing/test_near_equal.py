@@ -10,10 +10,11 @@ import pytest
 from flint import arb, arb_poly, ctx
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.course import course
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing import course as course_module
 from asymptotics.swing import near_equal
-from asymptotics.swing.course import Creep, course
+from asymptotics.swing.course import Creep, LinearSpring
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.near_equal import Stretch, extend, grouped, groups, one_way, rest, stretch
 from asymptotics.swing.slow import solve
@@ -35,7 +36,7 @@ def drawn(seed, low=9, high=40):
 def state_at(law, time, start="9/10"):
     """The state at a time, None behind the first turning point, and how many pieces were made until then."""
     begin = parse_real(start, "x").ball().mid()
-    for count, piece in enumerate(course(law, begin, arb(0))):
+    for count, piece in enumerate(course(LinearSpring(law), begin, arb(0))):
         if piece.end >= time:
             return [x + arb(0, piece.error) for x in piece.own(arb(time))], count
     return None, count
@@ -56,7 +57,9 @@ def creeping(terms, bits=BITS):
     with ctx.workprec(bits):
         law = Damping.of(terms())
         begin = parse_real("9/10", "x").ball().mid()
-        found = (p for p in course(law, begin, arb(0)) if isinstance(p, Creep) and isinstance(p.strip, Stretch))
+        found = (
+            p for p in course(LinearSpring(law), begin, arb(0)) if isinstance(p, Creep) and isinstance(p.strip, Stretch)
+        )
         return law, next(found)
 
 
@@ -80,7 +83,9 @@ def test_taylor_steps_pass_between_the_barriers(law, monkeypatch):
     monkeypatch.setattr(course_module, "stretch", lambda *_: None)
     inside = 0
     with ctx.workprec(240):
-        for count, step in enumerate(course(Damping.of(law()), parse_real("9/10", "x").ball().mid(), arb(0))):
+        for count, step in enumerate(
+            course(LinearSpring(Damping.of(law())), parse_real("9/10", "x").ball().mid(), arb(0))
+        ):
             if step.begin > piece.begin:
                 state = step.own(step.begin)
                 with ctx.workprec(BITS):
@@ -234,7 +239,9 @@ def test_the_stretches_join():
     """A time that needs several stretches: as by the law's own slow curve, where the exponents are far enough apart."""
     with ctx.workprec(BITS):
         law = Damping.of(of(("1/2", "2"), ("0.55", "1"))())
-        pieces = [p for p, _ in zip(course(law, parse_real("9/10", "x").ball().mid(), arb(0)), range(110))]
+        pieces = [
+            p for p, _ in zip(course(LinearSpring(law), parse_real("9/10", "x").ball().mid(), arb(0)), range(110))
+        ]
         stretches = [p for p in pieces if isinstance(getattr(p, "strip", None), Stretch)]
         assert len(stretches) > 2
         for before, after in pairwise(p for p in pieces if not isinstance(p, Creep) or p in stretches):

@@ -7,11 +7,11 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import quad, solve_ivp
 
+from asymptotics.flow.course import course
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.swing import course as course_module
-from asymptotics.swing.course import Creep, Settling, course
+from asymptotics.swing.course import Creep, LinearSpring, Settling
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.settling import ForceCurve, settled, spread
 from asymptotics.swing.slow import solve
@@ -53,11 +53,10 @@ def test_taylor_steps_pass_through_the_settling_into_the_strip(terms, speed, mon
     with ctx.workprec(40):
         found = settled(law, place, w, arb(2) ** -50)
         there = found.strip.state(arb(0))
-    monkeypatch.setattr(course_module, "_caught", lambda *_: iter(()))
-    monkeypatch.setattr(course_module, "_for_a_while", lambda *_: None)
+    monkeypatch.setattr(LinearSpring, "aside", lambda *_: iter(()))
     with ctx.workprec(120):
         law, inside = damping(*terms), 0
-        for step in course(law, place, w):
+        for step in course(LinearSpring(law), place, w):
             true = step.own(step.begin)
             assert found.y.contains(true[0]) and found.w.contains(true[1]) and step.begin < found.wait
             inside = inside + 1 if there[1].contains(true[1]) else 0
@@ -182,5 +181,5 @@ def test_reference_motion_at_any_time_for_exponents_near_0(law, x):
 
 def test_a_creep_begins_at_rest_without_a_step():
     with ctx.workprec(60):
-        pieces = course(damping(*PAIR), arb("0.1").mid(), arb(0))
+        pieces = course(LinearSpring(damping(*PAIR)), arb("0.1").mid(), arb(0))
         assert [type(next(pieces)) for _ in range(2)] == [Settling, Creep]

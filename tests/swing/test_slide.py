@@ -9,12 +9,13 @@ from flint import arb
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.flow.course import Turned, course
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing import course as course_module
-from asymptotics.swing.course import Creep, Turned, course
+from asymptotics.swing.course import Creep, LinearSpring
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.slide import sliding
 from asymptotics.swing.slow import Curve, one_way
@@ -29,10 +30,10 @@ def damping(alpha, epsilon):
 def turned(alpha, epsilon, bits):
     """(q, T) of the first half-swing as balls, and how many pieces and slides it took."""
     with ctx.workprec(bits):
-        pieces = list(course(damping(alpha, epsilon), arb(1), arb(0)))
+        pieces = list(course(LinearSpring(damping(alpha, epsilon)), arb(1), arb(0)))
     last = pieces[-1]
     assert isinstance(last, Turned)
-    return arb(last.turn, last.miss), last.time, len(pieces), sum(isinstance(p, Creep) for p in pieces)
+    return arb(-last.turn, last.miss), last.time, len(pieces), sum(isinstance(p, Creep) for p in pieces)
 
 
 def entered(alpha, epsilon, bits, error=None):
@@ -40,7 +41,7 @@ def entered(alpha, epsilon, bits, error=None):
     with ctx.workprec(bits):
         law = damping(alpha, epsilon)
         before = None
-        for piece in course(law, arb(1), arb(0)):
+        for piece in course(LinearSpring(law), arb(1), arb(0)):
             if isinstance(piece, Creep):
                 break
             before = piece
@@ -156,7 +157,7 @@ def test_next_to_linear_damping_a_half_swing_is_refused_at_once():
 
 def test_what_the_strip_leaves_open_is_in_the_error_after_it():
     with ctx.workprec(70):
-        pieces = list(course(damping("3/2", "100"), arb(1), arb(0)))
+        pieces = list(course(LinearSpring(damping("3/2", "100")), arb(1), arb(0)))
         i = next(i for i, piece in enumerate(pieces) if isinstance(piece, Creep))
         y, w = pieces[i].own(pieces[i].end)
         assert pieces[i + 1].error >= y.rad() + w.rad() > 0

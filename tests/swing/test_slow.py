@@ -8,11 +8,12 @@ from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.course import course
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing import course as course_module
-from asymptotics.swing.course import Creep, course
+from asymptotics.swing.course import Creep, LinearSpring
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.slow import Curve, _grown, caught, one_way, solve
 from asymptotics.swing.slow_series import Truncated, summed, truncated
@@ -38,7 +39,7 @@ def creeping(law, bits, start="9/10"):
     with ctx.workprec(bits):
         law = damping(law)
         place = parse_real(start, "x").ball().mid()
-        return next(piece for piece in course(law, place, arb(0)) if isinstance(piece, Creep)), law
+        return next(piece for piece in course(LinearSpring(law), place, arb(0)) if isinstance(piece, Creep)), law
 
 
 def stiff(alpha, epsilon, y, w, time):
@@ -82,7 +83,7 @@ def test_taylor_steps_pass_between_the_barriers(law, monkeypatch):
     monkeypatch.setattr(course_module, "caught", lambda *_: None)
     with ctx.workprec(240):
         exact = damping(law)
-        for count, step in enumerate(course(exact, parse_real("9/10", "x").ball().mid(), arb(0))):
+        for count, step in enumerate(course(LinearSpring(exact), parse_real("9/10", "x").ball().mid(), arb(0))):
             if step.begin > piece.begin and count % 7 == 0:
                 y, w = step.own(step.begin)
                 with ctx.workprec(80):

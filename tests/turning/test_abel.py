@@ -6,10 +6,12 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.flow.sequence import sequence
+from asymptotics.flow.turning import rest
 from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.numbers.exact import parse_real
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.sequence import sequence
 from asymptotics.turning import far
 from asymptotics.turning.abel import Approximant, abel_function
 from asymptotics.turning.far import jumped
@@ -114,7 +116,7 @@ def test_a_wrong_coefficient_is_noticed():
 def test_a_far_point_is_one_jump_from_any_head():
     with ctx.workprec(130):
         alpha, epsilon = real("3/2"), arb(1) / 40
-        lead = list(islice(sequence(Damping.of([(epsilon, alpha)])), 5))
+        lead = list(islice(sequence(LinearSpring(Damping.of([(epsilon, alpha)])), rest(arb(1))), 5))
         found = [jumped(alpha, epsilon, head, 10**9) for head in (lead[0], lead[4])]
         assert found[0].x.overlaps(found[1].x) and found[0].tau.overlaps(found[1].tau)
         assert min(found[0].x.rel_accuracy_bits(), found[0].tau.rel_accuracy_bits()) > 100

@@ -10,11 +10,13 @@ from flint import acb, arb, ctx
 from scipy.integrate import quad, solve_ivp
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.sequence import sequence
+from asymptotics.flow.turning import rest
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import Panels
-from asymptotics.swing.sequence import sequence
+from asymptotics.swing.sequence import Interpolated
 from asymptotics.turning.abel_flow import abel_flow
 from asymptotics.turning.far import planned
 from asymptotics.turning.general import turning_points
@@ -39,7 +41,7 @@ def orbits():
         with ctx.workprec(122):
             damping = Damping.of_law(law)
         with ctx.workprec(90):
-            points = list(islice(sequence(damping, panels=Panels(law, 90), count=2001), 2001))
+            points = list(islice(sequence(Interpolated(damping, Panels(law, 90), 2001), rest(arb(1))), 2001))
             found[alphas] = [(arb(p.amplitude, p.amplitude_error).log(), p.tau) for p in (points[0], points[2000])]
     return found
 

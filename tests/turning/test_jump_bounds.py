@@ -9,10 +9,10 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.turning import Turning
 from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.sequence import Turning
 from asymptotics.turning import drag_exact, far, table
 from asymptotics.turning import half_swing as half_swings
 from asymptotics.turning.abel import AbelFunction, Approximant, abel_function

@@ -9,19 +9,19 @@ import mpmath
 import pytest
 from flint import arb, ctx
 
+from asymptotics.flow import course as courses
+from asymptotics.flow import dense
+from asymptotics.flow.course import Landing, course
+from asymptotics.flow.parting import contracted, growth, lateness, points_forward, turning_gap
+from asymptotics.flow.sequence import after_landing
+from asymptotics.flow.turning import Turning, rest
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.sequence import Turning
-from asymptotics.wells import course as courses
-from asymptotics.wells import dense
 from asymptotics.wells import expansion as expansions
-from asymptotics.wells.course import Landing, course
-from asymptotics.wells.distance import contracted, growth, lateness, turning_gap
+from asymptotics.wells.course import Well
 from asymptotics.wells.ends import inside, trap
 from asymptotics.wells.expansion import Expansion
 from asymptotics.wells.force import Force
-from asymptotics.wells.landing import points_forward
-from asymptotics.wells.sequence import after_landing, rest
 
 
 def force_of(losses, spring=None, bits=250):
@@ -97,7 +97,7 @@ def test_nothing_parts_in_the_own_unit():
 
 def orbit(force, p, bits=160):
     with ctx.workprec(bits):
-        *_, last = course(force, arb(p), arb(0))
+        *_, last = course(Well(force), arb(p), arb(0))
         return last
 
 
@@ -147,8 +147,8 @@ def test_a_turning_point_near_the_place_of_rest_is_undecided():
 def test_a_step_stops_before_a_kink():
     """The orbit of the kinked force passes u = 0 between pieces, and one with a smooth force does not care."""
     with ctx.workprec(90):
-        places = [p.taylor.us[0] for p in course(FORCES["kinked"], arb(1), arb(0)) if isinstance(p, courses.Step)]
-        smooth = [p.taylor.us[0] for p in course(AIR, arb(1), arb(0)) if isinstance(p, courses.Step)]
+        places = [p.taylor.us[0] for p in course(Well(FORCES["kinked"]), arb(1), arb(0)) if isinstance(p, courses.Step)]
+        smooth = [p.taylor.us[0] for p in course(Well(AIR), arb(1), arb(0)) if isinstance(p, courses.Step)]
     assert any(u == 0 for u in places) and not any(u == 0 for u in smooth)
 
 
@@ -164,7 +164,7 @@ def test_ignoring_a_kink_is_seen(monkeypatch):
 def test_the_window_about_a_turning_point_is_attained():
     """Within the time e the speed grows to e s_0."""
     here = Turning(3, 1, arb(1), arb(10), arb(0), arb(2) ** -20)
-    distance = dense._distance(FREE, here)
+    distance = dense._distance(Well(FREE), here)
     with ctx.workprec(100):
         e = arb(2) ** -20
         truth = ((1 - e.cos()) ** 2 + e.sin() ** 2).sqrt()
@@ -175,10 +175,10 @@ def test_the_next_turning_point_carries_the_error_of_the_last():
     """An error of the start is neither forgotten nor doubled."""
     with ctx.workprec(120):
         e = arb(2) ** -30
-        pieces = list(course(FORCES["free pendulum"], arb(1), arb(0), e))
+        pieces = list(course(Well(FORCES["free pendulum"]), arb(1), arb(0), e))
         assert isinstance(pieces[-1], Landing)
-        there = after_landing(FORCES["free pendulum"], Turning(0, 1, arb(1), arb(0), e, arb(0)), pieces[-1])
-        exactly = after_landing(FORCES["free pendulum"], rest(arb(1)), orbit(FORCES["free pendulum"], 1, 120))
+        there = after_landing(Turning(0, 1, arb(1), arb(0), e, arb(0)), pieces[-1])
+        exactly = after_landing(rest(arb(1)), orbit(FORCES["free pendulum"], 1, 120))
         shifted = orbit(FORCES["free pendulum"], 1 + e, 120)
         assert abs(shifted.turn + exactly.amplitude) <= there.amplitude_error < 2 * e
         assert abs(shifted.clock - exactly.time) <= there.time_error < 20 * e

@@ -6,9 +6,10 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.flow.dense import states
 from asymptotics.flow.taylor import GUARD
 from asymptotics.law import Law
-from asymptotics.wells.dense import states
+from asymptotics.wells.course import Well
 from asymptotics.wells.ends import inside
 from asymptotics.wells.force import Force
 
@@ -19,7 +20,7 @@ def found(law, X, V, times, bits):
     with ctx.workprec(bits + GUARD):
         force = Force.of(law.terms)
     with ctx.workprec(bits):
-        return states(force, arb(X) / 16, arb(V) / 16, [arb(t) / 8 for t in times])
+        return states(Well(force), arb(X) / 16, arb(V) / 16, [arb(t) / 8 for t in times])
 
 
 def check(seed):

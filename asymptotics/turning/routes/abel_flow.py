@@ -8,11 +8,13 @@ half-swings go on from there.
 from collections.abc import Iterator
 from operator import attrgetter
 
+from asymptotics.flow.sequence import sequence
+from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
 from asymptotics.swing.panels import ROUTE as INTERPOLATED
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.passage import INTEGRATED
-from asymptotics.swing.sequence import Turning, sequence
+from asymptotics.swing.sequence import Interpolated
 from asymptotics.turning.enclosing import Orbit, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.far import head_end, jumped_by_flow, planned
 from asymptotics.turning.result import TurningPoints
@@ -43,11 +45,11 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
         plan, epsilons = planned(alphas, ctx.prec, request.start), [t.strength.ball() for t in laws]
 
         def after(first: Turning) -> Iterator[Turning]:
-            lead = sequence(damping, first, panels=panels, count=plan.head)
+            lead = sequence(Interpolated(damping, panels, first.n + plan.head), first)
             here = head_end(lead, alphas[0], epsilons[0], request.start, plan.delta)
             if here.n < request.start:
                 here = jumped_by_flow(alphas, epsilons, plan.terms, here, request.start)
-            return sequence(damping, here, panels=panels, count=request.count)
+            return sequence(Interpolated(damping, panels, here.n + request.count), here)
 
         return Orbit(lambda: first_of(request, damping), after)
 

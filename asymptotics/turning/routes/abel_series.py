@@ -8,9 +8,11 @@ from collections.abc import Iterator
 from itertools import islice
 
 from asymptotics.costs import jump_seconds
+from asymptotics.flow.sequence import sequence
+from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
 from asymptotics.swing.panels import panels_of
-from asymptotics.swing.sequence import Turning, sequence
+from asymptotics.swing.sequence import Interpolated
 from asymptotics.turning.enclosing import Orbit, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.far import head_of, jumped
 from asymptotics.turning.result import TurningPoints
@@ -42,10 +44,10 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
         damping, panels, head = damping_of(request), panels_of(request.law, ctx.prec), head_of(alpha, ctx.prec)
 
         def after(first: Turning) -> Iterator[Turning]:
-            lead = sequence(damping, first, panels=panels, count=head)
+            lead = sequence(Interpolated(damping, panels, first.n + head), first)
             here = next(islice(lead, min(head, request.start), None))
             there = jumped(alpha, epsilon.ball(), here, request.start)
-            return sequence(damping, there, panels=panels, count=request.count)
+            return sequence(Interpolated(damping, panels, there.n + request.count), there)
 
         return Orbit(lambda: first_of(request, damping), after)
 

@@ -24,9 +24,9 @@ from flint import arb
 
 from asymptotics.costs import closed_form_seconds
 from asymptotics.errors import InputError
+from asymptotics.flow.sequence import STICKS
 from asymptotics.numbers.exact import ExactReal, square_root
 from asymptotics.numbers.rationals import to_fmpq
-from asymptotics.swing.ends import STICKS
 from asymptotics.turning.result import Number, TurningPoints, proved_digits, proved_point
 from asymptotics.turning.route import Route
 from asymptotics.turning.table import Ended, Kept, Points, Progress, Request

@@ -9,12 +9,13 @@ serves where the local strengths are small enough for the majorant, and pays whe
 (True, True)
 """
 
+from asymptotics.flow.sequence import sequence
 from asymptotics.numbers.context import ctx
 from asymptotics.swing.lingering import most_swings
 from asymptotics.swing.panels import COLLOCATED, panels_of
 from asymptotics.swing.panels import ROUTE as INTERPOLATED
 from asymptotics.swing.passage import INTEGRATED
-from asymptotics.swing.sequence import sequence
+from asymptotics.swing.sequence import Interpolated
 from asymptotics.turning.enclosing import Orbit, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
@@ -42,7 +43,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
         damping, panels = damping_of(request), panels_of(request.law, ctx.prec)
         return Orbit(
             lambda: first_of(request, damping),
-            lambda first: sequence(damping, first, panels=panels, count=request.last + 1),
+            lambda first: sequence(Interpolated(damping, panels, request.last + 1), first),
         )
 
     def method(bits: int) -> str:

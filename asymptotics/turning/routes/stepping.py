@@ -20,22 +20,23 @@ at a rate that is bounded (room ``wells``).
 from asymptotics.budget import require_seconds
 from asymptotics.costs import half_swing_seconds, interpolation_seconds, stiff_seconds
 from asymptotics.errors import InputError, LimitError
+from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.taylor import GUARD
+from asymptotics.flow.turning import Turning, rest
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
+from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.linear import ROUTE as CLOSED
 from asymptotics.swing.lingering import most_swings
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.passage import INTEGRATED
-from asymptotics.swing.sequence import Turning, sequence
 from asymptotics.turning.enclosing import Orbit, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.table import Progress, Request
+from asymptotics.wells.course import Well
 from asymptotics.wells.ends import require_inside
 from asymptotics.wells.force import Force, estimated_seconds
-from asymptotics.wells.sequence import first_from, rest
-from asymptotics.wells.sequence import sequence as sequence_in_well
 
 MAX_DIGITS, MAX_LAST = 1000, 100_000
 METHOD = "half-swing by half-swing in the well, local expansions and Taylor steps in balls"
@@ -75,7 +76,7 @@ def _nonexpansive(request: Request, progress: Progress) -> TurningPoints:
 
     def orbit() -> Orbit:
         damping = damping_of(request)
-        return Orbit(lambda: first_of(request, damping), lambda first: sequence(damping, first))
+        return Orbit(lambda: first_of(request, damping), lambda first: sequence(LinearSpring(damping), first))
 
     by = CLOSED if panels_of(request.law, 64).closed else INTEGRATED
     return enclosed(request, orbit, lambda bits: in_words(request, by, bits), bits_of(request), progress)
@@ -96,9 +97,9 @@ def _in_well(request: Request, progress: Progress) -> TurningPoints:
 
         def first() -> Turning | str:
             x0, v0 = request.place.ball(), request.speed.ball()
-            return first_from(force, x0, v0) if request.in_motion else rest(x0)
+            return first_from(Well(force), x0, v0) if request.in_motion else rest(x0)
 
-        return Orbit(first, lambda start: sequence_in_well(force, start))
+        return Orbit(first, lambda start: sequence(Well(force), start))
 
     return enclosed(request, orbit, lambda bits: METHOD, _bits(request), progress, doublings=_DOUBLINGS)
 

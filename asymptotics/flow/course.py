@@ -1,0 +1,358 @@
+"""A half-swing in pieces, from an exact state to the next turning point; every piece encloses the true motion.
+
+Orientation: the motion goes towards smaller u = +-X, with the speed w >= 0.  The state at the start of a piece is a
+pair of dyadic numbers, no ball is carried through a step, and ``errors`` bound the distance of the truth from the
+piece's own orbit at the same time (``parting``).
+
+* ``Departure``: from rest, by the local expansion at the turning point;
+* ``Step``: a Taylor step; where the force has a kink it ends at u = 0 just before it, and the next one starts there;
+* ``Landing``: the last piece, by the local expansion at the turning point ahead.
+
+What else is known of the motions of a force is asked of its ``Flow``: a closed form, traps, a slow curve.
+
+>>> from asymptotics.law import Law
+>>> from asymptotics.swing.course import LinearSpring
+>>> from asymptotics.swing.damping import Damping
+>>> from asymptotics.wells.course import Well
+>>> with ctx.workprec(100):
+...     *_, last = course(LinearSpring(Damping.of_law(Law({2: 1}))), arb(1), arb(0))
+...     (last.turn + arb(0, last.miss)).str(20), last.time.str(20)
+...     *_, last = course(Well.of(Law({2: "1/5"}, spring="pendulum").terms), arb(2), arb(0))
+...     (last.turn + arb(0, last.miss)).str(20)
+('[-0.41071968606103944670 +/- ...]', '[3.3809710603589252128 +/- ...]')
+'[-1.2038040963510937100 +/- ...]'
+"""
+
+from collections.abc import Generator, Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+from flint import arb
+
+from asymptotics.budget import tick
+from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.flow.balls import size_of, upper
+from asymptotics.flow.force import Force
+from asymptotics.flow.parting import Errors, growth, lateness, state_gap
+from asymptotics.flow.taylor import TaylorStep
+from asymptotics.flow.times import NearRest, at_time, later
+from asymptotics.flow.turning import Turning
+from asymptotics.numbers.context import ctx
+
+MAX_PIECES, MAX_FREE, MAX_BEYOND = 200_000, 5000, 200
+ESCAPES, ROTATES = "escapes", "rotates"
+_BY_STEPS = "a creep by Taylor steps, as its slow curve is no short sum of powers yet"
+_FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision
+_CATCH = 4  # every so many pieces a strip about the slow curve is tried
+_NEAR = 10  # bits above the last one of the scale within which a place counts as the kink's
+
+
+class Expansion(NearRest, Protocol):
+    """A local expansion that bounds the rates beside its turning point."""
+
+    def speed(self, unit: arb, /) -> arb:
+        """A bound of |(unit u', w')| within the reach, on both sides of the turning point."""
+
+
+@dataclass(frozen=True)
+class State:
+    """Where a piece begins: its time from the start of the course, an exact place and speed, and the errors."""
+
+    t: arb
+    u: arb
+    w: arb
+    errors: Errors
+
+
+@dataclass(frozen=True)
+class Flow:
+    """A force, and what is known of its motions.  Places are u - ``shift`` in the force and in the pieces' orbits."""
+
+    force: Force
+
+    @property
+    def shift(self) -> arb | None:
+        """The place of rest that dry friction shifts."""
+        return None
+
+    @property
+    def traps(self) -> bool:
+        """Whether some loss may hold the mass on one side for ever."""
+        raise NotImplementedError
+
+    @property
+    def endless(self) -> bool:
+        """Whether there is always a next turning point, by a theorem."""
+        return False
+
+    def unit(self, _u: arb, _w: arb) -> arb:
+        """The unit of the distance on a half-swing from the state (u, w): a choice."""
+        raise NotImplementedError
+
+    def expansion(self, place: arb) -> Expansion:
+        """The motion next to a turning point, for the speeds that are cheapest."""
+        raise NotImplementedError
+
+    def turns_within(self, place: arb, w: arb, error: arb) -> bool:
+        """Whether the turning point ahead is near enough for its expansion: a choice."""
+        raise NotImplementedError
+
+    def arrive(self, place: arb, w: arb) -> Expansion:
+        """The expansion at an exact guess of the turning point of the orbit through the state."""
+        raise NotImplementedError
+
+    def ended(self, place: arb, w: arb) -> str | None:
+        """Why no turning point follows from any state in the two balls, or why the motion has left its well."""
+        raise NotImplementedError
+
+    def leaves(self, _turn: arb) -> str | None:
+        """How a motion goes on that turned at a place outside the well; None inside."""
+        return None
+
+    def closed(self, _u: arb, _w: arb, _given: arb) -> "Turned | None":
+        """The whole half-swing in closed form."""
+        return None
+
+    def aside(self, _here: State, _ended: str | None) -> Generator["Piece", None, State | None]:
+        """Pieces other than Taylor steps, beside a slow curve; what comes back is the state at their end, if any."""
+        yield from ()
+        return None
+
+    def leap(self, _here: Turning, _before: arb | None = None) -> Turning | None:
+        """The next turning point by another way than a course, if it pays and comes before that time."""
+        return None
+
+    def place(self, u: arb) -> arb:
+        """The place that the force knows."""
+        return u if self.shift is None else u - self.shift
+
+    def back(self, place: arb) -> arb:
+        """u there."""
+        return place if self.shift is None else place + self.shift
+
+
+@dataclass(frozen=True)
+class Piece:
+    """The motion from the time ``begin`` to ``end`` (exact): its own orbit, within ``errors`` of the truth at the end.
+
+    ``ended``: why no turning point follows (a trap) or why the motion left its well, else None.
+    """
+
+    flow: Flow
+    unit: arb
+    begin: arb
+    end: arb
+    errors: Errors
+    ended: str | None
+
+    @property
+    def error(self) -> arb:
+        """The distance of the truth from the own orbit."""
+        return self.errors.error
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(place, w) of the piece's own orbit at an exact time from ``begin`` to ``end``."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Departure(Piece):
+    """From a turning point at ``begin``."""
+
+    expansion: Expansion
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(place, w) by the local expansion."""
+        return at_time(self.expansion, t - self.begin)
+
+
+@dataclass(frozen=True)
+class Step(Piece):
+    """A Taylor step; ``errors`` include its own."""
+
+    taylor: TaylorStep
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(place, w) of the Taylor polynomials."""
+        return self.taylor.state(t - self.begin)
+
+
+@dataclass(frozen=True)
+class Turned(Piece):
+    """The last piece: its own orbit turns at the exact u = ``turn`` at a time in ``clock``, of which ``end`` is the
+    middle.  The orbit from the exact start of the course turns within ``miss`` of ``turn``.
+    """
+
+    turn: arb
+    miss: arb
+    clock: arb
+
+    def gap(self, given: arb) -> arb:
+        """How far from ``turn`` an orbit turns that starts within ``given``, no more than the course was given."""
+        return upper(self.miss + given)
+
+    def late(self, given: arb) -> arb:
+        """How much later or earlier than its own orbit such an orbit turns."""
+        return lateness(self.flow.force, self.unit, self.flow.place(self.turn), self.gap(given), given)
+
+    @property
+    def time(self) -> arb:
+        """When the orbit from the exact start turns."""
+        return self.clock + arb(0, self.late(arb(0)))
+
+
+@dataclass(frozen=True)
+class Landing(Turned):
+    """By the local expansion ahead: it passes the place and the speed ``beside`` within the errors ``begun``, and
+    every distance grows by ``factor`` from there on."""
+
+    expansion: Expansion
+    beside: tuple[arb, arb]
+    begun: Errors
+    factor: arb
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(place, w) by the local expansion."""
+        return at_time(self.expansion, t - self.clock)
+
+    def gap(self, given: arb) -> arb:
+        """The distance when the piece begins, led on to the turning point."""
+        turn, _ = self.expansion.state(arb(0))
+        return state_gap(self.flow.force, self.unit, *self.beside, turn, self.begun.apart(given))
+
+    def late(self, given: arb) -> arb:
+        """The distance when its own orbit turns, in time."""
+        turn, _ = self.expansion.state(arb(0))
+        distance = upper(self.factor * self.begun.apart(given))
+        return lateness(self.flow.force, self.unit, turn, self.gap(given), distance)
+
+
+def course(flow: Flow, u: arb, w: arb, given: arb | None = None, *, pieces: int = MAX_PIECES) -> Iterator[Piece]:
+    """The pieces from the exact state (u, w >= 0) at time 0, at the precision current at each call, to ``Turned``.
+
+    ``given`` bounds the distance of the true state, in the distance of ``flow.unit``.  A piece that ended names why,
+    and the course goes on.  LimitError after ``pieces`` pieces, UndecidedError where the enclosures are too wide.
+    """
+    error = arb(0) if given is None else given
+    closed = flow.closed(u, w, error)
+    if closed is not None:
+        yield closed
+        return
+    here, unit = State(arb(0), u, w, Errors(arb(0), error)), flow.unit(u, w)
+    scale, left = upper(unit * abs(u) + w), 0
+    if w == 0:
+        yield from flow.aside(here, _ended(flow, unit, here))
+        first = _departure(flow, unit, here)
+        yield first
+        reach = first.expansion.reach
+        here = _after(first, first.expansion.state(reach)[0], reach)
+    ended: str | None = None
+    for count in range(pieces):
+        tick(f"piece {count} of {'a half-swing' if ended is None else _BY_STEPS}")
+        if flow.turns_within(flow.place(here.u), here.w, here.errors.error):
+            yield _landing(flow, unit, here)
+            return
+        ended = _ended(flow, unit, here)
+        beside = (yield from flow.aside(here, ended)) if count % _CATCH == 0 else None
+        if beside is not None:
+            here = beside
+            continue
+        if ended is None:
+            _require_room(flow, unit, here, count, scale)
+        step = _step(flow, unit, here, scale, ended)
+        yield step
+        left += ended in (ESCAPES, ROTATES)
+        if left > MAX_BEYOND:
+            break
+        here = _at_a_kink(_after(step, *step.taylor.state(step.taylor.length)), step, scale)
+    where = "the motion is too stiff, leaves its well or is too near a separatrix"
+    reason = f"one half-swing takes more than {pieces} pieces: {where}"
+    raise LimitError("time", reason, "weaker damping, another start or strength, or a shorter time")
+
+
+def _ended(flow: Flow, unit: arb, here: State) -> str | None:
+    error = here.errors.error
+    return flow.ended(flow.place(here.u) + arb(0, upper(error / unit)), here.w + arb(0, error))
+
+
+def _require_room(flow: Flow, unit: arb, here: State, count: int, scale: arb) -> None:
+    """UndecidedError where the place and the speed are lost in the errors, or a trap may be missed for ever."""
+    error, place = here.errors.error, flow.place(here.u)
+    lost = upper(unit * abs(place) + here.w) < 4 * error
+    if flow.traps and here.w < 4 * error and unit * place > _FAR * scale:  # with a place > 0 it goes on slowing down
+        lost = lost or flow.force.drag(place, here.w) > flow.force.rest(place)
+    if lost or (flow.traps and count > MAX_FREE):
+        where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
+        raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
+
+
+def _after(piece: Piece, place: arb, w: arb) -> State:
+    """The next exact state: midpoints, and what they drop."""
+    u = piece.flow.back(place)
+    return State(piece.end, u.mid(), w.mid(), piece.errors.plus(upper(upper(piece.unit * u.rad()) + w.rad())))
+
+
+def _at_a_kink(here: State, step: Step, scale: arb) -> State:
+    """The state itself, or u = 0 if it is as near before a kink there as makes no difference."""
+    start = step.taylor.us[0]
+    near = max(size_of(start) - ctx.prec / 2, size_of(scale) - ctx.prec + _NEAR)
+    if step.flow.force.kinked and start > 0 and here.u > 0 and size_of(here.u) < near:
+        return State(here.t, arb(0), here.w, here.errors.plus(upper(step.unit * here.u)))
+    return here
+
+
+def _departure(flow: Flow, unit: arb, here: State) -> Departure:
+    place, force = flow.place(here.u), flow.force
+    if not force.rest(place + arb(0, upper(here.errors.error / unit))) > 0:
+        raise UndecidedError("whether dry friction holds the mass here is undecided")
+    expansion = flow.expansion(place)
+    end, tau = expansion.state(expansion.reach)
+    if force.kinked and not end > 0:
+        raise UndecidedError("the expansion at a turning point reaches a kink of the force")
+    factor = growth(force, unit, place.union(end), arb(0).union(expansion.reach), tau, here.errors.error)
+    errors = here.errors.times(factor).plus(upper(tau.rad() * expansion.speed(unit)))
+    return Departure(flow, unit, arb(0), tau.mid(), errors, None, expansion)
+
+
+def _step(flow: Flow, unit: arb, here: State, scale: arb, ended: str | None) -> Step:
+    """A Taylor step, with the growth of the distances along it."""
+    taylor = _up_to_a_kink(flow.force, TaylorStep.at(flow.force, flow.place(here.u), here.w, unit, scale))
+    errors = here.errors.plus(taylor.residual)
+    if not flow.force.nonexpansive:
+        errors = errors.times(growth(flow.force, unit, *taylor.box, taylor.length, errors.error))
+    return Step(flow, unit, here.t, later(here.t, taylor.length), errors, ended, taylor)
+
+
+def _up_to_a_kink(force: Force, step: TaylorStep) -> TaylorStep:
+    """The step; across a kink at u = 0 it ends just before it."""
+    u, w = step.us[0], step.ws[0]
+    if not (force.kinked and u > 0) or step.state(step.length)[0] > 0:
+        return step
+    t = (u / w).mid()
+    for _ in range(6 + ctx.prec.bit_length()):
+        t = min(t, step.length)
+        place, speed = step.state(t)
+        t = (t + place / speed).mid()
+    early = (t - (step.length + u / w) * arb(2) ** (-ctx.prec + 8)).mid()
+    if not (early > 0 and early < step.length and step.state(early)[0] > 0):
+        raise UndecidedError("the passage of a kink of the force is too near for the working precision")
+    return step.shortened(early)
+
+
+def _landing(flow: Flow, unit: arb, here: State) -> Landing:
+    """The last piece.  Two orbits that are some distance apart turn within the gap that the force allows."""
+    start, w, force = flow.place(here.u), here.w, flow.force
+    expansion = flow.arrive(start, w)
+    turn, _ = expansion.state(arb(0))
+    place, time = expansion.state(w)
+    if force.kinked and not turn * place > 0:
+        raise UndecidedError("the expansion at a turning point reaches a kink of the force")
+    at = flow.back(turn)
+    begun = here.errors.plus(upper(upper(unit * (place - start)) + upper(unit * at.rad())))
+    factor = growth(force, unit, turn.union(place), arb(0).union(w), -time, begun.error)
+    clock = here.t - time
+    errors = begun.times(factor).plus(upper(clock.rad() * expansion.speed(unit)))
+    miss = state_gap(force, unit, start, w, turn, begun.local)
+    state_gap(force, unit, start, w, turn, begun.error)  # the truth turns as well, or that is undecided
+    return Landing(flow, unit, here.t, clock.mid(), errors, None,
+                   at.mid(), miss, clock, expansion, (start, w), begun, factor)  # fmt: skip

@@ -1,0 +1,201 @@
+"""How far two motions of one force can part: the record of a course's errors, and the one rule by which they travel.
+
+*Along a piece.*  The distance D = sqrt(unit^2 (u - u~)^2 + (w - w~)^2) of two motions in a convex box obeys the
+differential inequality of the logarithmic norm (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd
+ed., theorem I.10.6; derivation ``parting-with-gains``)
+
+    D' <= lambda D + residual,    lambda = G_w/2 + sqrt((G_w/2)^2 + c^2),    c = (G_u - unit^2)/(2 unit).
+
+Three forces, one factor:
+
+* nonexpansive (the linear spring, unit 1, c = 0, G_w <= 0): 1, errors only add (derivation ``motions-never-part``);
+* losses that grow with the speed, in any well: G_w <= 0 and lambda = |c| (derivation ``wells-distance``);
+* gains as well: lambda is near c^2/|G_w| where losses are strong, so that on a slow branch nothing parts.
+
+*From turning point to turning point*, for orbits from p and p~ that turn at q and q~: nonexpansive flows have
+
+    |q - q~| <= |p - p~|,          |ln q - ln q~| <= |ln p - ln p~| where N(w)/w is nondecreasing (every alpha_i >= 1).
+
+In any other well (derivation ``wells-contract``) the difference of the squares of two speeds at equal places cannot
+grow: D = (w_1^2 - w_2^2)/2 obeys dD/du = drag(u, w_1) - drag(u, w_2) >= 0, and u falls.  Two motions from rest at p and
+p~ that turn at u_1 and u~_1 have D <= |p - p~| max s_0 at the first and D >= |u_1 - u~_1| min |s_0| at the second end:
+
+    |u_1 - u~_1| <= e^(-epsilon t) |p - p~| max s_0/min |s_0|,
+
+with the strength epsilon of the loss epsilon w and the time t that the faster one needs for the places of both.
+"""
+
+from dataclasses import dataclass
+
+from flint import arb
+
+from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
+from asymptotics.flow.force import Force, Parting
+from asymptotics.numbers.context import ctx
+
+_LOW, _PIECES = 40, 64
+_ONE = arb(1)
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Distances at one time of a course: ``local`` of the orbit from its exact start, ``error`` of the truth.
+
+    A distance given at the start has ``grown`` by that factor at most.
+    """
+
+    local: arb
+    error: arb
+    grown: arb = _ONE
+
+    def plus(self, own: arb) -> "Errors":
+        """What a piece adds."""
+        return Errors(upper(self.local + own), upper(self.error + own), self.grown)
+
+    def times(self, factor: arb) -> "Errors":
+        """After a piece along which distances grow by ``factor``."""
+        if factor == 1:
+            return self
+        return Errors(*(upper(factor * e) for e in (self.local, self.error, self.grown)))
+
+    def apart(self, given: arb) -> arb:
+        """How far an orbit is that started within ``given``, no more than the course was given."""
+        return upper(self.local + self.grown * given)
+
+
+def parting(force: Parting, unit: arb, u: arb, w: arb, duration: arb) -> arb:
+    """The factor by which the distance of two motions in the box may grow in that time."""
+    with ctx.workprec(_LOW):
+        in_u, in_w = force.slopes(u, w)
+        half, c = (in_w / 2).upper(), abs((in_u - unit**2) / (2 * unit)).upper()
+        root = (half**2 + c**2).sqrt() if half != 0 else c
+        rate = c**2 / (root - half) if half < 0 else half + root
+        return upper((duration * rate).exp())
+
+
+def growth(force: Parting, unit: arb, u: arb, w: arb, duration: arb, error: arb) -> arb:
+    """The factor by which ``error`` may grow along a piece: u a ball with all its places, w with all its speeds.
+
+    UndecidedError where it grows so much that the piece does not hold it.
+    """
+    if force.nonexpansive:
+        return _ONE
+    with ctx.workprec(_LOW):
+        room = upper(4 * error)
+        for _ in range(8):
+            factor = parting(force, unit, u + arb(0, upper(room / unit)), w + arb(0, room), duration)
+            if factor * error <= room:
+                return factor
+            room = upper(2 * factor * error)
+    raise UndecidedError("two motions part too fast for the working precision")
+
+
+def state_gap(force: Force, unit: arb, u: arb, w: arb, turn: arb, error: arb) -> arb:
+    """How far from ``turn`` an orbit turns that is within ``error`` of (u, w), as the one that turns there.
+
+    The one farther back falls through error/unit before their places are equal.
+    """
+    if error == 0 or force.nonexpansive:
+        return error
+    with ctx.workprec(_LOW):
+        width = upper(error / unit)
+        box = u + arb(0, upper(2 * width))
+        force_there = upper(abs(force.rest(box)) + force.drag(box, w + error))
+        square = upper(error * (w + error) + width * force_there)
+        if not (w > 2 * error and (w - error) ** 2 / 2 > square):
+            raise UndecidedError("the enclosure of a state is too wide for its turning point")
+        gap = turning_gap(force, turn, square)
+        if not points_forward(force, (turn - gap).lower(), box.upper()):
+            raise UndecidedError("the force ahead of a turning point is undecided")
+        return gap
+
+
+def turning_gap(force: Force, turn: arb, square: arb, beyond: arb | None = None) -> arb:
+    """How far apart two motions turn, the difference of whose w^2/2 at equal places is at most ``square``.
+
+    One of them turns within ``beyond`` of ``turn``.  UndecidedError where the force there may not point forward.
+    """
+    if square == 0:
+        return arb(0)
+    with ctx.workprec(_LOW):
+        near = arb(0) if beyond is None else beyond
+        room = upper(2 * square / abs(force.rest(turn)).lower()) if force.rest(turn) < 0 else None
+        if room is not None:
+            brake = -force.rest(turn + arb(0, upper(near + room)))
+            if brake > 0 and brake.lower() * room > square:
+                return upper(square / brake.lower())
+    raise UndecidedError("the enclosure of a turning point reaches the place of rest")
+
+
+def points_forward(force: Force, low: arb, high: arb) -> bool:
+    """Whether s_0 < 0 from ``low`` to ``high``, proved on pieces."""
+    stack, pieces = [(low.lower(), high.upper())], 0
+    with ctx.workprec(53):
+        while stack:
+            a, b = stack.pop()
+            pieces += 1
+            if force.rest(a.union(b)) < 0:
+                continue
+            if pieces > _PIECES or not force.rest(b) < 0:
+                return False
+            middle = ((a + b) / 2).mid()
+            stack += [(a, middle), (middle, b)]
+    return True
+
+
+def lateness(force: Force, unit: arb, turn: arb, gap: arb, distance: arb) -> arb:
+    """How much later the second of two motions turns: they are ``distance`` apart, and one turns within ``gap`` of
+    ``turn``, where the other may be the one that turns.
+
+    When the first turns the other moves with w <= distance at a place within distance/unit, and w' <= s_0 < 0 from
+    there.  The linear spring brakes the more the farther it goes; elsewhere the way to the turning point counts too.
+    """
+    if distance == 0:
+        return arb(0)
+    with ctx.workprec(_LOW):
+        around = turn + arb(0, upper(gap + (1 if force.nonexpansive else 2) * distance / unit))
+        brake = (-force.rest(around)).lower()
+        inside = force.nonexpansive or distance * unit <= brake  # it moves at most distance^2/brake meanwhile
+        if brake > 0 and inside:
+            return upper(distance / brake)
+    raise UndecidedError("the enclosure of a turning point reaches the place of rest: raise the precision")
+
+
+def contracted(force: Force, p: arb, error: arb, duration: arb, turn: arb, gap: arb) -> arb:
+    """How far apart two motions turn that start from rest within ``error`` of p, each after at least ``duration``.
+
+    The motion from p itself turns within ``gap`` of ``turn``.
+    """
+    if error == 0 or force.nonexpansive:
+        return by_ratio(force, p, error, upper(abs(turn) + gap))
+    with ctx.workprec(_LOW):
+        steep = force.rest(p + arb(0, error))
+        square = upper(error * steep)
+        if force.viscous > 0:
+            common = (duration - _outside(force, p, error, turn, gap, square)).lower()
+            square = upper(square * (-force.viscous * common).exp()) if common > 0 else square
+        return turning_gap(force, turn, square, gap)
+
+
+def by_ratio(force: Force, p: arb, error: arb, q: arb) -> arb:
+    """How far apart two motions of a nonexpansive flow turn that start within ``error`` of p, one at most at q."""
+    if error == 0 or not force.superlinear:
+        return error
+    relative = upper(error / (p - error))
+    return min(error, upper(q * relative.expm1()))
+
+
+def _outside(force: Force, p: arb, error: arb, turn: arb, gap: arb, square: arb) -> arb:
+    """How long the faster motion may stay at places where the other one never is.
+
+    It falls through at most ``error`` from rest at an acceleration of at least half of min s_0, and it stops from
+    w^2/2 <= ``square`` at a rate of at least min |s_0|.
+    """
+    box = p + arb(0, error)
+    slow, fast = force.rest(box).lower(), force.rest(box).upper()
+    stopped = turn + arb(0, upper(gap + turning_gap(force, turn, square, gap)))
+    brake = (-force.rest(stopped)).lower()
+    if not (slow > 0 and brake > 0 and force.drag(box, (2 * error * fast).sqrt()) <= slow / 2):
+        return arb("inf")
+    return upper(2 * (error / slow).sqrt() + (2 * square).sqrt() / brake)

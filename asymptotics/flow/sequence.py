@@ -1,0 +1,136 @@
+"""Turning points one after the other, without losing digits: what is not followed exactly is carried beside.
+
+From an exact amplitude the next one and the time are enclosed (``course``); the midpoint is the next start.  What the
+midpoints drop is led on by the contractions of ``parting``: in a nonexpansive flow errors only add, in any other well
+absolute errors in the square of the speed do, and under viscous loss they decay as the energy does.  Times add what
+``parting.lateness`` allows.  So n half-swings at a working precision of d digits and log2(n) bits keep d digits, and
+memory stays flat.
+
+>>> from itertools import islice
+>>> from flint import ctx
+>>> from asymptotics.flow.turning import rest
+>>> from asymptotics.law import Law
+>>> from asymptotics.wells.course import Well
+>>> with ctx.workprec(100):
+...     pendulum = Well.of(Law({1: "1/5"}, spring="pendulum").terms)
+...     points = list(islice(sequence(pendulum, rest(arb(2))), 3))
+>>> [point.x.str(10) for point in points], points[2].tau.str(10)
+(['2.000000000', '[-1.276... +/- ...]', '[0.88... +/- ...]'], '[7.3... +/- ...]')
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from flint import arb
+
+from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
+from asymptotics.flow.course import Flow, Turned, course
+from asymptotics.flow.parting import contracted
+from asymptotics.flow.turning import Turning
+from asymptotics.numbers.context import ctx
+
+STICKS = "sticks"
+
+
+def kicked(flow: Flow, X: arb, V: arb) -> tuple[int, arb, arb, arb]:
+    """(the side, u, w, what is given) of a course from a state in two balls with V != 0."""
+    if not (V > 0 or V < 0):
+        raise UndecidedError("the direction of the first motion is undecided")
+    side = -1 if V > 0 else 1
+    u, w = side * X.mid(), abs(V).mid()
+    return side, u, w, upper(upper(flow.unit(u, w) * X.rad()) + V.rad())
+
+
+def first_from(flow: Flow, X: arb, V: arb) -> Turning | str:
+    """The first turning point at tau >= 0 from a state with V != 0, or why there is none."""
+    side, u, w, given = kicked(flow, X, V)
+    for piece in course(flow, u, w, given):
+        if piece.ended is not None:
+            return piece.ended
+        if isinstance(piece, Turned):
+            return after_kick(piece, side, given)
+    raise UndecidedError("the first half-swing has no end")
+
+
+def after_kick(piece: Turned, side: int, given: arb) -> Turning | str:
+    """Turning point 0 after a course that began in motion, within ``given`` of the truth, or how it left the well.
+
+    UndecidedError at its edge.
+    """
+    late = upper(piece.late(given) + piece.clock.rad())
+    here = Turning(0, -side, -piece.turn, piece.clock.mid(), piece.gap(given), late)
+    left = piece.flow.leaves(arb(here.amplitude, here.amplitude_error))
+    return here if left is None else left
+
+
+def sequence(flow: Flow, start: Turning) -> Iterator[Turning]:
+    """Turning points from ``start`` on, at the precision current at each call; the last one says why it ended.
+
+    UndecidedError where the enclosures cannot tell whether there is a next one.
+    """
+    here = start
+    while True:
+        if flow.endless:  # derivation ``no-overdamping``: there is a next one, whether or not anybody asks for it
+            yield here
+        following = next_turning(flow, here)
+        if isinstance(following, str):
+            yield replace(here, ended=following)
+            return
+        if not flow.endless:
+            yield here
+        here = following
+
+
+def next_turning(flow: Flow, here: Turning) -> Turning | str:
+    """The turning point after this one, or why there is none."""
+    leap = flow.leap(here)
+    return leap if leap is not None else swung(flow, here)[0]
+
+
+def swung(flow: Flow, here: Turning) -> tuple[Turning | str, int]:
+    """The same by pieces, and how many they were."""
+    if sticks(flow, here):
+        return STICKS, 0
+    ended = flow.ended(flow.place(arb(here.amplitude, here.amplitude_error)), arb(0))
+    if ended is not None:
+        return ended, 0
+    for count, piece in enumerate(course(flow, here.amplitude, arb(0), given_at(flow, here)), start=1):
+        if piece.ended is not None:
+            return piece.ended, count
+        if isinstance(piece, Turned):
+            return after_landing(here, piece), count
+    raise UndecidedError("the half-swing has no end")
+
+
+def given_at(flow: Flow, here: Turning) -> arb:
+    """The distance that the error of an amplitude is."""
+    return upper(flow.unit(here.amplitude, arb(0)) * here.amplitude_error)
+
+
+def after_landing(here: Turning, piece: Turned) -> Turning:
+    """The next turning point: midpoints, and errors by contraction.
+
+    A motion that is late at one turning point is as late at the next one: the time's error only adds.
+    """
+    late = piece.late(given_at(piece.flow, here))
+    duration = (piece.clock - late).lower()
+    carried = contracted(
+        piece.flow.force, here.amplitude, here.amplitude_error, duration, piece.flow.place(piece.turn), piece.miss
+    )
+    clock = here.time + piece.clock
+    error = upper(upper(here.time_error + clock.rad()) + late)
+    return Turning(here.n + 1, -here.side, -piece.turn, clock.mid(), upper(carried + piece.miss), error)
+
+
+def sticks(flow: Flow, here: Turning) -> bool:
+    """Whether dry friction holds the mass at a turning point."""
+    if not flow.force.grips:
+        return False
+    with ctx.workprec(max(64, ctx.prec)):
+        margin = flow.force.rest(flow.place(abs(arb(here.amplitude, here.amplitude_error))))
+        if margin <= 0:
+            return True
+        if margin > 0 and here.amplitude > 0:
+            return False
+    raise UndecidedError(f"whether dry friction holds the mass at turning point {here.n} is undecided")

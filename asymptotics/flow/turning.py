@@ -1,0 +1,40 @@
+"""A turning point of an orbit that is followed, with its errors.
+
+>>> rest(arb(-2)).x, rest(arb(-2)).tau
+(-2.00000000000000, 0)
+"""
+
+from dataclasses import dataclass
+
+from flint import arb
+
+
+@dataclass(frozen=True)
+class Turning:
+    """Turning point n: the exact ``amplitude`` and ``time`` of the orbit followed, and how far the truth is at most.
+
+    ``ended``: why it is the last one, or None.  ``side`` is the sign of X.
+    """
+
+    n: int
+    side: int
+    amplitude: arb
+    time: arb
+    amplitude_error: arb
+    time_error: arb
+    ended: str | None = None
+
+    @property
+    def x(self) -> arb:
+        """X at the turning point."""
+        return self.side * arb(self.amplitude, self.amplitude_error)
+
+    @property
+    def tau(self) -> arb:
+        """The time of the turning point."""
+        return arb(self.time, self.time_error)
+
+
+def rest(X: arb) -> Turning:
+    """A start from rest at X != 0, at tau = 0."""
+    return Turning(0, 1 if X > 0 else -1, abs(X).mid(), arb(0), X.rad(), arb(0))
