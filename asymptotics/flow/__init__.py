@@ -1,9 +1,9 @@
 """The certified flow u' = -w, w' = G(u, w) = s_0(u) - (losses at the speed w) of a half-swing, for every force.
 
 The mass moves towards smaller u with the speed w >= 0; s_0 is the force of the springs less dry friction.  What is
-here is proved once for the linear spring, for every other well and for polynomial forces with gains; the rooms
-``swing``, ``wells`` and ``limit_cycles`` follow an orbit with it, each with its own theorem on how far two motions
-part.
+here is proved once for the linear spring (a nonexpansive flow), for every other well and for polynomial forces with
+gains.  The rooms ``swing`` and ``wells`` bring the forces, and what is known of the motions of each (a ``Flow``): the
+local expansion at a turning point, traps, closed forms, slow curves.
 
 ===============  =====================================================================================
 ``balls``        upper bounds, sizes in doubles, dyadic numbers
@@ -11,7 +11,13 @@ part.
 ``composition``  power series put into the force, on a line or on a simplex of exponents
 ``taylor``       one Taylor step with its error by the residual (defect), the same for all forces
 ``times``        times added exactly; the state at a time next to a turning point
+``parting``      how far two motions part: the record of errors, and the rule by which they travel
+``course``       a half-swing in pieces, from an exact state to the next turning point
+``turning``      a turning point with its errors
+``sequence``     turning points one after the other
+``dense``        (x, v) at many times in one pass
 ===============  =====================================================================================
 
-Derivation ``taylor-residual``.
+Derivations ``taylor-residual``, ``motions-never-part``, ``wells-contract``, ``wells-distance`` and
+``parting-with-gains``.
 """

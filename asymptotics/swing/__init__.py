@@ -12,7 +12,7 @@
 ``settling``    creep that begins where its speed is lost in the errors: beside the law itself
 ``linear``      linear damping and dry friction alone: the closed form
 ``lingering``   next to critical linear damping: how long a half-swing takes, how many bits it loses
-``course``      a half-swing in pieces, from an exact state to the next turning point
+``course``      the flow beside the linear spring: its closed form, its creeps
 ``arrival``     the far turning point: no bracketing, the family of orbits spreads
 ``chebyshev``   interpolation of a function known as balls, with its error
 ``coordinate``  the one number that a half-swing depends on analytically, and how far
@@ -22,10 +22,9 @@
 ``quarters``    quarter-swings at many strengths at once, forwards or backwards, by collocation
 ``half_swings`` half-swings put together from two quarters
 ``panels``      half-swings by interpolation: hundredths of a millisecond each
-``sequence``    turning points one after the other: errors only add (two motions never part)
-``dense``       (x, v) at many times in one pass
+``sequence``    turning points one after the other, by interpolation where it pays
 ==============  ======================================================================================
 
-Taylor steps are those of ``flow``.  Derivations ``motions-never-part``, ``turning-point-majorant``, ``slow-curve``,
+The course, the errors and the Taylor steps are those of ``flow``.  Derivations ``motions-never-part``, ``turning-point-majorant``, ``slow-curve``,
 ``settling``, ``arrival`` and ``quarter-collocation``.
 """

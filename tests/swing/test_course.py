@@ -45,8 +45,8 @@ def landing(pairs, bits, p="1", start=None):
         with ctx.workprec(bits + GUARD):
             law = damping(pairs)
         *_, last = course(LinearSpring(law), u, w)
-    assert isinstance(last, Landing)
-    return arb(-last.turn, last.miss), last.time
+        assert isinstance(last, Landing)
+        return arb(-last.turn, last.miss), last.time
 
 
 @pytest.mark.parametrize("pairs", LAWS, ids=str)

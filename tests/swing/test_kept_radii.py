@@ -9,7 +9,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow import dense
 from asymptotics.flow.course import course
 from asymptotics.flow.parting import Errors, lateness
-from asymptotics.flow.sequence import swung, after_kick, after_landing, first_from
+from asymptotics.flow.sequence import after_kick, after_landing, first_from, swung
 from asymptotics.flow.turning import Turning
 from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.ends import _together, trap

@@ -31,9 +31,9 @@ def turned(alpha, epsilon, bits):
     """(q, T) of the first half-swing as balls, and how many pieces and slides it took."""
     with ctx.workprec(bits):
         pieces = list(course(LinearSpring(damping(alpha, epsilon)), arb(1), arb(0)))
-    last = pieces[-1]
-    assert isinstance(last, Turned)
-    return arb(-last.turn, last.miss), last.time, len(pieces), sum(isinstance(p, Creep) for p in pieces)
+        last = pieces[-1]
+        assert isinstance(last, Turned)
+        return arb(-last.turn, last.miss), last.time, len(pieces), sum(isinstance(p, Creep) for p in pieces)
 
 
 def entered(alpha, epsilon, bits, error=None):
