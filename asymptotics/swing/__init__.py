@@ -25,6 +25,7 @@
 ``sequence``    turning points one after the other, by interpolation where it pays
 ==============  ======================================================================================
 
-The course, the errors and the Taylor steps are those of ``flow``.  Derivations ``motions-never-part``, ``turning-point-majorant``, ``slow-curve``,
+The course, the errors and the Taylor steps are those of ``flow``.  Derivations ``motions-never-part``,
+``turning-point-majorant``, ``slow-curve``,
 ``settling``, ``arrival`` and ``quarter-collocation``.
 """
