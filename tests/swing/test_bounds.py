@@ -116,8 +116,11 @@ def test_a_wrong_guess_of_the_turning_point_is_paid_for(law, monkeypatch):
 def test_a_guess_beyond_the_place_of_rest_is_undecided(monkeypatch):
     law = damping(("2", "1/10"))
     monkeypatch.setattr(arrivals, "_guess", lambda *_: arb(-1))
-    with pytest.raises(UndecidedError, match="not found"):
-        arrive(law, arb("-0.1"), arb("0.01").mid())
+    found = _landing(
+        LinearSpring(law), arb(1), State(arb(0), arb("-0.1").mid(), arb("0.01").mid(), Errors(arb(0), arb(0)))
+    )
+    with pytest.raises(UndecidedError, match="place of rest"):
+        found.late(arb(0))
 
 
 def test_a_mass_that_leaves_its_turning_point_does_not_turn():
