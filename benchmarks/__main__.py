@@ -38,16 +38,20 @@ def _run(argv: list[str] | None) -> int:
     parser.add_argument("--size", type=int, help="largest row, order or number of points (default: the stated one)")
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.add_argument("--report", metavar="FOLDER", help="write JSON, Markdown and a picture there as well")
+    parser.add_argument("--store", metavar="FILE", help="of identified: its records one by one; goes on where it was")
     options = parser.parse_args(argv)
     try:
-        emit(_answer(options.name, options.size, options.report, as_json=options.json))
+        more = {} if options.store is None else {"store": Path(options.store)}
+        if more and options.name != "identified":
+            raise InputError("--store", "it keeps the records of one benchmark", "identified --store FILE")
+        emit(_answer(options.name, options.size, options.report, as_json=options.json, **more))
     except InputError as error:
         complain(f"benchmarks: {error}")
         return 2
     return 0
 
 
-def _answer(name: str | None, size: int | None, folder: str | None, *, as_json: bool) -> str:
+def _answer(name: str | None, size: int | None, folder: str | None, *, as_json: bool, **more: Path) -> str:
     """The tables as text, after writing the report if it is wanted."""
     if name is not None and name not in BENCHMARKS:
         raise InputError("name", f"no benchmark {name!r}", ", ".join(BENCHMARKS))
@@ -60,7 +64,7 @@ def _answer(name: str | None, size: int | None, folder: str | None, *, as_json: 
     tables = {}
     for key, module in modules.items():
         start = perf_counter()
-        tables[key] = module.run(*(() if size is None else (size,)))
+        tables[key] = module.run(*(() if size is None else (size,)), **more)
         if sys.stderr is not None:  # print would take None for stdout
             print(f"{key}: {perf_counter() - start:.0f} s", file=sys.stderr, flush=True)
     if folder is not None:

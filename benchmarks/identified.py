@@ -3,10 +3,15 @@
 What is counted: records with an answer; 95 % intervals of the true law's strengths that hold the truth; records in
 which the true law is among the consistent ones; records with another law called identified.  The seeds of the printed
 table are used for nothing else.  ``size`` is the number of records, which go round the classes.
+
+``--store FILE`` keeps one line of JSON for each record as soon as it is judged: an interrupted run goes on where it was
+(records of the same seed and code; what other code judged is left alone).
 """
 
+import json
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from pathlib import Path
 from time import process_time
 from typing import Any
 
@@ -15,10 +20,12 @@ import numpy as np
 import asymptotics as asy
 from asymptotics.errors import InputError, LimitError
 from asymptotics.identification.judgement import rivals
+from asymptotics.made_by import mark
 from benchmarks.decays import CLASSES, SEED, Decay, decay
 from benchmarks.table import Table, seconds_text
 
-SIZE = 240
+SIZE, PATIENCE = 240, 600
+"""Seconds for one record: more than it needs on a machine that is not idle, so that no verdict depends on the load."""
 _HEAD = ("class", "records", "answered", "intervals", "covered", "law consistent", "identified", "wrongly", "CPU s")
 
 
@@ -85,11 +92,32 @@ def total(counts: Iterable[Counts]) -> Counts:
     return whole
 
 
-def run(size: int = SIZE, seed: int = SEED) -> Table:
-    """``size`` records, every default candidate, one after the other."""
-    found = {kind: Counts() for kind in CLASSES[:size]}
+def run(size: int = SIZE, seed: int = SEED, store: Path | None = None) -> Table:
+    """``size`` records, every default candidate, one after the other; those in ``store`` are not judged again."""
+    known = {} if store is None else stored(store, seed)
+    found: dict[str, list[Counts]] = {kind: [] for kind in CLASSES[:size]}
     for number in range(size):
-        kind = CLASSES[number % len(CLASSES)]
-        found[kind].add(decay(kind, number // len(CLASSES), seed))
-    rows = [counts.row(kind) for kind, counts in found.items()]
-    return Table("identify on decays of a known law", _HEAD, (*rows, total(found.values()).row("all")))
+        kind, index = CLASSES[number % len(CLASSES)], number // len(CLASSES)
+        if (kind, index) not in known:
+            one = Counts()
+            said = one.add(decay(kind, index, seed), max_seconds=PATIENCE)
+            known[kind, index] = one
+            if store is not None:
+                line = {"class": kind, "index": index, "seed": seed, "code": mark(), "said": said, **asdict(one)}
+                with store.open("a", encoding="utf-8") as stream:
+                    stream.write(json.dumps(line) + "\n")
+        found[kind].append(known[kind, index])
+    rows = [total(counts).row(kind) for kind, counts in found.items()]
+    everything = total(c for counts in found.values() for c in counts)
+    return Table("identify on decays of a known law", _HEAD, (*rows, everything.row("all")))
+
+
+def stored(store: Path, seed: int) -> dict[tuple[str, int], Counts]:
+    """The records that this code has judged, by class and index."""
+    found = {}
+    for text in store.read_text(encoding="utf-8").splitlines() if store.exists() else []:
+        line = json.loads(text)
+        if (line["seed"], line["code"]) == (seed, mark()):
+            counts = {name: line[name] for name in asdict(Counts())}
+            found[line["class"], line["index"]] = Counts(**counts | {"seconds": tuple(counts["seconds"])})
+    return found

@@ -9,7 +9,7 @@ first amplitude.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from asymptotics.identification.coefficients import Element, swing_coefficients
 from asymptotics.identification.comparison import LawFit
@@ -56,7 +56,22 @@ def allowances(chosen: LawFit, laws: Sequence[LawFit], first: float | None) -> t
         alike = law.candidate.free == chosen.candidate.free and chosen.candidate.is_within(law.candidate)
         if law.verdict == "consistent" and alike and len(further) == 1:
             found.append(_allowance(chosen, law, next(iter(further)), first))
-    return tuple(found)
+    return (*found, *_instead_of_sine(chosen, laws))
+
+
+def _instead_of_sine(chosen: LawFit, laws: Sequence[LawFit]) -> tuple[Allowance, ...]:
+    """By what the spring of a pendulum may deviate: the coefficients of the smallest consistent spring in its place."""
+    alike = [
+        law
+        for law in laws
+        if chosen.candidate.pendulum and law.candidate.losses == chosen.candidate.losses and law.candidate.springs
+    ]
+    standing = [law for law in alike if law.verdict == "consistent"]
+    law = min(standing, key=lambda law: len(law.candidate.springs), default=None)
+    if law is None:
+        return ()
+    found = (_allowance(chosen, law, element, None) for element in law.candidate.elements if element.kind == "spring")
+    return tuple(replace(a, term=f"{a.term} in place of sin x") for a in found)
 
 
 def _allowance(chosen: LawFit, law: LawFit, term: Element, first: float | None) -> Allowance:

@@ -112,15 +112,28 @@ def is_negative(strength: Interval) -> bool:
 
 
 def contains(larger: LawFit, smaller: LawFit) -> bool:
-    """Whether ``smaller`` is a special case of ``larger``."""
-    if smaller.candidate == larger.candidate:
+    """Whether ``smaller`` is a special case of ``larger``.
+
+    sin x = x - x^3/6 + x^5/120 - ... has no coefficient to find: a spring x + c3 x^3 with c3 free contains the pendulum
+    where the data do not tell them apart, as a free exponent contains the exponent in its interval.
+    """
+    one, other = smaller.candidate, larger.candidate
+    if one == other:
         return False
-    if smaller.candidate.is_within(larger.candidate):
+    if one.is_within(other):
         return True
-    if larger.candidate.free and further_parameters(smaller.candidate, larger.candidate) == 0:
-        value = smaller.candidate.elements[0].velocity
-        return larger.alpha is None or larger.alpha.stretched(2.0).contains(value)
-    return False
+    if one.pendulum and other.springs:
+        alike = set(one.losses) <= set(other.losses) or (other.free and _holds_exponent(larger, smaller))
+        return alike and against(smaller, larger).p >= _DISFAVOURED
+    return other.free and further_parameters(one, other) == 0 and _holds_exponent(larger, smaller)
+
+
+def _holds_exponent(larger: LawFit, smaller: LawFit) -> bool:
+    """Whether the exponent of the one loss of ``smaller`` may be the free one of ``larger``."""
+    losses = smaller.candidate.losses
+    if len(losses) > 1 or losses[0][1]:
+        return False
+    return larger.alpha is None or larger.alpha.stretched(2.0).contains(smaller.candidate.elements[0].velocity)
 
 
 def minimal(laws: Sequence[LawFit]) -> list[LawFit]:
@@ -159,6 +172,8 @@ def _commented(law: LawFit, smallest: Sequence[LawFit]) -> LawFit:
         del further[law.candidate.alphas[0]]
         value = inside.candidate.elements[0].velocity
         further["a free exponent"] = law.alpha is None or law.alpha.contains(value)
+    if inside.candidate.pendulum and not law.candidate.pendulum:
+        further |= {name: True for name in further if name.startswith("s")}  # they stand for sin x, not for 0
     excluded = [name for name, held in further.items() if not held]
     beyond = f"; the interval of {', '.join(excluded)} excludes it, but not beyond doubt" if excluded else ""
     reason = f"contains {inside.candidate}, which is consistent; not needed: {', '.join(further)}{beyond}"

@@ -83,3 +83,36 @@ def test_a_pendulum_needs_angles():
     t = np.arange(600) / 9
     with pytest.raises(InputError, match="a pendulum needs angles"):
         asy.identify({"t": t, "x": np.exp(-t / 90) * np.cos(t)}, laws=["1+pendulum"])
+
+
+LAWS = ["1", "2", "1+2", "free", "1+s3", "1+2+s3", "1+s3+s5", "free+s3", "1+pendulum", "2+pendulum", "1+2+pendulum"]
+
+
+def swung(spring, degrees, seed):
+    """60 s of an angle with viscous loss and the spring's own restoring force."""
+    t = np.linspace(0, 60, 1500)
+    force = lambda _, y: [y[1], -9 * spring(y[0]) - 0.06 * y[1]]  # noqa: E731
+    x = solve_ivp(force, (0, 60), [np.radians(degrees), 0.0], t_eval=t, rtol=1e-10, atol=1e-12).y[0]
+    return {"t": t, "x": x + 2e-3 * np.random.default_rng(seed).standard_normal(len(t))}
+
+
+@pytest.mark.parametrize("degrees", [25, 60])
+def test_a_free_spring_is_no_rival_of_the_sine(degrees):
+    # failed before: "several laws are consistent: 1+pendulum; 1+s3+s5"
+    answer = asy.identify(swung(np.sin, degrees, 4), unit="rad", laws=LAWS)
+    assert answer.verdict.text.startswith("identified: 1+pendulum,")
+    assert "s3 in place of sin x up to 0.1" in answer.verdict.text
+    spring = next(a for a in answer.verdict.allowed if a.term.startswith("s3 "))
+    assert 0.15 < spring.largest < 0.25  # sin x = x - x^3/6 + ...
+    standing = [e.law for e in answer.laws if e.law.verdict == "consistent" and e.law.candidate.springs]
+    assert standing
+    assert all("contains 1+pendulum, which is consistent; not needed: " in law.reason for law in standing)
+    assert not any("excludes" in law.reason for law in standing)
+
+
+@pytest.mark.parametrize("cubic", [-0.12, 0.1])
+def test_a_spring_that_is_no_sine_is_not_called_a_pendulum(cubic):
+    answer = asy.identify(swung(lambda x: x + cubic * x**3, 60, 5), unit="rad", laws=LAWS)
+    assert answer.law("1+pendulum").law.verdict == "refuted"
+    assert answer.verdict.text.startswith("identified: 1+s3,")
+    assert answer.law("1+s3").law.springs[0].contains(cubic)
