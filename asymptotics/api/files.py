@@ -13,7 +13,7 @@ from typing import Any
 from asymptotics.api.lookups import table_inputs
 from asymptotics.api.units import oscillator_of
 from asymptotics.comparison.run import Comparison, compare_file
-from asymptotics.comparison.tabled import compare_table
+from asymptotics.comparison.tabled import compare_table, series_table
 from asymptotics.errors import InputError, shown
 from asymptotics.law import LawLike, Oscillator
 from asymptotics.numbers.policy import Number, exact_integer
@@ -37,14 +37,16 @@ def compare(
     """Turning points (column n) or a motion (tau or t) beside the certified values, each with its right digits.
 
     ``file``: a CSV file, or columns by name: a mapping of sequences or arrays, or a data frame.  It is in SI units when
-    ``law`` is an oscillator, else in units of x0 and tau.  With ``table`` the rows are held against that table, and
-    ``law``, ``alpha``, ``epsilon`` are its inputs (``asy.table``).  InputError for what is missing or wrong.
+    ``law`` is an oscillator, else in units of x0 and tau.  With ``table`` the rows are held against that table, as a
+    file of coefficients from ``expand --csv`` or ``half-swing --csv`` is, and ``law``, ``alpha``, ``epsilon`` are its
+    inputs (``asy.table``).  InputError for what is missing or wrong.
 
     >>> compare({"n": [1, 2], "x": [-0.4107197, 0.2635711]}, {2: 1}).rows[1].marked
     '0.26357[11]'
     """
     source = _source(file)
     wanted = None if digits is None else exact_integer(digits, "digits", 1, MAX_DIGITS)
+    table = series_table(source) if table is None else table
     if table is not None:
         if not isinstance(table, str):
             raise InputError("table", f"{shown(table)} is no name", "a name of table_names()")

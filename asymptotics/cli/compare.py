@@ -4,9 +4,11 @@
   asymptotics compare motion.csv --law 0:1/20 --law 2:1/10 --columns tau=time,x=pos --plot lost.svg
   asymptotics compare table_one.csv --table smith2012.table1 --columns half_cycle,S_hat,u
   asymptotics compare exported.csv                           # a table of this program says itself what it is
+  asymptotics compare series.csv --alpha 3/2                 # coefficients from expand --csv or half-swing --csv
   asymptotics compare lab.csv --alpha 3/2 --damping 1/10 --mass 3/2 --stiffness 30 --x0 1/5 --columns t,x
 
-FILE is CSV.  A row is a turning point (n, with x, amplitude, tau or t) or a moment (tau or t, with x or v).
+FILE is CSV.  A row is a turning point (n, with x, amplitude, tau or t), a moment (tau or t, with x or v)
+or a moment of an envelope (tau or t, with amplitude or phase: the averaged law).
 With --damping, --mass or --stiffness the file is in m, s and m/s, --law gives b, and --epsilon is still the
 dimensionless strength b omega_0^alpha x0^(alpha-1)/k; without them nothing has a unit (tau = omega_0 t), and x is X.
 digits is -log10 of the relative error: 0 for a wrong sign, at most what the certified value has.
@@ -24,7 +26,7 @@ from asymptotics.cli.table import table_inputs
 from asymptotics.comparison.order import told_order
 from asymptotics.comparison.run import MAX_DIGITS, Comparison, Row, compare_file
 from asymptotics.comparison.stated import stated
-from asymptotics.comparison.tabled import compare_table
+from asymptotics.comparison.tabled import compare_table, series_table
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.present.files import require_different
@@ -70,16 +72,19 @@ def _compared(options: argparse.Namespace, digits: int | None) -> tuple[Comparis
         inputs = replace(inputs, rows=head.rows)
         found = compare_table(path, head.table, inputs, columns=options.columns, digits=digits)
         return found, f"{head.table}, with the inputs of its head"
-    if options.table is None:
+    name = series_table(path) if options.table is None else options.table
+    if name is None:
         given = read_oscillator(options, "epsilon", epsilon_beside_units=True)
         own = given.si or options.x0 is not None
         found = compare_file(path, given.oscillator, columns=options.columns, digits=digits, si=own)
         return found, str(given.oscillator) if own else str(given.oscillator.law)
-    for name in (*PHYSICAL, "x0"):
-        if getattr(options, name) is not None:
-            raise InputError(f"--{name}", "a table has its own units", "no such option with --table")
+    for option in (*PHYSICAL, "x0"):
+        if getattr(options, option) is not None:
+            raise InputError(f"--{option}", "a table has its own units", "no such option with a table")
+    if options.table is None and not (options.alpha or options.law):
+        raise InputError("--alpha", "is missing: coefficients alone do not say of which law", "--alpha A, or --law A:E")
     inputs = table_inputs(options.alpha, options.epsilon, options.law, None)
-    return compare_table(path, options.table, inputs, columns=options.columns, digits=digits), options.table
+    return compare_table(path, name, inputs, columns=options.columns, digits=digits), name
 
 
 def _said(options: argparse.Namespace) -> bool:
@@ -106,10 +111,14 @@ def _text(found: Comparison, equation: str) -> str:
         *([order] if (order := told_order(summary.get("order", {}))) else []),
         f"the errors look like {look['kind']}: {look['reason']}",
         *([summary["ended"]] if "ended" in summary else []),
-        *(f"not compared: {name} (of a gauge and an order)" for name in summary.get("not_compared", ())),
+        *(f"not compared: {name} ({_why(name)})" for name in summary.get("not_compared", ())),
         f"certified: {str(found.certified).lower()} ({found.method})",
     ]
     return "\n".join(lines)
+
+
+def _why(name: str) -> str:
+    return "of one force of the sum; the table has the sum" if "[" in name else "of a gauge and an order"
 
 
 def _cells(row: Row) -> tuple[str, ...]:

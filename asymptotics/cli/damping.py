@@ -98,6 +98,9 @@ def _answer(options: argparse.Namespace, files: dict[str, Path], found: Equivale
 
 def _inverse(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
     """The law behind a table."""
+    path = Path(options.table)
+    if not path.exists():  # said first: of a file that is not there no combination matters
+        raise InputError("--from", f"cannot read {path.name[:80]}: No such file or directory", "a file of data")
     refused = (
         "alpha",
         "law",
@@ -116,7 +119,7 @@ def _inverse(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
     if "--plot" in files:
         raise InputError("--plot", "cannot be combined with --from", "--csv, or asymptotics damping of the law found")
     found = damping_law(
-        Path(options.table),
+        path,
         resolution=options.resolution,
         laws=options.laws,
         spring=_spring(options),

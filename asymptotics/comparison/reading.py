@@ -1,9 +1,9 @@
 """A CSV file of somebody's values: which column is what, in which unit; what cannot be used is refused by line.
 
 Quantities: ``n`` (turning point) or ``tau``/``t`` (time) is the key of a row; ``x``, ``v``, ``tau``, ``t`` and
-``amplitude`` (= |x| at a turning point) are values.  tau = omega_0 t and X = x/x0 have no unit; with an oscillator in
-SI, t is in s, x in m and v in m/s; without one m = k = x0 = 1, and t is tau.  A header may carry units, ``x [m]``;
-lines that start with # are comments.
+``amplitude`` (= |x| at a turning point) are values; at times, ``amplitude`` and ``phase`` without x are an envelope.
+tau = omega_0 t and X = x/x0 have no unit; with an oscillator in SI, t is in s, x in m and v in m/s; without one
+m = k = x0 = 1, and t is tau.  A header may carry units, ``x [m]``; lines that start with # are comments.
 
 >>> columns_of(["n", "x"], None), columns_of(["step", "pos"], "n,x"), columns_of(["k", "x", "time"], "n=k,tau=time")
 ({'n': 0, 'x': 1}, {'n': 0, 'x': 1}, {'n': 0, 'tau': 2})
@@ -24,8 +24,8 @@ from asymptotics.numbers.policy import exact_number
 
 Columns = Mapping[str, Any]
 
-QUANTITIES = ("n", "tau", "t", "x", "v", "amplitude")
-UNITS = {"t": "s", "x": "m", "amplitude": "m", "v": "m/s"}
+QUANTITIES = ("n", "tau", "t", "x", "v", "amplitude", "phase")
+UNITS = {"t": "s", "x": "m", "amplitude": "m", "v": "m/s", "phase": "rad"}
 MAX_ROWS = 1_000_000
 _UNIT = re.compile(r"\s*[\[(](?P<unit>[^\])]*)[\])]\s*\Z")
 

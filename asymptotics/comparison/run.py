@@ -31,7 +31,7 @@ from asymptotics.comparison.errors import Errors, of_motion, of_turning_points
 from asymptotics.comparison.look import Look, look_of
 from asymptotics.comparison.order import order_of, told_order
 from asymptotics.comparison.reading import Columns, Sheet, as_double, read_sheet
-from asymptotics.comparison.truth import Truth, at_times, at_turning_points
+from asymptotics.comparison.truth import Truth, at_envelope, at_times, at_turning_points
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.made_by import mark
@@ -161,15 +161,20 @@ def compare_file(
     if key == "n":
         if "v" in values:
             raise InputError("columns", "v is 0 at every turning point", "x, amplitude, tau, t")
+        if "phase" in values:
+            raise InputError("columns", "the phase is pi n at every turning point", "x, amplitude, tau, t")
         where = "FILE line" if isinstance(path, Path) else "row"
         numbers = [parse_integer(cell, f"{where} {n}", 0, MAX_N) for n, cell in zip(sheet.lines, sheet.column("n"))]
         truth = at_turning_points(oscillator, numbers, wanted, set(values), si=si)
         errors, shift = _of_turning(sheet, truth, numbers, values, oscillator, si)
+    elif set(values) <= {"amplitude", "phase"}:
+        truth = at_envelope(oscillator, sheet.numbers[key], wanted, values, si=si)
+        errors, shift = Errors(*np.zeros((4, 0))), None
     else:
         left = [name for name in values if name not in ("x", "v")]
         values = [name for name in values if name in ("x", "v")]
         if not values or (left and columns is not None):
-            raise InputError("columns", "at a time there are x and v", "tau,x  or  tau,x,v")
+            raise InputError("columns", "at a time there are x and v", "tau,x  or  tau,x,v  or  tau,amplitude,phase")
         times = list(sheet.numbers[key])
         truth = at_times(oscillator, times, wanted, values, si=si)
         errors, shift = _of_motion(sheet, truth, times, oscillator, si)

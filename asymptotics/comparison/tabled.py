@@ -11,6 +11,7 @@
 4 u -0.194566 -0.19456584187398814694 6.09
 """
 
+import csv
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -26,6 +27,7 @@ from asymptotics.tables.registry import build, description
 from asymptotics.tables.table import Table
 
 Key = tuple[object, ...]
+SERIES = ("series", "k", "value")
 _GRIDS = {"alpha", "law", "epsilon", "u_0", "A"}  # keys that are no counters
 
 
@@ -38,7 +40,9 @@ def compare_table(
     digits: int | None = None,
 ) -> Comparison:
     """Compare a file, or columns by name, with the table ``name``; InputError for rows and columns that it lacks."""
-    about = description(name)
+    about, left, header = description(name), list[str](), 0
+    if isinstance(path, Path) and series_table(path) == name:
+        (path, left), header = _coefficients(path), 1
     names = tuple(about["columns"])
     words = tuple(c for c, unit in zip(names, about["units"]) if not unit or c in about["keys"])
     sheet = read_sheet(path, columns, names, words=words)
@@ -52,11 +56,45 @@ def compare_table(
     longest = max(significant(cell) for column in values for cell in sheet.column(column))
     wanted = digits or min(MAX_DIGITS, max(LEAST_DIGITS, GUARD + longest))
     table = build(name, wanted, given)
-    rows = _rows(sheet, table, keys, values, wanted)
+    rows = tuple(replace(row, line=row.line + header) for row in _rows(sheet, table, keys, values, wanted))
     wrong = any("[" in row.marked for row in rows)
     reason = "a table is judged value by value" if wrong else "every value is right to the digits written"
     look = Look("undecided" if wrong else "rounding", reason)
-    return Comparison(rows, summary_of(rows, look), table.certified, table.source)
+    summary = summary_of(rows, look) | ({"not_compared": left} if left else {})
+    return Comparison(rows, summary, table.certified, table.source)
+
+
+def series_table(path: Path | Columns) -> str | None:
+    """The table that holds the coefficients which ``expand --csv`` or ``half-swing --csv`` wrote; None for other files.
+
+    >>> import tempfile
+    >>> path = Path(tempfile.mkdtemp()) / "series.csv"
+    >>> _ = path.write_text('series,k,value,exact\\np,1,0.4244132,4/(3*pi)\\nOmega,2,-0.1666668,-1/6\\n')
+    >>> series_table(path)
+    'normal-form'
+    >>> [row.marked for row in compare_table(path, "normal-form", Inputs.of(["2"])).rows]
+    ['0.4244132', '-0.166666[8]']
+    """
+    cells = _cells(path) if isinstance(path, Path) else []
+    if not cells or tuple(cells[0][:3]) != SERIES:
+        return None
+    return "normal-form" if cells[-1][0] in ("p", "Omega") else "half-swing"
+
+
+def _cells(path: Path) -> list[list[str]]:
+    """All cells; none where the file cannot be read, which is said when it is read for its values."""
+    try:
+        return list(csv.reader(path.read_text(encoding="utf-8-sig").splitlines())) if path.is_file() else []
+    except (OSError, ValueError, csv.Error):
+        return []
+
+
+def _coefficients(path: Path) -> tuple[Columns, list[str]]:
+    """The rows as the table has them, by line; and the series of each force of a sum, which it has not."""
+    rows = [(row[0], "_".join(row[:2]), row[2]) for row in _cells(path)[1:] if len(row) > 2]
+    kept = [row[1:] for row in rows if "[" not in row[0]]
+    left = dict.fromkeys(row[0] for row in rows if "[" in row[0])
+    return dict(zip(("coefficient", "value"), map(list, zip(*kept)))), list(left)
 
 
 def _rows(sheet: Sheet, table: Table, keys: list[str], values: list[str], digits: int) -> tuple[Row, ...]:

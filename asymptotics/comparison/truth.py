@@ -15,6 +15,7 @@ from fractions import Fraction
 
 from flint import arb
 
+from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion, reference_states
@@ -111,6 +112,22 @@ def at_times(
     places = range(len(times))
     columns: dict[str, list[str | None]] = {name: [column[i] for i in places] for name, column in texts.items()}
     return Truth(columns, certified, method, speeds=tuple(speeds[i] for i in places))
+
+
+def at_envelope(
+    oscillator: Oscillator, times: Sequence[Fraction], digits: int, wanted: Sequence[str], *, si: bool
+) -> Truth:
+    """A and phi of the averaged law, of first order, at times.
+
+    >>> from asymptotics.law import Oscillator
+    >>> at_envelope(Oscillator({2: "1/10"}), [Fraction(2)], 8, ["amplitude", "phase"], si=False).columns
+    {'amplitude': ['0.92175869'], 'phase': ['-0.0030725290']}
+    """
+    envelope = FirstOrderEnvelope(oscillator if si else Oscillator(oscillator.law))
+    found = {"amplitude": envelope.amplitude, "phase": envelope.phase}
+    exact = [ExactReal(t) for t in times]
+    columns: dict[str, list[str | None]] = {name: [found[name](t, digits) for t in exact] for name in wanted}
+    return Truth(columns, True, "the averaged law of first order (not the motion)")
 
 
 @dataclass(frozen=True)

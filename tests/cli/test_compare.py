@@ -127,6 +127,10 @@ EXPORTS = {
     "points": (["table", "turning-points", "--law", "1:1/20", "--law", "2:1/10", "--rows", "4"], []),
     "bounds": (["table", "error-bounds", "--alpha", "2", "--rows", "2"], []),
     "smith": (["table", "smith2012.table1"], []),
+    "expand": (["expand", "--order", "4"], ["--alpha", "3/2"]),
+    "half-swing": (["half-swing", "--order", "3"], ["--alpha", "3/2"]),
+    "half-swing of a sum": (["half-swing", "--order", "2"], ["--law", "1:1/10", "--law", "2:1/5"]),
+    "envelope": (["envelope", "--time", "9", "--points", "9"], ["--alpha", "2", "--epsilon", "1/10"]),
 }
 
 
@@ -140,10 +144,35 @@ def test_what_the_program_exports_it_reads_with_the_inputs_of_its_head(capsys, t
     found = json.loads(out)
     assert (code, found["certified"]) == (0, True)
     if name == "motion":  # an expansion of order 3: right to some digits; its amplitude belongs to a gauge
-        assert found["summary"]["not_compared"] == ["amplitude"]
+        assert found["summary"]["not_compared"] == ["amplitude", "phase"]
+    elif name == "envelope":  # doubles
+        assert float(found["summary"]["worst_digits"]) > 13
+        assert {row["column"] for row in found["rows"]} == {"amplitude", "phase"}
     else:
         assert float(found["summary"]["worst_digits"]) > 14 or name == "bounds"
         assert found["summary"]["look"]["kind"] == "rounding"
+
+
+@pytest.mark.parametrize("name", ["expand", "half-swing", "envelope"])
+def test_exports_of_another_law_are_told_apart(capsys, tmp_path, name):
+    path = tmp_path / "exported.csv"
+    making, law = EXPORTS[name]
+    assert main([*making, *law, "--csv", str(path)]) == 0
+    capsys.readouterr()
+    code, out, _ = call(capsys, path, *["5/2" if text in ("3/2", "2") else text for text in law])
+    assert code == 0
+    assert "right digits: worst 0." in out or "right digits: worst 1." in out
+    assert "every value is right" not in out
+
+
+def test_coefficients_need_a_law_and_their_lines_are_those_of_the_file(capsys, tmp_path):
+    path = tmp_path / "exported.csv"
+    assert main(["expand", "--alpha", "2", "--order", "4", "--csv", str(path)]) == 0
+    capsys.readouterr()
+    assert "--alpha" in call(capsys, path)[2]
+    lines = path.read_text().splitlines()
+    found = json.loads(call(capsys, path, "--alpha", "2", "--json")[1])
+    assert [lines[row["line"] - 1].split(",")[2] for row in found["rows"]] == [row["given"] for row in found["rows"]]
 
 
 def test_a_digit_changed_in_an_exported_table_is_found(capsys, tmp_path):
