@@ -68,16 +68,25 @@ def adequate(fit: Fit, levels: Levels, left: float = 1.0) -> tuple[bool, str]:
         if not level or freedom < 5:
             continue
         level = max(level, fit.model.floor(kind, fit.theta))
-        p = float(fdtrc(max(fit.freedoms[kind], 1.0), freedom, (own / level) ** 2))
-        above = p < _SURELY and own > 1.3 * level
-        good &= not above
-        said.append(f"{kind}: residual {own:.3g}, noise {level:.3g}" + (" (too large)" if above else ""))
+        above = _exceeds(own, fit.freedoms[kind], level, freedom)
+        squares = fit.residuals[group] ** 2
+        rest = float(np.sqrt(left * (squares.sum() - squares.max()) / max(fit.freedoms[kind] - 1, 1.0)))
+        alone = above and not _exceeds(rest, fit.freedoms[kind] - 1, level, freedom)
+        good &= not above or alone
+        words = f" ({rest:.3g} but for one value)" if alone else " (too large)" if above else ""
+        said.append(f"{kind}: residual {own:.3g}, noise {level:.3g}{words}")
     share, frequency, p = strongest_line(fit.residuals[fit.model.groups[0]])
     beyond = fit.scales["x"] > 1.01 * fit.model.floor("x", fit.theta)
     if left == 1 and beyond and share > _LINE and p < _SURELY and len(fit.model.seen.n) >= _LONG:
         good = False
         said.append(f"{share:.0%} of the residual of x is one line at {frequency:.3g} cycles a half-swing")
     return good, "; ".join(said)
+
+
+def _exceeds(own: float, freedom: float, level: float, of_level: float) -> bool:
+    """Whether residuals are larger than the noise beyond doubt; one value alone refutes no law."""
+    p = float(fdtrc(max(freedom, 1.0), of_level, (own / level) ** 2))
+    return p < _SURELY and own > 1.3 * level
 
 
 def strongest_line(r: Array) -> tuple[float, float, float]:

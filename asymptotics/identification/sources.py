@@ -13,6 +13,7 @@ from asymptotics.identification.printed import Decrements
 from asymptotics.identification.sampled import LEAST_SAMPLES, observations_of_motion
 from asymptotics.identification.sensors import sensor_notes
 from asymptotics.records.clock import runs_of, straightened
+from asymptotics.records.repairs import releases, spikes
 from asymptotics.records.rows import Rows
 from asymptotics.records.sources import How
 from asymptotics.records.table import Table, read_table
@@ -41,20 +42,51 @@ def _motions(table: Table) -> list[Run]:
             said = f"the clock starts again: run {number} of {len(pieces)}, from row {table.rows.row(int(places[0]))}"
             name = f"{table.rows.name} (run {number})"
             run = replace(run, notes=(*run.notes, said), rows=replace(run.rows, name=name))
-        found.append(_motion(run))
+        found += _decays(run)
     return found
 
 
-def _motion(run: Table) -> Observations:
-    order = ("record", "velocity", "acceleration").index(run.kind)
-    t, x, rows, notes = straightened(run.columns["t"], run.columns["xva"[order]], run.rows)
-    if order == 0:
+def _decays(run: Table) -> list[Run]:
+    """Each release of a run, without the samples that are spikes."""
+    column = "xva"[_order(run)]
+    t, x, rows, notes = straightened(run.columns["t"], run.columns[column], run.rows)
+    wild = spikes(x)
+    if wild.any():
+        first = rows.where(int(np.argmax(wild)), column)
+        notes = (*notes, f"{int(wild.sum())} samples far from their neighbours left out, the first is {first}")
+        t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
+    said = (*run.notes, *notes, *sensor_notes(t, x))
+    parts, found = releases(t, x), list[Run]()
+    for number, places in enumerate(parts, start=1):
+        own, told = rows if len(places) == len(t) else rows.kept(places), said
+        if len(places) < len(t):
+            stretch = f"free decay from t = {t[places[0]]:.6g} to {t[places[-1]]:.6g}"
+            told = (*said, f"{stretch}: the rest is held or touched")
+        if len(parts) > 1:
+            told = (*said, f"released again: run {number} of {len(parts)}, {stretch}; held or touched between")
+            own = replace(own, name=f"{rows.name} (release {number})")
+        try:
+            found.append(_decay(t[places], x[places], run, own, told))
+        except InputError as error:
+            if len(parts) == 1:
+                raise
+            said = (*said, f"release {number} of {len(parts)} left out: {error.reason}")
+    if not found:
+        raise InputError("FILE", "; ".join([rows.name, *said[-len(parts) :]]), "a free decay")
+    return found
+
+
+def _order(run: Table) -> int:
+    return ("record", "velocity", "acceleration").index(run.kind)
+
+
+def _decay(t: Array, x: Array, run: Table, rows: Rows, notes: tuple[str, ...]) -> Observations:
+    if _order(run) == 0:
         seen = observations_of_record(t, x, unit=run.unit, rows=rows)
-        return replace(seen, notes=(*run.notes, *notes, *seen.notes, *sensor_notes(t, x)))
+        return replace(seen, notes=(*notes, *seen.notes))
     if len(t) < LEAST_SAMPLES or not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
-    said = (*run.notes, *notes, *sensor_notes(t, x))
-    return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=said, derivative=order)
+    return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
 
 
 def require_increasing(values: Array, column: str, rows: Rows) -> None:

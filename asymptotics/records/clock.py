@@ -64,4 +64,28 @@ def straightened(t: Array, x: Array, rows: Rows) -> tuple[Array, Array, Rows, tu
             f"{many} repeated time stamps (the first in row {rows.row(first)}): the mean of their values taken"
         )
         t, rows = t[starts], rows.kept(starts)
+    even, step = regular(t)
+    if step:
+        t = even
+        notes.append(f"time stamps are those of a regular clock rounded to {step:.3g}: taken as regular")
     return t, x, rows, tuple(notes)
+
+
+def regular(t: Array) -> tuple[Array, float]:
+    """The line of which the times are multiples of a step, rounded, and the step; 0 where there is no such line.
+
+    >>> even, step = regular(np.round(np.arange(100) * 0.0123, 3))
+    >>> bool(np.abs(even - np.arange(100) * 0.0123).max() < 2e-4), round(step, 6)
+    (True, 0.001)
+    >>> regular(np.arange(100) * 0.1)[1], regular(np.arange(100) + 0.1 * np.random.default_rng(0).random(100))[1]
+    (0.0, 0.0)
+    """
+    gaps = np.diff(t)
+    if len(t) < LEAST_RUN or not np.ptp(gaps) > 1e-6 * float(np.median(gaps)):
+        return t, 0.0
+    step = float(np.ptp(gaps))  # of rounded stamps there are two gaps, or three
+    steps = (gaps - gaps.min()) / step * 2
+    line = np.polynomial.Polynomial.fit(np.arange(len(t)), t, 1)(np.arange(len(t)))
+    twice = np.abs(steps - np.round(steps)).max() < 0.02
+    step = step / 2 if twice and (np.round(steps) == 1).any() else step
+    return (line, step) if twice and np.abs(t - line).max() <= 0.6 * step else (t, 0.0)

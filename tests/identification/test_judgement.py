@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import asymptotics as asy
-from asymptotics.identification.adequacy import strongest_line
+from asymptotics.identification.adequacy import adequate, strongest_line
 from asymptotics.identification.candidates import read_candidate
 from asymptotics.identification.comparison import fit_law
 from asymptotics.identification.contradiction import REFUTED, contradiction, further_parameters
@@ -131,3 +131,20 @@ def test_a_law_with_a_negative_loss_refutes_no_other():
     assert answer.law("1").law.against.by is None
     physical = observed("1+2", [0.03, 0.02], 30, noise_x=1e-4, seed=3)
     assert asy.identify(physical, laws=["1", "1+2"], bootstrap=False).law("1").law.against.p < 1e-3
+
+
+def test_one_outlying_swing_refutes_no_law():
+    # failed before on a record whose last passage alone missed by four of its errors
+    n = np.arange(60)
+    x = (-1.0) ** n * 0.97**n + 1e-3 * np.random.default_rng(2).standard_normal(60)
+    levels = {"x": (1e-3, 40.0)}
+    law = read_candidate("1")
+    assert adequate(fit_law(law, Observations.of(n, x)).fit, levels)[0]
+    x[30] += 0.013
+    good, said = adequate(fit_law(law, Observations.of(n, x)).fit, levels)
+    assert good
+    assert "but for one value" in said
+    x[40] -= 0.013  # a near miss: two of them do
+    good, said = adequate(fit_law(law, Observations.of(n, x)).fit, levels)
+    assert not good
+    assert "too large" in said
