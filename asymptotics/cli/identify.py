@@ -37,7 +37,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
         "files", nargs="+", metavar="FILE", help="a table of any layout, xlsx, npz, mat; several: several runs"
     )
     parser.add_argument("--kind", metavar="KIND", help=f"{', '.join(KINDS)} (default: found from the columns)")
-    parser.add_argument("--unit", default="", metavar="U", help=f"the unit of x: {', '.join(UNITS)}")
+    parser.add_argument("--unit", default="", metavar="U", help=f"the unit of x: {', '.join(UNITS)}; of time: mm,ms")
     parser.add_argument("--columns", metavar="LIST", help="which is what: t=Time (s),x=3 (a name, or a place from 1)")
     parser.add_argument("--decimal", metavar="MARK", help="the decimal mark: . or , (default: found in the file)")
     parser.add_argument("--skip", metavar="N", default="0", help="lines before the table that are not read")

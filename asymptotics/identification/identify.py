@@ -68,8 +68,8 @@ def identify(
     ``data``: a file (a text table of any layout, xlsx, parquet, npz, mat), an open one, a data frame, a mapping of
     columns, two arrays ``(t, x)``, observations, or a list of several runs of one oscillator.
     ``kind``: record, velocity, acceleration, turning-points or decrement (found from the columns if not given);
-    ``unit`` of x: m, cm, mm, rad, deg.  ``columns`` such as "t=Time (s),x=3", ``decimal`` "." or ",", ``skip``
-    lines and ``sheet`` overrule what a file shows.
+    ``unit`` of x: m, cm, mm, rad, deg, and of time: "mm,ms".  ``columns`` such as "t=Time (s),x=3", ``decimal`` "." or
+    ",", ``skip`` lines and ``sheet`` overrule what a file shows.
     ``laws``: candidates such as "1+2", "free", "1+s3", "1,2:" for |x|^2 x' (default: every subset of 0, 1, 2, 3 and
     one free exponent, with and without the springs x^3 and x^3, x^5 when there are times); ``springs``: the springs to
     add to each of ``laws``.

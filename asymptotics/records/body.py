@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from asymptotics.budget import tick
 from asymptotics.records.cells import MISSING, is_stamp, number, seconds_of_stamp
 from asymptotics.records.layout import WHITE, Layout, is_comment, split
 
@@ -60,6 +61,7 @@ def read_body(lines: Iterable[str], layout: Layout, wanted: Sequence[int], stamp
         found.append([_numbers(table[c], c, layout, unread, count, c in stamps) for c in wanted])
         numbers.append(np.array([i for i, _ in kept], dtype=np.int64))
         count += len(kept)
+        tick(f"the reading of row {count}")
     if not found:
         return Body({c: np.array([]) for c in wanted}, np.array([], dtype=np.int64), unread)
     columns = {c: np.concatenate([piece[k] for piece in found]) for k, c in enumerate(wanted)}

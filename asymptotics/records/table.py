@@ -22,7 +22,7 @@ from asymptotics.records.cells import MARKS
 from asymptotics.records.columns import KINDS, Choice, choose
 from asymptotics.records.rows import Rows
 from asymptotics.records.sources import How, Source, opened
-from asymptotics.records.units import GRAVITY, UNITS, seconds, standard, suffix, unit_of
+from asymptotics.records.units import GRAVITY, SECONDS, UNITS, seconds, standard, suffix, unit_of
 
 Array = NDArray[np.float64]
 MAX_SIZE = 1e60
@@ -63,8 +63,7 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     """
     if kind is not None:
         require_choice(kind, "kind", KINDS)
-    if not isinstance(unit, str) or unit:
-        require_choice(unit, "unit", UNITS)
+    unit, time = units_said(unit)
     how = how or How()
     given = opened(source, how)
     named = [name for name in given.names if name]
@@ -77,7 +76,24 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     columns = {name: body.columns[place] for name, place in choice.places.items()}
     rows = Rows(given.name, body.lines)
     table = Table(choice.kind, columns, "", rows, (choice.note, *given.notes))
-    return _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit)
+    return _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit, time)
+
+
+def units_said(unit: str) -> tuple[str, str]:
+    """The unit of x and that of time in what is said of them, empty for none.
+
+    >>> units_said("deg"), units_said("mm,ms"), units_said("min"), units_said("")
+    (('deg', ''), ('mm', 'ms'), ('', 'min'), ('', ''))
+    """
+    if unit == "":
+        return "", ""
+    said = unit.split(",") if isinstance(unit, str) else [unit]
+    for one in said:
+        require_choice(one, "unit", (*UNITS, *SECONDS))
+    of_x, of_time = ([u for u in said if u in known] for known in (UNITS, SECONDS))
+    if len(of_x) > 1 or len(of_time) > 1:
+        raise InputError("unit", f"{unit[:40]!r} names two units of one quantity", "one of x, one of time: mm,ms")
+    return "".join(of_x), "".join(of_time)
 
 
 def _ordered(given: Source, kind: str | None, how: How) -> list[str]:
@@ -131,11 +147,11 @@ def _readable(table: Table, unread: Unread, given: Source) -> Table:
     return table.kept(keep, f"{many} left out, the first is {where}")
 
 
-def _in_units(table: Table, choice: Choice, given: Source, unit: str) -> Table:
+def _in_units(table: Table, choice: Choice, given: Source, unit: str, time: str) -> Table:
     columns, notes = dict(table.columns), list(table.notes)
     for column in ("t", "tau"):
         if column in columns:
-            columns[column] = columns[column] * seconds(given.names[choice.places[column]], given.name)
+            columns[column] = columns[column] * seconds(given.names[choice.places[column]], given.name, time)
     measured = [
         given.names[choice.places[c]] for c in ("x", "v", "a", "amplitude", "decrement", "resolution") if c in columns
     ]

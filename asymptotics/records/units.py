@@ -82,8 +82,8 @@ def suffix(column: str) -> str:
     return standard(found[1]) if found and _is_known(standard(found[1])) else ""
 
 
-def seconds(column: str, name: str) -> float:
-    """The size in seconds of the unit in the name of a column of times; 1 without one."""
+def seconds(column: str, name: str, said: str = "") -> float:
+    """The size in seconds of the unit in the name of a column of times, or of the one that is said; 1 without one."""
     named = suffix(column)
     after = re.fullmatch(r".*_([a-z]{2,})", column)
     if not named and after and after[1] not in ("n", "time", "t", "raw"):
@@ -91,7 +91,9 @@ def seconds(column: str, name: str) -> float:
     if named and named not in SECONDS:
         reason = f"{name}, row 1, column {column}: {named[:20]!r} is no unit of time"
         raise InputError("FILE", reason, f"{', '.join(SECONDS)}, or no unit in the name")
-    return SECONDS.get(named, 1.0)
+    if said and named and SECONDS[said] != SECONDS[named]:
+        raise InputError("unit", f"{said} contradicts the column {column} of {name}", named)
+    return SECONDS.get(said or named, 1.0)
 
 
 def unit_of(columns: Sequence[str], unit: str, name: str) -> str:

@@ -87,7 +87,7 @@ MEANINGS = {
     "text": "the exponents as text, such as 1+2",
     "times": "whether the times are computed too",
     "u": "gamma x, without a unit",
-    "unit": "the unit of x in the file: m, mm, deg, ...",
+    "unit": 'the unit of x in the file: m, mm, deg, ...; and of time: "mm,ms"',
     "until": "the time up to which, in s for an oscillator, else tau",
     "value": "what is read: a mapping exponent -> strength, or a law",
     "verdict": "holds, misprint, transcription, partly, refuted, open or definition",

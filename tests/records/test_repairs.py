@@ -112,3 +112,26 @@ def test_a_file_of_touches_alone_is_refused_with_the_reason():
     t = np.arange(0, 20, 0.01)
     with pytest.raises(InputError, match="accepted"):
         asy.identify({"t": t, "x": np.where((t // 2) % 2, 1.0, 0.0) + 1e-3 * np.sin(40 * t)}, laws=["1"])
+
+
+@pytest.mark.parametrize(
+    ("unit", "size"), [("ms", 1000.0), ("mm,ms", 1000.0), ("ms,mm", 1000.0), ("min", 1 / 60), ("s,m", 1.0)]
+)
+def test_the_unit_of_time_can_be_said(unit, size):
+    t, x, noise = decay(1.0, 30, 8)
+    answer = asy.identify({"t": t * size, "x": x + noise}, unit=unit, laws=["1+2"])
+    assert answer.units.omega_0 == pytest.approx(6.0, rel=1e-3)
+    assert answer.units.unit == ("mm" if "mm" in unit else "m" if "m" in unit.split(",") else "")
+
+
+@pytest.mark.parametrize("unit", ["ms,s", "mm,m", "mm,parsec", "mm;ms", ",ms"])
+def test_units_that_are_not_clear_are_refused(unit):
+    t, x, noise = decay(1.0, 10, 9)
+    with pytest.raises(InputError, match="argument unit"):
+        asy.identify({"t": t, "x": x}, unit=unit, laws=["1"])
+
+
+def test_a_unit_of_time_that_contradicts_the_header_is_refused():
+    t, x, noise = decay(1.0, 10, 9)
+    with pytest.raises(InputError, match="argument unit: ms contradicts the column"):
+        asy.identify({"t_s": t, "x": x}, unit="ms", laws=["1"])
