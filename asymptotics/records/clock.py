@@ -64,10 +64,10 @@ def straightened(t: Array, x: Array, rows: Rows) -> tuple[Array, Array, Rows, tu
             f"{many} repeated time stamps (the first in row {rows.row(first)}): the mean of their values taken"
         )
         t, rows = t[starts], rows.kept(starts)
-    even, step = regular(t)
-    if step:
+    even, rounded = regular(t)
+    if rounded:
         t = even
-        notes.append(f"time stamps are those of a regular clock rounded to {step:.3g}: taken as regular")
+        notes.append(f"time stamps are those of a regular clock rounded to {rounded:.3g}: taken as regular")
     return t, x, rows, tuple(notes)
 
 
