@@ -3,6 +3,10 @@
 Seconds on one ordinary core, good to a factor of about three: enough to refuse what would take hours, at once and with
 the estimate.  What an estimate cannot see, the time budget stops (``budget``).
 
+The constants are fitted to processor times.  ``python -m benchmarks costs`` holds them beside new ones: on 23 November
+2026, one core of a cloud machine (Intel Xeon, Python 3.11), the routes to the turning points took between half and
+twice what is said here, dry friction alone a seventh.
+
 >>> round(half_swing_seconds(swings=100, bits=150, terms=1, apart=0), 1)
 3.5
 >>> require_affordable(7200, 60, "order", "order 300")

@@ -13,6 +13,7 @@ BENCHMARKS = {
     "smith-rows": "smith_rows",
     "cubic-damping": "cubic_damping",
     "cost-against-order": "cost_against_order",
+    "costs": "costs",
     "turning-points": "turning_point_tables",
     "certified-orbits": "certified_orbits",
     "integrators": "integrators",

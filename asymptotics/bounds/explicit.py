@@ -1,5 +1,7 @@
 """|x - x_N| for the explicit form of one law, A and phi polynomials in D = A_0^(alpha-1), at all times: a theorem.
 
+The differential inequality of ``uniform`` along the nonexpansive flow, for another approximate solution and its defect.
+
 What ``envelopes.slow_time`` hands out solves the equations of order N up to terms that are cut off.  With r = A/A_0,
 w = alpha - 1, delta = epsilon A^w = epsilon D r^w, p and Omega through N + 1 and A_0' = -p_1 epsilon D A_0, it leaves
 

@@ -1,5 +1,7 @@
 """What the series of one half-swing lacks after delta^N: L = ln(A'/A) cut there, with a constant.
 
+Cauchy's inequalities on a polydisc (Hörmander, An Introduction to Complex Analysis in Several Variables, section 2.2).
+
 On the polydisc |delta_i| <= rho the half-swing is analytic and |L| <= M (``half_swings.finite_majorant``).  With the
 next coefficients computed, and Cauchy's inequality beyond them (derivation ``expansion-bounds``),
 

@@ -1,5 +1,7 @@
 """x at a late time, any exponents >= 1, without passing the half-swings between: the theorem read the other way round.
 
+The theorem is that of ``turning``: matching of a certified head of the orbit with its asymptotic tail.
+
 What bounds the error of an expansion bounds the motion as well.  From a certified turning point M on, where the local
 strengths are small, the truncated equations of order K lead to turning point n at once (``flow``); the theorem says how
 far the motion may be from there (``turning``), and one or two half-swings in balls lead to the time itself.  With

@@ -1,5 +1,8 @@
 """What the O() of a truncated expansion holds: a constant, and how far it reaches.
 
+Cauchy's method of majorants shows where both sides are analytic, and Cauchy's inequalities on a polydisc (Hörmander, An
+Introduction to Complex Analysis in Several Variables, section 2.2) bound the rest of their series.
+
 The equations of order N (turning-point gauge), dA/d tau = -A p_N, d psi/d tau = 1 + Omega_N, lead from a turning point,
 psi = 0, to psi = pi.  Let L_N and T_N be ln(A(pi)/A(0)) and the time this takes, L and T those of the motion.  Then
 

@@ -1,5 +1,8 @@
 """How the errors of an expansion add up from one turning point to the next, for any exponents, alpha < 1 included.
 
+Lady Windermere's fan (Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, section I.7) for the
+return map of a nonexpansive flow, step by step.
+
 For alpha < 1 the local strength grows and no bound holds for ever: this one is followed half-swing by half-swing and
 ends where |delta| leaves the range of ``local``, at a stated turning point.  Units of x0 and 1/omega_0; A_n, tau_n
 belong to the motion, A_hat_n, tau_hat_n to the truncated equations of order N, psi = n pi, both from A = 1 at rest.

@@ -1,5 +1,8 @@
 """How the errors of an expansion add up over all turning points: a theorem for every n, no iteration.
 
+Errors of single steps, carried on by a return map that contracts: Lady Windermere's fan (Hairer, Nørsett and Wanner,
+Solving Ordinary Differential Equations I, section I.7), summed in closed form.
+
 Let A_n, tau_n be the turning points of the motion (units of x0 and 1/omega_0) and A_hat_n, tau_hat_n those of the
 truncated equations of order N, psi = n pi, from the same start A = 1; all exponents >= 1, w = min alpha_i - 1,
 |delta_0| = sum epsilon_i <= delta_max.  With C_A, C_T, a, b of ``local`` (derivation ``expansion-bounds``):

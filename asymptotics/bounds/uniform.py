@@ -1,5 +1,9 @@
 """|x - x_N| for all times at once: a theorem, no enclosure of the motion.
 
+A differential inequality along a nonexpansive flow: in the energy norm the distance from any curve grows at most by the
+defect of the curve in the equation (Brezis, Opérateurs maximaux monotones, 1973, for monotone friction; Walter,
+Ordinary Differential Equations, 1998, § 9, for the comparison).
+
 x_N - i x_N'/omega_0 = z_N = A e^(i psi) Z, with A and psi of order N and the waveform through delta^(N-1).  Let z~ be
 the same with the waveform through N + 1: it satisfies the equations of motion up to A R, per unit of psi
 (``waveform``).  Friction is a monotone function of the velocity, so |z - z~| grows by at most what is left over

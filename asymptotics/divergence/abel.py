@@ -1,5 +1,7 @@
 """The Abel function of the half-swing and its time at complex points: Phi_+ = lim (z_j - j), theta_+ = -sum (T_j - pi).
 
+Phi_+ is the Fatou coordinate of a parabolic fixed point (Milnor, Dynamics in One Complex Variable, § 10).
+
 The odd Laurent series c/delta + e_1 delta + e_3 delta^3 + … solves Phi(F) = Phi + 1 formally, and t_1 delta + t_3
 delta^3 + … solves theta(F) = theta + T - pi; both diverge.  Cut off after delta^N each leaves a defect that is analytic
 in the circle of the majorant,

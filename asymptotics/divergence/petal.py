@@ -1,5 +1,8 @@
 """Where orbits of the half-swing stay in a petal, and how far the Abel functions are from z there: four numbers.
 
+The petals of a parabolic fixed point (Leau-Fatou flower: Milnor, Dynamics in One Complex Variable, § 10), with numbers
+in the place of "small enough".
+
 For |z| >= Y (that is |delta| <= r = |c|/Y < rho, x = r/rho) let |g| <= b/|z|^2 and |T - pi| <= b_T/|z|^2:
 
     b = c^2 (sum_(2<=m<=M) |gamma_m| r^(m-2) + Gamma r^-2 x^(M+1)/(1 - x)),   Gamma = |c eta| gain + 1 >= |g|

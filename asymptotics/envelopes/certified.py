@@ -1,5 +1,8 @@
 """The averaged law of one or more laws in balls: dA/dtau = -sum_i kappa_i A^alpha_i, A(0) = 1, all kappa_i > 0.
 
+Quadratures by Petras' algorithm (Johansson, Numerical integration in arbitrary-precision ball arithmetic, 2018); the
+inverse by an a priori enclosure, the first-exit argument of Picard and Lindelöf.
+
 With s = -ln A and g(s) = sum_i kappa_i e^(-(alpha_i-1)s) > 0 the law is ds/dtau = g(s), and
 
     tau(A) = int_0^s dr/g(r),    phi(A) = -int_0^s (sum_ij w_ij delta_i delta_j)/g dr,

@@ -1,5 +1,8 @@
 """The slow flow of a pendulum or Duffing oscillator: first order in the loss, exact in the spring, any amplitude.
 
+First-order averaging in the action-angle variables of the conservative oscillator (Sanders, Verhulst and Murdock,
+Averaging Methods in Nonlinear Dynamical Systems, 2007).
+
 With s = -ln xi the well gives (``straightening.wells``)
 
     ds/d tau = R(s)/Theta(s),      d psi/d tau = 1/Theta(s),      R = sum_i eps_i r_i,

@@ -1,5 +1,8 @@
 """First-order equivalent damping as balls: one cycle of the motion without loss, from the turning amplitude 1.
 
+The balance of energy over one cycle, as in Jacobsen's equivalent viscous damping (1930); to first order it is
+Melnikov's integral.
+
 The strengths are local, delta_i = epsilon_i A^(d_i-1), so that A = 1.  With V the potential and x = 1 - u^2,
 
     v^2 = 2 (V(1) - V(x)) = u^2 g(x),      g(x) = 1 + x + sum_j 2 gamma_j/(p_j+1) (1 + x + ... + x^(p_j)),

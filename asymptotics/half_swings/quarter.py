@@ -1,5 +1,8 @@
 """From the quarter-swing to the half-swing: the reversal identity, for any sum of laws and any coefficient ring.
 
+The symmetry t -> -t, epsilon -> -epsilon of a reversible system (Devaney, Trans. Amer. Math. Soc. 218, 1976), used
+order by order: no theorem of convergence is needed.
+
 With X = r cos(theta), X' = -r sin(theta), s = sin(theta), c = cos(theta), rho_i = epsilon_i r^(alpha_i - 1), the motion
 between two turning points, 0 <= theta <= pi, obeys (derivation ``half-swing-equations``)
 

@@ -21,6 +21,9 @@ from asymptotics.identification.starting import starting_values
 from asymptotics.identification.waveform import WaveformModel
 
 _ALWAYS, _MARGIN, _WORSE = 6, 50.0, 1e-3
+"""The best six of the first look are always fitted, for a coarse look may misjudge them; further laws up to 50 of AICc
+above the best, for e^-25 is no rival; log-likelihoods are alike within 1e-3, by which two runs of the minimiser may
+differ.  These are choices, not measurements: they decide which law is tried to its end, never its verdict."""
 _MANY, _FAR, _WEAKER = 6, 10.0, 3
 """So many laws of one spring are worth a look at the largest of them first."""
 _SHARE = 0.2

@@ -1,5 +1,8 @@
 """Exact motion with dry friction (alpha = 0): harmonic about a shifted centre on each half-swing, until it sticks.
 
+At x' = 0 the force is any value in [-b, b]: a differential inclusion with a monotone right-hand side, whose solution is
+unique (Filippov, Differential Equations with Discontinuous Righthand Sides, 1988).
+
 m x'' + k x + b sign(x') = 0.  With c = b/k the half-swing towards smaller s x (s = +-1) is
 
     s x = c + R cos(omega_0 (t - t_n)),      from s x = r_n, R = r_n - c,  to  -s x = r_(n+1) = r_n - 2 c.

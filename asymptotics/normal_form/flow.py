@@ -1,5 +1,8 @@
 """From the half-swing map to its flow: U = d ln A/d psi and W = d tau/d psi in the turning-point gauge.
 
+The flow is the iterative logarithm of the return map, a formal embedding: it exists at every order, and its divergence
+is the theorem of ``divergence``.
+
 The half-swing multiplies A by exp(L(delta)), takes the time T(delta), and moves delta_i to F_i(delta).  With the
 composition operator C f = f o F, the flow d delta_i/d psi = V_i = (alpha_i - 1) delta_i U whose time-pi map is F has
 

@@ -1,5 +1,8 @@
 """D significant digits, correctly rounded in all of them and proved to be.
 
+The table maker's dilemma, met by Ziv's strategy (ACM Trans. Math. Software 17, 1991): more precision until both ends of
+an enclosure round alike.
+
 A ball is read as the exact dyadic interval it is; a decimal is printed only when both ends round to it.  Until then the
 precision is doubled, up to a limit, where the failure is reported as such.  Ties go to the even digit.
 

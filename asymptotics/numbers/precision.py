@@ -1,5 +1,7 @@
 """The one loop that raises the precision: a computation in balls is repeated until it decides, or the limit is reached.
 
+This is Ziv's strategy (ACM Trans. Math. Software 17, 1991), for decisions as well as for roundings.
+
 >>> from flint import arb
 >>> def narrow_root(bits):
 ...     return bits if arb(2).sqrt().rad() < 1e-30 else None

@@ -1,5 +1,8 @@
 """Any spring with quadratic drag and dry friction: turning points from one closed primitive of the energy equation.
 
+The return map is given implicitly and grows with the amplitude, so a change of sign encloses the next turning point
+(intermediate value theorem), and the hull of two images holds the image of a ball.
+
     x'' + V'(x) + eps_0 sgn x' + eps_2 x'|x'| = 0,    V'(x) = x + sum_j c_j x|x|^(p_j-1), or with sin x in place of x.
 
 On a swing to the left v < 0, and u = v^2/2 obeys the *linear* equation du/dx = -V'(x) + eps_0 + 2 eps_2 u, so that

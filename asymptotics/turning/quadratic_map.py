@@ -1,5 +1,7 @@
 """The turning points for quadratic damping (alpha = 2), one half-swing at a time, without losing digits.
 
+The return map is a contraction, so the mean-value form (Moore, Interval Analysis, 1966) keeps the radius of a ball.
+
 Write p = 2|u_n|, u = gamma x.  On a half-swing (1 + 2u) e^(-2u) takes one value at both ends (Smith (43)), so the next
 amplitude q = 2|u_(n+1)| is the root in (0, 1) of
 
