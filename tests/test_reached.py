@@ -7,10 +7,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 USERS = ("asymptotics", "paper_checks", "derivations", "docs", "benchmarks")
-SECOND_ROUTES = {  # only tests reach these: what they certify is the closed form that stands above them
-    "multiscale/harmonics.py": None,  # certificates of the telescoping sums, and sums in closed form
-    "normal_form/symbolic.py": {"field_flow", "derived_coefficient", "certified_coefficients"},  # closed forms, derived
-}
 
 
 def used(tree: ast.AST) -> set[str]:
@@ -43,9 +39,8 @@ def test_every_public_function_is_reached():
     for path in (p for p in paths if p.is_relative_to(ROOT / "asymptotics")):
         defined = {getattr(node, "name", "") for node in trees[path].body}
         elsewhere = {name for name in defined if name in told or files[name] > (name in names[path])}
-        key, left = path.relative_to(ROOT / "asymptotics").as_posix(), unreached(trees[path], elsewhere)
-        allowed = SECOND_ROUTES.get(key, set())
-        assert bool(left) == (key in SECOND_ROUTES) and (allowed is None or left == allowed), f"{key}: {left}"
+        left = unreached(trees[path], elsewhere)
+        assert not left, f"{path.relative_to(ROOT)}: {left}"
 
 
 def test_a_function_that_only_itself_uses_is_not_reached():

@@ -56,11 +56,6 @@ class ImplicitSolution(ProvedCurve):
     si: bool = True
 
     @property
-    def certified(self) -> bool:
-        """False: an expansion."""
-        return False
-
-    @property
     def loss(self) -> Expr:
         """u p(u) = -dA/dtau at the amplitude u."""
         return -self.scales.amplitude_rate.subs(a, u)

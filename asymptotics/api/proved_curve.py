@@ -23,6 +23,11 @@ class ProvedCurve(SolutionCurve):
     """What has a ``_theorem`` and the asymptotic ``valid_until`` besides."""
 
     @property
+    def certified(self) -> bool:
+        """False: an expansion."""
+        return False
+
+    @property
     def valid_until(self) -> Any:
         """tau until which the expansion makes sense; None where nothing is known."""
         return None

@@ -111,11 +111,6 @@ class Solution(ProvedCurve):
     start: tuple[Expr, Expr] | None = None
     si: bool = True
 
-    @property
-    def certified(self) -> bool:
-        """False: an expansion."""
-        return False
-
     @cached_property
     def leading(self) -> tuple[Expr, Expr]:
         """(A_0, D) in tau and epsilon."""

@@ -64,6 +64,14 @@ def add_max_seconds(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--max-seconds", default=f"{DEFAULT_SECONDS:g}", metavar="S", help=text)
 
 
+def add_common(parser: argparse.ArgumentParser, high: int = 0, default: str = f"{DEFAULT_DIGITS}") -> None:
+    """What commands that compute have: --digits up to ``high`` if there are any, --max-seconds, --json, --quiet."""
+    if high:
+        add_digits(parser, high, default)
+    add_max_seconds(parser)
+    add_json(parser)
+
+
 def read_max_seconds(options: argparse.Namespace) -> float:
     """The value of --max-seconds; InputError outside (0, 10^6]."""
     seconds = parse_rational(options.max_seconds, "--max-seconds")

@@ -18,7 +18,7 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from asymptotics.cli.answer import Answer, add_json, add_max_seconds
+from asymptotics.cli.answer import Answer, add_common
 from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces
 from asymptotics.cli.quantities import PHYSICAL, add_physical, add_start, read_oscillator
@@ -47,8 +47,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--digits", metavar="D", help="digits of the certified values (default: four more than yours)")
     add_plot(parser, "digits lost against time")
     add_csv(parser, "all rows")
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:

@@ -19,7 +19,7 @@ from typing import Any
 
 from asymptotics.api.damping import MAX_DIGITS, MAX_ORDER, damping
 from asymptotics.api.damping_law import damping_law
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds
+from asymptotics.cli.answer import Answer, add_common
 from asymptotics.cli.answer import cut_short as shortened
 from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
@@ -54,9 +54,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--latex", action="store_true", help="print the formulas as LaTeX")
     add_plot(parser, "the curve against the amplitude")
     add_csv(parser, "all numbers, a row for each amplitude and order")
-    add_digits(parser, MAX_DIGITS, "12")
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser, MAX_DIGITS, "12")
 
 
 def run(options: argparse.Namespace) -> Answer:

@@ -25,7 +25,7 @@ from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.slow import MAX_DIGITS, Envelope, envelope
 from asymptotics.api.slow_series import MAX_ORDER, EnvelopeSeries
 from asymptotics.api.slowness import SlowPart
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
+from asymptotics.cli.answer import Answer, add_common, read_digits
 from asymptotics.cli.files import Makers, add_files, csv_text, picture_maker, read_files, read_points, write_files
 from asymptotics.cli.quantities import OVERLAY, Given, add_oscillator, overlaid, read_oscillator
 from asymptotics.envelopes.slow_time import epsilon
@@ -51,9 +51,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_files(
         parser, "A(t) and x = A cos(omega_0 t + phi) from 0 to T", "t, amplitude, phase from 0 to T", overlay=OVERLAY
     )
-    add_digits(parser, MAX_DIGITS)
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser, MAX_DIGITS)
 
 
 def run(options: argparse.Namespace) -> Answer:

@@ -27,7 +27,7 @@ import argparse
 
 import sympy
 
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
+from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
 from asymptotics.cli.files import add_csv, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.cli.quantities import PHYSICAL, add_physical, is_physical, read_oscillator
@@ -64,9 +64,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--best-order", metavar="D", help=text)
     text = "what the O() holds, proved: constants and the largest delta (turning-point gauge, powers of the velocity)"
     parser.add_argument("--bound", action="store_true", help=text)
-    add_max_seconds(parser)
-    add_digits(parser, MAX_DIGITS)
-    add_json(parser)
+    add_common(parser, MAX_DIGITS)
 
 
 def run(options: argparse.Namespace) -> Answer:

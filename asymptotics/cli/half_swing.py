@@ -20,7 +20,7 @@ from pathlib import Path
 
 import sympy
 
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
+from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
 from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER
 from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
@@ -53,9 +53,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--latex", action="store_true", help="print the series, or the numbers, as LaTeX")
     add_plot(parser, "A'/A against the local strength")
     add_csv(parser, "the coefficients, or the numbers: name, powers, digits, exact form")
-    add_max_seconds(parser)
-    add_digits(parser, MAX_DIGITS)
-    add_json(parser)
+    add_common(parser, MAX_DIGITS)
 
 
 def run(options: argparse.Namespace) -> Answer:

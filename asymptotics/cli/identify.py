@@ -18,7 +18,7 @@ from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
 
-from asymptotics.cli.answer import Answer, add_json, add_max_seconds
+from asymptotics.cli.answer import Answer, add_common
 from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.errors import InputError
 from asymptotics.identification.html_report import html_report
@@ -54,8 +54,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_plot(parser, "decay, decrement plot, residuals, profiles")
     parser.add_argument("--html", metavar="FILE", help="one page: verdict, pictures, laws, data, provenance")
     add_csv(parser, "all candidate laws")
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:

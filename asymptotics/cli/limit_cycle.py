@@ -17,7 +17,7 @@ stronger relaxation oscillations are left out.
 
 import argparse
 
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
+from asymptotics.cli.answer import Answer, add_common, read_digits
 from asymptotics.cli.files import add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.rows import row_text, rows_csv, rows_latex, told
@@ -39,9 +39,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--latex", action="store_true", help="print the series, or the numbers, as LaTeX")
     add_plot(parser, "amplitude and frequency against mu")
     add_csv(parser, "the coefficients; beside springs the numbers at mu")
-    add_digits(parser, MAX_DIGITS)
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser, MAX_DIGITS)
 
 
 def run(options: argparse.Namespace) -> Answer:

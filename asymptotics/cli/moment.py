@@ -6,7 +6,7 @@ asymptotics moment --p 5/2 --digits 40
 import argparse
 
 from asymptotics.api.lookups import MAX_DIGITS, MAX_P, moment
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
+from asymptotics.cli.answer import Answer, add_common, read_digits
 from asymptotics.numbers.exact import parse_real
 
 
@@ -14,9 +14,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("--p", required=True, metavar="P", help=f"a real number above -1, at most {MAX_P}")
     parser.add_argument("--latex", action="store_true", help="print the closed form as LaTeX")
-    add_digits(parser, MAX_DIGITS)
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser, MAX_DIGITS)
 
 
 def run(options: argparse.Namespace) -> Answer:

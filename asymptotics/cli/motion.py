@@ -26,7 +26,7 @@ from typing import Any
 from asymptotics.api.motions import Motion, Reference
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
+from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
 from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, read_points, write_files
 from asymptotics.cli.motion_files import csv_of, reference_is_near
 from asymptotics.cli.quantities import OVERLAY, Given, add_oscillator, overlaid, read_oscillator
@@ -62,9 +62,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
         "t, x, v, amplitude, phase from 0 to T",
         overlay=OVERLAY,
     )
-    add_max_seconds(parser)
-    add_digits(parser, MAX_DIGITS, "30 with --reference, else what the error leaves")
-    add_json(parser)
+    add_common(parser, MAX_DIGITS, "30 with --reference, else what the error leaves")
 
 
 def run(options: argparse.Namespace) -> Answer:

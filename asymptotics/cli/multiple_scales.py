@@ -37,7 +37,7 @@ from asymptotics.api.hierarchy import (
     ordered,
     symbolic_multiple_scales,
 )
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
+from asymptotics.cli.answer import Answer, add_common, add_digits, read_digits
 from asymptotics.cli.forces import add_forces, read_terms
 from asymptotics.cli.rows import strengths_given
 from asymptotics.errors import InputError
@@ -63,8 +63,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--phase", metavar="PSI", help="the value of every X_n at this phase (rad), certified")
     add_digits(parser, MAX_DIGITS)
     parser.add_argument("--latex", action="store_true", help="print LaTeX instead of text")
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:

@@ -18,7 +18,7 @@ from importlib import import_module
 from math import log2
 from typing import Any
 
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
+from asymptotics.cli.answer import Answer, add_common, add_digits, read_digits
 from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.costs import binomial_seconds, require_affordable
 from asymptotics.errors import InputError, LimitError
@@ -55,8 +55,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_digits(parser, MAX_DIGITS, "30 with r, s, t, where alone there is something to round")
     parser.add_argument("--latex", action="store_true", help="print it as LaTeX")
     add_csv(parser, "the coefficients: n, i, C_i^n")
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:

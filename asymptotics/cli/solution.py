@@ -27,7 +27,7 @@ import numpy as np
 from asymptotics.api.implicit import ImplicitSolution
 from asymptotics.api.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
 from asymptotics.bounds.motion import proved_bound
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
+from asymptotics.cli.answer import Answer, add_common, read_digits
 from asymptotics.cli.files import Makers, add_files, csv_text, picture_maker, read_files, read_points, write_files
 from asymptotics.cli.forces import read_alpha
 from asymptotics.cli.quantities import OVERLAY, Given, add_oscillator, is_physical, overlaid, read_oscillator
@@ -49,9 +49,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--latex", action="store_true", help="print a LaTeX document instead of text")
     parser.add_argument("--fragment", action="store_true", help="print the formulas of that document alone")
     add_files(parser, "A(t) and x(t) from 0 to T", "t, amplitude, phase, x from 0 to T", overlay=OVERLAY)
-    add_digits(parser, MAX_DIGITS)
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser, MAX_DIGITS)
 
 
 def run(options: argparse.Namespace) -> Answer:

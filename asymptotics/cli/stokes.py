@@ -12,7 +12,7 @@ alpha > 0 other than 1 (at 0 all vanish); near 1 the work grows like 1/|alpha - 
 import argparse
 
 from asymptotics.api.divergence import stokes
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
+from asymptotics.cli.answer import Answer, add_common, read_digits
 from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.rows import told
 from asymptotics.divergence.result import MAX_COUNT, MAX_DIGITS
@@ -26,9 +26,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--latex", action="store_true", help="print the constants as LaTeX")
     add_plot(parser, "|c_k| and |d_k|")
     add_csv(parser, "k, c_k, d_k")
-    add_digits(parser, MAX_DIGITS, "17")
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser, MAX_DIGITS, "17")
 
 
 def run(options: argparse.Namespace) -> Answer:

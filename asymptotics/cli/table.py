@@ -12,7 +12,7 @@ zero), up (away from zero), floor, ceil, interval (both ends).  Every file carri
 import argparse
 from pathlib import Path
 
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits
+from asymptotics.cli.answer import Answer, add_common, read_digits
 from asymptotics.cli.answer import cut_short as shortened
 from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import read_law
@@ -42,9 +42,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_plot(parser, "its columns of numbers against its key")
     add_csv(parser, "the table with its provenance (as --format csv --output FILE)")
     parser.add_argument("--output", metavar="FILE", help="write it to a file, with its provenance")
-    add_digits(parser, MAX_DIGITS)
-    add_max_seconds(parser)
-    add_json(parser)
+    add_common(parser, MAX_DIGITS)
 
 
 def run(options: argparse.Namespace) -> Answer:

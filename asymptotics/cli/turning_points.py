@@ -28,7 +28,7 @@ from typing import Any
 
 from asymptotics.api.swings import OscillatorTurningPoints, dimensionless
 from asymptotics.api.swings import turning_points as in_si
-from asymptotics.cli.answer import Answer, add_digits, add_json, add_max_seconds, read_digits, read_max_seconds
+from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
 from asymptotics.cli.answer import cut_short as shortened
 from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
@@ -54,9 +54,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--latex", action="store_true", help="print the table as LaTeX")
     add_plot(parser, "|x_n| against n")
     add_csv(parser, "n, x and the times")
-    add_max_seconds(parser)
-    add_digits(parser, MAX_DIGITS)
-    add_json(parser)
+    add_common(parser, MAX_DIGITS)
 
 
 def run(options: argparse.Namespace) -> Answer:

@@ -159,9 +159,7 @@ class _Samples:
     @classmethod
     def of(cls, flow: Flow, forces: Forces, right: arb, order: int, arithmetic: Arithmetic) -> "_Samples":
         top = max(float(m.degree.ball().mid()) / m.order for m in forces.members) * order + 2
-        m = (
-            ceil(arithmetic.bits * 0.42) + 4
-        )  # ln 2/ln 5.4 = 0.41: Chebyshev coefficients fall like 5.4^-m (Bernstein ellipse)
+        m = ceil(arithmetic.bits * 0.42) + 4  # ln 2/ln 5.4 = 0.41, see "Quadrature"
         edges = _edges(float(right.mid()), arithmetic.bits * log(2), min(3.0, 0.3 * m / top))
         grid = _grid(right, edges, m, arithmetic)
         P, Q, ends = _solve(flow, forces, grid, order)

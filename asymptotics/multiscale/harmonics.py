@@ -17,9 +17,6 @@ F and G vanish at infinity, and sum_(n>=1) b_n c_n = 2 M_(alpha+beta) (Parseval)
     sum n^2 b_n c_n/(n^2-1) = [2 alpha beta M_(alpha+beta) + (1 - alpha - beta - 3 alpha beta) p q]/((alpha+1)(beta+1)),
     sum n b_n/(n^2-1) = (1-alpha)/(2 (alpha+1)) p,        p = M_(alpha+1), q = M_(beta+1).
 
-No command asks the certificates F/(b_n c_n), G/b_n or every sum: they are a second route, held beside the open sums by
-the tests.
-
 *A spring* x|x|^(p-1) sees the cosine: |cos psi|^p sgn cos psi = sum_(n odd) d_n cos n psi with d_n = (-1)^((n-1)/2) b_n
 of p, so d_(n+2)/d_n = -(n-p)/(n+p+2).  The same certificates with a sign, the value 1 of the series at psi = 0 and the
 mean N = <|cos|^(p-1) |sin|^(alpha+1)> = (1/(2 p)) sum_(n>=1) n b_n d_n give, b_n of alpha, d_n of p, q = M_(p+1),
@@ -27,16 +24,16 @@ mean N = <|cos|^(p-1) |sin|^(alpha+1)> = (1/(2 p)) sum_(n>=1) n b_n d_n give, b_
     sum n b_n d_n/(n^2-1) = [4 p_ q - 2 p N - (1-alpha) (1-p) p_ q]/((alpha+1)(p+1)),      p_ = M_(alpha+1),
     sum d_n/(n^2-1) = [(p+3) q - 2]/(2 (p+1)),                                              again over n >= 3.
 
->>> from sympy import Integer, Rational
+>>> from sympy import Integer
 >>> [harmonic(Integer(3), n) for n in (1, 3, 5)], harmonic(Integer(0), 5)
 ([3/4, -1/4, 0], 4/(5*pi))
 >>> velocity_sum(Integer(3), Integer(3))                     # 9/8 b_3^2
 9/128
 """
 
-from sympy import Expr, Integer, Pow, gamma
+from sympy import Expr
 
-from asymptotics.moments.symbolic import mean, moment
+from asymptotics.moments.symbolic import moment
 
 
 def harmonic(alpha: Expr, n: int) -> Expr:
@@ -47,46 +44,10 @@ def harmonic(alpha: Expr, n: int) -> Expr:
     return value
 
 
-def harmonic_closed_form(alpha: Expr, n: Expr) -> Expr:
-    """b_n as printed, for a symbolic odd n; (-1)^((n-1)/2) is kept as a power."""
-    sign = Pow(Integer(-1), (n - 1) / 2)
-    return sign * 2 ** (1 - alpha) * gamma(alpha + 1) / (gamma((alpha + n) / 2 + 1) * gamma((alpha - n) / 2 + 1))
-
-
-def cosine_harmonic(p: Expr, n: int) -> Expr:
-    """d_n of |cos|^p sgn cos for an odd n >= 1."""
-    return harmonic(p, n) * (-1) ** ((n - 1) // 2)
-
-
-def velocity_certificate(alpha: Expr, beta: Expr, n: Expr) -> Expr:
-    """F(n)/(b_n c_n), a rational function: the telescoping certificate of ``velocity_sum``."""
-    return -(n + alpha) * (n + beta) / (2 * (alpha + 1) * (beta + 1) * (n - 1))
-
-
-def turning_certificate(alpha: Expr, n: Expr) -> Expr:
-    """G(n)/b_n, a rational function: the telescoping certificate of ``turning_sum``."""
-    return -(n + alpha) / (2 * (alpha + 1) * (n - 1))
-
-
 def velocity_sum(alpha: Expr, beta: Expr) -> Expr:
     """sum over odd n >= 3 of n^2 b_n c_n/(n^2 - 1), the velocity of X_1 against the force: in closed form."""
     products = (1 - alpha - beta - 3 * alpha * beta) * moment(alpha + 1) * moment(beta + 1)
     return (2 * alpha * beta * moment(alpha + beta) + products) / ((alpha + 1) * (beta + 1))
-
-
-def turning_sum(alpha: Expr) -> Expr:
-    """sum over odd n >= 3 of n b_n/(n^2 - 1): minus the velocity of X_1 at psi = 0, in closed form."""
-    return (1 - alpha) / (2 * (alpha + 1)) * moment(alpha + 1)
-
-
-def cross_sum(alpha: Expr, p: Expr) -> Expr:
-    """sum over odd n >= 3 of n b_n d_n/(n^2 - 1), b_n of a loss alpha and d_n of a spring p: in closed form.
-
-    >>> cross_sum(Integer(3), Integer(3))                      # 3/8 b_3 d_3
-    -3/128
-    """
-    products = (4 - (1 - alpha) * (1 - p)) * moment(alpha + 1) * moment(p + 1)
-    return (products - 2 * p * mean(p - 1, alpha + 1)) / ((alpha + 1) * (p + 1))
 
 
 def spring_sum(p: Expr, r: Expr) -> Expr:

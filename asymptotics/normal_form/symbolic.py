@@ -26,29 +26,18 @@ D(chi_1 delta) = -(alpha - 1) p_1 chi_1 delta^2:
 from collections.abc import Callable
 from typing import Any
 
-from flint import arb
-from sympy import Expr, factor
+from sympy import Expr
 
-from asymptotics.errors import InputError
 from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
-from asymptotics.half_swings.symbolic import FIELD, I_4, alpha, field_half_swing, nested_integral, to_expression
-from asymptotics.moments.certified import moment as moment_ball
+from asymptotics.half_swings.symbolic import I_4, alpha
 from asymptotics.moments.symbolic import moment
-from asymptotics.normal_form.flow import Flow, flow_of
-from asymptotics.numbers.context import cache
-
-
-@cache
-def field_flow() -> Flow:
-    """U and W with coefficients in Q(alpha)(pi, moments, J), from the half-swing by log C/(C - 1)."""
-    return flow_of(field_half_swing())
 
 
 def symbolic_expansion() -> dict[str, dict[int, Expr]]:
     """p_1, p_3, Omega_2, Omega_4, and U, W, for symbolic alpha, turning-point gauge; Omega_4 contains ``I_4(alpha)``.
 
-    U and W are assembled from the closed forms of the module docstring; that they are what ``field_flow`` derives from
-    the equation of motion is asserted by the tests for the whole field, not at single exponents.
+    U and W are assembled from the closed forms of the module docstring; the tests derive
+    them from the equation of motion, for the whole field and not at single exponents.
     """
     a = alpha
     U, W = _flow(a, moment, I_4(a))
@@ -67,16 +56,6 @@ def _flow(a: Any, moment: Callable[[Any], Any], I4: Any) -> tuple[dict[int, Any]
 def _rates(U: dict[int, Any], W: dict[int, Any]) -> tuple[dict[int, Any], dict[int, Any]]:
     """p = -U/W and Omega = 1/W - 1 through fourth order."""
     return {1: -U[1], 3: -U[3] + U[1] * W[2]}, {2: -W[2], 4: W[2] ** 2 - W[4]}
-
-
-def derived_coefficient(series: str, k: int) -> Expr:
-    """U_k or W_k as the pipeline derives it, in SymPy.
-
-    >>> derived_coefficient("W", 2) - symbolic_expansion()["W"][2]
-    0
-    """
-    flow = field_flow()
-    return factor(to_expression({"U": flow.U, "W": flow.W}[series][k] * FIELD.one))
 
 
 def omega_2(gauge: str = TURNING_POINT) -> Expr:
@@ -106,16 +85,3 @@ def second_order_sum(alphas: tuple[Any, ...]) -> dict[tuple[int, ...], Expr]:
             term = a * b * moment(a + b) / ((a + 1) * (b + 1))
             found[key] = term * (1 if i == j else 2)
     return found
-
-
-def certified_coefficients(exponent: arb) -> dict[str, dict[int, arb]]:
-    """p_1, p_3, Omega_2, Omega_4 as balls at a ball alpha >= 0, from the closed forms and the certified I_4.
-
-    >>> found = certified_coefficients(arb(2))
-    >>> found["Omega"][4].str(10), (-arb(7) / 432).str(10)
-    ('[-0.01620370370 +/- ...]', '[-0.01620370370 +/- ...]')
-    """
-    if not exponent >= 0:
-        raise InputError("alpha", f"{exponent.str(5)} is not certainly >= 0", "alpha >= 0")
-    p, Omega = _rates(*_flow(exponent, moment_ball, nested_integral(exponent)))
-    return {"p": p, "Omega": Omega}

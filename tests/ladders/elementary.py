@@ -14,7 +14,6 @@ from asymptotics.law import Oscillator
 from asymptotics.limit_cycles.half_turn import half_turn
 from asymptotics.moments.certified import moment, squaring_ratio
 from asymptotics.motions.admission import local_strength
-from asymptotics.normal_form.symbolic import certified_coefficients
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.exact import parse_real
 from asymptotics.straightening import pendulum
@@ -80,15 +79,6 @@ NUMBERS = [
         200,
         rungs=(10, 20, 40, 80),
         truth=160,
-    ),
-    Ladder(
-        ("asymptotics.normal_form.symbolic.certified_coefficients",),
-        lambda x: [c for part in certified_coefficients(x).values() for c in part.values()],
-        "1.5",
-        20,
-        200,
-        rungs=(10, 20, 40),
-        truth=120,
     ),
     Ladder(
         ("asymptotics.invariants.symbolic.GeneratingFunction.scaled_at",),

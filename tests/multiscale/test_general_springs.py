@@ -18,13 +18,7 @@ from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.forces import Forces
 from asymptotics.moments.symbolic import mean, moment
 from asymptotics.multiscale.exact import odd_hierarchy
-from asymptotics.multiscale.harmonics import (
-    cosine_harmonic,
-    cross_sum,
-    displacement_sum,
-    harmonic,
-    spring_sum,
-)
+from asymptotics.multiscale.harmonics import displacement_sum, harmonic, spring_sum
 from asymptotics.multiscale.orders import a
 from asymptotics.multiscale.powers import Powers
 from asymptotics.normal_form.expansion import exact_expansion
@@ -32,6 +26,7 @@ from asymptotics.normal_form.spring_terms import cross_term
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
 from asymptotics.numbers.exact import parse_real
 from asymptotics.terms import Term
+from tests.second_route.harmonic_sums import cosine_harmonic, cross_sum
 
 SPRINGS = {p: Term(1, 0, p, "position") for p in (1, 2, 3, 4, 5)}
 PENDULUM = Term(1, 0, 3, "position", "pendulum")

@@ -5,13 +5,12 @@ import pytest
 import sympy
 from sympy import Integer, Rational, Symbol, cancel, gammasimp
 
-from asymptotics.multiscale.harmonics import (
-    harmonic,
+from asymptotics.multiscale.harmonics import harmonic, velocity_sum
+from tests.second_route.harmonic_sums import (
     harmonic_closed_form,
     turning_certificate,
     turning_sum,
     velocity_certificate,
-    velocity_sum,
 )
 
 alpha, beta = Symbol("alpha", nonnegative=True), Symbol("beta", nonnegative=True)

@@ -9,10 +9,11 @@ from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.grading import may_vanish
 from asymptotics.half_swings.symbolic import alpha
 from asymptotics.normal_form.expansion import exact_expansion, expansion_of
-from asymptotics.normal_form.symbolic import certified_coefficients, omega_2
+from asymptotics.normal_form.symbolic import omega_2
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
 from asymptotics.numbers.exact import parse_real
 from paper_checks.report.verification import measured_order
+from tests.second_route.closed_forms import certified_coefficients
 
 
 @pytest.mark.parametrize("text", ["1/2", "3/4", "3/2", "7/3", "sqrt(2)"])

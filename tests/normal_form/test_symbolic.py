@@ -9,13 +9,8 @@ from asymptotics.half_swings.symbolic import I_4, alpha, nested_integral_exact
 from asymptotics.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.normal_form.expansion import exact_expansion
 from asymptotics.normal_form.flow import flow_of
-from asymptotics.normal_form.symbolic import (
-    certified_coefficients,
-    derived_coefficient,
-    omega_2,
-    second_order_sum,
-    symbolic_expansion,
-)
+from asymptotics.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
+from tests.second_route.closed_forms import certified_coefficients, derived_coefficient
 
 
 @pytest.mark.parametrize(("name", "k"), [("U", 1), ("U", 3), ("W", 2), ("W", 4)])

@@ -19,11 +19,11 @@ from asymptotics.half_swings.quarter import half_swing
 from asymptotics.normal_form.expansion import exact_expansion, expansion_of
 from asymptotics.normal_form.flow import flow_of
 from asymptotics.normal_form.observables import observables
-from asymptotics.normal_form.symbolic import certified_coefficients
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Series
 from asymptotics.testing import strategies
 from asymptotics.turning.abel import abel_function
+from tests.second_route.closed_forms import certified_coefficients
 from tests.second_route.quarter_series import finite_quarter
 
 LONGER = max(1, settings().max_examples // 80)  # the nightly profile draws more
