@@ -4,6 +4,9 @@ import re
 
 import pytest
 
+from asymptotics.errors import InputError
+from asymptotics.law import Law
+from asymptotics.turning.general import turning_points
 from tests.journeys import JOURNEYS, PAGE, ROOT, listed, routes, told, traced
 
 
@@ -25,3 +28,12 @@ def test_the_files_that_the_page_names_exist():
     ]
     for file in named:
         assert any(path.endswith(f"/{file}") for path in known), file
+
+
+def test_where_the_two_forces_of_place_and_velocity_go_is_as_the_page_says():
+    """c x|x'| is a spring that no enclosure takes; c |x|x' is a loss, and is enclosed."""
+    spring, loss = Law({2: "1/10"}, spring={(1, 1): "1/10"}), Law({(1, 1): "1/10"})
+    assert spring.terms[-1].shape() == "x |x'|^(1)" and loss.terms[0].shape() == "|x| x'"
+    assert turning_points(loss, 2, 10).certified
+    with pytest.raises(InputError, match="not enclosed"):
+        turning_points(spring, 2, 10)
