@@ -53,6 +53,7 @@ def velocity_sum(alpha: Expr, beta: Expr) -> Expr:
 def spring_sum(p: Expr, r: Expr) -> Expr:
     """sum over odd n >= 3 of d_n d_n'/(n^2 - 1) of two springs p and r: ``velocity_sum`` less Parseval's.
 
+    >>> from sympy import Integer
     >>> spring_sum(Integer(3), Integer(3))                     # 1/8 d_3^2
     1/128
     """
@@ -63,6 +64,7 @@ def spring_sum(p: Expr, r: Expr) -> Expr:
 def displacement_sum(p: Expr) -> Expr:
     """sum over odd n >= 3 of d_n/(n^2 - 1): X_1/a^p of a spring at psi = 0, in closed form.
 
+    >>> from sympy import Integer
     >>> displacement_sum(Integer(3))
     1/32
     """
