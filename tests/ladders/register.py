@@ -307,6 +307,7 @@ NONE_NEEDED: Names = {
     **_each("swing.slow", "Barrier.place Barrier.clock", "abstract"),
     **_each("swing.panels", "Panels.serving panels_of", "hands out what laid_out made"),
     **_each("turning.far", "jumped jumped_by_flow", "the jumps of abel and abel_flow, which have ladders, in Turnings"),
+    **_each("bounds.remainder", "remainder", "local_bounds and displacement_bound, both registered, side by side"),
     **_each("turning.far", "head_end", CHOICE),
     **_each("turning.drag_exact", "swings", "Well.work, which has a ladder, half-swing by half-swing"),
     **_each("turning.enclosing", "damping_of first_of", "Damping.of and flow.sequence.first_from for a request"),
