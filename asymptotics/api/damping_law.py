@@ -8,6 +8,7 @@ viscous drag and drag in v^2: consistent; epsilon_1 = ...; the table cannot tell
 'refuted'
 """
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -22,12 +23,13 @@ from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.public import public
 from asymptotics.records.sources import How, Source, opened
+from asymptotics.records.units import ANGLES, UNITS, suffix
 from asymptotics.terms import terms_of
 
 DEFAULT = ("0", "1", "2", "3", "0+1", "1+2", "0+2", "1+3", "0+1+2")
 MAX_POINTS, MAX_TERMS = 1000, 4
 NAMES = {
-    "amplitude": ("a", "amplitude", "a [m]", "amplitude [m]", "a [rad]", "amplitude [rad]"),
+    "amplitude": ("a", "amplitude"),
     "zeta": ("zeta", "damping ratio", "damping_ratio"),
     "Q": ("q", "quality factor", "quality_factor"),
     "decrement": ("decrement", "lambda", "log decrement", "log_decrement"),
@@ -48,11 +50,11 @@ def damping_law(
 ) -> DampingLaw:
     """The damping law behind amplitudes and zeta, Q or decrement (ln(A_n/A_(n+2))): candidates with grades, intervals.
 
-    ``table``: a file, a data frame or a mapping with a column A (amplitude, m or rad), one of zeta, Q, decrement, and
-    perhaps resolution (the standard deviation of each); or give ``resolution``, one number for all.  ``laws``: the
-    candidates, such as ["1", "1+2"].  With ``mass`` and ``stiffness`` strengths are b in SI, else epsilon;
-    ``spring`` as for ``Law``.  First order; what it neglects is measured on the best law.  InputError by
-    name, LimitError after ``max_seconds``.  Source: derivation ``equivalent-damping``.
+    ``table``: a file, a data frame or a mapping with a column A (amplitude, m or rad, or as its header says: A [deg],
+    A [mm]), one of zeta, Q, decrement, and perhaps resolution (the standard deviation of each); or give ``resolution``,
+    one number for all.  ``laws``: the candidates, such as ["1", "1+2"].  With ``mass`` and ``stiffness`` strengths are
+    b in SI, else epsilon; ``spring`` as for ``Law``.  First order; what it neglects is measured on the best law.
+    InputError by name, LimitError after ``max_seconds``.  Source: derivation ``equivalent-damping``.
     """
     columns, quantity, notes = _read(table)
     given = _positive(columns["amplitude"], "A")
@@ -84,7 +86,7 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
         named = {str(name): table[name] for name in table}
         places = {what: name for name in named if (what := _what(name)) is not None}
         columns = {what: real_array(list(named[name]), name) for what, name in places.items()}
-        left = [name for name in named if _what(name) is None]
+        names, left = list(named), [name for name in named if _what(name) is None]
     else:
         source = _opened(table)
         at = {what: i for i, name in enumerate(source.names) if (what := _what(name)) is not None}
@@ -92,14 +94,23 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
         if body.unread.first is not None:
             row, _, cell = body.unread.first
             raise InputError("table", f"{source.name}, row {row + 1}: {cell[:30]!r} is not a number", "numbers")
-        columns, left = {what: body.columns[i] for what, i in at.items()}, [n for n in source.names if _what(n) is None]
+        names, left = list(source.names), [n for n in source.names if _what(n) is None]
+        columns = {what: body.columns[i] for what, i in at.items()}
     quantities = [q for q in QUANTITIES if q in columns]
     if "amplitude" not in columns or len(quantities) != 1:
         reason = "no column A" if "amplitude" not in columns else f"{len(quantities)} of the columns zeta, Q, decrement"
         raise InputError("table", f"it has {reason}", "columns A and one of zeta, Q, decrement, perhaps resolution")
     if len({len(c) for c in columns.values()}) != 1:
         raise InputError("table", "its columns differ in length", "columns of one length")
-    return columns, quantities[0], (f"not used: {', '.join(left)}",) if left else ()
+    notes = [f"not used: {', '.join(left)}"] if left else []
+    name = next(name for name in names if _what(name) == "amplitude")
+    unit = suffix(name)
+    if unit and unit not in UNITS:
+        raise InputError("table", f"the unit {unit[:20]!r} of {name[:40]!r} is not known", ", ".join(UNITS))
+    if UNITS.get(unit, 1.0) != 1.0:
+        columns["amplitude"] = columns["amplitude"] * UNITS[unit]
+        notes.append(f"amplitudes in {unit} taken as {'rad' if unit in ANGLES else 'm'}")
+    return columns, quantities[0], tuple(notes)
 
 
 def _opened(table: Any) -> Source:
@@ -113,7 +124,7 @@ def _opened(table: Any) -> Source:
 
 
 def _what(name: str) -> str | None:
-    plain = name.strip().lower()
+    plain = re.sub(r"\s*[\[(].*|\s+/\s.*", "", name.strip()).lower()
     return next((what for what, words in NAMES.items() if plain in words), None)
 
 

@@ -177,10 +177,19 @@ def _place_of(column: str, names: Sequence[str], used: list[int], kind: str, fil
         return None
     if found:
         listed = ", ".join(repr(names[i][:30]) for i in found[:8])
-        example = ",".join(f"{c}={i + 1}" for c, i in zip(COLUMNS[kind], [*used, found[0]], strict=False))
+        example = ",".join(f"{c}={i + 1}" for c, i in zip(COLUMNS[kind], _example(column, names, used, found, kind)))
         raise InputError("FILE", f"{file}: {column} may be any of {listed}", f"--columns {example} (places from 1)")
     reason = f"{file} has no column {column} among {', '.join(names)[:100]}"
     raise InputError("FILE", reason, f"columns {accepted(kind)}, or --columns to say which is what")
+
+
+def _example(column: str, names: Sequence[str], used: list[int], found: list[int], kind: str) -> list[int]:
+    """Places that answer the question whole: of a time, the first column that may be measured beside it."""
+    places = [*used, found[0]]
+    if column == COLUMNS[kind][0] and len(COLUMNS[kind]) > 1:
+        meant = _MEANT.get(COLUMNS[kind][1], "")
+        places += [i for i in range(len(names)) if i not in places and quantity(names[i]) in (meant, "")][:1]
+    return places
 
 
 def _require_what_it_says(

@@ -8,6 +8,7 @@ import pytest
 import asymptotics as asy
 from asymptotics.cli.main import main
 from asymptotics.equivalent.inverse import Problem, as_zeta, columns, fitted
+from asymptotics.errors import InputError
 
 A = np.geomspace(0.05, 1, 12)
 LAWS = (("1",), ("2",), ("1", "2"), ("0", "1"), ("0", "2"))
@@ -146,3 +147,27 @@ def test_conversions_need_units_and_a_linear_spring_for_the_extinction_curve():
     for other in (0, 4):  # an exponent that roll coefficients do not know
         mixed = asy.damping(asy.Oscillator({1: 1, other: 1}), 1, motion=False).conversions()
         assert [c.name for c in mixed] == ["AddBLin", "C", "C"]
+
+
+def test_a_file_that_is_not_there_is_named_before_the_options(capsys, tmp_path):
+    # failed before: "--alpha: cannot be combined with --from"
+    assert main(["damping", "--from", str(tmp_path / "missing.csv"), "--alpha", "2"]) == 2
+    err = capsys.readouterr().err
+    assert "cannot read missing.csv" in err
+    assert "--alpha" not in err
+
+
+@pytest.mark.parametrize(
+    ("name", "size"), [("A [deg]", 180 / np.pi), ("Amplitude / mm", 1000.0), ("amplitude (rad)", 1.0)]
+)
+def test_the_amplitudes_of_a_table_are_in_the_unit_of_their_header(name, size):
+    A, zeta = np.array([0.1, 0.2, 0.4, 0.8, 1.0]), [0.0120, 0.0141, 0.0178, 0.0261, 0.0300]
+    plain = asy.damping_law({"A": A, "zeta": zeta}, resolution="0.0002", laws=["1+2"])
+    found = asy.damping_law({name: A * size, "zeta": zeta}, resolution="0.0002", laws=["1+2"])
+    assert [s.estimate for s in found.best.strengths] == pytest.approx([s.estimate for s in plain.best.strengths])
+    assert ("taken as" in " ".join(found.notes)) == (size != 1.0)
+
+
+def test_a_unit_that_is_not_known_is_refused():
+    with pytest.raises(InputError, match="furlong"):
+        asy.damping_law({"A [furlong]": [0.1, 0.2, 0.4], "zeta": [0.01, 0.02, 0.03]}, laws=["1"])

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+import asymptotics as asy
 from asymptotics.errors import InputError
 from asymptotics.records.sources import How
 from asymptotics.records.table import read_table
@@ -120,3 +121,15 @@ def test_ten_million_rows_in_bounded_memory(tmp_path):
     assert len(table.columns["x"]) == 10_000_000
     assert time.process_time() - start < 60
     assert grown < 1500, grown
+
+
+def test_columns_of_several_runs_are_asked_for_with_an_example_that_answers(tmp_path):
+    # failed before: the example was --columns t=1, which asks again
+    path = tmp_path / "two.csv"
+    t = np.arange(0, 30, 0.02)
+    rows = zip(t, np.exp(-0.02 * t) * np.cos(5 * t), t, np.exp(-0.02 * t) * np.cos(5 * t))
+    head = "Run 1: Time (s),Run 1: Position (m),Run 2: Time (s),Run 2: Position (m)\n"
+    path.write_text(head + "\n".join(",".join(f"{v:.6f}" for v in row) for row in rows))
+    with pytest.raises(InputError, match="--columns t=1,x=2"):
+        asy.identify(str(path), laws=["1"])
+    assert asy.identify(str(path), laws=["1"], columns="t=1,x=2").law("1").law.verdict == "consistent"
