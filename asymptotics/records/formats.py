@@ -1,4 +1,4 @@
-"""Files that a library reads: Excel and OpenDocument sheets, parquet, and arrays of NumPy, MATLAB and HDF5.
+"""Files that a library reads: Excel and OpenDocument sheets, parquet, LabVIEW's tdms, and arrays of NumPy, MATLAB and HDF5.
 
 Each comes as a data frame with names, or (a sheet) as text for ``layout``; the libraries are extras, and one that is
 not there is asked for by name.
@@ -14,7 +14,7 @@ import numpy as np
 from asymptotics.errors import InputError
 
 SHEETS = (".xlsx", ".xls", ".ods", ".xlsm")
-FRAMES = (".parquet", ".npz", ".npy", ".mat")
+FRAMES = (".parquet", ".npz", ".npy", ".mat", ".h5", ".hdf5", ".tdms")
 _MAX_CELLS = 20_000_000
 
 
@@ -67,7 +67,8 @@ def frame_of(path: Path) -> Any:
         arrays = _arrays(path)
     except ImportError as error:
         said = f"{path.suffix} files are read by a library that is not installed ({error.name})"
-        raise InputError("FILE", said, "pip install '.[files]' in a clone, or the table as CSV") from error
+        extra = "laboratory" if path.suffix in (".h5", ".hdf5", ".tdms") else "files"
+        raise InputError("FILE", said, f"pip install '.[{extra}]' in a clone, or the table as CSV") from error
     except (OSError, ValueError, KeyError, TypeError, NotImplementedError, zipfile.BadZipFile, EOFError) as error:
         said = " ".join(str(error).split())[:120]
         raise InputError("FILE", f"cannot read {path.name}: {said}", "a whole file without pickled objects") from error
@@ -93,5 +94,39 @@ def _arrays(path: Path) -> dict[str, Any]:
 
         found = loadmat(io.BytesIO(path.read_bytes()), struct_as_record=True)
         return {k: v for k, v in found.items() if not k.startswith("__")}
+    if path.suffix in (".h5", ".hdf5"):
+        return _hdf5(path)
+    if path.suffix == ".tdms":
+        return _tdms(path)
     loaded = np.load(path, allow_pickle=False)
     return {"column": loaded} if path.suffix == ".npy" else {k: loaded[k] for k in loaded.files}
+
+
+def _hdf5(path: Path) -> dict[str, Any]:
+    """The data sets of numbers, by the last part of their name where that is one's own."""
+    import h5py  # noqa: PLC0415 (an extra)
+
+    found: dict[str, Any] = {}
+    with h5py.File(path, "r") as file:
+        file.visititems(
+            lambda name, item: found.update({name: item[()]}) if isinstance(item, h5py.Dataset) and item.ndim else None
+        )
+    return _short(found)
+
+
+def _tdms(path: Path) -> dict[str, Any]:
+    """The channels, and the clock of a wave form where its channels carry one instead of a column of times."""
+    from nptdms import TdmsFile  # noqa: PLC0415 (an extra)
+
+    channels = [channel for group in TdmsFile.read(path).groups() for channel in group.channels()]
+    found = {f"{c.group_name}/{c.name}": c[:] for c in channels}
+    clocks = {tuple(c.time_track()) for c in channels if "wf_increment" in c.properties}
+    if len(clocks) == 1:
+        found = {"Time (s)": np.array(next(iter(clocks)))} | found
+    return _short(found)
+
+
+def _short(found: dict[str, Any]) -> dict[str, Any]:
+    """Without the folders of the names, where that leaves them different."""
+    names = [name.rpartition("/")[2] if "(s)" not in name else name for name in found]
+    return dict(zip(names, found.values())) if len(set(names)) == len(names) else found

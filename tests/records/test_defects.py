@@ -133,3 +133,31 @@ def test_columns_of_several_runs_are_asked_for_with_an_example_that_answers(tmp_
     with pytest.raises(InputError, match="--columns t=1,x=2"):
         asy.identify(str(path), laws=["1"])
     assert asy.identify(str(path), laws=["1"], columns="t=1,x=2").law("1").law.verdict == "consistent"
+
+
+def test_files_of_the_laboratory_are_read_or_ask_for_their_library(tmp_path):
+    t = np.arange(0, 30, 0.02)
+    x = np.exp(-0.02 * t) * np.cos(5 * t)
+    try:
+        import h5py  # noqa: PLC0415 (an extra)
+        from nptdms import ChannelObject, TdmsWriter  # noqa: PLC0415 (an extra)
+    except ImportError:
+        for name in ("a.h5", "a.tdms"):
+            (tmp_path / name).write_bytes(b"bytes")
+            with pytest.raises(InputError, match=r"\.\[laboratory\]"):
+                read_table(tmp_path / name)
+        return
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        file["run/time"], file["run/angle_rad"], file["run/label"] = t, x, "one"
+    with TdmsWriter(tmp_path / "a.tdms") as file:
+        file.write_segment([ChannelObject("run", "angle (rad)", x, {"wf_increment": 0.02, "wf_start_offset": 0.0})])
+    with TdmsWriter(tmp_path / "b.tdms") as file:
+        file.write_segment([ChannelObject("run", "time (s)", t), ChannelObject("run", "angle (rad)", x)])
+    for name in ("a.h5", "a.tdms", "b.tdms"):
+        found = read_table(tmp_path / name)
+        assert (found.kind, found.unit) == ("record", "rad")
+        assert np.allclose(found.columns["t"], t)
+        assert np.array_equal(found.columns["x"], x)
+    (tmp_path / "c.h5").write_bytes(b"bytes")
+    with pytest.raises(InputError, match="cannot read c.h5"):
+        read_table(tmp_path / "c.h5")
