@@ -1,4 +1,4 @@
-"""Files that a library reads: Excel and OpenDocument sheets, parquet, LabVIEW's tdms, and arrays of NumPy, MATLAB and HDF5.
+"""Files that a library reads: Excel and OpenDocument sheets, parquet, LabVIEW, and arrays of NumPy, MATLAB and HDF5.
 
 Each comes as a data frame with names, or (a sheet) as text for ``layout``; the libraries are extras, and one that is
 not there is asked for by name.
