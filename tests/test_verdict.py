@@ -36,3 +36,9 @@ def test_narrow_is_relative_to_the_magnitude():
     # 10^-digits, not 11^-digits: at ten digits these differ by a factor of 2.6.
     assert balls_agree(arb(1, 1.9e-10), arb(1), 10) == Outcome.CONFIRMED
     assert balls_agree(arb(0), arb(0), 10) == Outcome.CONFIRMED  # exact zeros: a radius of 0 is narrow
+
+
+def test_what_is_infinite_or_wide_on_either_side_agrees_with_nothing():
+    infinite = arb("inf")
+    for a, b in ((infinite, arb(2)), (infinite, infinite), (arb(1, 0.1), arb(1))):
+        assert balls_agree(a, b, 5) == balls_agree(b, a, 5) == Outcome.UNDECIDED

@@ -46,3 +46,11 @@ def test_too_small_a_candidate_is_refused(monkeypatch):
     honest = finite_majorant._fixed_point
     monkeypatch.setattr(finite_majorant, "_fixed_point", lambda *given: honest(*given) * 0.99)
     assert majorant([arb(2)], [arb("0.5")]) is None
+
+
+def test_an_uncertain_exponent_is_as_dear_as_the_worst_that_it_may_be():
+    def largest(alpha):
+        return finite_majorant._extremes(((alpha.mid().man_exp(), alpha.rad().man_exp()),), 8)
+
+    for wide, worst in zip(largest(arb("1.5", "0.25")), largest(arb("1.26"))):
+        assert all(bound >= seen for (bound,), (seen,) in zip(wide, worst, strict=True))

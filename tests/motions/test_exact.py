@@ -1,12 +1,15 @@
 """The exact motions: initial values, equation of motion, sticking, regimes."""
 
 from fractions import Fraction
+from types import SimpleNamespace
 
 import pytest
 import sympy
+from flint import arb
 
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Law, Oscillator
+from asymptotics.motions import coulomb, quadratic
 from asymptotics.motions.certify import certified_values, half_unit
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
 from asymptotics.motions.linear import linear_motion, regime
@@ -138,3 +141,31 @@ def test_an_undecidable_value_is_said_to_be_so():
     with pytest.raises(UndecidedError, match="a tie"):
         certified_values(tie, 5)
     assert half_unit("-123.4", 4) == "0.050"
+
+
+def test_the_place_on_a_half_swing_is_enclosed_or_undecided(monkeypatch):
+    """Where time goes by slowly a tolerance of 16 radii is just wide enough for 10 of them, not for 100 on any side."""
+    time = arb(1, "1e-6")
+    monkeypatch.setattr(quadratic, "_slope", lambda *_: arb(1) / 10)
+    monkeypatch.setattr(quadratic, "elapsed", lambda _p, _q, chi: 1 + (chi - 2) / 10)
+    found = quadratic._angle(arb(1), arb(1), time)
+    assert found.contains(2 - arb("9.9e-6")) and found.contains(2 + arb("9.9e-6")) and found.rad() < 1e-4
+    for sides in ((10, 100), (100, 10)):
+        monkeypatch.setattr(
+            quadratic, "elapsed", lambda _p, _q, chi, sides=sides: 1 + (chi - 2) / sides[0 if chi < 2 else 1]
+        )
+        with pytest.raises(UndecidedError, match="not enclosed"):
+            quadratic._angle(arb(1), arb(1), time)
+
+
+def test_a_time_that_may_be_on_two_half_swings_is_undecided(monkeypatch):
+    monkeypatch.setattr(quadratic, "duration", lambda *_: arb(3, "0.1"))
+    with pytest.raises(UndecidedError, match="half-swing of this time"):
+        quadratic._state(oscillator("2", "1/10"), arb(3))
+
+
+def test_a_time_that_may_be_before_the_stop_is_undecided(monkeypatch):
+    course = SimpleNamespace(stop=lambda: (arb(1), arb(7, "0.1")), place=lambda _: (arb(0), arb(0)))
+    monkeypatch.setattr(coulomb, "_course", lambda *_: course)
+    with pytest.raises(UndecidedError):
+        coulomb_motion(oscillator("0", "1/10"), 7)

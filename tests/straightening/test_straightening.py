@@ -9,8 +9,9 @@ from scipy.integrate import solve_ivp
 from asymptotics.errors import InputError
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.half_swings.forces import Forces
-from asymptotics.straightening.pendulum import half_period, log_ratio
+from asymptotics.straightening.pendulum import half_period, log_ratio, modulus
 from asymptotics.straightening.series import coordinate, slope, straighten
+from asymptotics.straightening.wells import Well
 from asymptotics.terms import Term
 
 PENDULUM = Term(1, 0, 3, "position", "pendulum")
@@ -90,3 +91,17 @@ def test_the_half_period_is_an_agm():
 def test_angles_outside_the_well_are_refused(angle):
     with pytest.raises(InputError, match="between 0 and pi"):
         half_period(arb(angle))
+
+
+@pytest.mark.parametrize("place", ["-1", "4", "0"])
+@pytest.mark.parametrize("well", [Well.pendulum(arb(1)), Well.duffing(arb(-1) / 9)])
+def test_a_place_that_is_not_certainly_in_the_well_has_no_coordinate(well, place):
+    assert well.xi(arb("0.5")) > 0
+    with pytest.raises(InputError, match="not certainly inside"):
+        well.xi(arb(place))
+
+
+@pytest.mark.parametrize("angle", ["-1", "4"])
+def test_an_angle_outside_half_a_turn_has_no_modulus(angle):
+    with pytest.raises(InputError, match="not certainly between"):
+        modulus(arb(angle))

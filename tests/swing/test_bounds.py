@@ -4,6 +4,7 @@ Where a bound keeps a stated slack, its constant is evaluated a second time, wit
 """
 
 from itertools import islice
+from types import SimpleNamespace
 
 import mpmath
 import pytest
@@ -19,6 +20,7 @@ from asymptotics.flow.turning import Turning
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing import arrival as arrivals
+from asymptotics.swing import passage
 from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import trap
@@ -266,3 +268,18 @@ def test_a_start_in_motion_and_its_mirror_image(side):
 def test_a_law_that_is_no_damping_is_refused_as_such():
     with pytest.raises(InputError, match="this half-swing"):
         Damping.of_law(Law({2: "1/10"}, spring="pendulum"))
+
+
+def test_what_the_pieces_leave_out_is_told_with_the_half_swing(monkeypatch):
+    piece = SimpleNamespace(error=arb("1e-5"), ended=None, turn=arb("0.9"), miss=arb("1e-9"), time=arb(3))
+    found = passage.of_landing(arb(1), arb(0), piece, 3)
+    assert found.tail >= arb("9.99e-6") and found.amplitude.contains(arb("-0.9") + arb("0.99e-9"))
+    monkeypatch.setattr(passage, "course", lambda *_, **__: iter([SimpleNamespace(error=arb("1e-5"), ended="held")]))
+    assert integrated(damping(("2", "1/10")), arb(1)).tail >= arb("9.99e-6")
+
+
+def test_a_trap_is_asked_for_all_amplitudes_that_may_be(monkeypatch):
+    asked = []
+    monkeypatch.setattr(LinearSpring, "ended", lambda _self, y, _w: asked.append(y) or "held")
+    integrated(damping(("2", "1/10")), arb(1), arb("0.1"))
+    assert asked[0].contains(arb("0.901")) and asked[0].contains(arb("1.099"))

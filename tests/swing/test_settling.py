@@ -13,7 +13,7 @@ from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.course import Creep, LinearSpring, Settling
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.settling import ForceCurve, settled, spread
+from asymptotics.swing.settling import ForceCurve, _at, _wait, settled, spread
 from asymptotics.swing.slow import solve
 
 
@@ -183,3 +183,15 @@ def test_a_creep_begins_at_rest_without_a_step():
     with ctx.workprec(60):
         pieces = course(LinearSpring(damping(*PAIR)), arb("0.1").mid(), arb(0))
         assert [type(next(pieces)) for _ in range(2)] == [Settling, Creep]
+
+
+def test_each_part_of_the_wait_counts():
+    """The time above the curves, 8 W/n(m) and more with sigma, and that of the fall below them."""
+    with ctx.workprec(80):
+        curve = ForceCurve(damping(*LAWS[0]), 0, damping(*LAWS[0]).exponents[0])
+        slow, most, y = arb(-9), arb(-6), arb("0.1")
+        (m, _, n_m, _, _), (W, _, n, _, _) = _at(curve, slow - 1), _at(curve, most)
+        _, _, n_slow, _, sigma = _at(curve, slow)
+        parts = 8 * W / n_slow, arb(8) / 3 * W / n * abs((16 * sigma).log())
+        fall = m / n_m + W / n * (1 + n * y / (W * m)).log()
+        assert _wait(curve, slow, most, y) > (parts[0] + parts[1] + fall) * arb("0.999")

@@ -1,6 +1,7 @@
 """The jump lands where the steps do; the bound of its defect is nearly attained, so that half of it would be wrong."""
 
 from itertools import islice
+from types import SimpleNamespace
 
 import pytest
 from flint import arb, ctx
@@ -12,7 +13,7 @@ from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.turning import far
+from asymptotics.turning import abel, far
 from asymptotics.turning.abel import Approximant, abel_function
 from asymptotics.turning.far import jumped
 from asymptotics.turning.quadratic_abel import quadratic_abel
@@ -142,3 +143,21 @@ def test_what_is_out_of_reach_is_refused():
             abel.advance(arb("0.5"), 10)
         with pytest.raises(UndecidedError, match="circle"):
             abel.defects(abel.psi, abel.radius * arb("1.01"))
+
+
+def test_the_circle_counts_the_first_term_all_others_and_the_drive():
+    """|c_0| (1/|F| + 1/rho) + sum |c_k| (|F|^(2k-1) + rho^(2k-1)), |F| <= 3 and 1/|F| <= 5 on |delta| = 1/2."""
+    bound = SimpleNamespace(radii=(arb(1) / 2,), final=lambda _: arb(3), inverse=lambda: arb(5))
+    assert abs(abel._on_circle([arb(-2), arb(3)], bound) - (2 * 7 + 3 * arb("3.5"))) < 1e-9
+    found = abel_function(real("2"), 4)
+    circle = abel._circle(real("2"), found.psi.coefficients, 8 + len(found.psi.following))
+    assert found.psi.circle >= abel._on_circle(found.psi.coefficients, circle) + arb("0.99")
+
+
+def test_an_orbit_that_is_not_in_reach_is_refused():
+    found = abel_function(real("2"), 4)
+    for delta in ("-0.01", "100"):
+        with pytest.raises(ValueError, match="is not in"):
+            found.advance(arb(delta), 3)
+    with pytest.raises(UndecidedError, match="too large for the sum"):
+        found.power_sum(arb(10), 4)

@@ -168,3 +168,28 @@ def test_a_newton_method_that_runs_out_says_so(monkeypatch):
     monkeypatch.setattr("asymptotics.turning.abel_flow._STEPS", 1)
     with ctx.workprec(90), pytest.raises(UndecidedError, match="does not settle"):
         flow_of(LAWS[0], 4).advance(arb(0), 2000)
+
+
+def test_an_uncertain_start_is_paid_for():
+    with ctx.workprec(90):
+        flow, wide = flow_of(LAWS[0], 4), arb(-2, "1e-6")
+        found, time = flow.advance(wide, 50)
+        for end in (wide.lower(), wide.upper()):
+            there, then = flow.advance(arb(end), 50)
+            assert found.contains(there.mid()) and time.contains(then.mid())
+
+
+def test_what_the_flow_does_not_cover_is_undecided(monkeypatch):
+    with ctx.workprec(90):
+        flow = flow_of(LAWS[0], 4)
+        with pytest.raises(UndecidedError, match="was not verified"):
+            flow.advance(arb(-2), 0)  # the box about the place is not below the start
+        monkeypatch.setattr(type(flow), "_following", lambda *_: (arb(0), arb(0)))
+        with pytest.raises(UndecidedError, match="too large for the sum"):
+            flow.defects(arb(20))
+        monkeypatch.setattr(type(flow), "integrand", lambda *_: acb("nan"))
+        with pytest.raises(UndecidedError, match="not enclosed"):
+            flow._integral(flow.rates[:1], arb(-9), arb(-2))
+        monkeypatch.setattr(type(flow), "_least", lambda *_: arb(-1))
+        with pytest.raises(UndecidedError, match="no circle"):
+            flow._polydisc(flow.strengths(arb(-2)))

@@ -9,7 +9,7 @@ from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import parse_real
-from asymptotics.turning.drag_exact import Well
+from asymptotics.turning.drag_exact import Well, swings
 from asymptotics.turning.general import turning_points
 from asymptotics.turning.routes.stepping import METHOD
 from tests.second_route.forced import drag_turning_points
@@ -132,3 +132,10 @@ def test_the_command(capsys):
     assert main([*line, "--times"]) == 0
     assert "3.888542453" in capsys.readouterr().out
     assert main([*line[:6], "4", "--count", "2"]) == 2
+
+
+def test_a_force_that_may_hold_the_mass_leaves_it_open():
+    """V' = x + x^3 at x = 0.5 +- 0.05 is on both sides of the friction 5/8: whether it stays is not told."""
+    well = Well(((arb(1), 3),), None, arb("0.625"), arb(0))
+    assert [stays for _, stays in swings(well, arb("0.5", "0.05"), 60)] == [None]
+    assert next(swings(well, arb("0.3"), 60))[1] is True and next(swings(well, arb("0.9"), 60))[1] is False

@@ -4,11 +4,13 @@ Where a bound keeps a stated slack, its constant is evaluated a second time, wit
 """
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import mpmath
 import pytest
 from flint import arb, ctx
 
+from asymptotics.errors import UndecidedError
 from asymptotics.flow import course as courses
 from asymptotics.flow import dense
 from asymptotics.flow.course import Landing, course
@@ -19,7 +21,7 @@ from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.wells import expansion as expansions
 from asymptotics.wells.course import Well
-from asymptotics.wells.ends import inside, trap
+from asymptotics.wells.ends import _critical, inside, trap
 from asymptotics.wells.expansion import Expansion
 from asymptotics.wells.force import Force
 
@@ -231,3 +233,23 @@ def test_a_force_that_turns_round_between_two_places_is_seen():
     assert all(hump.rest(arb(end)) < 0 for end in ("-1", "-0.2"))
     assert not points_forward(hump, arb(-1), arb("-0.2"))
     assert points_forward(hump, arb(-1), arb("-0.86")) and points_forward(hump, arb("-0.52"), arb("-0.2"))
+
+
+def test_critical_damping_holds_under_a_spring_that_only_softens():
+    def spring(*strengths, rate=None):
+        return SimpleNamespace(springs=[(arb(c), 3) for c in strengths], grips=False, rate=rate)
+
+    assert _critical(spring(-1), arb(2)) and _critical(spring(rate=arb(1)), arb(2))
+    for other in (spring(-1, 1), spring(rate=arb(0, 1))):
+        assert not _critical(other, arb(2))
+
+
+def test_no_exponent_from_1_on_creeps_beside_a_spring():
+    """As in ``swing``: the condition of the trap alone would hold at alpha = 3/2."""
+    assert trap(force_of({"3/2": 10}, spring={3: "1/10"}), arb(1), arb(0)) is None
+    assert trap(force_of({"1/2": 10}, spring={3: "1/10"}), arb(1), arb(0)) is not None
+
+
+def test_where_dry_friction_may_hold_there_is_no_expansion():
+    with pytest.raises(UndecidedError, match="holds the mass here"):
+        Expansion.at(SimpleNamespace(rest=lambda _: arb(0, 1)), arb(1))
