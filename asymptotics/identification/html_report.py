@@ -46,7 +46,7 @@ def html_report(
     >>> from asymptotics.identification.identify import identify
     >>> found = identify({"n": range(9), "x": [(-0.9) ** n for n in range(9)]}, laws=["1"], bootstrap=False)
     >>> html_report(found)[:15]
-    '<!doctype html>'
+    '<!DOCTYPE html>'
     """
     if not isinstance(answer, Identification):
         raise InputError("answer", f"a {type(answer).__name__}", "what identify returns")
