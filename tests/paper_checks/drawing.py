@@ -1,10 +1,15 @@
-"""Formulas as a browser draws them, and as ziamath lays them out from the same font: ink, cell by cell."""
+"""Formulas as a browser draws them, and as ziamath lays them out from the same font: ink, cell by cell.
+
+Chromium is led by its driver; Firefox, which needs none for that, photographs a page by itself.
+"""
 
 import base64
 import io
 import re
 import shutil
+import subprocess
 import warnings
+from pathlib import Path
 
 import numpy as np
 from matplotlib import image
@@ -19,7 +24,7 @@ FLAGS = (
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-component-update",
     "--disable-background-networking", "--disable-sync", "--window-size=390,844",
 )  # fmt: skip
-BROWSERS = {"chromium": ("chromium", "chromedriver"), "firefox": ("firefox-esr", "geckodriver")}
+BROWSERS = {"chromium": ("chromium", "chromedriver"), "firefox": ("firefox-esr",)}
 
 
 def missing(name):
@@ -28,18 +33,36 @@ def missing(name):
 
 
 def start(name, profile):
-    """A browser without a window and without a network."""
-    program, driver = (shutil.which(each) for each in BROWSERS[name])
+    """A browser without a window and without a network: Chromium led by its driver, Firefox as ``Camera``."""
     if name == "firefox":
-        options = webdriver.FirefoxOptions()
-        options.binary_location = program
-        options.add_argument("-headless")
-        return webdriver.Firefox(options, webdriver.FirefoxService(driver))
+        return Camera(Path(profile))
+    program, driver = (shutil.which(each) for each in BROWSERS[name])
     options = webdriver.ChromeOptions()
     options.binary_location = program
     for flag in (*FLAGS, f"--user-data-dir={profile}"):
         options.add_argument(flag)
     return webdriver.Chrome(options, webdriver.ChromeService(driver))
+
+
+class Camera:
+    """Firefox, started for each picture, with a profile (a folder that is there) and a home of its own."""
+
+    def __init__(self, profile):
+        self.home = profile
+
+    def quit(self):
+        """Nothing runs between two pictures."""
+
+    def photograph(self, page, width, height):
+        """The page as pixels, from its left upper corner."""
+        target = self.home / f"{page.stem}.png"
+        words = ["--headless", "--no-remote", "--profile", self.home, f"--window-size={width},{height}"]
+        surroundings = {"HOME": str(self.home), "PATH": "/usr/bin:/bin", "MOZ_DISABLE_CONTENT_SANDBOX": "1"}
+        subprocess.run(
+            [shutil.which("firefox-esr"), *words, "--screenshot", target, page.as_uri()],
+            env=surroundings, check=True, capture_output=True, timeout=120,
+        )  # fmt: skip
+        return image.imread(target)
 
 
 def reference(mathml):
@@ -61,12 +84,8 @@ def sheet(cells, css):
 def inks(browser, path, cells, css):
     """The ink of each cell, cut to its box: arrays of darkness between 0 and 1."""
     path.write_text(sheet(cells, css), encoding="utf-8")
-    rows = -(-len(cells) // COLUMNS)
-    browser.set_window_size(COLUMNS * WIDTH + 40, rows * HEIGHT + 200)
-    browser.get(path.as_uri())
-    browser.execute_async_script("document.fonts.ready.then(arguments[0])")
-    element = browser.find_element("css selector", ".s")
-    picture = image.imread(io.BytesIO(base64.b64decode(element.screenshot_as_base64)), format="png")
+    size = COLUMNS * WIDTH, -(-len(cells) // COLUMNS) * HEIGHT
+    picture = browser.photograph(path, *size) if isinstance(browser, Camera) else _photograph(browser, path, *size)
     dark = 1 - picture[:, :, :3].mean(axis=2)
     found = []
     for i in range(len(cells)):
@@ -75,12 +94,25 @@ def inks(browser, path, cells, css):
     return found
 
 
+def _photograph(browser, page, width, height):
+    browser.set_window_size(width + 40, height + 200)
+    browser.get(page.as_uri())
+    browser.execute_async_script("document.fonts.ready.then(arguments[0])")
+    element = browser.find_element("css selector", ".s")
+    return image.imread(io.BytesIO(base64.b64decode(element.screenshot_as_base64)), format="png")
+
+
 def cut(ink):
     """The part of a picture that has ink."""
     rows, columns = (np.flatnonzero((ink > 0.3).any(axis=axis)) for axis in (1, 0))
     if not len(rows):
         return np.zeros((0, 0))
     return ink[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+
+
+def room(browser, name):
+    """How far boxes may differ, in pixels: 0.3 em; Firefox gives the limits of a big sum more room."""
+    return (0.35 if isinstance(browser, Camera) and name == "munderover" else 0.3) * SIZE
 
 
 def unlike(one, other, slack=0.3 * SIZE, share=0.2):
