@@ -1,16 +1,17 @@
 """Formulas as MathML in the page itself: no script, no network."""
 
 from docutils import nodes
-from well_set import well_set
+
+from asymptotics.present.mathml import to_mathml
 
 
 def _inline(self, node):
-    self.body.append(well_set(node.astext(), display=False))
+    self.body.append(to_mathml(node.astext()))
     raise nodes.SkipNode
 
 
 def _display(self, node):
-    self.body.append(f'<div class="math-display">{well_set(node.astext().strip(), display=True)}</div>')
+    self.body.append(f'<div class="math-display">{to_mathml(node.astext().strip(), display=True)}</div>')
     raise nodes.SkipNode
 
 
