@@ -85,7 +85,7 @@ def units_said(unit: str) -> tuple[str, str]:
     >>> units_said("deg"), units_said("mm,ms"), units_said("min"), units_said("")
     (('deg', ''), ('mm', 'ms'), ('', 'min'), ('', ''))
     """
-    if unit == "":
+    if isinstance(unit, str) and not unit:
         return "", ""
     said = unit.split(",") if isinstance(unit, str) else [unit]
     for one in said:
