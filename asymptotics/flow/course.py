@@ -248,7 +248,7 @@ def course(flow: Flow, u: arb, w: arb, given: arb | None = None, *, pieces: int 
         here = _after(first, first.expansion.state(reach)[0], reach)
     ended: str | None = None
     for count in range(pieces):
-        tick(f"piece {count} of {'a half-swing' if ended is None else _BY_STEPS}")
+        tick(f"piece {count} of {'a half-swing' if ended in (None, ESCAPES, ROTATES) else _BY_STEPS}")
         if flow.turns_within(flow.place(here.u), here.w, here.errors.error):
             yield _landing(flow, unit, here)
             return

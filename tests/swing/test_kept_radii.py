@@ -81,6 +81,7 @@ def test_the_closed_form_keeps_its_radii():
         time, y = swing.orbit.turning()
         assert swing.miss >= (y + law.friction).rad() > 0
         assert swing.error >= 4 * law.friction * time.rad() * (1 - arb(2) ** -10) > 0
+        assert swing.gap(swing.miss) >= 2 * swing.miss
 
 
 def test_what_is_uncertain_at_a_time_is_a_distance():
