@@ -15,6 +15,7 @@ asymptotics.errors.LimitError: argument max_seconds: 0.001 s are over at a step 
 """
 
 import functools
+import gc
 import signal
 from collections.abc import Callable
 from contextlib import nullcontext, suppress
@@ -98,10 +99,12 @@ _rung: list[bool] = []
 def _ring(number: int, frame: FrameType | None) -> None:
     """A ``tick`` every quarter of a second, until the end: whoever catches the first LimitError gets another.
 
-    A door must not be left half-open: nothing rings while one is opened or closed (who waits there ticks itself).
+    A door must not be left half-open: nothing rings while one is opened or closed (who waits there ticks itself), nor
+    while the collector runs, which would swallow the error and print it.
     """
+    collecting = {getattr(call, "__code__", None) for call in gc.callbacks}
     while frame is not None:
-        if frame.f_code in _OPENING:
+        if frame.f_code in _OPENING or frame.f_code in collecting or frame.f_code.co_name == "__del__":
             return
         frame = frame.f_back
     if _ringing:

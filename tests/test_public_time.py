@@ -1,10 +1,13 @@
 """Every public call has a time of its own and is alone when it computes: what has none is listed with its reason."""
 
+import gc
 import inspect
 import signal
+import sys
 import threading
 import time
 from itertools import count
+from time import monotonic
 
 import pytest
 
@@ -194,7 +197,6 @@ def test_who_waits_for_another_thread_asks_for_the_time():
     assert asy.moment("1/2").value
 
 
-@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # a ring in a callback of the gc
 def test_the_alarm_does_not_leave_the_door_half_open(monkeypatch):
     """Ten thousand rings a second while the door is opened and closed: it is free, or ours, each time."""
     monkeypatch.setattr(public, "PERIOD", 1e-4)
@@ -204,6 +206,28 @@ def test_the_alarm_does_not_leave_the_door_half_open(monkeypatch):
                 with alone:
                     pass
         assert (alone.lock.locked(), alone.owner, alone.depth) == (False, 0, 0)
+
+
+def test_the_alarm_waits_until_the_collector_is_done(monkeypatch):
+    """A callback of the collector would swallow the error, and print it."""
+    monkeypatch.setattr(public, "PERIOD", 1e-3)
+    monkeypatch.setattr(sys, "unraisablehook", lambda lost: heard.append(lost.exc_type))
+    heard = []
+
+    def slow(phase, info):
+        end = monotonic() + 0.02
+        while monotonic() < end:
+            pass
+
+    gc.callbacks.append(slow)
+    try:
+        with pytest.raises(LimitError), public.limited(0.001):
+            gc.collect()
+            while True:
+                pass
+    finally:
+        gc.callbacks.remove(slow)
+    assert heard == []
 
 
 def test_ticks_inside_a_public_call_count_down():

@@ -11,8 +11,8 @@ frequency and multiplier, certified by interval Newton.
   asymptotics limit-cycle --law 1:1 --law 1,2:-5 --law 1,4:1 --near 4  the outer of two cycles
 
 The laws must be polynomials in x and x': M even, A odd, and their strengths rational for the series.  Springs x^P x'^Q
-(P odd, Q even) are not multiplied by mu; beside them there is no series, and --mu is needed.  |mu| is at most 20:
-stronger relaxation oscillations are left out.
+(P odd, Q even) are not multiplied by mu; beside them there is no series, and --mu is needed.  |mu| is in 1e-100 .. 20:
+stronger relaxation oscillations are left out, and cycles whose multiplier is 1 to a hundred digits.
 """
 
 import argparse

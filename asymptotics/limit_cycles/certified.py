@@ -15,6 +15,7 @@ The half-swing in balls is that of ``half_turn``.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 
 from flint import arb
 
@@ -32,6 +33,7 @@ from asymptotics.present.shown import Page, Shown
 from asymptotics.terms import Term
 
 MAX_MU = 20
+MIN_MU = ExactReal(Fraction(1, 10**100))  # below it the multiplier is told from 1 by more bits than a minute pays for
 _DOUBLINGS = 3
 _NEWTON = 12
 _GUESSED = (80, 160, 320, 640)  # bits in which the guess is improved
@@ -89,8 +91,8 @@ def certified_limit_cycle(law: Law, mu: ExactReal, digits: int, near: float) -> 
     """
     terms = require_polynomial(law, springs=True)
     size = abs(mu)
-    if mu.is_zero or size > MAX_MU:
-        raise InputError("mu", f"{mu} is out of range", f"a number other than 0, at most {MAX_MU} in size")
+    if mu.is_zero or size < MIN_MU or size > MAX_MU:
+        raise InputError("mu", f"{mu} is out of range", f"a number from 1e-100 to {MAX_MU} in size, of either sign")
     back = _repels(terms, float(mu.ball().mid()), near)
     toward = -mu if back else mu
     guess = _fixed_point(terms, toward, near)
@@ -136,6 +138,8 @@ def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) ->
         if turn is None:
             return None
         step = (turn.q - a) / ((rest(a) / rest(turn.q)) * (-turn.J).exp() - 1)
+        if not step.is_finite():  # a multiplier that is not told from 1
+            return None
         if abs(step.mid()) < arb(2) ** -good + 2 * step.rad():  # a multiplier near 1 magnifies what is not known
             break
         a = (a - step).mid()

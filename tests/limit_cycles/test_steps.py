@@ -47,5 +47,16 @@ def test_a_relaxation_oscillation(mu):
 
 
 def test_beyond_the_largest_mu_the_refusal_says_what_is_accepted():
-    with pytest.raises(InputError, match=f"at most {MAX_MU}"):
+    with pytest.raises(InputError, match=f"to {MAX_MU} in size"):
         certified_limit_cycle(Law({1: -1, (1, 2): 1}), parse_real("20.5", "mu"), 12, 2.0)
+
+
+@pytest.mark.parametrize("mu", ["1e-308", "-1e-400"])
+def test_a_mu_whose_multiplier_is_one_to_a_hundred_digits_is_refused(mu):
+    with pytest.raises(InputError, match="from 1e-100 to 20"):
+        certified_limit_cycle(Law({1: -1, (1, 2): 1}), parse_real(mu, "mu"), 12, 2.0)
+
+
+def test_a_newton_step_without_an_end_claims_nothing():
+    with ctx.workprec(80):
+        assert _interval_newton(VAN_DER_POL, arb("1e-60"), arb("2.02"), 50) is None
