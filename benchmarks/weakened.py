@@ -126,7 +126,7 @@ def is_noticed(w: Weakened | Answered, folder: Path) -> bool:
 
 
 def _run(w: Weakened | Answered, tests: Sequence[str], folder: Path) -> tuple[int, str]:
-    """(exit code, output) of the tests with the weaker line; 1 if they do not end."""
+    """(exit code, output) of the tests with the weaker line; -1 if they do not end, which notices nothing."""
     path = folder / w.file
     text = path.read_text()
     path.write_text(w.planted(text))
@@ -136,7 +136,7 @@ def _run(w: Weakened | Answered, tests: Sequence[str], folder: Path) -> tuple[in
         run = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=SECONDS)
         return run.returncode, run.stdout
     except subprocess.TimeoutExpired:
-        return 1, "no end"
+        return -1, ""
     finally:
         path.write_text(text)
 
@@ -157,7 +157,7 @@ def search(places: Sequence[Site]) -> int:
         outside = ["--ignore=tests/ladders/test_weakened.py"]
         code, output = _run(Answered(site), [*tests, *outside], folder)
         failed = re.findall(r"^(?:FAILED|ERROR) ([^\s\[]+)", output, re.MULTILINE)
-        found = (failed or ["without end"])[0] if code == 1 else None
+        found = failed[0] if code == 1 and failed else None
         silent += found is None
         print(json.dumps({site.key: found}), flush=True)
     return int(silent > 0)

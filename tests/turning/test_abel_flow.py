@@ -179,6 +179,16 @@ def test_an_uncertain_start_is_paid_for():
             assert found.contains(there.mid()) and time.contains(then.mid())
 
 
+def test_an_uncertain_start_is_as_many_half_swings_as_it_takes(monkeypatch):
+    """The blur of the number of half-swings is all of the start's radius times the slope there."""
+    with ctx.workprec(90):
+        flow, wide, seen = flow_of(LAWS[0], 4), arb(-2, "1e-6"), []
+        solve = type(flow)._solve
+        monkeypatch.setattr(type(flow), "_solve", lambda self, *given: seen.append(given[1]) or solve(self, *given))
+        flow.advance(wide, 50)
+        assert seen[0].rad() >= wide.rad() * abs(flow.integrand(flow.rates[:1], arb(-2))) * arb("0.999")
+
+
 def test_what_the_flow_does_not_cover_is_undecided(monkeypatch):
     with ctx.workprec(90):
         flow = flow_of(LAWS[0], 4)
