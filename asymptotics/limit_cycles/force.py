@@ -29,6 +29,7 @@ class PolynomialForce:
     rate: ClassVar[None] = None
     linear: ClassVar[int] = 0
     entire: ClassVar[bool] = True
+    nonexpansive: ClassVar[bool] = False
 
     @classmethod
     def of(cls, terms: Sequence[Term], mu: arb) -> "PolynomialForce":

@@ -1,14 +1,9 @@
 """From one turning point of a polynomial oscillator to the next, on the certified flow, with gains as well as losses.
 
-The orbit from the midpoint of the start is laid out in Taylor steps of ``flow``, each from an exact state.  Two motions
-part, in the distance D = sqrt(s^2 (u - u~)^2 + (w - w~)^2) with a unit s > 0, at most as the differential inequality of
-the logarithmic norm says (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., theorem I.10.6):
-
-    D' <= lambda D + residual,    lambda = G_w/2 + sqrt((G_w/2)^2 + c^2),    c = (G_u - s^2)/(2 s),
-
-G_u and G_w taken over a convex box that holds both (derivation ``parting-with-gains``). lambda is near c^2/|G_w|
-where losses are strong: along the slow branch of a relaxation oscillation nothing parts, and only the jump costs
-digits. With J = -int G_w d tau,
+The orbit from the midpoint of the start is laid out in Taylor steps of ``flow``, each from an exact state, through rest
+at both ends (``flow.course`` says why it is no course).  The errors D travel by the rule of ``flow.parting``, with a
+unit s > 0 of places: along the slow branch of a relaxation oscillation nothing parts, and only the jump costs digits.
+With J = -int G_w d tau,
 
     |J - int over the polynomials| <= length (|G_uw|/s + |G_ww|) D.
 
@@ -30,6 +25,8 @@ from flint import arb, arb_poly
 
 from asymptotics.budget import tick
 from asymptotics.flow.balls import dyadic, size_of, upper
+from asymptotics.flow.course import State
+from asymptotics.flow.parting import Errors, parting
 from asymptotics.flow.taylor import TaylorStep, sizes
 from asymptotics.limit_cycles.force import PolynomialForce
 from asymptotics.numbers.context import ctx
@@ -53,13 +50,9 @@ class HalfTurn:
 
 
 @dataclass(frozen=True)
-class _Course:
-    """An exact state (u, w), the distance ``error`` of the truth from it, the time and J until then."""
+class _Here(State):
+    """With J until then."""
 
-    u: arb
-    w: arb
-    error: arb
-    T: arb
     J: arb
 
 
@@ -68,7 +61,8 @@ def half_turn(terms: Sequence[Term], mu: arb, A: arb) -> HalfTurn | None:
     force = PolynomialForce.of(terms, mu)
     unit = _unit(force, A)
     far = _FAR * abs(A.mid())
-    here = _Course(A.mid(), arb(0), upper(unit * A.rad()), arb(0), arb(0))
+    start = Errors(arb(0), upper(unit * A.rad()))
+    here = _Here(arb(0), A.mid(), arb(0), start, arb(0))
     for k in range(MAX_STEPS):
         tick(f"step {k} around the cycle")
         found = _step(force, unit, here)
@@ -89,7 +83,7 @@ def _unit(force: PolynomialForce, A: arb) -> arb:
     return dyadic(round(size_of(force.largest(size, arb(0), size, arb(0)) / size) / 2))
 
 
-def _step(force: PolynomialForce, unit: arb, here: _Course) -> tuple[TaylorStep, bool] | None:
+def _step(force: PolynomialForce, unit: arb, here: _Here) -> tuple[TaylorStep, bool] | None:
     """A step on whose box w keeps its sign as the docstring of the module says, and whether it is the last one."""
     scale = upper(unit * abs(here.u) + here.w)
     step = TaylorStep.at(force, here.u, here.w, unit, scale)
@@ -119,36 +113,27 @@ def _root(step: TaylorStep) -> arb:
     return min(max(end, low), high)
 
 
-def _box(unit: arb, here: _Course, step: TaylorStep) -> tuple[arb, arb]:
+def _box(unit: arb, here: _Here, step: TaylorStep) -> tuple[arb, arb]:
     """Balls that hold (u, w) of the polynomials on the step, and all that is as near to them as the truth stays."""
     with ctx.workprec(_LOW):
-        h, room = step.length, upper(_ROOM * (here.error + step.residual))
+        h, room = step.length, upper(_ROOM * here.errors.plus(step.residual).error)
         return tuple(
             arb(c[0].mid(), upper(sizes(c)(h) + c[0].rad() + r)) for c, r in ((step.us, room / unit), (step.ws, room))
         )  # type: ignore[return-value]
 
 
-def _after(force: PolynomialForce, unit: arb, here: _Course, step: TaylorStep) -> _Course:
+def _after(force: PolynomialForce, unit: arb, here: _Here, step: TaylorStep) -> _Here:
     """The state after a step."""
     with ctx.workprec(_LOW):
-        error, box = upper(here.error + step.residual), _box(unit, here, step)
+        errors, box = here.errors.plus(step.residual), _box(unit, here, step)
         factor = parting(force, unit, *box, step.length)
         mixed, twice = (abs(c) for c in force.bends(*box))
-        parted = upper(step.length * (mixed / unit + twice) * factor * error)
+        errors = errors.times(factor)
+        parted = upper(step.length * (mixed / unit + twice) * errors.error)
     u, w = step.state(step.length)
     J = here.J - _integral(force, step) + arb(0, parted)
-    error = upper(factor * error + unit * u.rad() + w.rad())
-    return _Course(u.mid(), w.mid(), error, here.T + step.length, J)
-
-
-def parting(force: PolynomialForce, unit: arb, u: arb, w: arb, length: arb) -> arb:
-    """The factor by which the distance of two motions in the box may grow in that time."""
-    with ctx.workprec(_LOW):
-        in_u, in_w = force.slopes(u, w)
-        half, c = (in_w / 2).upper(), abs((in_u - unit**2) / (2 * unit)).upper()
-        root = (half**2 + c**2).sqrt()
-        rate = c**2 / (root - half) if half < 0 else half + root
-        return upper((length * rate).exp())
+    errors = errors.plus(unit * u.rad() + w.rad())
+    return _Here(here.t + step.length, u.mid(), w.mid(), errors, J)
 
 
 def _integral(force: PolynomialForce, step: TaylorStep) -> arb:
@@ -158,14 +143,15 @@ def _integral(force: PolynomialForce, step: TaylorStep) -> arb:
     return slope.integral()(step.length)
 
 
-def _to_the_turn(force: PolynomialForce, unit: arb, end: _Course) -> HalfTurn | None:
+def _to_the_turn(force: PolynomialForce, unit: arb, end: _Here) -> HalfTurn | None:
     """What is missing to w = 0: with |w| <= omega and a deceleration of at least g near the end, |dt| <= omega/g."""
-    omega = upper(end.w + arb(0, end.error))
-    u, w = end.u + arb(0, upper(end.error / unit + 4 * omega)), arb(0, 2 * omega)
+    error = end.errors.error
+    omega = upper(end.w + arb(0, error))
+    u, w = end.u + arb(0, upper(error / unit + 4 * omega)), arb(0, 2 * omega)
     g = (-force.at(u, w)).lower()
     if not (g > 4 * omega and g > 0):  # then |dt| < 1/4 and the orbit stays in the box
         return None
     dt = (omega / g).upper()
     more = arb(0, upper(abs(force.slopes(u, w)[1]) * dt))
-    place = end.u + arb(0, upper(end.error / unit + 2 * omega * dt))
-    return HalfTurn(-place, end.T + arb(0, dt), end.J + more)
+    place = end.u + arb(0, upper(error / unit + 2 * omega * dt))
+    return HalfTurn(-place, end.t + arb(0, dt), end.J + more)

@@ -36,7 +36,6 @@ FULL_SWING = "tests/equivalent/test_cycle_damping.py"
 CUT = "tests/bounds/test_half_swing_series.py"
 
 BOUNDS: Names = {
-    **_each("limit_cycles.half_turn", "parting", "tests/limit_cycles/test_bounds.py::test_how_far_two_motions_part"),
     **_each(
         "bounds.half_swing",
         "HalfSwingSeries.at half_swing_series",

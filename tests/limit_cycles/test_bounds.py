@@ -5,11 +5,12 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import quad, solve_ivp
 
+from asymptotics.flow.parting import Errors, parting
 from asymptotics.flow.taylor import TaylorStep
 from asymptotics.law import Law
 from asymptotics.limit_cycles import half_turn as course
 from asymptotics.limit_cycles.force import PolynomialForce
-from asymptotics.limit_cycles.half_turn import _after, _box, _Course, _integral, _step, _to_the_turn, parting
+from asymptotics.limit_cycles.half_turn import _after, _box, _Here, _integral, _step, _to_the_turn
 from asymptotics.limit_cycles.series import require_polynomial
 
 VAN_DER_POL = require_polynomial(Law({1: -1, (1, 2): 1}), springs=True)
@@ -17,7 +18,7 @@ ZERO, ONE = arb(0), arb(1)
 
 
 def at(u, w, error="0"):
-    return _Course(arb(u), arb(w), arb(error), arb(3), ZERO)
+    return _Here(arb(3), arb(u), arb(w), Errors(ZERO, arb(error)), ZERO)
 
 
 def test_what_is_missing_to_the_turn_is_bounded_on_its_box():
@@ -60,11 +61,11 @@ def test_how_far_two_motions_part(mu, unit, u, w):
 def test_a_distance_grows_by_its_factor_and_the_next_state_keeps_it():
     field, error = PolynomialForce.of(VAN_DER_POL, ONE), arb("1e-6")
     with ctx.workprec(80):
-        here = _Course(arb("0.5"), arb("1.5"), error, ZERO, ZERO)
+        here = at("0.5", "1.5", error)
         step, ends = _step(field, ONE, here)
         there = _after(field, ONE, here, step)
         factor = parting(field, ONE, *_box(ONE, here, step), step.length)
-    assert not ends and there.error >= error * factor * (1 - 1e-9) > error
+    assert not ends and there.errors.error >= error * factor * (1 - 1e-9) > error
 
 
 def test_the_residual_of_a_step_counts():
@@ -76,11 +77,11 @@ def test_the_residual_of_a_step_counts():
         coarse = TaylorStep.at(field, arb("0.5"), arb("1.5"), ONE, ONE)
     length = min(fine.length, coarse.length).mid()
     with ctx.workprec(200):
-        there = _after(field, ONE, _Course(arb("0.5"), arb("1.5"), ZERO, ZERO, ZERO), coarse.shortened(length))
+        there = _after(field, ONE, at("0.5", "1.5"), coarse.shortened(length))
         u, w = fine.state(length)
         off = ((u - there.u) ** 2 + (w - there.w) ** 2).sqrt()
-        assert off <= there.error and there.error < 2.0**-20
-        assert off > there.error / 1000
+        assert off <= there.errors.error and there.errors.error < 2.0**-20
+        assert off > there.errors.error / 1000
 
 
 @pytest.mark.parametrize(("u", "w"), [("1.5", "0.75"), ("0.25", "1.5"), ("-1", "2")])
@@ -88,7 +89,7 @@ def test_the_box_of_a_step_holds_the_whole_step(u, w):
     """By an integrator, from the state and from states within the error."""
     field, error = PolynomialForce.of(VAN_DER_POL, ONE), 1e-3
     with ctx.workprec(53):
-        here = _Course(arb(u), arb(w), arb(error), ZERO, ZERO)
+        here = at(u, w, error)
         step, _ = _step(field, ONE, here)
         box = _box(ONE, here, step)
     for du, dw in ((0, 0), (error, 0), (0, -error), (0.7 * error, 0.7 * error)):
@@ -106,9 +107,7 @@ def test_the_integral_of_the_slope_in_the_speed():
         whole = _integral(field, step)
         by_quadrature = quad(lambda t: -2 * (float(step.state(arb(t))[0]) ** 2 - 1), 0, float(step.length))[0]
         assert float(whole) == pytest.approx(by_quadrature, rel=1e-12)
-        exact, rough = (
-            _after(field, ONE, _Course(arb("1.25"), arb("1.5"), e, ZERO, ZERO), step) for e in (ZERO, arb("1e-3"))
-        )
+        exact, rough = (_after(field, ONE, at("1.25", "1.5", e), step) for e in (ZERO, arb("1e-3")))
     wanted = 1e-3 * float(step.length) * 4 * 1.25  # |G_uw| = 2 mu u at the start, the error with it
     assert float(exact.J.rad()) < 1e-15 and wanted <= float(rough.J.rad()) < 20 * wanted
 
@@ -143,7 +142,7 @@ def test_the_speed_has_no_other_zero_on_the_way(mu, bits, monkeypatch):
         assert field.at(*first) > 0 and all(w > 0 for _, _, _, w in middle) and field.at(*ending) < 0
         assert abs(last.state(last.length)[1]) < 1e-6 * here.w
         for begin, step, _, w in seen:
-            assert w.rad() >= 2 * (begin.error + step.residual)
+            assert w.rad() >= 2 * (begin.errors.error + step.residual)
 
 
 @pytest.mark.parametrize(("place", "speed", "far"), [(0.5, 1.5, 0.25), (0.125, 0.125, 0.0625)])
@@ -165,7 +164,7 @@ def test_a_box_has_room_for_all_that_the_errors_may_become():
     """The factor of a step is at most ``_ROOM``: the box holds that many errors about the polynomials."""
     field, error, unit = PolynomialForce.of(VAN_DER_POL, ONE), arb("1e-3"), arb(2)
     step = TaylorStep.at(field, arb("0.5"), arb("1.5"), unit, ONE)
-    wide, exact = (_box(unit, _Course(arb("0.5"), arb("1.5"), e, ZERO, ZERO), step) for e in (error, ZERO))
+    wide, exact = (_box(unit, at("0.5", "1.5", e), step) for e in (error, ZERO))
     more = [(float(x.rad()) - float(y.rad())) for x, y in zip(wide, exact, strict=True)]
     assert more == pytest.approx([course._ROOM * 5e-4, course._ROOM * 1e-3], rel=1e-3)
 
