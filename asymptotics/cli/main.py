@@ -142,8 +142,9 @@ def _shown(name: str, module: Any, options: argparse.Namespace) -> int:
         answer = _answer(module, options)
     except (LimitError, KeyboardInterrupt) as stop:
         rows = import_module("asymptotics.cut_short").done(stop) if hasattr(module, "cut_short") else None
-        if rows is not None:
-            module.cut_short(options, rows).show(name)
+        partial = None if rows is None else module.cut_short(options, rows)
+        if partial is not None:
+            partial.show(name)
         raise
     return int(answer.show(name))
 

@@ -27,9 +27,11 @@ from asymptotics.api.motions import Motion, Reference
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
+from asymptotics.cli.answer import cut_short as shortened
 from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, read_points, write_files
 from asymptotics.cli.motion_files import csv_of, reference_is_near
 from asymptotics.cli.quantities import OVERLAY, Given, add_oscillator, overlaid, read_oscillator
+from asymptotics.cut_short import changed
 from asymptotics.divergence.truncation import BestOrder
 from asymptotics.equations.build import expand
 from asymptotics.errors import InputError, LimitError, UndecidedError
@@ -39,7 +41,7 @@ from asymptotics.motions.asymptotic import MAX_DIGITS as MAX_ASYMPTOTIC_DIGITS
 from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.certify import time_of
 from asymptotics.motions.reference import MAX_DIGITS, reference_motion
-from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.result import MotionPoint, MotionSamples
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 
 
@@ -95,8 +97,27 @@ def run(options: argparse.Namespace) -> Answer:
     proved = proved_bound(oscillator, point.x, time, max_seconds=seconds) if options.bound else None
     always = _uniform(oscillator, point, time) if options.bound else None
     best = _best_order(oscillator, options, seconds)
-    written = write_files(files, _makers(given, time, options, order, gauge))
+    makers = _makers(given, time, options, order, gauge)
+
+    def kept(found: object) -> Answer | None:
+        """The point, and the rows that were done when the time was over; None of a picture."""
+        if not isinstance(found, MotionSamples):
+            return None
+        done = {name: file for name, file in files.items() if name == "--csv"}
+        written = write_files(done, {"--csv": lambda _: found.to_csv()})
+        whole, rows = _answer(point, options, given, written, proved, always, best), len(found.t)
+        name = "t" if given.si else "tau"
+        missing = f"{name} > {float(found.t[-1])!r}{given.unit('s')} in {written[0]}"
+        return shortened(whole, rows, missing)
+
+    with changed(kept):
+        written = write_files(files, makers)
     return _answer(point, options, given, written, proved, always, best)
+
+
+def cut_short(_: argparse.Namespace, found: object) -> Answer | None:
+    """What ``run`` has made of the rows that were done; None where the value itself was cut short."""
+    return found if isinstance(found, Answer) else None
 
 
 def _best_order(oscillator: Oscillator, options: argparse.Namespace, seconds: float) -> BestOrder | None:

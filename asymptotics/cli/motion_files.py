@@ -7,14 +7,17 @@
 ['t [s],x [m],v [m/s],amplitude [m],phase [rad],code', '0.0,1.0,-0.0,1.0,0.0,sha256:...']
 """
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import takewhile
 from typing import Any
 
 import numpy as np
 
 from asymptotics.cli.quantities import Given
 from asymptotics.costs import require_affordable
+from asymptotics.cut_short import changed, keeping
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
@@ -36,8 +39,15 @@ def csv_of(
 ) -> str:
     """t, x, v, amplitude, phase at points + 1 times from 0 to ``time``; without ``order`` t, x, v of the reference."""
     if order is None:
-        t, x, v = _reference(given.oscillator, time, points, static)
-        return MotionSamples(t, x, v, None, None, None, None, 0, 0, None, (), given.si).to_csv()
+        times = [time * Fraction(i, points) for i in range(points + 1)]
+
+        def samples(found: Sequence[tuple[float, float]]) -> MotionSamples:
+            t = np.array([_float(t) for t in times[: len(found)]])
+            x, v = (np.array(column) for column in zip(*found))
+            return MotionSamples(t, x, v, None, None, None, None, 0, 0, None, (), given.si)
+
+        with changed(samples):
+            return samples(_reference(given.oscillator, times, static)).to_csv()
     found = AsymptoticMotion.of(given.oscillator, order, gauge).sample(np.linspace(0.0, _float(time), points + 1))
     return replace(found, si=given.si).to_csv()
 
@@ -47,18 +57,29 @@ def reference_is_near(oscillator: Oscillator, time: ExactReal) -> bool:
     return oscillator.law.is_pure and estimated_seconds(oscillator, time, _REFERENCE_DIGITS) < _MAX_SECONDS
 
 
-def _reference(oscillator: Oscillator, time: ExactReal, rows: int, static: str | None = None) -> tuple[Any, Any, Any]:
-    """(t, x, v) of the reference motion at rows + 1 equally spaced times, in doubles."""
+def _reference(
+    oscillator: Oscillator, times: Sequence[ExactReal], static: str | None = None
+) -> list[tuple[float, float]]:
+    """(x, v) of the reference motion at ascending times, in doubles; those found before an error are handed over."""
+    time = times[-1]
     seconds = estimated_seconds(oscillator, time, _REFERENCE_DIGITS)
     require_affordable(seconds, _MAX_SECONDS, "--time", f"a reference motion through {time} s", " for files")
-    times = [time * Fraction(i, rows) for i in range(rows + 1)]
     if oscillator.law.is_pure and oscillator.law.integer_alphas == (0,):  # exact, with sticking
-        points = [reference_motion(oscillator, t, _REFERENCE_DIGITS, static=static) for t in times]
-        x, v = (np.array([float(Fraction(text)) for text in column]) for column in zip(*((p.x, p.v) for p in points)))
-        return np.array([_float(t) for t in times]), x, v
-    states = reference_states(oscillator, times, _REFERENCE_DIGITS)
-    x, v = (np.array([float(c) for c in column]) for column in (states.x, states.v))
-    return np.array([_float(t) for t in times]), x, v
+        made: list[tuple[float, float]] = []
+        with keeping(lambda: made or None):
+            for t in times:
+                point = reference_motion(oscillator, t, _REFERENCE_DIGITS, static=static)
+                made.append((float(Fraction(point.x)), float(Fraction(point.v))))
+        return made
+    with changed(_unbroken):
+        states = reference_states(oscillator, times, _REFERENCE_DIGITS)
+    return [(float(x), float(v)) for x, v in zip(states.x, states.v)]
+
+
+def _unbroken(found: Mapping[int, tuple[Any, Any]]) -> list[tuple[float, float]]:
+    """The states from the first on, up to one that is not there."""
+    places = takewhile(lambda i: i in found, range(len(found)))
+    return [(float(x), float(v)) for x, v in (found[i] for i in places)]
 
 
 def _float(x: ExactReal) -> float:

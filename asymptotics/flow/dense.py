@@ -22,6 +22,7 @@ from typing import NoReturn
 from flint import arb
 
 from asymptotics.budget import tick
+from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.course import ESCAPES, ROTATES, Flow, Piece, Turned, course
@@ -37,10 +38,12 @@ _LOW = 40
 def states(flow: Flow, X: arb, V: arb, times: Sequence[arb]) -> list[State]:
     """(X, X') at the ascending times tau >= 0 from the state (X, V) at tau = 0.
 
-    InputError if the motion leaves its well before; UndecidedError where the enclosures cannot tell how it goes on.
+    InputError if the motion leaves its well before; UndecidedError where the enclosures cannot tell how it goes on.  An
+    error carries the states that were found before it.
     """
     wanted = _Wanted(flow, times)
-    return _followed(flow, _first(flow, X, V, wanted), wanted)
+    with keeping(lambda: wanted.found or None):
+        return _followed(flow, _first(flow, X, V, wanted), wanted)
 
 
 def states_from(flow: Flow, here: Turning, times: Sequence[arb]) -> list[State]:

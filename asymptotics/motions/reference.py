@@ -22,6 +22,7 @@ from flint import arb
 
 from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds
 from asymptotics.costs import half_swing_seconds, interpolation_seconds
+from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
 from asymptotics.flow.dense import states
 from asymptotics.flow.taylor import GUARD
@@ -101,7 +102,7 @@ def reference_states(
     """Enclosures of (x, v) at many times in one pass, in the order given.
 
     Relative to the amplitude at the start they are good to ``digits`` digits; InputError, LimitError, UndecidedError as
-    ``reference_motion``.
+    ``reference_motion``.  A pass that is cut short hands over the states that are as good as that, by their places.
     """
     oscillator.law.require_dissipative("reference motion to rest")
     with budget(max_seconds):
@@ -113,7 +114,8 @@ def reference_states(
                 raise TooWideError("the enclosures are too wide", lacking=64)
             return States(tuple(x for x, _ in found), tuple(v for _, v in found), bits)
 
-        return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
+        with changed(lambda found: {i: s for i, s in found.items() if _within(oscillator, [s], digits)} or None):
+            return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
 
 
 def _within(oscillator: Oscillator, found: Sequence[State], digits: int) -> bool:
@@ -167,15 +169,21 @@ def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> li
     order = sorted(range(len(times)), key=lambda i: _Ascending(taus[i].mid()))
     with ctx.workprec(bits):
         ascending = [taus[i] for i in order]
+        start = oscillator.x0.ball(), oscillator.v0.ball()
+
+    def scaled(found: Sequence[State]) -> dict[int, State]:
+        with ctx.workprec(bits):
+            placed = zip(order, found)  # as many as there are: fewer, where the pass was cut short
+            return {i: start if times[i].is_zero else (x * length, v * length * omega) for i, (x, v) in placed}
+
+    with ctx.workprec(bits), changed(scaled):
         if isinstance(acting, Force):
             require_inside(acting, X, str(oscillator.x0))
             found = states(Well(acting), X, V, ascending)
         else:
             found = states(Interpolated(acting, panels_of(oscillator.dimensionless, bits)), X, V, ascending)
-        scaled = [(x * length, v * length * omega) for x, v in found]
-        start = oscillator.x0.ball(), oscillator.v0.ball()
-    back = dict(zip(order, scaled))
-    return [start if t.is_zero else back[i] for i, t in enumerate(times)]
+    placed = scaled(found)
+    return [placed[i] for i in range(len(times))]
 
 
 class _Ascending:

@@ -144,3 +144,36 @@ def test_a_signal_keeps_what_is_done():
         out, err = program.communicate()
     assert program.returncode == 143 and err.count("\n") == 1 and "interrupted" in err
     assert out == "" or "cut short: " in out  # nothing is done yet on a machine under load
+
+
+MOTIONS = {  # which call of what is cut: behind those of the value itself
+    "--alpha 3/2 --epsilon 1/10": ("asymptotics.flow.dense._swing", 10, OVER),
+    "--law 3/2:1/10 --spring 3:1/5": ("asymptotics.flow.dense._swing", 10, KeyboardInterrupt),
+    "--alpha 0 --epsilon 1/100": ("asymptotics.cli.motion_files.reference_motion", 6, OVER),
+}
+
+
+@pytest.mark.parametrize("line", MOTIONS)
+def test_the_value_and_the_times_that_are_done(line, capsys, monkeypatch, tmp_path):
+    target, place = tmp_path / "motion.csv", MOTIONS[line]
+    words = [
+        "motion",
+        *line.split(),
+        *["--time", "20", "--reference", "--digits", "9", "--points", "20", "--json", "--csv"],
+        str(target),
+    ]
+    assert main(words) == 0
+    whole, value = target.read_text().splitlines(), json.loads(capsys.readouterr().out)
+    target.unlink()
+    stop_at(monkeypatch, *place)
+    assert main(words) == (2 if place[2] is OVER else 130)
+    found, rows = json.loads(capsys.readouterr().out), target.read_text().splitlines()
+    assert found["x"] == value["x"] and 2 < len(rows) < len(whole) and rows == whole[: len(rows)]
+    assert found["missing"] == f"tau > {rows[-1].split(',')[0]} in {target}"
+
+
+def test_no_time_is_kept_where_the_value_is_not_done(capsys, monkeypatch, tmp_path):
+    target = tmp_path / "motion.csv"
+    stop_at(monkeypatch, "asymptotics.flow.dense._swing", 2, OVER)
+    assert main(f"motion --alpha 3/2 --epsilon 1/10 --time 20 --reference --csv {target}".split()) == 2
+    assert capsys.readouterr().out == "" and not target.exists()
