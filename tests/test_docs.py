@@ -8,6 +8,7 @@ from pathlib import Path
 import matplotlib as mpl
 import matplotlib.pyplot as plt
 import pytest
+from matplotlib.figure import Figure
 
 import asymptotics as asy
 from asymptotics.cli.main import main
@@ -123,3 +124,22 @@ def test_faults_of_a_picture_are_noticed(monkeypatch):
     left.plot([0, 1], [0, 1])
     assert faults(figure) == ["axes: empty"]
     plt.close(figure)
+    figure = Figure(layout="constrained")  # of no window: it is judged as it will be laid out
+    figure.subplots().set(ylabel="a\nb\nc\nd\ne\nf\ng", xlabel="x")
+    figure.axes[0].plot([0, 1], [0, 1])
+    assert faults(figure) == []
+    figure.text(0.9, 0.5, "a line that is longer than what is left")
+    assert "cut off by the edge" in faults(figure)[0]
+
+
+def split_formulas(page):
+    """The cells of a page's tables in which a formula begins and does not end: a bar in it has ended the cell."""
+    rows = [line for line in re.sub(r"(?ms)^```.*?^```", "", page).splitlines() if line.startswith("| ")]
+    cells = [cell for row in rows for cell in re.split(r"(?<!\\)\|", re.sub(r"`[^`]*`", "", row))]
+    return [cell for cell in cells if cell.count("$") % 2]
+
+
+def test_no_bar_in_a_formula_ends_the_cell_of_a_table():
+    assert split_formulas("| a | $x'|x'|^2$ |\n") == [" $x'", "^2$ "] and not split_formulas("| `$` | $x$ |\n")
+    pages = {page: page.read_text(encoding="utf-8") for page in ROOT.glob("docs/**/*.md")}
+    assert {page.name: found for page, text in pages.items() if (found := split_formulas(text))} == {}

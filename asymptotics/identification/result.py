@@ -128,11 +128,12 @@ class LawAnswer(Rows):
         return _LETTERS
 
     def row(self) -> tuple[str, ...]:
-        """One line of the table: law, verdict, strengths, AICc difference, held-out error."""
+        """One line of the table: law, verdict, AICc difference, held-out error, strengths by exponent."""
         law = self.law
-        strengths = "  ".join(_shown(e) for e in (*law.epsilon, *law.springs))
-        if law.alpha is not None:
-            strengths = f"alpha {_shown(law.alpha)}  " + strengths
+        names = [*law.candidate.alphas, *(f"s{p}" for p in law.candidate.springs)]
+        found = [_shown(e) for e in (*law.epsilon, *law.springs)]
+        named = [f"{name}: {text}" for name, text in zip(names, found)] if len(found) > 1 else found
+        strengths = "  ".join(([] if law.alpha is None else [f"alpha {_shown(law.alpha)}"]) + named)
         excess = f"{law.excess:.1f}" if np.isfinite(law.excess) else "-"
         held = "-" if law.held_out is None else f"{law.held_out:.2f}"
         verdict = law.graded + (f", {' and '.join(law.unneeded)} not needed" if law.unneeded else "")

@@ -7,7 +7,7 @@ GAP = 2.0  # pixels between two labels
 
 def faults(figure):
     """The faults in words; an empty list for a picture without any."""
-    figure.canvas.draw()
+    figure.draw_without_rendering()  # lays it out, whatever its canvas
     frame = figure.bbox
     found = []
     for axes in (a for a in figure.axes if a.get_visible()):

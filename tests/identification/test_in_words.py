@@ -1,6 +1,7 @@
 """What identify says of Q and the half-life, against the certified first order of the true law."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -42,3 +43,10 @@ def test_nothing_is_said_where_nothing_is_known():
     assert in_words(None, "m") == ""
     swings = {"amplitudes": [1.0, 0.5], "Q": [10.0, 20.0], "half_life": np.inf, "half_life_unit": "swings"}
     assert in_words(swings, "deg") == "Q = 10 at 1 deg, 20 at 0.5 deg (first order, of the first law)"
+
+
+def test_each_strength_of_a_sum_is_named_as_in_the_law():
+    n = np.arange(25)
+    answer = asy.identify({"n": n, "x": (-0.95) ** n}, laws=["1", "1+2"], bootstrap=False)
+    strengths = {row[0]: row[-1] for row in (law.row() for law in answer.laws)}
+    assert re.fullmatch(r"1: \S+ \[.*\]  2: \S+ \[.*\]", strengths["1+2"]) and ":" not in strengths["1"]
