@@ -87,7 +87,7 @@ def _written(form: object) -> str:
     ('\\left(\\left(\\text{v1},\\ x^{2}\\right),\\ \\left(-0.02,\\ 1\\right)\\right)', '')
     """
     if isinstance(form, sympy.Basic | int | Fraction):
-        return str(tex(sympy.sympify(form)))
+        return tex(form if isinstance(form, sympy.Basic) else sympy.Rational(form))
     if isinstance(form, str):
         return form if re.fullmatch(r"-?\d+(\.\d+)?", form) else rf"\text{{{form}}}" * form.isalnum()
     parts = [_written(part) for part in form] if isinstance(form, tuple) else []
