@@ -8,7 +8,6 @@ turning points with noise sigma allow, and so the number of swings after which (
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import LogNorm
 from matplotlib.ticker import NullFormatter
 
 from asymptotics.identification.identifiability import swings_needed
@@ -22,7 +21,7 @@ for i, noise in enumerate(noises):
         needed[i, j] = swings_needed("1+2", strengths, term=0, noise=noise) or np.nan
 
 figure, axes = plt.subplots()
-picture = axes.contourf(shares, noises, needed, levels=[5 * 2**i for i in range(8)], norm=LogNorm(), extend="min")
+picture = axes.contourf(shares, noises, needed, levels=[10, 20, 40, 80, 160, 320, 640])
 axes.set(xscale="log", yscale="log")
 axes.xaxis.set_minor_formatter(NullFormatter())
 axes.set(xlabel="share of the linear term in the first decrement", ylabel="noise / first amplitude")

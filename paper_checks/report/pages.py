@@ -2,7 +2,6 @@
 
 import html
 import re
-from fractions import Fraction
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -73,32 +72,18 @@ def near_miss(entry: Statement) -> dict[str, str]:
         return {"latex": left_side(entry) + instead, "text": ""}
     if isinstance(form, sympy.Basic):
         return {"latex": tex(form), "text": ""}
-    if isinstance(form, tuple) and form and _written(form):
-        return {"latex": r",\quad ".join(map(_written, form)), "text": ""}
+    if isinstance(form, tuple) and form and all(isinstance(part, sympy.Basic) for part in form):
+        return {"latex": r",\quad ".join(tex(part) for part in form), "text": ""}
     if callable(form):
         return {"latex": "", "text": form.__name__.strip("_").replace("_", " ")}
     return {"latex": "", "text": typeset(re.sub(r"Fraction\((-?\d+), (\d+)\)", r"\1/\2", str(form)))}
-
-
-def _written(form: object) -> str:
-    r"""A near miss of several parts as LaTeX; empty if one of them is no formula, number, word or such parts again.
-
-    >>> _written((("v1", sympy.Symbol("x") ** 2), ("-0.02", 1))), _written((1, {0: 1}))
-    ('\\left(\\left(\\text{v1},\\ x^{2}\\right),\\ \\left(-0.02,\\ 1\\right)\\right)', '')
-    """
-    if isinstance(form, sympy.Basic | int | Fraction):
-        return tex(form if isinstance(form, sympy.Basic) else sympy.Rational(form))
-    if isinstance(form, str):
-        return form if re.fullmatch(r"-?\d+(\.\d+)?", form) else rf"\text{{{form}}}" * form.isalnum()
-    parts = [_written(part) for part in form] if isinstance(form, tuple) else []
-    return r"\left(" + r",\ ".join(parts) + r"\right)" if parts and all(parts) else ""
 
 
 def apart(found: Difference | None) -> dict[str, str] | None:
     r"""What the check has compared at the near miss, where the two sides differ; long sides by their values alone.
 
     >>> apart(Difference("2 b", "=", "b", ("0.5", "0.25"), "b = 1/4"))
-    {'where': 'b = 1/4', 'latex': '2 b = 0.5 \\neq b = 0.25'}
+    {'where': 'b = 1/4', 'latex': '2 b = 0.5 \neq b = 0.25'}
     """
     if found is None:
         return None
