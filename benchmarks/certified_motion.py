@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_states
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from benchmarks.table import Table, best_time, seconds_text
 
 SWINGS, DIGITS, LONG = 100, 20, 600.0

@@ -21,7 +21,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.sequence import Interpolated
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from benchmarks.table import Table, seconds_text
 
 FAR_EPSILON, FAR = "1/40", 10**9

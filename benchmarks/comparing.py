@@ -10,7 +10,7 @@ from time import process_time
 
 from asymptotics.comparison import compare_file
 from asymptotics.law import Oscillator
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from benchmarks.table import Table, seconds_text
 
 ALLOWED, VALUES, SPAN = 10.0, 100_000, 100

@@ -3,7 +3,7 @@
 from functools import partial
 
 from asymptotics.law import Law
-from asymptotics.turning.general import offers, turning_points
+from asymptotics.turning.choose import offers, turning_points
 from asymptotics.turning.table import Request
 from benchmarks.table import Table, best_time, seconds_text
 

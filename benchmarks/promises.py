@@ -20,7 +20,7 @@ from asymptotics.half_swings.certified_zeros import certified_half_swing
 from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.identification.coefficients import loss
 from asymptotics.identification.sequence import turning_sequence
-from asymptotics.identification.swing import Swing
+from asymptotics.identification.swing import HalfSwingModel
 from asymptotics.identification.synthetic import observed
 from asymptotics.law import Law
 from asymptotics.limit_cycles.series import limit_cycle_series
@@ -30,7 +30,7 @@ from asymptotics.swing.panels import panels_of
 from asymptotics.swing.sequence import Interpolated
 from asymptotics.swing.spectral import analysis, integrals
 from asymptotics.terms import Term
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from benchmarks.certified_motion import certified, moments
 from benchmarks.certified_orbits import far_point
 from benchmarks.decays import motion
@@ -48,7 +48,7 @@ VAN_DER_POL = Law({1: -1, (1, 2): 1})
 
 def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
     """What is done, and in how many seconds it shall be done, at the stated size 8."""
-    swing, p = Swing((loss(1), loss(2))), np.array([0.0, 0.01, 0.02])
+    swing, p = HalfSwingModel((loss(1), loss(2))), np.array([0.0, 0.01, 0.02])
     seen = observed("1+2", [0.005, 0.015], 18 * size + 5, 1e-3, 1e-2, seed=8)
     orbit = turning_sequence(swing, 100, p)
     few, many = (min(digits, 4 * size) for digits in (15, 30))

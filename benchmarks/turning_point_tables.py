@@ -11,7 +11,7 @@ import mpmath
 
 from asymptotics.law import Law
 from asymptotics.numbers.decimal_context import workdps
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from benchmarks.table import Table, best_time, seconds_text
 
 EPSILON = "1/10"

@@ -6,7 +6,7 @@ import pytest
 
 from asymptotics.errors import InputError
 from asymptotics.law import Law
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from tests.journeys import JOURNEYS, PAGE, ROOT, listed, routes, told, traced
 
 

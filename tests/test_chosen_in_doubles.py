@@ -24,10 +24,10 @@ IN_DOUBLES = re.compile(r"float|_double|\.sizes|\.seconds|size_of|np\.")
 ANY_WILL_DO = {
     "envelopes/large.py": "Newton's method starts at one of two places",
     "limit_cycles/series.py": "the cycle nearest to a guess, which is a double itself",
-    "swing/settling.py": "Newton's method starts at one of several places",
+    "swing/onset.py": "Newton's method starts at one of several places",
     "turning/abel.py": "each circle has a bound of its own: the least of them is sought",
     "turning/abel_flow.py": "each polydisc has a bound of its own: the least of them is sought",
-    "turning/far.py": "the cheaper of several routes",
+    "turning/jump.py": "the cheaper of several routes",
 }
 
 

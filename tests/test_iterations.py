@@ -17,13 +17,13 @@ HARMLESS = {
     "half_swings/finite_majorant.py:_fixed_point": "an oracle in doubles: inf if it does not settle, checked in balls",
     "limit_cycles/certified.py:_fixed_point": "a guess in doubles for interval Newton",
     "motions/frame.py:_iterated": "two digits of the change of a start, for a measured estimate",
-    "swing/arrival.py:_guess": "any place ahead will do: the miss there is bounded",
+    "swing/turning_point.py:_guess": "any place ahead will do: the miss there is bounded",
     "swing/half_swings.py:_near": "the place with the least residual: the residual bounds its error after",
-    "swing/slow.py:solve": "the interval about the last place must hold its own image",
+    "swing/creep_slow_curve.py:solve": "the interval about the last place must hold its own image",
     "turning/drag_exact.py:_guess": "the signs on both sides enclose the root",
     "wells/ends.py:_held": "a bisection whose two ends are proved, however near they are",
     "wells/expansion.py:_majorant": "the bound that comes out is checked against its own equation",
-    "wells/landing.py:_guess": "any place ahead will do: the miss there is bounded",
+    "wells/turning_point.py:_guess": "any place ahead will do: the miss there is bounded",
 }
 
 

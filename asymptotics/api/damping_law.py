@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from asymptotics.equivalent.found_law import DampingLaw
-from asymptotics.equivalent.inverse import QUANTITIES, Candidate, Problem, fitted, weighted
+from asymptotics.equivalent.inverse import QUANTITIES, DampingCandidate, Problem, fitted, weighted
 from asymptotics.equivalent.rows import row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator, SpringLike
@@ -153,7 +153,7 @@ def _candidates(laws: Any) -> tuple[tuple[str, ...], ...]:
     return tuple(dict.fromkeys(made))
 
 
-def _neglected(problem: Problem, best: Candidate, ends: tuple[float, float]) -> float | None:
+def _neglected(problem: Problem, best: DampingCandidate, ends: tuple[float, float]) -> float | None:
     """The largest relative difference of the motion from the first order at both ends, for the best law."""
     strengths = {exact_number(s.alpha, "laws"): s.estimate for s in best.strengths if s.estimate > 0}
     if not strengths:

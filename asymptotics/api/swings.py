@@ -29,7 +29,7 @@ from asymptotics.numbers.value import Coefficient, number_of
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows, Shown
 from asymptotics.public import public
-from asymptotics.turning import general
+from asymptotics.turning import choose
 from asymptotics.turning.result import TurningPoints, draw_sizes
 from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START
 
@@ -182,7 +182,7 @@ def _computed(law: Law, count: int, digits: int, start: int, times: bool, **rest
         return replace(found, notes=law.notes)
 
     with changed(noted):
-        return noted(general.turning_points(law, count, digits, start=start, times=times, **rest))
+        return noted(choose.turning_points(law, count, digits, start=start, times=times, **rest))
 
 
 def dimensionless(oscillator: Oscillator) -> tuple[Law, dict[str, ExactReal]]:

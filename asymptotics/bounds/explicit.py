@@ -78,7 +78,7 @@ def explicit_bound(oscillator: Oscillator, order: int = 3, *, until: Number | No
     waves = waveform_bounds((term.velocity,), order + 1)
     with ctx.workprec(BITS):
         omega = oscillator.omega_0()
-        theorem = _Theorem.of(waves, order, term.strength.ball())
+        theorem = _ExplicitTheorem.of(waves, order, term.strength.ball())
         x, end = theorem.bound(None if last is None else last.ball() * omega)
         if not x.is_finite():
             raise LimitError("law", "the explicit form is not bounded by these balls", "an exponent farther from 1")
@@ -112,7 +112,7 @@ class _Piece:
 
 
 @dataclass(frozen=True, eq=False)
-class _Theorem:
+class _ExplicitTheorem:
     """``amplitude`` and ``phase``: r and phi, rows of coefficients of epsilon^n D^j; ``strength`` is epsilon."""
 
     waves: WaveformBounds
@@ -124,7 +124,7 @@ class _Theorem:
     Omega: Degrees
 
     @classmethod
-    def of(cls, waves: WaveformBounds, order: int, strength: arb) -> "_Theorem":
+    def of(cls, waves: WaveformBounds, order: int, strength: arb) -> "_ExplicitTheorem":
         """p has odd and Omega even degrees only (derivation ``parity-of-flow``)."""
         p = {k: arb(c) for (k,), c in waves.p.coefficients.items() if k % 2}
         Omega = {k: arb(c) for (k,), c in waves.Omega.coefficients.items() if k % 2 == 0}

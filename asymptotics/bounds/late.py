@@ -28,8 +28,8 @@ from asymptotics.flow.dense import states_from
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.sequence import Interpolated
 

@@ -33,8 +33,8 @@ from asymptotics.numbers.decimals import bits_for, directed_decimal
 from asymptotics.numbers.exact import ExactReal, parse_rational
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.rationals import bounds
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.swing.panels import panels_of
 
 LATE = 20_000

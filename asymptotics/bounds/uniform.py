@@ -98,7 +98,7 @@ def uniform_bound(oscillator: Oscillator, order: int = 3, *, until: Number | Non
         return UniformBound(order, "0", "0", None)
     waves = waveform_bounds(tuple(term.velocity for term in acting), order)
     with ctx.workprec(BITS):
-        theorem = _Theorem(waves, order, tuple(term.strength.ball() for term in acting))
+        theorem = _UniformTheorem(waves, order, tuple(term.strength.ball() for term in acting))
         omega = oscillator.omega_0()
         x, v, reached = theorem.bound(
             moving=not oscillator.v0.is_zero, until=None if last is None else last.ball() * omega
@@ -110,7 +110,7 @@ def uniform_bound(oscillator: Oscillator, order: int = 3, *, until: Number | Non
         return UniformBound(order, bound, velocity, end)
 
 
-class _Theorem:
+class _UniformTheorem:
     """The bound in units of length and of 1/omega_0."""
 
     def __init__(self, waves: WaveformBounds, order: int, strengths: Sequence[arb]) -> None:

@@ -24,7 +24,7 @@ from asymptotics.cli.forces import add_forces
 from asymptotics.cli.quantities import PHYSICAL, add_physical, add_start, read_oscillator
 from asymptotics.cli.table import table_inputs
 from asymptotics.comparison.order import told_order
-from asymptotics.comparison.run import MAX_DIGITS, Comparison, Row, compare_file
+from asymptotics.comparison.run import MAX_DIGITS, ComparedValue, Comparison, compare_file
 from asymptotics.comparison.stated import stated
 from asymptotics.comparison.tabled import compare_table, series_table
 from asymptotics.errors import InputError
@@ -120,5 +120,5 @@ def _why(name: str) -> str:
     return "of one force of the sum; the table has the sum" if "[" in name else "of a gauge and an order"
 
 
-def _cells(row: Row) -> tuple[str, ...]:
+def _cells(row: ComparedValue) -> tuple[str, ...]:
     return (str(row.line), row.key, row.column, row.marked, row.certified or "none", row.digits)

@@ -37,7 +37,7 @@ from asymptotics.cut_short import changed
 from asymptotics.errors import LimitError
 from asymptotics.law import PENDULUM, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
-from asymptotics.turning.general import offers, turning_points
+from asymptotics.turning.choose import offers, turning_points
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START, Request
 

@@ -5,14 +5,14 @@
 ``reading``   a CSV file with its columns: what is a key, what is a value, in which unit
 ``truth``     the certified values: turning points, motion, named tables
 ``errors``    errors of amplitude and of time, half-swing by half-swing, from either kind of file
-``look``      what the errors look like: rounding, truncation, phase drift or a wrong law
+``quick_look`` what the errors look like: rounding, truncation, phase drift or a wrong law
 ``run``       all of it: ``compare_file``
 ``tabled``    the same for a named table: ``compare_table``
 ``picture``   digits lost against time
 ============  ====================================================================================
 """
 
-from asymptotics.comparison.run import Comparison, Row, compare_file
+from asymptotics.comparison.run import ComparedValue, Comparison, compare_file
 from asymptotics.comparison.tabled import compare_table
 
-__all__ = ["Comparison", "Row", "compare_file", "compare_table"]
+__all__ = ["Comparison", "ComparedValue", "compare_file", "compare_table"]

@@ -25,7 +25,7 @@ Ratio = tuple[int, int]
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class JudgedValue:
     """One value judged: its right ``digits``, its relative ``error``, and its wrong digits ``marked``."""
 
     digits: str
@@ -33,17 +33,19 @@ class Verdict:
     marked: str
 
 
-def judged(text: str, given: Fraction, value: Fraction, known: int) -> Verdict:
+def judged(text: str, given: Fraction, value: Fraction, known: int) -> JudgedValue:
     """The right digits, the relative error (two digits; 1 beside a value 0) and the text with its wrong digits marked.
 
     >>> judged("0.41072111", Fraction("0.41072111"), Fraction("0.41071968606103944670"), 20)
-    Verdict(digits='5.46', error='3.5e-06', marked='0.41072[111]')
+    JudgedValue(digits='5.46', error='3.5e-06', marked='0.41072[111]')
     """
     error = _difference(given, value)
     if error[0] == 0:
-        return Verdict(f"{known:.2f}", "0", text.strip())
+        return JudgedValue(f"{known:.2f}", "0", text.strip())
     log, size = _log10(error), _log10(_size(value)) if value else 0.0
-    return Verdict(_digits(given, value, known, log, size), _error(value, log, size), _marked(text, given, error, log))
+    return JudgedValue(
+        _digits(given, value, known, log, size), _error(value, log, size), _marked(text, given, error, log)
+    )
 
 
 def right_digits(given: Fraction, value: Fraction, known: int) -> str:

@@ -28,8 +28,8 @@ import numpy as np
 
 from asymptotics.comparison.digits import judged, significant
 from asymptotics.comparison.errors import Errors, of_motion, of_turning_points
-from asymptotics.comparison.look import Look, look_of
 from asymptotics.comparison.order import order_of, told_order
+from asymptotics.comparison.quick_look import Look, look_of
 from asymptotics.comparison.reading import Columns, Sheet, as_double, read_sheet
 from asymptotics.comparison.truth import Truth, at_envelope, at_times, at_turning_points
 from asymptotics.errors import InputError, LimitError, UndecidedError
@@ -39,7 +39,7 @@ from asymptotics.numbers.digits import spread
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows, Shown
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 
 MAX_DIGITS, MAX_N = 1000, 10**30
 LEAST_DIGITS, GUARD = 20, 4
@@ -48,7 +48,7 @@ _LOOKED_AT = 500  # half-swings whose errors are judged
 
 
 @dataclass(frozen=True, repr=False)
-class Row(Shown):
+class ComparedValue(Shown):
     """One value: where it stands, what it should be, and its right digits (-log10 of the relative error, two decimals).
 
     ``certified`` is None where there is no such value (the motion has ended); ``marked`` has wrong digits in brackets.
@@ -83,7 +83,7 @@ class Row(Shown):
 class Comparison(Rows, Drawn):
     """All values of a file beside the truth; ``certified`` is whether every value beside them is."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[ComparedValue, ...]
     summary: dict[str, Any]
     certified: bool
     method: str
@@ -190,7 +190,9 @@ def _written(sheet: Sheet, name: str) -> int:
     return max(map(significant, sheet.column(name)))
 
 
-def _rows(sheet: Sheet, truth: Truth, key: str, values: Sequence[str], digits: int, si: bool) -> tuple[Row, ...]:
+def _rows(
+    sheet: Sheet, truth: Truth, key: str, values: Sequence[str], digits: int, si: bool
+) -> tuple[ComparedValue, ...]:
     keys = sheet.column(key)
     name = "t" if key == "t" and si else "n" if key == "n" else "tau"
     found = []
@@ -203,15 +205,15 @@ def _rows(sheet: Sheet, truth: Truth, key: str, values: Sequence[str], digits: i
 
 def row_of(
     line: int, key: str, given: str, value: Fraction, right: str | None, column: str, name: str, digits: int
-) -> Row:
+) -> ComparedValue:
     """One value, as text and as a number, beside the right one."""
     if right is None:
-        return Row(line, key, column, given, None, "0.00", "", given, name)
+        return ComparedValue(line, key, column, given, None, "0.00", "", given, name)
     found = judged(given, value, Fraction(*Decimal(right).as_integer_ratio()), digits)
-    return Row(line, key, column, given, right, found.digits, found.error, found.marked, name)
+    return ComparedValue(line, key, column, given, right, found.digits, found.error, found.marked, name)
 
 
-def summary_of(rows: Sequence[Row], look: Look) -> dict[str, Any]:
+def summary_of(rows: Sequence[ComparedValue], look: Look) -> dict[str, Any]:
     """Counts, best, median and worst right digits, the worst row, and the look of the errors."""
     digits = [float(row.digits) for row in rows]
     worst = rows[int(np.argmin(digits))]
@@ -226,7 +228,7 @@ def summary_of(rows: Sequence[Row], look: Look) -> dict[str, Any]:
     }
 
 
-def _judged(rows: Sequence[Row], errors: Errors, shift: Any | None) -> Look:
+def _judged(rows: Sequence[ComparedValue], errors: Errors, shift: Any | None) -> Look:
     lost = max(significant(row.given) - float(row.digits) for row in rows)
     wrong = any("[" in row.marked for row in rows)
     finite = len(errors) == 0 or bool(np.all(np.isfinite(errors.amplitude)))
@@ -235,7 +237,7 @@ def _judged(rows: Sequence[Row], errors: Errors, shift: Any | None) -> Look:
     return look_of(_without_rounding(errors, rows), shift, lost if wrong else 0.0)
 
 
-def _without_rounding(errors: Errors, rows: Sequence[Row]) -> Errors:
+def _without_rounding(errors: Errors, rows: Sequence[ComparedValue]) -> Errors:
     """At turning points: a column that is right in every digit written says nothing about errors."""
     wrong = {row.column for row in rows if "[" in row.marked or row.digits == "0.00"}
     if rows[0].key_name != "n" or not wrong:

@@ -17,9 +17,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from asymptotics.comparison.digits import significant
-from asymptotics.comparison.look import Look
+from asymptotics.comparison.quick_look import Look
 from asymptotics.comparison.reading import Columns, Sheet, read_sheet
-from asymptotics.comparison.run import GUARD, LEAST_DIGITS, MAX_DIGITS, Comparison, Row, row_of, summary_of
+from asymptotics.comparison.run import GUARD, LEAST_DIGITS, MAX_DIGITS, ComparedValue, Comparison, row_of, summary_of
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_real
 from asymptotics.tables.inputs import MAX_ROWS, Inputs
@@ -97,7 +97,7 @@ def _coefficients(path: Path) -> tuple[Columns, list[str]]:
     return dict(zip(("coefficient", "value"), map(list, zip(*kept)))), list(left)
 
 
-def _rows(sheet: Sheet, table: Table, keys: list[str], values: list[str], digits: int) -> tuple[Row, ...]:
+def _rows(sheet: Sheet, table: Table, keys: list[str], values: list[str], digits: int) -> tuple[ComparedValue, ...]:
     missing = [key for key in keys + values if key not in table.columns]
     if missing:
         raise InputError("FILE", f"the table has no column {missing[0]!r} here", ", ".join(table.columns))

@@ -23,7 +23,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.digits import ball_of
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 
 _GUARDS = (4, 20, 60)  # digits that a change of units may cost; more where a value is nearly halfway between decimals
 _GAP = 1000  # turning points between two that are asked for, beyond which they are asked for separately

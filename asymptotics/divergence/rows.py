@@ -31,7 +31,7 @@ from asymptotics.numbers.exact import ExactReal
 
 
 @dataclass(frozen=True, eq=False)
-class Rows:
+class SeriesRows:
     """The coefficients of delta^0, delta^1, … of V, W, p and Omega; e_1, e_3, … and t_1, t_3, … of Phi and theta."""
 
     V: tuple[arb, ...]
@@ -43,7 +43,7 @@ class Rows:
     theta: tuple[arb, ...]
 
 
-def rows_of(alpha: ExactReal, order: int, bits: int = 100) -> Rows:
+def rows_of(alpha: ExactReal, order: int, bits: int = 100) -> SeriesRows:
     """All rows through ``order``, to about ``bits`` relative bits or somewhat fewer; alpha > 0, not 1."""
     terms = order // 2 + 1
     length = order + 3
@@ -65,10 +65,10 @@ def rows_of(alpha: ExactReal, order: int, bits: int = 100) -> Rows:
             p = -arb_series([0, 1], length) * quotient / W / g.eta
             Omega = W.inv()
         rows = [tuple(f[n] for n in range(order + 1)) for f in (V, W, p, Omega)]
-    return Rows(rows[0], rows[1], rows[2], rows[3], g.c, tuple(Phi), tuple(theta))
+    return SeriesRows(rows[0], rows[1], rows[2], rows[3], g.c, tuple(Phi), tuple(theta))
 
 
-def corrections(rows: Rows, row: str, c_1: arb, d_1: arb, count: int) -> tuple[arb, ...]:
+def corrections(rows: SeriesRows, row: str, c_1: arb, d_1: arb, count: int) -> tuple[arb, ...]:
     """g_1 … g_count of ``row`` "V", "p" or "Omega"; as many as ``rows`` has orders less two at most.
 
     >>> from asymptotics.numbers.exact import parse_real

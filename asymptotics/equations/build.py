@@ -14,7 +14,7 @@ from typing import Any
 
 from asymptotics.equations.given import terms_of
 from asymptotics.equations.result import Equations
-from asymptotics.equations.row import Row
+from asymptotics.equations.row import CoefficientRow
 from asymptotics.errors import InputError, require_flag
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.half_swings.symbolic import alpha
@@ -63,7 +63,7 @@ def _symbolic(order: int, gauge: str, digits: int) -> Equations:
 
 def _equations(found: Coefficients, terms: tuple[Term, ...], **rest: Any) -> Equations:
     """The one result that every route ends in."""
-    p, Omega = (Row({_key(k): c for k, c in row.items()}) for row in (found.amplitude, found.frequency))
+    p, Omega = (CoefficientRow({_key(k): c for k, c in row.items()}) for row in (found.amplitude, found.frequency))
     return Equations(terms, found.gauge, found.order, found.arithmetic, p, Omega, **rest)
 
 

@@ -25,7 +25,7 @@ _NAMES = ("half_period", "amplitude_ratio", "decrement", "energy_loss")
 
 
 @dataclass(frozen=True, repr=False)
-class Comparison(Shown):
+class EquationsComparison(Shown):
     """``agree``: within the estimated errors (None where that cannot be said); ``differences`` by name; ``text``."""
 
     agree: bool | None
@@ -40,7 +40,7 @@ class Comparison(Shown):
         return Page(self.text, ("estimates, in doubles",), ("", "difference"), rows)
 
 
-def compare_rows(mine: Observables, theirs: Observables, mine_name: str, their_name: str) -> Comparison:
+def compare_rows(mine: Observables, theirs: Observables, mine_name: str, their_name: str) -> EquationsComparison:
     """The observables of two sets of equations at the same turning amplitude."""
     differences, apart = {}, []
     for name in _NAMES:
@@ -49,10 +49,12 @@ def compare_rows(mine: Observables, theirs: Observables, mine_name: str, their_n
         if differences[name] > a.error + b.error:
             apart.append(name)
     verdict = f"differ in {', '.join(apart)}" if apart else "agree within the estimated errors"
-    return Comparison(not apart, differences, f"{mine_name} against {their_name}: {verdict}")
+    return EquationsComparison(not apart, differences, f"{mine_name} against {their_name}: {verdict}")
 
 
-def compare_functions(rates: Callable[..., tuple[Any, Any]], other: Callable[..., Any], A: float) -> Comparison:
+def compare_functions(
+    rates: Callable[..., tuple[Any, Any]], other: Callable[..., Any], A: float
+) -> EquationsComparison:
     """``rates`` against a user's (A, psi) -> (dA/dtau, dpsi/dtau), at A and A/2."""
     gaps = [_gap(rates, other, A / 2**i) for i in (2, 3)]
     differences = dict(zip(("dA/dtau", "dpsi/dtau"), _gap(rates, other, A)))
@@ -65,7 +67,7 @@ def compare_functions(rates: Callable[..., tuple[Any, Any]], other: Callable[...
         else:
             parts.append(f"{name} differs by {at:.1e}")
     agree = True if max(differences.values()) < 1e-14 else None
-    return Comparison(agree, differences, f"function: {', '.join(parts)}")
+    return EquationsComparison(agree, differences, f"function: {', '.join(parts)}")
 
 
 def _gap(rates: Callable[..., tuple[Any, Any]], other: Callable[..., Any], A: float) -> tuple[float, float]:

@@ -28,9 +28,9 @@ from typing import Any
 import sympy
 
 from asymptotics.divergence.truncation import BestOrder, best_truncation
-from asymptotics.equations.comparison import Comparison, compare_functions, compare_rows
+from asymptotics.equations.comparison import EquationsComparison, compare_functions, compare_rows
 from asymptotics.equations.observables import Observables, observables_at
-from asymptotics.equations.row import Row, sum_at
+from asymptotics.equations.row import CoefficientRow, sum_at
 from asymptotics.equations.strengths import Strengths
 from asymptotics.errors import InputError, require_choice
 from asymptotics.law import Law, Oscillator
@@ -57,8 +57,8 @@ class Equations(Rows):
     gauge: str
     order: int
     arithmetic: str
-    p: Row
-    Omega: Row
+    p: CoefficientRow
+    Omega: CoefficientRow
     law: Law | None = None
     oscillator: Oscillator | None = None
     symbol: sympy.Symbol | None = None
@@ -150,7 +150,7 @@ class Equations(Rows):
         epsilon: Number | Sequence[Number] | None = None,
         *,
         max_seconds: Number = 60,
-    ) -> Comparison:
+    ) -> EquationsComparison:
         """Against equations in any gauge or order (observables), or a function (A, psi) -> rates in this gauge."""
         if isinstance(other, Equations):
             names = (f"{eq.gauge} order {eq.order}" for eq in (self, other))

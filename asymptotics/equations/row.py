@@ -1,6 +1,6 @@
 """The coefficients of one series, keyed as one writes them: ``p[3]``, or ``p[2, 1]`` for several strengths.
 
->>> row = Row({(1,): Coefficient("0.5", None), (3,): Coefficient("0.125", None)})
+>>> row = CoefficientRow({(1,): Coefficient("0.5", None), (3,): Coefficient("0.125", None)})
 >>> row[3].value, row["1"].value, list(row), len(row)
 ('0.125', '0.5', [1, 3], 2)
 """
@@ -17,7 +17,7 @@ from asymptotics.present.shown import Page, Rows
 from asymptotics.series import Key
 
 
-class Row(Rows, Mapping[Any, Coefficient]):
+class CoefficientRow(Rows, Mapping[Any, Coefficient]):
     """The coefficients of one series: ``row[3]`` for one law, ``row[2, 1]`` for several; text keys "2,1" work too."""
 
     def __init__(self, coefficients: Mapping[Key, Coefficient]) -> None:
@@ -56,7 +56,7 @@ class Row(Rows, Mapping[Any, Coefficient]):
         return {",".join(map(str, k)): c for k, c in self._items.items()}
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Row) and self._items == other._items
+        return isinstance(other, CoefficientRow) and self._items == other._items
 
     def __hash__(self) -> int:
         return hash(frozenset(self._items.items()))

@@ -31,12 +31,12 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import BITS_PER_DIGIT
 from asymptotics.numbers.digits import ball_of
 from asymptotics.terms import Term
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from asymptotics.turning.result import TurningPoints
 
 
 @dataclass(frozen=True)
-class Swing:
+class FullSwing:
     """One full swing from the amplitude 1: decrement and the share of the energy that it loses, as balls."""
 
     decrement: arb
@@ -53,7 +53,7 @@ class Swing:
         return 2 * arb.pi() / self.share
 
 
-def full_swing(law: Law, digits: int) -> Swing | str:
+def full_swing(law: Law, digits: int) -> FullSwing | str:
     """The swing from rest at 1 by turning points of ``digits`` digits, or why there is none, in words."""
     found = turning_points(law, 3, digits)
     if len(found.points) < 3:
@@ -65,7 +65,7 @@ def full_swing(law: Law, digits: int) -> Swing | str:
     delta = [t.strength.ball() for t in law.terms]
     spring = Spring.of(law.terms, delta)
     share = 1 - spring.potential(last) / spring.potential(arb(1))
-    return Swing(-last.log(), share)
+    return FullSwing(-last.log(), share)
 
 
 def swing_bits(bits: int) -> int:
@@ -78,7 +78,7 @@ def _ended(found: TurningPoints) -> str:
     return f"no full swing: it {ended['reason']} after {ended['n']} half-swings"
 
 
-def expanded_swing(terms: Sequence[Term], delta: Sequence[arb], order: int) -> Swing | str:
+def expanded_swing(terms: Sequence[Term], delta: Sequence[arb], order: int) -> FullSwing | str:
     """The swing of order N with its bound inside the ball, or why none is proved, in words."""
     if not all(t.is_power_of_velocity for t in terms):
         return "a bound is proved for powers of the velocity beside the linear spring"
@@ -88,7 +88,7 @@ def expanded_swing(terms: Sequence[Term], delta: Sequence[arb], order: int) -> S
         return str(error) if isinstance(error, UndecidedError) else error.reason
 
 
-def _expanded(terms: Sequence[Term], delta: Sequence[arb], order: int) -> Swing:
+def _expanded(terms: Sequence[Term], delta: Sequence[arb], order: int) -> FullSwing:
     alphas = tuple(t.velocity for t in terms)
     _, radius = disc(alphas)
     if not sum((arb(d.abs_upper()) for d in delta), arb(0)) < radius:
@@ -100,4 +100,4 @@ def _expanded(terms: Sequence[Term], delta: Sequence[arb], order: int) -> Swing:
         decrement = -(first + series.at(after))
         if not decrement > 0:
             raise UndecidedError("the bound is larger than the decrement itself")
-        return Swing(decrement, -(-2 * decrement).expm1())
+        return FullSwing(decrement, -(-2 * decrement).expm1())

@@ -6,7 +6,7 @@ Estimates in doubles (``inverse``); what the first order neglects is measured ag
 from dataclasses import dataclass, field
 from typing import Any
 
-from asymptotics.equivalent.inverse import Candidate, Problem, Strength
+from asymptotics.equivalent.inverse import DampingCandidate, Problem, Strength
 from asymptotics.present.shown import Page, Rows
 
 _SHOWN = 4
@@ -21,7 +21,7 @@ class DampingLaw(Rows):
     """
 
     problem: Problem
-    laws: tuple[Candidate, ...]
+    laws: tuple[DampingCandidate, ...]
     points: int
     amplitudes: tuple[float, float]
     neglected: float | None
@@ -30,11 +30,11 @@ class DampingLaw(Rows):
     notes: tuple[str, ...] = field(default=(), compare=False)
 
     @property
-    def best(self) -> Candidate:
+    def best(self) -> DampingCandidate:
         """The first of the candidates."""
         return self.laws[0]
 
-    def law(self, name: str) -> Candidate:
+    def law(self, name: str) -> DampingCandidate:
         """A candidate by its name such as ``1+2``; KeyError if it is not there."""
         return {c.name: c for c in self.laws}[name]
 
@@ -123,5 +123,5 @@ def _word(alpha: str) -> str:
     return _WORDS.get(alpha, f"drag in v^({alpha})")
 
 
-def _words(candidate: Candidate) -> str:
+def _words(candidate: DampingCandidate) -> str:
     return " and ".join(_word(s.alpha) for s in candidate.strengths)

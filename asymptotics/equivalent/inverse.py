@@ -68,7 +68,7 @@ class Strength(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class Candidate(Shown):
+class DampingCandidate(Shown):
     """One law: its strengths, what is left of the loss (root mean square, relative), chi^2, p, AICc and the grade."""
 
     name: str
@@ -127,7 +127,7 @@ def _unit(problem: Problem, alpha: str, a: float) -> float:
 
 def fitted(
     amplitudes: Sequence[float], values: Sequence[float], resolution: Sequence[float] | None, problem: Problem
-) -> tuple[Candidate, ...]:
+) -> tuple[DampingCandidate, ...]:
     """The candidates, best first: by grade, then without terms that are not needed, then by AICc."""
     zeta, s = weighted(amplitudes, values, resolution, problem)
     made = [_candidate(problem, alphas, amplitudes, zeta, s) for alphas in problem.candidates]
@@ -155,7 +155,9 @@ def _scatter(amplitudes: Sequence[float], zeta: Any, problem: Problem) -> float:
     return max(float(min(found)), 1e-12 * float(np.abs(zeta).max()))
 
 
-def _candidate(problem: Problem, alphas: tuple[str, ...], amplitudes: Sequence[float], zeta: Any, s: Any) -> Candidate:
+def _candidate(
+    problem: Problem, alphas: tuple[str, ...], amplitudes: Sequence[float], zeta: Any, s: Any
+) -> DampingCandidate:
     z = columns(problem, alphas, amplitudes)
     b, root = nnls(z / s[:, None], zeta / s)
     square, n, count = float(root**2), len(zeta), len(alphas)
@@ -166,7 +168,7 @@ def _candidate(problem: Problem, alphas: tuple[str, ...], amplitudes: Sequence[f
     criterion = square + 2 * count + (2 * count * (count + 1) / spare if spare > 0 else np.inf)
     profile = [_interval(z / s[:, None], zeta / s, b, i, square) for i in range(count)]
     strengths = tuple(Strength(a, low, float(e), high) for a, e, (low, high) in zip(alphas, b, profile))
-    return Candidate("+".join(alphas), strengths, left, square, p, float(criterion), grade)
+    return DampingCandidate("+".join(alphas), strengths, left, square, p, float(criterion), grade)
 
 
 def _interval(z: Any, y: Any, b: Any, i: int, least: float) -> tuple[float, float]:

@@ -14,7 +14,7 @@ the linear spring they are 2 pi <|cos|^m |sin|^(alpha+1)>.
 
 >>> from asymptotics.law import Law
 >>> law = Law({2: "1/10"}, spring={3: "1/2"})
->>> found = Orbit.of(law.terms, [t.strength.ball() for t in law.terms])
+>>> found = ConservativeOrbit.of(law.terms, [t.strength.ball() for t in law.terms])
 >>> found.lost.str(10), found.energy.str(6), found.zeta.str(10)
 ('[0.3466666667 +/- ...]', '0.625000', '[0.04413897088 +/- ...]')
 """
@@ -83,7 +83,7 @@ class Spring:
 
 
 @dataclass(frozen=True)
-class Orbit:
+class ConservativeOrbit:
     """V(1), V'(1), what the losses take in one cycle, and the closed integral of v dx: balls."""
 
     energy: arb
@@ -92,7 +92,7 @@ class Orbit:
     action: arb
 
     @classmethod
-    def of(cls, terms: Sequence[Term], delta: Sequence[arb]) -> "Orbit":
+    def of(cls, terms: Sequence[Term], delta: Sequence[arb]) -> "ConservativeOrbit":
         """At these local strengths, which the caller knows to be inside the well."""
         spring = Spring.of(terms, delta)
         lost = sum(

@@ -18,8 +18,8 @@ from flint import arb
 
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.envelopes.large import SlowFlow
-from asymptotics.equivalent.cycle import Swing, expanded_swing, full_swing, swing_bits
-from asymptotics.equivalent.orbit import Orbit
+from asymptotics.equivalent.cycle import FullSwing, expanded_swing, full_swing, swing_bits
+from asymptotics.equivalent.orbit import ConservativeOrbit
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
@@ -31,7 +31,7 @@ from asymptotics.present.shown import Page, Shown
 from asymptotics.straightening.wells import Loss, Well
 from asymptotics.terms import Term
 from asymptotics.wells.ends import require_inside
-from asymptotics.wells.force import Force
+from asymptotics.wells.force import WellForce
 
 QUANTITIES = ("zeta", "Q", "decrement", "energy_loss", "c_eq", "half_life")
 _GUARD, _DOUBLINGS = 24, 4
@@ -108,15 +108,15 @@ def row_at(
         for t in springs:
             if not t.velocity.is_zero:
                 raise InputError("spring", f"{t.shape()} depends on the velocity: no potential", "springs c x|x|^(P-1)")
-        require_inside(Force.of(springs), arb(1), f"the amplitude {amplitude}")
+        require_inside(WellForce.of(springs), arb(1), f"the amplitude {amplitude}")
     expanded = None if order is None else _expanded(local, digits, order)
     return DampingRow(str(amplitude), _first(local, digits), _motion(local, digits) if motion else None, expanded)
 
 
-def orbit_of(local: Oscillator) -> Orbit:
+def orbit_of(local: Oscillator) -> ConservativeOrbit:
     """The orbit without loss at the current precision."""
     terms = local.dimensionless.terms
-    return Orbit.of(terms, [t.strength.ball() for t in terms])
+    return ConservativeOrbit.of(terms, [t.strength.ball() for t in terms])
 
 
 def _units(local: Oscillator) -> tuple[arb, arb, arb]:
@@ -126,7 +126,7 @@ def _units(local: Oscillator) -> tuple[arb, arb, arb]:
 
 
 def _first(local: Oscillator, digits: int) -> Measure:
-    def number(value: Callable[[Orbit], arb]) -> str:
+    def number(value: Callable[[ConservativeOrbit], arb]) -> str:
         return certified_decimal(lambda: value(orbit_of(local)), digits)
 
     half = _half_life(local, digits)
@@ -180,7 +180,7 @@ def _slow_time(local: Oscillator, spring: Term) -> arb:
     return flow.time(well.xi(arb(1) / 2)) / local.omega_0()
 
 
-def _values(swing: Swing, local: Oscillator) -> dict[str, arb]:
+def _values(swing: FullSwing, local: Oscillator) -> dict[str, arb]:
     """The quantities of a full swing; c_eq beside the linear spring alone."""
     energy, viscous, _ = _units(local)
     start = orbit_of(local).energy

@@ -12,7 +12,7 @@ local expansion at a turning point, traps, closed forms, slow curves.
 ``taylor``       one Taylor step with its error by the residual (defect), the same for all forces
 ``times``        times added exactly; the state at a time next to a turning point
 ``parting``      how far two motions part: the record of errors, and the rule by which they travel
-``course``       a half-swing in pieces, from an exact state to the next turning point
+``trajectory``   a half-swing in pieces, from an exact state to the next turning point
 ``turning``      a turning point with its errors
 ``sequence``     turning points one after the other
 ``dense``        (x, v) at many times in one pass

@@ -1,14 +1,14 @@
 """Power series put into the force, one coefficient after the other; on a line of exponents or on a simplex.
 
-A ``Line`` numbers the powers of one variable, and the k-th coefficient of a product is a convolution.  A ``Simplex``
-numbers monomials z^n of several variables (``keys_of``), and the product runs over pairs of keys.  ``Curve`` keeps
-a series u with all powers of u that the force needs, and sin(r u) and cos(r u) by
+A ``ExponentLine`` numbers the powers of one variable, and the k-th coefficient of a product is a convolution.  A
+``Simplex`` numbers monomials z^n of several variables (``keys_of``), and the product runs over pairs of keys.
+``ComposedSeries`` keeps a series u with all powers of u that the force needs, and sin(r u) and cos(r u) by
 
     k S_k = r sum_f f u_f C_(k-f),    k C_k = -r sum_f f u_f S_(k-f)
 
 (on a simplex f and k are total degrees: Euler's operator is a derivation there as well).
 
->>> curve = Curve(Line(()), arb(1), {3}, arb(0))
+>>> curve = ComposedSeries(ExponentLine(()), arb(1), {3}, arb(0))
 >>> for c in (1, 0, 0):
 ...     curve.append(arb(c))
 >>> [c.str(5, radius=False) for c in curve.power[3]], [c.str(5, radius=False) for c in curve.sine]
@@ -47,7 +47,7 @@ def _below(weights: Key, top: int) -> Iterator[Key]:
             yield (n, *rest)
 
 
-class Grid(Protocol):
+class ExponentGrid(Protocol):
     """The exponents of a series, numbered; number 0 is the constant term."""
 
     def back(self, k: int, i: int) -> int | None:
@@ -63,7 +63,7 @@ class Grid(Protocol):
         """The next coefficient of (A - A_0) B, where B is known one coefficient less far."""
 
 
-class Line:
+class ExponentLine:
     """Powers of one variable; ``shifts``: which powers the z_i are."""
 
     def __init__(self, shifts: tuple[int, ...]) -> None:
@@ -123,10 +123,10 @@ def _tables(weights: Key, top: int) -> tuple[list[list[int | None]], list[list[t
     return back, pairs
 
 
-class Curve:
+class ComposedSeries:
     """A series u with its powers and, for a pendulum, the sine and cosine of r u; ``append`` adds a coefficient."""
 
-    def __init__(self, grid: Grid, rate: arb | None, powers: Iterable[int], start: arb) -> None:
+    def __init__(self, grid: ExponentGrid, rate: arb | None, powers: Iterable[int], start: arb) -> None:
         self.grid, self.rate = grid, rate
         self.u = [start]
         self.power: dict[int, list[arb]] = {n: [start**n] for n in sorted(_chain(powers))} | {1: self.u}

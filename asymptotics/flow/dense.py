@@ -7,7 +7,7 @@ time is read as its lower end and a width.
 
 >>> from flint import ctx
 >>> from asymptotics.law import Law
->>> from asymptotics.swing.course import LinearSpring
+>>> from asymptotics.swing.linear_spring import LinearSpring
 >>> from asymptotics.swing.damping import Damping
 >>> with ctx.workprec(90):
 ...     flow = LinearSpring(Damping.of_law(Law({"3/2": "1/10"})))
@@ -25,9 +25,9 @@ from asymptotics.budget import tick
 from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.balls import upper
-from asymptotics.flow.course import ESCAPES, ROTATES, Flow, Piece, Turned, course
 from asymptotics.flow.sequence import after_kick, after_landing, kicked, sticks
 from asymptotics.flow.times import exact_sum
+from asymptotics.flow.trajectory import ESCAPES, ROTATES, CertifiedFlow, Piece, Turned, course
 from asymptotics.flow.turning import Turning, rest
 from asymptotics.numbers.context import ctx
 
@@ -35,7 +35,7 @@ State = tuple[arb, arb]
 _LOW = 40
 
 
-def states(flow: Flow, X: arb, V: arb, times: Sequence[arb]) -> list[State]:
+def states(flow: CertifiedFlow, X: arb, V: arb, times: Sequence[arb]) -> list[State]:
     """(X, X') at the ascending times tau >= 0 from the state (X, V) at tau = 0.
 
     InputError if the motion leaves its well before; UndecidedError where the enclosures cannot tell how it goes on.  An
@@ -46,12 +46,12 @@ def states(flow: Flow, X: arb, V: arb, times: Sequence[arb]) -> list[State]:
         return _followed(flow, _first(flow, X, V, wanted), wanted)
 
 
-def states_from(flow: Flow, here: Turning, times: Sequence[arb]) -> list[State]:
+def states_from(flow: CertifiedFlow, here: Turning, times: Sequence[arb]) -> list[State]:
     """(X, X') at the ascending times tau >= here.tau, from a known turning point."""
     return _followed(flow, here, _Wanted(flow, times))
 
 
-def _followed(flow: Flow, here: Turning, wanted: "_Wanted") -> list[State]:
+def _followed(flow: CertifiedFlow, here: Turning, wanted: "_Wanted") -> list[State]:
     while not wanted.done:
         tick(f"turning point {here.n}")
         if sticks(flow, here):
@@ -64,7 +64,7 @@ def _followed(flow: Flow, here: Turning, wanted: "_Wanted") -> list[State]:
 class _Wanted:
     """The times still to be answered, and the states found so far."""
 
-    def __init__(self, flow: Flow, times: Sequence[arb]) -> None:
+    def __init__(self, flow: CertifiedFlow, times: Sequence[arb]) -> None:
         self.flow = flow
         self.queue = [(exact_sum(t.mid(), -t.rad()), upper(2 * t.rad())) for t in times]  # a late time has more bits
         self.found: list[State] = []
@@ -94,7 +94,7 @@ class _Wanted:
         self.found += [(X, arb(0))] * (len(self.queue) - len(self.found))
 
 
-def _first(flow: Flow, X: arb, V: arb, wanted: _Wanted) -> Turning:
+def _first(flow: CertifiedFlow, X: arb, V: arb, wanted: _Wanted) -> Turning:
     """The first turning point at tau >= 0; times before it are answered."""
     if V == 0:
         return rest(X)
@@ -114,7 +114,7 @@ def _refuse(what: str) -> NoReturn:
     raise InputError("v0", reason, "a start that stays inside the well, or an earlier time")
 
 
-def _swing(flow: Flow, here: Turning, wanted: _Wanted) -> Turning:
+def _swing(flow: CertifiedFlow, here: Turning, wanted: _Wanted) -> Turning:
     """The next turning point; the half-swing is laid out in pieces only if a time may fall into it."""
     leap = flow.leap(here, wanted.following)
     if leap is not None:
@@ -128,7 +128,7 @@ def _swing(flow: Flow, here: Turning, wanted: _Wanted) -> Turning:
     raise UndecidedError("the half-swing has no end")
 
 
-def _distance(flow: Flow, here: Turning) -> arb:
+def _distance(flow: CertifiedFlow, here: Turning) -> arb:
     """How far the true state is at most from the turning point ``here``, at the time ``here``."""
     unit, e = flow.unit(here.amplitude, arb(0)), here.time_error
     with ctx.workprec(_LOW):
@@ -136,7 +136,7 @@ def _distance(flow: Flow, here: Turning) -> arb:
         return upper(unit * (here.amplitude_error + du) + dw)
 
 
-def _moved(flow: Flow, u: arb, w: arb, width: arb) -> State:
+def _moved(flow: CertifiedFlow, u: arb, w: arb, width: arb) -> State:
     """How far place and speed move at most within ``width``, before or after a state in the two balls."""
     if width == 0:
         return arb(0), arb(0)

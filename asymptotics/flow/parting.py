@@ -39,7 +39,7 @@ _ONE = arb(1)
 
 
 @dataclass(frozen=True)
-class Errors:
+class PartingErrors:
     """Distances at one time of a course: ``local`` of the orbit from its exact start, ``error`` of the truth.
 
     A distance given at the start has ``grown`` by that factor at most.
@@ -49,15 +49,15 @@ class Errors:
     error: arb
     grown: arb = _ONE
 
-    def plus(self, own: arb) -> "Errors":
+    def plus(self, own: arb) -> "PartingErrors":
         """What a piece adds."""
-        return Errors(upper(self.local + own), upper(self.error + own), self.grown)
+        return PartingErrors(upper(self.local + own), upper(self.error + own), self.grown)
 
-    def times(self, factor: arb) -> "Errors":
+    def times(self, factor: arb) -> "PartingErrors":
         """After a piece along which distances grow by ``factor``."""
         if factor == 1:
             return self
-        return Errors(*(upper(factor * e) for e in (self.local, self.error, self.grown)))
+        return PartingErrors(*(upper(factor * e) for e in (self.local, self.error, self.grown)))
 
     def apart(self, given: arb) -> arb:
         """How far an orbit is that started within ``given``, no more than the course was given."""

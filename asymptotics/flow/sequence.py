@@ -1,18 +1,18 @@
 """Turning points one after the other, without losing digits: what is not followed exactly is carried beside.
 
-From an exact amplitude the next one and the time are enclosed (``course``); the midpoint is the next start.  What the
-midpoints drop is led on by the contractions of ``parting``: in a nonexpansive flow errors only add, in any other well
-absolute errors in the square of the speed do, and under viscous loss they decay as the energy does.  Times add what
-``parting.lateness`` allows.  So n half-swings at a working precision of d digits and log2(n) bits keep d digits, and
-memory stays flat.
+From an exact amplitude the next one and the time are enclosed (``trajectory``); the midpoint is the next start.  What
+the midpoints drop is led on by the contractions of ``parting``: in a nonexpansive flow errors only add, in any other
+well absolute errors in the square of the speed do, and under viscous loss they decay as the energy does.  Times add
+what ``parting.lateness`` allows.  So n half-swings at a working precision of d digits and log2(n) bits keep d digits,
+and memory stays flat.
 
 >>> from itertools import islice
 >>> from flint import ctx
 >>> from asymptotics.flow.turning import rest
 >>> from asymptotics.law import Law
->>> from asymptotics.wells.course import Well
+>>> from asymptotics.wells.even_well import EvenWell
 >>> with ctx.workprec(100):
-...     pendulum = Well.of(Law({1: "1/5"}, spring="pendulum").terms)
+...     pendulum = EvenWell.of(Law({1: "1/5"}, spring="pendulum").terms)
 ...     points = list(islice(sequence(pendulum, rest(arb(2))), 3))
 >>> [point.x.str(10) for point in points], points[2].tau.str(10)
 (['2.000000000', '[-1.276... +/- ...]', '[0.88... +/- ...]'], '[7.3... +/- ...]')
@@ -25,15 +25,15 @@ from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
-from asymptotics.flow.course import Flow, Turned, course
 from asymptotics.flow.parting import contracted
+from asymptotics.flow.trajectory import CertifiedFlow, Turned, course
 from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
 
 STICKS = "sticks"
 
 
-def kicked(flow: Flow, X: arb, V: arb) -> tuple[int, arb, arb, arb]:
+def kicked(flow: CertifiedFlow, X: arb, V: arb) -> tuple[int, arb, arb, arb]:
     """(the side, u, w, what is given) of a course from a state in two balls with V != 0."""
     if not (V > 0 or V < 0):
         raise UndecidedError("the direction of the first motion is undecided")
@@ -42,7 +42,7 @@ def kicked(flow: Flow, X: arb, V: arb) -> tuple[int, arb, arb, arb]:
     return side, u, w, upper(upper(flow.unit(u, w) * X.rad()) + V.rad())
 
 
-def first_from(flow: Flow, X: arb, V: arb) -> Turning | str:
+def first_from(flow: CertifiedFlow, X: arb, V: arb) -> Turning | str:
     """The first turning point at tau >= 0 from a state with V != 0, or why there is none."""
     side, u, w, given = kicked(flow, X, V)
     for piece in course(flow, u, w, given):
@@ -64,7 +64,7 @@ def after_kick(piece: Turned, side: int, given: arb) -> Turning | str:
     return here if left is None else left
 
 
-def sequence(flow: Flow, start: Turning) -> Iterator[Turning]:
+def sequence(flow: CertifiedFlow, start: Turning) -> Iterator[Turning]:
     """Turning points from ``start`` on, at the precision current at each call; the last one says why it ended.
 
     UndecidedError where the enclosures cannot tell whether there is a next one.
@@ -82,13 +82,13 @@ def sequence(flow: Flow, start: Turning) -> Iterator[Turning]:
         here = following
 
 
-def next_turning(flow: Flow, here: Turning) -> Turning | str:
+def next_turning(flow: CertifiedFlow, here: Turning) -> Turning | str:
     """The turning point after this one, or why there is none."""
     leap = flow.leap(here)
     return leap if leap is not None else swung(flow, here)[0]
 
 
-def swung(flow: Flow, here: Turning) -> tuple[Turning | str, int]:
+def swung(flow: CertifiedFlow, here: Turning) -> tuple[Turning | str, int]:
     """The same by pieces, and how many they were."""
     if sticks(flow, here):
         return STICKS, 0
@@ -103,7 +103,7 @@ def swung(flow: Flow, here: Turning) -> tuple[Turning | str, int]:
     raise UndecidedError("the half-swing has no end")
 
 
-def given_at(flow: Flow, here: Turning) -> arb:
+def given_at(flow: CertifiedFlow, here: Turning) -> arb:
     """The distance that the error of an amplitude is."""
     return upper(flow.unit(here.amplitude, arb(0)) * here.amplitude_error)
 
@@ -123,7 +123,7 @@ def after_landing(here: Turning, piece: Turned) -> Turning:
     return Turning(here.n + 1, -here.side, -piece.turn, clock.mid(), upper(carried + piece.miss), error)
 
 
-def sticks(flow: Flow, here: Turning) -> bool:
+def sticks(flow: CertifiedFlow, here: Turning) -> bool:
     """Whether dry friction holds the mass at a turning point."""
     if not flow.force.grips:
         return False

@@ -37,7 +37,7 @@ from flint import arb, arb_poly
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import dyadic, size_of, upper
-from asymptotics.flow.composition import Curve, Line
+from asymptotics.flow.composition import ComposedSeries, ExponentLine
 from asymptotics.flow.force import Smooth
 from asymptotics.numbers.context import cached_property, ctx
 
@@ -123,8 +123,8 @@ def _of_whole_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[ar
     side, none = 1 if u > 0 else -1, arb(0)
     rest = force.rest_powers(side)
     losses = [(d, m, int(float(a))) for d, m, a in force.loss_powers(side)]
-    curve = Curve(Line(()), force.rate, {n for _, n in rest} | {m for _, m, _ in losses}, u)
-    speed = Curve(Line(()), None, {a for _, _, a in losses}, w)
+    curve = ComposedSeries(ExponentLine(()), force.rate, {n for _, n in rest} | {m for _, m, _ in losses}, u)
+    speed = ComposedSeries(ExponentLine(()), None, {a for _, _, a in losses}, w)
     for k in range(order):
         slope = curve.rest(rest)
         for d, m, a in losses:
@@ -138,7 +138,7 @@ def _of_real_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb
     """w^alpha by its logarithmic derivative."""
     side, none = 1 if u > 0 else -1, arb(0)
     rest, losses, ln_w, inverse = force.rest_powers(side), force.loss_powers(side), w.log(), 1 / w
-    curve = Curve(Line(()), force.rate, {n for _, n in rest} | {m for _, m, _ in losses if m}, u)
+    curve = ComposedSeries(ExponentLine(()), force.rate, {n for _, n in rest} | {m for _, m, _ in losses if m}, u)
     ws, powers = [w], [[d * (a * ln_w).exp()] for d, _, a in losses]
     placed = [(curve.power[m], p) for (_, m, _), p in zip(losses, powers) if m]
     alone = [p for (_, m, _), p in zip(losses, powers) if not m]

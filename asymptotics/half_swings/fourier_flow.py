@@ -103,10 +103,10 @@ def fourier_flow(given: Given, order: int, gauge: str = TURNING_POINT) -> Fourie
     if not is_smooth(forces):
         accepted = "losses with alpha odd integers >= 1 and m even, springs with p odd and q even"
         raise InputError("alpha", "a force is no polynomial in x and v: it has no smooth flow in theta", accepted)
-    return _Kernel(forces, order, gauge).solve()
+    return _FourierKernel(forces, order, gauge).solve()
 
 
-class _Kernel:
+class _FourierKernel:
     """The state of the recurrence: lists by total degree."""
 
     def __init__(self, forces: Forces, order: int, gauge: str) -> None:

@@ -16,7 +16,7 @@ from asymptotics.identification.fitting import Model, minimise
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.profile import coordinate, wald_interval
 from asymptotics.identification.quadrature import TooStrongError
-from asymptotics.identification.swing import Swing
+from asymptotics.identification.swing import HalfSwingModel
 
 ASSUMED_DRIFT = 0.01
 """The relative change of frequency that is assumed when it cannot be measured."""
@@ -72,7 +72,7 @@ def _with_spring(law: LawFit, gamma: float) -> tuple[Array, float] | None:
     if 3 in candidate.springs:
         return None
     larger = Candidate(candidate.losses, (*candidate.springs, 3))
-    model = Model(Swing(larger.elements, larger.free), old.seen, old.offset)
+    model = Model(HalfSwingModel(larger.elements, larger.free), old.seen, old.offset)
     model.swing.tolerance = old.swing.tolerance
     place = len(larger.elements)
     theta = np.insert(law.fit.theta, place, gamma)

@@ -13,7 +13,7 @@ from itertools import combinations
 
 from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Element, loss, spring
-from asymptotics.identification.swing import MAX_FREE_ALPHA, Swing
+from asymptotics.identification.swing import MAX_FREE_ALPHA, HalfSwingModel
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 from asymptotics.terms import terms_of
@@ -52,9 +52,9 @@ class Candidate:
         losses = [loss(1.0 if a == FREE else _float(parse_real(a, "laws")), m) for a, m in self.losses]
         return (*losses, *(spring(p) for p in self.springs))
 
-    def swing(self, coarse: bool = False) -> Swing:
+    def swing(self, coarse: bool = False) -> HalfSwingModel:
         """The forward model's half-swing."""
-        return Swing(self.elements, self.free, coarse=coarse)
+        return HalfSwingModel(self.elements, self.free, coarse=coarse)
 
     def is_within(self, other: "Candidate") -> bool:
         """Whether ``other`` has all these terms and more."""

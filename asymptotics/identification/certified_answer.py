@@ -12,14 +12,14 @@ from asymptotics.identification.contradiction import further_parameters
 from asymptotics.identification.free_exponent import exponents_that_fit
 from asymptotics.identification.judgement import commented, contains, minimal
 from asymptotics.identification.printed import Decrements
-from asymptotics.identification.result import Identification, LawAnswer, Units
+from asymptotics.identification.result import Identification, LawAnswer, RecordUnits
 from asymptotics.identification.set_valued import MAX_LAWS, StrengthSet, strengths_that_fit
 from asymptotics.identification.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict, named
 from asymptotics.numbers.exact import parse_real
 from asymptotics.terms import Term
 
 
-def certified(table: Decrements, candidates: Sequence[Candidate], units: Units) -> Identification:
+def certified(table: Decrements, candidates: Sequence[Candidate], units: RecordUnits) -> Identification:
     """Set-valued answers: every law is proved consistent, proved refuted, or undetermined."""
     laws = commented(_sets(candidates, table))
     chosen = minimal(laws)

@@ -34,7 +34,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.extremes import greatest
 from asymptotics.series import Key
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.passage import integrated
+from asymptotics.swing.half_swing_map import integrated
 from asymptotics.terms import Term
 
 BITS = 80

@@ -110,7 +110,7 @@ def _ends(integrand: Array, weights: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class Grid:
+class ThetaGrid:
     """theta on both quarters: its sine and cosine, the integral to each node, to pi/2 (``middle``) and to pi."""
 
     sine: Array
@@ -121,7 +121,7 @@ class Grid:
 
 
 @cache
-def theta_grid(half: int = _HALF_NODES) -> Grid:
+def theta_grid(half: int = _HALF_NODES) -> ThetaGrid:
     """Sinc nodes u_k = k h with theta = (pi/4)(1 + tanh((pi/2) sinh u)); Haber's indefinite integration formula."""
     k = np.arange(-half, half + 1)
     h = np.log(half) / half
@@ -135,7 +135,7 @@ def theta_grid(half: int = _HALF_NODES) -> Grid:
     sine = np.sin(theta)
     cumulative = np.block([[lower, zero], [np.broadcast_to(slope, lower.shape), lower]])
     blank = np.zeros_like(slope)
-    return Grid(
+    return ThetaGrid(
         np.concatenate([sine, sine[::-1]]),
         np.concatenate([cosine, -cosine[::-1]]),
         cumulative,
@@ -144,7 +144,7 @@ def theta_grid(half: int = _HALF_NODES) -> Grid:
     )
 
 
-def shape(element: Element, grid: Grid, velocity: Array | float) -> Array:
+def shape(element: Element, grid: ThetaGrid, velocity: Array | float) -> Array:
     """f(theta) of the module docstring on the grid, for one exponent or a column of exponents."""
     powers = np.exp(velocity * np.log(grid.sine)) * np.ones((1, 1))
     if element.kind == "loss":
@@ -179,7 +179,7 @@ def graded_product(variables: int, left: list[Array], right: list[Array], i: int
     return total
 
 
-def _solve(shapes: list[Array], weights: list[Array], order: int, grid: Grid) -> list[Array]:
+def _solve(shapes: list[Array], weights: list[Array], order: int, grid: ThetaGrid) -> list[Array]:
     """m by degree, each an array (keys, alphas, nodes)."""
     count = len(shapes)
     blank = np.zeros((1, *np.broadcast_shapes(*(s.shape for s in shapes))))

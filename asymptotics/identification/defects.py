@@ -5,7 +5,7 @@ import numpy as np
 from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.sampled import LEAST_SAMPLES
-from asymptotics.records.rows import Rows
+from asymptotics.records.rows import RowPlaces
 
 Flags = np.ndarray[tuple[int], np.dtype[np.bool_]]
 _MOST_CLIPPED = 0.6
@@ -13,7 +13,7 @@ _PLATEAU = 4
 """Equal samples that make a plateau on their own, if it is entered and left at speed."""
 
 
-def usable(t: Array, x: Array, rows: Rows) -> Flags:
+def usable(t: Array, x: Array, rows: RowPlaces) -> Flags:
     """Which samples are not clipped; InputError for a record that is too short, constant, or clipped for the most
     part."""
     if len(t) < LEAST_SAMPLES:

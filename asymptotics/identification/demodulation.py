@@ -33,7 +33,7 @@ Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
-class Line:
+class SpectralLine:
     """``omega``: the frequency; ``modulation``, ``third``: complex coefficients of P and Q; ``noise``: what is left,
     with ``freedom`` data more than coefficients; ``memory``: its correlation from sample to sample."""
 
@@ -105,7 +105,7 @@ class Line:
         return total
 
 
-def demodulated(t: Array, x: Array, period: float | None = None) -> Line:
+def demodulated(t: Array, x: Array, period: float | None = None) -> SpectralLine:
     """The line of a record; ``period`` where it is known."""
     omega = 2 * np.pi / period if period else _frequency(t, x)
     for _ in range(3):
@@ -143,7 +143,7 @@ def dominant_period(t: Array, x: Array) -> float:
     return float((t[-1] - t[0]) * count / (count - 1) / k)
 
 
-def _line(t: Array, x: Array, omega: float) -> Line:
+def _line(t: Array, x: Array, omega: float) -> SpectralLine:
     """The line of the degree that Akaike's criterion chooses: the columns of all degrees are nested, so that one
     factorisation answers for each of them."""
     u = 2 * (t - t[0]) / (t[-1] - t[0]) - 1
@@ -170,7 +170,7 @@ def _line(t: Array, x: Array, omega: float) -> Line:
     noise, memory = _coloured(t, r, omega, columns, each)
     waves_of = c[2:].reshape(-1, each)
     third = waves_of[:, 2] - 1j * waves_of[:, 3] if each > 2 else np.zeros(1, dtype=complex)
-    return Line(t, omega, waves_of[:, 0] - 1j * waves_of[:, 1], third, noise, float(len(t) - columns), memory)
+    return SpectralLine(t, omega, waves_of[:, 0] - 1j * waves_of[:, 1], third, noise, float(len(t) - columns), memory)
 
 
 def _coloured(t: Array, r: Array, omega: float, columns: int, each: int) -> tuple[float, float]:

@@ -25,11 +25,11 @@ from asymptotics.identification.demodulation import dominant_period
 from asymptotics.identification.observations import Indices, Observations, Samples
 from asymptotics.identification.quiet_times import quiet_times
 from asymptotics.identification.sampled import MAX_SAMPLES, observations_of_motion
-from asymptotics.records.rows import Rows
-from asymptotics.records.table import Table
+from asymptotics.records.rows import RowPlaces
+from asymptotics.records.table import RecordTable
 from asymptotics.records.units import ANGLES, UNITS
 
-_RECORD = Rows("the record")
+_RECORD = RowPlaces("the record")
 _WINDOW, _WIDEST, _SAMPLES = 0.11, 0.26, 4.6
 """Half-width of a local fit, in periods: 0.7 rad, where a polynomial of degree 6 follows a cosine to 1e-7.  Where the
 samples are few it is nine of them, which the fit needs, up to a quarter of a period, where it follows to 1e-5."""
@@ -64,10 +64,10 @@ class _Points:
     noise: float
 
 
-def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: Rows = _RECORD) -> Observations:
+def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: RowPlaces = _RECORD) -> Observations:
     """Turning points, turning times and passages of a sampled motion; InputError for a record that has none."""
     columns = {"t": np.asarray(t, dtype=float), "x": np.asarray(x, dtype=float)}
-    table = Table("record", columns, unit, rows).whole()
+    table = RecordTable("record", columns, unit, rows).whole()
     t, x, rows, name, notes = table.columns["t"], table.columns["x"], table.rows, rows.name, list(table.notes)
     whole = usable(t, x, rows)
     back = np.flatnonzero(np.diff(t) <= 0)

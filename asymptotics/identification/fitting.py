@@ -20,7 +20,7 @@ from asymptotics.identification.observations import Observations
 from asymptotics.identification.pendulum import PendulumSwing, angle, well
 from asymptotics.identification.quadrature import TooStrongError
 from asymptotics.identification.sequence import TurningSequence, turning_sequence
-from asymptotics.identification.swing import MAX_FREE_ALPHA, TOLERANCE, Swing
+from asymptotics.identification.swing import MAX_FREE_ALPHA, TOLERANCE, HalfSwingModel
 from asymptotics.numbers.context import cached_property
 from asymptotics.records.units import UNITS
 
@@ -54,7 +54,7 @@ class Model:
 
     alternating = True
 
-    def __init__(self, swing: Swing, seen: Observations, offset: bool = True, pendulum: bool = False) -> None:
+    def __init__(self, swing: HalfSwingModel, seen: Observations, offset: bool = True, pendulum: bool = False) -> None:
         self.angle = UNITS.get(seen.unit, 1.0) if pendulum else None
         self.reference = seen.reference if self.angle is None else float(well(seen.reference, self.angle))
         if self.angle is not None:

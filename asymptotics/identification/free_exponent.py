@@ -34,7 +34,7 @@ from asymptotics.identification.coefficients import Array
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.profile import Interval
 from asymptotics.identification.quadrature import TooStrongError
-from asymptotics.identification.swing import MAX_FREE_ALPHA, Swing
+from asymptotics.identification.swing import MAX_FREE_ALPHA, HalfSwingModel
 from asymptotics.identification.table_rows import exact
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
@@ -88,7 +88,7 @@ class _Strips:
     upper: tuple[tuple[arb, arb], ...]
     unit: arb
     reference: arb
-    swing: Swing
+    swing: HalfSwingModel
 
     @classmethod
     def of(cls, table: Decrements) -> "_Strips":
@@ -101,7 +101,7 @@ class _Strips:
                 rows.append((exact(a) + half, ((exact(a) + half) / (exact(a) - half)).log()))
         unit = max((amplitude for rows in sides.values() for amplitude, _ in rows), key=arb.upper)
         lower, upper = (tuple((a / unit, level) for a, level in sides[sign]) for sign in (1, -1))
-        swing = Swing(_FREE.elements, free=True)
+        swing = HalfSwingModel(_FREE.elements, free=True)
         swing.tolerance = 1e-7
         return cls(lower, upper, unit, exact(table.reference), swing)
 

@@ -28,7 +28,7 @@ from asymptotics.identification.judgement import judged, minimal, relabelled
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.profile import coordinate, wald_interval
-from asymptotics.identification.result import Identification, LawAnswer, Units, sorted_laws
+from asymptotics.identification.result import Identification, LawAnswer, RecordUnits, sorted_laws
 from asymptotics.identification.runs import common, verdict_of_runs
 from asymptotics.identification.sources import LEAST_POINTS, load
 from asymptotics.identification.textbook import textbook_estimates
@@ -97,7 +97,7 @@ def identify(
     units = {run.unit for run in runs}
     if len(units) > 1:
         raise InputError("unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
-    known = Units(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, _omega(mass, stiffness, omega_0))
+    known = RecordUnits(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, _omega(mass, stiffness, omega_0))
     times = not amplitudes_only and all(isinstance(r, Observations) and r.has_times for r in runs)
     candidates = _candidates(laws, springs, times, known.unit in ANGLES)
     scale = None if noise is None else Noise(x=noise)
@@ -146,7 +146,7 @@ def _candidates(laws: Sequence[str] | None, springs: Sequence[str], times: bool,
 def _one_run(
     run: Observations | Decrements,
     candidates: Sequence[Candidate],
-    units: Units,
+    units: RecordUnits,
     amplitudes_only: bool,
     noise: Noise | None,
     bootstrap: bool,
@@ -240,7 +240,7 @@ def _memory(laws: Sequence[LawFit]) -> list[str]:
 
 
 def _decrements(
-    table: Decrements, candidates: Sequence[Candidate], units: Units, noise: Noise | None
+    table: Decrements, candidates: Sequence[Candidate], units: RecordUnits, noise: Noise | None
 ) -> Identification:
     if table.resolution is not None:
         from asymptotics.identification.certified_answer import certified  # noqa: PLC0415 (loads SymPy: half a second)
@@ -254,7 +254,7 @@ def _decrements(
     return Identification(verdict, answers, (table,), {}, tuple(notes), units)
 
 
-def _together(answers: Sequence[Identification], units: Units) -> Identification:
+def _together(answers: Sequence[Identification], units: RecordUnits) -> Identification:
     order = [a.law.candidate for a in answers[0].laws]
     per_run = [[answer.law(str(c)).law for c in order] for answer in answers]
     laws = common(per_run)
@@ -267,7 +267,7 @@ def _together(answers: Sequence[Identification], units: Units) -> Identification
     return Identification(verdict, shown, runs, {}, tuple(notes), units, per_run=tuple(answers))
 
 
-def _measured(units: Units, laws: Sequence[LawFit]) -> Units:
+def _measured(units: RecordUnits, laws: Sequence[LawFit]) -> RecordUnits:
     """omega_0 from the times of the best law, if it is not given."""
     best = min(laws, key=lambda law: law.criterion)
     if units.omega_0 is None and best.fit is not None and best.fit.model.seen.has_times:

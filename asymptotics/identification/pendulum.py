@@ -33,7 +33,7 @@ from asymptotics.identification.coefficients import (
 )
 from asymptotics.identification.quadrature import TooStrongError
 from asymptotics.identification.stepped import PRECISE, is_smooth, stepped_swings
-from asymptotics.identification.swing import QUANTITIES, Swing, SwingValues
+from asymptotics.identification.swing import QUANTITIES, HalfSwingModel, SwingValues
 from asymptotics.numbers.context import lru_cache
 
 Powers = np.ndarray[tuple[int, int], np.dtype[np.intp]]
@@ -44,7 +44,7 @@ _ORDERS = {1: 8, 2: 6, 3: 5}
 _ITERATIONS, _CLOSE, _IMAGINARY = 80, 1e-12, 1e-30
 
 
-class PendulumSwing(Swing):
+class PendulumSwing(HalfSwingModel):
     """The half-swing at amplitudes A with 2 sin(A/2) = 2 sin(amplitude/2) e^a; ``amplitude`` in rad."""
 
     def __init__(self, elements: Sequence[Element], amplitude: float, *, coarse: bool = False) -> None:
@@ -62,7 +62,7 @@ class PendulumSwing(Swing):
         return np.asarray(chebyshev.chebval(2 * u / self.top - 1, self._series[:, 1, 0]) / np.pi)
 
     def at(self, a: Array, parameters: Array) -> SwingValues:
-        """As ``Swing.at``; TooStrongError over the top, and where the series does not reach."""
+        """As ``HalfSwingModel.at``; TooStrongError over the top, and where the series does not reach."""
         k2 = self.k2 * np.exp(2 * np.clip(a, -50, 50))
         if not (k2 < np.sin(HIGHEST / 2) ** 2).all():
             raise TooStrongError("the pendulum goes over the top")

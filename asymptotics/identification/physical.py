@@ -18,7 +18,7 @@ from flint import arb
 from asymptotics.errors import UndecidedError
 from asymptotics.identification.certified_ratio import CertifiedRatio
 from asymptotics.identification.coefficients import Array
-from asymptotics.identification.table_rows import Row, bounds, is_empty, linear
+from asymptotics.identification.table_rows import RatioInequality, bounds, is_empty, linear
 from asymptotics.terms import Term
 
 MAX_BOXES, _MORE = 60, 6
@@ -28,7 +28,7 @@ Box = tuple[Array, Array]
 
 
 def physical_box(
-    losses: Sequence[Term], ratio: CertifiedRatio, rows: Sequence[Row], *, met: bool = False
+    losses: Sequence[Term], ratio: CertifiedRatio, rows: Sequence[RatioInequality], *, met: bool = False
 ) -> Box | Literal["none"] | None:
     """(low, high) of a box that holds all strengths >= 0 that meet every row, "none" if it is proved that there are
     none, or None if the series does not reach far enough to say.  ``met``: there are some, and a larger box will do."""
@@ -54,7 +54,7 @@ def physical_box(
     return np.min([low for low, _ in boxes], axis=0), np.max([high for _, high in boxes], axis=0)
 
 
-def _largest(term: Term, rows: Sequence[Row], i: int) -> float | None:
+def _largest(term: Term, rows: Sequence[RatioInequality], i: int) -> float | None:
     """A strength at which this loss alone is proved to exceed some row; None if the series does not reach it."""
     alone = CertifiedRatio.of((term,))
     upper = [row for row in rows if row.sign < 0]
@@ -71,7 +71,7 @@ def _largest(term: Term, rows: Sequence[Row], i: int) -> float | None:
     return None
 
 
-def _is_beyond(ratio: CertifiedRatio, rows: Sequence[Row], corner: Array, sign: int) -> bool:
+def _is_beyond(ratio: CertifiedRatio, rows: Sequence[RatioInequality], corner: Array, sign: int) -> bool:
     """Whether -L at the corner is proved to miss a row of this sign: above its upper end, or below its lower one.
 
     The row that the truncated series misses most is tried.
@@ -87,7 +87,7 @@ def _is_beyond(ratio: CertifiedRatio, rows: Sequence[Row], corner: Array, sign: 
         return False
 
 
-def _shrunk(ratio: CertifiedRatio, rows: Sequence[Row], low: Array, high: Array) -> Box | None:
+def _shrunk(ratio: CertifiedRatio, rows: Sequence[RatioInequality], low: Array, high: Array) -> Box | None:
     """The part of the box that may hold a solution, or None if no part does."""
     centre, radius = (low + high) / 2, (high - low) / 2 * (1 + 1e-12)
     try:

@@ -9,7 +9,7 @@ all rows at once by Newton's iteration, with exact derivatives by the parameters
 
 >>> from asymptotics.identification.coefficients import loss
 >>> table = Decrements(np.array([1.0, 0.5]), np.array([0.2, 0.2]))
->>> DecrementModel(Swing((loss(0.0),)), table).predict(np.array([0.1]))[0]       # dry friction: D = 2 epsilon
+>>> DecrementModel(HalfSwingModel((loss(0.0),)), table).predict(np.array([0.1]))[0]       # dry friction: D = 2 epsilon
 array([0.2, 0.2])
 """
 
@@ -21,7 +21,7 @@ from asymptotics.identification.coefficients import Array
 from asymptotics.identification.fitting import Model
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.quadrature import TooStrongError
-from asymptotics.identification.swing import Swing
+from asymptotics.identification.swing import HalfSwingModel
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class DecrementModel(Model):
 
     alternating = False
 
-    def __init__(self, swing: Swing, table: Decrements) -> None:
+    def __init__(self, swing: HalfSwingModel, table: Decrements) -> None:
         seen = Observations.of([0], [table.reference], unit=table.unit, name=table.name)
         super().__init__(swing, seen, offset=False)
         self.law, self.after, self.size = slice(0, swing.parameters), swing.parameters, swing.parameters

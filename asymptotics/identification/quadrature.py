@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from asymptotics.identification.coefficients import Array, Element, Grid, product, shape, theta_grid
+from asymptotics.identification.coefficients import Array, Element, ThetaGrid, product, shape, theta_grid
 
 _ITERATIONS = 60
 _CLOSE, _CLOSE_SLOPES = 1e-12, 1e-9
@@ -49,7 +49,7 @@ def integrated_swings(
     return values, slopes[0], slopes[1:]
 
 
-def _log_radius(forces: Array, weights: Array, grid: Grid) -> Array:
+def _log_radius(forces: Array, weights: Array, grid: ThetaGrid) -> Array:
     y = np.zeros(forces.shape[1:])
     for _ in range(_ITERATIONS):
         n = (forces * np.exp(np.clip(weights[:, None, None] * y, -30, 30))).sum(axis=0)
@@ -64,7 +64,7 @@ def _log_radius(forces: Array, weights: Array, grid: Grid) -> Array:
     raise TooStrongError("no turning point follows on the other side")
 
 
-def _linearised(by_y: Array, gain: Array, source: Array, grid: Grid) -> Array:
+def _linearised(by_y: Array, gain: Array, source: Array, grid: ThetaGrid) -> Array:
     """dm for z = dy, z = -int s dm, dm = gain (by_y z + source)."""
     z = np.zeros_like(by_y)
     for _ in range(_ITERATIONS):
@@ -74,7 +74,7 @@ def _linearised(by_y: Array, gain: Array, source: Array, grid: Grid) -> Array:
     return gain * (by_y * z + source)
 
 
-def _ends(m: Array, grid: Grid, *, constants: bool) -> Array:
+def _ends(m: Array, grid: ThetaGrid, *, constants: bool) -> Array:
     """L, T, R, T_q from m (or their derivatives from dm)."""
     loss, rate = -grid.sine * m, grid.cosine * m
     rows = [loss @ grid.weights, rate @ grid.weights, loss @ grid.middle, rate @ grid.middle]

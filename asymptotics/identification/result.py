@@ -26,7 +26,7 @@ _IN_TEX = ((r"\be(\d+)", r"\\varepsilon_{\1}"), (r"\bc(\d+)", r"c_{\1}"), (r"\^\
 
 
 @dataclass(frozen=True)
-class Units:
+class RecordUnits:
     """What is known of the oscillator beside the record: mass, stiffness, omega_0 (SI), and the unit of x in SI."""
 
     unit: str = ""
@@ -53,7 +53,7 @@ class LawAnswer(Rows):
     """A candidate law for one run, as it is reported."""
 
     law: LawFit
-    units: Units = field(default_factory=Units)
+    units: RecordUnits = field(default_factory=RecordUnits)
     certified: bool = False
 
     def to_dict(self) -> dict[str, Any]:
@@ -154,7 +154,7 @@ class Identification(Rows, Drawn):
     runs: tuple[Observations | Decrements, ...]
     textbook: dict[str, Any]
     notes: tuple[str, ...]
-    units: Units
+    units: RecordUnits
     per_run: tuple["Identification", ...] = ()
 
     @property

@@ -11,7 +11,7 @@ import numpy as np
 
 from asymptotics.errors import InputError
 from asymptotics.identification.coefficients import Array
-from asymptotics.identification.demodulation import Line, demodulated, dominant_period
+from asymptotics.identification.demodulation import SpectralLine, demodulated, dominant_period
 from asymptotics.identification.observations import Observations, Samples
 
 MAX_SAMPLES, ENOUGH = 20_000, 6_000
@@ -72,7 +72,7 @@ def _thinned(t: Array, x: Array, omega: float, step: int) -> tuple[Array, Array]
     return middle, level + (values.mean(axis=1) - level) / np.maximum(smaller, 0.1)
 
 
-def _free(line: Line, t: Array) -> Array:
+def _free(line: SpectralLine, t: Array) -> Array:
     """Which samples belong to the free decay: from the largest swing, if it is early, to where noise hides it."""
     size = line.at(t)[0]
     first = int(np.argmax(size))
@@ -85,7 +85,7 @@ def _free(line: Line, t: Array) -> Array:
     return np.asarray(keep)
 
 
-def _require_line(line: Line, t: Array, name: str) -> None:
+def _require_line(line: SpectralLine, t: Array, name: str) -> None:
     per_period = 2 * np.pi / line.omega * (len(t) - 1) / (t[-1] - t[0])
     periods = (t[-1] - t[0]) * line.omega / (2 * np.pi)
     if len(t) < LEAST_SAMPLES or per_period < _PER_PERIOD:

@@ -8,7 +8,7 @@ P_n = prod_(k<n) (1 + L_a(a_k)), and serves three times: for the Newton step, fo
 (with P = 1) for the times tau_n = sum_(k<n) T(a_k).  Everything is a handful of vector operations.
 
 >>> from asymptotics.identification.coefficients import loss
->>> orbit = turning_sequence(Swing((loss(0.0),)), 4, np.array([0.0, 0.1]))
+>>> orbit = turning_sequence(HalfSwingModel((loss(0.0),)), 4, np.array([0.0, 0.1]))
 >>> np.exp(orbit.a)                                            # dry friction: 2 epsilon a half-swing
 array([1. , 0.8, 0.6, 0.4, 0.2])
 """
@@ -19,7 +19,7 @@ import numpy as np
 
 from asymptotics.identification.coefficients import Array
 from asymptotics.identification.quadrature import TooStrongError
-from asymptotics.identification.swing import Swing
+from asymptotics.identification.swing import HalfSwingModel
 
 _NEWTON_STEPS = 12
 _CLOSE = 1e-7
@@ -43,7 +43,9 @@ class TurningSequence:
     d_log_speed: Array
 
 
-def turning_sequence(swing: Swing, count: int, parameters: Array, guess: Array | None = None) -> TurningSequence:
+def turning_sequence(
+    swing: HalfSwingModel, count: int, parameters: Array, guess: Array | None = None
+) -> TurningSequence:
     """Turning points 0 ... ``count`` from (a_0, strengths ..., exponent); TooStrongError if the motion ends before."""
     a0, law = float(parameters[0]), parameters[1:]
     a = _solved(swing, a0, law, count, guess)
@@ -68,7 +70,7 @@ def _before(increments: Array) -> Array:
     return np.concatenate([zero, np.cumsum(increments, axis=-1)], axis=-1)
 
 
-def _solved(swing: Swing, a0: float, law: Array, count: int, guess: Array | None) -> Array:
+def _solved(swing: HalfSwingModel, a0: float, law: Array, count: int, guess: Array | None) -> Array:
     if guess is None or len(guess) != count + 1:
         first = float(swing.at(np.array([a0]), law).values[0, 0])
         guess = -np.log1p(np.arange(count + 1) * max(-first, 0.0))
@@ -80,7 +82,7 @@ def _solved(swing: Swing, a0: float, law: Array, count: int, guess: Array | None
         return _stepwise(swing, a0, law, count)
 
 
-def _polished(swing: Swing, a0: float, law: Array, a: Array) -> Array:
+def _polished(swing: HalfSwingModel, a0: float, law: Array, a: Array) -> Array:
     """Newton's iteration for the whole sequence."""
     a = a - a[0] + a0
     for _ in range(_NEWTON_STEPS):
@@ -96,7 +98,7 @@ def _polished(swing: Swing, a0: float, law: Array, a: Array) -> Array:
     raise TooStrongError("the sequence of turning points could not be computed")
 
 
-def _stepwise(swing: Swing, a0: float, law: Array, count: int) -> Array:
+def _stepwise(swing: HalfSwingModel, a0: float, law: Array, count: int) -> Array:
     """One half-swing after the other."""
     a = np.empty(count + 1)
     a[0] = a0

@@ -30,7 +30,7 @@ from asymptotics.identification.coefficients import Array
 from asymptotics.identification.physical import Box, physical_box
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.profile import Interval
-from asymptotics.identification.table_rows import Row, bounds, is_empty, linear, meets, rows_of
+from asymptotics.identification.table_rows import RatioInequality, bounds, is_empty, linear, meets, rows_of
 from asymptotics.numbers.context import ctx
 from asymptotics.terms import Term
 
@@ -81,7 +81,9 @@ def strengths_that_fit(losses: tuple[Term, ...], table: Decrements, known: Array
     return _found(point, box, "")
 
 
-def proved_point(losses: Sequence[Term], ratio: CertifiedRatio, rows: Sequence[Row], table: Decrements) -> Array | None:
+def proved_point(
+    losses: Sequence[Term], ratio: CertifiedRatio, rows: Sequence[RatioInequality], table: Decrements
+) -> Array | None:
     """Strengths that are proved to meet every row, >= 0 if such are found; None if none are."""
     candidate = Candidate(tuple((str(t.velocity), t.position) for t in losses))
     for physical in (True, False):
@@ -111,7 +113,7 @@ def _found(point: Array | None, box: Box, scope: str) -> StrengthSet:
 def _beyond(
     losses: Sequence[Term],
     ratio: CertifiedRatio,
-    rows: Sequence[Row],
+    rows: Sequence[RatioInequality],
     reach: Array,
     box: Box | None,
     point: Array | None,
@@ -132,7 +134,7 @@ def _beyond(
     return StrengthSet("undetermined", (), _OPEN)
 
 
-def _smallest_box(ratio: CertifiedRatio, rows: Sequence[Row], reach: Array) -> Box | None:
+def _smallest_box(ratio: CertifiedRatio, rows: Sequence[RatioInequality], reach: Array) -> Box | None:
     """(low, high) of a box that holds every solution with |epsilon| <= reach; None if there is none."""
     centre, radius = np.zeros(len(reach)), reach
     for _ in range(_ROUNDS):
@@ -148,7 +150,7 @@ def _smallest_box(ratio: CertifiedRatio, rows: Sequence[Row], reach: Array) -> B
     return np.nextafter(centre - radius, -np.inf), np.nextafter(centre + radius, np.inf)
 
 
-def _searched(ratio: CertifiedRatio, rows: Sequence[Row]) -> Array:
+def _searched(ratio: CertifiedRatio, rows: Sequence[RatioInequality]) -> Array:
     """The half-sides of the first box: the largest for which the tail of the series is small in every row."""
     largest = np.array([max(float(row.scale[i]) for row in rows) for i in range(len(ratio.weights))])
     for k in range(40):

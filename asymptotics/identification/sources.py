@@ -14,9 +14,9 @@ from asymptotics.identification.sampled import LEAST_SAMPLES, observations_of_mo
 from asymptotics.identification.sensors import sensor_notes
 from asymptotics.records.clock import runs_of, straightened
 from asymptotics.records.repairs import releases, spikes
-from asymptotics.records.rows import Rows
+from asymptotics.records.rows import RowPlaces
 from asymptotics.records.sources import How
-from asymptotics.records.table import Table, read_table
+from asymptotics.records.table import RecordTable, read_table
 
 LEAST_POINTS = 4
 Run = Observations | Decrements
@@ -32,7 +32,7 @@ def load(source: Any, kind: str | None = None, unit: str = "", how: How | None =
     return [_turning_points(table) if table.kind == "turning-points" else _decrements(table)]
 
 
-def _motions(table: Table) -> list[Run]:
+def _motions(table: RecordTable) -> list[Run]:
     t = table.columns["t"]
     pieces = runs_of(t)
     found: list[Run] = []
@@ -46,7 +46,7 @@ def _motions(table: Table) -> list[Run]:
     return found
 
 
-def _decays(run: Table) -> list[Run]:
+def _decays(run: RecordTable) -> list[Run]:
     """Each release of a run, without the samples that are spikes."""
     column = "xva"[_order(run)]
     t, x, rows, notes = straightened(run.columns["t"], run.columns[column], run.rows)
@@ -76,11 +76,11 @@ def _decays(run: Table) -> list[Run]:
     return found
 
 
-def _order(run: Table) -> int:
+def _order(run: RecordTable) -> int:
     return ("record", "velocity", "acceleration").index(run.kind)
 
 
-def _decay(t: Array, x: Array, run: Table, rows: Rows, notes: tuple[str, ...]) -> Observations:
+def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...]) -> Observations:
     if _order(run) == 0:
         seen = observations_of_record(t, x, unit=run.unit, rows=rows)
         return replace(seen, notes=(*notes, *seen.notes))
@@ -89,7 +89,7 @@ def _decay(t: Array, x: Array, run: Table, rows: Rows, notes: tuple[str, ...]) -
     return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
 
 
-def require_increasing(values: Array, column: str, rows: Rows) -> None:
+def require_increasing(values: Array, column: str, rows: RowPlaces) -> None:
     """InputError with the row at which ``values`` does not increase."""
     wrong = np.flatnonzero(np.diff(values) <= 0)
     if len(wrong):
@@ -98,7 +98,7 @@ def require_increasing(values: Array, column: str, rows: Rows) -> None:
         raise InputError("FILE", reason, "increasing values")
 
 
-def _turning_points(table: Table) -> Observations:
+def _turning_points(table: RecordTable) -> Observations:
     n = table.columns["n"]
     fraction = np.flatnonzero(~(np.isnan(n) | (n == np.round(n))))
     if len(fraction):
@@ -120,7 +120,7 @@ def _turning_points(table: Table) -> Observations:
     return seen
 
 
-def _require_points(x: Array, rows: Rows, notes: tuple[str, ...]) -> None:
+def _require_points(x: Array, rows: RowPlaces, notes: tuple[str, ...]) -> None:
     if len(x) < LEAST_POINTS:
         reason = "; ".join([f"{rows.name} has {len(x)} turning points", *notes])
         raise InputError("FILE", reason, f"at least {LEAST_POINTS}")
@@ -130,7 +130,7 @@ def _require_points(x: Array, rows: Rows, notes: tuple[str, ...]) -> None:
         raise InputError("FILE", f"{rows.where(0, 'x')}: the first turning point is 0", "a number other than 0")
 
 
-def _decrements(table: Table) -> Decrements:
+def _decrements(table: RecordTable) -> Decrements:
     table = table.whole()
     notes = table.notes
     rows, columns = table.rows, table.columns

@@ -6,7 +6,7 @@ values and derivatives); where its last degree still matters the half-swing is i
 exponent interpolates the coefficients in alpha at Chebyshev points of [0, 5].
 
 >>> from asymptotics.identification.coefficients import loss
->>> swing = Swing((loss(1.0),))
+>>> swing = HalfSwingModel((loss(1.0),))
 >>> value = swing.at(np.array([0.0]), np.array([0.1]))
 >>> float(value.of("L")[0])                                    # -pi (epsilon/2)/sqrt(1 - epsilon^2/4), epsilon = 0.1
 -0.157276...
@@ -47,7 +47,7 @@ class SwingValues:
         return np.asarray(self.values[QUANTITIES.index(name)])
 
 
-class Swing:
+class HalfSwingModel:
     """The half-swing of a sum of terms; ``free`` lets the exponent of the first term vary.
 
     ``tolerance`` decides where the series ends and the integration begins; a ``coarse`` swing never integrates: what

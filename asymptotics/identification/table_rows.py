@@ -30,7 +30,7 @@ from asymptotics.identification.printed import Decrements
 
 
 @dataclass(frozen=True)
-class Row:
+class RatioInequality:
     """sign (-L(epsilon, A) - level) >= 0; ``scale``: A^(w_i), so that the local strengths are epsilon_i scale_i."""
 
     sign: int
@@ -48,7 +48,7 @@ def exact(x: float) -> arb:
     return arb(fmpq(q.numerator, q.denominator))
 
 
-def rows_of(ratio: CertifiedRatio, table: Decrements) -> list[Row]:
+def rows_of(ratio: CertifiedRatio, table: Decrements) -> list[RatioInequality]:
     """Two inequalities for each row; the table has a resolution."""
     assert table.resolution is not None
     rows = []
@@ -57,11 +57,11 @@ def rows_of(ratio: CertifiedRatio, table: Decrements) -> list[Row]:
             half = (exact(d) - sign * exact(r)) / 2
             upper, lower = exact(a) + half, exact(a) - half
             scale = tuple((w * upper.log()).exp() for w in ratio.weights)
-            rows.append(Row(sign, scale, (upper / lower).log()))
+            rows.append(RatioInequality(sign, scale, (upper / lower).log()))
     return rows
 
 
-def linear(ratio: CertifiedRatio, rows: Sequence[Row], centre: Array, radius: Array) -> tuple[Array, Array]:
+def linear(ratio: CertifiedRatio, rows: Sequence[RatioInequality], centre: Array, radius: Array) -> tuple[Array, Array]:
     """M y >= b for every solution centre + y in the box: b is rounded down after all slack is taken off.
 
     Rows that the series does not reach are left out, which makes the set larger; UndecidedError if none is left.
@@ -131,7 +131,7 @@ def is_empty(M: Array, b: Array, radius: Array) -> bool:
     return _lower_bound(np.zeros(len(radius)), M, b, radius, multipliers) > 0
 
 
-def meets(ratio: CertifiedRatio, rows: Sequence[Row], point: Array) -> bool:
+def meets(ratio: CertifiedRatio, rows: Sequence[RatioInequality], point: Array) -> bool:
     """Whether every row is proved to hold at the point."""
     for row in rows:
         L = ratio.at(row.local(point))

@@ -16,7 +16,7 @@ from asymptotics.identification.coefficients import Array, Element
 from asymptotics.identification.fitting import Model
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.quadrature import TooStrongError
-from asymptotics.identification.swing import Swing
+from asymptotics.identification.swing import HalfSwingModel
 
 _STEPS, _NEAR_THE_TOP = 16, 48
 """Steps of a half-swing (of a pendulum beyond 130 degrees): what they leave is below 1e-6 of the amplitude, the least
@@ -28,7 +28,7 @@ _STEP = 1e-5
 class WaveformModel(Model):
     """All samples of one run; the vector of ``Model`` with a drift after the offset."""
 
-    def __init__(self, swing: Swing, seen: Observations, pendulum: bool = False) -> None:
+    def __init__(self, swing: HalfSwingModel, seen: Observations, pendulum: bool = False) -> None:
         super().__init__(swing, seen, offset=True, pendulum=pendulum)
         assert seen.samples is not None
         self.samples = seen.samples
@@ -93,7 +93,7 @@ class WaveformModel(Model):
 
 
 @np.errstate(over="ignore", invalid="ignore")  # a step of the search may leave the doubles: no swing there
-def _nodes(swing: Swing, a: Array, law: Array, well: float) -> tuple[Array, Array, Array, Array]:
+def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Array, Array, Array, Array]:
     """(tau, x, v, acceleration) in units of the reference at the nodes of each half-swing: (nodes, columns, swings).
 
     The columns: as it is, with a moved by a small step, and with each parameter of the law moved.  ``well``: of a

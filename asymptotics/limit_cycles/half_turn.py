@@ -1,8 +1,8 @@
 """From one turning point of a polynomial oscillator to the next, on the certified flow, with gains as well as losses.
 
 The orbit from the midpoint of the start is laid out in Taylor steps of ``flow``, each from an exact state, through rest
-at both ends (``flow.course`` says why it is no course).  The errors D travel by the rule of ``flow.parting``, with a
-unit s > 0 of places: along the slow branch of a relaxation oscillation nothing parts, and only the jump costs digits.
+at both ends (``flow.trajectory`` says why it is no course).  The errors D travel by the rule of ``flow.parting``, with
+a unit s > 0 of places: along the slow branch of a relaxation oscillation nothing parts, and only the jump costs digits.
 With J = -int G_w d tau,
 
     |J - int over the polynomials| <= length (|G_uw|/s + |G_ww|) D.
@@ -25,9 +25,9 @@ from flint import arb, arb_poly
 
 from asymptotics.budget import tick
 from asymptotics.flow.balls import dyadic, size_of, upper
-from asymptotics.flow.course import State
-from asymptotics.flow.parting import Errors, parting
+from asymptotics.flow.parting import PartingErrors, parting
 from asymptotics.flow.taylor import TaylorStep, sizes
+from asymptotics.flow.trajectory import FlowState
 from asymptotics.limit_cycles.force import PolynomialForce
 from asymptotics.numbers.context import ctx
 from asymptotics.terms import Term
@@ -50,7 +50,7 @@ class HalfTurn:
 
 
 @dataclass(frozen=True)
-class _Here(State):
+class _Here(FlowState):
     """With J until then."""
 
     J: arb
@@ -61,7 +61,7 @@ def half_turn(terms: Sequence[Term], mu: arb, A: arb) -> HalfTurn | None:
     force = PolynomialForce.of(terms, mu)
     unit = _unit(force, A)
     far = _FAR * abs(A.mid())
-    start = Errors(arb(0), upper(unit * A.rad()))
+    start = PartingErrors(arb(0), upper(unit * A.rad()))
     here = _Here(arb(0), A.mid(), arb(0), start, arb(0))
     for k in range(MAX_STEPS):
         tick(f"step {k} around the cycle")

@@ -56,7 +56,7 @@ class Stop:
 
 
 @dataclass(frozen=True)
-class _Course:
+class _DryMotion:
     """The motion as balls: sign s, R and start t_0 of the first half-swing, their number, the last r_n if exact."""
 
     sign: int
@@ -140,7 +140,7 @@ def _hold(oscillator: Oscillator, static: Number | None) -> ExactReal:
     return force
 
 
-def _course(oscillator: Oscillator, hold: ExactReal) -> _Course | None:
+def _course(oscillator: Oscillator, hold: ExactReal) -> _DryMotion | None:
     """The motion at the current precision, or None if the mass never starts."""
     b, k = oscillator.law.terms[0].b, oscillator.stiffness
     x0, v0, omega, c = oscillator.x0.ball(), oscillator.v0.ball(), oscillator.omega_0(), b.ball() / k.ball()
@@ -149,13 +149,13 @@ def _course(oscillator: Oscillator, hold: ExactReal) -> _Course | None:
         sign = -1 if oscillator.x0 < 0 else 1
         exact = _rational_count(oscillator, hold, ExactReal(abs(oscillator.x0.coefficient), oscillator.x0.radicand))
         n, rest = (_count(abs(x0), c, h), None) if exact is None else exact
-        return None if n == 0 else _Course(sign, c, abs(x0) - c, arb(0), omega, n, rest)
+        return None if n == 0 else _DryMotion(sign, c, abs(x0) - c, arb(0), omega, n, rest)
     sign = -1 if oscillator.v0 > 0 else 1
     y, w = sign * x0 - c, abs(v0) / omega
     R = (y * y + w * w).sqrt()
     exact = _rational_count(oscillator, hold, _rational_radius(oscillator, sign))
     n, rest = (_count(R - c, c, h), None) if exact is None else exact
-    return _Course(sign, c, R, -arb.atan2(w, y) / omega, omega, 1 + n, rest)
+    return _DryMotion(sign, c, R, -arb.atan2(w, y) / omega, omega, 1 + n, rest)
 
 
 def exact_turning_points(oscillator: Oscillator) -> Callable[[int], ExactReal] | None:

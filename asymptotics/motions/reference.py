@@ -39,12 +39,12 @@ from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.linear import ROUTE as CLOSED_ROUTE
-from asymptotics.swing.lingering import lingering, lingering_seconds, lost_until, most_swings
+from asymptotics.swing.near_critical import lingering, lingering_seconds, lost_until, most_swings
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.sequence import Interpolated
-from asymptotics.wells.course import Well
 from asymptotics.wells.ends import require_inside
-from asymptotics.wells.force import Force
+from asymptotics.wells.even_well import EvenWell
+from asymptotics.wells.force import WellForce
 from asymptotics.wells.force import estimated_seconds as estimated_in_well
 
 METHOD = "reference: half-swing by half-swing, local expansions and Taylor steps in balls"
@@ -160,7 +160,7 @@ def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> li
     """(x, v) in SI units at the times, in their order, at one precision."""
     with ctx.workprec(bits + GUARD):
         law = oscillator.dimensionless
-        acting = Damping.of_law(law) if law.is_pure else Force.of(law.terms)
+        acting = Damping.of_law(law) if law.is_pure else WellForce.of(law.terms)
         omega, length = oscillator.omega_0(), oscillator.length()
         X, V = oscillator.x0.ball() / length, oscillator.v0.ball() / (omega * length)
         if oscillator.v0.is_zero:
@@ -177,9 +177,9 @@ def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> li
             return {i: start if times[i].is_zero else (x * length, v * length * omega) for i, (x, v) in placed}
 
     with ctx.workprec(bits), changed(scaled):
-        if isinstance(acting, Force):
+        if isinstance(acting, WellForce):
             require_inside(acting, X, str(oscillator.x0))
-            found = states(Well(acting), X, V, ascending)
+            found = states(EvenWell(acting), X, V, ascending)
         else:
             found = states(Interpolated(acting, panels_of(oscillator.dimensionless, bits)), X, V, ascending)
     placed = scaled(found)
@@ -219,7 +219,7 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     tau, law = _tau(oscillator, t), oscillator.dimensionless
     swings = tau / pi + 1
     if not oscillator.law.is_pure:
-        return estimated_in_well(Force.of(oscillator.dimensionless.terms), swings, bits_for(digits, 48))
+        return estimated_in_well(WellForce.of(oscillator.dimensionless.terms), swings, bits_for(digits, 48))
     swings = min(swings, most_swings(oscillator.dimensionless))
     apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
     terms, bits = len(oscillator.law.terms), bits_for(digits, 56)

@@ -34,7 +34,7 @@ Array = Any
 _STEP, _TRIES = 10.0, 60
 
 
-class Flow(Protocol):
+class FlowInDoubles(Protocol):
     """What is asked of the expansion in doubles (``motions.doubles``)."""
 
     @property
@@ -102,7 +102,7 @@ def friction_arc(z: acb, centre: arb, elapsed: arb) -> tuple[arb, arb, bool]:
     return (side * (centre + radius * angle.cos())).mid(), (-side * radius * angle.sin()).mid(), False
 
 
-def last_swing(flow: Flow, tau_max: float) -> LastSwing | None:
+def last_swing(flow: FlowInDoubles, tau_max: float) -> LastSwing | None:
     """How the motion ends if it ends before ``tau_max``; None without dry friction, or when it lasts longer."""
     reach = friction(flow.frame)
     if not reach:
@@ -146,7 +146,7 @@ def friction(frame: Any) -> float:
 class _Path:
     """s and psi of the turning-point gauge along one table."""
 
-    flow: Flow
+    flow: FlowInDoubles
     table: SlowTable
 
     def at(self, tau: float) -> tuple[float, float]:

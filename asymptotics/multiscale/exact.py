@@ -139,7 +139,7 @@ def odd_hierarchy(given: Given, order: int, *, max_seconds: float = MAX_SECONDS)
     require_integer(order, "order", 1, MAX_ORDER)
     forces = require_smooth(given, order)
     require_affordable(estimated_seconds(forces, order), max_seconds, "order", f"order {order}")
-    kernel = _Kernel(forces, order)
+    kernel = _HarmonicKernel(forces, order)
     for n in range(1, order + 1):
         tick(f"order {n} of {order} of the hierarchy")
         kernel.advance(n)
@@ -182,7 +182,7 @@ def rotated(p: fmpq_poly, h: int) -> fmpq_poly:
     return 2 * p.derivative().left_shift(1) - h * p
 
 
-class _Kernel:
+class _HarmonicKernel:
     """The state of the recurrence: lists by total degree, extended by ``advance``."""
 
     def __init__(self, forces: Forces, order: int) -> None:

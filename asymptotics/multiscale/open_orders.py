@@ -83,7 +83,7 @@ t = Symbol("t", real=True)
 
 
 @dataclass(frozen=True)
-class Force:
+class PowerForce:
     """strength ratio |x|^position v|v|^(velocity-1) (sign -1) or strength ratio x|x|^(position-1) |v|^velocity (+1)."""
 
     key: Key
@@ -98,13 +98,13 @@ class Force:
         return self.position % 2 != (self.sign > 0)
 
 
-def forces_of(alphas: tuple[Expr, ...], terms: tuple[Term, ...], order: int) -> tuple[Force, ...]:
+def forces_of(alphas: tuple[Expr, ...], terms: tuple[Term, ...], order: int) -> tuple[PowerForce, ...]:
     """Losses x'|x'|^(alpha-1), then other terms, as they enter through ``order``."""
     count = len(alphas) + len(terms)
-    found = [Force(_unit(i, count), Integer(1), alpha, 0, -1) for i, alpha in enumerate(alphas)]
+    found = [PowerForce(_unit(i, count), Integer(1), alpha, 0, -1) for i, alpha in enumerate(alphas)]
     for m in Forces.of(terms, order).through(order) if terms else ():
         key = (*(0,) * len(alphas), *m.key)
-        found.append(Force(key, to_sympy(m.ratio), to_sympy(m.velocity), m.position, m.sign))
+        found.append(PowerForce(key, to_sympy(m.ratio), to_sympy(m.velocity), m.position, m.sign))
     return tuple(found)
 
 
@@ -138,7 +138,7 @@ def require_exponents(alphas: tuple[Expr, ...]) -> None:
             raise InputError("alpha", f"{alpha} is not known to be >= 0", accepted)
 
 
-def _require_derivatives(forces: tuple[Force, ...], order: int) -> None:
+def _require_derivatives(forces: tuple[PowerForce, ...], order: int) -> None:
     for f in forces:
         if f.piecewise and order > f.position + 1:
             power = f"|x|^{f.position}" if f.sign < 0 else f"x|x|^{f.position - 1}"
@@ -150,7 +150,7 @@ def _require_derivatives(forces: tuple[Force, ...], order: int) -> None:
 class _Open:
     """One order after the other, as SymPy expressions in X_j(a, psi) and V_j(a, psi) of the lower ones."""
 
-    forces: tuple[Force, ...]
+    forces: tuple[PowerForce, ...]
     symbols: tuple[Expr, ...]
     alphas: tuple[Expr, ...]
     terms: tuple[Term, ...]
@@ -300,7 +300,7 @@ def _slow(letter: str, n: int) -> Expr:
     return total
 
 
-def _product(m: Force, n: int, Y_0: Factors, X_0: Factors, name: Callable[[str, int], Expr]) -> Expr:
+def _product(m: PowerForce, n: int, Y_0: Factors, X_0: Factors, name: Callable[[str, int], Expr]) -> Expr:
     """Degree n of |X|^position (-V)^velocity, or with the sign of X."""
     velocity = [_power(Y_0, m.velocity, [-name("V", i) for i in range(1, j + 1)]) for j in range(n + 1)]
     position = [_power(X_0, Integer(m.position), [name("X", i) for i in range(1, j + 1)]) for j in range(n + 1)]

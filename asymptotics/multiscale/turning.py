@@ -100,7 +100,7 @@ def turning_hierarchy(given: Given, order: int, *, max_seconds: float = MAX_SECO
     if not is_closed(forces):
         raise InputError("law", "the hierarchy of these forces does not close in polynomials", ACCEPTED)
     require_affordable(estimated_seconds(forces, order), max_seconds, "order", f"order {order}")
-    kernel = _Kernel(forces, order)
+    kernel = _TurningKernel(forces, order)
     for n in range(1, order + 1):
         tick(f"order {n} of {order} of the hierarchy")
         kernel.advance(n)
@@ -115,7 +115,7 @@ def estimated_seconds(forces: Forces, order: int) -> float:
     return turning_hierarchy_seconds(order, forces.variables, degree)
 
 
-class _Kernel:
+class _TurningKernel:
     """The state of the recurrence, extended by ``advance``."""
 
     def __init__(self, forces: Forces, order: int) -> None:

@@ -55,7 +55,7 @@ def turning_scales(given: Sequence[int | Term], order: int, *, max_seconds: floa
     """
     terms = tuple(t if isinstance(t, Term) else Term(1, t) for t in given)
     kernel = turning_hierarchy(terms, order, max_seconds=max_seconds)
-    made = _Display(kernel, strength_symbols(terms))
+    made = _TurningDisplay(kernel, strength_symbols(terms))
     orders = (leading_order(kernel.gauge), *(made.order(n) for n in range(1, order + 1)))
     shapes = tuple(t.shape() for t in terms)
     return MultipleScales(shapes, made.symbols, orders, at_rest(kernel), kernel)
@@ -73,7 +73,7 @@ def turning_conditions(n: int) -> tuple[str, str]:
 
 
 @dataclass(frozen=True)
-class _Display:
+class _TurningDisplay:
     """The results of the kernel as SymPy expressions in a, psi and the strengths."""
 
     kernel: TurningHierarchy

@@ -16,7 +16,7 @@ from asymptotics.series import Series
 
 
 @dataclass(frozen=True)
-class Observables:
+class ObservableSeries:
     """Series in the local strengths at A_n, the observed turning amplitude.
 
     ``amplitude_ratio``: A_(n+1)/A_n; ``half_period``: tau_(n+1) - tau_n; ``energy_loss``: the fraction of the energy
@@ -29,7 +29,7 @@ class Observables:
     log_decrement: Series
 
 
-def observables(expansion: Expansion, forces: Forces | None = None) -> Observables:
+def observables(expansion: Expansion, forces: Forces | None = None) -> ObservableSeries:
     """The observables of an expansion, from its flow carried back to the turning points by its gauge map.
 
     A_(n+1)/A_n = e^L; two half-swings give ln(A_n/A_(n+2)) = -(L + L o F).  The energy at a turning point is V(A), so
@@ -40,4 +40,4 @@ def observables(expansion: Expansion, forces: Forces | None = None) -> Observabl
     if forces is not None:
         v = forces.potential(half.order)
         kept = kept * v.compose(half.F) / v
-    return Observables(half.L.exp(), half.T, 1 - kept, -(half.L + half.L.compose(half.F)))
+    return ObservableSeries(half.L.exp(), half.T, 1 - kept, -(half.L + half.L.compose(half.F)))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asymptotics.errors import InputError
-from asymptotics.records.rows import Rows
+from asymptotics.records.rows import RowPlaces
 
 Array = NDArray[np.float64]
 LEAST_RUN = 50
@@ -26,7 +26,7 @@ def runs_of(t: Array, least: int = LEAST_RUN) -> list[NDArray[np.intp]]:
     return pieces if whole else [np.arange(len(t))]
 
 
-def straightened(t: Array, x: Array, rows: Rows) -> tuple[Array, Array, Rows, tuple[str, ...]]:
+def straightened(t: Array, x: Array, rows: RowPlaces) -> tuple[Array, Array, RowPlaces, tuple[str, ...]]:
     """Increasing times: a reversed record turned round, equal neighbours merged, rows in another order put in it.
 
     InputError, with the row, if a time does not fit where its value would go.

@@ -1,6 +1,6 @@
 """Where a datum stands in its file: complaints name the row as an editor counts it, and the column.
 
->>> Rows("data.csv").kept(np.array([True, False, True])).where(1, "x")          # data in memory: counted from 0
+>>> RowPlaces("data.csv").kept(np.array([True, False, True])).where(1, "x")          # data in memory: counted from 0
 'data.csv, row 2, column x'
 """
 
@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
-class Rows:
+class RowPlaces:
     """``lines``: the number of each row in its file (None: data in memory, counted from 0)."""
 
     name: str
     lines: NDArray[np.int64] | None = None
 
-    def kept(self, keep: NDArray[np.bool_] | NDArray[np.intp]) -> "Rows":
+    def kept(self, keep: NDArray[np.bool_] | NDArray[np.intp]) -> "RowPlaces":
         """The rows for which ``keep`` holds, or those whose places it gives."""
         chosen: NDArray[np.int64] = np.asarray(np.flatnonzero(keep) if keep.dtype == bool else keep, dtype=np.int64)
         return replace(self, lines=chosen if self.lines is None else self.lines[chosen])

@@ -20,7 +20,7 @@ from asymptotics.errors import InputError, require_choice
 from asymptotics.records.body import Unread
 from asymptotics.records.cells import MARKS
 from asymptotics.records.columns import KINDS, Choice, choose
-from asymptotics.records.rows import Rows
+from asymptotics.records.rows import RowPlaces
 from asymptotics.records.sources import How, Source, opened
 from asymptotics.records.units import GRAVITY, SECONDS, UNITS, seconds, standard, suffix, unit_of
 
@@ -31,21 +31,21 @@ _TOLERATED = 0.1
 
 
 @dataclass(frozen=True)
-class Table:
+class RecordTable:
     """Columns of equal length, by their names in the contract; ``unit``: of x; ``rows``: where they stand."""
 
     kind: str
     columns: dict[str, Array]
     unit: str
-    rows: Rows
+    rows: RowPlaces
     notes: tuple[str, ...] = ()
 
-    def kept(self, keep: NDArray[np.bool_] | NDArray[np.intp], *notes: str) -> "Table":
+    def kept(self, keep: NDArray[np.bool_] | NDArray[np.intp], *notes: str) -> "RecordTable":
         """Some of the rows, and why."""
         columns = {name: values[keep] for name, values in self.columns.items()}
         return replace(self, columns=columns, rows=self.rows.kept(keep), notes=(*self.notes, *notes))
 
-    def whole(self) -> "Table":
+    def whole(self) -> "RecordTable":
         """The rows in which no cell is missing, and a note that says which are not."""
         keep = ~np.any([np.isnan(values) for values in self.columns.values()], axis=0)
         if keep.all():
@@ -56,7 +56,7 @@ class Table:
         return self.kept(keep, note)
 
 
-def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | None = None) -> Table:
+def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | None = None) -> RecordTable:
     """The table in a source; InputError says where and why not, and what would make it clear.
 
     ``kind``: what the rows are, found from the columns if not given; ``unit`` of x, where the header has none.
@@ -74,8 +74,8 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     choice = choose(_ordered(given, kind, how), how.columns, kind, given.name)
     body = given.read(sorted(set(choice.places.values())))
     columns = {name: body.columns[place] for name, place in choice.places.items()}
-    rows = Rows(given.name, body.lines)
-    table = Table(choice.kind, columns, "", rows, (choice.note, *given.notes))
+    rows = RowPlaces(given.name, body.lines)
+    table = RecordTable(choice.kind, columns, "", rows, (choice.note, *given.notes))
     return _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit, time)
 
 
@@ -110,7 +110,7 @@ def _ordered(given: Source, kind: str | None, how: How) -> list[str]:
     return list(given.names)
 
 
-def _unmarked(table: Table) -> Table:
+def _unmarked(table: RecordTable) -> RecordTable:
     """Marks such as -999 where all other values are far smaller."""
     columns, notes = dict(table.columns), []
     for name, values in table.columns.items():
@@ -122,7 +122,7 @@ def _unmarked(table: Table) -> Table:
     return replace(table, columns=columns, notes=(*table.notes, *notes))
 
 
-def _readable(table: Table, unread: Unread, given: Source) -> Table:
+def _readable(table: RecordTable, unread: Unread, given: Source) -> RecordTable:
     """Without the rows that cannot be read; InputError if they are more than a tenth (and one), or than half at all."""
     first, bad = unread.first, set(unread.rows)
     named = f"the column {given.names[first[1]]}" if first else ""
@@ -147,7 +147,7 @@ def _readable(table: Table, unread: Unread, given: Source) -> Table:
     return table.kept(keep, f"{many} left out, the first is {where}")
 
 
-def _in_units(table: Table, choice: Choice, given: Source, unit: str, time: str) -> Table:
+def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time: str) -> RecordTable:
     columns, notes = dict(table.columns), list(table.notes)
     for column in ("t", "tau"):
         if column in columns:

@@ -42,7 +42,7 @@ class Failures:
 
 
 @dataclass
-class Plan:
+class SweepPlan:
     """Iterate over ``jobs()``: a Job, or None while all that is left is held by other drivers."""
 
     command: str
@@ -104,9 +104,9 @@ class Plan:
             self.open_shards.pop().close()
 
 
-def finished(command: str, points: Sequence[Point], store: Store) -> Plan | None:
+def finished(command: str, points: Sequence[Point], store: Store) -> SweepPlan | None:
     """The plan of a sweep of which the store, that is only read here, holds every point; None where one is missing."""
-    plan = Plan(command, points, store)
+    plan = SweepPlan(command, points, store)
     buckets = plan.buckets()
     for bucket in map(int, np.unique(buckets)):
         found = {key: failure(record) for _, key, record in store.read(bucket)}

@@ -36,10 +36,10 @@ from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public_beside_others
 from asymptotics.sweeps.frame import columns, draw
 from asymptotics.sweeps.grid import Point
-from asymptotics.sweeps.plan import Job, Plan, finished
+from asymptotics.sweeps.plan import Job, SweepPlan, finished
 from asymptotics.sweeps.shard import record_of
 from asymptotics.sweeps.store import Store, require_usable, task_of
-from asymptotics.sweeps.workers import Crew, OtherCodeError, Outcome, Task, one_process, process_pool, run_batch
+from asymptotics.sweeps.workers import Crew, OtherCodeError, PointOutcome, Task, one_process, process_pool, run_batch
 
 _BATCH_SECONDS = 0.25
 _SLOT_SECONDS = 2e-3  # a scheduler needs about a millisecond for a task: batches grow with the slots it has to feed
@@ -129,12 +129,14 @@ def sweep(
         opened = crew or (one_process if count == 1 else lambda: process_pool(count))
     with ExitStack() as stack:
         first_crew = stack.enter_context(opened())  # a store is made only when there is somebody to fill it
-        driver = _Driver(task, Plan(command, points, Store(folder, create=True)), opened, progress, stack, first_crew)
+        driver = _Driver(
+            task, SweepPlan(command, points, Store(folder, create=True)), opened, progress, stack, first_crew
+        )
         driver.run()
     return _result(driver.plan, driver.computed, start)
 
 
-def _read_only(command: str, points: Sequence[Point], folder: Path) -> Plan:
+def _read_only(command: str, points: Sequence[Point], folder: Path) -> SweepPlan:
     found = finished(command, points, Store(folder))
     if found is None:
         accepted = "a folder that can be written, or a sweep that is finished in it"
@@ -142,7 +144,7 @@ def _read_only(command: str, points: Sequence[Point], folder: Path) -> Plan:
     return found
 
 
-def _result(plan: Plan, computed: int, start: float) -> SweepResult:
+def _result(plan: SweepPlan, computed: int, start: float) -> SweepResult:
     failures = tuple({"point": point, "reason": reason} for _, point, reason in plan.failures.first)
     seconds = f"{time.perf_counter() - start:.3f}"
     where, points = str(plan.store.folder), plan.points
@@ -161,7 +163,7 @@ class _Driver:
     """One run of a sweep."""
 
     def __init__(
-        self, task: Task, plan: Plan, opened: OpenCrew, progress: Progress, stack: ExitStack, crew: Crew
+        self, task: Task, plan: SweepPlan, opened: OpenCrew, progress: Progress, stack: ExitStack, crew: Crew
     ) -> None:
         self.task, self.plan, self.opened, self.progress = task, plan, opened, progress
         self.stack, self.crew = stack, crew
@@ -244,7 +246,7 @@ class _Driver:
             self.computed += 1
             self.plan.release(job.shard)
 
-    def _write(self, job: Job, outcome: Outcome) -> None:
+    def _write(self, job: Job, outcome: PointOutcome) -> None:
         if outcome.lasting:
             try:
                 job.shard.append(job.key, record_of(task_of(self.plan.command, job.point), outcome.record))

@@ -36,7 +36,7 @@ _REASON = 300  # characters of a reason that are kept
 
 
 @dataclass(frozen=True)
-class Outcome:
+class PointOutcome:
     """What came of a point: its record in JSON; ``lasting`` if a second try would end in the same way."""
 
     record: str
@@ -53,7 +53,7 @@ class OtherCodeError(InputError):
     """A worker whose code or libraries are not the driver's: its results would be filed as those of this code."""
 
 
-def run_batch(task: Task, batch: list[Point], code: str | None = None) -> tuple[list[Outcome], float]:
+def run_batch(task: Task, batch: list[Point], code: str | None = None) -> tuple[list[PointOutcome], float]:
     """The outcomes of some points, in order, and the seconds they took; this is what a worker is asked to do.
 
     ``code``: the driver's ``made_by.mark``; OtherCodeError where this worker's is another one.
@@ -64,9 +64,9 @@ def run_batch(task: Task, batch: list[Point], code: str | None = None) -> tuple[
     return [_run(task, point) for point in batch], perf_counter() - start
 
 
-def _run(task: Task, point: Point) -> Outcome:
+def _run(task: Task, point: Point) -> PointOutcome:
     try:
-        return Outcome(json.dumps({"result": task(point)}, ensure_ascii=False, separators=(",", ":")))
+        return PointOutcome(json.dumps({"result": task(point)}, ensure_ascii=False, separators=(",", ":")))
     except (InputError, UndecidedError) as error:
         return _failed(str(error))
     except (MemoryError, OSError) as error:  # of the machine, not of the point: worth another try some day
@@ -75,9 +75,9 @@ def _run(task: Task, point: Point) -> Outcome:
         return _failed(f"{type(error).__name__}: {error}")
 
 
-def _failed(reason: str, *, lasting: bool = True) -> Outcome:
+def _failed(reason: str, *, lasting: bool = True) -> PointOutcome:
     line = " ".join(reason.split())[:_REASON]
-    return Outcome(canonical({"failed": line}), line, lasting)
+    return PointOutcome(canonical({"failed": line}), line, lasting)
 
 
 class SerialExecutor(Executor):

@@ -7,7 +7,7 @@ With w as the variable, P = y - N(w) and Q = 1/P (coefficients by exponent e),
 
 The same series serves both ends: P_0 = y_0 > 0 where a half-swing begins, P_0 < 0 where it ends (then tau <= 0).
 Where the powers are kept apart, the coefficients belong to the exponents alone and are shared (``rows``).  They are
-balls; what is left out is bounded by the majorant (``majorant``), stretched as ``keys`` proposes.
+balls; what is left out is bounded by the majorant (``majorant``), stretched as ``kept_terms`` proposes.
 
 *One term.*  Without any series, if d >= w^2/(2 p) for some d and p = P_0 - d - N(w) > 0 (|P_0| - d where P_0 < 0),
 
@@ -19,7 +19,7 @@ while |y - y_0| <= d the first holds, so that |dy/dw| <= w/p and the distance st
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(60):
 ...     law = Damping.of([(arb(1) / 10, ExactReal(Fraction(3, 2)))])
-...     start = Expansion.at(law, arb(1))
+...     start = TurningExpansion.at(law, arb(1))
 ...     y, tau = start.state(arb("0.0625"))
 ...     y.str(12), tau.str(12)
 ('[0.998043212541 +/- ...]', '[0.0625799720549 +/- ...]')
@@ -35,7 +35,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import dyadic, size_of, upper
 from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.keys import Plan, plan_for, sums_below
+from asymptotics.swing.kept_terms import KeptTerms, plan_for, sums_below
 from asymptotics.swing.majorant import majorant
 from asymptotics.swing.rows import Row, rows_below
 
@@ -45,7 +45,7 @@ _STEPS = 4  # delta^(1/alpha) is rounded up to a quarter of a power of two: plan
 
 
 @dataclass(frozen=True)
-class Expansion:
+class TurningExpansion:
     """y(w) and tau(w)/w at the turning point ``y0`` for 0 <= w <= ``reach``, with the bounds of their tails.
 
     ``terms`` many coefficients: of the powers of w^(1/q) on a ``line`` (y, tau/w), else of the ``rows``.
@@ -54,14 +54,14 @@ class Expansion:
     damping: Damping
     y0: arb
     reach: arb
-    plan: Plan
+    plan: KeptTerms
     line: tuple[arb_poly, arb_poly] | None
     rows: tuple[Row, ...]
     tail: arb
     time_tail: arb
 
     @classmethod
-    def at(cls, damping: Damping, y0: arb, w: arb | None = None) -> "Expansion":
+    def at(cls, damping: Damping, y0: arb, w: arb | None = None) -> "TurningExpansion":
         """The expansion at a displacement y0 != 0, for speeds up to ``w`` (without it: up to what is cheapest).
 
         UndecidedError where the majorant does not provably converge.
@@ -79,7 +79,7 @@ class Expansion:
         return cls(damping, y0, reach, plan, line, rows, small, slow)
 
     @classmethod
-    def _short(cls, damping: Damping, y0: arb, reach: arb, plan: Plan) -> "Expansion":
+    def _short(cls, damping: Damping, y0: arb, reach: arb, plan: KeptTerms) -> "TurningExpansion":
         """The first term alone."""
         drop, slowest, fastest = room(damping, y0, reach)
         late = upper((1 / slowest - 1 / abs(y0)).max(1 / abs(y0) - 1 / fastest))
@@ -160,7 +160,7 @@ def _slow_enough(damping: Damping, y0: arb, reach: arb) -> arb:
     return dyadic(low)
 
 
-def plan_at(damping: Damping, y0: arb, w: arb | None = None) -> Plan:
+def plan_at(damping: Damping, y0: arb, w: arb | None = None) -> KeptTerms:
     """The plan for the turning point ``y0`` (and the speed ``w``) at the current precision."""
     size = size_of(y0)
     steps = _STEPS * max(1, ceil(1 / damping.least)) if damping.sizes else _STEPS
@@ -170,7 +170,7 @@ def plan_at(damping: Damping, y0: arb, w: arb | None = None) -> Plan:
     return plan_for(deltas, rational, tuple(a for _, a in damping.sizes), ctx.prec, omega)
 
 
-def _stretched(damping: Damping, size: arb, w: arb, plan: Plan) -> tuple[arb, arb]:
+def _stretched(damping: Damping, size: arb, w: arb, plan: KeptTerms) -> tuple[arb, arb]:
     """(e^-G, R*): the factor of the first term left out, and the majorant at the stretched speed, in balls."""
     two = arb(2)
     a, b = w**2 / (2 * size**2), [t / size for t in damping.terms(w)]
@@ -188,7 +188,7 @@ def _stretched(damping: Damping, size: arb, w: arb, plan: Plan) -> tuple[arb, ar
     return factor, room
 
 
-def _on_a_line(damping: Damping, y0: arb, plan: Plan) -> tuple[arb_poly, arb_poly]:
+def _on_a_line(damping: Damping, y0: arb, plan: KeptTerms) -> tuple[arb_poly, arb_poly]:
     """y and tau/w in powers of w^(1/q); what no sum of 2q and the alpha_i q reaches is exactly 0."""
     q = plan.denominator
     force = {int(a.rational * q): e for a, e in zip(damping.alphas, damping.strengths)}

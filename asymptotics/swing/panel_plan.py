@@ -39,7 +39,7 @@ _STEPS = 24  # of a quarter
 
 
 @dataclass(frozen=True)
-class Plan:
+class PanelPlan:
     """Amplitudes ``low`` to ``high`` on ``nodes`` nodes, for ``served`` half-swings, after ``wait`` without it.
 
     ``stretch``: the half axis of the ellipse in units of the panel's half width.
@@ -86,7 +86,7 @@ def verified(coordinate: Coordinate, middle: arb, half: arb, stretch: float, *, 
     raise UndecidedError("no ellipse about the panel is proved to lie in the domain of the half-swing")
 
 
-def planned(coordinate: Coordinate, size: float, remaining: int, bits: int) -> Plan | None:
+def planned(coordinate: Coordinate, size: float, remaining: int, bits: int) -> PanelPlan | None:
     """The plan for ``remaining`` half-swings from the amplitude ``size``, None where no panel repays its nodes."""
     if remaining < 4 or not 0 < size < inf:
         return None
@@ -98,7 +98,7 @@ def planned(coordinate: Coordinate, size: float, remaining: int, bits: int) -> P
         return _between(coordinate, path, bits)
 
 
-def _from_zero(coordinate: Coordinate, path: list[float], beyond: int, bits: int) -> Plan | None:
+def _from_zero(coordinate: Coordinate, path: list[float], beyond: int, bits: int) -> PanelPlan | None:
     """One panel for all amplitudes from some point of the path on."""
     reach, best, total = reach_of(coordinate), None, len(path) + beyond
     cheapest = inf
@@ -106,7 +106,7 @@ def _from_zero(coordinate: Coordinate, path: list[float], beyond: int, bits: int
         z = float(coordinate(arb(size)))
         stretch = min(2 * reach / z - 1, MAX_STRETCH) if z > 0 else MAX_STRETCH
         if stretch > MIN_STRETCH:
-            plan = Plan(0.0, size, stretch, _count(bits, stretch), total - wait, wait)
+            plan = PanelPlan(0.0, size, stretch, _count(bits, stretch), total - wait, wait)
             cost = plan.work(coordinate)
             if cost + wait < total and cost + _LASTING * wait < cheapest:
                 best, cheapest = plan, cost + _LASTING * wait
@@ -115,7 +115,7 @@ def _from_zero(coordinate: Coordinate, path: list[float], beyond: int, bits: int
     return best
 
 
-def _between(coordinate: Coordinate, path: list[float], bits: int) -> Plan | None:
+def _between(coordinate: Coordinate, path: list[float], bits: int) -> PanelPlan | None:
     """From one of a few starts on the path to one of a few amplitudes below it: the one that saves most."""
     best, gain, start = None, 0, 0
     while start < len(path) - gain - 4:
@@ -126,7 +126,7 @@ def _between(coordinate: Coordinate, path: list[float], bits: int) -> Plan | Non
                 low = 0.98 * path[-1]
             stretch = _stretch(coordinate, low, path[start])
             if stretch > MIN_STRETCH and served - (count := _count(bits, stretch)) > gain:
-                best, gain = Plan(low, path[start], stretch, count, served, start), served - count
+                best, gain = PanelPlan(low, path[start], stretch, count, served, start), served - count
             if stretch <= MIN_STRETCH or served == len(path) - start:
                 break
         start += max(1, sum(size > path[start] / 2 for size in path[start:]))

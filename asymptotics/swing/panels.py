@@ -26,9 +26,9 @@ from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.swing.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.swing.coordinate import Coordinate
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.half_swing_map import INTEGRATED, Passage, integrated
 from asymptotics.swing.linear import is_linear
-from asymptotics.swing.panel_plan import Plan, planned, verified
-from asymptotics.swing.passage import INTEGRATED, Passage, integrated
+from asymptotics.swing.panel_plan import PanelPlan, planned, verified
 
 ROUTE = "Chebyshev interpolation in the amplitude"
 COLLOCATED = "quarter-swings by collocation"
@@ -76,7 +76,7 @@ class Panels:
     bits: int
     made: list[Panel] = field(default_factory=list)
     planned_for: tuple[float, int] = (0.0, 0)
-    plan: Plan | None = None
+    plan: PanelPlan | None = None
 
     def __post_init__(self) -> None:
         with ctx.workprec(self.bits + _SLACK + _GUARD):
@@ -130,7 +130,7 @@ def panels_of(law: Law, bits: int) -> Panels:
     return Panels(law, bits)
 
 
-def laid_out(coordinate: Coordinate, plan: Plan, bits: int) -> Panel:
+def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int) -> Panel:
     """The panel of a plan, at ``bits`` bits; its nodes are integrated."""
     with ctx.workprec(bits + _GUARD):
         low, high = arb(plan.low), arb(plan.high * (1 + _MARGIN))

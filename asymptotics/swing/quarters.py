@@ -9,7 +9,7 @@ no real z is singular, and s^alpha is analytic for |Im z| < pi/2.  The local exp
 (``expansion``) leads to a small speed, where z = z_0; from there to z = 0 one polynomial in t does it for each
 strength, z = h (t - 1), h = -z_0/2, -1 <= t <= 1.
 
-*Found*: in doubles (``sketch``), then residuals in balls and corrections in doubles.  Choices.
+*Found*: in doubles (``quarters_in_doubles``), then residuals in balls and corrections in doubles.  Choices.
 
 *Enclosed*: let G = g_0 + the integral of any polynomial P, and f(t) the right-hand side dg/dt along G.
 
@@ -50,8 +50,8 @@ from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.swing.chebyshev import cut, nodes
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.expansion import Expansion
-from asymptotics.swing.sketch import Array, Sketch, corrected
+from asymptotics.swing.expansion import TurningExpansion
+from asymptotics.swing.quarters_in_doubles import Array, Sketch, corrected
 from asymptotics.swing.spectral import analysis, integrals, of_the_integral
 
 HAND_OVER = 0.125  # the speed, in units of the amplitude, up to which the local expansion serves
@@ -84,7 +84,7 @@ def quarter_swings(laws: Sequence[tuple[Damping, int]], bits: int) -> list[Quart
         count, rim = bundle.sketch.planned(bits)
         if count > _MOST:
             raise UndecidedError("the quarter-swings need too many nodes")
-        grid = Grid.of(bundle, count)
+        grid = NodeGrid.of(bundle, count)
         path = Path.along(grid, found(grid, bits))
         return path.enclosed(rim)
 
@@ -112,7 +112,7 @@ class Bundle:
         w, columns = arb(HAND_OVER), []
         for law, side in laws:
             tick("the start of a quarter-swing")
-            y, tau = Expansion.at(law, side - law.friction, w).state(w)
+            y, tau = TurningExpansion.at(law, side - law.friction, w).state(w)
             u = side * (y + law.friction)
             if not u > 0:
                 raise UndecidedError("the local expansion does not reach the hand-over")
@@ -139,7 +139,7 @@ def doubles(rows: Iterable[Iterable[arb]]) -> Array:
 
 
 @dataclass(frozen=True)
-class Grid:
+class NodeGrid:
     """What does not depend on g at the ``count`` nodes of each column.
 
     ``places``: h s, h s^2, c, the sum of delta_i s^alpha_i over alpha_i = 1, and those with the other ``weights``
@@ -152,7 +152,7 @@ class Grid:
     places: tuple[tuple[tuple[arb, arb, arb, arb, tuple[arb, ...]], ...], ...]
 
     @classmethod
-    def of(cls, bundle: Bundle, count: int) -> "Grid":
+    def of(cls, bundle: Bundle, count: int) -> "NodeGrid":
         """For all columns."""
         ends, places = [t - 1 for t in nodes(count)], []
         still = [i for i, a in enumerate(bundle.alphas) if a == 1]
@@ -191,7 +191,7 @@ class Grid:
         ]
 
 
-def found(grid: Grid, bits: int) -> arb_mat:
+def found(grid: NodeGrid, bits: int) -> arb_mat:
     """f at the nodes, nearly: exact numbers, corrected in doubles until that is enough."""
     sketch, start, m = grid.bundle.sketch, grid.bundle.start, grid.count
     values, sums = analysis(m, ctx.prec), integrals(m, ctx.prec)
@@ -222,7 +222,7 @@ class Path:
     the first Chebyshev coefficient of G, and ``sizes``: those of the others.
     """
 
-    grid: Grid
+    grid: NodeGrid
     ends: tuple[arb, ...]
     slowness: Rows
     differs: arb
@@ -230,7 +230,7 @@ class Path:
     sizes: arb_poly
 
     @classmethod
-    def along(cls, grid: Grid, rates: arb_mat) -> "Path":
+    def along(cls, grid: NodeGrid, rates: arb_mat) -> "Path":
         """P is the polynomial through the exact ``rates`` without its last, negligible coefficients."""
         m, bundle, none = grid.count, grid.bundle, arb(0)
         b = (analysis(m, ctx.prec) * rates).table()

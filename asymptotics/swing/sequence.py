@@ -21,10 +21,10 @@ from flint import arb
 from asymptotics.flow.balls import upper
 from asymptotics.flow.parting import by_ratio
 from asymptotics.flow.turning import Turning
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.half_swing_map import Passage
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.swing.panels import Panels
-from asymptotics.swing.passage import Passage
 
 
 @dataclass(frozen=True)

@@ -22,9 +22,9 @@ from flint import arb
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
+from asymptotics.swing.creep_slow_curve import WIDEST, SlowCurve, Strip, one_way, short_enough, solve
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.slow import WIDEST, Curve, Strip, one_way, short_enough, solve
-from asymptotics.swing.slow_series import Truncated, summed
+from asymptotics.swing.slow_curve_series import Truncated, summed
 
 _NEAREST, _FARTHEST = 4, 60  # log2 of 1/B at the end of a slide
 _LN2, _WORTH = log(2), 0.5  # a slide lets ln w fall by more
@@ -78,7 +78,7 @@ def _between(series: Truncated, state: tuple[Damping, arb, arb, arb], end: arb, 
     h = 2 * upper(theta) + 4 * upper(summed(series.rest, end) / a)
     if not h < WIDEST * goal or not one_way(series, h, end):
         return None
-    above, below = (Curve(series.epsilon, a, (), (*series.b, (sign * h, arb(0)))) for sign in (-1, 1))
+    above, below = (SlowCurve(series.epsilon, a, (), (*series.b, (sign * h, arb(0)))) for sign in (-1, 1))
     try:
         starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
     except UndecidedError:  # too few bits here: a later state may do

@@ -9,7 +9,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.cells import Cell, Nearest, Rows
 from asymptotics.tables.inputs import SUMS, Inputs, label
 from asymptotics.tables.recipe import Found, begun
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.routes.dry import last_turning_point
 

@@ -16,7 +16,7 @@ from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.public import public
 from asymptotics.testing.assertions import assert_digits
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 
 GUARD = 6
 """Digits that the certified value has beyond those that are compared."""

@@ -51,7 +51,7 @@ Part = tuple[tuple[Key, arb], ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Defects:
+class DefectBound:
     """A bound of the sum of all defects from a point on: what the next terms give, and ``beyond`` them."""
 
     following: arb
@@ -94,7 +94,7 @@ class AbelFlow:
             time += arb(0, end.rad()) * self.integrand(self.clock, end)
         return after, time
 
-    def defects(self, x: arb) -> tuple[Defects, Defects]:
+    def defects(self, x: arb) -> tuple[DefectBound, DefectBound]:
         """For Psi and Theta, from the ball x on."""
         with ctx.workprec(BITS):
             top = [arb(d.upper()) for d in self.strengths(x)]
@@ -106,7 +106,9 @@ class AbelFlow:
             if not behind > 0:
                 raise UndecidedError("delta is too large for the sum along the orbit")
             along = behind ** (1 - m) / ((m - 1) * self._gain()) / bound.radii[0] ** m
-            psi, theta = (Defects(arb(c.upper()), arb((d * along).upper())) for c, d in zip(after, beyond, strict=True))
+            psi, theta = (
+                DefectBound(arb(c.upper()), arb((d * along).upper())) for c, d in zip(after, beyond, strict=True)
+            )
         return psi, theta
 
     def integrand(self, drive: Sequence[Part], x: Any) -> Any:

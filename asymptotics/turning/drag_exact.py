@@ -21,7 +21,7 @@ so the image of a ball is the hull of the images of its ends.  V(q) <= V(a): the
 
 >>> from itertools import islice
 >>> with ctx.workprec(120):
-...     pendulum = Well.of(Law({2: "1/5"}, spring="pendulum"))
+...     pendulum = PrimitiveWell.of(Law({2: "1/5"}, spring="pendulum"))
 ...     found = [x.str(10) for x, _ in islice(swings(pendulum, arb(2), 60), 3)]
 >>> found
 ['2.000000000', '[-1.203804096 +/- ...]', '[0.8918968686 +/- ...]']
@@ -43,7 +43,7 @@ _DEGREE, _RATIONAL = 12, 40  # powers of a spring, and places, that are looked a
 
 
 @dataclass(frozen=True)
-class Well:
+class PrimitiveWell:
     """The spring and the two losses in balls; ``rate`` is r if sin(r x)/r stands in the place of x, else None.
 
     r is the unit of length in rad: 1 where x is an angle.
@@ -55,7 +55,7 @@ class Well:
     drag: arb
 
     @classmethod
-    def of(cls, law: Law) -> "Well":
+    def of(cls, law: Law) -> "PrimitiveWell":
         """At the current precision; InputError by name for a force that this method cannot take."""
         dry, drag, springs, rate = arb(0), arb(0), [], None
         for t in law.terms:
@@ -136,7 +136,7 @@ def _power_primitive(x: arb, p: int, k: arb) -> arb:
     return -(-(k * x)).exp() * total
 
 
-def swings(well: Well, x: arb, bits: int) -> Iterator[tuple[arb, bool | None]]:
+def swings(well: PrimitiveWell, x: arb, bits: int) -> Iterator[tuple[arb, bool | None]]:
     """(x_n, whether the mass sticks there, None if undecided) for n = 0, 1, ...; ends where balls cannot go on."""
     side = 1 if x > 0 else -1
     a = side * x
@@ -204,7 +204,7 @@ def _rational_root(well: list[Fraction], a: Fraction, dry: Fraction) -> Fraction
     return None
 
 
-def _next(well: Well, a: arb, bits: int) -> arb | None:
+def _next(well: PrimitiveWell, a: arb, bits: int) -> arb | None:
     """The next turning distance q from a dyadic a with V'(a) > eps_0; negative q if it stops before the centre."""
     q = _guess(well, a)
     if q is None:
@@ -214,7 +214,7 @@ def _next(well: Well, a: arb, bits: int) -> arb | None:
     return arb(q, eta.upper()) if inner > 0 and outer < 0 else None
 
 
-def _guess(well: Well, a: arb) -> arb | None:
+def _guess(well: PrimitiveWell, a: arb) -> arb | None:
     """Bisection in doubles' width, then Newton's method on midpoints: a choice, not a claim."""
     low, high = _falling_from(well, a), a
     for _ in range(40):
@@ -232,7 +232,7 @@ def _guess(well: Well, a: arb) -> arb | None:
     return q if q.is_finite() and q <= a else None
 
 
-def _falling_from(well: Well, a: arb) -> arb:
+def _falling_from(well: PrimitiveWell, a: arb) -> arb:
     """-x at the place x > 0 where V' = eps_0: from there on the integral falls; 0 without dry friction."""
     if well.dry == 0:
         return arb(0)
@@ -243,7 +243,7 @@ def _falling_from(well: Well, a: arb) -> arb:
     return -high
 
 
-def require_well(well: Well, x0: ExactReal) -> None:
+def require_well(well: PrimitiveWell, x0: ExactReal) -> None:
     """InputError unless V' > 0 from 0 to |x0|, decided by balls on pieces of V'(x)/x."""
     if x0.is_zero:
         raise InputError("x0", "0 is the place of rest", "a start at rest away from 0")
@@ -263,7 +263,7 @@ def require_well(well: Well, x0: ExactReal) -> None:
         stack += [(low, middle), (middle, high)]
 
 
-def _stiffness(well: Well, x: arb) -> arb:
+def _stiffness(well: PrimitiveWell, x: arb) -> arb:
     """V'(x)/x for a ball x >= 0."""
     linear = arb(1) if well.rate is None else (well.rate * x).sinc()
     total = linear

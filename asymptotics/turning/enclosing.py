@@ -15,9 +15,9 @@ from asymptotics.flow.turning import Turning, rest
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.precision import at_growing_precision
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.lingering import lost_bits, require_brief
+from asymptotics.swing.linear_spring import LinearSpring
+from asymptotics.swing.near_critical import lost_bits, require_brief
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.table import Kept, Progress, Request, named, rounded
 
@@ -28,7 +28,7 @@ _DOUBLINGS = 5
 
 
 @dataclass(frozen=True)
-class Orbit:
+class EnclosedMotion:
     """A motion at the current precision: ``first`` turning point, or why there is none; the sequence ``after`` it."""
 
     first: Callable[[], Turning | str]
@@ -73,7 +73,7 @@ def in_words(request: Request, by: str, bits: int) -> str:
 
 def enclosed(
     request: Request,
-    orbit: Callable[[], Orbit],
+    orbit: Callable[[], EnclosedMotion],
     method: Callable[[int], str],
     bits: int,
     progress: Progress,

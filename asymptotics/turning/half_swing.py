@@ -22,12 +22,12 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import CREEPS, OVERDAMPED
+from asymptotics.swing.half_swing_map import INTEGRATED, integrated
 from asymptotics.swing.linear import ROUTE as CLOSED
-from asymptotics.swing.passage import INTEGRATED, integrated
 from asymptotics.terms import Term
-from asymptotics.wells.course import Well
 from asymptotics.wells.ends import inside
-from asymptotics.wells.force import Force
+from asymptotics.wells.even_well import EvenWell
+from asymptotics.wells.force import WellForce
 
 MAX_DELTA = 1000
 _ENDS = {STICKS: "sticks there", CREEPS: "creeps from there on", OVERDAMPED: "is overdamped"}
@@ -76,10 +76,10 @@ def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digit
 
     def evaluate(bits: int) -> SwingValue:
         with ctx.workprec(bits + GUARD):
-            force = Force.of(terms, [d.ball() for d in delta])
+            force = WellForce.of(terms, [d.ball() for d in delta])
         if inside(force, arb(1)) is not True:
             raise InputError("delta", "the amplitude lies outside the well, where V' > 0 fails", "a smaller amplitude")
-        found, pieces = swung(Well(force), rest(arb(1)))
+        found, pieces = swung(EvenWell(force), rest(arb(1)))
         if isinstance(found, str) or not found.amplitude > found.amplitude_error:
             how = _ENDS[found] if isinstance(found, str) else "stops before the centre"
             raise InputError("delta", f"no turning point follows: the motion {how}", "a smaller delta")

@@ -11,8 +11,8 @@ together (``flow.parting``).
 ``force``       the force in balls: values, slopes, what a disc of complex u and w can make of it
 ``expansion``   the motion next to a turning point, in powers of the speed, with its majorant
 ``ends``        sticks, creeps, overdamped; escapes and rotates: what leaves the well
-``landing``     the turning point ahead
-``course``      the flow of such a force, for the course of ``flow``
+``turning_point`` the turning point ahead
+``even_well``   the flow of such a force, for the course of ``flow``
 ==============  ======================================================================================
 
 Derivations ``wells-majorant`` and ``wells-traps``.

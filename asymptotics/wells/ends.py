@@ -14,7 +14,7 @@ More losses only slow the motion down.  ``None`` means: not proved here.
 pendulum rotates, and any other mass escapes.
 
 >>> from asymptotics.law import Law
->>> duffing = Force.of(Law({"1/2": 1}, spring={3: "-1/2"}).terms)
+>>> duffing = WellForce.of(Law({"1/2": 1}, spring={3: "-1/2"}).terms)
 >>> trap(duffing, arb("0.1"), arb("0.001")), trap(duffing, arb("0.1"), arb("0.5")), inside(duffing, arb(1))
 ('creeps', None, True)
 >>> inside(duffing, arb(2)), beyond(duffing, arb(-2)), beyond(duffing, arb(-1))
@@ -24,21 +24,21 @@ pendulum rotates, and any other mass escapes.
 from flint import arb
 
 from asymptotics.errors import InputError
-from asymptotics.flow.course import ESCAPES, ROTATES
+from asymptotics.flow.trajectory import ESCAPES, ROTATES
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.precision import TooWideError
 from asymptotics.swing.ends import CREEPS, OVERDAMPED
-from asymptotics.wells.force import Force
+from asymptotics.wells.force import WellForce
 
 _PIECES, _LOW = 4096, 53
 
 
-def may_trap(force: Force) -> bool:
+def may_trap(force: WellForce) -> bool:
     """Whether some loss can hold the mass on one side at all: an exponent below 1, or a linear one of 2 or more."""
     return any(f.place == 0 and f.alpha < 1 for f in force.losses) or not force.viscous < 2
 
 
-def trap(force: Force, u: arb, w: arb) -> str | None:
+def trap(force: WellForce, u: arb, w: arb) -> str | None:
     """Why u = 0 is never reached from any (u, w) in the two balls, or None if nothing proves it."""
     held = _held(force, u)
     if held is None or not u - held > 0:
@@ -58,13 +58,13 @@ def trap(force: Force, u: arb, w: arb) -> str | None:
     return None
 
 
-def _critical(force: Force, epsilon: arb) -> bool:
+def _critical(force: WellForce, epsilon: arb) -> bool:
     """epsilon = 2 exactly under a spring that only softens: K = 1."""
     softening = all(c < 0 for c, _ in force.springs) and not force.grips
     return bool(epsilon == 2) and softening and (force.rate is None or bool(force.rate > 0))
 
 
-def _held(force: Force, u: arb) -> arb | None:
+def _held(force: WellForce, u: arb) -> arb | None:
     """The first place u* above 0 where s_0 changes its sign, as a ball; None where the search does not decide."""
     if not force.grips:
         return arb(0)
@@ -88,17 +88,17 @@ def _slow(epsilon: arb, a: arb, K: arb, y: arb, highest: arb, w: arb) -> bool:
     return bool(inside) and bool(c**2 * highest ** (2 / a - 2) < a**2 / (2 - a) * epsilon ** (2 / a) * K ** (1 - 2 / a))
 
 
-def beyond(force: Force, u: arb) -> str | None:
+def beyond(force: WellForce, u: arb) -> str | None:
     """Why a motion that passes the place u < 0 has left its well, or None."""
     return leaves(force) if u < 0 and force.pull(u) > 0 else None
 
 
-def leaves(force: Force) -> str:
+def leaves(force: WellForce) -> str:
     """What a motion does that leaves its well."""
     return ROTATES if force.rate is not None else ESCAPES
 
 
-def inside(force: Force, x: arb) -> bool | None:
+def inside(force: WellForce, x: arb) -> bool | None:
     """Whether V' > 0 from 0 to |x|; False if V' < 0 somewhere on the way, None if undecided."""
     with ctx.workprec(max(ctx.prec, _LOW)):
         stack, pieces = [(arb(0), abs(x).upper())], 0
@@ -116,7 +116,7 @@ def inside(force: Force, x: arb) -> bool | None:
     return True
 
 
-def require_inside(force: Force, x: arb, shown: str) -> None:
+def require_inside(force: WellForce, x: arb, shown: str) -> None:
     """InputError unless V' > 0 from 0 to |x|; UndecidedError where balls cannot tell."""
     stays = inside(force, x)
     if stays is None:
@@ -126,7 +126,7 @@ def require_inside(force: Force, x: arb, shown: str) -> None:
         raise InputError("x0", reason, "a start inside it")
 
 
-def _stiffness(force: Force, x: arb) -> arb:
+def _stiffness(force: WellForce, x: arb) -> arb:
     """V'(x)/x for a ball x >= 0."""
     linear = arb(1) if force.rate is None else (force.rate * x).sinc()
     return sum((c * x ** (p - 1) for c, p in force.springs), linear)

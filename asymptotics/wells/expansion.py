@@ -21,8 +21,8 @@ H*.
 
 >>> from asymptotics.law import Law
 >>> with ctx.workprec(60):
-...     force = Force.of(Law({"3/2": "1/10"}).terms)
-...     start = Expansion.at(force, arb(1))
+...     force = WellForce.of(Law({"3/2": "1/10"}).terms)
+...     start = WellExpansion.at(force, arb(1))
 ...     u, tau = start.state(arb("0.0625"))
 ...     u.str(12), tau.str(12)
 ('[0.998043212541 +/- ...]', '[0.0625799720549 +/- ...]')
@@ -37,10 +37,10 @@ from flint import arb, arb_poly
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import dyadic, in_doubles, size_of, upper
-from asymptotics.flow.composition import Curve, Grid, Line, Simplex, keys_of
+from asymptotics.flow.composition import ComposedSeries, ExponentGrid, ExponentLine, Simplex, keys_of
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.keys import Key, Plan, plan_for
-from asymptotics.wells.force import Force
+from asymptotics.swing.kept_terms import KeptTerms, Key, plan_for
+from asymptotics.wells.force import WellForce
 
 _STEPS, _LOW = 4, 40
 _SHARE = 0.6  # of P_0 that the spring may change within the scale
@@ -48,13 +48,13 @@ _SHRINKING = (1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.03, 0.01)
 
 
 @dataclass(frozen=True)
-class Expansion:
+class WellExpansion:
     """u(w) and tau(w)/w at the turning point ``u0`` for 0 <= w <= ``reach``, with the bounds of their tails.
 
     On a line the variable is w^``step``; else ``keys`` are the monomials in w^2, w^alpha_i.
     """
 
-    force: Force
+    force: WellForce
     u0: arb
     brake: arb
     reach: arb
@@ -66,7 +66,7 @@ class Expansion:
     time_tail: arb
 
     @classmethod
-    def at(cls, force: Force, u0: arb, w: arb | None = None) -> "Expansion":
+    def at(cls, force: WellForce, u0: arb, w: arb | None = None) -> "WellExpansion":
         """The expansion at a turning point u0, for speeds up to ``w`` (without it: up to what is cheapest).
 
         UndecidedError where the mass might rest there, or the majorant does not provably converge.
@@ -124,7 +124,7 @@ class Expansion:
         return u + arb(0, self.tail), w * (slowness + arb(0, self.time_tail))
 
 
-def reach_at(force: Force, u0: arb) -> arb | None:
+def reach_at(force: WellForce, u0: arb) -> arb | None:
     """The cheapest hand-over speed at a turning point, a choice; None where there can be none."""
     with ctx.workprec(_LOW):
         brake = force.rest(u0.mid()).mid()
@@ -134,7 +134,7 @@ def reach_at(force: Force, u0: arb) -> arb | None:
         return dyadic(plan.omega + scale)
 
 
-def _planned(force: Force, u0: arb, brake: arb, w: arb | None) -> tuple[Plan, arb, tuple[arb, arb, arb]]:
+def _planned(force: WellForce, u0: arb, brake: arb, w: arb | None) -> tuple[KeptTerms, arb, tuple[arb, arb, arb]]:
     """A plan whose majorant provably converges: its reach, and 2^-G, H*, R*."""
     for shrink in _SHRINKING:
         plan, scale = _plan(force, u0, brake, w, shrink)
@@ -146,7 +146,7 @@ def _planned(force: Force, u0: arb, brake: arb, w: arb | None) -> tuple[Plan, ar
     raise UndecidedError("the majorant of the expansion at a turning point does not provably converge")
 
 
-def _plan(force: Force, u0: arb, brake: arb, w: arb | None, shrink: float) -> tuple[Plan, float]:
+def _plan(force: WellForce, u0: arb, brake: arb, w: arb | None, shrink: float) -> tuple[KeptTerms, float]:
     """A plan as beside a linear spring of the stiffness met within some distance; log2 of the unit of speed."""
     bits = ctx.prec
     with ctx.workprec(_LOW):
@@ -162,7 +162,7 @@ def _plan(force: Force, u0: arb, brake: arb, w: arb | None, shrink: float) -> tu
         return plan_for(deltas, rational, alphas, bits, omega, shared=False), scale
 
 
-def _distance(force: Force, u0: arb, size: arb) -> arb:
+def _distance(force: WellForce, u0: arb, size: arb) -> arb:
     """Where the spring has changed by a share of P_0; on one side of a kink."""
     high = size
     while force.largest_change(u0, high) < _SHARE * size:
@@ -175,15 +175,15 @@ def _distance(force: Force, u0: arb, size: arb) -> arb:
     return min(found, 0.9 * abs(u0)) if force.kinked else found
 
 
-def _line(force: Force, plan: Plan) -> tuple[Fraction, Grid, int]:
+def _line(force: WellForce, plan: KeptTerms) -> tuple[Fraction, ExponentGrid, int]:
     """The variable w^step, the places of z_0 and z_i, and how many terms."""
     q = plan.denominator
     places = [2 * q, *(int(a.rational * q) for a in force.alphas)]
     common = gcd(*places)
-    return Fraction(common, q), Line(tuple(p // common for p in places)), -(-plan.count // common)
+    return Fraction(common, q), ExponentLine(tuple(p // common for p in places)), -(-plan.count // common)
 
 
-def _majorant(force: Force, u0: arb, size: arb, w: arb, plan: Plan) -> tuple[arb, arb, arb] | None:
+def _majorant(force: WellForce, u0: arb, size: arb, w: arb, plan: KeptTerms) -> tuple[arb, arb, arb] | None:
     """(2^-G, H*, R*): the factor of the first term left out, and the majorants at the stretched speed, in balls."""
     two, ln_w = arb(2), w.log()
     if plan.denominator:
@@ -214,11 +214,13 @@ def _majorant(force: Force, u0: arb, size: arb, w: arb, plan: Plan) -> tuple[arb
     return (factor, H, bound) if bound < 1 and a / (1 - bound) <= H else None
 
 
-def _coefficients(force: Force, u0: arb, brake: arb, grid: Grid, exponents: list[arb]) -> tuple[list[arb], list[arb]]:
+def _coefficients(
+    force: WellForce, u0: arb, brake: arb, grid: ExponentGrid, exponents: list[arb]
+) -> tuple[list[arb], list[arb]]:
     """Coefficients of u and tau/w."""
     side = 1 if u0 > 0 or not u0 < 0 else -1
     powers, losses = force.rest_powers(side), force.loss_powers(side)
-    curve = Curve(grid, force.rate, {n for _, n in powers} | {m for _, m, _ in losses}, u0)
+    curve = ComposedSeries(grid, force.rate, {n for _, n in powers} | {m for _, m, _ in losses}, u0)
     P, Q, scale, none = [brake], [1 / brake], -1 / brake, arb(0)
     for k in range(1, len(exponents)):
         before = grid.back(k, 0)
@@ -233,7 +235,7 @@ def _coefficients(force: Force, u0: arb, brake: arb, grid: Grid, exponents: list
     return curve.u, [c / (e + 1) for c, e in zip(Q, exponents)]
 
 
-def _monomials(force: Force, keys: tuple[Key, ...], w: arb) -> list[arb]:
+def _monomials(force: WellForce, keys: tuple[Key, ...], w: arb) -> list[arb]:
     ln_w = w.log()
     logs = [2 * ln_w, *(f.exponent * ln_w for f in force.losses)]
     return [sum((n * ln for n, ln in zip(key, logs)), arb(0)).exp() for key in keys]

@@ -3,14 +3,14 @@
     G(u, w) = s_0(u) - sum_i epsilon_i |u|^m_i w^alpha_i,    s_0 = pull - grip,
     pull(u) = u + sum_j c_j u|u|^(p_j-1), with sin(r u)/r in place of u for a pendulum,    grip(u) = sum epsilon |u|^m
 
-(``grip`` are the losses of exponent 0).  Strengths are enclosures at the precision current when the ``Force`` is
+(``grip`` are the losses of exponent 0).  Strengths are enclosures at the precision current when the ``WellForce`` is
 made. On one side of u = 0 everything is a polynomial or a sine of u: ``rest_powers`` and ``loss_factor`` give it.
 
 >>> from asymptotics.law import Law
->>> air = Force.of(Law({2: "1/10", 0: "1/50"}, spring={3: "1/2"}).terms)
+>>> air = WellForce.of(Law({2: "1/10", 0: "1/50"}, spring={3: "1/2"}).terms)
 >>> air.acceleration(arb(1), arb(1)).str(5), air.slope(arb(1), arb(0)).str(5)
 ('[1.3800 +/- ...]', '2.5000')
->>> Force.of(Law({1: 1}, spring="pendulum").terms).pull(arb(-2)).str(5)
+>>> WellForce.of(Law({1: 1}, spring="pendulum").terms).pull(arb(-2)).str(5)
 '[-0.90930 +/- ...]'
 """
 
@@ -29,7 +29,7 @@ from asymptotics.terms import Term
 
 
 @dataclass(frozen=True)
-class Loss:
+class WellLoss:
     """strength |u|^place w^alpha, alpha > 0."""
 
     strength: arb
@@ -39,20 +39,20 @@ class Loss:
 
 
 @dataclass(frozen=True)
-class Force:
+class WellForce:
     """``rate``: r of a pendulum, else None; ``springs``: (c, p); ``grips``: (epsilon, m) of alpha = 0; ``losses``."""
 
     rate: arb | None
     springs: tuple[tuple[arb, int], ...]
     grips: tuple[tuple[arb, int], ...]
-    losses: tuple[Loss, ...]
+    losses: tuple[WellLoss, ...]
     linear: ClassVar[int] = 0
     entire: ClassVar[bool] = False
     nonexpansive: ClassVar[bool] = False
     superlinear: ClassVar[bool] = False
 
     @classmethod
-    def of(cls, terms: Sequence[Term], strengths: Sequence[arb] | None = None) -> "Force":
+    def of(cls, terms: Sequence[Term], strengths: Sequence[arb] | None = None) -> "WellForce":
         """The terms of a dimensionless law, at the current precision; ``strengths`` in place of theirs.
 
         InputError by name for anti-damping and for a spring that depends on the velocity.
@@ -74,7 +74,7 @@ class Force:
                 elif t.velocity.is_zero:
                     grips.append((e, t.position))
                 else:
-                    losses.append(Loss(e, t.position, t.velocity, t.velocity.ball()))
+                    losses.append(WellLoss(e, t.position, t.velocity, t.velocity.ball()))
         return cls(rate, tuple(springs), tuple(grips), tuple(losses))
 
     @cached_property
@@ -173,7 +173,7 @@ class Force:
         return upper(abs(self.rest(u)) + self.largest_change(u, du) + self.drag(abs(u) + du, w + dw))
 
 
-def estimated_seconds(force: Force, swings: float, bits: int) -> float:
+def estimated_seconds(force: WellForce, swings: float, bits: int) -> float:
     """The expected time, good to a factor of about three for weak damping."""
     apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in force.alphas)
     return well_seconds(swings, bits, len(force.losses) + len(force.springs), apart)

@@ -25,8 +25,8 @@ from flint import arb
 from asymptotics.flow.dense import states
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import not_of_order, vanishes

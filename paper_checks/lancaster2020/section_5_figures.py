@@ -10,7 +10,7 @@ from flint import arb
 from asymptotics.law import Law
 from asymptotics.numbers.bridge import closed_form_ball, from_sympy
 from asymptotics.numbers.context import ctx
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import all_confirmed, below, decided, rounds_to, same

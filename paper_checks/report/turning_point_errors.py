@@ -21,7 +21,7 @@ from asymptotics.law import Law, Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.numbers.context import cache
 from asymptotics.numbers.exact import parse_real
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from asymptotics.turning.result import TurningPoints
 
 Array = Any

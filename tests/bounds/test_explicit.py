@@ -12,7 +12,7 @@ from flint import acb, arb, ctx
 import asymptotics as asy
 from asymptotics.api.solution import epsilon, tau
 from asymptotics.bounds import explicit
-from asymptotics.bounds.explicit import _Theorem, explicit_bound
+from asymptotics.bounds.explicit import _ExplicitTheorem, explicit_bound
 from asymptotics.bounds.uniform import largest_strength, uniform_bound
 from asymptotics.bounds.waveform import waveform_bounds
 from asymptotics.errors import InputError, LimitError
@@ -63,7 +63,7 @@ def test_laws_that_nobody_chose(law, order):
 def theorem(alpha, order, strength="1/10"):
     waves = waveform_bounds((parse_real(alpha, "alpha"),), order + 1)
     with ctx.workprec(80):
-        return _Theorem.of(waves, order, parse_real(strength, "epsilon").ball())
+        return _ExplicitTheorem.of(waves, order, parse_real(strength, "epsilon").ball())
 
 
 @pytest.mark.parametrize(

@@ -16,8 +16,8 @@ from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.turning import Turning, rest
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.sequence import Interpolated
 

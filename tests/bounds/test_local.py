@@ -10,7 +10,7 @@ from asymptotics.bounds.local import Remainder, flow_majorant, local_bounds
 from asymptotics.errors import UndecidedError
 from asymptotics.numbers.exact import parse_real
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.passage import integrated
+from asymptotics.swing.half_swing_map import integrated
 
 
 def reals(*texts):

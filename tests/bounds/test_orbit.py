@@ -14,7 +14,7 @@ from asymptotics.bounds.turning import turning_bounds
 from asymptotics.errors import LimitError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 
 
 def reals(*texts):

@@ -14,8 +14,8 @@ from asymptotics.flow.turning import Turning
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear_spring import LinearSpring
 
 DELTA = arb("0.25")
 TIGHT = arb(1e-9)

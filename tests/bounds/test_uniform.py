@@ -9,7 +9,7 @@ from flint import arb, ctx
 
 from asymptotics.bounds.flow import TruncatedFlow
 from asymptotics.bounds.turning import rates
-from asymptotics.bounds.uniform import _Theorem, displacement_bound, largest_strength, uniform_bound
+from asymptotics.bounds.uniform import _UniformTheorem, displacement_bound, largest_strength, uniform_bound
 from asymptotics.bounds.waveform import waveform_bounds
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
@@ -119,7 +119,7 @@ def reals(*texts):
 def theorem(law, order, oscillator=None):
     acting = (oscillator or Oscillator(law)).dimensionless.terms
     waves = waveform_bounds(tuple(t.velocity for t in acting), order)
-    return _Theorem(waves, order, tuple(t.strength.ball() for t in acting))
+    return _UniformTheorem(waves, order, tuple(t.strength.ball() for t in acting))
 
 
 def test_each_part_of_the_bound_counts():
@@ -129,7 +129,7 @@ def test_each_part_of_the_bound_counts():
         x, v, _ = whole.bound(moving=False, until=None)
         none = arb(0)
         silent = replace(whole.waves, residual=replace(whole.waves.residual, coefficients=(none,) * 9, cauchy=none))
-        printed, turned, _ = _Theorem(silent, 2, whole.strengths).bound(moving=False, until=None)
+        printed, turned, _ = _UniformTheorem(silent, 2, whole.strengths).bound(moving=False, until=None)
         assert abs(v - x - (turned - printed)) < arb(10) ** -15
         d = arb(1) / 20
         xi = whole.waves.displacements
@@ -224,7 +224,7 @@ def test_where_the_amplitude_equation_may_lose_its_sign_there_is_no_bound():
     """p = 0.4 d - 1e8 d^3 has no range of its own: the smallest strength that is tried is beyond its zero."""
     waves = replace(waveform_bounds(reals("2"), 3), p=Series({(1,): arb(0.4), (3,): arb(-(10**8))}, 1, 3))
     with ctx.workprec(80), pytest.raises(LimitError, match="lose its sign"):
-        _Theorem(waves, 3, (arb(1) / 1000,)).bound(moving=False, until=None)
+        _UniformTheorem(waves, 3, (arb(1) / 1000,)).bound(moving=False, until=None)
 
 
 @pytest.mark.parametrize(

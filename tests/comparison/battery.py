@@ -1,7 +1,7 @@
 """Many ways of being wrong, as samples x(tau) of motions from rest: (what it is, its name, how it is made).
 
 Integrators at several steps and tolerances, formulas of first and second order, wrong strengths, exponents and laws,
-noise, and rounded values.  ``RIGHT`` are the answers of ``look`` that are right for each.
+noise, and rounded values.  ``RIGHT`` are the answers of ``quick_look`` that are right for each.
 """
 
 from itertools import product

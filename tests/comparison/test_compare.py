@@ -17,7 +17,7 @@ from asymptotics.comparison.digits import judged, marked, right_digits
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.digits import ball_of
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 
 sys.path.insert(0, str(Path(__file__).parent))
 import examples

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asymptotics.comparison.errors import of_motion, of_turning_points
-from asymptotics.comparison.look import look_of
+from asymptotics.comparison.quick_look import look_of
 from tests.comparison import battery
 
 DOCS = Path(__file__).parents[2] / "docs" / "tables.md"

@@ -5,7 +5,7 @@ from flint import ctx
 from asymptotics.flow.force import Force
 from asymptotics.law import Law
 from asymptotics.swing.damping import Damping
-from asymptotics.wells.force import Force as Well
+from asymptotics.wells.force import WellForce as Well
 
 LINEAR = {
     "free": {2: "1e-300"},

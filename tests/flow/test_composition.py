@@ -4,7 +4,7 @@ import mpmath
 import pytest
 from flint import arb
 
-from asymptotics.flow.composition import Curve, Line, Simplex
+from asymptotics.flow.composition import ComposedSeries, ExponentLine, Simplex
 
 
 def test_products_on_a_simplex_are_those_of_polynomials():
@@ -20,7 +20,7 @@ def test_products_on_a_simplex_are_those_of_polynomials():
 
 
 def test_curves_on_a_line_are_power_series():
-    curve = Curve(Line(()), arb(2), {0, 5}, arb("0.5"))
+    curve = ComposedSeries(ExponentLine(()), arb(2), {0, 5}, arb("0.5"))
     for k in range(1, 6):
         curve.append(arb(1) / k)
     with mpmath.workdps(30):

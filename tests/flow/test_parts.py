@@ -7,17 +7,17 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow import course as courses
 from asymptotics.flow import dense, parting
-from asymptotics.flow.course import course
+from asymptotics.flow import trajectory as courses
 from asymptotics.flow.parting import by_ratio, contracted, points_forward, state_gap
 from asymptotics.flow.sequence import after_kick, kicked, sticks
+from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import Turning
 from asymptotics.law import Law
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.wells.course import Well
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.wells.ends import _held, trap
+from asymptotics.wells.even_well import EvenWell
 from tests.wells.test_bounds import FORCES, FREE, force_of
 
 LAW = Law({1: "1/2"})
@@ -101,7 +101,7 @@ def test_the_growth_along_a_piece_is_that_of_all_its_places_and_speeds(monkeypat
 
     monkeypatch.setattr(courses, "growth", growth)
     with ctx.workprec(60):
-        first, *_, last = course(Well(FREE), arb(1), arb(0), arb(2) ** -40)
+        first, *_, last = course(EvenWell(FREE), arb(1), arb(0), arb(2) ** -40)
         end, _ = first.expansion.state(first.expansion.reach)
         turn, place = (last.expansion.state(w)[0] for w in (arb(0), last.beside[1]))
         (u, w), (v, x) = seen[0], seen[-1]
@@ -111,7 +111,7 @@ def test_the_growth_along_a_piece_is_that_of_all_its_places_and_speeds(monkeypat
 
 def test_the_rounding_of_the_time_of_a_landing_is_a_distance():
     with ctx.workprec(30):
-        *_, last = course(Well(FREE), arb(1), arb(0), arb(0))
+        *_, last = course(EvenWell(FREE), arb(1), arb(0), arb(0))
         own = last.errors.error - last.factor * last.begun.error
         wide = last.clock.rad() * last.expansion.speed(last.unit)
         assert own > 0 and own >= wide * arb("0.999")
@@ -120,7 +120,7 @@ def test_the_rounding_of_the_time_of_a_landing_is_a_distance():
 @pytest.mark.parametrize("given", ["0.0015", "0.003"])
 def test_dry_friction_may_hold_a_start_within_its_error(given):
     """Held up to 1/2: the start 0.501 is farther, by less than its error."""
-    flow = Well(force_of({0: "1/2"}))
+    flow = EvenWell(force_of({0: "1/2"}))
     with ctx.workprec(60), pytest.raises(UndecidedError, match="holds the mass here"):
         next(iter(course(flow, arb("0.501").mid(), arb(0), arb(given))))
 
@@ -133,8 +133,8 @@ def expansion(turn, place):
 
 
 def test_an_expansion_that_reaches_a_kink_is_refused():
-    kinked = Well(force_of({2: "1/10"}, {2: "1/2"}))
-    here = courses.State(arb(0), arb("0.5"), arb(0), courses.Errors(arb(0), arb(0)))
+    kinked = EvenWell(force_of({2: "1/10"}, {2: "1/2"}))
+    here = courses.FlowState(arb(0), arb("0.5"), arb(0), courses.PartingErrors(arb(0), arb(0)))
     flow = replace_method(kinked, "expansion", lambda _place: expansion(arb("0.5"), arb("-0.1")))
     with pytest.raises(UndecidedError, match="reaches a kink"):
         courses._departure(flow, arb(1), here)
@@ -168,12 +168,12 @@ def test_a_step_across_a_kink_must_end_before_it(start, speed, length, place):
 
 def test_a_first_motion_must_have_a_direction():
     with pytest.raises(UndecidedError, match="direction"):
-        kicked(Well(FREE), arb(1), arb(0, "0.001"))
+        kicked(EvenWell(FREE), arb(1), arb(0, "0.001"))
 
 
 def test_a_first_turning_point_may_lie_outside_within_its_error():
     """A pendulum that turns at 3.1 +- 0.06 may have passed the top."""
-    flow = Well(FORCES["free pendulum"])
+    flow = EvenWell(FORCES["free pendulum"])
     piece = SimpleNamespace(
         flow=flow, turn=arb("-3.1"), clock=arb(1), late=lambda _: arb(0), gap=lambda _: arb("0.06")
     )  # fmt: skip
@@ -182,7 +182,7 @@ def test_a_first_turning_point_may_lie_outside_within_its_error():
 
 
 def test_a_mass_beyond_its_place_of_rest_is_not_said_to_go_on():
-    flow = Well(force_of({0: "1/2"}))
+    flow = EvenWell(force_of({0: "1/2"}))
     assert not sticks(flow, Turning(0, 1, arb(2), arb(0), arb(0), arb(0)))
     with pytest.raises(UndecidedError, match="holds the mass"):
         sticks(flow, Turning(0, 1, arb(-2), arb(0), arb(0), arb(0)))

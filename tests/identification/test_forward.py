@@ -11,11 +11,11 @@ from asymptotics.half_swings.quarter import half_swing
 from asymptotics.identification.coefficients import loss, spring, swing_coefficients
 from asymptotics.identification.quadrature import TooStrongError, integrated_swings
 from asymptotics.identification.sequence import turning_sequence
-from asymptotics.identification.swing import Swing
+from asymptotics.identification.swing import HalfSwingModel
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.terms import Term
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 
 
 @pytest.mark.parametrize("law", [("3/2",), ("0", "1"), ("1/10", "2"), ("0", "1/2", "3")])
@@ -65,7 +65,7 @@ def test_the_first_coupling_of_a_loss_and_a_spring_has_its_closed_form(alpha, p)
 
 def test_the_conservative_spring_has_the_period_of_the_elliptic_integral():
     gamma_ = 0.05  # x'' + x + gamma x^3: half period 2 K(m)/sqrt(1 + gamma), m = gamma/(2 (1 + gamma))
-    swing = Swing((loss(1.0), spring(3)))
+    swing = HalfSwingModel((loss(1.0), spring(3)))
     found = swing.at(np.array([0.0]), np.array([0.0, gamma_]))
     exact = 2 * ellipk(gamma_ / (2 * (1 + gamma_))) / np.sqrt(1 + gamma_)
     assert found.of("T")[0] == pytest.approx(exact, abs=1e-9)
@@ -83,7 +83,7 @@ SUMS = [
 
 @pytest.mark.parametrize(("elements", "parameters", "free"), SUMS)
 def test_the_series_agree_with_the_integral_equation_and_both_with_differences(elements, parameters, free):
-    swing, p, a = Swing(elements, free), np.array(parameters), np.linspace(-1.0, -0.4, 7)
+    swing, p, a = HalfSwingModel(elements, free), np.array(parameters), np.linspace(-1.0, -0.4, 7)
     swing.tolerance = 1e-3
     found = swing.at(a, p)
     other = integrated_swings(elements, a, p[: len(elements)], p[-1] if free else None)
@@ -105,14 +105,14 @@ LAWS = [[("1/10", "3/2")], [("1/25", "0"), ("1/20", "1")], [("1/10", "1"), ("1/1
 def test_turning_points_and_times_are_those_of_the_certified_program(law):
     swings = 8
     table = turning_points(Law({a: e for e, a in law}), swings + 1, 14, times=True)
-    swing = Swing([loss(float(Fraction(a))) for _, a in law])
+    swing = HalfSwingModel([loss(float(Fraction(a))) for _, a in law])
     found = turning_sequence(swing, swings, np.array([0.0, *(float(Fraction(e)) for e, _ in law)]))
     assert np.abs(np.exp(found.a) - [abs(float(p.x)) for p in table.points]).max() < 1e-10
     assert np.abs(found.tau - [float(p.tau) for p in table.points]).max() < 1e-10
 
 
 def test_the_derivatives_of_the_sequence_are_exact():
-    swing, p = Swing((loss(1), loss(2), spring(3))), np.array([0.0, 0.01, 0.02, 0.02])
+    swing, p = HalfSwingModel((loss(1), loss(2), spring(3))), np.array([0.0, 0.01, 0.02, 0.02])
     found, h = turning_sequence(swing, 60, p), 1e-6
     for i in range(4):
         e = np.eye(4)[i] * h
@@ -124,4 +124,4 @@ def test_the_derivatives_of_the_sequence_are_exact():
 
 def test_motion_that_sticks_has_no_next_turning_point():
     with pytest.raises(TooStrongError):
-        turning_sequence(Swing((loss(0),)), 6, np.array([0.0, 0.1]))  # from 1 by 0.2: five swings
+        turning_sequence(HalfSwingModel((loss(0),)), 6, np.array([0.0, 0.1]))  # from 1 by 0.2: five swings

@@ -9,7 +9,7 @@ from asymptotics.identification.certified_ratio import BITS, CertifiedRatio
 from asymptotics.identification.physical import physical_box
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.set_valued import strengths_that_fit
-from asymptotics.identification.table_rows import Row, linear, meets, rows_of
+from asymptotics.identification.table_rows import RatioInequality, linear, meets, rows_of
 from asymptotics.terms import Term
 
 CUBE = CertifiedRatio((arb(0),), (arb(0),), {(1,): arb("-1e-9"), (3,): arb(-1)}, 200)
@@ -44,7 +44,7 @@ def test_a_linear_row_holds_on_the_whole_box():
     end = 0.125
     for place in (end, -end):
         for sign in (1, -1):
-            row = Row(sign, (arb(1),), -CUBE.polynomial([arb(place)]))
+            row = RatioInequality(sign, (arb(1),), -CUBE.polynomial([arb(place)]))
             M, b = linear(CUBE, [row], np.array([0.0]), np.array([end]))
             assert M[0] * place >= b
 
@@ -61,6 +61,6 @@ def test_a_row_whose_decrement_may_be_negative_refutes_nothing():
 
 
 def test_a_row_that_is_missed_is_not_met():
-    row = Row(1, (arb(1),), arb("0.01"))
+    row = RatioInequality(1, (arb(1),), arb("0.01"))
     with ctx.workprec(BITS):
         assert meets(CUBE, [row], np.array([0.25])) and not meets(CUBE, [row], np.array([0.2]))

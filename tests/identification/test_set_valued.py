@@ -20,8 +20,8 @@ from asymptotics.identification.free_exponent import exponents_that_fit
 from asymptotics.identification.physical import physical_box
 from asymptotics.identification.printed import DecrementModel, Decrements
 from asymptotics.identification.set_valued import strengths_that_fit
-from asymptotics.identification.swing import Swing
-from asymptotics.identification.table_rows import Row, linear, rows_of
+from asymptotics.identification.swing import HalfSwingModel
+from asymptotics.identification.table_rows import RatioInequality, linear, rows_of
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.terms import Term
 
@@ -53,7 +53,7 @@ def test_the_set_holds_the_truth_and_shrinks_with_the_digits(law, strengths, dig
 def test_the_ends_of_the_set_are_attained():
     table = printed("1", [0.02], 3)
     found = strengths_that_fit(losses("1"), table).epsilon[0]
-    model = DecrementModel(Swing([loss(1.0)]), table)
+    model = DecrementModel(HalfSwingModel([loss(1.0)]), table)
 
     def met(epsilon):
         return (np.abs(model.predict(np.array([epsilon]))[0] - table.decrement) <= table.resolution).all()
@@ -97,7 +97,9 @@ def test_a_row_that_the_truth_just_meets_is_met_with_the_tail_only():
         short = CertifiedRatio(
             ratio.weights, ratio.crests, {k: c for k, c in ratio.coefficients.items() if sum(k) <= 3}, 3
         )
-        b = linear(short, [Row(sign, (arb(1),), -true) for sign in (1, -1)], np.array([0.0625]), np.zeros(1))[1]
+        b = linear(
+            short, [RatioInequality(sign, (arb(1),), -true) for sign in (1, -1)], np.array([0.0625]), np.zeros(1)
+        )[1]
         tail = float(short.tail([d]))
     assert max(b) <= 0 < max(b) + tail * (1 - 1e-9) and min(b) > -2 * tail
 

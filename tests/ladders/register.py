@@ -7,13 +7,17 @@ PETAL = "tests/divergence/test_bounds.py"
 ORDERS = "tests/divergence/test_large_orders.py"
 HEIGHTS = "tests/divergence/test_constants.py::test_another_height_gives_the_same_numbers"
 ONE_LAW = "tests/half_swings/test_one_law.py"
-LATE, FINITE, SLOW = "tests/bounds/test_late.py", "tests/half_swings/test_finite.py", "tests/swing/test_slow.py"
+LATE, FINITE, SLOW = (
+    "tests/bounds/test_late.py",
+    "tests/half_swings/test_finite.py",
+    "tests/swing/test_creep_slow_curve.py",
+)
 UNIFORM, AT_LARGEST = (
     "tests/bounds/test_uniform.py",
     "test_the_constant_for_all_strengths_is_the_bound_at_its_largest",
 )
-NEAR = "tests/swing/test_near_equal.py"
-SETTLING, STEP = "tests/swing/test_settling.py", "tests/flow/test_taylor.py"
+NEAR = "tests/swing/test_creep_near_equal.py"
+SETTLING, STEP = "tests/swing/test_onset.py", "tests/flow/test_taylor.py"
 KEPT, DISTANCE = "tests/swing/test_kept_radii.py", "tests/wells/test_distance_bounds.py"
 NEXT = "tests/wells/test_force_bounds.py"
 SWING, WELLS, PANELS = "tests/swing/test_bounds.py", "tests/wells/test_bounds.py", "tests/swing/test_panels.py"
@@ -49,9 +53,9 @@ BOUNDS: Names = {
         "greatest least",
         "tests/test_chosen_in_doubles.py::test_the_extremes_of_balls_hold_those_of_their_numbers",
     ),
-    **_each("swing.slow", "short_enough", f"{SLOW}::test_the_rest_is_what_the_cut_leaves"),
-    **_each("swing.near_equal", "rest", f"{NEAR}::test_what_is_left_is_the_residual_of_the_curve"),
-    **_each("swing.near_equal", "Grouped.size", f"{NEAR}::test_what_is_cut_off_the_sums_is_bounded"),
+    **_each("swing.creep_slow_curve", "short_enough", f"{SLOW}::test_the_rest_is_what_the_cut_leaves"),
+    **_each("swing.creep_near_equal", "rest", f"{NEAR}::test_what_is_left_is_the_residual_of_the_curve"),
+    **_each("swing.creep_near_equal", "Grouped.size", f"{NEAR}::test_what_is_cut_off_the_sums_is_bounded"),
     **_each("swing.slide", "sliding", "tests/swing/test_slide.py::test_the_strip_holds_every_state_that_enters"),
     **_each("divergence.germ", "germ majorants", f"{PETAL}::test_the_numbers_of_a_petal_are_those_of_its_definition"),
     **_each(
@@ -120,7 +124,7 @@ BOUNDS: Names = {
     **_each("swing.chebyshev", "cut", f"{CHEBYSHEV}::test_the_cut_is_attained_by_the_first_polynomial_left_out"),
     **_each("swing.coordinate", "Coordinate.bounds", f"{PANELS}::test_a_ladder_of_panels"),
     **_each("swing.damping", "Damping.strongest", f"{KEPT}::test_what_is_uncertain_at_a_time_is_a_distance"),
-    **_each("swing.expansion", "Expansion.speed", f"{SWING}::test_a_wide_time_near_a_turning_point"),
+    **_each("swing.expansion", "TurningExpansion.speed", f"{SWING}::test_a_wide_time_near_a_turning_point"),
     **_each(
         "swing.expansion", "room", "tests/swing/test_short.py::test_half_of_the_drop_or_of_the_delay_would_be_wrong"
     ),
@@ -137,11 +141,11 @@ BOUNDS: Names = {
     ),
     **_each(
         "turning.abel_flow",
-        "AbelFlow.defects Defects.total",
+        "AbelFlow.defects DefectBound.total",
         f"{FLOW}::test_half_of_the_next_term_or_one_term_less_would_be_wrong",
     ),
     **_each(
-        "flow.course",
+        "flow.trajectory",
         "Landing.gap Landing.late Piece.error",
         "tests/wells/test_distance_bounds.py::test_a_landing_holds_the_orbits_of_both_ends",
     ),
@@ -158,15 +162,17 @@ BOUNDS: Names = {
     **_each("flow.parting", "by_ratio", f"{SWING}::test_amplitudes_carry_their_error_by_contraction"),
     **_each(
         "flow.parting",
-        "Errors.plus Errors.times Errors.apart",
+        "PartingErrors.plus PartingErrors.times PartingErrors.apart",
         "tests/wells/test_distance_bounds.py::test_the_parts_of_a_landing",
     ),
     **_each("flow.sequence", "given_at", f"{DISTANCE}::test_turning_points_hold_those_of_every_start"),
-    **_each("wells.force", "Force.strongest", f"{DISTANCE}::test_an_uncertain_time_moves_a_state"),
-    **_each("wells.expansion", "Expansion.rate Expansion.speed", f"{NEXT}::test_the_rate_next_to_a_turning_point"),
-    **_each("wells.force", "Force.slope", f"{NEXT}::test_every_slope_is_in_the_ball_and_hardly_more"),
-    **_each("wells.force", "Force.largest_change", f"{NEXT}::test_the_change_of_the_force_is_attained"),
-    **_each("wells.force", "Force.largest", f"{NEXT}::test_the_largest_force_on_two_discs_is_attained"),
+    **_each("wells.force", "WellForce.strongest", f"{DISTANCE}::test_an_uncertain_time_moves_a_state"),
+    **_each(
+        "wells.expansion", "WellExpansion.rate WellExpansion.speed", f"{NEXT}::test_the_rate_next_to_a_turning_point"
+    ),
+    **_each("wells.force", "WellForce.slope", f"{NEXT}::test_every_slope_is_in_the_ball_and_hardly_more"),
+    **_each("wells.force", "WellForce.largest_change", f"{NEXT}::test_the_change_of_the_force_is_attained"),
+    **_each("wells.force", "WellForce.largest", f"{NEXT}::test_the_largest_force_on_two_discs_is_attained"),
 }
 """Upper bounds, not enclosures -> the test in which half of them fails or that evaluates them again."""
 
@@ -181,7 +187,12 @@ ELSEWHERE: Names = {
         f"{WAVES}::test_more_digits_are_narrower_and_overlap",
     ),
     **_each("multiscale.ring", "Wave.at", f"{WAVES}::test_the_balls_hold_the_polynomials_of_integer_exponents"),
-    **_each("equivalent.orbit", "Orbit.of Orbit.zeta Orbit.quality Orbit.decrement Orbit.coefficient", EQUIVALENT),
+    **_each(
+        "equivalent.orbit",
+        "ConservativeOrbit.of ConservativeOrbit.zeta ConservativeOrbit.quality ConservativeOrbit.decrement "
+        "ConservativeOrbit.coefficient",
+        EQUIVALENT,
+    ),
     **_each(
         "equivalent.orbit",
         "Spring.of Spring.potential Spring.force Spring.stiffness",
@@ -190,7 +201,7 @@ ELSEWHERE: Names = {
     **_each("equivalent.rows", "orbit_of", EQUIVALENT),
     **_each(
         "equivalent.cycle",
-        "full_swing Swing.zeta Swing.quality",
+        "full_swing FullSwing.zeta FullSwing.quality",
         f"{FULL_SWING}::test_the_certified_swing_is_that_of_an_integrator",
     ),
     **_each(
@@ -219,7 +230,7 @@ ELSEWHERE: Names = {
     **_each(
         "swing.chebyshev", "interpolant Interpolant.__call__", f"{CHEBYSHEV}::test_rounded_coefficients_are_paid_for"
     ),
-    **_each("swing.course", "Creep.own", f"{SLOW}::test_a_ladder_of_precisions"),
+    **_each("swing.linear_spring", "Creep.own", f"{SLOW}::test_a_ladder_of_precisions"),
     **_each(
         "swing.half_swings",
         "HalfSwings.__call__ HalfSwings.up_to",
@@ -227,20 +238,22 @@ ELSEWHERE: Names = {
     ),
     **_each(
         "swing.quarters",
-        "Bundle.of Grid.of Grid.rates Grid.slowness Path.along Path.enclosed quarter_swings",
+        "Bundle.of NodeGrid.of NodeGrid.rates NodeGrid.slowness Path.along Path.enclosed quarter_swings",
         f"{QUARTERS}::test_a_ladder_of_closed_forms",
     ),
     **_each("swing.spectral", "analysis integrals of_the_integral", f"{QUARTERS}::test_the_matrices_of_integration"),
-    **_each("swing.course", "Settling.own", f"{SETTLING}::test_a_ladder_of_precisions"),
-    **_each("swing.settling", "ForceCurve.place ForceCurve.clock settled", f"{SETTLING}::test_a_ladder_of_precisions"),
+    **_each("swing.linear_spring", "Settling.own", f"{SETTLING}::test_a_ladder_of_precisions"),
+    **_each("swing.onset", "ForceCurve.place ForceCurve.clock settled", f"{SETTLING}::test_a_ladder_of_precisions"),
     **_each(
-        "swing.near_equal",
+        "swing.creep_near_equal",
         "StretchCurve.of StretchCurve.place StretchCurve.clock Scale.slope Grouped.slope grouped stretch",
         f"{NEAR}::test_a_ladder_of_precisions",
     ),
     **_each("swing.panels", "Panel.passage laid_out", f"{PANELS}::test_a_ladder_of_panels"),
     **_each(
-        "swing.slow", "Curve.a Curve.place Curve.clock Strip.state solve caught", f"{SLOW}::test_a_ladder_of_precisions"
+        "swing.creep_slow_curve",
+        "SlowCurve.a SlowCurve.place SlowCurve.clock Strip.state solve caught",
+        f"{SLOW}::test_a_ladder_of_precisions",
     ),
     **_each(
         "turning.abel",
@@ -271,9 +284,11 @@ NONE_NEEDED: Names = {
     **_each("half_swings.certified_orders", "dot integrate_series", EXACT),
     **_each("identification.certified_ratio", "CertifiedRatio.areas CertifiedRatio.gradient", EXACT),
     **_each(
-        "identification.certified_ratio", "followed", "ln of swing.passage.integrated, which has a ladder, at 53 bits"
+        "identification.certified_ratio",
+        "followed",
+        "ln of swing.half_swing_map.integrated, which has a ladder, at 53 bits",
     ),
-    **_each("identification.table_rows", "Row.local exact rows_of", EXACT),
+    **_each("identification.table_rows", "RatioInequality.local exact rows_of", EXACT),
     **_each("motions.doubles", "Doubles.of", MIDPOINTS),
     **_each(
         "motions.frame", "Frame.of Frame.terms Frame.monomial Frame.start Frame.turning_point Frame.reach", MIDPOINTS
@@ -281,7 +296,7 @@ NONE_NEEDED: Names = {
     **_each("motions.frame", "Frame.neglected Frame.state State.turning_point State.point", MIDPOINTS),
     **_each("motions.stopping", "friction_arc", MIDPOINTS),
     **_each("motions.waveform", "waveform_at", MIDPOINTS),
-    **_each("swing.arrival", "reach_at", CHOICE),
+    **_each("swing.turning_point", "reach_at", CHOICE),
     **_each("swing.damping", "Damping.of_law", "Damping.of for a law"),
     **_each("flow.balls", "dyadic", CHOICE),
     **_each("flow.balls", "upper", "rounds up, by arb.upper"),
@@ -301,29 +316,39 @@ NONE_NEEDED: Names = {
     **_each("flow.times", "exact_sum later", "exact by its precision"),
     **_each("swing.half_swings", "Quarters.place", EXACT),
     **_each("swing.quarters", "found moved", CHOICE),
-    **_each("swing.settling", "ForceCurve.sums spread", EXACT),
-    **_each("swing.near_equal", "Scale.t Grouped.exponent", EXACT),
-    **_each("swing.slow", "Barrier.place Barrier.clock", "abstract"),
+    **_each("swing.onset", "ForceCurve.sums spread", EXACT),
+    **_each("swing.creep_near_equal", "Scale.t Grouped.exponent", EXACT),
+    **_each("swing.creep_slow_curve", "Barrier.place Barrier.clock", "abstract"),
     **_each("swing.panels", "Panels.serving panels_of", "hands out what laid_out made"),
-    **_each("turning.far", "jumped jumped_by_flow", "the jumps of abel and abel_flow, which have ladders, in Turnings"),
+    **_each(
+        "turning.jump", "jumped jumped_by_flow", "the jumps of abel and abel_flow, which have ladders, in Turnings"
+    ),
     **_each("bounds.remainder", "remainder", "local_bounds and displacement_bound, both registered, side by side"),
-    **_each("turning.far", "head_end", CHOICE),
-    **_each("turning.drag_exact", "swings", "Well.work, which has a ladder, half-swing by half-swing"),
+    **_each("turning.jump", "head_end", CHOICE),
+    **_each("turning.drag_exact", "swings", "PrimitiveWell.work, which has a ladder, half-swing by half-swing"),
     **_each("turning.enclosing", "damping_of first_of", "Damping.of and flow.sequence.first_from for a request"),
     **_each("turning.table", "size", EXACT),
-    **_each("flow.composition", "Grid.product Grid.product_from_1 Line.product Line.product_from_1 Curve.rest", EXACT),
+    **_each(
+        "flow.composition",
+        "ExponentGrid.product ExponentGrid.product_from_1 ExponentLine.product ExponentLine.product_from_1 "
+        "ComposedSeries.rest",
+        EXACT,
+    ),
     **_each("flow.composition", "Simplex.product Simplex.product_from_1", EXACT),
     **_each(
-        "flow.course", "Piece.own Expansion.speed Flow.shift Flow.unit Flow.aside Flow.leap Flow.closed", "abstract"
+        "flow.trajectory",
+        "Piece.own LocalExpansion.speed CertifiedFlow.shift CertifiedFlow.unit CertifiedFlow.aside "
+        "CertifiedFlow.leap CertifiedFlow.closed",
+        "abstract",
     ),
-    **_each("flow.course", "Flow.place Flow.back", "a sum with the place of rest"),
-    **_each("wells.course", "Well.unit unit_for", CHOICE),
-    **_each("wells.force", "Force.slopes", "Force.slope, and 0"),
-    **_each("swing.course", "LinearSpring.shift LinearSpring.unit", EXACT),
-    **_each("swing.course", "LinearSpring.closed LinearSpring.aside", "pieces, whose own orbits have ladders"),
-    **_each("wells.course", "Well.of", "Force.of for a law"),
+    **_each("flow.trajectory", "CertifiedFlow.place CertifiedFlow.back", "a sum with the place of rest"),
+    **_each("wells.even_well", "EvenWell.unit unit_for", CHOICE),
+    **_each("wells.force", "WellForce.slopes", "WellForce.slope, and 0"),
+    **_each("swing.linear_spring", "LinearSpring.shift LinearSpring.unit", EXACT),
+    **_each("swing.linear_spring", "LinearSpring.closed LinearSpring.aside", "pieces, whose own orbits have ladders"),
+    **_each("wells.even_well", "EvenWell.of", "Force.of for a law"),
     **_each("swing.damping", "Damping.slopes", EXACT),
     **_each("wells.expansion", "reach_at", CHOICE),
-    **_each("wells.landing", "without_loss", CHOICE),
+    **_each("wells.turning_point", "without_loss", CHOICE),
     **_each("flow.taylor", "sizes", EXACT),
 }

@@ -4,10 +4,10 @@ from itertools import islice
 
 from flint import arb, ctx
 
-from asymptotics.flow.course import course
 from asymptotics.flow.dense import states, states_from
 from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.taylor import GUARD, TaylorStep, coefficients
+from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import rest
 from asymptotics.half_swings.certified import quarter_swing
 from asymptotics.half_swings.certified_orders import elementary_series, sine_ratio_power
@@ -15,17 +15,17 @@ from asymptotics.half_swings.certified_zeros import certified_half_swing
 from asymptotics.identification.certified_ratio import CertifiedRatio
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.arrival import arrive
 from asymptotics.swing.chebyshev import coefficients as chebyshev
 from asymptotics.swing.chebyshev import nodes
 from asymptotics.swing.coordinate import Coordinate
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.expansion import TurningExpansion
+from asymptotics.swing.half_swing_map import integrated
 from asymptotics.swing.linear import LinearOrbit
-from asymptotics.swing.passage import integrated
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.swing.rows import rows_below
-from asymptotics.swing.slow_series import summed, truncated
+from asymptotics.swing.slow_curve_series import summed, truncated
+from asymptotics.swing.turning_point import arrive
 from asymptotics.terms import Term
 from asymptotics.turning import drag_exact
 from asymptotics.turning.quadratic_duration import duration, elapsed
@@ -49,7 +49,7 @@ def near(center, error):
 
 
 def expanded(pairs, w="0.03125"):
-    return lambda x: Expansion.at(law(pairs), x, arb(w)).state(arb(w))
+    return lambda x: TurningExpansion.at(law(pairs), x, arb(w)).state(arb(w))
 
 
 def landed(x):
@@ -137,7 +137,7 @@ def ratio(x):
 
 def exact_swing(name, *arguments):
     spring = Law({0: "1/20", 2: "1/7"}, spring={3: "1/3"})
-    return lambda x: [getattr(drag_exact.Well.of(spring), name)(*arguments, x)]
+    return lambda x: [getattr(drag_exact.PrimitiveWell.of(spring), name)(*arguments, x)]
 
 
 def many(names, room=SWING):
@@ -146,13 +146,16 @@ def many(names, room=SWING):
 
 LAW = many("damping.Damping.of damping.Damping.terms damping.Damping.resistance")
 EXPANSION, STEP = (
-    many("expansion.Expansion.at expansion.Expansion.state"),
+    many("expansion.TurningExpansion.at expansion.TurningExpansion.state"),
     many("at shortened state", "asymptotics.flow.taylor.TaylorStep."),
 )
 OWN = (
-    *many("Departure.own Step.own Landing.own Turned.time course", FLOW + "course."),
-    *many("course.LinearSpring.expansion course.LinearSpring.arrive"),
-    *many("expansion.Expansion.acceleration expansion.Expansion.moved damping.Damping.rest damping.Damping.drag"),
+    *many("Departure.own Step.own Landing.own Turned.time course", FLOW + "trajectory."),
+    *many("linear_spring.LinearSpring.expansion linear_spring.LinearSpring.arrive"),
+    *many(
+        "expansion.TurningExpansion.acceleration expansion.TurningExpansion.moved damping.Damping.rest "
+        "damping.Damping.drag"
+    ),
     "asymptotics.flow.times.at_time",
 )
 SEQUENCE = many(
@@ -160,13 +163,13 @@ SEQUENCE = many(
 )
 STATES, FROM = many("dense.states", FLOW), many("dense.states_from", FLOW)
 MAP, DURATION = "asymptotics.turning.quadratic_map.", "asymptotics.turning.quadratic_duration."
-EXACT = "asymptotics.turning.drag_exact.Well."
+EXACT = "asymptotics.turning.drag_exact.PrimitiveWell."
 ORDERS = "asymptotics.half_swings.certified_orders."
 
 PIECES = [
     Ladder(LAW, lambda x: [law(SUM).resistance(x), *law(SUM).terms(x)], stretch=4),
     *(Ladder(EXPANSION, expanded(p), lost=14, stretch=3, rungs=(10, 20, 40, 80), truth=120) for p in (ROOT, SUM, SLOW)),
-    Ladder(many("arrival.arrive"), landed, "-0.9", 14, 6, **DEAR),
+    Ladder(many("turning_point.arrive"), landed, "-0.9", 14, 6, **DEAR),
     *(Ladder(STEP, stepped(p), lost=14) for p in (ROOT, SUM, SLOW)),
     *(
         Ladder(
@@ -187,20 +190,20 @@ PIECES = [
         many("linear.LinearOrbit.turning"), lambda x: LinearOrbit.of(law(LINEAR), x, arb("0.25")).turning(), stretch=4
     ),
     *(Ladder(OWN, pieces(p, "0.0625", "1.25", "2.75"), "1", 16, least=20, **DEAR) for p in (ROOT, SLOW)),
-    Ladder(many("course.LinearSwing.own"), pieces(LINEAR, "0.0625", "2.75"), "1", least=20, rungs=(20, 40, 80)),
+    Ladder(many("linear_spring.LinearSwing.own"), pieces(LINEAR, "0.0625", "2.75"), "1", least=20, rungs=(20, 40, 80)),
 ]
 
 SEQUENCES = [
     *(Ladder(SEQUENCE, turnings(p), lost=16, least=20, **DEAR) for p in (ROOT, LINEAR)),
     Ladder(
-        many("sequence.first_from sequence.after_kick course.Turned.late course.Turned.gap", FLOW),
+        many("sequence.first_from sequence.after_kick trajectory.Turned.late trajectory.Turned.gap", FLOW),
         first,
         lost=14,
         stretch=6,
         least=20,
         **DEAR,
     ),
-    Ladder(many("passage.integrated passage.of_landing"), swung, lost=14, least=20, **DEAR),
+    Ladder(many("half_swing_map.integrated half_swing_map.of_landing"), swung, lost=14, least=20, **DEAR),
     Ladder(STATES, dense(ROOT), lost=16, stretch=12, least=20, **DEAR),
     Ladder(FROM, timed, "5", 16, 12, 20, **DEAR),
     *(
@@ -212,7 +215,7 @@ SEQUENCES = [
         )
         for p in (ROOT, (("1/2", "1/9"), ("sqrt(3)", "1/7")))
     ),
-    Ladder(many("slow_series.truncated slow_series.summed"), slow_curve, "-8", 24, 2, 20),
+    Ladder(many("slow_curve_series.truncated slow_curve_series.summed"), slow_curve, "-8", 24, 2, 20),
     Ladder(many("rows.rows_below"), rows, lost=6),
     Ladder(
         many("chebyshev.nodes chebyshev.coefficients"),

@@ -19,7 +19,7 @@ ROOMS = {
 }  # fmt: skip
 
 WAVES, QUARTERS, SETTLING = (
-    f"tests/{name}.py" for name in ("bounds/test_waveform", "swing/test_quarters", "swing/test_settling")
+    f"tests/{name}.py" for name in ("bounds/test_waveform", "swing/test_quarters", "swing/test_onset")
 )
 
 LADDER, ENDS = "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it", "tests/wells/test_bounds.py"
@@ -29,12 +29,14 @@ LATE = "tests/bounds/test_late.py"
 PETAL = "tests/divergence/test_bounds.py"
 
 OWN = {
-    "bounds.explicit._Theorem._pieces": "tests/bounds/test_explicit.py::test_on_each_piece_is_what_is_anywhere_on_it",
+    "bounds.explicit._ExplicitTheorem._pieces": (
+        "tests/bounds/test_explicit.py::test_on_each_piece_is_what_is_anywhere_on_it"
+    ),
     "bounds.half_swing.HalfSwingSeries.at": (
         "tests/bounds/test_half_swing_series.py::test_the_motion_is_within_the_bound_and_not_within_half_of_it"
     ),
     "bounds.motion._by_energy": f"{LATE}::test_what_is_out_of_range_falls_back_on_energy",
-    "bounds.uniform._Theorem._start": "tests/bounds/test_uniform.py::test_each_part_of_the_bound_counts",
+    "bounds.uniform._UniformTheorem._start": "tests/bounds/test_uniform.py::test_each_part_of_the_bound_counts",
     "bounds.waveform._between": f"{WAVES}::test_the_pieces_are_hulls_of_their_functions",
     "bounds.waveform._hulls": f"{WAVES}::test_the_pieces_are_hulls_of_their_functions",
     "divergence.abel.later": f"{PETAL}::test_what_an_orbit_leaves_out_is_bounded",
@@ -60,9 +62,9 @@ OWN = {
     "swing.quarters.Path.along": f"{QUARTERS}::test_coefficients_that_are_dropped_count",
     "swing.quarters.Path.enclosed": f"{QUARTERS}::test_the_error_is_made_of_its_parts",
     "swing.quarters.Path.on_ellipse": f"{QUARTERS}::test_the_bounds_on_the_ellipse",
-    "swing.settling.ForceCurve.clock": f"{SETTLING}::test_the_time_on_the_curves_is_the_integral_of_their_slope",
-    "swing.settling.settled": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
-    "turning.far._log": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
+    "swing.onset.ForceCurve.clock": f"{SETTLING}::test_the_time_on_the_curves_is_the_integral_of_their_slope",
+    "swing.onset.settled": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
+    "turning.jump._log": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
     "wells.ends._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
     "flow.parting.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",
 }
@@ -78,7 +80,7 @@ NO_BOUND = {
     "motions.reference._within": "asks whether a radius is small enough",
     "numbers.pickling._make_arb": "the same ball, read and written",
     "numbers.pickling._reduce_arb": "the same ball, read and written",
-    "swing.slow_series.truncated": "balls as a key of a cache",
+    "swing.slow_curve_series.truncated": "balls as a key of a cache",
 }
 """Functions that name a radius or a hull, and bound nothing by it."""
 

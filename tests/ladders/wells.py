@@ -4,16 +4,16 @@ from itertools import islice
 
 from flint import arb
 
-from asymptotics.flow.course import course
 from asymptotics.flow.dense import states
 from asymptotics.flow.sequence import first_from, sequence, swung
 from asymptotics.flow.taylor import TaylorStep, coefficients
+from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import rest
 from asymptotics.law import Law
-from asymptotics.wells.course import Well
-from asymptotics.wells.expansion import Expansion
-from asymptotics.wells.force import Force
-from asymptotics.wells.landing import arrive
+from asymptotics.wells.even_well import EvenWell
+from asymptotics.wells.expansion import WellExpansion
+from asymptotics.wells.force import WellForce
+from asymptotics.wells.turning_point import arrive
 from tests.ladders.machine import Ladder
 from tests.ladders.swings import DEAR, many, near
 
@@ -25,7 +25,7 @@ EXPONENTS = ({"sqrt(2)": "1/10", 3: "1/7"}, {3: "1/3"})
 
 def force(given):
     losses, spring = given
-    return Force.of(Law(losses, spring=spring).terms)
+    return WellForce.of(Law(losses, spring=spring).terms)
 
 
 def forces(given):
@@ -38,7 +38,7 @@ def forces(given):
 
 
 def expanded(given):
-    return lambda x: Expansion.at(force(given), x, arb("0.03125")).state(arb("0.03125"))
+    return lambda x: WellExpansion.at(force(given), x, arb("0.03125")).state(arb("0.03125"))
 
 
 def landed(given):
@@ -64,7 +64,7 @@ def grown(given):
 def pieces(given, *times):
     def value(x):
         found: list[arb] = []
-        for piece in course(Well(force(given)), x, arb(0)):
+        for piece in course(EvenWell(force(given)), x, arb(0)):
             inside = [arb(t) for t in times if piece.begin <= arb(t) < piece.end]
             for u, w in map(piece.own, inside):
                 local = piece.errors.local
@@ -75,37 +75,37 @@ def pieces(given, *times):
 
 
 def turnings(given, count=3):
-    return lambda x: [c for p in islice(sequence(Well(force(given)), rest(x)), count) for c in (p.x, p.tau)]
+    return lambda x: [c for p in islice(sequence(EvenWell(force(given)), rest(x)), count) for c in (p.x, p.tau)]
 
 
 def by_pieces(x):
-    there, _ = swung(Well(force(DUFFING)), rest(x))
+    there, _ = swung(EvenWell(force(DUFFING)), rest(x))
     return [there.x, there.tau]
 
 
 def kicked(x):
-    found = first_from(Well(force(PENDULUM)), arb("0.5"), x)
+    found = first_from(EvenWell(force(PENDULUM)), arb("0.5"), x)
     return [found.x, found.tau]
 
 
 def dense(given):
     times = [arb(1) / 4, arb(3) / 2, arb(5)]
-    return lambda x: [c for state in states(Well(force(given)), arb(1) / 2, x, times) for c in state]
+    return lambda x: [c for state in states(EvenWell(force(given)), arb(1) / 2, x, times) for c in state]
 
 
 WELLS_ROOM, FLOW = "asymptotics.wells.", "asymptotics.flow."
 FORCE = many(
-    "of pull grip rest drag acceleration potential viscous rest_powers loss_powers", WELLS_ROOM + "force.Force."
+    "of pull grip rest drag acceleration potential viscous rest_powers loss_powers", WELLS_ROOM + "force.WellForce."
 )
 EXPANSION, LANDING = (
-    many("expansion.Expansion.at expansion.Expansion.state", WELLS_ROOM),
-    many("landing.arrive", WELLS_ROOM),
+    many("expansion.WellExpansion.at expansion.WellExpansion.state", WELLS_ROOM),
+    many("turning_point.arrive", WELLS_ROOM),
 )
 STEP = many("at shortened state", "asymptotics.flow.taylor.TaylorStep.")
 OWN = (
-    *many("course Departure.own Step.own Landing.own", FLOW + "course."),
-    *many("expansion arrive", WELLS_ROOM + "course.Well."),
-    *many("Expansion.acceleration Expansion.moved", WELLS_ROOM + "expansion."),
+    *many("course Departure.own Step.own Landing.own", FLOW + "trajectory."),
+    *many("expansion arrive", WELLS_ROOM + "even_well.EvenWell."),
+    *many("WellExpansion.acceleration WellExpansion.moved", WELLS_ROOM + "expansion."),
     "asymptotics.flow.times.at_time",
 )
 SEQUENCE = (*many("sequence next_turning after_landing", FLOW + "sequence."), FLOW + "turning.rest")

@@ -5,7 +5,7 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import quad, solve_ivp
 
-from asymptotics.flow.parting import Errors, parting
+from asymptotics.flow.parting import PartingErrors, parting
 from asymptotics.flow.taylor import TaylorStep
 from asymptotics.law import Law
 from asymptotics.limit_cycles import half_turn as course
@@ -18,7 +18,7 @@ ZERO, ONE = arb(0), arb(1)
 
 
 def at(u, w, error="0"):
-    return _Here(arb(3), arb(u), arb(w), Errors(ZERO, arb(error)), ZERO)
+    return _Here(arb(3), arb(u), arb(w), PartingErrors(ZERO, arb(error)), ZERO)
 
 
 def test_what_is_missing_to_the_turn_is_bounded_on_its_box():

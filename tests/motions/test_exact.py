@@ -16,7 +16,7 @@ from asymptotics.motions.linear import linear_motion, regime
 from asymptotics.motions.quadratic import quadratic_motion
 from asymptotics.motions.reference import reference_states
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 
 
 def oscillator(alpha, b, **rest):

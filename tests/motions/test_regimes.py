@@ -8,7 +8,7 @@ from flint import arb, ctx
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_states
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 
 
 def states(epsilon: str, alpha: str, times: list[int]) -> list[float]:

@@ -28,7 +28,7 @@ from asymptotics.normal_form.coefficients import expansion_coefficients, half_sw
 from asymptotics.numbers.decimals import certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.registry import build
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 
 EPS, TWO = ExactReal(Fraction(1, 10)), (ExactReal(Fraction(2)),)
 AIR, DRY, LINEAR = (Oscillator({a: "1/10"}) for a in (2, 0, 1))

@@ -14,8 +14,8 @@ from asymptotics.limit_cycles.series import _positive_roots
 from asymptotics.motions import quadratic
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.routes.dry import _first_amplitude
-from asymptotics.wells.expansion import Expansion
-from asymptotics.wells.force import Force
+from asymptotics.wells.expansion import WellExpansion
+from asymptotics.wells.force import WellForce
 
 
 def test_an_inversion_that_fails_says_all_that_is_known(monkeypatch):
@@ -67,7 +67,7 @@ def test_a_start_that_dry_friction_holds_has_no_first_amplitude():
 def test_a_force_sorts_its_terms_and_is_as_strong_as_all_of_them():
     """Losses, springs that harden or soften, and which loss is linear."""
     with ctx.workprec(60):
-        force = Force.of(Law({2: "1/2", 1: "1/3", "1/2": 1}, spring={3: "-1/4"}).terms)
+        force = WellForce.of(Law({2: "1/2", 1: "1/3", "1/2": 1}, spring={3: "-1/4"}).terms)
         assert len(force.losses) == 3 and len(force.springs) == 1 and not force.grips
         assert force.viscous.overlaps(arb(1) / 3) and force.viscous < arb("0.34")
         assert force.strongest(arb(1), arb(1)) >= arb("0.75") + arb("1.8333")
@@ -75,7 +75,7 @@ def test_a_force_sorts_its_terms_and_is_as_strong_as_all_of_them():
 
 def test_an_expansion_begins_where_the_mass_moves():
     with ctx.workprec(60):
-        force = Force.of(Law({0: "1/2", 2: 1}, spring={3: 1}).terms)
-        assert Expansion.at(force, arb(1)).reach > 0
+        force = WellForce.of(Law({0: "1/2", 2: 1}, spring={3: 1}).terms)
+        assert WellExpansion.at(force, arb(1)).reach > 0
         with pytest.raises(UndecidedError, match="holds the mass here"):
-            Expansion.at(force, arb(0, "0.9"))
+            WellExpansion.at(force, arb(0, "0.9"))

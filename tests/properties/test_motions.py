@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from asymptotics.flow.dense import states
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.testing import strategies
 from tests.properties.in_time import answered_in_time
 

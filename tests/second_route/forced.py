@@ -1,7 +1,7 @@
 """One route by name, whatever the ladder would choose."""
 
 from asymptotics.law import Law
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 
 
 def quadratic_turning_points(epsilon, count, digits=30, **rest):

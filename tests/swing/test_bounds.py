@@ -12,21 +12,21 @@ from flint import arb, ctx
 
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow import dense
-from asymptotics.flow.course import Landing, State, _landing, course
-from asymptotics.flow.parting import Errors, lateness
+from asymptotics.flow.parting import PartingErrors, lateness
 from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.times import at_time
+from asymptotics.flow.trajectory import FlowState, Landing, _landing, course
 from asymptotics.flow.turning import Turning
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing import arrival as arrivals
-from asymptotics.swing import passage
-from asymptotics.swing.course import LinearSpring
+from asymptotics.swing import half_swing_map
+from asymptotics.swing import turning_point as arrivals
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import trap
-from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.expansion import TurningExpansion
+from asymptotics.swing.half_swing_map import Passage, integrated
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.swing.majorant import majorant
-from asymptotics.swing.passage import Passage, integrated
 from asymptotics.swing.sequence import following
 
 
@@ -65,9 +65,9 @@ def test_the_tail_of_the_expansion(law, y0):
     """Few terms: what they lack is below the tail, which is the majorant's constant times the stretch, no less."""
     d = damping(*law)
     with ctx.workprec(250):
-        full = Expansion.at(d, arb(y0))
+        full = TurningExpansion.at(d, arb(y0))
     with ctx.workprec(14):
-        few = Expansion.at(d, arb(y0))
+        few = TurningExpansion.at(d, arb(y0))
     w = min(few.reach, full.reach)
     with ctx.workprec(250):
         (y, tau), (low_y, low_tau) = full.state(w), few.state(w)
@@ -104,11 +104,11 @@ def test_a_wrong_guess_of_the_turning_point_is_paid_for(law, monkeypatch):
     """|y_1 - guess| <= |Y - y| with a guess that is off: attained to a few per cent, and so is the time."""
     d, w, off = damping(*law), arb(2) ** -6, arb(2) ** -30
     with ctx.workprec(120):
-        there = Expansion.at(d, arb(-1), w)
+        there = TurningExpansion.at(d, arb(-1), w)
         y, tau = there.state(w)
         monkeypatch.setattr(arrivals, "_guess", lambda *given: arb(-1) + off)
         flow, friction = LinearSpring(d), d.friction
-        here = State(arb(0), (y + friction).mid(), w, Errors(arb(0), arb(0)))
+        here = FlowState(arb(0), (y + friction).mid(), w, PartingErrors(arb(0), arb(0)))
         found = _landing(flow, arb(1), here)
         assert off <= found.miss and found.miss / 2 < off and found.miss < off * arb(1.2)
         late = abs(found.clock + tau)
@@ -119,7 +119,9 @@ def test_a_guess_beyond_the_place_of_rest_is_undecided(monkeypatch):
     law = damping(("2", "1/10"))
     monkeypatch.setattr(arrivals, "_guess", lambda *_: arb(-1))
     found = _landing(
-        LinearSpring(law), arb(1), State(arb(0), arb("-0.1").mid(), arb("0.01").mid(), Errors(arb(0), arb(0)))
+        LinearSpring(law),
+        arb(1),
+        FlowState(arb(0), arb("-0.1").mid(), arb("0.01").mid(), PartingErrors(arb(0), arb(0))),
     )
     with pytest.raises(UndecidedError, match="place of rest"):
         found.late(arb(0))
@@ -185,7 +187,7 @@ def test_radii_of_a_passage_are_kept():
 def test_a_wide_time_near_a_turning_point(law):
     """The states at both ends of the time are contained; the speed in phase space is bounded within a factor of 4."""
     with ctx.workprec(90):
-        expansion = Expansion.at(damping(*law), arb("0.75"))
+        expansion = TurningExpansion.at(damping(*law), arb("0.75"))
         middle, width = expansion.reach.mid() / 2, arb(2) ** -18
         y, w = at_time(expansion, middle + arb(0, width))
         for end in (middle - width, middle + width):
@@ -272,9 +274,11 @@ def test_a_law_that_is_no_damping_is_refused_as_such():
 
 def test_what_the_pieces_leave_out_is_told_with_the_half_swing(monkeypatch):
     piece = SimpleNamespace(error=arb("1e-5"), ended=None, turn=arb("0.9"), miss=arb("1e-9"), time=arb(3))
-    found = passage.of_landing(arb(1), arb(0), piece, 3)
+    found = half_swing_map.of_landing(arb(1), arb(0), piece, 3)
     assert found.tail >= arb("9.99e-6") and found.amplitude.contains(arb("-0.9") + arb("0.99e-9"))
-    monkeypatch.setattr(passage, "course", lambda *_, **__: iter([SimpleNamespace(error=arb("1e-5"), ended="held")]))
+    monkeypatch.setattr(
+        half_swing_map, "course", lambda *_, **__: iter([SimpleNamespace(error=arb("1e-5"), ended="held")])
+    )
     assert integrated(damping(("2", "1/10")), arb(1)).tail >= arb("9.99e-6")
 
 

@@ -7,17 +7,17 @@ from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow import dense
-from asymptotics.flow.course import course
-from asymptotics.flow.parting import Errors, lateness
+from asymptotics.flow.parting import PartingErrors, lateness
 from asymptotics.flow.sequence import after_kick, after_landing, first_from, swung
+from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import Turning
-from asymptotics.swing.course import LinearSpring
+from asymptotics.swing.creep_slow_curve import solve
 from asymptotics.swing.ends import _together, trap
-from asymptotics.swing.expansion import Expansion
-from asymptotics.swing.keys import Plan
-from asymptotics.swing.passage import Passage, integrated, of_landing
+from asymptotics.swing.expansion import TurningExpansion
+from asymptotics.swing.half_swing_map import Passage, integrated, of_landing
+from asymptotics.swing.kept_terms import KeptTerms
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.swing.sequence import following
-from asymptotics.swing.slow import solve
 from tests.swing.test_bounds import NOTHING, damping
 
 
@@ -30,14 +30,16 @@ def late_by(law, amplitude, distance):
 def test_the_speed_beside_a_turning_point(law):
     """|(y', w')| on both sides: P doubles at most, friction counts twice where its sign turns; evaluated again."""
     with ctx.workprec(60):
-        found = Expansion.at(damping(*law), arb("0.75"))
+        found = TurningExpansion.at(damping(*law), arb("0.75"))
         y, _ = found.state(found.reach)
         across = y + 2 * found.damping.friction + found.damping.resistance(found.reach)
         assert (across**2 + found.reach**2).sqrt() <= found.speed(arb(1))
         again = 2 * arb("0.75") + 2 * found.damping.friction + found.reach
         assert again <= found.speed(arb(1)) * (1 + arb(1e-9)) and found.speed(arb(1)) <= again * (1 + arb(1e-9))
     with ctx.workprec(30):
-        short = Expansion._short(damping(("1/1000", "0.3")), arb("0.75"), arb(2) ** -8, Plan(-8.0, 1, (), 1))
+        short = TurningExpansion._short(
+            damping(("1/1000", "0.3")), arb("0.75"), arb(2) ** -8, KeptTerms(-8.0, 1, (), 1)
+        )
         again = 2 * arb("0.75") + short.reach + short.damping.resistance(short.reach)
         assert again <= short.speed(arb(1)) * (1 + arb(1e-6)) and short.speed(arb(1)) < again * (1 + arb(1e-6))
 
@@ -130,7 +132,7 @@ def test_the_end_of_a_course_that_began_in_motion_keeps_its_parts():
     law, e = damping(("3/2", "1/5")), arb(2) ** -10
     with ctx.workprec(80):
         *_, real = course(LinearSpring(law), arb("0.5"), arb("0.25"))
-        piece = replace(real, begun=Errors(e, e), miss=e, clock=arb(real.clock.mid(), e))
+        piece = replace(real, begun=PartingErrors(e, e), miss=e, clock=arb(real.clock.mid(), e))
         found = after_kick(piece, 1, 2 * e)
         late = late_by(law, -piece.turn, 3 * e)
         assert 3 * e <= found.amplitude_error < arb("3.01") * e
@@ -159,7 +161,7 @@ def test_times_and_places_of_a_turning_point_add_up():
     assert there.time_error >= 6 * e * (1 - arb(2) ** -20) and there.time_error < arb("6.01") * e
     with ctx.workprec(80):
         *_, real = course(LinearSpring(law), arb(1), arb(0), 3 * e)
-        piece = replace(real, begun=Errors(e, 4 * e), miss=e, clock=arb(real.clock.mid(), e))
+        piece = replace(real, begun=PartingErrors(e, 4 * e), miss=e, clock=arb(real.clock.mid(), e))
         there, late = (
             after_landing(Turning(2, 1, arb(1), arb(9), 3 * e, 5 * e), piece),
             late_by(law, -piece.turn, 4 * e),

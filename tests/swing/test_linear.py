@@ -7,20 +7,20 @@ import sympy
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow.course import course
 from asymptotics.flow.dense import states, states_from
 from asymptotics.flow.sequence import sequence
+from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import rest
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing import course as courses
-from asymptotics.swing.course import LinearSpring
+from asymptotics.swing import linear_spring as courses
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.linear import ROUTE, LinearOrbit, is_linear
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.sequence import Interpolated
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from asymptotics.turning.half_swing import half_swing_result
 
 LAWS = [(("0", "1/50"), ("1", "1/5")), (("1", "1"),), (("0", "1/7"),), (("0", "1/50"), ("1", "1.5"))]

@@ -17,9 +17,9 @@ from asymptotics.swing import panel_plan, panels
 from asymptotics.swing.chebyshev import cut
 from asymptotics.swing.coordinate import Coordinate
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.panel_plan import Plan, planned, verified
+from asymptotics.swing.half_swing_map import integrated
+from asymptotics.swing.panel_plan import PanelPlan, planned, verified
 from asymptotics.swing.panels import Panels, laid_out
-from asymptotics.swing.passage import integrated
 
 
 def coordinate(pairs):
@@ -51,7 +51,7 @@ def test_a_ladder_of_panels(pairs, low, high, stretch):
     places = [arb(low + (high - low) * share).mid() for share in (0.01, 0.993)]
     truth = [by_pieces(pairs, p, 90) for p in places]
     for bits in (12, 36):
-        panel = laid_out(coordinate(pairs), Plan(low, high, stretch, 0, 0, 0), bits)
+        panel = laid_out(coordinate(pairs), PanelPlan(low, high, stretch, 0, 0, 0), bits)
         for p, sharp in zip(places, truth, strict=True):
             with ctx.workprec(bits):
                 found = panel.passage(p)
@@ -62,7 +62,7 @@ def test_a_ladder_of_panels(pairs, low, high, stretch):
 
 @pytest.mark.parametrize(("pairs", "low", "high", "stretch"), LAWS[:5:2], ids=str)
 def test_the_duration_is_that_of_all_amplitudes_nearby(pairs, low, high, stretch):
-    panel = laid_out(coordinate(pairs), Plan(low, high, stretch, 0, 0, 0), 30)
+    panel = laid_out(coordinate(pairs), PanelPlan(low, high, stretch, 0, 0, 0), 30)
     p, error = arb((low + high) / 2).mid(), arb(2) ** -10
     with ctx.workprec(30):
         found, narrow = panel.passage(p, error), panel.passage(p)
@@ -73,12 +73,12 @@ def test_the_duration_is_that_of_all_amplitudes_nearby(pairs, low, high, stretch
 
 
 def test_only_the_amplitudes_of_the_panel_are_served():
-    panel = laid_out(coordinate((("1/2", "1/100"),)), Plan(0.25, 1.0, 8.0, 0, 0, 0), 30)
+    panel = laid_out(coordinate((("1/2", "1/100"),)), PanelPlan(0.25, 1.0, 8.0, 0, 0, 0), 30)
     none = arb(0)
     assert panel.holds(arb(1), none) and panel.holds(arb("0.25"), none) and panel.holds(arb("0.5"), arb("0.25"))
     assert not panel.holds(arb("0.5"), arb("0.2501")) and not panel.holds(arb("0.2499"), none)
     assert not panel.holds(arb("1.001"), none) and not panel.holds(arb("1.0005"), arb("0.001"))
-    from_zero = laid_out(coordinate((("2", "1/10"),)), Plan(0.0, 1.0, 3.0, 0, 0, 0), 30)
+    from_zero = laid_out(coordinate((("2", "1/10"),)), PanelPlan(0.0, 1.0, 3.0, 0, 0, 0), 30)
     assert from_zero.holds(arb(2) ** -400, none) and not from_zero.holds(arb("0.1"), arb("0.1"))
 
 
@@ -224,7 +224,7 @@ def check(seed):
     exponents = draw.sample(("0", "1/3", "1/2", "1", "3/2", "sqrt(2)", "2", "5/2", "3", "7"), draw.choice((1, 1, 2, 3)))
     pairs = tuple((a, f"{draw.randint(1, 60)}/3000") for a in exponents)
     low = draw.choice((0.25, 0.5, 0.75))
-    panel = laid_out(coordinate(pairs), Plan(low, 1.0, 2.0, 0, 0, 0), 40)
+    panel = laid_out(coordinate(pairs), PanelPlan(low, 1.0, 2.0, 0, 0, 0), 40)
     for _ in range(3):
         p = arb(draw.uniform(low, 1)).mid()
         with ctx.workprec(40):
@@ -268,7 +268,7 @@ def test_the_bounds_of_a_panel_are_those_of_its_ellipse(monkeypatch):
     seen, honest = [], panels.interpolant
     monkeypatch.setattr(panels, "interpolant", lambda v, M, *more: seen.append(M) or honest(v, M, *more))
     z = coordinate((("2", "1/5"),))
-    laid_out(z, Plan(0.0, 1.0, 3.0, 0, 0, 0), 20)
+    laid_out(z, PanelPlan(0.0, 1.0, 3.0, 0, 0, 0), 20)
     with ctx.workprec(52):
         ellipse = verified(z, arb(0.5), arb(0.5), 3.0)
     G, excess = ellipse.majorant.growth, ellipse.majorant.excess

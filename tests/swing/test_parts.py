@@ -11,17 +11,17 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow.turning import Turning
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing import quarters
-from asymptotics.swing.course import LinearSpring
+from asymptotics.swing.creep_slow_curve import caught
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.expansion import TurningExpansion
+from asymptotics.swing.half_swing_map import Passage
+from asymptotics.swing.linear_spring import LinearSpring
+from asymptotics.swing.onset import settled
 from asymptotics.swing.panels import Panel
-from asymptotics.swing.passage import Passage
 from asymptotics.swing.quarters import HAND_OVER, Bundle, Path
 from asymptotics.swing.sequence import following
-from asymptotics.swing.settling import settled
 from asymptotics.swing.slide import sliding
-from asymptotics.swing.slow import caught
-from asymptotics.swing.slow_series import truncated
+from asymptotics.swing.slow_curve_series import truncated
 from tests.swing.test_quarters import LAWS, path_of
 
 
@@ -64,7 +64,7 @@ def test_the_series_of_an_uncertain_strength_holds_those_of_both_ends():
 
 def test_a_hand_over_behind_the_centre_is_undecided(monkeypatch):
     fake = SimpleNamespace(state=lambda _w: (arb("-0.1"), arb(1)))
-    monkeypatch.setattr(quarters, "Expansion", SimpleNamespace(at=lambda *_: fake))
+    monkeypatch.setattr(quarters, "TurningExpansion", SimpleNamespace(at=lambda *_: fake))
     with ctx.workprec(60), pytest.raises(UndecidedError, match="hand-over"):
         Bundle.of([(damping(("1/10", "2")), 1)])
 
@@ -72,7 +72,7 @@ def test_a_hand_over_behind_the_centre_is_undecided(monkeypatch):
 def test_a_hand_over_is_late_by_twice_what_half_of_its_place_is_off():
     with ctx.workprec(40):
         law, w = damping(("1/10", "2")), arb(HAND_OVER)
-        y, _ = Expansion.at(law, arb(1), w).state(w)
+        y, _ = TurningExpansion.at(law, arb(1), w).state(w)
         place = ((y * y + w * w).sqrt() + y) / w
         assert Bundle.of([(law, 1)]).late >= place.log().rad() > 0
 

@@ -14,11 +14,11 @@ from asymptotics.swing import half_swings, panels
 from asymptotics.swing.chebyshev import cut, nodes
 from asymptotics.swing.coordinate import Coordinate
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.half_swing_map import integrated
 from asymptotics.swing.half_swings import HalfSwings
-from asymptotics.swing.panel_plan import Plan
-from asymptotics.swing.passage import integrated
-from asymptotics.swing.quarters import Bundle, Grid, Path, found, largest, peak, quarter_swings
-from asymptotics.swing.sketch import Sketch, corrected
+from asymptotics.swing.panel_plan import PanelPlan
+from asymptotics.swing.quarters import Bundle, NodeGrid, Path, found, largest, peak, quarter_swings
+from asymptotics.swing.quarters_in_doubles import Sketch, corrected
 from asymptotics.swing.spectral import analysis, integrals, of_the_integral
 
 
@@ -102,7 +102,7 @@ def bundle_of(pairs, side, bits=60):
 
 def path_of(law, count, bits=60):
     with ctx.workprec(bits + 24):
-        grid = Grid.of(bundle_of(*law, bits=bits), count)
+        grid = NodeGrid.of(bundle_of(*law, bits=bits), count)
         return Path.along(grid, found(grid, bits))
 
 
@@ -185,7 +185,7 @@ def test_a_start_that_is_off_is_paid_for():
     e, weak = arb(2) ** -24, ((("2", "1/100000"),), 1)
     bundle = bundle_of(*weak)
     with ctx.workprec(84):
-        grid = Grid.of(replace(bundle, start=(bundle.start[0] + e,), off=e), 60)
+        grid = NodeGrid.of(replace(bundle, start=(bundle.start[0] + e,), off=e), 60)
         (wide,) = Path.along(grid, found(grid, 50)).enclosed(1.5)
         missing = abs(wide.growth.mid() - quarter_swings([(damping(*weak[0]), 1)], 80)[0].growth)
         assert missing <= wide.growth.rad() and wide.growth.rad() / 2 < missing
@@ -196,7 +196,7 @@ def test_a_late_start_is_paid_for():
     e, law = arb(2) ** -24, ((("3/2", "1/5"),), 1)
     bundle = bundle_of(*law)
     with ctx.workprec(84):
-        grid = Grid.of(replace(bundle, half=(bundle.half[0] + e / 2,), late=e), 60)
+        grid = NodeGrid.of(replace(bundle, half=(bundle.half[0] + e / 2,), late=e), 60)
         (wide,) = Path.along(grid, found(grid, 50)).enclosed(1.5)
         (sharp,) = quarter_swings([(damping(*law[0]), 1)], 80)
         assert wide.growth.contains(sharp.growth) and wide.duration.contains(sharp.duration)
@@ -207,7 +207,7 @@ def test_rates_that_are_off_are_seen():
     """P off by e at one node: differs = sqrt(2m - 1) e; what that does to the end is within the radius."""
     e = arb(2) ** -26
     with ctx.workprec(84):
-        grid = Grid.of(bundle_of((("2", "1/100000"),), 1), 30)
+        grid = NodeGrid.of(bundle_of((("2", "1/100000"),), 1), 30)
         exact = found(grid, 60)
         rates = exact.table()
         rates[7][0] += e
@@ -219,7 +219,7 @@ def test_rates_that_are_off_are_seen():
 def test_coefficients_that_are_dropped_count():
     """At 30 bits the last coefficients of P are dropped as negligible: their sum is in what P differs by."""
     with ctx.workprec(54):
-        grid = Grid.of(bundle_of((("3/2", "1/5"),), 1, bits=30), 60)
+        grid = NodeGrid.of(bundle_of((("3/2", "1/5"),), 1, bits=30), 60)
         rates = found(grid, 30)
         path = Path.along(grid, rates)
         b = [abs(float(row[0].mid())) for row in (analysis(60, 54) * rates).table()]
@@ -290,7 +290,7 @@ def test_where_quarters_do_not_serve_the_pieces_do(monkeypatch):
     def refused(laws, bits):
         raise UndecidedError("no")
 
-    law, plan = coordinate(("2", "1/5")), Plan(0.0, 0.25, 20.0, 0, 0, 0)
+    law, plan = coordinate(("2", "1/5")), PanelPlan(0.0, 0.25, 20.0, 0, 0, 0)
     found = [panels.laid_out(law, plan, 40)]
     monkeypatch.setattr(half_swings, "quarter_swings", refused)
     found.append(panels.laid_out(law, plan, 40))

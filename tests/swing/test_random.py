@@ -8,8 +8,8 @@ from flint import arb, ctx
 from asymptotics.flow.dense import states
 from asymptotics.flow.taylor import GUARD
 from asymptotics.law import Law
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear_spring import LinearSpring
 
 EXPONENTS = ("0", "1/3", "1/2", "1", "3/2", "sqrt(2)", "2", "5/2", "3", "7")
 

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.swing import rows
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.expansion import TurningExpansion
 
 
 def in_rationals(alphas, size):
@@ -80,7 +80,7 @@ def test_both_ends_and_all_strengths_share_them():
 
     for place in (2, -2):
         with ctx.workprec(80):
-            y, tau = Expansion.at(law, arb(place), arb("0.125")).state(arb("0.125"))
+            y, tau = TurningExpansion.at(law, arb(place), arb("0.125")).state(arb("0.125"))
         expected = solve_ivp(slopes, (0, 0.125), [place, 0], rtol=1e-12, atol=1e-14).y[:, -1]
         assert abs(float(y.mid()) - expected[0]) < 1e-9
         assert abs(float(tau.mid()) - expected[1]) < 1e-9

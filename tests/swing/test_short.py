@@ -10,10 +10,10 @@ from asymptotics.errors import UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.expansion import Expansion, room
-from asymptotics.swing.keys import Plan
-from asymptotics.swing.passage import integrated
-from asymptotics.turning.general import turning_points
+from asymptotics.swing.expansion import TurningExpansion, room
+from asymptotics.swing.half_swing_map import integrated
+from asymptotics.swing.kept_terms import KeptTerms
+from asymptotics.turning.choose import turning_points
 
 
 def damping(*terms):
@@ -60,8 +60,8 @@ def test_half_of_the_drop_or_of_the_delay_would_be_wrong():
     with ctx.workprec(60):
         law, w = damping(("1/1000", "0.1")), arb(2) ** -8
         for side in (1, -1):
-            short = Expansion._short(law, arb(side), w, Plan(-8.0, 1, (), 1))
-            y, tau = Expansion.at(law, arb(side), w).state(w)
+            short = TurningExpansion._short(law, arb(side), w, KeptTerms(-8.0, 1, (), 1))
+            y, tau = TurningExpansion.at(law, arb(side), w).state(w)
             about = short.state(w)
             assert about[0].contains(y) and about[1].contains(tau)
             assert not arb(side, short.tail / 2).contains(y)

@@ -9,18 +9,18 @@ from flint import arb
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import LimitError, UndecidedError
-from asymptotics.flow.course import Turned, course
+from asymptotics.flow.trajectory import Turned, course
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing import course as course_module
-from asymptotics.swing.course import Creep, LinearSpring
+from asymptotics.swing import linear_spring as course_module
+from asymptotics.swing.creep_slow_curve import SlowCurve, one_way
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear_spring import Creep, LinearSpring
 from asymptotics.swing.slide import sliding
-from asymptotics.swing.slow import Curve, one_way
-from asymptotics.swing.slow_series import summed, truncated
-from asymptotics.turning.general import turning_points
+from asymptotics.swing.slow_curve_series import summed, truncated
+from asymptotics.turning.choose import turning_points
 
 
 def damping(alpha, epsilon):
@@ -111,7 +111,7 @@ def test_on_the_barriers_the_motion_crosses_as_proved(alpha, epsilon, sign):
         orders = (truncated(law, 0, n) for n in range(1, 99))
         series = next(s for s in orders if len(s.b) == len(curve.b) - 1)
         theta = curve.b[-1][0].mid()
-        exact = Curve(series.epsilon, series.alpha, (), (*series.b, (theta, arb(0))))
+        exact = SlowCurve(series.epsilon, series.alpha, (), (*series.b, (theta, arb(0))))
         for above in ("0.001", "0.1", "1", "5"):
             log_w = slide.most.mid() + arb(above)
             w = log_w.exp()

@@ -11,11 +11,11 @@ from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import rest
 from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
-from asymptotics.turning import abel, far
+from asymptotics.swing.linear_spring import LinearSpring
+from asymptotics.turning import abel, jump
 from asymptotics.turning.abel import Approximant, abel_function
-from asymptotics.turning.far import jumped
+from asymptotics.turning.jump import jumped
 from asymptotics.turning.quadratic_abel import quadratic_abel
 from tests.second_route.quarter_series import finite_quarter
 
@@ -130,7 +130,7 @@ def test_a_far_point_is_one_jump_from_any_head():
 def test_a_jump_has_the_terms_that_its_precision_needs(alpha):
     with ctx.workprec(60):
         start = arb("0.01")
-        abel = far._suited(real(alpha), start)
+        abel = jump._suited(real(alpha), start)
         assert 0 < abel.defects(abel.psi, start).rad() < arb(2) ** -60
 
 

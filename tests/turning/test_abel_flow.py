@@ -18,8 +18,8 @@ from asymptotics.swing.damping import Damping
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.sequence import Interpolated
 from asymptotics.turning.abel_flow import abel_flow
-from asymptotics.turning.far import planned
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
+from asymptotics.turning.jump import planned
 from asymptotics.turning.routes import abel_flow as by_flow
 from asymptotics.turning.table import Request
 

@@ -9,8 +9,8 @@ from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import parse_real
-from asymptotics.turning.drag_exact import Well, swings
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
+from asymptotics.turning.drag_exact import PrimitiveWell, swings
 from asymptotics.turning.routes.stepping import METHOD
 from tests.second_route.forced import drag_turning_points
 
@@ -89,7 +89,7 @@ def test_dry_friction_holds_where_the_force_is_at_most_the_friction():
     table = drag_turning_points(LAWS["softening, dry"][0], exact("1"), 40, 20)
     assert table.ended == {"n": len(table.points) - 1, "reason": "sticks"}
     with ctx.workprec(100):
-        well = Well.of(LAWS["softening, dry"][0])
+        well = PrimitiveWell.of(LAWS["softening, dry"][0])
         assert well.force(abs(arb(table.points[-1].x))) < well.dry < well.force(abs(arb(table.points[-2].x)))
 
 
@@ -120,7 +120,7 @@ def test_what_cannot_be_taken_is_refused_by_name(law, x0, reason):
 def test_what_the_primitive_does_not_know_goes_by_pieces(law, reason):
     assert turning_points(law, 2, 10, x0="1/2").method == METHOD
     with pytest.raises(InputError, match=reason):
-        Well.of(law)
+        PrimitiveWell.of(law)
     with pytest.raises(InputError, match="closed-primitive does not serve"):
         drag_turning_points(law, exact("1/2"), 2, 10)
 
@@ -136,6 +136,6 @@ def test_the_command(capsys):
 
 def test_a_force_that_may_hold_the_mass_leaves_it_open():
     """V' = x + x^3 at x = 0.5 +- 0.05 is on both sides of the friction 5/8: whether it stays is not told."""
-    well = Well(((arb(1), 3),), None, arb("0.625"), arb(0))
+    well = PrimitiveWell(((arb(1), 3),), None, arb("0.625"), arb(0))
     assert [stays for _, stays in swings(well, arb("0.5", "0.05"), 60)] == [None]
     assert next(swings(well, arb("0.3"), 60))[1] is True and next(swings(well, arb("0.9"), 60))[1] is False

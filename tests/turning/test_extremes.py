@@ -6,7 +6,7 @@ from scipy.integrate import solve_ivp
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from asymptotics.turning.half_swing import half_swing_result
 
 

@@ -13,10 +13,10 @@ from asymptotics.flow.turning import Turning
 from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.turning import drag_exact, far, table
+from asymptotics.turning import drag_exact, jump, table
 from asymptotics.turning import half_swing as half_swings
 from asymptotics.turning.abel import AbelFunction, Approximant, abel_function
-from asymptotics.turning.abel_flow import AbelFlow, Defects, abel_flow
+from asymptotics.turning.abel_flow import AbelFlow, DefectBound, abel_flow
 
 
 def real(text):
@@ -114,7 +114,7 @@ def test_the_defects_of_a_flow_are_in_its_radii(monkeypatch):
         made, start = flow("0.01", "0.1"), arb(-1)
         psi, theta = arb(1) / 1000, arb(1) / 2
         exact, time = made.advance(start, 100)
-        monkeypatch.setattr(AbelFlow, "defects", lambda *_: (Defects(psi, arb(0)), Defects(theta, arb(0))))
+        monkeypatch.setattr(AbelFlow, "defects", lambda *_: (DefectBound(psi, arb(0)), DefectBound(theta, arb(0))))
         wide, long = made.advance(start, 100)
         ends = [made._solve(start, 100 + side * psi, start) for side in (-1, 1)]
         assert all(wide.contains(end) for end in ends)
@@ -219,10 +219,10 @@ def test_the_amplitude_equation_falls_up_to_half_of_its_first_term():
 
 def test_points_and_turning_points_keep_their_radii():
     here = Turning(7, -1, arb("0.5"), arb(9), arb(2) ** -10, arb(2) ** -8)
-    log = far._log(here)
+    log = jump._log(here)
     assert all(log.contains((here.amplitude + side * here.amplitude_error).log().mid()) for side in (-1, 1))
-    there = far._arrived(here, 10, arb(-1, arb(2) ** -10), arb(9, arb(2) ** -8))
-    assert (there.n, there.side) == (10, 1) and far._arrived(here, 11, arb(0), arb(0)).side == -1
+    there = jump._arrived(here, 10, arb(-1, arb(2) ** -10), arb(9, arb(2) ** -8))
+    assert (there.n, there.side) == (10, 1) and jump._arrived(here, 11, arb(0), arb(0)).side == -1
     assert all(there.x.contains((arb(-1) + side * arb(2) ** -10).exp().mid()) for side in (-1, 1))
     assert there.time_error >= arb(2) ** -8
     size = table.size(here)
@@ -232,7 +232,7 @@ def test_points_and_turning_points_keep_their_radii():
 def test_a_guess_that_is_off_is_refused(monkeypatch):
     """Without the two signs beside it any number would be a turning point."""
     with ctx.workprec(160):
-        well = drag_exact.Well.of(Law({0: "1/20", 2: "1/7"}, spring={3: "1/3"}))
+        well = drag_exact.PrimitiveWell.of(Law({0: "1/20", 2: "1/7"}, spring={3: "1/3"}))
         right = drag_exact._next(well, arb(1), 80)
         assert right is not None and right.rad() < abs(right) * arb(2) ** -50
         for off in (-1, 1):
@@ -242,7 +242,7 @@ def test_a_guess_that_is_off_is_refused(monkeypatch):
 
 def test_the_image_of_a_ball_is_the_hull_of_both_ends():
     with ctx.workprec(160):
-        well = drag_exact.Well.of(Law({2: "1/7"}, spring={3: "1/3"}))
+        well = drag_exact.PrimitiveWell.of(Law({2: "1/7"}, spring={3: "1/3"}))
         wide, *ends = (
             list(swing(well, x)) for x in (arb(1, arb(2) ** -20), arb(1) - arb(2) ** -20, arb(1) + arb(2) ** -20)
         )

@@ -9,8 +9,8 @@ from asymptotics.errors import LimitError
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions import reference
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.swing.lingering import lingering, lost_bits
-from asymptotics.turning.general import turning_points
+from asymptotics.swing.near_critical import lingering, lost_bits
+from asymptotics.turning.choose import turning_points
 
 NEAR = Law({1: "1.95", 2: "1/10"})
 

@@ -8,7 +8,7 @@ from flint import arb, ctx
 
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law
-from asymptotics.turning.general import choose, offers, turning_points
+from asymptotics.turning.choose import choose, offers, turning_points
 from asymptotics.turning.routes import ROUTES
 from asymptotics.turning.table import Request
 

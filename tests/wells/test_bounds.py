@@ -11,24 +11,24 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow import course as courses
 from asymptotics.flow import dense
-from asymptotics.flow.course import Landing, course
+from asymptotics.flow import trajectory as courses
 from asymptotics.flow.parting import contracted, growth, lateness, points_forward, turning_gap
 from asymptotics.flow.sequence import after_landing
+from asymptotics.flow.trajectory import Landing, course
 from asymptotics.flow.turning import Turning, rest
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.wells import expansion as expansions
-from asymptotics.wells.course import Well
 from asymptotics.wells.ends import _critical, inside, trap
-from asymptotics.wells.expansion import Expansion
-from asymptotics.wells.force import Force
+from asymptotics.wells.even_well import EvenWell
+from asymptotics.wells.expansion import WellExpansion
+from asymptotics.wells.force import WellForce
 
 
 def force_of(losses, spring=None, bits=250):
     with ctx.workprec(bits):
-        return Force.of(Law(losses, spring=spring).terms)
+        return WellForce.of(Law(losses, spring=spring).terms)
 
 
 FREE = force_of({2: 0})
@@ -49,9 +49,9 @@ def test_the_majorant_bounds_the_coefficients_and_is_nearly_attained(name, u0):
     """Sum of |coefficients| at the edge of what is kept is below H; a small piece of the range attains it."""
     force = FORCES[name]
     with ctx.workprec(60):
-        few = Expansion.at(force, arb(u0))
+        few = WellExpansion.at(force, arb(u0))
     with ctx.workprec(200):
-        full = Expansion.at(force, arb(u0))
+        full = WellExpansion.at(force, arb(u0))
         w = min(few.reach, full.reach)
         (u, tau), (low_u, low_tau) = full.state(w), few.state(w)
         assert low_u.contains(u.mid()) and low_tau.contains(tau.mid())
@@ -65,7 +65,7 @@ def test_the_tail_is_the_factor_times_the_majorant():
     """2^-G H* for the free pendulum, from the plan and the two equations of the majorant in floats."""
     force, sine, cosine = FORCES["free pendulum"], mpmath.sin(1), mpmath.cos(1)
     with ctx.workprec(40):
-        few = Expansion.at(force, arb(1))
+        few = WellExpansion.at(force, arb(1))
         plan, _ = expansions._plan(force, arb(1), force.rest(arb(1)), None, 1.0)
     stretch, H = plan.stretch[0], mpmath.mpf(0)
     a = float(few.reach) ** 2 * 4**stretch / 2 / sine
@@ -74,7 +74,7 @@ def test_the_tail_is_the_factor_times_the_majorant():
     again = 2 ** (-stretch * few.u.length() * float(few.step)) * H
     assert again <= float(few.tail) <= 1.15 * again
     with ctx.workprec(300):
-        fine = Expansion.at(force, arb(1), few.reach).state(few.reach)[0]
+        fine = WellExpansion.at(force, arb(1), few.reach).state(few.reach)[0]
         kept = few.u(few.reach**few.step.numerator)
         assert abs(kept.mid() - fine) <= few.tail + kept.rad()
 
@@ -99,7 +99,7 @@ def test_nothing_parts_in_the_own_unit():
 
 def orbit(force, p, bits=160):
     with ctx.workprec(bits):
-        *_, last = course(Well(force), arb(p), arb(0))
+        *_, last = course(EvenWell(force), arb(p), arb(0))
         return last
 
 
@@ -149,8 +149,10 @@ def test_a_turning_point_near_the_place_of_rest_is_undecided():
 def test_a_step_stops_before_a_kink():
     """The orbit of the kinked force passes u = 0 between pieces, and one with a smooth force does not care."""
     with ctx.workprec(90):
-        places = [p.taylor.us[0] for p in course(Well(FORCES["kinked"]), arb(1), arb(0)) if isinstance(p, courses.Step)]
-        smooth = [p.taylor.us[0] for p in course(Well(AIR), arb(1), arb(0)) if isinstance(p, courses.Step)]
+        places = [
+            p.taylor.us[0] for p in course(EvenWell(FORCES["kinked"]), arb(1), arb(0)) if isinstance(p, courses.Step)
+        ]
+        smooth = [p.taylor.us[0] for p in course(EvenWell(AIR), arb(1), arb(0)) if isinstance(p, courses.Step)]
     assert any(u == 0 for u in places) and not any(u == 0 for u in smooth)
 
 
@@ -158,7 +160,7 @@ def test_ignoring_a_kink_is_seen(monkeypatch):
     """With the polynomial of one side used on the other the next turning point is another one."""
     right = orbit(FORCES["kinked"], 1, 90)
     with monkeypatch.context() as patch:
-        patch.setattr(Force, "kinked", False)
+        patch.setattr(WellForce, "kinked", False)
         wrong = orbit(replace(FORCES["kinked"]), 1, 90)
     assert abs(right.turn - wrong.turn) > arb(1e-6) > right.miss
 
@@ -166,7 +168,7 @@ def test_ignoring_a_kink_is_seen(monkeypatch):
 def test_the_window_about_a_turning_point_is_attained():
     """Within the time e the speed grows to e s_0."""
     here = Turning(3, 1, arb(1), arb(10), arb(0), arb(2) ** -20)
-    distance = dense._distance(Well(FREE), here)
+    distance = dense._distance(EvenWell(FREE), here)
     with ctx.workprec(100):
         e = arb(2) ** -20
         truth = ((1 - e.cos()) ** 2 + e.sin() ** 2).sqrt()
@@ -177,7 +179,7 @@ def test_the_next_turning_point_carries_the_error_of_the_last():
     """An error of the start is neither forgotten nor doubled."""
     with ctx.workprec(120):
         e = arb(2) ** -30
-        pieces = list(course(Well(FORCES["free pendulum"]), arb(1), arb(0), e))
+        pieces = list(course(EvenWell(FORCES["free pendulum"]), arb(1), arb(0), e))
         assert isinstance(pieces[-1], Landing)
         there = after_landing(Turning(0, 1, arb(1), arb(0), e, arb(0)), pieces[-1])
         exactly = after_landing(rest(arb(1)), orbit(FORCES["free pendulum"], 1, 120))
@@ -252,4 +254,4 @@ def test_no_exponent_from_1_on_creeps_beside_a_spring():
 
 def test_where_dry_friction_may_hold_there_is_no_expansion():
     with pytest.raises(UndecidedError, match="holds the mass here"):
-        Expansion.at(SimpleNamespace(rest=lambda _: arb(0, 1)), arb(1))
+        WellExpansion.at(SimpleNamespace(rest=lambda _: arb(0, 1)), arb(1))

@@ -7,17 +7,17 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow import course as courses
 from asymptotics.flow import dense, parting
-from asymptotics.flow.course import Landing, Step, course
-from asymptotics.flow.parting import Errors, contracted, growth, lateness, state_gap, turning_gap
+from asymptotics.flow import trajectory as courses
+from asymptotics.flow.parting import PartingErrors, contracted, growth, lateness, state_gap, turning_gap
 from asymptotics.flow.sequence import after_kick, after_landing, first_from, next_turning, sticks
 from asymptotics.flow.times import at_time
+from asymptotics.flow.trajectory import Landing, Step, course
 from asymptotics.flow.turning import Turning, rest
-from asymptotics.wells import course as wells
-from asymptotics.wells.course import Well
+from asymptotics.wells import even_well as wells
 from asymptotics.wells.ends import _held, trap
-from asymptotics.wells.expansion import Expansion
+from asymptotics.wells.even_well import EvenWell
+from asymptotics.wells.expansion import WellExpansion
 from tests.wells.test_bounds import FORCES, FREE, force_of
 
 TOP = FORCES["free pendulum"]
@@ -151,7 +151,7 @@ def test_errors_of_pieces_grow_and_add_up(given):
     """Each piece has at least the error of the one before, grown, its residual, and the rounding of the restart."""
     force = FORCES["pendulum"]
     with ctx.workprec(24):
-        first, *steps, last = course(Well(force), arb(2), arb(0), given)
+        first, *steps, last = course(EvenWell(force), arb(2), arb(0), given)
         unit = first.unit
         place, tau = first.expansion.state(first.expansion.reach)
         assert first.errors.local >= tau.rad() * first.expansion.speed(unit) * arb("0.9999") > 0
@@ -173,13 +173,13 @@ def test_errors_of_pieces_grow_and_add_up(given):
 def shifted(force, p, e, bits=120):
     """The landing from p within e, its gap and lateness, and the landings from both ends exactly."""
     with ctx.workprec(bits):
-        unit = Well(force).unit(p, arb(0))
-        *_, wide = course(Well(force), p, arb(0), unit * e)
+        unit = EvenWell(force).unit(p, arb(0))
+        *_, wide = course(EvenWell(force), p, arb(0), unit * e)
         return (
             wide,
             wide.gap(unit * e),
             wide.late(unit * e),
-            [list(course(Well(force), p + side * e, arb(0)))[-1] for side in (-1, 1)],
+            [list(course(EvenWell(force), p + side * e, arb(0)))[-1] for side in (-1, 1)],
         )
 
 
@@ -219,7 +219,7 @@ def test_what_a_turning_point_carries(monkeypatch):
     """Made-up pieces: the gap, the miss, the lateness, the radius of the clock and what was carried all count."""
     force, e = FORCES["free pendulum"], arb(2) ** -10
     with ctx.workprec(80):
-        *_, real = course(Well(force), arb(1), arb(0))
+        *_, real = course(EvenWell(force), arb(1), arb(0))
         piece = replace(real, miss=e, clock=arb(real.clock.mid(), e))
         monkeypatch.setattr(Landing, "gap", lambda _, given: given)
         monkeypatch.setattr(Landing, "late", lambda _, given: e + given)
@@ -230,7 +230,7 @@ def test_what_a_turning_point_carries(monkeypatch):
         assert there.time_error >= 8 * e and there.time_error < 9 * e
         assert there.amplitude_error >= 2 * e and there.amplitude_error < 4 * e
         viscous = force_of({1: "1/2"}, "pendulum")
-        long = after_landing(here, replace(piece, flow=Well(viscous))).amplitude_error - piece.miss
+        long = after_landing(here, replace(piece, flow=EvenWell(viscous))).amplitude_error - piece.miss
         again = contracted(viscous, arb(1), e, (piece.clock - 2 * e).lower(), piece.turn, piece.miss)
         assert long >= again * arb("0.9999")
 
@@ -241,19 +241,21 @@ def test_the_error_of_a_time_only_adds(name):
     e = arb(2) ** -20
     with ctx.workprec(80):
         there = dense._swing(
-            Well(FORCES[name]), Turning(0, 1, arb(1), arb(0), arb(0), e), dense._Wanted(Well(FORCES[name]), [arb(9)])
+            EvenWell(FORCES[name]),
+            Turning(0, 1, arb(1), arb(0), arb(0), e),
+            dense._Wanted(EvenWell(FORCES[name]), [arb(9)]),
         )
-        exactly = dense._swing(Well(FORCES[name]), rest(arb(1)), dense._Wanted(Well(FORCES[name]), [arb(9)]))
+        exactly = dense._swing(EvenWell(FORCES[name]), rest(arb(1)), dense._Wanted(EvenWell(FORCES[name]), [arb(9)]))
         assert exactly.time_error + e * arb("0.999") < there.time_error < e * arb("1.001")
 
 
 def test_dry_friction_at_an_uncertain_amplitude():
     force = force_of({0: "1/4"}, {3: "1/2"})
     held = Turning(1, 1, arb("0.2"), arb(3), arb("0.01"), arb(0))
-    assert sticks(Well(force), held) and not sticks(Well(force), replace(held, amplitude=arb("0.3")))
+    assert sticks(EvenWell(force), held) and not sticks(EvenWell(force), replace(held, amplitude=arb("0.3")))
     for amplitude in ("0.23", "0.25"):
         with pytest.raises(UndecidedError, match="undecided"):
-            sticks(Well(force), replace(held, amplitude=arb(amplitude), amplitude_error=arb("0.05")))
+            sticks(EvenWell(force), replace(held, amplitude=arb(amplitude), amplitude_error=arb("0.05")))
 
 
 def test_the_place_of_rest_under_an_uncertain_friction_has_two_ends():
@@ -266,19 +268,19 @@ def test_the_place_of_rest_under_an_uncertain_friction_has_two_ends():
 def test_an_uncertain_time_moves_a_state():
     """A free linear oscillator at (0.6, 0.8) within the time e: 0.8 e in place and 0.6 e in speed, and hardly more."""
     e = arb(2) ** -12
-    du, dw = dense._moved(Well(FREE), arb("0.6"), arb("0.8"), e)
+    du, dw = dense._moved(EvenWell(FREE), arb("0.6"), arb("0.8"), e)
     for moved, truth in ((du, arb("0.8") * e), (dw, arb("0.6") * e)):
         assert truth <= moved and moved / 2 < truth
-    wide, _ = dense._moved(Well(FREE), arb("0.6"), arb("0.8"), arb("0.5"))
+    wide, _ = dense._moved(EvenWell(FREE), arb("0.6"), arb("0.8"), arb("0.5"))
     assert wide >= arb("0.8") * arb("0.5").sin() + arb("0.6") * (1 - arb("0.5").cos())
     with pytest.raises(UndecidedError, match="too uncertain"):
-        dense._moved(Well(force_of({2: 0}, {3: 1000})), arb(1), arb(1), arb(1))
+        dense._moved(EvenWell(force_of({2: 0}, {3: 1000})), arb(1), arb(1), arb(1))
 
 
 def test_a_time_counts_from_its_lower_to_its_upper_end():
     """A free linear oscillator at rest at 1, asked at r +- r: -sin(2 r) at the latest, which r alone does not reach."""
     r = arb(2) ** -8
-    ((x, v),) = dense.states(Well(FREE), arb(1), arb(0), [arb(r, r)])
+    ((x, v),) = dense.states(EvenWell(FREE), arb(1), arb(0), [arb(r, r)])
     assert x.contains((2 * r).cos()) and v.contains(-(2 * r).sin()) and v.rad() < 3 * r
 
 
@@ -286,11 +288,11 @@ def test_a_state_holds_its_neighbours_in_place_speed_and_time():
     """From X +- e, V +- e, at a time +- e: every corner is inside, and the ball is at most some times as wide."""
     force, e = FORCES["pendulum"], arb(2) ** -16
     with ctx.workprec(90):
-        (wide,) = dense.states(Well(force), arb("0.5", e), arb("0.25", e), [arb(3, e)])
+        (wide,) = dense.states(EvenWell(force), arb("0.5", e), arb("0.25", e), [arb(3, e)])
         farthest = [arb(0), arb(0)]
         for sides in ((1, 1, 1), (1, -1, 1), (-1, 1, 1), (1, 1, -1), (-1, -1, -1), (1, -1, -1)):
             a, b, c = (side * e for side in sides)
-            (state,) = dense.states(Well(force), arb("0.5") + a, arb("0.25") + b, [arb(3) + c])
+            (state,) = dense.states(EvenWell(force), arb("0.5") + a, arb("0.25") + b, [arb(3) + c])
             for k, (ball, x) in enumerate(zip(wide, state, strict=True)):
                 assert ball.contains(x.mid())
                 farthest[k] = max(farthest[k], abs(x - ball.mid()).mid(), key=float)
@@ -301,10 +303,10 @@ def test_a_state_holds_its_neighbours_in_place_speed_and_time():
 def test_a_start_that_is_uncertain_in_place_or_speed_alone(place, speed):
     force, e = FORCES["pendulum"], arb(2) ** -16
     with ctx.workprec(90):
-        (wide,) = dense.states(Well(force), arb("0.5", place * e), arb("0.25", speed * e), [arb(3)])
+        (wide,) = dense.states(EvenWell(force), arb("0.5", place * e), arb("0.25", speed * e), [arb(3)])
         for side in (1, -1):
             start = arb("0.5") + side * place * e, arb("0.25") + side * speed * e
-            (state,) = dense.states(Well(force), *start, [arb(3)])
+            (state,) = dense.states(EvenWell(force), *start, [arb(3)])
             assert all(ball.contains(x.mid()) and ball.rad() < 8 * e for ball, x in zip(wide, state, strict=True))
 
 
@@ -317,19 +319,19 @@ class Falling:
 
 def test_a_late_fall_is_off_in_place_too(monkeypatch):
     """Speed t and way t^2/2 under the force 1, the distance counting places tenfold: the speed alone is less."""
-    monkeypatch.setattr(Well, "unit", lambda *_: arb(10))
+    monkeypatch.setattr(EvenWell, "unit", lambda *_: arb(10))
     t = arb(1) / 8
     truth = ((10 * t**2 / 2) ** 2 + t**2).sqrt()
-    found = dense._distance(Well(Falling()), Turning(1, 1, arb(1), arb(3), arb(0), t))
+    found = dense._distance(EvenWell(Falling()), Turning(1, 1, arb(1), arb(3), arb(0), t))
     assert t * arb("1.1") < truth <= found < 2 * truth
 
 
 def test_what_is_uncertain_about_a_turning_point_is_a_distance():
     """The error of the amplitude, the speed that the time allows and the way it allows, in the unit of the distance."""
     force, e = FORCES["free pendulum"], arb(2) ** -10
-    unit = Well(force).unit(arb(1), arb(0))
+    unit = EvenWell(force).unit(arb(1), arb(0))
     for amplitude, time in ((e, arb(0)), (arb(0), e), (e, e), (arb(0), arb(1) / 8)):
-        found = dense._distance(Well(force), Turning(1, 1, arb(1), arb(3), amplitude, time))
+        found = dense._distance(EvenWell(force), Turning(1, 1, arb(1), arb(3), amplitude, time))
         speed, way = arb(1).sin() * time, arb(1).sin() * time**2 / 2
         truth = ((unit * (amplitude + way)) ** 2 + speed**2).sqrt()
         assert truth <= found < 2.5 * truth
@@ -338,7 +340,7 @@ def test_what_is_uncertain_about_a_turning_point_is_a_distance():
 def test_the_piece_before_a_kink_ends_at_it_within_its_error():
     force = FORCES["kinked"]
     with ctx.workprec(40):
-        pieces = [p for p in course(Well(force), arb(1), arb(0)) if isinstance(p, Step)]
+        pieces = [p for p in course(EvenWell(force), arb(1), arb(0)) if isinstance(p, Step)]
         before, after = next((a, b) for a, b in zip(pieces, pieces[1:]) if b.taylor.us[0] == 0)
         left = before.taylor.state(before.taylor.length)[0]
         assert left > 0 and after.error - after.taylor.residual >= before.error + before.unit * left.lower()
@@ -349,10 +351,10 @@ def test_the_piece_before_a_kink_ends_at_it_within_its_error():
 def test_the_parts_of_a_landing(name, error):
     """The miss of the guess joins both errors; they grow on the way, and the radius of the clock is added."""
     force, u, w, local, grown = FORCES[name], arb("-0.875"), arb("0.25"), error / 4, arb("1.5")
-    flow = Well(force)
+    flow = EvenWell(force)
     with ctx.workprec(24):
-        unit = Well(force).unit(arb(1), arb(0))
-        found = courses._landing(flow, unit, courses.State(arb(1), u, w, Errors(local, error, grown)))
+        unit = EvenWell(force).unit(arb(1), arb(0))
+        found = courses._landing(flow, unit, courses.FlowState(arb(1), u, w, PartingErrors(local, error, grown)))
         place, time = found.expansion.state(w)
         slack = unit * abs(place - u).upper()
         factor = growth(force, unit, found.turn.union(place), arb(0).union(w), -time, error + slack)
@@ -372,7 +374,7 @@ def test_the_parts_of_a_landing(name, error):
 def test_a_wide_time_near_a_turning_point(name):
     """Both ends of the time are contained; the place moves at the speed reached there, half is less."""
     with ctx.workprec(90):
-        expansion = Expansion.at(FORCES[name], arb(1))
+        expansion = WellExpansion.at(FORCES[name], arb(1))
         middle, width = (expansion.state(expansion.reach)[1] * arb("0.96")).mid(), arb(2) ** -18
         u, w = at_time(expansion, middle + arb(0, width))
         moved = []
@@ -388,7 +390,7 @@ def test_traps_and_edges_are_asked_about_the_whole_error(monkeypatch):
     monkeypatch.setattr(wells, "trap", lambda _force, u, w: seen.append((u.rad(), w.rad())))
     monkeypatch.setattr(wells, "beyond", lambda _force, u: seen.append((u.rad(), arb(1))))
     with ctx.workprec(60):
-        pieces = list(course(Well(force), arb(1), arb(0), given))
+        pieces = list(course(EvenWell(force), arb(1), arb(0), given))
         unit = pieces[0].unit
     assert len(seen) >= 4 and all(u >= given / unit * arb("0.999") and w >= given for u, w in seen)
 
@@ -398,17 +400,17 @@ def test_turning_points_hold_those_of_every_start():
     force, e = FORCES["pendulum"], arb(2) ** -16
     assert rest(arb(-1, e)).amplitude_error >= e
     with ctx.workprec(80):
-        wide = next_turning(Well(force), rest(arb(1, e)))
-        kicked = first_from(Well(force), arb("0.5", e), arb("0.25", e))
+        wide = next_turning(EvenWell(force), rest(arb(1, e)))
+        kicked = first_from(EvenWell(force), arb("0.5", e), arb("0.25", e))
         for a in (1, -1):
-            there = next_turning(Well(force), rest(1 + a * e))
+            there = next_turning(EvenWell(force), rest(1 + a * e))
             assert wide.x.contains(there.x) and wide.tau.contains(there.tau)
             for b in (1, -1):
-                corner = first_from(Well(force), arb("0.5") + a * e, arb("0.25") + b * e)
+                corner = first_from(EvenWell(force), arb("0.5") + a * e, arb("0.25") + b * e)
                 assert kicked.x.contains(corner.x) and kicked.tau.contains(corner.tau)
         assert max(wide.amplitude_error, kicked.amplitude_error, key=float) < 16 * e
     with pytest.raises(UndecidedError, match="holds the mass here"):  # beyond the top it falls to the other side
-        next_turning(Well(TOP), rest(arb("3.1", "0.05")))
+        next_turning(EvenWell(TOP), rest(arb("3.1", "0.05")))
 
 
 def test_the_trap_of_creep_has_its_boundary():

@@ -7,7 +7,7 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.wells import expansion as expansions
-from asymptotics.wells.expansion import Expansion
+from asymptotics.wells.expansion import WellExpansion
 from tests.wells.test_bounds import FORCES, force_of
 
 
@@ -78,7 +78,7 @@ def test_the_rate_next_to_a_turning_point(name):
     """Above |w'| on both sides; within 7 of it, for it allows P to double."""
     force = FORCES[name]
     with ctx.workprec(60):
-        found = Expansion.at(force, arb(1))
+        found = WellExpansion.at(force, arb(1))
         w = found.reach
         u, _ = found.state(w)
         before = abs(force.acceleration(u, w))
@@ -144,7 +144,7 @@ def test_what_is_left_out_is_added(name):
     """The tails are 2^-G H* and 2^-G R*/(1 - R*)/|P_0|, and both are in the radii of what is handed out."""
     force = FORCES[name]
     with ctx.workprec(40):
-        few = Expansion.at(force, arb(1))
+        few = WellExpansion.at(force, arb(1))
         _, _, (factor, H, R) = expansions._planned(force, arb(1), force.rest(arb(1)), None)
         assert few.tail >= factor * H and few.time_tail >= factor * R / (1 - R) / abs(few.brake)
         assert few.tail <= factor * H * arb("1.01") and few.time_tail * abs(few.brake) <= R / (1 - R) * factor * arb(

@@ -9,18 +9,18 @@ from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.dense import states
 from asymptotics.flow.taylor import GUARD
 from asymptotics.law import Law
-from asymptotics.wells.course import Well
 from asymptotics.wells.ends import inside
-from asymptotics.wells.force import Force
+from asymptotics.wells.even_well import EvenWell
+from asymptotics.wells.force import WellForce
 
 EXPONENTS = ("0", "1/3", "1/2", "1", "3/2", "2", "5/2", "3", "7")
 
 
 def found(law, X, V, times, bits):
     with ctx.workprec(bits + GUARD):
-        force = Force.of(law.terms)
+        force = WellForce.of(law.terms)
     with ctx.workprec(bits):
-        return states(Well(force), arb(X) / 16, arb(V) / 16, [arb(t) / 8 for t in times])
+        return states(EvenWell(force), arb(X) / 16, arb(V) / 16, [arb(t) / 8 for t in times])
 
 
 def check(seed):
@@ -35,7 +35,7 @@ def check(seed):
     X, V = draw.randint(-32, 32) or 1, draw.choice((0, draw.randint(1, 24), -draw.randint(1, 24)))
     times = sorted(draw.randint(0, 100) for _ in range(5))
     with ctx.workprec(60):
-        if inside(Force.of(law.terms), arb(X) / 16) is not True:
+        if inside(WellForce.of(law.terms), arb(X) / 16) is not True:
             return False
     try:
         low, high = (found(law, X, V, times, bits) for bits in (50, 90))

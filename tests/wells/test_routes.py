@@ -16,10 +16,10 @@ from asymptotics.motions.reference import reference_motion
 from asymptotics.normal_form.coefficients import half_swing_coefficients
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.passage import integrated
+from asymptotics.swing.half_swing_map import integrated
 from asymptotics.turning.half_swing import half_swing_of_terms
-from asymptotics.wells.course import Well
-from asymptotics.wells.force import Force
+from asymptotics.wells.even_well import EvenWell
+from asymptotics.wells.force import WellForce
 from tests.second_route.forced import drag_turning_points, quadratic_turning_points, stepping_turning_points
 
 REST = ExactReal(0)
@@ -31,13 +31,13 @@ def exact(text):
 
 def force_of(law, bits=200):
     with ctx.workprec(bits):
-        return Force.of(law.terms)
+        return WellForce.of(law.terms)
 
 
 def swing(law, p, bits):
     """(q, T) as balls at the given precision."""
     with ctx.workprec(bits):
-        found, _ = swung(Well(force_of(law, bits + 40)), rest(arb(p)))
+        found, _ = swung(EvenWell(force_of(law, bits + 40)), rest(arb(p)))
         return arb(found.amplitude, found.amplitude_error), found.tau
 
 
@@ -68,7 +68,7 @@ def test_the_motion_of_a_pendulum_without_loss_is_a_jacobi_function():
         truth = [2 * mpmath.asin(k * mpmath.ellipfun("cd", t, k**2)) for t in times]
     with ctx.workprec(90):
         found = states(
-            Well(force_of(Law({2: 0}, spring="pendulum"))), arb("2.5").mid(), arb(0), [arb(str(t)) for t in times]
+            EvenWell(force_of(Law({2: 0}, spring="pendulum"))), arb("2.5").mid(), arb(0), [arb(str(t)) for t in times]
         )
         for (x, _), value in zip(found, truth, strict=True):
             assert x.rad() < arb(10) ** -18 and x.overlaps(arb(mpmath.nstr(value, 35)))
@@ -141,7 +141,10 @@ def test_against_an_ordinary_integrator(law, x0, v0):
                     max_step=0.01, t_eval=[float(t) for t in times], method="DOP853")  # fmt: skip
     with ctx.workprec(80):
         found = states(
-            Well(force_of(law)), exact(x0).ball(), exact(v0).ball(), [arb(t.numerator) / t.denominator for t in times]
+            EvenWell(force_of(law)),
+            exact(x0).ball(),
+            exact(v0).ball(),
+            [arb(t.numerator) / t.denominator for t in times],
         )
     for n, (x, v) in enumerate(found):
         assert float(x) == pytest.approx(run.y[0, n], abs=3e-5) and float(v) == pytest.approx(run.y[1, n], abs=3e-5)
@@ -156,7 +159,7 @@ def test_few_digits_contain_many(law, x0, v0):
 
     def at(bits):
         with ctx.workprec(bits):
-            return states(Well(force_of(law)), exact(x0).ball(), exact(v0).ball(), times)
+            return states(EvenWell(force_of(law)), exact(x0).ball(), exact(v0).ball(), times)
 
     few, many = at(45), at(110)
     with ctx.workprec(200):

@@ -11,12 +11,12 @@ from operator import attrgetter
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
+from asymptotics.swing.half_swing_map import INTEGRATED
 from asymptotics.swing.panels import ROUTE as INTERPOLATED
 from asymptotics.swing.panels import panels_of
-from asymptotics.swing.passage import INTEGRATED
 from asymptotics.swing.sequence import Interpolated
-from asymptotics.turning.enclosing import Orbit, bits_of, damping_of, enclosed, first_of, in_words
-from asymptotics.turning.far import head_end, jumped_by_flow, planned
+from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
+from asymptotics.turning.jump import head_end, jumped_by_flow, planned
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.routes.stepping import require_moderate, swing_seconds
@@ -40,7 +40,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     laws = sorted(request.law.terms, key=attrgetter("velocity"))
     alphas = [t.velocity for t in laws]
 
-    def orbit() -> Orbit:
+    def orbit() -> EnclosedMotion:
         damping, panels = damping_of(request), panels_of(request.law, ctx.prec)
         plan, epsilons = planned(alphas, ctx.prec, request.start), [t.strength.ball() for t in laws]
 
@@ -51,7 +51,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
                 here = jumped_by_flow(alphas, epsilons, plan.terms, here, request.start)
             return sequence(Interpolated(damping, panels, here.n + request.count), here)
 
-        return Orbit(lambda: first_of(request, damping), after)
+        return EnclosedMotion(lambda: first_of(request, damping), after)
 
     way = f"{INTEGRATED}, {INTERPOLATED} and Abel function by the slow flow"
     return enclosed(request, orbit, lambda bits: in_words(request, way, bits), bits_of(request), progress)

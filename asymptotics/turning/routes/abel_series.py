@@ -1,7 +1,7 @@
 """Route "abel-series": one power of the velocity with alpha > 1, far from the start, by the Abel function of its map.
 
 Psi(F) = Psi + 1 counts half-swings (Abel's equation): after a certified head of some hundred half-swings one evaluation
-of Psi and one Newton step lead to any later turning point (``far``, ``abel``).
+of Psi and one Newton step lead to any later turning point (``jump``, ``abel``).
 """
 
 from collections.abc import Iterator
@@ -13,8 +13,8 @@ from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.sequence import Interpolated
-from asymptotics.turning.enclosing import Orbit, bits_of, damping_of, enclosed, first_of, in_words
-from asymptotics.turning.far import head_of, jumped
+from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
+from asymptotics.turning.jump import head_of, jumped
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.routes.interpolated import nodes_in_words
@@ -40,7 +40,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     require_moderate(request, serves(request) or 0.0)
     alpha, epsilon = request.law.alphas[0], request.law.terms[0].strength
 
-    def orbit() -> Orbit:
+    def orbit() -> EnclosedMotion:
         damping, panels, head = damping_of(request), panels_of(request.law, ctx.prec), head_of(alpha, ctx.prec)
 
         def after(first: Turning) -> Iterator[Turning]:
@@ -49,7 +49,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
             there = jumped(alpha, epsilon.ball(), here, request.start)
             return sequence(Interpolated(damping, panels, there.n + request.count), there)
 
-        return Orbit(lambda: first_of(request, damping), after)
+        return EnclosedMotion(lambda: first_of(request, damping), after)
 
     def method(bits: int) -> str:
         return in_words(request, f"{nodes_in_words(request, bits)} and Abel function", bits)

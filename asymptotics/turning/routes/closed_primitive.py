@@ -20,7 +20,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
-from asymptotics.turning.drag_exact import Well, drag_serves, rational_places, require_well, swings
+from asymptotics.turning.drag_exact import PrimitiveWell, drag_serves, rational_places, require_well, swings
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
 from asymptotics.turning.table import Ended, Kept, Points, Progress, Request
@@ -65,7 +65,7 @@ def _bits(request: Request) -> int:
 
 def _rounded(request: Request, bits: int, progress: Progress, made: list[TurningPoint]) -> tuple[Points, Ended]:
     """The points and how they end; TooWideError where one cannot be rounded, or what follows it is undecided."""
-    well = Well.of(request.law)
+    well = PrimitiveWell.of(request.law)
     require_well(well, request.place)
     for n, (x, stays) in enumerate(_places(request, well, bits)):
         if n >= request.start:
@@ -81,7 +81,7 @@ def _rounded(request: Request, bits: int, progress: Progress, made: list[Turning
     raise TooWideError("the next turning point is not enclosed")
 
 
-def _places(request: Request, well: Well, bits: int) -> Iterator[tuple[arb | ExactReal, bool | None]]:
+def _places(request: Request, well: PrimitiveWell, bits: int) -> Iterator[tuple[arb | ExactReal, bool | None]]:
     """The places as exact numbers as long as they are rational, in balls from the last one on."""
     exact = [ExactReal(q) for q in rational_places(request.law, request.place)] or [request.place]
     for place in exact[:-1]:

@@ -11,12 +11,12 @@ serves where the local strengths are small enough for the majorant, and pays whe
 
 from asymptotics.flow.sequence import sequence
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.lingering import most_swings
+from asymptotics.swing.half_swing_map import INTEGRATED
+from asymptotics.swing.near_critical import most_swings
 from asymptotics.swing.panels import COLLOCATED, panels_of
 from asymptotics.swing.panels import ROUTE as INTERPOLATED
-from asymptotics.swing.passage import INTEGRATED
 from asymptotics.swing.sequence import Interpolated
-from asymptotics.turning.enclosing import Orbit, bits_of, damping_of, enclosed, first_of, in_words
+from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.routes.stepping import require_moderate, swing_seconds
@@ -39,9 +39,9 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     steps, pieces = _worth(request)
     require_moderate(request, swing_seconds(request, steps, pieces))
 
-    def orbit() -> Orbit:
+    def orbit() -> EnclosedMotion:
         damping, panels = damping_of(request), panels_of(request.law, ctx.prec)
-        return Orbit(
+        return EnclosedMotion(
             lambda: first_of(request, damping),
             lambda first: sequence(Interpolated(damping, panels, request.last + 1), first),
         )

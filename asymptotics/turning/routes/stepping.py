@@ -25,18 +25,18 @@ from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.turning import Turning, rest
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
-from asymptotics.swing.course import LinearSpring
+from asymptotics.swing.half_swing_map import INTEGRATED
 from asymptotics.swing.linear import ROUTE as CLOSED
-from asymptotics.swing.lingering import most_swings
+from asymptotics.swing.linear_spring import LinearSpring
+from asymptotics.swing.near_critical import most_swings
 from asymptotics.swing.panels import panels_of
-from asymptotics.swing.passage import INTEGRATED
-from asymptotics.turning.enclosing import Orbit, bits_of, damping_of, enclosed, first_of, in_words
+from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.table import Progress, Request
-from asymptotics.wells.course import Well
 from asymptotics.wells.ends import require_inside
-from asymptotics.wells.force import Force, estimated_seconds
+from asymptotics.wells.even_well import EvenWell
+from asymptotics.wells.force import WellForce, estimated_seconds
 
 MAX_DIGITS, MAX_LAST = 1000, 100_000
 METHOD = "half-swing by half-swing in the well, local expansions and Taylor steps in balls"
@@ -47,7 +47,7 @@ def serves(request: Request) -> float:
     """The seconds: every request is served."""
     if request.law.is_pure:
         return swing_seconds(request, int(min(request.last + 1, most_swings(request.law))))
-    return estimated_seconds(Force.of(request.law.terms), request.last + 1, _bits(request))
+    return estimated_seconds(WellForce.of(request.law.terms), request.last + 1, _bits(request))
 
 
 def swing_seconds(request: Request, steps: int, pieces: int | None = None) -> float:
@@ -74,9 +74,9 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
 def _nonexpansive(request: Request, progress: Progress) -> TurningPoints:
     require_moderate(request, serves(request))
 
-    def orbit() -> Orbit:
+    def orbit() -> EnclosedMotion:
         damping = damping_of(request)
-        return Orbit(lambda: first_of(request, damping), lambda first: sequence(LinearSpring(damping), first))
+        return EnclosedMotion(lambda: first_of(request, damping), lambda first: sequence(LinearSpring(damping), first))
 
     by = CLOSED if panels_of(request.law, 64).closed else INTEGRATED
     return enclosed(request, orbit, lambda bits: in_words(request, by, bits), bits_of(request), progress)
@@ -90,16 +90,16 @@ def _in_well(request: Request, progress: Progress) -> TurningPoints:
         raise InputError("x0", "0 is the place of rest", "a start away from 0, or v0")
     require_seconds(serves(request), f"{request.last + 1} half-swings with {request.digits} digits")
 
-    def orbit() -> Orbit:
+    def orbit() -> EnclosedMotion:
         with ctx.workprec(ctx.prec + GUARD):
-            force = Force.of(request.law.terms)
+            force = WellForce.of(request.law.terms)
         require_inside(force, request.place.ball(), str(request.place))
 
         def first() -> Turning | str:
             x0, v0 = request.place.ball(), request.speed.ball()
-            return first_from(Well(force), x0, v0) if request.in_motion else rest(x0)
+            return first_from(EvenWell(force), x0, v0) if request.in_motion else rest(x0)
 
-        return Orbit(first, lambda start: sequence(Well(force), start))
+        return EnclosedMotion(first, lambda start: sequence(EvenWell(force), start))
 
     return enclosed(request, orbit, lambda bits: METHOD, _bits(request), progress, doublings=_DOUBLINGS)
 

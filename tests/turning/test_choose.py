@@ -10,7 +10,7 @@ from asymptotics.half_swings.quarter import half_swing
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.turning import enclosing
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from asymptotics.turning.routes.dry import last_turning_point
 from tests.second_route.forced import quadratic_turning_points
 from tests.second_route.local_expansion import Damping, LocalExpansion

@@ -8,15 +8,15 @@ from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow.course import course
+from asymptotics.flow.trajectory import course
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing import course as course_module
-from asymptotics.swing.course import Creep, LinearSpring
+from asymptotics.swing import linear_spring as course_module
+from asymptotics.swing.creep_slow_curve import SlowCurve, _grown, caught, one_way, solve
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.slow import Curve, _grown, caught, one_way, solve
-from asymptotics.swing.slow_series import Truncated, summed, truncated
+from asymptotics.swing.linear_spring import Creep, LinearSpring
+from asymptotics.swing.slow_curve_series import Truncated, summed, truncated
 
 LAWS = [
     {"1/2": "1"},
@@ -110,7 +110,9 @@ def test_half_the_strip_is_not_proved(law):
         assert not one_way(series, arb("0.9") * least, most)
         # and rightly: the powers that are left have one sign, so a curve with half of it is crossed the other way
         for share, sign in (("1.2", 1), ("0.5", -1), ("-0.5", -1)):
-            below = Curve(series.epsilon, series.alpha, series.others, (*series.b, (arb(share) * least, series.cut)))
+            below = SlowCurve(
+                series.epsilon, series.alpha, series.others, (*series.b, (arb(share) * least, series.cut))
+            )
             assert crossing(below, damping(law), most) * sign > 0
 
 
@@ -129,7 +131,7 @@ def test_on_the_barriers_the_motion_crosses_as_proved_down_to_nothing(law, sign)
     with ctx.workprec(900):
         exact = next(s for s in (truncated(damping(law), 0, n) for n in range(1, 99)) if len(s.b) == len(found.b) - 1)
         theta, cut = found.b[-1]
-        curve = Curve(exact.epsilon, exact.alpha, exact.others, (*exact.b, (theta.mid(), cut)))
+        curve = SlowCurve(exact.epsilon, exact.alpha, exact.others, (*exact.b, (theta.mid(), cut)))
         for factor in (1, arb("0.5"), arb("1e-3"), arb("1e-9")):
             assert sign * crossing(curve, damping(law), piece.strip.starts[0].mid() + arb(factor).log()) > 0
 
@@ -183,7 +185,7 @@ def test_the_rest_is_what_the_cut_leaves(law, order):
         leading = min(range(len(exact.sizes)), key=lambda i: exact.sizes[i][1])
         series = truncated(exact, leading, order)
         log_w = arb("1e-3").log()
-        curve = Curve(series.epsilon, series.alpha, series.others, series.b)
+        curve = SlowCurve(series.epsilon, series.alpha, series.others, series.b)
         first = ((2 - 2 * series.alpha) * log_w).exp() / series.epsilon**2
         left = (series.alpha + summed(curve.a, log_w)) * summed(series.b, log_w) - first
         rest = summed(series.rest, log_w)

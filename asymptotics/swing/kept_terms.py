@@ -41,7 +41,7 @@ _HALVINGS = (0.2, 0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 13, 16, 20, 26, 32)
 
 
 @dataclass(frozen=True)
-class Plan:
+class KeptTerms:
     """The hand-over speed 2^omega |P_0|; log2 of the stretch of w (with q, on a line) or of each z_i (with G)."""
 
     omega: float
@@ -65,7 +65,7 @@ def plan_for(
     bits: int,
     speed: float | None = None,
     shared: bool = True,
-) -> Plan:
+) -> KeptTerms:
     """The cheapest plan for delta_i up to 2^ln2_delta, with the hand-over speed 2^``speed`` if it is given.
 
     ``shared``: whether the coefficients of a simplex are those of all strengths (``rows``).
@@ -79,7 +79,7 @@ def plan_for(
             if plan is not None and (total := _microseconds(plan, bits, alphas, shared)) < cost:
                 best, cost = plan, total
     if shared and min(alphas, default=1.0) < SMALL:
-        short = Plan(-bits - 8.0 if speed is None else speed, 1, (), 1)
+        short = KeptTerms(-bits - 8.0 if speed is None else speed, 1, (), 1)
         if best is None or (speed is None and 3 * bits * _step_microseconds(bits, len(alphas)) < cost):
             return short
     if best is None:
@@ -124,7 +124,7 @@ def _edge(ln2_delta: tuple[float, ...], alphas: tuple[float, ...]) -> float:
 
 def _line(
     omega: float, delta: tuple[float, ...], rational: tuple[Fraction | None, ...], alphas: tuple[float, ...], bits: int
-) -> Plan | None:
+) -> KeptTerms | None:
     q = lcm(*(r.denominator for r in rational if r is not None)) if None not in rational else 0
     if not 0 < q <= 200:
         return None
@@ -132,10 +132,12 @@ def _line(
     if stretch < 0.02:
         return None
     count = int((bits + 4) / stretch * q) + 2
-    return Plan(omega, q, (stretch,), count) if count <= MAX_LINE else None
+    return KeptTerms(omega, q, (stretch,), count) if count <= MAX_LINE else None
 
 
-def _simplex(omega: float, delta: tuple[float, ...], alphas: tuple[float, ...], bits: int, most: int) -> Plan | None:
+def _simplex(
+    omega: float, delta: tuple[float, ...], alphas: tuple[float, ...], bits: int, most: int
+) -> KeptTerms | None:
     """The best of a few ways to share the room between z_0 and the z_i; a simplex has about G^d/(d! prod g) points."""
     a, b = _sizes(omega, delta, alphas)
     used, best = sum(map(_power, b)), None
@@ -152,7 +154,7 @@ def _simplex(omega: float, delta: tuple[float, ...], alphas: tuple[float, ...], 
         count = prod(top / g + 1 for g in stretch) / factorial(len(stretch))
         if count <= most and (best is None or count < best.count):
             weights = tuple(int(g * _UNIT) for g in stretch)
-            best = Plan(omega, 0, tuple(g / _UNIT for g in weights), int(count) + 1, weights, int(top * _UNIT))
+            best = KeptTerms(omega, 0, tuple(g / _UNIT for g in weights), int(count) + 1, weights, int(top * _UNIT))
     return best
 
 
@@ -168,7 +170,7 @@ def sums_below(count: int, parts: tuple[int, ...]) -> list[bool]:
     return reached
 
 
-def _microseconds(plan: Plan, bits: int, alphas: tuple[float, ...], shared: bool) -> float:
+def _microseconds(plan: KeptTerms, bits: int, alphas: tuple[float, ...], shared: bool) -> float:
     """A rough cost of a half-swing's two ends and of the Taylor steps that a small omega adds."""
     q, terms, step = plan.denominator, plan.count, _step_microseconds(bits, len(alphas))
     if q:

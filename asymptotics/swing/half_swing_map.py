@@ -16,11 +16,11 @@ from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
-from asymptotics.flow.course import MAX_PIECES, Turned, course
 from asymptotics.flow.sequence import STICKS
-from asymptotics.swing.course import LinearSpring, LinearSwing
+from asymptotics.flow.trajectory import MAX_PIECES, Turned, course
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.linear import ROUTE as CLOSED
+from asymptotics.swing.linear_spring import LinearSpring, LinearSwing
 
 INTEGRATED = "local expansions and Taylor steps"
 

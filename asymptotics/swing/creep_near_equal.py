@@ -1,6 +1,6 @@
 """Creep where exponents are nearly equal: the slow curve over a stretch of ln w, between two barriers.
 
-w^d with a small d is no small number: a sum of powers of it (``slow_series``) has too many terms.  But over a
+w^d with a small d is no small number: a sum of powers of it (``slow_curve_series``) has too many terms.  But over a
 stretch, ln w = centre + reach t with |t| <= 1, the laws of a group of exponents beside its least, beta, are together
 
     sum_i epsilon_i w^(beta + eta_i) = w^beta sum_k m_k t^k/k!,  m_k = sum_i epsilon_i e^(eta_i centre) (eta_i reach)^k,
@@ -31,9 +31,9 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.swing.creep_slow_curve import INSIDE, ORDERS, WIDEST, Strip, solve, too_early
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.slow import INSIDE, ORDERS, WIDEST, Strip, solve, too_early
-from asymptotics.swing.slow_series import Key, lower_set, unit
+from asymptotics.swing.slow_curve_series import Key, lower_set, unit
 
 _NEAR = arb(1) / 4  # exponents of one group differ by less
 _SHARE, _FARTHEST = 1 / 16, 1024.0  # eta times the reach, and the reach, at most

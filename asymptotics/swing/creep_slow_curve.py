@@ -1,6 +1,6 @@
 """Creep for all times: the slow curve of the least exponent alpha < 1, between two barriers.
 
-The slow curve is a divergent sum of powers of w (``slow_series``).  Cut off below w^E, and theta w^E more in
+The slow curve is a divergent sum of powers of w (``slow_curve_series``).  Cut off below w^E, and theta w^E more in
 B, it is a curve that the motion crosses in one direction only as long as w is small: downwards in y for theta = -h,
 upwards for theta = h.  In between the motion is caught, and the time on either curve is a sum of powers of
 w, so the state is known at any later time, however late, where steps in time would have to be ever shorter (derivation
@@ -28,7 +28,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import size_of, upper
 from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.slow_series import Power, Truncated, summed, truncated
+from asymptotics.swing.slow_curve_series import Power, Truncated, summed, truncated
 
 WIDEST = 2**10  # how much wider a strip may be than what the error of the state means for its height
 INSIDE = arb(101) / 100  # the barriers are checked up to this multiple of w: the curves start beside the state
@@ -37,7 +37,7 @@ ORDERS = (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36, 48, 64, 85, 110, 140)
 
 
 @dataclass(frozen=True)
-class Curve:
+class SlowCurve:
     """y = N(w) - epsilon w^alpha B, with B and the relative terms R of the other laws as sums of powers of w.
 
     Functions of ln w, at the current precision.
@@ -170,7 +170,7 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
     h = 2 * upper(theta) + 4 * upper(summed(series.rest, most) * (-E * most).exp() / a)
     if not h * (E * most).exp() < WIDEST * goal or not one_way(series, h, most):
         return None
-    above, below = (Curve(series.epsilon, a, series.others, (*series.b, (sign * h, E))) for sign in (-1, 1))
+    above, below = (SlowCurve(series.epsilon, a, series.others, (*series.b, (sign * h, E))) for sign in (-1, 1))
     try:
         starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
     except UndecidedError:  # too few bits here: a later state may do

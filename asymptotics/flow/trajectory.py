@@ -8,7 +8,7 @@ piece's own orbit at the same time (``parting``).
 * ``Step``: a Taylor step; where the force has a kink it ends at u = 0 just before it, and the next one starts there;
 * ``Landing``: the last piece, by the local expansion at the turning point ahead.
 
-What else is known of the motions of a force is asked of its ``Flow``: a closed form, traps, a slow curve.
+What else is known of the motions of a force is asked of its ``CertifiedFlow``: a closed form, traps, a slow curve.
 
 *What stays apart.*  ``limit_cycles.half_turn`` shares the Taylor step, the state and the rule of its errors, but not
 this loop.  Whatever is said here of a turning point (``state_gap``, ``lateness``) needs a ``Force`` that only loses
@@ -19,13 +19,13 @@ The two local expansions stay as well: beside the linear spring the wells' one, 
 rows of ``swing``, took 1.6 times as long for the exponent 2, 2.2 to 2.8 for 3/2 and 3.3 for sqrt(2) (80 bits).
 
 >>> from asymptotics.law import Law
->>> from asymptotics.swing.course import LinearSpring
+>>> from asymptotics.swing.linear_spring import LinearSpring
 >>> from asymptotics.swing.damping import Damping
->>> from asymptotics.wells.course import Well
+>>> from asymptotics.wells.even_well import EvenWell
 >>> with ctx.workprec(100):
 ...     *_, last = course(LinearSpring(Damping.of_law(Law({2: 1}))), arb(1), arb(0))
 ...     (last.turn + arb(0, last.miss)).str(20), last.time.str(20)
-...     *_, last = course(Well.of(Law({2: "1/5"}, spring="pendulum").terms), arb(2), arb(0))
+...     *_, last = course(EvenWell.of(Law({2: "1/5"}, spring="pendulum").terms), arb(2), arb(0))
 ...     (last.turn + arb(0, last.miss)).str(20)
 ('[-0.41071968606103944670 +/- ...]', '[3.3809710603589252128 +/- ...]')
 '[-1.2038040963510937100 +/- ...]'
@@ -41,7 +41,7 @@ from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.balls import size_of, upper
 from asymptotics.flow.force import Force
-from asymptotics.flow.parting import Errors, growth, lateness, state_gap
+from asymptotics.flow.parting import PartingErrors, growth, lateness, state_gap
 from asymptotics.flow.taylor import TaylorStep
 from asymptotics.flow.times import NearRest, at_time, later
 from asymptotics.flow.turning import Turning
@@ -55,7 +55,7 @@ _CATCH = 4  # every so many pieces a strip about the slow curve is tried
 _NEAR = 10  # bits above the last one of the scale within which a place counts as the kink's
 
 
-class Expansion(NearRest, Protocol):
+class LocalExpansion(NearRest, Protocol):
     """A local expansion that bounds the rates beside its turning point."""
 
     def speed(self, unit: arb, /) -> arb:
@@ -63,17 +63,17 @@ class Expansion(NearRest, Protocol):
 
 
 @dataclass(frozen=True)
-class State:
+class FlowState:
     """Where a piece begins: its time from the start of the course, an exact place and speed, and the errors."""
 
     t: arb
     u: arb
     w: arb
-    errors: Errors
+    errors: PartingErrors
 
 
 @dataclass(frozen=True)
-class Flow:
+class CertifiedFlow:
     """A force, and what is known of its motions.  Places are u - ``shift`` in the force and in the pieces' orbits."""
 
     force: Force
@@ -97,7 +97,7 @@ class Flow:
         """The unit of the distance on a half-swing from the state (u, w): a choice."""
         raise NotImplementedError
 
-    def expansion(self, place: arb) -> Expansion:
+    def expansion(self, place: arb) -> LocalExpansion:
         """The motion next to a turning point, for the speeds that are cheapest."""
         raise NotImplementedError
 
@@ -105,7 +105,7 @@ class Flow:
         """Whether the turning point ahead is near enough for its expansion: a choice."""
         raise NotImplementedError
 
-    def arrive(self, place: arb, w: arb) -> Expansion:
+    def arrive(self, place: arb, w: arb) -> LocalExpansion:
         """The expansion at an exact guess of the turning point of the orbit through the state."""
         raise NotImplementedError
 
@@ -121,7 +121,7 @@ class Flow:
         """The whole half-swing in closed form."""
         return None
 
-    def aside(self, _here: State, _ended: str | None) -> Generator["Piece", None, State | None]:
+    def aside(self, _here: FlowState, _ended: str | None) -> Generator["Piece", None, FlowState | None]:
         """Pieces other than Taylor steps, beside a slow curve; what comes back is the state at their end, if any."""
         yield from ()
         return None
@@ -146,11 +146,11 @@ class Piece:
     ``ended``: why no turning point follows (a trap) or why the motion left its well, else None.
     """
 
-    flow: Flow
+    flow: CertifiedFlow
     unit: arb
     begin: arb
     end: arb
-    errors: Errors
+    errors: PartingErrors
     ended: str | None
 
     @property
@@ -167,7 +167,7 @@ class Piece:
 class Departure(Piece):
     """From a turning point at ``begin``."""
 
-    expansion: Expansion
+    expansion: LocalExpansion
 
     def own(self, t: arb) -> tuple[arb, arb]:
         """(place, w) by the local expansion."""
@@ -214,9 +214,9 @@ class Landing(Turned):
     """By the local expansion ahead: it passes the place and the speed ``beside`` within the errors ``begun``, and
     every distance grows by ``factor`` from there on."""
 
-    expansion: Expansion
+    expansion: LocalExpansion
     beside: tuple[arb, arb]
-    begun: Errors
+    begun: PartingErrors
     factor: arb
 
     def own(self, t: arb) -> tuple[arb, arb]:
@@ -235,7 +235,9 @@ class Landing(Turned):
         return lateness(self.flow.force, self.unit, turn, self.gap(given), distance)
 
 
-def course(flow: Flow, u: arb, w: arb, given: arb | None = None, *, pieces: int = MAX_PIECES) -> Iterator[Piece]:
+def course(
+    flow: CertifiedFlow, u: arb, w: arb, given: arb | None = None, *, pieces: int = MAX_PIECES
+) -> Iterator[Piece]:
     """The pieces from the exact state (u, w >= 0) at time 0, at the precision current at each call, to ``Turned``.
 
     ``given`` bounds the distance of the true state, in the distance of ``flow.unit``.  A piece that ended names why,
@@ -246,7 +248,7 @@ def course(flow: Flow, u: arb, w: arb, given: arb | None = None, *, pieces: int 
     if closed is not None:
         yield closed
         return
-    here, unit = State(arb(0), u, w, Errors(arb(0), error)), flow.unit(u, w)
+    here, unit = FlowState(arb(0), u, w, PartingErrors(arb(0), error)), flow.unit(u, w)
     scale, left = upper(unit * abs(u) + w), 0
     if w == 0:
         yield from flow.aside(here, _ended(flow, unit, here))
@@ -278,12 +280,12 @@ def course(flow: Flow, u: arb, w: arb, given: arb | None = None, *, pieces: int 
     raise LimitError("time", reason, "weaker damping, another start or strength, or a shorter time")
 
 
-def _ended(flow: Flow, unit: arb, here: State) -> str | None:
+def _ended(flow: CertifiedFlow, unit: arb, here: FlowState) -> str | None:
     error = here.errors.error
     return flow.ended(flow.place(here.u) + arb(0, upper(error / unit)), here.w + arb(0, error))
 
 
-def _require_room(flow: Flow, unit: arb, here: State, count: int, scale: arb) -> None:
+def _require_room(flow: CertifiedFlow, unit: arb, here: FlowState, count: int, scale: arb) -> None:
     """UndecidedError where the place and the speed are lost in the errors, or a trap may be missed for ever."""
     error, place = here.errors.error, flow.place(here.u)
     lost = upper(unit * abs(place) + here.w) < 4 * error
@@ -294,22 +296,22 @@ def _require_room(flow: Flow, unit: arb, here: State, count: int, scale: arb) ->
         raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
 
 
-def _after(piece: Piece, place: arb, w: arb) -> State:
+def _after(piece: Piece, place: arb, w: arb) -> FlowState:
     """The next exact state: midpoints, and what they drop."""
     u = piece.flow.back(place)
-    return State(piece.end, u.mid(), w.mid(), piece.errors.plus(upper(upper(piece.unit * u.rad()) + w.rad())))
+    return FlowState(piece.end, u.mid(), w.mid(), piece.errors.plus(upper(upper(piece.unit * u.rad()) + w.rad())))
 
 
-def _at_a_kink(here: State, step: Step, scale: arb) -> State:
+def _at_a_kink(here: FlowState, step: Step, scale: arb) -> FlowState:
     """The state itself, or u = 0 if it is as near before a kink there as makes no difference."""
     start = step.taylor.us[0]
     near = max(size_of(start) - ctx.prec / 2, size_of(scale) - ctx.prec + _NEAR)
     if step.flow.force.kinked and start > 0 and here.u > 0 and size_of(here.u) < near:
-        return State(here.t, arb(0), here.w, here.errors.plus(upper(step.unit * here.u)))
+        return FlowState(here.t, arb(0), here.w, here.errors.plus(upper(step.unit * here.u)))
     return here
 
 
-def _departure(flow: Flow, unit: arb, here: State) -> Departure:
+def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> Departure:
     place, force = flow.place(here.u), flow.force
     if not force.rest(place + arb(0, upper(here.errors.error / unit))) > 0:
         raise UndecidedError("whether dry friction holds the mass here is undecided")
@@ -322,7 +324,7 @@ def _departure(flow: Flow, unit: arb, here: State) -> Departure:
     return Departure(flow, unit, arb(0), tau.mid(), errors, None, expansion)
 
 
-def _step(flow: Flow, unit: arb, here: State, scale: arb, ended: str | None) -> Step:
+def _step(flow: CertifiedFlow, unit: arb, here: FlowState, scale: arb, ended: str | None) -> Step:
     """A Taylor step, with the growth of the distances along it."""
     taylor = _up_to_a_kink(flow.force, TaylorStep.at(flow.force, flow.place(here.u), here.w, unit, scale))
     errors = here.errors.plus(taylor.residual)
@@ -347,7 +349,7 @@ def _up_to_a_kink(force: Force, step: TaylorStep) -> TaylorStep:
     return step.shortened(early)
 
 
-def _landing(flow: Flow, unit: arb, here: State) -> Landing:
+def _landing(flow: CertifiedFlow, unit: arb, here: FlowState) -> Landing:
     """The last piece.  Two orbits that are some distance apart turn within the gap that the force allows."""
     start, w, force = flow.place(here.u), here.w, flow.force
     expansion = flow.arrive(start, w)

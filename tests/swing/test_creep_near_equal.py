@@ -10,15 +10,15 @@ import pytest
 from flint import arb, arb_poly, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow.course import course
+from asymptotics.flow.trajectory import course
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing import course as course_module
-from asymptotics.swing import near_equal
-from asymptotics.swing.course import Creep, LinearSpring
+from asymptotics.swing import creep_near_equal
+from asymptotics.swing import linear_spring as course_module
+from asymptotics.swing.creep_near_equal import Stretch, extend, grouped, groups, one_way, rest, stretch
+from asymptotics.swing.creep_slow_curve import solve
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.near_equal import Stretch, extend, grouped, groups, one_way, rest, stretch
-from asymptotics.swing.slow import solve
-from asymptotics.swing.slow_series import lower_set
+from asymptotics.swing.linear_spring import Creep, LinearSpring
+from asymptotics.swing.slow_curve_series import lower_set
 
 BITS, LATE = 90, 1000
 
@@ -148,7 +148,7 @@ def test_what_is_left_is_the_residual_of_the_curve(law):
 
 def test_what_is_cut_off_the_sums_is_bounded(monkeypatch):
     """After t^3, at the end of the stretch: less than the bound, and more than half of it."""
-    monkeypatch.setattr(near_equal, "_degree", lambda _: 3)
+    monkeypatch.setattr(creep_near_equal, "_degree", lambda _: 3)
     with ctx.workprec(200):
         damping = Damping.of(LAWS[2]())
         laws = grouped(damping, groups(damping), arb("1e-3").log())
@@ -200,24 +200,24 @@ def test_a_curve_that_is_not_checked_where_it_starts_is_none():
             laws = grouped(damping, groups(damping), (arb("1.01") * w).log() + shift)
             b = {}
             extend(laws, b, lower_set(tuple(float(d.mid()) for d in laws.powers), 3))
-            strip = near_equal._between(laws, (b, rest(laws, b)), (damping, y, w, error), arb(1))
+            strip = creep_near_equal._between(laws, (b, rest(laws, b)), (damping, y, w, error), arb(1))
             assert (strip is not None) is found
 
 
 def test_the_slope_of_the_curve_is_at_least_half_of_that_of_the_law():
     """alpha = 1/2 and B = b w on a stretch: 3/2 b w < 1/4."""
     with ctx.workprec(60):
-        scale = near_equal.Scale(arb(0), arb(1))
-        laws = near_equal.Grouped(scale, arb(0), arb(1), arb("0.5"), (arb(1),), {(0,): arb_poly([1])}, arb(0))
+        scale = creep_near_equal.Scale(arb(0), arb(1))
+        laws = creep_near_equal.Grouped(scale, arb(0), arb(1), arb("0.5"), (arb(1),), {(0,): arb_poly([1])}, arb(0))
         for b, holds in (("0.166", True), ("0.168", False)):
             assert one_way(laws, {(1,): arb_poly([arb(b)])}, arb(0), arb("1e-9")) is holds
 
 
 def test_a_time_whose_exponent_may_be_0_is_undecided():
-    scale = near_equal.Scale(arb(0), arb(8))
+    scale = creep_near_equal.Scale(arb(0), arb(8))
     with pytest.raises(UndecidedError):
-        near_equal._integral(arb_poly([1]), arb("0.01"), scale)
-    assert near_equal._integral(arb_poly([1, 2]), arb(1), scale)[0].overlaps(1 - arb(2) / 8)
+        creep_near_equal._integral(arb_poly([1]), arb("0.01"), scale)
+    assert creep_near_equal._integral(arb_poly([1, 2]), arb(1), scale)[0].overlaps(1 - arb(2) / 8)
 
 
 @pytest.mark.parametrize("law", LAWS)

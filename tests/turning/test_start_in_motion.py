@@ -8,7 +8,7 @@ from flint import arb, ctx
 
 from asymptotics.errors import InputError
 from asymptotics.law import Law
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from tests.second_route.local_expansion import Damping
 from tests.second_route.orbit import orbit
 

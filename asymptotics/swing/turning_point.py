@@ -14,7 +14,7 @@ holds.
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(60):
 ...     law = Damping.of([(arb(1) / 10, ExactReal(Fraction(3, 2)))])
-...     there = Expansion.at(law, arb(-1), arb("0.25"))
+...     there = TurningExpansion.at(law, arb(-1), arb("0.25"))
 ...     y, tau = there.state(arb("0.25"))
 ...     found = arrive(law, y.mid(), arb("0.25"))
 >>> abs(found.y0 + 1) <= arb(1e-15)
@@ -26,17 +26,17 @@ from flint import arb
 from asymptotics.flow.balls import dyadic, size_of
 from asymptotics.numbers.context import ctx
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.expansion import Expansion, plan_at
-from asymptotics.swing.keys import SMALL
+from asymptotics.swing.expansion import TurningExpansion, plan_at
+from asymptotics.swing.kept_terms import SMALL
 
 _FIRST, _MOST = 40, 40
 _INNER = 0.9375  # of |y|, and more than the guess will differ from it
 
 
-def arrive(damping: Damping, y: arb, w: arb) -> Expansion:
+def arrive(damping: Damping, y: arb, w: arb) -> TurningExpansion:
     """The expansion at a dyadic guess y_1 of the turning point of the orbit through (y, w), y < 0 a ball, w > 0 exact,
     within the reach of y_1."""
-    return Expansion.at(damping, _guess(damping, y, w), w)
+    return TurningExpansion.at(damping, _guess(damping, y, w), w)
 
 
 def _guess(damping: Damping, y: arb, w: arb) -> arb:
@@ -64,7 +64,7 @@ def _guess(damping: Damping, y: arb, w: arb) -> arb:
 
 
 def _miss(damping: Damping, y1: arb, goal: arb, w: arb) -> arb:
-    return (Expansion.at(damping, y1, w).state(w)[0] - goal).mid()
+    return (TurningExpansion.at(damping, y1, w).state(w)[0] - goal).mid()
 
 
 def _rounded(x: arb, bits: int) -> arb:

@@ -2,7 +2,7 @@
 
 >>> from asymptotics.law import Law
 >>> with ctx.workprec(60):
-...     pendulum = Well.of(Law({2: "1/5"}, spring="pendulum").terms)
+...     pendulum = EvenWell.of(Law({2: "1/5"}, spring="pendulum").terms)
 >>> pendulum.unit(arb(2), arb(0)), pendulum.leaves(arb(4))
 (1.00000000000000, 'rotates')
 """
@@ -14,27 +14,27 @@ from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import size_of, upper
-from asymptotics.flow.course import Flow
+from asymptotics.flow.trajectory import CertifiedFlow
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.terms import Term
 from asymptotics.wells.ends import beyond, inside, leaves, may_trap, trap
-from asymptotics.wells.expansion import Expansion
-from asymptotics.wells.force import Force
-from asymptotics.wells.landing import arrive, turns_within
+from asymptotics.wells.expansion import WellExpansion
+from asymptotics.wells.force import WellForce
+from asymptotics.wells.turning_point import arrive, turns_within
 
 _LOW = 40
 
 
 @dataclass(frozen=True)
-class Well(Flow):
-    """The flow of a ``Force``."""
+class EvenWell(CertifiedFlow):
+    """The flow of a ``WellForce``."""
 
-    force: Force
+    force: WellForce
 
     @classmethod
-    def of(cls, terms: Sequence[Term]) -> "Well":
+    def of(cls, terms: Sequence[Term]) -> "EvenWell":
         """Of the terms of a dimensionless law, at the current precision."""
-        return cls(Force.of(terms))
+        return cls(WellForce.of(terms))
 
     @cached_property
     def traps(self) -> bool:
@@ -46,15 +46,15 @@ class Well(Flow):
         with ctx.workprec(_LOW):
             return unit_for(self.force, upper(abs(u) + w))
 
-    def expansion(self, place: arb) -> Expansion:
+    def expansion(self, place: arb) -> WellExpansion:
         """The local expansion."""
-        return Expansion.at(self.force, place)
+        return WellExpansion.at(self.force, place)
 
     def turns_within(self, place: arb, w: arb, _error: arb) -> bool:
         """By the energy, in doubles."""
         return turns_within(self.force, place, w)
 
-    def arrive(self, place: arb, w: arb) -> Expansion:
+    def arrive(self, place: arb, w: arb) -> WellExpansion:
         """The expansion of the orbit that turns nearly there."""
         return arrive(self.force, place, w)
 
@@ -70,7 +70,7 @@ class Well(Flow):
         return None if stays else leaves(self.force)
 
 
-def unit_for(force: Force, size: arb) -> arb:
+def unit_for(force: WellForce, size: arb) -> arb:
     """A power of two near the frequency at the amplitude ``size``: a choice."""
     with ctx.workprec(_LOW):
         steepest = max((abs(force.slope(size * k / 8, arb(0))).upper() for k in range(9)), default=arb(1))

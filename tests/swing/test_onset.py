@@ -7,14 +7,14 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import quad, solve_ivp
 
-from asymptotics.flow.course import course
+from asymptotics.flow.trajectory import course
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.swing.course import Creep, LinearSpring, Settling
+from asymptotics.swing.creep_slow_curve import solve
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.settling import ForceCurve, _at, _wait, settled, spread
-from asymptotics.swing.slow import solve
+from asymptotics.swing.linear_spring import Creep, LinearSpring, Settling
+from asymptotics.swing.onset import ForceCurve, _at, _wait, settled, spread
 
 
 def damping(*terms):

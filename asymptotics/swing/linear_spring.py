@@ -23,21 +23,21 @@ from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
-from asymptotics.flow.course import Flow, Piece, State, Turned
-from asymptotics.flow.parting import Errors
+from asymptotics.flow.parting import PartingErrors
 from asymptotics.flow.times import later
+from asymptotics.flow.trajectory import CertifiedFlow, FlowState, Piece, Turned
 from asymptotics.numbers.context import cached_property
-from asymptotics.swing.arrival import arrive, turns_within
+from asymptotics.swing.creep_near_equal import Stretch, stretch
+from asymptotics.swing.creep_slow_curve import Strip, caught
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.ends import CREEPS, may_trap, trap
-from asymptotics.swing.expansion import Expansion
+from asymptotics.swing.expansion import TurningExpansion
 from asymptotics.swing.linear import LinearOrbit, is_linear
-from asymptotics.swing.near_equal import Stretch, stretch
-from asymptotics.swing.settling import settled
+from asymptotics.swing.onset import settled
 from asymptotics.swing.slide import Slide, sliding
-from asymptotics.swing.slow import Strip, caught
+from asymptotics.swing.turning_point import arrive, turns_within
 
-_ONE, _EXACT = arb(1), Errors(arb(0), arb(0))
+_ONE, _EXACT = arb(1), PartingErrors(arb(0), arb(0))
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class LinearSwing(Turned):
 
 
 @dataclass(frozen=True)
-class LinearSpring(Flow):
+class LinearSpring(CertifiedFlow):
     """The flow of a ``Damping``."""
 
     force: Damping
@@ -104,15 +104,15 @@ class LinearSpring(Flow):
         """1."""
         return _ONE
 
-    def expansion(self, place: arb) -> Expansion:
+    def expansion(self, place: arb) -> TurningExpansion:
         """The local expansion, its coefficients shared."""
-        return Expansion.at(self.force, place)
+        return TurningExpansion.at(self.force, place)
 
     def turns_within(self, place: arb, w: arb, error: arb) -> bool:
         """Whatever the true speed: it turns, or just did."""
         return bool(place + error < 0) and turns_within(self.force, place, w, error)
 
-    def arrive(self, place: arb, w: arb) -> Expansion:
+    def arrive(self, place: arb, w: arb) -> TurningExpansion:
         """The expansion of the orbit that turns nearly there."""
         return arrive(self.force, place, w)
 
@@ -131,10 +131,10 @@ class LinearSpring(Flow):
         time, there = orbit.turning()
         at, own = self.back(there), upper(4 * self.force.friction * time.rad())
         miss = upper(at.rad())
-        return LinearSwing(self, _ONE, arb(0), time.mid(), Errors(miss, upper(given + own)), None,
+        return LinearSwing(self, _ONE, arb(0), time.mid(), PartingErrors(miss, upper(given + own)), None,
                            at.mid(), miss, time, orbit)  # fmt: skip
 
-    def aside(self, here: State, ended: str | None) -> Generator[Piece, None, State | None]:
+    def aside(self, here: FlowState, ended: str | None) -> Generator[Piece, None, FlowState | None]:
         """A creep for ever, where a strip holds it now or soon; or a strip about a slow curve that ends."""
         y, error = self.place(here.u), here.errors.error
         if ended == CREEPS:
@@ -154,7 +154,7 @@ class LinearSpring(Flow):
         y, w = slide.state(slide.length)
         u = self.back(y)
         dropped = upper(u.rad() + w.rad())  # the strip holds the truth, whatever was known of the start
-        return State(end, u.mid(), w.mid(), Errors(dropped, dropped))
+        return FlowState(end, u.mid(), w.mid(), PartingErrors(dropped, dropped))
 
     def _for_a_while(self, y: arb, w: arb, error: arb, ended: str | None) -> Slide | Stretch | None:
         if self._stiff and y > 0:

@@ -7,8 +7,8 @@ secant method in doubled precisions.
 
 >>> from asymptotics.law import Law
 >>> with ctx.workprec(60):
-...     force = Force.of(Law({"3/2": "1/10"}, spring="pendulum").terms)
-...     there = Expansion.at(force, arb(-1), arb("0.25"))
+...     force = WellForce.of(Law({"3/2": "1/10"}, spring="pendulum").terms)
+...     there = WellExpansion.at(force, arb(-1), arb("0.25"))
 ...     u, tau = there.state(arb("0.25"))
 ...     found = arrive(force, u.mid(), arb("0.25"))
 >>> abs(found.u0 + 1) <= arb(1e-15)
@@ -21,21 +21,21 @@ from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.balls import size_of
 from asymptotics.flow.parting import points_forward
 from asymptotics.numbers.context import ctx
-from asymptotics.wells.expansion import Expansion, reach_at
-from asymptotics.wells.force import Force
+from asymptotics.wells.expansion import WellExpansion, reach_at
+from asymptotics.wells.force import WellForce
 
 _FIRST, _MOST, _LOW = 53, 40, 53
 
 
-def arrive(force: Force, u: arb, w: arb) -> Expansion:
+def arrive(force: WellForce, u: arb, w: arb) -> WellExpansion:
     """The expansion at a dyadic guess u_1 of the turning point of the orbit through the exact (u, w > 0)."""
     try:
-        return Expansion.at(force, _guess(force, u, w), w)
+        return WellExpansion.at(force, _guess(force, u, w), w)
     except LimitError as far:  # at the top of a well the place of a turning point is anywhere
         raise UndecidedError("the turning point ahead was not found: too near a separatrix") from far
 
 
-def turns_within(force: Force, u: arb, w: arb) -> bool:
+def turns_within(force: WellForce, u: arb, w: arb) -> bool:
     """Whether the turning point ahead is near enough for its expansion: a choice, in doubles."""
     with ctx.workprec(_LOW):
         goal = (w * w / 2).mid()
@@ -50,7 +50,7 @@ def turns_within(force: Force, u: arb, w: arb) -> bool:
     return smooth and reach is not None and bool(w < reach) and points_forward(force, turn, u)
 
 
-def without_loss(force: Force, u: arb, square: arb) -> arb | None:
+def without_loss(force: WellForce, u: arb, square: arb) -> arb | None:
     """Where w^2/2 = ``square`` at u is used up by s_0 alone: Newton's method, a choice."""
     rest = force.rest(u).mid()
     if not rest < 0:
@@ -71,7 +71,7 @@ def without_loss(force: Force, u: arb, square: arb) -> arb | None:
     return None
 
 
-def _guess(force: Force, goal: arb, w: arb) -> arb:
+def _guess(force: WellForce, goal: arb, w: arb) -> arb:
     """u_1 to about the working precision: secants at growing precision, a slope being worth what noise leaves of it."""
     full, bits = ctx.prec, min(_FIRST, ctx.prec)
     with ctx.workprec(bits):
@@ -98,5 +98,5 @@ def _guess(force: Force, goal: arb, w: arb) -> arb:
         return (b + 0).mid()
 
 
-def _miss(force: Force, turn: arb, goal: arb, w: arb) -> arb:
-    return (Expansion.at(force, turn, w).state(w)[0] - goal).mid()
+def _miss(force: WellForce, turn: arb, goal: arb, w: arb) -> arb:
+    return (WellExpansion.at(force, turn, w).state(w)[0] - goal).mid()

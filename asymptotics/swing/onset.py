@@ -1,7 +1,8 @@
 """How a creep begins while its speed is still lost in the errors: in a short time it lies beside the slow curve.
 
 For an exponent near 0 the speed of the creep, about (y/epsilon)^(1/alpha), is far below every error, and beside a
-second exponent near the first the slow curve is no short sum of powers (``slow``).  But where w is small, so is
+second exponent near the first the slow curve is no short sum of powers (``creep_slow_curve``).  But where w is small,
+so is
 
     sigma = w^2/n^2,     n = w N'(w) = sum alpha_i epsilon_i w^alpha_i,
 
@@ -30,8 +31,8 @@ from flint import arb
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
+from asymptotics.swing.creep_slow_curve import Strip, solve
 from asymptotics.swing.damping import Damping
-from asymptotics.swing.slow import Strip, solve
 
 _SMALL = arb(1) / 16
 
@@ -131,7 +132,7 @@ def _at(curve: ForceCurve, log_w: arb) -> tuple[arb, arb, arb, arb, arb]:
 
 
 def _wait(curve: ForceCurve, slow: arb, most: arb, y: arb) -> arb:
-    """The two times of the module's docstring together; ``slow``, ``most``: ln m, ln W."""
+    """The two times of the module's docstring together; ``creep_slow_curve``, ``most``: ln m, ln W."""
     _, _, n_slow, _, sigma = _at(curve, slow)
     m, _, n_m, _, _ = _at(curve, slow - 1)
     W, _, n, _, _ = _at(curve, most)

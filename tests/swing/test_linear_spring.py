@@ -7,17 +7,17 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow.course import Landing, course
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
+from asymptotics.flow.trajectory import Landing, course
 from asymptotics.flow.turning import rest
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.course import LinearSpring
 from asymptotics.swing.damping import Damping
+from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.swing.panels import Panels
 from asymptotics.swing.sequence import Interpolated
-from asymptotics.turning.general import turning_points
+from asymptotics.turning.choose import turning_points
 from asymptotics.turning.quadratic_duration import duration
 from asymptotics.turning.quadratic_map import next_amplitude
 
