@@ -72,6 +72,7 @@ class limited:  # noqa: N801 (used as a context manager, as ``suppress`` and ``c
         if free:
             with suppress(ValueError):  # not the main thread: no signal arrives here
                 self.before = signal.signal(signal.SIGALRM, _ring)
+                gc.callbacks.append(_collecting)
                 signal.setitimer(signal.ITIMER_REAL, PERIOD, PERIOD)
 
     def __exit__(
@@ -81,6 +82,8 @@ class limited:  # noqa: N801 (used as a context manager, as ``suppress`` and ``c
             signal.signal(signal.SIGALRM, signal.SIG_IGN)  # a ring under way would meet the default, which kills
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, self.before)
+            gc.callbacks.remove(_collecting)
+            _collected.clear()
         stopped, broken = self.before is not None and bool(_rung), isinstance(error, Exception)
         if self.before is not None:
             _rung.clear()
@@ -94,6 +97,12 @@ class limited:  # noqa: N801 (used as a context manager, as ``suppress`` and ``c
 _OPENING = {getattr(kind, name).__code__ for kind in (*context.DOORS, limited) for name in ("__enter__", "__exit__")}
 _ringing: list[bool] = []
 _rung: list[bool] = []
+_collected: list[bool] = []
+
+
+def _collecting(phase: str, _info: dict[str, int]) -> None:
+    """Python's call when the collector starts and stops: between the two, what is raised is lost."""
+    _collected[:] = [True] if phase == "start" else []
 
 
 def _ring(number: int, frame: FrameType | None) -> None:
@@ -107,7 +116,7 @@ def _ring(number: int, frame: FrameType | None) -> None:
         if frame.f_code in _OPENING or frame.f_code in collecting or frame.f_code.co_name == "__del__":
             return
         frame = frame.f_back
-    if _ringing:
+    if _ringing or _collected:
         return
     _ringing.append(True)
     try:

@@ -28,6 +28,7 @@ QUICK = {  # public methods without a time, and why it is bounded by what they a
         "shape", "told", "text", "keyed", "named", "get", "keys", "items", "values", "noted", "rounded_to_error",
         "header", "table",
     },
+    "hands its time on to what checks": {"check"},
     "draws: what it computes has the time of ``sample``, and a page gives it five seconds": {"plot", "picture"},
     "one conversion of known digits": {"mpf", "interval", "sympy", "fraction", "ball", "number"},
     "a law or oscillator read, compared or put together": {

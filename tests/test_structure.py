@@ -101,7 +101,7 @@ LATE = {  # what a function loads only when it is asked, and why: none of them d
 PARTS = {  # by name, where they are installed: the commands and functions that show derivations and checks
     "asymptotics/api/files.py",
     "asymptotics/cli/derive.py",
-    "asymptotics/papers/statement.py",
+    "asymptotics/papers/checked.py",
 }
 
 

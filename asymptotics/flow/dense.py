@@ -141,7 +141,8 @@ def _moved(flow: CertifiedFlow, u: arb, w: arb, width: arb) -> State:
     if width == 0:
         return arb(0), arb(0)
     with ctx.workprec(_LOW):
-        fastest, far = upper(2 * abs(w) + width), upper(width)
+        first = width * flow.force.strongest(u, abs(w).upper())  # a box of the state's size, not of the width's
+        fastest, far = upper(2 * (abs(w) + first)), upper(2 * width * (abs(w) + first))
         for _ in range(40):
             dw = upper(width * flow.force.strongest(u + arb(0, far), fastest))
             du = upper(width * (abs(w).upper() + dw))

@@ -83,7 +83,7 @@ def apart(found: Difference | None) -> dict[str, str] | None:
     r"""What the check has compared at the near miss, where the two sides differ; long sides by their values alone.
 
     >>> apart(Difference("2 b", "=", "b", ("0.5", "0.25"), "b = 1/4"))
-    {'where': 'b = 1/4', 'latex': '2 b = 0.5 \neq b = 0.25'}
+    {'where': 'b = 1/4', 'latex': '2 b = 0.5 \\neq b = 0.25'}
     """
     if found is None:
         return None

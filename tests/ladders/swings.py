@@ -4,6 +4,7 @@ from itertools import islice
 
 from flint import arb, ctx
 
+from asymptotics.flow.balls import upper
 from asymptotics.flow.dense import states, states_from
 from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.taylor import GUARD, TaylorStep, coefficients
@@ -53,7 +54,11 @@ def expanded(pairs, w="0.03125"):
 
 
 def landed(x):
-    return arrive(law(ROOT), x, arb("0.25")).state(arb("0.25"))
+    """The turning point ahead: the guess is off by no more than its orbit misses the place."""
+    w = arb("0.25")
+    ahead = arrive(law(ROOT), x, w)
+    place, _ = ahead.state(w)
+    return [near(ahead.y0, upper(place - x))]
 
 
 def stepped(pairs):

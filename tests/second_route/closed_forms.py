@@ -20,6 +20,7 @@ def field_flow() -> Flow:
 def derived_coefficient(series: str, k: int) -> Expr:
     """U_k or W_k as the pipeline derives it, in SymPy.
 
+    >>> from asymptotics.normal_form.symbolic import symbolic_expansion
     >>> derived_coefficient("W", 2) - symbolic_expansion()["W"][2]
     0
     """
