@@ -198,6 +198,7 @@ def test_who_waits_for_another_thread_asks_for_the_time():
     assert asy.moment("1/2").value
 
 
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # Python's, of a handler just changed
 def test_the_alarm_does_not_leave_the_door_half_open(monkeypatch):
     """Ten thousand rings a second while the door is opened and closed: it is free, or ours, each time."""
     monkeypatch.setattr(public, "PERIOD", 1e-4)

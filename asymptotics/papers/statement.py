@@ -2,13 +2,10 @@
 
 from dataclasses import asdict, dataclass
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 from asymptotics.present.letters import letters
 from asymptotics.present.shown import Page, Shown
-
-if TYPE_CHECKING:
-    from asymptotics.numbers.policy import Number
 
 
 @dataclass(frozen=True)
@@ -65,7 +62,7 @@ class PaperStatement(Shown):
         """The JSON of ``asymptotics papers``."""
         return {**asdict(self), "methods": list(self.methods)}
 
-    def check(self, *, max_seconds: "Number" = 60) -> dict[str, Any]:
+    def check(self, *, max_seconds: float | str = 60) -> dict[str, Any]:
         """Its check, run again: ``outcomes`` of each form (confirmed, refuted), and whether they bear the verdict out.
 
         ``apart``: the two sides that the check has told apart at the near miss (LaTeX, values, where), if it has.
