@@ -2,8 +2,8 @@
 
 The mass moves towards smaller u with the speed w >= 0; s_0 is the force of the springs less dry friction.  What is
 here is proved once for the linear spring (a nonexpansive flow), for every other well and for polynomial forces with
-gains.  The rooms ``swing`` and ``wells`` bring the forces, and what is known of the motions of each (a ``Flow``): the
-local expansion at a turning point, traps, closed forms, slow curves.
+gains.  The rooms ``swing`` and ``wells`` bring the forces, and what is known of the motions of each (a
+``CertifiedFlow``): the local expansion at a turning point, traps, closed forms, slow curves.
 
 ===============  =====================================================================================
 ``balls``        upper bounds, sizes in doubles, dyadic numbers

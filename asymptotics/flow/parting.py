@@ -180,7 +180,7 @@ def contracted(force: Force, p: arb, error: arb, duration: arb, turn: arb, gap: 
 
 def by_ratio(force: Force, p: arb, error: arb, q: arb) -> arb:
     """How far apart two motions of a nonexpansive flow turn that start within ``error`` of p, one at most at q."""
-    if error == 0 or not force.superlinear:
+    if error == 0 or not force.superlinear or not p > error:
         return error
     relative = upper(error / (p - error))
     return min(error, upper(q * relative.expm1()))

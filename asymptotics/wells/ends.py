@@ -99,16 +99,17 @@ def leaves(force: WellForce) -> str:
 
 
 def inside(force: WellForce, x: arb) -> bool | None:
-    """Whether V' > 0 from 0 to |x|; False if V' < 0 somewhere on the way, None if undecided."""
+    """Whether V' > 0 from 0 to all of |x|; False if V' <= 0 somewhere before any of it, None if undecided."""
     with ctx.workprec(max(ctx.prec, _LOW)):
-        stack, pieces = [(arb(0), abs(x).upper())], 0
+        nearest, farthest = max(abs(x).lower(), arb(0)), abs(x).upper()
+        stack, pieces = [(nearest, farthest), (arb(0), nearest)], 0
         while stack:
             low, high = stack.pop()
             pieces += 1
             if _stiffness(force, low.union(high)) > 0:
                 continue
             if _stiffness(force, high) <= 0:
-                return False
+                return False if high <= nearest else None
             if pieces > _PIECES:
                 return None
             middle = ((low + high) / 2).mid()

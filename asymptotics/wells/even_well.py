@@ -65,7 +65,7 @@ class EvenWell(CertifiedFlow):
     def leaves(self, turn: arb) -> str | None:
         """UndecidedError at the edge of the well."""
         stays = inside(self.force, turn)
-        if stays is None or not (stays or inside(self.force, abs(turn).lower()) is False):
+        if stays is None:
             raise UndecidedError("whether the first turning point lies inside the well is undecided")
         return None if stays else leaves(self.force)
 

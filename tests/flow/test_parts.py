@@ -68,6 +68,12 @@ def test_beside_a_linear_spring_the_turning_points_keep_their_ratio():
         assert q * e / p <= by_ratio(law, p, e, q) < q * e * arb("1.01")
 
 
+def test_an_error_as_large_as_the_start_has_no_ratio():
+    """Nothing is known of p - e <= 0: the distance is that of a nonexpansive flow."""
+    law = Damping.of_law(LAW)
+    assert [by_ratio(law, arb(1), arb(error), arb(1)) for error in (1, 2)] == [1, 2]
+
+
 def test_the_time_outside_counts_both_ends_of_the_error():
     """The fall begins where the force is least, the loss counts where it is largest, the stop where it is weakest."""
     e = arb("0.25")

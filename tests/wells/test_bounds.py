@@ -222,6 +222,14 @@ def test_what_lies_inside_the_well():
     assert inside(force_of({2: 0}, {3: -1}), arb(1)) is False
 
 
+def test_a_place_uncertain_beyond_the_edge_is_not_said_to_lie_outside():
+    """The edge of a pendulum's well is pi = 3.14159...: [3.04, 3.16] has it inside, [3.15, 3.17] is beyond."""
+    pendulum = FORCES["free pendulum"]
+    assert inside(pendulum, arb("3.1", "0.06")) is None and inside(pendulum, arb("-3.1", "0.06")) is None
+    assert inside(pendulum, arb("1.65", "1.55")) is None
+    assert inside(pendulum, arb("3.16", "0.01")) is False and inside(pendulum, arb(2, "0.1")) is True
+
+
 def test_the_force_ahead_must_point_forward():
     pendulum = FORCES["free pendulum"]
     assert points_forward(pendulum, arb(-3), arb("-0.01"))
