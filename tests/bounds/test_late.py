@@ -8,7 +8,7 @@ from flint import arb, ctx
 from asymptotics.bounds.flow import TruncatedFlow
 from asymptotics.bounds.late import late_state, late_turning
 from asymptotics.bounds.local import local_bounds
-from asymptotics.bounds.motion import _by_energy, enclosure
+from asymptotics.bounds.motion import LATE, _by_energy, enclosure
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.errors import LimitError
 from asymptotics.flow.dense import states
@@ -113,3 +113,12 @@ def test_a_time_of_forty_places_is_reached_by_the_jump():
     quadratic, t = Oscillator({2: "1/10"}), ExactReal(10**40)
     found, fine = (enclosure(quadratic, t, digits) for digits in (15, 24))
     assert found.contains(fine.mid()) and found.rad() < 1e-4 * abs(found) and fine.rad() < 1e-6 * abs(fine)
+
+
+def test_an_exponent_below_one_is_followed_however_late():
+    """The jump is for exponents from 1 on, and refuses others: sqrt(|v|) after 20,053 half-swings, from two sides."""
+    root, early, late = Oscillator({"1/2": "1e-6"}), ExactReal(62_000), ExactReal(63_000)
+    assert not early.ball() > LATE * arb.pi() and late.ball() > LATE * arb.pi()
+    for t in (early, late):
+        found, fine = (enclosure(root, t, digits) for digits in (10, 20))
+        assert found.contains(fine.mid()) and found.rad() < 1e-9

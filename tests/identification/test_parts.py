@@ -3,12 +3,14 @@
 import numpy as np
 import pytest
 from flint import arb, ctx
+from scipy.optimize import brentq
 
 from asymptotics.errors import UndecidedError
 from asymptotics.identification.certified_ratio import BITS, CertifiedRatio
+from asymptotics.identification.free_exponent import _Strips
 from asymptotics.identification.physical import physical_box
 from asymptotics.identification.printed import Decrements
-from asymptotics.identification.set_valued import strengths_that_fit
+from asymptotics.identification.set_valued import _beyond, strengths_that_fit
 from asymptotics.identification.table_rows import RatioInequality, linear, meets, rows_of
 from asymptotics.terms import Term
 
@@ -64,3 +66,32 @@ def test_a_row_that_is_missed_is_not_met():
     row = RatioInequality(1, (arb(1),), arb("0.01"))
     with ctx.workprec(BITS):
         assert meets(CUBE, [row], np.array([0.25])) and not meets(CUBE, [row], np.array([0.2]))
+
+
+@pytest.mark.parametrize("size", [1.0, 3.0])
+def test_the_strengths_at_one_exponent_hold_the_truth_from_both_sides_and_are_not_wide(size):
+    """x'^2: (1 + 2 e A) exp(-2 e A) = (1 - 2 e B) exp(2 e B) from A to -B, in any unit; printed to four digits."""
+    e, tops = 0.03, size * np.array([1.0, 0.8, 0.6])
+    energy = lambda y: np.log1p(y) - y  # noqa: E731
+    ends = [brentq(lambda y, a=a: energy(-y) - energy(2 * e * a), 0, 2 * e * a) / (2 * e) for a in tops]
+    table = Decrements((tops + ends) / 2, np.round(tops - ends, 4), np.full(3, 5e-5))
+    with ctx.workprec(BITS):
+        low, high = _Strips.of(table).strengths(2.0, 2.0)
+    assert low < e < high < 1.01 * low
+
+
+def test_a_negative_point_is_no_estimate_of_strengths_that_are_not_negative():
+    """Where the set goes on behind the searched box, a box of the strengths >= 0 has no room for a negative point."""
+    losses = (Term(1, 1), Term(1, 2))
+    a = np.array([1.0, 0.9])
+    table = Decrements(a, np.array([0.06, 0.05]), np.array([0.02, 0.02]))
+    negative, positive = np.array([-0.002, 0.05]), np.array([0.01, 0.02])
+    with ctx.workprec(BITS):
+        ratio = CertifiedRatio.of(losses)
+        rows = rows_of(ratio, table)
+        found = [_beyond(losses, ratio, rows, np.ones(2), None, p, False) for p in (negative, positive)]
+        assert meets(ratio, rows, negative) and meets(ratio, rows, positive)
+    for answer, point in zip(found, (negative, positive)):
+        assert answer.verdict == "consistent" and (answer.point == point).all()
+        assert all(e.low is None or e.low <= e.estimate <= e.high for e in answer.epsilon)
+    assert found[1].epsilon[0].low is not None
