@@ -17,6 +17,12 @@
 ... except RuntimeError as stop:
 ...     done(stop)
 ('row 1', 'and its unit')
+>>> try:
+...     with changed(len, otherwise=lambda: "what was there before"):
+...         raise KeyboardInterrupt
+... except KeyboardInterrupt as stop:
+...     done(stop)
+'what was there before'
 >>> done(ValueError()) is None
 True
 
@@ -64,21 +70,26 @@ class keeping(AbstractContextManager[Any]):  # noqa: N801 (used as a context man
 
 
 class changed(AbstractContextManager[Any]):  # noqa: N801 (as above)
-    """``with changed(into):`` what an error from inside carries is turned ``into`` the result of this place."""
+    """``with changed(into):`` what an error from inside carries is turned ``into`` the result of this place.
 
-    def __init__(self, into: Callable[[Any], Any]) -> None:
-        self.into = into
+    ``otherwise()`` is handed over where the error carries nothing: what was done before this place was reached.
+    """
+
+    def __init__(self, into: Callable[[Any], Any], otherwise: Callable[[], Any] | None = None) -> None:
+        self.into, self.otherwise = into, otherwise
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         made = None if error is None else _maker(error)
-        if made is None:
+        if error is None or (made is None and self.otherwise is None):
             return
 
-        def again(made: Callable[[], Any] = made) -> Any:
-            found = made()
-            return None if found is None else self.into(found)
+        def again() -> Any:
+            found = None if made is None else made()
+            if found is None:
+                return None if self.otherwise is None else self.otherwise()
+            return self.into(found)
 
         with suppress(AttributeError, TypeError):
             setattr(error, _NAME, again)

@@ -15,10 +15,13 @@ digits is -log10 of the relative error: 0 for a wrong sign, at most what the cer
 """
 
 import argparse
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from asymptotics.cli.answer import Answer, add_common
+from asymptotics.cli.answer import cut_short as shortened
 from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces
 from asymptotics.cli.quantities import PHYSICAL, add_physical, add_start, read_oscillator
@@ -55,35 +58,46 @@ def run(options: argparse.Namespace) -> Answer:
     files = read_files(options)
     require_different({"FILE": Path(options.file), **files})
     digits = None if options.digits is None else parse_integer(options.digits, "--digits", 1, MAX_DIGITS)
-    found, equation = _compared(options, digits)
+    make, equation = _asked(options, digits)
+    return _answer(options, files, make(), equation)
+
+
+def cut_short(options: argparse.Namespace, found: Comparison) -> Answer:
+    """The rows that were done when the time was over."""
+    answer = _answer(options, read_files(options), found, _asked(options, None)[1])
+    return shortened(answer, len({row.line for row in found.rows}), found.summary["missing"])
+
+
+def _answer(options: argparse.Namespace, files: dict[str, Path], found: Comparison, equation: str) -> Answer:
+    """Printed and written."""
     write_files(files, {"--plot": picture_maker(options, lambda: [found]), "--csv": lambda _: found.to_csv()})
     beside = "law" if options.table is None else "table"
     return Answer({beside: equation, **found.to_dict()}, _text(found, equation), options.json)
 
 
-def _compared(options: argparse.Namespace, digits: int | None) -> tuple[Comparison, str]:
-    """The comparison, and what the values were held against."""
+def _asked(options: argparse.Namespace, digits: int | None) -> tuple[Callable[[], Comparison], str]:
+    """The comparison, still to be made, and what the values are held against."""
     path = Path(options.file)
     head = stated(path)
     if options.table is None and head is not None and head.table in names() and not _said(options):
         law = list(head.law) or None
         inputs = table_inputs(None, None, law, None) if law else Inputs.of(head.alphas, None, head.epsilons)
-        inputs = replace(inputs, rows=head.rows)
-        found = compare_table(path, head.table, inputs, columns=options.columns, digits=digits)
-        return found, f"{head.table}, with the inputs of its head"
+        make = partial(compare_table, path, head.table, replace(inputs, rows=head.rows))
+        return partial(make, columns=options.columns, digits=digits), f"{head.table}, with the inputs of its head"
     name = series_table(path) if options.table is None else options.table
     if name is None:
         given = read_oscillator(options, "epsilon", epsilon_beside_units=True)
         own = given.si or options.x0 is not None
-        found = compare_file(path, given.oscillator, columns=options.columns, digits=digits, si=own)
-        return found, str(given.oscillator) if own else str(given.oscillator.law)
+        make = partial(compare_file, path, given.oscillator, si=own)
+        told = str(given.oscillator) if own else str(given.oscillator.law)
+        return partial(make, columns=options.columns, digits=digits), told
     for option in (*PHYSICAL, "x0"):
         if getattr(options, option) is not None:
             raise InputError(f"--{option}", "a table has its own units", "no such option with a table")
     if options.table is None and not (options.alpha or options.law):
         raise InputError("--alpha", "is missing: coefficients alone do not say of which law", "--alpha A, or --law A:E")
     inputs = table_inputs(options.alpha, options.epsilon, options.law, None)
-    return compare_table(path, name, inputs, columns=options.columns, digits=digits), name
+    return partial(compare_table, path, name, inputs, columns=options.columns, digits=digits), name
 
 
 def _said(options: argparse.Namespace) -> bool:

@@ -8,7 +8,8 @@
 ``quick_look`` what the errors look like: rounding, truncation, phase drift or a wrong law
 ``run``       all of it: ``compare_file``
 ``tabled``    the same for a named table: ``compare_table``
-``picture``   digits lost against time
+``order``     whether the rows are in the order of their keys
+``stated``    what the head of one of our own files says that it is
 ============  ====================================================================================
 """
 

@@ -11,7 +11,7 @@ m = k = x0 = 1, and t is tau.  A header may carry units, ``x [m]``; lines that s
 
 import csv
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
@@ -46,6 +46,12 @@ class Sheet:
         """The cells of a column, as text."""
         place = self.columns[name]
         return [row[place].strip() for row in self.rows]
+
+    def only(self, places: Sequence[int]) -> "Sheet":
+        """The rows at these places."""
+        numbers = {name: tuple(column[i] for i in places) for name, column in self.numbers.items()}
+        lines, rows = tuple(self.lines[i] for i in places), tuple(self.rows[i] for i in places)
+        return Sheet(self.columns, lines, rows, numbers)
 
 
 def read_sheet(

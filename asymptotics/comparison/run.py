@@ -16,7 +16,7 @@
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
@@ -32,6 +32,7 @@ from asymptotics.comparison.order import order_of, told_order
 from asymptotics.comparison.quick_look import Look, look_of
 from asymptotics.comparison.reading import Columns, Sheet, as_double, read_sheet
 from asymptotics.comparison.truth import Truth, at_envelope, at_times, at_turning_points
+from asymptotics.cut_short import changed
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.made_by import mark
@@ -150,7 +151,8 @@ def compare_file(
     """Compare turning points (a column n) or a motion (a column tau or t) with the certified ones: a file, or columns.
 
     The file is in the units of the oscillator if ``si``, else dimensionless.  ``digits`` of the certified values: by
-    default four more than the longest value given.  InputError for what the file does not say or says wrongly.
+    default four more than the longest value given.  InputError for what the file does not say or says wrongly; an error
+    that cuts the work short carries the rows that are done.
     """
     sheet, left = read_sheet(path, columns, si=si), list[str]()
     key = next((name for name in ("n", "tau", "t") if name in sheet.columns), None)
@@ -158,32 +160,68 @@ def compare_file(
     if key is None or not values:
         raise InputError("columns", "there is no key", "n or tau, and what is to be compared")
     wanted = digits or min(MAX_DIGITS, max(LEAST_DIGITS, *(GUARD + _written(sheet, name) for name in values)))
-    if key == "n":
-        if "v" in values:
-            raise InputError("columns", "v is 0 at every turning point", "x, amplitude, tau, t")
-        if "phase" in values:
-            raise InputError("columns", "the phase is pi n at every turning point", "x, amplitude, tau, t")
-        where = "FILE line" if isinstance(path, Path) else "row"
-        numbers = [parse_integer(cell, f"{where} {n}", 0, MAX_N) for n, cell in zip(sheet.lines, sheet.column("n"))]
-        truth = at_turning_points(oscillator, numbers, wanted, set(values), si=si)
-        errors, shift = _of_turning(sheet, truth, numbers, values, oscillator, si)
-    elif set(values) <= {"amplitude", "phase"}:
-        truth = at_envelope(oscillator, sheet.numbers[key], wanted, values, si=si)
-        errors, shift = Errors(*np.zeros((4, 0))), None
-    else:
+    if key != "n" and not set(values) <= {"amplitude", "phase"}:
         left = [name for name in values if name not in ("x", "v")]
         values = [name for name in values if name in ("x", "v")]
         if not values or (left and columns is not None):
             raise InputError("columns", "at a time there are x and v", "tau,x  or  tau,x,v  or  tau,amplitude,phase")
-        times = list(sheet.numbers[key])
-        truth = at_times(oscillator, times, wanted, values, si=si)
-        errors, shift = _of_motion(sheet, truth, times, oscillator, si)
-    rows = _rows(sheet, truth, key, values, wanted, si)
-    summary = summary_of(rows, _judged(rows, errors, shift))
-    summary["order"] = order_of(list(sheet.numbers[key]), counted=key == "n")
-    summary |= {"ended": truth.ended} if truth.ended else {}
-    summary |= {"not_compared": left} if left else {}
-    return Comparison(rows, summary, truth.certified, truth.method)
+
+    def compared(sheet: Sheet, truth: Truth, look: Callable[[Sequence[ComparedValue]], Look]) -> Comparison:
+        rows = _rows(sheet, truth, key, values, wanted, si)
+        summary = summary_of(rows, look(rows))
+        summary["order"] = order_of(list(sheet.numbers[key]), counted=key == "n")
+        summary |= {"ended": truth.ended} if truth.ended else {}
+        summary |= {"not_compared": left} if left else {}
+        return Comparison(rows, summary, truth.certified, truth.method)
+
+    def so_far(truth: Truth) -> Comparison:
+        places = range(len(sheet.lines)) if truth.places is None else truth.places
+        return short_of(compared(sheet.only(places), truth, lambda _: UNJUDGED), sheet)
+
+    with changed(so_far):
+        truth, judge = _truth(
+            sheet, oscillator, key, values, wanted, si, "FILE line" if isinstance(path, Path) else "row"
+        )
+        with changed(lambda _: truth, otherwise=lambda: truth):
+            errors, shift = judge()
+    return compared(sheet, truth, lambda rows: _judged(rows, errors, shift))
+
+
+UNJUDGED = Look("undecided", "the comparison was cut short, and errors are judged by all rows together")
+
+
+def short_of(found: Comparison, sheet: Sheet) -> Comparison:
+    """The same, telling which lines of the file are missing."""
+    there = {row.line for row in found.rows}
+    lines = [line for line in sheet.lines if line not in there]
+    missing = f"lines {lines[0]} ... {lines[-1]} ({len(lines)} rows)" if lines else "how the errors look"
+    return replace(found, summary={**found.summary, "missing": missing})
+
+
+Judge = Callable[[], tuple[Errors, Any | None]]
+
+
+def _truth(
+    sheet: Sheet, oscillator: Oscillator, key: str, values: list[str], digits: int, si: bool, where: str
+) -> tuple[Truth, Judge]:
+    """The certified values, and how the errors beside them are found."""
+    if key == "n":
+        _require_at_turning(values)
+        numbers = [parse_integer(cell, f"{where} {n}", 0, MAX_N) for n, cell in zip(sheet.lines, sheet.column("n"))]
+        turned = at_turning_points(oscillator, numbers, digits, set(values), si=si)
+        return turned, lambda: _of_turning(sheet, turned, numbers, values, oscillator, si)
+    times = list(sheet.numbers[key])
+    if not set(values) <= {"x", "v"}:
+        return at_envelope(oscillator, times, digits, values, si=si), lambda: (Errors(*np.zeros((4, 0))), None)
+    moved = at_times(oscillator, times, digits, values, si=si)
+    return moved, lambda: _of_motion(sheet, moved, times, oscillator, si)
+
+
+def _require_at_turning(values: list[str]) -> None:
+    if "v" in values:
+        raise InputError("columns", "v is 0 at every turning point", "x, amplitude, tau, t")
+    if "phase" in values:
+        raise InputError("columns", "the phase is pi n at every turning point", "x, amplitude, tau, t")
 
 
 def _written(sheet: Sheet, name: str) -> int:

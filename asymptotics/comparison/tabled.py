@@ -13,13 +13,25 @@
 
 import csv
 import re
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from asymptotics.comparison.digits import significant
 from asymptotics.comparison.quick_look import Look
 from asymptotics.comparison.reading import Columns, Sheet, read_sheet
-from asymptotics.comparison.run import GUARD, LEAST_DIGITS, MAX_DIGITS, ComparedValue, Comparison, row_of, summary_of
+from asymptotics.comparison.run import (
+    GUARD,
+    LEAST_DIGITS,
+    MAX_DIGITS,
+    UNJUDGED,
+    ComparedValue,
+    Comparison,
+    row_of,
+    short_of,
+    summary_of,
+)
+from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_real
 from asymptotics.tables.inputs import MAX_ROWS, Inputs
@@ -55,13 +67,25 @@ def compare_table(
         given = replace(given, rows=min(MAX_ROWS, _counted(sheet, keys)))
     longest = max(significant(cell) for column in values for cell in sheet.column(column))
     wanted = digits or min(MAX_DIGITS, max(LEAST_DIGITS, GUARD + longest))
-    table = build(name, wanted, given)
-    rows = tuple(replace(row, line=row.line + header) for row in _rows(sheet, table, keys, values, wanted))
-    wrong = any("[" in row.marked for row in rows)
+
+    def compared(table: Table, sheet: Sheet, look: Callable[[bool], Look]) -> Comparison:
+        rows = tuple(replace(row, line=row.line + header) for row in _rows(sheet, table, keys, values, wanted))
+        summary = summary_of(rows, look(any("[" in row.marked for row in rows)))
+        return Comparison(rows, summary | ({"not_compared": left} if left else {}), table.certified, table.source)
+
+    def so_far(table: Table) -> Comparison | None:
+        entries = _entries(table, keys)
+        places = [i for i, row in enumerate(_keys_of(sheet, keys)) if _key(row) in entries]
+        return short_of(compared(table, sheet.only(places), lambda _: UNJUDGED), sheet) if places else None
+
+    with changed(so_far):
+        table = build(name, wanted, given)
+    return compared(table, sheet, _look)
+
+
+def _look(wrong: bool) -> Look:
     reason = "a table is judged value by value" if wrong else "every value is right to the digits written"
-    look = Look("undecided" if wrong else "rounding", reason)
-    summary = summary_of(rows, look) | ({"not_compared": left} if left else {})
-    return Comparison(rows, summary, table.certified, table.source)
+    return Look("undecided" if wrong else "rounding", reason)
 
 
 def series_table(path: Path | Columns) -> str | None:
@@ -101,14 +125,10 @@ def _rows(sheet: Sheet, table: Table, keys: list[str], values: list[str], digits
     missing = [key for key in keys + values if key not in table.columns]
     if missing:
         raise InputError("FILE", f"the table has no column {missing[0]!r} here", ", ".join(table.columns))
-    found: dict[Key, list[tuple[str, ...]]] = {}
-    for entry in table.rows:
-        found.setdefault(tuple(_same(entry[table.columns.index(key)]) for key in keys), []).append(entry)
-    rows = []
-    cells = {column: sheet.column(column) for column in keys + values}
-    for place, line in enumerate(sheet.lines):
-        texts = [cells[key][place] for key in keys]
-        entries = found.get(tuple(map(_same, texts)), [])
+    found, rows = _entries(table, keys), []
+    cells = {column: sheet.column(column) for column in values}
+    for place, (line, texts) in enumerate(zip(sheet.lines, _keys_of(sheet, keys))):
+        entries = found.get(_key(texts), [])
         if len(entries) != 1:
             what = "no row" if not entries else f"{len(entries)} rows"
             accepted = f"keys that name one row: {', '.join(table.keys)}"
@@ -119,6 +139,22 @@ def _rows(sheet: Sheet, table: Table, keys: list[str], values: list[str], digits
             number = sheet.numbers[column][place]
             rows.append(row_of(line, key, cells[column][place], number, right, column, name, digits))
     return tuple(rows)
+
+
+def _entries(table: Table, keys: list[str]) -> dict[Key, list[tuple[str, ...]]]:
+    """The rows of the table by what the file calls them."""
+    found: dict[Key, list[tuple[str, ...]]] = {}
+    for entry in table.rows:
+        found.setdefault(_key([entry[table.columns.index(key)] for key in keys]), []).append(entry)
+    return found
+
+
+def _keys_of(sheet: Sheet, keys: list[str]) -> list[tuple[str, ...]]:
+    return list(zip(*(sheet.column(key) for key in keys)))
+
+
+def _key(texts: Sequence[str]) -> Key:
+    return tuple(map(_same, texts))
 
 
 def _same(cell: str) -> object:

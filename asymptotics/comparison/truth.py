@@ -8,22 +8,26 @@ Whether they are certified is what the routes themselves say: one value that is 
 (['1.000000000', '-0.4107196861'], ['0', '3.380971060'], True)
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from flint import arb
 
+from asymptotics.cut_short import changed, keeping
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.flow.dense import State
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion, reference_states
+from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.digits import ball_of
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.choose import turning_points
+from asymptotics.turning.result import TurningPoints
 
 _GUARDS = (4, 20, 60)  # digits that a change of units may cost; more where a value is nearly halfway between decimals
 _GAP = 1000  # turning points between two that are asked for, beyond which they are asked for separately
@@ -33,7 +37,8 @@ _GAP = 1000  # turning points between two that are asked for, beyond which they 
 class Truth:
     """Columns of values in decimals, None where there is no such point, and where they come from.
 
-    ``speeds``: of a motion, v in doubles, for judging errors.
+    ``speeds``: of a motion, v in doubles, for judging errors.  ``places``: which of the rows that were asked for these
+    are, where the work was cut short; None for all of them.
     """
 
     columns: dict[str, list[str | None]]
@@ -41,6 +46,7 @@ class Truth:
     method: str
     ended: str = ""
     speeds: tuple[float, ...] = ()
+    places: tuple[int, ...] | None = None
 
 
 def at_turning_points(
@@ -51,7 +57,7 @@ def at_turning_points(
         return _at_turning_points(oscillator, numbers, digits, wanted, _unchanged)
     for guard in _GUARDS:
         with suppress(UndecidedError), ctx.workprec(bits_for(digits + guard, 32)):
-            units = _Units(oscillator.x0.ball(), oscillator.omega_0(), digits)
+            units = _Units(oscillator.x0.ball(), oscillator.omega_0(), digits, ctx.prec)
             return _at_turning_points(oscillator, numbers, digits + guard, wanted, units.changed)
     raise UndecidedError(f"a value in SI is too near to a tie of {digits} digits")
 
@@ -59,21 +65,36 @@ def at_turning_points(
 def _at_turning_points(
     oscillator: Oscillator, numbers: Sequence[int], digits: int, wanted: set[str], change: Callable[[str, str], str]
 ) -> Truth:
-    found: dict[int, tuple[str, str | None]] = {}
-    certified, methods, ended, law = True, [], "", oscillator.dimensionless
-    for first, last in _runs(sorted(set(numbers))):
-        table = turning_points(law, last - first + 1, digits, start=first, times=bool(wanted & {"tau", "t"}))
-        found |= {point.n: (point.x, point.tau) for point in table.points}
-        certified = certified and table.certified
-        methods.append(table.method)
-        if table.ended:
-            ended = f"turning point {table.ended['n']} is the last: {table.ended['reason']}"
+    """The tables of the stretches; an error carries the rows of those that are done, and of the last so far."""
+    made: list[TurningPoints] = []
+
+    def so_far(last: TurningPoints | None = None) -> Truth | None:
+        tables = made if last is None else [*made, last]
+        there = {point.n for table in tables for point in table.points}
+        places = tuple(i for i, n in enumerate(numbers) if n in there)
+        if not places:
+            return None
+        return replace(_from_tables(tables, [numbers[i] for i in places], wanted, change), places=places)
+
+    with changed(so_far, otherwise=so_far):
+        for first, last in _runs(sorted(set(numbers))):
+            times = bool(wanted & {"tau", "t"})
+            made.append(turning_points(oscillator.dimensionless, last - first + 1, digits, start=first, times=times))
+    return _from_tables(made, numbers, wanted, change)
+
+
+def _from_tables(
+    tables: Sequence[TurningPoints], numbers: Sequence[int], wanted: set[str], change: Callable[[str, str], str]
+) -> Truth:
+    found = {point.n: (point.x, point.tau) for table in tables for point in table.points}
     columns: dict[str, list[str | None]] = {}
     for name in wanted:
         place = int(name in ("tau", "t"))
         texts = [found[n][place] if n in found else None for n in numbers]
         columns[name] = [None if text is None else change(name, text) for text in texts]
-    return Truth(columns, certified, "; ".join(dict.fromkeys(methods)), ended)
+    ends = [f"turning point {t.ended['n']} is the last: {t.ended['reason']}" for t in tables if t.ended]
+    method = "; ".join(dict.fromkeys(table.method for table in tables))
+    return Truth(columns, all(table.certified for table in tables), method, ends[-1] if ends else "")
 
 
 def _unchanged(name: str, text: str) -> str:
@@ -88,30 +109,67 @@ def at_times(
         if t < 0:
             raise InputError("FILE", f"the time {t} is before the start", "times >= 0")
     moved, exact = (oscillator if si else Oscillator(oscillator.law)), [ExactReal(t) for t in times]
-    method, texts, speeds = "", {name: dict[int, str]() for name in wanted}, dict[int, float]()
+    made = _Moments(tuple(wanted), digits)
     left = list(range(len(times)))
     for guard in _GUARDS:  # a value next to a zero, or next to a tie, asks for more
-        states = reference_states(moved, [exact[i] for i in left], digits + guard)
-        method = method or f"half-swing by half-swing, balls of {states.bits} bits"
+
+        def so_far(found: Mapping[int, State], left: Sequence[int] = tuple(left)) -> Truth | None:
+            for place, state in found.items():
+                made.add(left[place], *state)
+            return made.done()
+
+        with changed(so_far, otherwise=made.done):
+            states = reference_states(moved, [exact[i] for i in left], digits + guard)
+        made.method = made.method or f"half-swing by half-swing, balls of {states.bits} bits"
         for i, x, v in zip(left, states.x, states.v):
-            speeds[i] = float(v.mid())
-            for name, column in texts.items():
-                ball = x if name == "x" else v
-                text = "0" if ball == 0 else decimal_of_ball(ball, digits)
-                if text is not None:
-                    column[i] = text
-        left = [i for i in left if any(i not in column for column in texts.values())]
+            made.add(i, x, v)
+        left = [i for i in left if i not in made.places()]
         if not left:
             break
-    certified = not left
     for i in left:
-        point = reference_motion(moved, exact[i], digits)
-        for name, column in texts.items():
-            column[i] = point.x if name == "x" else point.v
-        certified, method = point.certified, f"{method}; {point.method}"
-    places = range(len(times))
-    columns: dict[str, list[str | None]] = {name: [column[i] for i in places] for name, column in texts.items()}
-    return Truth(columns, certified, method, speeds=tuple(speeds[i] for i in places))
+        with changed(lambda _: made.done(), otherwise=made.done):
+            made.take(i, reference_motion(moved, exact[i], digits))
+    return replace(made.truth(range(len(times))), places=None)
+
+
+class _Moments:
+    """What is ``wanted`` of x and v at the times that are done, by their places."""
+
+    def __init__(self, wanted: tuple[str, ...], digits: int) -> None:
+        self.digits, self.method, self.certified = digits, "", True
+        self.texts: dict[str, dict[int, str]] = {name: {} for name in wanted}
+        self.speeds: dict[int, float] = {}
+
+    def add(self, place: int, x: arb, v: arb) -> None:
+        """From balls: a column whose ball is too wide for its digits is not there yet."""
+        self.speeds[place] = float(v.mid())
+        for name, column in self.texts.items():
+            ball = x if name == "x" else v
+            text = "0" if ball == 0 else decimal_of_ball(ball, self.digits)
+            if text is not None:
+                column[place] = text
+
+    def take(self, place: int, point: MotionPoint) -> None:
+        """From a motion at one time, which says itself whether it is certified."""
+        for name, column in self.texts.items():
+            column[place] = point.x if name == "x" else point.v
+        self.certified, self.method = self.certified and point.certified, f"{self.method}; {point.method}"
+
+    def places(self) -> set[int]:
+        """Where every column has its value."""
+        return set.intersection(*(set(column) for column in self.texts.values()))
+
+    def done(self) -> Truth | None:
+        """The rows that are there, None without any."""
+        places = sorted(self.places())
+        return self.truth(places) if places else None
+
+    def truth(self, places: Sequence[int]) -> Truth:
+        """The rows at these places."""
+        columns: dict[str, list[str | None]] = {name: [c[i] for i in places] for name, c in self.texts.items()}
+        method = self.method or "half-swing by half-swing"
+        speeds = tuple(self.speeds[i] for i in places)
+        return Truth(columns, self.certified, method, speeds=speeds, places=tuple(places))
 
 
 def at_envelope(
@@ -126,25 +184,35 @@ def at_envelope(
     envelope = FirstOrderEnvelope(oscillator if si else Oscillator(oscillator.law))
     found = {"amplitude": envelope.amplitude, "phase": envelope.phase}
     exact = [ExactReal(t) for t in times]
-    columns: dict[str, list[str | None]] = {name: [found[name](t, digits) for t in exact] for name in wanted}
-    return Truth(columns, True, "the averaged law of first order (not the motion)")
+    rows: list[list[str]] = []
+
+    def truth() -> Truth:
+        columns: dict[str, list[str | None]] = {name: [row[i] for row in rows] for i, name in enumerate(wanted)}
+        return Truth(columns, True, "the averaged law of first order (not the motion)")
+
+    with keeping(lambda: replace(truth(), places=tuple(range(len(rows)))) if rows else None):
+        for t in exact:
+            rows.append([found[name](t, digits) for name in wanted])
+    return truth()
 
 
 @dataclass(frozen=True)
 class _Units:
-    """The unit of length with the sign of the start, omega_0, and the digits wanted in SI."""
+    """The unit of length with the sign of the start, omega_0, the digits wanted in SI, and the bits to work with."""
 
     length: arb
     omega: arb
     digits: int
+    bits: int
 
     def changed(self, name: str, text: str) -> str:
         """A decimal in SI, correctly rounded; UndecidedError if the dimensionless one has too few digits for that."""
-        value = ball_of(text)
-        if name in ("x", "amplitude"):
-            value *= self.length
-        elif name == "t":
-            value /= self.omega
+        with ctx.workprec(self.bits):
+            value = ball_of(text)
+            if name in ("x", "amplitude"):
+                value *= self.length
+            elif name == "t":
+                value /= self.omega
         found = decimal_of_ball(abs(value) if name == "amplitude" else value, self.digits)
         if found is None and value != 0:
             raise UndecidedError(f"{name} has no certified {self.digits} digits")

@@ -10,7 +10,7 @@
 from dataclasses import asdict
 from typing import Any
 
-from asymptotics.cut_short import changed, keeping
+from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import require_integer
 from asymptotics.tables.cells import Rows, round_rows, rounded_so_far
@@ -60,7 +60,7 @@ def build(name: str, digits: int = 30, inputs: Inputs | None = None, rounding: s
         done = rounded_so_far(cells, digits, rounding)
         return table(done, _proved(recipe, done)) if done else None
 
-    with Begun() as begun, changed(so_far), keeping(begun.most):
+    with Begun() as begun, changed(so_far, otherwise=lambda: so_far(begun.most())):
         rows = round_rows(compute, digits, rounding)
     return table(rows, verdicts[-1])
 

@@ -102,6 +102,54 @@ def test_the_rows_of_a_table_that_are_done(line, capsys, monkeypatch):
     assert found["certified"] and found["missing"].startswith("what comes after ")
 
 
+COMPARED = {  # the file, what it is held against; what is cut at which call, how many rows are kept
+    "n,x\n0,1\n1,-0.41\n2,0.26\n3,-0.19\n": (
+        "--alpha 2 --epsilon 1",
+        *("asymptotics.turning.routes.quadratic.proved_point", 4, 3),
+    ),
+    "n,x,t\n0,0.2,0\n1,-0.1,0.7\n2,0.05,1.4\n": (
+        "--alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5",
+        *("asymptotics.turning.table.proved_point", 3, 2),
+    ),
+    "n,x\n5000,0.1\n0,1\n": ("--alpha 2 --epsilon 1", "asymptotics.comparison.truth.turning_points", 2, 1),
+    "tau,x,v\n20,0.5,0\n0,1,0\n5,0.2,0.9\n": ("--alpha 3/2 --epsilon 1/10", "asymptotics.flow.dense._swing", 3, 2),
+    "tau,x\n1,0.5\n2,-0.3\n3,-0.9\n": ("--alpha 0 --epsilon 1/100", "asymptotics.comparison.run.turning_points", 1, 3),
+    "tau,amplitude,phase\n0,1,0\n1,0.9,0\n2,0.8,0\n": (
+        "--alpha 2 --epsilon 1/10",
+        *("asymptotics.envelopes.first_order.certified_decimal", 5, 2),
+    ),
+    "half_cycle,u\n1,0.7\n4,-0.2\n2,-0.41\n": (
+        "--table smith2012.table1",
+        *("asymptotics.tables.quadratic.decimal_of_ball", 6, 2),
+    ),
+}
+
+
+@pytest.mark.parametrize("text", COMPARED)
+def test_the_rows_of_a_file_that_are_compared(text, capsys, monkeypatch, tmp_path):
+    given, place, call, kept = COMPARED[text]
+    path = tmp_path / "mine.csv"
+    path.write_text(text)
+    words = ["compare", str(path), *given.split(), "--json"]
+    assert main(words) == 0
+    whole = json.loads(capsys.readouterr().out)
+    stop_at(monkeypatch, place, call, KeyboardInterrupt)
+    assert main(words) == 130
+    found = json.loads(capsys.readouterr().out)
+    there = {row["line"] for row in found["rows"]}
+    assert len(there) == kept and found["certified"] and found["missing"] == found["summary"]["missing"]
+    assert found["rows"] == [row for row in whole["rows"] if row["line"] in there]
+    assert found["summary"]["look"]["kind"] == "undecided"
+
+
+def test_the_rows_of_earlier_laws_are_kept_where_the_next_has_none(capsys, monkeypatch):
+    stop_at(monkeypatch, "asymptotics.turning.routes.quadratic.proved_point", 1, OVER)
+    words = "table turning-points --alpha 3,2 --epsilon 1/10 --rows 3 --digits 6 --json"
+    assert main(words.split()) == 2
+    found = json.loads(capsys.readouterr().out)
+    assert [row[1] for row in found["rows"]] == ["0", "1", "2"] and "3" in found["rows"][0][0]
+
+
 def test_amplitudes_and_checks_that_are_done(capsys, monkeypatch):
     stop_at(monkeypatch, "asymptotics.api.damping.row_at", 2, OVER)
     line = "damping --alpha 2 --epsilon 1/10 --amplitudes 1,1/2,1/4 --digits 5 --json"
