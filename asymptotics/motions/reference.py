@@ -39,7 +39,15 @@ from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.swing.damping import Damping
 from asymptotics.swing.linear import ROUTE as CLOSED_ROUTE
-from asymptotics.swing.near_critical import lingering, lingering_seconds, lost_until, most_swings
+from asymptotics.swing.near_critical import (
+    creeping,
+    creeping_seconds,
+    faded_bits,
+    lingering,
+    lingering_seconds,
+    lost_until,
+    most_swings,
+)
 from asymptotics.swing.panels import panels_of
 from asymptotics.swing.sequence import Interpolated
 from asymptotics.wells.ends import require_inside
@@ -219,12 +227,12 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     tau, law = _tau(oscillator, t), oscillator.dimensionless
     swings = tau / pi + 1
     if not oscillator.law.is_pure:
-        return estimated_in_well(WellForce.of(oscillator.dimensionless.terms), swings, bits_for(digits, 48))
-    swings = min(swings, most_swings(oscillator.dimensionless))
+        return estimated_in_well(WellForce.of(law.terms), swings, bits_for(digits, 48))
+    swings = min(max(1.0, swings - creeping(law) / pi), most_swings(law))
     apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
-    terms, bits = len(oscillator.law.terms), bits_for(digits, 56)
-    panels = panels_of(oscillator.dimensionless, bits)
+    terms, bits = len(oscillator.law.terms), bits_for(digits, 56) + faded_bits(law, tau)
+    panels = panels_of(law, bits)
     pieces = panels.pieces(int(min(swings, 1e9)))
     long = lingering(law)
-    slow = lingering_seconds(law, int(tau / long) + 1, bits, tau) if long else 0.0
+    slow = lingering_seconds(law, int(tau / long) + 1, bits, tau) if long else creeping_seconds(law, tau, bits)
     return half_swing_seconds(pieces + 2, bits, terms, apart) + interpolation_seconds(swings) + slow

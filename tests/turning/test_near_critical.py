@@ -1,6 +1,7 @@
 """Linear damping next to its critical strength beside other laws: an answer, or a refusal by name before the work."""
 
 from fractions import Fraction
+from math import inf, log, log2
 
 import pytest
 
@@ -9,7 +10,7 @@ from asymptotics.errors import LimitError
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions import reference
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.swing.near_critical import lingering, lost_bits
+from asymptotics.swing.near_critical import creeping, faded_bits, fading, lingering, lost_bits
 from asymptotics.turning.choose import turning_points
 
 NEAR = Law({1: "1.95", 2: "1/10"})
@@ -67,3 +68,26 @@ def test_a_reference_motion_carries_the_bits_that_it_loses(monkeypatch):
     assert len(tried) == 2 and abs(Fraction(point.x) - Fraction(finer.x)) <= Fraction("5e-45")
     with pytest.raises(LimitError, match="would take about"):
         reference.reference_motion(Oscillator(Law({1: "1.999999999999", 2: "1/10"})), "1e6", 20)
+
+
+@pytest.mark.parametrize(
+    ("law", "t"), [({"0.999": 1}, 60), ({1: 2, "0.9999999": 1}, 100), ({1: 1, "1.0000001": 2}, 100)], ids=str
+)
+def test_a_motion_with_exponents_next_to_1_carries_the_bits_by_which_it_fades(monkeypatch, law, t):
+    """Two passes before, the first for nothing; at ten times the time it ran out of seconds, now it is not begun."""
+    oscillator, tried = Oscillator(law), []
+    passes = reference._states
+    monkeypatch.setattr(reference, "_states", lambda *given: tried.append(given[2]) or passes(*given))
+    x = reference.reference_motion(oscillator, t, 15).x
+    assert len(tried) == 1 and log2(abs(float(x))) > -faded_bits(oscillator.law, t) - 8
+    tried.clear()
+    with pytest.raises(LimitError, match="would take about"):
+        reference.reference_motion(oscillator, 20 * t, 15)
+    assert not tried
+
+
+def test_motions_fade_as_long_as_the_strength_of_the_exponents_next_to_1_lasts():
+    assert fading(Law({"1.001": 3})) == pytest.approx(((3 - 5**0.5) / 2, log(1.5) / 0.001 / ((3 - 5**0.5) / 2)))
+    assert fading(Law({1: 2, "0.999": 1}))[1] == inf and creeping(Law({1: 1, "0.999": "1/2"})) == 0
+    for law in ({1: 3}, {"1/2": 1, "0.999": 1}, {0: "1/10", "0.999": 1}, {"1.001": 1}, {2: 1}):
+        assert fading(Law(law)) == (0, 0)
