@@ -58,7 +58,7 @@ SAMPLE ?= 60
 mutants: $(VENV)/.mutants
 	$(RUN) benchmarks.mutants --sample $(SAMPLE)
 
-# Each bound of benchmarks/weakened_bounds.json is halved or dropped, and its test must fail; PART=wells/ for some of them.
+# Each bound of benchmarks/weakened_bounds.json is halved or dropped, and its test must fail; PART=flow/wells/ for some of them.
 weakened: $(VENV)/.test
 	$(RUN) benchmarks.weakened $(PART)
 

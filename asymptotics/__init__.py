@@ -37,11 +37,11 @@ if TYPE_CHECKING:
     from asymptotics.api.waves import waveforms
     from asymptotics.bounds.remainder import remainder
     from asymptotics.cli.swept import sweep_command
-    from asymptotics.equations.build import expand
-    from asymptotics.equations.result import Equations
     from asymptotics.equivalent.found_law import DampingLaw
     from asymptotics.equivalent.result import EquivalentDamping
     from asymptotics.errors import InputError, LimitError, UndecidedError
+    from asymptotics.expansions.equations.build import expand
+    from asymptotics.expansions.equations.result import Equations
     from asymptotics.identification.html_report import html_report
     from asymptotics.identification.identify import identify
     from asymptotics.identification.result import Identification
@@ -71,8 +71,8 @@ _HOMES = {
     "api.swings": ("OscillatorTurningPoints", "turning_points"),
     "bounds.remainder": ("remainder",),
     "cli.swept": ("sweep_command",),
-    "equations.build": ("expand",),
-    "equations.result": ("Equations",),
+    "expansions.equations.build": ("expand",),
+    "expansions.equations.result": ("Equations",),
     "equivalent.found_law": ("DampingLaw",),
     "equivalent.result": ("EquivalentDamping",),
     "errors": ("InputError", "LimitError", "UndecidedError"),

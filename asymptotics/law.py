@@ -32,7 +32,7 @@ import sympy
 from flint import arb
 
 from asymptotics.errors import InputError, shown
-from asymptotics.moments.certified import moment
+from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import inside
 from asymptotics.numbers.exact import ExactReal

@@ -77,9 +77,10 @@ def _arithmetics() -> dict[str, str]:
 
 
 def is_heuristic(file: str) -> bool:
-    """Whether the table of arithmetics says so: of the file itself, else of its room."""
-    name, known = file.removeprefix("asymptotics/"), _arithmetics()
-    return known.get(name, known.get(f"{name.split('/')[0]}/")) == "heuristic"
+    """Whether the table of arithmetics says so: of the file itself, else of its room, the innermost that it names."""
+    path, known = Path(file).relative_to("asymptotics"), _arithmetics()
+    here = (str(path), *(f"{room}/" for room in path.parents))
+    return next((known[name] for name in here if name in known), "") == "heuristic"
 
 
 def sites_of(source: str, file: str) -> Iterator[Site]:

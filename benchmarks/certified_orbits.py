@@ -13,14 +13,14 @@ from time import process_time
 
 from flint import arb
 
+from asymptotics.flow.damping import Damping
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.turning import rest
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.panels import Panels
-from asymptotics.swing.sequence import Interpolated
+from asymptotics.return_map.panels import Panels
+from asymptotics.return_map.sequence import Interpolated
 from asymptotics.turning.choose import turning_points
 from benchmarks.table import Table, seconds_text
 

@@ -2,8 +2,8 @@
 
 from functools import partial
 
-from asymptotics.normal_form.digits import certified_digits
-from asymptotics.normal_form.expansion import exact_expansion
+from asymptotics.expansions.normal_form.digits import certified_digits
+from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.numbers.exact import parse_real
 from benchmarks.table import Table, best_time, seconds_text
 

@@ -13,7 +13,7 @@ from time import perf_counter
 import sympy
 from sympy import I, Symbol
 
-from asymptotics.normal_form.expansion import exact_expansion
+from asymptotics.expansions.normal_form.expansion import exact_expansion
 from benchmarks.peers import ask
 from benchmarks.table import Table, best_time, with_ratios
 

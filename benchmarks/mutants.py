@@ -59,14 +59,28 @@ def _room(name: str, *ignored: str) -> Group:
     return Group((f"asymptotics/{name}",), (f"tests/{name}", f"asymptotics/{name}"), ignored)
 
 
+ROOMS = (
+    "motions/invariants",
+    "expansions/half_swings",
+    "expansions/normal_form",
+    "flow/linear_spring",
+    "flow/slow_manifold",
+    "return_map",
+    "turning",
+    "envelopes",
+)
 GROUPS = {
     "numbers": _room("numbers", "tests/numbers/test_contract.py"),  # it inspects signatures, which mutmut hides
     "verdict": Group(("asymptotics/verdict.py",), ("tests/test_verdict.py", "asymptotics/verdict.py")),
     "grading": Group(  # the part of half_swings on which every sign rests, with the tests that are quick
-        ("asymptotics/half_swings/grading.py", "asymptotics/half_swings/quarter.py"),
-        ("tests/half_swings/test_grading.py", "tests/half_swings/test_exact.py", "asymptotics/half_swings/grading.py"),
+        ("asymptotics/expansions/half_swings/grading.py", "asymptotics/expansions/half_swings/quarter.py"),
+        (
+            "tests/expansions/half_swings/test_grading.py",
+            "tests/expansions/half_swings/test_exact.py",
+            "asymptotics/expansions/half_swings/grading.py",
+        ),
     ),
-    **{room: _room(room) for room in ("invariants", "half_swings", "normal_form", "swing", "turning", "envelopes")},
+    **{room.split("/")[-1]: _room(room) for room in ROOMS},
 }
 
 

@@ -12,12 +12,13 @@ import numpy as np
 from flint import arb
 
 import asymptotics as asy
-from asymptotics.divergence import germ
+from asymptotics.expansions.divergence import germ
+from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
+from asymptotics.expansions.half_swings.exact import exact_half_swing
+from asymptotics.flow.damping import Damping
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.turning import rest
-from asymptotics.half_swings.certified_zeros import certified_half_swing
-from asymptotics.half_swings.exact import exact_half_swing
 from asymptotics.identification.coefficients import loss
 from asymptotics.identification.sequence import turning_sequence
 from asymptotics.identification.swing import HalfSwingModel
@@ -25,10 +26,9 @@ from asymptotics.identification.synthetic import observed
 from asymptotics.law import Law
 from asymptotics.limit_cycles.series import limit_cycle_series
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.panels import panels_of
-from asymptotics.swing.sequence import Interpolated
-from asymptotics.swing.spectral import analysis, integrals
+from asymptotics.return_map.panels import panels_of
+from asymptotics.return_map.sequence import Interpolated
+from asymptotics.return_map.spectral import analysis, integrals
 from asymptotics.terms import Term
 from asymptotics.turning.choose import turning_points
 from benchmarks.certified_motion import certified, moments

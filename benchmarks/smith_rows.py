@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy
 
-from asymptotics.invariants.exact import coefficients
+from asymptotics.motions.invariants.exact import coefficients
 from benchmarks.peers import ask
 from benchmarks.table import Table, best_time, with_ratios
 

@@ -97,7 +97,7 @@ def unanswered() -> list[Site]:
 def main(argv: list[str] | None = None) -> int:
     """Plant the selected ones; 0 if each is noticed, else 1."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.weakened", description=__doc__)
-    parser.add_argument("parts", nargs="*", help="parts of file names, such as wells/ or abel (default: all)")
+    parser.add_argument("parts", nargs="*", help="parts of file names, such as flow/wells/ or abel (default: all)")
     parser.add_argument("--search", action="store_true", help="look for tests that notice what no list answers for")
     options = parser.parse_args(argv)
     parts = options.parts
@@ -151,8 +151,8 @@ def search(places: Sequence[Site]) -> int:
         file.write(FORGET)
     for site in places:
         near = Counter(w.test for w in (*listed(), *answered()) if w.file == site.file and w.test)
-        room = Path(site.file).parts[1].removesuffix(".py")
-        rooms = [f"tests/{room}", *(["tests/ladders"] if room != "comparison" else []), site.file]
+        room = Path(site.file).parent.relative_to("asymptotics")
+        rooms = [f"tests/{room}", *(["tests/ladders"] if str(room) != "comparison" else []), site.file]
         tests = [*(test for test, _ in near.most_common()), *(t for t in rooms if (folder / t).exists())]
         outside = ["--ignore=tests/ladders/test_weakened.py"]
         code, output = _run(Answered(site), [*tests, *outside], folder)

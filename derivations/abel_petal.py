@@ -17,7 +17,7 @@ w = sympy.Symbol("w")
 derivation = Derivation(
     "abel-petal",
     "The difference of the two Abel functions of the half-swing",
-    source="divergence.petal, divergence.constants; z' = z + 1 + g, |g| <= b/|z|^2 for |z| >= Y (stokes-reversal)",
+    source="expansions.divergence.petal, .constants; z' = z + 1 + g, |g| <= b/|z|^2 for |z| >= Y (stokes-reversal)",
 )
 step = derivation.step
 

@@ -7,7 +7,7 @@ A**2*c*(cos(theta)**2 + 1)/2 + 1
 import sympy
 from sympy import cos, sin
 
-from asymptotics.moments.symbolic import mean, moment
+from asymptotics.expansions.moments.symbolic import mean, moment
 from derivations.steps import At, Derivation, defined
 
 A, B, mu, theta, xi, y, k = sympy.symbols("A B mu theta xi y k", positive=True)
@@ -19,7 +19,7 @@ half = sympy.Rational(1, 2)
 derivation = Derivation(
     "duffing-first-order",
     "A Duffing oscillator in any loss, to first order in the loss",
-    source="asymptotics.straightening.wells",
+    source="asymptotics.expansions.straightening.wells",
 )
 step, asserts = derivation.step, derivation.asserts
 

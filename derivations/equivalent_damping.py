@@ -6,7 +6,7 @@ Solution(Eq(A**2*k*x, 2*pi*A**2*k*zeta), x) = 2*pi*zeta
 
 import sympy
 
-from asymptotics.moments.symbolic import mean
+from asymptotics.expansions.moments.symbolic import mean
 from derivations.steps import At, Derivation, Solution
 
 m, k, b, c, A, u, x = sympy.symbols("m k b c A u x", positive=True)

@@ -7,9 +7,9 @@ Subs(w_2*(-epsilon + x)/(mu*p_1), x, epsilon/(epsilon*mu*p_1*tau + 1)) = -epsilo
 import sympy
 from sympy import Derivative, Integral, Limit, oo, pi, sin
 
-from asymptotics.moments.symbolic import moment
-from asymptotics.normal_form.symbolic import alpha as exponent
-from asymptotics.normal_form.symbolic import omega_2
+from asymptotics.expansions.moments.symbolic import moment
+from asymptotics.expansions.normal_form.symbolic import alpha as exponent
+from asymptotics.expansions.normal_form.symbolic import omega_2
 from derivations.steps import At, Derivation
 
 alpha, epsilon, tau, p_1, w_2, nu, s, x, y = sympy.symbols("alpha epsilon tau p_1 w_2 nu s x y", positive=True)

@@ -6,7 +6,7 @@ Integral(y**2*(1 - y)**2, (y, 0, 1)) = 1/30
 
 import sympy
 
-from asymptotics.moments.symbolic import moment
+from asymptotics.expansions.moments.symbolic import moment
 from derivations.steps import At, Derivation, defined
 
 alpha, p = sympy.symbols("alpha p", positive=True)

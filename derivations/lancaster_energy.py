@@ -6,7 +6,7 @@
 
 import sympy
 
-from asymptotics.moments.symbolic import moment
+from asymptotics.expansions.moments.symbolic import moment
 from derivations.steps import At, Derivation, Solution, defined
 
 b, k, m, x_0, tau, t = sympy.symbols("b k m x_0 tau t", positive=True)

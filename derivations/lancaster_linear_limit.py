@@ -6,7 +6,7 @@ b*t*M(2)/m = b*t/(2*m)
 
 import sympy
 
-from asymptotics.moments.symbolic import moment
+from asymptotics.expansions.moments.symbolic import moment
 from derivations.steps import Derivation, Taylor, defined
 
 alpha, kappa, tau, A, epsilon = sympy.symbols("alpha kappa tau A epsilon", positive=True)

@@ -6,7 +6,7 @@
 
 import sympy
 
-from asymptotics.moments.symbolic import squaring_moment
+from asymptotics.expansions.moments.symbolic import squaring_moment
 from derivations.steps import At, Derivation, Solution
 
 C, m, k, x_0, omega_0, t, sine, f, r = sympy.symbols("C m k x_0 omega_0 t s f r", positive=True)

@@ -6,7 +6,7 @@
 
 import sympy
 
-from asymptotics.moments.symbolic import moment, squaring_moment
+from asymptotics.expansions.moments.symbolic import moment, squaring_moment
 from derivations.steps import At, Derivation, Solution, defined
 
 mu, g, m, k, x_0, omega_0, t = sympy.symbols("mu g m k x_0 omega_0 t", positive=True)

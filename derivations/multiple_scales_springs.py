@@ -23,7 +23,7 @@ R = sympy.Rational
 derivation = Derivation(
     "multiple-scales-springs",
     "Multiple scales for any exponent beside a spring, to second order",
-    source="asymptotics.multiscale.powers; not in the papers",
+    source="asymptotics.expansions.multiple_scales.powers; not in the papers",
 )
 step, asserts = derivation.step, derivation.asserts
 

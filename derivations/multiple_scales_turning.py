@@ -9,7 +9,7 @@ Subs(Derivative(-epsilon*(-V_1*epsilon + Y_0)**alpha, (epsilon, 2)), epsilon, 0)
 import sympy
 from sympy import pi, sin
 
-from asymptotics.moments.symbolic import moment
+from asymptotics.expansions.moments.symbolic import moment
 from derivations.steps import At, Derivation, defined, named
 
 alpha = sympy.Symbol("alpha", nonnegative=True)

@@ -6,8 +6,8 @@ Integral(phi**2, (phi, -pi/2, pi/2))/pi = pi**2/12
 
 import sympy
 
-from asymptotics.half_swings.symbolic import nested_integral_exact
-from asymptotics.moments.symbolic import moment
+from asymptotics.expansions.half_swings.symbolic import nested_integral_exact
+from asymptotics.expansions.moments.symbolic import moment
 from derivations.steps import At, Derivation, defined
 
 phi, m, u = sympy.symbols("phi m u", real=True)
@@ -19,7 +19,7 @@ g = sympy.gamma(sympy.Rational(1, 4)) ** 4 / pi**2
 derivation = Derivation(
     "nested-integral",
     "I_4 is no combination of its moments with coefficients rational in alpha",
-    source="half_swings.symbolic; J = <s^(2 alpha) S^2>, suppose J = r_1 pi^2 M_(alpha+1)^2 M_(2alpha)"
+    source="expansions.half_swings.symbolic; J = <s^(2 alpha) S^2>, suppose J = r_1 pi^2 M_(alpha+1)^2 M_(2alpha)"
     " + r_2 M_(4alpha) + r_3 M_(alpha+1) M_(3alpha+1), r_i in Q(alpha)",
 )
 step = derivation.step

@@ -6,9 +6,9 @@ Subs(-v_3/v_2**2, (v_3, v_2), ((-f_2**2 + f_3)/pi, f_2/pi)) = pi*(1 - f_3/f_2**2
 
 import sympy
 
-from asymptotics.half_swings.exact import exact_half_swing
-from asymptotics.half_swings.pi_ring import PI
-from asymptotics.normal_form.flow import Flow, flow_of
+from asymptotics.expansions.half_swings.exact import exact_half_swing
+from asymptotics.expansions.half_swings.pi_ring import PI
+from asymptotics.expansions.normal_form.flow import Flow, flow_of
 from asymptotics.series import Series
 from derivations.steps import At, Coefficient, Derivation, Solution, defined
 
@@ -20,7 +20,7 @@ ORDER = 8
 derivation = Derivation(
     "no-logarithms",
     "Why no logarithm appears for a single law",
-    source="theory page ``half_swing``; asymptotics.normal_form.flow",
+    source="theory page ``half_swing``; asymptotics.expansions.normal_form.flow",
 )
 step, asserts = derivation.step, derivation.asserts
 

@@ -16,7 +16,8 @@ eta = alpha - 1
 derivation = Derivation(
     "one-law-quarter",
     "The quarter swing of one law by the reciprocal of its local strength",
-    source="half_swings.one_law; u = delta e^(eta R), eta = alpha - 1, R' = -s^(alpha+1) u/(1 - c s^alpha u)",
+    source="expansions.half_swings.one_law; u = delta e^(eta R), eta = alpha - 1, "
+    "R' = -s^(alpha+1) u/(1 - c s^alpha u)",
 )
 step = derivation.step
 

@@ -6,7 +6,7 @@
 
 import sympy
 
-from asymptotics.moments.symbolic import moment
+from asymptotics.expansions.moments.symbolic import moment
 from derivations.steps import At, Derivation, defined
 
 a, k, theta, epsilon = sympy.symbols("a k theta epsilon", positive=True)
@@ -16,7 +16,7 @@ n = sympy.Symbol("n", integer=True, nonnegative=True)
 derivation = Derivation(
     "pendulum-first-order",
     "A pendulum in any loss, to first order in the loss",
-    source="asymptotics.straightening.pendulum",
+    source="asymptotics.expansions.straightening.pendulum",
 )
 step, asserts = derivation.step, derivation.asserts
 

@@ -17,7 +17,7 @@ k = sympy.Symbol("k", positive=True, integer=True)
 derivation = Derivation(
     "quarter-collocation",
     "Quarter-swings by collocation, enclosed",
-    source="swing.quarters; the equations are those of half-swing-equations, the interpolation that of swing.chebyshev",
+    source="return_map.quarters; the equations are those of half-swing-equations, interpolation: return_map.chebyshev",
 )
 step = derivation.step
 

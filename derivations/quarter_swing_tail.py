@@ -18,7 +18,7 @@ L = sympy.Symbol("L", real=True)
 derivation = Derivation(
     "quarter-swing-tail",
     "A half-swing at finite strength from the truncated series of the quarter-swing, with proved errors",
-    source="half_swings.finite_majorant; the equations are those of half-swing-equations",
+    source="expansions.half_swings.finite_majorant; the equations are those of half-swing-equations",
 )
 step, asserts = derivation.step, derivation.asserts
 

@@ -8,9 +8,9 @@ Taylor(F(delta), delta, 3) = 4*delta**3*q_2**2 + 2*delta**2*q_2 + delta
 
 import sympy
 
-from asymptotics.half_swings.grading import Grading
-from asymptotics.half_swings.orbit import Orbit
-from asymptotics.half_swings.theta_algebra import COSINE, SINE, THETA, ThetaTrig, sine_power
+from asymptotics.expansions.half_swings.grading import Grading
+from asymptotics.expansions.half_swings.orbit import Orbit
+from asymptotics.expansions.half_swings.theta_algebra import COSINE, SINE, THETA, ThetaTrig, sine_power
 from asymptotics.series import Series
 from derivations.steps import At, Derivation, Taylor, defined
 
@@ -23,7 +23,7 @@ LAWS = {(0,): 5, (1,): 4, (2,): 4, (3,): 3, (1, 2): 3}
 derivation = Derivation(
     "reversal-identity",
     "The second quarter is the first, run backwards with the opposite strength",
-    source="theory page ``half_swing``; asymptotics.half_swings.quarter",
+    source="theory page ``half_swing``; asymptotics.expansions.half_swings.quarter",
 )
 step, asserts = derivation.step, derivation.asserts
 

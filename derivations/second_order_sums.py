@@ -8,10 +8,10 @@ Here a_ij = alpha_i alpha_j/((alpha_i+1)(alpha_j+1)).  Two laws x, y are enough:
 
 import sympy
 
-from asymptotics.half_swings.exact import exact_quarter_swing
-from asymptotics.half_swings.quarter import half_swing
-from asymptotics.moments.symbolic import moment
-from asymptotics.normal_form.flow import flow_of
+from asymptotics.expansions.half_swings.exact import exact_quarter_swing
+from asymptotics.expansions.half_swings.quarter import half_swing
+from asymptotics.expansions.moments.symbolic import moment
+from asymptotics.expansions.normal_form.flow import flow_of
 from derivations.steps import At, Derivation, defined
 
 x, y, s = sympy.symbols("x y s", positive=True)
@@ -22,7 +22,7 @@ q_x, q_y, d_x, d_y, m_x, m_y, M = sympy.symbols("q_x q_y delta_x delta_y m_x m_y
 derivation = Derivation(
     "second-order-sums",
     "The frequency of a sum of laws at second order",
-    source="theory page ``closed_forms``; asymptotics.normal_form.symbolic.second_order_sum",
+    source="theory page ``closed_forms``; asymptotics.expansions.normal_form.symbolic.second_order_sum",
 )
 step, asserts = derivation.step, derivation.asserts
 

@@ -1,6 +1,6 @@
 """The quadratic map contracts: 2/3 < 1/q - 1/p < 1 (so < 2) for p = 2|u_n|, q = 2|u_(n+1)|, and 0 < F' < 1.
 
-The bounds that ``asymptotics.turning`` relies on; the upper bound needed there is 2, the one proved is 1.
+The bounds that ``asymptotics.turning_points`` relies on; the upper bound needed there is 2, the one proved is 1.
 
 >>> print(derivation.steps[8].text())
 Subs((lambda*p + 1)**2*(p*(lambda - 1) + 1), lambda, 2/3) = -4*p**3/27 + p + 1

@@ -17,7 +17,7 @@ n, i = sympy.symbols("n i", integer=True, positive=True)
 derivation = Derivation(
     "smith-series-radii",
     "The radii of convergence of sum f_n(w) z^n and of the double series",
-    source="Smith 2012, (57), (61); invariants.certified; z = w/D, dw/dtau = D, dz/dtau = 1 - 2wz + z^2"
+    source="Smith 2012, (57), (61); motions.invariants.certified; z = w/D, dw/dtau = D, dz/dtau = 1 - 2wz + z^2"
     " (smith-time-series)",
 )
 step, asserts = derivation.step, derivation.asserts

@@ -15,7 +15,8 @@ h2, h3, f3, f4, e1 = sympy.symbols("h_2 h_3 f_3 f_4 e_1")
 derivation = Derivation(
     "stokes-reversal",
     "The half-swing as a reversible germ",
-    source="divergence.germ; one law, eta = alpha - 1, h(delta) = delta e^(eta R(delta)) (reversal-identity)",
+    source="expansions.divergence.germ;"
+    " one law, eta = alpha - 1, h(delta) = delta e^(eta R(delta)) (reversal-identity)",
 )
 step = derivation.step
 

@@ -6,9 +6,9 @@ sqrt(2)*Derivative(V(x), x)/(2*sqrt(V(x))) = Derivative(sqrt(2)*sqrt(V(x)), x)
 
 import sympy
 
-from asymptotics.half_swings.exact import exact_half_swing
-from asymptotics.half_swings.forces import Forces
-from asymptotics.straightening.series import straighten
+from asymptotics.expansions.half_swings.exact import exact_half_swing
+from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.straightening.series import straighten
 from asymptotics.terms import Term
 from derivations.steps import Derivation, defined
 
@@ -19,7 +19,7 @@ root = sympy.sqrt(2 * V)
 derivation = Derivation(
     "straightening",
     "Every even potential is a linear spring in its own coordinate",
-    source="asymptotics.straightening",
+    source="asymptotics.expansions.straightening",
 )
 step, asserts = derivation.step, derivation.asserts
 

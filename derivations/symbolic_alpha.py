@@ -11,9 +11,9 @@ import sympy
 from sympy import QQ
 from sympy.polys.fields import field
 
-from asymptotics.half_swings.fourier_flow import fourier_flow
-from asymptotics.half_swings.symbolic import nested_integral_exact
-from asymptotics.moments.symbolic import moment
+from asymptotics.expansions.half_swings.fourier_flow import fourier_flow
+from asymptotics.expansions.half_swings.symbolic import nested_integral_exact
+from asymptotics.expansions.moments.symbolic import moment
 from asymptotics.series import Series
 from derivations.steps import At, Coefficient, Derivation, Taylor, defined
 
@@ -28,7 +28,7 @@ ORDER = 4
 derivation = Derivation(
     "symbolic-alpha",
     "One law, any exponent: closed forms through fourth order",
-    source="theory page ``closed_forms``; asymptotics.half_swings.symbolic, asymptotics.normal_form.symbolic",
+    source="theory page ``closed_forms``; expansions.half_swings.symbolic, expansions.normal_form.symbolic",
 )
 step, asserts = derivation.step, derivation.asserts
 

@@ -11,10 +11,10 @@ from collections.abc import Callable
 
 import sympy
 
-from asymptotics.half_swings.certified_zeros import duration_vanishes, log_ratio_vanishes, map_vanishes
-from asymptotics.half_swings.exact import exact_half_swing
-from asymptotics.half_swings.forces import Forces
-from asymptotics.normal_form.expansion import exact_expansion
+from asymptotics.expansions.half_swings.certified_zeros import duration_vanishes, log_ratio_vanishes, map_vanishes
+from asymptotics.expansions.half_swings.exact import exact_half_swing
+from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.series import Series, monomials
 from asymptotics.terms import Term
 from derivations.steps import At, Coefficient, Derivation, Taylor, defined
@@ -29,7 +29,7 @@ L = sympy.Function("L")
 derivation = Derivation(
     "zeros-by-theorem",
     "Coefficients of the half-swing that vanish for all exponents",
-    source="asymptotics.half_swings.certified_zeros",
+    source="asymptotics.expansions.half_swings.certified_zeros",
 )
 step, asserts = derivation.step, derivation.asserts
 

@@ -15,7 +15,7 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 collect_ignore = ["notebook.py"]  # a program of `make docs`, whose libraries `make test` does not install
 
 FIRST = (  # what imports the derivations or needs the report of the tests
-    "tests/derivations/", "tests/envelopes/test_derivations", "tests/multiscale/test_derivations",
+    "tests/derivations/", "tests/envelopes/test_derivations", "tests/expansions/multiple_scales/test_derivations",
     "tests/paper_checks/test_report", "tests/paper_checks/test_font", "tests/paper_checks/test_browser",
 )  # fmt: skip
 

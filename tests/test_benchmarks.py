@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from asymptotics.invariants.exact import coefficients
-from asymptotics.normal_form.expansion import exact_expansion
+from asymptotics.expansions.normal_form.expansion import exact_expansion
+from asymptotics.motions.invariants.exact import coefficients
 from benchmarks import cubic_damping, peers
 from benchmarks.__main__ import BENCHMARKS, main
 from benchmarks.cubic_damping import expand_by_hand, process_seconds

@@ -13,18 +13,29 @@ from pathlib import Path
 import pytest
 from flint import arb, ctx
 
+from asymptotics.flow.damping import Damping
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.numbers.extremes import greatest, least
-from asymptotics.swing.damping import Damping
 
 ROOT = Path(__file__).parents[1] / "asymptotics"
-ROOMS = ("bounds", "half_swings", "limit_cycles", "moments", "multiscale", "invariants", "numbers", "straightening")
-ROOMS += ("flow", "swing", "turning", "wells", "envelopes", "motions", "normal_form", "identification")
+ROOMS = (
+    "bounds",
+    "envelopes",
+    "expansions",
+    "flow",
+    "identification",
+    "limit_cycles",
+    "motions",
+    "numbers",
+    "return_map",
+)
+ROOMS += ("turning",)
 IN_DOUBLES = re.compile(r"float|_double|\.sizes|\.seconds|size_of|np\.")
 ANY_WILL_DO = {
+    "expansions/divergence/petal.py": "each petal has bounds of its own, proved: the smallest of a few",
     "envelopes/large.py": "Newton's method starts at one of two places",
     "limit_cycles/series.py": "the cycle nearest to a guess, which is a double itself",
-    "swing/onset.py": "Newton's method starts at one of several places",
+    "flow/slow_manifold/onset.py": "Newton's method starts at one of several places",
     "turning/abel.py": "each circle has a bound of its own: the least of them is sought",
     "turning/abel_flow.py": "each polydisc has a bound of its own: the least of them is sought",
     "turning/jump.py": "the cheaper of several routes",

@@ -10,20 +10,19 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1] / "asymptotics"
-ROOMS = ("bounds", "envelopes", "half_swings", "limit_cycles", "moments", "motions", "multiscale", "normal_form")
-ROOMS += ("invariants", "numbers", "straightening", "swing", "turning", "wells")
+ROOMS = ("bounds", "envelopes", "expansions", "flow", "limit_cycles", "motions", "numbers", "return_map", "turning")
 HARMLESS = {
     "envelopes/large.py:_newton": "the time reached is integrated anew up to the place returned, and enclosed after",
-    "half_swings/finite_majorant.py:_fixed_point": "an oracle in doubles: inf if it does not settle, checked in balls",
+    "expansions/half_swings/finite_majorant.py:_fixed_point": "an oracle in doubles, or inf; checked in balls",
     "limit_cycles/certified.py:_fixed_point": "a guess in doubles for interval Newton",
     "motions/frame.py:_iterated": "two digits of the change of a start, for a measured estimate",
-    "swing/turning_point.py:_guess": "any place ahead will do: the miss there is bounded",
-    "swing/half_swings.py:_near": "the place with the least residual: the residual bounds its error after",
-    "swing/creep_slow_curve.py:solve": "the interval about the last place must hold its own image",
+    "flow/linear_spring/turning_point.py:_guess": "any place ahead will do: the miss there is bounded",
+    "return_map/half_swings.py:_near": "the place with the least residual: the residual bounds its error after",
+    "flow/slow_manifold/creep_slow_curve.py:solve": "the interval about the last place must hold its own image",
     "turning/drag_exact.py:_guess": "the signs on both sides enclose the root",
-    "wells/ends.py:_held": "a bisection whose two ends are proved, however near they are",
-    "wells/expansion.py:_majorant": "the bound that comes out is checked against its own equation",
-    "wells/turning_point.py:_guess": "any place ahead will do: the miss there is bounded",
+    "flow/wells/ends.py:_held": "a bisection whose two ends are proved, however near they are",
+    "flow/wells/expansion.py:_majorant": "the bound that comes out is checked against its own equation",
+    "flow/wells/turning_point.py:_guess": "any place ahead will do: the miss there is bounded",
 }
 
 

@@ -17,17 +17,17 @@ from flint import arb, fmpq
 from scipy.integrate import quad, solve_ivp
 
 from asymptotics.errors import InputError
-from asymptotics.half_swings.exact import exact_half_swing, exact_quarter_swing
-from asymptotics.half_swings.fourier_flow import fourier_flow
-from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.half_swings.exact import exact_half_swing, exact_quarter_swing
+from asymptotics.expansions.half_swings.fourier_flow import fourier_flow
+from asymptotics.expansions.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.moments.certified import moment
+from asymptotics.expansions.normal_form.expansion import exact_expansion
+from asymptotics.expansions.normal_form.flow import Flow
+from asymptotics.flow.damping import Damping
 from asymptotics.law import Law, Oscillator
-from asymptotics.moments.certified import moment
 from asymptotics.motions.reference import reference_motion, reference_states
-from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.normal_form.flow import Flow
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series
-from asymptotics.swing.damping import Damping
 from asymptotics.verdict import Outcome
 from paper_checks.report.verification import (
     equation_residual,

@@ -57,7 +57,8 @@ def test_the_table_of_arithmetics_names_every_file():
         if path.name.startswith("__"):
             continue
         as_file = [row for row in named if any(p.endswith(".py") and fnmatch(name, p) for p in row)]
-        as_folder = [row for row in named if any(p.endswith("/") and name.startswith(p) for p in row)]
+        folders = [p for row in named for p in row if p.endswith("/") and name.startswith(p)]
+        as_folder = [row for row in named if folders and max(folders, key=len) in row]
         assert len(as_file or as_folder) == 1, f"{name} stands in {len(as_file or as_folder)} rows of arithmetics.md"
 
 

@@ -13,7 +13,7 @@ from math import log
 from asymptotics.budget import seconds_left
 from asymptotics.costs import deep_quadrature_seconds, require_affordable
 from asymptotics.errors import InputError
-from asymptotics.invariants.certified import absolute_radius, first_constant, second_constant, series_radius
+from asymptotics.motions.invariants.certified import absolute_radius, first_constant, second_constant, series_radius
 from asymptotics.numbers.decimals import bits_for, certified_decimal, rational_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes

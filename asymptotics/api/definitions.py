@@ -10,7 +10,7 @@ from typing import Any
 from sympy import Eq, Expr, Integral, Symbol
 
 from asymptotics.envelopes.named_slow_time import rate_letters
-from asymptotics.multiscale.orders import a, rate_symbols
+from asymptotics.expansions.multiple_scales.orders import a, rate_symbols
 
 
 def definitions_of(s: Any) -> list[Eq]:

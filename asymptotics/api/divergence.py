@@ -4,7 +4,7 @@
 ('-0.0909280010378',)
 """
 
-from asymptotics.divergence.result import MAX_COUNT, MAX_DIGITS, StokesConstants, stokes_constants
+from asymptotics.expansions.divergence.result import MAX_COUNT, MAX_DIGITS, StokesConstants, stokes_constants
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
 from asymptotics.public import public
 

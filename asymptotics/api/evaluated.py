@@ -21,7 +21,7 @@ from sympy import Expr, Symbol
 
 from asymptotics.envelopes.slow_time import epsilon
 from asymptotics.errors import InputError
-from asymptotics.multiscale.turning import TurningHierarchy
+from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.decimals import bits_for

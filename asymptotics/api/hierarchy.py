@@ -24,25 +24,25 @@ from typing import Any
 
 from sympy import Add, Expr, Mul, Symbol
 
-from asymptotics.equations.given import terms_of
 from asymptotics.errors import InputError
+from asymptotics.expansions.equations.given import terms_of
+from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.half_swings.fourier_flow import is_smooth
+from asymptotics.expansions.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.half_swings.symbolic import I_4, alpha
+from asymptotics.expansions.multiple_scales.exact import odd_hierarchy
+from asymptotics.expansions.multiple_scales.initial import map_to_turning_points
+from asymptotics.expansions.multiple_scales.open_orders import open_scales
+from asymptotics.expansions.multiple_scales.open_start import start_of_open, theta
+from asymptotics.expansions.multiple_scales.orders import a, psi, strength_symbols
+from asymptotics.expansions.multiple_scales.rates import Rates, certified_rates, closed_rates
+from asymptotics.expansions.multiple_scales.start import start_of
+from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
+from asymptotics.expansions.multiple_scales.symbolic import multiple_scales as smooth_multiple_scales
+from asymptotics.expansions.multiple_scales.turning import TurningHierarchy, is_closed
+from asymptotics.expansions.multiple_scales.turning_orders import turning_scales
 from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
-from asymptotics.half_swings.forces import Forces
-from asymptotics.half_swings.fourier_flow import is_smooth
-from asymptotics.half_swings.pi_ring import PiNumber
-from asymptotics.half_swings.symbolic import I_4, alpha
 from asymptotics.law import LawLike, SpringLike
-from asymptotics.multiscale.exact import odd_hierarchy
-from asymptotics.multiscale.initial import map_to_turning_points
-from asymptotics.multiscale.open_orders import open_scales
-from asymptotics.multiscale.open_start import start_of_open, theta
-from asymptotics.multiscale.orders import a, psi, strength_symbols
-from asymptotics.multiscale.rates import Rates, certified_rates, closed_rates
-from asymptotics.multiscale.start import start_of
-from asymptotics.multiscale.symbolic import MultipleScales
-from asymptotics.multiscale.symbolic import multiple_scales as smooth_multiple_scales
-from asymptotics.multiscale.turning import TurningHierarchy, is_closed
-from asymptotics.multiscale.turning_orders import turning_scales
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.public import public
@@ -165,8 +165,8 @@ def any_start(scales: MultipleScales, *, max_seconds: Number = 60) -> dict[str, 
     """a(0) and psi(0) for X(0) = r cos theta, X'(0) = -r sin theta, 0 < theta < pi, through the order of ``scales``.
 
     A start with X' > 0 is minus one of these: theta and psi move by pi.  Any order where the waveforms are polynomials;
-    other exponents through order 2 of one law and 1 of a sum (``multiscale.open_start``).  InputError beyond, in the
-    gauge no-first-harmonic, and beside springs of an open hierarchy.
+    other exponents through order 2 of one law and 1 of a sum (``multiple_scales.open_start``).  InputError beyond, in
+    the gauge no-first-harmonic, and beside springs of an open hierarchy.
 
     >>> any_start(multiple_scales(2, order=1))["psi(0)"]
     -epsilon*r*sin(theta)*cos(theta)**2/3 + epsilon*r*sin(theta)/3 + theta

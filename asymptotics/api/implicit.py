@@ -28,13 +28,13 @@ from asymptotics.bounds.reach import Theorem, uniform_theorem
 from asymptotics.envelopes.hypergeometric import time_of_amplitude
 from asymptotics.envelopes.symbolic import amplitude_symbol
 from asymptotics.errors import InputError
+from asymptotics.expansions.moments.symbolic import moment
+from asymptotics.expansions.multiple_scales.orders import a
+from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Oscillator
-from asymptotics.moments.symbolic import moment
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.result import MotionPoint
-from asymptotics.multiscale.orders import a
-from asymptotics.multiscale.symbolic import MultipleScales
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal

@@ -30,6 +30,7 @@ from asymptotics.api.units import oscillator_of
 from asymptotics.envelopes.first_order import exact_kappa
 from asymptotics.envelopes.large import SlowFlow
 from asymptotics.errors import InputError, LimitError
+from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.law import Oscillator
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.arrays import real_array
@@ -39,7 +40,6 @@ from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
 from asymptotics.public import public
-from asymptotics.straightening.wells import Loss, Well
 
 MAX_DIGITS, MAX_TAU = 200, 1e100
 Array = Any

@@ -16,11 +16,11 @@ from typing import Any
 
 from asymptotics.api.units import law_of
 from asymptotics.errors import InputError, shown
-from asymptotics.invariants.exact import coefficient, coefficients
-from asymptotics.invariants.symbolic import GeneratingFunction, generating_function
+from asymptotics.expansions.moments.certified import moment as moment_ball
+from asymptotics.expansions.moments.symbolic import moment as moment_expression
 from asymptotics.law import LawLike
-from asymptotics.moments.certified import moment as moment_ball
-from asymptotics.moments.symbolic import moment as moment_expression
+from asymptotics.motions.invariants.exact import coefficient, coefficients
+from asymptotics.motions.invariants.symbolic import GeneratingFunction, generating_function
 from asymptotics.numbers.bridge import from_sympy, to_sympy
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes

@@ -15,14 +15,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from asymptotics.budget import budget
-from asymptotics.equations.given import terms_of
 from asymptotics.errors import InputError, require_flag
-from asymptotics.half_swings.finite_result import HalfSwingAt
+from asymptotics.expansions.equations.given import terms_of
+from asymptotics.expansions.half_swings.finite_result import HalfSwingAt
+from asymptotics.expansions.normal_form.coefficients import half_swing_coefficients
+from asymptotics.expansions.normal_form.results import HalfSwingCoefficients
 from asymptotics.law import Law, LawLike, SpringLike
 from asymptotics.limit_cycles.result import LimitCycle
 from asymptotics.limit_cycles.result import limit_cycle as of_law
-from asymptotics.normal_form.coefficients import half_swing_coefficients
-from asymptotics.normal_form.results import HalfSwingCoefficients
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, exact_seconds, float_notes
 from asymptotics.public import public
 from asymptotics.turning.half_swing import half_swing_of_terms

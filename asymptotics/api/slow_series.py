@@ -29,12 +29,12 @@ from asymptotics.envelopes.laurent import LaurentEnvelope, envelope_of_series, l
 from asymptotics.envelopes.slow_time import D, epsilon, explicit, expressions, leading_amplitude
 from asymptotics.envelopes.symbolic import tau
 from asymptotics.errors import InputError
+from asymptotics.expansions.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.moments.symbolic import moment
+from asymptotics.expansions.normal_form.digits import expansions
+from asymptotics.expansions.normal_form.expansion import exact_expansion
+from asymptotics.expansions.normal_form.show import sum_latex, sum_text
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.half_swings.pi_ring import PiNumber
-from asymptotics.moments.symbolic import moment
-from asymptotics.normal_form.digits import expansions
-from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.normal_form.show import sum_latex, sum_text
 from asymptotics.numbers.bridge import to_fraction, to_sympy
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal

@@ -61,13 +61,13 @@ from asymptotics.envelopes.slow_time import (
     slow_time,
 )
 from asymptotics.errors import InputError
+from asymptotics.expansions.half_swings.symbolic import alpha as symbolic_alpha
+from asymptotics.expansions.multiple_scales.orders import a, psi
+from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
+from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.half_swings.symbolic import alpha as symbolic_alpha
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.motions.certify import time_of
-from asymptotics.multiscale.orders import a, psi
-from asymptotics.multiscale.symbolic import MultipleScales
-from asymptotics.multiscale.turning import TurningHierarchy
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimal_context import workdps

@@ -1,4 +1,4 @@
-"""A(0) and phi(0) of the solution for a start in motion: exact from polynomials (``multiscale.start``), else balls.
+"""A(0) and phi(0) of the solution for a start in motion: exact polynomials (``multiple_scales.start``), else balls.
 
 >>> from asymptotics.gauges import TURNING_POINT
 >>> from asymptotics.api.hierarchy import multiple_scales
@@ -15,11 +15,11 @@ from flint import acb, arb
 from sympy import Add, Expr, Float, Integer, Mul, Symbol, acos, cos, pi, sin
 
 from asymptotics.api.hierarchy import any_start, ordered
-from asymptotics.half_swings.forces import Forces
+from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.multiple_scales.certified_waves import start_series, wave_source
+from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
+from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.law import Oscillator
-from asymptotics.multiscale.certified_waves import start_series, wave_source
-from asymptotics.multiscale.symbolic import MultipleScales
-from asymptotics.multiscale.turning import TurningHierarchy
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for

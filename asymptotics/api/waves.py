@@ -2,7 +2,7 @@
 
     X = a (cos psi + sum_k delta^k x_k(psi)),      delta_i = epsilon_i a^(d_i-1),
 
-x_k of integer exponents are polynomials; all others are integrals, enclosed in balls (``multiscale.certified_waves``)
+x_k of integer exponents are polynomials; all others are integrals, in balls (``multiple_scales.certified_waves``)
 and tabulated in doubles (``motions.waveform``).
 
 >>> waves = waveforms("5/2", order=4)
@@ -25,19 +25,19 @@ from sympy import Eq
 from sympy import Integral as Integral  # for the examples
 
 from asymptotics.api.hierarchy import MAX_OPEN_ORDER, multiple_scales
-from asymptotics.equations.given import terms_of
 from asymptotics.errors import InputError, LimitError
+from asymptotics.expansions.equations.given import terms_of
+from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
+from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.multiple_scales.certified_waves import WaveSource, half_turns, wave_source, waves_at
+from asymptotics.expansions.multiple_scales.orders import order_letters
+from asymptotics.expansions.multiple_scales.ring import Wave
+from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
+from asymptotics.expansions.multiple_scales.turning import is_closed, turning_hierarchy
+from asymptotics.expansions.normal_form.flow import flow_of
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.half_swings.certified_zeros import certified_half_swing
-from asymptotics.half_swings.forces import Forces
 from asymptotics.law import Law, LawLike, SpringLike
 from asymptotics.motions.waveform import WaveformTable
-from asymptotics.multiscale.certified_waves import WaveSource, half_turns, wave_source, waves_at
-from asymptotics.multiscale.orders import order_letters
-from asymptotics.multiscale.ring import Wave
-from asymptotics.multiscale.symbolic import MultipleScales
-from asymptotics.multiscale.turning import is_closed, turning_hierarchy
-from asymptotics.normal_form.flow import flow_of
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import cached_property, ctx, lru_cache
 from asymptotics.numbers.decimals import bits_for, certified_decimal

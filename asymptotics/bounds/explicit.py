@@ -43,8 +43,8 @@ from asymptotics.bounds.waveform import BITS, WaveformBounds, waveform_bounds
 from asymptotics.envelopes.laurent import envelope_of_series
 from asymptotics.envelopes.slow_time import explicit
 from asymptotics.errors import InputError, LimitError
+from asymptotics.expansions.normal_form.tau_polynomial import TauPolynomial
 from asymptotics.law import Oscillator
-from asymptotics.normal_form.tau_polynomial import TauPolynomial
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimals import directed_decimal
 from asymptotics.numbers.extremes import greatest

@@ -21,10 +21,10 @@ from flint import arb
 
 from asymptotics.bounds.local import BITS, Remainder, sizes_from
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.exact import exact_half_swing
-from asymptotics.half_swings.finite_majorant import majorant, widest
-from asymptotics.half_swings.quarter import half_swing
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.exact import exact_half_swing
+from asymptotics.expansions.half_swings.finite_majorant import majorant, widest
+from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Series

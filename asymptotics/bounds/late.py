@@ -24,14 +24,14 @@ from asymptotics.bounds.turning import turning_bounds
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError
 from asymptotics.flow.balls import size_of, upper
+from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states_from
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear_spring import LinearSpring
-from asymptotics.swing.panels import Panels
-from asymptotics.swing.sequence import Interpolated
+from asymptotics.return_map.panels import Panels
+from asymptotics.return_map.sequence import Interpolated
 
 ORDERS = {1: 7, 2: 5}
 """The order K of the jump, by the number of laws; 3 for more than two."""

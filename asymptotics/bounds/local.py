@@ -34,10 +34,10 @@ from typing import Any
 from flint import arb
 
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.finite_majorant import majorant, widest
-from asymptotics.half_swings.quarter import HalfSwing, half_swing
-from asymptotics.normal_form.flow import Flow, flow_of
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.finite_majorant import majorant, widest
+from asymptotics.expansions.half_swings.quarter import HalfSwing, half_swing
+from asymptotics.expansions.normal_form.flow import Flow, flow_of
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.decimals import directed_decimal
 from asymptotics.numbers.exact import ExactReal

@@ -23,6 +23,8 @@ from flint import arb
 from asymptotics.bounds.late import late_state
 from asymptotics.budget import DEFAULT_SECONDS, budget
 from asymptotics.errors import LimitError
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import first_from
 from asymptotics.flow.turning import Turning, rest
 from asymptotics.law import Oscillator
@@ -33,9 +35,7 @@ from asymptotics.numbers.decimals import bits_for, directed_decimal
 from asymptotics.numbers.exact import ExactReal, parse_rational
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.rationals import bounds
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear_spring import LinearSpring
-from asymptotics.swing.panels import panels_of
+from asymptotics.return_map.panels import panels_of
 
 LATE = 20_000
 """Half-swings beyond which the motion is reached by a jump, where every exponent is at least 1."""

@@ -10,8 +10,8 @@ from typing import Any
 
 from asymptotics.bounds.local import LocalBounds, local_bounds
 from asymptotics.bounds.uniform import Displacement, displacement_bound
-from asymptotics.equations.given import terms_of
 from asymptotics.errors import InputError
+from asymptotics.expansions.equations.given import terms_of
 from asymptotics.law import LawLike
 from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.present.shown import Shown

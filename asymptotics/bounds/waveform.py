@@ -35,9 +35,9 @@ from flint import arb
 from asymptotics.bounds.local import NEXT, Remainder, multinomial
 from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.quarter import half_swing
-from asymptotics.normal_form.flow import Flow, flow_of
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.quarter import half_swing
+from asymptotics.expansions.normal_form.flow import Flow, flow_of
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series, accumulate, monomials

@@ -32,17 +32,17 @@ from asymptotics.cli.files import add_csv, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.cli.quantities import PHYSICAL, add_physical, is_physical, read_oscillator
 from asymptotics.cli.rows import local_strengths, order_of, row_text, rows_csv
-from asymptotics.equations.build import expand
-from asymptotics.equations.result import Equations
 from asymptotics.errors import InputError
-from asymptotics.gauges import GAUGES, TURNING_POINT
-from asymptotics.law import Law
-from asymptotics.normal_form.closed_forms import (
+from asymptotics.expansions.equations.build import expand
+from asymptotics.expansions.equations.result import Equations
+from asymptotics.expansions.normal_form.closed_forms import (
     MAX_SYMBOLIC_ORDER,
     symbolic_coefficients,
     symbolic_with_spring,
 )
-from asymptotics.normal_form.results import Row, row_to_dict
+from asymptotics.expansions.normal_form.results import Row, row_to_dict
+from asymptotics.gauges import GAUGES, TURNING_POINT
+from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_integer, parse_real
 
 MAX_DIGITS, MAX_ORDER = 1000, 200

@@ -35,10 +35,10 @@ from asymptotics.cli.rows import (
     told,
 )
 from asymptotics.errors import InputError
-from asymptotics.half_swings.symbolic import symbolic_half_swing
-from asymptotics.normal_form.closed_forms import MAX_SYMBOLIC_ORDER
-from asymptotics.normal_form.coefficients import half_swing_coefficients
-from asymptotics.normal_form.results import Coefficient, row_to_dict
+from asymptotics.expansions.half_swings.symbolic import symbolic_half_swing
+from asymptotics.expansions.normal_form.closed_forms import MAX_SYMBOLIC_ORDER
+from asymptotics.expansions.normal_form.coefficients import half_swing_coefficients
+from asymptotics.expansions.normal_form.results import Coefficient, row_to_dict
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.turning.half_swing import half_swing_of_terms
 

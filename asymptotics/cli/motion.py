@@ -32,9 +32,9 @@ from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, 
 from asymptotics.cli.motion_files import csv_of, reference_is_near
 from asymptotics.cli.quantities import OVERLAY, Given, add_oscillator, overlaid, read_oscillator
 from asymptotics.cut_short import changed
-from asymptotics.divergence.truncation import BestOrder
-from asymptotics.equations.build import expand
 from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.expansions.divergence.truncation import BestOrder
+from asymptotics.expansions.equations.build import expand
 from asymptotics.gauges import GAUGES, TURNING_POINT
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import MAX_DIGITS as MAX_ASYMPTOTIC_DIGITS

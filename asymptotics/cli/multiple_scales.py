@@ -41,10 +41,10 @@ from asymptotics.cli.answer import Answer, add_common, add_digits, read_digits
 from asymptotics.cli.forces import add_forces, read_terms
 from asymptotics.cli.rows import strengths_given
 from asymptotics.errors import InputError
+from asymptotics.expansions.multiple_scales.orders import Order
+from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Law
-from asymptotics.multiscale.orders import Order
-from asymptotics.multiscale.symbolic import MultipleScales
 from asymptotics.numbers.exact import parse_integer, parse_real
 
 MAX_DIGITS = 300

@@ -16,8 +16,8 @@ from typing import Any
 
 from asymptotics.cli.files import csv_text
 from asymptotics.cli.forces import GivenTerms
-from asymptotics.normal_form.results import Coefficient, Row
-from asymptotics.normal_form.show import SHOWN_DIGITS, sum_latex
+from asymptotics.expansions.normal_form.results import Coefficient, Row
+from asymptotics.expansions.normal_form.show import SHOWN_DIGITS, sum_latex
 
 __all__ = [
     "Coefficient", "deltas_latex", "local_strengths", "order_of", "row_text", "rows_csv", "rows_latex",

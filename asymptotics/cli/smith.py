@@ -22,7 +22,7 @@ from asymptotics.cli.answer import Answer, add_common, add_digits, read_digits
 from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
 from asymptotics.costs import binomial_seconds, require_affordable
 from asymptotics.errors import InputError, LimitError
-from asymptotics.invariants.exact import coefficient, coefficients
+from asymptotics.motions.invariants.exact import coefficient, coefficients
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 from asymptotics.numbers.rationals import to_fmpq
 
@@ -116,7 +116,7 @@ def _coefficient(options: argparse.Namespace) -> dict[str, Any]:
 
 def _generating_function(options: argparse.Namespace) -> dict[str, Any]:
     i = _integer(options, "i", 0, MAX_G)
-    symbolic = import_module("asymptotics.invariants.symbolic")  # loads SymPy, which f and c do without
+    symbolic = import_module("asymptotics.motions.invariants.symbolic")  # loads SymPy, which f and c do without
     result = symbolic.generating_function(i).to_dict()
     text = f"G_{result['i']}(z) = {result['expression']}\nlimit of sin^i(theta) G_i at theta = pi: {result['limit']}"
     return {**result, "text": text}

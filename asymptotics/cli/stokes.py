@@ -15,7 +15,7 @@ from asymptotics.api.divergence import stokes
 from asymptotics.cli.answer import Answer, add_common, read_digits
 from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.rows import told
-from asymptotics.divergence.result import MAX_COUNT, MAX_DIGITS
+from asymptotics.expansions.divergence.result import MAX_COUNT, MAX_DIGITS
 from asymptotics.numbers.exact import parse_integer, parse_real
 
 

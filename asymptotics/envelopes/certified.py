@@ -38,7 +38,7 @@ from flint import acb, arb, fmpq
 from asymptotics.budget import tick
 from asymptotics.envelopes.numeric import NumericEnvelope
 from asymptotics.errors import InputError, LimitError
-from asymptotics.moments.certified import moment
+from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 

@@ -27,8 +27,8 @@ from asymptotics.envelopes import certified
 from asymptotics.envelopes.numeric import Array, NumericEnvelope
 from asymptotics.envelopes.symbolic import MEAN, SQUARING, require_averaging
 from asymptotics.errors import InputError
+from asymptotics.expansions.moments.symbolic import integer_moment
 from asymptotics.law import Oscillator
-from asymptotics.moments.symbolic import integer_moment
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number

@@ -3,7 +3,7 @@
 First-order averaging in the action-angle variables of the conservative oscillator (Sanders, Verhulst and Murdock,
 Averaging Methods in Nonlinear Dynamical Systems, 2007).
 
-With s = -ln xi the well gives (``straightening.wells``)
+With s = -ln xi the well gives (``expansions.straightening.wells``)
 
     ds/d tau = R(s)/Theta(s),      d psi/d tau = 1/Theta(s),      R = sum_i eps_i r_i,
 
@@ -34,9 +34,9 @@ from flint import acb, arb
 from asymptotics.budget import tick
 from asymptotics.envelopes.slow_flow import SlowLaw, SlowTable
 from asymptotics.errors import InputError
+from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.precision import TooWideError
-from asymptotics.straightening.wells import Loss, Well
 
 EVALUATIONS_PER_BIT = 200
 ROUGH_BITS = 64

@@ -19,7 +19,7 @@ epsilon |c(epsilon)|^(alpha-1).
 
 The coefficients live in the ring of the expansion: exact, balls, or SymPy expressions.
 
->>> from asymptotics.normal_form.expansion import exact_expansion
+>>> from asymptotics.expansions.normal_form.expansion import exact_expansion
 >>> cubic = laurent_envelope(exact_expansion((3,), 5))
 >>> cubic.q, cubic.r
 (1 + -15/512*d^2 + 45171/655360*d^4 + O(5), -45/256*d^2 + 7371/262144*d^4 + O(6))
@@ -35,9 +35,9 @@ from flint import arb, fmpq
 from sympy import Symbol, latex
 
 from asymptotics.errors import InputError
+from asymptotics.expansions.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.normal_form.expansion import Expansion
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.half_swings.pi_ring import PiNumber
-from asymptotics.normal_form.expansion import Expansion
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.series import Series, divided
 
@@ -98,7 +98,7 @@ class LaurentEnvelope:
     def numeric(self) -> "LaurentEnvelope":
         """With doubles as coefficients, for floats and NumPy arrays: heuristic, no enclosure.
 
-        >>> from asymptotics.normal_form.expansion import exact_expansion
+        >>> from asymptotics.expansions.normal_form.expansion import exact_expansion
         >>> envelope = laurent_envelope(exact_expansion((2,), 3)).numeric()
         >>> round(envelope.time(0.05, 0.1), 9)
         23.560635905

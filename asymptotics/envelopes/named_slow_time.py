@@ -6,7 +6,7 @@ nobody wants to see expanded.  In the unit 1/p_1 of time only p_k/p_1, Omega_k/p
 ..., Omega_2, ..., which the solution defines.
 
 >>> from asymptotics.envelopes.slow_time import epsilon
->>> from asymptotics.half_swings.symbolic import alpha
+>>> from asymptotics.expansions.half_swings.symbolic import alpha
 >>> relative, phase = named_slow_time(alpha, 4)
 >>> phase.coeff(epsilon, 1)
 -D*Omega_2/(p_1*(alpha - 1)) + Omega_2/(p_1*(alpha - 1))

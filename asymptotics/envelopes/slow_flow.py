@@ -30,7 +30,7 @@ from flint import acb, arb
 from asymptotics.budget import tick
 from asymptotics.envelopes.certified import EVALUATIONS_PER_BIT
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.half_swings.grading import Grading, may_vanish
+from asymptotics.expansions.half_swings.grading import Grading, may_vanish
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.series import Series
 

@@ -13,7 +13,7 @@ stop before epsilon^N, and that is the error at fixed slow time epsilon tau.
 
 alpha = 1: delta = epsilon for all time, A = exp(-epsilon tau/2) and phi = Omega(epsilon) tau.
 
->>> from asymptotics.multiscale.turning import turning_hierarchy
+>>> from asymptotics.expansions.multiple_scales.turning import turning_hierarchy
 >>> air = turning_hierarchy((2,), 4)
 >>> found = slow_time(fmpq(2), air.p, air.Omega)
 >>> amplitude, phase = expressions(found)
@@ -30,9 +30,9 @@ from flint import arb, fmpq
 from sympy import Add, Expr, Float, Pow, Symbol
 
 from asymptotics.envelopes.laurent import LaurentEnvelope, envelope_of_series
-from asymptotics.half_swings.pi_ring import PiNumber
-from asymptotics.normal_form.digits import expansions
-from asymptotics.normal_form.tau_polynomial import TauPolynomial
+from asymptotics.expansions.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.normal_form.digits import expansions
+from asymptotics.expansions.normal_form.tau_polynomial import TauPolynomial
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.decimals import MAX_DIGITS, bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal, require_integer

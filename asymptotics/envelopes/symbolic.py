@@ -29,7 +29,7 @@ from dataclasses import dataclass
 from sympy import Expr, Integer, Pow, S, Symbol, exp, latex, log, powsimp, simplify, sqrt, symbols
 
 from asymptotics.errors import InputError, require_choice
-from asymptotics.moments.symbolic import moment, squaring_moment
+from asymptotics.expansions.moments.symbolic import moment, squaring_moment
 
 MEAN = "mean"
 SQUARING = "squaring"

@@ -26,7 +26,7 @@ from flint import acb, arb
 
 from asymptotics.budget import tick
 from asymptotics.errors import InputError
-from asymptotics.moments.certified import moment
+from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.context import ctx
 from asymptotics.terms import Term
 

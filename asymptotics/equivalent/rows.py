@@ -21,6 +21,9 @@ from asymptotics.envelopes.large import SlowFlow
 from asymptotics.equivalent.cycle import FullSwing, expanded_swing, full_swing, swing_bits
 from asymptotics.equivalent.orbit import ConservativeOrbit
 from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.expansions.straightening.wells import Loss, Well
+from asymptotics.flow.wells.ends import require_inside
+from asymptotics.flow.wells.force import WellForce
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, directed_decimal
@@ -28,10 +31,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.rationals import bounds
 from asymptotics.present.shown import Page, Shown
-from asymptotics.straightening.wells import Loss, Well
 from asymptotics.terms import Term
-from asymptotics.wells.ends import require_inside
-from asymptotics.wells.force import WellForce
 
 QUANTITIES = ("zeta", "Q", "decrement", "energy_loss", "c_eq", "half_life")
 _GUARD, _DOUBLINGS = 24, 4

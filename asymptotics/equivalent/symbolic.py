@@ -24,7 +24,7 @@ from collections.abc import Callable, Sequence
 import sympy
 from sympy import Expr, Rational, pi
 
-from asymptotics.moments.symbolic import mean
+from asymptotics.expansions.moments.symbolic import mean
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.terms import Term
 

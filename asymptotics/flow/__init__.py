@@ -2,12 +2,13 @@
 
 The mass moves towards smaller u with the speed w >= 0; s_0 is the force of the springs less dry friction.  What is
 here is proved once for the linear spring (a nonexpansive flow), for every other well and for polynomial forces with
-gains.  The rooms ``swing`` and ``wells`` bring the forces, and what is known of the motions of each (a
-``CertifiedFlow``): the local expansion at a turning point, traps, closed forms, slow curves.
+gains.  The rooms within bring the forces, and what is known of the motions of each (a ``CertifiedFlow``): the local
+expansion at a turning point, traps, closed forms (``linear_spring``, ``wells``), slow curves (``slow_manifold``).
 
 ===============  =====================================================================================
 ``balls``        upper bounds, sizes in doubles, dyadic numbers
 ``force``        what the flow asks of a force
+``damping``      powers of the velocity alone in balls: N(w), and doubles that choose sizes
 ``composition``  power series put into the force, on a line or on a simplex of exponents
 ``taylor``       one Taylor step with its error by the residual (defect), the same for all forces
 ``times``        times added exactly; the state at a time next to a turning point

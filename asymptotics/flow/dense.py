@@ -7,8 +7,8 @@ time is read as its lower end and a width.
 
 >>> from flint import ctx
 >>> from asymptotics.law import Law
->>> from asymptotics.swing.linear_spring import LinearSpring
->>> from asymptotics.swing.damping import Damping
+>>> from asymptotics.flow.linear_spring.linear_spring import LinearSpring
+>>> from asymptotics.flow.damping import Damping
 >>> with ctx.workprec(90):
 ...     flow = LinearSpring(Damping.of_law(Law({"3/2": "1/10"})))
 ...     found = states(flow, arb(1), arb(0), [arb(0), arb(9)])

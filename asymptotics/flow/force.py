@@ -1,4 +1,4 @@
-"""What the certified flow asks of a force: of the linear spring (``swing.damping``), of any well (``wells.force``).
+"""What the certified flow asks of a force: of the linear spring (``flow.damping``), of any well (``flow.wells.force``).
 
     u' = -w,    w' = G(u, w) = u + sum c_j u^n_j + sum d_i u^m_i w^alpha_i      on one side of u = 0, w >= 0,
 

@@ -10,7 +10,7 @@ and memory stays flat.
 >>> from flint import ctx
 >>> from asymptotics.flow.turning import rest
 >>> from asymptotics.law import Law
->>> from asymptotics.wells.even_well import EvenWell
+>>> from asymptotics.flow.wells.even_well import EvenWell
 >>> with ctx.workprec(100):
 ...     pendulum = EvenWell.of(Law({1: "1/5"}, spring="pendulum").terms)
 ...     points = list(islice(sequence(pendulum, rest(arb(2))), 3))

@@ -18,7 +18,7 @@ Beside the linear spring the factor is 1.  The true motion may meanwhile have tu
 stay positive.
 
 >>> from asymptotics.law import Law
->>> from asymptotics.swing.damping import Damping
+>>> from asymptotics.flow.damping import Damping
 >>> with ctx.workprec(60):
 ...     law = Damping.of_law(Law({"3/2": "1/10"}))
 ...     step = TaylorStep.at(law, arb(0), arb(1), arb(1), arb(1))

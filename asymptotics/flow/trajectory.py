@@ -19,9 +19,9 @@ The two local expansions stay as well: beside the linear spring the wells' one, 
 rows of ``swing``, took 1.6 times as long for the exponent 2, 2.2 to 2.8 for 3/2 and 3.3 for sqrt(2) (80 bits).
 
 >>> from asymptotics.law import Law
->>> from asymptotics.swing.linear_spring import LinearSpring
->>> from asymptotics.swing.damping import Damping
->>> from asymptotics.wells.even_well import EvenWell
+>>> from asymptotics.flow.linear_spring.linear_spring import LinearSpring
+>>> from asymptotics.flow.damping import Damping
+>>> from asymptotics.flow.wells.even_well import EvenWell
 >>> with ctx.workprec(100):
 ...     *_, last = course(LinearSpring(Damping.of_law(Law({2: 1}))), arb(1), arb(0))
 ...     (last.turn + arb(0, last.miss)).str(20), last.time.str(20)

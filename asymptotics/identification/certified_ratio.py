@@ -26,15 +26,15 @@ from dataclasses import dataclass
 from flint import arb
 
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.exact import exact_half_swing
-from asymptotics.half_swings.quarter import half_swing
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.exact import exact_half_swing
+from asymptotics.expansions.half_swings.quarter import half_swing
+from asymptotics.flow.damping import Damping
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.extremes import greatest
+from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.series import Key
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.half_swing_map import integrated
 from asymptotics.terms import Term
 
 BITS = 80

@@ -15,12 +15,12 @@ import numpy as np
 import sympy
 from flint import arb, fmpq
 
-from asymptotics.half_swings.pi_ring import PI, PiNumber
+from asymptotics.expansions.half_swings.pi_ring import PI, PiNumber
+from asymptotics.expansions.normal_form.results import Coefficient, Row, row_to_dict
+from asymptotics.expansions.normal_form.show import sum_latex
 from asymptotics.law import Law
 from asymptotics.limit_cycles.certified import CertifiedCycle, certified_limit_cycle
 from asymptotics.limit_cycles.series import LimitCycleSeries, balanced_square, limit_cycle_series, require_polynomial
-from asymptotics.normal_form.results import Coefficient, Row, row_to_dict
-from asymptotics.normal_form.show import sum_latex
 from asymptotics.numbers.bridge import to_fraction, to_sympy
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal

@@ -15,14 +15,14 @@ from flint import acb, arb
 
 from asymptotics.envelopes.slow_flow import ExponentialSum, SlowLaw
 from asymptotics.errors import UndecidedError
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.half_swings.grading import LOSS
+from asymptotics.expansions.normal_form.expansion import Expansion, expansion_of
+from asymptotics.expansions.normal_form.flow import Flow
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.forces import Forces
-from asymptotics.half_swings.grading import LOSS
 from asymptotics.law import Oscillator
 from asymptotics.motions.waveform import waveform_at
-from asymptotics.normal_form.expansion import Expansion, expansion_of
-from asymptotics.normal_form.flow import Flow
 from asymptotics.numbers.context import ctx
 from asymptotics.series import Key
 

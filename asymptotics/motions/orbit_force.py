@@ -1,7 +1,7 @@
 """The forces along the formal orbit, by degree: F of the equations of the waveform (``waveform``).
 
 On 0 < psi < pi, with X/A = c P - s Q and |X'|/A = s g, g = P + (c/s) Q, and one member for each homogeneous force
-(``half_swings.forces``; side = +1 for a loss, -1 for a spring),
+(``expansions.half_swings.forces``; side = +1 for a loss, -1 for a spring),
 
     F = sum_j side_j ratio_j delta^key_j (s g)^v_j (X/A)^m_j.
 
@@ -17,7 +17,7 @@ from typing import Any
 
 from flint import arb
 
-from asymptotics.half_swings.forces import Forces
+from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, accumulate
 

@@ -24,8 +24,23 @@ from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds
 from asymptotics.costs import half_swing_seconds, interpolation_seconds
 from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
+from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states
+from asymptotics.flow.linear_spring.linear import ROUTE as CLOSED_ROUTE
+from asymptotics.flow.linear_spring.near_critical import (
+    creeping,
+    creeping_seconds,
+    faded_bits,
+    lingering,
+    lingering_seconds,
+    lost_until,
+    most_swings,
+)
 from asymptotics.flow.taylor import GUARD
+from asymptotics.flow.wells.ends import require_inside
+from asymptotics.flow.wells.even_well import EvenWell
+from asymptotics.flow.wells.force import WellForce
+from asymptotics.flow.wells.force import estimated_seconds as estimated_in_well
 from asymptotics.law import Oscillator, PhysicalLaw
 from asymptotics.motions.certify import certified_values, half_unit, time_of
 from asymptotics.motions.coulomb import coulomb_motion
@@ -37,23 +52,8 @@ from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear import ROUTE as CLOSED_ROUTE
-from asymptotics.swing.near_critical import (
-    creeping,
-    creeping_seconds,
-    faded_bits,
-    lingering,
-    lingering_seconds,
-    lost_until,
-    most_swings,
-)
-from asymptotics.swing.panels import panels_of
-from asymptotics.swing.sequence import Interpolated
-from asymptotics.wells.ends import require_inside
-from asymptotics.wells.even_well import EvenWell
-from asymptotics.wells.force import WellForce
-from asymptotics.wells.force import estimated_seconds as estimated_in_well
+from asymptotics.return_map.panels import panels_of
+from asymptotics.return_map.sequence import Interpolated
 
 METHOD = "reference: half-swing by half-swing, local expansions and Taylor steps in balls"
 CLOSED = f"reference: half-swing by half-swing, {CLOSED_ROUTE}, in balls"

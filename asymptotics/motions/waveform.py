@@ -24,8 +24,8 @@ Approximation Practice, Theorem 8.2), and summing from the left keeps the relati
 A power psi^top is e^(top l): on a half-width of 0.3 m/top its coefficients are I_k(0.3 m), from k = m on below 3.3^-m
 of its largest value.  Heuristic arithmetic (doubles, or midpoints of balls), no proved error.
 
->>> from asymptotics.half_swings.certified import quarter_swing
->>> from asymptotics.normal_form.expansion import expansion_of
+>>> from asymptotics.expansions.half_swings.certified import quarter_swing
+>>> from asymptotics.expansions.normal_form.expansion import expansion_of
 >>> from asymptotics.numbers.exact import ExactReal
 >>> flow = expansion_of(quarter_swing([ExactReal(2)], 3), arithmetic="certified").flow
 >>> Z = waveform_at(flow, Forces.losses((2,)), arb(1), 1)[(1,)]                    # Im Z_1 = -sin^(alpha+1)/(alpha+1)
@@ -41,11 +41,11 @@ from typing import Any
 import numpy as np
 from flint import arb, arb_mat
 
-from asymptotics.half_swings.forces import Forces
-from asymptotics.half_swings.grading import Grading
-from asymptotics.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.half_swings.grading import Grading
+from asymptotics.expansions.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.normal_form.flow import Flow
 from asymptotics.motions.orbit_force import OrbitForce
-from asymptotics.normal_form.flow import Flow
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.series import Key, accumulate
 

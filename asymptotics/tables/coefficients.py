@@ -5,8 +5,8 @@ from fractions import Fraction
 
 import sympy
 
-from asymptotics.normal_form.coefficients import expansion_coefficients, half_swing_coefficients
-from asymptotics.normal_form.results import Coefficient
+from asymptotics.expansions.normal_form.coefficients import expansion_coefficients, half_swing_coefficients
+from asymptotics.expansions.normal_form.results import Coefficient
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.cells import Cell, Formula, Nearest
 from asymptotics.tables.inputs import GRID, Inputs

@@ -5,8 +5,8 @@ from functools import partial
 
 from flint import arb
 
-from asymptotics.moments.certified import moment, squaring_ratio
-from asymptotics.moments.symbolic import integer_moment
+from asymptotics.expansions.moments.certified import moment, squaring_ratio
+from asymptotics.expansions.moments.symbolic import integer_moment
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.cells import Cell, Nearest

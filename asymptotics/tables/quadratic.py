@@ -7,9 +7,9 @@ import sympy
 from flint import arb, fmpq
 
 from asymptotics.budget import tick
-from asymptotics.invariants.certified import first_constant
-from asymptotics.invariants.exact import coefficients
-from asymptotics.invariants.symbolic import generating_functions
+from asymptotics.motions.invariants.certified import first_constant
+from asymptotics.motions.invariants.exact import coefficients
+from asymptotics.motions.invariants.symbolic import generating_functions
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.decimals import MAX_BITS, bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal

@@ -12,8 +12,8 @@ from sympy import Expr, Integer, Rational, latex
 from asymptotics.envelopes.certified import extinction_time, time
 from asymptotics.envelopes.symbolic import alpha, averaged_law
 from asymptotics.errors import InputError
+from asymptotics.expansions.moments.certified import moment
 from asymptotics.law import Law
-from asymptotics.moments.certified import moment
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal

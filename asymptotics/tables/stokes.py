@@ -2,7 +2,7 @@
 
 from flint import arb
 
-from asymptotics.divergence.result import action_of, pole_of, stokes_constants
+from asymptotics.expansions.divergence.result import action_of, pole_of, stokes_constants
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.cells import Cell, Nearest
 from asymptotics.tables.inputs import Inputs

@@ -9,10 +9,10 @@ from fractions import Fraction
 from typing import Any
 
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.expansions.normal_form.coefficients import expansion_coefficients
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
-from asymptotics.normal_form.coefficients import expansion_coefficients
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.public import public
 from asymptotics.testing.assertions import assert_digits

@@ -33,11 +33,11 @@ from math import inf
 from flint import arb
 
 from asymptotics.errors import InputError, UndecidedError
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.finite_majorant import BITS, Majorant, majorant, widest
-from asymptotics.half_swings.odd_abel import odd_solution
-from asymptotics.half_swings.quarter import half_swing
-from asymptotics.moments.certified import moment
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.finite_majorant import BITS, Majorant, majorant, widest
+from asymptotics.expansions.half_swings.odd_abel import odd_solution
+from asymptotics.expansions.half_swings.quarter import half_swing
+from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 

@@ -33,9 +33,9 @@ from typing import Any
 from flint import acb, arb
 
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.certified_zeros import certified_half_swing
-from asymptotics.half_swings.finite_majorant import BITS, Majorant, majorant, widest
-from asymptotics.normal_form.flow import flow_of
+from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
+from asymptotics.expansions.half_swings.finite_majorant import BITS, Majorant, majorant, widest
+from asymptotics.expansions.normal_form.flow import flow_of
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key

@@ -9,15 +9,15 @@ from dataclasses import dataclass
 
 from flint import arb
 
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
+from asymptotics.flow.linear_spring.near_critical import lost_bits, require_brief
 from asymptotics.flow.sequence import first_from
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.turning import Turning, rest
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.precision import at_growing_precision
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear_spring import LinearSpring
-from asymptotics.swing.near_critical import lost_bits, require_brief
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.table import Kept, Progress, Request, named, rounded
 

@@ -14,20 +14,20 @@ from dataclasses import replace
 from flint import arb
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.expansions.half_swings.finite_result import HalfSwingAt, SwingValue, certified_swing, require_strengths
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.ends import CREEPS, OVERDAMPED
+from asymptotics.flow.linear_spring.linear import ROUTE as CLOSED
 from asymptotics.flow.sequence import STICKS, swung
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.turning import rest
-from asymptotics.half_swings.finite_result import HalfSwingAt, SwingValue, certified_swing, require_strengths
+from asymptotics.flow.wells.ends import inside
+from asymptotics.flow.wells.even_well import EvenWell
+from asymptotics.flow.wells.force import WellForce
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.ends import CREEPS, OVERDAMPED
-from asymptotics.swing.half_swing_map import INTEGRATED, integrated
-from asymptotics.swing.linear import ROUTE as CLOSED
+from asymptotics.return_map.half_swing_map import INTEGRATED, integrated
 from asymptotics.terms import Term
-from asymptotics.wells.ends import inside
-from asymptotics.wells.even_well import EvenWell
-from asymptotics.wells.force import WellForce
 
 MAX_DELTA = 1000
 _ENDS = {STICKS: "sticks there", CREEPS: "creeps from there on", OVERDAMPED: "is overdamped"}

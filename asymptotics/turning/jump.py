@@ -22,9 +22,9 @@ from flint import arb
 
 from asymptotics.costs import flow_seconds, interpolation_seconds
 from asymptotics.errors import UndecidedError
+from asymptotics.expansions.half_swings.finite_majorant import widest
+from asymptotics.expansions.moments.certified import moment
 from asymptotics.flow.turning import Turning
-from asymptotics.half_swings.finite_majorant import widest
-from asymptotics.moments.certified import moment
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.abel import FOLLOWING, AbelFunction, abel_function

@@ -33,7 +33,7 @@ def half_period_series(order: int) -> list[fmpq]:
     """The coefficients of T(p) / pi through p^order; T is the duration of a half-swing that starts, or ends, at p.
 
     A half-swing that ends at q has the duration T(-q): both ends lie on one level.  Smith's series of the transit
-    time, sum H_i(pi) u^i (``invariants.symbolic``), gives the same numbers by another route.
+    time, sum H_i(pi) u^i (``motions.invariants.symbolic``), gives the same numbers by another route.
     """
     with ctx.workcap(order + 2):
         sigma, y = _sigma(), fmpq_series([0, 1], prec=order + 2)

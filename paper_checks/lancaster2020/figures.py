@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from sympy import Rational
 
 from asymptotics.envelopes.numeric import NumericEnvelope
-from asymptotics.moments.certified import moment
+from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.exact import parse_real
 from paper_checks.lancaster2020.model import exact_states
 

@@ -22,11 +22,11 @@ from math import cos, exp, log2, sin, sqrt
 import sympy
 from flint import arb
 
+from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import not_of_order, vanishes

@@ -5,10 +5,10 @@ from math import isnan
 from typing import Any
 
 from asymptotics.bounds.local import local_bounds
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.normal_form.coefficients import expansion_coefficients
+from asymptotics.expansions.normal_form.expansion import Expansion, exact_expansion, expansion_of
 from asymptotics.gauges import GAUGES
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.normal_form.coefficients import expansion_coefficients
-from asymptotics.normal_form.expansion import Expansion, exact_expansion, expansion_of
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.present.figures import render

@@ -1,6 +1,6 @@
 """How V_(k+2)/V_k grows beside its law, for the table of the report: in floats, heuristic.
 
->>> from asymptotics.normal_form.expansion import exact_expansion
+>>> from asymptotics.expansions.normal_form.expansion import exact_expansion
 >>> [(k, round(ratio, 3)) for k, ratio in growth_ratios(exact_expansion((3,), 31))][-3:]
 [(26, 0.883), (28, 0.892), (30, 0.899)]
 """
@@ -10,8 +10,8 @@ from typing import Any
 from flint import arb
 
 from asymptotics.errors import InputError
-from asymptotics.half_swings.pi_ring import PiNumber
-from asymptotics.normal_form.expansion import Expansion
+from asymptotics.expansions.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.normal_form.expansion import Expansion
 
 
 def growth_ratios(expansion: Expansion) -> list[tuple[int, float]]:

@@ -18,8 +18,8 @@ from typing import Any
 
 import numpy as np
 
+from asymptotics.expansions.moments.certified import moment
 from asymptotics.law import Oscillator
-from asymptotics.moments.certified import moment
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import reference_motion, reference_states
 from asymptotics.numbers.exact import ExactReal, parse_real

@@ -9,7 +9,7 @@ Three checks, in falling strength:
 * ``measured_order``: heuristic, in doubles.  The truncated L and T against a half-swing integrated numerically in
   theta: the error falls like delta^(N+1) or faster.
 
->>> from asymptotics.normal_form.expansion import exact_expansion
+>>> from asymptotics.expansions.normal_form.expansion import exact_expansion
 >>> expansion = exact_expansion((3,), 4, "averaging")
 >>> map_residual(expansion, exact_reference((3,), 4)), equation_residual((3,), 4, "averaging")
 (<Outcome.CONFIRMED: 'confirmed'>, <Outcome.CONFIRMED: 'confirmed'>)
@@ -27,13 +27,13 @@ import numpy as np
 from flint import arb, fmpq, fmpq_poly
 from scipy.integrate import solve_ivp
 
-from asymptotics.half_swings.exact import exact_quarter_swing
-from asymptotics.half_swings.forces import Forces, Given, Member
-from asymptotics.half_swings.fourier_flow import FourierFlow, fourier_flow
-from asymptotics.half_swings.grading import may_vanish
-from asymptotics.half_swings.pi_ring import PiNumber
-from asymptotics.half_swings.quarter import HalfSwing, half_swing
-from asymptotics.normal_form.expansion import Expansion
+from asymptotics.expansions.half_swings.exact import exact_quarter_swing
+from asymptotics.expansions.half_swings.forces import Forces, Given, Member
+from asymptotics.expansions.half_swings.fourier_flow import FourierFlow, fourier_flow
+from asymptotics.expansions.half_swings.grading import may_vanish
+from asymptotics.expansions.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.half_swings.quarter import HalfSwing, half_swing
+from asymptotics.expansions.normal_form.expansion import Expansion
 from asymptotics.series import Series
 from asymptotics.verdict import Outcome
 

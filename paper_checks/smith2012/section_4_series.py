@@ -57,7 +57,7 @@ def time_series_of_motion(start: Fraction, order: int) -> tuple[list[Fraction], 
     conditions="falling half-cycles; as a formal power series, and as a function wherever it converges",
     methods=("dz/dtau and (59), all orders", "Taylor series of the motion from rest at u = 1"),
     derivation="smith-time-series", line=7,
-    note="It converges for |z| < |2w/(1 + W_0(-e^(2w^2-1)))| and not beyond (asymptotics.invariants.certified), so"
+    note="It converges for |z| < |2w/(1 + W_0(-e^(2w^2-1)))| and not beyond (motions.invariants.certified), so"
     " never through a whole half-cycle: z is infinite where the acceleration vanishes. Form: z.",
 )
 def series_is_time(form: sympy.Expr) -> Outcome:
@@ -250,7 +250,7 @@ def degree(form: tuple[sympy.Expr | int, sympy.Expr]) -> Outcome:
     r"\left(\frac{\omega v}{\gamma v^2-\omega^2 x}\right)^n", printed=i + 1, near_miss=i + 2,
     conditions="formal power series; as a sum of numbers, absolute convergence of the double series",
     methods=(f"index sets compared, n <= {ROWS}",),
-    note="It converges absolutely exactly for |z| < 2|w|/(-1 - W_{-1}(-e^(-1-2w^2))) (asymptotics.invariants.certified."
+    note="It converges absolutely exactly for |z| < 2|w|/(-1 - W_{-1}(-e^(-1-2w^2))) (motions.invariants.certified."
     "absolute_radius), which is below 1: never near the point of greatest speed. Form: the first n of the inner sum.",
     derivation="smith-time-series",
 )

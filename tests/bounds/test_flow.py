@@ -8,9 +8,9 @@ from asymptotics.bounds import local
 from asymptotics.bounds.flow import TruncatedFlow
 from asymptotics.envelopes import certified, large
 from asymptotics.errors import UndecidedError
+from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.numbers.exact import parse_real
 from asymptotics.series import Series
-from asymptotics.straightening.wells import Loss, Well
 
 
 def made(p, Omega, order=2):

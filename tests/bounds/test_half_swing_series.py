@@ -5,9 +5,9 @@ from flint import arb, ctx
 
 from asymptotics.bounds.half_swing import disc, half_swing_series
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.damping import Damping
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.half_swing_map import integrated
+from asymptotics.return_map.half_swing_map import integrated
 
 EXPONENTS = [("2",), ("3/2",), ("0",), ("1/2",), ("3",), ("sqrt(2)",)]
 

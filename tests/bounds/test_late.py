@@ -11,15 +11,15 @@ from asymptotics.bounds.local import local_bounds
 from asymptotics.bounds.motion import LATE, _by_energy, enclosure
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.errors import LimitError
+from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.turning import Turning, rest
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear_spring import LinearSpring
-from asymptotics.swing.panels import panels_of
-from asymptotics.swing.sequence import Interpolated
+from asymptotics.return_map.panels import panels_of
+from asymptotics.return_map.sequence import Interpolated
 
 ONE = [parse_real("2", "alpha")]
 

@@ -8,9 +8,9 @@ from scipy.integrate import solve_ivp
 from asymptotics.bounds import local
 from asymptotics.bounds.local import Remainder, flow_majorant, local_bounds
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.damping import Damping
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.half_swing_map import integrated
+from asymptotics.return_map.half_swing_map import integrated
 
 
 def reals(*texts):

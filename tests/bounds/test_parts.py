@@ -9,13 +9,13 @@ from flint import arb, ctx
 from asymptotics.bounds import motion, turning
 from asymptotics.bounds.late import late_turning
 from asymptotics.bounds.turning import TurningBounds, rates, sensitivity, turning_bounds
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import Turning
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear_spring import LinearSpring
 
 DELTA = arb("0.25")
 TIGHT = arb(1e-9)

@@ -9,7 +9,7 @@ from flint import acb, arb, ctx
 
 from asymptotics.bounds.local import multinomial
 from asymptotics.bounds.waveform import _modulus, _Pieces, _size, _Waveform, waveform_bounds
-from asymptotics.half_swings.forces import Forces
+from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.motions.waveform import waveform_at
 from asymptotics.numbers.exact import parse_real
 from asymptotics.series import Series

@@ -13,7 +13,7 @@ from asymptotics.envelopes.certified import F
 from asymptotics.envelopes.explicit import explicit_amplitude
 from asymptotics.envelopes.symbolic import tau as tau_symbol
 from asymptotics.errors import InputError, LimitError
-from asymptotics.moments.certified import moment
+from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.exact import parse_real
 
 SETS = [

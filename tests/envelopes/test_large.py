@@ -14,12 +14,12 @@ from asymptotics.api.large import SpringEnvelope
 from asymptotics.cli.main import main
 from asymptotics.envelopes.large import SlowFlow, _Rate, _Turn
 from asymptotics.errors import InputError
-from asymptotics.half_swings.forces import Forces
-from asymptotics.moments.symbolic import mean
+from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.moments.symbolic import mean
+from asymptotics.expansions.straightening.series import straighten
+from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import parse_real
-from asymptotics.straightening.series import straighten
-from asymptotics.straightening.wells import Loss, Well
 from asymptotics.terms import Term
 
 WELLS = {  # well, its 2 (V(A) - V(x)) over sin^2, amplitude

@@ -9,11 +9,11 @@ from flint import arb, fmpq
 
 from asymptotics.envelopes.laurent import envelope_of_series, laurent_envelope
 from asymptotics.errors import InputError
-from asymptotics.half_swings.certified_zeros import certified_half_swing
-from asymptotics.half_swings.grading import may_vanish
-from asymptotics.normal_form.expansion import exact_expansion
-from asymptotics.normal_form.flow import flow_of
-from asymptotics.normal_form.symbolic import symbolic_expansion
+from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
+from asymptotics.expansions.half_swings.grading import may_vanish
+from asymptotics.expansions.normal_form.expansion import exact_expansion
+from asymptotics.expansions.normal_form.flow import flow_of
+from asymptotics.expansions.normal_form.symbolic import symbolic_expansion
 from asymptotics.numbers.exact import parse_real
 from asymptotics.series import Series, divided
 from tests.second_route.forced import quadratic_turning_points

@@ -19,9 +19,9 @@ from asymptotics.api.solution import A_0, D, epsilon, kappa, tau
 from asymptotics.cli.main import main
 from asymptotics.envelopes.named_slow_time import named_slow_time, rate_letters
 from asymptotics.errors import InputError
-from asymptotics.half_swings.symbolic import alpha as symbolic_alpha
-from asymptotics.multiscale.orders import a
-from asymptotics.normal_form.digits import certified_digits
+from asymptotics.expansions.half_swings.symbolic import alpha as symbolic_alpha
+from asymptotics.expansions.multiple_scales.orders import a
+from asymptotics.expansions.normal_form.digits import certified_digits
 from asymptotics.terms import Term
 
 _SLOW_ROWS = [("3", 3), ("4", 3), ("3/2", 3), ("1/2", 2), ("sqrt(2)", 4), ("5/2", 3), ("7/3", 2)]

@@ -19,9 +19,9 @@ from asymptotics.envelopes.symbolic import (
     x_0,
 )
 from asymptotics.errors import InputError
-from asymptotics.moments.symbolic import squaring_ratio
-from asymptotics.normal_form.symbolic import alpha as engine_alpha
-from asymptotics.normal_form.symbolic import omega_2
+from asymptotics.expansions.moments.symbolic import squaring_ratio
+from asymptotics.expansions.normal_form.symbolic import alpha as engine_alpha
+from asymptotics.expansions.normal_form.symbolic import omega_2
 
 ABOVE = 1 + sympy.Symbol("mu", positive=True)  # a symbolic exponent above 1
 OMEGA_0 = sqrt(k / m)

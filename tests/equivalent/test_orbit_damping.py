@@ -5,8 +5,8 @@ from flint import acb, arb, ctx
 
 from asymptotics.equivalent.orbit import ConservativeOrbit, Spring, _power
 from asymptotics.errors import InputError
+from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.law import Law
-from asymptotics.straightening.wells import Loss, Well
 
 WELLS = [
     ({"3/2": "1/10"}, "pendulum"), ({2: "1/10", 0: "1/7"}, "pendulum"), ({"1/2": "1/3"}, {3: "1/2"}),

@@ -2,10 +2,10 @@
 
 from flint import ctx
 
+from asymptotics.flow.damping import Damping
 from asymptotics.flow.force import Force
+from asymptotics.flow.wells.force import WellForce as Well
 from asymptotics.law import Law
-from asymptotics.swing.damping import Damping
-from asymptotics.wells.force import WellForce as Well
 
 LINEAR = {
     "free": {2: "1e-300"},

@@ -9,16 +9,16 @@ from flint import arb, ctx
 from asymptotics.errors import UndecidedError
 from asymptotics.flow import dense, parting
 from asymptotics.flow import trajectory as courses
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.parting import by_ratio, contracted, points_forward, state_gap
 from asymptotics.flow.sequence import after_kick, kicked, sticks
 from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import Turning
+from asymptotics.flow.wells.ends import _held, trap
+from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.law import Law
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear_spring import LinearSpring
-from asymptotics.wells.ends import _held, trap
-from asymptotics.wells.even_well import EvenWell
-from tests.wells.test_bounds import FORCES, FREE, force_of
+from tests.flow.wells.test_bounds import FORCES, FREE, force_of
 
 LAW = Law({1: "1/2"})
 LOSSY = force_of({1: "1/2"})

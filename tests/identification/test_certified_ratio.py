@@ -7,10 +7,10 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
+from asymptotics.flow.damping import Damping
 from asymptotics.identification import certified_ratio as module
 from asymptotics.identification.certified_ratio import CertifiedRatio
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.half_swing_map import integrated
+from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.terms import Term
 
 # Losses (alpha, m), their strengths, and how far Y is above the largest |L| on its circle.

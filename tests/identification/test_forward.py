@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.special import beta, ellipk, gamma
 
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.quarter import half_swing
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.identification.coefficients import loss, spring, swing_coefficients
 from asymptotics.identification.quadrature import TooStrongError, integrated_swings
 from asymptotics.identification.sequence import turning_sequence

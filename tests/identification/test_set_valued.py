@@ -10,8 +10,8 @@ from flint import arb, ctx
 import asymptotics as asy
 from asymptotics.cli.main import main
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.quarter import half_swing
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.identification.candidates import read_candidate
 from asymptotics.identification.central_point import chebyshev_point
 from asymptotics.identification.certified_ratio import CertifiedRatio, followed

@@ -7,17 +7,17 @@ from asymptotics.envelopes import certified as envelope
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.envelopes.large import SlowFlow
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.symbolic import nested_integral, nested_integral_exact
-from asymptotics.invariants import certified as constants
-from asymptotics.invariants.symbolic import generating_function
+from asymptotics.expansions.half_swings.symbolic import nested_integral, nested_integral_exact
+from asymptotics.expansions.moments.certified import moment, squaring_ratio
+from asymptotics.expansions.straightening import pendulum
+from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.law import Oscillator
 from asymptotics.limit_cycles.half_turn import half_turn
-from asymptotics.moments.certified import moment, squaring_ratio
 from asymptotics.motions.admission import local_strength
+from asymptotics.motions.invariants import certified as constants
+from asymptotics.motions.invariants.symbolic import generating_function
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.exact import parse_real
-from asymptotics.straightening import pendulum
-from asymptotics.straightening.wells import Loss, Well
 from asymptotics.terms import Term
 from tests.ladders.machine import Ladder
 
@@ -40,8 +40,8 @@ def flow(kind, *losses):
 
 
 AIR, DUFFING, DRY = ("pendulum", (7, 4, 0)), ("duffing", (7, 3, 0), (3, 2, 1)), ("pendulum", (7, 0, 0), (3, 2, 0))
-NEAR, FLOW = "asymptotics.straightening.wells.", "asymptotics.envelopes.large.SlowFlow."
-CERTIFIED, SMITH = "asymptotics.envelopes.certified.", "asymptotics.invariants.certified."
+NEAR, FLOW = "asymptotics.expansions.straightening.wells.", "asymptotics.envelopes.large.SlowFlow."
+CERTIFIED, SMITH = "asymptotics.envelopes.certified.", "asymptotics.motions.invariants.certified."
 
 
 def slow(name, kind, at, **more):
@@ -68,11 +68,17 @@ NUMBERS = [
         ("asymptotics.numbers.bridge.closed_form_ball",),
         lambda _: [closed_form_ball(sympy.exp(sympy.sqrt(2)) / 7 + sympy.cos(3) * sympy.pi ** sympy.Rational(1, 3))],
     ),
-    Ladder(("asymptotics.half_swings.pi_ring.PiNumber.ball",), lambda _: [nested_integral_exact(3).ball()], lost=20),
-    Ladder(("asymptotics.moments.certified.moment",), lambda x: [moment(x)], "2.3", stretch=2),
-    Ladder(("asymptotics.moments.certified.squaring_ratio",), lambda x: [squaring_ratio(x)], "2.3", stretch=3),
     Ladder(
-        ("asymptotics.half_swings.symbolic.nested_integral",),
+        ("asymptotics.expansions.half_swings.pi_ring.PiNumber.ball",),
+        lambda _: [nested_integral_exact(3).ball()],
+        lost=20,
+    ),
+    Ladder(("asymptotics.expansions.moments.certified.moment",), lambda x: [moment(x)], "2.3", stretch=2),
+    Ladder(
+        ("asymptotics.expansions.moments.certified.squaring_ratio",), lambda x: [squaring_ratio(x)], "2.3", stretch=3
+    ),
+    Ladder(
+        ("asymptotics.expansions.half_swings.symbolic.nested_integral",),
         lambda x: [nested_integral(x)],
         "2.3",
         20,
@@ -81,18 +87,20 @@ NUMBERS = [
         truth=160,
     ),
     Ladder(
-        ("asymptotics.invariants.symbolic.GeneratingFunction.scaled_at",),
+        ("asymptotics.motions.invariants.symbolic.GeneratingFunction.scaled_at",),
         lambda x: [generating_function(2).scaled_at(x)],
         "1.2",
         14,
         40,
     ),
     *(
-        Ladder(("asymptotics.straightening.pendulum." + f.__name__,), lambda x, f=f: [f(x)], "2.7", stretch=8)
+        Ladder(
+            ("asymptotics.expansions.straightening.pendulum." + f.__name__,), lambda x, f=f: [f(x)], "2.7", stretch=8
+        )
         for f in (pendulum.modulus, pendulum.half_period)
     ),
     Ladder(
-        ("asymptotics.straightening.pendulum.log_ratio",),
+        ("asymptotics.expansions.straightening.pendulum.log_ratio",),
         lambda x: [pendulum.log_ratio(arb(3) / 2, arb(1) / 7, x)],
         "2.7",
         stretch=8,

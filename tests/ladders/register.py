@@ -3,31 +3,39 @@
 Names = dict[str, str]
 
 LOCAL, TURNING, ORBIT = "tests/bounds/test_local.py", "tests/bounds/test_turning.py", "tests/bounds/test_orbit.py"
-PETAL = "tests/divergence/test_bounds.py"
-ORDERS = "tests/divergence/test_large_orders.py"
-HEIGHTS = "tests/divergence/test_constants.py::test_another_height_gives_the_same_numbers"
-ONE_LAW = "tests/half_swings/test_one_law.py"
+PETAL = "tests/expansions/divergence/test_bounds.py"
+ORDERS = "tests/expansions/divergence/test_large_orders.py"
+HEIGHTS = "tests/expansions/divergence/test_constants.py::test_another_height_gives_the_same_numbers"
+ONE_LAW = "tests/expansions/half_swings/test_one_law.py"
 LATE, FINITE, SLOW = (
     "tests/bounds/test_late.py",
-    "tests/half_swings/test_finite.py",
-    "tests/swing/test_creep_slow_curve.py",
+    "tests/expansions/half_swings/test_finite.py",
+    "tests/flow/slow_manifold/test_creep_slow_curve.py",
 )
 UNIFORM, AT_LARGEST = (
     "tests/bounds/test_uniform.py",
     "test_the_constant_for_all_strengths_is_the_bound_at_its_largest",
 )
-NEAR = "tests/swing/test_creep_near_equal.py"
-SETTLING, STEP = "tests/swing/test_onset.py", "tests/flow/test_taylor.py"
-KEPT, DISTANCE = "tests/swing/test_kept_radii.py", "tests/wells/test_distance_bounds.py"
-NEXT = "tests/wells/test_force_bounds.py"
-SWING, WELLS, PANELS = "tests/swing/test_bounds.py", "tests/wells/test_bounds.py", "tests/swing/test_panels.py"
-CHEBYSHEV, ABEL, FLOW = "tests/swing/test_chebyshev.py", "tests/turning/test_abel.py", "tests/turning/test_abel_flow.py"
-QUARTERS = "tests/swing/test_quarters.py"
+NEAR = "tests/flow/slow_manifold/test_creep_near_equal.py"
+SETTLING, STEP = "tests/flow/slow_manifold/test_onset.py", "tests/flow/test_taylor.py"
+KEPT, DISTANCE = "tests/flow/linear_spring/test_kept_radii.py", "tests/flow/wells/test_distance_bounds.py"
+NEXT = "tests/flow/wells/test_force_bounds.py"
+SWING, WELLS, PANELS = (
+    "tests/flow/linear_spring/test_bounds.py",
+    "tests/flow/wells/test_bounds.py",
+    "tests/return_map/test_panels.py",
+)
+CHEBYSHEV, ABEL, FLOW = (
+    "tests/return_map/test_chebyshev.py",
+    "tests/turning/test_abel.py",
+    "tests/turning/test_abel_flow.py",
+)
+QUARTERS = "tests/return_map/test_quarters.py"
 RATIO, QUADRATIC = "tests/identification/test_certified_ratio.py", "tests/turning/test_quadratic_abel.py"
 
 EXACT = "arithmetic of balls and nothing else: no truncation, no choice"
 CHOICE = "a choice that claims nothing"
-WAVES, COURSE = "tests/multiscale/test_waves.py", "tests/half_swings/test_course.py"
+WAVES, COURSE = "tests/expansions/multiple_scales/test_waves.py", "tests/expansions/half_swings/test_course.py"
 MIDPOINTS = "midpoints of the asymptotic motion, which is not certified"
 
 
@@ -53,38 +61,56 @@ BOUNDS: Names = {
         "greatest least",
         "tests/test_chosen_in_doubles.py::test_the_extremes_of_balls_hold_those_of_their_numbers",
     ),
-    **_each("swing.creep_slow_curve", "short_enough", f"{SLOW}::test_the_rest_is_what_the_cut_leaves"),
-    **_each("swing.creep_near_equal", "rest", f"{NEAR}::test_what_is_left_is_the_residual_of_the_curve"),
-    **_each("swing.creep_near_equal", "Grouped.size", f"{NEAR}::test_what_is_cut_off_the_sums_is_bounded"),
-    **_each("swing.slide", "sliding", "tests/swing/test_slide.py::test_the_strip_holds_every_state_that_enters"),
-    **_each("divergence.germ", "germ majorants", f"{PETAL}::test_the_numbers_of_a_petal_are_those_of_its_definition"),
+    **_each("flow.slow_manifold.creep_slow_curve", "short_enough", f"{SLOW}::test_the_rest_is_what_the_cut_leaves"),
+    **_each("flow.slow_manifold.creep_near_equal", "rest", f"{NEAR}::test_what_is_left_is_the_residual_of_the_curve"),
+    **_each("flow.slow_manifold.creep_near_equal", "Grouped.size", f"{NEAR}::test_what_is_cut_off_the_sums_is_bounded"),
     **_each(
-        "divergence.petal",
+        "flow.slow_manifold.slide",
+        "sliding",
+        "tests/flow/slow_manifold/test_slide.py::test_the_strip_holds_every_state_that_enters",
+    ),
+    **_each(
+        "expansions.divergence.germ",
+        "germ majorants",
+        f"{PETAL}::test_the_numbers_of_a_petal_are_those_of_its_definition",
+    ),
+    **_each(
+        "expansions.divergence.petal",
         "petal quadratic_bound Petal.tail",
         f"{PETAL}::test_the_numbers_of_a_petal_are_those_of_its_definition",
     ),
     **_each(
-        "divergence.half_step",
+        "expansions.divergence.half_step",
         "half_step at",
         f"{PETAL}::test_a_half_swing_at_complex_strength_holds_smiths_map",
     ),
     **_each(
-        "divergence.half_step", "tail share", f"{PETAL}::test_the_tail_of_cauchy_is_its_formula_and_ends_at_the_circle"
+        "expansions.divergence.half_step",
+        "tail share",
+        f"{PETAL}::test_the_tail_of_cauchy_is_its_formula_and_ends_at_the_circle",
     ),
-    **_each("divergence.rows", "rows_of", f"{ORDERS}::test_the_rows_of_the_abel_function_are_those_of_the_half_swing"),
-    **_each("divergence.rows", "corrections", f"{ORDERS}::test_the_first_correction_is_f"),
-    **_each("divergence.abel", "odd_series at at_height later", f"{PETAL}::test_what_an_orbit_leaves_out_is_bounded"),
-    **_each("half_swings.nodes", "node_quarter", f"{ONE_LAW}::test_the_balls_hold_those_of_the_sums"),
-    **_each("divergence.constants", "stokes_balls rough_petal", HEIGHTS),
+    **_each(
+        "expansions.divergence.rows",
+        "rows_of",
+        f"{ORDERS}::test_the_rows_of_the_abel_function_are_those_of_the_half_swing",
+    ),
+    **_each("expansions.divergence.rows", "corrections", f"{ORDERS}::test_the_first_correction_is_f"),
+    **_each(
+        "expansions.divergence.abel",
+        "odd_series at at_height later",
+        f"{PETAL}::test_what_an_orbit_leaves_out_is_bounded",
+    ),
+    **_each("expansions.half_swings.nodes", "node_quarter", f"{ONE_LAW}::test_the_balls_hold_those_of_the_sums"),
+    **_each("expansions.divergence.constants", "stokes_balls rough_petal", HEIGHTS),
     **_each(
         "bounds.local",
         "Remainder.constant Remainder.__call__ local_bounds",
         f"{LOCAL}::test_the_bounds_hold_and_half_of_them_would_not",
     ),
     **_each(
-        "half_swings.symbolic",
+        "expansions.half_swings.symbolic",
         "cauchy_bounds",
-        "tests/half_swings/test_symbolic.py::test_the_bounds_of_cauchy_on_the_circle_hold_and_are_near",
+        "tests/expansions/half_swings/test_symbolic.py::test_the_bounds_of_cauchy_on_the_circle_hold_and_are_near",
     ),
     **_each("bounds.local", "Remainder.beyond", f"{LOCAL}::test_what_lies_beyond_is_a_geometric_series"),
     **_each(
@@ -111,7 +137,7 @@ BOUNDS: Names = {
     **_each("bounds.flow", "TruncatedFlow.beyond", f"{UNIFORM}::test_what_is_reached_later_is_hardly_later"),
     **_each("bounds.orbit", "orbit_bounds", f"{ORBIT}::test_the_bounds_hold_and_half_of_them_would_not"),
     **_each(
-        "half_swings.finite_majorant",
+        "expansions.half_swings.finite_majorant",
         "Majorant.final Majorant.inverse Majorant.ratio majorant widest",
         f"{FINITE}::test_the_majorant_is_above_the_function_and_not_far_above",
     ),
@@ -120,20 +146,24 @@ BOUNDS: Names = {
     ),
     **_each("flow.taylor", "TaylorStep.residual discs", f"{STEP}::test_the_residual_of_a_step"),
     **_each("flow.taylor", "TaylorStep.box", f"{STEP}::test_the_box_of_a_step_holds_it"),
-    **_each("swing.damping", "Damping.largest", f"{STEP}::test_the_residual_of_a_step"),
-    **_each("swing.chebyshev", "cut", f"{CHEBYSHEV}::test_the_cut_is_attained_by_the_first_polynomial_left_out"),
-    **_each("swing.coordinate", "Coordinate.bounds", f"{PANELS}::test_a_ladder_of_panels"),
-    **_each("swing.damping", "Damping.strongest", f"{KEPT}::test_what_is_uncertain_at_a_time_is_a_distance"),
-    **_each("swing.expansion", "TurningExpansion.speed", f"{SWING}::test_a_wide_time_near_a_turning_point"),
+    **_each("flow.damping", "Damping.largest", f"{STEP}::test_the_residual_of_a_step"),
+    **_each("return_map.chebyshev", "cut", f"{CHEBYSHEV}::test_the_cut_is_attained_by_the_first_polynomial_left_out"),
+    **_each("return_map.coordinate", "Coordinate.bounds", f"{PANELS}::test_a_ladder_of_panels"),
+    **_each("flow.damping", "Damping.strongest", f"{KEPT}::test_what_is_uncertain_at_a_time_is_a_distance"),
     **_each(
-        "swing.expansion", "room", "tests/swing/test_short.py::test_half_of_the_drop_or_of_the_delay_would_be_wrong"
+        "flow.linear_spring.expansion", "TurningExpansion.speed", f"{SWING}::test_a_wide_time_near_a_turning_point"
     ),
-    **_each("swing.majorant", "majorant", f"{SWING}::test_the_majorant_is_attained_without_damping"),
-    **_each("swing.panel_plan", "Ellipse.ratio_bound verified", f"{PANELS}::test_a_ladder_of_panels"),
-    **_each("swing.quarters", "Path.on_ellipse", f"{QUARTERS}::test_the_bounds_on_the_ellipse"),
-    **_each("swing.quarters", "Path.drags", f"{QUARTERS}::test_the_drags_are_those_on_the_orbit"),
-    **_each("swing.quarters", "largest", f"{QUARTERS}::test_largest_is_an_upper_bound"),
-    **_each("swing.quarters", "peak", f"{QUARTERS}::test_the_peak_is_attained"),
+    **_each(
+        "flow.linear_spring.expansion",
+        "room",
+        "tests/flow/linear_spring/test_short.py::test_half_of_the_drop_or_of_the_delay_would_be_wrong",
+    ),
+    **_each("flow.linear_spring.majorant", "majorant", f"{SWING}::test_the_majorant_is_attained_without_damping"),
+    **_each("return_map.panel_plan", "Ellipse.ratio_bound verified", f"{PANELS}::test_a_ladder_of_panels"),
+    **_each("return_map.quarters", "Path.on_ellipse", f"{QUARTERS}::test_the_bounds_on_the_ellipse"),
+    **_each("return_map.quarters", "Path.drags", f"{QUARTERS}::test_the_drags_are_those_on_the_orbit"),
+    **_each("return_map.quarters", "largest", f"{QUARTERS}::test_largest_is_an_upper_bound"),
+    **_each("return_map.quarters", "peak", f"{QUARTERS}::test_the_peak_is_attained"),
     **_each(
         "turning.abel",
         "AbelFunction.defects AbelFunction.power_sum",
@@ -147,7 +177,7 @@ BOUNDS: Names = {
     **_each(
         "flow.trajectory",
         "Landing.gap Landing.late Piece.error",
-        "tests/wells/test_distance_bounds.py::test_a_landing_holds_the_orbits_of_both_ends",
+        "tests/flow/wells/test_distance_bounds.py::test_a_landing_holds_the_orbits_of_both_ends",
     ),
     **_each("flow.parting", "growth parting", f"{WELLS}::test_growth_is_attained_in_the_worst_direction"),
     **_each(
@@ -156,37 +186,47 @@ BOUNDS: Names = {
     **_each(
         "flow.parting",
         "state_gap",
-        "tests/wells/test_distance_bounds.py::test_the_gap_of_a_state_counts_place_and_speed",
+        "tests/flow/wells/test_distance_bounds.py::test_the_gap_of_a_state_counts_place_and_speed",
     ),
     **_each("flow.parting", "contracted", f"{WELLS}::test_turning_points_draw_together_at_most_as_the_bound_says"),
     **_each("flow.parting", "by_ratio", f"{SWING}::test_amplitudes_carry_their_error_by_contraction"),
     **_each(
         "flow.parting",
         "PartingErrors.plus PartingErrors.times PartingErrors.apart",
-        "tests/wells/test_distance_bounds.py::test_the_parts_of_a_landing",
+        "tests/flow/wells/test_distance_bounds.py::test_the_parts_of_a_landing",
     ),
     **_each("flow.sequence", "given_at", f"{DISTANCE}::test_turning_points_hold_those_of_every_start"),
-    **_each("wells.force", "WellForce.strongest", f"{DISTANCE}::test_an_uncertain_time_moves_a_state"),
+    **_each("flow.wells.force", "WellForce.strongest", f"{DISTANCE}::test_an_uncertain_time_moves_a_state"),
     **_each(
-        "wells.expansion", "WellExpansion.rate WellExpansion.speed", f"{NEXT}::test_the_rate_next_to_a_turning_point"
+        "flow.wells.expansion",
+        "WellExpansion.rate WellExpansion.speed",
+        f"{NEXT}::test_the_rate_next_to_a_turning_point",
     ),
-    **_each("wells.force", "WellForce.slope", f"{NEXT}::test_every_slope_is_in_the_ball_and_hardly_more"),
-    **_each("wells.force", "WellForce.largest_change", f"{NEXT}::test_the_change_of_the_force_is_attained"),
-    **_each("wells.force", "WellForce.largest", f"{NEXT}::test_the_largest_force_on_two_discs_is_attained"),
+    **_each("flow.wells.force", "WellForce.slope", f"{NEXT}::test_every_slope_is_in_the_ball_and_hardly_more"),
+    **_each("flow.wells.force", "WellForce.largest_change", f"{NEXT}::test_the_change_of_the_force_is_attained"),
+    **_each("flow.wells.force", "WellForce.largest", f"{NEXT}::test_the_largest_force_on_two_discs_is_attained"),
 }
 """Upper bounds, not enclosures -> the test in which half of them fails or that evaluates them again."""
 
 ELSEWHERE: Names = {
-    **_each("swing.sequence", "Interpolated.leap following", f"{PANELS}::test_a_ladder_of_panels"),
+    **_each("return_map.sequence", "Interpolated.leap following", f"{PANELS}::test_a_ladder_of_panels"),
     **_each("api.waves", "Waveforms.balls Waveforms.enclosed", f"{WAVES}::test_more_digits_are_narrower_and_overlap"),
-    **_each("half_swings.certified_course", "Course.slopes", f"{COURSE}::test_few_terms_are_enclosed_by_many"),
-    **_each("half_swings.certified_course", "course_series", f"{COURSE}::test_few_terms_are_enclosed_by_many"),
     **_each(
-        "multiscale.certified_waves",
+        "expansions.half_swings.certified_course", "Course.slopes", f"{COURSE}::test_few_terms_are_enclosed_by_many"
+    ),
+    **_each(
+        "expansions.half_swings.certified_course", "course_series", f"{COURSE}::test_few_terms_are_enclosed_by_many"
+    ),
+    **_each(
+        "expansions.multiple_scales.certified_waves",
         "waves_at wave_source",
         f"{WAVES}::test_more_digits_are_narrower_and_overlap",
     ),
-    **_each("multiscale.ring", "Wave.at", f"{WAVES}::test_the_balls_hold_the_polynomials_of_integer_exponents"),
+    **_each(
+        "expansions.multiple_scales.ring",
+        "Wave.at",
+        f"{WAVES}::test_the_balls_hold_the_polynomials_of_integer_exponents",
+    ),
     **_each(
         "equivalent.orbit",
         "ConservativeOrbit.of ConservativeOrbit.zeta ConservativeOrbit.quality ConservativeOrbit.decrement "
@@ -228,30 +268,38 @@ ELSEWHERE: Names = {
     ),
     **_each("motions.reference", "reference_states", "tests/motions/test_reference.py::test_a_ladder_of_digits"),
     **_each(
-        "swing.chebyshev", "interpolant Interpolant.__call__", f"{CHEBYSHEV}::test_rounded_coefficients_are_paid_for"
+        "return_map.chebyshev",
+        "interpolant Interpolant.__call__",
+        f"{CHEBYSHEV}::test_rounded_coefficients_are_paid_for",
     ),
-    **_each("swing.linear_spring", "Creep.own", f"{SLOW}::test_a_ladder_of_precisions"),
+    **_each("flow.linear_spring.linear_spring", "Creep.own", f"{SLOW}::test_a_ladder_of_precisions"),
     **_each(
-        "swing.half_swings",
+        "return_map.half_swings",
         "HalfSwings.__call__ HalfSwings.up_to",
         f"{QUARTERS}::test_half_swings_contain_the_pieces",
     ),
     **_each(
-        "swing.quarters",
+        "return_map.quarters",
         "Bundle.of NodeGrid.of NodeGrid.rates NodeGrid.slowness Path.along Path.enclosed quarter_swings",
         f"{QUARTERS}::test_a_ladder_of_closed_forms",
     ),
-    **_each("swing.spectral", "analysis integrals of_the_integral", f"{QUARTERS}::test_the_matrices_of_integration"),
-    **_each("swing.linear_spring", "Settling.own", f"{SETTLING}::test_a_ladder_of_precisions"),
-    **_each("swing.onset", "ForceCurve.place ForceCurve.clock settled", f"{SETTLING}::test_a_ladder_of_precisions"),
     **_each(
-        "swing.creep_near_equal",
+        "return_map.spectral", "analysis integrals of_the_integral", f"{QUARTERS}::test_the_matrices_of_integration"
+    ),
+    **_each("flow.linear_spring.linear_spring", "Settling.own", f"{SETTLING}::test_a_ladder_of_precisions"),
+    **_each(
+        "flow.slow_manifold.onset",
+        "ForceCurve.place ForceCurve.clock settled",
+        f"{SETTLING}::test_a_ladder_of_precisions",
+    ),
+    **_each(
+        "flow.slow_manifold.creep_near_equal",
         "StretchCurve.of StretchCurve.place StretchCurve.clock Scale.slope Grouped.slope grouped stretch",
         f"{NEAR}::test_a_ladder_of_precisions",
     ),
-    **_each("swing.panels", "Panel.passage laid_out", f"{PANELS}::test_a_ladder_of_panels"),
+    **_each("return_map.panels", "Panel.passage laid_out", f"{PANELS}::test_a_ladder_of_panels"),
     **_each(
-        "swing.creep_slow_curve",
+        "flow.slow_manifold.creep_slow_curve",
         "SlowCurve.a SlowCurve.place SlowCurve.clock Strip.state solve caught",
         f"{SLOW}::test_a_ladder_of_precisions",
     ),
@@ -275,18 +323,18 @@ ELSEWHERE: Names = {
 """Function -> the test that is its ladder."""
 
 NONE_NEEDED: Names = {
-    **_each("multiscale.certified_waves", "half_turns", EXACT),
+    **_each("expansions.multiple_scales.certified_waves", "half_turns", EXACT),
     **_each("bounds.local", "Remainder.largest_term LocalBounds.limit", CHOICE),
     **_each("bounds.local", "Remainder.known", EXACT),
     **_each("envelopes.slow_flow", "ExponentialSum.of Rate.terms SlowLaw.solve", MIDPOINTS),
-    **_each("half_swings.odd_abel", "odd_solution", EXACT),
-    **_each("half_swings.certified_moments", "divide", EXACT),
-    **_each("half_swings.certified_orders", "dot integrate_series", EXACT),
+    **_each("expansions.half_swings.odd_abel", "odd_solution", EXACT),
+    **_each("expansions.half_swings.certified_moments", "divide", EXACT),
+    **_each("expansions.half_swings.certified_orders", "dot integrate_series", EXACT),
     **_each("identification.certified_ratio", "CertifiedRatio.areas CertifiedRatio.gradient", EXACT),
     **_each(
         "identification.certified_ratio",
         "followed",
-        "ln of swing.half_swing_map.integrated, which has a ladder, at 53 bits",
+        "ln of return_map.half_swing_map.integrated, which has a ladder, at 53 bits",
     ),
     **_each("identification.table_rows", "RatioInequality.local exact rows_of", EXACT),
     **_each("motions.doubles", "Doubles.of", MIDPOINTS),
@@ -296,11 +344,11 @@ NONE_NEEDED: Names = {
     **_each("motions.frame", "Frame.neglected Frame.state State.turning_point State.point", MIDPOINTS),
     **_each("motions.stopping", "friction_arc", MIDPOINTS),
     **_each("motions.waveform", "waveform_at", MIDPOINTS),
-    **_each("swing.turning_point", "reach_at", CHOICE),
-    **_each("swing.damping", "Damping.of_law", "Damping.of for a law"),
+    **_each("flow.linear_spring.turning_point", "reach_at", CHOICE),
+    **_each("flow.damping", "Damping.of_law", "Damping.of for a law"),
     **_each("flow.balls", "dyadic", CHOICE),
     **_each("flow.balls", "upper", "rounds up, by arb.upper"),
-    **_each("divergence.result", "pole_of action_of", EXACT),
+    **_each("expansions.divergence.result", "pole_of action_of", EXACT),
     **_each(
         "limit_cycles.force",
         "PolynomialForce.of PolynomialForce.rest_powers PolynomialForce.loss_powers PolynomialForce.largest "
@@ -312,16 +360,18 @@ NONE_NEEDED: Names = {
         "flow.force", "Smooth.rate Smooth.rest_powers Smooth.loss_powers Smooth.largest Parting.slopes", "abstract"
     ),
     **_each("flow.force", "Force.viscous Force.rest Force.drag Force.strongest", "abstract"),
-    **_each("swing.damping", "Damping.rest_powers Damping.loss_powers", EXACT),
+    **_each("flow.damping", "Damping.rest_powers Damping.loss_powers", EXACT),
     **_each("flow.times", "exact_sum later", "exact by its precision"),
-    **_each("swing.half_swings", "Quarters.place", EXACT),
-    **_each("swing.quarters", "found moved", CHOICE),
-    **_each("swing.onset", "ForceCurve.sums spread", EXACT),
-    **_each("swing.creep_near_equal", "Scale.t Grouped.exponent", EXACT),
-    **_each("swing.creep_slow_curve", "Barrier.place Barrier.clock", "abstract"),
-    **_each("swing.panels", "Panels.serving panels_of", "hands out what laid_out made"),
+    **_each("return_map.half_swings", "Quarters.place", EXACT),
+    **_each("return_map.quarters", "found moved", CHOICE),
+    **_each("flow.slow_manifold.onset", "ForceCurve.sums spread", EXACT),
+    **_each("flow.slow_manifold.creep_near_equal", "Scale.t Grouped.exponent", EXACT),
+    **_each("flow.slow_manifold.creep_slow_curve", "Barrier.place Barrier.clock", "abstract"),
+    **_each("return_map.panels", "Panels.serving panels_of", "hands out what laid_out made"),
     **_each(
-        "turning.jump", "jumped jumped_by_flow", "the jumps of abel and abel_flow, which have ladders, in Turnings"
+        "turning.jump",
+        "jumped jumped_by_flow",
+        "the jumps of abel and abel_flow, which have ladders, in Turnings",
     ),
     **_each("bounds.remainder", "remainder", "local_bounds and displacement_bound, both registered, side by side"),
     **_each("turning.jump", "head_end", CHOICE),
@@ -342,13 +392,17 @@ NONE_NEEDED: Names = {
         "abstract",
     ),
     **_each("flow.trajectory", "CertifiedFlow.place CertifiedFlow.back", "a sum with the place of rest"),
-    **_each("wells.even_well", "EvenWell.unit unit_for", CHOICE),
-    **_each("wells.force", "WellForce.slopes", "WellForce.slope, and 0"),
-    **_each("swing.linear_spring", "LinearSpring.shift LinearSpring.unit", EXACT),
-    **_each("swing.linear_spring", "LinearSpring.closed LinearSpring.aside", "pieces, whose own orbits have ladders"),
-    **_each("wells.even_well", "EvenWell.of", "Force.of for a law"),
-    **_each("swing.damping", "Damping.slopes", EXACT),
-    **_each("wells.expansion", "reach_at", CHOICE),
-    **_each("wells.turning_point", "without_loss", CHOICE),
+    **_each("flow.wells.even_well", "EvenWell.unit unit_for", CHOICE),
+    **_each("flow.wells.force", "WellForce.slopes", "WellForce.slope, and 0"),
+    **_each("flow.linear_spring.linear_spring", "LinearSpring.shift LinearSpring.unit", EXACT),
+    **_each(
+        "flow.linear_spring.linear_spring",
+        "LinearSpring.closed LinearSpring.aside",
+        "pieces, whose own orbits have ladders",
+    ),
+    **_each("flow.wells.even_well", "EvenWell.of", "Force.of for a law"),
+    **_each("flow.damping", "Damping.slopes", EXACT),
+    **_each("flow.wells.expansion", "reach_at", CHOICE),
+    **_each("flow.wells.turning_point", "without_loss", CHOICE),
     **_each("flow.taylor", "sizes", EXACT),
 }

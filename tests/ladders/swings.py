@@ -4,29 +4,29 @@ from itertools import islice
 
 from flint import arb, ctx
 
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.certified_orders import elementary_series, sine_ratio_power
+from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
 from asymptotics.flow.balls import upper
+from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states, states_from
+from asymptotics.flow.linear_spring.expansion import TurningExpansion
+from asymptotics.flow.linear_spring.linear import LinearOrbit
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
+from asymptotics.flow.linear_spring.rows import rows_below
+from asymptotics.flow.linear_spring.turning_point import arrive
 from asymptotics.flow.sequence import first_from, sequence
+from asymptotics.flow.slow_manifold.slow_curve_series import summed, truncated
 from asymptotics.flow.taylor import GUARD, TaylorStep, coefficients
 from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import rest
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.certified_orders import elementary_series, sine_ratio_power
-from asymptotics.half_swings.certified_zeros import certified_half_swing
 from asymptotics.identification.certified_ratio import CertifiedRatio
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.chebyshev import coefficients as chebyshev
-from asymptotics.swing.chebyshev import nodes
-from asymptotics.swing.coordinate import Coordinate
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.expansion import TurningExpansion
-from asymptotics.swing.half_swing_map import integrated
-from asymptotics.swing.linear import LinearOrbit
-from asymptotics.swing.linear_spring import LinearSpring
-from asymptotics.swing.rows import rows_below
-from asymptotics.swing.slow_curve_series import summed, truncated
-from asymptotics.swing.turning_point import arrive
+from asymptotics.return_map.chebyshev import coefficients as chebyshev
+from asymptotics.return_map.chebyshev import nodes
+from asymptotics.return_map.coordinate import Coordinate
+from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.terms import Term
 from asymptotics.turning import drag_exact
 from asymptotics.turning.quadratic_duration import duration, elapsed
@@ -35,7 +35,8 @@ from tests.ladders.machine import Ladder
 
 ROOT, SUM = (("3/2", "1/5"),), (("0", "1/50"), ("sqrt(2)", "1/7"), ("3", "1/3"))
 SLOW, LINEAR = (("1/2", "1/9"), ("2", "1/3")), (("0", "1/50"), ("1", "1/3"))
-SWING, FLOW = "asymptotics.swing.", "asymptotics.flow."
+SPRING, FLOW, RETURN = "asymptotics.flow.linear_spring.", "asymptotics.flow.", "asymptotics.return_map."
+MANIFOLD = "asymptotics.flow.slow_manifold."
 DEAR = {"rungs": (20, 40, 80), "truth": 120}
 
 
@@ -145,11 +146,11 @@ def exact_swing(name, *arguments):
     return lambda x: [getattr(drag_exact.PrimitiveWell.of(spring), name)(*arguments, x)]
 
 
-def many(names, room=SWING):
+def many(names, room=SPRING):
     return tuple(room + name for name in names.split())
 
 
-LAW = many("damping.Damping.of damping.Damping.terms damping.Damping.resistance")
+LAW = many("damping.Damping.of damping.Damping.terms damping.Damping.resistance", FLOW)
 EXPANSION, STEP = (
     many("expansion.TurningExpansion.at expansion.TurningExpansion.state"),
     many("at shortened state", "asymptotics.flow.taylor.TaylorStep."),
@@ -157,10 +158,8 @@ EXPANSION, STEP = (
 OWN = (
     *many("Departure.own Step.own Landing.own Turned.time course", FLOW + "trajectory."),
     *many("linear_spring.LinearSpring.expansion linear_spring.LinearSpring.arrive"),
-    *many(
-        "expansion.TurningExpansion.acceleration expansion.TurningExpansion.moved damping.Damping.rest "
-        "damping.Damping.drag"
-    ),
+    *many("expansion.TurningExpansion.acceleration expansion.TurningExpansion.moved"),
+    *many("damping.Damping.rest damping.Damping.drag", FLOW),
     "asymptotics.flow.times.at_time",
 )
 SEQUENCE = many(
@@ -169,7 +168,7 @@ SEQUENCE = many(
 STATES, FROM = many("dense.states", FLOW), many("dense.states_from", FLOW)
 MAP, DURATION = "asymptotics.turning.quadratic_map.", "asymptotics.turning.quadratic_duration."
 EXACT = "asymptotics.turning.drag_exact.PrimitiveWell."
-ORDERS = "asymptotics.half_swings.certified_orders."
+ORDERS = "asymptotics.expansions.half_swings.certified_orders."
 
 PIECES = [
     Ladder(LAW, lambda x: [law(SUM).resistance(x), *law(SUM).terms(x)], stretch=4),
@@ -208,41 +207,45 @@ SEQUENCES = [
         least=20,
         **DEAR,
     ),
-    Ladder(many("half_swing_map.integrated half_swing_map.of_landing"), swung, lost=14, least=20, **DEAR),
+    Ladder(many("half_swing_map.integrated half_swing_map.of_landing", RETURN), swung, lost=14, least=20, **DEAR),
     Ladder(STATES, dense(ROOT), lost=16, stretch=12, least=20, **DEAR),
     Ladder(FROM, timed, "5", 16, 12, 20, **DEAR),
     *(
         Ladder(
-            many("coordinate.Coordinate.of coordinate.Coordinate.strengths coordinate.Coordinate.damping"),
+            many("coordinate.Coordinate.of coordinate.Coordinate.strengths coordinate.Coordinate.damping", RETURN),
             coordinate(p),
             lost=12,
             stretch=3,
         )
         for p in (ROOT, (("1/2", "1/9"), ("sqrt(3)", "1/7")))
     ),
-    Ladder(many("slow_curve_series.truncated slow_curve_series.summed"), slow_curve, "-8", 24, 2, 20),
+    Ladder(many("slow_curve_series.truncated slow_curve_series.summed", MANIFOLD), slow_curve, "-8", 24, 2, 20),
     Ladder(many("rows.rows_below"), rows, lost=6),
     Ladder(
-        many("chebyshev.nodes chebyshev.coefficients"),
+        many("chebyshev.nodes chebyshev.coefficients", RETURN),
         lambda x: [*nodes(5), *chebyshev([x * t for t in nodes(5)])],
         lost=6,
         stretch=4,
     ),
-    Ladder((SWING + "coordinate.Coordinate.__call__",), coordinate((("3", "1/7"),)), lost=12, stretch=5),
+    Ladder((RETURN + "coordinate.Coordinate.__call__",), coordinate((("3", "1/7"),)), lost=12, stretch=5),
 ]
 
 SERIES = [
     Ladder((ORDERS + "elementary_series",), lambda _: [c for f in elementary_series(9) for c in f.coeffs()]),
     Ladder((ORDERS + "sine_ratio_power",), lambda x: sine_ratio_power(x, 9).coeffs(), "2.3", stretch=2),
     Ladder(
-        ("asymptotics.half_swings.certified.quarter_swing", ORDERS + "power_series_ring", ORDERS + "bound_ring"),
+        (
+            "asymptotics.expansions.half_swings.certified.quarter_swing",
+            ORDERS + "power_series_ring",
+            ORDERS + "bound_ring",
+        ),
         series,
         lost=6,
         rungs=(10, 20, 40, 80),
         truth=160,
     ),
     Ladder(
-        ("asymptotics.half_swings.certified_zeros.certified_half_swing",),
+        ("asymptotics.expansions.half_swings.certified_zeros.certified_half_swing",),
         mapped,
         lost=8,
         rungs=(10, 20, 40, 80),

@@ -13,20 +13,22 @@ from benchmarks.bound_sites import sites
 from tests.ladders.walk import ROOT, trees
 
 ROOMS = {
-    "bounds", "comparison", "divergence", "envelopes", "equivalent", "flow", "half_swings", "identification",
-    "invariants", "limit_cycles", "moments", "motions", "normal_form", "numbers", "straightening", "swing", "turning",
-    "wells",
+    "bounds", "comparison", "envelopes", "equivalent", "expansions", "flow", "identification", "limit_cycles",
+    "motions", "numbers", "return_map", "turning",
 }  # fmt: skip
 
 WAVES, QUARTERS, SETTLING = (
-    f"tests/{name}.py" for name in ("bounds/test_waveform", "swing/test_quarters", "swing/test_onset")
+    f"tests/{name}.py" for name in ("bounds/test_waveform", "return_map/test_quarters", "flow/slow_manifold/test_onset")
 )
 
-LADDER, ENDS = "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it", "tests/wells/test_bounds.py"
+LADDER, ENDS = (
+    "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it",
+    "tests/flow/wells/test_bounds.py",
+)
 CYCLES = "tests/limit_cycles/test_limit_cycles.py::test_the_half_turn_encloses_and_bites"
 LATE = "tests/bounds/test_late.py"
 
-PETAL = "tests/divergence/test_bounds.py"
+PETAL = "tests/expansions/divergence/test_bounds.py"
 
 OWN = {
     "bounds.explicit._ExplicitTheorem._pieces": (
@@ -39,10 +41,11 @@ OWN = {
     "bounds.uniform._UniformTheorem._start": "tests/bounds/test_uniform.py::test_each_part_of_the_bound_counts",
     "bounds.waveform._between": f"{WAVES}::test_the_pieces_are_hulls_of_their_functions",
     "bounds.waveform._hulls": f"{WAVES}::test_the_pieces_are_hulls_of_their_functions",
-    "divergence.abel.later": f"{PETAL}::test_what_an_orbit_leaves_out_is_bounded",
-    "divergence.constants._solved": f"{PETAL}::test_a_tail_left_out_moves_the_constants",
-    "divergence.half_step.at": f"{PETAL}::test_a_half_swing_at_complex_strength_holds_smiths_map",
-    "swing.slide.sliding": "tests/swing/test_slide.py::test_what_the_strip_leaves_open_is_in_the_error_after_it",
+    "expansions.divergence.abel.later": f"{PETAL}::test_what_an_orbit_leaves_out_is_bounded",
+    "expansions.divergence.constants._solved": f"{PETAL}::test_a_tail_left_out_moves_the_constants",
+    "expansions.divergence.half_step.at": f"{PETAL}::test_a_half_swing_at_complex_strength_holds_smiths_map",
+    "flow.slow_manifold.slide.sliding": "tests/flow/slow_manifold/test_slide.py"
+    "::test_what_the_strip_leaves_open_is_in_the_error_after_it",
     "equivalent.orbit._power": "tests/equivalent/test_orbit_damping.py::test_the_size_of_a_power_near_zero_is_attained",
     "envelopes.certified._inverse": LADDER,
     "envelopes.certified.amplitude": "tests/envelopes/test_certified.py::test_too_little_precision_is_an_enclosure",
@@ -50,22 +53,23 @@ OWN = {
     "envelopes.large.SlowFlow._inverse": LADDER,
     "envelopes.large.SlowFlow.extinction_time": LADDER,
     "envelopes.large._power": "tests/envelopes/test_large.py::test_the_extinction_of_the_averaged_amplitude",
-    "half_swings.symbolic._integrate": LADDER,
+    "expansions.half_swings.symbolic._integrate": LADDER,
     "limit_cycles.certified._interval_newton": CYCLES,
     "motions.quadratic._angle": "tests/motions/test_exact.py::test_quadratic_motion_after_many_half_swings",
     "numbers.decimals.decimal_of_ball": (
         "tests/numbers/test_decimal_edges.py::test_a_ball_is_printed_when_both_exact_ends_round_alike_and_only_then"
     ),
     "numbers.rationals.bounds": "tests/numbers/test_bridge.py::test_bounds_enclose",
-    "swing.half_swings.HalfSwings.__call__": f"{QUARTERS}::test_the_residual_of_a_half_swing_is_what_it_is_off_by",
-    "swing.quarters.Bundle.of": f"{QUARTERS}::test_a_late_start_is_paid_for",
-    "swing.quarters.Path.along": f"{QUARTERS}::test_coefficients_that_are_dropped_count",
-    "swing.quarters.Path.enclosed": f"{QUARTERS}::test_the_error_is_made_of_its_parts",
-    "swing.quarters.Path.on_ellipse": f"{QUARTERS}::test_the_bounds_on_the_ellipse",
-    "swing.onset.ForceCurve.clock": f"{SETTLING}::test_the_time_on_the_curves_is_the_integral_of_their_slope",
-    "swing.onset.settled": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
+    "return_map.half_swings.HalfSwings.__call__": f"{QUARTERS}::test_the_residual_of_a_half_swing_is_what_it_is_off_by",
+    "return_map.quarters.Bundle.of": f"{QUARTERS}::test_a_late_start_is_paid_for",
+    "return_map.quarters.Path.along": f"{QUARTERS}::test_coefficients_that_are_dropped_count",
+    "return_map.quarters.Path.enclosed": f"{QUARTERS}::test_the_error_is_made_of_its_parts",
+    "return_map.quarters.Path.on_ellipse": f"{QUARTERS}::test_the_bounds_on_the_ellipse",
+    "flow.slow_manifold.onset.ForceCurve.clock": f"{SETTLING}"
+    "::test_the_time_on_the_curves_is_the_integral_of_their_slope",
+    "flow.slow_manifold.onset.settled": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
     "turning.jump._log": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
-    "wells.ends._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
+    "flow.wells.ends._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
     "flow.parting.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",
 }
 """Functions that widen a ball, none of whose lines is on the list -> the test of their own, in which the truth is
@@ -73,14 +77,14 @@ contained at few bits or the parts are evaluated again."""
 
 NO_BOUND = {
     "bounds.local._sharp": "asks whether radii are small enough",
-    "half_swings.finite_majorant._seems_to_exist": "balls as a key of a cache; the answer is in floats",
-    "half_swings.nodes._lost": "how wide the balls are; wider than wanted, they are made again",
+    "expansions.half_swings.finite_majorant._seems_to_exist": "balls as a key of a cache; the answer is in floats",
+    "expansions.half_swings.nodes._lost": "how wide the balls are; wider than wanted, they are made again",
     "identification.set_valued._searched": "boxes of doubles that are searched; what is claimed comes from table_rows",
     "motions.orbit_force.OrbitForce.__init__": "a union of sets",
     "motions.reference._within": "asks whether a radius is small enough",
     "numbers.pickling._make_arb": "the same ball, read and written",
     "numbers.pickling._reduce_arb": "the same ball, read and written",
-    "swing.slow_curve_series.truncated": "balls as a key of a cache",
+    "flow.slow_manifold.slow_curve_series.truncated": "balls as a key of a cache",
 }
 """Functions that name a radius or a hull, and bound nothing by it."""
 

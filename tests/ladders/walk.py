@@ -11,8 +11,8 @@ BALLS = {"arb", "acb", "arb_poly", "acb_poly", "arb_series", "acb_series", "arb_
 _WORD = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
 
 SERIES = (
-    "asymptotics.half_swings.certified.quarter_swing",
-    "asymptotics.half_swings.certified_zeros.certified_half_swing",
+    "asymptotics.expansions.half_swings.certified.quarter_swing",
+    "asymptotics.expansions.half_swings.certified_zeros.certified_half_swing",
 )
 """Their results are series of any coefficients by annotation, and balls in fact."""
 

@@ -9,11 +9,11 @@ from asymptotics.flow.sequence import first_from, sequence, swung
 from asymptotics.flow.taylor import TaylorStep, coefficients
 from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import rest
+from asymptotics.flow.wells.even_well import EvenWell
+from asymptotics.flow.wells.expansion import WellExpansion
+from asymptotics.flow.wells.force import WellForce
+from asymptotics.flow.wells.turning_point import arrive
 from asymptotics.law import Law
-from asymptotics.wells.even_well import EvenWell
-from asymptotics.wells.expansion import WellExpansion
-from asymptotics.wells.force import WellForce
-from asymptotics.wells.turning_point import arrive
 from tests.ladders.machine import Ladder
 from tests.ladders.swings import DEAR, many, near
 
@@ -93,7 +93,7 @@ def dense(given):
     return lambda x: [c for state in states(EvenWell(force(given)), arb(1) / 2, x, times) for c in state]
 
 
-WELLS_ROOM, FLOW = "asymptotics.wells.", "asymptotics.flow."
+WELLS_ROOM, FLOW = "asymptotics.flow.wells.", "asymptotics.flow."
 FORCE = many(
     "of pull grip rest drag acceleration potential viscous rest_powers loss_powers", WELLS_ROOM + "force.WellForce."
 )

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError, LimitError
-from asymptotics.half_swings.fourier_flow import fourier_flow
+from asymptotics.expansions.half_swings.fourier_flow import fourier_flow
 from asymptotics.law import Law
 from asymptotics.limit_cycles.certified import _at_rest, certified_limit_cycle
 from asymptotics.limit_cycles.half_turn import half_turn

@@ -7,12 +7,12 @@ from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.trajectory import course
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion, reference_states
 from asymptotics.numbers.exact import ExactReal, parse_real
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear_spring import LinearSpring
 from tests.second_route.local_expansion import Damping as OtherDamping
 from tests.second_route.orbit import orbit
 

@@ -8,12 +8,12 @@ from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import InputError
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.forces import Forces
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.normal_form.expansion import expansion_of
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.waveform import waveform_at
-from asymptotics.normal_form.expansion import expansion_of
 from asymptotics.terms import Term
 
 

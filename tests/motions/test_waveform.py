@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from flint import acb, arb, ctx
 
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.forces import Forces
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.normal_form.expansion import expansion_of
+from asymptotics.expansions.normal_form.flow import Flow
 from asymptotics.motions.waveform import WaveformTable, waveform_at
-from asymptotics.normal_form.expansion import expansion_of
-from asymptotics.normal_form.flow import Flow
 from asymptotics.numbers.exact import parse_real
 from asymptotics.series import Series
 

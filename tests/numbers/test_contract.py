@@ -13,18 +13,18 @@ import asymptotics
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.envelopes.slow_time import certified_slow_time
 from asymptotics.errors import InputError
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.invariants.exact import coefficient, coefficients
-from asymptotics.invariants.symbolic import generating_function
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.multiple_scales.symbolic import multiple_scales
+from asymptotics.expansions.normal_form.closed_forms import symbolic_coefficients
+from asymptotics.expansions.normal_form.coefficients import expansion_coefficients, half_swing_coefficients
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
+from asymptotics.motions.invariants.exact import coefficient, coefficients
+from asymptotics.motions.invariants.symbolic import generating_function
 from asymptotics.motions.linear import linear_motion
 from asymptotics.motions.quadratic import quadratic_motion
 from asymptotics.motions.reference import reference_motion
-from asymptotics.multiscale.symbolic import multiple_scales
-from asymptotics.normal_form.closed_forms import symbolic_coefficients
-from asymptotics.normal_form.coefficients import expansion_coefficients, half_swing_coefficients
 from asymptotics.numbers.decimals import certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.registry import build
@@ -109,14 +109,16 @@ def test_what_is_no_integer_in_range_is_refused_by_name(call, values):
 
 
 INTERNAL = {  # helpers whose digits come from the functions above
-    "asymptotics.comparison", "asymptotics.testing", "asymptotics.half_swings", "asymptotics.motions.certify",
-    "asymptotics.normal_form", "asymptotics.numbers", "asymptotics.swing", "asymptotics.tables",
+    "asymptotics.comparison", "asymptotics.testing", "asymptotics.expansions.half_swings",
+    "asymptotics.motions.certify",
+    "asymptotics.expansions.normal_form", "asymptotics.numbers", "asymptotics.flow.linear_spring", "asymptotics.tables",
     "asymptotics.equivalent",
-    "asymptotics.verdict", "asymptotics.cli", "asymptotics.equations", "asymptotics.turning.quadratic_map",
+    "asymptotics.verdict", "asymptotics.cli", "asymptotics.expansions.equations",
+    "asymptotics.turning.quadratic_map",
     "asymptotics.turning.drag_exact", "asymptotics.turning.routes", "asymptotics.turning.result",
     "asymptotics.turning.half_swing",
     "asymptotics.limit_cycles", "asymptotics.bounds", "asymptotics.api.evaluated", "asymptotics.api.started",
-    "asymptotics.multiscale.rates",
+    "asymptotics.expansions.multiple_scales.rates",
 }  # fmt: skip
 
 
@@ -140,10 +142,10 @@ def test_no_public_function_with_digits_is_forgotten():
         "closed_form_seconds",
         "quadratic_is_feasible",
         "reference_states",
-        "divergence.constants.effort",
-        "divergence.constants.stokes_balls",
-        "divergence.result.stokes_constants",
-        "divergence.result.rounds_to",
+        "expansions.divergence.constants.effort",
+        "expansions.divergence.constants.stokes_balls",
+        "expansions.divergence.result.stokes_constants",
+        "expansions.divergence.result.rounds_to",
     )
     assert not [name for name in forgotten if not name.endswith(allowed)]
 

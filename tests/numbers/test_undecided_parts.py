@@ -8,14 +8,14 @@ from flint import arb, ctx, fmpq_poly
 
 from asymptotics.envelopes import certified
 from asymptotics.errors import UndecidedError
-from asymptotics.half_swings.certified_zeros import is_pure_at
+from asymptotics.expansions.half_swings.certified_zeros import is_pure_at
+from asymptotics.flow.wells.expansion import WellExpansion
+from asymptotics.flow.wells.force import WellForce
 from asymptotics.law import Law
 from asymptotics.limit_cycles.series import _positive_roots
 from asymptotics.motions import quadratic
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.routes.dry import _first_amplitude
-from asymptotics.wells.expansion import WellExpansion
-from asymptotics.wells.force import WellForce
 
 
 def test_an_inversion_that_fails_says_all_that_is_known(monkeypatch):

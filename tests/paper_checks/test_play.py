@@ -11,7 +11,7 @@ import pytest
 from selenium.webdriver.common.by import By
 
 from asymptotics.cli.main import main
-from asymptotics.normal_form.coefficients import expansion_coefficients
+from asymptotics.expansions.normal_form.coefficients import expansion_coefficients
 from asymptotics.numbers.exact import parse_real
 from paper_checks.report.play import PRESETS, play_page
 

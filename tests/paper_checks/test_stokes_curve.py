@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from flint import arb
 
-from asymptotics.divergence.constants import stokes_balls
+from asymptotics.expansions.divergence.constants import stokes_balls
 from asymptotics.numbers.exact import parse_real
 from asymptotics.present.figures import render
 from paper_checks.report import stokes_curve

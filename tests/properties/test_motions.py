@@ -6,11 +6,11 @@ from flint import arb, ctx
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.testing import strategies
 from tests.properties.in_time import answered_in_time
 

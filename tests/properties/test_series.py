@@ -12,13 +12,13 @@ from flint import arb, ctx
 from hypothesis import assume, given, settings, target
 from hypothesis import strategies as st
 
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.exact import exact_half_swing
+from asymptotics.expansions.half_swings.quarter import half_swing
+from asymptotics.expansions.normal_form.expansion import exact_expansion, expansion_of
+from asymptotics.expansions.normal_form.flow import flow_of
+from asymptotics.expansions.normal_form.observables import observables
 from asymptotics.gauges import GAUGES
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.exact import exact_half_swing
-from asymptotics.half_swings.quarter import half_swing
-from asymptotics.normal_form.expansion import exact_expansion, expansion_of
-from asymptotics.normal_form.flow import flow_of
-from asymptotics.normal_form.observables import observables
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Series
 from asymptotics.testing import strategies

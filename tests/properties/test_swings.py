@@ -7,9 +7,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.damping import Damping
 from asymptotics.law import Law
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.half_swing_map import Passage, integrated
+from asymptotics.return_map.half_swing_map import Passage, integrated
 from asymptotics.testing import strategies
 from tests.properties.in_time import answered_in_time
 

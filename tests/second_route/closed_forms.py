@@ -4,10 +4,10 @@ from flint import arb
 from sympy import Expr, factor
 
 from asymptotics.errors import InputError
-from asymptotics.half_swings.symbolic import FIELD, field_half_swing, nested_integral, to_expression
-from asymptotics.moments.certified import moment as moment_ball
-from asymptotics.normal_form.flow import Flow, flow_of
-from asymptotics.normal_form.symbolic import _flow, _rates
+from asymptotics.expansions.half_swings.symbolic import FIELD, field_half_swing, nested_integral, to_expression
+from asymptotics.expansions.moments.certified import moment as moment_ball
+from asymptotics.expansions.normal_form.flow import Flow, flow_of
+from asymptotics.expansions.normal_form.symbolic import _flow, _rates
 from asymptotics.numbers.context import cache
 
 
@@ -20,7 +20,7 @@ def field_flow() -> Flow:
 def derived_coefficient(series: str, k: int) -> Expr:
     """U_k or W_k as the pipeline derives it, in SymPy.
 
-    >>> from asymptotics.normal_form.symbolic import symbolic_expansion
+    >>> from asymptotics.expansions.normal_form.symbolic import symbolic_expansion
     >>> derived_coefficient("W", 2) - symbolic_expansion()["W"][2]
     0
     """

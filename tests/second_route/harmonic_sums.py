@@ -1,9 +1,9 @@
-"""The certificates of the telescoping sums of ``multiscale.harmonics``, and the sums that only they need."""
+"""The certificates of the telescoping sums of ``multiple_scales.harmonics``, and the sums that only they need."""
 
 from sympy import Expr, Integer, Pow, gamma
 
-from asymptotics.moments.symbolic import mean, moment
-from asymptotics.multiscale.harmonics import harmonic
+from asymptotics.expansions.moments.symbolic import mean, moment
+from asymptotics.expansions.multiple_scales.harmonics import harmonic
 
 
 def harmonic_closed_form(alpha: Expr, n: Expr) -> Expr:

@@ -8,7 +8,7 @@ X - i X' is a (1 + Omega/2 + i p/2).  So the averaging gauge is one line away:
 
     A e^(i psi_av) = a e^(i psi) (1 + Omega(delta)/2 + i p(delta)/2).
 
->>> from asymptotics.multiscale.exact import odd_hierarchy
+>>> from asymptotics.expansions.multiple_scales.exact import odd_hierarchy
 >>> solved = odd_hierarchy((3,), 3)
 >>> flow_in(solved, "averaging").p, flow_in(solved, "turning-point").Omega
 (3/8*d + 567/8192*d^3 + O(4), -45/256*d^2 + O(4))
@@ -20,13 +20,13 @@ from dataclasses import replace
 
 from flint import fmpq
 
+from asymptotics.expansions.half_swings.pi_ring import PI, PiNumber
+from asymptotics.expansions.half_swings.quarter import HalfSwing
+from asymptotics.expansions.multiple_scales.exact import GAUGE, OddHierarchy
+from asymptotics.expansions.multiple_scales.initial import map_to_turning_points
+from asymptotics.expansions.normal_form.flow import Flow
+from asymptotics.expansions.normal_form.gauges import GaugeMap, identity_map, map_of_bracket
 from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
-from asymptotics.half_swings.pi_ring import PI, PiNumber
-from asymptotics.half_swings.quarter import HalfSwing
-from asymptotics.multiscale.exact import GAUGE, OddHierarchy
-from asymptotics.multiscale.initial import map_to_turning_points
-from asymptotics.normal_form.flow import Flow
-from asymptotics.normal_form.gauges import GaugeMap, identity_map, map_of_bracket
 from asymptotics.series import Series
 
 

@@ -5,7 +5,7 @@ Whole series are multiplied here, D X is formed from p, Omega and X as they stan
 p_3 = 567/8192 for x'^3 with the waveform for which 351/8192 is right.  The residual shows it, and shows its size,
 27/512 a^7 sin psi, which is the commutator of the slow derivatives.
 
->>> from asymptotics.multiscale.exact import odd_hierarchy
+>>> from asymptotics.expansions.multiple_scales.exact import odd_hierarchy
 >>> solved = odd_hierarchy((3,), 6)
 >>> equation_residual(solved)
 <Outcome.CONFIRMED: 'confirmed'>
@@ -19,8 +19,8 @@ from math import prod
 
 from flint import fmpq, fmpq_poly
 
-from asymptotics.half_swings.forces import Member
-from asymptotics.multiscale.exact import OddHierarchy, Part, in_eta, rotated, sign
+from asymptotics.expansions.half_swings.forces import Member
+from asymptotics.expansions.multiple_scales.exact import OddHierarchy, Part, in_eta, rotated, sign
 from asymptotics.series import Key, Series
 from asymptotics.verdict import Outcome
 

@@ -13,9 +13,9 @@ from math import ceil, log, log2
 from flint import arb, arb_poly
 
 from asymptotics.errors import LimitError, UndecidedError
-from asymptotics.half_swings.certified import RADIUS, enclose, tail_constants, truncated_sums
-from asymptotics.half_swings.finite_majorant import BITS, Majorant, majorant, widest
-from asymptotics.half_swings.forces import Forces
+from asymptotics.expansions.half_swings.certified import RADIUS, enclose, tail_constants, truncated_sums
+from asymptotics.expansions.half_swings.finite_majorant import BITS, Majorant, majorant, widest
+from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series

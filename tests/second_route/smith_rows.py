@@ -5,7 +5,7 @@ from math import comb
 
 from flint import fmpq_poly
 
-from asymptotics.invariants.exact import Row
+from asymptotics.motions.invariants.exact import Row
 
 
 def rows_by_rationals(last: int) -> list[Row]:

@@ -4,7 +4,7 @@ The derivative along the flow, D = (1 + Omega) d_psi - p E, is applied twice to 
 the recurrence of ``turning`` is used, neither its velocity nor its powers.  What must hold besides: x_k = 0 and
 (D X)_k = 0 at psi = 0 and psi = pi, and reversal, x_k(pi - psi) = -(-1)^l(k) x_k(psi).
 
->>> from asymptotics.multiscale.turning import turning_hierarchy
+>>> from asymptotics.expansions.multiple_scales.turning import turning_hierarchy
 >>> solved = turning_hierarchy((2,), 4)
 >>> turning_outcome(solved)
 <Outcome.CONFIRMED: 'confirmed'>
@@ -17,11 +17,11 @@ from dataclasses import replace
 
 from flint import fmpq as fmpq  # for the examples
 
-from asymptotics.half_swings.forces import Member
-from asymptotics.half_swings.pi_ring import PI as PI  # for the examples
-from asymptotics.half_swings.pi_ring import PiNumber
-from asymptotics.multiscale.ring import ONE, ZERO, Wave
-from asymptotics.multiscale.turning import Part, TurningHierarchy
+from asymptotics.expansions.half_swings.forces import Member
+from asymptotics.expansions.half_swings.pi_ring import PI as PI  # for the examples
+from asymptotics.expansions.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.multiple_scales.ring import ONE, ZERO, Wave
+from asymptotics.expansions.multiple_scales.turning import Part, TurningHierarchy
 from asymptotics.series import Key
 from asymptotics.verdict import Outcome
 

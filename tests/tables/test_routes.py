@@ -17,7 +17,7 @@ import pytest
 import sympy
 from scipy.integrate import quad, solve_ivp
 
-from asymptotics.divergence.constants import stokes_balls
+from asymptotics.expansions.divergence.constants import stokes_balls
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.tables.inputs import Inputs

@@ -7,12 +7,12 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import InputError, UndecidedError
+from asymptotics.expansions.half_swings.finite_majorant import majorant
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import rest
-from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.linear_spring import LinearSpring
 from asymptotics.turning import abel, jump
 from asymptotics.turning.abel import Approximant, abel_function
 from asymptotics.turning.jump import jumped

@@ -10,13 +10,13 @@ from flint import acb, arb, ctx
 from scipy.integrate import quad, solve_ivp
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.damping import Damping
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import rest
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.swing.damping import Damping
-from asymptotics.swing.panels import Panels
-from asymptotics.swing.sequence import Interpolated
+from asymptotics.return_map.panels import Panels
+from asymptotics.return_map.sequence import Interpolated
 from asymptotics.turning.abel_flow import abel_flow
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.jump import planned

@@ -5,8 +5,8 @@ from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import InputError, LimitError
-from asymptotics.half_swings.certified import quarter_swing
-from asymptotics.half_swings.quarter import half_swing
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.turning import enclosing

@@ -9,8 +9,8 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
+from asymptotics.expansions.half_swings.finite_majorant import majorant
 from asymptotics.flow.turning import Turning
-from asymptotics.half_swings.finite_majorant import majorant
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning import drag_exact, jump, table

@@ -7,10 +7,10 @@ import pytest
 
 from asymptotics.budget import budget
 from asymptotics.errors import LimitError
+from asymptotics.flow.linear_spring.near_critical import creeping, faded_bits, fading, lingering, lost_bits
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions import reference
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.swing.near_critical import creeping, faded_bits, fading, lingering, lost_bits
 from asymptotics.turning.choose import turning_points
 
 NEAR = Law({1: "1.95", 2: "1/10"})

@@ -11,10 +11,10 @@ from operator import attrgetter
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.half_swing_map import INTEGRATED
-from asymptotics.swing.panels import ROUTE as INTERPOLATED
-from asymptotics.swing.panels import panels_of
-from asymptotics.swing.sequence import Interpolated
+from asymptotics.return_map.half_swing_map import INTEGRATED
+from asymptotics.return_map.panels import ROUTE as INTERPOLATED
+from asymptotics.return_map.panels import panels_of
+from asymptotics.return_map.sequence import Interpolated
 from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.jump import head_end, jumped_by_flow, planned
 from asymptotics.turning.result import TurningPoints

@@ -11,8 +11,8 @@ from asymptotics.costs import jump_seconds
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.panels import panels_of
-from asymptotics.swing.sequence import Interpolated
+from asymptotics.return_map.panels import panels_of
+from asymptotics.return_map.sequence import Interpolated
 from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.jump import head_of, jumped
 from asymptotics.turning.result import TurningPoints

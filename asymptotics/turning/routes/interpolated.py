@@ -1,6 +1,6 @@
 """Route "interpolated": powers of the velocity beside the linear spring, many half-swings.
 
-The return map is interpolated in the amplitude (``swing.panels``): the nodes cost as much as some dozens of half-swings
+The return map is interpolated in the amplitude (``return_map.panels``): the nodes cost as much as dozens of half-swings
 by pieces, or one collocation of the quarter-swing; each half-swing then takes some hundredths of a millisecond.  It
 serves where the local strengths are small enough for the majorant, and pays where the half-swings repay the nodes.
 
@@ -9,13 +9,13 @@ serves where the local strengths are small enough for the majorant, and pays whe
 (True, True)
 """
 
+from asymptotics.flow.linear_spring.near_critical import most_swings
 from asymptotics.flow.sequence import sequence
 from asymptotics.numbers.context import ctx
-from asymptotics.swing.half_swing_map import INTEGRATED
-from asymptotics.swing.near_critical import most_swings
-from asymptotics.swing.panels import COLLOCATED, panels_of
-from asymptotics.swing.panels import ROUTE as INTERPOLATED
-from asymptotics.swing.sequence import Interpolated
+from asymptotics.return_map.half_swing_map import INTEGRATED
+from asymptotics.return_map.panels import COLLOCATED, panels_of
+from asymptotics.return_map.panels import ROUTE as INTERPOLATED
+from asymptotics.return_map.sequence import Interpolated
 from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route

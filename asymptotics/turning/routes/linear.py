@@ -19,8 +19,8 @@ from fractions import Fraction
 from flint import arb
 
 from asymptotics.costs import closed_form_seconds
+from asymptotics.flow.linear_spring.ends import OVERDAMPED
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.swing.ends import OVERDAMPED
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
 from asymptotics.turning.table import Kept, Progress, Request

@@ -20,23 +20,23 @@ at a rate that is bounded (room ``wells``).
 from asymptotics.budget import require_seconds
 from asymptotics.costs import half_swing_seconds, interpolation_seconds, stiff_seconds
 from asymptotics.errors import InputError, LimitError
+from asymptotics.flow.linear_spring.linear import ROUTE as CLOSED
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
+from asymptotics.flow.linear_spring.near_critical import most_swings
 from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.turning import Turning, rest
+from asymptotics.flow.wells.ends import require_inside
+from asymptotics.flow.wells.even_well import EvenWell
+from asymptotics.flow.wells.force import WellForce, estimated_seconds
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
-from asymptotics.swing.half_swing_map import INTEGRATED
-from asymptotics.swing.linear import ROUTE as CLOSED
-from asymptotics.swing.linear_spring import LinearSpring
-from asymptotics.swing.near_critical import most_swings
-from asymptotics.swing.panels import panels_of
+from asymptotics.return_map.half_swing_map import INTEGRATED
+from asymptotics.return_map.panels import panels_of
 from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.table import Progress, Request
-from asymptotics.wells.ends import require_inside
-from asymptotics.wells.even_well import EvenWell
-from asymptotics.wells.force import WellForce, estimated_seconds
 
 MAX_DIGITS, MAX_LAST = 1000, 100_000
 METHOD = "half-swing by half-swing in the well, local expansions and Taylor steps in balls"

@@ -1,0 +1,71 @@
+"""From whatever names a law to its equations: an exponent, a list of them, a law, an oscillator, or "symbolic".
+
+>>> expand(3, order=3, gauge="no-first-harmonic").Omega[2].exact
+'9/256'
+>>> expand(["1", "2"], order=2).Omega[1, 1].exact
+'-8/(9*pi)'
+>>> expand("symbolic", order=2).Omega[2].exact
+'-alpha**2*gamma(alpha + 1/2)/(sqrt(pi)*(alpha + 1)**2*gamma(alpha + 1))'
+>>> expand(1.5) == expand("3/2"), expand(1.5).notes
+(True, ('alpha: the float 1.5 was read as 3/2',))
+"""
+
+from typing import Any
+
+from asymptotics.errors import InputError, require_flag
+from asymptotics.expansions.equations.given import terms_of
+from asymptotics.expansions.equations.result import Equations
+from asymptotics.expansions.equations.row import CoefficientRow
+from asymptotics.expansions.half_swings.symbolic import alpha
+from asymptotics.expansions.normal_form.closed_forms import symbolic_coefficients
+from asymptotics.expansions.normal_form.coefficients import expansion_coefficients
+from asymptotics.expansions.normal_form.results import Coefficients
+from asymptotics.gauges import TURNING_POINT, require_gauge
+from asymptotics.law import LawLike, SpringLike
+from asymptotics.numbers.policy import Number, exact_integer, exact_seconds
+from asymptotics.public import public
+from asymptotics.terms import Term
+
+MAX_ORDER, MAX_DIGITS, MAX_TERMS = 200, 1000, 4
+
+
+@public
+def expand(
+    law: LawLike, *, order: int = 4, gauge: str = TURNING_POINT, digits: int = 30, spring: SpringLike | None = None,
+    exact: bool = False, max_seconds: Number = 60,
+) -> Equations:  # fmt: skip
+    """The amplitude and phase equations through delta^order (derivations ``half-swing-equations``, ``no-logarithms``).
+
+    ``law``: an exponent (the coefficients need no strength), a list of exponents, a ``Law`` or mapping (epsilons), an
+    ``Oscillator`` (then amplitudes are in metres and times in seconds), or "symbolic".  ``digits`` correctly rounded
+    significant digits of every coefficient; ``exact=True`` demands exact ones (integer exponents).
+    InputError for anything else; LimitError when the estimate is above ``max_seconds``; UndecidedError where balls
+    cannot round a coefficient.
+    """
+    N, D = exact_integer(order, "order", 1, MAX_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
+    seconds = exact_seconds(max_seconds)
+    require_gauge(gauge)
+    require_flag(exact, "exact")
+    if isinstance(law, str) and law.strip() == "symbolic":
+        if exact or spring is not None:
+            raise InputError("alpha", "symbolic stands alone", "one law, in closed form")
+        return _symbolic(N, gauge, D)
+    terms, strengths, oscillator, notes = terms_of(law, spring)
+    if len(terms) > MAX_TERMS:
+        raise InputError("law", f"{len(terms)} different terms are too many", f"at most {MAX_TERMS}")
+    found = expansion_coefficients(terms, N, D, gauge, exact_only=exact, max_seconds=seconds)
+    return _equations(found, terms, law=strengths, oscillator=oscillator, notes=notes)
+
+
+def _symbolic(order: int, gauge: str, digits: int) -> Equations:
+    return _equations(symbolic_coefficients(order, gauge, digits), (), symbol=alpha)
+
+
+def _equations(found: Coefficients, terms: tuple[Term, ...], **rest: Any) -> Equations:
+    """The one result that every route ends in."""
+    p, Omega = (CoefficientRow({_key(k): c for k, c in row.items()}) for row in (found.amplitude, found.frequency))
+    return Equations(terms, found.gauge, found.order, found.arithmetic, p, Omega, **rest)
+
+
+def _key(key: str) -> tuple[int, ...]:
+    return tuple(int(k) for k in key.split(","))

@@ -1,0 +1,250 @@
+"""Coefficients as text: certified decimals, and the exact form where there is one, for any exponents and any gauge.
+
+Integer exponents are computed exactly (``half_swings.exact``), all others in balls (``half_swing.certified``).  For
+these the lowest coefficients have closed forms in moments (``expansions.normal_form.symbolic``), reported beside them.
+
+>>> from asymptotics.numbers import parse_real
+>>> found = expansion_coefficients([parse_real("2", "alpha")], 2, 12)
+>>> found.amplitude, found.frequency
+({'1': Coefficient(value='0.424413181578', expression=4/(3*pi))},
+ {'2': Coefficient(value='-0.166666666667', expression=-1/6)})
+>>> found = expansion_coefficients([parse_real("3/2", "alpha")], 2, 12)
+>>> found.frequency["2"]
+Coefficient(value='-0.152788745368', expression=-12/(25*pi))
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from math import inf
+from typing import Any
+
+import sympy
+
+from asymptotics.budget import budget, seconds_left
+from asymptotics.errors import InputError
+from asymptotics.expansions.half_swings.certified import quarter_swing
+from asymptotics.expansions.half_swings.exact import exact_half_swing
+from asymptotics.expansions.half_swings.forces import Forces, Given
+from asymptotics.expansions.half_swings.pi_ring import PiNumber
+from asymptotics.expansions.half_swings.symbolic import alpha
+from asymptotics.expansions.normal_form.digits import certified_digits, round_all
+from asymptotics.expansions.normal_form.expansion import (
+    MAX_SECONDS,
+    estimated_seconds,
+    exact_expansion,
+    expansion_of,
+    require_size,
+)
+from asymptotics.expansions.normal_form.flow import flow_of
+from asymptotics.expansions.normal_form.results import ZERO, Coefficient, Coefficients, HalfSwingCoefficients, Row
+from asymptotics.expansions.normal_form.spring_terms import first_order, second_order_p
+from asymptotics.expansions.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
+from asymptotics.gauges import TURNING_POINT, require_gauge
+from asymptotics.numbers.bridge import to_fraction, to_sympy
+from asymptotics.numbers.decimals import MAX_DIGITS, certified_decimal, rational_decimal
+from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.series import Key, Series, monomials
+from asymptotics.terms import Term
+
+
+def expansion_coefficients(
+    given: Given,
+    order: int,
+    digits: int,
+    gauge: str = TURNING_POINT,
+    *,
+    exact_only: bool = False,
+    max_seconds: float = MAX_SECONDS,
+) -> Coefficients:
+    """p_k and Omega_k of one law or a sum, in any gauge.
+
+    Raises InputError for bad exponents, or with ``exact_only`` where no exact form exists; LimitError where all passes
+    together would take or take more than ``max_seconds``; UndecidedError for a coefficient that balls cannot round.
+    """
+    require_gauge(gauge)
+    _require_counts(order, digits)
+    with budget(max_seconds):
+        return _coefficients(Forces.read(given, order), order, digits, gauge, exact_only)
+
+
+def _coefficients(forces: Forces, order: int, digits: int, gauge: str, exact_only: bool) -> Coefficients:
+    if _is_exact(forces, order, gauge, exact_only):
+        expansion = exact_expansion(forces, order, gauge, max_seconds=inf)
+        p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
+        return _expansion(gauge, order, "exact", forces, p, Omega)
+    exact = _integer_part(forces, order, gauge)
+    decided = {name: {key: _exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
+    if gauge == TURNING_POINT:
+        rounded = certified_digits(forces, order, digits, names=("p", "Omega"), known=decided)
+    else:
+        rounded = round_all(partial(_in_gauge, forces, order, gauge), digits, 4 * order + 32, decided, forces)
+    known = closed_forms(forces, order, gauge)
+    for name, row in exact.items():
+        known[name] |= {key: c.to_sympy() for key, c in row.items()}
+    p, Omega = (_rounded_row(rounded[name], known[name]) for name in ("p", "Omega"))
+    return _expansion(gauge, order, "certified", forces, p, Omega)
+
+
+def _require_counts(order: int, digits: int) -> None:
+    require_integer(order, "order", 1, MAX_ORDER)
+    require_integer(digits, "digits", 1, MAX_DIGITS)
+
+
+def _expansion(gauge: str, order: int, arithmetic: str, forces: Forces, p: Row, Omega: Row) -> Coefficients:
+    """All p_k of odd and Omega_k of even loss degree in their order, absent ones as the zeros they are."""
+    names = ([_name(key) for key in _keys(forces, order, parity)] for parity in (1, 0))
+    amplitude, frequency = ({key: row.get(key, ZERO) for key in keys} for row, keys in zip((p, Omega), names))
+    return Coefficients(gauge, order, arithmetic, amplitude, frequency)
+
+
+def _keys(forces: Forces, order: int, parity: int) -> list[Key]:
+    """The monomials of degree 1 ... ``order`` whose loss degree has the parity."""
+    keys = (key for degree in range(1, order + 1) for key in monomials(forces.variables, degree))
+    return [key for key in keys if forces.loss_degree(key) % 2 == parity]
+
+
+def half_swing_coefficients(
+    given: Given,
+    order: int,
+    digits: int,
+    *,
+    exact_only: bool = False,
+    max_seconds: float = MAX_SECONDS,
+) -> HalfSwingCoefficients:
+    """L, F, T, U, V, W through delta^order of one law or a sum; errors as ``expansion_coefficients``."""
+    _require_counts(order, digits)
+    with budget(max_seconds):
+        found = _half_swing_coefficients(Forces.read(given, order), order, digits, exact_only)
+    if isinstance(given, Forces):
+        return found
+    return replace(found, forces=tuple(t.shape() if isinstance(t, Term) else f"alpha = {t}" for t in given))
+
+
+def _half_swing_coefficients(forces: Forces, order: int, digits: int, exact_only: bool) -> HalfSwingCoefficients:
+    if _is_exact(forces, order, TURNING_POINT, exact_only):
+        half = exact_half_swing(forces, order)
+        flow = flow_of(half)
+        rows = [_exact_row(s, digits) for s in (half.L, half.T, flow.U, flow.W, *half.F, *flow.V)]
+        return _half_swing(order, "exact", forces.variables, rows)
+    exact = _integer_half_swing(forces, order)
+    decided = {name: {key: _exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
+    names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(forces.variables))]
+    rounded = certified_digits(forces, order, digits, names=names, known=decided)
+    known = {"U": dict(first_order(forces)[0]), "T": {(0,) * forces.variables: sympy.pi}}
+    for name, row in exact.items():
+        known[name] = known.get(name, {}) | {key: c.to_sympy() for key, c in row.items()}
+    rows = [_rounded_row(rounded[n], known.get(n, {})) for n in names]
+    return _half_swing(order, "certified", forces.variables, rows)
+
+
+def _half_swing(order: int, arithmetic: str, laws: int, rows: list[Row]) -> HalfSwingCoefficients:
+    L, T, U, W, *rest = rows
+    return HalfSwingCoefficients(order, arithmetic, L, tuple(rest[:laws]), T, U, tuple(rest[laws:]), W)
+
+
+def closed_forms(given: Given, order: int, gauge: str) -> dict[str, dict[Key, sympy.Expr]]:
+    """First order always, Omega_2 of one plain loss in any gauge; at turning points p_3 and second orders."""
+    forces = Forces.read(given, order)
+    U, W = first_order(forces)
+    known = {"p": {k: -u for k, u in U.items()}, "Omega": {k: -w for k, w in W.items()}}
+    exponents = [to_sympy(m.velocity) for m in forces.members]
+    if forces.is_pure and forces.variables == 1:
+        known["Omega"][2,] = omega_2(gauge).subs(alpha, exponents[0])
+        if gauge == TURNING_POINT:
+            known["p"][3,] = symbolic_expansion()["p"][3].subs(alpha, exponents[0])
+    elif forces.is_pure and gauge == TURNING_POINT:
+        known["Omega"] = {k: -w for k, w in second_order_sum(tuple(exponents)).items()}
+    elif gauge == TURNING_POINT:
+        known["p"] |= second_order_p(forces)
+    return known
+
+
+def _is_exact(forces: Forces, order: int, gauge: str, exact_only: bool) -> bool:
+    """Whether the exact engine is to be used: integers, and not too much work (or no other choice)."""
+    if not forces.is_integer:
+        if exact_only:
+            raise InputError("exact", "there are no exact coefficients at this order", "integer exponents")
+        return False
+    if exact_only:
+        require_size(forces, order, gauge, seconds_left())
+        return True
+    return _is_quick(forces, order, gauge)
+
+
+def _is_quick(forces: Forces, order: int, gauge: str) -> bool:
+    """Whether the exact engine leaves at least half of the time for the other one."""
+    return estimated_seconds(forces, order, gauge) <= seconds_left() / 2
+
+
+def _integer_part(forces: Forces, order: int, gauge: str) -> dict[str, dict[Key, PiNumber]]:
+    """The coefficients that involve only the forces with integer exponents: those of their own sum, exactly."""
+    places = [i for i, v in enumerate(forces.velocities) if v.is_integer]
+    part = forces.only(places, order)
+    if not places or not _is_quick(part, order, gauge):
+        return {}
+    expansion = exact_expansion(part, order, gauge)
+    found: dict[str, dict[Key, PiNumber]] = {}
+    for name, series, parity in (("p", expansion.p, 1), ("Omega", expansion.Omega, 0)):
+        keys = _keys(part, order, parity)
+        found[name] = {_embedded(key, places, forces.variables): _pi_number(series[key]) for key in keys}
+    return found
+
+
+def _integer_half_swing(forces: Forces, order: int) -> dict[str, dict[Key, PiNumber]]:
+    """The same for L, T, U, W, F_i and V_i: what no ball can tell from a tie is known exactly."""
+    places = [i for i, v in enumerate(forces.velocities) if v.is_integer]
+    part = forces.only(places, order)
+    if not places or not _is_quick(part, order, TURNING_POINT):
+        return {}
+    half = exact_half_swing(part, order)
+    flow = flow_of(half)
+    series = {"L": half.L, "T": half.T, "U": flow.U, "W": flow.W}
+    series |= {f"F_{i}": f for i, f in zip(places, half.F)} | {f"V_{i}": v for i, v in zip(places, flow.V)}
+    return {
+        name: {_embedded(key, places, forces.variables): _pi_number(c) for part in one.parts for key, c in part}
+        for name, one in series.items()
+    }
+
+
+def _embedded(key: Key, places: Sequence[int], laws: int) -> Key:
+    """A monomial of some of the laws as a monomial of all of them."""
+    powers = dict(zip(places, key))
+    return tuple(powers.get(i, 0) for i in range(laws))
+
+
+def _pi_number(c: Any) -> PiNumber:
+    return c if isinstance(c, PiNumber) else PiNumber.rational(c)
+
+
+def _in_gauge(forces: Forces, order: int, gauge: str) -> Mapping[str, Series]:
+    quarter = quarter_swing(forces, order, moments=True)
+    expansion = expansion_of(quarter, gauge, arithmetic="certified")
+    return {"p": expansion.p, "Omega": expansion.Omega}
+
+
+def _exact_row(series: Series, digits: int) -> Row:
+    row = {}
+    for part in series.parts:
+        for key, c in part:
+            number = _pi_number(c)
+            row[_name(key)] = Coefficient(_exact_decimal(number, digits), number.to_sympy())
+    return row
+
+
+def _exact_decimal(number: PiNumber, digits: int) -> str:
+    """Rationals by integer arithmetic, which also decides ties; anything with pi is irrational and never ties."""
+    if number.is_rational:
+        return rational_decimal(to_fraction(number.as_rational()), digits)
+    return certified_decimal(number.ball, digits)
+
+
+def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, sympy.Expr]) -> Row:
+    def exact(key: Key, text: str) -> sympy.Expr | None:
+        return sympy.Integer(0) if text == "0" else known.get(key)
+
+    return {_name(key): Coefficient(text, exact(key, text)) for key, text in row.items()}
+
+
+def _name(key: Key) -> str:
+    return ",".join(map(str, key))

@@ -1,0 +1,169 @@
+"""The flow beside the linear spring: what is known of its motions, for the course of ``flow``.
+
+Places are y = u - friction in the force; the unit of the distance is 1, and two motions never part (derivation
+``motions-never-part``).  Besides the local expansions and Taylor steps a course has here
+
+* ``Settling``: until a creep is known to lie beside the slow curve, where its speed is still lost in the errors;
+* ``Creep``: for ever, once the motion is caught beside the slow curve, or as long as a strip about it goes;
+* ``LinearSwing``: the only piece where linear damping below its critical strength and dry friction act alone.
+
+>>> from asymptotics.law import Law
+>>> from asymptotics.numbers.context import ctx
+>>> with ctx.workprec(60):
+...     flow = LinearSpring(Damping.of_law(Law({1: "1/5", 0: "1/50"})))
+...     swing = flow.closed(arb(1), arb(0), arb(0))
+>>> swing.turn.str(5), swing.time.str(5)
+('[-0.69466 +/- ...]', '[3.1574 +/- ...]')
+"""
+
+from collections.abc import Generator, Iterator
+from dataclasses import dataclass
+
+from flint import arb
+
+from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.ends import CREEPS, may_trap, trap
+from asymptotics.flow.linear_spring.expansion import TurningExpansion
+from asymptotics.flow.linear_spring.linear import LinearOrbit, is_linear
+from asymptotics.flow.linear_spring.turning_point import arrive, turns_within
+from asymptotics.flow.parting import PartingErrors
+from asymptotics.flow.slow_manifold.creep_near_equal import Stretch, stretch
+from asymptotics.flow.slow_manifold.creep_slow_curve import Strip, caught
+from asymptotics.flow.slow_manifold.onset import settled
+from asymptotics.flow.slow_manifold.slide import Slide, sliding
+from asymptotics.flow.times import later
+from asymptotics.flow.trajectory import CertifiedFlow, FlowState, Piece, Turned
+from asymptotics.numbers.context import cached_property
+
+_ONE, _EXACT = arb(1), PartingErrors(arb(0), arb(0))
+
+
+@dataclass(frozen=True)
+class Settling(Piece):
+    """A short time in which the true state stays in the balls ``y`` and ``w``; ``error`` is 0."""
+
+    y: arb
+    w: arb
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """The two balls."""
+        return self.y, self.w
+
+
+@dataclass(frozen=True)
+class Creep(Piece):
+    """Beside the slow curve; the enclosures are those of the true state, and ``error`` is 0."""
+
+    strip: Strip
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(y, w) between the two barriers."""
+        return self.strip.state(t - self.begin)
+
+
+@dataclass(frozen=True)
+class LinearSwing(Turned):
+    """The whole course in closed form, up to the middle of ``clock``: if its own orbit has turned before, its friction
+    has the wrong sign for as long as the radius, which is in ``error``."""
+
+    orbit: LinearOrbit
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(y, w) in closed form."""
+        return self.orbit.state(t)
+
+
+@dataclass(frozen=True)
+class LinearSpring(CertifiedFlow):
+    """The flow of a ``Damping``."""
+
+    force: Damping
+
+    @property
+    def shift(self) -> arb | None:
+        """The friction."""
+        return self.force.friction
+
+    @cached_property
+    def traps(self) -> bool:
+        """An exponent below 1, or a linear term of 2 or more."""
+        return may_trap(self.force)
+
+    @cached_property
+    def endless(self) -> bool:
+        """Every alpha_i > 1, and no dry friction."""
+        return self.force.friction == 0 and bool(self.force.alphas) and all(a > 1 for a in self.force.alphas)
+
+    @cached_property
+    def _stiff(self) -> bool:
+        return not self.traps and len(self.force.alphas) == 1
+
+    def unit(self, _u: arb, _w: arb) -> arb:
+        """1."""
+        return _ONE
+
+    def expansion(self, place: arb) -> TurningExpansion:
+        """The local expansion, its coefficients shared."""
+        return TurningExpansion.at(self.force, place)
+
+    def turns_within(self, place: arb, w: arb, error: arb) -> bool:
+        """Whatever the true speed: it turns, or just did."""
+        return bool(place + error < 0) and turns_within(self.force, place, w, error)
+
+    def arrive(self, place: arb, w: arb) -> TurningExpansion:
+        """The expansion of the orbit that turns nearly there."""
+        return arrive(self.force, place, w)
+
+    def ended(self, place: arb, w: arb) -> str | None:
+        """The trap."""
+        return trap(self.force, place, w) if self.traps else None
+
+    def closed(self, u: arb, w: arb, given: arb) -> LinearSwing | None:
+        """Linear damping and dry friction alone."""
+        if not is_linear(self.force):
+            return None
+        y = self.place(u)
+        if w == 0 and not y > given:
+            raise UndecidedError("whether dry friction holds the mass here is undecided")
+        orbit = LinearOrbit.of(self.force, y, w)
+        time, there = orbit.turning()
+        at, own = self.back(there), upper(4 * self.force.friction * time.rad())
+        miss = upper(at.rad())
+        return LinearSwing(self, _ONE, arb(0), time.mid(), PartingErrors(miss, upper(given + own)), None,
+                           at.mid(), miss, time, orbit)  # fmt: skip
+
+    def aside(self, here: FlowState, ended: str | None) -> Generator[Piece, None, FlowState | None]:
+        """A creep for ever, where a strip holds it now or soon; or a strip about a slow curve that ends."""
+        y, error = self.place(here.u), here.errors.error
+        if ended == CREEPS:
+            strip = caught(self.force, y, here.w, error)
+            if strip is not None:
+                yield from self._creep(here.t, strip)
+            found = settled(self.force, y, here.w, error)
+            if found is not None:
+                end = later(here.t, found.wait)
+                yield Settling(self, _ONE, here.t, end, _EXACT, CREEPS, found.y, found.w)
+                yield from self._creep(end, found.strip)
+        slide = self._for_a_while(y, here.w, error, ended) if here.w != 0 else None
+        if slide is None:
+            return None
+        end = later(here.t, slide.length)
+        yield Creep(self, _ONE, here.t, end, _EXACT, ended, slide)
+        y, w = slide.state(slide.length)
+        u = self.back(y)
+        dropped = upper(u.rad() + w.rad())  # the strip holds the truth, whatever was known of the start
+        return FlowState(end, u.mid(), w.mid(), PartingErrors(dropped, dropped))
+
+    def _for_a_while(self, y: arb, w: arb, error: arb, ended: str | None) -> Slide | Stretch | None:
+        if self._stiff and y > 0:
+            return sliding(self.force, y, w, error)
+        return stretch(self.force, y, w, error) if ended == CREEPS else None
+
+    def _creep(self, t: arb, strip: Strip) -> Iterator[Piece]:
+        """Longer and longer pieces without an end."""
+        length = arb(1)
+        while True:
+            yield Creep(self, _ONE, t, later(t, length), _EXACT, CREEPS, strip)
+            length *= 2

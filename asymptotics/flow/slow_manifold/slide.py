@@ -1,0 +1,90 @@
+"""Stiff motion for alpha > 1: far above w = epsilon^(-1/(alpha-1)) it slides on its slow curve, between barriers.
+
+One law alone, epsilon w^(alpha-1) large: after a short time y = epsilon w^alpha (1 - B), with the B of derivation
+``slow-curve``, whose powers of w are negative here: all of them are largest at the least speed.  With a constant theta
+instead of theta w^E the two barriers, theta = -+h, are checked at that speed once and hold from there on upwards (last
+lines of the derivation).  The motion is followed between them down to a moderate strength, and by steps from there on.
+
+>>> from fractions import Fraction
+>>> from asymptotics.numbers.exact import ExactReal
+>>> law = Damping.of([(arb(10) ** 6, ExactReal(Fraction(2)))])
+>>> with ctx.workprec(80):
+...     slide = sliding(law, arb(1), arb("0.001"), arb("1e-8"))
+...     slide.length.str(3, radius=False), [value.str(5) for value in slide.state(arb(1000))]
+('1.99e+3', ['[0.2500 +/- ...]', '[0.0005000 +/- ...]'])
+"""
+
+from dataclasses import dataclass, replace
+from math import log, log2
+
+from flint import arb
+
+from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.slow_manifold.creep_slow_curve import WIDEST, SlowCurve, Strip, one_way, short_enough, solve
+from asymptotics.flow.slow_manifold.slow_curve_series import Truncated, summed
+from asymptotics.numbers.context import ctx
+
+_NEAREST, _FARTHEST = 4, 60  # log2 of 1/B at the end of a slide
+_LN2, _WORTH = log(2), 0.5  # a slide lets ln w fall by more
+
+
+@dataclass(frozen=True)
+class Slide(Strip):
+    """A strip for ln w >= ``most``; ``length``: how long the motion is followed in it."""
+
+    length: arb
+
+    def holds(self, log_w: arb) -> bool:
+        """Whether the barriers are checked there."""
+        return bool(log_w > self.most)
+
+
+def sliding(damping: Damping, y: arb, w: arb, error: arb) -> Slide | None:
+    """The strip that holds all states within ``error`` of the exact (y, w) for a while, or None where none is narrow
+    enough, or none is worth it."""
+    if len(damping.alphas) != 1 or not damping.alphas[0] > 1 or not (w > 2 * error and y > 2 * error):
+        return None
+    a, size, log_w = damping.exponents[0], damping.resistance(w), w.log()
+    goal = upper((error * (1 + a * size / w) + abs(y) * arb(2) ** -ctx.prec) / size)
+    lacking = upper((damping.resistance(w + arb(0, error)) - y - arb(0, error)) / size)
+    if not lacking < arb(1) / 8:
+        return None
+    for end in _ends(damping, float(log_w.mid())):
+        series = short_enough(damping, 0, end, goal)
+        if series is not None:
+            return _between(replace(series, cut=arb(0)), (damping, y, w, error), end, goal)
+    return None
+
+
+def _ends(damping: Damping, start: float) -> list[arb]:
+    """Values of ln w where B is about 2^-m, the least first: a choice."""
+    (size, alpha), found = damping.sizes[0], []
+    steep = float((damping.alphas[0] - 1).ball())
+    for m in range(_NEAREST, _FARTHEST):
+        end = (m - 2 * size - log2(alpha)) * _LN2 / (2 * steep)
+        if end < start - _WORTH:
+            found.append(arb(end))
+    return found
+
+
+def _between(series: Truncated, state: tuple[Damping, arb, arb, arb], end: arb, goal: arb) -> Slide | None:
+    damping, y, w, error = state
+    a = series.alpha
+    speed, place = w + arb(0, error), y + arb(0, error)
+    log_w = speed.log()
+    theta = (damping.resistance(speed) - place) / (series.epsilon * (a * log_w).exp()) - summed(series.b, log_w)
+    h = 2 * upper(theta) + 4 * upper(summed(series.rest, end) / a)
+    if not h < WIDEST * goal or not one_way(series, h, end):
+        return None
+    above, below = (SlowCurve(series.epsilon, a, (), (*series.b, (sign * h, arb(0)))) for sign in (-1, 1))
+    try:
+        starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
+    except UndecidedError:  # too few bits here: a later state may do
+        return None
+    last = (end + arb(1) / 64).mid()
+    times = [(curve.clock(at)[0] - curve.clock(last)[0]).lower() for curve, at in zip((above, below), starts)]
+    length = times[0].min(times[1]).mid()
+    worth = all(at > last for at in starts) and length > 0
+    return Slide(above, below, starts, end, upper(4 * h / a), arb(0), length) if worth else None

@@ -1,0 +1,121 @@
+"""Half-swings put together from two quarter-swings, each interpolated in the strength; every alpha_i >= 1.
+
+With R = ln r(centre)/r(turning point) and T_q of ``quarters``, forwards at the strengths delta and backwards at F, the
+strengths at the next turning point, L = ln(q/p) is the root of
+
+    L - R(delta) + R(-F(L)) = 0,    F_i = delta_i e^((alpha_i-1) L),           T = T_q(delta) + T_q(-F).
+
+For alpha_i >= 1 the left-hand side grows at least at the rate 1, so any number is off by at most its residual there
+(derivation ``quarter-swing-tail``).  R and T_q are analytic in a wider polydisc than the half-swing, and interpolation
+in z (``coordinate``) takes fewer nodes.  Where z -> -z turns the sign of every strength (one law), one interpolant on
+[-z, z] serves both quarters.
+
+>>> from asymptotics.numbers.exact import ExactReal
+>>> with ctx.workprec(120):
+...     quadratic = Coordinate.of([(arb(1), ExactReal(2))])
+...     ratio, duration = HalfSwings.up_to(quadratic, arb("0.11"), 60)(arb("0.1"))
+>>> ratio.str(12), duration.str(12)      # 1 + W_0(-(1 + 2 delta) e^-(1 + 2 delta)) over 2 delta
+('[0.882189986247 +/- ...]', '[3.14622255601 +/- ...]')
+"""
+
+from dataclasses import dataclass
+
+from flint import arb
+
+from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
+from asymptotics.numbers.context import ctx
+from asymptotics.return_map.chebyshev import Interpolant, interpolant, nodes
+from asymptotics.return_map.coordinate import Coordinate
+from asymptotics.return_map.panel_plan import MAX_STRETCH, reach_of, verified
+from asymptotics.return_map.quarters import quarter_swings
+
+_GUARD, _ROUNDS = 32, 60
+_SHARE = 0.93  # of the reach in doubles: a node more costs less than a second majorant
+
+
+@dataclass(frozen=True)
+class Quarters:
+    """R and T_q on an interval of z."""
+
+    middle: arb
+    scale: arb
+    growth: Interpolant
+    duration: Interpolant
+
+    def place(self, z: arb) -> arb:
+        """z on [-1, 1]; UndecidedError beyond."""
+        t = (z - self.middle) * self.scale
+        if not abs(t) <= 1:
+            raise UndecidedError("an amplitude is outside the interval of the quarter-swings")
+        return t
+
+
+@dataclass(frozen=True)
+class HalfSwings:
+    """z = A^``root``; quarters ``forwards`` at z and ``backwards`` at ``turn`` z (-1 where both are one)."""
+
+    root: arb
+    forwards: Quarters
+    backwards: Quarters
+    turn: int
+
+    @classmethod
+    def up_to(cls, coordinate: Coordinate, last: arb, bits: int) -> "HalfSwings":
+        """For 0 <= z <= ``last`` (exact), of a coordinate that ``is_quartered``.
+
+        UndecidedError, LimitError where quarter-swings do not serve.
+        """
+        with ctx.workprec(bits + _GUARD):
+            odd = all(int(float(k)) % 2 for k in coordinate.powers)
+            middle, half = (arb(0), last) if odd else (last / 2, last / 2)
+            reach = _SHARE * reach_of(coordinate, whole=False)
+            width = float(half)
+            stretch = min((reach - float(middle)) / width, MAX_STRETCH) if width > 0 else MAX_STRETCH
+            ellipse = verified(coordinate, middle, half, stretch, whole=False)
+            size, excess = ellipse.majorant.growth, ellipse.majorant.excess
+            count = ellipse.nodes_for(bits)
+            places = [middle + half * t for t in nodes(count + count % 2 if odd else count)]
+            laws = [(coordinate.damping(abs(z)), 1 if z > 0 else -1) for z in places]
+            if not odd:
+                laws += [(law, -1) for law, _ in laws]
+            found = quarter_swings(laws, bits)
+            fine = arb(2) ** -bits
+            both = [
+                Quarters(
+                    middle,
+                    1 / half,
+                    interpolant([one.growth for one in part], size, ellipse.R, fine),
+                    interpolant([one.duration for one in part], excess, ellipse.R, fine),
+                )
+                for part in (found[: len(places)], found[len(places) :])
+                if part
+            ]
+        return cls(arb(coordinate.root or 0), both[0], both[-1], -1 if odd else 1)
+
+    def __call__(self, z: arb) -> tuple[arb, arb]:
+        """(q/p, T) at a ball z in the interval."""
+        t = self.forwards.place(z)
+        before = self.forwards.growth(t)
+        L = self._near(z, before)
+        L += arb(0, upper(self._residual(z, before, L)))
+        return L.exp(), self.forwards.duration(t) + self.backwards.duration(self._after(z, L))
+
+    def _after(self, z: arb, L: arb) -> arb:
+        """Where the half-swing ends, on the interval of the backward quarters."""
+        return self.backwards.place(self.turn * z * (self.root * L).exp())
+
+    def _residual(self, z: arb, before: arb, L: arb) -> arb:
+        return L - before + self.backwards.growth(self._after(z, L))
+
+    def _near(self, z: arb, before: arb) -> arb:
+        """The root nearly: a choice, by secants."""
+        L, slope, last = (2 * before).mid(), arb(1), None
+        for _ in range(_ROUNDS):
+            residual = self._residual(z, before, L).mid()
+            if last is not None:
+                if not abs(residual) < abs(last[1]):
+                    break
+                slope = ((residual - last[1]) / (L - last[0])).mid()
+            last, L = (L, residual), (L - residual / slope).mid()
+        return L if last is None else last[0]

@@ -1,0 +1,182 @@
+"""Half-swings by interpolation: a panel of amplitudes costs as much as a dozen, each in it then microseconds.
+
+A ``Panel`` holds q/p and T as polynomials in a coordinate z (``coordinate``, ``chebyshev``) for all amplitudes of an
+interval, with proved errors.  ``Panels`` lays one out when the half-swings still to come are expected to repay it, and
+hands out what it has; what no panel serves is integrated.  Only the choice is made in doubles.
+
+Every real amplitude in the interval lies in the polydisc of the majorant, where the motion reaches theta = pi: the next
+turning point exists.
+
+>>> from asymptotics.law import Law
+>>> with ctx.workprec(80):
+...     panel = Panels(Law({1: "1/20", 2: "1/5"}), 80).serving(arb(1), arb(0), 1000)
+...     found = panel.passage(arb("0.5")) if panel else None
+>>> found.amplitude.str(12), found.duration.str(12), found.route
+('[0.818929935607 +/- ...]', '[3.15094119172 +/- ...]', 'Chebyshev interpolation in the amplitude')
+"""
+
+from dataclasses import dataclass, field
+
+from flint import arb
+
+from asymptotics.budget import tick
+from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.linear import is_linear
+from asymptotics.law import Law
+from asymptotics.numbers.context import ctx, lru_cache
+from asymptotics.return_map.chebyshev import Interpolant, interpolant, nodes
+from asymptotics.return_map.coordinate import Coordinate
+from asymptotics.return_map.half_swing_map import INTEGRATED, Passage, integrated
+from asymptotics.return_map.panel_plan import PanelPlan, planned, verified
+
+ROUTE = "Chebyshev interpolation in the amplitude"
+COLLOCATED = "quarter-swings by collocation"
+_MARGIN = 2.0**-10  # a panel begins that much above the amplitude it is made for
+_GUARD, _SLACK = 32, 8
+
+
+@dataclass(frozen=True)
+class Panel:
+    """q/p and T for the exact amplitudes from ``low`` (excluded where it is 0) to ``high``.
+
+    ``cost``: its nodes, each found ``by`` a route.
+    """
+
+    coordinate: Coordinate
+    low: arb
+    high: arb
+    middle: arb
+    scale: arb
+    ratio: Interpolant
+    duration: Interpolant
+    cost: int
+    by: str
+
+    def holds(self, p: arb, error: arb) -> bool:
+        """Whether every amplitude within ``error`` of p lies in the panel."""
+        nearest = p - error
+        return bool(nearest >= self.low) and bool(nearest > 0) and bool(p + error <= self.high)
+
+    def passage(self, p: arb, error: arb | None = None) -> Passage:
+        """The half-swing from the exact amplitude p; the duration is that of all amplitudes within ``error``."""
+        t = self._place(p)
+        wide = t if error is None or error == 0 else self._place(arb(p, error))
+        return Passage(self.ratio(t), self.duration(wide), ROUTE, self.ratio.degree, self.ratio.error)
+
+    def _place(self, p: arb) -> arb:
+        return (self.coordinate(p) - self.middle) * self.scale
+
+
+@dataclass
+class Panels:
+    """The panels of one law at one precision, laid out as they are needed."""
+
+    law: Law
+    bits: int
+    made: list[Panel] = field(default_factory=list)
+    planned_for: tuple[float, int] = (0.0, 0)
+    plan: PanelPlan | None = None
+
+    def __post_init__(self) -> None:
+        with ctx.workprec(self.bits + _SLACK + _GUARD):
+            terms = [(t.strength.ball(), t.velocity) for t in self.law.terms if t.strength.sign > 0]
+            damping = Damping.of(terms)
+            self.closed, self.sizes = is_linear(damping), damping.sizes
+            self.coordinate = None if self.closed else Coordinate.of(terms)
+
+    def serving(self, p: arb, error: arb, remaining: int) -> Panel | None:
+        """A panel for the amplitudes within ``error`` of p; a new one if ``remaining`` half-swings may repay it."""
+        for panel in self.made:
+            if panel.holds(p, error):
+                return panel
+        if self.coordinate is None:
+            return None
+        size, bits = float(p), self.bits + _SLACK
+        if not (size <= self.planned_for[0] and remaining <= self.planned_for[1]):
+            self.plan, self.planned_for = planned(self.coordinate, size, remaining, bits), (size, remaining)
+        if self.plan is None or not self.plan.low < size <= self.plan.high:
+            return None
+        try:
+            panel = laid_out(self.coordinate, self.plan, bits)
+        except UndecidedError:  # seen in doubles, not proved in balls: by pieces, where the plan would hold
+            self.plan = None
+            return None
+        self.made.append(panel)
+        self.planned_for = (0.0, 0)
+        return panel if panel.holds(p, error) else None
+
+    def pieces(self, remaining: int) -> int:
+        """About how many half-swings by pieces ``remaining`` of them from X = 1 are worth, nodes included.
+
+        None where they have a closed form.
+        """
+        if self.coordinate is None:
+            return 0
+        size, total = 1.0, 0
+        while remaining > 0:
+            plan = planned(self.coordinate, size, remaining, self.bits + _SLACK)
+            if plan is None:
+                return total + remaining
+            total += plan.wait + plan.work(self.coordinate)
+            remaining -= plan.wait + plan.served
+            size = plan.low
+        return total
+
+
+@lru_cache(maxsize=16)
+def panels_of(law: Law, bits: int) -> Panels:
+    """The panels of a law at a precision, kept for the next who asks."""
+    return Panels(law, bits)
+
+
+def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int) -> Panel:
+    """The panel of a plan, at ``bits`` bits; its nodes are integrated."""
+    with ctx.workprec(bits + _GUARD):
+        low, high = arb(plan.low), arb(plan.high * (1 + _MARGIN))
+        first, last = _outwards(coordinate, low, high)
+        middle, half = (first + last) / 2, (last - first) / 2
+        ellipse = verified(coordinate, middle, half, plan.stretch)
+        count = ellipse.nodes_for(bits)
+        by, swings = _half_swings(coordinate, [middle + half * t for t in nodes(count)], last, bits)
+        ratios, durations = zip(*swings)
+        fine = arb(2) ** -bits
+        ratio, duration = (
+            interpolant(values, bound, ellipse.R, fine)
+            for values, bound in ((ratios, ellipse.ratio_bound), (durations, ellipse.majorant.excess))
+        )
+    return Panel(coordinate, low, high, middle, 1 / half, ratio, duration, count, by)
+
+
+def _half_swings(coordinate: Coordinate, places: list[arb], last: arb, bits: int) -> tuple[str, list[tuple[arb, arb]]]:
+    """The route, and q/p and T at the places z <= last: from quarter-swings where those serve, else by pieces."""
+    if coordinate.is_quartered:
+        from asymptotics.return_map.half_swings import HalfSwings  # noqa: PLC0415 (NumPy, only where it pays)
+
+        try:
+            swings = HalfSwings.up_to(coordinate, last, bits)
+            return COLLOCATED, [swings(z) for z in places]
+        except (LimitError, UndecidedError):
+            pass
+    found = []
+    for j, z in enumerate(places):
+        tick(f"node {j} of {len(places)} of an interpolation")
+        law = coordinate.damping(z)
+        with ctx.workprec(bits):
+            passage = integrated(law, arb(1))
+        found.append((_there(passage.amplitude), _there(passage.duration)))
+    return INTEGRATED, found
+
+
+def _outwards(coordinate: Coordinate, low: arb, high: arb) -> tuple[arb, arb]:
+    """Exact z that enclose the images of both amplitudes, ascending."""
+    ends = [arb(0) if p == 0 else coordinate(p) for p in (low, high)]
+    first, last = ends if ends[0] < ends[1] else reversed(ends)
+    with ctx.workprec(53):
+        return (first + 0).lower(), (last + 0).upper()
+
+
+def _there(value: arb | None) -> arb:
+    if value is None:
+        raise ArithmeticError("a half-swing inside the polydisc of the majorant has no end")
+    return value

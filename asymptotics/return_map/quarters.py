@@ -1,0 +1,322 @@
+"""Quarter-swings of one law at many strengths at once, from a turning point to the centre, forwards or backwards.
+
+In polar coordinates, theta from the turning point, with +delta_i forwards and -delta_i backwards in time,
+
+    z = ln tan(theta/2),  s = 1/cosh z,  c = -tanh z,     D = sum_i (+-delta_i) s^alpha_i e^((alpha_i-1) g),  g = ln r,
+    dg/dz = -s^2 D/(1 - c D),        d tau/dz = s/(1 - c D):
+
+no real z is singular, and s^alpha is analytic for |Im z| < pi/2.  The local expansion at the turning point
+(``expansion``) leads to a small speed, where z = z_0; from there to z = 0 one polynomial in t does it for each
+strength, z = h (t - 1), h = -z_0/2, -1 <= t <= 1.
+
+*Found*: in doubles (``quarters_in_doubles``), then residuals in balls and corrections in doubles.  Choices.
+
+*Enclosed*: let G = g_0 + the integral of any polynomial P, and f(t) the right-hand side dg/dt along G.
+
+* On the ellipse of parameter R about [-1, 1], |G - gamma| <= B by its Chebyshev coefficients.  If h (R - 1/R)/2 <
+  pi/2, s and c D are analytic there; |c D| <= kappa < 1 on the rim holds inside, and |f| <= M = h max |s^2 D|/(1 -
+  kappa).
+* So f differs by at most ``chebyshev.cut`` from the polynomial through its values at m nodes, and that from P by at
+  most sqrt(2m - 1) times the largest difference at a node: |f - P| <= eta.
+* On the real line |s^alpha c| <= (alpha^alpha/(1+alpha)^(1+alpha))^(1/2) gives a smaller kappa, and the right-hand
+  side changes with g at most at the rate K = h sum |alpha_i - 1| |delta_i| e^((alpha_i-1) g)/(1 - kappa)^2.  So
+  (Gronwall)
+
+    |g - G| <= e^(2K) (|g - G|(-1) + 2 eta),    and the time is off by the cut of its integrand and by 2 K max |g - G|.
+
+Derivation ``quarter-collocation``.
+
+>>> from fractions import Fraction
+>>> from asymptotics.numbers.exact import ExactReal
+>>> with ctx.workprec(140):
+...     law = Damping.of([(arb(1) / 10, ExactReal(Fraction(2)))])
+>>> forwards, backwards = quarter_swings([(law, 1), (law, -1)], 90)
+>>> forwards.growth.str(10), forwards.duration.str(10)
+('[-0.06610623692 +/- ...]', '[1.604523150 +/- ...]')
+>>> backwards.growth.str(10), backwards.duration.str(10)
+('[0.06721722457 +/- ...]', '[1.537860788 +/- ...]')
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import reduce
+
+import numpy as np
+from flint import arb, arb_mat, arb_poly, fmpq
+
+from asymptotics.budget import tick
+from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.expansion import TurningExpansion
+from asymptotics.numbers.context import cached_property, ctx
+from asymptotics.return_map.chebyshev import cut, nodes
+from asymptotics.return_map.quarters_in_doubles import Array, Sketch, corrected
+from asymptotics.return_map.spectral import analysis, integrals, of_the_integral
+
+HAND_OVER = 0.125  # the speed, in units of the amplitude, up to which the local expansion serves
+_WORK, _LOW = 24, 53
+_FEWEST = 30  # bits: fewer would not keep G near
+_GAIN = 50  # bits that a correction in doubles brings
+_MOST = 500  # nodes: their matrices have 10^5 entries
+_ARCS, _TRIES = 64, 12
+_NEAR = 2.0**-20  # the distance from G within which the slopes are bounded
+
+Rows = list[list[arb]]
+
+
+@dataclass(frozen=True)
+class Quarter:
+    """``growth`` = ln r at the centre, where r = 1 at the turning point, and the time in between."""
+
+    growth: arb
+    duration: arb
+
+
+def quarter_swings(laws: Sequence[tuple[Damping, int]], bits: int) -> list[Quarter]:
+    """The quarters from the amplitude 1 for strengths of one law, each forwards (1) or backwards (-1).
+
+    UndecidedError where no enclosure is found.
+    """
+    bits = max(bits, _FEWEST)
+    with ctx.workprec(bits + _WORK):
+        bundle = Bundle.of(laws)
+        count, rim = bundle.sketch.planned(bits)
+        if count > _MOST:
+            raise UndecidedError("the quarter-swings need too many nodes")
+        grid = NodeGrid.of(bundle, count)
+        path = Path.along(grid, found(grid, bits))
+        return path.enclosed(rim)
+
+
+@dataclass(frozen=True)
+class Bundle:
+    """Orbits at their hand-over, by columns: ``strengths`` signed, h and g_0 exact, ``times`` since the turning point.
+
+    ``late`` and ``off``: how far z_0 and g_0 are from the truth at most.
+    """
+
+    alphas: tuple[arb, ...]
+    strengths: tuple[tuple[arb, ...], ...]
+    half: tuple[arb, ...]
+    start: tuple[arb, ...]
+    times: tuple[arb, ...]
+    late: arb
+    off: arb
+
+    @classmethod
+    def of(cls, laws: Sequence[tuple[Damping, int]]) -> "Bundle":
+        """From the local expansions; ValueError for laws with different exponents."""
+        if any(law.alphas != laws[0][0].alphas for law, _ in laws):
+            raise ValueError("quarter-swings of laws with different exponents")
+        w, columns = arb(HAND_OVER), []
+        for law, side in laws:
+            tick("the start of a quarter-swing")
+            y, tau = TurningExpansion.at(law, side - law.friction, w).state(w)
+            u = side * (y + law.friction)
+            if not u > 0:
+                raise UndecidedError("the local expansion does not reach the hand-over")
+            r = (u * u + w * w).sqrt()
+            columns.append((((r + u) / w).log() / 2, r.log(), side * tau))
+        half, start, times = (tuple(column) for column in zip(*columns))
+        rubs = any(law.friction != 0 for law, _ in laws)
+        alphas = (*laws[0][0].exponents, *([arb(0)] if rubs else []))
+        strengths = (tuple(side * e for e in (*law.strengths, *([law.friction] if rubs else []))) for law, side in laws)
+        late, off = (largest(x.rad() for x in column) for column in (half, start))
+        exact_half, exact_start = (tuple(x.mid() for x in column) for column in (half, start))
+        return cls(alphas, tuple(strengths), exact_half, exact_start, times, upper(2 * late), off)
+
+    @cached_property
+    def sketch(self) -> Sketch:
+        """The same in doubles."""
+        columns = zip(*self.strengths)
+        return Sketch(doubles([self.alphas])[0], doubles(columns), *doubles([self.half, self.start]))
+
+
+def doubles(rows: Iterable[Iterable[arb]]) -> Array:
+    """Midpoints."""
+    return np.array([[float(x.mid()) for x in row] for row in rows])
+
+
+@dataclass(frozen=True)
+class NodeGrid:
+    """What does not depend on g at the ``count`` nodes of each column.
+
+    ``places``: h s, h s^2, c, the sum of delta_i s^alpha_i over alpha_i = 1, and those with the other ``weights``
+    alpha_i - 1.
+    """
+
+    bundle: Bundle
+    count: int
+    weights: tuple[arb, ...]
+    places: tuple[tuple[tuple[arb, arb, arb, arb, tuple[arb, ...]], ...], ...]
+
+    @classmethod
+    def of(cls, bundle: Bundle, count: int) -> "NodeGrid":
+        """For all columns."""
+        ends, places = [t - 1 for t in nodes(count)], []
+        still = [i for i, a in enumerate(bundle.alphas) if a == 1]
+        moving = [(i, a) for i, a in enumerate(bundle.alphas) if a != 1]
+        for h, strengths in zip(bundle.half, bundle.strengths):
+            tick("the nodes of a quarter-swing")
+            linear, column = sum((strengths[i] for i in still), arb(0)), []
+            for end in ends:
+                e = (h * end).exp()
+                square = e * e
+                below = 1 / (1 + square)
+                s = 2 * e * below
+                ln_s, hs = s.log(), h * s
+                drags = tuple(strengths[i] * (a * ln_s).exp() for i, a in moving)
+                column.append((hs, hs * s, (1 - square) * below, linear * s, drags))
+            places.append(tuple(column))
+        return cls(bundle, count, tuple(a - 1 for _, a in moving), tuple(places))
+
+    def rates(self, g: Rows) -> Rows:
+        """f = dg/dt at the nodes (rows) of all columns."""
+        weights, found = self.weights, []
+        for row, places in zip(g, zip(*self.places)):
+            line = []
+            for value, (_, hss, c, drag, drags) in zip(row, places):
+                for w, d in zip(weights, drags):
+                    drag = drag + d * (w * value).exp()
+                line.append(hss * drag / (c * drag - 1))
+            found.append(line)
+        return found
+
+    def slowness(self, rates: Rows) -> Rows:
+        """d tau/dt from f: h s/(1 - c D) = h s + (c/s) h s^2 D/(1 - c D)."""
+        return [
+            [hs - c * f * hs / hss for f, (hs, hss, c, _, _) in zip(row, places)]
+            for row, places in zip(rates, zip(*self.places))
+        ]
+
+
+def found(grid: NodeGrid, bits: int) -> arb_mat:
+    """f at the nodes, nearly: exact numbers, corrected in doubles until that is enough."""
+    sketch, start, m = grid.bundle.sketch, grid.bundle.start, grid.count
+    values, sums = analysis(m, ctx.prec), integrals(m, ctx.prec)
+    g = [[arb(float(x)) for x in row] for row in sketch.solved(m)]
+    for k in range(1, 3 + bits // _GAIN):
+        tick("quarter-swings by collocation")
+        unit, rates = arb(2) ** (-k * _GAIN), arb_mat(grid.rates(g)).mid()
+        reached = (sums * (values * rates)).table()
+        missing = doubles([(a + x - y) / unit for a, x, y in zip(start, *rows)] for rows in zip(reached, g))
+        _, slope = sketch.rates(doubles(g))
+        change = corrected(slope, missing)
+        if np.max(np.abs(missing)) < 2.0 ** ((k + 1) * _GAIN - bits):
+            return moved(rates.table(), slope * change, unit)
+        g = moved(g, change, unit).table()
+    raise UndecidedError("the corrections of the quarter-swings do not converge")
+
+
+def moved(rows: Rows, change: Array, unit: arb) -> arb_mat:
+    """The rows and ``unit`` times the change."""
+    return arb_mat([[x + unit * float(e) for x, e in zip(*pair)] for pair in zip(rows, change)]).mid()
+
+
+@dataclass(frozen=True)
+class Path:
+    """G and what is known along it: ``ends`` at t = 1, ``slowness`` = d tau/dt at the nodes.
+
+    ``differs``: the most that P and f differ at a node; ``loads``: max |delta_i| e^((alpha_i-1) gamma), where gamma is
+    the first Chebyshev coefficient of G, and ``sizes``: those of the others.
+    """
+
+    grid: NodeGrid
+    ends: tuple[arb, ...]
+    slowness: Rows
+    differs: arb
+    loads: tuple[arb, ...]
+    sizes: arb_poly
+
+    @classmethod
+    def along(cls, grid: NodeGrid, rates: arb_mat) -> "Path":
+        """P is the polynomial through the exact ``rates`` without its last, negligible coefficients."""
+        m, bundle, none = grid.count, grid.bundle, arb(0)
+        b = (analysis(m, ctx.prec) * rates).table()
+        degree, lacking, negligible = m - 1, arb(0), arb(2) ** (_WORK - ctx.prec)
+        while degree and not (more := upper(lacking + largest(b[degree]))) > negligible:
+            lacking, degree = more, degree - 1
+        kept = [[x.mid() for x in row] if k <= degree else [none] * len(row) for k, row in enumerate(b)]
+        lacking += sum((largest(x.rad() for x in row) for row in b[: degree + 1]), none)
+        grown = (integrals(m, ctx.prec) * arb_mat(kept)).table()
+        *g, ends = [[a + x for a, x in zip(bundle.start, row)] for row in grown]
+        slopes = grid.rates(g)
+        apart = largest(x - y for pair in zip(rates.table(), slopes) for x, y in zip(*pair))
+        with ctx.workprec(_LOW):
+            columns = [of_the_integral(list(column)) for column in zip(*kept[: degree + 1])]
+            centres = [end - sum(column, none) for end, column in zip(ends, columns)]
+            loads = [
+                largest(e * ((alpha - 1) * gamma).exp() for e, gamma in zip(row, centres))
+                for alpha, row in zip(bundle.alphas, zip(*bundle.strengths))
+            ]
+            sizes = [none, *map(largest, zip(*columns))]
+            differs = upper(arb(2 * m - 1).sqrt() * apart + lacking)
+        return cls(grid, tuple(ends), grid.slowness(slopes), differs, tuple(loads), arb_poly(sizes))
+
+    def drags(self, spread: arb) -> list[arb]:
+        """Bounds of |delta_i e^((alpha_i-1) g)| where |g - gamma| <= ``spread``."""
+        return [load * (abs(a - 1) * spread).exp() for load, a in zip(self.loads, self.grid.bundle.alphas)]
+
+    def on_ellipse(self, rim: arb) -> tuple[arb, arb] | None:
+        """Bounds of |f| and |d tau/dt| along G on the ellipse, or None."""
+        a, b = (rim + 1 / rim) / 2, (rim - 1 / rim) / 2
+        half = reduce(arb.union, self.grid.bundle.half)
+        if not half * b < arb.pi() / 2:
+            return None
+        drags = self.drags((self.sizes(rim) + self.sizes(1 / rim)) / 2)
+        full, fast, slow = arb(0), arb(0), arb(0)
+        for j in range(_ARCS):
+            angle = arb(fmpq(2 * j + 1, 2 * _ARCS), fmpq(1, 2 * _ARCS))
+            x, y = half * (a * arb.cos_pi(angle) - 1), half * b * arb.sin_pi(angle)
+            under = x.sinh() ** 2 + y.cos() ** 2
+            if not under > 0:
+                return None
+            s = (1 / under).sqrt()
+            drag = sum((d * s**e for d, e in zip(drags, self.grid.bundle.alphas)), arb(0))
+            full = full.max(upper(drag * ((x.sinh() ** 2 + y.sin() ** 2) / under).sqrt()))
+            fast, slow = fast.max(upper(s * s * drag)), slow.max(upper(s))
+        if not full < 1:
+            return None
+        return upper(half * fast / (1 - full)), upper(half * slow / (1 - full))
+
+    def enclosed(self, rim: float) -> list[Quarter]:
+        """With the largest ellipse up to R = ``rim`` on which the bounds are proved."""
+        bundle, m = self.grid.bundle, self.grid.count
+        with ctx.workprec(_LOW):
+            tried = ((R, self.on_ellipse(R)) for R in (1 + arb(rim - 1) * arb(0.96) ** k for k in range(_TRIES)))
+            R, bounds = next(((R, found) for R, found in tried if found is not None), (arb(rim), None))
+            if bounds is None:
+                raise UndecidedError("no ellipse about the quarter-swings is proved to be free of singularities")
+            drags = self.drags(upper(self.sizes(arb(1)) + arb(_NEAR)))
+            full = sum((d * peak(e) for d, e in zip(drags, bundle.alphas)), arb(0))
+            if not full < 1:
+                raise UndecidedError("the strengths are too large for polar coordinates")
+            half = reduce(arb.max, bundle.half)
+            slope = half * sum((abs(a - 1) * d for a, d in zip(bundle.alphas, drags)), arb(0)) / (1 - full) ** 2
+            began = bundle.off + bundle.late * sum(drags, arb(0)) / (1 - full)
+            eta = cut(bounds[0], R, m) + self.differs
+            off = upper((2 * slope).exp() * (began + 2 * eta))
+            late = upper(2 * cut(bounds[1], R, m) + 2 * slope * off + bundle.late / (1 - full))
+        if not off < _NEAR:
+            raise UndecidedError("the quarter-swings are not enclosed")
+        weights = arb_mat([integrals(m, ctx.prec).table()[m]]) * analysis(m, ctx.prec)
+        durations = (weights * arb_mat(self.slowness)).table()[0]
+        rows = zip(self.ends, bundle.times, durations)
+        return [Quarter(end + arb(0, off), first + rest + arb(0, late)) for end, first, rest in rows]
+
+
+def largest(values: Iterable[arb]) -> arb:
+    """An upper bound of all absolute values."""
+    with ctx.workprec(_LOW):
+        return reduce(arb.max, (abs(x).upper() for x in values))
+
+
+def peak(alpha: arb) -> arb:
+    """The largest s^alpha c, s = sin, c = cos: (alpha^alpha/(1+alpha)^(1+alpha))^(1/2).
+
+    >>> peak(arb(1)).str(9), peak(arb(0)).str(9)
+    ('[0.500000000 +/- ...]', '1.00000000')
+    """
+    powers = -(1 + alpha) * (1 + alpha).log() + (alpha * alpha.log() if alpha > 0 else 0)
+    return (powers / 2).exp()

@@ -1,0 +1,62 @@
+"""Turning points beside the linear spring, by interpolation (``panels``) where it pays and by pieces elsewhere.
+
+>>> from itertools import islice
+>>> from flint import ctx
+>>> from asymptotics.flow.sequence import sequence
+>>> from asymptotics.flow.turning import rest
+>>> from asymptotics.law import Law
+>>> from asymptotics.return_map.panels import panels_of
+>>> cubic = Law({3: "1/2"})
+>>> with ctx.workprec(100):
+...     flow = Interpolated(Damping.of_law(cubic), panels_of(cubic, 100), 3)
+...     points = list(islice(sequence(flow, rest(arb(1))), 4))
+>>> [point.x.str(12) for point in points][1:]
+['[-0.673493180351 +/- ...]', '[0.543067542755 +/- ...]', '[-0.467642206192 +/- ...]']
+"""
+
+from dataclasses import dataclass
+
+from flint import arb
+
+from asymptotics.flow.balls import upper
+from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
+from asymptotics.flow.parting import by_ratio
+from asymptotics.flow.turning import Turning
+from asymptotics.return_map.half_swing_map import Passage
+from asymptotics.return_map.panels import Panels
+
+
+@dataclass(frozen=True)
+class Interpolated(LinearSpring):
+    """A linear spring whose half-swings up to the turning point ``last`` may be read off ``panels``."""
+
+    panels: Panels
+    last: int = 0
+
+    def leap(self, here: Turning, before: arb | None = None) -> Turning | None:
+        """By a panel, where as many half-swings as may follow repay it."""
+        remaining = self.last - here.n if before is None else _whole_swings(before - here.time)
+        if before is not None and remaining <= 0:
+            return None
+        panel = self.panels.serving(here.amplitude, here.amplitude_error, remaining)
+        if panel is None:
+            return None
+        there = following(self.force, here, panel.passage(here.amplitude, here.amplitude_error))
+        return there if before is None or there.time < before else None
+
+
+def _whole_swings(time: arb) -> int:
+    """About how many half-swings end before that time; it only decides how they are made."""
+    return int(min(float(time) / 3.2, 1e9))
+
+
+def following(damping: Damping, here: Turning, found: Passage) -> Turning:
+    """The next turning point: midpoints, and errors by contraction; the duration found is that of all amplitudes within
+    the error of this one."""
+    assert found.amplitude is not None and found.duration is not None
+    q, time = here.amplitude * found.amplitude, here.time + found.duration
+    amplitude, clock = q.mid(), time.mid()
+    carried = by_ratio(damping, here.amplitude, here.amplitude_error, upper(q))
+    error = upper(carried + q.rad()), upper(here.time_error + time.rad())
+    return Turning(here.n + 1, -here.side, amplitude, clock, *error)

@@ -1,0 +1,183 @@
+"""What a half-swing drops is kept: each rounding and each part of an error, evaluated a second time."""
+
+from dataclasses import replace
+
+import pytest
+from flint import arb, ctx
+
+from asymptotics.errors import UndecidedError
+from asymptotics.flow import dense
+from asymptotics.flow.linear_spring.ends import _together, trap
+from asymptotics.flow.linear_spring.expansion import TurningExpansion
+from asymptotics.flow.linear_spring.kept_terms import KeptTerms
+from asymptotics.flow.linear_spring.linear_spring import LinearSpring
+from asymptotics.flow.parting import PartingErrors, lateness
+from asymptotics.flow.sequence import after_kick, after_landing, first_from, swung
+from asymptotics.flow.slow_manifold.creep_slow_curve import solve
+from asymptotics.flow.trajectory import course
+from asymptotics.flow.turning import Turning
+from asymptotics.return_map.half_swing_map import Passage, integrated, of_landing
+from asymptotics.return_map.sequence import following
+from tests.flow.linear_spring.test_bounds import NOTHING, damping
+
+
+def late_by(law, amplitude, distance):
+    """How much later an orbit turns that is that far from one that turns at -amplitude."""
+    return lateness(law, arb(1), -amplitude - law.friction, distance, distance)
+
+
+@pytest.mark.parametrize("law", [NOTHING, (("3/2", "1/2"),), (("0", "1/10"), ("2", "1"))])
+def test_the_speed_beside_a_turning_point(law):
+    """|(y', w')| on both sides: P doubles at most, friction counts twice where its sign turns; evaluated again."""
+    with ctx.workprec(60):
+        found = TurningExpansion.at(damping(*law), arb("0.75"))
+        y, _ = found.state(found.reach)
+        across = y + 2 * found.damping.friction + found.damping.resistance(found.reach)
+        assert (across**2 + found.reach**2).sqrt() <= found.speed(arb(1))
+        again = 2 * arb("0.75") + 2 * found.damping.friction + found.reach
+        assert again <= found.speed(arb(1)) * (1 + arb(1e-9)) and found.speed(arb(1)) <= again * (1 + arb(1e-9))
+    with ctx.workprec(30):
+        short = TurningExpansion._short(
+            damping(("1/1000", "0.3")), arb("0.75"), arb(2) ** -8, KeptTerms(-8.0, 1, (), 1)
+        )
+        again = 2 * arb("0.75") + short.reach + short.damping.resistance(short.reach)
+        assert again <= short.speed(arb(1)) * (1 + arb(1e-6)) and short.speed(arb(1)) < again * (1 + arb(1e-6))
+
+
+def test_every_rounding_of_a_course_is_in_its_errors():
+    """At 20 bits: the time of the departure, the restarts, the clock and the place of the landing, each recomputed."""
+    law = damping(("0", "1/30"), ("3/2", "1/5"))
+    with ctx.workprec(20):
+        first, *steps, last = course(LinearSpring(law), arb(1), arb(0))
+        y, tau = first.expansion.state(first.expansion.reach)
+        less = 1 - arb(2) ** -10
+        assert first.error >= tau.rad() * first.expansion.speed(arb(1)) * less > 0
+        begun = first.error + (y + law.friction).rad()
+        for step in steps:
+            assert step.error >= (begun + step.taylor.residual) * less
+            y, w = step.taylor.state(step.taylor.length)
+            begun = step.error + (y + law.friction).rad() + w.rad()
+        turn, (start, w) = last.expansion.y0, last.beside
+        at, off = turn + law.friction, last.expansion.state(w)[0] - start
+        slack = at.rad() + abs(off).upper()
+        assert min(at.rad(), last.clock.rad()) > 0 and last.miss >= (begun + slack) * less
+        assert last.error >= (begun + slack + last.clock.rad() * last.expansion.speed(arb(1))) * less
+        late = late_by(law, -last.turn, (begun + slack) * less)
+        assert last.time.rad() >= (last.clock.rad() + late) * less
+        assert last.late(arb(2) ** -10) >= late_by(law, -last.turn, (arb(2) ** -10 + last.miss) * less)
+
+
+@pytest.mark.parametrize("distance", ["0.01", "0.2"])
+def test_the_delay_is_counted_at_the_smaller_amplitude(distance):
+    """distance/(amplitude - 2 distance + friction), in doubles."""
+    d = float(arb(distance))
+    found = late_by(damping(("0", "1/10"), ("2", "1")), arb(1), arb(distance))
+    assert float(found) == pytest.approx(d / (1 - 2 * d + 0.1), rel=1e-8)
+
+
+def test_the_closed_form_keeps_its_radii():
+    """Of the place at which it turns, and of the friction whose sign is wrong while its time is uncertain."""
+    with ctx.workprec(20):
+        law = damping(("0", "1/7"), ("1", "1/3"))
+        (swing,) = course(LinearSpring(law), arb(1), arb(0))
+        time, y = swing.orbit.turning()
+        assert swing.miss >= (y + law.friction).rad() > 0
+        assert swing.error >= 4 * law.friction * time.rad() * (1 - arb(2) ** -10) > 0
+        assert swing.gap(swing.miss) >= 2 * swing.miss
+
+
+def test_what_is_uncertain_at_a_time_is_a_distance():
+    """The piece's error and the way that the width of the time allows, both recomputed; the second in doubles."""
+    law, e = damping(("3/2", "1/5"), ("0", "1/30")), arb(2) ** -12
+    flow, x, w = LinearSpring(law), arb("0.75"), arb("1.5")
+    with ctx.workprec(80):
+        wanted = dense._Wanted(flow, [arb(2, e)])
+        piece = next(p for p in course(flow, arb(1), arb(0), e) if p.end > 2)
+        wanted.take(piece, 1, arb(0))
+        ((u, v),) = wanted.found
+        moved = dense._moved(flow, u.mid() + arb(0, piece.error), abs(v.mid()) + arb(0, piece.error), 2 * e)
+        assert u.rad() >= (piece.error + moved[0]) * (1 - arb(2) ** -9) > piece.error
+        assert v.rad() >= (piece.error + moved[1]) * (1 - arb(2) ** -9) > piece.error
+        place, speed = dense._moved(flow, x, w, e)
+    fastest = 2 * 1.5 + 2.0**-12
+    rate = 0.75 + 2.0**-12 + float(law.friction) + float(law.resistance(arb(fastest)))
+    assert float(speed) == pytest.approx(2.0**-12 * rate, rel=1e-3)
+    assert float(place) == pytest.approx(2.0**-12 * (1.5 + float(speed)), rel=1e-6)
+
+
+def test_the_distance_of_a_turning_point_has_both_of_its_parts():
+    law, e = damping(("0", "1/10"), ("2", "1")), arb(2) ** -8
+    flow, truth = LinearSpring(law), 2.0**-8 + 2.0**-8 * (0.5 + 0.1)
+    found = float(dense._distance(flow, Turning(1, -1, arb("0.5"), arb(3), e, e)))
+    assert truth <= found < 1.1 * truth
+    assert dense._distance(flow, Turning(1, -1, arb("0.5"), arb(3), e, arb(0))) >= e
+
+
+def test_a_start_keeps_its_radii():
+    """At rest and in motion, in place and in speed: the first turning point holds those from all corners."""
+    flow, e = LinearSpring(damping(("3/2", "1/5"))), arb(2) ** -16
+    with ctx.workprec(80):
+        rest = dense._first(flow, arb(1, e), arb(0), dense._Wanted(flow, [arb(5)]))
+        assert rest.amplitude_error >= e
+        wide = [dense._first(flow, arb("0.5", e), arb("0.25", e), dense._Wanted(flow, [arb(5)])),
+                first_from(flow, arb("0.5", e), arb("0.25", e))]  # fmt: skip
+        for a, b in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+            corner = first_from(flow, arb("0.5") + a * e, arb("0.25") + b * e)
+            assert all(one.x.contains(corner.x) and one.tau.contains(corner.tau) for one in wide)
+        assert all(one.amplitude_error < 4 * e and one.time_error < 8 * e for one in wide)
+
+
+def test_the_end_of_a_course_that_began_in_motion_keeps_its_parts():
+    """Made-up radii: the errors of the course and what was given add up, and so do the clock's radius and the delay."""
+    law, e = damping(("3/2", "1/5")), arb(2) ** -10
+    with ctx.workprec(80):
+        *_, real = course(LinearSpring(law), arb("0.5"), arb("0.25"))
+        piece = replace(real, begun=PartingErrors(e, e), miss=e, clock=arb(real.clock.mid(), e))
+        found = after_kick(piece, 1, 2 * e)
+        late = late_by(law, -piece.turn, 3 * e)
+        assert 3 * e <= found.amplitude_error < arb("3.01") * e
+        assert (e + late) * (1 - arb(2) ** -20) <= found.time_error < (e + late) * arb("1.01")
+
+
+def test_a_passage_keeps_what_its_landing_misses():
+    with ctx.workprec(40):
+        *_, last = course(LinearSpring(damping(("3/2", "1/5"))), arb("0.5"), arb(0))
+        found = of_landing(arb("0.5"), arb(0), last, 3)
+        assert found.amplitude.rad() * arb("0.5") >= last.miss * (1 - arb(2) ** -20)
+    law = damping(("1/2", "1"))
+    edge, e = (arb(1) / 6).sqrt() * 9 / 16, arb(2) ** -6
+    assert integrated(law, edge * arb("0.98"), arb(2) ** -20).ended == "creeps"
+    assert trap(law, edge * arb("0.999") + arb(0, e), arb(0)) is None
+    with ctx.workprec(60), pytest.raises(UndecidedError):  # from within e of the edge it may turn as well
+        swung(LinearSpring(law), Turning(0, 1, (edge * arb("0.999")).mid(), arb(0), e, arb(0)))
+
+
+def test_times_and_places_of_a_turning_point_add_up():
+    """Made-up radii: what is carried, that of q, that of T and the times before; by pieces the delay as well."""
+    law, e = damping(("3/2", "1/5"), ("0", "1/20")), arb(2) ** -10
+    found = Passage(arb("0.75", e), arb(3, e), "", 1, arb(0))
+    there = following(law, Turning(2, 1, arb(1), arb(9), 3 * e, 5 * e), found)
+    assert there.amplitude_error >= 4 * e and there.amplitude_error < arb("4.1") * e
+    assert there.time_error >= 6 * e * (1 - arb(2) ** -20) and there.time_error < arb("6.01") * e
+    with ctx.workprec(80):
+        *_, real = course(LinearSpring(law), arb(1), arb(0), 3 * e)
+        piece = replace(real, begun=PartingErrors(e, 4 * e), miss=e, clock=arb(real.clock.mid(), e))
+        there, late = (
+            after_landing(Turning(2, 1, arb(1), arb(9), 3 * e, 5 * e), piece),
+            late_by(law, -piece.turn, 4 * e),
+        )
+        assert there.amplitude_error >= 4 * e and there.amplitude_error < arb("4.1") * e
+        assert (6 * e + late) * (1 - arb(2) ** -20) <= there.time_error < (6 * e + late) * arb("1.01")
+
+
+def test_only_terms_up_to_alpha_help_to_trap():
+    """At small speeds w^3 is nothing beside w^(1/2); w^(1/4) is more, by fastest^(-1/4) at least."""
+    law = damping(("1/4", "1/5"), ("1/2", "1/5"), ("3", "10"))
+    found = float(_together(law, law.alphas[1], law.exponents[1], arb("0.0625")))
+    assert found == pytest.approx(0.2 + 0.2 * 2, rel=1e-9)
+
+
+def test_newton_claims_no_root_where_there_is_none():
+    """x^2 + 1 has none, and no box about any x holds its own Newton step."""
+    with ctx.workprec(60), pytest.raises(UndecidedError):
+        solve(lambda x: (x * x + 1, 2 * x), arb(0), arb("0.7"))

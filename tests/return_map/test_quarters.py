@@ -1,0 +1,329 @@
+"""Quarter-swings by collocation: closed forms are contained at every precision, every bound is held to its constant."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+from flint import arb, arb_mat, arb_poly, ctx, fmpz_poly
+
+from asymptotics.errors import UndecidedError
+from asymptotics.flow.damping import Damping
+from asymptotics.numbers.exact import parse_real
+from asymptotics.return_map import half_swings, panels
+from asymptotics.return_map.chebyshev import cut, nodes
+from asymptotics.return_map.coordinate import Coordinate
+from asymptotics.return_map.half_swing_map import integrated
+from asymptotics.return_map.half_swings import HalfSwings
+from asymptotics.return_map.panel_plan import PanelPlan
+from asymptotics.return_map.quarters import Bundle, NodeGrid, Path, found, largest, peak, quarter_swings
+from asymptotics.return_map.quarters_in_doubles import Sketch, corrected
+from asymptotics.return_map.spectral import analysis, integrals, of_the_integral
+
+
+def damping(*pairs):
+    with ctx.workprec(400):
+        return Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+
+
+def coordinate(*pairs):
+    with ctx.workprec(300):
+        return Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+
+
+def closed_form(alpha, delta):
+    """(ln r, T) of the quarter at the signed strength delta: dry friction and linear damping; ln r for alpha = 2."""
+    if alpha == "0":
+        return (1 - 2 * delta).log() / 2, (-delta / (1 - delta)).acos()
+    if alpha == "1":
+        rate = (1 - delta**2 / 4).sqrt()
+        time = (arb.pi() / 2 + (delta / (2 * rate)).atan()) / rate
+        return -delta * time / 2, time
+    square = (1 - (1 + 2 * delta) * (-2 * delta).exp()) / (2 * delta**2)  # w^2 where y = 0
+    return square.log() / 2, None
+
+
+@pytest.mark.parametrize("alpha", ["0", "1", "2"])
+@pytest.mark.parametrize(("strength", "side"), [("1/7", 1), ("1/7", -1), ("1/1000", -1)])
+def test_a_ladder_of_closed_forms(alpha, strength, side):
+    law = damping((alpha, strength))
+    with ctx.workprec(400):
+        growth, time = closed_form(alpha, side * parse_real(strength, "e").ball())
+    for bits in (8, 30, 53, 120):
+        (quarter,) = quarter_swings([(law, side)], bits)
+        assert quarter.growth.contains(growth) and (time is None or quarter.duration.contains(time)), bits
+        assert max(quarter.growth.rad(), quarter.duration.rad()) < arb(2) ** (4 - bits)
+
+
+def test_many_strengths_of_one_law_at_once_on_both_sides():
+    laws = [(damping(("3", strength)), side) for strength in ("1/5", "1/50", "1/4000") for side in (1, -1)]
+    together = quarter_swings(laws, 60)
+    for law, one in zip(laws, together, strict=True):
+        (sharp,) = quarter_swings([law], 130)
+        assert one.growth.contains(sharp.growth) and one.duration.contains(sharp.duration)
+
+
+@pytest.mark.parametrize("other", [(("3", "1/10"),), (("2", "1/10"), ("3", "0")), (("1", "1/10"), ("2", "1/10"))])
+def test_laws_with_other_exponents_are_refused_unless_their_terms_vanish(other):
+    """The columns share their exponents: one with a term more would be read without it."""
+    laws = [(damping(("2", "1/10")), 1), (damping(*other), 1)]
+    if other[-1][1] == "0":
+        first, second = quarter_swings(laws, 40)
+        assert first.growth.str(9) == second.growth.str(9)
+    else:
+        with pytest.raises(ValueError, match="different exponents"):
+            quarter_swings(laws, 40)
+
+
+def test_a_strength_that_is_not_told_from_0_is_not_dropped():
+    """A ball about 0 is refused; sqrt(2) less its first digits, 9e-24, is no such ball at 53 bits."""
+    tiny, quadratic = parse_real("sqrt(2)", "e") - Fraction("1.41421356237309504880168"), parse_real("2", "a")
+    with ctx.workprec(53):
+        assert tiny.ball() > 0 and len(Damping.of([(tiny.ball(), quadratic)]).strengths) == 1
+        with pytest.raises(UndecidedError, match="not told from 0"):
+            Damping.of([(arb(0, 1e-20), quadratic)])
+
+
+# The bounds, each against an evaluation that shares nothing with it.
+
+LAWS = [
+    ((("3/2", "1/5"),), 1),
+    ((("1", "1/20"), ("2", "1/5")), -1),
+    ((("3", "1/8"),), 1),
+    ((("0", "1/50"), ("1/2", "1/10")), 1),
+]
+
+
+def bundle_of(pairs, side, bits=60):
+    with ctx.workprec(bits + 24):
+        return Bundle.of([(damping(*pairs), side)])
+
+
+def path_of(law, count, bits=60):
+    with ctx.workprec(bits + 24):
+        grid = NodeGrid.of(bundle_of(*law, bits=bits), count)
+        return Path.along(grid, found(grid, bits))
+
+
+def sampled(path, rim, count=60):
+    """(|f|, |d tau/dt|, |c D|) on the rim by mpmath; G from its values in doubles."""
+    bundle, sketch = path.grid.bundle, path.grid.bundle.sketch
+    g = sketch.solved(path.grid.count)[:, 0]
+    angles = np.pi * (2 * np.arange(len(g)) + 1) / (2 * len(g))
+    b = [(1 + (k > 0)) / len(g) * np.sum(g * np.cos(k * angles)) for k in range(24)]
+    terms = [(float(a.mid()), float(e.mid())) for a, e in zip(bundle.alphas, bundle.strengths[0], strict=True)]
+    h, seen = float(bundle.half[0].mid()), []
+    for angle in np.linspace(0, np.pi, count):
+        u = rim * mpmath.expj(angle)
+        s, c = (lambda z: (1 / mpmath.cosh(z), -mpmath.tanh(z)))(h * ((u + 1 / u) / 2 - 1))
+        G = sum(x * (u**k + u**-k) / 2 for k, x in enumerate(b))
+        drag = sum(e * s**a * mpmath.exp((a - 1) * G) for a, e in terms)
+        seen.append([abs(x) for x in (h * s * s * drag / (1 - c * drag), h * s / (1 - c * drag), c * drag)])
+    return [float(max(column)) for column in zip(*seen, strict=True)]
+
+
+@pytest.mark.parametrize("law", LAWS, ids=str)
+def test_the_bounds_on_the_ellipse(law):
+    """The largest |f| and |d tau/dt| on the rim: the bounds exceed them by less than a factor of 3."""
+    path = path_of(law, 40)
+    with ctx.workprec(53):
+        fast, slow = path.on_ellipse(arb("1.5"))
+    truly_fast, truly_slow, _ = sampled(path, 1.5)
+    assert truly_fast <= float(fast) <= 3 * truly_fast and truly_slow <= float(slow) <= 3 * truly_slow
+
+
+def test_the_largest_ellipse_is_free_of_singularities():
+    """|c D| < 1 on the last rim that is accepted; a little further out it is not, and Im z passes pi/2 elsewhere."""
+    path, free = path_of(LAWS[2], 40), path_of(((("2", "1/100000"),), 1), 40)
+    with ctx.workprec(53):
+        rims = [arb(1) + arb(k) / 20 for k in range(1, 60)]
+        last, other = (float(max(R for R in rims if p.on_ellipse(R) is not None)) for p in (path, free))
+    assert sampled(path, last)[2] < 1 < sampled(path, last + 0.4)[2]
+    height = float(free.grid.bundle.half[0].mid()) * (other - 1 / other) / 2
+    assert 1.4 < height < np.pi / 2
+
+
+@pytest.mark.parametrize("alpha", [0.0, 0.5, 1.0, 3.0])
+def test_the_peak_is_attained(alpha):
+    seen = max(np.sin(t) ** alpha * np.cos(t) for t in np.linspace(0, np.pi / 2, 20001))
+    assert seen <= float(peak(arb(alpha)).upper()) <= seen * (1 + 1e-6)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=str)
+def test_the_error_is_made_of_its_parts(law):
+    """Few nodes: e^(2K) (start + 2 eta), K/h = sum |alpha_i - 1| drag_i/(1 - kappa)^2, and for the time 2 K of it."""
+    path, rim = path_of(law, 40), 1.6
+    bundle, m = path.grid.bundle, path.grid.count
+    (quarter,) = path.enclosed(rim)
+    with ctx.workprec(53):
+        fast, slow = path.on_ellipse(arb(rim))
+        eta, time_cut = float(cut(fast, arb(rim), m) + path.differs), float(2 * cut(slow, arb(rim), m))
+        drags = [float(d) for d in path.drags((path.sizes(arb(1)) + arb(2) ** -20).upper())]
+    alphas = [float(a.mid()) for a in bundle.alphas]
+    full = sum(d * float(peak(arb(a)).mid()) for d, a in zip(drags, alphas, strict=True))
+    slope = float(bundle.half[0].mid()) * sum(abs(a - 1) * d for d, a in zip(drags, alphas, strict=True))
+    K = slope / (1 - full) ** 2
+    off = np.exp(2 * K) * 2 * eta
+    assert float(quarter.growth.rad()) == pytest.approx(off, rel=1e-5)
+    assert float(quarter.duration.rad()) == pytest.approx(time_cut + 2 * K * off, rel=1e-5)
+    (sharp,) = quarter_swings([(damping(*law[0]), law[1])], 90)
+    assert quarter.growth.contains(sharp.growth) and quarter.duration.contains(sharp.duration)
+
+
+def test_the_drags_are_those_on_the_orbit():
+    """max |delta e^((alpha-1) g)| over a backward orbit, where g grows from 0 to ln r: at most a tenth more."""
+    path = path_of(((("3/2", "1/5"),), -1), 40)
+    with ctx.workprec(53):
+        (load,) = path.drags(path.sizes(arb(1)))
+    seen = 0.2 * np.exp(0.5 * float(path.ends[0].mid()))
+    assert seen <= float(load) <= 1.1 * seen
+
+
+def test_a_start_that_is_off_is_paid_for():
+    """Nearly without damping g is off by as much at the end, and half of the bound is refuted."""
+    e, weak = arb(2) ** -24, ((("2", "1/100000"),), 1)
+    bundle = bundle_of(*weak)
+    with ctx.workprec(84):
+        grid = NodeGrid.of(replace(bundle, start=(bundle.start[0] + e,), off=e), 60)
+        (wide,) = Path.along(grid, found(grid, 50)).enclosed(1.5)
+        missing = abs(wide.growth.mid() - quarter_swings([(damping(*weak[0]), 1)], 80)[0].growth)
+        assert missing <= wide.growth.rad() and wide.growth.rad() / 2 < missing
+
+
+def test_a_late_start_is_paid_for():
+    """z_0 off by e: the time is off by less than e/(1 - kappa), g by less than e times the drags."""
+    e, law = arb(2) ** -24, ((("3/2", "1/5"),), 1)
+    bundle = bundle_of(*law)
+    with ctx.workprec(84):
+        grid = NodeGrid.of(replace(bundle, half=(bundle.half[0] + e / 2,), late=e), 60)
+        (wide,) = Path.along(grid, found(grid, 50)).enclosed(1.5)
+        (sharp,) = quarter_swings([(damping(*law[0]), 1)], 80)
+        assert wide.growth.contains(sharp.growth) and wide.duration.contains(sharp.duration)
+        assert e <= wide.duration.rad() <= 1.2 * e + 2 * wide.growth.rad() and wide.growth.rad() <= e / 2
+
+
+def test_rates_that_are_off_are_seen():
+    """P off by e at one node: differs = sqrt(2m - 1) e; what that does to the end is within the radius."""
+    e = arb(2) ** -26
+    with ctx.workprec(84):
+        grid = NodeGrid.of(bundle_of((("2", "1/100000"),), 1), 30)
+        exact = found(grid, 60)
+        rates = exact.table()
+        rates[7][0] += e
+        off, right = Path.along(grid, arb_mat(rates)), Path.along(grid, exact)
+        assert e * arb(59).sqrt() <= off.differs * arb("1.001") and off.differs <= e * arb(59).sqrt() * arb("1.001")
+        assert 0 < abs(off.ends[0] - right.ends[0]) < off.enclosed(1.5)[0].growth.rad()
+
+
+def test_coefficients_that_are_dropped_count():
+    """At 30 bits the last coefficients of P are dropped as negligible: their sum is in what P differs by."""
+    with ctx.workprec(54):
+        grid = NodeGrid.of(bundle_of((("3/2", "1/5"),), 1, bits=30), 60)
+        rates = found(grid, 30)
+        path = Path.along(grid, rates)
+        b = [abs(float(row[0].mid())) for row in (analysis(60, 54) * rates).table()]
+    kept = path.sizes.degree()
+    assert 10 < kept < 60 and 0 < sum(b[kept:]) <= min(float(path.differs), 2.0**-30) < sum(b[kept - 1 :])
+
+
+@pytest.mark.parametrize("m", [2, 3, 8])
+def test_the_matrices_of_integration(m):
+    """T_k has the coefficients e_k, and its integral from -1 is that of the polynomial."""
+    with ctx.workprec(80):
+        T = [arb_poly(fmpz_poly.chebyshev_t(k)) for k in range(m + 1)]
+        unit = analysis(m, 80) * arb_mat([[p(t) for p in T[:m]] for t in nodes(m)])
+        sums = integrals(m, 80)
+        for k in range(m):
+            whole = T[k].integral()
+            for j, t in enumerate([*nodes(m), arb(1)]):
+                assert (sums[j, k] - whole(t) + whole(arb(-1))).contains(0) and sums[j, k].rad() < 1e-20
+                assert j == m or ((unit[j, k] - int(j == k)).contains(0) and unit[j, k].rad() < 1e-20)
+        b = [arb(k + 1) for k in range(m)]
+        whole = sum((c * p for c, p in zip(b, T, strict=False)), arb_poly([])).integral()
+        again = sum((c * p for c, p in zip(of_the_integral(b), T[1:], strict=True)), arb_poly([]))
+        assert all((whole - again)[k].contains(0) for k in range(1, m + 1))
+
+
+def test_largest_is_an_upper_bound():
+    with ctx.workprec(200):
+        values = [arb(1) / 3, -(arb(2) / 3), arb(1) / 7 + arb(0, arb(1) / 10)]
+        assert abs(values[1]) <= largest(values) and largest(values) < arb("0.6667")
+
+
+# Half-swings from quarters.
+
+
+@pytest.mark.parametrize("pairs", [(("5/2", "1/5"),), (("1", "1/20"), ("3", "1/4")), (("3/2", "1/10"), ("2", "1/10"))])
+def test_half_swings_contain_the_pieces(pairs):
+    law, place = coordinate(*pairs), arb("0.46875")
+    with ctx.workprec(110):
+        truth = integrated(law.damping(place), arb(1))
+    for bits in (10, 40, 70):
+        swings = HalfSwings.up_to(law, arb("0.5"), bits)
+        with ctx.workprec(bits + 20):
+            ratio, duration = swings(place)
+        assert ratio.contains(truth.amplitude) and duration.contains(truth.duration)
+        assert max(ratio.rad(), duration.rad()) < arb(2) ** (8 - bits)
+
+
+def test_the_residual_of_a_half_swing_is_what_it_is_off_by(monkeypatch):
+    """The derivative of the equation is near 1: a guess off by e is paid for, and half of that is refuted."""
+    e, law, place = arb(2) ** -20, coordinate(("2", "1/100")), arb("0.5")
+    swings = HalfSwings.up_to(law, arb("0.5"), 40)
+    with ctx.workprec(60):
+        truth = swings(place)[0]
+        near = truth.log().mid()
+        monkeypatch.setattr(HalfSwings, "_near", lambda *given: near + e)
+        ratio, duration = swings(place)
+        missing = abs(ratio.mid() - truth)
+        assert missing <= ratio.rad() and ratio.rad() / 2 < missing and duration.rad() < e
+
+
+def test_an_amplitude_beyond_the_interval_is_refused():
+    swings = HalfSwings.up_to(coordinate(("2", "1/5")), arb("0.5"), 30)
+    with pytest.raises(UndecidedError, match="outside the interval"):
+        swings(arb("0.51"))
+
+
+def test_where_quarters_do_not_serve_the_pieces_do(monkeypatch):
+    def refused(laws, bits):
+        raise UndecidedError("no")
+
+    law, plan = coordinate(("2", "1/5")), PanelPlan(0.0, 0.25, 20.0, 0, 0, 0)
+    found = [panels.laid_out(law, plan, 40)]
+    monkeypatch.setattr(half_swings, "quarter_swings", refused)
+    found.append(panels.laid_out(law, plan, 40))
+    with ctx.workprec(40):
+        one, other = (panel.passage(arb("0.125")) for panel in found)
+    assert one.amplitude.overlaps(other.amplitude) and one.duration.overlaps(other.duration)
+    assert found[0].ratio.error != found[1].ratio.error
+
+
+@pytest.mark.parametrize("law", [(("3", "3"), -1), (("1000", "1/10"), 1), (("0", "2"), 1)])
+def test_what_is_out_of_reach_is_undecided(law):
+    pair, side = law
+    with pytest.raises(UndecidedError):
+        quarter_swings([(damping(pair), side)], 60)
+
+
+def test_corrections_in_doubles_solve_their_equation():
+    """e = r + integral of (slope e) for random slopes, the integral by the matrices in balls."""
+    rng = np.random.default_rng(5)
+    slope, residual = rng.uniform(-0.5, 0.5, (30, 4)), rng.normal(size=(30, 4))
+    with ctx.workprec(60):
+        whole = np.array([[float(x.mid()) for x in row] for row in (integrals(30, 60) * analysis(30, 60)).table()[:-1]])
+    e = corrected(slope, residual, 12)
+    assert np.max(np.abs(residual + whole @ (slope * e) - e)) < 1e-10
+
+
+def test_the_sketch_refuses_what_blows_up():
+    strong = Sketch(np.array([3.0]), np.array([[-9.0]]), np.array([1.5]), np.array([0.0]))
+    with pytest.raises(UndecidedError):
+        strong.planned(60)
+
+
+def test_an_ellipse_that_may_lie_on_the_other_side_of_zero_has_no_majorant():
+    falls = coordinate(("2", "1/10"))
+    assert falls.bounds(arb(0), arb("0.1")) is not None and falls.bounds(arb("-0.01"), arb("0.1")) is None
+    assert falls.is_quartered and not coordinate(("1", "1/10")).is_quartered
