@@ -60,7 +60,12 @@ class Site:
 def sites() -> tuple[Site, ...]:
     """All sites of the library."""
     files = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "asymptotics").rglob("*.py"))
-    return tuple(site for file in files if not is_heuristic(file) for site in sites_of((ROOT / file).read_text(), file))
+    return tuple(
+        site
+        for file in files
+        if arithmetic_of(file) != "heuristic"
+        for site in sites_of((ROOT / file).read_text(), file)
+    )
 
 
 @lru_cache(maxsize=1)
@@ -76,11 +81,11 @@ def _arithmetics() -> dict[str, str]:
     return found
 
 
-def is_heuristic(file: str) -> bool:
-    """Whether the table of arithmetics says so: of the file itself, else of its room, the innermost that it names."""
+def arithmetic_of(file: str) -> str:
+    """What the table of arithmetics says of the file itself, else of its room, the innermost that it names."""
     path, known = Path(file).relative_to("asymptotics"), _arithmetics()
     here = (str(path), *(f"{room}/" for room in path.parents))
-    return next((known[name] for name in here if name in known), "") == "heuristic"
+    return next((known[name] for name in here if name in known), "")
 
 
 def sites_of(source: str, file: str) -> Iterator[Site]:

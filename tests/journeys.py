@@ -1,8 +1,10 @@
 """Three requests followed through the house: the files whose functions run, in the page for maintainers.
 
-python -m tests.journeys          rewrites the lists and the table of routes in docs/maintainers/architecture.md
+python -m tests.journeys          rewrites the lists and the table of routes in docs/maintainers/architecture.md, and
+                                  docs/maintainers/files.md: each file, its arithmetic and its first sentence
 """
 
+import ast
 import re
 import subprocess
 import sys
@@ -14,9 +16,11 @@ from types import FrameType
 import asymptotics as asy
 from asymptotics.cli.main import run
 from asymptotics.turning.routes import ROUTES
+from benchmarks.bound_sites import arithmetic_of
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "maintainers" / "architecture.md"
+FILES = PAGE.with_name("files.md")
 ROOM = str(ROOT / "asymptotics") + "/"
 
 
@@ -86,6 +90,29 @@ def routes() -> str:
     return "\n".join(["| route | serves | by | x(t) the same way |", "|---|---|---|---|", *rows])
 
 
+def first_sentence(path: Path) -> str:
+    """The first sentence of a file's docstring, on one line."""
+    text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+    first = " ".join(text.partition("\n\n")[0].split())
+    return re.sub(r"([|<*])", r"\\\1", first.partition(". ")[0].rstrip(".: ").replace("``", "`"))
+
+
+def map_of_files() -> str:
+    """The page of files: a room, and a line for each file in it."""
+    root, parts = (
+        ROOT / "asymptotics",
+        ["# Every file in one line", "Made by `python -m tests.journeys`; {doc}`architecture` has the wings."],
+    )
+    rooms = sorted({path.parent for path in root.rglob("*.py")})
+    for room in rooms:
+        name = f"`{room.relative_to(root)}/`" if room != root else "At the top"
+        modules = [path for path in sorted(room.glob("*.py")) if not path.name.startswith("__")]
+        rows = [f"| `{m.name}` | {arithmetic_of(str(m.relative_to(ROOT)))} | {first_sentence(m)} |" for m in modules]
+        parts += [f"## {name}", first_sentence(room / "__init__.py") + "."]
+        parts += ["\n".join(["| file | arithmetic | |", "|---|---|---|", *rows])] if rows else []
+    return "\n\n".join(parts) + "\n"
+
+
 def block(name: str, text: str) -> str:
     """What stands in the page under that name."""
     return f"<!-- {name} -->\n{text}\n<!-- end of {name} -->"
@@ -109,6 +136,7 @@ def main() -> None:
     for name, text in made.items():
         page = page.replace(block(name, told(name)), block(name, text))
     PAGE.write_text(page, encoding="utf-8")
+    FILES.write_text(map_of_files(), encoding="utf-8")
 
 
 if __name__ == "__main__":

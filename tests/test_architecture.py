@@ -7,11 +7,15 @@ import pytest
 from asymptotics.errors import InputError
 from asymptotics.law import Law
 from asymptotics.turning.choose import turning_points
-from tests.journeys import JOURNEYS, PAGE, ROOT, listed, routes, told, traced
+from tests.journeys import FILES, JOURNEYS, PAGE, ROOT, listed, map_of_files, routes, told, traced
 
 
 def test_the_table_of_routes_is_that_of_the_code():
     assert told("routes") == routes(), "python -m tests.journeys rewrites it"
+
+
+def test_the_page_of_files_is_that_of_the_code():
+    assert FILES.read_text(encoding="utf-8") == map_of_files(), "python -m tests.journeys rewrites it"
 
 
 @pytest.mark.slow

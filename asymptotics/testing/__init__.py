@@ -1,11 +1,5 @@
 """For tests of one's own code: random laws and oscillators that seek out trouble, and certified answers to hold it to.
 
-==============  ==================================================================================================
-``strategies``  Hypothesis strategies: exponents near 0 and 1, laws, oscillators, states (needs ``hypothesis``)
-``oracles``     certified turning points, motion and coefficients beside the caller's own
-``assertions``  ``assert_digits`` and ``assert_order``: how many digits are right, and which order an error has
-==============  ==================================================================================================
-
 A recurrence, an integrator or an expansion is tested like this (the averaged law has five right digits, not nine):
 
 >>> from asymptotics.law import Law

@@ -12,10 +12,4 @@ is that of a linear spring with losses that depend on the place, and a clock (de
 the relabelling A -> xi_A = sqrt(2 V(A)): a pendulum in a loss v|v|^(alpha-1) and a linear spring in the loss
 v|v|^(alpha-1)/sqrt(1 - xi^2/4) have the same amplitudes xi, for ever.  Amplitudes alone cannot tell a nonlinear spring
 from a loss that depends on the place; times can, because the clock x'(xi) belongs to the spring alone.
-
-==============  =========================================================================================
-``series``      x(xi), x'(xi) and the straightened loss of any springs, as exact series
-``pendulum``    first order in the loss, exact in the amplitude, any exponent: 2F1; the exact period
-``wells``       the same for the pendulum and x + c x^3, in xi: balls, contours, arrays
-==============  =========================================================================================
 """

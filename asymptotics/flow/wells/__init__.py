@@ -7,13 +7,5 @@ on a swing towards smaller u, w >= 0.  The course and its errors are those of ``
 may grow within a half-swing, while from one turning point to the next the squares of the speeds at equal places draw
 together (``flow.parting``).
 
-==============  ======================================================================================
-``force``       the force in balls: values, slopes, what a disc of complex u and w can make of it
-``expansion``   the motion next to a turning point, in powers of the speed, with its majorant
-``ends``        sticks, creeps, overdamped; escapes and rotates: what leaves the well
-``turning_point`` the turning point ahead
-``even_well``   the flow of such a force, for the course of ``flow``
-==============  ======================================================================================
-
 Derivations ``wells-majorant`` and ``wells-traps``.
 """
