@@ -33,7 +33,10 @@ UNTRIED = "not tried to its end: the time was over"
 
 @dataclass(frozen=True)
 class LawFit:
-    """A candidate with its fit; ``reason`` says why there is none, or why the law is judged as it is."""
+    """A candidate with its fit; ``reason`` says why there is none, or why the law is judged as it is.
+
+    ``apart``: of several runs, the strengths that differ by more than their errors.
+    """
 
     candidate: Candidate
     fit: Fit | None
@@ -53,6 +56,7 @@ class LawFit:
     left: float = 1.0
     unneeded: tuple[str, ...] = ()
     unexplained: Unexplained | None = None
+    apart: tuple[str, ...] = ()
 
     @property
     def grade(self) -> str:

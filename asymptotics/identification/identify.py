@@ -258,7 +258,8 @@ def _together(answers: Sequence[Identification], units: RecordUnits) -> Identifi
     order = [a.law.candidate for a in answers[0].laws]
     per_run = [[answer.law(str(c)).law for c in order] for answer in answers]
     laws = common(per_run)
-    verdict = verdict_of_runs([a.verdict for a in answers], laws)
+    first = max((run.reference for a in answers for run in a.runs if isinstance(run, Observations)), default=None)
+    verdict = verdict_of_runs([a.verdict for a in answers], laws, first)
     notes = [f"{a.runs[0].name}: {note}" for a in answers for note in a.notes]
     omegas = [a.units.omega_0 for a in answers if a.units.omega_0 is not None]
     units = replace(units, omega_0=float(np.mean(omegas)) if omegas else None)

@@ -1,10 +1,15 @@
 """Several runs of one oscillator: a common law, each run's strengths, and an interval for their mean.
 
-The runs scatter by more than their own errors, so the mean has a random-effects interval: the variance between the runs
-by DerSimonian and Laird, the interval with Hartung and Knapp's variance and Student's t with (runs - 1) degrees.
+Where Cochran's Q = sum_i (y_i - y)^2/sigma_i^2 is no larger than chance makes it (p >= 0.05, runs - 1 degrees), there
+is one strength, and the mean has the errors within the runs, 1/sum_i sigma_i^-2.  Where it is larger the strengths
+differ: the interval is that of random effects (the variance between the runs by DerSimonian and Laird, the interval
+with Hartung and Knapp's variance and Student's t with runs - 1 degrees), and the verdict says so.
 
->>> mean, between = random_effects([1.0, 1.2, 0.9], [0.01, 0.01, 0.01])
->>> mean.contains(1.0), between > 0.1
+>>> alike, between = mean_of_runs([1.0, 1.01], [0.01, 0.01])
+>>> round(alike.high - alike.low, 3), between
+(0.028, 0.0)
+>>> apart, between = mean_of_runs([1.0, 1.2], [0.01, 0.01])
+>>> apart.contains(0.0), between > 0.1
 (True, True)
 """
 
@@ -12,30 +17,35 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from scipy.special import chdtrc, stdtrit
+from scipy.special import chdtrc, ndtri, stdtrit
 
-from asymptotics.identification.allowance import allowances, told
+from asymptotics.identification.allowance import WEAK, allowances, told
 from asymptotics.identification.comparison import LawFit
 from asymptotics.identification.contradiction import REFUTED, Contradiction
 from asymptotics.identification.judgement import against, commented, is_negative, minimal
 from asymptotics.identification.profile import Interval
-from asymptotics.identification.verdicts import IDENTIFIED, NONE, SEVERAL, UNTOLD, Verdict
+from asymptotics.identification.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict
+
+_ALIKE = 0.05
+"""The p-value of Cochran's Q from which on the strengths of the runs are one."""
 
 
-def random_effects(estimates: Sequence[float], errors: Sequence[float], level: float = 0.95) -> tuple[Interval, float]:
-    """(interval of the mean, standard deviation between runs)."""
+def mean_of_runs(estimates: Sequence[float], errors: Sequence[float], level: float = 0.95) -> tuple[Interval, float]:
+    """(interval of the mean, standard deviation between runs: 0 where they agree within their errors)."""
     y, v = np.asarray(estimates, dtype=float), np.asarray(errors, dtype=float) ** 2
     if len(y) < 2:
         return Interval(None, float(y[0]), None), 0.0
-    v = np.maximum(v, 1e-300)
-    w = 1 / v
-    fixed = float(w @ y / w.sum())
-    excess = float(w @ (y - fixed) ** 2) - (len(y) - 1)
-    between = max(0.0, excess / float(w.sum() - (w**2).sum() / w.sum()))
+    w = 1 / np.maximum(v, 1e-300)
+    mean, freedom = float(w @ y / w.sum()), len(y) - 1
+    Q = float(w @ (y - mean) ** 2)
+    if chdtrc(freedom, Q) >= _ALIKE:
+        reach = float(ndtri((1 + level) / 2) / np.sqrt(w.sum()))
+        return Interval(mean - reach, mean, mean + reach), 0.0
+    between = (Q - freedom) / float(w.sum() - (w**2).sum() / w.sum())
     w = 1 / (v + between)
     mean = float(w @ y / w.sum())
-    variance = max(float(w @ (y - mean) ** 2) / (len(y) - 1), 1.0 if between == 0 else 0.0) / float(w.sum())
-    reach = float(stdtrit(len(y) - 1, (1 + level) / 2)) * float(np.sqrt(variance))
+    variance = float(w @ (y - mean) ** 2) / freedom / float(w.sum())
+    reach = float(stdtrit(freedom, (1 + level) / 2)) * float(np.sqrt(variance))
     return Interval(mean - reach, mean, mean + reach), float(np.sqrt(between))
 
 
@@ -51,18 +61,24 @@ def _common(laws: Sequence[LawFit]) -> LawFit:
     first = laws[0]
     if not np.isfinite(total):
         return LawFit(first.candidate, None, reason="not every run determines it")
-    epsilon = tuple(_mean([law.epsilon[i] for law in laws]) for i in range(len(first.epsilon)))
-    springs = tuple(_mean([law.springs[i] for law in laws]) for i in range(len(first.springs)))
+    epsilon = [_mean([law.epsilon[i] for law in laws]) for i in range(len(first.epsilon))]
+    springs = [_mean([law.springs[i] for law in laws]) for i in range(len(first.springs))]
     exponents = [law.alpha for law in laws if law.alpha is not None]
-    alpha = _mean(exponents) if exponents else None
-    return LawFit(first.candidate, None, epsilon=epsilon, springs=springs, alpha=alpha, total=total)
+    alpha = _mean(exponents)[0] if exponents else None
+    found = LawFit(first.candidate, None, epsilon=_ends(epsilon), springs=_ends(springs), alpha=alpha, total=total)
+    scatter = zip(found.strengths, (*epsilon, *springs), strict=True)
+    return replace(found, apart=tuple(name for (name, _), (_, between) in scatter if between > 0))
 
 
-def _mean(intervals: Sequence[Interval]) -> Interval:
+def _ends(means: Sequence[tuple[Interval, float]]) -> tuple[Interval, ...]:
+    return tuple(interval for interval, _ in means)
+
+
+def _mean(intervals: Sequence[Interval]) -> tuple[Interval, float]:
     errors = [(i.high - i.low) / 3.92 if i.low is not None and i.high is not None else np.inf for i in intervals]
     if not np.isfinite(errors).all():
-        return Interval(None, float(np.mean([i.estimate for i in intervals])), None)
-    return random_effects([i.estimate for i in intervals], errors)[0]
+        return Interval(None, float(np.mean([i.estimate for i in intervals])), None), 0.0
+    return mean_of_runs([i.estimate for i in intervals], errors)
 
 
 def _judged(place: int, laws: Sequence[LawFit], least: float, per_run: Sequence[Sequence[LawFit]]) -> LawFit:
@@ -90,8 +106,11 @@ def _combined(found: Sequence[Contradiction]) -> Contradiction:
     return Contradiction(found[0].by, sum(c.ratio for c in found), sum(c.terms for c in found), p)
 
 
-def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[LawFit]) -> Verdict:
-    """One verdict for all runs, from their common laws: no better than that of the runs, if a run fits no law."""
+def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[LawFit], first: float | None = None) -> Verdict:
+    """One verdict for all runs, from their common laws: no better than that of the runs, if a run fits no law.
+
+    ``first``: the first amplitude, at which the shares of further terms are told.
+    """
     chosen = minimal(laws)
     names = "; ".join(str(law.candidate) for law in chosen[:6])
     best = f"; best: {names}" if names else ""
@@ -100,9 +119,28 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[LawFit]) -> Verdict:
         text = f"{NONE} at the noise level in {inadequate} of {len(runs)} runs (model inadequate){best}"
         return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
     if len(chosen) == 1:
-        allowed = allowances(chosen[0], laws, None)
-        text = f"{IDENTIFIED} in {len(runs)} runs: {names}, among the laws tried{told(allowed)}"
-        return Verdict(IDENTIFIED, text, "", allowed)
-    if not chosen or len(chosen) > 3:
+        return _one_law(chosen[0], laws, len(runs), first)
+    if not chosen or len(chosen) > MANY:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}")
     return Verdict(SEVERAL, f"{SEVERAL} with {len(runs)} runs: {names}")
+
+
+def _one_law(law: LawFit, laws: Sequence[LawFit], runs: int, first: float | None) -> Verdict:
+    """Identified, unless a further term may carry a large part of the loss; strengths that differ are told."""
+    allowed = allowances(law, laws, first)
+    said, apart = told(allowed), _apart(law)
+    if any(a.share is not None and a.share > WEAK for a in allowed):
+        text = f"{SEVERAL} with {runs} runs: {law.candidate} is the smallest, but a further term may carry most of"
+        return Verdict(SEVERAL, f"{text} the loss{apart}{said}", "", allowed)
+    if not apart and all(e.contains(0.0) for e in law.epsilon):
+        return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")
+    text = f"{IDENTIFIED} in {runs} runs: {law.candidate}, among the laws tried{apart}{said}"
+    return Verdict(IDENTIFIED, text, "", allowed)
+
+
+def _apart(law: LawFit) -> str:
+    """That the strengths of the runs differ, in words."""
+    if not law.apart:
+        return ""
+    said = f"; but the strength of {', '.join(law.apart)} differs from run to run by more than its errors"
+    return f"{said}: the interval is that of the mean"

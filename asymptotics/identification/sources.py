@@ -11,6 +11,7 @@ from asymptotics.identification.extraction import observations_of_record
 from asymptotics.identification.observations import Observations
 from asymptotics.identification.printed import Decrements
 from asymptotics.identification.sampled import LEAST_SAMPLES, observations_of_motion
+from asymptotics.identification.second_mode import without_second_modes
 from asymptotics.identification.sensors import sensor_notes
 from asymptotics.records.clock import runs_of, straightened
 from asymptotics.records.repairs import releases, spikes
@@ -81,6 +82,8 @@ def _order(run: RecordTable) -> int:
 
 
 def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...]) -> Observations:
+    x, lines = without_second_modes(t, x)
+    notes = (*notes, *lines)
     if _order(run) == 0:
         seen = observations_of_record(t, x, unit=run.unit, rows=rows)
         return replace(seen, notes=(*notes, *seen.notes))
