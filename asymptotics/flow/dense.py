@@ -28,7 +28,7 @@ from asymptotics.flow.balls import upper
 from asymptotics.flow.sequence import after_kick, after_landing, kicked, sticks
 from asymptotics.flow.times import exact_sum
 from asymptotics.flow.trajectory import ESCAPES, ROTATES, CertifiedFlow, Piece, Turned, course
-from asymptotics.flow.turning import Turning, rest
+from asymptotics.flow.turning import Turning, known, rest
 from asymptotics.numbers.context import ctx
 
 State = tuple[arb, arb]
@@ -97,7 +97,7 @@ class _Wanted:
 def _first(flow: CertifiedFlow, X: arb, V: arb, wanted: _Wanted) -> Turning:
     """The first turning point at tau >= 0; times before it are answered."""
     if V == 0:
-        return rest(X)
+        return known(rest(X), flow.exact(0))
     side, u, w, given = kicked(flow, X, V)
     for piece in course(flow, u, w, given):
         wanted.take(piece, side, arb(0))

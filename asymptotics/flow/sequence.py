@@ -27,7 +27,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.parting import contracted
 from asymptotics.flow.trajectory import CertifiedFlow, Turned, course
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.turning import Turning, known
 from asymptotics.numbers.context import ctx
 
 STICKS = "sticks"
@@ -69,7 +69,7 @@ def sequence(flow: CertifiedFlow, start: Turning) -> Iterator[Turning]:
 
     UndecidedError where the enclosures cannot tell whether there is a next one.
     """
-    here = start
+    here = known(start, flow.exact(start.n))
     while True:
         if flow.endless:  # derivation ``no-overdamping``: there is a next one, whether or not anybody asks for it
             yield here
@@ -120,13 +120,16 @@ def after_landing(here: Turning, piece: Turned) -> Turning:
     )
     clock = here.time + piece.clock
     error = upper(upper(here.time_error + clock.rad()) + late)
-    return Turning(here.n + 1, -here.side, -piece.turn, clock.mid(), upper(carried + piece.miss), error)
+    there = Turning(here.n + 1, -here.side, -piece.turn, clock.mid(), upper(carried + piece.miss), error)
+    return known(there, piece.flow.exact(there.n))
 
 
 def sticks(flow: CertifiedFlow, here: Turning) -> bool:
     """Whether dry friction holds the mass at a turning point."""
     if not flow.force.grips:
         return False
+    if here.exact is not None:
+        return here.exact[1]
     with ctx.workprec(max(64, ctx.prec)):
         margin = flow.force.rest(flow.place(abs(arb(here.amplitude, here.amplitude_error))))
         if margin <= 0:

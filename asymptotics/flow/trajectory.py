@@ -33,6 +33,7 @@ rows of ``swing``, took 1.6 times as long for the exponent 2, 2.2 to 2.8 for 3/2
 
 from collections.abc import Generator, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Protocol
 
 from flint import arb
@@ -124,6 +125,10 @@ class CertifiedFlow:
     def aside(self, _here: FlowState, _ended: str | None) -> Generator["Piece", None, FlowState | None]:
         """Pieces other than Taylor steps, beside a slow curve; what comes back is the state at their end, if any."""
         yield from ()
+        return None
+
+    def exact(self, _n: int) -> tuple[Fraction, bool] | None:
+        """X at turning point n of the orbit from rest that is followed, and whether it stays there; None: not known."""
         return None
 
     def leap(self, _here: Turning, _before: arb | None = None) -> Turning | None:

@@ -4,16 +4,20 @@
 (-2.00000000000000, 0)
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from flint import arb
+
+from asymptotics.numbers.rationals import to_fmpq
 
 
 @dataclass(frozen=True)
 class Turning:
     """Turning point n: the exact ``amplitude`` and ``time`` of the orbit followed, and how far the truth is at most.
 
-    ``ended``: why it is the last one, or None.  ``side`` is the sign of X.
+    ``ended``: why it is the last one, or None.  ``side`` is the sign of X.  ``exact``: X where it is a rational number
+    that is known, and whether the mass stays there.
     """
 
     n: int
@@ -23,6 +27,7 @@ class Turning:
     amplitude_error: arb
     time_error: arb
     ended: str | None = None
+    exact: tuple[Fraction, bool] | None = None
 
     @property
     def x(self) -> arb:
@@ -38,3 +43,17 @@ class Turning:
 def rest(X: arb) -> Turning:
     """A start from rest at X != 0, at tau = 0."""
     return Turning(0, 1 if X > 0 else -1, abs(X).mid(), arb(0), X.rad(), arb(0))
+
+
+def known(here: Turning, exact: tuple[Fraction, bool] | None) -> Turning:
+    """The same turning point, at a place that is known exactly.
+
+    ArithmeticError if its enclosure does not hold that place.
+    """
+    if exact is None:
+        return here
+    place = arb(to_fmpq(exact[0]))
+    if not here.x.overlaps(place):
+        raise ArithmeticError(f"turning point {here.n} is enclosed away from {exact[0]}")
+    amplitude = here.side * place
+    return replace(here, amplitude=amplitude.mid(), amplitude_error=arb(amplitude.rad()), exact=exact)

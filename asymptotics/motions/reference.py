@@ -41,6 +41,7 @@ from asymptotics.flow.wells.ends import require_inside
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.flow.wells.force import estimated_seconds as estimated_in_well
+from asymptotics.flow.wells.rational_stops import rational_stops
 from asymptotics.law import Oscillator, PhysicalLaw
 from asymptotics.motions.certify import certified_values, half_unit, time_of
 from asymptotics.motions.coulomb import coulomb_motion
@@ -187,7 +188,9 @@ def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> li
     with ctx.workprec(bits), changed(scaled):
         if isinstance(acting, WellForce):
             require_inside(acting, X, str(oscillator.x0))
-            found = states(EvenWell(acting), X, V, ascending)
+            unit = ExactReal(1 if oscillator.x0 > 0 else -1)
+            stops = rational_stops(oscillator.dimensionless.terms, unit) if oscillator.v0.is_zero else ()
+            found = states(EvenWell(acting, stops), X, V, ascending)
         else:
             found = states(Interpolated(acting, panels_of(oscillator.dimensionless, bits)), X, V, ascending)
     placed = scaled(found)

@@ -29,9 +29,8 @@ so the image of a ball is the hull of the images of its ends.  V(q) <= V(a): the
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from fractions import Fraction
 
-from flint import arb, fmpq, fmpq_poly
+from flint import arb
 
 from asymptotics.errors import InputError
 from asymptotics.law import Law
@@ -39,7 +38,6 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 
 _PIECES = 4096
-_DEGREE, _RATIONAL = 12, 40  # powers of a spring, and places, that are looked at as rational numbers
 
 
 @dataclass(frozen=True)
@@ -150,58 +148,6 @@ def swings(well: PrimitiveWell, x: arb, bits: int) -> Iterator[tuple[arb, bool |
         if low is None or high is None:
             return
         a, side = low.union(high), -side
-
-
-def rational_places(law: Law, x0: ExactReal) -> list[Fraction]:
-    """The turning points from x0 on as long as they are rational, with dry friction and springs of rational strengths.
-
-    x = 0 and ties are among them, which no ball tells: V(q) + eps_0 q = V(a) - eps_0 a, with -q for a stop before the
-    centre.
-
-    >>> rational_places(Law({0: "3/4"}, spring={3: 1}), ExactReal(1))
-    [Fraction(1, 1), Fraction(0, 1)]
-    """
-    terms = [(t, t.strength) for t in law.terms]
-    if not all(isinstance(e, ExactReal) and e.is_rational and not t.family for t, e in terms) or not x0.is_rational:
-        return []
-    springs = {t.position: e.rational for t, e in terms if t.sign > 0 and isinstance(e, ExactReal)}
-    losses = [(t, e.rational) for t, e in terms if t.sign < 0 and isinstance(e, ExactReal) and not e.is_zero]
-    if any(not t.velocity.is_zero for t, _ in losses) or max(springs, default=1) > _DEGREE:
-        return []
-    dry = sum((e for _, e in losses), Fraction(0))
-    well = [Fraction(0), dry, Fraction(1, 2)] + [Fraction(0)] * max(springs, default=1)  # V(q) + eps_0 q
-    for p, c in springs.items():
-        well[p + 1] += c / (p + 1)
-    places, a, side = [x0.rational], abs(x0.rational), 1 if x0.rational > 0 else -1
-    while len(places) < _RATIONAL and _force(well, a) > 2 * dry:
-        q = _rational_root(well, a, dry)
-        if q is None:
-            break
-        side = -side
-        places.append(side * q)
-        a = q
-        if q <= 0:
-            break
-    return places
-
-
-def _force(well: list[Fraction], x: Fraction) -> Fraction:
-    """V'(x) + eps_0."""
-    return sum((n * c * x ** (n - 1) for n, c in enumerate(well) if n), Fraction(0))
-
-
-def _rational_root(well: list[Fraction], a: Fraction, dry: Fraction) -> Fraction | None:
-    """The next turning distance where it is rational; below 0 for a stop before the centre."""
-    energy = sum((c * a**n for n, c in enumerate(well)), Fraction(0)) - 2 * dry * a
-    side = 1 if energy >= 0 else -1  # before the centre: V(z) - eps_0 z for q = -z
-    rows = [well[0] - energy, side * dry, *well[2:]]
-    whole = fmpq_poly([fmpq(c.numerator, c.denominator) for c in rows]).numer()
-    for factor, _ in whole.factor()[1]:
-        if factor.degree() == 1:
-            root = Fraction(-int(factor[0]), int(factor[1]))
-            if 0 <= root <= a and (side > 0 or _force(well, root) < 2 * dry):
-                return side * root
-    return None
 
 
 def _next(well: PrimitiveWell, a: arb, bits: int) -> arb | None:

@@ -164,7 +164,7 @@ def size(here: Turning) -> arb:
 
 
 def _point(request: Request, here: Turning, unit: Turning | None) -> TurningPoint:
-    x: arb | ExactReal = request.place if here.n == 0 else here.x
+    x: arb | ExactReal | Fraction = request.place if here.n == 0 else here.x if here.exact is None else here.exact[0]
     tau = here.tau
     if unit is not None:
         x, tau = (arb(here.side), arb(0)) if here.n == 0 else (here.x / size(unit), tau - unit.tau)

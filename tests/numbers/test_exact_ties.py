@@ -5,17 +5,22 @@ from fractions import Fraction
 from random import Random
 
 import pytest
+from flint import arb
+from mpmath import mpf
+from numpy import cos, pi, sin, sqrt
+from numpy.polynomial.legendre import leggauss
 
 import asymptotics as asy
 from asymptotics.api.swings import turning_points
 from asymptotics.envelopes.first_order import exact_kappa
 from asymptotics.errors import UndecidedError
+from asymptotics.flow.turning import Turning, known
+from asymptotics.flow.wells.rational_stops import rational_stops
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop, exact_turning_points
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
 from asymptotics.numbers.exact import ExactReal, parse_real
-from asymptotics.turning.drag_exact import rational_places
 
 TIE = "0.0125"  # to two digits: 0.012, to the even digit
 
@@ -116,7 +121,7 @@ def test_dry_friction_beside_a_spring_has_the_places_that_were_chosen(seed):
 
     dry = (well(a) - well(q)) / (a + q)
     law = Law({0: dry}, spring={p: c})
-    places = rational_places(law, ExactReal(a))
+    places = [place for place, _ in rational_stops(law.terms, ExactReal(a))]
     assert places[1] == -q
     assert [Fraction(x.x) for x in turning_points(Oscillator(law, x0=a), 2, digits=40).points] == places[:2]
 
@@ -124,8 +129,51 @@ def test_dry_friction_beside_a_spring_has_the_places_that_were_chosen(seed):
 def test_what_is_no_rational_rate_and_what_sticks_at_once_is_told():
     laws = [{"3/2": 1}, {(1, 1): 1}, {2: 1}, {"sqrt(2)": 1}]
     assert [exact_kappa(Law(law).terms[0]) for law in laws] == [None] * 4
-    assert rational_places(Law({0: "3/8"}, spring={5: "-3/4"}), ExactReal(1)) == [1]
+    assert rational_stops(Law({0: "3/8"}, spring={5: "-3/4"}).terms, ExactReal(1)) == ((1, True),)
 
 
 def test_the_lag_is_finite_above_1_only():
     assert asy.envelope({1: "1/4"}).total_lag is None and asy.envelope({3: "1/4"}).total_lag is not None
+
+
+STOPS = [
+    ({0: 3}, {3: 2}, 2, -1),  # V'(1) = 3 holds it just so
+    ({0: "3/4"}, {3: 1}, 1, 0),
+    ({0: "10/27"}, {3: 1}, "1/3", None),  # held from the start
+]
+
+
+@pytest.mark.parametrize(("law", "spring", "x0", "stop"), STOPS)
+def test_a_stop_beside_a_spring_that_is_a_tie_has_its_time_and_the_motion_rests_there(law, spring, x0, stop):
+    """tau = int dx/sqrt(2 (V(x0) - V(x) - eps (x0 - x))), by quadrature; 60 s or 1,100 bits did not do before."""
+    dry = Oscillator(Law(law, spring=spring), x0=x0)
+    found = turning_points(dry, 3, digits=20, times=True)
+    last, late = found.points[-1], reference_motion(dry, 5, 15)
+    assert found.ended == {"n": 0 if stop is None else 1, "reason": "sticks"} and found.certified
+    assert late.v == "0" and Fraction(late.x) == pytest.approx(Fraction(last.x), rel=1e-14)
+    if stop is not None:
+        a, eps, (p, c) = float(x0), float(Fraction(str(law[0]))), next(iter(spring.items()))
+        angle, weight = (pi / 2 * values for values in leggauss(60))
+        x = (a + stop) / 2 + (a - stop) / 2 * sin(angle)
+        well = [y * y / 2 + c * abs(y) ** (p + 1) / (p + 1) for y in (a, x)]
+        tau = sum(weight * (a - stop) / 2 * cos(angle) / sqrt(2 * (well[0] - well[1] - eps * (a - x))))
+        assert Fraction(last.x) == stop and tau == pytest.approx(float(last.t), rel=1e-6)
+
+
+def test_a_stop_in_si_is_decided_as_without_units():
+    """L = 1/4 m, k = 12 N/m: b_0 = 3 k L and c = 2 k/L^2."""
+    heavy = Oscillator({0: 9}, mass=3, stiffness=12, x0="-1/2", spring={3: 384})
+    found = turning_points(heavy, 3, digits=20, times=True)
+    alone = turning_points(Oscillator(Law({0: 3}, spring={3: 2}), x0=2), 3, digits=20, times=True)
+    assert found.ended == alone.ended == {"n": 1, "reason": "sticks"}
+    assert Fraction(found.points[1].x) == Fraction(1, 4)
+    assert abs(2 * mpf(found.points[1].t) - mpf(alone.points[1].t)) < 1e-18
+
+
+def test_a_place_that_is_known_lies_in_its_enclosure():
+    here = Turning(1, -1, arb(1), arb(2), arb("1e-9"), arb(0))
+    assert known(here, None) is here and known(here, (Fraction(-1), True)).amplitude_error == 0
+    third = known(Turning(1, -1, arb(1) / 3, arb(2), arb("1e-9"), arb(0)), (Fraction(-1, 3), True))
+    assert (3 * third.x).contains(-1) and third.amplitude_error < 1e-15
+    with pytest.raises(ArithmeticError, match="turning point 1"):
+        known(here, (Fraction(1), True))

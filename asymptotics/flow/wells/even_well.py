@@ -18,6 +18,7 @@ from asymptotics.flow.trajectory import CertifiedFlow
 from asymptotics.flow.wells.ends import beyond, inside, leaves, may_trap, trap
 from asymptotics.flow.wells.expansion import WellExpansion
 from asymptotics.flow.wells.force import WellForce
+from asymptotics.flow.wells.rational_stops import Stop
 from asymptotics.flow.wells.turning_point import arrive, turns_within
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.terms import Term
@@ -27,9 +28,10 @@ _LOW = 40
 
 @dataclass(frozen=True)
 class EvenWell(CertifiedFlow):
-    """The flow of a ``WellForce``."""
+    """The flow of a ``WellForce``; ``stops``: the turning points from rest that are known exactly."""
 
     force: WellForce
+    stops: tuple[Stop, ...] = ()
 
     @classmethod
     def of(cls, terms: Sequence[Term]) -> "EvenWell":
@@ -61,6 +63,10 @@ class EvenWell(CertifiedFlow):
     def ended(self, place: arb, w: arb) -> str | None:
         """Whether it has left the well, or is trapped in it."""
         return beyond(self.force, place) or (trap(self.force, place, w) if self.traps else None)
+
+    def exact(self, n: int) -> Stop | None:
+        """From ``rational_stops``."""
+        return self.stops[n] if n < len(self.stops) else None
 
     def leaves(self, turn: arb) -> str | None:
         """UndecidedError at the edge of the well."""

@@ -16,11 +16,12 @@ from flint import arb
 
 from asymptotics.budget import require_seconds
 from asymptotics.costs import primitive_seconds
+from asymptotics.flow.wells.rational_stops import rational_stops
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
-from asymptotics.turning.drag_exact import PrimitiveWell, drag_serves, rational_places, require_well, swings
+from asymptotics.turning.drag_exact import PrimitiveWell, drag_serves, require_well, swings
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
 from asymptotics.turning.table import Ended, Kept, Points, Progress, Request
@@ -83,15 +84,15 @@ def _rounded(request: Request, bits: int, progress: Progress, made: list[Turning
 
 def _places(request: Request, well: PrimitiveWell, bits: int) -> Iterator[tuple[arb | ExactReal, bool | None]]:
     """The places as exact numbers as long as they are rational, in balls from the last one on."""
-    exact = [ExactReal(q) for q in rational_places(request.law, request.place)] or [request.place]
-    for place in exact[:-1]:
-        yield place, False
-    last = exact[-1]
-    if last.is_zero:
-        yield last, True
+    stops = rational_stops(request.law.terms, request.place)
+    yield from ((ExactReal(place), stays) for place, stays in stops)
+    if stops and stops[-1][1]:
         return
+    last = ExactReal(stops[-1][0]) if stops else request.place
     balls = swings(well, last.ball(), bits)
-    yield last, next(balls)[1]
+    first = next(balls)
+    if not stops:
+        yield last, first[1]
     yield from balls
 
 

@@ -29,6 +29,7 @@ from asymptotics.flow.turning import Turning, rest
 from asymptotics.flow.wells.ends import require_inside
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.force import WellForce, estimated_seconds
+from asymptotics.flow.wells.rational_stops import rational_stops
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.return_map.half_swing_map import INTEGRATED
@@ -94,12 +95,13 @@ def _in_well(request: Request, progress: Progress) -> TurningPoints:
         with ctx.workprec(ctx.prec + GUARD):
             force = WellForce.of(request.law.terms)
         require_inside(force, request.place.ball(), str(request.place))
+        well = EvenWell(force, () if request.in_motion else rational_stops(request.law.terms, request.place))
 
         def first() -> Turning | str:
             x0, v0 = request.place.ball(), request.speed.ball()
-            return first_from(EvenWell(force), x0, v0) if request.in_motion else rest(x0)
+            return first_from(well, x0, v0) if request.in_motion else rest(x0)
 
-        return EnclosedMotion(first, lambda start: sequence(EvenWell(force), start))
+        return EnclosedMotion(first, lambda start: sequence(well, start))
 
     return enclosed(request, orbit, lambda bits: METHOD, _bits(request), progress, doublings=_DOUBLINGS)
 
