@@ -91,3 +91,19 @@ def test_motions_fade_as_long_as_the_strength_of_the_exponents_next_to_1_lasts()
     assert fading(Law({1: 2, "0.999": 1}))[1] == inf and creeping(Law({1: 1, "0.999": "1/2"})) == 0
     for law in ({1: 3}, {"1/2": 1, "0.999": 1}, {0: "1/10", "0.999": 1}, {"1.001": 1}, {2: 1}):
         assert fading(Law(law)) == (0, 0)
+
+
+@pytest.mark.parametrize(("alpha", "epsilon"), [("1.0001", 2), ("1.00001", "2.0001"), ("1.00000001", "1.99")])
+def test_one_law_next_to_linear_damping_lingers_as_long_as_is_said(alpha, epsilon):
+    """Within 5 % of the time of the first turning point, which is no later."""
+    law = Law({alpha: epsilon})
+    first, said = float(turning_points(law, 2, 8, times=True).points[1].tau), lingering(law)
+    assert 0.95 * said < first < 1.001 * said
+
+
+def test_one_law_that_lingers_too_long_is_refused_at_once():
+    """1 + 10^-20 at 2: it ran for 60 s."""
+    for epsilon in (2, "1.9999999", 3):
+        with pytest.raises(LimitError, match="next to critical damping"):
+            turning_points(Law({"1.00000000000000000001": epsilon}), 2, 15)
+    assert lingering(Law({"1.0001": 1})) == 0

@@ -40,7 +40,8 @@ def lingering(law: Law) -> float:
         damping = Damping.of_law(law)
         total = sum((e for e, a in zip(damping.strengths, damping.alphas) if not a < 1 and not a > 1), arb(0))
         if len(damping.alphas) == 1 and damping.alphas[0] > 1 and not damping.friction > 0:
-            return _nearly_linear(damping)
+            time = _nearly_linear(damping)
+            return time if time > _LONG else 0.0
         gap = 1 - total**2 / 4
         if is_linear(damping) or any(a < 1 for a in damping.alphas) or not gap > 0:
             return 0.0
@@ -49,9 +50,21 @@ def lingering(law: Law) -> float:
 
 
 def _nearly_linear(damping: Damping) -> float:
-    """With alpha just above 1 and epsilon >= 2 the motion cannot turn before epsilon w^(alpha-1) is below 2."""
+    """With alpha just above 1 the motion turns only when the local strength epsilon w^(alpha-1) is below 2.
+
+    From epsilon >= 2 it takes int (e + sqrt(e^2 - 4))/(2 e) de/(alpha - 1) from 2 to epsilon to get there: w falls at
+    the slow rate of each strength e.  From then on the strength is about
+    2 - 2 (alpha - 1) t, and the angle int sqrt(2 (alpha - 1) t) dt is pi after (9 pi^2/(8 (alpha - 1)))^(1/3); below 2
+    a half-swing lasts at most that, and at most pi/sqrt(1 - epsilon^2/4).
+    """
     above, epsilon = (damping.alphas[0] - 1).ball(), damping.strengths[0]
-    return float((epsilon - 2) / above) if above < _NEAR_LINEAR and epsilon > 2 else 0.0
+    if not above < _NEAR_LINEAR:
+        return 0.0
+    slow, gap = (9 * arb.pi() ** 2 / (8 * above)).root(3), 1 - epsilon**2 / 4
+    if gap > 0:
+        return float(slow.min(arb.pi() / gap.sqrt()))
+    root = (epsilon**2 - 4).nonnegative_part().sqrt()
+    return float((epsilon - 2 + root - 2 * (root / 2).atan()) / (2 * above) + slow)
 
 
 def lost_bits(law: Law) -> int:
