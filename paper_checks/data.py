@@ -5,6 +5,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from paper_checks.near_misses import WORDS
 from paper_checks.registry import PAPERS, Statement, load
 
 ROOT = Path(__file__).parents[1]
@@ -49,6 +50,8 @@ def near_miss(s: Statement) -> str | None:
     """The near miss in words or signs; None if there is none."""
     if s.near_miss is None:
         return None
+    if s.id in WORDS:
+        return WORDS[s.id]
     return s.near_miss.__name__.strip("_").replace("_", " ") if inspect.isfunction(s.near_miss) else str(s.near_miss)
 
 

@@ -1,8 +1,9 @@
 """The pages of the docs as Chromium draws them: ``python -m tests.docs_drawn DIR`` (a part of ``make docs``).
 
 On a desktop (1400 px) and on a phone (390 px) no page is wider than its window, no box is clipped, and what is wide
-(code, tables, displayed formulas) scrolls inside; the formulas are set in the font that the pages carry.  A page that
-is spoilt on purpose must be noticed, else the look itself has failed.  Without Chromium that is said, and nothing else.
+(code, tables, displayed formulas) scrolls inside; the formulas are set in the font that the pages carry, and no command
+of LaTeX stands in one.  A page that is spoilt on purpose must be noticed, else the look itself has failed.  Without
+Chromium that is said, and nothing else.
 """
 
 import sys
@@ -29,6 +30,8 @@ for (const box of document.querySelectorAll('article *')) {
   const place = box.getBoundingClientRect();
   if (place.width > 0 && place.right > page.clientWidth + 1 && !inside(box)) found.push(`${name} sticks out`);
 }
+for (const formula of document.querySelectorAll('math'))
+  if (formula.textContent.includes(String.fromCharCode(92))) found.push(`a formula reads ${formula.textContent}`);
 return found.slice(0, 3);
 """
 FONT = """
@@ -38,6 +41,7 @@ const family = getComputedStyle(formula).fontFamily;
 return [...document.fonts].some((f) => family.includes(f.family.replaceAll('"', ''))) ? '' : family;
 """
 SPOILT = '<html><body><article><div style="width:3000px">wide</div></article></body></html>'
+RAW = "<html><body><article><math><mo>\\langle</mo></math></article></body></html>"
 CLIPPED = SPOILT.replace("width:3000px", "width:9em;overflow:hidden").replace("wide", '<p style="width:99em">x</p>')
 
 
@@ -53,7 +57,7 @@ def look(folder: Path) -> int:
                     "Emulation.setDeviceMetricsOverride",
                     {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False},
                 )
-                for spoilt in (SPOILT, CLIPPED):
+                for spoilt in (SPOILT, CLIPPED, RAW):
                     made = Path(profile, "spoilt.html")
                     made.write_text(spoilt, encoding="utf-8")
                     browser.get(made.as_uri())

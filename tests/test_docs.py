@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 import asymptotics as asy
 from asymptotics.cli.main import main
-from asymptotics.present.mathml import to_mathml
+from asymptotics.present.mathml import to_mathml, whole
 from derivations.__main__ import names
 
 mpl.use("Agg")
@@ -83,6 +83,33 @@ def test_mathematics_is_well_set():
     assert f"<msup><mrow>{space}<mi>sin</mi></mrow>" in to_mathml(r"\sin^2 x")
     assert space not in to_mathml(r"\exp(x)") and f"</msub>{space}<mi>cos</mi><mo" in to_mathml(r"x_0\cos(t)")
     assert "\N{EM DASH}so" in to_mathml(r"\text{---so}")
+    sides = re.findall(r'form="(\w+)" stretchy="true"[^>]*>([^<]*)<', to_mathml(r"\Big|\big\langle x\big\rangle\Big|"))
+    assert sides == [("prefix", "|"), ("prefix", "&#x027E8;"), ("postfix", "&#x027E9;"), ("postfix", "|")]
+    assert to_mathml(r"\vert x\vert").count('lspace="0" rspace="0">&#x0007C;') == 2
+    for negative, form in (("(-1)", ' form="prefix"'), ("a=-b", ' form="prefix"'), ("a-b", ""), ("(a)-b", "")):
+        assert f"<mo{form}>&#x02212;</mo>" in to_mathml(negative), negative
+    assert "<mo>&#x0223C;</mo>" in to_mathml(r"x\sim y") and 'rspace="0">&#x0002F;' in to_mathml("k/m")
+
+
+def test_no_command_of_latex_is_left_in_a_formula():
+    """A command that the converter does not know would stand on the page as it is written."""
+    assert "\\" in to_mathml(r"\unheard{x}")  # a command it does not know is seen
+    count = 0
+    for path in sorted((ROOT / "docs").rglob("*.md")):
+        text = re.sub(r"```.*?```|`[^`\n]*`", "", path.read_text(), flags=re.DOTALL)
+        for both in re.findall(r"\$\$(.+?)\$\$|\$([^$\n]+)\$", text, re.DOTALL):
+            count += 1
+            assert "\\" not in to_mathml(both[0] or both[1]), (path.name, both)
+    assert count > 500
+
+
+def test_no_line_ends_between_a_formula_and_what_touches_it():
+    x = "<math><mi>x</mi></math>"
+    assert whole(f"a ({x}, and {x}-th, {x} b") == (
+        f'a <span class="whole">({x},</span> and <span class="whole">{x}-th,</span> {x} b'
+    )
+    alone = '<math display="block"><mi>x</mi></math>.'
+    assert whole(alone) == alone
 
 
 def test_the_names_of_the_reference_are_public():
@@ -120,6 +147,17 @@ def test_faults_of_a_picture_are_noticed(monkeypatch):
     axes.set_xticks([0.5, 0.501, 0.502], ["one long label", "another", "and a third"])
     assert "ticks overlap" in faults(figure)[0]
     plt.close(figure)
+    figure, axes = plt.subplots()
+    axes.plot([0, 1, 2], [0, 1, 0], "o-", color="tab:blue")
+    axes.plot([0, 2], [2, 2], color="tab:red", label="a bound")
+    axes.legend(loc="lower center")
+    assert "1 rows of points that the legend does not name" in faults(figure)[0]
+    plt.close(figure)
+    for levels, wrong in (((1, 2, 3), True), ((0, 1, 3), False)):
+        figure, axes = plt.subplots()
+        axes.contourf([[0, 1], [2, 3]], levels=levels)
+        assert ("values beyond the colours stay white" in str(faults(figure))) is wrong
+        plt.close(figure)
     figure, (left, right) = plt.subplots(1, 2)
     left.plot([0, 1], [0, 1])
     assert faults(figure) == ["axes: empty"]

@@ -6,21 +6,39 @@ r"""LaTeX to MathML, for pages that need no network and no script: bars close, p
 (2, '...<mi>a</mi><mrow><mspace width="0.167em"/><mi>cos</mi><mspace width="0.167em"/></mrow><mi>x</mi>...')
 >>> 'stretchy="false">&#x000AF;' in to_mathml(r"\bar{x}")    # one letter wide, in every browser
 True
+>>> [name for name in ("prefix", "postfix") if f'{name}" stretchy="true"' in to_mathml(r"\big\langle -x\big\rangle/2")]
+['prefix', 'postfix']
+>>> whole("($x$), or --order".replace("$x$", "<math><mi>x</mi></math>"))
+'<span class="whole">(<math><mi>x</mi></math>),</span> or --order'
 """
 
 import re
 
 from latex2mathml.converter import convert
 
+_BAR = '<mo stretchy="false" lspace="0" rspace="0">&#x0007C;</mo>'
 _SET = {
-    '<mo stretchy="false">&#x0007C;</mo>': '<mo stretchy="false" lspace="0" rspace="0">&#x0007C;</mo>',
+    '<mo stretchy="false">&#x0007C;</mo>': _BAR,
+    "<mo>&#x0007C;</mo>": _BAR,  # \lvert, \rvert
+    "<mi>&#x0007C;</mi>": _BAR,  # \vert
+    "<mi>&#x0007E;</mi>": "<mo>&#x0223C;</mo>",  # \sim is a relation
+    "<mo>&#x02026;</mo>": "<mi>&#x02026;</mi>",
     "<mi>&#x02032;</mi>": "<mo>&#x02032;</mo>",
+    "<mo>&#x0002F;</mo>": '<mo lspace="0" rspace="0">&#x0002F;</mo>',
     'stretchy="true">&#x000AF;': 'stretchy="false">&#x000AF;',
 }
 _SPACE = '<mspace width="0.167em"/>'
 _NAMES = "sin|cos|tan|cot|ln|log|exp|arctan"
 _FUNCTION = re.compile(rf"(<msu[bp]>)?<mi>({_NAMES})</mi>(?!\s*<mo[^>]*>(?:\(|&#x00028;))")
 _BEFORE_A_CALL = re.compile(rf"(?<=</mi>|</mn>)(?=<mi>(?:{_NAMES})</mi>)|(?<=</msub>|</msup>)(?=<mi>(?:{_NAMES})</mi>)")
+_LARGE = re.compile(r'<mo (minsize="[\d.]+em" maxsize="[\d.]+em")>([^<]*)</mo>')
+_COMMANDS = {r"\langle": "&#x027E8;", r"\rangle": "&#x027E9;", r"\{": "{", r"\}": "}", r"\vert": "|"}
+_OPENING = {"(", "[", "{", "&#x027E8;"}
+_SIGNED = re.compile(  # behind what leaves nothing to add to: an opening bracket, a relation, a comma
+    r"(<mo[^>]*>(?:&#x00028;|&#x0005B;|&#x0007B;|&#x027E8;|[(\[{,=<>]|&#x0003D;|&#x0002C;|&#x02264;|&#x02265;|&#x02248;)</mo>"
+    r"(?:<mspace[^>]*>)*)<mo>(&#x02212;|&#x0002B;|&#x000B1;|&#x02213;)</mo>"
+)
+_WHOLE = re.compile(r"(\(?)(<math\b(?:(?!<math\b).)*?</math>)((?:-th\b|[),.;:?])*)", re.DOTALL)
 
 
 def _apart(match: re.Match[str]) -> str:
@@ -29,9 +47,36 @@ def _apart(match: re.Match[str]) -> str:
     return f"{match[1] or ''}<mrow>{_SPACE}<mi>{match[2]}</mi>{after}</mrow>"
 
 
+def _brackets(formula: str) -> str:
+    """Brackets of a size that was asked for: each knows on which side it stands, of bars every second one closes."""
+    bars = 0
+
+    def bracket(match: re.Match[str]) -> str:
+        nonlocal bars
+        sign = _COMMANDS.get(match[2], match[2])
+        bars += sign == "|"
+        opens = bars % 2 == 1 if sign == "|" else sign in _OPENING
+        return f'<mo form="{"prefix" if opens else "postfix"}" stretchy="true" symmetric="true" {match[1]}>{sign}</mo>'
+
+    return _LARGE.sub(bracket, formula)
+
+
 def to_mathml(latex: str, *, display: bool = False) -> str:
     """The formula as a MathML element."""
     formula = str(convert(latex.replace("---", "\N{EM DASH}"), display="block" if display else "inline"))
     for plain, better in _SET.items():
         formula = formula.replace(plain, better)
+    formula = _SIGNED.sub(r'\1<mo form="prefix">\2</mo>', _brackets(formula))
     return _BEFORE_A_CALL.sub(_SPACE, _FUNCTION.sub(_apart, formula))
+
+
+def whole(page: str) -> str:
+    """The page with each formula in a line and the bracket or punctuation that touches it kept on one line."""
+    return _WHOLE.sub(_kept, page)
+
+
+def _kept(match: re.Match[str]) -> str:
+    before, formula, after = match.groups()
+    if not before and not after or 'display="block"' in formula[: formula.find(">")]:
+        return match[0]
+    return f'<span class="whole">{before}{formula}{after}</span>'

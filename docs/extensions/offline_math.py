@@ -1,8 +1,16 @@
-"""Formulas as MathML in the page itself: no script, no network."""
+"""Formulas as MathML in the page itself: no script, no network; no line ends inside what is read as one.
+
+>>> context = {"body": '<span class="pre">motion</span> <span class="pre">--bound</span>, <math>x</math>.'}
+>>> _kept_whole(None, "", "", context, None)
+>>> context["body"]
+'<span class="pre">motion</span> <span class="pre whole">--bound</span>, <span class="whole"><math>x</math>.</span>'
+"""
+
+import re
 
 from docutils import nodes
 
-from asymptotics.present.mathml import to_mathml
+from asymptotics.present.mathml import to_mathml, whole
 
 
 def _inline(self, node):
@@ -15,7 +23,14 @@ def _display(self, node):
     raise nodes.SkipNode
 
 
+def _kept_whole(app, pagename, templatename, context, doctree):
+    """A formula with its punctuation, and an option of the command line, stay on one line."""
+    if "body" in context:
+        context["body"] = whole(re.sub(r'<span class="pre">(?=--?\w)', '<span class="pre whole">', context["body"]))
+
+
 def setup(app):
     """Register the renderer that conf.py asks for."""
     app.add_html_math_renderer("offline_mathml", (_inline, None), (_display, None))
+    app.connect("html-page-context", _kept_whole)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

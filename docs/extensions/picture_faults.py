@@ -1,6 +1,10 @@
-"""What is wrong with a picture, as far as a program sees it: empty axes, ticks that overlap, a legend over the data."""
+"""What is wrong with a picture, as far as a program sees it: empty axes, ticks that overlap, a legend over the data,
+points that the legend does not name, values that no colour of a map stands for.
+"""
 
 import numpy as np
+from matplotlib.colors import to_hex
+from matplotlib.contour import ContourSet
 
 GAP = 2.0  # pixels between two labels
 
@@ -18,6 +22,10 @@ def faults(figure):
         legend = axes.get_legend()
         if legend is not None and covered(axes, legend.get_window_extent()):
             found.append(f"{name}: the legend covers data")
+        if legend is not None and (count := nameless(axes, legend)):
+            found.append(f"{name}: {count} rows of points that the legend does not name")
+        if any(without_colour(part) for part in axes.collections):
+            found.append(f"{name}: values beyond the colours stay white")
         box = axes.get_tightbbox()
         if box is not None and _outside(box, frame):
             found.append(f"{name}: cut off by the edge")
@@ -68,6 +76,27 @@ def crowded(axis):
     boxes.sort(key=lambda b: getattr(b[0], f"{side}0"))
     pairs = zip(boxes, boxes[1:])
     return [b[1] for a, b in pairs if getattr(b[0], f"{side}0") < getattr(a[0], f"{side}1") + GAP]
+
+
+def nameless(axes, legend):
+    """How many rows of points have a colour that the legend does not have, beside rows that it names."""
+    named = {_colour(handle) for handle in legend.legend_handles if hasattr(handle, "get_color")}
+    shown = [line for line in axes.lines if len(line.get_xdata()) > 2 and line.get_marker() not in ("None", "", " ")]
+    return sum(line.get_label().startswith("_") and _colour(line) not in named for line in shown)
+
+
+def _colour(line):
+    return to_hex(line.get_color())
+
+
+def without_colour(part):
+    """Whether a filled map has values outside its levels, and no colour for them."""
+    if not isinstance(part, ContourSet) or not part.filled:
+        return False
+    low, high = part.levels[0], part.levels[-1]
+    return (part.zmin < low and part.extend not in ("min", "both")) or (
+        part.zmax > high and part.extend not in ("max", "both")
+    )
 
 
 def covered(axes, box):

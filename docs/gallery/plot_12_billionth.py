@@ -15,7 +15,7 @@ starts = [10**k for k in range(13)]
 found = [asy.turning_points({2: 1}, 1, start=n, digits=25) for n in starts]
 values = [abs(float(f.points[0].x)) for f in found]
 figure, axes = plt.subplots()
-axes.loglog(starts, values, "o-")
+axes.loglog(starts, values, "o-", label="turning points, certified")
 axes.loglog(starts, [3 / 4 / n for n in starts], ":", label=r"$3/(4\varepsilon n)$")
 axes.set(xlabel="n", ylabel=r"$|X_n|$")
 axes.legend()

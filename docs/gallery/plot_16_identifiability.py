@@ -8,6 +8,7 @@ turning points with noise sigma allow, and so the number of swings after which (
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import LogNorm
 from matplotlib.ticker import NullFormatter
 
 from asymptotics.identification.identifiability import swings_needed
@@ -21,11 +22,14 @@ for i, noise in enumerate(noises):
         needed[i, j] = swings_needed("1+2", strengths, term=0, noise=noise) or np.nan
 
 figure, axes = plt.subplots()
-picture = axes.contourf(shares, noises, needed, levels=[10, 20, 40, 80, 160, 320, 640])
+levels = [5, 10, 20, 40, 80, 160, 320]
+picture = axes.contourf(shares, noises, needed, levels=levels, norm=LogNorm(levels[0], levels[-1]))
 axes.set(xscale="log", yscale="log")
 axes.xaxis.set_minor_formatter(NullFormatter())
 axes.set(xlabel="share of the linear term in the first decrement", ylabel="noise / first amplitude")
-figure.colorbar(picture, label="half-swings needed")
+bar = figure.colorbar(picture, label="half-swings needed", ticks=levels)
+bar.ax.set_yticklabels(levels)
+bar.ax.minorticks_off()
 
 # %%
 # Less noise and a larger share both help, never the contrary:

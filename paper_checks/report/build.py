@@ -15,7 +15,7 @@ from asymptotics.papers.search import Searched, plain, words_for_pages
 from asymptotics.papers.statement import PaperStatement
 from asymptotics.present.figures import render
 from asymptotics.present.files import write_all
-from asymptotics.present.mathml import to_mathml
+from asymptotics.present.mathml import to_mathml, whole
 from asymptotics.tables.cells import Formula
 from asymptotics.tables.registry import build
 from asymptotics.verdict import Printed
@@ -87,6 +87,7 @@ def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
     for path in sorted({e["source"].partition(":")[0] for e in cards}):
         page = _template("source.html.j2").render(shown, path=path, lines=pages.source_lines(path))
         made[pages.source_name(path)] = page
+    made |= {name: whole(page) for name, page in made.items() if name != "play.html"}  # that one sets its own lines
     script = (FOLDER / "search.js").read_text(encoding="utf-8").replace("{{ index }}", _index(papers, entries))
     made["search.js"] = script.replace("{{ words }}", json.dumps(words_for_pages(), ensure_ascii=False))
     return made

@@ -2,6 +2,7 @@
 
 import html
 import re
+from fractions import Fraction
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -12,7 +13,8 @@ import sympy
 from derivations.__main__ import names
 from paper_checks.data import ROOT
 from paper_checks.evidence import Difference
-from paper_checks.forms import tex
+from paper_checks.forms import DECIMAL, tex
+from paper_checks.near_misses import LEFT, WORDS
 from paper_checks.reader import RELATION, tied
 from paper_checks.readings import READINGS
 from paper_checks.registry import SECTIONS, Statement
@@ -65,18 +67,52 @@ def left_side(entry: Statement) -> str:
 
 
 def near_miss(entry: Statement) -> dict[str, str]:
-    """The near miss as LaTeX if it is an expression, with what it stands in place of; else as text."""
-    form = entry.near_miss
-    if isinstance(form, sympy.Expr) and isinstance(entry.printed, sympy.Expr):
-        instead = rf"{tex(form)} \quad\text{{in place of}}\quad {tex(entry.printed)}"
-        return {"latex": left_side(entry) + instead, "text": ""}
+    r"""The near miss with what it stands in place of: as LaTeX, with its left side, or in words.
+
+    >>> from paper_checks.registry import load
+    >>> for key in ("smith2012:60b", "lelas2024:24", "lelas2024:4"):
+    ...     print(" ".join(near_miss(load()[key]).values()).strip())
+    f_{2} = \frac{w}{3} \quad\text{in place of}\quad \frac{2 w}{3}
+    \mathrm{v1}:\quad - f g m \mu \omega_{0} s^{2} x_{0} \quad\text{in place of}\quad - f g m \mu \omega_{0} s x_{0}
+    sgn 0 = 1, in place of 0
+    """
+    form, right = entry.near_miss, entry.printed if entry.corrected is None else entry.corrected
+    if entry.id in WORDS:
+        return {"latex": "", "text": typeset(WORDS[entry.id])}
     if isinstance(form, sympy.Basic):
-        return {"latex": tex(form), "text": ""}
-    if isinstance(form, tuple) and form and all(isinstance(part, sympy.Basic) for part in form):
-        return {"latex": r",\quad ".join(tex(part) for part in form), "text": ""}
-    if callable(form):
-        return {"latex": "", "text": form.__name__.strip("_").replace("_", " ")}
-    return {"latex": "", "text": typeset(re.sub(r"Fraction\((-?\d+), (\d+)\)", r"\1/\2", str(form)))}
+        left = LEFT.get(entry.id) or left_side(entry)
+        return {"latex": left + _instead(form, entry.printed), "text": ""}
+    if isinstance(form, tuple):
+        return {"latex": _parts(form, right), "text": ""}
+    return {"latex": _instead(form, right), "text": ""}
+
+
+def _instead(form: Any, right: Any) -> str:
+    return _formula(form) + (rf" \quad\text{{in place of}}\quad {_formula(right)}" if right is not None else "")
+
+
+def _parts(form: tuple[Any, ...], right: Any) -> str:
+    """Where the forms have the same parts, those that differ, behind what names them; else all of both."""
+    if not isinstance(right, tuple) or len(right) != len(form):
+        return _instead(form, right)
+    if isinstance(form[-1], dict):  # a polynomial: its number and its coefficients
+        return f"f_{{{form[0]}}} = " + _instead(form[1], right[1])
+    apart = [_instead(a, b) for a, b in zip(form, right) if a != b]
+    named = [
+        f"{_formula(a)}:" for a, b in zip(form, right) if a == b and isinstance(a, str) and not DECIMAL.fullmatch(a)
+    ]
+    return r"\quad ".join([*named, r";\quad ".join(apart)])
+
+
+def _formula(form: Any) -> str:
+    """A part of a form as LaTeX: an expression, a number, a name, a polynomial in w, or several of them."""
+    if isinstance(form, dict):
+        return tex(sum(sympy.Rational(c.numerator, c.denominator) * sympy.Symbol("w") ** n for n, c in form.items()))
+    if isinstance(form, tuple):
+        return r",\quad ".join(map(_formula, form))
+    if isinstance(form, str):
+        return form.replace("-", "- ") if DECIMAL.fullmatch(form) else rf"\mathrm{{{form}}}"
+    return tex(sympy.Rational(form.numerator, form.denominator) if isinstance(form, Fraction) else sympy.sympify(form))
 
 
 def apart(found: Difference | None) -> dict[str, str] | None:

@@ -1,0 +1,62 @@
+"""Near misses in words, where the form is a choice, a count or a sign that a reader could not place.
+
+All other near misses are shown as formulas beside what they stand in place of; every statement whose check does not
+tell two sides apart and whose form is no formula must be here, and no other.
+"""
+
+WORDS = {
+    "lancaster2020:claim.solvable-only-linear": "elementary solutions for alpha = 0 alone, in place of alpha = 1",
+    "lancaster2020:claim.long-or-short": "|A'|/A grows for alpha > 1 and falls below, in place of the contrary",
+    "lancaster2020:claim.crossover": "|A'|/A falls at alpha = 1, as above it, in place of being constant",
+    "lancaster2020:claim.corollary": "the overdamped motion passes the origin once, in place of never",
+    "lancaster2020:claim.large-b-agreement": "within 5 % up to the strengths 2, 5, 5, in place of 2, 2, 5",
+    "lancaster2020:claim.gradual-breakdown": "Table I is exact up to turning point 9, in place of 8",
+    "lancaster2020:fig2": "the amplitude falls as [1 + kappa tau/2]^(-1), in place of the power -2",
+    "lancaster2020:claim.long-times-good": "the amplitude falls as [1 + kappa tau/2]^(-1), in place of the power -2",
+    "lancaster2020:fn20": "the residual speed does not depend on the step (power 0 of it), in place of the power 1",
+    "lancaster2020:claim.never-strictly-zero": "two of the 60 velocities are zero, in place of the one at the start",
+    "lancaster2020:claim.fn20-speed": "a residual speed of 0.1, in place of 1e-5: no step below 1/10 gives it",
+    "lancaster2020:claim.not-separable": "the same for the exponents 2 and 2, in place of 1 and 2",
+    "lancaster2020:claim.single-term-slow": "it holds as soon as any term has alpha > 2, in place of all terms",
+    "lancaster2020:fn22": "regular unless the larger exponent is 1, in place of the pairs that are",
+    "lelas2024:claim.number-of-sections": "8 sections, in place of 6",
+    "lelas2024:4": "sgn 0 = 1, in place of 0",
+    "lelas2024:claim.drag-constant": "F = C rho A^2 v^2/2, in place of the area to the first power",
+    "lelas2024:claim.energy-decreases": "dry friction as -mu m g for both directions, in place of -mu m g sgn(v)",
+    "lelas2024:claim.frequency-unchanged": "the frequency changes at the first power of b, in place of the second",
+    "lelas2024:claim.amplitude-not-negative": "f >= 0 for all t with friction and in air, in place of (20) and (45)",
+    "lelas2024:claim.trick-fails": "the trick fails for the exponents 0 and 1, in place of 0 and 2",
+    "lelas2024:claim.unphysical-after-stop": "the amplitude falls on after tau (sign -1), in place of growing",
+    "lelas2024:claim.both-sides-positive": "positive after 1, 2 and 3 quarter periods, in place of 1 and 3",
+    "lelas2024:claim.force-of-47": "(47) belongs to the force (5), in place of (3)",
+    "lelas2024:fig1": "in (b) the block rests on the other side of the origin than it does",
+    "lelas2024:claim.figure-of-section-6": "the panels are those of figure 3, in place of figure 2",
+    "lelas2024:claim.slight-decrease": "below 10 % in the panels 1a and 2b, in place of 1a and 2a",
+    "lelas2024:claim.one-integral": "the trick needs two integrals as well, in place of one",
+    "lelas2024:claim.amplitude-cancels": "the amplitude cancels for n = 0 and n = 1, in place of n = 1 alone",
+    "lelas2024:claim.conditions-and-x0": "the conditions of n = 0, 1 and 2 contain x0, in place of n = 0 and 2",
+    "lelas2024:claim.force-without-sign": "usable for v > 0 and v = 0, in place of v > 0 and v < 0",
+    "smith2012:claim.number-of-constants": "two constants without the time, in place of one",
+    "smith2012:claim.inversion": "four states with the same S and T, in place of two",
+    "smith2012:claim.opposite-parity": "the coefficients with n - i even, in place of odd",
+    "smith2012:claim.induction-start": "the induction starts at n = 3, in place of 2",
+    "smith2012:claim.not-identifiable": "the sums are elementary up to i = 2 and no further, in place of for every i",
+    "smith2012:claim.last-term-vanishes": "the last term falls as v^2, in place of v^3",
+    "smith2012:fig6": "the exponential meets u at the ends of the cycles 0 and 2, in place of 0 and 1",
+    "smith2012:fig7": "the exponential meets u at the ends of the cycles 0 and 2, in place of 0 and 1",
+    "smith2012:claim.slower-than-exponential": "the decay is faster than the exponential (sign -1), in place of slower",
+}
+
+LEFT = {  # what stands before the form, where the printed formula does not begin with it
+    "lancaster2020:3": r"A(t) = ",
+    "lancaster2020:claim.slow-dissipation": r"\omega_0 A \gg ",
+    "lancaster2020:claim.any-exponent": r"\alpha \in ",
+    "lancaster2020:claim.valid-for-any-b": r"\omega_0 t \gg ",
+    "lelas2024:claim.range-of-49": r"n \le ",
+    "lelas2024:claim.no-closed-form": r"\frac{x}{x_0} = ",
+    "smith2012:41": r"\hat{S}^{-} \in ",
+    "smith2012:claim.S-negative": r"\hat{S}^{-} \in ",
+    "smith2012:claim.not-in-tables": r"\text{the integrand}\quad ",
+    "smith2012:61": r"\text{the first}\ n = ",
+    "smith2012:71": r"\text{half-cycles elapsed} = ",
+}
