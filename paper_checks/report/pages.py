@@ -112,7 +112,9 @@ def _formula(form: Any) -> str:
         return r",\quad ".join(map(_formula, form))
     if isinstance(form, str):
         return form.replace("-", "- ") if DECIMAL.fullmatch(form) else rf"\mathrm{{{form}}}"
-    return tex(sympy.Rational(form.numerator, form.denominator) if isinstance(form, Fraction) else sympy.sympify(form))
+    if isinstance(form, Fraction):
+        return tex(sympy.Rational(form.numerator, form.denominator))
+    return tex(form) if isinstance(form, sympy.Basic) else str(form)
 
 
 def apart(found: Difference | None) -> dict[str, str] | None:
