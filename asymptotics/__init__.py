@@ -42,9 +42,9 @@ if TYPE_CHECKING:
     from asymptotics.errors import InputError, LimitError, UndecidedError
     from asymptotics.expansions.equations.build import expand
     from asymptotics.expansions.equations.result import Equations
-    from asymptotics.identification.html_report import html_report
     from asymptotics.identification.identify import identify
-    from asymptotics.identification.result import Identification
+    from asymptotics.identification.telling.html_report import html_report
+    from asymptotics.identification.telling.result import Identification
     from asymptotics.law import Law, Oscillator, PhysicalLaw
     from asymptotics.numbers.exact import ExactReal
     from asymptotics.numbers.value import Coefficient
@@ -76,9 +76,9 @@ _HOMES = {
     "equivalent.found_law": ("DampingLaw",),
     "equivalent.result": ("EquivalentDamping",),
     "errors": ("InputError", "LimitError", "UndecidedError"),
-    "identification.html_report": ("html_report",),
+    "identification.telling.html_report": ("html_report",),
     "identification.identify": ("identify",),
-    "identification.result": ("Identification",),
+    "identification.telling.result": ("Identification",),
     "law": ("Law", "Oscillator", "PhysicalLaw"),
     "numbers.exact": ("ExactReal",),
     "numbers.value": ("Coefficient",),

@@ -19,7 +19,7 @@ import numpy as np
 
 import asymptotics as asy
 from asymptotics.errors import InputError, LimitError
-from asymptotics.identification.judgement import rivals
+from asymptotics.identification.judging.judgement import rivals
 from asymptotics.made_by import mark
 from benchmarks.decays import CLASSES, SEED, Decay, decay
 from benchmarks.table import Table, seconds_text

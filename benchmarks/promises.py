@@ -19,9 +19,9 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.turning import rest
-from asymptotics.identification.coefficients import loss
-from asymptotics.identification.sequence import turning_sequence
-from asymptotics.identification.swing import HalfSwingModel
+from asymptotics.identification.forward.coefficients import loss
+from asymptotics.identification.forward.sequence import turning_sequence
+from asymptotics.identification.forward.swing import HalfSwingModel
 from asymptotics.identification.synthetic import observed
 from asymptotics.law import Law
 from asymptotics.limit_cycles.series import limit_cycle_series

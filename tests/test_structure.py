@@ -54,6 +54,12 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "records",
     "comparison",
     "equivalent",
+    "identification.forward",
+    "identification.measuring",
+    "identification.fitting",
+    "identification.judging",
+    "identification.certified_sets",
+    "identification.telling",
     "identification",
     "api",
     "cli",
@@ -200,7 +206,11 @@ def _locks() -> dict[str, set[str]]:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     groups, extras = project["dependency-groups"], project["project"]["optional-dependencies"]
     core = {*project["project"]["dependencies"], *extras["plot"], *extras["report"], *groups["build"]}
-    used = {wanted for name in ("pandas", "parquet", "cluster", "identify", "files", "laboratory") for wanted in extras[name]}
+    used = {
+        wanted
+        for name in ("pandas", "parquet", "cluster", "identify", "files", "laboratory")
+        for wanted in extras[name]
+    }
     test = {*used, *groups["dev"]} - core
     return {"reproduce": core, "test": test, "docs": set(extras["docs"]), "mutants": set(groups["mutants"])}
 

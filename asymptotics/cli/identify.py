@@ -21,9 +21,9 @@ from pathlib import Path
 from asymptotics.cli.answer import Answer, add_common
 from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.errors import InputError
-from asymptotics.identification.html_report import html_report
 from asymptotics.identification.identify import identify
-from asymptotics.identification.result import Identification
+from asymptotics.identification.telling.html_report import html_report
+from asymptotics.identification.telling.result import Identification
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.numbers.policy import exact_double
 from asymptotics.present.files import require_different

@@ -16,11 +16,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from asymptotics.identification.candidates import read_candidate
-from asymptotics.identification.coefficients import Array
-from asymptotics.identification.fitting import Model
-from asymptotics.identification.observations import Observations
-from asymptotics.identification.quadrature import TooStrongError
+from asymptotics.identification.fitting.least_squares import Model
+from asymptotics.identification.forward.candidates import read_candidate
+from asymptotics.identification.forward.coefficients import Array
+from asymptotics.identification.forward.quadrature import TooStrongError
+from asymptotics.identification.measuring.observations import Observations
 
 SIGNIFICANT = 1.96 + 1.28
 MOST_SWINGS = 4000

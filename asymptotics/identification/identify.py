@@ -16,23 +16,23 @@ import numpy as np
 
 from asymptotics.budget import tick
 from asymptotics.errors import InputError, require_flag, shown
-from asymptotics.identification.adequacy import Levels, noise_levels
-from asymptotics.identification.amplitudes import relieved, spring_bound, widened
-from asymptotics.identification.candidates import Candidate, default_candidates, read_candidate
-from asymptotics.identification.comparison import UNTRIED, LawFit, fit_decrements, fit_laws, predicted_error
-from asymptotics.identification.correlation import block_length
-from asymptotics.identification.defects import is_constant, is_growing
-from asymptotics.identification.fitting import Noise
-from asymptotics.identification.in_time import Time
-from asymptotics.identification.judgement import judged, minimal, relabelled
-from asymptotics.identification.observations import Observations
-from asymptotics.identification.printed import Decrements
-from asymptotics.identification.profile import coordinate, wald_interval
-from asymptotics.identification.result import Identification, LawAnswer, RecordUnits, sorted_laws
-from asymptotics.identification.runs import common, verdict_of_runs
+from asymptotics.identification.fitting.correlation import block_length
+from asymptotics.identification.fitting.in_time import Time
+from asymptotics.identification.fitting.least_squares import Noise
+from asymptotics.identification.fitting.printed import Decrements
+from asymptotics.identification.fitting.profile import coordinate, wald_interval
+from asymptotics.identification.forward.candidates import Candidate, default_candidates, read_candidate
+from asymptotics.identification.judging.adequacy import Levels, noise_levels
+from asymptotics.identification.judging.amplitudes import relieved, spring_bound, widened
+from asymptotics.identification.judging.comparison import UNTRIED, LawFit, fit_decrements, fit_laws, predicted_error
+from asymptotics.identification.judging.judgement import judged, minimal, relabelled
+from asymptotics.identification.measuring.defects import is_constant, is_growing
+from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.sources import LEAST_POINTS, load
+from asymptotics.identification.telling.result import Identification, LawAnswer, RecordUnits, sorted_laws
+from asymptotics.identification.telling.runs import common, verdict_of_runs
+from asymptotics.identification.telling.verdicts import Verdict, verdict_of
 from asymptotics.identification.textbook import textbook_estimates
-from asymptotics.identification.verdicts import Verdict, verdict_of
 from asymptotics.numbers.policy import Number
 from asymptotics.public import public
 from asymptotics.records.sources import How
@@ -243,7 +243,7 @@ def _decrements(
     table: Decrements, candidates: Sequence[Candidate], units: RecordUnits, noise: Noise | None
 ) -> Identification:
     if table.resolution is not None:
-        from asymptotics.identification.certified_answer import certified  # noqa: PLC0415 (loads SymPy: half a second)
+        from asymptotics.identification.telling.certified_answer import certified  # noqa: PLC0415 (loads SymPy: half a second)
 
         return certified(table, candidates, units)
     fits = [fit_decrements(c, table, noise) for c in candidates]

@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 
 from asymptotics.errors import InputError
-from asymptotics.identification.coefficients import Array
-from asymptotics.identification.extraction import observations_of_record
-from asymptotics.identification.observations import Observations
-from asymptotics.identification.printed import Decrements
-from asymptotics.identification.sampled import LEAST_SAMPLES, observations_of_motion
-from asymptotics.identification.second_mode import without_second_modes
-from asymptotics.identification.sensors import sensor_notes
+from asymptotics.identification.fitting.printed import Decrements
+from asymptotics.identification.forward.coefficients import Array
+from asymptotics.identification.measuring.extraction import observations_of_record
+from asymptotics.identification.measuring.observations import Observations
+from asymptotics.identification.measuring.sampled import LEAST_SAMPLES, observations_of_motion
+from asymptotics.identification.measuring.second_mode import without_second_modes
+from asymptotics.identification.measuring.sensors import sensor_notes
 from asymptotics.records.clock import runs_of, straightened
 from asymptotics.records.repairs import releases, spikes
 from asymptotics.records.rows import RowPlaces

@@ -9,9 +9,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from asymptotics.identification.candidates import read_candidate
-from asymptotics.identification.observations import Observations
-from asymptotics.identification.sequence import TurningSequence, turning_sequence
+from asymptotics.identification.forward.candidates import read_candidate
+from asymptotics.identification.forward.sequence import TurningSequence, turning_sequence
+from asymptotics.identification.measuring.observations import Observations
 
 
 def exact(law: str, strengths: Sequence[float], swings: int, x0: float = 1.0) -> TurningSequence:

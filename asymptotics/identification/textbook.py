@@ -22,12 +22,12 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.identification.candidates import Candidate, read_candidate
-from asymptotics.identification.coefficients import Array
-from asymptotics.identification.comparison import fit_law
-from asymptotics.identification.observations import Observations
-from asymptotics.identification.quadrature import TooStrongError
-from asymptotics.identification.sequence import turning_sequence
+from asymptotics.identification.forward.candidates import Candidate, read_candidate
+from asymptotics.identification.forward.coefficients import Array
+from asymptotics.identification.forward.quadrature import TooStrongError
+from asymptotics.identification.forward.sequence import turning_sequence
+from asymptotics.identification.judging.comparison import fit_law
+from asymptotics.identification.measuring.observations import Observations
 
 Estimator = Callable[[Array], Array]
 

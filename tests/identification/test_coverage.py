@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import asymptotics as asy
-from asymptotics.identification.candidates import read_candidate
-from asymptotics.identification.coefficients import swing_coefficients
-from asymptotics.identification.judgement import rivals
-from asymptotics.identification.observations import Observations
-from asymptotics.identification.quadrature import TooStrongError
+from asymptotics.identification.forward.candidates import read_candidate
+from asymptotics.identification.forward.coefficients import swing_coefficients
+from asymptotics.identification.forward.quadrature import TooStrongError
+from asymptotics.identification.judging.judgement import rivals
+from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.synthetic import observed
 
 LAWS = ("1", "2", "1+2", "0+1", "3/2")

@@ -6,12 +6,12 @@ from flint import arb, ctx
 from scipy.optimize import brentq
 
 from asymptotics.errors import UndecidedError
-from asymptotics.identification.certified_ratio import BITS, CertifiedRatio
-from asymptotics.identification.free_exponent import _Strips
-from asymptotics.identification.physical import physical_box
-from asymptotics.identification.printed import Decrements
-from asymptotics.identification.set_valued import _beyond, strengths_that_fit
-from asymptotics.identification.table_rows import RatioInequality, linear, meets, rows_of
+from asymptotics.identification.certified_sets.certified_ratio import BITS, CertifiedRatio
+from asymptotics.identification.certified_sets.free_exponent import _Strips
+from asymptotics.identification.certified_sets.physical import physical_box
+from asymptotics.identification.certified_sets.set_valued import _beyond, strengths_that_fit
+from asymptotics.identification.certified_sets.table_rows import RatioInequality, linear, meets, rows_of
+from asymptotics.identification.fitting.printed import Decrements
 from asymptotics.terms import Term
 
 CUBE = CertifiedRatio((arb(0),), (arb(0),), {(1,): arb("-1e-9"), (3,): arb(-1)}, 200)

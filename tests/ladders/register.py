@@ -31,7 +31,7 @@ CHEBYSHEV, ABEL, FLOW = (
     "tests/turning/test_abel_flow.py",
 )
 QUARTERS = "tests/return_map/test_quarters.py"
-RATIO, QUADRATIC = "tests/identification/test_certified_ratio.py", "tests/turning/test_quadratic_abel.py"
+RATIO, QUADRATIC = "tests/identification/certified_sets/test_certified_ratio.py", "tests/turning/test_quadratic_abel.py"
 
 EXACT = "arithmetic of balls and nothing else: no truncation, no choice"
 CHOICE = "a choice that claims nothing"
@@ -142,7 +142,9 @@ BOUNDS: Names = {
         f"{FINITE}::test_the_majorant_is_above_the_function_and_not_far_above",
     ),
     **_each(
-        "identification.certified_ratio", "CertifiedRatio.tail", f"{RATIO}::test_L_is_bounded_on_the_circle_of_the_tail"
+        "identification.certified_sets.certified_ratio",
+        "CertifiedRatio.tail",
+        f"{RATIO}::test_L_is_bounded_on_the_circle_of_the_tail",
     ),
     **_each("flow.taylor", "TaylorStep.residual discs", f"{STEP}::test_the_residual_of_a_step"),
     **_each("flow.taylor", "TaylorStep.box", f"{STEP}::test_the_box_of_a_step_holds_it"),
@@ -330,13 +332,13 @@ NONE_NEEDED: Names = {
     **_each("expansions.half_swings.odd_abel", "odd_solution", EXACT),
     **_each("expansions.half_swings.certified_moments", "divide", EXACT),
     **_each("expansions.half_swings.certified_orders", "dot integrate_series", EXACT),
-    **_each("identification.certified_ratio", "CertifiedRatio.areas CertifiedRatio.gradient", EXACT),
+    **_each("identification.certified_sets.certified_ratio", "CertifiedRatio.areas CertifiedRatio.gradient", EXACT),
     **_each(
-        "identification.certified_ratio",
+        "identification.certified_sets.certified_ratio",
         "followed",
         "ln of return_map.half_swing_map.integrated, which has a ladder, at 53 bits",
     ),
-    **_each("identification.table_rows", "RatioInequality.local exact rows_of", EXACT),
+    **_each("identification.certified_sets.table_rows", "RatioInequality.local exact rows_of", EXACT),
     **_each("motions.doubles", "Doubles.of", MIDPOINTS),
     **_each(
         "motions.frame", "Frame.of Frame.terms Frame.monomial Frame.start Frame.turning_point Frame.reach", MIDPOINTS

@@ -20,7 +20,7 @@ from asymptotics.flow.slow_manifold.slow_curve_series import summed, truncated
 from asymptotics.flow.taylor import GUARD, TaylorStep, coefficients
 from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import rest
-from asymptotics.identification.certified_ratio import CertifiedRatio
+from asymptotics.identification.certified_sets.certified_ratio import CertifiedRatio
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.return_map.chebyshev import coefficients as chebyshev
@@ -252,7 +252,7 @@ SERIES = [
         truth=160,
     ),
     Ladder(
-        many("of at polynomial", "asymptotics.identification.certified_ratio.CertifiedRatio."),
+        many("of at polynomial", "asymptotics.identification.certified_sets.certified_ratio.CertifiedRatio."),
         ratio,
         "0.01",
         30,

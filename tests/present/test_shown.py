@@ -20,7 +20,8 @@ CLAIM = re.compile(r"certified|estimate|measured|exact|proved|correctly rounded|
 SAYINGS = {  # what was asked, a verdict in words, or a report of what was done: no number that could be uncertain
     "law.Law", "law.Oscillator", "law.PhysicalLaw", "terms.Term", "sweeps.run.SweepResult",
     "papers.statement.PaperStatement",
-    "identification.result.Identification", "identification.verdicts.Verdict", "identification.allowance.Allowance",
+    "identification.telling.result.Identification", "identification.telling.verdicts.Verdict",
+    "identification.judging.allowance.Allowance",
 }  # fmt: skip
 
 

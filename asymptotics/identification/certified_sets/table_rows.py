@@ -1,0 +1,140 @@
+"""Rows of a printed table as inequalities for the strengths, linear on a box, with proved slack.
+
+The decrement of a law grows with g in  L(a + D/2) + ln((a + D/2)/(a - D/2))  as in ``printed``, so that a row with the
+decrement D in [D_lo, D_hi] at the mean amplitude a holds exactly if
+
+    -L(epsilon, a + D_lo/2) >= ln((a + D_lo/2)/(a - D_lo/2)),
+    -L(epsilon, a + D_hi/2) <= ln((a + D_hi/2)/(a - D_hi/2)).
+
+On a box of strengths -L is its value at the centre, plus a gradient in balls times the distance, plus the tail: two
+linear inequalities.  A linear program (heuristic) finds the multipliers lambda >= 0, and
+
+    c.y = lambda.M y + (c - M^T lambda).y >= lambda.b + min over the box of (c - M^T lambda).y
+
+in balls turns *any* multipliers into a proved bound; in the same way multipliers of an empty program prove that no
+strengths at all in the box meet every row.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from flint import arb, fmpq
+from scipy.optimize import linprog
+
+from asymptotics.errors import UndecidedError
+from asymptotics.identification.certified_sets.certified_ratio import CertifiedRatio
+from asymptotics.identification.fitting.printed import Decrements
+from asymptotics.identification.forward.coefficients import Array
+
+
+@dataclass(frozen=True)
+class RatioInequality:
+    """sign (-L(epsilon, A) - level) >= 0; ``scale``: A^(w_i), so that the local strengths are epsilon_i scale_i."""
+
+    sign: int
+    scale: tuple[arb, ...]
+    level: arb
+
+    def local(self, epsilon: Array) -> list[arb]:
+        """The local strengths at a point."""
+        return [s * arb(float(e)) for s, e in zip(self.scale, epsilon)]
+
+
+def exact(x: float) -> arb:
+    """The printed decimal, exactly."""
+    q = Fraction(repr(float(x)))
+    return arb(fmpq(q.numerator, q.denominator))
+
+
+def rows_of(ratio: CertifiedRatio, table: Decrements) -> list[RatioInequality]:
+    """Two inequalities for each row; the table has a resolution."""
+    assert table.resolution is not None
+    rows = []
+    for a, d, r in zip(table.amplitude, table.decrement, table.resolution):
+        for sign in (1, -1):
+            half = (exact(d) - sign * exact(r)) / 2
+            upper, lower = exact(a) + half, exact(a) - half
+            scale = tuple((w * upper.log()).exp() for w in ratio.weights)
+            rows.append(RatioInequality(sign, scale, (upper / lower).log()))
+    return rows
+
+
+def linear(ratio: CertifiedRatio, rows: Sequence[RatioInequality], centre: Array, radius: Array) -> tuple[Array, Array]:
+    """M y >= b for every solution centre + y in the box: b is rounded down after all slack is taken off.
+
+    Rows that the series does not reach are left out, which makes the set larger; UndecidedError if none is left.
+    """
+    matrix, bounds = [], []
+    for row in rows:
+        in_box = [s * arb(float(c), float(r)) for s, c, r in zip(row.scale, centre, radius)]
+        try:
+            tail = ratio.tail(in_box)
+        except UndecidedError:
+            continue
+        slopes = [-g * s * row.sign for g, s in zip(ratio.gradient(in_box), row.scale)]
+        chosen = [float(s.mid()) for s in slopes]
+        slack = sum((abs(s - c) * arb(float(r)) for s, c, r in zip(slopes, chosen, radius)), tail)
+        b = row.sign * (row.level + ratio.polynomial(row.local(centre))) - slack
+        matrix.append(chosen)
+        bounds.append(np.nextafter(float(b.lower()), -np.inf))
+    if not matrix:
+        raise UndecidedError("the series does not reach the amplitudes of the table")
+    return np.array(matrix), np.array(bounds)
+
+
+def bounds(M: Array, b: Array, radius: Array) -> tuple[Array, Array]:
+    """Proved bounds of y_i over M y >= b, |y| <= radius."""
+    low, high = -radius.copy(), radius.copy()
+    for i in range(len(radius)):
+        for sign in (1.0, -1.0):
+            c = np.zeros(len(radius))
+            c[i] = sign
+            found = linprog(c, A_ub=-M, b_ub=-b, bounds=list(zip(-radius, radius)), method="highs")
+            if found.x is None:
+                continue
+            proved = _lower_bound(c, M, b, radius, np.maximum(-found.ineqlin.marginals, 0))
+            if sign > 0:
+                low[i] = max(low[i], proved)
+            else:
+                high[i] = min(high[i], -proved)
+    return low, np.maximum(high, low)
+
+
+def _lower_bound(c: Array, M: Array, b: Array, radius: Array, multipliers: Array) -> float:
+    """lambda.b + min over the box of (c - M^T lambda).y, rounded down."""
+    total = sum((arb(float(m)) * arb(float(v)) for m, v in zip(multipliers, b)), arb(0))
+    for j, r in enumerate(radius):
+        rest = arb(float(c[j])) - sum((arb(float(m)) * arb(float(M[k, j])) for k, m in enumerate(multipliers)), arb(0))
+        total = total - abs(rest) * arb(float(r))
+    return float(np.nextafter(float(total.lower()), -np.inf))
+
+
+def elastic(M: Array, b: Array, low: Array, high: Array) -> tuple[Array, Array]:
+    """(y, multipliers) of: the least t with M y + t size >= b, low <= y <= high; heuristic, in units of the box."""
+    half = (high - low) / 2 + 1e-300
+    size = np.abs(M) @ half + 1e-300
+    padded = np.column_stack([M * half / size[:, None], np.ones(len(b))])
+    c = np.append(np.zeros(len(half)), 1.0)
+    found = linprog(
+        c, A_ub=-padded, b_ub=-b / size, bounds=[*zip(low / half, high / half), (None, None)], method="highs"
+    )
+    if found.x is None:
+        return np.zeros(len(half)), np.zeros(len(b))
+    return found.x[:-1] * half, np.maximum(-found.ineqlin.marginals, 0) / size
+
+
+def is_empty(M: Array, b: Array, radius: Array) -> bool:
+    """Whether multipliers prove that no y in the box has M y >= b: lambda.b exceeds the maximum of lambda.M y."""
+    multipliers = elastic(M, b, -radius, radius)[1]
+    return _lower_bound(np.zeros(len(radius)), M, b, radius, multipliers) > 0
+
+
+def meets(ratio: CertifiedRatio, rows: Sequence[RatioInequality], point: Array) -> bool:
+    """Whether every row is proved to hold at the point."""
+    for row in rows:
+        L = ratio.at(row.local(point))
+        if not row.sign * (-L - row.level) >= 0:
+            return False
+    return True

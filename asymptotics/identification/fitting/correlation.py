@@ -1,0 +1,76 @@
+"""Residuals that remember: intervals corrected by a block bootstrap over swings.
+
+Neighbouring residuals that agree make intervals too short.  Blocks of whole swings (all data of a swing together) are
+drawn with replacement and added to the prediction; each replica is fitted by one Gauss-Newton step, which is exact for
+a linear model and so good here that the profile likelihood, where it bends, keeps its shape: only its lengths are
+multiplied, by the ratio of the replicas' spread to the standard error.
+"""
+
+import numpy as np
+from scipy.special import chdtrc
+
+from asymptotics.identification.fitting.least_squares import Fit
+from asymptotics.identification.fitting.profile import Function
+from asymptotics.identification.forward.coefficients import Array, product
+
+REPLICAS = 400
+
+
+def is_correlated(fit: Fit, level: float = 0.01) -> bool:
+    """Whether some kind of residual fails Ljung and Box's test of whiteness at ``level``, shared between the kinds."""
+    kinds = [fit.weighted[group] for group in fit.model.groups]
+    return any(_whiteness(r) < level / len(kinds) for r in kinds if len(r) >= 12)
+
+
+def _whiteness(r: Array) -> float:
+    """The p-value of Ljung and Box's statistic, with min(10, N/5) lags."""
+    r, n = r - r.mean(), len(r)
+    lags = min(10, n // 5)
+    power = float(r @ r)
+    if power == 0 or lags < 1:
+        return 1.0
+    rho = np.array([float(r[k:] @ r[:-k]) / power for k in range(1, lags + 1)])
+    q = n * (n + 2) * float((rho**2 / (n - np.arange(1, lags + 1))).sum())
+    return float(chdtrc(lags, q))
+
+
+def block_length(fit: Fit) -> int:
+    """Twice the lag at which the slowest autocorrelation has fallen to noise; at least 3 swings, at most a fifth."""
+    longest = 1
+    for group in fit.model.groups:
+        r = fit.weighted[group]
+        r = r - r.mean()
+        power = float(r @ r) or 1.0
+        for k in range(1, len(r) // 5):
+            if abs(float(r[k:] @ r[:-k])) / power < 2 / np.sqrt(len(r)):
+                break
+            longest = max(longest, k + 1)
+    swings = fit.model.units
+    return int(np.clip(2 * longest, 3, max(3, swings // 5)))
+
+
+def replicas(fit: Fit, count: int = REPLICAS, seed: int = 1) -> Array:
+    """Parameter vectors (count, parameters) of the bootstrap; the same at every call."""
+    generator = np.random.default_rng(seed)
+    swings, length = fit.model.units, block_length(fit)
+    starts = generator.integers(0, swings, size=(count, swings // length + 1))
+    order = ((starts[:, :, None] + np.arange(length)) % swings).reshape(count, -1)[:, :swings]
+    sigma = fit.model.scale_vector(fit.scales)
+    drawn = np.empty((count, len(fit.residuals)))
+    for group in fit.model.groups:
+        r = fit.weighted[group]
+        r = (r - r.mean()) * np.sqrt(len(r) / max(len(r) - 2.0, 1.0))
+        drawn[:, group] = r[order[:, : len(r)] % len(r)]
+    J = fit.slopes / sigma[:, None]
+    size = np.linalg.norm(J, axis=0) + 1e-300
+    J = J / size
+    change = product(drawn, J) @ np.linalg.pinv(J.T @ J, rcond=1e-13)
+    return np.asarray(fit.theta + change / size)
+
+
+def stretch(fit: Fit, g: Function, drawn: Array) -> float:
+    """By how much the interval of g must be longer than for white residuals; never shorter."""
+    gradient = g(fit.theta)[1]
+    error = float(np.sqrt(max(float(gradient @ fit.covariance @ gradient), 0.0)))
+    spread = float(np.std((drawn - fit.theta) @ gradient))
+    return max(1.0, spread / error) if error > 0 else 1.0

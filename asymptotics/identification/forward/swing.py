@@ -1,0 +1,180 @@
+"""One half-swing at many amplitudes at once: L, T, R, T_q and their exact derivatives, in doubles.
+
+Amplitudes enter as a = ln(A/A_ref), strengths as s_i = epsilon_i A_ref^(w_i), so that the local strengths are
+delta_i = s_i exp(w_i a).  Where they are small the series of ``coefficients`` is summed (one matrix product for all
+values and derivatives); where its last degree still matters the half-swing is integrated (``quadrature``).  A free
+exponent interpolates the coefficients in alpha at Chebyshev points of [0, 5].
+
+>>> from asymptotics.identification.forward.coefficients import loss
+>>> swing = HalfSwingModel((loss(1.0),))
+>>> value = swing.at(np.array([0.0]), np.array([0.1]))
+>>> float(value.of("L")[0])                                    # -pi (epsilon/2)/sqrt(1 - epsilon^2/4), epsilon = 0.1
+-0.157276...
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from asymptotics.identification.forward.coefficients import (
+    Array,
+    Element,
+    SwingCoefficients,
+    product,
+    swing_coefficients,
+)
+from asymptotics.identification.forward.quadrature import TooStrongError, integrated_swings
+from asymptotics.identification.forward.stepped import PRECISE, is_smooth, stepped_swings
+from asymptotics.numbers.context import lru_cache
+
+QUANTITIES = ("L", "T", "R", "T_q")
+MAX_FREE_ALPHA = 5.0
+_ALPHA_NODES = 28
+_ORDERS = {1: 12, 2: 10, 3: 7, 4: 6, 5: 5}
+TOLERANCE, COARSE = 1e-11, 3e-3
+"""The largest last degree of a series that is summed; what follows it is smaller by another factor delta."""
+
+
+@dataclass(frozen=True)
+class SwingValues:
+    """``values``: (quantities, swings); ``by_amplitude``: d/da; ``by_parameter``: (parameters, quantities, swings).
+
+    The parameters are the strengths s_i, then the exponent if it is free.
+    """
+
+    values: Array
+    by_amplitude: Array
+    by_parameter: Array
+
+    def of(self, name: str) -> Array:
+        """The values of one of L, T, R, T_q."""
+        return np.asarray(self.values[QUANTITIES.index(name)])
+
+
+class HalfSwingModel:
+    """The half-swing of a sum of terms; ``free`` lets the exponent of the first term vary.
+
+    ``tolerance`` decides where the series ends and the integration begins; a ``coarse`` swing never integrates: what
+    its series cannot reach is out of its domain."""
+
+    def __init__(self, elements: Sequence[Element], free: bool = False, *, coarse: bool = False) -> None:
+        self.elements, self.free, self.coarse = tuple(elements), free, coarse
+        self.tolerance = COARSE if coarse else TOLERANCE
+        self.order = _ORDERS[min(len(self.elements), max(_ORDERS))]
+
+    @property
+    def parameters(self) -> int:
+        """How many numbers describe the law: the strengths, and the exponent if it is free."""
+        return len(self.elements) + self.free
+
+    def at(self, a: Array, parameters: Array) -> SwingValues:
+        """All quantities at the amplitudes ``a``; TooStrongError where there is no next turning point on the other
+        side."""
+        count = len(self.elements)
+        alpha = float(parameters[count]) if self.free else None
+        table = _table(self.elements, self.order, alpha)
+        scale = np.exp(np.clip(table.weights[:, None] * a, -50.0, 50.0))
+        delta = parameters[:count, None] * scale
+        with np.errstate(over="ignore", invalid="ignore"):
+            monomials = table.monomials(delta)
+            found = _summed(table, a, delta, scale, monomials)
+            wild = ~(table.top @ np.abs(monomials[table.top_keys]) < self.tolerance)
+        if wild.any():
+            if self.coarse:
+                raise TooStrongError("the series does not reach these strengths")
+            if self.tolerance >= PRECISE and not self.free and is_smooth(self.elements):
+                exact = stepped_swings(self.elements, a[wild], parameters, tolerance=self.tolerance)
+            else:
+                exact = integrated_swings(self.elements, a[wild], parameters[:count], alpha)
+            for part, replaced in zip((found.values, found.by_amplitude, found.by_parameter), exact, strict=True):
+                part[..., wild] = replaced
+        return found
+
+    def neglected(self, a: Array, parameters: Array) -> float:
+        """The last degree of the series, summed over swings from the amplitudes ``a``: what follows it is smaller."""
+        count = len(self.elements)
+        table = _table(self.elements, self.order, float(parameters[count]) if self.free else None)
+        delta = parameters[:count, None] * np.exp(np.clip(table.weights[:, None] * a, -50.0, 50.0))
+        return float((table.top @ np.abs(table.monomials(delta)[table.top_keys])).sum())
+
+
+@dataclass(frozen=True)
+class _Table:
+    """Rows of ``matrix``: the four quantities, their derivatives by delta_i, and (if free) by alpha."""
+
+    weights: Array
+    powers: np.ndarray[tuple[int, int], np.dtype[np.intp]]
+    matrix: Array
+    order: int
+    top: Array
+    top_keys: slice
+
+    def monomials(self, delta: Array) -> Array:
+        """delta^key, an array (keys, swings)."""
+        rows = np.broadcast_to(delta[:, None, :], (len(delta), self.order, delta.shape[1]))
+        table = np.concatenate([np.ones_like(delta)[:, None, :], np.cumprod(rows, axis=1)], axis=1)
+        found = table[0, self.powers[:, 0]]
+        for i in range(1, len(delta)):
+            found *= table[i, self.powers[:, i]]
+        return np.asarray(found)
+
+
+@lru_cache(maxsize=256)
+def _table(elements: tuple[Element, ...], order: int, alpha: float | None) -> _Table:
+    if alpha is None:
+        c = swing_coefficients(elements, order)
+        return _assembled(c.weights[0], c, np.stack([getattr(c, q)[0] for q in QUANTITIES]), None, order)
+    nodes = _alpha_nodes()
+    c = swing_coefficients(elements, order, nodes)
+    basis = _interpolation(len(nodes))
+    series = np.stack([basis @ getattr(c, q) for q in QUANTITIES])
+    u = 2 * alpha / MAX_FREE_ALPHA - 1
+    series = np.moveaxis(series, 1, 0)
+    values = chebyshev.chebval(u, series)
+    slopes = np.asarray(chebyshev.chebval(u, chebyshev.chebder(series)) * 2 / MAX_FREE_ALPHA)
+    return _assembled(np.array([alpha - 1, *c.weights[0, 1:]]), c, values, slopes, order)
+
+
+def _alpha_nodes() -> tuple[float, ...]:
+    points = np.cos(np.pi * (np.arange(_ALPHA_NODES) + 0.5) / _ALPHA_NODES)
+    return tuple((points + 1) / 2 * MAX_FREE_ALPHA)
+
+
+@lru_cache(maxsize=4)
+def _interpolation(count: int) -> Array:
+    """From values at Chebyshev points to Chebyshev coefficients."""
+    angle = np.pi * (np.arange(count) + 0.5) / count
+    matrix = np.cos(np.arange(count)[:, None] * angle[None, :]) * 2 / count
+    matrix[0] /= 2
+    return np.asarray(matrix)
+
+
+def _assembled(weights: Array, c: SwingCoefficients, values: Array, slopes: Array | None, order: int) -> _Table:
+    keys = np.array(c.keys, dtype=np.intp)
+    place = {k: i for i, k in enumerate(c.keys)}
+    blocks = [values]
+    for i in range(keys.shape[1]):
+        derivative = np.zeros_like(values)
+        for j, key in enumerate(c.keys):
+            if key[i]:
+                derivative[:, place[(*key[:i], key[i] - 1, *key[i + 1 :])]] = key[i] * values[:, j]
+        blocks.append(derivative)
+    if slopes is not None:
+        blocks.append(slopes)
+    degrees = keys.sum(axis=1)
+    top = slice(int(np.argmax(degrees == order)), len(keys))
+    return _Table(weights, keys, np.concatenate(blocks), order, np.abs(values[:, top]).max(axis=0), top)
+
+
+def _summed(table: _Table, a: Array, delta: Array, scale: Array, monomials: Array) -> SwingValues:
+    count, q = len(delta), len(QUANTITIES)
+    rows = product(monomials.T, table.matrix.T).T.reshape(-1, q, len(a))
+    by_delta = rows[1 : count + 1]
+    by_amplitude = ((table.weights[:, None] * delta)[:, None, :] * by_delta).sum(axis=0)
+    by_strength = by_delta * scale[:, None, :]
+    if len(rows) > count + 1:
+        by_alpha = rows[count + 1] + by_delta[0] * (delta[0] * a)
+        return SwingValues(rows[0], by_amplitude, np.concatenate([by_strength, by_alpha[None]]))
+    return SwingValues(rows[0], by_amplitude, by_strength)

@@ -1,0 +1,76 @@
+"""How much of the loss a law leaves unexplained, and its grade: consistent, adequate to p % of the loss, refuted.
+
+With A_n the amplitudes of the fitted law and r_n = (measured - A_n)/A_n, the measured loss per swing at amplitude A is
+1 + dr/ds times that of the law, s = ln A.  r is fitted by a polynomial in s, its degree by BIC, so that what noise
+alone makes counts for nothing; p is the root mean square of dr/ds over the measured range of s.
+
+>>> s = np.linspace(0.0, -1.5, 60)
+>>> noise = 1e-3 * np.random.default_rng(0).standard_normal(60)
+>>> open_share(np.exp(s), noise / np.exp(s)).share
+0.0
+>>> round(open_share(np.exp(s), 0.08 * s + noise).share, 2)
+0.08
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from asymptotics.identification.fitting.least_squares import Fit
+from asymptotics.identification.forward.coefficients import Array
+from asymptotics.identification.forward.quadrature import TooStrongError
+
+ADEQUATE = 0.10
+_DEGREES, _POINTS = 6, 41
+_LEAST_FALL = 0.05
+
+
+@dataclass(frozen=True)
+class Unexplained:
+    """``share`` of the loss, over ``amplitudes``; ``ratio``: measured loss over that of the law, less 1, at each."""
+
+    share: float
+    amplitudes: Array
+    ratio: Array
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The smallest and the largest amplitude."""
+        return float(self.amplitudes.min()), float(self.amplitudes.max())
+
+
+def unexplained(fit: Fit) -> Unexplained | None:
+    """What a fitted law leaves of the loss; None where there are no turning points, or they hardly fall."""
+    model, seen = fit.model, fit.model.seen
+    if not model.alternating or len(seen.n) < 5:
+        return None
+    try:
+        size = model.amplitudes(fit.theta)[0][seen.n]
+    except TooStrongError:
+        return None
+    if not (size > 0).all() or np.ptp(np.log(size)) < _LEAST_FALL:
+        return None
+    return open_share(size, (seen.sign * (seen.x - fit.rest) - size) / size)
+
+
+def open_share(size: Array, residual: Array) -> Unexplained:
+    """From the amplitudes of the law and the relative residuals, whose noise is as 1/amplitude."""
+    s = np.log(size)
+    u = 2 * (s - s.min()) / np.ptp(s) - 1
+    best: tuple[float, Array] = (float(np.inf), np.zeros(1))
+    for degree in range(min(_DEGREES, len(s) // 3) + 1):
+        V = np.polynomial.chebyshev.chebvander(u, degree) * size[:, None]
+        c = np.asarray(np.linalg.lstsq(V, residual * size, rcond=None)[0], dtype=float)
+        rss, k = max(float(((residual * size - V @ c) ** 2).sum()), 1e-300), degree + 2
+        criterion = len(s) * np.log(rss / len(s)) + k * np.log(len(s))
+        if criterion < best[0]:
+            best = criterion, c
+    grid = np.linspace(-1, 1, _POINTS)
+    slope = np.polynomial.chebyshev.chebder(best[1]) if len(best[1]) > 1 else np.zeros(1)
+    ratio = np.polynomial.chebyshev.chebval(grid, slope) * 2 / np.ptp(s)
+    return Unexplained(float(np.sqrt(np.mean(ratio**2))), np.exp(s.min() + (grid + 1) / 2 * np.ptp(s)), ratio)
+
+
+def percent(share: float) -> str:
+    """Two digits."""
+    return f"{100 * share:.2g} %"

@@ -1,0 +1,182 @@
+"""Each law against the data and against the others: consistent, refuted, or undetermined.
+
+*Refuted* means that the data contradict the law: its residuals exceed the noise, or another law with no negative loss
+explains the data better than chance allows, or one of its strengths is negative beyond doubt.  A law that contains a
+consistent law and is not contradicted itself is *consistent* too, and the answer says which of its terms are not
+needed.  *Undetermined*: the data set no limit to its strengths, or it could not be fitted.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+
+from asymptotics.budget import tick
+from asymptotics.identification.fitting.correlation import is_correlated, replicas, stretch
+from asymptotics.identification.fitting.in_time import ALL, Time
+from asymptotics.identification.fitting.profile import Interval
+from asymptotics.identification.judging.adequacy import Levels, adequate
+from asymptotics.identification.judging.comparison import LawFit, with_intervals
+from asymptotics.identification.judging.contradiction import REFUTED, Contradiction, contradiction, further_parameters
+from asymptotics.identification.judging.grades import unexplained
+
+_SHARE = 0.3
+_PROFILED = FEW = 8
+"""So many candidates get profile likelihoods all, whether the data support them or not."""
+_DISFAVOURED = 1e-2
+"""A law with more parameters, not refuted but less probable than this beside a simpler one, is not its rival."""
+
+
+def judged(
+    fits: Sequence[LawFit], levels: Levels, *, growing: bool = False, bootstrap: bool = False, time: Time = ALL
+) -> list[LawFit]:
+    """Verdicts and intervals: by profile likelihood for the laws that matter (or all, if few), else by curvature, as
+    where the time is over."""
+    found = [_measured(law, levels, bootstrap) for law in fits]
+    least = min((law.criterion for law in found), default=float("inf"))
+    found = [replace(law, excess=law.criterion - least) if law.usable else law for law in found]
+    found = [replace(law, against=worst(law, found, growing)) for law in found]
+    rough = [labelled(law, growing) for law in found]
+    standing = sorted((law for law in rough if law.verdict == "consistent"), key=lambda law: law.criterion)
+    best = sorted((law for law in rough if law.usable), key=lambda law: law.criterion)[:1]
+    order = rough if len(rough) <= FEW else [*minimal(rough), *best, *standing]
+    matter = list(dict.fromkeys(law.candidate for law in order if law.usable))[:_PROFILED]
+    profiled = {law.candidate: law for law in rough}
+    for candidate in matter:
+        tick(f"the intervals of the law {candidate}")
+        law = profiled[candidate]
+        profiled[candidate] = time.within(_SHARE, partial(_profiled, law), law)
+    return relabelled([profiled[law.candidate] for law in rough], growing)
+
+
+def _measured(law: LawFit, levels: Levels, bootstrap: bool) -> LawFit:
+    """Intervals by curvature, whether the residuals are noise, and how much their memory stretches intervals."""
+    if law.fit is None or not law.usable:
+        return law
+    good, said = adequate(law.fit, levels, law.left)
+    stretches: tuple[float, ...] = ()
+    if bootstrap and is_correlated(law.fit):
+        drawn = replicas(law.fit)
+        stretches = tuple(stretch(law.fit, g, drawn) for g in law.functions)
+    law = replace(
+        law, misfit="" if good else said, residuals=said, stretches=stretches, unexplained=unexplained(law.fit)
+    )
+    return with_intervals(law, profiled=False)
+
+
+def worst(law: LawFit, others: Sequence[LawFit], growing: bool = False) -> Contradiction:
+    """The physically admissible law that contradicts ``law`` most: a loss that feeds a decay refutes nothing."""
+    rivals = (other for other in others if other.candidate != law.candidate and (growing or not other.negative))
+    found = (against(law, other) for other in rivals)
+    return min(found, key=lambda c: c.p, default=Contradiction())
+
+
+def against(law: LawFit, other: LawFit) -> Contradiction:
+    """How far ``other`` contradicts ``law``; not at all if one of them has no fit."""
+    if law.fit is None or other.fit is None or not (law.usable and other.usable):
+        return Contradiction()
+    return contradiction(law.candidate, law.fit, other.candidate, other.fit, other.inflation, law.left)
+
+
+def _profiled(law: LawFit) -> LawFit:
+    found = with_intervals(law, profiled=True)
+    if law.verdict == "refuted" and any(e.low is None or e.high is None for e in found.epsilon):
+        return law  # far from the data the profile may leave the model's domain: the curvature serves
+    return found
+
+
+def labelled(law: LawFit, growing: bool) -> LawFit:
+    """The law with its verdict and the reason for it."""
+    if not law.usable:
+        return law
+    if law.against.p < REFUTED:
+        return law.judged_as("refuted", str(law.against))
+    if law.misfit:
+        return law.judged_as("refuted", f"its residuals are not independent noise: {law.misfit}")
+    negative = [a for a, e in zip(law.candidate.alphas, law.epsilon) if is_negative(e)]
+    if negative and not growing:
+        return law.judged_as("refuted", f"unphysical: the strength of {', '.join(negative)} is negative")
+    if all(e.low is None and e.high is None for e in law.epsilon):
+        return law.judged_as("undetermined", "the data set no limit to its strengths")
+    return law.judged_as("consistent", "")
+
+
+def relabelled(laws: Sequence[LawFit], growing: bool) -> list[LawFit]:
+    """The verdicts once more, after the intervals have changed."""
+    return commented([labelled(law, growing) for law in laws])
+
+
+def is_negative(strength: Interval) -> bool:
+    """Whether a strength is negative beyond doubt: 0 lies outside the interval stretched to twice its length."""
+    high = strength.stretched(2.0).high
+    return high is not None and high < 0
+
+
+def contains(larger: LawFit, smaller: LawFit) -> bool:
+    """Whether ``smaller`` is a special case of ``larger``.
+
+    sin x = x - x^3/6 + x^5/120 - ... has no coefficient to find: a spring x + c3 x^3 with c3 free contains the pendulum
+    where the data do not tell them apart, as a free exponent contains the exponent in its interval.
+    """
+    one, other = smaller.candidate, larger.candidate
+    if one == other:
+        return False
+    if one.is_within(other):
+        return True
+    if one.pendulum and other.springs:
+        alike = set(one.losses) <= set(other.losses) or (other.free and _holds_exponent(larger, smaller))
+        return alike and against(smaller, larger).p >= _DISFAVOURED
+    return other.free and further_parameters(one, other) == 0 and _holds_exponent(larger, smaller)
+
+
+def _holds_exponent(larger: LawFit, smaller: LawFit) -> bool:
+    """Whether the exponent of the one loss of ``smaller`` may be the free one of ``larger``."""
+    losses = smaller.candidate.losses
+    if len(losses) > 1 or losses[0][1]:
+        return False
+    return larger.alpha is None or larger.alpha.stretched(2.0).contains(smaller.candidate.elements[0].velocity)
+
+
+def minimal(laws: Sequence[LawFit]) -> list[LawFit]:
+    """The consistent laws that contain no other consistent law, best first."""
+    consistent = [law for law in laws if law.verdict == "consistent"]
+    kept = [law for law in consistent if not any(contains(law, other) for other in consistent)]
+    return sorted(kept, key=lambda law: law.criterion)
+
+
+def rivals(laws: Sequence[LawFit]) -> tuple[list[LawFit], list[LawFit]]:
+    """The minimal laws that compete, and those with more parameters that a simpler one makes improbable."""
+    chosen = minimal(laws)
+    beaten = [
+        law
+        for law in chosen
+        if any(other.parameters < law.parameters and against(law, other).p < _DISFAVOURED for other in chosen)
+    ]
+    return [law for law in chosen if law not in beaten], beaten
+
+
+def commented(laws: Sequence[LawFit]) -> list[LawFit]:
+    """Consistent laws that contain a smaller consistent one say which of their terms are not needed."""
+    smallest = minimal(laws)
+    return [_commented(law, smallest) if law.verdict == "consistent" else law for law in laws]
+
+
+def _commented(law: LawFit, smallest: Sequence[LawFit]) -> LawFit:
+    inside = next((other for other in smallest if contains(law, other)), None)
+    if inside is None:
+        return replace(law, reason="", unneeded=())
+    held = {name: ends.contains(0.0) for name, ends in law.strengths}
+    known = {*inside.candidate.alphas, *(f"s{p}" for p in inside.candidate.springs)}
+    names = [*law.candidate.alphas, *(f"s{p}" for p in law.candidate.springs)]
+    further = {name: held.get(name, True) for name in names if name not in known}
+    if law.candidate.free and not inside.candidate.free:
+        del further[law.candidate.alphas[0]]
+        value = inside.candidate.elements[0].velocity
+        further["a free exponent"] = law.alpha is None or law.alpha.contains(value)
+    if inside.candidate.pendulum and not law.candidate.pendulum:
+        further |= {name: True for name in further if name.startswith("s")}  # they stand for sin x, not for 0
+    excluded = [name for name, held in further.items() if not held]
+    beyond = f"; the interval of {', '.join(excluded)} excludes it, but not beyond doubt" if excluded else ""
+    reason = f"contains {inside.candidate}, which is consistent; not needed: {', '.join(further)}{beyond}"
+    if law.reason:
+        reason += f"; {law.reason}"
+    return replace(law, reason=reason, unneeded=tuple(further))

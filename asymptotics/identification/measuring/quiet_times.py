@@ -1,0 +1,74 @@
+"""Turning times, each from all of them: where noise does not move an extreme, its value is not too large.
+
+The extreme of a noisy curve is taken where the noise is high: moved by d it gains |x''| d^2/2, the more the smaller the
+amplitude is, so that a decay looks too slow.  The times of turning points and passages lie on one smooth curve
+(a polynomial in the number n, and for the passages a line more), which knows each time better than its extreme does.
+
+>>> n, random = np.arange(30), np.random.default_rng(1)
+>>> t, sigma = np.pi * n, 0.02 * np.exp(n / 15)
+>>> noisy = t + sigma * random.standard_normal(30)
+>>> passages = t[:-1] + np.pi / 2 + 0.25 * sigma[:-1] * random.standard_normal(29)
+>>> found = quiet_times(noisy, np.exp(-n / 15), sigma, passages, np.ones(29))
+>>> bool(np.abs(found - t).max() < np.abs(noisy - t).max() / 5)
+True
+"""
+
+import numpy as np
+
+from asymptotics.identification.forward.coefficients import Array
+
+_DEGREES = (1, 2, 3, 5)
+_LEAST = 12
+_PASSAGE = 0.25
+"""The error of a passage as a share of that of an extreme: the motion is steep there."""
+_NOISY = 3.0
+"""A curve that misses the times by more than this many of their errors is not the truth, and is not used."""
+_CLIP, _MOST = 4.0, 0.7
+"""Misfits beyond so many typical ones do not bend the curve, if they are few."""
+
+
+def quiet_times(t: Array, x: Array, sigma: Array, passages: Array, steps: Array) -> Array | None:
+    """The times of the extremes ``t`` with values ``x`` on a smooth curve; None if no curve goes through them.
+
+    ``sigma``: their standard errors; ``passages``: times of passages through the base line; ``steps``: how many
+    half-swings lie between successive extremes.
+    """
+    if len(t) < _LEAST or not (sigma > 0).all():
+        return None
+    n = np.concatenate([[0.0], np.cumsum(steps)])
+    inside = passages[(passages > t[0]) & (passages < t[-1])]
+    where = np.interp(inside, t, n)
+    place = np.floor(where) + 0.5
+    size = np.interp(n, n, _smooth_size(n, x))
+    error = float(np.median(sigma * size))
+    rows = np.concatenate([n, place])
+    weights = np.concatenate([size, np.interp(place, n, size) / _PASSAGE])
+    data = np.concatenate([t, inside])
+    late = np.concatenate([np.zeros(len(n)), np.ones(len(place))])
+    tried = [_fitted(degree, rows / n[-1] * 2 - 1, late, data, weights) for degree in _DEGREES]
+    best, curve = min(tried, key=lambda pair: pair[0])
+    typical = float(np.median(np.abs(t - curve[: len(t)]) * size))
+    return curve[: len(t)] if typical < _NOISY * error else None
+
+
+def _smooth_size(n: Array, x: Array) -> Array:
+    """|x| on a parabola of its logarithm: noise in a small amplitude does not enter the weights."""
+    size = np.log(np.abs(x))
+    return np.asarray(np.exp(np.polynomial.Polynomial.fit(n, size, 2)(n)))
+
+
+def _fitted(degree: int, u: Array, late: Array, data: Array, weights: Array) -> tuple[float, Array]:
+    """(BIC, the curve) of a polynomial, with a line more for the passages, by clipped least squares."""
+    columns = [u**k for k in range(degree + 1)] + ([late, late * u] if late.any() else [])
+    V = np.stack(columns, axis=1)
+    keep = np.ones(len(data), dtype=bool)
+    for _ in range(4):
+        c, *_rest = np.linalg.lstsq(V[keep] * weights[keep, None], data[keep] * weights[keep], rcond=None)
+        misfit = (data - V @ c) * weights
+        scale = 1.4826 * float(np.median(np.abs(misfit)))
+        near = np.abs(misfit) <= _CLIP * scale
+        if near.mean() < _MOST:
+            break
+        keep = near
+    rss = float((np.minimum(np.abs(misfit), _CLIP * max(scale, 1e-15)) ** 2).sum())
+    return len(data) * np.log(max(rss, 1e-300)) + len(columns) * np.log(len(data)), V @ c

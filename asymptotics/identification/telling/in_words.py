@@ -1,0 +1,77 @@
+"""What a law means at the amplitudes of the record: Q at its beginning and its end, and the half-life.
+
+To first order zeta(A) = sum_i <|cos|^m |sin|^(alpha+1)> epsilon_i A^(d_i-1), Q = 1/(2 zeta), and the half-life from A
+is int_(A/2)^A da/(a zeta(a)) in units of 1/omega_0 (theory page ``equivalent_damping``).  Doubles, from the estimates.
+
+>>> zeta = equivalent_ratio([(1.0, 0, 0.02), (2.0, 0, 0.05)])
+>>> round(float(zeta(1.0)), 6), round(half_life(equivalent_ratio([(1.0, 0, 0.02)]), 1.0), 6)
+(0.031221, 69.314718)
+"""
+
+from collections.abc import Callable, Sequence
+from math import gamma, pi
+from typing import Any
+
+import numpy as np
+
+from asymptotics.identification.forward.candidates import FREE
+from asymptotics.identification.judging.comparison import LawFit
+
+_POINTS = 401
+Ratio = Callable[[Any], Any]
+
+
+def equivalent_ratio(losses: Sequence[tuple[float, int, float]]) -> Ratio:
+    """zeta(A) of the losses (alpha, m, epsilon)."""
+
+    def mean(alpha: float, m: int) -> float:
+        return gamma((m + 1) / 2) * gamma(alpha / 2 + 1) / (pi * gamma((m + alpha + 1) / 2 + 1))
+
+    rows = [(mean(alpha, m) * epsilon, alpha + m - 1) for alpha, m, epsilon in losses]
+    return lambda A: sum(c * np.asarray(A, dtype=float) ** w for c, w in rows)
+
+
+def half_life(zeta: Ratio, amplitude: float) -> float:
+    """omega_0 t from A to A/2."""
+    s = np.linspace(np.log(amplitude / 2), np.log(amplitude), _POINTS)
+    rate = np.array(zeta(np.exp(s)))
+    return float(np.trapezoid(1 / rate, s)) if (rate > 0).all() else np.inf
+
+
+def equivalent(law: LawFit, omega_0: float | None) -> dict[str, Any] | None:
+    """Amplitudes, Q there, the half-life at the first; None beside springs, without a fit, and for printed tables."""
+    losses, fit = _losses(law), law.fit
+    if losses is None or fit is None or not fit.model.alternating:
+        return None
+    size = np.abs(fit.model.seen.x - fit.rest)
+    ends = [float(size[0]), float(size[-1])]
+    zeta = equivalent_ratio(losses)
+    ratios = [float(zeta(a)) for a in ends]
+    if not all(np.isfinite(z) and z > 0 for z in ratios):
+        return None
+    life = half_life(zeta, ends[0])
+    found: dict[str, Any] = {"amplitudes": ends, "Q": [1 / (2 * z) for z in ratios], "zeta": ratios}
+    return found | {"half_life": life / (omega_0 or 2 * pi), "half_life_unit": "s" if omega_0 else "swings"}
+
+
+def in_words(found: dict[str, Any] | None, unit: str) -> str:
+    """One line: ``Q = 212 at 10 deg, 160 at 40 deg; half-life 31 s``."""
+    if found is None:
+        return ""
+    told = ", ".join(f"{q:.3g} at {f'{a:.3g} {unit}'.strip()}" for q, a in zip(found["Q"], found["amplitudes"]))
+    life = f"; half-life {found['half_life']:.3g} {found['half_life_unit']}" if np.isfinite(found["half_life"]) else ""
+    return f"Q = {told}{life} (first order, of the first law)"
+
+
+def _losses(law: LawFit) -> list[tuple[float, int, float]] | None:
+    """(alpha, m, epsilon) of each loss; None beside springs, or where the exponent is not known."""
+    candidate = law.candidate
+    if candidate.springs or len(law.epsilon) != len(candidate.losses):
+        return None
+    read = []
+    for (name, _), element, epsilon in zip(candidate.losses, candidate.elements, law.epsilon):
+        if name == FREE and law.alpha is None:
+            return None
+        alpha = law.alpha.estimate if name == FREE and law.alpha is not None else element.velocity
+        read.append((float(alpha), int(element.position), float(epsilon.estimate)))
+    return read

@@ -1,0 +1,130 @@
+"""Pictures of an identification: the decay, the decrement against amplitude with each law's curve and band, residuals.
+
+``draw_panels`` draws four panels: turning points with the envelope of the best law; the classical plot of decrement
+against mean amplitude, with the band of the 95 % region for the laws of the verdict; the residuals of turning points
+(and times) against n; the profile of the first strength.  matplotlib is loaded when a picture is asked for.
+"""
+
+from textwrap import wrap
+from typing import Any
+
+import numpy as np
+
+from asymptotics.errors import InputError
+from asymptotics.identification.fitting.least_squares import Fit
+from asymptotics.identification.fitting.profile import profile_curve
+from asymptotics.identification.forward.coefficients import Array
+from asymptotics.identification.judging.comparison import LawFit
+from asymptotics.identification.judging.grades import percent
+from asymptotics.present.drawn import head
+
+_SHOWN = 3
+
+
+def shown_laws(answer: Any) -> list[LawFit]:
+    """The laws of the verdict that are drawn; InputError for several runs or printed decrements (no sequence)."""
+    laws = [found.law for found in answer.laws if found.law.fit is not None and found.law.fit.model.alternating]
+    if answer.per_run or not laws:
+        raise InputError("plot", "there is no single run of turning points to draw", "one record or turning points")
+    consistent = [law for law in laws if law.verdict == "consistent" and law.held_out is not None]
+    return (consistent or laws)[:_SHOWN]
+
+
+def draw_panels(answer: Any, axes: Any) -> None:
+    """The four panels in the place of ``axes``, the verdict above them."""
+    shown, figure, place = shown_laws(answer), axes.figure, axes.get_subplotspec()
+    if place is None:
+        raise InputError("ax", "these axes are not in a grid that could be divided", "axes of plt.subplots()")
+    grid = place.subgridspec(2, 2)
+    axes.set_subplotspec(grid[0, 0])
+    classical, residuals, profile = (figure.add_subplot(grid[k]) for k in ((0, 1), (1, 0), (1, 1)))
+    figure.suptitle("\n".join(wrap(answer.verdict.text, 110)), fontsize=11)
+    _decay(axes, shown[0], answer.units.unit)
+    draw_decrements(classical, shown, answer.units.unit)
+    _residuals(residuals, shown[0])
+    _profile(profile, shown[0])
+
+
+def _fit_of(law: LawFit) -> Fit:
+    assert law.fit is not None
+    return law.fit
+
+
+def _decay(axes: Any, law: LawFit, unit: str) -> None:
+    fit = _fit_of(law)
+    model, seen = fit.model, fit.model.seen
+    size, centre = model.amplitudes(fit.theta)[0], fit.rest
+    n = np.arange(seen.last + 1)
+    for sign in (1, -1):
+        axes.plot(n, centre + sign * size, color="C1", lw=1, label="envelope" if sign > 0 else None)
+    axes.plot(seen.n, seen.x, "o", markersize=3, label="turning points")
+    axes.set(xlabel="turning point n", ylabel=f"x ({unit})" if unit else "x")
+    head(axes, [f"decay and envelope of {law.candidate}"])
+
+
+def decrement_band(fit: Fit) -> tuple[Array, Array, Array]:
+    """(mean amplitude, decrement, half-width of its 95 % band) of a law at the measured turning points."""
+    model = fit.model
+    size, by_law = model.amplitudes(fit.theta)
+    slopes = np.zeros((model.size, len(size) - 1))
+    slopes[: model.after] = by_law[:, :-1] - by_law[:, 1:]
+    spread = np.sqrt(np.maximum(np.einsum("in,ij,jn->n", slopes, fit.covariance, slopes), 0.0))
+    return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], 1.96 * spread
+
+
+def draw_decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
+    """What was measured, and the decrement of each law with the band of its 95 % region."""
+    fit = _fit_of(laws[0])
+    seen = fit.model.seen
+    size = np.abs(seen.x - fit.rest)
+    next_ = np.diff(seen.n) == 1
+    mean, decrement = ((size[1:] + size[:-1]) / 2)[next_], (size[:-1] - size[1:])[next_]
+    axes.plot(mean, decrement, "o", markersize=3, color="0.5", label="measured")
+    for i, law in enumerate(laws):
+        amplitude, value, band = decrement_band(_fit_of(law))
+        axes.plot(amplitude, value, color=f"C{i}", label=str(law.candidate))
+        axes.fill_between(amplitude, value - band, value + band, color=f"C{i}", alpha=0.25, lw=0)
+    _draw_left(axes, laws[0])
+    suffix = f" ({unit})" if unit else ""
+    axes.set(xlabel="mean amplitude" + suffix, ylabel="decrement" + suffix)
+    head(axes, ["decrement against amplitude"])
+
+
+def _draw_left(axes: Any, law: LawFit) -> None:
+    """What the law leaves of the loss: the measured loss, smoothed, where it is not that of the law."""
+    left = law.unexplained
+    if left is None or law.verdict == "consistent" or not left.share > 0:
+        return
+    amplitude, value, _ = decrement_band(_fit_of(law))
+    drawn = np.interp(left.amplitudes, amplitude[::-1], value[::-1])
+    label = f"left unexplained: {percent(left.share)} of the loss"
+    axes.fill_between(left.amplitudes, drawn, drawn * (1 + left.ratio), color="C3", alpha=0.4, lw=0, label=label)
+
+
+def _residuals(axes: Any, law: LawFit) -> None:
+    fit = _fit_of(law)
+    samples = fit.model.seen.samples
+    if samples is not None:
+        axes.plot(samples.t, fit.weighted, ".", markersize=2, label=f"{len(samples.t)} samples")
+        axes.axhline(0, color="0.5", lw=0.6)
+        axes.set(xlabel="t (s)", ylabel="residual / standard deviation")
+        head(axes, [f"residuals of {law.candidate}"])
+        return
+    numbers = {"x": fit.model.seen.n, "t": fit.model.seen.n, "passage": fit.model.seen.passage_n}
+    for kind, group in zip(fit.model.kinds, fit.model.groups):
+        axes.plot(numbers[kind], fit.weighted[group], "o", markersize=3, label=kind)
+    axes.axhline(0, color="0.5", lw=0.6)
+    axes.set(xlabel="turning point n", ylabel="residual / standard deviation")
+    head(axes, [f"residuals of {law.candidate}"])
+
+
+def _profile(axes: Any, law: LawFit) -> None:
+    fit = _fit_of(law)
+    for i, name in enumerate(law.candidate.alphas):
+        values, rise = profile_curve(fit, law.functions[i], count=13)
+        estimate = law.epsilon[i].estimate
+        axes.plot((values - estimate) / (abs(estimate) or 1.0), rise, label=f"strength of {name}")
+    axes.axhline(3.84, color="0.5", lw=0.6)
+    axes.locator_params(axis="x", nbins=4)
+    axes.set(xlabel="relative change of the strength", ylabel="rise of chi squared")
+    head(axes, [f"profiles of {law.candidate}"])
