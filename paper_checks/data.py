@@ -47,12 +47,25 @@ def record(s: Statement) -> dict[str, Any]:
 
 
 def near_miss(s: Statement) -> str | None:
-    """The near miss in words or signs; None if there is none."""
-    if s.near_miss is None:
-        return None
-    if s.id in WORDS:
-        return WORDS[s.id]
-    return s.near_miss.__name__.strip("_").replace("_", " ") if inspect.isfunction(s.near_miss) else str(s.near_miss)
+    """The near miss in words or signs, with what it stands in place of; None if there is none.
+
+    >>> [near_miss(load()[key]) for key in ("lelas2024:4", "lelas2024:8", "smith2012:60b")]
+    ['sgn 0 = 1, in place of 0', 'f**2*x_0*cos(omega_0*t) in place of f*x_0*cos(omega_0*t)', '1/3 w in place of 2/3 w']
+    """
+    form, right = s.near_miss, s.printed if s.corrected is None else s.corrected
+    if form is None or s.id in WORDS:
+        return WORDS.get(s.id)
+    pairs = [(form, right)]
+    if isinstance(form, tuple) and isinstance(right, tuple) and len(form) == len(right):
+        pairs = [(a, b) for a, b in zip(form, right) if a != b]
+    return "; ".join(_plain(a) + ("" if b is None else f" in place of {_plain(b)}") for a, b in pairs)
+
+
+def _plain(form: Any) -> str:
+    """A part of a form as text: a polynomial in w from its coefficients, several in brackets, else as it prints."""
+    if isinstance(form, dict):
+        return " + ".join(f"{c} w^{n}".removesuffix(" w^0").removesuffix("^1") for n, c in form.items())
+    return f"({', '.join(map(_plain, form))})" if isinstance(form, tuple) else str(form)
 
 
 def source(s: Statement) -> str:

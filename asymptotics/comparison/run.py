@@ -39,6 +39,7 @@ from asymptotics.made_by import mark
 from asymptotics.numbers.digits import spread
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.present.drawn import Drawn
+from asymptotics.present.figures import counted
 from asymptotics.present.shown import Page, Rows, Shown
 from asymptotics.turning.choose import turning_points
 
@@ -116,6 +117,8 @@ class Comparison(Rows, Drawn):
         for column, (keys, lost) in self.lost_digits().items():
             axes.plot(keys, lost, **{"marker": ".", "markersize": 3, "linewidth": 0.8, "label": column, **style})
         axes.set(xlabel=_AXES.get(self.rows[0].key_name, "value"), ylabel="digits lost")
+        if self.rows[0].key_name == "n":
+            counted(axes.xaxis)
 
     def _table(self) -> dict[str, list[Any]]:
         rows = self.rows

@@ -109,8 +109,18 @@ def draw_on(axes: Any, results: Sequence[Any], style: dict[str, Any]) -> None:
         if _drawn(partial(result._curve, axes, **own)):
             return  # panels, which have headings of their own
     told = axes.get_title().split("\n") if axes.get_title() else []
-    new = [] if len(results) > 1 else wrap(results[0]._heading(), _WIDTH, break_on_hyphens=False)
+    new = [] if len(results) > 1 else _lines(results[0]._heading())
     head(axes, [*told, *(line for line in new if line not in told)])
+
+
+def _lines(heading: str) -> list[str]:
+    """The heading in lines, none of which ends beside an equals sign.
+
+    >>> _lines("turning points of 3/2 x'' + 30 x + 1/10 x'|x'|^(1/2) = 0, x(0) = 1/5, x'(0) = 0, from rest")[1]
+    "x'(0) = 0, from rest"
+    """
+    whole = heading.replace(" = ", "\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}")
+    return [line.replace("\N{NO-BREAK SPACE}", " ") for line in wrap(whole, _WIDTH, break_on_hyphens=False)]
 
 
 def _drawn(draw: Callable[[], Any]) -> Any:

@@ -73,6 +73,20 @@ def new_axes(size: Any = SIZE) -> Any:
     return _matplotlib("matplotlib.pyplot").subplots(figsize=_size(size), layout="constrained")[1]
 
 
+def counted(axis: Any) -> None:
+    """Ticks at whole numbers only, where the axis chooses its ticks itself.
+
+    >>> axes = import_module("matplotlib.figure").Figure().subplots()
+    >>> _ = axes.plot([0, 3], [0, 1])
+    >>> counted(axes.xaxis)
+    >>> [float(tick) for tick in axes.get_xticks() if 0 <= tick <= 3]
+    [0.0, 1.0, 2.0, 3.0]
+    """
+    locator = axis.get_major_locator()
+    if "integer" in getattr(locator, "default_params", ()):
+        locator.set_params(integer=True)
+
+
 def _matplotlib(name: str) -> Any:
     """A module of matplotlib: an extra, and slow to load, so that only pictures load it."""
     try:

@@ -21,6 +21,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import TOO_WIDE, TooWideError
 from asymptotics.numbers.value import Coefficient, number_of
 from asymptotics.present.drawn import Drawn
+from asymptotics.present.figures import counted
 from asymptotics.present.shown import Page, Rows, Shown
 
 Number = Fraction | ExactReal | arb | Callable[[], arb | ExactReal]
@@ -158,3 +159,4 @@ def draw_sizes(axes: Any, points: Sequence[Any], name: str, style: dict[str, Any
     if all(sizes):
         axes.set_yscale("log")
     axes.set(xlabel="turning point n", ylabel=name)
+    counted(axes.xaxis)

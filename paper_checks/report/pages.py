@@ -81,7 +81,7 @@ def near_miss(entry: Statement) -> dict[str, str]:
         return {"latex": "", "text": typeset(WORDS[entry.id])}
     if isinstance(form, sympy.Basic):
         left = LEFT.get(entry.id) or left_side(entry)
-        return {"latex": left + _instead(form, entry.printed), "text": ""}
+        return {"latex": left + _instead(form, right if entry.printed is None else entry.printed), "text": ""}
     if isinstance(form, tuple):
         return {"latex": _parts(form, right), "text": ""}
     return {"latex": _instead(form, right), "text": ""}
