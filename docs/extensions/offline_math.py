@@ -4,6 +4,10 @@
 >>> _kept_whole(None, "", "", context, None)
 >>> context["body"]
 '<span class="pre">motion</span> <span class="pre whole">--bound</span>, <span class="whole"><math>x</math>.</span>'
+>>> context = {"body": "<h1>asymptotics.half_swing<a>"}
+>>> _kept_whole(None, "", "", context, None)
+>>> context["body"]
+'<h1>asymptotics.<wbr>half_<wbr>swing<a>'
 """
 
 import re
@@ -24,9 +28,11 @@ def _display(self, node):
 
 
 def _kept_whole(app, pagename, templatename, context, doctree):
-    """A formula with its punctuation, and an option of the command line, stay on one line."""
+    """A formula with its punctuation, and an option of the command line, stay on one line; a name ends it at a dot."""
     if "body" in context:
-        context["body"] = whole(re.sub(r'<span class="pre">(?=--?\w)', '<span class="pre whole">', context["body"]))
+        body = re.sub(r'<span class="pre">(?=--?\w)', '<span class="pre whole">', context["body"])
+        body = re.sub(r"<h1>[\w.]+", lambda name: re.sub(r"(?<=[._])(?=\w)", "<wbr>", name[0]), body)
+        context["body"] = whole(body)
 
 
 def setup(app):

@@ -25,6 +25,7 @@ figure, axes = plt.subplots()
 levels = [5, 10, 20, 40, 80, 160, 320]
 picture = axes.contourf(shares, noises, needed, levels=levels, norm=LogNorm(levels[0], levels[-1]))
 axes.set(xscale="log", yscale="log")
+axes.grid(visible=False)
 axes.xaxis.set_minor_formatter(NullFormatter())
 axes.set(xlabel="share of the linear term in the first decrement", ylabel="noise / first amplitude")
 bar = figure.colorbar(picture, label="half-swings needed", ticks=levels)

@@ -82,7 +82,8 @@ def draw_decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
     axes.plot(mean, decrement, "o", markersize=3, color="0.5", label="measured")
     for i, law in enumerate(laws):
         amplitude, value, band = decrement_band(_fit_of(law))
-        axes.plot(amplitude, value, color=f"C{i}", label=str(law.candidate))
+        shape = {"linestyle": "-" if i == 0 else "--", "zorder": 3 - 0.1 * i}  # rivals do not hide the best law
+        axes.plot(amplitude, value, color=f"C{i}", label=str(law.candidate), **shape)
         axes.fill_between(amplitude, value - band, value + band, color=f"C{i}", alpha=0.25, lw=0)
     _draw_left(axes, laws[0])
     suffix = f" ({unit})" if unit else ""
