@@ -4,6 +4,7 @@
   asymptotics compare motion.csv --law 0:1/20 --law 2:1/10 --columns tau=time,x=pos --plot lost.svg
   asymptotics compare table_one.csv --table smith2012.table1 --columns half_cycle,S_hat,u
   asymptotics compare exported.csv                           # a table of this program says itself what it is
+  asymptotics compare points.csv                             # so does a file of --csv: its header has the oscillator
   asymptotics compare series.csv --alpha 3/2                 # coefficients from expand --csv or half-swing --csv
   asymptotics compare lab.csv --alpha 3/2 --damping 1/10 --mass 3/2 --stiffness 30 --x0 1/5 --columns t,x
 
@@ -28,7 +29,7 @@ from asymptotics.cli.quantities import PHYSICAL, add_physical, add_start, read_o
 from asymptotics.cli.table import table_inputs
 from asymptotics.comparison.order import told_order
 from asymptotics.comparison.run import MAX_DIGITS, ComparedValue, Comparison, compare_file
-from asymptotics.comparison.stated import stated
+from asymptotics.comparison.stated import stated, stated_inputs
 from asymptotics.comparison.tabled import compare_table, series_table
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
@@ -85,6 +86,8 @@ def _asked(options: argparse.Namespace, digits: int | None) -> tuple[Callable[[]
         make = partial(compare_table, path, head.table, replace(inputs, rows=head.rows))
         return partial(make, columns=options.columns, digits=digits), f"{head.table}, with the inputs of its head"
     name = series_table(path) if options.table is None else options.table
+    if not _said(options) and options.table is None:
+        options = _with_its_inputs(options, path, series=name is not None)
     if name is None:
         given = read_oscillator(options, "epsilon", epsilon_beside_units=True)
         own = given.si or options.x0 is not None
@@ -98,6 +101,18 @@ def _asked(options: argparse.Namespace, digits: int | None) -> tuple[Callable[[]
         raise InputError("--alpha", "is missing: coefficients alone do not say of which law", "--alpha A, or --law A:E")
     inputs = table_inputs(options.alpha, options.epsilon, options.law, None)
     return partial(compare_table, path, name, inputs, columns=options.columns, digits=digits), name
+
+
+def _with_its_inputs(options: argparse.Namespace, path: Path, *, series: bool) -> argparse.Namespace:
+    """The options, with the oscillator that the file's own header says; coefficients have their exponents alone."""
+    inputs = stated_inputs(path)
+    for name in ("spring", "v0"):
+        if name in inputs and inputs[name] != "0":
+            raise InputError(
+                "FILE", f"it is of an oscillator with --{name}", "a file of losses beside x alone, from rest"
+            )
+    kept = {k: v for k, v in inputs.items() if k in ("alpha", "law") or not series}
+    return argparse.Namespace(**{**vars(options), **{k: v for k, v in kept.items() if k != "v0"}})
 
 
 def _said(options: argparse.Namespace) -> bool:

@@ -81,7 +81,11 @@ def run(options: argparse.Namespace) -> Answer:
         "--plot": picture_maker(options, lambda: overlaid(options, found, given, again), until=time, **more),
         "--csv": lambda _: _table(found, given, time, options, series),
     }
-    data |= {"units": "SI" if given.si else None, "files": write_files(files, makers), "notes": list(found.notes)}
+    data |= {
+        "units": "SI" if given.si else None,
+        "files": write_files(files, makers, options),
+        "notes": list(found.notes),
+    }
     text = str(data["latex"]) if options.latex else _text(data, given, series)
     if slow is not None and not options.latex:
         text += "\n" + slow.told(given.unit("s" if slow.quantity == "time" else "m"))

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from asymptotics.comparison.stated import INPUTS, with_inputs
 from asymptotics.errors import InputError
 from asymptotics.made_by import mark
 from asymptotics.numbers.exact import parse_integer, parse_real
@@ -98,9 +99,15 @@ def read_points(options: argparse.Namespace) -> int:
     return parse_integer(str(DEFAULT_POINTS) if options.points is None else options.points, "--points", 1, MAX_POINTS)
 
 
-def write_files(files: dict[str, Path], makers: Makers) -> list[str]:
-    """Make all contents, then write them; a maker gets the kind of its file (csv, or that of the picture)."""
+def write_files(files: dict[str, Path], makers: Makers, options: argparse.Namespace | None = None) -> list[str]:
+    """Make all contents, then write them; a maker gets the kind of its file (csv, or that of the picture).
+
+    With ``options`` the head of a table says which oscillator it is of, so that ``compare`` can be asked without it.
+    """
     contents = {path: makers[argument](_kind(path, argument)) for argument, path in files.items()}
+    table = contents.get(files["--csv"]) if "--csv" in files and options is not None else None
+    if isinstance(table, str):
+        contents[files["--csv"]] = with_inputs(table, {name: getattr(options, name, None) for name in INPUTS})
     write_all(contents, " and ".join(files))
     return [str(path) for path in files.values()]
 

@@ -79,7 +79,7 @@ def run(options: argparse.Namespace) -> Answer:
     data["delta"] = [{"name": name, "force": force, "value": value} for name, force, value in deltas]
     latex = rows_latex({_index(name, given): row for name, row in names}, deltas_latex(given), digits)
     makers: Makers = {"--csv": lambda _: rows_csv(dict(names)), "--plot": picture_maker(options, lambda: [found])}
-    written = write_files(files, makers)
+    written = write_files(files, makers, options)
     data |= told(options, latex, written)
     return Answer(data, "\n".join([latex] if options.latex else [*lines, *given.notes, *written]), options.json)
 

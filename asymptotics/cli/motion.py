@@ -104,14 +104,14 @@ def run(options: argparse.Namespace) -> Answer:
         if not isinstance(found, MotionSamples):
             return None
         done = {name: file for name, file in files.items() if name == "--csv"}
-        written = write_files(done, {"--csv": lambda _: found.to_csv()})
+        written = write_files(done, {"--csv": lambda _: found.to_csv()}, options)
         whole, rows = _answer(point, options, given, written, proved, always, best), len(found.t)
         name = "t" if given.si else "tau"
         missing = f"{name} > {float(found.t[-1])!r}{given.unit('s')} in {written[0]}"
         return shortened(whole, rows, missing)
 
     with changed(kept):
-        written = write_files(files, makers)
+        written = write_files(files, makers, options)
     return _answer(point, options, given, written, proved, always, best)
 
 

@@ -78,7 +78,7 @@ def run(options: argparse.Namespace) -> Answer:
             ),
             "--csv": lambda _: _table(found, given, time, read_points(options)),
         }
-        data |= {"files": write_files(files, makers)}
+        data |= {"files": write_files(files, makers, options)}
     if options.json or options.latex or options.fragment:
         data["latex"] = found.latex(standalone=not options.fragment)
     text = data["latex"] if options.latex or options.fragment else _text(found, data, given)

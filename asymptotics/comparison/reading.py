@@ -75,7 +75,8 @@ def read_sheet(
     if header is None and mapping is None:
         accepted = f"--columns, such as n,x,tau (known: {', '.join(known)})"
         raise InputError("FILE", f"{path} has no header", accepted)
-    columns = dict(sorted(columns_of(names, mapping, known).items(), key=lambda pair: pair[1]))
+    filled = [name if _holds(rows, place) else "" for place, name in enumerate(names)] if mapping is None else names
+    columns = dict(sorted(columns_of(filled, mapping, known).items(), key=lambda pair: pair[1]))
     if not words:
         _require_units({name: units.get(place, "") for name, place in columns.items()}, si)
     wanted = max(columns.values())
@@ -88,6 +89,11 @@ def read_sheet(
         if name not in words
     }
     return Sheet(columns, tuple(line for line, _ in rows), tuple(tuple(cells) for _, cells in rows), numbers)
+
+
+def _holds(rows: list[tuple[int, list[str]]], place: int) -> bool:
+    """Whether a column has anything in it: an export has columns for what was not asked for."""
+    return any(len(cells) <= place or cells[place].strip() for _, cells in rows)
 
 
 def columns_of(names: list[str], mapping: str | None, known: tuple[str, ...] = QUANTITIES) -> dict[str, int]:

@@ -153,6 +153,27 @@ def test_what_the_program_exports_it_reads_with_the_inputs_of_its_head(capsys, t
         assert found["summary"]["look"]["kind"] == "rounding"
 
 
+SELF = {
+    **{name: (making, law) for name, (making, law) in EXPORTS.items() if law},
+    "motion in SI": (
+        ["motion", "--time", "3", "--points", "9"],
+        ["--alpha", "2", "--damping", "1/10", "--mass", "3/2", "--x0", "1/5"],
+    ),
+    "points in SI": (["turning-points", "--count", "4"], ["--law", "1:1/50", "--law", "2:1/10", "--stiffness", "30"]),
+    "solution": (["solution", "--time", "9", "--points", "9"], ["--alpha", "2", "--epsilon", "1/10"]),
+}
+
+
+@pytest.mark.parametrize("name", SELF)
+def test_an_export_says_itself_of_which_oscillator_it_is(capsys, tmp_path, name):
+    path = tmp_path / "exported.csv"
+    making, law = SELF[name]
+    assert main([*making, *law, "--csv", str(path)]) == 0
+    capsys.readouterr()
+    alone, beside = call(capsys, path, "--json"), call(capsys, path, *law, "--json")
+    assert alone[0] == 0 and json.loads(alone[1]) == json.loads(beside[1])
+
+
 @pytest.mark.parametrize("name", ["expand", "half-swing", "envelope"])
 def test_exports_of_another_law_are_told_apart(capsys, tmp_path, name):
     path = tmp_path / "exported.csv"
@@ -169,6 +190,8 @@ def test_coefficients_need_a_law_and_their_lines_are_those_of_the_file(capsys, t
     path = tmp_path / "exported.csv"
     assert main(["expand", "--alpha", "2", "--order", "4", "--csv", str(path)]) == 0
     capsys.readouterr()
+    assert call(capsys, path)[0] == 0  # the header says the law
+    path.write_text(path.read_text().replace("code [--alpha=2]", "code"))
     assert "--alpha" in call(capsys, path)[2]
     lines = path.read_text().splitlines()
     found = json.loads(call(capsys, path, "--alpha", "2", "--json")[1])
@@ -181,3 +204,17 @@ def test_a_digit_changed_in_an_exported_table_is_found(capsys, tmp_path):
     path.write_text(path.read_text().replace("0.4244", "0.4245"))
     capsys.readouterr()
     assert json.loads(call(capsys, path, "--json")[1])["summary"]["look"]["kind"] == "undecided"
+
+
+@pytest.mark.parametrize("head", ["--alpha=2 --csv=/etc/motd", "alpha", "--alpha='2", "--help", "--alpha=2 --alpha"])
+def test_a_header_that_says_more_than_an_oscillator_says_nothing(capsys, tmp_path, head):
+    path = tmp_path / "mine.csv"
+    path.write_text(f"n,x,code [{head}]\n0,1,a\n")
+    code, out, err = call(capsys, path)
+    assert (code, out) == (2, "") and "--alpha" in err
+
+
+def test_an_export_with_a_spring_is_refused_by_name(capsys, tmp_path):
+    path = tmp_path / "mine.csv"
+    path.write_text("n,x,code [--alpha=2 --epsilon=1/10 --spring=3:1/5]\n0,1,a\n")
+    assert "it is of an oscillator with --spring" in call(capsys, path)[2]

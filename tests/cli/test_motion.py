@@ -68,15 +68,15 @@ def test_files_appear_whole(capsys, tmp_path):
     data = answer(capsys, f"motion {DRAG} --time 3 --csv {csv} --plot {png}")
     assert data["files"] == [str(png), str(csv)]
     rows = csv.read_text().splitlines()
-    assert rows[0] == "t [s],x [m],v [m/s],amplitude [m],phase [rad],code" and len(rows) == 1002
+    assert rows[0].startswith("t [s],x [m],v [m/s],amplitude [m],phase [rad],code [--") and len(rows) == 1002
     assert float(rows[-1].split(",")[1]) == pytest.approx(float(data["x"]), abs=2 * float(data["error"]))
     assert png.read_bytes().startswith(b"\x89PNG")
     line = f"motion --alpha 2 --damping 1/10 --x0 1 --time 2 --reference --csv {csv} --plot {svg} --digits 10"
     exact = answer(capsys, line)
     rows = csv.read_text().splitlines()
-    assert rows[0] == "t [s],x [m],v [m/s],code" and float(rows[-1].split(",")[1]) == pytest.approx(
-        float(exact["x"]), abs=1e-9
-    )
+    assert rows[0] == "t [s],x [m],v [m/s],code [--alpha=2 --damping=1/10 --x0=1]" and float(
+        rows[-1].split(",")[1]
+    ) == pytest.approx(float(exact["x"]), abs=1e-9)
     first = svg.read_bytes()
     assert b"<svg" in first and run(capsys, line)[0] == 0 and svg.read_bytes() == first
 
