@@ -5,9 +5,14 @@
 (3*pi/(8*A*epsilon), '23.5619', '0.236684')
 >>> damping("symbolic").formulas["zeta"]
 A**(alpha - 1)*epsilon*gamma(alpha/2 + 1)/(sqrt(pi)*gamma(alpha/2 + 3/2))
+>>> swing = damping({1: "1/50", 2: "1/20"}, [10, 40], spring="pendulum", unit="deg", digits=4)
+>>> [(row.amplitude, row.first.Q) for row in swing.rows], swing.header()[1]
+([('10', '36.47'), ('40', '20.12')], 'amplitude [deg]')
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 from asymptotics.api.units import law_of
@@ -15,7 +20,7 @@ from asymptotics.cut_short import keeping
 from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import DampingRow, row_at
 from asymptotics.equivalent.symbolic import closed_forms, symbolic_exponent
-from asymptotics.errors import InputError, LimitError, require_flag
+from asymptotics.errors import InputError, LimitError, require_flag, shown
 from asymptotics.law import LawLike, Oscillator, SpringLike
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
@@ -23,6 +28,13 @@ from asymptotics.public import public
 
 MAX_DIGITS, MAX_ORDER, MAX_AMPLITUDES = 100, 12, 1000
 _SHARES = (1, 2, 4, 8)
+_PI = Fraction(
+    "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534211706798214808651"
+    "328230664709384460955058"
+)
+LENGTHS = {"m": Fraction(1), "cm": Fraction(1, 100), "mm": Fraction(1, 1000), "um": Fraction(1, 10**6)}
+ANGLES = {"rad": Fraction(1), "deg": _PI / 180}
+"""Units of amplitudes in m or rad; the degree is that of pi to 130 digits, 30 more than are ever asked for."""
 
 
 @public
@@ -34,6 +46,7 @@ def damping(
     digits: int = 12,
     motion: bool = True,
     spring: SpringLike | None = None,
+    unit: str = "",
     max_seconds: Number = 60,
 ) -> EquivalentDamping:
     """Equivalent damping of any law, sum or spring at turning amplitudes A: formulas and certified numbers.
@@ -43,32 +56,45 @@ def damping(
     of first order (one cycle without loss) with the half-life, the time in which A falls to A/2; of the ``motion``
     itself, one full swing from rest at A; and with ``order`` N of the series to delta^N, each with the proved bound of
     what it lacks.  ``law``: epsilons (A in their unit), an oscillator (A in m, answers in SI) or "symbolic".
-    ``amplitudes``: a number or a list (default: the start and its half, quarter, eighth).  InputError for a law without
-    a loss, amplitudes <= 0 or outside the well; LimitError after ``max_seconds``, which
-    ``asymptotics.cut_short.done`` asks for the rows that were done.  Source: derivation
-    ``equivalent-damping``.
+    ``amplitudes``: a number or a list (default: the start and its half, quarter, eighth), in ``unit``: cm, mm, um of an
+    oscillator in SI; deg of a pendulum (a degree is pi/180 rad to 130 digits).  InputError for a law without a loss,
+    amplitudes <= 0 or outside the well; LimitError after ``max_seconds``, which ``asymptotics.cut_short.done`` asks for
+    the rows that were done.  Source: derivation ``equivalent-damping``.
     """
     D = exact_integer(digits, "digits", 1, MAX_DIGITS)
     N = None if order is None else exact_integer(order, "order", 1, MAX_ORDER)
     require_flag(motion, "motion")
     if isinstance(law, str) and law == "symbolic":
-        if amplitudes is not None or N is not None or spring is not None:
+        if amplitudes is not None or N is not None or spring is not None or unit:
             raise InputError("law", "a symbolic exponent has formulas only", "no amplitudes, order or spring beside it")
         return EquivalentDamping(None, False, D, None, symbolic_exponent(si=False), ())
     si = isinstance(law, Oscillator)
     oscillator = _oscillator(law, spring)
+    size = _size(unit, oscillator, si, amplitudes)
     given, notes = _amplitudes(amplitudes, oscillator)
     formulas = closed_forms(oscillator.law.terms, si=si)
     rows: list[DampingRow] = []
 
-    def so_far() -> EquivalentDamping | None:
-        made = EquivalentDamping(oscillator, si, D, N, formulas, tuple(rows), (*oscillator.notes, *notes))
-        return made if rows else None
+    def found() -> EquivalentDamping:
+        told = (*oscillator.notes, *notes)
+        return EquivalentDamping(oscillator, si, D, N, formulas, tuple(rows), told, unit, float(size.ball().mid()))
 
-    with keeping(so_far):
+    with keeping(lambda: found() if rows else None):
         for a in given:
-            rows.append(row_at(oscillator, a, D, N, motion))
-    return EquivalentDamping(oscillator, si, D, N, formulas, tuple(rows), (*oscillator.notes, *notes))
+            rows.append(replace(row_at(oscillator, a * size, D, N, motion), amplitude=str(a)))
+    return found()
+
+
+def _size(unit: str, oscillator: Oscillator, si: bool, amplitudes: Any) -> ExactReal:
+    """The unit of the amplitudes in m or rad."""
+    pendulum = any(t.family for t in oscillator.law.springs)
+    known = ANGLES if pendulum else LENGTHS if si else {}
+    if not isinstance(unit, str) or (unit and unit not in known):
+        accepted = ", ".join(known) or "deg of a pendulum; cm, mm of an oscillator with mass and stiffness"
+        raise InputError("unit", f"{shown(unit)} is no unit of these amplitudes", accepted)
+    if unit and amplitudes is None:
+        raise InputError("amplitudes", "there is none in this unit", f"amplitudes in {unit}")
+    return ExactReal(known.get(unit, Fraction(1)))
 
 
 def _oscillator(law: Any, spring: Any) -> Oscillator:

@@ -29,11 +29,12 @@ from asymptotics.cli.quantities import PHYSICAL, add_physical, add_start, read_o
 from asymptotics.cli.table import table_inputs
 from asymptotics.comparison.order import told_order
 from asymptotics.comparison.run import MAX_DIGITS, ComparedValue, Comparison, compare_file
-from asymptotics.comparison.stated import stated, stated_inputs
+from asymptotics.comparison.stated import stated
 from asymptotics.comparison.tabled import compare_table, series_table
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.present.files import require_different
+from asymptotics.present.inputs import stated_inputs
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.registry import names
 

@@ -2,7 +2,7 @@
 
   asymptotics damping --alpha 2 --epsilon 1/10 --amplitudes 1/2,1
   asymptotics damping --law 1:0.1 --law 2:0.2 --mass 3/2 --stiffness 30 --amplitudes 0.2,0.1 --order 3
-  asymptotics damping --law 1:1/50 --law 2:1/20 --spring pendulum --amplitudes 0.2,0.7 --plot q.svg
+  asymptotics damping --law 1:1/50 --law 2:1/20 --spring pendulum --amplitudes 10,40 --unit deg --plot q.svg
   asymptotics damping --alpha symbolic
   asymptotics damping --from TABLE.csv --resolution 0.0002 --laws 1 2 1+2
 
@@ -40,6 +40,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_physical(parser)
     text = "turning amplitudes in m (rad of a pendulum), without SI units in the unit of the strengths (1,1/2,1/4,1/8)"
     parser.add_argument("--amplitudes", metavar="A,A,...", help=text)
+    parser.add_argument("--unit", metavar="U", help="of the amplitudes: cm, mm, um beside SI units; deg of a pendulum")
     parser.add_argument("--order", metavar="N", help=f"the series of order N too, with its bound: 1 to {MAX_ORDER}")
     parser.add_argument(
         "--from", dest="table", metavar="FILE", help="columns A, zeta (Q, decrement), resolution: the law"
@@ -105,6 +106,7 @@ def _inverse(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
         "epsilon",
         "damping",
         "amplitudes",
+        "unit",
         "order",
         "digits",
         "latex",
@@ -149,12 +151,12 @@ def _asked(options: argparse.Namespace) -> EquivalentDamping:
         raise InputError("--amplitudes", "is missing", "turning amplitudes in m (rad of a pendulum), such as 0.2,0.1")
     amplitudes = options.amplitudes and [parse_real(text, "--amplitudes") for text in options.amplitudes.split(",")]
     law = given.oscillator if given.si else Law.from_terms(given.oscillator.law.terms)
-    return damping(law, amplitudes, order=order, digits=digits)
+    return damping(law, amplitudes, order=order, digits=digits, unit=options.unit or "")
 
 
 def _symbolic(options: argparse.Namespace, files: object) -> EquivalentDamping:
     """The formulas with a symbol for the exponent."""
-    names = ("law", "spring", "epsilon", "damping", "mass", "stiffness", "amplitudes", "order", "digits")
+    names = ("law", "spring", "epsilon", "damping", "mass", "stiffness", "amplitudes", "order", "digits", "unit")
     for name in names:
         if getattr(options, name) is not None:
             raise InputError(f"--{name}", "cannot be combined with --alpha symbolic", "formulas of one law")

@@ -13,13 +13,13 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from asymptotics.comparison.stated import INPUTS, with_inputs
 from asymptotics.errors import InputError
 from asymptotics.made_by import mark
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.present.drawn import Drawn, pictured
 from asymptotics.present.figures import DPI, MAX_DPI, MIN_DPI, SIZE
 from asymptotics.present.files import require_different, target_file, write_all
+from asymptotics.present.inputs import INPUTS, with_inputs
 
 PICTURES = (".svg", ".png", ".pdf")
 MAX_POINTS, DEFAULT_POINTS = 100_000, 1000

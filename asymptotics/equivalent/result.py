@@ -45,7 +45,7 @@ class EquivalentDamping(Rows, Drawn):
     ``formulas``: of first order in A, b, m, k (epsilon without units); ``rows``: the numbers, a row an amplitude, each
     with the ``first`` order (one cycle without loss), the ``motion`` itself (one full swing from rest at A) and, if
     asked for, ``expanded``: order N with the proved bound of each number.  ``oscillator`` is None for a symbolic
-    exponent.
+    exponent.  ``unit``: that of all amplitudes, if it was named, and its ``size`` in m or rad.
     """
 
     oscillator: Oscillator | None
@@ -55,6 +55,8 @@ class EquivalentDamping(Rows, Drawn):
     formulas: dict[str, Expr]
     rows: tuple[DampingRow, ...]
     notes: tuple[str, ...] = field(default=(), compare=False)
+    unit: str = ""
+    size: float = 1.0
 
     @property
     def certified(self) -> bool:
@@ -86,10 +88,10 @@ class EquivalentDamping(Rows, Drawn):
 
     @public
     def sample(self, A: ArrayLike, *, max_seconds: Number = 60) -> dict[str, Any]:
-        """zeta, Q, decrement, energy_loss, c_eq of first order at an array of amplitudes > 0: doubles."""
+        """zeta, Q, decrement, energy_loss, c_eq of first order at an array of amplitudes > 0 in ``unit``: doubles."""
         oscillator = self._numbers()
         amplitudes = real_array(A, "A")
-        rows = [_doubles(oscillator, a) for a in np.ravel(amplitudes)]
+        rows = [_doubles(oscillator, a * self.size) for a in np.ravel(amplitudes)]
         names = [name for name in QUANTITIES if name != "half_life"]
         return {name: np.reshape([row[i] for row in rows], amplitudes.shape) for i, name in enumerate(names)}
 
@@ -188,6 +190,8 @@ class EquivalentDamping(Rows, Drawn):
         return f"order {self.order}, with its bound" if part == "expanded" else PARTS[part]
 
     def _unit(self, name: str) -> str:
+        if name == "amplitude" and self.unit:
+            return self.unit
         if not self.si or self.oscillator is None:
             return ""
         return (ANGULAR if any(t.family for t in self.oscillator.law.springs) else UNITS).get(name, "")

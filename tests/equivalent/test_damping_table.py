@@ -3,12 +3,14 @@
 import csv
 import io
 import json
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
 import asymptotics as asy
 from asymptotics.cli.main import main
+from asymptotics.errors import InputError
 
 OSC = asy.Oscillator({1: "1/10", 2: "1/5"}, mass="3/2", stiffness=30, x0="1/5")
 
@@ -117,3 +119,43 @@ def test_the_command_answers_and_refuses(capsys, tmp_path):
         except SystemExit as left:
             status, err = left.code, capsys.readouterr().err
         assert status == 2 and said in err
+
+
+def test_amplitudes_in_degrees_are_those_in_radians():
+    law, degree = {1: "1/50", 2: "1/20"}, "0.01745329251994329576923690768488612713"
+    deg = asy.damping(law, [20, "35/2"], spring="pendulum", unit="deg", digits=20, order=2)
+    angles = [Fraction(degree) * 20, Fraction(degree) * Fraction(35, 2)]
+    rad = asy.damping(law, angles, spring="pendulum", digits=20, order=2)
+    assert [row.amplitude for row in deg.rows] == ["20", "35/2"] and deg.header()[1] == "amplitude [deg]"
+    for one, other in zip(deg.rows, rad.rows, strict=True):
+        assert (one.first, one.motion, one.expanded) == (other.first, other.motion, other.expanded)
+    assert deg.sample([20.0])["zeta"][0] == pytest.approx(float(deg.rows[0].first.zeta), rel=1e-14)
+    assert deg.to_dict()["units"]["amplitude"] == "deg" and deg.picture("svg")
+
+
+def test_amplitudes_in_millimetres_are_those_in_metres():
+    assert asy.damping(OSC, [200], unit="mm").rows[0].motion == asy.damping(OSC, "1/5").rows[0].motion
+
+
+@pytest.mark.parametrize(
+    ("unit", "law", "more"),
+    [("deg", OSC, {}), ("mm", {1: 1}, {}), ("mm", {1: 1}, {"spring": "pendulum"}), ("parsec", OSC, {}), (3, OSC, {})],
+)
+def test_a_unit_that_amplitudes_do_not_have_is_refused(unit, law, more):
+    with pytest.raises(InputError, match="argument unit: .* is no unit of these amplitudes"):
+        asy.damping(law, [1], unit=unit, **more)
+    with pytest.raises(InputError, match="argument amplitudes: there is none in this unit"):
+        asy.damping(OSC, unit="mm")
+
+
+def test_a_table_in_degrees_is_read_back_as_the_law(tmp_path, capsys):
+    path = tmp_path / "damping.csv"
+    line = "damping --law 1:1/50 --law 2:1/20 --spring pendulum --amplitudes 10,20,30,40,50 --unit deg --csv"
+    assert main([*line.split(), str(path)]) == 0
+    capsys.readouterr()
+    head, *rows = list(csv.reader(path.read_text().splitlines()))
+    first = [row for row in rows if row[0] == "first order"]
+    table = {head[1]: [float(row[1]) for row in first], "zeta": [float(row[2]) for row in first]}
+    found = asy.damping_law(table, laws=["1", "2", "1+2"], spring="pendulum")
+    assert found.laws[0].name == "1+2"
+    assert [s.estimate for s in found.laws[0].strengths] == pytest.approx([0.02, 0.05], rel=1e-6)

@@ -1,0 +1,63 @@
+"""The oscillator in the header of a CSV file: after the word ``code`` of the last cell, as options.
+
+``n,x,tau,code [--alpha=2 --epsilon=1/10]``: what ``--csv`` writes, and ``compare`` reads without being told the law.
+"""
+
+import csv
+import io
+import re
+import shlex
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+INPUTS = ("alpha", "epsilon", "law", "spring", "damping", "mass", "stiffness", "x0", "v0")
+"""The options that make an oscillator."""
+_LONG = 100_000
+
+
+def with_inputs(text: str, options: Mapping[str, Any]) -> str:
+    """CSV text whose header ends in ``code``, with the options that are given beside that word.
+
+    >>> with_inputs("n,x,code\\n0,1,sha256:12\\n", {"alpha": "2", "law": None, "epsilon": "1/10"})
+    'n,x,code [--alpha=2 --epsilon=1/10]\\n0,1,sha256:12\\n'
+    """
+    pairs = [(name, value) for name, given in options.items() for value in _each(given)]
+    head, _, rows = text.partition("\n")
+    if not pairs or not head.endswith(",code"):
+        return text
+    stream = io.StringIO()
+    said = shlex.join(f"--{name}={value}" for name, value in pairs)
+    csv.writer(stream, lineterminator="\n").writerow([*next(csv.reader([head]))[:-1], f"code [{said}]"])
+    return stream.getvalue() + rows
+
+
+def _each(given: Any) -> list[str]:
+    return given if isinstance(given, list) else [] if given is None else [given]
+
+
+def stated_inputs(path: Path) -> dict[str, str | list[str]]:
+    """The options of the oscillator that the header of a file says; empty where it says none.
+
+    >>> import tempfile
+    >>> path = Path(tempfile.mkdtemp()) / "points.csv"
+    >>> _ = path.write_text('n,x,"code [--law=0:1 --law=1,2:1/5]"\\n0,1,a\\n')
+    >>> stated_inputs(path)
+    {'law': ['0:1', '1,2:1/5']}
+    """
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as stream:
+            cells = next(csv.reader([stream.readline(_LONG)]), [])
+        found = re.fullmatch(r"code \[(.*)\]", cells[-1]) if cells else None
+        words = shlex.split(found[1]) if found else []
+    except (OSError, ValueError, csv.Error):
+        return {}
+    inputs: dict[str, str | list[str]] = {}
+    for name, equals, value in (word.removeprefix("--").partition("=") for word in words):
+        if not equals or name not in INPUTS:
+            return {}
+        if name in ("law", "spring"):
+            inputs[name] = [*inputs.get(name, []), value]
+        else:
+            inputs[name] = value
+    return inputs
