@@ -5,6 +5,7 @@ Every layout holds the same motion, x = exp(-t/20) cos 3t, and each must be read
 
 import gzip
 import io
+import struct
 import zipfile
 
 import numpy as np
@@ -61,6 +62,12 @@ Description from the input file: free decay
 Time\tRoll\tWave1Elev
 (s)\t(deg)\t(m)
 """
+ORCAFLEX = """OrcaFlex 11.4a
+Period: Whole simulation
+
+Time\tRotation 1
+(s)\t(deg)
+"""
 LAYOUTS = {  # name: (text, unit, options)
     "phyphox csv": ('"Time (s)","Angle (rad)"\n' + rows(",", form="{:.9E}"), "rad", {}),
     "phyphox csv, decimal comma": ('"Time (s)";"Angle (\u00b0)"\n' + rows(";", ",", "{:.9E}"), "deg", {}),
@@ -81,6 +88,16 @@ LAYOUTS = {  # name: (text, unit, options)
     "CASSY": (CASSY + rows("\t"), "rad", {}),
     "LabVIEW lvm": (LABVIEW + rows("\t"), "rad", {}),
     "OpenFAST": (OPENFAST + rows("\t", extra=("0.0",)), "deg", {"columns": "t=Time,x=Roll"}),
+    "OrcaFlex": (ORCAFLEX + rows("\t"), "deg", {}),
+    "OrcaFlex, spreadsheet": ('"Time (s)","Vessel1 Rotation 1 (deg)"\n' + rows(","), "deg", {}),
+    "CASSY Lab 2": ("CASSY Lab 2\nt / s;alpha / \u00b0\n" + rows(";", ","), "deg", {}),
+    "Tracker, two points beside each other": (
+        "multi:,,,,,\nmass_A,,,mass_B,,\nt,x,y,t,x,y\n" + rows(",", extra=("0.1", "0.0", "0.3", "0.4")),
+        "",
+        {"columns": "t=1,x=2"},
+    ),
+    "x before t": ("x (m),t (s)\n" + "".join(f"{x:.6f},{t:.6f}\n" for t, x in zip(T, X)), "m", {}),
+    "comments of MATLAB": ("% made today\n% t x\n" + rows(" "), "", {}),
     "aligned columns": ("  Time (s)   Roll (deg)\n" + rows("   "), "deg", {}),
     "Moku": (MOKU + rows(", "), "mm", {}),
     "numpy.savetxt": ("# t x\n" + rows(" ", form="{:.18e}"), "", {}),
@@ -150,6 +167,48 @@ def test_spreadsheets_are_read_and_several_sheets_are_asked_for(tmp_path):
     with pytest.raises(InputError, match="2 sheets with numbers: run 1, run 2 .*--sheet NAME"):
         read_table(tmp_path / "two.xlsx")
     check(read_table(tmp_path / "two.xlsx", how=How(sheet="run 2")), 1e-9)
+
+
+def biff2(header, columns):
+    """An .xls workbook of one sheet in the oldest of its formats: BOF, a LABEL for each name, NUMBERs, EOF."""
+    record = lambda kind, body: struct.pack("<HH", kind, len(body)) + body  # noqa: E731
+    cells = [record(4, struct.pack("<HH3xB", 0, j, len(n)) + n.encode("latin-1")) for j, n in enumerate(header)]
+    cells += [
+        record(3, struct.pack("<HH3xd", i, j, v)) for i, row in enumerate(zip(*columns), 1) for j, v in enumerate(row)
+    ]
+    return b"".join([record(9, struct.pack("<HH", 7, 16)), *cells, record(10, b"")])
+
+
+@pytest.mark.filterwarnings("ignore:The xlrd engine is deprecated")  # of pandas 3: pandas 4 will want calamine
+def test_old_spreadsheets_as_phyphox_writes_them_are_read(tmp_path):
+    pytest.importorskip("xlrd")
+    path = tmp_path / "phone.xls"
+    path.write_bytes(biff2(["Time (s)", "Angle (rad)"], [T, X]))
+    table = read_table(path)
+    check(table, 1e-12)
+    assert table.unit == "rad"
+
+
+@pytest.mark.parametrize("unit", ["V", "%", "in"])
+def test_units_of_nothing_are_taken_as_they_are_and_told(unit, tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text(f"t (s),x ({unit})\n" + rows(","))
+    table = read_table(path)
+    check(table)
+    assert table.unit == "" and f"strengths refer to 1 {unit}" in table.notes[1]
+
+
+def test_a_footer_is_left_out_and_told_and_two_clocks_are_asked_for(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("t,x\n" + rows(",") + "end of measurement\nmean: 0.01\n")
+    table = read_table(path)
+    check(table)
+    assert table.notes[1].startswith("2 rows that cannot be read left out, the first is row 602: 'end of measurement'")
+    days = "".join(f"2024-03-01 11:02:{t:06.3f},{t:.3f},{x:.6f}\n" for t, x in zip(T, X))
+    path.write_text("Date and Time,Time (s) Run #1,Angle (deg) Run #1\n" + days)
+    with pytest.raises(InputError, match=r"t may be any of 'Date and Time', 'Time \(s\) Run #1' .*--columns t=1,x=3"):
+        read_table(path)
+    check(read_table(path, how=How(columns="t=2,x=3")))
 
 
 def test_dates_and_times_of_day_are_times(tmp_path):
