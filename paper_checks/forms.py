@@ -127,12 +127,16 @@ def _decimals(form: Any) -> Iterable[int]:
         yield len(found[1] or "")
 
 
-def tex(expression: sympy.Basic) -> str:
-    r"""LaTeX in the letters of the papers: a primed Greek letter and eps have their signs.
+_SIGNS = {"dxdv": r"\frac{dx}{dv}", "sine": r"\sin"}  # symbols of the code that stand for more than a letter
 
-    >>> tex(sympy.Symbol("alpha'") + sympy.Symbol("eps"))
-    "\\alpha' + \\varepsilon"
+
+def tex(expression: sympy.Basic) -> str:
+    r"""LaTeX in the letters of the papers: a primed Greek letter and eps have their signs, a derivative its fraction.
+
+    >>> tex(sympy.Symbol("alpha'") + sympy.Symbol("eps")), tex(2 * sympy.Symbol("dxdv"))
+    ("\\alpha' + \\varepsilon", '2 \\frac{dx}{dv}')
     """
     found = {s: s.name.replace("eps", "varepsilon") for s in expression.free_symbols if re.search("eps$|'$", str(s))}
     names = {s: sympy.latex(sympy.Symbol(n.rstrip("'"))) + "'" * n.count("'") for s, n in found.items()}
+    names |= {s: _SIGNS[s.name] for s in expression.free_symbols if s.name in _SIGNS}
     return str(sympy.latex(expression, symbol_names=names))

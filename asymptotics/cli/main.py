@@ -8,7 +8,7 @@ for an answer, 1 for a failed check or an undecided computation, 2 for a bad val
 import argparse
 import re
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from importlib import import_module
 from types import MappingProxyType
@@ -45,10 +45,24 @@ COMMANDS = {
 class Parser(argparse.ArgumentParser):
     """An argument parser whose errors are one line."""
 
+    words: Sequence[str] = ()  # what is being parsed
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """The same, remembering the words: an option that is missing may be there under a wrong name."""
+        self.words = list(args or ())
+        return super().parse_known_args(args, namespace)
+
     def error(self, message: str) -> NoReturn:
         """Print one line that says what is wrong, what was perhaps meant, and where help is; exit code 2."""
+        if "required" in message and (misspelt := next(filter(self._is_misspelt, self.words), None)):
+            message = f"unrecognized arguments: {misspelt.partition('=')[0]}"
         message = lacking(self, message) + self._meant(message)
         self.exit(2, f"{self.prog}: {printable(message, MAX_ACCEPTED)} (see {self.prog} --help)\n")
+
+    def _is_misspelt(self, word: str) -> bool:
+        """Whether it is an unknown option that resembles one of ours."""
+        name = word.partition("=")[0]
+        return name not in self._option_string_actions and bool(self._meant(f"unrecognized arguments: {name}"))
 
     def _meant(self, message: str) -> str:
         """The option that an unknown one resembles."""

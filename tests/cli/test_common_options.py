@@ -145,5 +145,8 @@ def test_a_bare_call_helps_and_a_slip_of_the_pen_is_answered_with_the_word_that_
     for line, meant in ((["tabel"], "did you mean table?"), (["moment", "--p", "2", "--digit", "3"], "--digits?")):
         assert main(line) == 2
         assert meant in capsys.readouterr().err
+    for line, meant in (("--cuont 5", "--count?"), ("--cuont=5", "--count?"), ("", "--count N is missing")):
+        assert main(f"turning-points --alpha 2 --epsilon 1 {line}".split()) == 2  # the slip, not what is missing by it
+        assert meant in capsys.readouterr().err
     assert main(["zzzz"]) == 2
     assert "did you mean" not in capsys.readouterr().err

@@ -5,12 +5,14 @@ import sys
 from pathlib import Path
 
 import matplotlib as mpl
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
 import asymptotics as asy
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError
+from asymptotics.identification.telling.plots import draw_decrements
 from asymptotics.present.drawn import Drawn
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "docs/extensions"))
@@ -79,6 +81,25 @@ def test_panels_have_room_and_the_style_of_all_pictures():
     over[1].plot([0, 1], [0, 1])
     assert any("lies over" in fault for fault in faults(over[0].figure))
     mpl.pyplot.close("all")
+
+
+def test_turning_points_are_counted_in_whole_numbers_and_no_line_of_a_heading_ends_in_an_equation():
+    axes = asy.turning_points(asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5"), 4).plot()
+    axes.figure.draw_without_rendering()
+    assert all(float(tick).is_integer() for tick in axes.get_xticks())
+    lines = axes.get_title().split("\n")
+    assert len(lines) > 1 and lines[-1] == "x'(0) = 0"
+
+
+def test_the_best_law_is_not_hidden_by_its_rivals():
+    n = np.arange(30)
+    noise = 1e-3 * np.random.default_rng(0).standard_normal(30)
+    answer = asy.identify({"n": n, "x": (-1.0) ** n * 0.95**n + noise}, laws=["1", "1+2"], bootstrap=False)
+    axes = plt.subplots()[1]
+    draw_decrements(axes, [found.law for found in answer.laws], "")
+    best, rival = (line for line in axes.get_lines() if line.get_linestyle() != "None")
+    assert best.get_label() == "1" and best.get_zorder() > rival.get_zorder()
+    assert best.get_linestyle() == "-" != rival.get_linestyle()
 
 
 def test_units_are_those_of_the_result():
