@@ -12,6 +12,7 @@ An error of one point becomes the record of that point; only the death of the wo
 import json
 import multiprocessing
 import os
+import re
 import signal
 import sys
 import threading
@@ -144,12 +145,18 @@ def _end_after(parent: BaseProcess) -> None:
     os._exit(1)
 
 
+_ADDRESS = re.compile(r"(tcp|tls|ws|wss|ucx)://[^\s/:]+:\d{1,5}|(tcp|tls)://\[[0-9a-fA-F:.]+\]:\d{1,5}")
+
+
 @contextmanager
 def dask_executor(address: str, workers: int | None) -> Iterator[Crew]:
     """An executor on the Dask scheduler at ``address`` (tcp://...), or on a cluster of its own for ``local``.
 
-    InputError if Dask is not installed or nothing answers at the address.
+    InputError if it is no address, if Dask is not installed or if nothing answers there.  Any other word is refused
+    before Dask is loaded: it tried each for seconds, and failed on some by an assertion of its own.
     """
+    if address != "local" and not _ADDRESS.fullmatch(address):
+        raise InputError("dask", f"{address[:80]!r} is no address of a scheduler", "local, or tcp://host:port")
     dask = _distributed()
     with ExitStack() as stack:
         try:

@@ -14,6 +14,7 @@ from asymptotics.cli import main as module
 from asymptotics.cli.gate import typed, words
 from asymptotics.cli.main import COMMANDS, main
 from asymptotics.errors import InputError
+from asymptotics.sweeps import workers
 from tests.test_made_by import LINES
 
 ROOT = Path(__file__).parents[2]
@@ -63,6 +64,17 @@ def test_two_dashes_are_no_value_of_any_option(command, flag, tmp_path, monkeypa
 def test_a_number_beyond_the_doubles_in_any_option(command, flag, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     judged([*line_of(command, tmp_path), f"{flag}=1e400"], capsys)
+
+
+@pytest.mark.parametrize("word", sorted({*TOKENS, "host:8786", "tcp://", "tcp://host", "file:///etc:1"} - {"--"}))
+def test_what_is_no_address_of_a_scheduler_is_refused_before_dask_is_loaded(word, monkeypatch):
+    """Dask tried each for 4 to 18 s, and failed on some words by an assertion of its own."""
+    monkeypatch.setattr(workers, "_distributed", lambda: pytest.fail("Dask is loaded"))
+    with pytest.raises(InputError, match="is no address of a scheduler"):
+        workers.dask_executor(word, None).__enter__()
+    for address in ("local", "tcp://127.0.0.1:8786", "tls://[::1]:8786"):
+        with pytest.raises(pytest.fail.Exception):
+            workers.dask_executor(address, None).__enter__()
 
 
 @pytest.mark.slow
