@@ -31,6 +31,11 @@ LINES = (
     "smith f --n 3",
     "smith c --n 5 --i 1",
     "table smith2012.table1 --digits 6",
+    "turning-points --alpha 3/2 --damping 1/10 --mass 2 --stiffness 3 --x0 1/5 --count 2 --digits 9 --times",
+    "damping --alpha 2 --epsilon 1/10 --amplitudes 1 --order 2",
+    "limit-cycle --law 1:-1 --law 1,2:1 --order 2 --mu 1/2",
+    "envelope --law 2:1/20 --spring pendulum --x0 3 --time 4",
+    "expand --alpha 2 --order 2 --bound",
 )
 
 
@@ -58,6 +63,15 @@ WORDS = {"a", "at", "in", "series", "equation", "through", "table", "i"}
 def test_every_sign_that_is_printed_is_explained(capsys, line):
     assert main(shlex.split(line)) == 0
     assert lacking(capsys.readouterr().out) == set()
+
+
+def test_what_is_said_of_data_is_explained(capsys, tmp_path):
+    path = tmp_path / "decay.csv"
+    rows = [f"{n},{(-1) ** n * 0.95**n * (1 + 1e-3 * (n * 7 % 5 - 2))}" for n in range(24)]
+    path.write_text("\n".join(["n,x", *rows]))
+    for line in (f"identify {path} --laws 1 2 1+2", f"compare {path} --alpha 1 --epsilon 1/30"):
+        assert main(shlex.split(line)) == 0
+        assert lacking(capsys.readouterr().out) == set()
 
 
 def test_a_sign_that_is_not_explained_is_noticed():
