@@ -1,4 +1,4 @@
-"""Two motions never part: their Euclidean distance in the phase plane does not grow, whatever the law.
+"""Two motions never part: their Euclidean distance in the phase plane does not grow, whatever the loss.
 
 For x' = v, v' = -x - g(v) with g nondecreasing (dry friction included: g(0) is then any value between the one-sided
 limits), and for approximants with a residual.  Turning points and half periods inherit the bound.

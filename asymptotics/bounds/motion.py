@@ -1,7 +1,7 @@
 """|x - x_N| at a given time as a proved number: x is enclosed, x_N is the decimal that is printed.
 
 What an expansion of order N, in whatever gauge, prints for x(t) is one decimal number; the motion itself is enclosed by
-half-swings of which every error only adds (``swing``), or at late times, if all exponents are at least 1, by one jump
+half-swings of which every error only adds (``flow``), or at late times, if all exponents are at least 1, by one jump
 to a turning point before it (``late``): no iteration.  The distance of the decimal from the far end of the enclosure is
 the bound, rounded up: it is hardly more than the error itself.
 

@@ -1,4 +1,5 @@
 """What is formal and exact: power series in the local strengths, and the equations and solutions made of them.
 
-Equalities, no numbers with errors, except where a file says ``certified`` in its name or its first line.
+Equalities, and balls where exponents are no whole numbers; which file has which arithmetic is in
+``docs/maintainers/arithmetics.md``.
 """

@@ -25,10 +25,10 @@ from asymptotics.budget import tick
 from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.balls import upper
-from asymptotics.flow.sequence import after_kick, after_landing, kicked, sticks
+from asymptotics.flow.sequence import after_landing, start_in_motion, sticks, turning_after_start
 from asymptotics.flow.times import exact_sum
 from asymptotics.flow.trajectory import ESCAPES, ROTATES, CertifiedFlow, Piece, Turned, course
-from asymptotics.flow.turning import Turning, known, rest
+from asymptotics.flow.turning import Turning, at_exact_place, rest
 from asymptotics.numbers.context import ctx
 
 State = tuple[arb, arb]
@@ -97,14 +97,14 @@ class _Wanted:
 def _first(flow: CertifiedFlow, X: arb, V: arb, wanted: _Wanted) -> Turning:
     """The first turning point at tau >= 0; times before it are answered."""
     if V == 0:
-        return known(rest(X), flow.exact(0))
-    side, u, w, given = kicked(flow, X, V)
+        return at_exact_place(rest(X), flow.exact(0))
+    side, u, w, given = start_in_motion(flow, X, V)
     for piece in course(flow, u, w, given):
         wanted.take(piece, side, arb(0))
         if wanted.done:
             return rest(X)
         if isinstance(piece, Turned):
-            here = after_kick(piece, side, given)
+            here = turning_after_start(piece, side, given)
             return here if isinstance(here, Turning) else _refuse(here)
     raise UndecidedError("the first half-swing has no end")
 

@@ -19,11 +19,11 @@ class Smooth(Protocol):
 
     @property
     def rate(self) -> arb | None:
-        """r."""
+        """r in the pendulum's sin(r u)/r; None without a pendulum."""
 
     @property
     def linear(self) -> int:
-        """1 or 0."""
+        """1 where the linear spring stands apart from what is bounded by ``largest``, else 0."""
 
     @property
     def entire(self) -> bool:
@@ -63,7 +63,7 @@ class Force(Parting, Protocol):
 
     @property
     def viscous(self) -> arb:
-        """epsilon."""
+        """The strength of the loss epsilon w, by which ``contracted`` sharpens its bound."""
 
     @property
     def superlinear(self) -> bool:

@@ -179,7 +179,10 @@ def contracted(force: Force, p: arb, error: arb, duration: arb, turn: arb, gap: 
 
 
 def by_ratio(force: Force, p: arb, error: arb, q: arb) -> arb:
-    """How far apart two motions of a nonexpansive flow turn that start within ``error`` of p, one at most at q."""
+    """A bound of how far apart two motions turn that start from rest within ``error`` of p, the one from p by q.
+
+    It is ``error``, or q (e^(error/(p - error)) - 1) if that is less and the flow is superlinear.
+    """
     if error == 0 or not force.superlinear or not p > error:
         return error
     relative = upper(error / (p - error))

@@ -27,13 +27,13 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.parting import contracted
 from asymptotics.flow.trajectory import CertifiedFlow, Turned, course
-from asymptotics.flow.turning import Turning, known
+from asymptotics.flow.turning import Turning, at_exact_place
 from asymptotics.numbers.context import ctx
 
 STICKS = "sticks"
 
 
-def kicked(flow: CertifiedFlow, X: arb, V: arb) -> tuple[int, arb, arb, arb]:
+def start_in_motion(flow: CertifiedFlow, X: arb, V: arb) -> tuple[int, arb, arb, arb]:
     """(the side, u, w, what is given) of a course from a state in two balls with V != 0."""
     if not (V > 0 or V < 0):
         raise UndecidedError("the direction of the first motion is undecided")
@@ -44,16 +44,16 @@ def kicked(flow: CertifiedFlow, X: arb, V: arb) -> tuple[int, arb, arb, arb]:
 
 def first_from(flow: CertifiedFlow, X: arb, V: arb) -> Turning | str:
     """The first turning point at tau >= 0 from a state with V != 0, or why there is none."""
-    side, u, w, given = kicked(flow, X, V)
+    side, u, w, given = start_in_motion(flow, X, V)
     for piece in course(flow, u, w, given):
         if piece.ended is not None:
             return piece.ended
         if isinstance(piece, Turned):
-            return after_kick(piece, side, given)
+            return turning_after_start(piece, side, given)
     raise UndecidedError("the first half-swing has no end")
 
 
-def after_kick(piece: Turned, side: int, given: arb) -> Turning | str:
+def turning_after_start(piece: Turned, side: int, given: arb) -> Turning | str:
     """Turning point 0 after a course that began in motion, within ``given`` of the truth, or how it left the well.
 
     UndecidedError at its edge.
@@ -69,7 +69,7 @@ def sequence(flow: CertifiedFlow, start: Turning) -> Iterator[Turning]:
 
     UndecidedError where the enclosures cannot tell whether there is a next one.
     """
-    here = known(start, flow.exact(start.n))
+    here = at_exact_place(start, flow.exact(start.n))
     while True:
         if flow.endless:  # derivation ``no-overdamping``: there is a next one, whether or not anybody asks for it
             yield here
@@ -85,10 +85,10 @@ def sequence(flow: CertifiedFlow, start: Turning) -> Iterator[Turning]:
 def next_turning(flow: CertifiedFlow, here: Turning) -> Turning | str:
     """The turning point after this one, or why there is none."""
     leap = flow.leap(here)
-    return leap if leap is not None else swung(flow, here)[0]
+    return leap if leap is not None else turning_by_pieces(flow, here)[0]
 
 
-def swung(flow: CertifiedFlow, here: Turning) -> tuple[Turning | str, int]:
+def turning_by_pieces(flow: CertifiedFlow, here: Turning) -> tuple[Turning | str, int]:
     """The same by pieces, and how many they were."""
     if sticks(flow, here):
         return STICKS, 0
@@ -121,7 +121,7 @@ def after_landing(here: Turning, piece: Turned) -> Turning:
     clock = here.time + piece.clock
     error = upper(upper(here.time_error + clock.rad()) + late)
     there = Turning(here.n + 1, -here.side, -piece.turn, clock.mid(), upper(carried + piece.miss), error)
-    return known(there, piece.flow.exact(there.n))
+    return at_exact_place(there, piece.flow.exact(there.n))
 
 
 def sticks(flow: CertifiedFlow, here: Turning) -> bool:

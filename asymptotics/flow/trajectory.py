@@ -16,7 +16,7 @@ energy; gains need their own, and the integral J with the errors of each step.  
 through rest are faster as well: of x'' + x'^3/5 + x = 0 a half-swing in 80, 200 and 700 bits took them 8, 39 and 436
 ms, a course from expansion to expansion 15, 74 and 1140 (with the spring x^3/2 beside it 2.1 to 3.4 times as long).
 The two local expansions stay as well: beside the linear spring the wells' one, without the logarithms and the shared
-rows of ``swing``, took 1.6 times as long for the exponent 2, 2.2 to 2.8 for 3/2 and 3.3 for sqrt(2) (80 bits).
+rows of ``linear_spring``, took 1.6 times as long for the exponent 2, 2.2 to 2.8 for 3/2 and 3.3 for sqrt(2) (80 bits).
 
 >>> from asymptotics.law import Law
 >>> from asymptotics.flow.linear_spring.linear_spring import LinearSpring
@@ -122,7 +122,7 @@ class CertifiedFlow:
         """The whole half-swing in closed form."""
         return None
 
-    def aside(self, _here: FlowState, _ended: str | None) -> Generator["Piece", None, FlowState | None]:
+    def along_slow_curve(self, _here: FlowState, _ended: str | None) -> Generator["Piece", None, FlowState | None]:
         """Pieces other than Taylor steps, beside a slow curve; what comes back is the state at their end, if any."""
         yield from ()
         return None
@@ -136,11 +136,11 @@ class CertifiedFlow:
         return None
 
     def place(self, u: arb) -> arb:
-        """The place that the force knows."""
+        """u less the shift by dry friction: the place as the force counts it."""
         return u if self.shift is None else u - self.shift
 
     def back(self, place: arb) -> arb:
-        """u there."""
+        """u at a place of the force: the place plus the shift."""
         return place if self.shift is None else place + self.shift
 
 
@@ -256,7 +256,7 @@ def course(
     here, unit = FlowState(arb(0), u, w, PartingErrors(arb(0), error)), flow.unit(u, w)
     scale, left = upper(unit * abs(u) + w), 0
     if w == 0:
-        yield from flow.aside(here, _ended(flow, unit, here))
+        yield from flow.along_slow_curve(here, _ended(flow, unit, here))
         first = _departure(flow, unit, here)
         yield first
         reach = first.expansion.reach
@@ -268,7 +268,7 @@ def course(
             yield _landing(flow, unit, here)
             return
         ended = _ended(flow, unit, here)
-        beside = (yield from flow.aside(here, ended)) if count % _CATCH == 0 else None
+        beside = (yield from flow.along_slow_curve(here, ended)) if count % _CATCH == 0 else None
         if beside is not None:
             here = beside
             continue

@@ -45,7 +45,7 @@ def rest(X: arb) -> Turning:
     return Turning(0, 1 if X > 0 else -1, abs(X).mid(), arb(0), X.rad(), arb(0))
 
 
-def known(here: Turning, exact: tuple[Fraction, bool] | None) -> Turning:
+def at_exact_place(here: Turning, exact: tuple[Fraction, bool] | None) -> Turning:
     """The same turning point, at a place that is known exactly.
 
     ArithmeticError if its enclosure does not hold that place.

@@ -1,4 +1,4 @@
-"""From a table to observations: each kind of file has its own way."""
+"""A table becomes runs: a sampled motion is cleaned and cut at its releases, turning points are checked row by row."""
 
 from dataclasses import replace
 from typing import Any

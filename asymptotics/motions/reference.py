@@ -1,9 +1,9 @@
 """Reference motion: any alpha >= 0, any sum of laws, any start, any number of digits; every digit is proved.
 
 * One law with alpha = 0 or 1, alpha = 2 from rest, and no damping at all have closed forms or a quadrature.
-* Every other law is enclosed half-swing by half-swing (``swing``): the sign of v is fixed inside, the branch point at
+* Every other law is enclosed half-swing by half-swing (``flow``): the sign of v is fixed inside, the branch point at
   v = 0 is removed by a local expansion, and two motions never part, so the errors of the pieces only add.
-* Beside a spring or with losses that depend on the place two motions may part, at a rate that is bounded (``wells``).
+* Beside a spring or with losses that depend on the place two motions may part, at a bounded rate (``flow.wells``).
 
 Against a naive |v|, measured: heyoka without an event is wrong in the third digit, mpmath.odefun in the fourth.
 

@@ -1,4 +1,4 @@
-"""Half-swings by interpolation: a panel of amplitudes costs as much as a dozen, each in it then microseconds.
+"""Half-swings by interpolation: a panel costs as much as dozens by pieces, each half-swing in it tens of microseconds.
 
 A ``Panel`` holds q/p and T as polynomials in a coordinate z (``coordinate``, ``chebyshev``) for all amplitudes of an
 interval, with proved errors.  ``Panels`` lays one out when the half-swings still to come are expected to repay it, and

@@ -1,1 +1,4 @@
-"""Turning points and the times between them."""
+"""Turning points and their times: every route is asked its cost, and the cheapest that serves is followed.
+
+Digits are rounded from balls or rational numbers (``result``).
+"""

@@ -7,7 +7,7 @@ Everything dimensionless depends on epsilon = b omega_0^alpha/(k x0^(1-alpha)) a
 >>> dimension(EPSILON), dimension(b)
 (1, L**(1 - alpha)*M*T**(alpha - 2))
 
-Orders of convergence are measured against the exact motion, half-swing by half-swing (``swing``), in balls of 64
+Orders of convergence are measured against the exact motion, half-swing by half-swing (``flow``), in balls of 64
 bits; only their midpoints are used.
 
 >>> X, V = exact_states((("1", "1/10"),), ("10",))[0]                   # linear damping, closed form

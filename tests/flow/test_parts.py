@@ -12,7 +12,7 @@ from asymptotics.flow import trajectory as courses
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.parting import by_ratio, contracted, points_forward, state_gap
-from asymptotics.flow.sequence import after_kick, kicked, sticks
+from asymptotics.flow.sequence import start_in_motion, sticks, turning_after_start
 from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import Turning
 from asymptotics.flow.wells.ends import _held, trap
@@ -174,7 +174,7 @@ def test_a_step_across_a_kink_must_end_before_it(start, speed, length, place):
 
 def test_a_first_motion_must_have_a_direction():
     with pytest.raises(UndecidedError, match="direction"):
-        kicked(EvenWell(FREE), arb(1), arb(0, "0.001"))
+        start_in_motion(EvenWell(FREE), arb(1), arb(0, "0.001"))
 
 
 def test_a_first_turning_point_may_lie_outside_within_its_error():
@@ -184,7 +184,7 @@ def test_a_first_turning_point_may_lie_outside_within_its_error():
         flow=flow, turn=arb("-3.1"), clock=arb(1), late=lambda _: arb(0), gap=lambda _: arb("0.06")
     )  # fmt: skip
     with pytest.raises(UndecidedError, match="inside the well"):
-        after_kick(piece, 1, arb(0))
+        turning_after_start(piece, 1, arb(0))
 
 
 def test_a_mass_beyond_its_place_of_rest_is_not_said_to_go_on():

@@ -389,7 +389,7 @@ NONE_NEEDED: Names = {
     **_each("flow.composition", "Simplex.product Simplex.product_from_1", EXACT),
     **_each(
         "flow.trajectory",
-        "Piece.own LocalExpansion.speed CertifiedFlow.shift CertifiedFlow.unit CertifiedFlow.aside "
+        "Piece.own LocalExpansion.speed CertifiedFlow.shift CertifiedFlow.unit CertifiedFlow.along_slow_curve "
         "CertifiedFlow.leap CertifiedFlow.closed",
         "abstract",
     ),
@@ -399,7 +399,7 @@ NONE_NEEDED: Names = {
     **_each("flow.linear_spring.linear_spring", "LinearSpring.shift LinearSpring.unit", EXACT),
     **_each(
         "flow.linear_spring.linear_spring",
-        "LinearSpring.closed LinearSpring.aside",
+        "LinearSpring.closed LinearSpring.along_slow_curve",
         "pieces, whose own orbits have ladders",
     ),
     **_each("flow.wells.even_well", "EvenWell.of", "Force.of for a law"),

@@ -163,7 +163,9 @@ OWN = (
     "asymptotics.flow.times.at_time",
 )
 SEQUENCE = many(
-    "sequence.sequence sequence.swung sequence.after_landing turning.Turning.x turning.Turning.tau turning.rest", FLOW
+    "sequence.sequence sequence.turning_by_pieces sequence.after_landing turning.Turning.x turning.Turning.tau "
+    "turning.rest",
+    FLOW,
 )
 STATES, FROM = many("dense.states", FLOW), many("dense.states_from", FLOW)
 MAP, DURATION = "asymptotics.turning.quadratic_map.", "asymptotics.turning.quadratic_duration."
@@ -200,7 +202,7 @@ PIECES = [
 SEQUENCES = [
     *(Ladder(SEQUENCE, turnings(p), lost=16, least=20, **DEAR) for p in (ROOT, LINEAR)),
     Ladder(
-        many("sequence.first_from sequence.after_kick trajectory.Turned.late trajectory.Turned.gap", FLOW),
+        many("sequence.first_from sequence.turning_after_start trajectory.Turned.late trajectory.Turned.gap", FLOW),
         first,
         lost=14,
         stretch=6,

@@ -5,7 +5,7 @@ from itertools import islice
 from flint import arb
 
 from asymptotics.flow.dense import states
-from asymptotics.flow.sequence import first_from, sequence, swung
+from asymptotics.flow.sequence import first_from, sequence, turning_by_pieces
 from asymptotics.flow.taylor import TaylorStep, coefficients
 from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import rest
@@ -79,7 +79,7 @@ def turnings(given, count=3):
 
 
 def by_pieces(x):
-    there, _ = swung(EvenWell(force(DUFFING)), rest(x))
+    there, _ = turning_by_pieces(EvenWell(force(DUFFING)), rest(x))
     return [there.x, there.tau]
 
 
@@ -130,7 +130,16 @@ WELLS = [
         for given in (PENDULUM, KINKED)
     ),
     Ladder(SEQUENCE, turnings(PENDULUM), "0.75", 18, 20, 20, wide=(-20,), **DEAR),
-    Ladder(("asymptotics.flow.sequence.swung",), by_pieces, "0.75", 18, least=20, rungs=(20, 40), truth=72),
-    Ladder(many("first_from after_kick kicked", FLOW + "sequence."), kicked, "0.75", 18, 20, 20, wide=(-20,), **DEAR),
+    Ladder(("asymptotics.flow.sequence.turning_by_pieces",), by_pieces, "0.75", 18, least=20, rungs=(20, 40), truth=72),
+    Ladder(
+        many("first_from turning_after_start start_in_motion", FLOW + "sequence."),
+        kicked,
+        "0.75",
+        18,
+        20,
+        20,
+        wide=(-20,),
+        **DEAR,
+    ),
     Ladder((FLOW + "dense.states",), dense(PENDULUM), "0.25", 20, 20, 20, wide=(-20,), **DEAR),
 ]

@@ -257,7 +257,7 @@ def swing(well, x):
 def test_a_half_swing_of_any_terms_keeps_its_radii(monkeypatch):
     e = arb(2) ** -20
     there = Turning(1, -1, arb("0.5"), arb(3), e, e)
-    monkeypatch.setattr(half_swings, "swung", lambda *_: (there, 7))
+    monkeypatch.setattr(half_swings, "turning_by_pieces", lambda *_: (there, 7))
     found = half_swings.half_swing_of_terms(Law({"3/2": 1}, spring="pendulum").terms, reals("1/10", "4"), 4).to_dict()
     for name, middle in (("amplitude", 0.5), ("duration", 3.0)):
         low, high = map(float, found[name]["enclosure"])

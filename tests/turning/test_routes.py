@@ -3,8 +3,11 @@
 from fractions import Fraction
 from itertools import combinations
 
+import numpy as np
 import pytest
 from flint import arb, ctx
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law
@@ -145,3 +148,36 @@ def test_a_far_start_is_certified_and_agrees_with_the_quadratic_route():
         turning_points(Law({2: "1/5"}), 1, 25, start=10**6, times=True, route=r) for r in ("quadratic", "abel-series")
     )
     assert exact.points == jumped.points
+
+
+def swung_by_shooting(a, linear, root):
+    """The next turning distance of a pendulum with linear damping and drag |v|^(3/2), in doubles.
+
+    With t = s^2 from rest, and T - t = s^2 before the turning point ahead, x and v are smooth in s; both are led to
+    x = 0, and the turning distance is the one whose speed there is that of the start.
+    """
+
+    def speed(start, way):
+        def rates(s, state):
+            x, v = state
+            return [2 * s * v, 2 * s * (-np.sin(x) - way * (linear * v + root * v * np.sqrt(abs(v))))]
+
+        def through(_, state):
+            return state[0]
+
+        through.terminal = True
+        found = solve_ivp(rates, (0, 3), (start, 0), method="DOP853", rtol=1e-13, atol=1e-15, events=through)
+        return abs(found.y_events[0][0][1])
+
+    there = speed(a, 1)
+    return brentq(lambda q: speed(q, -1) - there, a / 2, a, xtol=1e-15, rtol=1e-14)
+
+
+def test_linear_and_three_halves_damping_beside_a_pendulum_by_shooting():
+    """The third turning point: no other route serves it; a loss larger by 10^-9 is seen."""
+    points = turning_points(Law({1: "1/10", "3/2": "1/10"}, spring="pendulum"), 4, 14).points
+    found, near_miss = 1.0, 1.0
+    for n in (1, 2, 3):
+        found, near_miss = swung_by_shooting(found, 0.1, 0.1), swung_by_shooting(near_miss, 0.1, 0.1 * (1 + 1e-9))
+        assert abs(abs(float(points[n].x)) - found) < 3e-12
+    assert abs(abs(float(points[3].x)) - near_miss) > 3e-11

@@ -1,6 +1,6 @@
 """Coefficients as text: certified decimals, and the exact form where there is one, for any exponents and any gauge.
 
-Integer exponents are computed exactly (``half_swings.exact``), all others in balls (``half_swing.certified``).  For
+Integer exponents are computed exactly (``half_swings.exact``), all others in balls (``half_swings.certified``).  For
 these the lowest coefficients have closed forms in moments (``expansions.normal_form.symbolic``), reported beside them.
 
 >>> from asymptotics.numbers import parse_real

@@ -83,7 +83,7 @@ class LinearSpring(CertifiedFlow):
 
     @property
     def shift(self) -> arb | None:
-        """The friction."""
+        """The strength of dry friction, by which the centre of the half-swing is shifted."""
         return self.force.friction
 
     @cached_property
@@ -117,7 +117,7 @@ class LinearSpring(CertifiedFlow):
         return arrive(self.force, place, w)
 
     def ended(self, place: arb, w: arb) -> str | None:
-        """The trap."""
+        """Why no turning point follows (the state lies in a trap), or None; asked only where ``traps``."""
         return trap(self.force, place, w) if self.traps else None
 
     def closed(self, u: arb, w: arb, given: arb) -> LinearSwing | None:
@@ -134,7 +134,7 @@ class LinearSpring(CertifiedFlow):
         return LinearSwing(self, _ONE, arb(0), time.mid(), PartingErrors(miss, upper(given + own)), None,
                            at.mid(), miss, time, orbit)  # fmt: skip
 
-    def aside(self, here: FlowState, ended: str | None) -> Generator[Piece, None, FlowState | None]:
+    def along_slow_curve(self, here: FlowState, ended: str | None) -> Generator[Piece, None, FlowState | None]:
         """A creep for ever, where a strip holds it now or soon; or a strip about a slow curve that ends."""
         y, error = self.place(here.u), here.errors.error
         if ended == CREEPS:

@@ -1,4 +1,5 @@
-"""Creep: motions that come to rest along the slow manifold (exponents below 1), enclosed between two barriers.
+"""Motions that follow a slow manifold, enclosed between two barriers (fences).
 
-Derivations ``slow-curve`` and ``onset``.
+They are the creep to rest of exponents below 1 and, for one exponent above 1, a stiff motion that slides (``slide``).
+Derivations ``slow-curve`` and ``settling``.
 """

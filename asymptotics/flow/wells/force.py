@@ -4,7 +4,7 @@
     pull(u) = u + sum_j c_j u|u|^(p_j-1), with sin(r u)/r in place of u for a pendulum,    grip(u) = sum epsilon |u|^m
 
 (``grip`` are the losses of exponent 0).  Strengths are enclosures at the precision current when the ``WellForce`` is
-made. On one side of u = 0 everything is a polynomial or a sine of u: ``rest_powers`` and ``loss_factor`` give it.
+made. On one side of u = 0 everything is a polynomial or a sine of u: ``rest_powers`` and ``loss_powers`` give it.
 
 >>> from asymptotics.law import Law
 >>> air = WellForce.of(Law({2: "1/10", 0: "1/50"}, spring={3: "1/2"}).terms)

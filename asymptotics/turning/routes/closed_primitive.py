@@ -1,4 +1,4 @@
-"""Route "closed primitive": quadratic drag and dry friction, beside the linear spring or any other, from rest.
+"""Route "closed-primitive": quadratic drag and dry friction, beside the linear spring or any other, from rest.
 
 The work on a half-swing is an elementary function (``drag_exact``), so a turning point is the root of one equation; its
 time is not known.  Beside the linear spring with drag alone this is the equation of the Lambert W map, which is some

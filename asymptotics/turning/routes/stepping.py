@@ -1,11 +1,11 @@
-"""Route "stepping": any law and any spring, from rest or in motion, certified half-swing by half-swing.
+"""Route "stepping": any loss and any spring of the place, from rest or in motion, certified half-swing by half-swing.
 
     X'' + V'(X) + sum_i epsilon_i |X|^m_i X'|X'|^(alpha_i-1) = 0,    X(0) = x0, X'(0) = v0,  in the units of the
     strengths.
 
 Every half-swing is enclosed by local expansions and Taylor steps: tens of milliseconds each, at any strength.  Powers
-of the velocity beside the linear spring are nonexpansive, two motions never part (room ``swing``); elsewhere they part
-at a rate that is bounded (room ``wells``).
+of the velocity beside the linear spring are nonexpansive, two motions never part (``flow.linear_spring``); elsewhere
+they part at a rate that is bounded (``flow.wells``).
 
 >>> from asymptotics.law import Law
 >>> table = points(Request.read(Law({"3/2": "1/10"}, spring="pendulum"), 2, 12, times=True, x0=2))

@@ -12,7 +12,7 @@ from asymptotics.flow.linear_spring.expansion import TurningExpansion
 from asymptotics.flow.linear_spring.kept_terms import KeptTerms
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.parting import PartingErrors, lateness
-from asymptotics.flow.sequence import after_kick, after_landing, first_from, swung
+from asymptotics.flow.sequence import after_landing, first_from, turning_after_start, turning_by_pieces
 from asymptotics.flow.slow_manifold.creep_slow_curve import solve
 from asymptotics.flow.trajectory import course
 from asymptotics.flow.turning import Turning
@@ -133,7 +133,7 @@ def test_the_end_of_a_course_that_began_in_motion_keeps_its_parts():
     with ctx.workprec(80):
         *_, real = course(LinearSpring(law), arb("0.5"), arb("0.25"))
         piece = replace(real, begun=PartingErrors(e, e), miss=e, clock=arb(real.clock.mid(), e))
-        found = after_kick(piece, 1, 2 * e)
+        found = turning_after_start(piece, 1, 2 * e)
         late = late_by(law, -piece.turn, 3 * e)
         assert 3 * e <= found.amplitude_error < arb("3.01") * e
         assert (e + late) * (1 - arb(2) ** -20) <= found.time_error < (e + late) * arb("1.01")
@@ -149,7 +149,7 @@ def test_a_passage_keeps_what_its_landing_misses():
     assert integrated(law, edge * arb("0.98"), arb(2) ** -20).ended == "creeps"
     assert trap(law, edge * arb("0.999") + arb(0, e), arb(0)) is None
     with ctx.workprec(60), pytest.raises(UndecidedError):  # from within e of the edge it may turn as well
-        swung(LinearSpring(law), Turning(0, 1, (edge * arb("0.999")).mid(), arb(0), e, arb(0)))
+        turning_by_pieces(LinearSpring(law), Turning(0, 1, (edge * arb("0.999")).mid(), arb(0), e, arb(0)))
 
 
 def test_times_and_places_of_a_turning_point_add_up():

@@ -53,7 +53,7 @@ def test_taylor_steps_pass_through_the_settling_into_the_strip(terms, speed, mon
     with ctx.workprec(40):
         found = settled(law, place, w, arb(2) ** -50)
         there = found.strip.state(arb(0))
-    monkeypatch.setattr(LinearSpring, "aside", lambda *_: iter(()))
+    monkeypatch.setattr(LinearSpring, "along_slow_curve", lambda *_: iter(()))
     with ctx.workprec(120):
         law, inside = damping(*terms), 0
         for step in course(LinearSpring(law), place, w):

@@ -255,7 +255,7 @@ def test_critical_damping_holds_under_a_spring_that_only_softens():
 
 
 def test_no_exponent_from_1_on_creeps_beside_a_spring():
-    """As in ``swing``: the condition of the trap alone would hold at alpha = 3/2."""
+    """As beside the linear spring: the condition of the trap alone would hold at alpha = 3/2."""
     assert trap(force_of({"3/2": 10}, spring={3: "1/10"}), arb(1), arb(0)) is None
     assert trap(force_of({"1/2": 10}, spring={3: "1/10"}), arb(1), arb(0)) is not None
 

@@ -10,7 +10,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow import dense, parting
 from asymptotics.flow import trajectory as courses
 from asymptotics.flow.parting import PartingErrors, contracted, growth, lateness, state_gap, turning_gap
-from asymptotics.flow.sequence import after_kick, after_landing, first_from, next_turning, sticks
+from asymptotics.flow.sequence import after_landing, first_from, next_turning, sticks, turning_after_start
 from asymptotics.flow.times import at_time
 from asymptotics.flow.trajectory import Landing, Step, course
 from asymptotics.flow.turning import Turning, rest
@@ -223,7 +223,7 @@ def test_what_a_turning_point_carries(monkeypatch):
         piece = replace(real, miss=e, clock=arb(real.clock.mid(), e))
         monkeypatch.setattr(Landing, "gap", lambda _, given: given)
         monkeypatch.setattr(Landing, "late", lambda _, given: e + given)
-        kicked = after_kick(piece, 1, 4 * e)
+        kicked = turning_after_start(piece, 1, 4 * e)
         assert kicked.amplitude_error >= 4 * e and kicked.time_error >= 5 * e
         here = Turning(3, 1, arb(1), arb(20), e, 5 * e)
         there = after_landing(here, piece)
