@@ -191,6 +191,11 @@ BOUNDS: Names = {
         "tests/flow/wells/test_distance_bounds.py::test_the_gap_of_a_state_counts_place_and_speed",
     ),
     **_each("flow.parting", "contracted", f"{WELLS}::test_turning_points_draw_together_at_most_as_the_bound_says"),
+    **_each(
+        "flow.turning",
+        "at_exact_place",
+        "tests/numbers/test_exact_ties.py::test_a_place_that_is_known_lies_in_its_enclosure",
+    ),
     **_each("flow.parting", "by_ratio", f"{SWING}::test_amplitudes_carry_their_error_by_contraction"),
     **_each(
         "flow.parting",

@@ -70,7 +70,7 @@ OWN = {
     "flow.slow_manifold.onset.settled": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
     "turning.jump._log": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
     "flow.wells.ends._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
-    "flow.turning.known": "tests/numbers/test_exact_ties.py::test_a_place_that_is_known_lies_in_its_enclosure",
+    "flow.turning.at_exact_place": "tests/numbers/test_exact_ties.py::test_a_place_that_is_known_lies_in_its_enclosure",
     "flow.parting.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",
 }
 """Functions that widen a ball, none of whose lines is on the list -> the test of their own, in which the truth is
