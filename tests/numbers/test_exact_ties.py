@@ -14,7 +14,7 @@ import asymptotics as asy
 from asymptotics.api.swings import turning_points
 from asymptotics.envelopes.first_order import exact_kappa
 from asymptotics.errors import UndecidedError
-from asymptotics.flow.turning import Turning, known
+from asymptotics.flow.turning import Turning, at_exact_place
 from asymptotics.flow.wells.rational_stops import rational_stops
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop, exact_turning_points
@@ -172,8 +172,8 @@ def test_a_stop_in_si_is_decided_as_without_units():
 
 def test_a_place_that_is_known_lies_in_its_enclosure():
     here = Turning(1, -1, arb(1), arb(2), arb("1e-9"), arb(0))
-    assert known(here, None) is here and known(here, (Fraction(-1), True)).amplitude_error == 0
-    third = known(Turning(1, -1, arb(1) / 3, arb(2), arb("1e-9"), arb(0)), (Fraction(-1, 3), True))
+    assert at_exact_place(here, None) is here and at_exact_place(here, (Fraction(-1), True)).amplitude_error == 0
+    third = at_exact_place(Turning(1, -1, arb(1) / 3, arb(2), arb("1e-9"), arb(0)), (Fraction(-1, 3), True))
     assert (3 * third.x).contains(-1) and third.amplitude_error < 1e-15
     with pytest.raises(ArithmeticError, match="turning point 1"):
-        known(here, (Fraction(1), True))
+        at_exact_place(here, (Fraction(1), True))
