@@ -43,11 +43,11 @@ for power, n in ((0, 0), (1, 0), (2, 0), (3, 0), (1, 2), (2, 1)):
         4 * sympy.Integral(cos(theta) ** n * sin(theta) ** (power + 1), (theta, 0, pi / 2)),
         2 * pi * mean(n, power + 1),
     )
-M = sympy.Symbol("M", positive=True)
+M, drop, energy = sympy.symbols("M DeltaE E", positive=True)
 lost = 2 * pi * M * b * omega**alpha * A ** (place + alpha + 1)
 step(
     "zeta = Delta E/(4 pi E), E = k A^2/2",
-    lost / (4 * pi * (k * A**2 / 2)),
+    At(drop / (4 * pi * energy), {drop: lost, energy: k * A**2 / 2}),
     M * b * omega**alpha * A ** (place + alpha - 1) / k,
 )
 step(
