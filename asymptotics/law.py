@@ -272,14 +272,19 @@ class Oscillator(Shown):
 
     def _page(self) -> Page:
         rows = (("mass", f"{self.mass} kg"), ("stiffness", f"{self.stiffness} N/m"), ("omega_0", self._omega()),
-                ("x(0)", f"{self.x0} m"), ("x'(0)", f"{self.v0} m/s"))  # fmt: skip
+                ("x(0)", f"{self.x0} {self.unit}"), ("x'(0)", f"{self.v0} {self.unit}/s"))  # fmt: skip
         return Page(str(self), self.notes, ("", "value"), rows)
 
     def _omega(self) -> str:
         return f"{float(self.omega_0().mid()):.6g} rad/s"
 
+    @property
+    def unit(self) -> str:
+        """The unit of x: "rad" for a pendulum, whose restoring force is the sine of x, else "m"."""
+        return "rad" if any(t.family for t in self.law.springs) else "m"
+
     def _letters(self) -> dict[str, str]:
-        return {"x": "displacement in m"}
+        return {"x": f"displacement in {self.unit}"}
 
     def _formula(self) -> str:
         mass = {"1": ""}.get(str(self.mass), sympy.latex(to_sympy(self.mass)) + r"\,")

@@ -176,7 +176,8 @@ class SpringEnvelope(SlowNumbers, Drawn):
         phase = np.where(missing | gone, np.nan, phi)
         extinction = None if np.isinf(table.extinction) else table.extinction / omega
         return MotionSamples(times, x, v, A, phase, 1, "turning-point", int(missing.sum()),
-                             int((gone & ~missing).sum()), extinction, self.notes)  # fmt: skip
+                             int((gone & ~missing).sum()), extinction, self.notes, True,
+                             self.oscillator.unit)  # fmt: skip
 
     @public
     def columns(
@@ -195,7 +196,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         until = time_of_curve(self.oscillator, style.pop("until", None))
         self.columns([], order=style.pop("order", None))
         found = self.sample(np.linspace(0.0, until, POINTS))
-        axes_of_motion(axes, si=self.si)
+        axes_of_motion(axes, si=self.si, unit=self.oscillator.unit)
         axes.plot(found.t, found.x, **{"label": "x", **style})
         envelope_lines(axes, found.t, found.amplitude)
 

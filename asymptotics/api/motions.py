@@ -58,18 +58,22 @@ class Events(Rows):
     zeros_v: Array
     stop: float | None
     until: float
+    unit: str = "m"
 
     def _page(self) -> Page:
         stop = "it does not stop" if self.stop is None else f"it stops at t = {self.stop:.10g} s"
         title = f"{len(self.turning)} turning points, {len(self.zeros)} zeros up to t = {self.until:.10g} s"
         rows = tuple(zip(*self._table().values()))
         shown = tuple((event, f"{t:.10g}", f"{x:.10g}", f"{v:.10g}") for event, t, x, v in rows)
-        return Page(title, (stop, "estimates, in doubles"), ("event", "t [s]", "x [m]", "v [m/s]"), shown)
+        return Page(title, (stop, "estimates, in doubles"), self._head(), shown)
 
     def _table(self) -> dict[str, list[Any]]:
         at_turning = [("turning point", t, x, 0.0) for t, x in zip(self.turning, self.turning_x)]
         rows = sorted(at_turning + [("zero", t, 0.0, v) for t, v in zip(self.zeros, self.zeros_v)], key=lambda r: r[1])
-        return {name: [row[i] for row in rows] for i, name in enumerate(("event", "t [s]", "x [m]", "v [m/s]"))}
+        return {name: [row[i] for row in rows] for i, name in enumerate(self._head())}
+
+    def _head(self) -> tuple[str, ...]:
+        return "event", "t [s]", f"x [{self.unit}]", f"v [{self.unit}/s]"
 
 
 class _Sampled(Protocol):
@@ -198,7 +202,8 @@ class Reference(Drawn):
         x, v = self._values(np.where(missing, 0.0, times).ravel())
         x, v = (np.where(missing, np.nan, values.reshape(times.shape)) for values in (x, v))
         notes = (*self.notes, *([f"NaN times: {missing.sum()}"] if missing.any() else []))
-        return MotionSamples(times, x, v, None, None, None, None, int(missing.sum()), 0, None, notes, self.si)
+        lost, unit = int(missing.sum()), self.oscillator.unit
+        return MotionSamples(times, x, v, None, None, None, None, lost, 0, None, notes, self.si, unit)
 
     @public
     def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
@@ -227,12 +232,12 @@ class Reference(Drawn):
         velocity = style.pop("velocity", False)
         until, points = time_of_curve(self.oscillator, style.pop("until", None)), style.pop("points", REFERENCE_POINTS)
         found = self.sample(np.linspace(0.0, until, points))
-        axes_of_motion(axes, si=self.si)
+        axes_of_motion(axes, si=self.si, unit=self.oscillator.unit)
         axes.plot(found.t, found.x, **{"label": "x", **style})
         if velocity:
             lower = below(axes)
             lower.plot(found.t, found.v, color="#15803d")
-            lower.set_ylabel("v (m/s)" if self.si else "v")
+            lower.set_ylabel(f"v ({self.oscillator.unit}/s)" if self.si else "v")
 
     def _values(self, times: Array) -> tuple[Array, Array]:
         exact = [ExactReal(Fraction(float(t))) for t in times]  # the doubles, exactly
@@ -293,9 +298,9 @@ def time_of_curve(oscillator: Oscillator, until: Any) -> float:
     return end
 
 
-def axes_of_motion(axes: Any, *, si: bool) -> None:
+def axes_of_motion(axes: Any, *, si: bool, unit: str = "m") -> None:
     """The names of the axes of x against time, with their units."""
-    axes.set(xlabel="t (s)" if si else r"$\tau = \omega_0 t$", ylabel="x (m)" if si else "x")
+    axes.set(xlabel="t (s)" if si else r"$\tau = \omega_0 t$", ylabel=f"x ({unit})" if si else "x")
 
 
 def envelope_lines(axes: Any, t: Array, amplitude: Array) -> None:
@@ -331,7 +336,7 @@ def events_of(moving: _Sampled, until: Number, stop: float | None) -> Events:
     zeros = _crossings(moving, grid, found.x, of_velocity=False)
     at_turning, at_zeros = moving.sample(turning), moving.sample(zeros)
     ended = stop if stop is not None and stop <= float(end.ball().mid()) else None
-    return Events(turning, at_turning.x, zeros, at_zeros.v, ended, float(end.ball().mid()))
+    return Events(turning, at_turning.x, zeros, at_zeros.v, ended, float(end.ball().mid()), oscillator.unit)
 
 
 def _crossings(moving: _Sampled, grid: Array, values: Array, *, of_velocity: bool) -> Array:

@@ -33,18 +33,22 @@ from asymptotics.turning import choose
 from asymptotics.turning.result import TurningPoints, draw_sizes
 from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START
 
-_LETTERS = {"x": "place of turning point n in m", "t": "its time in s since turning point 0"}
 _SPARE, _DOUBLINGS = 23, 3  # bits: six digits more, and four times as many at most
+
+
+def _letters(unit: str) -> dict[str, str]:
+    return {"x": f"place of turning point n in {unit}", "t": "its time in s since turning point 0"}
 
 
 @dataclass(frozen=True, repr=False)
 class SwingPoint(Shown):
-    """The n-th turning point: x in m with its sign, t in s since n = 0 (None if not asked for)."""
+    """The n-th turning point: x in ``unit`` with its sign, t in s since n = 0 (None if not asked for)."""
 
     n: int
     x: str
     t: str | None
     certified: bool = field(default=False, repr=False, compare=False)
+    unit: str = "m"
 
     def number(self, name: str = "x") -> Coefficient:
         """``x`` or ``t`` as a number: mpf, interval, ball; InputError if it is not certified or not there."""
@@ -52,16 +56,16 @@ class SwingPoint(Shown):
 
     def _page(self) -> Page:
         time = () if self.t is None else (("t", f"{self.t} s"),)
-        title = f"turning point {self.n}: x = {self.x} m" + ("" if self.t is None else f", t = {self.t} s")
+        title = f"turning point {self.n}: x = {self.x} {self.unit}" + ("" if self.t is None else f", t = {self.t} s")
         worth = "certified: every digit is proved" if self.certified else "not certified"
-        return Page(title, (worth,), ("", "value"), (("x", f"{self.x} m"), *time))
+        return Page(title, (worth,), ("", "value"), (("x", f"{self.x} {self.unit}"), *time))
 
     def _formula(self) -> str:
         time = "" if self.t is None else rf",\quad t_{{{self.n}}} = {self.t}\,\mathrm{{s}}"
-        return rf"x_{{{self.n}}} = {self.x}\,\mathrm{{m}}{time}"
+        return rf"x_{{{self.n}}} = {self.x}\,\mathrm{{{self.unit}}}{time}"
 
     def _letters(self) -> dict[str, str]:
-        return _LETTERS
+        return _letters(self.unit)
 
 
 @dataclass(frozen=True, repr=False)
@@ -72,7 +76,11 @@ class OscillatorTurningPoints(Rows, Drawn):
     digits: int
     points: tuple[SwingPoint, ...]
     dimensionless: TurningPoints
-    unit: str = "m"
+
+    @property
+    def unit(self) -> str:
+        """The unit of x: rad for a pendulum, else m."""
+        return self.oscillator.unit
 
     @property
     def certified(self) -> bool:
@@ -94,10 +102,10 @@ class OscillatorTurningPoints(Rows, Drawn):
         points = [{"n": p.n, "x": p.x, "t": p.t} for p in self.points]
         rest: dict[str, Any] = {"ended": self.ended, "certified": self.certified, "method": self.dimensionless.method}
         rest |= {"notes": list(self.notes)}
-        return {"oscillator": self.oscillator.to_dict(), "units": {"x": "m", "t": "s"}, "points": points, **rest}
+        return {"oscillator": self.oscillator.to_dict(), "units": {"x": self.unit, "t": "s"}, "points": points, **rest}
 
     def __str__(self) -> str:
-        lines = [f"{p.n}  {p.x} m" + (f"  {p.t} s" if p.t is not None else "") for p in self.points]
+        lines = [f"{p.n}  {p.x} {self.unit}" + (f"  {p.t} s" if p.t is not None else "") for p in self.points]
         lines += [f"ended: {self.ended}"] if self.ended else []
         return "\n".join([*lines, f"certified: {str(self.certified).lower()} ({self.dimensionless.method})"])
 
@@ -107,28 +115,29 @@ class OscillatorTurningPoints(Rows, Drawn):
         known = "certified" if self.certified else "not certified"
         worth = f"{known}, {self.digits} digits ({self.dimensionless.method})"
         end = () if self.ended is None else (f"ended: {self.ended}",)
-        head = ("n", "x [m]", "t [s]") if timed else ("n", "x [m]")
+        head = ("n", f"x [{self.unit}]", "t [s]")[: 3 if timed else 2]
         return Page(f"{len(rows)} turning points of {self.oscillator}", (worth, *end, *self.notes), head, rows)
 
     def _heading(self) -> str:
         return f"turning points of {self.oscillator}"
 
     def _curve(self, axes: Any, **style: Any) -> None:
-        draw_sizes(axes, self.points, "|x| (m)", style)
+        draw_sizes(axes, self.points, f"|x| ({self.unit})", style)
 
     def _table(self) -> dict[str, list[Any]]:
         proved = self.certified
-        columns = {"n": [p.n for p in self.points]} | spread("x [m]", [p.x for p in self.points], certified=proved)
+        places = spread(f"x [{self.unit}]", [p.x for p in self.points], certified=proved)
+        columns = {"n": [p.n for p in self.points]} | places
         timed = any(p.t is not None for p in self.points)
         return columns | (spread("t [s]", [p.t for p in self.points], certified=proved) if timed else {})
 
     def _letters(self) -> dict[str, str]:
-        return _LETTERS
+        return _letters(self.unit)
 
     def _formula(self) -> str:
         timed = any(p.t is not None for p in self.points)
         rows = r" \\ ".join(f"{p.n} & {p.x}" + ("" if p.t is None else f" & {p.t}") for p in self.points)
-        head, columns = r"n & x_n/\mathrm{m}", "rl"
+        head, columns = rf"n & x_n/\mathrm{{{self.unit}}}", "rl"
         if timed:
             head, columns = head + r" & t_n/\mathrm{s}", "rll"
         return rf"\begin{{array}}{{{columns}}} {head} \\ {rows} \end{{array}}"
@@ -213,7 +222,7 @@ def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[S
             t = None if p.tau is None else "0" if p.n == 0 else decimal_of_ball(ball_of(p.tau) / omega, digits)
             if x is None or (t is None and p.tau is not None):
                 return None
-            points.append(SwingPoint(p.n, x, t, found.certified))
+            points.append(SwingPoint(p.n, x, t, found.certified, oscillator.unit))
     return tuple(points)
 
 

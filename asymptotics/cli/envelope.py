@@ -213,5 +213,5 @@ def _table(
 ) -> str:
     times = np.linspace(0.0, float((time or ExactReal(0)).ball().mid()), read_points(options) + 1)
     t, A, phi = found.columns(times, order=None if series is None else series.order)
-    head = ("t [s]", "amplitude [m]", "phase [rad]") if given.si else ("tau", "amplitude", "phase")
+    head = ("t [s]", f"amplitude [{given.of_x('m')}]", "phase [rad]") if given.si else ("tau", "amplitude", "phase")
     return csv_text(head, ([repr(float(c)) for c in row] for row in zip(t, A, phi)))

@@ -44,7 +44,7 @@ def csv_of(
         def samples(found: Sequence[tuple[float, float]]) -> MotionSamples:
             t = np.array([_float(t) for t in times[: len(found)]])
             x, v = (np.array(column) for column in zip(*found))
-            return MotionSamples(t, x, v, None, None, None, None, 0, 0, None, (), given.si)
+            return MotionSamples(t, x, v, None, None, None, None, 0, 0, None, (), given.si, given.oscillator.unit)
 
         with changed(samples):
             return samples(_reference(given.oscillator, times, static)).to_csv()

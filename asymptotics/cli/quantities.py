@@ -34,12 +34,16 @@ class Given:
     si: bool
 
     def unit(self, name: str) -> str:
-        """The unit of a quantity with a blank before it, or nothing."""
-        return f" {name}" if self.si else ""
+        """The unit of a quantity with a blank before it, or nothing; m is that of x, rad for a pendulum."""
+        return f" {self.of_x(name)}" if self.si else ""
+
+    def of_x(self, name: str) -> str:
+        """m and m/s in the unit of x."""
+        return name.replace("m", self.oscillator.unit) if name in ("m", "m/s") else name
 
     def label(self, unit: str) -> str:
         """The unit of an axis of a picture."""
-        return f" ({unit})" if self.si else ""
+        return f" ({self.of_x(unit)})" if self.si else ""
 
     @property
     def time_label(self) -> str:

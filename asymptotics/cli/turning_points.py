@@ -190,7 +190,7 @@ def _text(result: Any, unit: str) -> str:
 def _table(result: TurningPoints | OscillatorTurningPoints, unit: str) -> str:
     """The points as CSV, with units in the header."""
     if isinstance(result, OscillatorTurningPoints):
-        return csv_text(["n", "x [m]", "t [s]"], [(p.n, p.x, p.t) for p in result.points])
+        return csv_text(["n", f"x [{result.unit}]", "t [s]"], [(p.n, p.x, p.t) for p in result.points])
     return csv_text(["n", _HEADS[unit] or "x", "tau"], [(p.n, p.x, p.tau) for p in result.points])
 
 

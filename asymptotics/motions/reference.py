@@ -95,7 +95,17 @@ def reference_motion(
         found = _decimals(oscillator, moment, digits)
     x, v = found
     return MotionPoint(
-        x, v, None, None, None, None, _method(oscillator), half_unit(x, digits), True, oscillator.law.notes
+        x,
+        v,
+        None,
+        None,
+        None,
+        None,
+        _method(oscillator),
+        half_unit(x, digits),
+        True,
+        oscillator.law.notes,
+        oscillator.unit,
     )
 
 

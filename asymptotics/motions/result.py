@@ -39,10 +39,11 @@ class MotionPoint(Shown):
     error: str
     certified: bool
     notes: tuple[str, ...] = ()
+    unit: str = "m"
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready."""
-        return {f.name: _plain(getattr(self, f.name)) for f in fields(self)}
+        return {f.name: _plain(getattr(self, f.name)) for f in fields(self) if f.name != "unit"}
 
     def noted(self, notes: tuple[str, ...]) -> "MotionPoint":
         """The same with more notes."""
@@ -60,15 +61,15 @@ class MotionPoint(Shown):
         return number_of(self, name)
 
     def _page(self) -> Page:
-        named = {"x": "m", "v": "m/s", "amplitude": "m", "phase": "rad", "error": "m"}
+        named = {name: unit.replace("m", self.unit) for name, unit in (UNITS | {"error": "m"}).items() if name != "t"}
         rows = tuple((n, f"{getattr(self, n)} {unit}") for n, unit in named.items() if getattr(self, n) is not None)
         order = "" if self.order is None else f", order {self.order}, gauge {self.gauge}"
         worth = f"{'certified' if self.certified else 'estimate'} ({self.method}{order})"
-        title = f"x = {self.x} m, v = {self.v} m/s, error {self.error} m"
+        title = f"x = {self.x} {self.unit}, v = {self.v} {self.unit}/s, error {self.error} {self.unit}"
         return Page(title, (worth, *self.notes), ("", "value"), rows)
 
     def _formula(self) -> str:
-        return rf"x = {self.x}\,\mathrm{{m}},\quad \dot x = {self.v}\,\mathrm{{m/s}}"
+        return rf"x = {self.x}\,\mathrm{{{self.unit}}},\quad \dot x = {self.v}\,\mathrm{{{self.unit}/s}}"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -91,6 +92,7 @@ class MotionSamples(Rows, Drawn):
     extinction: float | None
     notes: tuple[str, ...]
     si: bool = True
+    unit: str = "m"
 
     def columns(self) -> dict[str, Array]:
         """The arrays by name; reference motion has no amplitude and phase."""
@@ -101,14 +103,14 @@ class MotionSamples(Rows, Drawn):
         """The names of the columns with their units; tau, x, ... where there are none."""
         if not self.si:
             return [DIMENSIONLESS.get(name, name) for name in self.columns()]
-        return [f"{name} [{UNITS[name]}]" for name in self.columns()]
+        return [f"{name} [{UNITS[name].replace('m', self.unit)}]" for name in self.columns()]
 
     def _heading(self) -> str:
         return repr(self)
 
     def _curve(self, axes: Any, **style: Any) -> None:
         axes.plot(np.ravel(self.t), np.ravel(self.x), **style)
-        axes.set(xlabel="t (s)" if self.si else r"$\tau = \omega_0 t$", ylabel="x (m)" if self.si else "x")
+        axes.set(xlabel="t (s)" if self.si else r"$\tau = \omega_0 t$", ylabel=f"x ({self.unit})" if self.si else "x")
 
     def _table(self) -> dict[str, Array]:
         return {head: np.ravel(c) for head, c in zip(self.header(), self.columns().values())}

@@ -13,7 +13,7 @@ tell apart, a line is its modulation: such a beat is named (``defects``), not ta
 >>> pure, line = np.exp(-0.01 * t) * np.cos(t), 0.05 * np.exp(-0.02 * t) * np.cos(2.7 * t)
 >>> rest, notes = without_second_modes(t, pure + line)
 >>> bool(np.abs(rest - pure).max() < 1e-3), notes
-(True, ('a second mode at 2.702 rad a unit of time, 4.8 % of the first at the beginning, measured and taken off',))
+(True, ('a second mode at 2.7 rad a unit of time, 5 % of the first at the beginning, measured and taken off',))
 """
 
 import numpy as np
