@@ -5,6 +5,7 @@
   asymptotics compare table_one.csv --table smith2012.table1 --columns half_cycle,S_hat,u
   asymptotics compare exported.csv                           # a table of this program says itself what it is
   asymptotics compare points.csv                             # so does a file of --csv: its header has the oscillator
+  asymptotics compare cycle.csv                              # and one of damping, stokes, limit-cycle, smith or a sweep
   asymptotics compare series.csv --alpha 3/2                 # coefficients from expand --csv or half-swing --csv
   asymptotics compare lab.csv --alpha 3/2 --damping 1/10 --mass 3/2 --stiffness 30 --x0 1/5 --columns t,x
 
@@ -21,6 +22,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+from asymptotics.cli.again import asked_again, compare_again, is_motion, told_request
 from asymptotics.cli.answer import Answer, add_common
 from asymptotics.cli.answer import cut_short as shortened
 from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
@@ -86,12 +88,16 @@ def _asked(options: argparse.Namespace, digits: int | None) -> tuple[Callable[[]
         inputs = table_inputs(None, None, law, None) if law else Inputs.of(head.alphas, None, head.epsilons)
         make = partial(compare_table, path, head.table, replace(inputs, rows=head.rows))
         return partial(make, columns=options.columns, digits=digits), f"{head.table}, with the inputs of its head"
+    if options.table is None and not _said(options) and asked_again(path):
+        if options.columns is not None:
+            raise InputError("--columns", "a file that names its own request has its own columns", "no --columns")
+        return partial(compare_again, path, digits), told_request(path)
     name = series_table(path) if options.table is None else options.table
     if not _said(options) and options.table is None:
         options = _with_its_inputs(options, path, series=name is not None)
     if name is None:
         given = read_oscillator(options, "epsilon", epsilon_beside_units=True)
-        own = given.si or options.x0 is not None
+        own = given.si or options.x0 is not None or getattr(options, "v0", None) is not None
         make = partial(compare_file, path, given.oscillator, si=own)
         told = str(given.oscillator) if own else str(given.oscillator.law)
         return partial(make, columns=options.columns, digits=digits), told
@@ -107,13 +113,12 @@ def _asked(options: argparse.Namespace, digits: int | None) -> tuple[Callable[[]
 def _with_its_inputs(options: argparse.Namespace, path: Path, *, series: bool) -> argparse.Namespace:
     """The options, with the oscillator that the file's own header says; coefficients have their exponents alone."""
     inputs = stated_inputs(path)
-    for name in ("spring", "v0"):
-        if name in inputs and inputs[name] != "0":
-            raise InputError(
-                "FILE", f"it is of an oscillator with --{name}", "a file of losses beside x alone, from rest"
-            )
+    special = next((name for name in ("spring", "v0") if inputs.get(name, "0") != "0"), None)
+    if special and not is_motion(path):
+        reason = f"it is of an oscillator with --{special}, and its header does not name the request"
+        raise InputError("FILE", reason, "a motion, or turning points written by --csv of this version")
     kept = {k: v for k, v in inputs.items() if k in ("alpha", "law") or not series}
-    return argparse.Namespace(**{**vars(options), **{k: v for k, v in kept.items() if k != "v0"}})
+    return argparse.Namespace(**{**vars(options), **kept})
 
 
 def _said(options: argparse.Namespace) -> bool:
@@ -140,6 +145,8 @@ def _text(found: Comparison, equation: str) -> str:
         *([order] if (order := told_order(summary.get("order", {}))) else []),
         f"the errors look like {look['kind']}: {look['reason']}",
         *([summary["ended"]] if "ended" in summary else []),
+        *summary.get("differs", ()),
+        *([f"estimates, not counted: lines {_listed(summary['estimates'])}"] if "estimates" in summary else []),
         *(f"not compared: {name} ({_why(name)})" for name in summary.get("not_compared", ())),
         f"certified: {str(found.certified).lower()} ({found.method})",
     ]
@@ -147,7 +154,14 @@ def _text(found: Comparison, equation: str) -> str:
 
 
 def _why(name: str) -> str:
-    return "of one force of the sum; the table has the sum" if "[" in name else "of a gauge and an order"
+    if name in ("amplitude", "phase"):
+        return "of a gauge and an order"
+    return "of one force of the sum; the table has the sum" if "[" in name else "a bound, a remark or a mark"
+
+
+def _listed(lines: list[int]) -> str:
+    more = f" and {len(lines) - _SHOWN} more" if len(lines) > _SHOWN else ""
+    return ", ".join(map(str, lines[:_SHOWN])) + more
 
 
 def _cells(row: ComparedValue) -> tuple[str, ...]:

@@ -87,7 +87,7 @@ def _answer(options: argparse.Namespace, files: dict[str, Path], found: Equivale
         "--csv": lambda _: found.to_csv(),
         "--plot": picture_maker(options, lambda: [found], quantity=options.quantity or "Q"),
     }
-    written = write_files(files, makers, options)
+    written = write_files(files, makers, options, "damping")
     named = found.conversions() if options.conversions else ()
     data = {**found.to_dict(), **told(options, found.latex(), written)}
     data |= {"conversions": [c.to_dict() for c in named]} if named else {}

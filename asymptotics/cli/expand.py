@@ -100,7 +100,7 @@ def run(options: argparse.Namespace) -> Answer:
     data = {**found.to_dict(), **head, "latex": found.latex(digits), "notes": list(given.notes)}
     deltas = _deltas(found, given, options)
     data["delta"] = [{"name": name, "force": force, "value": value} for name, force, value in deltas]
-    data["files"] = write_files(files, {"--csv": lambda _: _table(found)}, options)
+    data["files"] = write_files(files, {"--csv": lambda _: _table(found)}, options, "expand")
     text = found.latex(digits) if options.latex else _text(found, given, options)
     text = "\n".join([text, *data["files"]])
     if options.best_order is not None:

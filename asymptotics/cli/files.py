@@ -13,13 +13,14 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from asymptotics.cli.requests import request_words
 from asymptotics.errors import InputError
 from asymptotics.made_by import mark
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.present.drawn import Drawn, pictured
 from asymptotics.present.figures import DPI, MAX_DPI, MIN_DPI, SIZE
 from asymptotics.present.files import require_different, target_file, write_all
-from asymptotics.present.inputs import INPUTS, with_inputs
+from asymptotics.present.inputs import INPUTS, with_inputs, with_words
 
 PICTURES = (".svg", ".png", ".pdf")
 MAX_POINTS, DEFAULT_POINTS = 100_000, 1000
@@ -99,15 +100,23 @@ def read_points(options: argparse.Namespace) -> int:
     return parse_integer(str(DEFAULT_POINTS) if options.points is None else options.points, "--points", 1, MAX_POINTS)
 
 
-def write_files(files: dict[str, Path], makers: Makers, options: argparse.Namespace | None = None) -> list[str]:
+def write_files(
+    files: dict[str, Path], makers: Makers, options: argparse.Namespace | None = None, command: str = ""
+) -> list[str]:
     """Make all contents, then write them; a maker gets the kind of its file (csv, or that of the picture).
 
-    With ``options`` the head of a table says which oscillator it is of, so that ``compare`` can be asked without it.
+    With ``options`` the head of a table says which oscillator it is of, so that ``compare`` can be asked without it;
+    with ``command`` it says the whole request, as ``cli.requests.request_words`` has it.
     """
     contents = {path: makers[argument](_kind(path, argument)) for argument, path in files.items()}
     table = contents.get(files["--csv"]) if "--csv" in files and options is not None else None
     if isinstance(table, str):
-        contents[files["--csv"]] = with_inputs(table, {name: getattr(options, name, None) for name in INPUTS})
+        words = request_words(command, options) if command and options is not None else []
+        contents[files["--csv"]] = (
+            with_words(table, words)
+            if words
+            else with_inputs(table, {name: getattr(options, name, None) for name in INPUTS})
+        )
     write_all(contents, " and ".join(files))
     return [str(path) for path in files.values()]
 

@@ -79,7 +79,7 @@ def run(options: argparse.Namespace) -> Answer:
     data["delta"] = [{"name": name, "force": force, "value": value} for name, force, value in deltas]
     latex = rows_latex({_index(name, given): row for name, row in names}, deltas_latex(given), digits)
     makers: Makers = {"--csv": lambda _: rows_csv(dict(names)), "--plot": picture_maker(options, lambda: [found])}
-    written = write_files(files, makers, options)
+    written = write_files(files, makers, options, "half-swing")
     data |= told(options, latex, written)
     return Answer(data, "\n".join([latex] if options.latex else [*lines, *given.notes, *written]), options.json)
 
@@ -124,6 +124,8 @@ def _at(options: argparse.Namespace, given: GivenTerms, files: dict[str, Path]) 
     lines = [f"{shown:5} {value}" for shown, value, *_ in rows]
     lines.append(f"certified: {str(found.certified).lower()} ({found.route}, {found.terms} terms, tail {found.tail})")
     latex = ",\\quad ".join(f"{shown} = {value}" for shown, value, *_ in rows)
-    written = write_files(files, {"--csv": lambda _: csv_text(["quantity", "value", "low", "high"], rows)})
+    written = write_files(
+        files, {"--csv": lambda _: csv_text(["quantity", "value", "low", "high"], rows)}, options, "half-swing"
+    )
     data = {**found.to_dict(), "notes": list(given.notes), **told(options, latex, written)}
     return Answer(data, latex if options.latex else "\n".join([*lines, *given.notes, *written]), options.json)

@@ -18,7 +18,7 @@ stronger relaxation oscillations are left out, and cycles whose multiplier is 1 
 import argparse
 
 from asymptotics.cli.answer import Answer, add_common, read_digits
-from asymptotics.cli.files import add_csv, add_plot, csv_text, picture_maker, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.rows import row_text, rows_csv, rows_latex, told
 from asymptotics.errors import InputError
@@ -54,7 +54,8 @@ def run(options: argparse.Namespace) -> Answer:
         raise InputError("--near", f"{options.near[:40]} is not positive", "an amplitude > 0")
     found = limit_cycle(law, order, digits, mu, near)
     latex = _latex(found, digits)
-    written = write_files(files, {"--csv": lambda _: _table(found), "--plot": picture_maker(options, lambda: [found])})
+    makers: Makers = {"--csv": lambda _: _table(found), "--plot": picture_maker(options, lambda: [found])}
+    written = write_files(files, makers, options, "limit-cycle")
     data = {**found.to_dict(), **told(options, latex, written)}
     return Answer(data, latex if options.latex else "\n".join([_text(found), *written]), options.json)
 

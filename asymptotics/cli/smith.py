@@ -76,7 +76,7 @@ def run(options: argparse.Namespace) -> Answer:
     }
     data = makers[options.what](options)
     text = data["latex"] if options.latex else data["text"]
-    written = write_files(files, {"--csv": lambda _: csv_text(["n", "i", "C"], _rows(data))})
+    written = write_files(files, {"--csv": lambda _: csv_text(["n", "i", "C"], _rows(data))}, options, "smith")
     hidden = ("text",) if options.latex or options.what not in "fc" else ("text", "latex")
     data = {name: value for name, value in data.items() if name not in hidden} | ({"files": written} if written else {})
     shown = [text] if options.latex else [text, *written]

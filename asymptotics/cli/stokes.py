@@ -35,6 +35,6 @@ def run(options: argparse.Namespace) -> Answer:
     alpha, count = parse_real(options.alpha, "--alpha"), parse_integer(options.count, "--count", 1, MAX_COUNT)
     found = stokes(alpha, count=count, digits=read_digits(options, MAX_DIGITS))
     makers: Makers = {"--csv": lambda _: csv_text(["k", "c_k", "d_k"], found.rows())}
-    written = write_files(files, makers | {"--plot": picture_maker(options, lambda: [found])}, options)
+    written = write_files(files, makers | {"--plot": picture_maker(options, lambda: [found])}, options, "stokes")
     data = {**found.to_dict(), **told(options, found.latex(), written)}
     return Answer(data, found.latex() if options.latex else "\n".join([str(found), *written]), options.json)

@@ -57,7 +57,7 @@ def read_axes(command: str, arguments: list[str]) -> dict[str, tuple[str, ...]]:
         name, equals, value = text[2:].partition("=")
         if not text.startswith("--"):
             name, value = "", text  # what a command takes without an option name
-        elif not equals and not _is_flag(command, name):
+        elif not equals and not takes_no_value(command, name):
             if not rest:
                 raise InputError(text, "it has no value", "a value, a list or a range")
             value = rest.pop(0)
@@ -71,7 +71,8 @@ def read_axes(command: str, arguments: list[str]) -> dict[str, tuple[str, ...]]:
     return axes
 
 
-def _is_flag(command: str, name: str) -> bool:
+def takes_no_value(command: str, name: str) -> bool:
+    """Whether an option is a flag; InputError for one that cannot be swept."""
     action = _command(command)[2].get(name)
     if action is None or name in EXCLUDED:
         raise InputError(f"--{name}", "it cannot be swept", f"the options of asymptotics {command} that are numbers")
@@ -79,7 +80,7 @@ def _is_flag(command: str, name: str) -> bool:
 
 
 def _axis(command: str, name: str, text: str) -> tuple[str, ...]:
-    if name and _is_flag(command, name):
+    if name and takes_no_value(command, name):
         return ("",)
     if name in ("law", "spring"):
         return _forces(command, name, text)

@@ -87,7 +87,11 @@ def _answer(
     data, si = result.to_dict(), isinstance(result, OscillatorTurningPoints)
     unit = _unit(options)
     makers: Makers = {"--csv": lambda _: _table(result, unit), "--plot": picture_maker(options, lambda: [result])}
-    data |= {"units": "SI" if si else None, "x_unit": unit, "files": write_files(files, makers, options)}
+    data |= {
+        "units": "SI" if si else None,
+        "x_unit": unit,
+        "files": write_files(files, makers, options, "turning-points"),
+    }
     text = result._formula() if options.latex else str(result) if si else _text(result, unit)
     return Answer(data, "\n".join([text, *data["files"]]), options.json)
 

@@ -67,7 +67,7 @@ def read_sheet(
     The cells of the columns that are used are proved to be numbers here, except those of ``words``, so that nothing is
     computed for a bad file.
     """
-    rows, header = _rows(path) if isinstance(path, Path) else _rows_of(path)
+    rows, header = rows_of_file(path) if isinstance(path, Path) else _rows_of(path)
     place_of = "FILE line" if isinstance(path, Path) else "row"
     if not rows:
         raise InputError("FILE", f"{path} has no rows of values", "a CSV file with a header")
@@ -141,7 +141,7 @@ def _refuse_devices(path: Path) -> None:
         raise InputError("FILE", f"{path} is a device", "a CSV file in UTF-8")
 
 
-def _rows(path: Path) -> tuple[list[tuple[int, list[str]]], list[str] | None]:
+def rows_of_file(path: Path) -> tuple[list[tuple[int, list[str]]], list[str] | None]:
     """The rows of values with their line numbers, and the header if there is one."""
     _refuse_devices(path)
     try:

@@ -1,13 +1,15 @@
 """The oscillator in the header of a CSV file: after the word ``code`` of the last cell, as options.
 
 ``n,x,tau,code [--alpha=2 --epsilon=1/10]``: what ``--csv`` writes, and ``compare`` reads without being told the law.
+Where the oscillator alone does not say what was asked for, the command and its options stand there:
+``k,c_k,d_k,code [stokes --alpha=2 --count=2]``.
 """
 
 import csv
 import io
 import re
 import shlex
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -22,18 +24,43 @@ def with_inputs(text: str, options: Mapping[str, Any]) -> str:
     >>> with_inputs("n,x,code\\n0,1,sha256:12\\n", {"alpha": "2", "law": None, "epsilon": "1/10"})
     'n,x,code [--alpha=2 --epsilon=1/10]\\n0,1,sha256:12\\n'
     """
-    pairs = [(name, value) for name, given in options.items() for value in _each(given)]
+    return with_words(text, option_words(options))
+
+
+def with_words(text: str, words: Sequence[str]) -> str:
+    """The same with words as they are."""
     head, _, rows = text.partition("\n")
-    if not pairs or not head.endswith(",code"):
+    if not words or not head.endswith(",code"):
         return text
     stream = io.StringIO()
-    said = shlex.join(f"--{name}={value}" for name, value in pairs)
-    csv.writer(stream, lineterminator="\n").writerow([*next(csv.reader([head]))[:-1], f"code [{said}]"])
+    row = [*next(csv.reader([head]))[:-1], f"code [{shlex.join(words)}]"]
+    csv.writer(stream, lineterminator="\n").writerow(row)
     return stream.getvalue() + rows
 
 
+def option_words(options: Mapping[str, Any]) -> list[str]:
+    """The options that are given, as words: a list is an option that was repeated."""
+    return [_word(name, value) for name, given in options.items() for value in _each(given)]
+
+
+def _word(name: str, value: Any) -> str:
+    """An option with its value; a flag alone."""
+    return f"--{name}" if value is True else f"--{name}={value}"
+
+
 def _each(given: Any) -> list[str]:
-    return given if isinstance(given, list) else [] if given is None else [given]
+    return given if isinstance(given, list) else [] if given is None or given is False else [given]
+
+
+def stated_words(path: Path) -> list[str]:
+    """The words beside ``code`` in the header of a file; none where there are none, or the file cannot be read."""
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as stream:
+            cells = next(csv.reader([stream.readline(_LONG)]), [])
+        found = re.fullmatch(r"code \[(.*)\]", cells[-1]) if cells else None
+        return shlex.split(found[1]) if found else []
+    except (OSError, ValueError, csv.Error):
+        return []
 
 
 def stated_inputs(path: Path) -> dict[str, str | list[str]]:
@@ -45,15 +72,8 @@ def stated_inputs(path: Path) -> dict[str, str | list[str]]:
     >>> stated_inputs(path)
     {'law': ['0:1', '1,2:1/5']}
     """
-    try:
-        with path.open(newline="", encoding="utf-8-sig") as stream:
-            cells = next(csv.reader([stream.readline(_LONG)]), [])
-        found = re.fullmatch(r"code \[(.*)\]", cells[-1]) if cells else None
-        words = shlex.split(found[1]) if found else []
-    except (OSError, ValueError, csv.Error):
-        return {}
     inputs: dict[str, str | list[str]] = {}
-    for name, equals, value in (word.removeprefix("--").partition("=") for word in words):
+    for name, equals, value in (word.removeprefix("--").partition("=") for word in stated_words(path)):
         if not equals or name not in INPUTS:
             return {}
         if name in ("law", "spring"):

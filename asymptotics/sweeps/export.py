@@ -2,7 +2,7 @@
 
 Results are flattened: ``points.1.x`` is the x of the second of ``points``.  The columns are the parameters, then what
 the results hold in the order of their first appearance, then ``failed`` (the reason, or empty) and ``code`` (what
-computed it, ``made_by.mark``).  The file is the same
+computed it, ``made_by.mark``; in CSV its header names the command and its parameters).  The file is the same
 for the same sweep, whatever order its points were finished in.  Parquet needs the extra parquet.
 
 >>> flat({"x": "1/2", "points": [{"n": 0, "tau": None}], "certified": True})
@@ -14,6 +14,7 @@ for the same sweep, whatever order its points were finished in.  Parquet needs t
 import csv
 import io
 import json
+import shlex
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
@@ -139,8 +140,11 @@ def _columns(command: str, points: Sequence[Point], store: Store) -> list[str]:
 
 def _write_csv(stream: Any, command: str, points: Sequence[Point], store: Store) -> int:
     text = io.TextIOWrapper(stream, encoding="utf-8", newline="")
-    writer = csv.DictWriter(text, _columns(command, points, store), restval="", lineterminator="\n")
-    writer.writeheader()
+    names = _columns(command, points, store)
+    writer = csv.DictWriter(text, names, restval="", lineterminator="\n")
+    parameters = dict.fromkeys(name for point in points for name in point)
+    said = f"{_LAST[-1]} [{shlex.join(['sweep', command, *parameters])}]"  # of which request each row is the answer
+    csv.writer(text, lineterminator="\n").writerow([*names[:-1], said])
     writer.writerows(rows_of(command, points, store))
     text.detach()
     return len(points)
@@ -192,7 +196,11 @@ def read_rows(path: Path) -> Iterator[dict[str, Exact]]:
     try:
         if path.suffix == ".csv":
             with path.open(newline="", encoding="utf-8") as stream:
-                yield from map(exact, csv.DictReader(stream))
+                reader = csv.DictReader(stream)
+                reader.fieldnames = [
+                    name.split(" [")[0] if name.startswith("code [") else name for name in reader.fieldnames or ()
+                ]
+                yield from map(exact, reader)
             return
         if path.suffix == ".parquet":
             with _parquet()[1].ParquetFile(path) as file:

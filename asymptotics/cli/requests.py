@@ -1,0 +1,68 @@
+"""What the header of a CSV file says of the request that made it, where the oscillator alone does not say it all.
+
+A fixed list of commands, each with a fixed list of options: nothing that reads or writes a file is among them.
+
+>>> request_words("stokes", argparse.Namespace(alpha="2", count="2", digits=None, csv="out.csv"))
+['stokes', '--alpha=2', '--count=2']
+>>> request_words("turning-points", argparse.Namespace(alpha="2", spring=None, v0=None))
+[]
+>>> stated_request(["stokes", "--alpha=2", "--count=2"])
+('stokes', {'alpha': '2', 'count': '2'})
+>>> stated_request(["stokes", "--csv=/etc/motd"])
+Traceback (most recent call last):
+    ...
+asymptotics.errors.InputError: argument FILE: its header says '--csv=/etc/motd' of stokes, ... (accepted: ...)
+"""
+
+import argparse
+from collections.abc import Sequence
+
+from asymptotics.errors import InputError, shown
+from asymptotics.present.inputs import INPUTS, option_words
+
+REQUESTS = {
+    "damping": (*INPUTS, "amplitudes", "unit", "order", "digits"),
+    "expand": (*INPUTS, "order", "gauge", "exact", "digits"),
+    "half-swing": (*INPUTS, "order", "exact", "delta", "digits"),
+    "limit-cycle": (*INPUTS, "order", "mu", "near", "digits"),
+    "smith": ("what", "n", "i"),
+    "stokes": ("alpha", "count", "digits"),
+    "turning-points": (*INPUTS, "count", "start", "times", "digits"),
+}
+_PLACED, _FLAGS = "what", ("times", "exact")
+_FROM_REST = ("expand", "half-swing", "turning-points")  # the oscillator says it all, beside the linear spring
+
+
+def request_words(command: str, options: argparse.Namespace) -> list[str]:
+    """The command and what it was asked for; nothing where the oscillator says enough."""
+    given = {name: getattr(options, name, None) for name in REQUESTS[command]}
+    special = any(given.get(name) for name in ("spring", "v0", "delta"))
+    if command in _FROM_REST and not special:
+        return []
+    placed = given.pop(_PLACED, None)
+    return [command, *([placed] if placed else []), *option_words(given)]
+
+
+def stated_request(words: Sequence[str]) -> tuple[str, dict[str, str]]:
+    """The command and its options, by name, from the words of a header; InputError, by name, for any other word."""
+    command, *rest = words
+    if command not in REQUESTS:
+        raise InputError("FILE", f"its header names no command that is asked again: {shown(command)}", _accepted())
+    known, point = REQUESTS[command], dict[str, str]()
+    for word in rest:
+        name, equals, value = word.removeprefix("--").partition("=")
+        if not word.startswith("--") and _PLACED in known and "" not in point:
+            point[""] = word
+        elif not word.startswith("--") or name not in known or name == _PLACED or bool(equals) == (name in _FLAGS):
+            accepted = ", ".join(f"--{each}" for each in known if each != _PLACED)
+            raise InputError("FILE", f"its header says {shown(word)} of {command}, which is not asked again", accepted)
+        else:
+            repeated = sum(key.partition(".")[0] == name for key in point)
+            if repeated and name not in ("law", "spring"):
+                raise InputError("FILE", f"its header says --{name} twice", "each option once")
+            point[f"{name}.{repeated + 1}" if name in ("law", "spring") else name] = value
+    return command, point
+
+
+def _accepted() -> str:
+    return ", ".join([*REQUESTS, "sweep"])
