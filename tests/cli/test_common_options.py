@@ -69,7 +69,10 @@ def test_series_as_latex_and_as_a_table(capsys, tmp_path):
     call(capsys, *at, "--csv", target)
     head, ratio = target.read_text().splitlines()[:2]
     low, high = map(float, ratio.split(",")[2:4])
-    assert (head, ratio[:14]) == ("quantity,value,low,high,code", "A'/A,0.763337,")
+    assert (head, ratio[:14]) == (
+        "quantity,value,low,high,code [half-swing --alpha=3/2 --order=4 --delta=1/5 --digits=6]",
+        "A'/A,0.763337,",
+    )
     assert low <= 0.7633373962099577 <= high < low + 1e-9
     cycle = ("limit-cycle", "--law", "1:-1", "--law", "1,2:1", "--order", 2)
     assert call(capsys, *cycle, "--latex").startswith(r"A = 2 + \frac{1}{96} \mu^{2} \\")
@@ -83,7 +86,7 @@ def test_numbers_as_latex_and_as_a_table(capsys, tmp_path):
     polynomial = r"f_{5}(w) = \frac{1}{5} - \frac{104}{105} w^{2} + \frac{128}{315} w^{4}"
     target = tmp_path / "rows.csv"
     assert call(capsys, "smith", "f", "--n", 5, "--latex", "--csv", target) == polynomial + "\n"
-    lines = ["n,i,C,code", *(f"{row},{mark()}" for row in ("5,0,1/5", "5,2,-104/105", "5,4,128/315"))]
+    lines = ["n,i,C,code [smith f --n=5]", *(f"{row},{mark()}" for row in ("5,0,1/5", "5,2,-104/105", "5,4,128/315"))]
     assert target.read_text().splitlines() == lines
     assert main(["smith", "g", "--i", "2", "--csv", str(target)]) == 2
     capsys.readouterr()

@@ -82,7 +82,7 @@ def test_units_that_have_no_meaning_are_refused_by_name(capsys, line, named, tmp
 def rows_of(path) -> list[list[str]]:
     """Without the last column, which says what code made the file."""
     rows = list(csv.reader(path.read_text().splitlines()))
-    assert re.fullmatch(r"code( \[--.*\])?", rows[0][-1])  # and, where there is one, the oscillator
+    assert re.fullmatch(r"code( \[(turning-points )?--.*\])?", rows[0][-1])  # and the oscillator, or the request
     assert [row[-1] for row in rows[1:]] == [mark()] * (len(rows) - 1)
     return [row[:-1] for row in rows]
 
