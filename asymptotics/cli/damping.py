@@ -98,8 +98,10 @@ def _answer(options: argparse.Namespace, files: dict[str, Path], found: Equivale
 def _inverse(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
     """The law behind a table."""
     path = Path(options.table)
-    if not path.exists():  # said first: of a file that is not there no combination matters
-        raise InputError("--from", f"cannot read {path.name[:80]}: No such file or directory", "a file of data")
+    try:  # first: of a file that is not there no combination matters
+        path.stat()
+    except OSError as error:
+        raise InputError("--from", f"cannot read {path.name[:80]}: {error.strerror}", "a file of data") from None
     refused = (
         "alpha",
         "law",
