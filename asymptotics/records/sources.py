@@ -14,6 +14,7 @@ from asymptotics.errors import InputError, require_choice, shown
 from asymptotics.records.body import Body, Unread, read_body
 from asymptotics.records.cells import is_stamp, number, seconds_of_stamp
 from asymptotics.records.formats import FRAMES, SHEETS, frame_of, sheet_lines
+from asymptotics.records.labview import with_clock
 from asymptotics.records.layout import Layout, is_comment, layout_of
 from asymptotics.records.text import lines_of, unpacked
 
@@ -95,7 +96,7 @@ def _lines(source: Path | bytes, name: str) -> Iterator[Iterator[str]]:
     with unpacked(source, name) as stream:
         lines = lines_of(stream, name)
         try:
-            yield lines
+            yield with_clock(lines)
         finally:
             lines.close()
 

@@ -87,6 +87,14 @@ LAYOUTS = {  # name: (text, unit, options)
     "PASCO, semicolons": ('"Zeit (s) Lauf #1";"Winkel (rad) Lauf #1"\n' + rows(";", ","), "rad", {}),
     "CASSY": (CASSY + rows("\t"), "rad", {}),
     "LabVIEW lvm": (LABVIEW + rows("\t"), "rad", {}),
+    "LabVIEW lvm without times": (
+        LABVIEW.replace("X_Dimension", "X0\t0.0000000000000000E+0\nDelta_X\t0.020000\nX_Dimension").replace(
+            "Separator\tTab", "Separator\tTab\nX_Columns\tNo"
+        )
+        + "".join(f"\t{x:.6f}\n" for x in X),
+        "rad",
+        {},
+    ),
     "OpenFAST": (OPENFAST + rows("\t", extra=("0.0",)), "deg", {"columns": "t=Time,x=Roll"}),
     "OrcaFlex": (ORCAFLEX + rows("\t"), "deg", {}),
     "OrcaFlex, spreadsheet": ('"Time (s)","Vessel1 Rotation 1 (deg)"\n' + rows(","), "deg", {}),
@@ -242,3 +250,11 @@ def test_a_clock_that_starts_again_begins_a_run_and_a_reversed_one_is_turned(tmp
     answer = asy.identify(path, laws=["1"])
     assert any("time runs backwards" in note for note in answer.notes)
     assert answer.law("1").law.epsilon[0].estimate == pytest.approx(1 / 30, rel=1e-3)
+
+
+def test_a_labview_file_whose_header_has_no_step_of_time_is_refused(tmp_path):
+    text = LAYOUTS["LabVIEW lvm without times"][0]
+    for fault in (text.replace("Delta_X", "Delta"), text.replace("0.020000\nX_Dim", "soon\nX_Dim")):
+        (tmp_path / "a.lvm").write_text(fault)
+        with pytest.raises(InputError, match="no rows of two numbers"):
+            read_table(tmp_path / "a.lvm")
