@@ -79,12 +79,12 @@ def near_miss(entry: Statement) -> dict[str, str]:
     form, right = entry.near_miss, entry.printed if entry.corrected is None else entry.corrected
     if entry.id in WORDS:
         return {"latex": "", "text": typeset(WORDS[entry.id])}
+    left = LEFT.get(entry.id, "")
     if isinstance(form, sympy.Basic):
-        left = LEFT.get(entry.id) or left_side(entry)
-        return {"latex": left + _instead(form, right if entry.printed is None else entry.printed), "text": ""}
-    if isinstance(form, tuple):
-        return {"latex": _parts(form, right), "text": ""}
-    return {"latex": _instead(form, right), "text": ""}
+        shown = (left or left_side(entry)) + _instead(form, right if entry.printed is None else entry.printed)
+    else:
+        shown = left + (_parts(form, right) if isinstance(form, tuple) else _instead(form, right))
+    return {"latex": shown, "text": ""}
 
 
 def _instead(form: Any, right: Any) -> str:
