@@ -87,7 +87,7 @@ def damping(
 
 def _size(unit: str, oscillator: Oscillator, si: bool, amplitudes: Any) -> ExactReal:
     """The unit of the amplitudes in m or rad."""
-    pendulum = any(t.family for t in oscillator.law.springs)
+    pendulum = oscillator.unit == "rad"
     known = ANGLES if pendulum else LENGTHS if si else {}
     if not isinstance(unit, str) or (unit and unit not in known):
         accepted = ", ".join(known) or "deg of a pendulum; cm, mm of an oscillator with mass and stiffness"

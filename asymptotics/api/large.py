@@ -103,7 +103,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         """The time in s at which the turning amplitude falls to ``amplitude`` (m)."""
         metres = exact_number(amplitude, "amplitude")
         if not 0 < metres <= abs(self.oscillator.x0):
-            raise InputError("amplitude", f"{metres} m is not on the way", "0 < amplitude <= A(0)")
+            raise InputError("amplitude", f"{metres} {self.oscillator.unit} is not on the way", "0 < amplitude <= A(0)")
         if metres == abs(self.oscillator.x0):
             return "0"
 

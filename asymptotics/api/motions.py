@@ -145,7 +145,7 @@ class Motion(Drawn):
         errors = style.pop("errors", False)
         until = time_of_curve(self.oscillator, style.pop("until", None))
         found = self.sample(np.linspace(0.0, until, POINTS))
-        axes_of_motion(axes, si=self.si)
+        axes_of_motion(axes, si=self.si, unit=self.oscillator.unit)
         axes.plot(found.t, found.x, **{"label": "x", **style})
         envelope_lines(axes, found.t, found.amplitude)
         if errors:
@@ -153,7 +153,7 @@ class Motion(Drawn):
             error = np.abs(self.sample(t).x - Reference(self.oscillator).sample(t).x)
             lower = below(axes)
             lower.semilogy(t[1:], np.maximum(error[1:], 1e-17), color="#15803d")
-            lower.set_ylabel("|x - reference|" + (" (m)" if self.si else ""))
+            lower.set_ylabel("|x - reference|" + (f" ({self.oscillator.unit})" if self.si else ""))
 
     @cached_property
     def _motion(self) -> AsymptoticMotion:
@@ -161,7 +161,7 @@ class Motion(Drawn):
 
     def _page(self) -> Page:
         worth = f"order {self.order}, gauge {self.gauge}: an estimate; .bound(t) and .uniform_bound() are proved"
-        units = "SI: x in m, t in s" if self.si else "no units: m = k = x0 = 1"
+        units = f"SI: x in {self.oscillator.unit}, t in s" if self.si else "no units: m = k = x0 = 1"
         return Page(f"x(t) of {self.oscillator}", (worth, units, *self.notes))
 
     def _formula(self) -> str:
@@ -257,7 +257,7 @@ class Reference(Drawn):
 
     def _page(self) -> Page:
         worth = "without expansion: .at(t) says its digits and whether they are certified; curves are doubles"
-        units = "SI: x in m, t in s" if self.si else "no units: m = k = x0 = 1"
+        units = f"SI: x in {self.oscillator.unit}, t in s" if self.si else "no units: m = k = x0 = 1"
         return Page(f"x(t) of {self.oscillator}", (worth, units, *self.notes))
 
     def _formula(self) -> str:
@@ -298,7 +298,7 @@ def time_of_curve(oscillator: Oscillator, until: Any) -> float:
     return end
 
 
-def axes_of_motion(axes: Any, *, si: bool, unit: str = "m") -> None:
+def axes_of_motion(axes: Any, *, si: bool, unit: str) -> None:
     """The names of the axes of x against time, with their units."""
     axes.set(xlabel="t (s)" if si else r"$\tau = \omega_0 t$", ylabel=f"x ({unit})" if si else "x")
 

@@ -43,6 +43,6 @@ class SolutionCurve(Drawn):
     def _curve(self, axes: Any, **style: Any) -> None:
         until = time_of_curve(self._given(), style.pop("until", None))
         t, A, _, x = self.columns(np.linspace(0.0, until, POINTS))
-        axes_of_motion(axes, si=self.si)
+        axes_of_motion(axes, si=self.si, unit="m")
         axes.plot(t, x, **{"label": "x", **style})
         envelope_lines(axes, t, A)

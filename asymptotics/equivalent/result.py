@@ -194,7 +194,7 @@ class EquivalentDamping(Rows, Drawn):
             return self.unit
         if not self.si or self.oscillator is None:
             return ""
-        return (ANGULAR if any(t.family for t in self.oscillator.law.springs) else UNITS).get(name, "")
+        return (ANGULAR if self.oscillator.unit == "rad" else UNITS).get(name, "")
 
     def _named(self, name: str) -> str:
         unit = self._unit(name)

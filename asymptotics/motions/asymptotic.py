@@ -117,9 +117,8 @@ class AsymptoticMotion:
         if last is not None and np.any(flat >= last.end):
             notes = (*notes, self._held_note(last))
         end = extinction / omega if np.isfinite(extinction) else None
-        return MotionSamples(
-            times, x, v, a, phi, self.order, self.gauge, int(missing.sum()), int(gone.sum()), end, notes
-        )
+        lost, unit = (int(missing.sum()), int(gone.sum())), self.oscillator.unit
+        return MotionSamples(times, x, v, a, phi, self.order, self.gauge, *lost, end, notes, unit=unit)
 
     def _held_note(self, last: LastSwing) -> str:
         return f"dry friction holds the mass from {last.end / float(self.oscillator.omega_0()):.6g} s on"
@@ -179,7 +178,8 @@ class AsymptoticMotion:
         error = decimal_of_ball((estimate * length + arb(half_unit(x, digits))).mid(), 2) or "0"
         shown = None if phase is None else decimal_of_ball(phase.mid(), digits) or "0"
         notes = (*oscillator.law.notes, *notes)
-        return MotionPoint(x, v, amplitude, shown, self.order, self.gauge, METHOD, error, False, notes)
+        worth = (self.order, self.gauge, METHOD, error, False)
+        return MotionPoint(x, v, amplitude, shown, *worth, notes, oscillator.unit)
 
     def _estimate(self, tau: arb, frame: Frame, start: State, state: State) -> arb:
         """2 A (|change of ln A| + |change of psi| + |next terms of the waveform|), the change from N to N + 2."""

@@ -211,18 +211,26 @@ def test_overlay_size_and_resolution_from_the_shell(tmp_path, capsys):
 
 def test_a_pendulum_is_told_in_radians_everywhere():
     pendulum = asy.Oscillator(asy.Law({2: "1/10"}, spring="pendulum"), x0=1)
-    points, reference, envelope = (
-        asy.turning_points(pendulum, 2, digits=6),
-        asy.reference(pendulum),
-        asy.envelope(pendulum),
-    )
+    points, motion = asy.turning_points(pendulum, 2, digits=6), asy.motion(pendulum)
+    reference, envelope = asy.reference(pendulum), asy.envelope(pendulum)
     heads = [
         *points.to_dataframe().columns,
         *reference.sample([0.0]).header(),
         *reference.events(5).to_dataframe().columns,
+        *motion.sample([0.0]).header(),
     ]
-    said = [str(points), str(points.points[1]), str(reference.at(1, digits=5)), points._repr_latex_(), *heads]
-    said += [drawn(found).get_ylabel() for found in (points, reference, envelope)] + envelope.sample([0.0]).header()
+    said = [
+        str(points),
+        str(points.points[1]),
+        str(reference.at(1, digits=5)),
+        str(motion.at(1)),
+        points._repr_latex_(),
+        *heads,
+    ]
+    said += [motion.at(1)._repr_latex_(), str(motion), str(reference)]
+    said += [drawn(found).get_ylabel() for found in (points, reference, envelope, motion)] + envelope.sample(
+        [0.0]
+    ).header()
     assert not [text for text in said if re.search(r"\bm\b", text)]
     assert sum("rad" in text for text in said) >= 12
     assert points.to_dict()["units"] == {"x": "rad", "t": "s"}

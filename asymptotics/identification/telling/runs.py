@@ -130,8 +130,8 @@ def _one_law(law: LawFit, laws: Sequence[LawFit], runs: int, first: float | None
     allowed = allowances(law, laws, first)
     said, apart = told(allowed), _apart(law)
     if any(a.share is not None and a.share > WEAK for a in allowed):
-        text = f"{SEVERAL} with {runs} runs: {law.candidate} is the smallest, but a further term may carry most of"
-        return Verdict(SEVERAL, f"{text} the loss{apart}{said}", "", allowed)
+        text = f"{SEVERAL} with {runs} runs: {law.candidate} is the smallest, but a further term may carry"
+        return Verdict(SEVERAL, f"{text} over a fifth of the loss{apart}{said}", "", allowed)
     if not apart and all(e.contains(0.0) for e in law.epsilon):
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")
     text = f"{IDENTIFIED} in {runs} runs: {law.candidate}, among the laws tried{apart}{said}"

@@ -72,7 +72,7 @@ def _verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool
 def _one_law(
     law: LawFit, best: LawFit, beaten: Sequence[LawFit], laws: Sequence[LawFit], seen: Observations | None
 ) -> Verdict:
-    """One law, with what is not excluded beside it; several, if a further term may carry half of the loss."""
+    """One law, with what is not excluded beside it; several, if a further term may carry over a fifth of the loss."""
     allowed = allowances(law, laws, None if seen is None else seen.reference)
     said = told(allowed)
     large = [a for a in allowed if a.share is not None and a.share > WEAK]
@@ -84,7 +84,7 @@ def _one_law(
             if set(other.candidate.alphas) == {*law.candidate.alphas, most.term}
             and (other.candidate.springs, other.candidate.pendulum) == (law.candidate.springs, law.candidate.pendulum)
         )
-        text = f"{SEVERAL}: {named(law)} is the smallest, but a further term may carry most of the loss{said}"
+        text = f"{SEVERAL}: {named(law)} is the smallest, but a further term may carry over a fifth of the loss{said}"
         return Verdict(SEVERAL, text, what_would_tell(larger, law, seen), allowed)
     text = f"{IDENTIFIED}: {named(law)}, among the laws tried{_beside(law, best, beaten)}{said}"
     return Verdict(IDENTIFIED, text, "", allowed)

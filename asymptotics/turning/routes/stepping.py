@@ -94,7 +94,7 @@ def _in_well(request: Request, progress: Progress) -> TurningPoints:
     def orbit() -> EnclosedMotion:
         with ctx.workprec(ctx.prec + GUARD):
             force = WellForce.of(request.law.terms)
-        require_inside(force, request.place.ball(), str(request.place))
+        require_inside(force, request.place.ball(), "the start")
         well = EvenWell(force, () if request.in_motion else rational_stops(request.law.terms, request.place))
 
         def first() -> Turning | str:

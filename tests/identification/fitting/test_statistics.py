@@ -102,11 +102,11 @@ def test_a_verdict_of_two_runs_says_whether_their_strengths_are_one(factor, alik
     assert mean.contains(0.02) and (mean.high - mean.low < 0.03 * 0.02) == alike
 
 
-def test_two_runs_are_not_identified_while_a_further_term_may_carry_most_of_the_loss():
+def test_two_runs_are_not_identified_while_a_further_term_may_carry_over_a_fifth_of_the_loss():
     runs = [observed("1+2", [0.006, 0.006], 14, 1e-2, seed=s) for s in (1, 2)]
     answer = asy.identify(runs, laws=["1", "1+2"])
     assert answer.verdict.kind == "several laws are consistent"
-    assert "a further term may carry most of the loss" in answer.verdict.text
+    assert "a further term may carry over a fifth of the loss" in answer.verdict.text
 
 
 def test_the_picture_is_drawn():
