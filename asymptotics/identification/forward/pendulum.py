@@ -75,9 +75,9 @@ class PendulumSwing(HalfSwingModel):
         powers = np.cumprod(np.broadcast_to(delta[:, None], (len(delta), self.order, len(a))), axis=1)
         table: Array = np.concatenate([np.ones_like(delta)[:, None], powers], axis=1)
         monomials = np.prod([table[i, keys[:, i]] for i in range(len(delta))], axis=0)
-        place = 2 * u / self.top - 1
-        C = np.einsum("cqk,cn->qkn", self._series, chebyshev.chebvander(place, _NODES - 1).T)
-        by_u = np.einsum("cqk,cn->qkn", self._slopes, chebyshev.chebvander(place, _NODES - 2).T)
+        basis = chebyshev.chebvander(2 * u / self.top - 1, _NODES - 1).T
+        C = np.einsum("cqk,cn->qkn", self._series, basis)
+        by_u = np.einsum("cqk,cn->qkn", self._slopes, basis[:-1])
         last = keys.sum(axis=1) == self.order
         beyond = np.abs(C[:, last] * monomials[last]).sum(axis=1).max(axis=0)
         wild = ~(beyond < self.tolerance)

@@ -24,6 +24,8 @@ from asymptotics.identification.forward.swing import HalfSwingModel
 _NEWTON_STEPS = 12
 _CLOSE = 1e-7
 """A change of ln(amplitude) whose square, the size of the next one, is below every noise and nearly below doubles."""
+_FEW = 4
+"""So many half-swings are stepped through where Newton's iteration fails."""
 
 
 @dataclass(frozen=True)
@@ -74,12 +76,20 @@ def _solved(swing: HalfSwingModel, a0: float, law: Array, count: int, guess: Arr
     if guess is None or len(guess) != count + 1:
         first = float(swing.at(np.array([a0]), law).values[0, 0])
         guess = -np.log1p(np.arange(count + 1) * max(-first, 0.0))
+    return _polished(swing, a0, law, guess) if swing.coarse else _in_parts(swing, a0, law, guess)
+
+
+def _in_parts(swing: HalfSwingModel, a0: float, law: Array, guess: Array) -> Array:
+    """Newton's iteration for the whole; where it goes astray, for one half after the other, so that a motion that ends
+    too early is known after a few evaluations for each halving.  Of a few half-swings their steps decide."""
     try:
         return _polished(swing, a0, law, guess)
-    except TooStrongError:  # Newton's iteration went astray, or there is no solution: step after step decides
-        if swing.coarse:
-            raise
-        return _stepwise(swing, a0, law, count)
+    except TooStrongError:
+        if len(guess) <= _FEW + 1:
+            return _stepwise(swing, a0, law, len(guess) - 1)
+    middle = len(guess) // 2
+    first = _in_parts(swing, a0, law, guess[: middle + 1])
+    return np.concatenate([first, _in_parts(swing, float(first[-1]), law, guess[middle:])[1:]])
 
 
 def _polished(swing: HalfSwingModel, a0: float, law: Array, a: Array) -> Array:

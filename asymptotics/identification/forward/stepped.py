@@ -15,6 +15,7 @@ import numpy as np
 
 from asymptotics.identification.forward.coefficients import Array, Element
 from asymptotics.identification.forward.quadrature import TooStrongError
+from asymptotics.numbers.context import lru_cache
 
 PRECISE = 1e-7
 """The tolerance from which on these steps serve."""
@@ -36,20 +37,16 @@ def stepped_swings(
     sets = 2 + count
     nudge = 1j * _IMAGINARY * np.eye(sets)
     A = np.repeat(a[None], sets, axis=0) + nudge[:, 1:2]
-    q = np.array([e.velocity for e in elements])[:, None, None]
-    position = np.array([e.position for e in elements])[:, None, None]
-    losses = np.array([e.kind == "loss" for e in elements])[:, None, None]
-    w = np.where(losses, q, 0.0) + position - 1
+    w = np.array([e.weight for e in elements])[:, None, None]
     delta = (strengths[:, None, None] + nudge[:, 2:].T[:, :, None]) * np.exp(w * A)
     steps = _NEAR_THE_TOP if k2 and (k2 * np.exp(2 * a)).max() > _HIGH else _STEPS
     steps = max(2 * round(steps / 2 * (PRECISE / max(tolerance, PRECISE)) ** 0.25), _FEWEST)
     h = np.pi / steps
+    sines, cosines, shapes = _places(elements, steps)
 
     def rates(k: int, y: Array) -> tuple[Array, Array]:
-        s, c = float(np.sin(k * h / 2)), float(np.cos(k * h / 2))
-        s = max(s, 0.0) if 0 < k < 2 * steps else 0.0
-        shapes = np.where(losses, s**q * abs(c) ** position, -c * abs(c) ** np.maximum(position - 1, 0))
-        N = (delta * shapes * np.exp(w * y)).sum(axis=0)
+        s, c = sines[k], cosines[k]
+        N = (delta * shapes[k] * np.exp(w * y)).sum(axis=0)
         g = np.sqrt(1 - k2 * c**2 * np.exp(2 * (A + y))) if k2 else 1.0
         d = g - c * N
         if not (d.real > 0).all():
@@ -71,3 +68,16 @@ def stepped_swings(
         raise TooStrongError("the amplitudes leave every bound")
     slopes = np.moveaxis(found.imag / _IMAGINARY, 1, 0)
     return found[:, 0].real, slopes[1], slopes[2:]
+
+
+@lru_cache(maxsize=256)
+def _places(elements: tuple[Element, ...], steps: int) -> tuple[list[float], list[float], list[Array]]:
+    """sin, cos and the shapes of the terms at the ends and the middles of the steps; both ends are at rest."""
+    theta = np.arange(2 * steps + 1) * np.pi / steps / 2
+    s, c = np.sin(theta), np.cos(theta)
+    s[[0, -1]] = 0.0
+    shapes = [
+        s**e.velocity * np.abs(c) ** e.position if e.kind == "loss" else -c * np.abs(c) ** max(e.position - 1, 0)
+        for e in elements
+    ]
+    return s.tolist(), c.tolist(), list(np.stack(shapes, axis=1)[:, :, None, None])
