@@ -39,7 +39,8 @@ asserts(
     " (alpha-1) int_0^pi s^(alpha+1) = (alpha-1) pi M_(alpha+1)",
     sympy.Ge(k * gap + 2 * k**2 * (u2 + gap) * u2, 0, evaluate=False),
 )
-n = sympy.Symbol("n", positive=True, integer=True)
+n, r = sympy.Symbol("n", positive=True, integer=True), sympy.Symbol("r", positive=True)
+j = sympy.Symbol("j", nonnegative=True, integer=True)
 step(
     "By induction 1/delta_j >= 1/delta_0 + g j. The function (1/delta_0 + g x)^(-m) is convex,",
     sympy.Derivative((1 / delta + gain * x) ** (-m), x, 2),
@@ -57,9 +58,9 @@ step(
     (1 / delta - gain / 2) ** (1 - m) / ((m - 1) * gain),
 )
 step(
-    "Cauchy on |delta| = rho, where |d| <= D: what lies beyond delta^J, x = delta/rho",
-    D * (1 / (1 - x) - (1 - x**n) / (1 - x)),
-    D * x**n / (1 - x),
+    "Cauchy on |delta| = rho, where |d| <= D: the powers from delta^n on, x = delta/rho = 1/(1 + r) < 1, are at most",
+    sympy.Sum(At(D * x ** (n + j), {x: 1 / (1 + r)}), (j, 0, sympy.oo)),
+    At(D * x**n / (1 - x), {x: 1 / (1 + r)}),
 )
 f2, f3, c0, c1 = sympy.symbols("f_2 f_3 c_0 c_1", real=True)
 F = delta + f2 * delta**2 + f2**2 * delta**3 + f3 * delta**4

@@ -78,8 +78,8 @@ K = sympy.Symbol("K", positive=True, integer=True)
 missing = sympy.Symbol("g_K")
 step(
     "In general: the integral of 1/v over the time-one map is 1, exactly. K terms of 1/v lack g_K lambda^(2K-1) + ...,"
-    " and over the length L = lambda v_1 + ... that is",
-    (missing * lam ** (2 * K - 1)) * (lam * v1),
+    " and over the length L = lambda v_1 + ... the integral begins with",
+    sympy.Integral(missing * lam ** (2 * K - 1), (x, 0, lam * v1)),
     missing * v1 * lam ** (2 * K),
 )
 s = sympy.Symbol("s", positive=True)
@@ -106,12 +106,13 @@ step(
 )
 
 re_xi, im_xi = sympy.symbols("xi_r xi_i", real=True)
+turned = sympy.Symbol("xi")
 step(
     "On |lambda delta_1| = rho_1 and |xi| <= G, lambda turned to the positive axis: the terms of -v_1 have real parts"
     " c_i |lambda delta_i| e^(w_i xi_r) cos(w_i xi_i), >= 0 for w_i G <= pi/2, and of the first at least b = c_1 rho_1"
     " e^(-w_1 G) cos(w_1 G)",
-    sympy.re(sympy.exp(w * (re_xi + sympy.I * im_xi)), evaluate=False),
-    sympy.exp(w * re_xi) * sympy.cos(w * im_xi),
+    At(sympy.re(c1 * rho * sympy.exp(w * turned), evaluate=False), {turned: re_xi + sympy.I * im_xi}),
+    c1 * rho * sympy.exp(w * re_xi) * sympy.cos(w * im_xi),
 )
 bound, lower = sympy.symbols("g_t a_t", positive=True)  # the series 1 + g_1 t + ..., a_1 t + a_2 t^2 + ...
 step(

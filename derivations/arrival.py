@@ -10,19 +10,19 @@ from derivations.steps import Derivation
 
 w, s, e, Y0, N = sympy.symbols("w s e Y_0 N", positive=True)
 y, y1 = sympy.symbols("y y_1", negative=True)
-P1, P2 = sympy.symbols("P_1 P_2", negative=True)
+P, P1, P2 = sympy.symbols("P P_1 P_2", negative=True)
 
 derivation = Derivation(
     "arrival",
     "The turning point ahead",
     source="linearised flow; no-crossing of orbits",
 )
-step = derivation.step
+step, asserts = derivation.step, derivation.asserts
 
-step(
-    "Where y < 0 and w > 0 the orbit turns: w' = y - N <= y < 0, and y only falls",
-    sympy.Add(y, -N, -y, evaluate=False),
-    -N,
+asserts(
+    "Where y < 0 and w > 0 the orbit turns: w' = y - N is less than y < 0, and y only falls",
+    sympy.Lt(y - N, y, evaluate=False),
+    sympy.Lt(y, 0, evaluate=False),
 )
 force = sympy.Function("N")(w)
 eta = sympy.Symbol("eta")
@@ -51,8 +51,8 @@ step(
     -1 / P1,
 )
 step(
-    "Their times d tau/dw = 1/P differ by",
-    1 / P1 - 1 / P2,
+    "Their times d tau/dw = 1/P differ by the integral of 1/P^2 from the one to the other,",
+    sympy.Integral(1 / P**2, (P, P1, P2)),
     (P2 - P1) / (P1 * P2),
 )
 step(

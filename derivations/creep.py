@@ -6,7 +6,7 @@ On the slow curve w = m(y) = (y/e)^(1/alpha) friction balances the spring
 
 import sympy
 
-from derivations.steps import At, Derivation, defined
+from derivations.steps import At, Derivation, Solution, defined
 
 y, e, C, w = sympy.symbols("y e C w", positive=True)
 a = sympy.Symbol("a", positive=True)
@@ -24,12 +24,10 @@ m = (y / e) ** (1 / a)
 slow = defined("m", lambda y: (y / e) ** (1 / a))
 step("On the slow curve w = m(y) = (y/e)^(1/alpha) friction balances the spring", e * slow(y) ** a, y)
 boundary = C * m
-drift = sympy.Symbol("D")
-rate = y - e * (C**a * y / e) - C * diff(m, y) * (-boundary)
 step(
     "The trap 0 <= w <= C m(y), y > 0: on its upper boundary w - C m(y) changes at the rate w' - C m'(y) y',"
     " w^alpha = C^alpha y/e",
-    rate / y,
+    At(y - e * w**a + C * sympy.Derivative(slow(y), y) * w, {w: C * slow(y)}) / y,
     sympy.simplify(1 - C**a + C**2 / a * y ** (2 / a - 2) * e ** (-2 / a)),
 )
 step(
@@ -69,7 +67,7 @@ step(
 )
 step(
     "which takes the time w/rate at most, in which y loses w^2/rate at most: no more than y alpha/4 while w^2 is up to",
-    sympy.Mul(y * a / (2 * (2 - a)), y * a / 4, evaluate=False),
+    Solution(w**2 / (y * a / (2 * (2 - a))), y * a / 4, w**2),
     (a * y) ** 2 / (8 * (2 - a)),
 )
 gap = sympy.Symbol("G", positive=True)  # N(w_1) - y
@@ -80,11 +78,16 @@ step(
     w**2 / (At(sympy.Function("N")(sympy.Symbol("w_1")), {sympy.Function("N")(sympy.Symbol("w_1")): y + gap}) - y),
 )
 more = sympy.Symbol("N_2", nonnegative=True)
-step("A further term N_2 >= 0 lowers the rate on the upper boundary: the trap of one term is a trap of the sum",
-     sympy.Add(drift, -more, -drift, evaluate=False), -more)  # fmt: skip
-b_1 = sympy.Symbol("beta", positive=True)  # alpha - alpha_1 >= 0, for a term of an exponent alpha_1 <= alpha
+drift = sympy.Symbol("D", real=True)  # w' - C m'(y) y' with N_1 alone
+asserts(
+    "A further term N_2 >= 0 lowers the rate D on the upper boundary: the trap of one term is a trap of the sum",
+    sympy.Le(drift - more, drift, evaluate=False),
+)
+b_1, a_1 = sympy.symbols(
+    "beta alpha_1", positive=True
+)  # alpha - alpha_1 >= 0, for a term of an exponent alpha_1 <= alpha
 step("By the energy w <= V on all of the half-swing, V^2 = y^2 + w^2; with alpha_1 = alpha - beta w^alpha_1/w^alpha is",
-     w ** (a - b_1) / w**a, w**-b_1)  # fmt: skip
+     At(w**a_1 / w**a, {a_1: a - b_1}), w**-b_1)  # fmt: skip
 asserts(
     "which falls as w grows: e_1 w^alpha_1 >= e_1 V^(alpha_1 - alpha) w^alpha, and such terms together have a trap",
     sympy.Lt(sympy.Derivative(w**-b_1, w), 0, evaluate=False),
@@ -92,11 +95,12 @@ asserts(
 
 # Inside the trap the orbit approaches the slow curve: r = w/m(y) tends to 1.
 r = sympy.Symbol("r", positive=True)
-speed = r * m  # w = r m(y), so w^alpha = r^alpha y/e
-ratio_rate = (y - e * (r**a * y / e)) / m + r * diff(m, y) * speed / m
+ratio = w / slow(y)
+ratio_rate = (y - e * w**a) * sympy.Derivative(ratio, w) - w * sympy.Derivative(ratio, y)
 step(
-    "r = w/m(y) changes at the rate w'/m - r m'(y) y'/m; in the clock d sigma = (y/m) d tau that is",
-    ratio_rate * m / y,
+    "r = w/m(y) changes along w' = y - e w^alpha, y' = -w; in the clock d sigma = (y/m) d tau its rate is, at"
+    " w = r m(y),",
+    At(ratio_rate, {w: r * slow(y)}) * slow(y) / y,
     1 - r**a + r**2 / a * (m / y) ** 2,
 )
 step(
@@ -104,7 +108,11 @@ step(
     y - e * slow(y) ** a,
     0,
 )
-step("The last term fades as y -> 0:", (m / y) ** 2, y ** (2 / a - 2) * e ** (-2 / a))
+step(
+    "The last term fades as y falls to 0, since alpha = 1/(1+b) < 1:",
+    sympy.Limit(At((slow(y) / y) ** 2, {a: 1 / (1 + b)}), y, 0, "+"),
+    0,
+)
 step(
     "and sigma runs to infinity: d sigma/d tau = y/m grows as y falls, and y takes for ever to reach 0, as b > 0 in",
     At(y / m, {a: 1 / (1 + b)}),

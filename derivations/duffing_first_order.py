@@ -98,9 +98,9 @@ step(
     -A * y - c * (A * y) ** 3,
 )
 step(
-    "Pendulum, sin(x/2) = k y with y = cd(t, k), y'^2 = (1 - y^2)(1 - k^2 y^2): x'^2 = 4 k^2 y'^2/(1 - k^2 y^2) is"
+    "Pendulum, sin(x/2) = k y with y = cd(t, k), y'^2 = (1 - y^2)(1 - k^2 y^2): x'^2 = (dx/dy)^2 y'^2 is"
     " 2 (cos x - cos a) = 4 (k^2 - sin^2(x/2))",
-    4 * k**2 * ((1 - y**2) * (1 - k**2 * y**2)) / (1 - k**2 * y**2),
+    sympy.Derivative(2 * sympy.asin(k * y), y) ** 2 * ((1 - y**2) * (1 - k**2 * y**2)),
     4 * (k**2 - (k * y) ** 2),
 )
 asserts(

@@ -12,7 +12,7 @@ formula.
 
 import sympy
 
-from derivations.steps import At, Derivation
+from derivations.steps import At, Derivation, Solution
 
 v, v1, v2, y, y1, y2, fx, fv = sympy.symbols("v v_1 v_2 y y_1 y_2 f_x f_v", real=True)
 p, q, w, t, g, T, epsilon = sympy.symbols("p q w t g T epsilon", positive=True)
@@ -98,11 +98,16 @@ step(
     At(sympy.Derivative(u * constant, x), {sympy.Derivative(u, x): -sympy.diff(potential(x), x) + 2 * epsilon * u}),
     -sympy.Derivative(potential(x), x) * constant,
 )
+reach = sympy.Function("q")(p)
 step(
-    "so int_-q^p V' e^(-2 eps x) dx = 0; with V' odd, V'(q) e^(2 eps q) dq = V'(p) e^(-2 eps p) dp,"
-    " and J = 2 eps int |v| dt = 2 eps (p + q)",
-    force(p) * sympy.exp(-2 * epsilon * p) / sympy.exp(2 * epsilon * q),
-    force(p) * sympy.exp(-2 * epsilon * (p + q)),
+    "so int_-q^p V' e^(-2 eps x) dx = 0 for every p; with V' odd its derivative is",
+    At(sympy.Derivative(sympy.Integral(force(x) * constant, (x, -reach, p)), p), {force(-reach): -force(reach)}),
+    force(p) * sympy.exp(-2 * epsilon * p) - force(reach) * sympy.exp(2 * epsilon * reach) * sympy.Derivative(reach, p),
+)
+step(
+    "which is 0 for dq/dp = V'(p)/V'(q) e^(-J), J = 2 eps int |v| dt = 2 eps (p + q)",
+    Solution(force(p) * sympy.exp(-2 * epsilon * p), force(q) * sympy.exp(2 * epsilon * q) * slope, slope),
+    force(p) / force(q) * sympy.exp(-2 * epsilon * (p + q)),
 )
 
 step(

@@ -1,12 +1,12 @@
 """The error of a truncated expansion: from one half-swing to all of them.
 
->>> print(derivation.steps[2].text())
-exp(delta_1)*exp(delta_2) = exp(delta_1 + delta_2)
+>>> print(derivation.steps[6].text())
+Subs(Derivative(1/d(psi), psi), Derivative(d(psi), psi), -r*w*d(psi)**2) = r*w
 """
 
 import sympy
 
-from derivations.steps import At, Derivation
+from derivations.steps import At, Derivation, defined
 
 n, m, x = sympy.symbols("n m x", positive=True)
 Y, g, G, delta = sympy.symbols("Y g G delta", positive=True)
@@ -27,7 +27,7 @@ step(
     -sympy.pi * sympy.Symbol("p_k") * delta**n,
 )
 kk = sympy.Symbol("K", positive=True)
-k = sympy.Symbol("k", integer=True, nonnegative=True)
+i, k = sympy.symbols("i k", integer=True, nonnegative=True)
 step(
     "L_N and T_N are analytic where G' = P(v)/(1 - Q(v)), v = rho e^(|alpha-1| G), stays finite: |p/(1 + Omega)| <="
     " P/(1 - Q), for |Omega| <= Q = K < 1 the geometric series of terms K^k >= 0, what is left after k terms being"
@@ -38,19 +38,20 @@ step(
 a, b = sympy.symbols("delta_1 delta_2", positive=True)
 step(
     "A sum: with multinomial coefficients sum_n binomial(k; n) delta^n = |delta|^k, so |c_n|/binomial(k; n) <= c gives"
-    " sum |c_n| delta^n <= c |delta|^k. Multinomial coefficients are those of the exponential series, k! times the"
-    " coefficient of delta^n in the product of all e^delta_i; a further law adds a factor:",
-    sympy.exp(a) * sympy.exp(b),
-    sympy.exp(a + b),
+    " sum |c_n| delta^n <= c |delta|^k. Multinomial coefficients are k! times those of the product of the exponential"
+    " series of all delta_i, which is the series of |delta|; a further law adds a factor:",
+    sympy.Sum(a**i / sympy.factorial(i), (i, 0, sympy.oo)) * sympy.Sum(b**k / sympy.factorial(k), (k, 0, sympy.oo)),
+    sympy.Sum((a + b) ** k / sympy.factorial(k), (k, 0, sympy.oo)),
 )
 M, rho, J = sympy.symbols("M rho J", positive=True)
-step(
+h = defined("h", lambda k: (a ** (k + 1) - b ** (k + 1)) / (a - b), index=True)
+derivation.defines(
     "Cauchy on the polydisc |delta_i| <= rho: |c_n| <= M rho^(-k), |n| = k. The monomials of degree k add up to at"
-    " most |delta|^k: each of degree k+1 is some delta_i times one of degree k. For two laws the sum is h_k ="
-    " (delta_1^(k+1) - delta_2^(k+1))/(delta_1 - delta_2), and |delta| h_k - h_(k+1) = delta_1 delta_2 h_(k-1) >= 0",
-    (a + b) * (a ** (k + 1) - b ** (k + 1)) - (a ** (k + 2) - b ** (k + 2)),
-    a * b * (a**k - b**k),
+    " most |delta|^k: each of degree k+1 is some delta_i times one of degree k. For two laws their sum is",
+    h(k),
+    (a ** (k + 1) - b ** (k + 1)) / (a - b),
 )
+step("and |delta| h_k exceeds h_(k+1) by a sum of terms >= 0:", (a + b) * h(k) - h(k + 1), a * b * h(k - 1))
 y = sympy.Symbol("y", positive=True)  # |delta|/rho = y/(1 + y) < 1
 ratio = y / (1 + y)
 step(
@@ -85,14 +86,15 @@ step(
     ((Y - g / 2) ** (1 - m) - (Y + g * (n - half)) ** (1 - m)) / ((m - 1) * g),
 )
 eta, before, later, now = sympy.symbols("eta_j sigma_j Lambda_(j+1) lambda_j", positive=True)
+product, now_sum = sympy.symbols("Lambda_j sigma_(j+1)", positive=True)
 step(
     "ln A_(j+1) = ln A_j + L(delta_j), ln A_hat_(j+1) = ln A_hat_j + L_N(delta_hat_j): the mean value theorem for ln A"
     " + L, with slope lambda_j in [0, 1] (L1b), gives e_(j+1) <= lambda_j e_j + eta_j, eta_j = |L - L_N|(delta_hat_j)."
     " With e_0 = 0 this is solved by e_j = Lambda_j sigma_j, Lambda_(j+1) = lambda_j Lambda_j the product of the"
     " slopes, sigma_(j+1) = sigma_j + eta_j/Lambda_(j+1): an error counts with the slopes after it, e_n <= sum_(j<n)"
     " eta_j if all are taken as 1",
-    later * (before + eta / later),
-    now * (later / now * before) + eta,
+    At(later * now_sum, {now_sum: before + eta / (now * product), later: now * product}),
+    now * (product * before) + eta,
 )
 alpha = sympy.Symbol("alpha", positive=True)
 log_a, epsilon = sympy.symbols("l epsilon", positive=True)
@@ -173,21 +175,21 @@ asserts(
 
 # 4. Any exponents, half-swing by half-swing.
 Q, Q_N = (sympy.Function(name) for name in ("Q", "Q_N"))
-A_n, A_hat, D = sympy.symbols("A_n Ahat_n D", positive=True)
+A_n, A_hat, size = sympy.symbols("A_n Ahat_n A", positive=True)
 step(
-    "A -> Q(A) from one turning point to the next, |Q(A) - Q(B)| <= |A - B| (motions-never-part); the truncated map Q_N"
-    " differs by the error there was, contracted, and the error of this half-swing",
-    sympy.Add(Q(A_n) - Q(A_hat), Q(A_hat) - Q_N(A_hat), evaluate=False),
+    "A -> Q(A) from one turning point to the next, |Q'| <= 1 (motions-never-part); the truncated map Q_N differs"
+    " by the error there was, contracted, and the error of this half-swing",
+    sympy.Integral(sympy.Derivative(Q(size), size), (size, A_hat, A_n)) + Q(A_hat) - Q_N(A_hat),
     Q(A_n) - Q_N(A_hat),
 )
-gap = sympy.Symbol("x", nonnegative=True)
-step(
-    "|Q - Q_N| = Q_N |exp(L - L_N) - 1| <= Q_N (exp(|L - L_N|) - 1): e^x - 1 is at least 1 - e^(-x), by a square",
-    (sympy.exp(gap) - 1) - (1 - sympy.exp(-gap)),
-    (sympy.exp(gap / 2) - sympy.exp(-gap / 2)) ** 2,
+asserts(
+    "|Q - Q_N| = Q_N |exp(L - L_N) - 1| <= Q_N (exp(|L - L_N|) - 1): e^x - 1 is at least 1 - e^(-x), with e^x = 1 + t",
+    sympy.Ge(share, 1 - 1 / (1 + share), evaluate=False),
 )
-step(
-    "|A - A_hat| <= D < A_hat gives |ln(A/A_hat)| <= -ln(1 - D/A_hat): the upper end ln(1 + D/A_hat) is nearer, by",
-    sympy.exp(-(sympy.log(1 - D / A_hat)) - sympy.log(1 + D / A_hat)),
-    1 / (1 - (D / A_hat) ** 2),
+nearer = sympy.log(1 + share) - sympy.log(1 + share / (1 + share))
+asserts(
+    "|A - A_hat| <= D < A_hat gives |ln(A/A_hat)| <= -ln(1 - D/A_hat) = ln(1 + t), D/A_hat = t/(1 + t): the upper end"
+    " ln(1 + D/A_hat) is nearer, as the difference is 0 at t = 0 and grows",
+    sympy.Eq(At(nearer, {share: 0}), 0, evaluate=False),
+    sympy.Ge(sympy.Derivative(nearer, share), 0, evaluate=False),
 )

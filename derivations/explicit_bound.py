@@ -41,7 +41,7 @@ k = sympy.Symbol("k", integer=True, positive=True)
 R_0 = sympy.Symbol("r", positive=True)
 step(
     "and delta = epsilon A^w = epsilon D r^w: a term p_k delta^k of p, over epsilon D, is",
-    (epsilon * D * R_0**w) ** k / (epsilon * D),
+    At(delta**k / (epsilon * D), {delta: epsilon * D * R_0**w}),
     (epsilon * D) ** (k - 1) * R_0 ** (k * w),
 )
 
@@ -59,10 +59,15 @@ step(
 )
 
 # 3. The residual of the motion.
+psi, log_a = sympy.symbols("psi l")
+wave = sympy.Function("Z")(psi, log_a)
+full = sympy.exp(log_a + sympy.I * psi) * wave
+moved = (-p + epsilon * D * f_a) * sympy.Derivative(full, log_a)
+moved += (1 + Omega + epsilon * D * f_phi) * sympy.Derivative(full, psi)
 step(
-    "z~ = A e^(i psi) Z(psi, delta), ln A at the rate -p + epsilon D f_A, psi at 1 + Omega + epsilon D f_phi, over A"
-    " e^(i psi), E = w delta d/d delta:",
-    (-p + epsilon * D * f_a) * (Z + EZ) + (1 + Omega + epsilon * D * f_phi) * (sympy.I * Z + Z_psi),
+    "z~ = A e^(i psi) Z(psi, delta), l = ln A at the rate -p + epsilon D f_A, psi at 1 + Omega + epsilon D f_phi, over"
+    " A e^(i psi), E = w delta d/d delta = d/dl:",
+    At(sympy.exp(-log_a - sympy.I * psi) * moved, {wave.diff(psi): Z_psi, wave.diff(log_a): EZ, wave: Z}),
     (-p * (Z + EZ) + (1 + Omega) * (sympy.I * Z + Z_psi))
     + epsilon * D * (f_a * (Z + EZ) + f_phi * (sympy.I * Z + Z_psi)),
 )
@@ -79,7 +84,7 @@ step(
 a, b = sympy.symbols("a b")
 step(
     "With Z + E Z = 1 + a and i Z + Z_psi = i + b the rest is f_A + i f_phi and two small terms",
-    f_a * (1 + a) + f_phi * (sympy.I + b),
+    At(f_a * (Z + EZ) + f_phi * (sympy.I * Z + Z_psi), {EZ: 1 + a - Z, Z_psi: sympy.I + b - sympy.I * Z}),
     (f_a + sympy.I * f_phi) + f_a * a + f_phi * b,
 )
 
@@ -99,12 +104,12 @@ step(
 q, x, M = sympy.symbols("q x M", positive=True)
 J = sympy.Symbol("J", integer=True, positive=True)
 turn = sympy.Symbol("theta", real=True)
-size = sympy.Symbol("s", real=True)
+size, log_r = sympy.Symbol("s", real=True), sympy.Symbol("l")
 step(
-    "Where |r - 1| <= q < 1 for |epsilon| <= rho, r^(k w) is analytic in epsilon, and for real k w, ln r = s + i theta,"
-    " its modulus is that of e^(k w s), 1 - q <= e^s <= 1 + q",
-    sympy.Abs(sympy.exp(w * (size + sympy.I * turn)), evaluate=False),
-    sympy.exp(w * size),
+    "Where |r - 1| <= q < 1 for |epsilon| <= rho, r^(k w) = e^(k w l), l = ln r = s + i theta, is analytic in epsilon,"
+    " and for real k w its modulus is e^(k w s), 1 - q <= e^s <= 1 + q",
+    At(sympy.Abs(sympy.exp(k * w * log_r), evaluate=False), {log_r: size + sympy.I * turn}),
+    sympy.exp(k * w * size),
 )
 y = sympy.Symbol("y", positive=True)  # epsilon/rho = y/(1 + y) < 1
 ratio_x = y / (1 + y)

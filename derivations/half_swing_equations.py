@@ -1,7 +1,7 @@
 """From the equation of motion to the half-swing equations, for a sum of laws, in polar coordinates of the phase plane.
 
 >>> print(derivation.steps[4].text())
--c*r*s - s*(-c*r + drag) = -drag*s
+Subs(-X'_tau*s + X_tau*c, (X_tau, X'_tau), (-r*s, -c*r + drag)) = -drag*s
 """
 
 import sympy
@@ -53,9 +53,13 @@ step(
     -sin(angle) * sympy.Derivative(x_of, tau) - cos(angle) * sympy.Derivative(v_of, tau),
     radius * diff(angle, tau),
 )
-r_rate = c * (-r * s) - s * (drag - r * c)
 angle_rate = (-s * (-r * s) - c * (drag - r * c)) / r
-step("With dX/d tau = -r s and dX'/d tau = drag - r c, the radius falls at the rate", r_rate, -s * drag)
+x_rate, v_rate = sympy.symbols("X_tau X'_tau", real=True)
+step(
+    "With dX/d tau = -r s and dX'/d tau = drag - r c, the radius falls at the rate",
+    At(c * x_rate - s * v_rate, {x_rate: -r * s, v_rate: drag - r * c}),
+    -s * drag,
+)
 step(
     "and the angle, with c^2 + s^2 = 1",
     At(sympy.expand(angle_rate), {c**2: 1 - s**2}),
@@ -63,10 +67,18 @@ step(
 )
 
 rho = [b * r ** (a - 1) for b, a in laws]
-N = sum(p * s**a for p, (_, a) in zip(rho, laws, strict=True))
-step("With the local strengths rho_i = epsilon_i r^(alpha_i-1): drag/r = N = sum_i rho_i s^alpha_i", friction / r, N)
-log_rate = (r_rate / r / on_circle(angle_rate)).subs(drag, r * N)
-step("Hence d ln r/d theta = -N s/D with D = 1 - N c", log_rate, -N * s / (1 - N * c))
+N, rhos = sympy.Symbol("N", real=True), sympy.symbols("rho_1 rho_2", positive=True)
+step(
+    "With the local strengths rho_i = epsilon_i r^(alpha_i-1): drag/r = N = sum_i rho_i s^alpha_i",
+    At(friction / r, {b: p * r ** (1 - a) for (b, a), p in zip(laws, rhos, strict=True)}),
+    sum(p * s**a for (_, a), p in zip(laws, rhos, strict=True)),
+)
+log_rate = -N * s / (1 - N * c)
+step(
+    "Hence, one rate over the other, d ln r/d theta = -N s/D with D = 1 - N c",
+    At((-s * drag / r) / (1 - c * drag / r), {drag: r * N}),
+    log_rate,
+)
 step("d tau/d theta = 1/D = 1 + c N/D = 1 - cot(theta) d ln r/d theta", 1 - c / s * log_rate, 1 / (1 - N * c))
 for p, (_, a) in zip(rho, laws, strict=True):
     step(
@@ -89,8 +101,13 @@ step(
     sympy.pi / sympy.sqrt(1 - e**2 / 4),
 )
 x_0, v_0 = delta + (1 - delta) * cos(tau), -(1 - delta) * sin(tau)
-step("alpha = 0: X'' + X = delta, a circle about X = delta of radius 1 - delta", diff(x_0, tau, 2) + x_0, delta)
-step("on it r dr/d tau = X X' + X' X'' = delta X', the work of the drag", x_0 * v_0 + v_0 * diff(v_0, tau), delta * v_0)
+circle = sympy.Derivative(x_0, (tau, 2)) + x_0, delta
+step("alpha = 0: X'' + X = delta, a circle about X = delta of radius 1 - delta", *circle)
+step(
+    "on it r dr/d tau = X X' + X' X'' = delta X', the work of the drag",
+    sympy.Derivative((x_0**2 + v_0**2) / 2, tau),
+    delta * v_0,
+)
 passage = sympy.solve(x_0.subs(cos(tau), X), X)[0]
 step(
     "at the passage X = 0 the speed squared is 1 - 2 delta: R = ln(1 - 2 delta)/2",

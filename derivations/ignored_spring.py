@@ -10,7 +10,7 @@ is the bias.
 
 import sympy
 
-from derivations.steps import At, Derivation, Solution, Taylor, defined
+from derivations.steps import At, Coefficient, Derivation, Solution, Taylor, defined
 
 alpha = sympy.Symbol("alpha", nonnegative=True)
 p = sympy.Symbol("p", positive=True)
@@ -30,7 +30,7 @@ step = derivation.step
 step("the rate of ln r to second order in N", Taylor(-S * N / (1 - C * N), N, 2), -S * N - S * C * N**2)
 step(
     "in N^2, the product of loss and spring: -s c (-2 e g s^alpha c^p)",
-    sympy.Poly(-S * C * (e * S**alpha - g * C**p) ** 2, e, g).coeff_monomial(e * g),
+    Coefficient(Coefficient(-S * C * (e * S**alpha - g * C**p) ** 2, e, 1), g, 1),
     2 * S ** (alpha + 1) * C ** (p + 1),
 )
 rise = (1 - cos ** (p + 1)) / (p + 1)
@@ -39,7 +39,7 @@ Y = sympy.Function("Y")(theta)  # int_0^theta s^(alpha+1): the loss alone moves 
 mixed = -(s ** (alpha + 1)) * (alpha - 1) * rise + 2 * s ** (alpha + 1) * cos ** (p + 1) - (p - 1) * cos**p * s * Y
 step(
     "the last term of the mixed rate by parts: (c^(p+1) Y)' with Y' = s^(alpha+1)",
-    sympy.Derivative(cos ** (p + 1) * Y, theta).doit().subs(sympy.Derivative(Y, theta), s ** (alpha + 1)),
+    At(sympy.Derivative(cos ** (p + 1) * Y, theta), {sympy.Derivative(Y, theta): s ** (alpha + 1)}),
     cos ** (p + 1) * s ** (alpha + 1) - (p + 1) * cos**p * s * Y,
 )
 # with K = int_0^pi s^(alpha+1), J = int_0^pi c^(p+1) s^(alpha+1), and c(pi)^(p+1) = 1: int c^p s Y = (J - K)/(p + 1)

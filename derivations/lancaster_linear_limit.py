@@ -7,7 +7,7 @@ b*t*M(2)/m = b*t/(2*m)
 import sympy
 
 from asymptotics.expansions.moments.symbolic import moment
-from derivations.steps import Derivation, Taylor, defined
+from derivations.steps import At, Derivation, Taylor, defined
 
 alpha, kappa, tau, A, epsilon = sympy.symbols("alpha kappa tau A epsilon", positive=True)
 mu, w_2, p_1, nu = sympy.symbols("mu w_2 p_1 nu", positive=True)
@@ -23,7 +23,7 @@ step = derivation.step
 envelope = (1 + mu * kappa * tau) ** (-1 / mu)  # mu = alpha - 1
 step(
     "With mu = alpha - 1, ln A = -ln(1 + mu kappa tau)/mu",
-    sympy.log(envelope),
+    At(sympy.log((1 + (alpha - 1) * kappa * tau) ** (-1 / (alpha - 1))), {alpha: 1 + mu}),
     -sympy.log(1 + mu * kappa * tau) / mu,
 )
 step("mu -> 0", sympy.Limit(envelope, mu, 0, "+"), sympy.exp(-kappa * tau))

@@ -9,7 +9,7 @@ import sympy
 from derivations.steps import At, Coefficient, Derivation
 
 h, q, c1, d1, Wm, w = sympy.symbols("h q c_1 d_1 W w")
-y, K = sympy.symbols("y K", positive=True)
+y, K, a = sympy.symbols("y K a", positive=True)
 c = sympy.Symbol("c", nonzero=True)
 k = sympy.Symbol("k", positive=True, integer=True)
 m = sympy.Symbol("m", positive=True, integer=True)
@@ -45,7 +45,7 @@ step(
 change = 2 * pi * i * q * (c1 * (Wm - 1) - d1 / pi)
 step(
     "The amplitude equation has p = -V/((alpha - 1) delta W): relatively",
-    2 * pi * i * c1 * q - change / Wm,
+    Coefficient((1 + h * 2 * pi * i * c1 * q) / (1 + h * change / Wm), h, 1),
     2 * pi * i * q * (c1 + d1 / pi) / Wm,
 )
 step(
@@ -70,20 +70,20 @@ step(
     2 * pi * i * c1 * q * At(-((c / w) ** 2) / (pi * c), {w: -i * y}),
     2 * i * c * c1 * q / y**2,
 )
-integral = sympy.gamma(k - 2) / (2 * pi) ** (k - 2)
+moment = sympy.Integral(sympy.exp(-2 * pi * y) * y ** (a - 1), (y, 0, sympy.oo))
 step(
     "and with int e^(-2 pi y) y^(k-3) dy = Gamma(k-2)/(2 pi)^(k-2): V_k = -(-1)^(k/2) times",
-    i / pi * (2 * i * c * c1) * integral / c**k / -1,
+    i / pi * (2 * i * c * c1) * At(moment, {a: k - 2}) / c**k / -1,
     2 * c1 / (pi * c) * sympy.gamma(k - 2) / (2 * pi) ** (k - 2) / c ** (k - 2),
 )
 step(
     "p/p_1 begins with delta, Delta p/p_1 = 2 pi i q (c_1 + d_1/pi) c/(-iy): p_k/p_1 = -(-1)^((k-1)/2) times",
-    -1 / pi * (2 * pi * i * K * c / -i) * sympy.gamma(k - 1) / (2 * pi) ** (k - 1) / c**k,
+    -1 / pi * (2 * pi * i * K * c / -i) * At(moment, {a: k - 1}) / c**k,
     2 * K * sympy.gamma(k - 1) / (2 * pi) ** (k - 1) / c ** (k - 1),
 )
 step(
     "with K = c_1 + d_1/pi; and Omega_k = -(-1)^(k/2) times",
-    -i / pi * (2 * i * d1) * sympy.gamma(k) / (2 * pi) ** k / c**k,
+    -i / pi * (2 * i * d1) * At(moment, {a: k}) / c**k,
     (2 * d1 / pi) * sympy.gamma(k) / (2 * pi * c) ** k,
 )
 eps, n = sympy.symbols("epsilon_1 n", positive=True)
@@ -101,7 +101,7 @@ step(
 )
 step(
     "Beyond the first correction: to first order in q the change of Omega, over 2 i d_1 q, is for any W",
-    -change / Wm**2 / (2 * i * d1 * q),
+    sympy.Derivative(1 / Wm, Wm) * change / (2 * i * d1 * q),
     (1 - pi * c1 / d1 * (Wm - 1)) / Wm**2,
 )
 step(

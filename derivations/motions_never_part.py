@@ -9,7 +9,7 @@ limits), and for approximants with a residual.  Turning points and half periods 
 
 import sympy
 
-from derivations.steps import At, Derivation
+from derivations.steps import At, Derivation, defined
 
 X, V, r1, r2 = sympy.symbols("X V r_1 r_2", real=True)
 v, v1, x1 = sympy.symbols("v v_1 x_1", real=True)
@@ -49,10 +49,9 @@ step(
     rate_of_square(V + r1, -X - g1 + g2 + r2),
     X * r1 + V * r2 - V * (g1 - g2),
 )
-step(
+asserts(
     "which is at most the distance times |(r_1, r_2)|: the distance grows at most by the integral of the residual",
-    (X**2 + V**2) * (r1**2 + r2**2) - (X * r1 + V * r2) ** 2,
-    (X * r2 - V * r1) ** 2,
+    sympy.Le((X * r1 + V * r2) ** 2, (X**2 + V**2) * (r1**2 + r2**2), evaluate=False),
 )
 step(
     "The energy falls: |x| at a turning point is never exceeded later",
@@ -78,7 +77,7 @@ step(
 )
 step(
     "Relative contraction: in units of c the orbit from c p has the damping N(c w)/c; for N = w^a",
-    (c * w) ** a / c,
+    defined("N", lambda w: w**a)(c * w) / c,
     c ** (a - 1) * w**a,
 )
 step(

@@ -6,7 +6,7 @@ Derivative(x/(-k*x + 1), x) = (-k*x + 1)**(-2)
 
 import sympy
 
-from derivations.steps import At, Derivation
+from derivations.steps import At, Derivation, defined
 
 x, k = sympy.symbols("x k", real=True)
 n = sympy.Symbol("n", integer=True, nonnegative=True)
@@ -37,7 +37,7 @@ step(
 step(
     "so is X/(1-K) of X K^n, all terms >= 0. A term of the first is at most this one in modulus, for complex |x| <= X,"
     " |k| <= K < 1: its share of it is, with |x| = X y, |k| = K z, y, z in [0, 1],",
-    (X * y) * (K * z) ** n / (X * K**n),
+    At(sympy.Abs(x) * sympy.Abs(k) ** n / (X * K**n), {sympy.Abs(x): X * y, sympy.Abs(k): K * z}),
     y * z**n,
 )
 asserts(
@@ -88,7 +88,7 @@ asserts(
 )
 step(
     "L1b. Scale a motion that starts at lambda p, lambda >= 1, by 1/lambda: it obeys the same equation with N~(w) =",
-    (lam * w) ** alpha / lam,
+    defined("N", lambda w: w**alpha)(lam * w) / lam,
     lam ** (alpha - 1) * w**alpha,
 )
 excess = sympy.Symbol("m", nonnegative=True)
@@ -99,11 +99,13 @@ asserts(
     sympy.Ge(excess * sympy.log(1 + y), 0, evaluate=False),
 )
 v1, v2, x1, x2 = sympy.symbols("v_1 v_2 x_1 x_2", real=True)
-force = sympy.Function("N")
-change = (x1 - x2) * (v1 - v2) + (v1 - v2) * (-(x1 - x2) - (force(v1) - force(v2)))
+force, elapsed = sympy.Function("N"), sympy.Symbol("tau", real=True)
+apart, faster = sympy.Function("Delta_x")(elapsed), sympy.Function("Delta_v")(elapsed)
+change = {sympy.Derivative(apart, elapsed): v1 - v2, apart: x1 - x2, faster: v1 - v2}
+change |= {sympy.Derivative(faster, elapsed): -(x1 - x2) - (force(v1) - force(v2))}
 step(
     "L0. Any alpha >= 0: d/dt of (Delta x^2 + Delta v^2)/2 is <= 0, N being nondecreasing; so |Delta q| <= |Delta p|",
-    change,
+    At(sympy.Derivative((apart**2 + faster**2) / 2, elapsed), change),
     -(v1 - v2) * (force(v1) - force(v2)),
 )
 top, odds = sympy.symbols("M y", positive=True)

@@ -34,19 +34,19 @@ step("theta = pi - phi leaves the sine as it is", At(sympy.sin(theta), {theta: s
 step("and changes the sign of the cosine", At(sympy.cos(theta), {theta: sympy.pi - phi}), -sympy.cos(phi))
 step(
     "With d theta = -d phi, d ln r/d phi is the first-quarter equation with every rho_i replaced by -rho_i",
-    -log_rate.subs(c, -c),
-    log_rate.subs(opposite, simultaneous=True),
+    -At(log_rate, {c: -c}),
+    At(log_rate, opposite),
 )
 step(
     "So is the time, counted backwards",
-    time_rate.subs(c, -c),
-    time_rate.subs(opposite, simultaneous=True),
+    At(time_rate, {c: -c}),
+    At(time_rate, opposite),
 )
 growth = (a_1 - 1) * log_rate
 step(
     "and -rho_i obeys d(-rho_i)/d phi = (alpha_i - 1) (-rho_i) d ln r/d phi: the same system",
-    -(-rho_1 * growth.subs(c, -c)),
-    (rho_1 * growth).subs(opposite, simultaneous=True),
+    -At(-rho_1 * growth, {c: -c}),
+    At(rho_1 * growth, opposite),
 )
 
 

@@ -12,7 +12,7 @@ from asymptotics.expansions.half_swings.exact import exact_quarter_swing
 from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.expansions.moments.symbolic import moment
 from asymptotics.expansions.normal_form.flow import flow_of
-from derivations.steps import At, Derivation, defined
+from derivations.steps import At, Coefficient, Derivation, defined
 
 x, y, s = sympy.symbols("x y s", positive=True)
 c = sympy.Symbol("c", real=True)
@@ -40,7 +40,7 @@ def reduced(f: sympy.Expr) -> sympy.Expr:
 
 def second_order(f: sympy.Expr) -> sympy.Expr:
     """The coefficient of q_x q_y."""
-    return sympy.expand(f).coeff(q_x, 1).coeff(q_y, 1)
+    return Coefficient(Coefficient(f, q_x, 1), q_y, 1)
 
 
 # Start at the passage theta = pi/2 with r = 1 and rho = q; run back to the turning point theta = 0.
@@ -49,10 +49,9 @@ N_1 = q_x * s**x + q_y * s**y
 slope = defined("D_theta", rate)
 step("d ln r/d theta = -N s/D begins with -N s, so ln r = -q_x S_x - q_y S_y + ...", slope(log_r), -s * N_1)
 N_2 = q_x * (x - 1) * log_r * s**x + q_y * (y - 1) * log_r * s**y
-integrand = second_order(N_2 * c + (N_1 * c) ** 2)
 step(
     "d tau/d theta = 1/D = 1 + N c + N^2 c^2 + ..., with rho_i = q_i (1 + (alpha_i-1) ln r): its q_x q_y term",
-    integrand,
+    second_order(N_2 * c + (N_1 * c) ** 2),
     -(x - 1) * S_y * s**x * c - (y - 1) * S_x * s**y * c + 2 * s ** (x + y) * c**2,
 )
 for a, b, S in ((x, y, S_y), (y, x, S_x)):
@@ -85,19 +84,19 @@ step("alpha = 0 adds nothing: dry friction leaves the period", At(weight, {y: 0}
 
 # U: L is odd in q; the second order in delta comes from q(delta) and from the flow, and cancels.
 start = {q_x: d_x * (1 - (x - 1) * (m_x * d_x + m_y * d_y)), q_y: d_y * (1 - (y - 1) * (m_x * d_x + m_y * d_y))}
-L = sympy.expand((-2 * (m_x * q_x + m_y * q_y)).subs(start, simultaneous=True))
+L = At(-2 * (m_x * q_x + m_y * q_y), start)
 step(
     "With m = pi M_(alpha+1)/2: L = -2 (m_x q_x + m_y q_y) + O(q^3) and q_i = d_i (1 - (alpha_i-1)(m_x d_x + m_y d_y)):"
     " the d_x d_y term",
-    second_order(L.subs({d_x: q_x, d_y: q_y}, simultaneous=True)),
+    Coefficient(Coefficient(L, d_x, 1), d_y, 1),
     2 * (x - 1) * m_x * m_y + 2 * (y - 1) * m_x * m_y,
 )
 U = -2 / sympy.pi * (m_x * d_x + m_y * d_y)
-DU = sum((a - 1) * d * U * sympy.diff(U, d) for a, d in ((x, d_x), (y, d_y)))
+along_flow = defined("D", lambda f: sum((a - 1) * d * U * sympy.diff(f, d) for a, d in ((x, d_x), (y, d_y))))
 step(
     "U = -(2/pi)(m_x d_x + m_y d_y) alone gives L through second order: pi U + (pi^2/2) D U with"
     " D = sum_i (alpha_i-1) d_i U d/d d_i",
-    sympy.pi * U + sympy.pi**2 / 2 * DU,
+    sympy.pi * U + sympy.pi**2 / 2 * along_flow(U),
     L,
 )
 

@@ -54,7 +54,7 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("zeros_by_theorem", "{f: -c / (1 + size * slope)}", "{f: c / (1 + size * slope)}"),
     ("quarter_swing_tail", "x * k**n / (1 - k) - x", "x * k**n / (1 - k) + x"),
     ("wells_majorant", "(-1) ** (j + 1) * ((m - j) * c_j)", "(-1) ** j * ((m - j) * c_j)"),
-    ("expansion_bounds", "    a * b * (a**k - b**k),", "    a * b * (a**k + b**k),"),
+    ("expansion_bounds", "h(k) - h(k + 1), a * b * h(k - 1)", "h(k) + h(k + 1), a * b * h(k - 1)"),
     ("slow_curve", "{theta: -left / a}", "{theta: left / a}"),
     ("slow_curve", "{c_n: product / a}", "{c_n: product}"),
     ("taylor_residual", "{y_next: -w_n / (n + 1)}", "{y_next: w_n / (n + 1)}"),
