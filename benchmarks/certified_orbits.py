@@ -16,7 +16,7 @@ from flint import arb
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
-from asymptotics.flow.turning import rest
+from asymptotics.flow.turning import at_rest
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.panels import Panels
@@ -59,7 +59,7 @@ def orbit_seconds(law: Law, digits: int, size: int) -> tuple[float, float]:
 
     def orbit() -> None:
         with ctx.workprec(panels.bits):
-            *_, last = islice(sequence(Interpolated(damping, panels, size), rest(arb(1))), size + 1)
+            *_, last = islice(sequence(Interpolated(damping, panels, size), at_rest(arb(1))), size + 1)
             assert last.amplitude_error < last.amplitude * arb(10) ** -digits
             assert last.time_error < last.time * arb(10) ** -digits
 

@@ -18,7 +18,7 @@ from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
-from asymptotics.flow.turning import rest
+from asymptotics.flow.turning import at_rest
 from asymptotics.identification.forward.coefficients import loss
 from asymptotics.identification.forward.sequence import turning_sequence
 from asymptotics.identification.forward.swing import HalfSwingModel
@@ -114,7 +114,9 @@ def points(pairs: dict[object, object], digits: int, size: int) -> object:
     with ctx.workprec(bits + GUARD):
         damping = Damping.of_law(law)
     with ctx.workprec(bits):
-        return list(islice(sequence(Interpolated(damping, panels_of(law, bits), count), rest(arb(1))), count + 1))[-1]
+        return list(islice(sequence(Interpolated(damping, panels_of(law, bits), count), at_rest(arb(1))), count + 1))[
+            -1
+        ]
 
 
 def run(size: int = 8) -> Table:

@@ -26,13 +26,13 @@ from asymptotics.errors import LimitError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import first_from
-from asymptotics.flow.turning import Turning, rest
+from asymptotics.flow.turning import Turning, at_rest
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import time_of
 from asymptotics.motions.reference import reference_states
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, directed_decimal
-from asymptotics.numbers.exact import ExactReal, parse_rational
+from asymptotics.numbers.exact import ExactReal, parse_printed
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.rationals import bounds
 from asymptotics.return_map.panels import panels_of
@@ -48,7 +48,7 @@ def proved_bound(oscillator: Oscillator, x: str, t: Number, *, max_seconds: floa
     UndecidedError where balls cannot tell how the motion goes on; LimitError beside a spring, or with losses that
     depend on the place, where an enclosure of x(t) would take longer than ``max_seconds``.
     """
-    moment, printed, digits = time_of(t), parse_rational(x, "x"), _DIGITS
+    moment, printed, digits = time_of(t), parse_printed(x, "x"), _DIGITS
     while True:
         low, high = bounds(enclosure(oscillator, moment, digits, max_seconds=max_seconds))
         farthest = max(abs(low - printed), abs(high - printed))
@@ -90,9 +90,9 @@ def _jumped(oscillator: Oscillator, t: ExactReal, digits: int) -> arb:
         tau, damping = t.ball() * oscillator.omega_0(), Damping.of_law(law)
     with ctx.workprec(bits):
         omega, length = oscillator.omega_0(), oscillator.length()
-        first: Turning | str = rest(arb(1))
+        first: Turning | str = at_rest(arb(1))
         if oscillator.x0 < 0:
-            first = replace(rest(arb(1)), side=-1)
+            first = replace(at_rest(arb(1)), side=-1)
         if not oscillator.v0.is_zero:
             first = first_from(
                 LinearSpring(damping), oscillator.x0.ball() / length, oscillator.v0.ball() / (omega * length)

@@ -154,8 +154,8 @@ class ComposedSeries:
             self.sine.append(sine)
             self.cosine.append(cosine)
 
-    def rest(self, powers: list[tuple[arb, int]]) -> arb:
-        """The last coefficient of s_0(u), given its ``rest_powers`` beside u itself or sin(r u)/r."""
+    def restoring(self, powers: list[tuple[arb, int]]) -> arb:
+        """The last coefficient of s_0(u), given its ``restoring_powers`` beside u itself or sin(r u)/r."""
         linear = self.u[-1] if self.rate is None else self.sine[-1] / self.rate
         return sum((c * self.power[n][-1] for c, n in powers), linear) if powers else linear
 

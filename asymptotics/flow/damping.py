@@ -101,7 +101,7 @@ class Damping:
         """Whether there is dry friction."""
         return bool(self.friction > 0)
 
-    def rest(self, y: arb) -> arb:
+    def restoring(self, y: arb) -> arb:
         """The displacement y itself."""
         return y
 
@@ -118,7 +118,7 @@ class Damping:
         """|u| and all losses together."""
         return upper(abs(u) + self.friction + self.drag(u, w))
 
-    def rest_powers(self, _side: int) -> list[tuple[arb, int]]:
+    def restoring_powers(self, _side: int) -> list[tuple[arb, int]]:
         """None: the force at rest is y."""
         return []
 

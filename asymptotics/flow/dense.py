@@ -28,7 +28,7 @@ from asymptotics.flow.balls import upper
 from asymptotics.flow.sequence import after_landing, start_in_motion, sticks, turning_after_start
 from asymptotics.flow.times import exact_sum
 from asymptotics.flow.trajectory import ESCAPES, ROTATES, CertifiedFlow, Piece, Turned, course
-from asymptotics.flow.turning import Turning, at_exact_place, rest
+from asymptotics.flow.turning import Turning, at_exact_place, at_rest
 from asymptotics.numbers.context import ctx
 
 State = tuple[arb, arb]
@@ -55,7 +55,7 @@ def _followed(flow: CertifiedFlow, here: Turning, wanted: "_Wanted") -> list[Sta
     while not wanted.done:
         tick(f"turning point {here.n}")
         if sticks(flow, here):
-            wanted.rest(here.x)
+            wanted.stays(here.x)
         else:
             here = _swing(flow, here, wanted)
     return wanted.found
@@ -89,7 +89,7 @@ class _Wanted:
             du, dw = _moved(self.flow, u, w, width)
             self.found.append((side * (u + arb(0, du)), -side * (w + arb(0, dw))))
 
-    def rest(self, X: arb) -> None:
+    def stays(self, X: arb) -> None:
         """The mass stays at X for all remaining times."""
         self.found += [(X, arb(0))] * (len(self.queue) - len(self.found))
 
@@ -97,12 +97,12 @@ class _Wanted:
 def _first(flow: CertifiedFlow, X: arb, V: arb, wanted: _Wanted) -> Turning:
     """The first turning point at tau >= 0; times before it are answered."""
     if V == 0:
-        return at_exact_place(rest(X), flow.exact(0))
+        return at_exact_place(at_rest(X), flow.exact(0))
     side, u, w, given = start_in_motion(flow, X, V)
     for piece in course(flow, u, w, given):
         wanted.take(piece, side, arb(0))
         if wanted.done:
-            return rest(X)
+            return at_rest(X)
         if isinstance(piece, Turned):
             here = turning_after_start(piece, side, given)
             return here if isinstance(here, Turning) else _refuse(here)

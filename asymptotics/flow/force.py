@@ -29,7 +29,7 @@ class Smooth(Protocol):
     def entire(self) -> bool:
         """Whether the speed may vanish."""
 
-    def rest_powers(self, side: int, /) -> list[tuple[arb, int]]:
+    def restoring_powers(self, side: int, /) -> list[tuple[arb, int]]:
         """(c_j, n_j) where u has the sign ``side``."""
 
     def loss_powers(self, side: int, /) -> list[tuple[arb, int, arb]]:
@@ -73,7 +73,7 @@ class Force(Parting, Protocol):
     def grips(self) -> object:
         """Whether (or what) dry friction holds the mass somewhere."""
 
-    def rest(self, u: arb, /) -> arb:
+    def restoring(self, u: arb, /) -> arb:
         """s_0(u) = G(u, 0)."""
 
     def drag(self, u: arb, w: arb, /) -> arb:

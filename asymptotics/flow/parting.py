@@ -101,7 +101,7 @@ def state_gap(force: Force, unit: arb, u: arb, w: arb, turn: arb, error: arb) ->
     with ctx.workprec(_LOW):
         width = upper(error / unit)
         box = u + arb(0, upper(2 * width))
-        force_there = upper(abs(force.rest(box)) + force.drag(box, w + error))
+        force_there = upper(abs(force.restoring(box)) + force.drag(box, w + error))
         square = upper(error * (w + error) + width * force_there)
         if not (w > 2 * error and (w - error) ** 2 / 2 > square):
             raise UndecidedError("the enclosure of a state is too wide for its turning point")
@@ -120,9 +120,9 @@ def turning_gap(force: Force, turn: arb, square: arb, beyond: arb | None = None)
         return arb(0)
     with ctx.workprec(_LOW):
         near = arb(0) if beyond is None else beyond
-        room = upper(2 * square / abs(force.rest(turn)).lower()) if force.rest(turn) < 0 else None
+        room = upper(2 * square / abs(force.restoring(turn)).lower()) if force.restoring(turn) < 0 else None
         if room is not None:
-            brake = -force.rest(turn + arb(0, upper(near + room)))
+            brake = -force.restoring(turn + arb(0, upper(near + room)))
             if brake > 0 and brake.lower() * room > square:
                 return upper(square / brake.lower())
     raise UndecidedError("the enclosure of a turning point reaches the place of rest")
@@ -135,9 +135,9 @@ def points_forward(force: Force, low: arb, high: arb) -> bool:
         while stack:
             a, b = stack.pop()
             pieces += 1
-            if force.rest(a.union(b)) < 0:
+            if force.restoring(a.union(b)) < 0:
                 continue
-            if pieces > _PIECES or not force.rest(b) < 0:
+            if pieces > _PIECES or not force.restoring(b) < 0:
                 return False
             middle = ((a + b) / 2).mid()
             stack += [(a, middle), (middle, b)]
@@ -155,7 +155,7 @@ def lateness(force: Force, unit: arb, turn: arb, gap: arb, distance: arb) -> arb
         return arb(0)
     with ctx.workprec(_LOW):
         around = turn + arb(0, upper(gap + (1 if force.nonexpansive else 2) * distance / unit))
-        brake = (-force.rest(around)).lower()
+        brake = (-force.restoring(around)).lower()
         inside = force.nonexpansive or distance * unit <= brake  # it moves at most distance^2/brake meanwhile
         if brake > 0 and inside:
             return upper(distance / brake)
@@ -170,7 +170,7 @@ def contracted(force: Force, p: arb, error: arb, duration: arb, turn: arb, gap: 
     if error == 0 or force.nonexpansive:
         return by_ratio(force, p, error, upper(abs(turn) + gap))
     with ctx.workprec(_LOW):
-        steep = force.rest(p + arb(0, error))
+        steep = force.restoring(p + arb(0, error))
         square = upper(error * steep)
         if force.viscous > 0:
             common = (duration - _outside(force, p, error, turn, gap, square)).lower()
@@ -196,9 +196,9 @@ def _outside(force: Force, p: arb, error: arb, turn: arb, gap: arb, square: arb)
     w^2/2 <= ``square`` at a rate of at least min |s_0|.
     """
     box = p + arb(0, error)
-    slow, fast = force.rest(box).lower(), force.rest(box).upper()
+    slow, fast = force.restoring(box).lower(), force.restoring(box).upper()
     stopped = turn + arb(0, upper(gap + turning_gap(force, turn, square, gap)))
-    brake = (-force.rest(stopped)).lower()
+    brake = (-force.restoring(stopped)).lower()
     if not (slow > 0 and brake > 0 and force.drag(box, (2 * error * fast).sqrt()) <= slow / 2):
         return arb("inf")
     return upper(2 * (error / slow).sqrt() + (2 * square).sqrt() / brake)

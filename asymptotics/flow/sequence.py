@@ -8,12 +8,12 @@ and memory stays flat.
 
 >>> from itertools import islice
 >>> from flint import ctx
->>> from asymptotics.flow.turning import rest
+>>> from asymptotics.flow.turning import at_rest
 >>> from asymptotics.law import Law
 >>> from asymptotics.flow.wells.even_well import EvenWell
 >>> with ctx.workprec(100):
 ...     pendulum = EvenWell.of(Law({1: "1/5"}, spring="pendulum").terms)
-...     points = list(islice(sequence(pendulum, rest(arb(2))), 3))
+...     points = list(islice(sequence(pendulum, at_rest(arb(2))), 3))
 >>> [point.x.str(10) for point in points], points[2].tau.str(10)
 (['2.000000000', '[-1.276... +/- ...]', '[0.88... +/- ...]'], '[7.3... +/- ...]')
 """
@@ -131,7 +131,7 @@ def sticks(flow: CertifiedFlow, here: Turning) -> bool:
     if here.exact is not None:
         return here.exact[1]
     with ctx.workprec(max(64, ctx.prec)):
-        margin = flow.force.rest(flow.place(abs(arb(here.amplitude, here.amplitude_error))))
+        margin = flow.force.restoring(flow.place(abs(arb(here.amplitude, here.amplitude_error))))
         if margin <= 0:
             return True
         if margin > 0 and here.amplitude > 0:

@@ -121,12 +121,12 @@ def coefficients(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], 
 def _of_whole_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
     """w^alpha by products: the speed may vanish."""
     side, none = 1 if u > 0 else -1, arb(0)
-    rest = force.rest_powers(side)
+    springs = force.restoring_powers(side)
     losses = [(d, m, int(float(a))) for d, m, a in force.loss_powers(side)]
-    curve = ComposedSeries(ExponentLine(()), force.rate, {n for _, n in rest} | {m for _, m, _ in losses}, u)
+    curve = ComposedSeries(ExponentLine(()), force.rate, {n for _, n in springs} | {m for _, m, _ in losses}, u)
     speed = ComposedSeries(ExponentLine(()), None, {a for _, _, a in losses}, w)
     for k in range(order):
-        slope = curve.rest(rest)
+        slope = curve.restoring(springs)
         for d, m, a in losses:
             slope += d * (sum(map(mul, curve.power[m], reversed(speed.power[a])), none) if m else speed.power[a][-1])
         curve.append(-speed.u[k] / (k + 1))
@@ -137,15 +137,15 @@ def _of_whole_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[ar
 def _of_real_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
     """w^alpha by its logarithmic derivative."""
     side, none = 1 if u > 0 else -1, arb(0)
-    rest, losses, ln_w, inverse = force.rest_powers(side), force.loss_powers(side), w.log(), 1 / w
-    curve = ComposedSeries(ExponentLine(()), force.rate, {n for _, n in rest} | {m for _, m, _ in losses if m}, u)
+    springs, losses, ln_w, inverse = force.restoring_powers(side), force.loss_powers(side), w.log(), 1 / w
+    curve = ComposedSeries(ExponentLine(()), force.rate, {n for _, n in springs} | {m for _, m, _ in losses if m}, u)
     ws, powers = [w], [[d * (a * ln_w).exp()] for d, _, a in losses]
     placed = [(curve.power[m], p) for (_, m, _), p in zip(losses, powers) if m]
     alone = [p for (_, m, _), p in zip(losses, powers) if not m]
     growing = [(a, p) for (_, _, a), p in zip(losses, powers)]
     ratio: list[arb] = []  # of w'/w
     for k in range(order):
-        slope = curve.rest(rest)
+        slope = curve.restoring(springs)
         for p in alone:
             slope += p[-1]
         for q, p in placed:

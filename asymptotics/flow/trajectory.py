@@ -295,7 +295,7 @@ def _require_room(flow: CertifiedFlow, unit: arb, here: FlowState, count: int, s
     error, place = here.errors.error, flow.place(here.u)
     lost = upper(unit * abs(place) + here.w) < 4 * error
     if flow.traps and here.w < 4 * error and unit * place > _FAR * scale:  # with a place > 0 it goes on slowing down
-        lost = lost or flow.force.drag(place, here.w) > flow.force.rest(place)
+        lost = lost or flow.force.drag(place, here.w) > flow.force.restoring(place)
     if lost or (flow.traps and count > MAX_FREE):
         where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
         raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
@@ -318,7 +318,7 @@ def _at_a_kink(here: FlowState, step: Step, scale: arb) -> FlowState:
 
 def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> Departure:
     place, force = flow.place(here.u), flow.force
-    if not force.rest(place + arb(0, upper(here.errors.error / unit))) > 0:
+    if not force.restoring(place + arb(0, upper(here.errors.error / unit))) > 0:
         raise UndecidedError("whether dry friction holds the mass here is undecided")
     expansion = flow.expansion(place)
     end, tau = expansion.state(expansion.reach)

@@ -1,6 +1,6 @@
 """A turning point of an orbit that is followed, with its errors.
 
->>> rest(arb(-2)).x, rest(arb(-2)).tau
+>>> at_rest(arb(-2)).x, at_rest(arb(-2)).tau
 (-2.00000000000000, 0)
 """
 
@@ -40,7 +40,7 @@ class Turning:
         return arb(self.time, self.time_error)
 
 
-def rest(X: arb) -> Turning:
+def at_rest(X: arb) -> Turning:
     """A start from rest at X != 0, at tau = 0."""
     return Turning(0, 1 if X > 0 else -1, abs(X).mid(), arb(0), X.rad(), arb(0))
 

@@ -38,7 +38,7 @@ class PolynomialForce:
         strengths = ((t.strength.ball() * (mu if t.sign < 0 else 1), t.position, a) for t, a in powers)
         return cls(tuple((-e if a % 2 else e, m, a) for e, m, a in strengths))
 
-    def rest_powers(self, _side: int) -> list[tuple[arb, int]]:
+    def restoring_powers(self, _side: int) -> list[tuple[arb, int]]:
         """(d_i, m_i) of the springs."""
         return [(d, m) for d, m, a in self.parts if not a]
 

@@ -31,6 +31,7 @@ from asymptotics.present.shown import Page, Shown
 
 _NUMBER = r"[+-]?(?:\d{1,400}(?:\.\d{0,400})?|\.\d{1,400})(?:[eE][+-]?\d{1,3})?(?:/\d{1,400})?"
 _RATIONAL = re.compile(_NUMBER + r"\Z", re.ASCII)
+_PRINTED = re.compile(_NUMBER.replace(r"\d{1,3})?(?:/", r"\d{1,5})?(?:/") + r"\Z", re.ASCII)
 _ROOT = re.compile(rf"(?P<sign>[+-]?)sqrt\((?P<radicand>{_NUMBER})\)\Z", re.ASCII)
 _INTEGER = re.compile(r"[+-]?\d{1,40}\Z", re.ASCII)
 
@@ -297,8 +298,21 @@ def exact_power(base: ExactReal, exponent: ExactReal) -> ExactReal | None:
 
 def parse_rational(text: str, argument: str, accepted: str = RATIONAL_FORMS) -> Fraction:
     """Read an integer, a fraction or a decimal (with exponent) exactly; InputError names ``argument`` otherwise."""
+    return _fraction(text, argument, accepted, _RATIONAL)
+
+
+def parse_printed(text: str, argument: str) -> Fraction:
+    """A number that this package printed: its exponent may be longer than one that is typed (an amplitude of e^-40000).
+
+    >>> parse_printed("2.5e-17372", "x") * 10**17373
+    Fraction(25, 1)
+    """
+    return _fraction(text, argument, RATIONAL_FORMS, _PRINTED)
+
+
+def _fraction(text: str, argument: str, accepted: str, form: re.Pattern[str]) -> Fraction:
     stripped = text.strip()
-    if len(stripped) > 1000 or not _RATIONAL.match(stripped):
+    if len(stripped) > 1000 or not form.match(stripped):
         raise InputError(argument, f"{_shown(text)} is not an exact number", accepted)
     number, _, denominator = stripped.partition("/")
     if denominator and not int(denominator):

@@ -1,7 +1,7 @@
 """Which amplitudes the next panel of ``panels`` shall hold, and on which ellipse: choices in doubles, checked in balls.
 
-A panel is worth its nodes if it saves more half-swings than it costs.  Amplitudes to come are guessed from the first
-order, A -> A exp(-pi sum M_(alpha_i+1) delta_i).
+A panel is worth its nodes if it saves more half-swings than it costs.  Amplitudes to come are guessed from the averaged
+law of each term, A' = -M_(alpha+1) epsilon A^alpha, followed in turn for a half-swing.
 
 * Where z falls to 0: one panel from there; larger amplitudes before it are integrated if that saves nodes.
 * Otherwise from the present amplitude to a smaller one, out of a few.
@@ -17,7 +17,7 @@ True
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import ceil, cos, exp, inf, lgamma, log2, pi, sin, sqrt
+from math import ceil, cos, exp, inf, lgamma, log1p, log2, pi, sin, sqrt
 from operator import mul
 
 from flint import arb
@@ -134,15 +134,23 @@ def _between(coordinate: Coordinate, path: list[float], bits: int) -> PanelPlan 
 
 
 def _path(coordinate: Coordinate, size: float, count: int) -> Iterator[float]:
-    """``count`` amplitudes, by the first order, while they are positive."""
+    """``count`` amplitudes, by the averaged laws, while they are positive.
+
+    >>> from asymptotics.numbers.exact import ExactReal
+    >>> path = _path(Coordinate.of([(arb(25), ExactReal(3))]), 1.0, 3)  # strong at first: the first order says 1e-13
+    >>> [round(size, 3) for size in path]
+    [1.0, 0.129, 0.092]
+    """
     laws = [(_moment(float(a) + 1) * float(e), float(a) - 1) for e, a in zip(coordinate.epsilons, coordinate.exponents)]
     for _ in range(count):
         if not size > 1e-290:
             return
         yield size
         try:
-            size *= exp(-pi * sum(m * size**w for m, w in laws))
-        except OverflowError:
+            for m, w in laws:
+                loss = pi * m * size**w
+                size *= exp(-loss if w == 0 else -log1p(w * loss) / w)
+        except (OverflowError, ValueError):  # too strong to go on; or friction stops the mass
             return
 
 

@@ -34,6 +34,7 @@ ROUTE = "Chebyshev interpolation in the amplitude"
 COLLOCATED = "quarter-swings by collocation"
 _MARGIN = 2.0**-10  # a panel begins that much above the amplitude it is made for
 _GUARD, _SLACK = 32, 8
+_AGAIN = 8  # half-swings after which a plan that does not come true is made anew
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,7 @@ class Panels:
         if self.coordinate is None:
             return None
         size, bits = float(p), self.bits + _SLACK
-        if not (size <= self.planned_for[0] and remaining <= self.planned_for[1]):
+        if not (size <= self.planned_for[0] and remaining <= self.planned_for[1]) or self._is_late(size, remaining):
             self.plan, self.planned_for = planned(self.coordinate, size, remaining, bits), (size, remaining)
         if self.plan is None or not self.plan.low < size <= self.plan.high:
             return None
@@ -105,6 +106,11 @@ class Panels:
         self.made.append(panel)
         self.planned_for = (0.0, 0)
         return panel if panel.holds(p, error) else None
+
+    def _is_late(self, size: float, remaining: int) -> bool:
+        """Whether the amplitude of the plan is not there although twice its half-swings have passed."""
+        passed = self.planned_for[1] - remaining
+        return self.plan is not None and size > self.plan.high and passed > 2 * self.plan.wait + _AGAIN
 
     def pieces(self, remaining: int) -> int:
         """About how many half-swings by pieces ``remaining`` of them from X = 1 are worth, nodes included.

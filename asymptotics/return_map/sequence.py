@@ -3,13 +3,13 @@
 >>> from itertools import islice
 >>> from flint import ctx
 >>> from asymptotics.flow.sequence import sequence
->>> from asymptotics.flow.turning import rest
+>>> from asymptotics.flow.turning import at_rest
 >>> from asymptotics.law import Law
 >>> from asymptotics.return_map.panels import panels_of
 >>> cubic = Law({3: "1/2"})
 >>> with ctx.workprec(100):
 ...     flow = Interpolated(Damping.of_law(cubic), panels_of(cubic, 100), 3)
-...     points = list(islice(sequence(flow, rest(arb(1))), 4))
+...     points = list(islice(sequence(flow, at_rest(arb(1))), 4))
 >>> [point.x.str(12) for point in points][1:]
 ['[-0.673493180351 +/- ...]', '[0.543067542755 +/- ...]', '[-0.467642206192 +/- ...]']
 """

@@ -14,7 +14,7 @@ from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.linear_spring.near_critical import lost_bits, require_brief
 from asymptotics.flow.sequence import first_from
 from asymptotics.flow.taylor import GUARD
-from asymptotics.flow.turning import Turning, rest
+from asymptotics.flow.turning import Turning, at_rest
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.precision import at_growing_precision
@@ -62,7 +62,7 @@ def damping_of(request: Request) -> Damping:
 def first_of(request: Request, damping: Damping) -> Turning | str:
     """Turning point 0 under powers of the velocity, or why there is none."""
     if not request.in_motion:
-        return rest(arb(1))
+        return at_rest(arb(1))
     return first_from(LinearSpring(damping), request.place.ball(), request.speed.ball())
 
 

@@ -20,7 +20,7 @@ from asymptotics.flow.linear_spring.ends import CREEPS, OVERDAMPED
 from asymptotics.flow.linear_spring.linear import ROUTE as CLOSED
 from asymptotics.flow.sequence import STICKS, turning_by_pieces
 from asymptotics.flow.taylor import GUARD
-from asymptotics.flow.turning import rest
+from asymptotics.flow.turning import at_rest
 from asymptotics.flow.wells.ends import inside
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.force import WellForce
@@ -79,7 +79,7 @@ def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digit
             force = WellForce.of(terms, [d.ball() for d in delta])
         if inside(force, arb(1)) is not True:
             raise InputError("delta", "the amplitude lies outside the well, where V' > 0 fails", "a smaller amplitude")
-        found, pieces = turning_by_pieces(EvenWell(force), rest(arb(1)))
+        found, pieces = turning_by_pieces(EvenWell(force), at_rest(arb(1)))
         if isinstance(found, str) or not found.amplitude > found.amplitude_error:
             how = _ENDS[found] if isinstance(found, str) else "stops before the centre"
             raise InputError("delta", f"no turning point follows: the motion {how}", "a smaller delta")

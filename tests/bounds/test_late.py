@@ -15,7 +15,7 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import first_from, sequence
-from asymptotics.flow.turning import Turning, rest
+from asymptotics.flow.turning import Turning, at_rest
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.return_map.panels import panels_of
@@ -101,7 +101,7 @@ def test_the_truncated_equations_are_enclosed_at_every_precision():
 def test_what_is_out_of_range_falls_back_on_energy():
     creeping = Oscillator({"1/2": "1/3"})
     with pytest.raises(LimitError, match="turn"):
-        late_state(Damping.of_law(Law({1: 3})), rest(arb(1)), arb(100), 10)
+        late_state(Damping.of_law(Law({1: 3})), at_rest(arb(1)), arb(100), 10)
     found, known = _by_energy(creeping, ExactReal(400), 20), enclosure(creeping, ExactReal(400), 15)
     assert found.mid() == 0
     assert abs(known) < found.rad() < 20 * abs(known)

@@ -98,7 +98,7 @@ def random_case(seed):
     return oscillator, random.randint(1, 6), random.choice(GAUGES), late if seed % 10 == 0 else time
 
 
-QUICK = (3, 7, 15, 20, 27, 31, 38, 65, 69, 85, 105, 109)
+QUICK = (3, 7, 15, 20, 27, 31, 38, 65, 69, 85, 90, 105, 109, 160)
 SEEDS = [seed if seed in QUICK else pytest.param(seed, marks=pytest.mark.slow) for seed in range(200)]
 
 

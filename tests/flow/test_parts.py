@@ -31,7 +31,7 @@ class Steep:
     def strongest(self, u, _w):
         return arb(abs(u).upper()) ** 20
 
-    def rest(self, u):
+    def restoring(self, u):
         return arb("0.3") - u
 
 
@@ -223,7 +223,7 @@ class Gated:
 
     nonexpansive: bool = False
 
-    def rest(self, u):
+    def restoring(self, u):
         return arb(0, 1) if u.overlaps(arb("0.4")) else arb(-1)
 
     def drag(self, _u, _w):

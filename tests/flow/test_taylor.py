@@ -17,7 +17,7 @@ ONE = arb(1)
 def in_floats(force, side=1):
     """F(U, W) = G - ``linear`` U on one side of U = 0, in mpmath."""
     rate = None if force.rate is None else float(force.rate)
-    powers = [(float(c), n) for c, n in force.rest_powers(side)]
+    powers = [(float(c), n) for c, n in force.restoring_powers(side)]
     losses = [(float(d), m, float(a)) for d, m, a in force.loss_powers(side)]
 
     def F(U, W):

@@ -62,7 +62,9 @@ BOUNDS: Names = {
         "tests/test_chosen_in_doubles.py::test_the_extremes_of_balls_hold_those_of_their_numbers",
     ),
     **_each("flow.slow_manifold.creep_slow_curve", "short_enough", f"{SLOW}::test_the_rest_is_what_the_cut_leaves"),
-    **_each("flow.slow_manifold.creep_near_equal", "rest", f"{NEAR}::test_what_is_left_is_the_residual_of_the_curve"),
+    **_each(
+        "flow.slow_manifold.creep_near_equal", "residual", f"{NEAR}::test_what_is_left_is_the_residual_of_the_curve"
+    ),
     **_each("flow.slow_manifold.creep_near_equal", "Grouped.size", f"{NEAR}::test_what_is_cut_off_the_sums_is_bounded"),
     **_each(
         "flow.slow_manifold.slide",
@@ -358,16 +360,16 @@ NONE_NEEDED: Names = {
     **_each("expansions.divergence.result", "pole_of action_of", EXACT),
     **_each(
         "limit_cycles.force",
-        "PolynomialForce.of PolynomialForce.rest_powers PolynomialForce.loss_powers PolynomialForce.largest "
+        "PolynomialForce.of PolynomialForce.restoring_powers PolynomialForce.loss_powers PolynomialForce.largest "
         "PolynomialForce.at PolynomialForce.slopes PolynomialForce.bends",
         EXACT,
     ),
     **_each("flow.times", "NearRest.reach NearRest.state NearRest.acceleration NearRest.moved", "abstract"),
     **_each(
-        "flow.force", "Smooth.rate Smooth.rest_powers Smooth.loss_powers Smooth.largest Parting.slopes", "abstract"
+        "flow.force", "Smooth.rate Smooth.restoring_powers Smooth.loss_powers Smooth.largest Parting.slopes", "abstract"
     ),
-    **_each("flow.force", "Force.viscous Force.rest Force.drag Force.strongest", "abstract"),
-    **_each("flow.damping", "Damping.rest_powers Damping.loss_powers", EXACT),
+    **_each("flow.force", "Force.viscous Force.restoring Force.drag Force.strongest", "abstract"),
+    **_each("flow.damping", "Damping.restoring_powers Damping.loss_powers", EXACT),
     **_each("flow.times", "exact_sum later", "exact by its precision"),
     **_each("return_map.half_swings", "Quarters.place", EXACT),
     **_each("return_map.quarters", "found moved", CHOICE),
@@ -388,7 +390,7 @@ NONE_NEEDED: Names = {
     **_each(
         "flow.composition",
         "ExponentGrid.product ExponentGrid.product_from_1 ExponentLine.product ExponentLine.product_from_1 "
-        "ComposedSeries.rest",
+        "ComposedSeries.restoring",
         EXACT,
     ),
     **_each("flow.composition", "Simplex.product Simplex.product_from_1", EXACT),

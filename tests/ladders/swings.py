@@ -19,7 +19,7 @@ from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.slow_manifold.slow_curve_series import summed, truncated
 from asymptotics.flow.taylor import GUARD, TaylorStep, coefficients
 from asymptotics.flow.trajectory import course
-from asymptotics.flow.turning import rest
+from asymptotics.flow.turning import at_rest
 from asymptotics.identification.certified_sets.certified_ratio import CertifiedRatio
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
@@ -84,7 +84,9 @@ def pieces(pairs, *times):
 
 
 def turnings(pairs, count=4):
-    return lambda _: [c for p in islice(sequence(LinearSpring(law(pairs)), rest(arb(1))), count) for c in (p.x, p.tau)]
+    return lambda _: [
+        c for p in islice(sequence(LinearSpring(law(pairs)), at_rest(arb(1))), count) for c in (p.x, p.tau)
+    ]
 
 
 def first(x):
@@ -98,7 +100,7 @@ def dense(pairs):
 
 
 def timed(x):
-    return [c for state in states_from(LinearSpring(law(SUM)), rest(arb(1)), [x]) for c in state]
+    return [c for state in states_from(LinearSpring(law(SUM)), at_rest(arb(1)), [x]) for c in state]
 
 
 def swung(x):
@@ -159,12 +161,12 @@ OWN = (
     *many("Departure.own Step.own Landing.own Turned.time course", FLOW + "trajectory."),
     *many("linear_spring.LinearSpring.expansion linear_spring.LinearSpring.arrive"),
     *many("expansion.TurningExpansion.acceleration expansion.TurningExpansion.moved"),
-    *many("damping.Damping.rest damping.Damping.drag", FLOW),
+    *many("damping.Damping.restoring damping.Damping.drag", FLOW),
     "asymptotics.flow.times.at_time",
 )
 SEQUENCE = many(
     "sequence.sequence sequence.turning_by_pieces sequence.after_landing turning.Turning.x turning.Turning.tau "
-    "turning.rest",
+    "turning.at_rest",
     FLOW,
 )
 STATES, FROM = many("dense.states", FLOW), many("dense.states_from", FLOW)

@@ -8,7 +8,7 @@ from asymptotics.flow.dense import states
 from asymptotics.flow.sequence import first_from, sequence, turning_by_pieces
 from asymptotics.flow.taylor import TaylorStep, coefficients
 from asymptotics.flow.trajectory import course
-from asymptotics.flow.turning import rest
+from asymptotics.flow.turning import at_rest
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.expansion import WellExpansion
 from asymptotics.flow.wells.force import WellForce
@@ -31,8 +31,17 @@ def force(given):
 def forces(given):
     def value(x):
         F, w = force(given), arb("0.5")
-        powers = [c for c, *_ in (*F.rest_powers(1), *F.loss_powers(1))]
-        return [F.pull(x), F.grip(x), F.rest(x), F.drag(x, w), F.acceleration(x, w), F.potential(x), F.viscous, *powers]
+        powers = [c for c, *_ in (*F.restoring_powers(1), *F.loss_powers(1))]
+        return [
+            F.pull(x),
+            F.grip(x),
+            F.restoring(x),
+            F.drag(x, w),
+            F.acceleration(x, w),
+            F.potential(x),
+            F.viscous,
+            *powers,
+        ]
 
     return value
 
@@ -75,11 +84,11 @@ def pieces(given, *times):
 
 
 def turnings(given, count=3):
-    return lambda x: [c for p in islice(sequence(EvenWell(force(given)), rest(x)), count) for c in (p.x, p.tau)]
+    return lambda x: [c for p in islice(sequence(EvenWell(force(given)), at_rest(x)), count) for c in (p.x, p.tau)]
 
 
 def by_pieces(x):
-    there, _ = turning_by_pieces(EvenWell(force(DUFFING)), rest(x))
+    there, _ = turning_by_pieces(EvenWell(force(DUFFING)), at_rest(x))
     return [there.x, there.tau]
 
 
@@ -95,7 +104,8 @@ def dense(given):
 
 WELLS_ROOM, FLOW = "asymptotics.flow.wells.", "asymptotics.flow."
 FORCE = many(
-    "of pull grip rest drag acceleration potential viscous rest_powers loss_powers", WELLS_ROOM + "force.WellForce."
+    "of pull grip restoring drag acceleration potential viscous restoring_powers loss_powers",
+    WELLS_ROOM + "force.WellForce.",
 )
 EXPANSION, LANDING = (
     many("expansion.WellExpansion.at expansion.WellExpansion.state", WELLS_ROOM),
@@ -108,7 +118,7 @@ OWN = (
     *many("WellExpansion.acceleration WellExpansion.moved", WELLS_ROOM + "expansion."),
     "asymptotics.flow.times.at_time",
 )
-SEQUENCE = (*many("sequence next_turning after_landing", FLOW + "sequence."), FLOW + "turning.rest")
+SEQUENCE = (*many("sequence next_turning after_landing", FLOW + "sequence."), FLOW + "turning.at_rest")
 
 WELLS = [
     *(Ladder(FORCE, forces(given), lost=12, stretch=4) for given in (PENDULUM, DUFFING, KINKED)),

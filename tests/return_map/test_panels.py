@@ -285,3 +285,23 @@ def test_the_ends_of_a_panel_enclose_the_images(pairs):
     with ctx.workprec(200):
         ends = sorted((coordinate(pairs)(p) for p in (arb(1) / 3, arb(6) / 7)), key=float)
         assert first < ends[0] and ends[1] < last and first > ends[0] - arb(2) ** -50 and last < ends[1] + arb(2) ** -50
+
+
+def test_strong_drag_fades_as_the_averaged_law_says():
+    """25 x'^3 takes 7/8 in the first half-swing, not all but 10^-13: the panel begins where its amplitudes are."""
+    path = list(panel_plan._path(coordinate((("3", "25"),)), 1.0, 40))
+    assert path[1:] == pytest.approx([(1 + 2 * n * np.pi * 25 * 3 / 8) ** -0.5 for n in range(1, 40)], rel=1e-12)
+    made = Panels(Law({3: 25}), 60)
+    p, n = arb(1), 0
+    while made.serving(p, arb(0), 500 - n) is None and n < 9:
+        p, n = (p * by_pieces((("3", "25"),), p, 60).amplitude).mid(), n + 1
+    assert n < 9 and made.made[0].high > 0.05
+
+
+def test_a_plan_that_does_not_come_true_is_made_anew(monkeypatch):
+    made = Panels(Law({3: "1/10"}), 60)
+    monkeypatch.setattr(panels, "planned", lambda *_: PanelPlan(0.0, 1e-4, 1e6, 5, 400, 2))
+    assert made.serving(arb(1), arb(0), 500) is None and made.serving(arb("0.9"), arb(0), 490) is None
+    monkeypatch.setattr(panels, "planned", planned)
+    assert made.serving(arb("0.9"), arb(0), 488) is None and made.planned_for == (1.0, 500)  # 12 have passed: not yet
+    assert made.serving(arb("0.9"), arb(0), 487) is not None

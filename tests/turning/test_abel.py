@@ -11,7 +11,7 @@ from asymptotics.expansions.half_swings.finite_majorant import majorant
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
-from asymptotics.flow.turning import rest
+from asymptotics.flow.turning import at_rest
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning import abel, jump
 from asymptotics.turning.abel import Approximant, abel_function
@@ -117,7 +117,7 @@ def test_a_wrong_coefficient_is_noticed():
 def test_a_far_point_is_one_jump_from_any_head():
     with ctx.workprec(130):
         alpha, epsilon = real("3/2"), arb(1) / 40
-        lead = list(islice(sequence(LinearSpring(Damping.of([(epsilon, alpha)])), rest(arb(1))), 5))
+        lead = list(islice(sequence(LinearSpring(Damping.of([(epsilon, alpha)])), at_rest(arb(1))), 5))
         found = [jumped(alpha, epsilon, head, 10**9) for head in (lead[0], lead[4])]
         assert found[0].x.overlaps(found[1].x) and found[0].tau.overlaps(found[1].tau)
         assert min(found[0].x.rel_accuracy_bits(), found[0].tau.rel_accuracy_bits()) > 100

@@ -12,7 +12,7 @@ from scipy.integrate import quad, solve_ivp
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.sequence import sequence
-from asymptotics.flow.turning import rest
+from asymptotics.flow.turning import at_rest
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.return_map.panels import Panels
@@ -41,7 +41,7 @@ def orbits():
         with ctx.workprec(122):
             damping = Damping.of_law(law)
         with ctx.workprec(90):
-            points = list(islice(sequence(Interpolated(damping, Panels(law, 90), 2001), rest(arb(1))), 2001))
+            points = list(islice(sequence(Interpolated(damping, Panels(law, 90), 2001), at_rest(arb(1))), 2001))
             found[alphas] = [(arb(p.amplitude, p.amplitude_error).log(), p.tau) for p in (points[0], points[2000])]
     return found
 

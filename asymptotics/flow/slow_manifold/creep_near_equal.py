@@ -216,7 +216,7 @@ def _exponentials(terms: list[tuple[arb, arb]], degree: int) -> arb_poly:
 
 
 def _short_enough(laws: Grouped, goal: arb) -> tuple[dict[Key, arb_poly], arb] | None:
-    """The shortest B whose rest is below the goal on the stretch, and its rest; None where its terms grow before."""
+    """The shortest B with a residual below the goal on the stretch, and the residual; None where terms grow before."""
     if too_early(laws.epsilon, laws.alpha, laws.most):
         return None
     before, b = arb(1), dict[Key, arb_poly]()
@@ -228,7 +228,7 @@ def _short_enough(laws: Grouped, goal: arb) -> tuple[dict[Key, arb_poly], arb] |
         last = upper(sum((laws.size(b[key], key) for key in keys if key[0] == order), arb(0)))
         if not last <= before:
             return None
-        if last < goal / 8 and (left := rest(laws, b)) < goal * laws.alpha / 4:
+        if last < goal / 8 and (left := residual(laws, b)) < goal * laws.alpha / 4:
             return b, left
         before = last
     return None
@@ -254,7 +254,7 @@ def extend(laws: Grouped, b: dict[Key, arb_poly], keys: list[Key]) -> None:
         slopes[key] = laws.slope(b[key], key)
 
 
-def rest(laws: Grouped, b: dict[Key, arb_poly]) -> arb:
+def residual(laws: Grouped, b: dict[Key, arb_poly]) -> arb:
     """A bound of what A B - w^(2-2 alpha)/epsilon^2 keeps on the stretch: by the choice of B no power of t below
     ``length`` beside a key of B."""
     A = {key: laws.slope(part, key) for key, part in laws.parts.items()}
@@ -272,14 +272,14 @@ def _between(
     laws: Grouped, found: tuple[dict[Key, arb_poly], arb], state: tuple[Damping, arb, arb, arb], goal: arb
 ) -> Stretch | None:
     """The strip, where the motion crosses its edges one way only, and it is worth it."""
-    (b, rest), (damping, y, w, error) = found, state
+    (b, residual), (damping, y, w, error) = found, state
     scale, a, speed = laws.scale, laws.alpha, w + arb(0, error)
     log_w, none = speed.log(), (0,) * len(laws.powers)
     size = laws.epsilon * (a * log_w).exp()
     B = sum((p(scale.t(log_w)) * (laws.exponent(key) * log_w).exp() for key, p in b.items()), arb(0))
     theta = upper((damping.resistance(speed) - y - arb(0, error)) / size - B) + laws.lost
-    h = upper(theta + 5 * (rest + 2 * laws.lost) / a)
-    if not h < WIDEST * goal or not one_way(laws, b, rest, h):
+    h = upper(theta + 5 * (residual + 2 * laws.lost) / a)
+    if not h < WIDEST * goal or not one_way(laws, b, residual, h):
         return None
     curves = []
     for sign in (-1, 1):
@@ -301,7 +301,7 @@ def _between(
     return Stretch(above, below, starts, laws.most, upper(4 * h / a), arb(0), least, length)
 
 
-def one_way(laws: Grouped, b: dict[Key, arb_poly], rest: arb, h: arb) -> bool:
+def one_way(laws: Grouped, b: dict[Key, arb_poly], residual: arb, h: arb) -> bool:
     """Whether on all the stretch the motion crosses the curves of theta = +-h one way, and A > alpha/2 on them."""
     a, none = laws.alpha, (0,) * len(laws.powers)
     own = sum((laws.size(laws.slope(p, key), key) for key, p in b.items()), a * h)
@@ -316,7 +316,7 @@ def one_way(laws: Grouped, b: dict[Key, arb_poly], rest: arb, h: arb) -> bool:
             others += laws.size(slope, key)
             falls += (laws.size(slope - slope[0], key) - abs(laws.size(arb_poly([slope[0]]), key))).nonnegative_part()
     most = a + falls + others + own
-    crossing = rest + most * laws.lost + a * h * (plain + laws.lost)
+    crossing = residual + most * laws.lost + a * h * (plain + laws.lost)
     return bool(crossing < a / 2 * h) and bool(falls + own < a / 2)
 
 

@@ -167,7 +167,7 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
     E, log_w = series.cut, speed.log()
     lacking = (damping.resistance(speed) - place) / (series.epsilon * (a * log_w).exp()) - summed(series.b, log_w)
     theta = lacking * (-E * log_w).exp()
-    h = 2 * upper(theta) + 4 * upper(summed(series.rest, most) * (-E * most).exp() / a)
+    h = 2 * upper(theta) + 4 * upper(summed(series.neglected, most) * (-E * most).exp() / a)
     if not h * (E * most).exp() < WIDEST * goal or not one_way(series, h, most):
         return None
     above, below = (SlowCurve(series.epsilon, a, series.others, (*series.b, (sign * h, E))) for sign in (-1, 1))
@@ -179,13 +179,13 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
 
 
 def short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Truncated | None:
-    """The shortest series whose rest is below the goal for ln w <= most; None where its terms grow before."""
+    """The shortest series that neglects less than the goal for ln w <= most; None where its terms grow before."""
     if too_early(damping.strengths[leading], damping.exponents[leading], most):
         return None
     before = arb(1)
     for order in ORDERS:
         series = truncated(damping, leading, order)
-        if series is None or not (left := upper(summed(series.rest, most))) <= before:
+        if series is None or not (left := upper(summed(series.neglected, most))) <= before:
             return None
         if left < goal * series.alpha / 4:
             return series
@@ -206,5 +206,5 @@ def one_way(series: Truncated, h: arb, most: arb) -> bool:
     others = summed([((a + d) * r, d) for r, d in series.others], most)
     own = summed([(abs((a + e) * b), e) for b, e in series.b], most)
     plain = summed([(abs(b), e) for b, e in series.b], most)
-    rest = summed(series.rest, most) + drift * (others + own + abs(a + E) * (plain + drift))
-    return bool(rest < a * drift) and bool(own + abs(a + E) * drift < a / 2)
+    residual = summed(series.neglected, most) + drift * (others + own + abs(a + E) * (plain + drift))
+    return bool(residual < a * drift) and bool(own + abs(a + E) * drift < a / 2)

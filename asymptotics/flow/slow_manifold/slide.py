@@ -75,7 +75,7 @@ def _between(series: Truncated, state: tuple[Damping, arb, arb, arb], end: arb, 
     speed, place = w + arb(0, error), y + arb(0, error)
     log_w = speed.log()
     theta = (damping.resistance(speed) - place) / (series.epsilon * (a * log_w).exp()) - summed(series.b, log_w)
-    h = 2 * upper(theta) + 4 * upper(summed(series.rest, end) / a)
+    h = 2 * upper(theta) + 4 * upper(summed(series.neglected, end) / a)
     if not h < WIDEST * goal or not one_way(series, h, end):
         return None
     above, below = (SlowCurve(series.epsilon, a, (), (*series.b, (sign * h, arb(0)))) for sign in (-1, 1))

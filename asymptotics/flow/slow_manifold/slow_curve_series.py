@@ -35,7 +35,7 @@ Key = tuple[int, ...]  # how often w^(2-2 alpha) and the w^(d_i) are factors
 
 @dataclass(frozen=True)
 class Truncated:
-    """``others``: the r_i and d_i; ``b``: the powers of B below w^``cut``; ``rest``: those that
+    """``others``: the r_i and d_i; ``b``: the powers of B below w^``cut``; ``neglected``: those that
     A B - w^(2-2 alpha)/epsilon^2 has from there on, with the absolute values of their coefficients."""
 
     epsilon: arb
@@ -43,7 +43,7 @@ class Truncated:
     others: tuple[Power, ...]
     b: tuple[Power, ...]
     cut: arb
-    rest: tuple[Power, ...]
+    neglected: tuple[Power, ...]
 
 
 def summed(powers: tuple[Power, ...] | list[Power], log_w: arb) -> arb:
@@ -63,13 +63,13 @@ def _truncated(
 ) -> Truncated | None:
     with ctx.workprec(bits):
         a, e = [alpha.ball() for alpha in alphas], [arb(arb(mid), arb(rad)) for mid, rad in strengths]
-        rest = [i for i in range(len(a)) if i != leading]
-        steps = [2 - 2 * a[leading], *(a[i] - a[leading] for i in rest)]
+        beside = [i for i in range(len(a)) if i != leading]
+        steps = [2 - 2 * a[leading], *(a[i] - a[leading] for i in beside)]
         keys = lower_set(tuple(abs(float(d.mid())) for d in steps), order)
         if keys is None:
             return None
         exponent = {key: sum(map(mul, steps, key), arb(0)) for key in keys}
-        others = {unit(i, len(steps)): a[j] * e[j] / e[leading] for i, j in enumerate(rest, start=1)}
+        others = {unit(i, len(steps)): a[j] * e[j] / e[leading] for i, j in enumerate(beside, start=1)}
         b = _solved(keys, exponent, a[leading], others, 1 / e[leading] ** 2)
         A = {**others, **{key: -(a[leading] + exponent[key]) * b[key] for key in keys}}
         left: dict[Key, arb] = {}
@@ -83,7 +83,7 @@ def _truncated(
         return Truncated(
             e[leading],
             a[leading],
-            tuple((e[j] / e[leading], steps[i]) for i, j in enumerate(rest, start=1)),
+            tuple((e[j] / e[leading], steps[i]) for i, j in enumerate(beside, start=1)),
             tuple((b[key], exponent[key]) for key in keys),
             cut.mid(),
             powers,

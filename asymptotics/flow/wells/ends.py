@@ -69,17 +69,17 @@ def _held(force: WellForce, u: arb) -> arb | None:
     if not force.grips:
         return arb(0)
     low, high = arb(0), u.mid()
-    if not force.rest(high) > 0:
+    if not force.restoring(high) > 0:
         return None
     for _ in range(ctx.prec):
         middle = ((low + high) / 2).mid()
-        if force.rest(middle) > 0:
+        if force.restoring(middle) > 0:
             high = middle
-        elif force.rest(middle) < 0:
+        elif force.restoring(middle) < 0:
             low = middle
         else:
             break
-    return low.union(high) if low > 0 or force.rest(arb(0)) < 0 else None
+    return low.union(high) if low > 0 or force.restoring(arb(0)) < 0 else None
 
 
 def _slow(epsilon: arb, a: arb, K: arb, y: arb, highest: arb, w: arb) -> bool:

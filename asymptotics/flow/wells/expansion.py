@@ -71,7 +71,7 @@ class WellExpansion:
 
         UndecidedError where the mass might rest there, or the majorant does not provably converge.
         """
-        brake = force.rest(u0)
+        brake = force.restoring(u0)
         if not (brake > 0 or brake < 0):
             raise UndecidedError("whether dry friction holds the mass here is undecided")
         plan, reach, (factor, H, R) = _planned(force, u0, brake, w)
@@ -127,7 +127,7 @@ class WellExpansion:
 def reach_at(force: WellForce, u0: arb) -> arb | None:
     """The cheapest hand-over speed at a turning point, a choice; None where there can be none."""
     with ctx.workprec(_LOW):
-        brake = force.rest(u0.mid()).mid()
+        brake = force.restoring(u0.mid()).mid()
         if not (brake > 0 or brake < 0):
             return None
         plan, scale = _plan(force, u0.mid(), brake, None, 1.0)
@@ -219,13 +219,13 @@ def _coefficients(
 ) -> tuple[list[arb], list[arb]]:
     """Coefficients of u and tau/w."""
     side = 1 if u0 > 0 or not u0 < 0 else -1
-    powers, losses = force.rest_powers(side), force.loss_powers(side)
+    powers, losses = force.restoring_powers(side), force.loss_powers(side)
     curve = ComposedSeries(grid, force.rate, {n for _, n in powers} | {m for _, m, _ in losses}, u0)
     P, Q, scale, none = [brake], [1 / brake], -1 / brake, arb(0)
     for k in range(1, len(exponents)):
         before = grid.back(k, 0)
         curve.append(none if before is None else -Q[before] / exponents[k])
-        total = curve.rest(powers)
+        total = curve.restoring(powers)
         for i, (c, m, _) in enumerate(losses, start=1):
             at = grid.back(k, i)
             if at is not None:

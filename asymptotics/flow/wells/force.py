@@ -4,7 +4,7 @@
     pull(u) = u + sum_j c_j u|u|^(p_j-1), with sin(r u)/r in place of u for a pendulum,    grip(u) = sum epsilon |u|^m
 
 (``grip`` are the losses of exponent 0).  Strengths are enclosures at the precision current when the ``WellForce`` is
-made. On one side of u = 0 everything is a polynomial or a sine of u: ``rest_powers`` and ``loss_powers`` give it.
+made. On one side of u = 0 everything is a polynomial or a sine of u: ``restoring_powers`` and ``loss_powers`` give it.
 
 >>> from asymptotics.law import Law
 >>> air = WellForce.of(Law({2: "1/10", 0: "1/50"}, spring={3: "1/2"}).terms)
@@ -103,7 +103,7 @@ class WellForce:
         """What dry friction holds at u."""
         return sum((e * abs(u) ** m for e, m in self.grips), arb(0))
 
-    def rest(self, u: arb) -> arb:
+    def restoring(self, u: arb) -> arb:
         """s_0(u): the acceleration from rest towards smaller u."""
         return self.pull(u) - self.grip(u)
 
@@ -117,7 +117,7 @@ class WellForce:
 
     def acceleration(self, u: arb, w: arb) -> arb:
         """G(u, w) at an exact speed w >= 0."""
-        return self.rest(u) - self.drag(u, w)
+        return self.restoring(u) - self.drag(u, w)
 
     def slope(self, u: arb, w: arb) -> arb:
         """A ball with all slopes dG/du for u in a ball and speeds up to |w|, the kinks' one-sided slopes included."""
@@ -148,7 +148,7 @@ class WellForce:
         linear = u**2 / 2 if self.rate is None else (1 - (self.rate * u).cos()) / self.rate**2
         return sum((c * abs(u) ** (p + 1) / (p + 1) for c, p in self.springs), linear)
 
-    def rest_powers(self, side: int) -> list[tuple[arb, int]]:
+    def restoring_powers(self, side: int) -> list[tuple[arb, int]]:
         """(coefficient, power of u) of s_0 where u has the sign ``side``, without u itself or the sine."""
         return [(c * side ** (p - 1), p) for c, p in self.springs] + [(-e * side**m, m) for e, m in self.grips]
 
@@ -160,7 +160,7 @@ class WellForce:
         """sum_(k>=1) |s_0^(k)(u)|/k! reach^k term by term: how far s_0 goes within ``reach``, also for complex u."""
         size = abs(u)
         wide = size + reach
-        total = sum((abs(c) * (wide**n - size**n) for c, n in self.rest_powers(1)), arb(0))
+        total = sum((abs(c) * (wide**n - size**n) for c, n in self.restoring_powers(1)), arb(0))
         if self.rate is None:
             return upper(total + reach)
         sine, cosine = (self.rate * size).sin_cos()
@@ -170,7 +170,7 @@ class WellForce:
 
     def largest(self, u: arb, du: arb, w: arb, dw: arb) -> arb:
         """A bound of |G| on the complex discs |U - u| <= du, |W - w| <= dw < w."""
-        return upper(abs(self.rest(u)) + self.largest_change(u, du) + self.drag(abs(u) + du, w + dw))
+        return upper(abs(self.restoring(u)) + self.largest_change(u, du) + self.drag(abs(u) + du, w + dw))
 
 
 def estimated_seconds(force: WellForce, swings: float, bits: int) -> float:

@@ -52,17 +52,17 @@ def turns_within(force: WellForce, u: arb, w: arb) -> bool:
 
 def without_loss(force: WellForce, u: arb, square: arb) -> arb | None:
     """Where w^2/2 = ``square`` at u is used up by s_0 alone: Newton's method, a choice."""
-    rest = force.rest(u).mid()
-    if not rest < 0:
+    restoring = force.restoring(u).mid()
+    if not restoring < 0:
         return None
-    turn = (u + square / rest).mid()
+    turn = (u + square / restoring).mid()
     held = sum((e for e, m in force.grips if m == 0), arb(0)).mid()
     for _ in range(_MOST):
-        rest = force.rest(turn).mid()
-        if not rest < 0:
+        restoring = force.restoring(turn).mid()
+        if not restoring < 0:
             return None
         left = square + force.potential(u).mid() - force.potential(turn).mid() - held * (u - turn)
-        step = (left / rest).mid()
+        step = (left / restoring).mid()
         turn = (turn + step).mid()
         if not turn < u:
             return None

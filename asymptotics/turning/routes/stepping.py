@@ -25,7 +25,7 @@ from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.linear_spring.near_critical import most_swings
 from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.taylor import GUARD
-from asymptotics.flow.turning import Turning, rest
+from asymptotics.flow.turning import Turning, at_rest
 from asymptotics.flow.wells.ends import require_inside
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.force import WellForce, estimated_seconds
@@ -99,7 +99,7 @@ def _in_well(request: Request, progress: Progress) -> TurningPoints:
 
         def first() -> Turning | str:
             x0, v0 = request.place.ball(), request.speed.ball()
-            return first_from(well, x0, v0) if request.in_motion else rest(x0)
+            return first_from(well, x0, v0) if request.in_motion else at_rest(x0)
 
         return EnclosedMotion(first, lambda start: sequence(well, start))
 

@@ -14,7 +14,7 @@ from asymptotics.flow.linear_spring.linear import ROUTE, LinearOrbit, is_linear
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.trajectory import course
-from asymptotics.flow.turning import rest
+from asymptotics.flow.turning import at_rest
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import parse_real
@@ -107,7 +107,7 @@ def test_states_in_one_pass():
     times = [arb(k) / 4 for k in range(60)]
     with ctx.workprec(40):
         low = states(LinearSpring(law), arb(1), arb(0), times)
-        third = next(islice(sequence(LinearSpring(law), rest(arb(1))), 2, None))  # at 2 T: from there on the same
+        third = next(islice(sequence(LinearSpring(law), at_rest(arb(1))), 2, None))  # at 2 T: from there on the same
         for a, b in zip(low[26:], states_from(LinearSpring(law), third, times[26:]), strict=True):
             assert a[0].overlaps(b[0]) and a[1].overlaps(b[1]) and b[0].rad() < arb(2) ** -30
     with ctx.workprec(120):

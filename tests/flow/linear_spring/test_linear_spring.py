@@ -12,7 +12,7 @@ from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.trajectory import Landing, course
-from asymptotics.flow.turning import rest
+from asymptotics.flow.turning import at_rest
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.return_map.panels import Panels
@@ -92,7 +92,7 @@ def test_errors_only_add():
         found = []
         for bits in (60, 180):
             with ctx.workprec(bits):
-                points = sequence(LinearSpring(damping(pairs)), rest(arb(1)))
+                points = sequence(LinearSpring(damping(pairs)), at_rest(arb(1)))
                 found.append([next(points) for _ in range(12)])
         for low, high in zip(*found):
             with ctx.workprec(180):
@@ -110,7 +110,7 @@ def test_near_a_separatrix_the_precision_rises_until_it_is_decided():
     with ctx.workprec(110):
         low = damping((("1/2", "0.83708879743"),))
     with pytest.raises(UndecidedError, match="separatrix|place of rest|undecided"), ctx.workprec(30):
-        list(sequence(LinearSpring(low), rest(arb(1))))
+        list(sequence(LinearSpring(low), at_rest(arb(1))))
 
 
 def test_exponents_at_the_rims():
@@ -136,7 +136,7 @@ def test_a_long_sequence_loses_nothing_and_memory_stays_flat(pairs):
         with ctx.workprec(bits + GUARD):
             d = damping(pairs)
         with ctx.workprec(bits):
-            for here in sequence(Interpolated(d, Panels(law, bits), count), rest(arb(1))):
+            for here in sequence(Interpolated(d, Panels(law, bits), count), at_rest(arb(1))):
                 if here.n == 100:  # the panel is made: watching is slow
                     tracemalloc.start()
                 if here.n == count // 2:

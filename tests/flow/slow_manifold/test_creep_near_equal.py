@@ -14,7 +14,7 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring import linear_spring as course_module
 from asymptotics.flow.linear_spring.linear_spring import Creep, LinearSpring
 from asymptotics.flow.slow_manifold import creep_near_equal
-from asymptotics.flow.slow_manifold.creep_near_equal import Stretch, extend, grouped, groups, one_way, rest, stretch
+from asymptotics.flow.slow_manifold.creep_near_equal import Stretch, extend, grouped, groups, one_way, residual, stretch
 from asymptotics.flow.slow_manifold.creep_slow_curve import solve
 from asymptotics.flow.slow_manifold.slow_curve_series import lower_set
 from asymptotics.flow.trajectory import course
@@ -120,7 +120,7 @@ def test_a_barrier_within_what_is_left_is_not_proved(law):
         laws = grouped(damping, groups(damping), arb("1e-3").log())
         b = {}
         extend(laws, b, lower_set(tuple(float(d.mid()) for d in laws.powers), 3))
-        left = rest(laws, b)
+        left = residual(laws, b)
         least = (left + 1.5 * laws.alpha * laws.lost) / laws.alpha
         assert one_way(laws, b, left, 4 * least)
         assert not one_way(laws, b, left, least)
@@ -142,7 +142,7 @@ def test_what_is_left_is_the_residual_of_the_curve(law):
             A = sum((s * laws.slope(p, k)(t) * (laws.exponent(k) * log_w).exp() for p, k, s in terms), arb(0))
             B = sum((p(t) * (laws.exponent(k) * log_w).exp() for k, p in b.items()), arb(0))
             found.append(abs(A * B - (laws.powers[0] * log_w).exp() / laws.epsilon**2))
-        bound = rest(laws, b)
+        bound = residual(laws, b)
         assert all(x < bound for x in found) and found[0] > bound / 4
 
 
@@ -200,7 +200,7 @@ def test_a_curve_that_is_not_checked_where_it_starts_is_none():
             laws = grouped(damping, groups(damping), (arb("1.01") * w).log() + shift)
             b = {}
             extend(laws, b, lower_set(tuple(float(d.mid()) for d in laws.powers), 3))
-            strip = creep_near_equal._between(laws, (b, rest(laws, b)), (damping, y, w, error), arb(1))
+            strip = creep_near_equal._between(laws, (b, residual(laws, b)), (damping, y, w, error), arb(1))
             assert (strip is not None) is found
 
 

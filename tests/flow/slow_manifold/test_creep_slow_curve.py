@@ -105,7 +105,11 @@ def test_half_the_strip_is_not_proved(law):
     with ctx.workprec(120):
         series = truncated(damping(law), 0, 3)
         most = arb("1e-4").log()
-        least = sum(((c * (e * most).exp()) for c, e in series.rest), arb(0)) / series.alpha / (series.cut * most).exp()
+        least = (
+            sum(((c * (e * most).exp()) for c, e in series.neglected), arb(0))
+            / series.alpha
+            / (series.cut * most).exp()
+        )
         assert one_way(series, arb("1.2") * least, most)
         assert not one_way(series, arb("0.9") * least, most)
         # and rightly: the powers that are left have one sign, so a curve with half of it is crossed the other way
@@ -188,11 +192,11 @@ def test_the_rest_is_what_the_cut_leaves(law, order):
         curve = SlowCurve(series.epsilon, series.alpha, series.others, series.b)
         first = ((2 - 2 * series.alpha) * log_w).exp() / series.epsilon**2
         left = (series.alpha + summed(curve.a, log_w)) * summed(series.b, log_w) - first
-        rest = summed(series.rest, log_w)
+        rest = summed(series.neglected, log_w)
         assert abs(left) < rest * (1 + arb(2) ** -60)
         assert len(law) > 1 or abs(left) > rest * (1 - arb(2) ** -25), "all of one sign"
-        assert all(e >= series.cut for _, e in series.rest)
-        assert any(e <= series.cut * (1 + arb(2) ** -39) for _, e in series.rest)
+        assert all(e >= series.cut for _, e in series.neglected)
+        assert any(e <= series.cut * (1 + arb(2) ** -39) for _, e in series.neglected)
 
 
 def test_a_corrupted_coefficient_does_not_hold_the_motion(monkeypatch):

@@ -97,7 +97,7 @@ def test_half_the_strip_is_not_proved():
     with ctx.workprec(120):
         series = replace(truncated(damping("3/2", "1e4"), 0, 6), cut=arb(0))
         end = arb(-14)
-        least = summed(series.rest, end) / series.alpha
+        least = summed(series.neglected, end) / series.alpha
         assert one_way(series, arb("1.1") * least, end) and not one_way(series, arb("0.9") * least, end)
 
 

@@ -16,7 +16,7 @@ from asymptotics.flow import trajectory as courses
 from asymptotics.flow.parting import contracted, growth, lateness, points_forward, turning_gap
 from asymptotics.flow.sequence import after_landing
 from asymptotics.flow.trajectory import Landing, course
-from asymptotics.flow.turning import Turning, rest
+from asymptotics.flow.turning import Turning, at_rest
 from asymptotics.flow.wells import expansion as expansions
 from asymptotics.flow.wells.ends import _critical, inside, trap
 from asymptotics.flow.wells.even_well import EvenWell
@@ -66,7 +66,7 @@ def test_the_tail_is_the_factor_times_the_majorant():
     force, sine, cosine = FORCES["free pendulum"], mpmath.sin(1), mpmath.cos(1)
     with ctx.workprec(40):
         few = WellExpansion.at(force, arb(1))
-        plan, _ = expansions._plan(force, arb(1), force.rest(arb(1)), None, 1.0)
+        plan, _ = expansions._plan(force, arb(1), force.restoring(arb(1)), None, 1.0)
     stretch, H = plan.stretch[0], mpmath.mpf(0)
     a = float(few.reach) ** 2 * 4**stretch / 2 / sine
     for _ in range(200):
@@ -182,7 +182,7 @@ def test_the_next_turning_point_carries_the_error_of_the_last():
         pieces = list(course(EvenWell(FORCES["free pendulum"]), arb(1), arb(0), e))
         assert isinstance(pieces[-1], Landing)
         there = after_landing(Turning(0, 1, arb(1), arb(0), e, arb(0)), pieces[-1])
-        exactly = after_landing(rest(arb(1)), orbit(FORCES["free pendulum"], 1, 120))
+        exactly = after_landing(at_rest(arb(1)), orbit(FORCES["free pendulum"], 1, 120))
         shifted = orbit(FORCES["free pendulum"], 1 + e, 120)
         assert abs(shifted.turn + exactly.amplitude) <= there.amplitude_error < 2 * e
         assert abs(shifted.clock - exactly.time) <= there.time_error < 20 * e
@@ -240,7 +240,7 @@ def test_the_force_ahead_must_point_forward():
 def test_a_force_that_turns_round_between_two_places_is_seen():
     """1 - 5 y + 5 y^2 < 0 for u^2 = y between (5 -+ sqrt 5)/10, 0.276 and 0.724, and not at the ends."""
     hump = force_of({2: 0}, {3: -5, 5: 5})
-    assert all(hump.rest(arb(end)) < 0 for end in ("-1", "-0.2"))
+    assert all(hump.restoring(arb(end)) < 0 for end in ("-1", "-0.2"))
     assert not points_forward(hump, arb(-1), arb("-0.2"))
     assert points_forward(hump, arb(-1), arb("-0.86")) and points_forward(hump, arb("-0.52"), arb("-0.2"))
 
@@ -262,4 +262,4 @@ def test_no_exponent_from_1_on_creeps_beside_a_spring():
 
 def test_where_dry_friction_may_hold_there_is_no_expansion():
     with pytest.raises(UndecidedError, match="holds the mass here"):
-        WellExpansion.at(SimpleNamespace(rest=lambda _: arb(0, 1)), arb(1))
+        WellExpansion.at(SimpleNamespace(restoring=lambda _: arb(0, 1)), arb(1))

@@ -13,7 +13,7 @@ from asymptotics.flow.parting import PartingErrors, contracted, growth, lateness
 from asymptotics.flow.sequence import after_landing, first_from, next_turning, sticks, turning_after_start
 from asymptotics.flow.times import at_time
 from asymptotics.flow.trajectory import Landing, Step, course
-from asymptotics.flow.turning import Turning, rest
+from asymptotics.flow.turning import Turning, at_rest
 from asymptotics.flow.wells import even_well as wells
 from asymptotics.flow.wells.ends import _held, trap
 from asymptotics.flow.wells.even_well import EvenWell
@@ -78,7 +78,7 @@ class Braking:
 
     farther: float
 
-    def rest(self, u):
+    def restoring(self, u):
         return arb(-1) if u.is_exact() else arb(self.farther)
 
 
@@ -245,7 +245,7 @@ def test_the_error_of_a_time_only_adds(name):
             Turning(0, 1, arb(1), arb(0), arb(0), e),
             dense._Wanted(EvenWell(FORCES[name]), [arb(9)]),
         )
-        exactly = dense._swing(EvenWell(FORCES[name]), rest(arb(1)), dense._Wanted(EvenWell(FORCES[name]), [arb(9)]))
+        exactly = dense._swing(EvenWell(FORCES[name]), at_rest(arb(1)), dense._Wanted(EvenWell(FORCES[name]), [arb(9)]))
         assert exactly.time_error + e * arb("0.999") < there.time_error < e * arb("1.001")
 
 
@@ -398,19 +398,19 @@ def test_traps_and_edges_are_asked_about_the_whole_error(monkeypatch):
 def test_turning_points_hold_those_of_every_start():
     """At rest within e of 1, and in motion within e in place and speed: x and tau of the next ones."""
     force, e = FORCES["pendulum"], arb(2) ** -16
-    assert rest(arb(-1, e)).amplitude_error >= e
+    assert at_rest(arb(-1, e)).amplitude_error >= e
     with ctx.workprec(80):
-        wide = next_turning(EvenWell(force), rest(arb(1, e)))
+        wide = next_turning(EvenWell(force), at_rest(arb(1, e)))
         kicked = first_from(EvenWell(force), arb("0.5", e), arb("0.25", e))
         for a in (1, -1):
-            there = next_turning(EvenWell(force), rest(1 + a * e))
+            there = next_turning(EvenWell(force), at_rest(1 + a * e))
             assert wide.x.contains(there.x) and wide.tau.contains(there.tau)
             for b in (1, -1):
                 corner = first_from(EvenWell(force), arb("0.5") + a * e, arb("0.25") + b * e)
                 assert kicked.x.contains(corner.x) and kicked.tau.contains(corner.tau)
         assert max(wide.amplitude_error, kicked.amplitude_error, key=float) < 16 * e
     with pytest.raises(UndecidedError, match="holds the mass here"):  # beyond the top it falls to the other side
-        next_turning(EvenWell(TOP), rest(arb("3.1", "0.05")))
+        next_turning(EvenWell(TOP), at_rest(arb("3.1", "0.05")))
 
 
 def test_the_trap_of_creep_has_its_boundary():

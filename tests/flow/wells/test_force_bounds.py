@@ -20,7 +20,7 @@ def on_circles(f, u, du, w=0, dw=0):
 def polynomial(force, side):
     """G(U, W) on one side of U = 0, in mpmath."""
     rate = None if force.rate is None else float(force.rate)
-    powers = [(float(c), n) for c, n in force.rest_powers(side)]
+    powers = [(float(c), n) for c, n in force.restoring_powers(side)]
     losses = [(float(f.strength) * side**f.place, f.place, float(f.exponent)) for f in force.losses]
 
     def G(U, W):
@@ -49,7 +49,7 @@ def test_the_largest_force_on_two_discs_is_attained(force):
     most = on_circles(polynomial(force, -1), -0.5, 0.5, 0.75, 0.5)
     bound = float(force.largest(arb("-0.5"), arb("0.5"), arb("0.75"), arb("0.5")))
     assert most <= bound < 1.4 * most
-    spring, loss = (float(f) for f in (abs(force.rest(arb("-0.5"))), force.drag(arb("0.5"), arb("0.75"))))
+    spring, loss = (float(f) for f in (abs(force.restoring(arb("-0.5"))), force.drag(arb("0.5"), arb("0.75"))))
     assert min(spring, loss) > 0.05 * most
 
 
@@ -82,10 +82,10 @@ def test_the_rate_next_to_a_turning_point(name):
         w = found.reach
         u, _ = found.state(w)
         before = abs(force.acceleration(u, w))
-        after = abs(force.rest(u) + 2 * force.grip(u) + force.drag(u, w))  # on its way to the turning point
+        after = abs(force.restoring(u) + 2 * force.grip(u) + force.drag(u, w))  # on its way to the turning point
         most = before.max(after).max(abs(found.brake))
         assert most <= found.rate < 7 * most
-        again = 6 * abs(force.rest(arb(1))) + 2 * force.grip(arb(1))
+        again = 6 * abs(force.restoring(arb(1))) + 2 * force.grip(arb(1))
         assert again <= found.rate * (1 + arb(1e-9)) and found.rate <= again * (1 + arb(1e-9))
         assert found.speed(arb(3)) >= found.rate + 3 * found.reach
 
@@ -96,7 +96,7 @@ def test_the_majorant_is_a_solution_of_its_inequality(name, u0):
     """Up to the edge of what it serves: H and R fulfil a/(1-R(H)) <= H in doubles, and H is at most twice the least."""
     force = FORCES[name]
     plan, found = served(force, u0)
-    size = float(abs(force.rest(arb(u0))))
+    size = float(abs(force.restoring(arb(u0))))
     rest = polynomial(force, 1)
     changes = [float(abs(c)) for c in mpmath.taylor(lambda U: rest(U, 0), 1, 14)]
     alphas = [2.0, *(float(f.exponent) for f in force.losses)]
@@ -121,8 +121,8 @@ def test_the_majorant_is_a_solution_of_its_inequality(name, u0):
 def served(force, u0):
     """The plan at a turning point, and the majorant at speeds that approach the largest for which there is one."""
     with ctx.workprec(60):
-        plan, _ = expansions._plan(force, arb(u0), force.rest(arb(u0)), None, 1.0)
-        size, low, high, found = abs(force.rest(arb(u0))), arb(2) ** -20, arb(4), []
+        plan, _ = expansions._plan(force, arb(u0), force.restoring(arb(u0)), None, 1.0)
+        size, low, high, found = abs(force.restoring(arb(u0))), arb(2) ** -20, arb(4), []
         for _ in range(24):
             w = ((low + high) / 2).mid()
             majorant = expansions._majorant(force, arb(u0), size, w, plan)
@@ -145,7 +145,7 @@ def test_what_is_left_out_is_added(name):
     force = FORCES[name]
     with ctx.workprec(40):
         few = WellExpansion.at(force, arb(1))
-        _, _, (factor, H, R) = expansions._planned(force, arb(1), force.rest(arb(1)), None)
+        _, _, (factor, H, R) = expansions._planned(force, arb(1), force.restoring(arb(1)), None)
         assert few.tail >= factor * H and few.time_tail >= factor * R / (1 - R) / abs(few.brake)
         assert few.tail <= factor * H * arb("1.01") and few.time_tail * abs(few.brake) <= R / (1 - R) * factor * arb(
             "1.01"

@@ -12,7 +12,7 @@ from asymptotics.expansions.normal_form.coefficients import half_swing_coefficie
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states
 from asymptotics.flow.sequence import turning_by_pieces
-from asymptotics.flow.turning import rest
+from asymptotics.flow.turning import at_rest
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.law import Law, Oscillator
@@ -37,7 +37,7 @@ def force_of(law, bits=200):
 def swing(law, p, bits):
     """(q, T) as balls at the given precision."""
     with ctx.workprec(bits):
-        found, _ = turning_by_pieces(EvenWell(force_of(law, bits + 40)), rest(arb(p)))
+        found, _ = turning_by_pieces(EvenWell(force_of(law, bits + 40)), at_rest(arb(p)))
         return arb(found.amplitude, found.amplitude_error), found.tau
 
 
