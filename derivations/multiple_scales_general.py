@@ -119,12 +119,13 @@ step(
     -sympy.Derivative(-(a**alpha) * B * sin(n * psi), psi),
     force_n,
 )
-own = -(a**alpha) * n * B / (n**2 - 1)
-coefficient = -(own * (a**alpha * n * B) / a + f_1 * a**alpha * 2 * p / a)
+whole = sympy.Symbol("n", integer=True, positive=True)
+pulls = -(force_n / a * sympy.diff(x_n, psi)).subs(n, whole), -(a**alpha * 2 * p * cos(psi) / a) * f_1 * cos(psi)
+means = [sympy.Integral(pull, (psi, 0, 2 * pi)) / (2 * pi) for pull in pulls]
 step(
     "Coefficient of cos psi in -S'(V_0) V_1 = -2 <S'(V_0) cos psi V_1>: harmonic n of X_1, and f_1 cos psi with b_1",
-    coefficient,
-    a ** (2 * alpha - 1) * (n**2 * B**2 / (n**2 - 1) + 2 * p**2),
+    2 * (means[0] + means[1]),
+    a ** (2 * alpha - 1) * (whole**2 * B**2 / (whole**2 - 1) + 2 * p**2),
 )
 condition = 2 * a * g_2 - alpha * p**2 * a ** (2 * alpha - 1) + a ** (2 * alpha - 1) * (S + 2 * p**2)
 step(

@@ -82,12 +82,12 @@ step(
     -sympy.Derivative(F(a * cos(psi)), psi),
     a * sin(psi) * sympy.Subs(sympy.diff(F(X), X), X, a * cos(psi)),
 )
-of_loss = eps * alpha * a ** (alpha - 1) * (c * a**p * n * D / (n**2 - 1) * B)
-of_spring = c * a ** (p - 1) * n * D * eps * a**alpha * B / (n**2 - 1)
+S_n, R_n = sympy.symbols("S_n R_n", real=True)
+v_n, x_n = -c * a**p * n * D / (n**2 - 1), -eps * a**alpha * B / (n**2 - 1)
 step(
     "sin psi in -S'(V_0) V_1 - R'(X_0) X_1, harmonic n >= 3: V_1 has -c a^p n d_n/(n^2-1) sin n psi, X_1 of the loss"
-    " -eps a^alpha b_n/(n^2-1) sin n psi",
-    of_loss + of_spring,
+    " -eps a^alpha b_n/(n^2-1) sin n psi; S_n, R_n: the two projections above, with their strengths",
+    At(-S_n * v_n - R_n * x_n, {S_n: eps * alpha * B * a ** (alpha - 1), R_n: c * n * D * a ** (p - 1)}),
     (alpha + 1) * eps * c * a ** (alpha + p - 1) * n * B * D / (n**2 - 1),
 )
 unit = eps * c * a ** (alpha + p - 1)
@@ -96,7 +96,7 @@ p_open = sympy.expand(sympy.solve(condition, f_2)[0] / -unit)
 step(
     "With V_1 = ... - a g_1 sin psi, b_1 = 2 P and S = sum_(n>=3) n b_n d_n/(n^2-1): D_2 a = -eps c a^(alpha+p-1) p_11,"
     " p_11 =",
-    p_open,
+    Solution(condition, 0, f_2) / -unit,
     P * Q * (alpha - (p + 1) / 2) + (alpha + 1) * S / 2,
 )
 

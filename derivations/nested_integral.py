@@ -8,7 +8,7 @@ import sympy
 
 from asymptotics.expansions.half_swings.symbolic import nested_integral_exact
 from asymptotics.expansions.moments.symbolic import moment
-from derivations.steps import At, Derivation, defined
+from derivations.steps import At, Coefficient, Derivation, Solution, defined
 
 phi, m, u = sympy.symbols("phi m u", real=True)
 alpha = sympy.Symbol("alpha", positive=True)
@@ -129,14 +129,19 @@ step(
 r_1, r_3, rho, sigma, kappa, X, Y = sympy.symbols("r_1 r_3 rho sigma kappa X Y")
 step(
     "pi = X and Gamma(1/4) = Y are algebraically independent (Chudnovsky): (1/4 - r_1) rho g + sigma - r_3 kappa/pi"
-    " = 0 with rational rho != 0 is the polynomial identity",
-    X**2 * ((sympy.Rational(1, 4) - r_1) * rho * Y**4 / X**2 + sigma - r_3 * kappa / X),
-    (sympy.Rational(1, 4) - r_1) * rho * Y**4 + sigma * X**2 - r_3 * kappa * X,
+    " = 0 with rational rho != 0, times X^2, is a polynomial identity, in which Y^4 has",
+    Coefficient(X**2 * ((sympy.Rational(1, 4) - r_1) * rho * Y**4 / X**2 + sigma - r_3 * kappa / X), Y, 4),
+    (sympy.Rational(1, 4) - r_1) * rho,
 )
 step(
-    "so r_1 = 1/4 (with 1/g likewise, times X Y^4: the term X^3) at every half-integer that is no pole,",
-    X * Y**4 * ((sympy.Rational(1, 4) - r_1) * rho * X**2 / Y**4 + sigma - r_3 * kappa / X),
-    (sympy.Rational(1, 4) - r_1) * rho * X**3 + sigma * X * Y**4 - r_3 * kappa * Y**4,
+    "and with 1/g, times X Y^4, X^3 has the same",
+    Coefficient(X * Y**4 * ((sympy.Rational(1, 4) - r_1) * rho * X**2 / Y**4 + sigma - r_3 * kappa / X), X, 3),
+    (sympy.Rational(1, 4) - r_1) * rho,
+)
+step(
+    "so that at every half-integer that is no pole r_1 is",
+    Solution((sympy.Rational(1, 4) - r_1) * rho, 0, r_1),
+    sympy.Rational(1, 4),
 )
 step(
     "and r_1 would be 1/12 and 1/4 identically. No such r_i exist. (Other polynomials in moments are not excluded.)",

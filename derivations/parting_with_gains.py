@@ -11,15 +11,15 @@ import sympy
 
 from derivations.steps import At, Derivation
 
-U, W, m, g, a, b = sympy.symbols("U W m g a b", real=True)
-c, lam, k, D, t = sympy.symbols("c lambda k D t", positive=True)
+U, W, m, g, a, b, c = sympy.symbols("U W m g a b c", real=True)
+lam, k, D, t = sympy.symbols("lambda k D t", positive=True)
 
 derivation = Derivation(
     "parting-with-gains",
     "How far two motions can part where there are gains",
     source="logarithmic norms (Dahlquist 1958, Lozinskii 1958) in one degree of freedom",
 )
-step = derivation.step
+step, asserts = derivation.step, derivation.asserts
 
 place, speed = sympy.Function("U")(t), sympy.Function("W")(t)
 
@@ -43,10 +43,9 @@ step(
     At(lam**2 - g * lam - c**2, {lam: g / 2 + root}),
     0,
 )
-step(
-    "What is missing to lambda (a^2 + b^2) is a square, as lambda > 0 and c^2 = lambda (lambda - g)",
-    lam * (lam * (a**2 + b**2) - 2 * c * a * b - g * b**2) - b**2 * (lam * (lam - g) - c**2),
-    (lam * a - c * b) ** 2,
+asserts(
+    "and bounds the form, with g = lambda - c^2/lambda: what is missing is (lambda a - c b)^2/lambda",
+    sympy.Le(At(2 * c * a * b + g * b**2, {g: lam - c**2 / lam}), lam * (a**2 + b**2), evaluate=False),
 )
 step(
     "So with lambda the largest on a convex set that holds both motions the distance grows at most like e^(lambda t)",

@@ -74,18 +74,20 @@ step(
 
 # The rule.
 n = sympy.Symbol("n", integer=True, positive=True)
+complex_chi = sympy.Symbol("chi")
 step(
     "f = K^(-1/2) has period 2 pi: Fourier's integral may be moved to Im chi = a, where e^(i k chi) has the size"
     " e^(-a k), so |c_k| <= M e^(-a |k|)",
-    sympy.exp(sympy.I * k * (x + sympy.I * a)) / sympy.exp(sympy.I * k * x),
+    At(sympy.Abs(sympy.exp(sympy.I * k * complex_chi), evaluate=False), {complex_chi: x + sympy.I * a}),
     sympy.exp(-a * k),
 )
-ratio = sympy.Symbol("r", positive=True)
+ratio, off = sympy.Symbol("r"), sympy.Symbol("g", complex=True, zero=False)
+j = sympy.Symbol("j", integer=True)
 step(
     "The mean of e^(i k chi) over the N midpoints is a geometric sum, r = e^(2 pi i k/N): zero, as r^N = 1, unless"
-    " r = 1, N | k; there its size is 1. By induction (1 - r)(1 + r + … + r^(n-1)) = 1 - r^n, since",
-    (1 - ratio**n) + (1 - ratio) * ratio**n,
-    1 - ratio ** (n + 1),
+    " r = 1, N | k; there its size is 1. For r = 1 + g, g != 0,",
+    At((1 - ratio) * sympy.Sum(ratio**j, (j, 0, n - 1)), {ratio: 1 + off}),
+    1 - (1 + off) ** n,
 )
 step(
     "The rule is wrong by the c_k with N | k, k != 0, alone, in the mean by 2 M sum_(l>=1) e^(-a N l), x = e^(-a N):",
@@ -107,7 +109,7 @@ step(
 )
 z = sympy.Symbol("z", positive=True)
 tail = z**n / (1 - z)
-j, r_ = sympy.Symbol("j", integer=True), sympy.Symbol("r", positive=True)  # z = 1/(1 + r) < 1
+r_ = sympy.Symbol("r", positive=True)  # z = 1/(1 + r) < 1
 step(
     "Dropped, k >= m: 1/2 sum 2 M z^k |sin(k chi)|/k, z = e^(-a) and |sin(k chi)|/k <= pi: at most pi M times",
     sympy.Sum(At(z ** (n + j), {z: 1 / (1 + r_)}), (j, 0, sympy.oo)),
@@ -116,8 +118,8 @@ step(
 step(
     "Aliases (N = 2m): a_k is wrong by at most 2 M sum_(l>=1) (z^(2ml-k) + z^(2ml+k)), c_0 by half of that at k = 0;"
     " the sum of z^k over |k| < m is geometric,",
-    z ** (1 - n) * (1 - z ** (2 * n - 1)) / (1 - z),
-    (z ** (1 - n) - z**n) / (1 - z),
+    sympy.Sum(At(z**j, {z: 1 / (1 + r_)}), (j, 1 - n, n - 1)),
+    At((z ** (1 - n) - z**n) / (1 - z), {z: 1 / (1 + r_)}),
 )
 step(
     "is at most z^(1-m)/(1-z); times sum_l z^(2ml) = z^(2m)/(1 - z^(2m))",

@@ -56,6 +56,7 @@ step(
 )
 
 # 2. On the ellipse.
+point, turned = sympy.Symbol("t"), sympy.exp(sympy.I * phi)
 step(
     "|cosh(x + iy)|^2, so that s is analytic for |Im z| < pi/2, where it does not vanish",
     sympy.expand_complex(sympy.cosh(x + sympy.I * y) * sympy.cosh(x - sympy.I * y)),
@@ -68,8 +69,8 @@ step(
 )
 step(
     "The imaginary part of z = h (t - 1), t = (R e^(i phi) + e^(-i phi)/R)/2, is largest at phi = pi/2",
-    sympy.im(h * ((R * sympy.I - sympy.I / R) / 2 - 1)),
-    h * (R - 1 / R) / 2,
+    At(sympy.im(h * (point - 1), evaluate=False), {point: (R * turned + 1 / (R * turned)) / 2}),
+    h * (R - 1 / R) / 2 * sympy.sin(phi),
 )
 step(
     "The integral of sum b_k T_k has the coefficients (b_(k-1) - b_(k+1))/(2k): the derivative of T_k, t = cos phi, is",

@@ -80,10 +80,11 @@ asserts(
 
 # From above: z = N - y = kappa n > 0 with kappa > 2 sigma, so w' = -z and N(w) > y: w stays above the slow speed m.
 z = kappa * n
-growth = (-n * z / w + w) / z - rho * n * (-z / w) / n
+above, swell = sympy.Function("z", positive=True)(t), sympy.Function("n", positive=True)(t)
+rates = {above.diff(t): -n * z / w + w, swell.diff(t): -rho * n * z / w, above: z, swell: n}
 step(
     "From above, z = N - y = kappa n: z' = -(n/w) z + w and n' = -rho n z/w, so kappa'/kappa is",
-    growth,
+    At(sympy.Derivative(sympy.log(above / swell), t), rates),
     n / w * (-1 + w**2 / n**2 / kappa + rho * kappa),
 )
 step(

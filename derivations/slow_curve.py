@@ -45,12 +45,11 @@ step(
     At(e**2 * w ** (2 * a - 2) * a * B, {B: w ** (2 - 2 * a) / (a * e**2)}),
     1,
 )
-full = (A - (a + E) * theta * w**E) * (B + theta * w**E)
 step(
     "Add theta w^E to a B of powers below w^E: A B becomes A B plus alpha theta w^E and powers above w^E, for A -"
     " alpha and B have positive powers only:",
-    full - A * B - a * theta * w**E,
-    sympy.expand(theta * w**E * (A - a - (a + E) * (B + theta * w**E))),
+    At(A * B, {A: A - (a + E) * theta * w**E, B: B + theta * w**E}),
+    A * B + a * theta * w**E + theta * w**E * (A - a - (a + E) * (B + theta * w**E)),
 )
 left = sympy.Symbol("r_E")
 step(
@@ -72,7 +71,7 @@ step(
     "Now for an error: all powers beside alpha theta w^E, those that A B was left with too, are w^E times powers >= 0:"
     " if at some w their absolute values add up to less than alpha h w^E, |theta| = h, so they do at lambda w, lambda"
     " < 1, for",
-    (part * w) ** (E + d) / (part * w) ** E,
+    At(w ** (E + d) / w**E, {w: part * w}),
     part**d * w**d,
 )
 step(
@@ -90,7 +89,7 @@ step(
 step(
     "For alpha > 1 and one law alone the powers of B and of what is left are negative: with a constant theta they"
     " are largest at the least w, and what holds at some w holds at w/lambda > w, for",
-    (w / part) ** (-d) / (w / part) ** 0,
+    At(w**-d, {w: w / part}),
     part**d * w ** (-d),
 )
 step("or, where alpha - 1 + q = 0,", sympy.Derivative(e * b * sympy.log(w), w), e * b / w)

@@ -101,13 +101,13 @@ sign, before = sympy.I ** (n - i - 1), sympy.I ** (n - i - 3)
 step(
     "(59): (n + i) C_i^n = 2 (n-1) C_{i-1}^{n-1} - (n-2) C_i^{n-2}. With the signs (-1)^((n-i-1)/2) of all C taken out"
     " the right side is a sum of non-negative terms: by induction these are the signs",
-    (2 * (n - 1) * sign * C_1 - (n - 2) * before * C_2) / sign,
+    At(2 * (n - 1) * C_1 - (n - 2) * C_2, {C_1: sign * C_1, C_2: before * C_2}) / sign,
     2 * (n - 1) * C_1 + (n - 2) * C_2,
 )
 step(
     "At w = i p, z = -i q a term of F is -i |C_i^n| p^i q^n: i F(ip, -iq) = G is the sum of absolute values",
-    sympy.I ** (i - n) * sympy.I ** (n - i - 1),
-    -sympy.I,
+    At(C * w**i * z**n, {C: sign * C, w: sympy.I * p, z: -sympy.I * q}),
+    -sympy.I * C * p**i * q**n,
 )
 step("There B = 2w/z is real and negative, B = -b,", At(2 * w / z, {w: sympy.I * p, z: -sympy.I * q}), -2 * p / q)
 step(

@@ -10,7 +10,7 @@ from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.straightening.series import straighten
 from asymptotics.terms import Term
-from derivations.steps import Derivation, defined
+from derivations.steps import At, Derivation, defined
 
 x, h, xi, c, A = sympy.symbols("x h xi c A", positive=True)
 V = sympy.Function("V", positive=True)(x)
@@ -39,7 +39,7 @@ step(
 )
 step(
     "Duffing, V = x^2/2 + c x^4/4, at the turning point: xi_A^2",
-    2 * (A**2 / 2 + c * A**4 / 4),
+    At(2 * (x**2 / 2 + c * x**4 / 4), {x: A}),
     A**2 * (1 + c * A**2 / 2),
 )
 

@@ -109,18 +109,17 @@ step(
 )
 t_2 = half * (a / (alpha + 1) * M_22 + M2 - M_22)
 step("so t_2 = (pi/2) (alpha/(alpha+1))^2 M_(2alpha)", t_2, half * M2 * (alpha / (alpha + 1)) ** 2)
-first = a * l_3 + a**2 * l_1 * l_2 + a**3 * l_1**3 / 6
-second = 2 * a * l_2 + 2 * a**2 * l_1**2
-f, g = sympy.symbols("f g")
+f, g, line_1, line_2, line_3 = sympy.symbols("f g l_1 l_2 l_3")
 step(
     "order q^4, with f = a l_3 + a^2 l_1 l_2 + a^3 l_1^3/6 and g = 2 a l_2 + 2 a^2 l_1^2",
     At(lag(4), {power(1, 4): f, power(2, 4): g}),
     s**alpha * c * f + s ** (2 * alpha) * c**2 * g + 3 * a * l_1 * s ** (3 * alpha) * c**3 + s ** (4 * alpha) * c**4,
 )
+f_closed = -(a**3) * S**3 - 2 * a**2 * b * S + 3 * a**2 * b * S * s ** (2 * alpha + 2) + a * (1 - a * b) * S_3 - a * S_1
 step(
     "f itself is",
-    first,
-    -(a**3) * S**3 - 2 * a**2 * b * S + 3 * a**2 * b * S * s ** (2 * alpha + 2) + a * (1 - a * b) * S_3 - a * S_1,
+    At(a * line_3 + a**2 * line_1 * line_2 + a**3 * line_1**3 / 6, {line_1: l_1, line_2: l_2, line_3: l_3}),
+    f_closed,
 )
 f_rate = (
     -3 * a**3 * s ** (alpha + 1) * S**2
@@ -129,7 +128,7 @@ f_rate = (
     - a * s ** (3 * alpha + 1)
     + a * s ** (3 * alpha + 3)
 )
-step("first term: int s^alpha c f = -int s^(alpha+1) f'/(alpha+1), f' =", rate(first), f_rate)
+step("first term: int s^alpha c f = -int s^(alpha+1) f'/(alpha+1), f' =", slope(f_closed), f_rate)
 step(
     "<s^(3 alpha+2) c S> = -M_(4 alpha+4)/(3 alpha+3)",
     slope(s ** (3 * alpha + 3) * S),
@@ -158,7 +157,11 @@ means = {
     "third": 3 * a * (M_42 / (3 * alpha + 1) - M_44 / (3 * alpha + 3)),
     "fourth": M4 - 2 * M_42 + M_44,
 }
-step("second term: g", second, 3 * a**2 * S**2 + 2 * a * b * (1 - s ** (2 * alpha + 2)))
+step(
+    "second term: g",
+    At(2 * a * line_2 + 2 * a**2 * line_1**2, {line_1: l_1, line_2: l_2}),
+    3 * a**2 * S**2 + 2 * a * b * (1 - s ** (2 * alpha + 2)),
+)
 t_4 = half * sum(means.values())
 
 # From q to delta, and the flow.
@@ -237,16 +240,16 @@ step(
     At(W_4_in_J, {J: I_4 + sympy.pi**2 * M**2 * M2 / 12}),
     W_4,
 )
+e, u_1, u_3, w_2 = sympy.symbols("delta U_1 U_3 W_2")
 step(
     "p = -U/W: p_1 = M_(alpha+1), p_3 = -U_3 + U_1 W_2",
-    -U_3 + U_1 * W_2,
-    sympy.expand(alpha * (3 * alpha + 1) / (6 * (alpha + 1) ** 2) * M3 - (alpha / (alpha + 1)) ** 2 * M2 * M),
+    At(Coefficient(-(u_1 * e + u_3 * e**3) / (1 + w_2 * e**2), e, 3), {u_1: U_1, u_3: U_3, w_2: W_2}),
+    alpha * (3 * alpha + 1) / (6 * (alpha + 1) ** 2) * M3 - (alpha / (alpha + 1)) ** 2 * M2 * M,
 )
-e = sympy.Symbol("delta")
 step(
     "Omega = 1/W - 1: Omega_2 = -W_2, Omega_4 = W_2^2 - W_4",
-    Coefficient(Taylor(1 / (1 + sympy.Symbol("W_2") * e**2 + sympy.Symbol("W_4") * e**4), e, 4), e, 4),
-    sympy.Symbol("W_2") ** 2 - sympy.Symbol("W_4"),
+    Coefficient(Taylor(1 / (1 + w_2 * e**2 + sympy.Symbol("W_4") * e**4), e, 4), e, 4),
+    w_2**2 - sympy.Symbol("W_4"),
 )
 cubic = fourier_flow((3,), 4)
 exact = {M4: moment(12), M3: moment(10), M2: moment(6), M: moment(4), alpha: 3}

@@ -43,11 +43,11 @@ step(
     At((n + 1) * w_next * t**n - y_next * t ** (n + 1) + N_n * t**n, {w_next: (y_n - N_n) / (n + 1)}),
     y_n * t**n - y_next * t ** (n + 1),
 )
-z, r = sympy.Symbol("z"), sympy.Symbol("r", positive=True)
+z, speed, r = *sympy.symbols("z W"), sympy.Symbol("r", positive=True)
 k = sympy.Symbol("k", integer=True, nonnegative=True)
 step(
     "Where |W - w_0| <= rho w_0 < w_0, W stays in the right half-plane, |W^a| = |W|^a: at most",
-    (w0 + rho * w0) ** a,
+    At(sympy.Abs(speed) ** a, {sympy.Abs(speed): w0 + rho * w0}),
     (w0 * (1 + rho)) ** a,
 )
 step(

@@ -8,11 +8,12 @@ True
 
 import sympy
 
-from derivations.steps import Derivation, Taylor
+from derivations.steps import At, Derivation, Taylor
 
-w, P0, e, z, b, A, t, lam, G = sympy.symbols("w P_0 epsilon z b a t lambda G", positive=True)
+w, P0, e, z, b, A, t, lam = sympy.symbols("w P_0 epsilon z b a t lambda", positive=True)
 alpha, n = sympy.symbols("alpha n", positive=True)
-R, r = sympy.symbols("R r")
+R, S, r = sympy.symbols("R S r")
+z_1, z_2, g_1, g_2, n_1, n_2 = sympy.symbols("z_1 z_2 g_1 g_2 n_1 n_2", positive=True)
 power = sympy.Symbol("k", integer=True, positive=True)
 
 derivation = Derivation(
@@ -43,7 +44,7 @@ first = ((1 + b) - sympy.sqrt((1 - b) ** 2 - 4 * A)) / 2
 step(
     "So with a = z_0/(2 P_0^2), b = |epsilon z/P_0| all coefficients of r are at most those of the solution of"
     " R = a/(1-R) + b without constant term",
-    A / (1 - first) + b,
+    At(A / (1 - R) + b, {R: first}),
     first,
 )
 step("it begins with a + b", Taylor(first.subs({A: t * A, b: t * b}), t, 1), t * (A + b))
@@ -52,7 +53,7 @@ step(
     "Times (1-r), for epsilon/P_0 > 0: D (r - r^2/2) = z_0/P_0^2 + (1-r) alpha (epsilon/P_0) z."
     "  All coefficients of r are >= 0 then, so the product with r only takes away: they are at most"
     " those of S = S^2/2 + a + b",
-    second**2 / 2 + A + b,
+    At(S**2 / 2 + A + b, {S: second}),
     second,
 )
 step(
@@ -67,8 +68,8 @@ step(
 )
 step(
     "Tail: stretch each z_i by lambda^(g_i).  A monomial with sum n_i g_i = G + n was lambda^(G+n) times smaller",
-    (z / lam ** (G + n)) * lam**G,
-    z * lam**-n,
+    At(z_1**n_1 * z_2**n_2, {z_1: z_1 / lam**g_1, z_2: z_2 / lam**g_2}),
+    z_1**n_1 * z_2**n_2 / lam ** (n_1 * g_1 + n_2 * g_2),
 )
 excess = sympy.Symbol("mu", nonnegative=True)
 asserts(

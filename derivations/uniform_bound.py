@@ -26,16 +26,20 @@ step = derivation.step
 # 1. What is left over.  D Z: the change of Z with the strengths, d delta_i/d psi = (alpha_i - 1) delta_i U.
 Z = P + sympy.I * Q
 turned = sympy.exp(sympy.I * psi) * A * Z
-p, q = sympy.symbols("p q", real=True)
+p, q, shape = *sympy.symbols("p q", real=True), sympy.Symbol("Z")
+PARTS = sympy.re, sympy.im
 step(
-    "z = X - i X' = A e^(i psi) Z, Z = p + i q: X/A is the real part of this, and -X'/A = s g, g = p + (c/s) q",
-    (c + sympy.I * s) * (p + sympy.I * q),
-    c * p - s * q + sympy.I * s * (p + c / s * q),
+    "z = X - i X' = A e^(i psi) Z, Z = p + i q: X/A is the real part of this, and -X'/A = s g the imaginary one,"
+    " g = p + (c/s) q",
+    sympy.Tuple(*(At(part((c + sympy.I * s) * shape, evaluate=False), {shape: p + sympy.I * q}) for part in PARTS)),
+    sympy.Tuple(c * p - s * q, s * (p + c / s * q)),
 )
-X, V = sympy.symbols("X V", real=True)
+tau = sympy.Symbol("tau", real=True)
+X = sympy.Function("X", real=True)(tau)
+V = sympy.Derivative(X, tau)
 step(
     "The motion: X'' = -X + A F while X' < 0, F = sum_i delta_i (s g)^alpha_i, so that z' = i z - i A F",
-    V - sympy.I * (-X + A * F),
+    At(sympy.Derivative(X - sympy.I * V, tau), {sympy.Derivative(X, (tau, 2)): -X + A * F}),
     sympy.I * (X - sympy.I * V) - sympy.I * A * F,
 )
 rate = sympy.Derivative(turned, psi) + sympy.exp(sympy.I * psi) * A * (U * Z + U * (DP + sympy.I * DQ))
@@ -54,7 +58,7 @@ U_N, W_N = sympy.symbols("U_N W_N")
 step(
     "Z_n, |n| <= N + 1, makes R vanish with the true U and W.  With those of order N the degree N + 1 of R is the"
     " difference of two such terms at Z = 1 (F begins with degree 1, D Z too): no psi in it",
-    (sympy.I * (W - 1) - U) - (sympy.I * (W_N - 1) - U_N),
+    At(sympy.I * (W - 1) * shape - U * shape, {shape: 1}) - At(sympy.I * (W_N - 1) * shape - U_N * shape, {shape: 1}),
     sympy.I * (W - W_N) - (U - U_N),
 )
 
@@ -79,11 +83,12 @@ step(
 )
 
 # 3. Pieces.
-f_1, f_2 = sympy.symbols("f_1 f_2")
+f = sympy.Derivative(sympy.Function("F")(psi), psi)
+f_1, f_2 = sympy.Integral(f, (psi, 0, a)) / a, sympy.Integral(f, (psi, a, b)) / (b - a)
 step(
-    "Let f_1 be the mean of f over [0, a] and f_2 over [a, b]: the mean over [0, b] is f_1 plus 1 - a/b of the"
+    "Let f_1 be the mean of f = F' over [0, a] and f_2 over [a, b]: the mean over [0, b] is f_1 plus 1 - a/b of the"
     " difference",
-    (a * f_1 + (b - a) * f_2) / b,
+    sympy.Integral(f, (psi, 0, b)) / b,
     f_1 + (1 - a / b) * (f_2 - f_1),
 )
 step(
@@ -120,11 +125,11 @@ step(
 )
 
 # 5. Beyond the degrees that are computed, and the start.
-real, turn = sympy.symbols("r theta", real=True)
+real, turn, log_g = *sympy.symbols("r theta", real=True), sympy.Symbol("l")
 step(
-    "Where |g - 1| <= h < 1, the power g^alpha is analytic and at most (1 + h)^alpha, as alpha is real: with ln g ="
+    "Where |g - 1| <= h < 1, the power g^alpha is analytic and at most (1 + h)^alpha, as alpha is real: with l = ln g ="
     " r + i theta, r <= ln(1 + h), its modulus is",
-    sympy.Abs(sympy.exp(alpha * (real + sympy.I * turn)), evaluate=False),
+    At(sympy.Abs(sympy.exp(alpha * log_g), evaluate=False), {log_g: real + sympy.I * turn}),
     sympy.exp(alpha * real),
 )
 y = sympy.Symbol("y", positive=True)  # |delta|/rho = y/(1 + y) < 1

@@ -3,8 +3,8 @@
 On a swing towards smaller u the motion is u' = -w, w' = s_0(u) - h(u, w), w >= 0, h increasing in w (losses), s_0 the
 spring less the dry friction.  Nothing is asked of the spring but that both motions have a next turning point.
 
->>> print(derivation.steps[1].text())
-(h_1 - s_0) - (h_2 - s_0) = h_1 - h_2
+>>> print(derivation.steps[2].text())
+Derivative(e*w**a, w) = a*e*w**(a - 1)
 """
 
 import sympy
@@ -27,9 +27,11 @@ step(
     At(sympy.Derivative(f**2 / 2, u), {sympy.Derivative(f, u): (s0 - h) / -f}),
     h - s0,
 )
+first, second = sympy.Function("w_1")(u), sympy.Function("w_2")(u)
+slopes = {sympy.Derivative(first, u): (s0 - h1) / -first, sympy.Derivative(second, u): (s0 - h2) / -second}
 step(
     "D = (w_1^2 - w_2^2)/2 of two motions at equal places: s_0 drops out of dD/du",
-    sympy.Add(h1 - s0, sympy.Mul(-1, h2 - s0, evaluate=False), evaluate=False),
+    At(sympy.Derivative((first**2 - second**2) / 2, u), slopes),
     h1 - h2,
 )
 step(

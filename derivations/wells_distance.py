@@ -20,7 +20,7 @@ derivation = Derivation(
     "How far two motions in a well can part",
     source="logarithmic norms (Dahlquist 1958, Lozinskii 1958) in one degree of freedom",
 )
-step = derivation.step
+step, asserts = derivation.step, derivation.asserts
 
 place, speed = sympy.Function("U")(t), sympy.Function("W")(t)
 step(
@@ -38,20 +38,19 @@ step(
     At(W * hh, {hh: chord * W}),
     chord * W**2,
 )
-step(
-    "and k |U| |W| is at most half of k^2 U^2 + W^2: the slack is",
-    (k**2 * U**2 + W**2) / 2 - k * U * W,
-    (k * U - W) ** 2 / 2,
+asserts(
+    "and k |U| |W| is at most half of k^2 U^2 + W^2, whatever the signs of U and W",
+    sympy.Le(k * U * W, (k**2 * U**2 + W**2) / 2, evaluate=False),
+    sympy.Le(-k * U * W, (k**2 * U**2 + W**2) / 2, evaluate=False),
 )
 step(
     "so with lambda = max |m - k^2|/(2 k) the distance grows at most at the rate lambda: (|m - k^2|/k) half the square",
     At(sympy.Derivative(sympy.exp(2 * lam * t), t) / 2 / sympy.exp(2 * lam * t), {lam: sympy.Abs(m - k**2) / (2 * k)}),
     sympy.Abs(m - k**2) / (2 * k),
 )
-step(
+asserts(
     "A residual (r_1, r_2) of an approximant adds at most |(k r_1, r_2)| <= k |r_1| + |r_2| to the rate",
-    (k**2 * U**2 + W**2) * (k**2 * r1**2 + r2**2) - (k**2 * U * r1 + W * r2) ** 2,
-    (k * U * r2 - k * W * r1) ** 2,
+    sympy.Le((k**2 * U * r1 + W * r2) ** 2, (k**2 * U**2 + W**2) * (k**2 * r1**2 + r2**2), evaluate=False),
 )
 step(
     "Times of turning: when the first turns the other has w <= d, and from there on w' <= s_0 <= -b: it turns within",

@@ -48,7 +48,7 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("smith_series_radii", "elapsed = (log_size + 1) / 2", "elapsed = (log_size - 1) / 2"),
     ("smith_series_radii", "curve = -eta * sympy.cot(eta)", "curve = eta * sympy.cot(eta)"),
     ("smith_series_radii", "exp(-1 - 2 * p**2) / (1 + b)", "exp(1 - 2 * p**2) / (1 + b)"),
-    ("smith_series_radii", "sign * C_1 - (n - 2)", "sign * C_1 + (n - 2)"),
+    ("smith_series_radii", "2 * (n - 1) * C_1 - (n - 2)", "2 * (n - 1) * C_1 + (n - 2)"),
     ("smith_series_radii", "2 * (b - sympy.log(1 + b)) / b**2,\n)", "2 * (b + sympy.log(1 + b)) / b**2,\n)"),
     ("zeros_by_theorem", "+ ell**n * sympy.diff(-ell", "- ell**n * sympy.diff(-ell"),
     ("zeros_by_theorem", "{f: -c / (1 + size * slope)}", "{f: c / (1 + size * slope)}"),
