@@ -4,7 +4,7 @@ from flint import ctx
 
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.force import Force
-from asymptotics.flow.wells.force import WellForce as Well
+from asymptotics.flow.wells.force import WellForce
 from asymptotics.law import Law
 
 LINEAR = {
@@ -26,13 +26,17 @@ OTHERS = {
 }
 
 
-def force_of(name: str, bits: int = 250) -> Force:
-    """The force of that name, at ``bits``."""
+def beside_the_linear_spring(losses, bits: int = 250) -> Damping:
+    """Powers of the velocity alone."""
     with ctx.workprec(bits):
-        if name in LINEAR:
-            return Damping.of_law(Law(LINEAR[name]))
-        losses, spring = OTHERS[name]
-        return Well.of(Law(losses, spring=spring).terms)
+        return Damping.of_law(Law(losses))
 
 
-FORCES = {name: force_of(name) for name in (*LINEAR, *OTHERS)}
+def in_a_well(losses, spring=None, bits: int = 250) -> WellForce:
+    """Any losses, any springs: what is handled as a well also where the spring is linear."""
+    with ctx.workprec(bits):
+        return WellForce.of(Law(losses, spring=spring).terms)
+
+
+WELLS = {name: in_a_well(*given) for name, given in OTHERS.items()}
+FORCES: dict[str, Force] = {name: beside_the_linear_spring(losses) for name, losses in LINEAR.items()} | WELLS

@@ -18,10 +18,12 @@ from asymptotics.flow.turning import Turning
 from asymptotics.flow.wells.ends import _held, trap
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.law import Law
-from tests.flow.wells.test_bounds import FORCES, FREE, force_of
+from tests.flow.forces import WELLS as FORCES
+from tests.flow.forces import in_a_well
+from tests.flow.wells.test_bounds import FREE
 
 LAW = Law({1: "1/2"})
-LOSSY = force_of({1: "1/2"})
+LOSSY = in_a_well({1: "1/2"})
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,7 @@ def test_gains_part_motions_at_their_own_rate():
 
 def test_a_force_must_point_forward_from_the_lower_to_the_upper_end():
     """Dry friction holds up to 1/2; 0.3 - u is below 0 from 0.3 on."""
-    held = force_of({0: "1/2"})
+    held = in_a_well({0: "1/2"})
     assert points_forward(held, arb(0), arb("0.4")) and not points_forward(held, arb(0), arb("0.4", "0.2"))
     assert points_forward(Steep(), arb("0.4"), arb("0.5")) and not points_forward(
         Steep(), arb("0.4", "0.2"), arb("0.5")
@@ -126,7 +128,7 @@ def test_the_rounding_of_the_time_of_a_landing_is_a_distance():
 @pytest.mark.parametrize("given", ["0.0015", "0.003"])
 def test_dry_friction_may_hold_a_start_within_its_error(given):
     """Held up to 1/2: the start 0.501 is farther, by less than its error."""
-    flow = EvenWell(force_of({0: "1/2"}))
+    flow = EvenWell(in_a_well({0: "1/2"}))
     with ctx.workprec(60), pytest.raises(UndecidedError, match="holds the mass here"):
         next(iter(course(flow, arb("0.501").mid(), arb(0), arb(given))))
 
@@ -139,7 +141,7 @@ def expansion(turn, place):
 
 
 def test_an_expansion_that_reaches_a_kink_is_refused():
-    kinked = EvenWell(force_of({2: "1/10"}, {2: "1/2"}))
+    kinked = EvenWell(in_a_well({2: "1/10"}, {2: "1/2"}))
     here = courses.FlowState(arb(0), arb("0.5"), arb(0), courses.PartingErrors(arb(0), arb(0)))
     flow = replace_method(kinked, "expansion", lambda _place: expansion(arb("0.5"), arb("-0.1")))
     with pytest.raises(UndecidedError, match="reaches a kink"):
@@ -188,7 +190,7 @@ def test_a_first_turning_point_may_lie_outside_within_its_error():
 
 
 def test_a_mass_beyond_its_place_of_rest_is_not_said_to_go_on():
-    flow = EvenWell(force_of({0: "1/2"}))
+    flow = EvenWell(in_a_well({0: "1/2"}))
     assert not sticks(flow, Turning(0, 1, arb(2), arb(0), arb(0), arb(0)))
     with pytest.raises(UndecidedError, match="holds the mass"):
         sticks(flow, Turning(0, 1, arb(-2), arb(0), arb(0), arb(0)))
@@ -234,7 +236,7 @@ def test_the_force_ahead_is_asked_for_on_the_whole_way():
     """From the farther turning point, and from the place that the error allows: dry friction holds up to 1/2."""
     for force, u, w, turn, e in (
         (Gated(), "0.6", 1, "0.3", "0.001"),
-        (force_of({0: "1/2"}), "0.45", 1, "-0.501", "0.06"),
+        (in_a_well({0: "1/2"}), "0.45", 1, "-0.501", "0.06"),
     ):
         with pytest.raises(UndecidedError, match="force ahead"):
             state_gap(force, arb(1), arb(u), arb(w), arb(turn).mid(), arb(e))
@@ -242,7 +244,7 @@ def test_the_force_ahead_is_asked_for_on_the_whole_way():
 
 def test_what_may_be_held_or_lie_on_a_slope_that_turns_round_is_no_trap():
     with ctx.workprec(60):
-        soft = force_of({0: "1/10", "1/2": 5}, {3: "-1/2"})
+        soft = in_a_well({0: "1/10", "1/2": 5}, {3: "-1/2"})
         assert trap(soft, arb("0.3"), arb(0)) == "creeps" and trap(soft, arb("1.2"), arb(0)) is None
-        assert trap(force_of({"1/2": 1}), arb("0.01", "0.02"), arb(0)) is None
+        assert trap(in_a_well({"1/2": 1}), arb("0.01", "0.02"), arb(0)) is None
         assert _held(soft, arb("0.05")) is None and _held(soft, arb("0.3")) is not None

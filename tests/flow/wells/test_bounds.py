@@ -22,25 +22,12 @@ from asymptotics.flow.wells.ends import _critical, inside, trap
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.expansion import WellExpansion
 from asymptotics.flow.wells.force import WellForce
-from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
+from tests.flow.forces import WELLS as FORCES
+from tests.flow.forces import in_a_well
 
-
-def force_of(losses, spring=None, bits=250):
-    with ctx.workprec(bits):
-        return WellForce.of(Law(losses, spring=spring).terms)
-
-
-FREE = force_of({2: 0})
-AIR = force_of({"3/2": "1/10"}, "pendulum")
-FORCES = {
-    "free pendulum": force_of({2: 0}, "pendulum"),
-    "pendulum": AIR,
-    "duffing": force_of({2: "1/3"}, {3: "1/2"}),
-    "soft, sqrt(2)": force_of({"sqrt(2)": "1/10"}, {3: "-1/4"}),
-    "kinked": force_of({(1, 1): "1/3", "1/2": "1/9"}, {2: "1/4"}),
-    "dry": force_of({0: "1/20", (0, 2): "1/30", 3: "1/5"}, {5: 2}),
-}
+FREE = in_a_well({2: 0})
+AIR = FORCES["pendulum"]
 
 
 @pytest.mark.parametrize("name", FORCES)
@@ -103,7 +90,9 @@ def orbit(force, p, bits=160):
         return last
 
 
-@pytest.mark.parametrize("name", ["free pendulum", "pendulum", "duffing", "soft, sqrt(2)", "kinked", "dry"])
+@pytest.mark.parametrize(
+    "name", ["free pendulum", "pendulum", "duffing", "soft, sqrt(2)", "place", "dry beside springs"]
+)
 def test_turning_points_draw_together_at_most_as_the_bound_says(name):
     force, p, e = FORCES[name], arb(1), arb(2) ** -30
     one, other = orbit(force, p), orbit(force, p + e)
@@ -116,7 +105,7 @@ def test_turning_points_draw_together_at_most_as_the_bound_says(name):
 
 
 def test_viscous_loss_draws_them_together_and_the_bound_knows_how_fast():
-    force, e = force_of({1: "1/2"}, "pendulum"), arb(2) ** -40
+    force, e = in_a_well({1: "1/2"}, "pendulum"), arb(2) ** -40
     one, other = orbit(force, 2), orbit(force, 2 + e)
     bound = contracted(force, arb(2), e, one.clock.lower(), one.turn, arb(0))
     with ctx.workprec(160):
@@ -150,7 +139,7 @@ def test_a_step_stops_before_a_kink():
     """The orbit of the kinked force passes u = 0 between pieces, and one with a smooth force does not care."""
     with ctx.workprec(90):
         places = [
-            p.taylor.us[0] for p in course(EvenWell(FORCES["kinked"]), arb(1), arb(0)) if isinstance(p, courses.Step)
+            p.taylor.us[0] for p in course(EvenWell(FORCES["place"]), arb(1), arb(0)) if isinstance(p, courses.Step)
         ]
         smooth = [p.taylor.us[0] for p in course(EvenWell(AIR), arb(1), arb(0)) if isinstance(p, courses.Step)]
     assert any(u == 0 for u in places) and not any(u == 0 for u in smooth)
@@ -158,10 +147,10 @@ def test_a_step_stops_before_a_kink():
 
 def test_ignoring_a_kink_is_seen(monkeypatch):
     """With the polynomial of one side used on the other the next turning point is another one."""
-    right = orbit(FORCES["kinked"], 1, 90)
+    right = orbit(FORCES["place"], 1, 90)
     with monkeypatch.context() as patch:
         patch.setattr(WellForce, "kinked", False)
-        wrong = orbit(replace(FORCES["kinked"]), 1, 90)
+        wrong = orbit(replace(FORCES["place"]), 1, 90)
     assert abs(right.turn - wrong.turn) > arb(1e-6) > right.miss
 
 
@@ -191,35 +180,35 @@ def test_the_next_turning_point_carries_the_error_of_the_last():
 @pytest.mark.parametrize("epsilon", ["2", "5/2", "7"])
 def test_the_trap_of_linear_loss_has_its_boundary(epsilon):
     """Beside a softening spring w <= y (epsilon + sqrt(epsilon^2 - 4))/2 is a trap; nothing is claimed of the rest."""
-    force = force_of({1: epsilon}, {3: "-1/4"})
+    force = in_a_well({1: epsilon}, {3: "-1/4"})
     with ctx.workprec(100):
         e = arb(parse_real(epsilon, "e").ball())
         edge = (e + (e * e - 4).nonnegative_part().sqrt()) / 2 * arb("0.01")
         assert trap(force, arb("0.01"), edge * arb("0.999")) == "overdamped"
         assert trap(force, arb("0.01"), edge * arb("1.001")) is None
-        assert trap(force_of({1: epsilon}, {3: "1/4"}), arb("0.5"), arb("1.9") * arb("0.5")) != "creeps"
+        assert trap(in_a_well({1: epsilon}, {3: "1/4"}), arb("0.5"), arb("1.9") * arb("0.5")) != "creeps"
 
 
 def test_a_stiffer_chord_needs_more_loss():
     """K = 4 beside x + x^3 at x = 1: epsilon = 3 is no trap there, though it is one at the centre."""
-    force = force_of({1: 3}, {3: 1})
+    force = in_a_well({1: 3}, {3: 1})
     assert trap(force, arb(1), arb("0.1")) is None and trap(force, arb("0.1"), arb("0.1")) == "overdamped"
 
 
 def test_creep_beside_springs_and_dry_friction():
-    soft = force_of({"1/2": 1}, {3: "-1/2"})
-    dry = force_of({"1/2": 1, 0: "1/10"}, {3: "1/2"})
+    soft = in_a_well({"1/2": 1}, {3: "-1/2"})
+    dry = in_a_well({"1/2": 1, 0: "1/10"}, {3: "1/2"})
     assert trap(soft, arb("0.05"), arb("0.001")) == trap(dry, arb("0.15"), arb("0.0001")) == "creeps"
     assert trap(dry, arb("0.09"), arb("0.0001")) is None  # held, not creeping
     assert trap(soft, arb("0.05"), arb("0.5")) is None
 
 
 def test_what_lies_inside_the_well():
-    pendulum, soft = FORCES["free pendulum"], force_of({2: 0}, {3: -1, 5: "1/3"})
+    pendulum, soft = FORCES["free pendulum"], in_a_well({2: 0}, {3: -1, 5: "1/3"})
     assert inside(pendulum, arb("3.14159")) is True and inside(pendulum, arb("3.1416")) is False
     assert inside(soft, arb(50)) is True  # 1 - y + y^2/3 has no zero
-    assert inside(force_of({2: 0}, {3: -1, 5: "1/4"}), arb(3)) is not True  # a double zero at y = 2
-    assert inside(force_of({2: 0}, {3: -1}), arb(1)) is False
+    assert inside(in_a_well({2: 0}, {3: -1, 5: "1/4"}), arb(3)) is not True  # a double zero at y = 2
+    assert inside(in_a_well({2: 0}, {3: -1}), arb(1)) is False
 
 
 def test_a_place_uncertain_beyond_the_edge_is_not_said_to_lie_outside():
@@ -239,7 +228,7 @@ def test_the_force_ahead_must_point_forward():
 
 def test_a_force_that_turns_round_between_two_places_is_seen():
     """1 - 5 y + 5 y^2 < 0 for u^2 = y between (5 -+ sqrt 5)/10, 0.276 and 0.724, and not at the ends."""
-    hump = force_of({2: 0}, {3: -5, 5: 5})
+    hump = in_a_well({2: 0}, {3: -5, 5: 5})
     assert all(hump.restoring(arb(end)) < 0 for end in ("-1", "-0.2"))
     assert not points_forward(hump, arb(-1), arb("-0.2"))
     assert points_forward(hump, arb(-1), arb("-0.86")) and points_forward(hump, arb("-0.52"), arb("-0.2"))
@@ -256,8 +245,8 @@ def test_critical_damping_holds_under_a_spring_that_only_softens():
 
 def test_no_exponent_from_1_on_creeps_beside_a_spring():
     """As beside the linear spring: the condition of the trap alone would hold at alpha = 3/2."""
-    assert trap(force_of({"3/2": 10}, spring={3: "1/10"}), arb(1), arb(0)) is None
-    assert trap(force_of({"1/2": 10}, spring={3: "1/10"}), arb(1), arb(0)) is not None
+    assert trap(in_a_well({"3/2": 10}, spring={3: "1/10"}), arb(1), arb(0)) is None
+    assert trap(in_a_well({"1/2": 10}, spring={3: "1/10"}), arb(1), arb(0)) is not None
 
 
 def test_where_dry_friction_may_hold_there_is_no_expansion():

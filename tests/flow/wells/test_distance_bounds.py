@@ -18,7 +18,9 @@ from asymptotics.flow.wells import even_well as wells
 from asymptotics.flow.wells.ends import _held, trap
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.expansion import WellExpansion
-from tests.flow.wells.test_bounds import FORCES, FREE, force_of
+from tests.flow.forces import WELLS as FORCES
+from tests.flow.forces import in_a_well
+from tests.flow.wells.test_bounds import FREE
 
 TOP = FORCES["free pendulum"]
 
@@ -48,7 +50,7 @@ def test_the_growth_counts_what_the_distance_itself_reaches():
 
 def test_the_growth_counts_the_places_within_the_error():
     """Beside a hard spring: two orbits of x + 30 x^3 that begin 0.1 apart, the wider one where the slope is larger."""
-    hard = force_of({2: 0}, {3: 30})
+    hard = in_a_well({2: 0}, {3: 30})
     with ctx.workprec(80):
         u, t, e = arb("0.05"), arb("0.1"), arb("0.1")
         factor = growth(hard, arb(1), u, arb(0).union(arb(1)), t, e)
@@ -114,7 +116,7 @@ def test_contraction_counts_the_force_at_the_farther_start(p, e, monkeypatch):
 def test_viscous_contraction_leaves_out_the_first_fall_and_the_last_stop(monkeypatch):
     """The time that the factor counts is shorter by at least the free fall through e, and not by much more."""
     monkeypatch.setattr(parting, "turning_gap", lambda _force, _turn, square, _beyond=None: square)
-    force, e, duration = force_of({1: "1/2"}), arb(2) ** -12, arb(3)
+    force, e, duration = in_a_well({1: "1/2"}), arb(2) ** -12, arb(3)
     square = contracted(force, arb(1), e, duration, -arb("0.45"), arb(0))
     common = -(square / (e * (1 + e))).log() * 2
     assert duration - 12 * (2 * e).sqrt() < common < duration - (2 * e).sqrt()
@@ -122,7 +124,7 @@ def test_viscous_contraction_leaves_out_the_first_fall_and_the_last_stop(monkeyp
 
 def test_viscous_contraction_counts_only_the_time_that_both_spend():
     """Linear loss beside a linear spring, exactly: both fall by the same factor, and the bound is above it."""
-    force = force_of({1: "1/2"})
+    force = in_a_well({1: "1/2"})
     with ctx.workprec(120):
         rate, omega = arb(1) / 4, (1 - arb(1) / 16).sqrt()
         duration, q = arb.pi() / omega, (-rate * arb.pi() / omega).exp()
@@ -142,7 +144,7 @@ def test_outside_the_common_places_the_time_is_that_of_free_fall():
     fall, stop = 2 * float((e / (1 - e)).sqrt()), float((2 * square).sqrt())
     assert fall + stop <= found < 1.02 * (fall + stop)
     assert stop > 0.3 * found
-    steep = force_of({"1/10": 20})  # the loss may hold the faster one back at once
+    steep = in_a_well({"1/10": 20})  # the loss may hold the faster one back at once
     assert not parting._outside(steep, arb(1), e, arb(-1), arb(0), square).is_finite()
 
 
@@ -183,7 +185,7 @@ def shifted(force, p, e, bits=120):
         )
 
 
-@pytest.mark.parametrize("name", ["pendulum", "duffing", "kinked"])
+@pytest.mark.parametrize("name", ["pendulum", "duffing", "place"])
 def test_a_landing_holds_the_orbits_of_both_ends(name):
     """In place by its gap and in time by its lateness; both are within a factor of twenty of what is seen."""
     wide, gap, late, ends = shifted(FORCES[name], arb("1.5"), arb(2) ** -24)
@@ -229,13 +231,13 @@ def test_what_a_turning_point_carries(monkeypatch):
         there = after_landing(here, piece)
         assert there.time_error >= 8 * e and there.time_error < 9 * e
         assert there.amplitude_error >= 2 * e and there.amplitude_error < 4 * e
-        viscous = force_of({1: "1/2"}, "pendulum")
+        viscous = in_a_well({1: "1/2"}, "pendulum")
         long = after_landing(here, replace(piece, flow=EvenWell(viscous))).amplitude_error - piece.miss
         again = contracted(viscous, arb(1), e, (piece.clock - 2 * e).lower(), piece.turn, piece.miss)
         assert long >= again * arb("0.9999")
 
 
-@pytest.mark.parametrize("name", ["pendulum", "duffing", "kinked"])
+@pytest.mark.parametrize("name", ["pendulum", "duffing", "place"])
 def test_the_error_of_a_time_only_adds(name):
     """A motion that is late at one turning point is as late at the next: seen exactly, and not counted twice."""
     e = arb(2) ** -20
@@ -250,7 +252,7 @@ def test_the_error_of_a_time_only_adds(name):
 
 
 def test_dry_friction_at_an_uncertain_amplitude():
-    force = force_of({0: "1/4"}, {3: "1/2"})
+    force = in_a_well({0: "1/4"}, {3: "1/2"})
     held = Turning(1, 1, arb("0.2"), arb(3), arb("0.01"), arb(0))
     assert sticks(EvenWell(force), held) and not sticks(EvenWell(force), replace(held, amplitude=arb("0.3")))
     for amplitude in ("0.23", "0.25"):
@@ -274,7 +276,7 @@ def test_an_uncertain_time_moves_a_state():
     wide, _ = dense._moved(EvenWell(FREE), arb("0.6"), arb("0.8"), arb("0.5"))
     assert wide >= arb("0.8") * arb("0.5").sin() + arb("0.6") * (1 - arb("0.5").cos())
     with pytest.raises(UndecidedError, match="too uncertain"):
-        dense._moved(EvenWell(force_of({2: 0}, {3: 1000})), arb(1), arb(1), arb(1))
+        dense._moved(EvenWell(in_a_well({2: 0}, {3: 1000})), arb(1), arb(1), arb(1))
 
 
 def test_a_time_counts_from_its_lower_to_its_upper_end():
@@ -338,7 +340,7 @@ def test_what_is_uncertain_about_a_turning_point_is_a_distance():
 
 
 def test_the_piece_before_a_kink_ends_at_it_within_its_error():
-    force = FORCES["kinked"]
+    force = FORCES["place"]
     with ctx.workprec(40):
         pieces = [p for p in course(EvenWell(force), arb(1), arb(0)) if isinstance(p, Step)]
         before, after = next((a, b) for a, b in zip(pieces, pieces[1:]) if b.taylor.us[0] == 0)
@@ -370,7 +372,7 @@ def test_the_parts_of_a_landing(name, error):
         assert found.errors.local >= (factor * (local + slack) + own) * less
 
 
-@pytest.mark.parametrize("name", ["free pendulum", "duffing", "dry"])
+@pytest.mark.parametrize("name", ["free pendulum", "duffing", "dry beside springs"])
 def test_a_wide_time_near_a_turning_point(name):
     """Both ends of the time are contained; the place moves at the speed reached there, half is less."""
     with ctx.workprec(90):
@@ -386,7 +388,7 @@ def test_a_wide_time_near_a_turning_point(name):
 
 
 def test_traps_and_edges_are_asked_about_the_whole_error(monkeypatch):
-    force, seen, given = force_of({"1/2": "1/9"}, "pendulum"), [], arb(2) ** -12
+    force, seen, given = in_a_well({"1/2": "1/9"}, "pendulum"), [], arb(2) ** -12
     monkeypatch.setattr(wells, "trap", lambda _force, u, w: seen.append((u.rad(), w.rad())))
     monkeypatch.setattr(wells, "beyond", lambda _force, u: seen.append((u.rad(), arb(1))))
     with ctx.workprec(60):
@@ -415,7 +417,7 @@ def test_turning_points_hold_those_of_every_start():
 
 def test_the_trap_of_creep_has_its_boundary():
     """(w/c)^(1/2) <= K y/epsilon with c^(1/2) = 4/3 and the largest slope K = 1 of a spring that softens."""
-    soft, y = force_of({"1/2": 1}, {3: "-1/2"}), arb("0.05")
+    soft, y = in_a_well({"1/2": 1}, {3: "-1/2"}), arb("0.05")
     edge = (arb(4) / 3 * y) ** 2
     assert trap(soft, y, edge * arb("0.9")) == "creeps" and trap(soft, y, edge * arb("1.05")) is None
     steep = (arb(1) / 6).sqrt() * 9 / 16  # c^2 y^2 < 1/6 with c = 16/9

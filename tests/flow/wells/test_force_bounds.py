@@ -8,7 +8,8 @@ from flint import arb, ctx
 
 from asymptotics.flow.wells import expansion as expansions
 from asymptotics.flow.wells.expansion import WellExpansion
-from tests.flow.wells.test_bounds import FORCES, force_of
+from tests.flow.forces import WELLS as FORCES
+from tests.flow.forces import in_a_well
 
 
 def on_circles(f, u, du, w=0, dw=0):
@@ -30,9 +31,9 @@ def polynomial(force, side):
     return G
 
 
-STIFF = force_of({(1, 2): "1/3", "1/2": "1/5", (2, 1): "1/4"}, {3: "1/2", 2: "1/7"})
-HELD = force_of({(0, 2): "1/3", (0, 1): "1/9", 2: "1/5"})
-LOST = force_of({(2, 2): "1/3", "3/2": "1/4"}, "pendulum")
+STIFF = in_a_well({(1, 2): "1/3", "1/2": "1/5", (2, 1): "1/4"}, {3: "1/2", 2: "1/7"})
+HELD = in_a_well({(0, 2): "1/3", (0, 1): "1/9", 2: "1/5"})
+LOST = in_a_well({(2, 2): "1/3", "3/2": "1/4"}, "pendulum")
 
 
 @pytest.mark.parametrize(("force", "u", "reach"), [(STIFF, 0.5, 0.5), (LOST, 1.5, 1.0), (LOST, 0.25, 0.5)])
