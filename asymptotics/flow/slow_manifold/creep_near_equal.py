@@ -11,6 +11,7 @@ derivatives join A, and the barriers are those of one law, but with a constant t
 
 >>> from fractions import Fraction
 >>> from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import at_growing_precision
 >>> law = Damping.of([(arb(1), ExactReal(Fraction(1, 2))), (arb(1), ExactReal(Fraction(1, 2) + Fraction(1, 10**20)))])
 >>> with ctx.workprec(80):
 ...     y = arb("0.01")
@@ -22,7 +23,7 @@ derivatives join A, and the barriers are those of one law, but with a constant t
 
 from dataclasses import dataclass
 from itertools import product
-from math import lgamma, log, log2
+from math import lgamma, log, log2, log10
 from operator import add, mul, sub
 
 from flint import arb, arb_poly
@@ -34,11 +35,12 @@ from asymptotics.flow.slow_manifold.creep_slow_curve import INSIDE, ORDERS, WIDE
 from asymptotics.flow.slow_manifold.slow_curve_series import Key, lower_set, unit
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import at_growing_precision
 
 _NEAR = arb(1) / 4  # exponents of one group differ by less
 _SHARE, _FARTHEST = 1 / 16, 1024.0  # eta times the reach, and the reach, at most
 _MARGIN = arb(1) / 64  # of ln w, at the end of a stretch
-_LN2 = log(2)
+_LN2, _DIGITS = log(2), log10(2)
 
 Part = tuple[arb_poly, arb]  # a polynomial in t, and the exponent of the w that stands beside it
 
@@ -147,13 +149,13 @@ def _apart(a: ExactReal, b: ExactReal) -> arb:
     """a - b, with all bits however near they are and whatever their roots."""
     if a == b:
         return arb(0)
-    bits = 2 * ctx.prec
-    while True:
-        with ctx.workprec(bits):
-            found = a.ball() - b.ball()
-        if found.rel_accuracy_bits() > ctx.prec:
-            return found
-        bits *= 2
+    wanted = ctx.prec
+
+    def attempt(_bits: int) -> arb | None:
+        found = a.ball() - b.ball()
+        return found if found.rel_accuracy_bits() > wanted else None
+
+    return at_growing_precision(attempt, int(wanted * _DIGITS), 2 * wanted)
 
 
 def stretch(damping: Damping, y: arb, w: arb, error: arb) -> Stretch | None:
