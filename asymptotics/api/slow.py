@@ -8,6 +8,7 @@
 """
 
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import partial
 from typing import Any
 
@@ -30,7 +31,7 @@ from asymptotics.envelopes.long_time import extinction, long_time
 from asymptotics.envelopes.slow_time import epsilon
 from asymptotics.envelopes.symbolic import MEAN, AveragedLaw, averaged_law, tau
 from asymptotics.errors import InputError
-from asymptotics.law import LawLike, Oscillator
+from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.bridge import to_sympy
@@ -41,6 +42,7 @@ from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
 from asymptotics.public import public
+from asymptotics.terms import Term
 
 MAX_DIGITS = 1000
 
@@ -190,9 +192,19 @@ class Envelope(SlowNumbers, Drawn):
         """phi in rad at an array of times in s, 0 at the start: doubles; NaN where it is not known."""
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
-        motion = AsymptoticMotion.of(self.oscillator, 2)  # order 2 is p_1 and Omega_2: this phase
-        phi = motion.sample(times_of(t)).phase - motion.sample([0.0]).phase[0]
+        start, rate = self._at_rest()
+        motion = AsymptoticMotion.of(start, 2)  # order 2 is p_1 and Omega_2: this phase
+        phi = motion.sample(np.asarray(times_of(t)) * rate).phase - motion.sample([0.0]).phase[0]
         return np.where(self.amplitudes(t) > 0, phi, np.nan)
+
+    def _at_rest(self) -> tuple[Oscillator, float]:
+        """The averaged law from rest at A(0), and the rate of its time; strengths in doubles for a start in motion,
+        which the motion of order 2 would correct, as the averaged law does not."""
+        if self.oscillator.v0.is_zero:
+            return self.oscillator, 1.0
+        terms = self.oscillator.dimensionless.terms
+        law = Law.from_terms([Term(Fraction(float(t.strength.ball().mid())), t.velocity, t.position) for t in terms])
+        return Oscillator(law), float(self.oscillator.omega_0().mid())
 
     @public
     def columns(self, t: ArrayLike, *, order: int | None = None, max_seconds: Number = 60) -> tuple[Any, Any, Any]:

@@ -5,12 +5,12 @@
   asymptotics compare table_one.csv --table smith2012.table1 --columns half_cycle,S_hat,u
   asymptotics compare exported.csv                           # a table of this program says itself what it is
   asymptotics compare points.csv                             # so does a file of --csv: its header has the oscillator
-  asymptotics compare cycle.csv                              # and one of damping, stokes, limit-cycle, smith or a sweep
+  asymptotics compare cycle.csv                              # and one of damping, envelope, stokes, smith or a sweep
   asymptotics compare series.csv --alpha 3/2                 # coefficients from expand --csv or half-swing --csv
   asymptotics compare lab.csv --alpha 3/2 --damping 1/10 --mass 3/2 --stiffness 30 --x0 1/5 --columns t,x
 
-FILE is CSV.  A row is a turning point (n, with x, amplitude, tau or t), a moment (tau or t, with x or v)
-or a moment of an envelope (tau or t, with amplitude or phase: the averaged law).
+FILE is CSV; an exported sweep may be JSON or Parquet.  A row is a turning point (n, with x, amplitude, tau or t),
+a moment (tau or t, with x or v) or a moment of an envelope (tau or t, with amplitude or phase: the averaged law).
 With --damping, --mass or --stiffness the file is in m, s and m/s, --law gives b, and --epsilon is still the
 dimensionless strength b omega_0^alpha x0^(alpha-1)/k; without them nothing has a unit (tau = omega_0 t), and x is X.
 digits is -log10 of the relative error: 0 for a wrong sign, at most what the certified value has.

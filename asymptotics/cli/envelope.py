@@ -20,6 +20,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import sympy
+from numpy.typing import NDArray
 
 from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.slow import MAX_DIGITS, Envelope, envelope
@@ -57,12 +58,11 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     given, digits = read_oscillator(options), read_digits(options, MAX_DIGITS)
-    time = None if options.time is None else time_of(parse_real(options.time, "--time"))
     files = read_files(options)
+    time = _time(options)
     if files and (time is None or not time > 0):
         raise InputError("--time", "there is no stretch of time to draw", "a time > 0 with --plot or --csv")
-    found = envelope(given.oscillator, averaging=SQUARING if options.squaring else MEAN)
-    found = replace(found, si=given.si)
+    found = _curve(options, given)
     if options.latex and found.formula is None and options.order is None:
         raise InputError("--latex", "no elementary form is known for this law", "the command without --latex")
     data = _data(found, time, digits)
@@ -79,11 +79,11 @@ def run(options: argparse.Namespace) -> Answer:
 
     makers: Makers = {
         "--plot": picture_maker(options, lambda: overlaid(options, found, given, again), until=time, **more),
-        "--csv": lambda _: _table(found, given, time, options, series),
+        "--csv": lambda _: _table(found, time, options, series),
     }
     data |= {
         "units": "SI" if given.si else None,
-        "files": write_files(files, makers, options),
+        "files": write_files(files, makers, options, "envelope"),
         "notes": list(found.notes),
     }
     text = str(data["latex"]) if options.latex else _text(data, given, series)
@@ -92,6 +92,22 @@ def run(options: argparse.Namespace) -> Answer:
     if series is not None and not options.latex:
         text += f"\n{series}"
     return Answer(data, text, options.json)
+
+
+def _time(options: argparse.Namespace) -> ExactReal | None:
+    return None if options.time is None else time_of(parse_real(options.time, "--time"))
+
+
+def _curve(options: argparse.Namespace, given: Given) -> Curve:
+    return replace(envelope(given.oscillator, averaging=SQUARING if options.squaring else MEAN), si=given.si)
+
+
+def asked(options: argparse.Namespace) -> tuple[Curve, ExactReal]:
+    """The curve of these options, and the end of its table; InputError without a time > 0."""
+    found, time = _curve(options, read_oscillator(options)), _time(options)
+    if time is None or not time > 0:
+        raise InputError("--time", "there is no stretch of time", "a time > 0")
+    return found, time
 
 
 def _series(found: Curve, order: str, digits: int) -> EnvelopeSeries:
@@ -208,10 +224,26 @@ def _text(data: dict[str, Any], given: Given, series: EnvelopeSeries | None) -> 
     return "\n".join([*lines, claim, *data["notes"], *data["files"]])
 
 
-def _table(
-    found: Curve, given: Given, time: ExactReal | None, options: argparse.Namespace, series: EnvelopeSeries | None
-) -> str:
-    times = np.linspace(0.0, float((time or ExactReal(0)).ball().mid()), read_points(options) + 1)
+def _table(found: Curve, time: ExactReal | None, options: argparse.Namespace, series: EnvelopeSeries | None) -> str:
+    times = table_times(time or ExactReal(0), options)
     t, A, phi = found.columns(times, order=None if series is None else series.order)
-    head = ("t [s]", f"amplitude [{given.of_x('m')}]", "phase [rad]") if given.si else ("tau", "amplitude", "phase")
-    return csv_text(head, ([repr(float(c)) for c in row] for row in zip(t, A, phi)))
+    return csv_text(table_head(found), ([repr(float(c)) for c in row] for row in zip(t, A, phi)))
+
+
+def table_head(found: Curve) -> tuple[str, str, str]:
+    """The names of the columns of --csv."""
+    if not found.si:
+        return ("tau", "amplitude", "phase")
+    return ("t [s]", f"amplitude [{found.oscillator.unit}]", "phase [rad]")
+
+
+def table_times(time: ExactReal, options: argparse.Namespace) -> NDArray[np.float64]:
+    """The times of its rows."""
+    return np.linspace(0.0, float(time.ball().mid()), read_points(options) + 1)
+
+
+def certified_at(found: Curve, time: str, digits: int) -> tuple[str, str]:
+    """A and phi of one row, certified for the averaged law; nan where the table has no phase: extinct, or squaring."""
+    amplitude = found.amplitude(time, digits=digits)
+    phase = None if found.averaging == SQUARING or amplitude == "0" else found.phase(time, digits=digits)
+    return amplitude, "nan" if phase is None else phase

@@ -22,6 +22,7 @@ from asymptotics.present.inputs import INPUTS, option_words
 
 REQUESTS = {
     "damping": (*INPUTS, "amplitudes", "unit", "order", "digits"),
+    "envelope": (*INPUTS, "time", "points", "order", "squaring"),
     "expand": (*INPUTS, "order", "gauge", "exact", "digits"),
     "half-swing": (*INPUTS, "order", "exact", "delta", "digits"),
     "limit-cycle": (*INPUTS, "order", "mu", "near", "digits"),
@@ -29,7 +30,7 @@ REQUESTS = {
     "stokes": ("alpha", "count", "digits"),
     "turning-points": (*INPUTS, "count", "start", "times", "digits"),
 }
-_PLACED, _FLAGS = "what", ("times", "exact")
+_PLACED, _FLAGS = "what", ("times", "exact", "squaring")
 _FROM_REST = ("expand", "half-swing", "turning-points")  # the oscillator says it all, beside the linear spring
 
 

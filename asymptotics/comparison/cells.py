@@ -10,12 +10,12 @@
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from asymptotics.comparison.digits import judged, significant
 from asymptotics.comparison.quick_look import Look
-from asymptotics.comparison.run import ComparedValue, Comparison, summary_of
+from asymptotics.comparison.run import UNJUDGED, ComparedValue, Comparison, short_of, summary_of
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.exact import parse_rational
 
@@ -78,6 +78,26 @@ def compared_cells(
     summary |= {"differs": differs} if differs else {}
     summary |= {"estimates": unjudged} if unjudged else {}
     return Comparison(tuple(rows), summary, True, right.method)
+
+
+def cells_so_far(
+    given: Sequence[tuple[int, Sequence[str]]], header: Sequence[str], right: Cells, digits: int
+) -> Comparison | None:
+    """The same for work that was cut short: the rows of which the right ones are there; None where none can be judged.
+
+    >>> right = Cells(("k", "value"), (("1", "0.5"),), ("k",))
+    >>> found = cells_so_far([(2, ("1", "0.5")), (3, ("2", "0.7"))], ("k", "value"), right, 12)
+    >>> len(found.rows), found.summary["missing"], "order" in found.summary
+    (1, 'lines 3 ... 3 (1 rows)', False)
+    """
+    there = {_key(row, right.header, right.keys) for row in right.rows}
+    done = [(line, row) for line, row in given if len(row) == len(header) and _key(row, header, right.keys) in there]
+    if not done or all(_key(row, header, right.keys) in right.estimates for _, row in done):
+        return None
+    found = compared_cells(done, header, right, digits)
+    summary = {name: value for name, value in found.summary.items() if name != "order"} | {"look": UNJUDGED.to_dict()}
+    told = summary.get("estimates", ())
+    return short_of(replace(found, summary=summary), [line for line, _ in given if line not in told])
 
 
 def longest_of(given: Sequence[tuple[int, Sequence[str]]]) -> int:

@@ -179,7 +179,7 @@ def compare_file(
 
     def so_far(truth: Truth) -> Comparison:
         places = range(len(sheet.lines)) if truth.places is None else truth.places
-        return short_of(compared(sheet.only(places), truth, lambda _: UNJUDGED), sheet)
+        return short_of(compared(sheet.only(places), truth, lambda _: UNJUDGED), sheet.lines)
 
     with changed(so_far):
         truth, judge = _truth(
@@ -193,10 +193,10 @@ def compare_file(
 UNJUDGED = Look("undecided", "the comparison was cut short, and errors are judged by all rows together")
 
 
-def short_of(found: Comparison, sheet: Sheet) -> Comparison:
+def short_of(found: Comparison, lines_of_file: Sequence[int]) -> Comparison:
     """The same, telling which lines of the file are missing."""
     there = {row.line for row in found.rows}
-    lines = [line for line in sheet.lines if line not in there]
+    lines = [line for line in lines_of_file if line not in there]
     missing = f"lines {lines[0]} ... {lines[-1]} ({len(lines)} rows)" if lines else "how the errors look"
     return replace(found, summary={**found.summary, "missing": missing})
 

@@ -76,7 +76,7 @@ def compare_table(
     def so_far(table: Table) -> Comparison | None:
         entries = _entries(table, keys)
         places = [i for i, row in enumerate(_keys_of(sheet, keys)) if _key(row) in entries]
-        return short_of(compared(table, sheet.only(places), lambda _: UNJUDGED), sheet) if places else None
+        return short_of(compared(table, sheet.only(places), lambda _: UNJUDGED), sheet.lines) if places else None
 
     with changed(so_far):
         table = build(name, wanted, given)

@@ -2,8 +2,9 @@
 
 Results are flattened: ``points.1.x`` is the x of the second of ``points``.  The columns are the parameters, then what
 the results hold in the order of their first appearance, then ``failed`` (the reason, or empty) and ``code`` (what
-computed it, ``made_by.mark``; in CSV its header names the command and its parameters).  The file is the same
-for the same sweep, whatever order its points were finished in.  Parquet needs the extra parquet.
+computed it, ``made_by.mark``).  Each format names the command and its parameters, CSV in the header of ``code``, so
+that ``compare`` can ask again.  The file is the same for the same sweep, whatever order its points were finished in.
+Parquet needs the extra parquet.
 
 >>> flat({"x": "1/2", "points": [{"n": 0, "tau": None}], "certified": True})
 {'x': '1/2', 'points.0.n': '0', 'points.0.tau': '', 'certified': 'true'}
@@ -34,7 +35,9 @@ from asymptotics.sweeps.shard import verified
 from asymptotics.sweeps.store import Store, place
 
 FORMATS = (".csv", ".json", ".parquet")
-_LAST = ("failed", "code")
+LAST = ("failed", "code")
+REQUEST = b"request"
+"""Where the metadata of Parquet says it: sweep, the command and its parameters, as JSON."""
 _CHUNK = 10_000  # rows in memory at a time
 
 Exact = Fraction | ExactReal | str | None
@@ -103,7 +106,7 @@ def require_format(path: Path) -> None:
     if path.suffix not in FORMATS:
         raise InputError("export", f"{path.name} has no known ending", ", ".join(FORMATS))
     if path.suffix == ".parquet":
-        _parquet()
+        parquet_module()
     target_file(path, "export")
 
 
@@ -135,15 +138,18 @@ def _columns(command: str, points: Sequence[Point], store: Store) -> list[str]:
     for point, row in zip(points, rows_of(command, points, store)):
         parameters |= dict.fromkeys(point)
         results |= dict.fromkeys(row)
-    return [*parameters, *(name for name in results if name not in {*parameters, *_LAST}), *_LAST]
+    return [*parameters, *(name for name in results if name not in {*parameters, *LAST}), *LAST]
+
+
+def _request(command: str, points: Sequence[Point]) -> list[str]:
+    return ["sweep", command, *dict.fromkeys(name for point in points for name in point)]
 
 
 def _write_csv(stream: Any, command: str, points: Sequence[Point], store: Store) -> int:
     text = io.TextIOWrapper(stream, encoding="utf-8", newline="")
     names = _columns(command, points, store)
     writer = csv.DictWriter(text, names, restval="", lineterminator="\n")
-    parameters = dict.fromkeys(name for point in points for name in point)
-    said = f"{_LAST[-1]} [{shlex.join(['sweep', command, *parameters])}]"  # of which request each row is the answer
+    said = f"{LAST[-1]} [{shlex.join(_request(command, points))}]"  # of which request each row is the answer
     csv.writer(text, lineterminator="\n").writerow([*names[:-1], said])
     writer.writerows(rows_of(command, points, store))
     text.detach()
@@ -162,9 +168,9 @@ def _write_json(stream: Any, command: str, points: Sequence[Point], store: Store
 
 
 def _write_parquet(stream: Any, command: str, points: Sequence[Point], store: Store) -> int:
-    arrow, parquet = _parquet()
+    arrow, parquet = parquet_module()
     columns = _columns(command, points, store)
-    metadata = {"made_by": json.dumps(made_by())}
+    metadata = {"made_by": json.dumps(made_by()), REQUEST: json.dumps(_request(command, points))}
     schema = arrow.schema([(name, arrow.string()) for name in columns], metadata=metadata)
     with parquet.ParquetWriter(stream, schema) as writer:
         chunk: list[dict[str, str]] = []
@@ -180,12 +186,13 @@ def _write_parquet(stream: Any, command: str, points: Sequence[Point], store: St
 _WRITERS = {".csv": _write_csv, ".json": _write_json, ".parquet": _write_parquet}
 
 
-def _parquet() -> tuple[Any, Any]:
+def parquet_module(argument: str = "export") -> tuple[Any, Any]:
+    """pyarrow and its Parquet; InputError of this argument without the extra."""
     try:
         return import_module("pyarrow"), import_module("pyarrow.parquet")  # an extra, and slow to import
     except ModuleNotFoundError as error:  # any other ImportError is a fault, or want of memory
         accepted = "an installation with the extra parquet: pip install '.[parquet]' in a clone"
-        raise InputError("export", "Parquet needs pyarrow, which is not installed", accepted) from error
+        raise InputError(argument, "Parquet needs pyarrow, which is not installed", accepted) from error
 
 
 def read_rows(path: Path) -> Iterator[dict[str, Exact]]:
@@ -203,7 +210,7 @@ def read_rows(path: Path) -> Iterator[dict[str, Exact]]:
                 yield from map(exact, reader)
             return
         if path.suffix == ".parquet":
-            with _parquet()[1].ParquetFile(path) as file:
+            with parquet_module()[1].ParquetFile(path) as file:
                 for chunk in file.iter_batches(_CHUNK):
                     yield from map(exact, chunk.to_pylist())
             return

@@ -177,10 +177,7 @@ def test_a_hostile_header_is_refused_by_name(capsys, path, header, named):
     assert [p.name for p in path.parent.iterdir()] == ["exported.csv"]
 
 
-def test_columns_and_an_envelope_beside_a_spring_are_refused_by_name(capsys, path):
-    assert main(["stokes", "--alpha=2", "--csv", str(path)]) == 0
+def test_columns_beside_a_request_are_refused_by_name(capsys, path):
+    assert main(["stokes", "--alpha=2", "--count=2", "--csv", str(path)]) == 0
     assert main(["compare", str(path), "--columns", "k,c_k"]) == 2
     assert "--columns" in capsys.readouterr()[1]
-    assert main(["envelope", "--law=2:1/10", "--spring=3:1/5", "--time=3", "--points=3", "--csv", str(path)]) == 0
-    assert main(["compare", str(path)]) == 2
-    assert "it is of an oscillator with --spring" in capsys.readouterr()[1]

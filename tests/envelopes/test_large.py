@@ -245,7 +245,8 @@ def test_the_command(capsys, tmp_path):
     assert data["amplitude"] == "0.7846242302" and data["period"] == "10.32316287" and data["certified"] is True
     path = tmp_path / "a.csv"
     assert main([*line.split()[:-1], "--csv", str(path), "--plot", str(tmp_path / "a.svg"), "--points", "10"]) == 0
-    assert path.read_text().splitlines()[0] == "tau,amplitude,phase,code [--law=2:1/20 --spring=pendulum --x0=5/2]"
+    request = "envelope --law=2:1/20 --spring=pendulum --x0=5/2 --time=40 --points=10"
+    assert path.read_text().splitlines()[0] == f"tau,amplitude,phase,code [{request}]"
     assert len(path.read_text().splitlines()) == 12
     assert "exact in the spring" in capsys.readouterr().out
     assert main(["envelope", "--law", "2:1", "--spring", "2:1", "--time", "1"]) == 2

@@ -1,0 +1,44 @@
+"""An exported envelope beside the averaged law itself, certified at the times of its rows.
+
+>>> header = ["tau", "amplitude", "phase", "code"]
+>>> rows = [(2, ["0.0", "1.0", "0.0", ""]), (3, ["3.0", "0.8870541", "0.1924054", ""])]
+>>> request = {"law": "2:1/10", "spring": "3:1/5", "time": "3", "points": "1"}
+>>> [(row.key, row.marked, row.certified) for row in compared_envelope(request, header, rows, 9).rows[2:]]
+[('3', '0.8870541', '0.887054138'), ('3', '0.1924054', '0.192405434')]
+"""
+
+from importlib import import_module
+
+from asymptotics.cli.swept import typed_options
+from asymptotics.comparison.cells import Cells, cells_so_far, compared_cells
+from asymptotics.comparison.run import Comparison
+from asymptotics.cut_short import changed
+from asymptotics.errors import InputError
+from asymptotics.sweeps.grid import Point
+
+_METHOD = "the averaged law of first order (not the motion), at {} digits"
+
+
+def compared_envelope(request: Point, header: list[str], rows: list[tuple[int, list[str]]], digits: int) -> Comparison:
+    """A and phi of the request at its own times; an error that cuts the work short carries the rows that are done.
+
+    InputError for an order above the first, which is formal.
+    """
+    if "order" in request:
+        raise InputError("FILE", "no route certifies an envelope of higher order: formal series", "the first order")
+    command = import_module("asymptotics.cli.envelope")
+    options = typed_options("envelope", request)
+    found, time = command.asked(options)
+    names, times = command.table_head(found), command.table_times(time, options)
+    made = list[tuple[str, ...]]()
+
+    def right() -> Cells:
+        return Cells((*names, "code"), tuple(made), names[:1], frozenset({"code"}), method=_METHOD.format(digits))
+
+    def so_far() -> Comparison | None:
+        return cells_so_far(rows, header, right(), digits)
+
+    with changed(lambda _: so_far(), otherwise=so_far):
+        for t in times:
+            made.append((repr(float(t)), *command.certified_at(found, repr(float(t)), digits), ""))
+    return compared_cells(rows, header, right(), digits)
