@@ -1,7 +1,7 @@
 """The defect of a truncated Abel function, summed along an orbit that is never computed.
 
->>> print(derivation.steps[1].text())
--2 + 1/(k*u_2 + 1) + 1/(-k*u_1 + 1) = (2*k**2*u_1*u_2 + k*(u_1 - u_2))/((-k*u_1 + 1)*(k*u_2 + 1))
+>>> print(derivation.steps[3].text())
+Derivative((g*x + 1/delta)**(-m), (x, 2)) = g**2*m*(m + 1)*(g*x + 1/delta)**(-m - 2)
 """
 
 import sympy
@@ -27,10 +27,10 @@ step(
     At(sympy.Derivative(1 / u, theta), {sympy.Derivative(u, theta): slope}),
     (alpha - 1) * s ** (alpha + 1) / (1 - u * s**alpha * c),
 )
-pair = 1 / (1 - k * u1) + 1 / (1 + k * u2)
+falling = sympy.Symbol("u", positive=True)
 step(
     "Pair theta with pi - theta, k = s^alpha cos(theta) >= 0: u falls, u_2 <= u_1, and",
-    pair - 2,
+    At(1 / (1 - k * falling), {falling: u1}) + At(1 / (1 - k * falling), {falling: u2, k: -k}) - 2,
     (k * (u1 - u2) + 2 * k**2 * u1 * u2) / ((1 - k * u1) * (1 + k * u2)),
 )
 gap = sympy.Symbol("d", nonnegative=True)

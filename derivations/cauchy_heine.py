@@ -70,15 +70,16 @@ step(
     sympy.Integral(sympy.exp(-2 * pi * k * y) * y ** (n - 1), (y, 0, sympy.oo)),
     sympy.gamma(n) / (2 * pi * k) ** n,
 )
+moment = sympy.Integral(sympy.exp(-2 * pi * y) * y ** (n - 1), (y, 0, sympy.oo))
 step(
     "those with k > 1 smaller by k^(-n), and what [0, y_0] lacks is at most |c_1| y_0^n. The first correction of k ="
     " 1 is the moment of one power less, relatively",
-    2 * pi * eps1 * (sympy.gamma(n - 1) / (2 * pi) ** (n - 1)) / (sympy.gamma(n) / (2 * pi) ** n),
+    2 * pi * eps1 * At(moment, {n: n - 1}) / moment,
     4 * pi**2 * eps1 / (n - 1),
 )
 step(
     "and where |q e^(2 pi y) - 1 - 2 pi eps_1/y| <= B/y^2 on y >= y_0, the rest is at most, relatively,",
-    B * (sympy.gamma(n - 2) / (2 * pi) ** (n - 2)) / (sympy.gamma(n) / (2 * pi) ** n),
+    B * At(moment, {n: n - 2}) / moment,
     4 * pi**2 * B / ((n - 1) * (n - 2)),
 )
 step(

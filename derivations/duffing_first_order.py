@@ -29,9 +29,10 @@ def potential(z: sympy.Expr) -> sympy.Expr:
     return z**2 / 2 + c * z**4 / 4
 
 
+V = defined("V", potential)
 step(
-    "v^2 = 2 (V(A) - V(x)) with x = A cos(theta), over A^2 sin^2(theta)",
-    2 * (potential(A) - potential(A * cos(theta))) / (A**2 * sin(theta) ** 2),
+    "V = x^2/2 + c x^4/4: v^2 = 2 (V(A) - V(x)) with x = A cos(theta), over A^2 sin^2(theta)",
+    At(2 * (V(A) - V(x)), {x: A * cos(theta)}) / (A**2 * sin(theta) ** 2),
     1 + c * A**2 * (1 + cos(theta) ** 2) / 2,
 )
 step(

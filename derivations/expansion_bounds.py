@@ -26,14 +26,14 @@ step(
     sympy.Integral(-sympy.Symbol("p_k") * delta**n, (psi, 0, sympy.pi)),
     -sympy.pi * sympy.Symbol("p_k") * delta**n,
 )
-kk = sympy.Symbol("K", positive=True)
+kk, over = sympy.symbols("K r", positive=True)  # K = 1/(1 + r) < 1
 i, k = sympy.symbols("i k", integer=True, nonnegative=True)
 step(
     "L_N and T_N are analytic where G' = P(v)/(1 - Q(v)), v = rho e^(|alpha-1| G), stays finite: |p/(1 + Omega)| <="
-    " P/(1 - Q), for |Omega| <= Q = K < 1 the geometric series of terms K^k >= 0, what is left after k terms being"
-    " K^k/(1 - K)",
-    kk**k / (1 - kk) - kk ** (k + 1) / (1 - kk),
-    kk**k,
+    " P/(1 - Q), for |Omega| <= Q = K = 1/(1 + r) < 1 the geometric series of terms K^i >= 0, of which after k terms"
+    " is left",
+    sympy.Sum(At(kk ** (k + i), {kk: 1 / (1 + over)}), (i, 0, sympy.oo)),
+    At(kk**k / (1 - kk), {kk: 1 / (1 + over)}),
 )
 a, b = sympy.symbols("delta_1 delta_2", positive=True)
 step(
@@ -52,13 +52,10 @@ derivation.defines(
     (a ** (k + 1) - b ** (k + 1)) / (a - b),
 )
 step("and |delta| h_k exceeds h_(k+1) by a sum of terms >= 0:", (a + b) * h(k) - h(k + 1), a * b * h(k - 1))
-y = sympy.Symbol("y", positive=True)  # |delta|/rho = y/(1 + y) < 1
-ratio = y / (1 + y)
 step(
-    "so all degrees from J on give at most M x^J/(1 - x), x = |delta|/rho < 1: the remainder R_J with"
-    " R_J - R_(J+1) = M x^J and R_J -> 0",
-    M * ratio**J / (1 - ratio) - M * ratio ** (J + 1) / (1 - ratio),
-    M * ratio**J,
+    "so all degrees from J on give at most, x = |delta|/rho = 1/(1 + r) < 1,",
+    sympy.Sum(At(M * x ** (J + i), {x: 1 / (1 + over)}), (i, 0, sympy.oo)),
+    At(M * x**J / (1 - x), {x: 1 / (1 + over)}),
 )
 
 # 2. All half-swings.
@@ -126,11 +123,11 @@ asserts(
     " (Y + G (j+1)) <= (G/g)(1 + g/Y)(Y + g j):",
     sympy.Le(Y + (g + extra) * (j + 1), (g + extra) / g * (1 + g / Y) * (Y + g * j), evaluate=False),
 )
-m_, q_ = sympy.symbols("a q", positive=True)
+m_, q_, weight, met = sympy.symbols("a q B d_j", positive=True)
 step(
     "With d_j <= (Y + g j)^(-1) the error made at j, C d_j^a, counts at n at most"
     " C ((G/g)(1 + g/Y)/(Y + G n))^q (Y + g j)^(q - a): the sum over j is S_(a-q)(n)",
-    ((G / g) * (1 + g / Y) * (Y + g * j)) ** q_ * (Y + g * j) ** (-m_),
+    At(weight**q_ * met**m_, {weight: (G / g) * (1 + g / Y) * (Y + g * j), met: 1 / (Y + g * j)}),
     ((G / g) * (1 + g / Y)) ** q_ * (Y + g * j) ** (q_ - m_),
 )
 

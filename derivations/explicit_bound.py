@@ -111,10 +111,9 @@ step(
     At(sympy.Abs(sympy.exp(k * w * log_r), evaluate=False), {log_r: size + sympy.I * turn}),
     sympy.exp(k * w * size),
 )
-y = sympy.Symbol("y", positive=True)  # epsilon/rho = y/(1 + y) < 1
-ratio_x = y / (1 + y)
+y, j = sympy.Symbol("r", positive=True), sympy.Symbol("j", integer=True, nonnegative=True)
 step(
-    "Cauchy: the degrees of epsilon beyond J add at most M x^(J+1)/(1 - x), x = epsilon/rho",
-    M * ratio_x ** (J + 1) / (1 - ratio_x) - M * ratio_x ** (J + 2) / (1 - ratio_x),
-    M * ratio_x ** (J + 1),
+    "Cauchy: the degrees of epsilon beyond J add at most, x = epsilon/rho = 1/(1 + r) < 1,",
+    sympy.Sum(At(M * x ** (J + 1 + j), {x: 1 / (1 + y)}), (j, 0, sympy.oo)),
+    At(M * x ** (J + 1) / (1 - x), {x: 1 / (1 + y)}),
 )

@@ -6,7 +6,7 @@ Subs(-X'_tau*s + X_tau*c, (X_tau, X'_tau), (-r*s, -c*r + drag)) = -drag*s
 
 import sympy
 
-from derivations.steps import At, Derivation
+from derivations.steps import At, Derivation, Solution
 
 r, s, e, delta = sympy.symbols("r s epsilon delta", positive=True)
 c, drag, X, velocity = sympy.symbols("c drag X X'", real=True)
@@ -79,7 +79,12 @@ step(
     At((-s * drag / r) / (1 - c * drag / r), {drag: r * N}),
     log_rate,
 )
-step("d tau/d theta = 1/D = 1 + c N/D = 1 - cot(theta) d ln r/d theta", 1 - c / s * log_rate, 1 / (1 - N * c))
+grown = sympy.Symbol("R_theta", real=True)
+step(
+    "d tau/d theta = 1/D = 1 + c N/D is 1 - cot(theta) R_theta with that rate R_theta of ln r",
+    At(1 - c / s * grown, {grown: log_rate}),
+    1 / (1 - N * c),
+)
 for p, (_, a) in zip(rho, laws, strict=True):
     step(
         "and d ln rho_i/d ln r = alpha_i - 1: no parameter is left but the starting values rho_i(0) = delta_i",
@@ -92,12 +97,12 @@ primitive = sympy.atan((2 * sympy.tan(theta) - e) / sympy.sqrt(4 - e**2)) * 2 / 
 step(
     "alpha = 1, epsilon < 2: 1/D = 1/(1 - epsilon s c) is the derivative of (2/sqrt(4 - e^2)) atan((2 tan(theta) - e)/"
     "sqrt(4 - e^2))",
-    sympy.simplify(diff(primitive, theta) * (1 - e * sin(theta) * cos(theta))),
+    sympy.Derivative(primitive, theta) * (1 - e * sin(theta) * cos(theta)),
     sympy.Integer(1),
 )
 step(
     "whose argument runs once through all reals between two turning points: T = pi/sqrt(1 - epsilon^2/4)",
-    2 * sympy.pi / sympy.sqrt(4 - e**2),
+    2 / sympy.sqrt(4 - e**2) * (sympy.Limit(sympy.atan(X), X, sympy.oo) - sympy.Limit(sympy.atan(X), X, -sympy.oo)),
     sympy.pi / sympy.sqrt(1 - e**2 / 4),
 )
 x_0, v_0 = delta + (1 - delta) * cos(tau), -(1 - delta) * sin(tau)
@@ -108,9 +113,8 @@ step(
     sympy.Derivative((x_0**2 + v_0**2) / 2, tau),
     delta * v_0,
 )
-passage = sympy.solve(x_0.subs(cos(tau), X), X)[0]
 step(
-    "at the passage X = 0 the speed squared is 1 - 2 delta: R = ln(1 - 2 delta)/2",
-    (1 - delta) ** 2 * (1 - passage**2),
+    "at the passage X = 0 the speed squared, (1 - delta)^2 (1 - c^2), is 1 - 2 delta: R = ln(1 - 2 delta)/2",
+    At((1 - delta) ** 2 * (1 - c**2), {c: Solution(delta + (1 - delta) * c, 0, c)}),
     1 - 2 * delta,
 )

@@ -15,7 +15,7 @@ from derivations.steps import At, Coefficient, Derivation, Solution, Taylor, def
 alpha = sympy.Symbol("alpha", nonnegative=True)
 p = sympy.Symbol("p", positive=True)
 theta = sympy.Symbol("theta", positive=True)
-N, e, g, K, J = sympy.symbols("N e g K J")
+N, e, g, K, J, I_Y = sympy.symbols("N e g K J I_Y")
 epsilon, c = sympy.symbols("epsilon c", positive=True)
 s, cos = sympy.sin(theta), sympy.cos(theta)
 S, C = sympy.symbols("s c_theta", positive=True)
@@ -43,8 +43,13 @@ step(
     cos ** (p + 1) * s ** (alpha + 1) - (p + 1) * cos**p * s * Y,
 )
 # with K = int_0^pi s^(alpha+1), J = int_0^pi c^(p+1) s^(alpha+1), and c(pi)^(p+1) = 1: int c^p s Y = (J - K)/(p + 1)
-total = -(alpha - 1) * (K - J) / (p + 1) + 2 * J + (p - 1) * (K - J) / (p + 1)
-step("the coefficient of e g in L", total, ((p - alpha) * K + (p + 2 + alpha) * J) / (p + 1))
+total = -(alpha - 1) * (K - J) / (p + 1) + 2 * J - (p - 1) * I_Y
+total = At(total, {I_Y: (J - K) / (p + 1)})
+step(
+    "the coefficient of e g in L, with I_Y = int c^p s Y = (J - K)/(p+1)",
+    total,
+    ((p - alpha) * K + (p + 2 + alpha) * J) / (p + 1),
+)
 step(
     "(p + 2 + alpha) J = p int c^(p-1) s^(alpha+1): the derivative of c^p s^(alpha+2) integrates to 0",
     sympy.Derivative(C**p * (1 - C**2) ** (alpha / 2 + 1), C),
@@ -65,7 +70,7 @@ for a, power, value in (
         K: sympy.integrate(s ** (a + 1), (theta, 0, sympy.pi)),
         J: sympy.integrate(cos ** (power + 1) * s ** (a + 1), (theta, 0, sympy.pi)),
     }
-    step("and by K and J", At(total.subs({alpha: a, p: power}), integrals), value)
+    step("and by K and J", At(total.doit().subs({alpha: a, p: power}), integrals), value)
 
 apparent = defined("L", lambda strength: -3 * sympy.pi / 8 * strength)  # cubic loss: -pi M_4 epsilon_3
 step(

@@ -91,12 +91,12 @@ step(
     "The first corrections all come from q = e^(-2 pi y)(1 + 2 pi eps_1/y + O(1/y^2)), as V, p and W - 1 have every"
     " second power only: with n! where n = k-3, k-2, k-1 for V, p, Omega, the factor is 1 + f/n + O(n^(-2)), f = 4"
     " pi^2 e_1 c:",
-    2 * pi * eps * (sympy.gamma(n) / (2 * pi) ** n) / (sympy.gamma(n + 1) / (2 * pi) ** (n + 1)),
+    2 * pi * eps * At(moment, {a: n}) / At(moment, {a: n + 1}),
     4 * pi**2 * eps / n,
 )
 step(
     "From V_k to V_(k+2) the law grows by -(k-1)(k-2)/(2 pi c)^2 (1 + O(k^(-2))): what used to be measured",
-    -sympy.gamma(k) / sympy.gamma(k - 2) / (2 * pi * c) ** 2,
+    -At(moment, {a: k}) / At(moment, {a: k - 2}) / c**2,
     -(k - 1) * (k - 2) / (2 * pi * c) ** 2,
 )
 step(
@@ -118,6 +118,6 @@ step(
 )
 step(
     "and x^j lowers the moment by j powers of y: relatively by (2 pi)^j/(n (n-1) … (n-j+1)), at j = 2",
-    (sympy.gamma(n - 1) / (2 * pi) ** (n - 1)) / (sympy.gamma(n + 1) / (2 * pi) ** (n + 1)),
+    At(moment, {a: n - 1}) / At(moment, {a: n + 1}),
     (2 * pi) ** 2 / (n * (n - 1)),
 )

@@ -63,9 +63,9 @@ p = alpha + 1
 general, other = (epsilon ** (2 / p) * f ** (2 * alpha / p) * u**2 for u in (sine, size))
 for u, power in ((sine, general), (size, other)):
     step(
-        "Any alpha: -df/dtau = epsilon f^alpha u^{alpha+1}, u = |sin|, |cos|, to the power 2/(alpha+1) (logarithms)",
-        sympy.expand_log(sympy.log(epsilon * f**alpha * u**p) * 2 / p),
-        sympy.expand_log(sympy.log(power)),
+        "Any alpha: -df/dtau = epsilon f^alpha u^{alpha+1}, u = |sin|, |cos|, to the power 2/(alpha+1)",
+        At(R ** (2 / p), {R: epsilon * f**alpha * u**p}),
+        power,
     )
 step(
     "added",
@@ -75,7 +75,7 @@ step(
 trick = squaring_moment(alpha) * epsilon * f**alpha
 step(
     "so -df/dtau = 2^{-(alpha+1)/2} epsilon f^alpha: Lancaster's law with M_(alpha+1) replaced",
-    sympy.powdenest(2 * sympy.powdenest(trick ** (2 / p), force=True), force=True),
+    2 * At(R ** (2 / p), {R: trick}),
     sympy.powdenest((epsilon * f**alpha) ** (2 / p), force=True),
 )
 mean_square = sympy.Integral(sympy.sin(theta) ** 2, (theta, 0, sympy.pi)) / sympy.pi

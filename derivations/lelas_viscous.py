@@ -38,14 +38,16 @@ asserts(
     sympy.Ne(sympy.Derivative(x1, t), printed, evaluate=False),
 )
 energy = m * omega_0**2 * x_0**2 * f**2 / 2
-step("(14), first pair, with k = m omega_0^2", m * omega_0**2 * x1**2 / 2 + m * v1**2 / 2, energy)
-step("second pair", m * omega_0**2 * x2**2 / 2 + m * v2**2 / 2, energy)
+X, V = sympy.symbols("x v", real=True)
+total = k * X**2 / 2 + m * V**2 / 2
+step("(14), first pair, with k = m omega_0^2", At(total, {k: m * omega_0**2, X: x1, V: v1}), energy)
+step("second pair", At(total, {k: m * omega_0**2, X: x2, V: v2}), energy)
 step("(15)", sympy.Derivative(energy, t), m * omega_0**2 * x_0**2 * f * diff(f, t))
 rates = [Solution(D(energy, t), -b * speed**2, D(f, t)) for speed in (v1, v2)]
 first, second = -b / m * f * sin(omega_0 * t) ** 2, -b / m * f * cos(omega_0 * t) ** 2
 step("(18): (15) = -b v_1^2, solved for df/dt", rates[0], first)
 step("(19): (15) = -b v_2^2, solved for df/dt", rates[1], second)
-step("(20): half the sum", (first + second) / 2, -b / (2 * m) * f)
+step("(20): half the sum", (rates[0] + rates[1]) / 2, -b / (2 * m) * f)
 solution = sympy.exp(-b * t / (2 * m))
 step("solved by f = e^{-bt/(2m)}, f(0) = 1", sympy.Derivative(solution, t), -b / (2 * m) * solution)
 alone = sympy.exp(-b / m * (t / 2 - sin(2 * omega_0 * t) / (4 * omega_0)))

@@ -39,14 +39,16 @@ def magnitude(x: sympy.Expr, m: sympy.Expr) -> sympy.Expr:
 
 
 # The harmonics b_n of |sin|^alpha sgn sin.
-step(
-    "b_n = (2/pi) int_0^pi sin^alpha sin n psi, a Beta integral; its first value is the mean: b_1 = 2 M_(alpha+1)",
-    magnitude(alpha, sympy.S.One),
-    sympy.gammasimp(2 * moment(alpha + 1)),
+b = defined("b", lambda m: magnitude(alpha, m), index=True)
+derivation.defines(
+    "b_n = (2/pi) int_0^pi sin^alpha sin n psi, a Beta integral, is, without its sign (-1)^((n-1)/2),",
+    b(n),
+    magnitude(alpha, n),
 )
+step("its first value is the mean: b_1 = 2 M_(alpha+1)", b(1), sympy.gammasimp(2 * moment(alpha + 1)))
 step(
     "Neighbours: b_(n+2)/b_n, with the sign that changes from n to n + 2",
-    -magnitude(alpha, n + 2) / magnitude(alpha, n),
+    -b(n + 2) / b(n),
     (n - alpha) / (n + alpha + 2),
 )
 # The same ratio from the equation that |sin|^alpha sgn sin obeys, without the Beta integral.
@@ -142,23 +144,24 @@ weight = (alpha + beta + 1) / ((alpha + 1) * (beta + 1))
 step(
     "b_n c_n/(n^2-1) + weight b_n c_n = F(n+2) - F(n) with F(n) = certificate b_n c_n: divided by b_n c_n",
     1 / (n**2 - 1) + weight,
-    sympy.factor(ratio * certificate.subs(n, n + 2) - certificate),
+    ratio * At(certificate, {n: n + 2}) - certificate,
 )
 step(
     "b_n = O(n^(-alpha-1)), so F(n) = O(n^(-alpha-beta-1)) vanishes at infinity;"
     " at the lower end b_3 = (1-alpha)/(3+alpha) b_1",
-    certificate.subs(n, 3) * (1 - alpha) * (1 - beta) / ((3 + alpha) * (3 + beta)) * 4 * p * q,
+    At(certificate, {n: 3}) * (1 - alpha) * (1 - beta) / ((3 + alpha) * (3 + beta)) * 4 * p * q,
     -(alpha - 1) * (beta - 1) / ((alpha + 1) * (beta + 1)) * p * q,
 )
 lower = -(alpha - 1) * (beta - 1) / ((alpha + 1) * (beta + 1)) * p * q
+M_3 = sympy.Symbol("Sigma", real=True)
 rest = 2 * M - 4 * p * q
-total = rest + (-lower - weight * rest)
+total = At(M_3 + (-lower - weight * M_3), {M_3: rest})
 step(
-    "Parseval: sum_(n>=3) b_n c_n = 2 M - 4 p q with M = M_(alpha+beta); n^2/(n^2-1) = 1 + 1/(n^2-1)",
+    "Parseval: Sigma = sum_(n>=3) b_n c_n = 2 M - 4 p q with M = M_(alpha+beta); n^2/(n^2-1) = 1 + 1/(n^2-1)",
     total,
     (2 * alpha * beta * M + (1 - alpha - beta - 3 * alpha * beta) * p * q) / ((alpha + 1) * (beta + 1)),
 )
-single = ((alpha - 2) * p**2 / 2 - S / 2).subs(S, total.subs({beta: alpha, q: p}))
+single = At((alpha - 2) * p**2 / 2 - S / 2, {S: total.doit().subs({beta: alpha, q: p})})
 closed = -((alpha / (alpha + 1)) ** 2) * M + (alpha - 1) * (alpha + 3) / (2 * (alpha + 1)) * p**2
 step("Omega_2, no first harmonic, with M = M_(2 alpha), p = M_(alpha+1)", single, closed)
 Omega_2 = closed.subs({M: moment(2 * alpha), p: moment(alpha + 1)})
@@ -167,18 +170,24 @@ step("alpha = 1: sqrt(1 - eps^2/4) - 1", At(Omega_2, {alpha: 1}), -R(1, 8))
 step("alpha = 0; without the delta function the condition would give 0", At(Omega_2, {alpha: 0}), -6 / pi**2)
 
 # The initial phase, and the observable.
-own_turn = (n - alpha) / (n + alpha + 2) * -(n + 2 + alpha) / (2 * (alpha + 1) * (n + 1))
+own = -(n + alpha) / (2 * (alpha + 1) * (n - 1))
 step(
     "X'(0) = 0 needs sum n b_n/(n^2-1), which telescopes with G(n) = -(n+alpha)/(2(alpha+1)(n-1)) b_n",
-    own_turn + (n + alpha) / (2 * (alpha + 1) * (n - 1)),
-    sympy.factor(n / (n**2 - 1)),
+    (n - alpha) / (n + alpha + 2) * At(own, {n: n + 2}) - own,
+    n / (n**2 - 1),
 )
-turn = (3 + alpha) / (4 * (alpha + 1)) * (1 - alpha) / (3 + alpha) * 2 * p
+turn = -At(own, {n: 3}) * (1 - alpha) / (3 + alpha) * 2 * p
 chi = p + turn
-step("a turning point is at psi = -chi delta", chi, (alpha + 3) / (2 * (alpha + 1)) * p)
 step(
-    "psi_tp = psi + chi delta with d delta/d tau = -(alpha-1) p delta^2: the frequency at the turning points",
-    closed - (alpha - 1) * p * chi,
+    "a turning point is at psi = -chi delta, chi = p - G(3) with b_3 = (1-alpha)/(3+alpha) 2 p",
+    chi,
+    (alpha + 3) / (2 * (alpha + 1)) * p,
+)
+delta_rate = sympy.Symbol("delta_tau", real=True)
+step(
+    "psi_tp = psi + chi delta with d delta/d tau = delta_tau delta^2 = -(alpha-1) p delta^2: the frequency at the"
+    " turning points",
+    At(closed + delta_rate * (alpha + 3) / (2 * (alpha + 1)) * p, {delta_rate: -(alpha - 1) * p}),
     -((alpha / (alpha + 1)) ** 2) * M,
 )
 half_period = pi * (alpha / (alpha + 1)) ** 2 * moment(2 * alpha)

@@ -107,7 +107,7 @@ step(
     n / (n**2 - 1) + n / ((alpha + 1) * (p + 1)),
     fall * turn * At(certificate, {n: n + 2}) - certificate,
 )
-lower = certificate.subs(n, 3) * fall.subs(n, 1) * turn.subs(n, 1) * 4 * P * Q
+lower = At(certificate, {n: 3}) * At(fall, {n: 1}) * At(turn, {n: 1}) * 4 * P * Q
 step(
     "F vanishes at infinity; at the lower end, from b_1 d_1 = 4 P Q, F(3) is",
     lower,
@@ -119,8 +119,15 @@ step(
     -2 * sin(psi) ** alpha * sympy.Derivative(cos(psi) ** p, psi),
     2 * p * cos(psi) ** (p - 1) * sin(psi) ** (alpha + 1),
 )
-total = -lower - (2 * p * N - 4 * P * Q) / ((alpha + 1) * (p + 1))
-step("so S =", total, ((4 - (1 - alpha) * (1 - p)) * P * Q - 2 * p * N) / ((alpha + 1) * (p + 1)))
+lowest = (1 - alpha) * (1 - p) * P * Q / ((alpha + 1) * (p + 1))
+total = -lowest - (2 * p * N - 4 * P * Q) / ((alpha + 1) * (p + 1))
+whole, first = sympy.symbols("Sigma F_3", real=True)
+summed = At(-first - (whole - 4 * P * Q) / ((alpha + 1) * (p + 1)), {first: lowest, whole: 2 * p * N})
+step(
+    "so, with that F(3) and that sum Sigma, S =",
+    summed,
+    ((4 - (1 - alpha) * (1 - p)) * P * Q - 2 * p * N) / ((alpha + 1) * (p + 1)),
+)
 closed = (alpha * (p + 3) - (p - 1) * (p + 2)) / (2 * (p + 1)) * P * Q - p * N / (p + 1)
 step("and p_11 =", At(p_open, {S: total}), closed)
 p_11 = closed.subs({P: moment(alpha + 1), Q: moment(p + 1), N: mean(p - 1, alpha + 1)})
@@ -137,26 +144,29 @@ other = -(n + p) * (n + r) / (2 * (p + 1) * (r + 1) * (n - 1))
 step(
     "For two powers p, r: d_n c_n/(n^2-1) telescopes as b_n c_n does (signs cancel); divided by it",
     1 / (n**2 - 1) + weight,
-    sympy.factor((n - p) * (n - r) / ((n + p + 2) * (n + r + 2)) * other.subs(n, n + 2) - other),
+    (n - p) * (n - r) / ((n + p + 2) * (n + r + 2)) * At(other, {n: n + 2}) - other,
 )
 
 # The turning points.
+single = (n + p) / (-2 * (p + 1) * (n - 1))
 step(
     "X_1 of the spring at psi = 0: d_n [1/(n^2-1) + 1/(p+1)] telescopes with -(n+p)/(2 (p+1)(1-n)) d_n",
     1 / (n**2 - 1) + 1 / (p + 1),
-    sympy.factor(turn * ((n + 2 + p) / (-2 * (p + 1) * (n + 1))) - (n + p) / (-2 * (p + 1) * (n - 1))),
+    turn * At(single, {n: n + 2}) - single,
 )
 lam = (p - 1) * Q / (2 * (p + 1)) - (1 - 2 * Q) / (p + 1)
 step(
-    "with sum_(n>=1) d_n = 1, the value at psi = 0: a turning amplitude is A = a (1 + lambda gamma), lambda =",
-    lam,
+    "with Sigma = sum_(n>=3) d_n = 1 - 2 Q, the value at psi = 0: a turning amplitude is A = a (1 + lambda gamma),"
+    " lambda =",
+    At((p - 1) * Q / (2 * (p + 1)) - whole / (p + 1), {whole: 1 - 2 * Q}),
     ((p + 3) * Q - 2) / (2 * (p + 1)),
 )
+gauged = sympy.Symbol("p_11", real=True)
 observed = closed + P * (p - alpha) * lam
 step(
     "d ln A = d ln a + (p-1) lambda gamma d ln a, and rho = eps a^(alpha-1) at A: p_11 in the turning-point gauge gains"
     " P (p - alpha) lambda; there -U/W = p, so U_11 = P Q - p_11 =",
-    P * Q - observed,
+    At(P * Q - gauged, {gauged: observed}),
     (p - alpha) / (p + 1) * P + p / (p + 1) * N,
 )
 U_11 = ((p - alpha) * moment(alpha + 1) + p * mean(p - 1, alpha + 1)) / (p + 1)

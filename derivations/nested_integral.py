@@ -101,10 +101,11 @@ step(
     M_of(low) * M_of(high),
     sympy.Rational(4, 5) / pi,
 )
+z = sympy.Symbol("z")
 step(
-    "Reflection",
+    "Reflection, Gamma(z) Gamma(1-z) = pi/sin(pi z), at z = 1/4",
     sympy.Mul(sympy.gamma(half / 2), sympy.gamma(3 * half / 2), evaluate=False),
-    sympy.sqrt(2) * pi,
+    At(pi / sympy.sin(pi * z), {z: half / 2}),
 )
 step(
     "and pi^2 M_(alpha+1)^2 M_(2alpha) is a rational multiple of g = Gamma(1/4)^4/pi^2 or of 1/g: of g for M_(3/2)",

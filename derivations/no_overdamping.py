@@ -47,11 +47,12 @@ step(
     sympy.Limit(y - e * w ** (1 + beta), w, 0),
     y,
 )
-x, v = R * sympy.cos(theta), R * sympy.sin(theta)
-turning = (x * (x - c * v) - v * (-v)) / R**2
+y_rate, w_rate = sympy.symbols("y' w'", real=True)
+polar = {y: R * sympy.cos(theta), w: R * sympy.sin(theta)}
+polar |= {w_rate: polar[y] - c * polar[w], y_rate: -polar[w]}
 step(
     "In polar coordinates y = R cos theta, w = R sin theta: theta' = (y w' - w y')/R^2, and w' >= y - c w there",
-    turning,
+    At((y * w_rate - w * y_rate) / R**2, polar),
     1 - c * sympy.sin(2 * theta) / 2,
 )
 step(

@@ -6,7 +6,7 @@
 
 import sympy
 
-from derivations.steps import At, Derivation
+from derivations.steps import At, Derivation, Solution
 
 theta = sympy.Symbol("theta", real=True)
 s, delta, alpha, u = sympy.symbols("s delta alpha u", positive=True)
@@ -23,15 +23,16 @@ step = derivation.step
 
 R = sympy.Function("R")(theta)
 Y = s**alpha * u / (1 - c * s**alpha * u)
+falling, y = {sympy.Derivative(R, theta): -s * Y}, sympy.Symbol("Y")
 step(
     "Q = delta/u = e^(-eta R) has the derivative -eta R' Q, with Y = s^alpha u/(1 - c s^alpha u), R' = -s Y,",
-    At(sympy.Derivative(sympy.exp(-eta * R), theta), {sympy.Derivative(R, theta): -s * Y}),
+    At(sympy.Derivative(sympy.exp(-eta * R), theta), falling),
     eta * s ** (alpha + 1) * u / (1 - c * s**alpha * u) * sympy.exp(-eta * R),
 )
 step(
     "where the quotient is the rate of the time:",
     1 / (1 - c * s**alpha * u),
-    1 + c * Y,
+    At(1 + c * y, {y: Y}),
 )
 rate = eta * delta * s ** (alpha + 1) / (1 - c * s**alpha * delta / Q)
 step(
@@ -59,10 +60,11 @@ step(
 )
 step("with c = 1 - 2v: s^2 = 1 - c^2 is", At(1 - c**2, {c: 1 - 2 * v}), 4 * v * (1 - v))
 step(
-    "dR/d theta = -s Y, so P = e^(eta R) = u/delta has dP/dv = -2 eta P Y = -2 eta C, and Y is",
-    Y,
-    s**alpha * u * (1 + c * Y),
+    "dR/d theta = -s Y, so P = e^(eta R) = u/delta has dP/dv = -2 eta P Y = -2 eta C,",
+    At(sympy.Derivative(sympy.exp(eta * R), theta), falling) / (s / 2),
+    -2 * eta * sympy.exp(eta * R) * Y,
 )
+step("and Y solves Y = s^alpha u (1 + c Y):", Solution(y, s**alpha * u * (1 + c * y), y), Y)
 f = sympy.Function("f")
 step(
     "H f = int_0^1 x^(beta-1) f(x v) dx on a power of v: it solves beta h + v h' = f, and |H f| <= |f|/beta",

@@ -14,7 +14,7 @@ from sympy.polys.fields import field
 from asymptotics.series import Series
 from derivations.steps import At, Coefficient, Derivation, defined
 
-C, PL, PT, v2, v3, v4, delta = sympy.symbols("C PL PT v_2 v_3 v_4 delta")
+PL, PT, v2, v3, v4, delta = sympy.symbols("PL PT v_2 v_3 v_4 delta")
 ORDER = 4
 FIELD, a, pi, r1, r2, r3, r4, t1, t2, t3, t4 = field("a,pi,r1,r2,r3,r4,t1,t2,t3,t4", QQ)
 
@@ -33,23 +33,23 @@ step(
     -F_of(-delta),
     G(delta),
 )
-log_quotient = sympy.log(C) / (C - 1)
-inverse = -sympy.log(C) / (1 / C - 1)
+C = sympy.Symbol("C", positive=True)  # the operator, as a number
+h = defined("h", lambda c: sympy.log(c) / (c - 1))
 step(
     "A motion seen backwards starts with -delta and returns to the turning point before: P L = -C^(-1) L and"
     " P T = C^(-1) T. With h(C) = (log C)/(C-1) and log C^(-1) = -log C, h(C^(-1)) C^(-1) = h(C)",
-    inverse / C,
-    log_quotient,
+    h(1 / C) / C,
+    h(C),
 )
 step(
     "pi P U = P h(C) L = h(C^(-1)) P L = -h(C^(-1)) C^(-1) L = -h(C) L: U is odd",
-    (inverse * PL).subs(PL, -1 / C),
-    -log_quotient,
+    At(h(1 / C) * PL, {PL: -1 / C}),
+    -h(C),
 )
 step(
     "pi P W = h(C^(-1)) P T = h(C) T: W is even (and V_i = (alpha_i-1) delta_i U is even with U odd)",
-    (inverse * PT).subs(PT, 1 / C),
-    log_quotient,
+    At(h(1 / C) * PT, {PT: 1 / C}),
+    h(C),
 )
 
 

@@ -53,7 +53,7 @@ step(
     lam,
 )
 step(
-    "Where losses are strong, g < 0, the rate is small: written without cancellation",
-    c**2 / (root - g / 2),
+    "Where losses are strong, g < 0, the rate is small: c^2/(lambda - g) writes it without cancellation",
+    At(c**2 / (lam - g), {lam: g / 2 + root}),
     g / 2 + root,
 )

@@ -1,7 +1,7 @@
 """The pendulum with any loss: first order in the loss, exact in the amplitude.
 
 >>> print(derivation.steps[0].text())
-1 - cos(a) = 2*sin(a/2)**2
+Integral(sin(x), (x, 0, a)) = 2*sin(a/2)**2
 """
 
 import sympy
@@ -20,11 +20,16 @@ derivation = Derivation(
 )
 step, asserts = derivation.step, derivation.asserts
 
-step("The energy at the turning angle is 2 k^2, k = sin(a/2)", 1 - sympy.cos(a), 2 * sympy.sin(a / 2) ** 2)
+angle, place = sympy.symbols("x y", real=True)
+step(
+    "The energy at the turning angle, the integral of the force, is 1 - cos a = 2 k^2, k = sin(a/2)",
+    sympy.Integral(sympy.sin(angle), (angle, 0, a)),
+    2 * sympy.sin(a / 2) ** 2,
+)
 x = 2 * sympy.asin(k * sympy.sin(theta))
 step(
-    "With sin(x/2) = k sin(theta), v^2 = 2 (cos x - cos a) = 4 (k^2 - sin^2(x/2))",
-    4 * (k**2 - (k * sympy.sin(theta)) ** 2),
+    "With y = sin(x/2) = k sin(theta), v^2 = 2 (cos x - cos a) = 4 (k^2 - y^2)",
+    At(4 * (k**2 - place**2), {place: k * sympy.sin(theta)}),
     4 * k**2 * sympy.cos(theta) ** 2,
 )
 step(

@@ -44,7 +44,7 @@ step(
 
 # The substitution.
 place = end * (1 - sympy.cos(chi)) / 2
-step("t = t* (1 - cos chi)/2 makes t (t* - t)", place * (end - place), end**2 * sympy.sin(chi) ** 2 / 4)
+step("t = t* (1 - cos chi)/2 makes t (t* - t)", At(t * (end - t), {t: place}), end**2 * sympy.sin(chi) ** 2 / 4)
 step(
     "and T = int |du/w| = int dt/(2 sqrt(t (t* - t) K)) = 1/2 int_0^pi K^(-1/2) dchi (square of the integrand)",
     (sympy.Derivative(place, chi) / 2) ** 2 / (place * (end - place) * K),
@@ -64,11 +64,10 @@ step(
     sympy.Derivative(sympy.exp(-ell * ((1 - m) * x + m * end)), x),
     -ell * (1 - m) * sympy.exp(-ell * ((1 - m) * x + m * end)),
 )
-moved = end / 2 * (1 - sympy.cos(x + sympy.I * y))
 step(
     "At chi = x + i y, |y| <= a: |Im t| = (t*/2) |sin x sinh y| <= (t*/2) sinh a = b < pi/2, and"
     " Re t <= (t*/2)(1 + cosh a) = t_max. So |K^(-1/2)| <= M = (cos b K(t_max))^(-1/2) in the strip",
-    moved,
+    At(place, {chi: x + sympy.I * y}),
     end / 2 * (1 - sympy.cos(x) * sympy.cosh(y)) + sympy.I * end / 2 * sympy.sin(x) * sympy.sinh(y),
 )
 
@@ -108,7 +107,7 @@ step(
     a_k * sympy.cos(k * chi),
 )
 z = sympy.Symbol("z", positive=True)
-tail = z**n / (1 - z)
+tail, aliases = z**n / (1 - z), sympy.Symbol("S")
 r_ = sympy.Symbol("r", positive=True)  # z = 1/(1 + r) < 1
 step(
     "Dropped, k >= m: 1/2 sum 2 M z^k |sin(k chi)|/k, z = e^(-a) and |sin(k chi)|/k <= pi: at most pi M times",
@@ -122,8 +121,8 @@ step(
     At((z ** (1 - n) - z**n) / (1 - z), {z: 1 / (1 + r_)}),
 )
 step(
-    "is at most z^(1-m)/(1-z); times sum_l z^(2ml) = z^(2m)/(1 - z^(2m))",
-    z ** (1 - n) / (1 - z) * z ** (2 * n) / (1 - z ** (2 * n)),
+    "is at most z^(1-m)/(1-z); times S = sum_l z^(2ml) = z^(2m)/(1 - z^(2m))",
+    At(z ** (1 - n) / (1 - z) * aliases, {aliases: z ** (2 * n) / (1 - z ** (2 * n))}),
     z**n / ((1 / z - 1) * (1 - z ** (2 * n))),
 )
 step(

@@ -30,12 +30,12 @@ step(
 half = sympy.atan(sympy.exp(z))
 step(
     "The sine, 2 sin(theta/2) cos(theta/2), becomes 1/cosh z",
-    2 * sympy.sin(half) * sympy.cos(half),
+    At(2 * sympy.sin(theta / 2) * sympy.cos(theta / 2), {theta: 2 * half}),
     1 / sympy.cosh(z).rewrite(sympy.exp),
 )
 step(
     "and the cosine -tanh z",
-    sympy.cos(half) ** 2 - sympy.sin(half) ** 2,
+    At(sympy.cos(theta / 2) ** 2 - sympy.sin(theta / 2) ** 2, {theta: 2 * half}),
     -sympy.tanh(z).rewrite(sympy.exp),
 )
 step(
@@ -43,9 +43,10 @@ step(
     At(-x / (1 - y), {x: s * D, y: c * D}) * s,
     -(s**2) * D / (1 - c * D),
 )
+swing = sympy.Symbol("g_z", real=True)
 step(
-    "and d tau/dz = s/(1 - c D), by dg/dz",
-    s + c / s * (-(s**2) * D / (1 - c * D)) * -1,
+    "and d tau/dz = s - (c/s) g_z with this g_z = dg/dz",
+    At(s - c / s * swing, {swing: -(s**2) * D / (1 - c * D)}),
     s / (1 - c * D),
 )
 v, a, b = sympy.symbols("v a b", real=True)
@@ -57,14 +58,15 @@ step(
 
 # 2. On the ellipse.
 point, turned = sympy.Symbol("t"), sympy.exp(sympy.I * phi)
+real, imaginary = sympy.symbols("p q", real=True)
 step(
-    "|cosh(x + iy)|^2, so that s is analytic for |Im z| < pi/2, where it does not vanish",
-    sympy.expand_complex(sympy.cosh(x + sympy.I * y) * sympy.cosh(x - sympy.I * y)),
+    "cosh(x + iy) = p + i q: |cosh(x + iy)|^2, so that s is analytic for |Im z| < pi/2, where it does not vanish",
+    At(real**2 + imaginary**2, {real: sympy.cosh(x) * sympy.cos(y), imaginary: sympy.sinh(x) * sympy.sin(y)}),
     sympy.sinh(x) ** 2 + sympy.cos(y) ** 2,
 )
 step(
-    "and |sinh(x + iy)|^2",
-    sympy.expand_complex(sympy.sinh(x + sympy.I * y) * sympy.sinh(x - sympy.I * y)),
+    "and |sinh(x + iy)|^2 in the same way",
+    At(real**2 + imaginary**2, {real: sympy.sinh(x) * sympy.cos(y), imaginary: sympy.cosh(x) * sympy.sin(y)}),
     sympy.sinh(x) ** 2 + sympy.sin(y) ** 2,
 )
 step(
@@ -77,9 +79,10 @@ step(
     sympy.Derivative(sympy.cos(k * phi), phi) / sympy.Derivative(sympy.cos(phi), phi),
     k * sympy.sin(k * phi) / sympy.sin(phi),
 )
+higher, lower = sympy.cos((k + 1) * phi), sympy.cos((k - 1) * phi)
 step(
     "and T_(k+1)/(2(k+1)) - T_(k-1)/(2(k-1)), k >= 2, has the derivative T_k",
-    (sympy.sin((k + 1) * phi) - sympy.sin((k - 1) * phi)) / (2 * sympy.sin(phi)),
+    sympy.Derivative(higher / (2 * (k + 1)) - lower / (2 * (k - 1)), phi) / sympy.Derivative(sympy.cos(phi), phi),
     sympy.cos(k * phi),
 )
 

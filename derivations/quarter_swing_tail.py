@@ -23,6 +23,7 @@ derivation = Derivation(
 step, asserts = derivation.step, derivation.asserts
 
 # 1. The majorant.
+j, lack = sympy.Symbol("j", integer=True), sympy.Symbol("d", complex=True, zero=False)
 delta = sympy.Symbol("delta")
 step(
     "One law: u = delta e^((alpha-1) g), g = ln r; with g' = -u s^(alpha+1)/(1 - u s^alpha c) (half-swing-equations)",
@@ -30,9 +31,9 @@ step(
     (alpha - 1) * delta * sympy.exp((alpha - 1) * g) * sympy.Derivative(g, theta),
 )
 step(
-    "For |k| < 1 the quotient x/(1-k) is the sum of x k^n: after n terms x k^n/(1-k) is left, which tends to 0, and",
-    x * k**n / (1 - k) - x * k ** (n + 1) / (1 - k),
-    x * k**n,
+    "For |k| < 1, k = 1 - d, the quotient x/(1-k) is the sum of x k^n: n terms lack x k^n/(1-k), which tends to 0, and",
+    At(sympy.Sum(x * k**j, (j, 0, n - 1)), {k: 1 - lack}),
+    At(x / (1 - k) - x * k**n / (1 - k), {k: 1 - lack}),
 )
 step(
     "so is X/(1-K) of X K^n, all terms >= 0. A term of the first is at most this one in modulus, for complex |x| <= X,"

@@ -66,19 +66,22 @@ step(
     reduced((x + y + 1) * s ** (x + y) - (x + y + 2) * s ** (x + y + 2)),
 )
 M_up = M * (x + y + 1) / (x + y + 2)
-mean = (x - 1) / (x + 1) * M_up + (y - 1) / (y + 1) * M_up + 2 * (M - M_up)
-weight = sympy.factor(mean / M)
+M_2 = sympy.Symbol("M_(x+y+2)")
+mean = At((x - 1) / (x + 1) * M_2 + (y - 1) / (y + 1) * M_2 + 2 * (M - M_2), {M_2: M_up})
+weight = sympy.factor(mean.doit() / M)
 step("so the mean over the quarter is 2 x y/((x+1)(y+1)) M_(x+y)", mean, 2 * x * y / ((x + 1) * (y + 1)) * M)
 step(
     "The same with x = y, half of it (one law: q_x^2 instead of q_x q_y): (x/(x+1))^2 M_(2x)",
     At(weight, {y: x}) / 2,
     (x / (x + 1)) ** 2,
 )
+q, t_1, w = sympy.symbols("q t_1 W_2")
+quarter = sympy.pi / 2 + t_1 * q + sympy.pi / 2 * w * q**2
 step(
-    "T = T_q(q) + T_q(-q) doubles the even part: (pi/2 + pi/2) times the mean, that is pi W_2, since T has no first"
-    " order and q = delta + ...",
-    2 * sympy.pi / 2 * mean,
-    sympy.pi * weight * M,
+    "T = T_q(q) + T_q(-q), for any one strength, doubles the even part, pi/2 times that mean W_2: pi W_2, since T has"
+    " no first order and q = delta + ...",
+    Coefficient(At(quarter, {q: q_x}) + At(quarter, {q: -q_x}), q_x, 2),
+    sympy.pi * w,
 )
 step("alpha = 0 adds nothing: dry friction leaves the period", At(weight, {y: 0}), sympy.Integer(0))
 

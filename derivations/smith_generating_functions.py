@@ -107,7 +107,7 @@ step(
 )
 step(
     "L lowers and raises: L c^m = m c^{m-1} - (m+1) c^{m+1}, so every polynomial is L of a polynomial plus a constant",
-    (1 - c**2) * diff(c**m, c) - c * c**m,
+    (1 - c**2) * sympy.Derivative(c**m, c) - c * c**m,
     m * c ** (m - 1) - (m + 1) * c ** (m + 1),
 )
 step("(the case m = 0)", (1 - c**2) * sympy.Derivative(sympy.Integer(1), c) - c, -c)

@@ -55,10 +55,11 @@ step(
     -(B**2) / 2,
 )
 curve = -eta * sympy.cot(eta) + sympy.I * eta
+A = sympy.Symbol("A")
 step(
     "They are B = 1 + W_0(-e^(2(h-h_0)-1)) and its conjugate: A = -eta cot(eta) + i eta, 0 < eta < pi, has"
     " A sin(eta)/eta = -e^(-i eta), so A e^A is real and negative",
-    curve * sympy.sin(eta) / eta,
+    At(A * sympy.sin(eta) / eta, {A: curve}),
     -(sympy.cos(eta) - sympy.I * sympy.sin(eta)),
 )
 log_size = sympy.log(eta / sympy.sin(eta)) - eta * sympy.cot(eta)

@@ -31,18 +31,20 @@ D = w**2 - u
 slope = defined("D_tau", rate)
 step("The acceleration", slope(w), D)
 step("changes as", slope(D), 2 * w * D - w)
-step("so z = w/D obeys dz/dtau = 1 - 2wz + z^2", rate(w / D), 1 - 2 * w * (w / D) + (w / D) ** 2)
+step("so z = w/D obeys dz/dtau = 1 - 2wz + z^2", slope(w / D), At(1 - 2 * w * z + z**2, {z: w / D}))
 step("and dw/dtau = w/z", slope(w), At(w / z, {z: w / D}))
 step(
     "One integration by parts: d(w/D) - dtau = w dD/D^2 with the sign of (56b)",
-    rate(w / D) - 1,
-    -w * rate(D) / D**2,
+    slope(w / D) - 1,
+    -w * slope(D) / D**2,
 )
 
 speed = 1 - 2 * w * z + z**2
+tau = sympy.Symbol("tau", real=True)
+f_of, z_of, row = sympy.Function("f_n")(tau), sympy.Function("z")(tau), sympy.Function("f_n")(w)
 step(
     "A term of the series, d(f_n z^n)/dtau",
-    (df * w / z) * z**n + f * n * z ** (n - 1) * speed,
+    At(sympy.Derivative(f_of * z_of**n, tau), {f_of.diff(tau): df * w / z, z_of.diff(tau): speed, f_of: f, z_of: z}),
     z ** (n - 1) * (w * df + n * f) - 2 * w * n * f * z**n + n * f * z ** (n + 1),
 )
 terms = {  # what the terms n, n - 1, n - 2 contribute to z^(n-1)
@@ -64,8 +66,10 @@ step(
 )
 step(
     "its second form: times w^{n-1}, with (w^n f_n)' = w^n f_n' + n w^{n-1} f_n",
-    sympy.expand(recurrence * w ** (n - 1)),
-    (n - 2) * w ** (n - 1) * h + (w**n * df + n * w ** (n - 1) * f) - 2 * (n - 1) * w**n * g,
+    recurrence * w ** (n - 1),
+    (n - 2) * w ** (n - 1) * h
+    + At(sympy.Derivative(w**n * row, w), {row.diff(w): df, row: f})
+    - 2 * (n - 1) * w**n * g,
 )
 step(
     "(59c), n = 2: f_0 has the factor 0",

@@ -31,7 +31,11 @@ step(
     (-sympy.Derivative(V, x) - h) / slope,
     -root - h / slope,
 )
-step("Pendulum, V = 1 - cos x: xi^2 = 2 V is (2 sin(x/2))^2", 2 * (1 - sympy.cos(x)), 4 * sympy.sin(x / 2) ** 2)
+step(
+    "Pendulum, V = 1 - cos x, the integral of the force: xi^2 = 2 V is (2 sin(x/2))^2",
+    2 * sympy.Integral(sympy.sin(h), (h, 0, x)),
+    4 * sympy.sin(x / 2) ** 2,
+)
 step(
     "x = 2 arcsin(xi/2) has the slope (1 - xi^2/4)^(-1/2)",
     sympy.Derivative(2 * sympy.asin(xi / 2), xi),

@@ -107,7 +107,8 @@ step(
     At(sympy.expand(lag(2)), {c**2: 1 - s**2}),
     slope(by_parts) + rest,
 )
-t_2 = half * (a / (alpha + 1) * M_22 + M2 - M_22)
+M_up = sympy.Symbol("M_(2alpha+2)")
+t_2 = At(half * (a / (alpha + 1) * M_up + M2 - M_up), {M_up: M_22})
 step("so t_2 = (pi/2) (alpha/(alpha+1))^2 M_(2alpha)", t_2, half * M2 * (alpha / (alpha + 1)) ** 2)
 f, g, line_1, line_2, line_3 = sympy.symbols("f g l_1 l_2 l_3")
 step(
@@ -162,6 +163,7 @@ step(
     At(2 * a * line_2 + 2 * a**2 * line_1**2, {line_1: l_1, line_2: l_2}),
     3 * a**2 * S**2 + 2 * a * b * (1 - s ** (2 * alpha + 2)),
 )
+t_2 = t_2.doit()
 t_4 = half * sum(means.values())
 
 # From q to delta, and the flow.

@@ -63,8 +63,8 @@ step(
 )
 step(
     "1/P = (1/P_0)/(1-r) has the majorant 1/(1-R); without its constant term",
-    1 / (1 - R) - 1,
-    R / (1 - R),
+    sympy.Sum(At(R**power, {R: 1 / (1 + t)}), (power, 1, sympy.oo)),
+    At(R / (1 - R), {R: 1 / (1 + t)}),
 )
 step(
     "Tail: stretch each z_i by lambda^(g_i).  A monomial with sum n_i g_i = G + n was lambda^(G+n) times smaller",

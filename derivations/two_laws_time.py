@@ -44,7 +44,11 @@ def derivative(factor: sympy.Expr, index: sympy.Expr, argument: sympy.Expr) -> s
 target = 1 / (c * x**alpha + d * x**beta)
 printed = x ** (1 - beta) / (d * (1 - beta))
 index = (beta - 1) / gap
-step("Footnote 22: its third parameter is the second plus 1", (1 + alpha - 2 * beta) / (alpha - beta), index + 1)
+step(
+    "Footnote 22: its third parameter is the second plus 1",
+    (1 + alpha - 2 * beta) / (alpha - beta),
+    At(a + 1, {a: index}),
+)
 step("Footnote 22 is an antiderivative", derivative(printed, index, -c / d * x ** (alpha - beta)), target)
 other = (1 - alpha) / gap
 companion = x ** (1 - alpha) / (c * (1 - alpha))
@@ -52,7 +56,11 @@ step("The companion (laws exchanged) is one too", derivative(companion, other, -
 wrong = derivative(printed, 1 / index, -c / d * x ** (alpha - beta))
 asserts("Near miss: with the index upside down it is not", sympy.Ne(wrong, target, evaluate=False))
 n = sympy.Symbol("n", integer=True, positive=True)
-step("The indices add up to 1: they are not both <= 0", index + other, sympy.Integer(1))
+step(
+    "The indices, one with the laws exchanged, add up to 1: they are not both <= 0",
+    index + At(index, {alpha: beta, beta: alpha}),
+    sympy.Integer(1),
+)
 step(
     "a/(a+k) has a pole at a = -n: the printed form fails at beta = 1 (n = 0) and beta = 1 - n gap",
     At(index, {beta: (1 + n * alpha) / (1 + n)}),

@@ -132,16 +132,16 @@ step(
     At(sympy.Abs(sympy.exp(alpha * log_g), evaluate=False), {log_g: real + sympy.I * turn}),
     sympy.exp(alpha * real),
 )
-y = sympy.Symbol("y", positive=True)  # |delta|/rho = y/(1 + y) < 1
-ratio = y / (1 + y)
+y, x = sympy.symbols("r x", positive=True)
+j = sympy.Symbol("j", integer=True, nonnegative=True)
 step(
-    "Cauchy on |delta_i| <= rho: the degrees from J on add at most M x^J/(1 - x), x = |delta|/rho",
-    M * ratio**J / (1 - ratio) - M * ratio ** (J + 1) / (1 - ratio),
-    M * ratio**J,
+    "Cauchy on |delta_i| <= rho: the degrees from J on add at most, x = |delta|/rho = 1/(1 + r) < 1,",
+    sympy.Sum(At(M * x ** (J + j), {x: 1 / (1 + y)}), (j, 0, sympy.oo)),
+    At(M * x**J / (1 - x), {x: 1 / (1 + y)}),
 )
 size = sympy.Symbol("q", positive=True)
 step(
     "A start in motion, A_0 |Z| = 1 with | |Z| - 1 | <= q: A_0 is at most 1/(1 - q), and it exceeds 1 by at most",
-    1 / (1 - size) - 1,
+    At(A - 1, {A: 1 / (1 - size)}),
     size / (1 - size),
 )

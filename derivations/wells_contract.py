@@ -53,7 +53,7 @@ step(
 )
 step(
     "Together |u_1 - u~_1| <= e s_max/b.  With a linear loss epsilon w among the losses dD/du >= epsilon (w_1 - w_2)",
-    eps * (w1 - w2) / ((w1**2 - w2**2) / 2),
+    At(eps * (w1 - w2) / D, {D: (w1**2 - w2**2) / 2}),
     2 * eps / (w1 + w2),
 )
 step(

@@ -73,8 +73,9 @@ asserts(
     " the sums of absolute values of all coefficients of eta; those of r are <= R(H)",
     sympy.Ge(a / left, a / (left + gap), evaluate=False),
 )
+power, x = sympy.Symbol("k", integer=True, positive=True), sympy.Symbol("x", positive=True)
 step(
-    "1/P = (1/P_0)/(1 - r) without its constant term is then at most",
-    1 / (1 - R) - 1,
-    R / (1 - R),
+    "1/P = (1/P_0)/(1 - r) without its constant term is then at most a geometric series, R = 1/(1 + x) < 1,",
+    sympy.Sum(At(R**power, {R: 1 / (1 + x)}), (power, 1, sympy.oo)),
+    At(R / (1 - R), {R: 1 / (1 + x)}),
 )

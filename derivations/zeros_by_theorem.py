@@ -139,7 +139,7 @@ step(
 )
 step(
     "and T_2 = e^(-D) a^w T_2(0): so W_2 = (T_2/pi) (D/sinh D) a^w",
-    2 * D * sympy.exp(-D) / (1 - sympy.exp(-2 * D)),
+    sympy.exp(-D) / sympy.Integral(sympy.exp(-2 * D * u), (u, 0, 1)),
     (D / sympy.sinh(D)).rewrite(sympy.exp),
 )
 step(

@@ -34,10 +34,8 @@ def operates(side):
 
 
 def rearranged(step):
-    """Whether both sides are one expression, written in two ways that distribution alone connects."""
-    if step.kind != "equality" or operates(step.left) or operates(step.right):
-        return False
-    return sympy.expand(step.left - step.right) == 0
+    """Whether both sides are one expression, written in two ways: no operation is displayed on either."""
+    return step.kind == "equality" and not operates(step.left) and not operates(step.right)
 
 
 def spread(alterations, number):
@@ -144,7 +142,9 @@ def test_a_line_that_cannot_fail_would_be_found():
     derivation = Derivation("d", "", source="")
     derivation.step("nothing can alter it", blind(x), 0 * x)
     assert unnoticed(derivation.steps[0], 3) == ["every alteration of D(x)"]
-    assert rearranged(_line(x * (x + 1), x**2 + x)) and not rearranged(_line(sympy.Derivative(x**2, x), 2 * x))
+    assert rearranged(_line(1 / x - 1 / (x + 1), 1 / (x * (x + 1)))) and not rearranged(
+        _line(sympy.Derivative(x**2, x), 2 * x)
+    )
 
 
 def _line(left, right):

@@ -52,7 +52,7 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("smith_series_radii", "2 * (b - sympy.log(1 + b)) / b**2,\n)", "2 * (b + sympy.log(1 + b)) / b**2,\n)"),
     ("zeros_by_theorem", "+ ell**n * sympy.diff(-ell", "- ell**n * sympy.diff(-ell"),
     ("zeros_by_theorem", "{f: -c / (1 + size * slope)}", "{f: c / (1 + size * slope)}"),
-    ("quarter_swing_tail", "x * k**n / (1 - k) - x", "x * k**n / (1 - k) + x"),
+    ("quarter_swing_tail", "x / (1 - k) - x * k**n", "x / (1 - k) + x * k**n"),
     ("wells_majorant", "(-1) ** (j + 1) * ((m - j) * c_j)", "(-1) ** j * ((m - j) * c_j)"),
     ("expansion_bounds", "h(k) - h(k + 1), a * b * h(k - 1)", "h(k) + h(k + 1), a * b * h(k - 1)"),
     ("slow_curve", "{theta: -left / a}", "{theta: left / a}"),
