@@ -14,7 +14,7 @@ test: $(VENV)/.test
 	$(RUN) pytest -n $(WORKERS) -m "not slow"
 
 test-thorough: $(VENV)/.test
-	HYPOTHESIS_PROFILE=nightly FUZZ_EXAMPLES=200 $(RUN) pytest -n $(WORKERS)
+	HYPOTHESIS_PROFILE=nightly FUZZ_EXAMPLES=200 $(RUN) pytest -n $(WORKERS) --dist worksteal
 	$(MAKE) matrix
 
 # The tests under every Python that is installed and both number types of SymPy, which must not change a result.

@@ -20,6 +20,11 @@ FIRST = (  # what imports the derivations or needs the report of the tests
 )  # fmt: skip
 
 
+LONGEST = (  # minutes each: what begins last ends last, on one core
+    "tests/identification/test_coverage.py::test_coverage_on_a_thousand_records",
+    "tests/derivations/test_alterations.py::test_every_line_with_a_side_altered_stops[multiple-scales-quadratic]",
+)
+
 SLOW = 5400
 """Seconds after which a slow test is ended: the longest, a thousand synthetic records, needs a third of it."""
 
@@ -36,7 +41,7 @@ def pytest_collection_modifyitems(items):
             item.add_marker(pytest.mark.slow)
         if item.get_closest_marker("slow"):
             item.add_marker(pytest.mark.timeout(SLOW))
-    items.sort(key=lambda item: not item.nodeid.startswith(FIRST))
+    items.sort(key=lambda item: (item.nodeid not in LONGEST, not item.nodeid.startswith(FIRST)))
 
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as in a background job: what the tests start would inherit it
