@@ -77,7 +77,8 @@ def damping_law(
         notes += ("no resolutions: taken equal, as large as the best candidate needs, so none is refuted by chance",)
     ends = float(given.min()), float(given.max())
     off, relative = _neglected(problem, found[0], ends), float(np.median(s / zeta))
-    return DampingLaw(problem, found, len(given), ends, off, relative, mass is not None, notes)
+    used = {"A": table_of[0], quantity: table_of[1]} | ({} if spread is None else {"resolution": spread.tolist()})
+    return DampingLaw(problem, found, len(given), ends, off, relative, mass is not None, notes, used)
 
 
 def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:

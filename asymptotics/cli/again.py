@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from asymptotics.cli.again_envelope import compared_envelope
+from asymptotics.cli.again_law import compared_law
 from asymptotics.cli.again_swept import compared_sweep, is_certified, swept_names
 from asymptotics.cli.requests import stated_request
 from asymptotics.cli.swept import typed_options
@@ -58,6 +59,8 @@ def compare_again(path: Path, digits: int | None) -> Comparison:
         wanted = min(wanted, _HIGHEST.get(command, _MOST))
         return compared_sweep(command, names, header, rows, wanted)
     command, point = stated_request(words)
+    if command == "damping-law":
+        return compared_law(point, header, rows)
     wanted = min(wanted, _HIGHEST.get(command, _MOST))
     if command == "envelope":
         return compared_envelope(point, header, rows, wanted)

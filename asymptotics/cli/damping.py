@@ -25,11 +25,13 @@ from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_m
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.quantities import add_physical, read_oscillator
 from asymptotics.cli.rows import told
+from asymptotics.equivalent.found_law import DampingLaw
 from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import QUANTITIES
 from asymptotics.errors import InputError
 from asymptotics.law import PENDULUM, Law
 from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.present.inputs import option_words, with_words
 
 _DRAWN = tuple(name for name in QUANTITIES if name != "half_life")
 
@@ -120,18 +122,31 @@ def _inverse(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
             raise InputError(f"--{name}", "cannot be combined with --from", "the table, --laws, --resolution, --spring")
     if "--plot" in files:
         raise InputError("--plot", "cannot be combined with --from", "--csv, or asymptotics damping of the law found")
-    found = damping_law(
-        path,
-        resolution=options.resolution,
-        laws=options.laws,
-        spring=_spring(options),
-        mass=options.mass,
-        stiffness=options.stiffness,
-    )
-    rows = [(c.name, c.told(), s.alpha, s.low, s.estimate, s.high) for c in found.laws for s in c.strengths]
-    head = ["law", "grade", "alpha", "low", "strength", "high"]
-    written = write_files(files, {"--csv": lambda _: csv_text(head, rows)})
+    found = law_behind(path, options, resolution=options.resolution, laws=options.laws)
+    text = with_words(csv_text(LAW_HEAD, law_rows(found)), _law_words(found, options))
+    written = write_files(files, {"--csv": lambda _: text})
     return Answer({**found.to_dict(), **told(options, "", written)}, "\n".join([str(found), *written]), options.json)
+
+
+def law_behind(table: Any, options: argparse.Namespace, **more: Any) -> DampingLaw:
+    """The law behind a table: a file, or columns."""
+    return damping_law(table, spring=_spring(options), mass=options.mass, stiffness=options.stiffness, **more)
+
+
+LAW_HEAD = ("law", "grade", "alpha", "low", "strength", "high")
+
+
+def law_rows(found: DampingLaw) -> list[tuple[Any, ...]]:
+    """A row for each strength of each law."""
+    return [(c.name, c.told(), s.alpha, s.low, s.estimate, s.high) for c in found.laws for s in c.strengths]
+
+
+def _law_words(found: DampingLaw, options: argparse.Namespace) -> list[str]:
+    """The request, with the numbers of the table in the place of its file."""
+    laws = ",".join("+".join(alphas) for alphas in found.problem.candidates)
+    table = {name: ",".join(map(repr, column)) for name, column in found.table.items()}
+    given = {name: getattr(options, name) for name in ("spring", "mass", "stiffness")}
+    return ["damping-law", *option_words({**table, "laws": laws, **given})]
 
 
 def _spring(options: argparse.Namespace) -> Any:

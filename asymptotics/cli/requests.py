@@ -22,6 +22,7 @@ from asymptotics.present.inputs import INPUTS, option_words
 
 REQUESTS = {
     "damping": (*INPUTS, "amplitudes", "unit", "order", "digits"),
+    "damping-law": ("A", "zeta", "Q", "decrement", "resolution", "laws", "spring", "mass", "stiffness"),  # --from
     "envelope": (*INPUTS, "time", "points", "order", "squaring"),
     "expand": (*INPUTS, "order", "gauge", "exact", "digits"),
     "half-swing": (*INPUTS, "order", "exact", "delta", "digits"),

@@ -41,9 +41,17 @@ class Cells:
 
 
 def compared_cells(
-    given: Sequence[tuple[int, Sequence[str]]], header: Sequence[str], right: Cells, digits: int
+    given: Sequence[tuple[int, Sequence[str]]],
+    header: Sequence[str],
+    right: Cells,
+    digits: int,
+    *,
+    certified: bool = True,
 ) -> Comparison:
-    """Every row with its line, cell by cell; InputError for a row or a column that the request does not give."""
+    """Every row with its line, cell by cell; InputError for a row or a column that the request does not give.
+
+    ``certified``: whether the right cells are.
+    """
     columns = [name for name in header if name not in right.keys and name not in right.apart]
     lacking = next((name for name in (*right.keys, *columns) if name not in right.header or name not in header), None)
     if lacking is not None:
@@ -77,7 +85,7 @@ def compared_cells(
     summary |= {"not_compared": left} if (left := [n for n in header if n in right.apart - _MARKS]) else {}
     summary |= {"differs": differs} if differs else {}
     summary |= {"estimates": unjudged} if unjudged else {}
-    return Comparison(tuple(rows), summary, True, right.method)
+    return Comparison(tuple(rows), summary, certified, right.method)
 
 
 def cells_so_far(

@@ -17,7 +17,7 @@ class DampingLaw(Rows):
     """``laws``: the candidates, best first; ``neglected``: what the first order lacks of the motion, relative, at most.
 
     ``resolution``: of the values, relative, the median; ``si``: whether strengths are b in SI, else epsilon.
-    ``verdict`` says in words what the table tells and what not.
+    ``verdict`` says in words what the table tells and what not.  ``table``: the columns that were used, in m or rad.
     """
 
     problem: Problem
@@ -28,6 +28,7 @@ class DampingLaw(Rows):
     resolution: float
     si: bool
     notes: tuple[str, ...] = field(default=(), compare=False)
+    table: dict[str, list[float]] = field(default_factory=dict, compare=False)
 
     @property
     def best(self) -> DampingCandidate:

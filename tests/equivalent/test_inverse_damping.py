@@ -104,7 +104,8 @@ def test_the_command_reads_a_table(capsys, tmp_path):
     line = ["damping", "--from", str(path), "--resolution", "0.0002", "--laws", "1", "2", "1+2"]
     assert main([*line, "--csv", str(tmp_path / "laws.csv")]) == 0
     assert capsys.readouterr().out.startswith("viscous drag and drag in v^2: consistent; epsilon_1 = 0.01995")
-    assert (tmp_path / "laws.csv").read_text().startswith("law,grade,alpha,low,strength,high,code")
+    head = 'law,grade,alpha,low,strength,high,"code [damping-law --A=0.1,0.2,0.4,0.8 --zeta='
+    assert (tmp_path / "laws.csv").read_text().startswith(head)
     assert main([*line, "--alpha", "2"]) == 2 and "--from" in capsys.readouterr().err
     assert main(["damping", "--alpha", "2", "--epsilon", "1", "--laws", "1"]) == 2
     capsys.readouterr()
