@@ -22,7 +22,6 @@ step, asserts = derivation.step, derivation.asserts
 asserts(
     "Where y < 0 and w > 0 the orbit turns: w' = y - N is less than y < 0, and y only falls",
     sympy.Lt(y - N, y, evaluate=False),
-    sympy.Lt(y, 0, evaluate=False),
 )
 force = sympy.Function("N")(w)
 eta = sympy.Symbol("eta")

@@ -22,8 +22,16 @@ derivation = Derivation(
 step = derivation.step
 
 u = (1 - cos(theta)) / 2
-step("With u = sin^2(theta/2) the sine is 2 sqrt(u(1-u))", At(4 * y * (1 - y), {y: u}), 1 - cos(theta) ** 2)
-step("1 - cos^2 = sin^2", 1 - cos(theta) ** 2, sin(theta) ** 2)
+step(
+    "With u = sin^2(theta/2) = (1 - cos theta)/2 the sine is 2 sqrt(u(1-u))",
+    At(4 * y * (1 - y), {y: u}),
+    sin(theta) ** 2,
+)
+step(
+    "u runs from 0 to 1 as theta runs from 0 to pi",
+    sympy.Tuple(At(u, {theta: 0}), At(u, {theta: pi})),
+    sympy.Tuple(0, 1),
+)
 step("and du = (sin theta/2) dtheta", sympy.Derivative(u, theta), sin(theta) / 2)
 shape = sympy.Symbol("s", positive=True)  # sin(theta); du = (s/2) dtheta
 step(
