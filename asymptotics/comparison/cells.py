@@ -17,7 +17,7 @@ from asymptotics.comparison.digits import judged, significant
 from asymptotics.comparison.quick_look import Look
 from asymptotics.comparison.run import UNJUDGED, ComparedValue, Comparison, short_of, summary_of
 from asymptotics.errors import InputError, shown
-from asymptotics.numbers.exact import parse_rational
+from asymptotics.numbers.exact import parse_printed
 
 Key = tuple[str, ...]
 _LONG = 60
@@ -146,11 +146,11 @@ def _key(row: Sequence[str], header: Sequence[str], keys: Key) -> Key:
 def same(cell: str) -> str:
     """A number however it is written, or the text."""
     number = _number(cell)
-    return cell if number is None else str(number)
+    return cell if number is None else f"{number.numerator:x}/{number.denominator:x}"  # of any size
 
 
 def _number(cell: str) -> Fraction | None:
     try:
-        return parse_rational(cell, "cell")
+        return parse_printed(cell, "cell")
     except InputError:
         return None

@@ -40,7 +40,7 @@ def of_turning_points(ns: Any, given: Any, x: Any, given_tau: Any | None = None,
     g, c = (np.abs(np.asarray(values, float))[order] for values in (given, x))
     true = np.pi * np.asarray(ns, float)[order] if tau is None else np.asarray(tau, float)[order]
     advance = None if given_tau is None else true - np.asarray(given_tau, float)[order]
-    with np.errstate(divide="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore"):
         return Errors(true, c, np.log(g / c), advance)
 
 

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from asymptotics.errors import InputError, LimitError, shown
-from asymptotics.numbers.exact import parse_rational
+from asymptotics.numbers.exact import parse_printed
 from asymptotics.numbers.policy import exact_number
 
 Columns = Mapping[str, Any]
@@ -84,7 +84,7 @@ def read_sheet(
         if len(cells) <= wanted:
             raise InputError("FILE", f"line {line} has {len(cells)} cells", f"{wanted + 1} cells in each row")
     numbers = {
-        name: tuple(parse_rational(cells[place], f"{place_of} {line}") for line, cells in rows)
+        name: tuple(parse_printed(cells[place], f"{place_of} {line}") for line, cells in rows)
         for name, place in columns.items()
         if name not in words
     }
@@ -195,7 +195,7 @@ def cell_of(value: Any, counts: bool = False) -> str:
 
 def _is_number(cell: str) -> bool:
     try:
-        parse_rational(cell, "cell")
+        parse_printed(cell, "cell")
     except InputError:
         return False
     return True
@@ -232,7 +232,7 @@ def as_double(text: str) -> float:
     >>> as_double("3/2"), as_double("-2.5e-3"), as_double("1e400")
     (1.5, -0.0025, inf)
     """
-    value = parse_rational(text, "cell")
+    value = parse_printed(text, "cell")
     try:
         return float(value)
     except OverflowError:

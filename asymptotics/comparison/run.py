@@ -274,7 +274,7 @@ def _judged(rows: Sequence[ComparedValue], errors: Errors, shift: Any | None) ->
     wrong = any("[" in row.marked for row in rows)
     finite = len(errors) == 0 or bool(np.all(np.isfinite(errors.amplitude)))
     if not finite:
-        return Look("undecided", "a turning point is given as 0")
+        return Look("undecided", "a turning point is given as 0, or as less than a double holds")
     return look_of(_without_rounding(errors, rows), shift, lost if wrong else 0.0)
 
 

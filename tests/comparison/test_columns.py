@@ -40,6 +40,17 @@ def test_names_of_columns_and_units():
     assert asy.compare(motion.to_dataframe()[["t [s]", "x [m]"]], osc).summary == found.summary
 
 
+def test_what_is_smaller_than_a_double_is_judged_as_well():
+    """Our own turning points at half-swing 30000, 10^-6919: right as they are written, and one digit off is seen."""
+    law = asy.Law({1: "1/3"})
+    points = [p.x for p in asy.turning_points(law, 2, digits=12, start=30_000).points]
+    found = asy.compare({"n": [30_000, 30_001], "x": points}, law)
+    assert points[0] == "2.23417402101e-6919" and [row.marked for row in found.rows] == points
+    assert found.summary["look"]["reason"].endswith("less than a double holds")
+    found = asy.compare({"n": [30_000], "x": ["2.23417402102e-6919"]}, law)
+    assert found.rows[0].marked == "2.2341740210[2]e-6919"
+
+
 def test_a_table_by_its_name():
     given = {"half_cycle": [2, 4], "S_hat": ["0.098765", "0.133834"], "u": ["-0.41072", "-0.194566"]}
     found = asy.compare(given, table="smith2012.table1")
