@@ -25,16 +25,10 @@ from asymptotics.law import LawLike, Oscillator, SpringLike
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
 from asymptotics.public import public
+from asymptotics.records.units import ANGLES, LENGTHS
 
 MAX_DIGITS, MAX_ORDER, MAX_AMPLITUDES = 100, 12, 1000
 _SHARES = (1, 2, 4, 8)
-_PI = Fraction(
-    "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534211706798214808651"
-    "328230664709384460955058"
-)
-LENGTHS = {"m": Fraction(1), "cm": Fraction(1, 100), "mm": Fraction(1, 1000), "um": Fraction(1, 10**6)}
-ANGLES = {"rad": Fraction(1), "deg": _PI / 180}
-"""Units of amplitudes in m or rad; the degree is that of pi to 130 digits, 30 more than are ever asked for."""
 
 
 @public
@@ -56,8 +50,8 @@ def damping(
     of first order (one cycle without loss) with the half-life, the time in which A falls to A/2; of the ``motion``
     itself, one full swing from rest at A; and with ``order`` N of the series to delta^N, each with the proved bound of
     what it lacks.  ``law``: epsilons (A in their unit), an oscillator (A in m, answers in SI) or "symbolic".
-    ``amplitudes``: a number or a list (default: the start and its half, quarter, eighth), in ``unit``: cm, mm, um of an
-    oscillator in SI; deg of a pendulum (a degree is pi/180 rad to 130 digits).  InputError for a law without a loss,
+    ``amplitudes``: a number or a list (default: the start and its half, quarter, eighth), in ``unit``: cm, mm, um, in,
+    ft of an oscillator in SI; deg, mrad, arcmin of a pendulum (pi to 130 digits).  InputError for a law without a loss,
     amplitudes <= 0 or outside the well; LimitError after ``max_seconds``, which ``asymptotics.cut_short.done`` asks for
     the rows that were done.  Source: derivation ``equivalent-damping``.
     """
@@ -90,7 +84,7 @@ def _size(unit: str, oscillator: Oscillator, si: bool, amplitudes: Any) -> Exact
     pendulum = oscillator.unit == "rad"
     known = ANGLES if pendulum else LENGTHS if si else {}
     if not isinstance(unit, str) or (unit and unit not in known):
-        accepted = ", ".join(known) or "deg of a pendulum; cm, mm of an oscillator with mass and stiffness"
+        accepted = ", ".join(known) or "deg, mrad of a pendulum; cm, in of an oscillator with mass and stiffness"
         raise InputError("unit", f"{shown(unit)} is no unit of these amplitudes", accepted)
     if unit and amplitudes is None:
         raise InputError("amplitudes", "there is none in this unit", f"amplitudes in {unit}")

@@ -32,6 +32,7 @@ from asymptotics.errors import InputError
 from asymptotics.law import PENDULUM, Law
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.present.inputs import option_words, with_words
+from asymptotics.records.units import ANGLES, LENGTHS
 
 _DRAWN = tuple(name for name in QUANTITIES if name != "half_life")
 
@@ -42,7 +43,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_physical(parser)
     text = "turning amplitudes in m (rad of a pendulum), without SI units in the unit of the strengths (1,1/2,1/4,1/8)"
     parser.add_argument("--amplitudes", metavar="A,A,...", help=text)
-    parser.add_argument("--unit", metavar="U", help="of the amplitudes: cm, mm, um beside SI units; deg of a pendulum")
+    text = f"of the amplitudes: {', '.join(LENGTHS)} beside SI units; {', '.join(ANGLES)} of a pendulum"
+    parser.add_argument("--unit", metavar="U", help=text)
     parser.add_argument("--order", metavar="N", help=f"the series of order N too, with its bound: 1 to {MAX_ORDER}")
     parser.add_argument(
         "--from", dest="table", metavar="FILE", help="columns A, zeta (Q, decrement), resolution: the law"

@@ -10,17 +10,25 @@ asymptotics.errors.InputError: argument unit: m does not fit the column x_deg of
 
 import re
 from collections.abc import Sequence
-
-import numpy as np
+from fractions import Fraction
 
 from asymptotics.errors import InputError
 
-UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "um": 1e-6, "rad": 1.0, "deg": float(np.pi / 180)}
+_PI = Fraction(
+    "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534211706798214808651"
+    "328230664709384460955058"
+)
+LENGTHS = {
+    "m": Fraction(1), "cm": Fraction(1, 100), "mm": Fraction(1, 1000), "um": Fraction(1, 10**6),
+    "in": Fraction(254, 10_000), "ft": Fraction(3048, 10_000),
+}  # fmt: skip
+"""Units of length, with their size in m; the inch of 1959."""
+ANGLES = {"rad": Fraction(1), "deg": _PI / 180, "mrad": Fraction(1, 1000), "arcmin": _PI / 10_800}
+"""Units of angles, with their size in rad: pi to 130 digits, 30 more than are ever asked for."""
+UNITS = {name: float(size) for name, size in {**LENGTHS, **ANGLES}.items()}
 """Units of x, with their size in m or rad."""
-ANGLES = ("rad", "deg")
 SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0}
 """Units of time, with their size in s."""
-_LENGTHS = ("m", "cm", "mm", "um")
 SPEEDS = {f"{u}/s": u for u in UNITS}
 """Units of velocities, with the unit of x that belongs to them."""
 ACCELERATIONS = {"g": "m"} | {f"{u}/s^2": u for u in UNITS}
@@ -31,7 +39,7 @@ _ALSO = {
     "metres": "m", "meters": "m", "metre": "m", "meter": "m", "centimeters": "cm", "millimeters": "mm",
     "sec": "s", "secs": "s", "seconds": "s", "second": "s", "sekunden": "s", "milliseconds": "ms", "minutes": "min",
     "hours": "h", "\u00b0/s": "deg/s", "1/s": "rad/s", "rad s^-1": "rad/s", "m s^-1": "m/s", "m*s^-1": "m/s",
-    "g0": "g",
+    "g0": "g", "inch": "in", "inches": "in", "foot": "ft", "feet": "ft", "milliradians": "mrad", "arcminutes": "arcmin",
 }  # fmt: skip
 _RUN = re.compile(r"\b(?:run|lauf|latest|data set|set)\b\s*#?\s*\d*\s*:?", re.IGNORECASE)
 _NONE = ("n", "-", "1", "")
@@ -70,7 +78,11 @@ def without_run(column: str) -> str:
 
 
 def suffix(column: str) -> str:
-    """The unit in a column's name: in brackets at its end, after a slash, or a known one after its last underscore."""
+    """The unit in a column's name: in brackets at its end, after a slash, or a known one after its last underscore.
+
+    >>> suffix("x [in]"), suffix("x_inch"), suffix("x_in")              # x_in may be an input
+    ('in', 'in', '')
+    """
     column = without_run(column)
     found = re.fullmatch(r".*[\[(]([^\])]*)[\])]\s*", column)
     if found:
@@ -79,7 +91,7 @@ def suffix(column: str) -> str:
     if found and not _is_known(standard(column)):
         return standard(found[1])
     found = re.fullmatch(r".*_([^_]+)", column)
-    return standard(found[1]) if found and _is_known(standard(found[1])) else ""
+    return standard(found[1]) if found and found[1] != "in" and _is_known(standard(found[1])) else ""
 
 
 def seconds(column: str, name: str, said: str = "") -> float:
@@ -104,7 +116,7 @@ def unit_of(columns: Sequence[str], unit: str, name: str) -> str:
         named = SPEEDS.get(named, ACCELERATIONS.get(named, named))
         if named not in UNITS:
             continue
-        if found and (found in _LENGTHS) != (named in _LENGTHS):
+        if found and (found in LENGTHS) != (named in LENGTHS):
             raise InputError("unit", f"{found} does not fit the column {column} of {name}", named)
         if found and found != named:
             raise InputError("unit", f"{found} contradicts the column {column} of {name}", "one unit")
