@@ -92,6 +92,6 @@ step(
     1,
 )
 asserts(
-    "For a < 1 it fails: relative errors can grow, and the distance d itself is used",
+    "For a < 1 it fails: relative errors can grow (ratio-growth bounds by how much)",
     sympy.Lt(At(c ** (a - 1), {a: sympy.Rational(1, 2), c: 2}), 1, evaluate=False),
 )

@@ -83,9 +83,11 @@ class Damping:
         return min((a for _, a in self.sizes), default=inf)
 
     @cached_property
-    def superlinear(self) -> bool:
-        """Whether N(w)/w is nondecreasing: every alpha_i >= 1, and no dry friction."""
-        return self.friction == 0 and all(not a < 1 for a in self.alphas)
+    def least_power(self) -> arb | None:
+        """The least of 1 and every alpha_i, as of which N(w)/w^a is nondecreasing; None with dry friction."""
+        if self.grips:
+            return None
+        return self.exponents[self.leading] if self.sublinear else arb(1)
 
     def terms(self, w: arb) -> list[arb]:
         """epsilon_i w^alpha_i for w > 0."""

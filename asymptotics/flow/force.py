@@ -53,8 +53,8 @@ class Parting(Smooth, Protocol):
 class Force(Parting, Protocol):
     """A force that only loses energy.  ``kinked``: not one analytic function on both sides of u = 0.
 
-    ``viscous``: the strength of the loss epsilon w that contracts; ``superlinear``: whether relative distances of
-    turning points never grow.
+    ``viscous``: the strength of the loss epsilon w that contracts; ``least_power``: a <= 1, on which hangs how relative
+    distances of turning points grow.
     """
 
     @property
@@ -66,8 +66,8 @@ class Force(Parting, Protocol):
         """The strength of the loss epsilon w, by which ``contracted`` sharpens its bound."""
 
     @property
-    def superlinear(self) -> bool:
-        """Whether ln q of two motions draw together."""
+    def least_power(self) -> arb | None:
+        """1 where ln q of two motions draw together, less where they may part; None where nothing is known."""
 
     @property
     def grips(self) -> object:

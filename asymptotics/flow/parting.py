@@ -13,8 +13,10 @@ Three forces, one factor:
 * gains as well: lambda is near c^2/|G_w| where losses are strong, so that on a slow branch nothing parts.
 
 *From turning point to turning point*, for orbits from p and p~ that turn at q and q~: nonexpansive flows have
+|q - q~| <= |p - p~|, and beside the linear spring, a <= 1 being no more than any alpha_i > 0, without dry friction
+(derivation ``ratio-growth``),
 
-    |q - q~| <= |p - p~|,          |ln q - ln q~| <= |ln p - ln p~| where N(w)/w is nondecreasing (every alpha_i >= 1).
+    |ln q - ln q~| <= g |ln p - ln p~|,    g = 1 + (1 - a)/(2 - a) ((p/(q - |p - p~|))^(2-a) - 1).
 
 In any other well (derivation ``wells-contract``) the difference of the squares of two speeds at equal places cannot
 grow: D = (w_1^2 - w_2^2)/2 obeys dD/du = drag(u, w_1) - drag(u, w_2) >= 0, and u falls.  Two motions from rest at p and
@@ -168,7 +170,7 @@ def contracted(force: Force, p: arb, error: arb, duration: arb, turn: arb, gap: 
     The motion from p itself turns within ``gap`` of ``turn``.
     """
     if error == 0 or force.nonexpansive:
-        return by_ratio(force, p, error, upper(abs(turn) + gap))
+        return by_ratio(force, p, error, abs(turn) + arb(0, gap))
     with ctx.workprec(_LOW):
         steep = force.restoring(p + arb(0, error))
         square = upper(error * steep)
@@ -179,14 +181,29 @@ def contracted(force: Force, p: arb, error: arb, duration: arb, turn: arb, gap: 
 
 
 def by_ratio(force: Force, p: arb, error: arb, q: arb) -> arb:
-    """A bound of how far apart two motions turn that start from rest within ``error`` of p, the one from p by q.
+    """A bound of how far apart two motions turn that start from rest within ``error`` of p, the one from p in q.
 
-    It is ``error``, or q (e^(error/(p - error)) - 1) if that is less and the flow is superlinear.
+    It is ``error``, or q (e^(g error/(p - error)) - 1) if that is less.
     """
-    if error == 0 or not force.superlinear or not p > error:
+    if error == 0 or force.least_power is None or not p > error:
         return error
-    relative = upper(error / (p - error))
+    relative = upper(ratio_growth(force.least_power, p, error, q) * error / (p - error))
     return min(error, upper(q * relative.expm1()))
+
+
+def ratio_growth(a: arb, p: arb, error: arb, q: arb) -> arb:
+    """A bound of d ln q/d ln p for all starts within ``error`` < p of p, the one from p turning in q; it may be inf.
+
+    >>> ratio_growth(arb(1) / 2, arb(1), arb(0), arb(1) / 4).str(5), ratio_growth(arb(1), arb(1), arb(0), arb(0))
+    ('3.3333', 1.00000000000000)
+    """
+    if a == 1:
+        return _ONE
+    nearest = (q - error).lower()
+    if not nearest > 0:
+        return arb("inf")
+    with ctx.workprec(_LOW):
+        return upper(1 + (1 - a) / (2 - a) * ((2 - a) * (p / nearest).log()).expm1())
 
 
 def _outside(force: Force, p: arb, error: arb, turn: arb, gap: arb, square: arb) -> arb:

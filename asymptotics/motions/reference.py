@@ -35,6 +35,7 @@ from asymptotics.flow.linear_spring.near_critical import (
     lingering_seconds,
     lost_until,
     most_swings,
+    turning,
 )
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.wells.ends import require_inside
@@ -241,7 +242,7 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     swings = tau / pi + 1
     if not oscillator.law.is_pure:
         return estimated_in_well(WellForce.of(law.terms), swings, bits_for(digits, 48))
-    swings = min(max(1.0, swings - creeping(law) / pi), most_swings(law))
+    swings = min(max(1.0, swings - creeping(law) / pi), most_swings(law), turning(law) / pi + 1)
     apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in oscillator.law.alphas)
     terms, bits = len(oscillator.law.terms), bits_for(digits, 56) + faded_bits(law, tau)
     panels = panels_of(law, bits)

@@ -57,6 +57,6 @@ def following(damping: Damping, here: Turning, found: Passage) -> Turning:
     assert found.amplitude is not None and found.duration is not None
     q, time = here.amplitude * found.amplitude, here.time + found.duration
     amplitude, clock = q.mid(), time.mid()
-    carried = by_ratio(damping, here.amplitude, here.amplitude_error, upper(q))
+    carried = by_ratio(damping, here.amplitude, here.amplitude_error, q)
     error = upper(carried + q.rad()), upper(here.time_error + time.rad())
     return Turning(here.n + 1, -here.side, amplitude, clock, *error)

@@ -63,6 +63,8 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("energy_contraction", "    -fv * wronskian,", "    fv * wronskian,"),
     ("energy_contraction", "constant = sympy.exp(-2 *", "constant = sympy.exp(2 *"),
     ("energy_contraction", "root = sympy.sqrt(4 - epsilon**2)", "root = sympy.sqrt(4 + epsilon**2)"),
+    ("ratio_growth", "-rate * area + w * (w * rate - N)", "-rate * area + w * (w * rate + N)"),
+    ("ratio_growth", "At(1 + (b - 1) * S / q**2", "At(1 + b * S / q**2"),
     ("uniform_bound", "sympy.I * (W - 1) * Z - U * Z", "sympy.I * (W + 1) * Z - U * Z"),
     ("uniform_bound", "delta**m / (1 + w * m)", "delta**m / (1 - w * m)"),
     ("uniform_bound", "    f_1 + (1 - a / b) * (f_2 - f_1),", "    f_1 + (a / b) * (f_2 - f_1),"),

@@ -68,6 +68,7 @@ def test_beside_a_linear_spring_the_turning_points_keep_their_ratio():
         p, e, q = arb(1), arb(2) ** -10, arb("0.5")
         assert q * e / p <= contracted(law, p, e, arb(3), -q, arb(0)) < q * e * arb("1.01")
         assert q * e / p <= by_ratio(law, p, e, q) < q * e * arb("1.01")
+        assert q * e / p <= contracted(law, p, e, arb(3), -q / 2, q / 2) < q * e * arb("1.01")  # q at the far end
 
 
 def test_an_error_as_large_as_the_start_has_no_ratio():

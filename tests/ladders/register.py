@@ -198,6 +198,11 @@ BOUNDS: Names = {
         "at_exact_place",
         "tests/numbers/test_exact_ties.py::test_a_place_that_is_known_lies_in_its_enclosure",
     ),
+    **_each(
+        "flow.parting",
+        "ratio_growth",
+        "tests/flow/linear_spring/test_ratio_growth.py::test_ratios_part_no_faster_than_is_said",
+    ),
     **_each("flow.parting", "by_ratio", f"{SWING}::test_amplitudes_carry_their_error_by_contraction"),
     **_each(
         "flow.parting",
@@ -410,7 +415,7 @@ NONE_NEEDED: Names = {
         "pieces, whose own orbits have ladders",
     ),
     **_each("flow.wells.even_well", "EvenWell.of", "Force.of for a law"),
-    **_each("flow.damping", "Damping.slopes", EXACT),
+    **_each("flow.damping", "Damping.slopes Damping.least_power", EXACT),
     **_each("flow.wells.expansion", "reach_at", CHOICE),
     **_each("flow.wells.turning_point", "without_loss", CHOICE),
     **_each("flow.taylor", "sizes", EXACT),

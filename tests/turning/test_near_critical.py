@@ -7,7 +7,7 @@ import pytest
 
 from asymptotics.budget import budget
 from asymptotics.errors import LimitError
-from asymptotics.flow.linear_spring.near_critical import creeping, faded_bits, fading, lingering, lost_bits
+from asymptotics.flow.linear_spring.near_critical import creeping, faded_bits, fading, lingering, lost_bits, turning
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions import reference
 from asymptotics.numbers.exact import ExactReal
@@ -70,10 +70,8 @@ def test_a_reference_motion_carries_the_bits_that_it_loses(monkeypatch):
         reference.reference_motion(Oscillator(Law({1: "1.999999999999", 2: "1/10"})), "1e6", 20)
 
 
-@pytest.mark.parametrize(
-    ("law", "t"), [({"0.999": 1}, 60), ({1: 2, "0.9999999": 1}, 100), ({1: 1, "1.0000001": 2}, 100)], ids=str
-)
-def test_a_motion_with_exponents_next_to_1_carries_the_bits_by_which_it_fades(monkeypatch, law, t):
+@pytest.mark.parametrize(("law", "t"), [({1: 2, "0.9999999": 1}, 100), ({1: 1, "1.0000001": 2}, 100)], ids=str)
+def test_a_creep_with_exponents_next_to_1_carries_the_bits_by_which_it_fades(monkeypatch, law, t):
     """Two passes before, the first for nothing; at ten times the time it ran out of seconds, now it is not begun."""
     oscillator, tried = Oscillator(law), []
     passes = reference._states
@@ -86,10 +84,30 @@ def test_a_motion_with_exponents_next_to_1_carries_the_bits_by_which_it_fades(mo
     assert not tried
 
 
+@pytest.mark.parametrize(("law", "t"), [({"0.999": 1}, 60), ({"0.99": "1/2"}, 100)], ids=str)
+def test_a_motion_that_turns_keeps_its_digits_while_it_fades(monkeypatch, law, t):
+    """One pass, whose bits are far fewer than those by which it fades; the digits are those of a finer pass."""
+    oscillator, tried = Oscillator(Law(law)), []
+    passes = reference._states
+    monkeypatch.setattr(reference, "_states", lambda *given: tried.append(given[2]) or passes(*given))
+    x = reference.reference_motion(oscillator, t, 15).x
+    assert len(tried) == 1 and log2(abs(float(x))) < -10 * faded_bits(oscillator.law, t)
+    finer = reference.reference_motion(oscillator, t, 25).x
+    assert len(tried) == 2 and abs(Fraction(x) - Fraction(finer)) <= abs(Fraction(finer)) * Fraction(5, 10**15)
+
+
+def test_a_strength_that_grows_traps_the_motion_when_it_is_said():
+    """epsilon w^(alpha - 1) reaches 2 at the time of the last turning point, within 10 %."""
+    law = Law({"0.985": 1})
+    ended = turning_points(law, 40, 8, times=True)
+    assert ended.ended["reason"] == "creeps"
+    assert float(ended.points[-1].tau) == pytest.approx(turning(law), rel=0.1)
+
+
 def test_motions_fade_as_long_as_the_strength_of_the_exponents_next_to_1_lasts():
     assert fading(Law({"1.001": 3})) == pytest.approx(((3 - 5**0.5) / 2, log(1.5) / 0.001 / ((3 - 5**0.5) / 2)))
     assert fading(Law({1: 2, "0.999": 1}))[1] == inf and creeping(Law({1: 1, "0.999": "1/2"})) == 0
-    for law in ({1: 3}, {"1/2": 1, "0.999": 1}, {0: "1/10", "0.999": 1}, {"1.001": 1}, {2: 1}):
+    for law in ({1: 3}, {"1/2": 1, "0.999": 1}, {0: "1/10", "0.999": 1}, {"1.001": 1}, {2: 1}, {"0.999": 1}):
         assert fading(Law(law)) == (0, 0)
 
 

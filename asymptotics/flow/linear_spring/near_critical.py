@@ -5,9 +5,10 @@ has become small obeys the linear equation about its place of rest: it needs the
 its amplitude falls by the factor exp(-T epsilon/2).  So the next turning point is known only if T epsilon/(2 ln 2) bits
 more are carried, from the start on.
 
-With exponents next to 1 that are not all 1, a motion fades like e^(-rate tau) while its errors only add: the known
-contractions ask for exponents >= 1 and a turning point ahead.  So it loses rate/ln 2 bits per unit of time (``fading``,
-``faded_bits``).  All these are estimates: they choose a precision, or refuse the work; they claim nothing.
+With exponents next to 1 that are not all 1, a creep fades like e^(-rate tau) while its errors only add: it loses
+rate/ln 2 bits per unit of time (``fading``).  A motion that turns keeps its relative errors but for the factors g of
+``parting.ratio_growth`` (``faded_bits``).  All these are estimates: they choose a precision, or refuse the work; they
+claim nothing.
 
 >>> from asymptotics.law import Law
 >>> near = Law({1: "1.99", 2: "1/10"})
@@ -16,7 +17,7 @@ contractions ask for exponents >= 1 and a turning point ahead.  So it loses rate
 """
 
 from fractions import Fraction
-from math import ceil, inf, log, pi, sqrt
+from math import ceil, expm1, inf, log, log1p, pi, sqrt
 
 from flint import arb
 
@@ -25,13 +26,14 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear import is_linear
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
-from asymptotics.numbers.exact import ExactReal
 
 _LONG = 8.0  # times below it need no care
 _SECONDS, _PER_TIME, _BITS = 0.003, 6.0, 200  # of a Taylor step at so many bits; steps per unit of time
 _NEAR_LINEAR = 1e-3  # alpha - 1
 _NEXT_TO_1, _TRAPPED = 1 / 64, 2.0  # |alpha - 1|, and the local strength above which a motion creeps
 _LOST = 1.45  # bits per unit of time, a little above 1/ln 2
+_PARTS = 64  # of the time in which relative errors grow
+_TINY, _LARGE = 1e-15, 700.0  # what doubles tell from 0, and whose exponential they hold
 
 
 def lingering(law: Law) -> float:
@@ -78,42 +80,72 @@ def lost_until(law: Law, tau: float) -> int:
 
 
 def fading(law: Law) -> tuple[float, float]:
-    """(rate, longest): how fast and how long a motion fades away from its errors; (0, 0) where it does not.
+    """(rate, longest): how fast and how long a motion creeps away from its errors; (0, 0) where it does not.
 
-    ``rate``: epsilon/2 for the local strength epsilon < 2 of the exponents next to 1, and (epsilon -
-    sqrt(epsilon^2 - 4))/2 for a creep; ``longest``: until a strength that grows reaches 2, or one that falls.
+    ``rate``: (epsilon - sqrt(epsilon^2 - 4))/2 for the local strength epsilon >= 2 of the exponents next to 1;
+    ``longest``: until a strength that falls reaches 2.
 
-    >>> fading(Law({"0.999": 1})), fading(Law({1: 1, 2: 1})), fading(Law({"1/2": 1}))
-    ((0.5, 1386.2...), (0.0, 0.0), (0.0, 0.0))
+    >>> fading(Law({"1.001": 3})), fading(Law({1: 2, "0.999": 1})), fading(Law({"0.999": 1}))
+    ((0.38..., 1061.5...), (0.38..., inf), (0.0, 0.0))
     """
-    near = [(float(a.ball() - 1), float(e)) for a, e in _next_to_1(law)]
-    total = sum(e for _, e in near)
-    above, below = max((d for d, _ in near), default=0.0), -min((d for d, _ in near), default=0.0)
-    if above <= 0 >= below or total == 0 or (total < _TRAPPED and below <= 0):
+    total, above, below = _next_to_1(law)
+    if above <= 0 >= below or total < _TRAPPED:
         return 0.0, 0.0
-    rate = total / 2 if total < _TRAPPED else 2 / (total + sqrt(total**2 - 4))
-    if total < _TRAPPED:
-        return rate, log(_TRAPPED / total) / (below * rate)
+    rate = 2 / (total + sqrt(total**2 - 4))
     return rate, inf if below > 0 else log(total / _TRAPPED) / (above * rate)
 
 
-def _next_to_1(law: Law) -> list[tuple[ExactReal, arb]]:
-    """(alpha, epsilon) of the exponents next to 1, if no exponent is lower: then one below 1 rules what is small."""
+def _next_to_1(law: Law) -> tuple[float, float, float]:
+    """(strength, how far above 1, how far below 1) of the exponents next to 1.
+
+    Zeros if an exponent is lower: then one below 1 rules what is small.
+    """
     damping = Damping.of_law(law)
     if damping.friction > 0 or any(a < 1 - Fraction(_NEXT_TO_1) for a in damping.alphas):
-        return []
-    return [(a, e) for a, e in zip(damping.alphas, damping.strengths) if a < 1 + Fraction(_NEXT_TO_1)]
+        return 0.0, 0.0, 0.0
+    near = [(a, float(e)) for a, e in zip(damping.alphas, damping.strengths) if a < 1 + Fraction(_NEXT_TO_1)]
+    offs = [float(a.ball() - 1) for a, _ in near]
+    return sum(e for _, e in near), max(offs, default=0.0), -min(offs, default=0.0)
 
 
 def faded_bits(law: Law, tau: float) -> int:
-    """How many bits a motion with exponents next to 1 has lost at the time tau."""
+    """How many bits a motion with exponents next to 1 has lost at the time tau.
+
+    While it turns, half-swings of the time T and the decrement s = epsilon T/2 take log2 g each, g = 1 + h (e^s - 1) <=
+    e^s with h = 1 - min alpha_i, and the last one, by pieces, s/ln 2; epsilon obeys d epsilon/dtau = h epsilon^2/2.
+
+    >>> faded_bits(Law({"0.999": 1}), 60), faded_bits(Law({"0.999": 1}), 1e9), faded_bits(Law({1: 3, "0.999": 1}), 60)
+    (3, 92, 24)
+    """
     rate, longest = fading(law)
-    return ceil(rate * min(tau, longest) / log(2)) if rate else 0
+    if rate:
+        return ceil(rate * min(tau, longest) / log(2))
+    total, _, below = _next_to_1(law)
+    if below <= 0 or not 0 < total < _TRAPPED:
+        return 0
+    part = min(tau, turning(law)) / _PARTS
+    slowest, lost, s = (9 * pi**2 / (8 * below)) ** (1 / 3), 0.0, 0.0
+    for i in range(_PARTS):
+        epsilon = 1 / (1 / total - below * (i + 0.5) * part / 2)
+        swing = min(pi / sqrt(max(1 - epsilon**2 / 4, _TINY)), slowest)
+        s = epsilon * swing / 2
+        lost += part / swing * min(s, log1p(below * expm1(min(s, _LARGE))))
+    return ceil((lost + min(s, tau)) / log(2))
+
+
+def turning(law: Law) -> float:
+    """How long a motion with exponents next to 1 turns: until the local strength reaches 2, inf where it never does.
+
+    >>> turning(Law({"0.999": 1})), turning(Law({"0.999": 3})), turning(Law({1: 1, "1.001": 1}))
+    (1000.0..., 0.0, inf)
+    """
+    total, _, below = _next_to_1(law)
+    return max(0.0, 2 * (1 / total - 1 / _TRAPPED) / below) if total > 0 and below > 0 else inf
 
 
 def creeping(law: Law) -> float:
     """How long a motion with exponents next to 1 creeps from the start on, 0 where it turns."""
-    return fading(law)[1] if sum(float(e) for _, e in _next_to_1(law)) >= _TRAPPED else 0.0
+    return fading(law)[1]
 
 
 def creeping_seconds(law: Law, tau: float, bits: int) -> float:

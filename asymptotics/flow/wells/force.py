@@ -49,7 +49,7 @@ class WellForce:
     linear: ClassVar[int] = 0
     entire: ClassVar[bool] = False
     nonexpansive: ClassVar[bool] = False
-    superlinear: ClassVar[bool] = False
+    least_power: ClassVar[None] = None
 
     @classmethod
     def of(cls, terms: Sequence[Term], strengths: Sequence[arb] | None = None) -> "WellForce":

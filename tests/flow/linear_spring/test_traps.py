@@ -88,5 +88,5 @@ def test_an_exponent_of_any_size_is_decided_in_few_bits(k):
 def test_no_exponent_from_1_on_creeps():
     """The condition of the trap alone would hold at alpha = 3/2, where nothing traps."""
     for law in (damping((Fraction(3, 2), 10)), damping((Fraction(3, 2), 10), (Fraction(5, 4), "0.1"))):
-        assert trap(law, arb(1), arb(0)) is None and law.superlinear
-    assert not damping((Fraction(1, 2), 10)).superlinear
+        assert trap(law, arb(1), arb(0)) is None and law.least_power == 1
+    assert damping((Fraction(1, 2), 10), (Fraction(3, 2), 1)).least_power == arb(1) / 2
