@@ -12,7 +12,7 @@ from asymptotics.errors import InputError
 from asymptotics.records.rows import RowPlaces
 
 Array = NDArray[np.float64]
-LEAST_RUN = 50
+LEAST_RUN, _OFTEN = 50, 8
 
 
 def runs_of(t: Array, least: int = LEAST_RUN) -> list[NDArray[np.intp]]:
@@ -74,10 +74,15 @@ def straightened(t: Array, x: Array, rows: RowPlaces) -> tuple[Array, Array, Row
 def regular(t: Array) -> tuple[Array, float]:
     """The line of which the times are multiples of a step, rounded, and the step; 0 where there is no such line.
 
+    Stamps that are rounded to a step are its multiples, and both gaps occur again and again: a pause, or a few samples
+    that are lost, is no rounding.
+
     >>> even, step = regular(np.round(np.arange(100) * 0.0123, 3))
     >>> bool(np.abs(even - np.arange(100) * 0.0123).max() < 2e-4), round(step, 6)
     (True, 0.001)
     >>> regular(np.arange(100) * 0.1)[1], regular(np.arange(100) + 0.1 * np.random.default_rng(0).random(100))[1]
+    (0.0, 0.0)
+    >>> regular(np.arange(100) + 1000.0 * (np.arange(100) > 40))[1], regular(np.delete(np.arange(100.0), 40))[1]
     (0.0, 0.0)
     """
     gaps = np.diff(t)
@@ -88,4 +93,7 @@ def regular(t: Array) -> tuple[Array, float]:
     line = np.polynomial.Polynomial.fit(np.arange(len(t)), t, 1)(np.arange(len(t)))
     twice = np.abs(steps - np.round(steps)).max() < 0.02
     step = step / 2 if twice and (np.round(steps) == 1).any() else step
-    return (line, step) if twice and np.abs(t - line).max() <= 0.6 * step else (t, 0.0)
+    least = float(gaps.min()) / step
+    often = min(int((gaps > gaps.min() + step / 2).sum()), int((gaps < gaps.max() - step / 2).sum())) >= _OFTEN
+    whole = least > 0.98 and abs(least - round(least)) < 0.02
+    return (line, step) if twice and often and whole and np.abs(t - line).max() <= 0.6 * step else (t, 0.0)

@@ -22,13 +22,18 @@ _LEAST = 12
 _PASSAGE = 0.25
 """The error of a passage as a share of that of an extreme: the motion is steep there."""
 _NOISY = 3.0
-"""A curve that misses the times by more than this many of their errors is not the truth, and is not used."""
+"""A curve that misses the times by more than this many of their errors is not the truth, and is not used there."""
+_BESIDE = 5
+"""So many neighbours tell it: a single time may miss its curve by chance."""
 _CLIP, _MOST = 4.0, 0.7
 """Misfits beyond so many typical ones do not bend the curve, if they are few."""
 
 
 def quiet_times(t: Array, x: Array, sigma: Array, passages: Array, steps: Array) -> Array | None:
     """The times of the extremes ``t`` with values ``x`` on a smooth curve; None if no curve goes through them.
+
+    Where the curve misses its neighbourhood (at the start of a deep pendulum decay, whose period changes fast), the
+    times stay: there the motion is large, and noise hardly moves an extreme.
 
     ``sigma``: their standard errors; ``passages``: times of passages through the base line; ``steps``: how many
     half-swings lie between successive extremes.
@@ -48,7 +53,11 @@ def quiet_times(t: Array, x: Array, sigma: Array, passages: Array, steps: Array)
     tried = [_fitted(degree, rows / n[-1] * 2 - 1, late, data, weights) for degree in _DEGREES]
     best, curve = min(tried, key=lambda pair: pair[0])
     typical = float(np.median(np.abs(t - curve[: len(t)]) * size))
-    return curve[: len(t)] if typical < _NOISY * error else None
+    if typical >= _NOISY * error:
+        return None
+    missed = np.pad(np.abs(t - curve[: len(t)]) / sigma, _BESIDE // 2, mode="edge")
+    nearby = np.median(np.lib.stride_tricks.sliding_window_view(missed, _BESIDE), axis=1)
+    return np.where(nearby <= _NOISY, curve[: len(t)], t)
 
 
 def _smooth_size(n: Array, x: Array) -> Array:
