@@ -373,7 +373,7 @@ NONE_NEEDED: Names = {
     **_each(
         "flow.force", "Smooth.rate Smooth.restoring_powers Smooth.loss_powers Smooth.largest Parting.slopes", "abstract"
     ),
-    **_each("flow.force", "Force.viscous Force.restoring Force.drag Force.strongest", "abstract"),
+    **_each("flow.force", "Force.viscous Force.least_power Force.restoring Force.drag Force.strongest", "abstract"),
     **_each("flow.damping", "Damping.restoring_powers Damping.loss_powers", EXACT),
     **_each("flow.times", "exact_sum later", "exact by its precision"),
     **_each("return_map.half_swings", "Quarters.place", EXACT),
