@@ -101,8 +101,10 @@ def _ordered(given: Source, kind: str | None, how: How) -> list[str]:
     if given.headed or kind is not None or how.columns is not None or len(given.names) != 2:
         return list(given.names)
     body = given.sample([0, 1])
-    rising = [len(body[i]) > 4 and bool((np.diff(body[i]) > 0).all()) for i in (0, 1)]
-    counted = [bool(np.array_equal(np.diff(body[i]), np.ones(len(body[i]) - 1))) for i in (0, 1)]
+    with np.errstate(invalid="ignore"):  # two cells beyond the doubles: no step
+        steps = [np.diff(body[i]) for i in (0, 1)]
+    rising = [len(step) > 3 and bool((step > 0).all()) for step in steps]
+    counted = [bool(np.array_equal(step, np.ones(len(step)))) for step in steps]
     if rising == [True, False] and not counted[0]:
         return ["t", "x"]
     if rising == [False, True] and not counted[1]:

@@ -151,7 +151,8 @@ def test_the_files_of_the_envelope(capsys, tmp_path, monkeypatch):
     code, out, err = run(capsys, "envelope --alpha 2 --epsilon 1/5 --time 9 --plot e.svg --csv e.csv --points 30")
     assert code == 0, err
     rows = list(csv.reader((folder / "e.csv").read_text().splitlines()))
-    assert rows[0] == ["tau", "amplitude", "phase", "code [--alpha=2 --epsilon=1/5]"]
+    request = "code [envelope --alpha=2 --epsilon=1/5 --time=9 --points=30]"
+    assert rows[0] == ["tau", "amplitude", "phase", request]
     assert len(rows) == 32
     last = answer(capsys, "envelope --alpha 2 --epsilon 1/5 --time 9 --digits 15")
     assert float(rows[-1][1]) == pytest.approx(float(last["amplitude"]), abs=1e-12)

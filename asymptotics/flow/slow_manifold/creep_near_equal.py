@@ -11,7 +11,6 @@ derivatives join A, and the barriers are those of one law, but with a constant t
 
 >>> from fractions import Fraction
 >>> from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.precision import at_growing_precision
 >>> law = Damping.of([(arb(1), ExactReal(Fraction(1, 2))), (arb(1), ExactReal(Fraction(1, 2) + Fraction(1, 10**20)))])
 >>> with ctx.workprec(80):
 ...     y = arb("0.01")
