@@ -4,8 +4,8 @@ On a half-swing u' = -w, w' = u - N(w), N = sum epsilon_i w^alpha_i, alpha_i > 0
 of 1 and all alpha_i.  Then d ln q/d ln p <= 1 + (1 - a)/(2 - a) ((p/q)^(2-a) - 1): 1 for every alpha_i >= 1, and next
 to 1 hardly more.  The area that the motion sweeps in the phase plane obeys a linear equation, whose source is known.
 
->>> print(derivation.steps[-2].right)
-(p/q)**(b - 1)*(b - 1)
+>>> print(derivation.steps[-4].right)
+(p/q)**(1 - a)
 """
 
 import sympy

@@ -135,3 +135,19 @@ def test_a_unit_of_time_that_contradicts_the_header_is_refused():
     t, x, noise = decay(1.0, 10, 9)
     with pytest.raises(InputError, match="argument unit: ms contradicts the column"):
         asy.identify({"t_s": t, "x": x}, unit="ms", laws=["1"])
+
+
+def test_a_pause_is_no_coarse_clock():
+    """Two kinds of steps, 0.01 and 5.01, are those of a clock that rounds to 5 only if all are its multiples."""
+    t, x, noise = decay(1.0, 40, 4)
+    kept = np.r_[0:1000, 1500 : len(t)]
+    answer = asy.identify((t[kept], (x + noise)[kept]), laws=LAWS)
+    assert not [note for note in answer.notes if "regular clock" in note]
+    covered(answer)
+
+
+def test_cells_beyond_the_doubles_are_refused_in_words(tmp_path):
+    file = tmp_path / "f.csv"
+    file.write_text("\n0,1e400\n0,1e400")  # found by the fuzz: a warning of NumPy
+    with pytest.raises(InputError, match="what is measured is not clear"):
+        asy.identify(file, laws=["1"])
