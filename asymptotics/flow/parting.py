@@ -195,7 +195,7 @@ def ratio_growth(a: arb, p: arb, error: arb, q: arb) -> arb:
     """A bound of d ln q/d ln p for all starts within ``error`` < p of p, the one from p turning in q; it may be inf.
 
     >>> ratio_growth(arb(1) / 2, arb(1), arb(0), arb(1) / 4).str(5), ratio_growth(arb(1), arb(1), arb(0), arb(0))
-    ('3.3333', 1.00000000000000)
+    ('[3.3333 +/- ...]', 1.00000000000000)
     """
     if a == 1:
         return _ONE
