@@ -227,7 +227,7 @@ class Envelope(SlowNumbers, Drawn):
         order, until = style.pop("order", None), time_of_curve(self.oscillator, style.pop("until", None))
         t, A, phi = self.columns(np.linspace(0.0, until, POINTS), order=order)
         psi = t * float(self.oscillator.omega_0().mid()) + np.nan_to_num(phi)
-        axes_of_motion(axes, si=self.si, unit="m")
+        axes_of_motion(axes, si=self.si, unit=self.oscillator.unit)
         named = r"$A\,\cos(\omega_0 t + \varphi)$" + ("" if order is None else f", order {order}")
         axes.plot(t, A * np.cos(psi), **{"label": named, **style})
         envelope_lines(axes, t, A)

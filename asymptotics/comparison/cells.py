@@ -9,7 +9,6 @@
 ["line 2, exact: '4/(5*pi)' is given, and '4/(3*pi)' is right"]
 """
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -21,7 +20,7 @@ from asymptotics.errors import InputError, shown
 from asymptotics.numbers.exact import parse_printed
 
 Key = tuple[str, ...]
-_LONG = 60
+_LONG, _LONGEST = 60, 10_000  # characters of a cell in a message; bits of a number that Python prints
 _MARKS = {"code", "failed"}
 
 
@@ -66,7 +65,7 @@ def compared_cells(
         key = _key(cells, header, right.keys)
         if key not in truth:
             raise InputError(
-                "FILE", f"line {line}: its request has no row {', '.join(map(_told, key))[:80]}", "rows of the request"
+                "FILE", f"line {line}: its request has no row {', '.join(key)[:80]}", "rows of the request"
             )
         places.append(order[key])
         if key in right.estimates:
@@ -123,7 +122,7 @@ def _judged(
     found = judged(text, number, right[1], digits)
     whole = "." not in text and "." not in right[0]
     marked = f"[{text}]" if whole and number != right[1] else found.marked
-    told = ", ".join(_told(part).replace(", ", " ") for part in key)
+    told = ", ".join(part.replace(", ", " ") for part in key)
     names = ",".join(part or "what" for part in keys)
     return ComparedValue(line, told, name, text, right[0], found.digits, found.error, marked, names)
 
@@ -145,19 +144,9 @@ def _key(row: Sequence[str], header: Sequence[str], keys: Key) -> Key:
 
 
 def same(cell: str) -> str:
-    """A number however it is written, or the text."""
+    """A number however it is written, or the text; a number of thousands of digits as it is written."""
     number = _number(cell)
-    return cell if number is None else f"{number.numerator:x}/{number.denominator:x}"  # of any size
-
-
-def _told(key: str) -> str:
-    """What ``same`` made of a number, in decimals again where those are few; other text as it is.
-
-    >>> _told(same("12.0")), _told(same("3/2")), _told("1+2")
-    ('12', '3/2', '1+2')
-    """
-    found = re.fullmatch(r"(-?[0-9a-f]{1,400})/([0-9a-f]{1,400})", key)
-    return str(Fraction(int(found[1], 16), int(found[2], 16))) if found else key
+    return cell if number is None or max(map(int.bit_length, number.as_integer_ratio())) > _LONGEST else str(number)
 
 
 def _number(cell: str) -> Fraction | None:

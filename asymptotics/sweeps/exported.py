@@ -122,7 +122,7 @@ def _request(metadata: Mapping[bytes, bytes]) -> list[str]:
     try:
         said = json.loads(metadata[REQUEST])
     except (KeyError, ValueError) as error:
-        raise _refused("its metadata does not name the request (since version 0.1.0 an export does)") from error
+        raise _refused("its metadata does not name the request (an older export)") from error
     if not isinstance(said, list) or not all(map(_is_text, said)) or said[:1] != ["sweep"] or len(said) < 2:
         raise _refused(f"its metadata says {shown(said)}, which is no request of a sweep")
     return said
