@@ -21,7 +21,7 @@ test-thorough: $(VENV)/.test
 PYTHONS ?= python3.11 python3.12 python3.13 python3.14
 matrix:
 	@for python in $(PYTHONS); do \
-	    command -v $$python >/dev/null || { echo "$$python is not installed: not tested"; continue; }; \
+	    $$python -c pass 2>/dev/null || { echo "$$python is not installed: not tested"; continue; }; \
 	    for types in flint python; do \
 	        echo "$$python, SymPy on $$types numbers"; \
 	        SYMPY_GROUND_TYPES=$$types $(MAKE) --no-print-directory test PYTHON=$$python VENV=.venv-$$(basename $$python) || exit 1; \
