@@ -16,13 +16,12 @@ HARMLESS = {
     "expansions/half_swings/finite_majorant.py:_fixed_point": "an oracle in doubles, or inf; checked in balls",
     "limit_cycles/certified.py:_fixed_point": "a guess in doubles for interval Newton",
     "motions/frame.py:_iterated": "two digits of the change of a start, for a measured estimate",
-    "flow/linear_spring/turning_point.py:_guess": "any place ahead will do: the miss there is bounded",
+    "flow/secant.py:secant": "a guess: any place ahead will do, the miss there is bounded",
     "return_map/half_swings.py:_near": "the place with the least residual: the residual bounds its error after",
     "flow/slow_manifold/creep_slow_curve.py:solve": "the interval about the last place must hold its own image",
     "turning/drag_exact.py:_guess": "the signs on both sides enclose the root",
     "flow/wells/ends.py:_held": "a bisection whose two ends are proved, however near they are",
     "flow/wells/expansion.py:_majorant": "the bound that comes out is checked against its own equation",
-    "flow/wells/turning_point.py:_guess": "any place ahead will do: the miss there is bounded",
 }
 
 

@@ -417,6 +417,7 @@ NONE_NEEDED: Names = {
     **_each("flow.wells.even_well", "EvenWell.of", "Force.of for a law"),
     **_each("flow.damping", "Damping.slopes Damping.least_power", EXACT),
     **_each("flow.wells.expansion", "reach_at", CHOICE),
+    **_each("flow.secant", "secant", CHOICE),
     **_each("flow.wells.turning_point", "without_loss", CHOICE),
     **_each("flow.taylor", "sizes", EXACT),
 }

@@ -7,8 +7,7 @@ Where y < 0 and w > 0, w' = y - N(w) <= y: the orbit turns.  Let y = Y(w; y_1) b
 orbits with different turning points spread as w grows (derivation ``arrival``).  Hence any guess will do: the turning
 point y_1 of the orbit through (y, w) obeys |y_1 - guess| <= |Y(w; guess) - y|.
 
-The guess comes from the secant method in doubled precisions.  It decides how good the enclosure is, not whether it
-holds.
+The guess comes from the secant method (``flow.secant``).  It decides how good the enclosure is, not whether it holds.
 
 >>> from fractions import Fraction
 >>> from asymptotics.numbers.exact import ExactReal
@@ -27,49 +26,24 @@ from asymptotics.flow.balls import dyadic, size_of
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.expansion import TurningExpansion, plan_at
 from asymptotics.flow.linear_spring.kept_terms import SMALL
+from asymptotics.flow.secant import secant
 from asymptotics.numbers.context import ctx
 
-_FIRST, _MOST = 40, 40
+_ROUGH = 53
 _INNER = 0.9375  # of |y|, and more than the guess will differ from it
 
 
 def arrive(damping: Damping, y: arb, w: arb) -> TurningExpansion:
     """The expansion at a dyadic guess y_1 of the turning point of the orbit through (y, w), y < 0 a ball, w > 0 exact,
     within the reach of y_1."""
-    return TurningExpansion.at(damping, _guess(damping, y, w), w)
+    goal = y.mid()
 
+    def miss(y1: arb) -> arb:
+        return TurningExpansion.at(damping, y1, w).state(w)[0] - goal
 
-def _guess(damping: Damping, y: arb, w: arb) -> arb:
-    """y_1 to about the working precision: secants, each at about twice the precision of what is known."""
-    goal, full, low = y.mid(), ctx.prec, min(_FIRST, ctx.prec)
-    with ctx.workprec(low):
-        drop = w * w / (2 * abs(goal))
-        a = (goal - drop).mid()
-        miss_a = _miss(damping, a, goal, w)
-        b = (a - miss_a).mid()
-    known, slope, bits = 0.0, arb(1), low
-    for _ in range(_MOST):
-        with ctx.workprec(bits):
-            miss_b = _miss(damping, b, goal, w)
-            if miss_b != miss_a and a != b:
-                slope = ((miss_b - miss_a) / (b - a)).mid()
-            following = (b - miss_b / slope).mid()
-        exact = miss_b == 0
-        if bits == full and (exact or b == following or 1.5 * known > full):
-            break
-        known = bits if exact else min(float(bits), size_of(goal) - size_of(miss_b))
-        bits = int(min(full, max(low, 2 * known + 30)))
-        a, b, miss_a = b, following, miss_b
-    return _rounded(b, full + 4)
-
-
-def _miss(damping: Damping, y1: arb, goal: arb, w: arb) -> arb:
-    return (TurningExpansion.at(damping, y1, w).state(w)[0] - goal).mid()
-
-
-def _rounded(x: arb, bits: int) -> arb:
-    with ctx.workprec(bits):
-        return (x + 0).mid()
+    with ctx.workprec(_ROUGH):
+        first = (goal - w * w / (2 * abs(goal))).mid()
+    return TurningExpansion.at(damping, secant(miss, goal, first), w)
 
 
 def turns_within(damping: Damping, y: arb, w: arb, error: arb) -> bool:

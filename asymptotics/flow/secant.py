@@ -1,0 +1,50 @@
+"""The turning point that an orbit runs into, nearly: the secant method in growing precision (a guess, proves nothing).
+
+The slope through two misses of relative size 2^-j and 2^-k, j < k, is right to j bits, and with p bits to p - j, as its
+noise is 2^(j-p).  The next guess is right to k + min(j, p - j) bits; its own miss is worth as many, and k more for the
+slope after it.  The order is the golden ratio, and all steps together cost little more than the last.
+
+>>> with ctx.workprec(200):
+...     root = secant(lambda y: y * y - 2, arb("1.5"), arb("1.4"))
+...     abs(root - arb(2).sqrt()) < arb(2) ** -195
+True
+"""
+
+from collections.abc import Callable
+
+from flint import arb
+
+from asymptotics.flow.balls import size_of
+from asymptotics.numbers.context import ctx
+
+_FIRST, _MOST = 53, 40
+_NOISE = 25
+"""Bits by which a miss is computed beyond its own size, at least."""
+
+
+def secant(miss: Callable[[arb], arb], start: arb, first: arb) -> arb:
+    """A dyadic y with ``miss(y)`` = 0 to about the working precision, near ``first``; the slope is about 1.
+
+    ``start`` is another place: its distance from ``first`` says how far the second guess may lie from the first.
+    """
+    full, bits = ctx.prec, min(_FIRST, ctx.prec)
+    with ctx.workprec(bits):
+        a, size = first.mid(), max(size_of(start), size_of(first))
+        miss_a = miss(a).mid()
+        b = (a - miss_a - abs(a - start) * arb(2) ** -18).mid()
+    slope, worth, noise_a = arb(1), 1.0, size - bits
+    for _ in range(_MOST):
+        with ctx.workprec(bits):
+            miss_b, noise = miss(b).mid(), size - bits
+            larger = max(size_of(miss_a), size_of(miss_b))
+            said = min(larger - max(noise, noise_a), size - larger)
+            if miss_b != miss_a and a != b and said > worth:
+                slope, worth = ((miss_b - miss_a) / (b - a)).mid(), said
+            following = (b - miss_b / slope).mid()
+        right = min(size - size_of(miss_b), bits)
+        a, b, miss_a, noise_a = b, following, miss_b, noise
+        if bits == full and (miss_b == 0 or right + worth > full):
+            break
+        bits = int(min(full, max(bits, right + worth + max(_NOISE, right))))
+    with ctx.workprec(full + 4):
+        return (b + 0).mid()
