@@ -9,9 +9,9 @@ down, a test moves to ``make test-thorough`` if
 * no list of weakened bounds names it, and another case of the same function stays, or it costs more than a second,
 * it runs in this process: what another process runs is not seen, hence not judged,
 
-until the tests that stay cost no more than ``--seconds``.  Their names go to ``tests/thorough.txt``, and
-``tests/conftest.py`` marks them as slow.  That the tests that stay notice as many planted faults as before is asked by
-``benchmarks.mutants`` and ``benchmarks.weakened``, not assumed.
+until the tests that stay cost no more than ``--seconds``.  Their names are added to ``tests/thorough.txt`` (``--anew``:
+what stands there is measured and chosen again), and ``tests/conftest.py`` marks them as slow.  That the tests that stay
+notice as many planted faults as before is asked by ``benchmarks.mutants`` and ``benchmarks.weakened``, not assumed.
 """
 
 import argparse
@@ -99,12 +99,16 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--seconds", type=float, default=300, help="processor time that stays (default 300)")
     parser.add_argument("--processes", type=int, default=os.cpu_count() or 1, help="default: as many as cores")
     parser.add_argument("--again", action="store_true", help="choose again from the last measurement")
+    parser.add_argument("--anew", action="store_true", help="measure and choose what has moved before, too")
     options = parser.parse_args(argv)
+    if options.anew:
+        THOROUGH.write_text("")
+    before = {*THOROUGH.read_text().splitlines()}
     if not options.again:
         _measure(options.processes)
-    costs = list(_costs())
+    costs = [cost for cost in _costs() if cost.name not in before]
     moved = chosen(costs, options.seconds, _named())
-    THOROUGH.write_text("".join(f"{name}\n" for name in sorted(moved)))
+    THOROUGH.write_text("".join(f"{name}\n" for name in sorted(before | moved)))
     whole, spared = (sum(c.seconds for c in costs if c.name in names) for names in ({c.name for c in costs}, moved))
     print(f"{len(costs)} tests, {whole:.0f} s of processor time; {len(moved)} moved, {whole - spared:.0f} s stay")
     return 0
@@ -114,7 +118,6 @@ def _measure(processes: int) -> None:
     BUILD.mkdir(parents=True, exist_ok=True)
     for old in (BUILD / "costs.jsonl", *BUILD.glob("coverage*")):
         old.unlink(missing_ok=True)
-    THOROUGH.write_text("")
     tests = ["-m", "pytest", "-p", "no:xdist", "-p", "benchmarks.suite_costs", "-m", "not slow", "--timeout", "1200"]
     running = []
     for part in range(processes):
