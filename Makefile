@@ -5,6 +5,9 @@ WORKERS ?= auto
 PIP = $(VENV)/bin/python -m pip install --disable-pip-version-check --quiet
 RUN = $(VENV)/bin/python -m
 
+# Tests start hundreds of interpreters: where the machine forbids bytecode, each would compile all modules again.
+export PYTHONDONTWRITEBYTECODE =
+
 .PHONY: reproduce test test-thorough matrix lint docs tables benchmarks mutants weakened wheel clean
 
 reproduce: $(VENV)/.reproduce

@@ -50,9 +50,8 @@ def _is_text(argument: ast.expr) -> bool:
     return isinstance(argument, ast.JoinedStr)
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(ROOT)))
-def test_nothing_evaluates_text(path: Path):
-    assert faults(ast.parse(path.read_text())) == []
+def test_nothing_evaluates_text():
+    assert {path: found for path in FILES if (found := faults(ast.parse(path.read_text())))} == {}
 
 
 @pytest.mark.parametrize("text", [

@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -71,9 +72,15 @@ def files(folder: str) -> list[Path]:
     return sorted((ROOT / folder).rglob("*.py"))
 
 
+@cache
+def tree(path: Path) -> ast.Module:
+    return ast.parse(path.read_text())
+
+
+@cache
 def imports(path: Path) -> set[str]:
     found = set()
-    for node in ast.walk(ast.parse(path.read_text())):
+    for node in ast.walk(tree(path)):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         if isinstance(node, ast.ImportFrom):
@@ -91,15 +98,15 @@ def layer(module: str) -> str:
     return next((room for n in range(len(parts), 0, -1) if (room := ".".join(parts[:n])) in LAYERS), "")
 
 
-@pytest.mark.parametrize("path", files("asymptotics"), ids=lambda p: str(p.relative_to(ROOT)))
-def test_data_flows_one_way(path: Path):
-    parts = path.relative_to(ROOT / "asymptotics").with_suffix("").parts
-    if parts == ("__init__",) or parts[-1] == "__main__":  # the front door, and programs: they stand on everything
-        return
-    own = LAYERS.index(layer(dotted(path)))
-    for module in imports(path):
-        if module.startswith("asymptotics.") and layer(module):
-            assert LAYERS.index(layer(module)) <= own, f"{path.name} imports {module} from above"
+def test_data_flows_one_way():
+    for path in files("asymptotics"):
+        parts = path.relative_to(ROOT / "asymptotics").with_suffix("").parts
+        if parts == ("__init__",) or parts[-1] == "__main__":  # the front door, and programs: they stand on everything
+            continue
+        own = LAYERS.index(layer(dotted(path)))
+        for module in imports(path):
+            if module.startswith("asymptotics.") and layer(module):
+                assert LAYERS.index(layer(module)) <= own, f"{path} imports {module} from above"
 
 
 LATE = {  # what a function loads only when it is asked, and why: none of them dodges a cycle
@@ -118,22 +125,20 @@ PARTS = {  # by name, where they are installed: the commands and functions that 
 
 def late(path: Path) -> list[str]:
     """The modules of the library that functions of a file import."""
-    functions = [n for n in ast.walk(ast.parse(path.read_text())) if isinstance(n, ast.FunctionDef)]
+    functions = [n for n in ast.walk(tree(path)) if isinstance(n, ast.FunctionDef)]
     inner = [m for f in functions for m in ast.walk(f) if isinstance(m, ast.ImportFrom)]
     return [m.module for m in inner if (m.module or "").startswith("asymptotics")]
 
 
-@pytest.mark.parametrize("path", files("asymptotics"), ids=lambda p: str(p.relative_to(ROOT)))
-def test_late_imports_and_arrows_up_are_those_that_are_told(path: Path):
-    name, text = str(path.relative_to(ROOT)), path.read_text()
-    assert not late(path) or name in LATE, f"{name} imports {late(path)} inside a function"
-    by_name = re.findall(r'import_module\("(derivations|paper_checks)', text)
-    assert bool(by_name) <= (name in PARTS), f"{name} loads {by_name}"
-    front = {m for m in imports(path) if m.startswith("asymptotics.") and m.count(".") == 1} - {
-        "asymptotics.__version__"
-    }
-    own = {f"asymptotics.{p.stem}" for p in (ROOT / "asymptotics").iterdir()}
-    assert front <= own or name == "asymptotics/__init__.py", f"{name} takes {front - own} from the front door"
+def test_late_imports_and_arrows_up_are_those_that_are_told():
+    own = {f"asymptotics.{p.stem}" for p in (ROOT / "asymptotics").iterdir()} | {"asymptotics.__version__"}
+    for path in files("asymptotics"):
+        name, text = str(path.relative_to(ROOT)), path.read_text()
+        assert not late(path) or name in LATE, f"{name} imports {late(path)} inside a function"
+        by_name = re.findall(r'import_module\("(derivations|paper_checks)', text)
+        assert bool(by_name) <= (name in PARTS), f"{name} loads {by_name}"
+        front = {m for m in imports(path) if m.startswith("asymptotics.") and m.count(".") == 1}
+        assert front <= own or name == "asymptotics/__init__.py", f"{name} takes {front - own} from the front door"
 
 
 def test_a_late_import_is_found(tmp_path: Path):
@@ -168,17 +173,16 @@ def test_no_cycles_between_modules():
         visit(name, ())
 
 
-@pytest.mark.parametrize("path", [p for t in TOP for p in files(t)], ids=lambda p: str(p.relative_to(ROOT)))
-def test_files_stay_small_and_safe(path: Path):
-    text = path.read_text()
-    assert text.count("\n") <= 400
-    for node in ast.walk(ast.parse(text)):
-        if isinstance(node, ast.Call):
-            called = getattr(node.func, "id", getattr(node.func, "attr", ""))
-            assert called not in {"eval", "exec", "sympify", "parse_expr", "nsimplify"}, f"line {node.lineno}"
-        if isinstance(node, ast.FunctionDef):
-            body = node.body[1:] if ast.get_docstring(node) else node.body
-            assert not body or body[-1].end_lineno - body[0].lineno < 60, node.name
+def test_files_stay_small_and_safe():
+    for path in (p for top in TOP for p in files(top)):
+        assert path.read_text().count("\n") <= 400, path
+        for node in ast.walk(tree(path)):
+            if isinstance(node, ast.Call):
+                called = getattr(node.func, "id", getattr(node.func, "attr", ""))
+                assert called not in {"eval", "exec", "sympify", "parse_expr", "nsimplify"}, f"{path}, {node.lineno}"
+            if isinstance(node, ast.FunctionDef):
+                body = node.body[1:] if ast.get_docstring(node) else node.body
+                assert not body or body[-1].end_lineno - body[0].lineno < 60, f"{path}, {node.name}"
 
 
 def test_every_cited_derivation_exists():

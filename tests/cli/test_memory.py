@@ -45,12 +45,13 @@ def test_errors_and_enough_memory_are_as_ever(tmp_path):
     assert asked("moment --p 2", 2000, tmp_path).stdout.startswith("M_2 = 0.5")
 
 
+@pytest.mark.slow
 def test_a_request_that_outgrows_its_memory_is_one_line(tmp_path):
     done = asked("turning-points --alpha 2 --epsilon 1 --count 100000 --digits 1000 --max-seconds 100", 300, tmp_path)
     assert done.returncode == 2 and done.stderr.count("\n") == 1
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+@pytest.mark.parametrize("number", [signal.SIGTERM, pytest.param(signal.SIGINT, marks=pytest.mark.slow)])
 def test_a_signal_ends_it(number):
     line = "turning-points --alpha 3/2 --epsilon 1 --count 50000 --digits 200"
     with subprocess.Popen([*PROGRAM, *line.split()], cwd=ROOT, preexec_fn=limited(400), stdout=subprocess.PIPE,

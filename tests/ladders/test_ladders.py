@@ -30,10 +30,10 @@ def test_every_function_that_returns_a_ball_is_registered_once():
     assert sum(map(len, registers)) == len(named), "named twice"
 
 
-@pytest.mark.parametrize("test", sorted({*BOUNDS.values(), *ELSEWHERE.values()}))
-def test_the_tests_that_are_named_exist(test):
-    file, name = test.split("::")
-    assert f"def {name}(" in (ROOT / file).read_text()
+def test_the_tests_that_are_named_exist():
+    for test in {*BOUNDS.values(), *ELSEWHERE.values()}:
+        file, name = test.split("::")
+        assert f"def {name}(" in (ROOT / file).read_text(), test
 
 
 def test_a_function_without_a_ladder_is_found():

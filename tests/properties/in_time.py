@@ -4,10 +4,10 @@ from contextlib import contextmanager
 
 from hypothesis import assume, note
 
-from asymptotics.budget import budget
+from asymptotics.budget import DEFAULT_SECONDS, budget
 from asymptotics.errors import LimitError, UndecidedError
 
-SECONDS = 20  # almost all examples need less than half a second
+SECONDS = DEFAULT_SECONDS  # what a public call has; almost all examples need less than half a second
 
 
 @contextmanager
@@ -18,7 +18,7 @@ def answered_in_time(law):
         with budget(SECONDS):
             yield
     except (LimitError, UndecidedError) as refused:
-        if f"{SECONDS} s are over" in str(refused):
+        if f"{SECONDS:g} s are over" in str(refused):
             raise AssertionError(f"{law}: {refused}") from refused
         assume(False)
         raise
