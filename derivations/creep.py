@@ -16,7 +16,7 @@ powsimp, diff = sympy.powsimp, sympy.diff
 derivation = Derivation(
     "creep",
     "Creep for 0 < alpha < 1",
-    source="theory page ``finite_strength``; asymptotics.flow.linear_spring",
+    source="theory page finite_strength; asymptotics.flow.linear_spring",
 )
 step, asserts = derivation.step, derivation.asserts
 

@@ -20,7 +20,7 @@ phi, chi = sympy.Function("phi", real=True)(tau), sympy.Symbol("chi_1", real=Tru
 derivation = Derivation(
     "finite-phase-lag",
     "The phase correction and its finite total",
-    source="theory page ``slow_flow``; Lancaster 2020 neglects it, below (9)",
+    source="theory page slow_flow; Lancaster 2020 neglects it, below (9)",
 )
 step, asserts = derivation.step, derivation.asserts
 

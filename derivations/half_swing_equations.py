@@ -19,7 +19,7 @@ diff, sin, cos = sympy.diff, sympy.sin, sympy.cos
 derivation = Derivation(
     "half-swing-equations",
     "The half-swing without a small parameter",
-    source="X'' + X + sum_i epsilon_i X'|X'|^(alpha_i - 1) = 0; theory page ``half_swing``",
+    source="X'' + X + sum_i epsilon_i X'|X'|^(alpha_i - 1) = 0; theory page half_swing",
 )
 step = derivation.step
 

@@ -16,7 +16,7 @@ x_0, b, k, m, t = sympy.symbols("x_0 b k m t", positive=True)
 derivation = Derivation(
     "lancaster-linear-limit",
     "The limit alpha -> 1",
-    source="Lancaster 2020, below (10) and Table I, alpha = 1; lancaster2020:table1.alpha1; theory page ``slow_flow``",
+    source="Lancaster 2020, below (10) and Table I, alpha = 1; lancaster2020:table1.alpha1; theory page slow_flow",
 )
 step = derivation.step
 

@@ -20,7 +20,7 @@ ORDER = 8
 derivation = Derivation(
     "no-logarithms",
     "Why no logarithm appears for a single law",
-    source="theory page ``half_swing``; asymptotics.expansions.normal_form.flow",
+    source="theory page half_swing; asymptotics.expansions.normal_form.flow",
 )
 step, asserts = derivation.step, derivation.asserts
 

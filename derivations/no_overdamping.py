@@ -19,7 +19,7 @@ theta = sympy.Symbol("theta", real=True)
 derivation = Derivation(
     "no-overdamping",
     "No overdamping for alpha > 1",
-    source="theory page ``finite_strength``; regular point of the flow in the quarter y > 0, w > 0",
+    source="theory page finite_strength; regular point of the flow in the quarter y > 0, w > 0",
 )
 step, asserts = derivation.step, derivation.asserts
 

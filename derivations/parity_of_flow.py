@@ -21,7 +21,7 @@ FIELD, a, pi, r1, r2, r3, r4, t1, t2, t3, t4 = field("a,pi,r1,r2,r3,r4,t1,t2,t3,
 derivation = Derivation(
     "parity-of-flow",
     "The amplitude law is odd and the frequency even in the strength",
-    source="theory page ``half_swing``; asymptotics.expansions.normal_form.flow",
+    source="theory page half_swing; asymptotics.expansions.normal_form.flow",
 )
 step = derivation.step
 

@@ -19,7 +19,7 @@ exp, log, diff = sympy.exp, sympy.log, sympy.diff
 derivation = Derivation(
     "q-log-q",
     "Quadratic damping as a conservative motion, q'' = -q ln q",
-    source="Smith 2012, (35)-(43); theory page ``finite_strength``",
+    source="Smith 2012, (35)-(43); theory page finite_strength",
 )
 step = derivation.step
 

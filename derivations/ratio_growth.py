@@ -57,7 +57,7 @@ step(
 )
 step(
     "Hence q^2 = p^2 K(0) - S, S = int K w (N - w N') dt over the half-swing (for alpha_i < 1 it converges: w N' is"
-    " alpha_i epsilon_i w^alpha_i); and q dq = p dp K(0) (energy-contraction).  d ln q/d ln p is (p/q)^2 K(0)",
+    " a sum of powers of w, as N is); and q dq = p dp K(0) (energy-contraction).  d ln q/d ln p is (p/q)^2 K(0)",
     At(p**2 / q**2 * J, {J: (q**2 + S) / p**2}),
     1 + S / q**2,
 )

@@ -23,7 +23,7 @@ LAWS = {(0,): 5, (1,): 4, (2,): 4, (3,): 3, (1, 2): 3}
 derivation = Derivation(
     "reversal-identity",
     "The second quarter is the first, run backwards with the opposite strength",
-    source="theory page ``half_swing``; asymptotics.expansions.half_swings.quarter",
+    source="theory page half_swing; asymptotics.expansions.half_swings.quarter",
 )
 step, asserts = derivation.step, derivation.asserts
 

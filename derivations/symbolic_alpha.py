@@ -28,7 +28,7 @@ ORDER = 4
 derivation = Derivation(
     "symbolic-alpha",
     "One law, any exponent: closed forms through fourth order",
-    source="theory page ``closed_forms``; expansions.half_swings.symbolic, expansions.normal_form.symbolic",
+    source="theory page closed_forms; expansions.half_swings.symbolic, expansions.normal_form.symbolic",
 )
 step, asserts = derivation.step, derivation.asserts
 

@@ -61,7 +61,7 @@ step(
 
 # Reversal: G^(-1)(x) = x + L(S delta).
 step(
-    "Reversal (derivation ``reversal-identity``): G^(-1)(x) = x + L(S delta).  Without losses S = 1 and G(G(x)) = x; at"
+    "Reversal (derivation reversal-identity): G^(-1)(x) = x + L(S delta).  Without losses S = 1 and G(G(x)) = x; at"
     " the lowest order of L that is 2 L = 0: L has no monomial with l = 0",
     Coefficient(eta * c + eta * c, eta, 1),
     2 * c,
