@@ -33,7 +33,7 @@ THOROUGH = ROOT / "tests" / "thorough.txt"
 BUILD = ROOT / "build" / "suite"
 WITNESSES = 2
 DEAR = 0.25
-ALARMED = {"tests/test_public_time.py"}
+ALARMED = {"tests/test_public_time.py", "tests/test_budget.py", "tests/test_time_limits.py"}
 SOURCES = "asymptotics,derivations,paper_checks"
 
 
