@@ -75,6 +75,13 @@ NO_NUMBERS = {
 }  # fmt: skip
 HOSTILE = NUMBERS | NO_NUMBERS
 FEW = NO_NUMBERS | {name: NUMBERS[name] for name in ("float", "int64", "-1", "big")}
+KINDS = (  # one of each kind, for `make test`; all of them are walked by `make test-thorough`
+    "float", "-1", "nan", "None", "True", "1j", "x", "surrogate", "huge", "Decimal huge", "sympy Float", "array",
+    "dict", "nan dict", "unprintable", "mpmath interval", "huge exponent", "lying number", "oscillator", "coefficient",
+)  # fmt: skip
+WALKED = pytest.mark.parametrize(
+    "kinds", [KINDS, pytest.param(tuple(HOSTILE), marks=pytest.mark.slow)], ids=["few", "all"]
+)
 FUNCTIONS = {
     "S": {"u": "1/4", "w": "-1/4"}, "T": {"u": "1/4", "w": "-1/4"}, "radii": {"w": "1/2"},
     "C": {"n": 5, "i": 3}, "Coefficient": {"value": "1", "expression": None}, "ExactReal": {"coefficient": 1},
@@ -156,7 +163,9 @@ def walk(name, function, usual, values=HOSTILE):
     failed = []
     for parameter in inspect.signature(function).parameters:
         slow = (name, parameter) in SLOW
-        for label, value in (NO_NUMBERS if slow else values).items():
+        for label, value in values.items():
+            if slow and label in NUMBERS:
+                continue
             if parameter in WORDS or parameter == "y" and label == "function":
                 continue
             arguments = {**usual, parameter: value}
@@ -179,12 +188,15 @@ def _is_result_or_error(name):
     return name in made_by_us or isinstance(thing, type) and issubclass(thing, Exception)
 
 
+@WALKED
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_public_functions_answer_or_refuse(name):
-    assert walk(name, getattr(asy, name), FUNCTIONS[name]) == []
+def test_public_functions_answer_or_refuse(name, kinds):
+    assert walk(name, getattr(asy, name), FUNCTIONS[name], {kind: HOSTILE[kind] for kind in kinds}) == []
 
 
-def test_methods_of_public_results_answer_or_refuse():
+@WALKED
+def test_methods_of_public_results_answer_or_refuse(kinds):
+    few = {kind: FEW[kind] for kind in kinds if kind in FEW}
     failed, walked = [], set()
     for thing in public_results():
         for name in (n for n in dir(thing) if n == "__call__" or not n.startswith("_")):
@@ -199,7 +211,7 @@ def test_methods_of_public_results_answer_or_refuse():
                 usual.pop("epsilon", None)
             label, made = f"{type(thing).__name__}.{name}", getattr(method, "__func__", method)
             # A method that several results share is walked once, and called for each of them.
-            failed += walk(label, method, usual, {} if made in walked else FEW)
+            failed += walk(label, method, usual, {} if made in walked else few)
             walked.add(made)
     assert failed == []
 
@@ -225,13 +237,14 @@ def test_compare_answers_or_refuses(tmp_path):
     assert walk("compare", asy.compare, {"file": file, "law": {2: 1}, "columns": None, "digits": None}) == []
 
 
-def test_identify_answers_or_refuses():
+@WALKED
+def test_identify_answers_or_refuses(kinds):
     n = np.arange(12)
     decay = {"n": n, "x": (-0.9) ** n}
     usual = {"data": decay, "laws": ["1"], "bootstrap": False}
     failed = []
     for parameter in inspect.signature(asy.identify).parameters:
-        for label, value in NO_NUMBERS.items():
+        for label, value in ((kind, NO_NUMBERS[kind]) for kind in kinds if kind in NO_NUMBERS):
             if value is None or label == "empty":
                 continue  # what is left out: the answer takes a while
             try:

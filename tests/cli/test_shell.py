@@ -38,7 +38,12 @@ def without_progress(told):
     return re.sub(r"^smith-rows: \d+ s\n", "", told)
 
 
-@pytest.mark.parametrize("name", ANSWERING)
+def first(programs):
+    """The command in `make test`, all programs in `make test-thorough`: one shell stands around each."""
+    return [name if name == "asymptotics" else pytest.param(name, marks=pytest.mark.slow) for name in programs]
+
+
+@pytest.mark.parametrize("name", first(ANSWERING))
 def test_lost_output(name):
     command = " ".join([f"'{sys.executable}'", *ANSWERING[name]])
     head = shell(f"{command} | head -c 1")
@@ -52,7 +57,7 @@ def test_lost_output(name):
     assert (silent.returncode, silent.stderr) == (2, "")
 
 
-@pytest.mark.parametrize("name", WRITERS)
+@pytest.mark.parametrize("name", first(WRITERS))
 def test_help_and_bad_options_on_a_full_disk(name):
     command = " ".join([f"'{sys.executable}'", *WRITERS[name][:2]])
     full = shell(f"{command} --help > /dev/full")
@@ -61,7 +66,7 @@ def test_help_and_bad_options_on_a_full_disk(name):
     assert "Traceback" not in shell(f"{command} --no-such-option > /dev/full").stderr
 
 
-@pytest.mark.parametrize("name", WRITERS)
+@pytest.mark.parametrize("name", first(WRITERS))
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_while_the_libraries_load_is_one_line(name, number):
     """The shell stands as soon as the interpreter does; -X importtime tells when that is."""
@@ -96,7 +101,9 @@ def test_a_signal_inside_exec_keeps_its_exit_code(tmp_path, number):
     assert (done.returncode, done.stderr) == (128 + number, "program: interrupted; no file was left half-written\n")
 
 
-@pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-8"])
+@pytest.mark.parametrize(
+    "encoding", ["ascii", *(pytest.param(e, marks=pytest.mark.slow) for e in ("latin-1", "utf-8"))]
+)
 def test_any_encoding_of_the_terminal(encoding):
     environment = {**os.environ, "PYTHONIOENCODING": encoding, "LC_ALL": "C"}
     table = "smith f --n 5"
@@ -139,7 +146,7 @@ def _alive(group: int) -> bool:
     return str(group) in found
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGKILL])
+@pytest.mark.parametrize("number", [pytest.param(signal.SIGINT, marks=pytest.mark.slow), signal.SIGKILL])
 def test_the_workers_of_the_checks_do_not_outlive_them(number):
     """Ctrl-C in a terminal reaches the whole group; SIGKILL the program alone, whose workers have to notice."""
     with subprocess.Popen(
