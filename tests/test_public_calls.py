@@ -220,9 +220,10 @@ OPERATORS = (operator.eq, operator.lt, operator.ge, operator.add, operator.sub, 
              operator.pow, lambda a, b: b + a, lambda a, b: b - a, lambda a, b: b * a)  # fmt: skip
 
 
-def test_operators_of_exact_numbers_answer_or_refuse():
+@WALKED
+def test_operators_of_exact_numbers_answer_or_refuse(kinds):
     number, row = asy.ExactReal(1, 2), asy.expand("3/2", order=2).p
-    for label, value in HOSTILE.items():
+    for label, value in ((kind, HOSTILE[kind]) for kind in kinds):
         if isinstance(value, np.ndarray | np.generic | sympy.Basic | type(mpmath.iv.mpf(1)) | type(mpmath.iv.mpc(1))):
             continue  # on the left of it, NumPy, SymPy and mpmath speak first
         for combine in OPERATORS:

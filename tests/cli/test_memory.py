@@ -29,7 +29,7 @@ def asked(line, megabytes, tmp_path):
                           capture_output=True, text=True, check=False, timeout=120)  # fmt: skip
 
 
-@pytest.mark.parametrize("megabytes", [250, pytest.param(300, marks=pytest.mark.slow), 400])
+@pytest.mark.parametrize("megabytes", [250, *(pytest.param(size, marks=pytest.mark.slow) for size in (300, 400))])
 @pytest.mark.parametrize("line", LINES)
 def test_an_answer_or_one_line(line, megabytes, tmp_path):
     done = asked(line, megabytes, tmp_path)
