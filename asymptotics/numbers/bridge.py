@@ -18,10 +18,15 @@ from functools import reduce
 from operator import add, mul
 
 import sympy
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpz
+from sympy.core.sympify import converter
 
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.rationals import bounds, to_fmpq, to_fraction
+
+# SymPy on Python's numbers would make a Float of an exponent of flint (x**1.0): integers and rationals stay exact.
+converter[fmpz] = lambda n: sympy.Integer(int(n))
+converter[fmpq] = lambda q: sympy.Rational(int(q.p), int(q.q))
 
 __all__ = ["bounds", "closed_form_ball", "from_sympy", "to_fmpq", "to_fraction", "to_sympy"]
 
