@@ -1,5 +1,6 @@
 """Hypothesis profiles: dev (default), ci (deterministic), nightly (HYPOTHESIS_PROFILE selects)."""
 
+import gc
 import os
 import signal
 from pathlib import Path
@@ -42,6 +43,13 @@ def pytest_collection_modifyitems(items):
         if item.get_closest_marker("slow"):
             item.add_marker(pytest.mark.timeout(SLOW))
     items.sort(key=lambda item: (item.nodeid not in LONGEST, not item.nodeid.startswith(FIRST)))
+
+
+def pytest_collection_finish(session):
+    """What was collected stays to the end: the garbage collector need not search it again and again."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(20_000, 20, 20)
 
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as in a background job: what the tests start would inherit it

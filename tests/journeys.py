@@ -17,6 +17,7 @@ import asymptotics as asy
 from asymptotics.cli.main import run
 from asymptotics.turning.routes import ROUTES
 from benchmarks.bound_sites import arithmetic_of
+from tests.sources import tree
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "maintainers" / "architecture.md"
@@ -92,7 +93,7 @@ def routes() -> str:
 
 def first_sentence(path: Path) -> str:
     """The first sentence of a file's docstring, on one line."""
-    text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+    text = ast.get_docstring(tree(path)) or ""
     first = " ".join(text.partition("\n\n")[0].split())
     return re.sub(r"([|<*])", r"\\\1", first.partition(". ")[0].rstrip(".: ").replace("``", "`"))
 

@@ -7,7 +7,7 @@ choice would do.
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -16,6 +16,7 @@ from flint import arb, ctx
 from asymptotics.flow.damping import Damping
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.numbers.extremes import greatest, least
+from tests.sources import nodes
 
 ROOT = Path(__file__).parents[1] / "asymptotics"
 ROOMS = (
@@ -42,9 +43,9 @@ ANY_WILL_DO = {
 }
 
 
-def choices(text: str) -> Iterator[str]:
+def choices(parts: Iterable[ast.AST]) -> Iterator[str]:
     """The calls that choose by a key in which doubles are read."""
-    for node in ast.walk(ast.parse(text)):
+    for node in parts:
         if isinstance(node, ast.Call):
             name = getattr(node.func, "id", getattr(node.func, "attr", ""))
             keys = [k.value for k in node.keywords if k.arg == "key"]
@@ -57,14 +58,17 @@ def test_no_double_chooses_what_counts_as_exact():
         str(path.relative_to(ROOT))
         for room in ROOMS
         for path in (ROOT / room).rglob("*.py")
-        if any(True for _ in choices(path.read_text()))
+        if any(True for _ in choices(nodes(path)))
     }
     assert found == set(ANY_WILL_DO)
 
 
 def test_the_walk_finds_one():
-    assert list(choices("least = min(range(3), key=lambda i: damping.sizes[i][1])"))
-    assert list(choices("w = max(weights, key=float)")) and not list(choices("w = max(alphas)"))
+    def chosen(text):
+        return list(choices(ast.walk(ast.parse(text))))
+
+    assert chosen("least = min(range(3), key=lambda i: damping.sizes[i][1])")
+    assert chosen("w = max(weights, key=float)") and not chosen("w = max(alphas)")
 
 
 @pytest.mark.parametrize("apart", ["1e-17", "1e-19", "1e-40"])

@@ -13,6 +13,7 @@ import pytest
 from asymptotics import __version__ as version
 from derivations.__main__ import names
 from paper_checks.registry import load
+from tests.sources import nodes
 
 ROOT = Path(__file__).parents[1]
 LAYERS = [  # a module may import its own room and what stands before it; a room within a room has a line of its own
@@ -73,14 +74,9 @@ def files(folder: str) -> list[Path]:
 
 
 @cache
-def tree(path: Path) -> ast.Module:
-    return ast.parse(path.read_text())
-
-
-@cache
 def imports(path: Path) -> set[str]:
     found = set()
-    for node in ast.walk(tree(path)):
+    for node in nodes(path):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         if isinstance(node, ast.ImportFrom):
@@ -125,7 +121,7 @@ PARTS = {  # by name, where they are installed: the commands and functions that 
 
 def late(path: Path) -> list[str]:
     """The modules of the library that functions of a file import."""
-    functions = [n for n in ast.walk(tree(path)) if isinstance(n, ast.FunctionDef)]
+    functions = [n for n in nodes(path) if isinstance(n, ast.FunctionDef)]
     inner = [m for f in functions for m in ast.walk(f) if isinstance(m, ast.ImportFrom)]
     return [m.module for m in inner if (m.module or "").startswith("asymptotics")]
 
@@ -176,7 +172,7 @@ def test_no_cycles_between_modules():
 def test_files_stay_small_and_safe():
     for path in (p for top in TOP for p in files(top)):
         assert path.read_text().count("\n") <= 400, path
-        for node in ast.walk(tree(path)):
+        for node in nodes(path):
             if isinstance(node, ast.Call):
                 called = getattr(node.func, "id", getattr(node.func, "attr", ""))
                 assert called not in {"eval", "exec", "sympify", "parse_expr", "nsimplify"}, f"{path}, {node.lineno}"
@@ -249,10 +245,10 @@ def test_the_code_names_no_paper_writes_greek_in_ascii_and_hats_as_words():
         assert not re.search(r"\b(?:[A-Z]|Phi|Psi|tau|delta|psi)\^(?:[\s,;:/.)|]|_\w)", text), path
         if path.parts[-2] in ("tables", "papers") or path.name == "smith.py":
             continue
-        nodes = list(ast.walk(ast.parse(text)))
-        names = {n.name for n in nodes if isinstance(n, ast.FunctionDef | ast.ClassDef)}
-        names |= {n.id for n in nodes if isinstance(n, ast.Name)} | {n.arg for n in nodes if isinstance(n, ast.arg)}
-        assert not {name for name in names if named.search(name)}, path
+        found = {n.name for n in nodes(path) if isinstance(n, ast.FunctionDef | ast.ClassDef)}
+        found |= {n.id for n in nodes(path) if isinstance(n, ast.Name)}
+        found |= {n.arg for n in nodes(path) if isinstance(n, ast.arg)}
+        assert not {name for name in found if named.search(name)}, path
 
 
 def test_no_file_names_a_machine():

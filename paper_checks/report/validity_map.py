@@ -3,7 +3,7 @@
 The bounds are those of ``bounds.turning`` for alpha >= 1 and of ``bounds.orbit`` below; where neither holds it is grey.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from itertools import takewhile
 from typing import Any
 
@@ -18,12 +18,13 @@ from paper_checks.report.turning_point_errors import TurningPointErrors, turning
 
 LEVELS = (1e-3, 1e-2, 1e-1)
 EPSILONS = ("1/100", "1/50", "1/30", "1/20", "1/15", "1/12", "1/8", "1/5", "3/10", "9/20", "7/10", "1")
+ALPHAS, ORDERS = ("1/2", "3/2", "2", "3"), (1, 3)
 TAU_MAX = 40.0
 
 Column = Callable[[str, str, int, Any], Any]
 
 
-def draw(axes: Any, alphas: Sequence[str] = ("1/2", "3/2", "2", "3"), orders: Sequence[int] = (1, 3)) -> None:
+def draw(axes: Any) -> None:
     """One column for each exponent; for each order a row of measured errors and a row of proved bounds of them.
 
     The larger of the errors of amplitude and phase, with contours at 0.1 %, 1 % and 10 %.
@@ -31,14 +32,14 @@ def draw(axes: Any, alphas: Sequence[str] = ("1/2", "3/2", "2", "3"), orders: Se
     figure = axes.figure
     axes.remove()
     rows: list[tuple[str, int, Column]] = []
-    for order in orders:
+    for order in ORDERS:
         rows += [(f"order {order}, measured", order, measured), (f"order {order}, proved", order, proved)]
-    panels = figure.subplots(len(rows), len(alphas), sharex=True, sharey=True, squeeze=False)
+    panels = figure.subplots(len(rows), len(ALPHAS), sharex=True, sharey=True, squeeze=False)
     for i, (label, order, column) in enumerate(rows):
         panels[i][0].set_ylabel(f"{label}\n" + r"$\tau = \omega_0 t$")
-        for j, alpha in enumerate(alphas):
+        for j, alpha in enumerate(ALPHAS):
             image = _panel(panels[i][j], alpha, order, column)
-    for panel, alpha in zip(panels[0], alphas):
+    for panel, alpha in zip(panels[0], ALPHAS):
         panel.set_title(rf"$\alpha = {alpha}$")
     for panel in panels[-1]:
         panel.set_xlabel(r"$\varepsilon$")

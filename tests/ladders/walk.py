@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
+from tests import sources
+
 ROOT = Path(__file__).parents[2]
 BALLS = {"arb", "acb", "arb_poly", "acb_poly", "arb_series", "acb_series", "arb_mat", "acb_mat"}
 _WORD = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
@@ -25,7 +27,7 @@ def trees() -> dict[str, ast.Module]:
     """Module name -> its syntax tree."""
     files = sorted((ROOT / "asymptotics").rglob("*.py"))
     names = [".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__") for path in files]
-    return {name: ast.parse(path.read_text()) for name, path in zip(names, files, strict=True)}
+    return {name: sources.tree(path) for name, path in zip(names, files, strict=True)}
 
 
 def returning_balls(modules: dict[str, ast.Module]) -> dict[str, str]:

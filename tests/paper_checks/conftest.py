@@ -23,6 +23,8 @@ def few_laws():
         patch.setattr(engine, "LAWS", (["1/2"], ["2"], ["1", "2"]))
         patch.setattr(engine, "BOUNDED", [(["1/2"], range(1, 4)), (["2"], range(1, 4)), (["1", "2"], range(1, 2))])
         patch.setattr(validity_map, "EPSILONS", ("1/100", "1/20", "1/5", "1"))
+        patch.setattr(validity_map, "ALPHAS", ("1/2", "2"))
+        patch.setattr(validity_map, "ORDERS", (1,))
         yield
 
 

@@ -10,6 +10,7 @@ from asymptotics.verdict import Outcome
 from paper_checks.forms import guarded
 from paper_checks.identities import decided, limit_is, opposite, vanishes
 from paper_checks.registry import load
+from tests.sources import tree
 
 FOLDER = Path(__file__).parents[2] / "paper_checks"
 FILES = sorted(path for path in FOLDER.glob("*/*.py") if path.parent.name != "report")
@@ -66,7 +67,7 @@ BALLS = {"is_finite", "is_integer", "is_Number"}  # of python-flint, of a number
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.name}")
 def test_no_check_makes_a_truth_of_what_may_be_open(path):
-    found = [n for n in truths(ast.parse(path.read_text())) if getattr(n, "attr", "") not in BALLS]
+    found = [n for n in truths(tree(path)) if getattr(n, "attr", "") not in BALLS]
     assert [f"{node.lineno}: {ast.unparse(node)}" for node in found] == []
 
 
