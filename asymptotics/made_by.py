@@ -1,9 +1,10 @@
 """What made a result: a digest of the code that computes, the commit where known, the versions of the libraries.
 
-A version number names a release; between two releases it says nothing.  The digest is the SHA-256 of every source file
-of the package as it lies on the disk (of a checkout, of an installed wheel or of one in a zip file: the same for the
-same files), so what other code has made is never taken for what this code would make.  It is computed once in a
-process, in a few hundredths of a second, and only when something is written down.
+A version number names a release; between two releases it says nothing.  The digest is the SHA-256 of every file that
+answers come from: code, stored data and page templates of the library, the derivations and the checks of the papers.
+It is the same for the same files, in a checkout, an installed wheel or a zip file, so what other code has made is never
+taken for what this code would make.  It is computed once in a process, in a few hundredths of a second, and only when
+something is written down.
 
 >>> made_by()["code"] == code() and len(code())
 64
@@ -24,33 +25,43 @@ from asymptotics import __version__
 
 LIBRARIES = {"python-flint": "flint", "sympy": "sympy", "mpmath": "mpmath", "numpy": "numpy", "scipy": "scipy"}
 """The libraries that compute, with the names they are imported by."""
+PACKAGES = ("asymptotics", "derivations", "paper_checks")
+"""What a wheel carries, side by side."""
+READ = (".py", ".json", ".csv", ".html", ".j2", ".css", ".js")
+"""The endings of the files that an answer can depend on."""
 BUILT_FROM = "built_from.txt"
 """The commit that a wheel or an sdist was built from: written into it by the build hook, absent in a checkout."""
 
 
 @lru_cache
 def code() -> str:
-    """The SHA-256 of the package's sources: of their names and contents, in the order of their names."""
-    root = Path(__file__).parent
+    """The SHA-256 of the sources: of their names and contents, in the order of their names."""
     found = hashlib.sha256()
-    for name, content in sorted(_sources(root if root.is_dir() else _in_zip(), "")):
-        found.update(f"{name} {len(content)}\n".encode())
-        found.update(content)
+    for package in PACKAGES:
+        for name, content in sorted(_sources(_folder(package), f"{package}/")):
+            found.update(f"{name} {len(content)}\n".encode())
+            found.update(content)
     return found.hexdigest()
+
+
+def _folder(package: str) -> Any:
+    """Where a package lies: beside this one, in a folder or in a zip file."""
+    here = Path(__file__).parent
+    return here.parent / package if here.is_dir() else _in_zip(package)
 
 
 def _sources(folder: Any, prefix: str) -> list[tuple[str, bytes]]:
     found = []
-    for entry in folder.iterdir():
-        if entry.name.endswith(".py"):
+    for entry in folder.iterdir() if folder.is_dir() else ():
+        if entry.name.endswith(READ):
             found.append((prefix + entry.name, entry.read_bytes()))
         elif "." not in entry.name and entry.name != "__pycache__" and entry.is_dir():
             found += _sources(entry, f"{prefix}{entry.name}/")
     return found
 
 
-def _in_zip() -> Any:
-    return import_module("importlib.resources").files("asymptotics")  # slower to load, and rarely needed
+def _in_zip(package: str) -> Any:
+    return import_module("importlib.resources").files("asymptotics").parent / package  # slower to load, rarely needed
 
 
 @lru_cache
@@ -78,14 +89,14 @@ def commit() -> str | None:
         return _built_from()
     try:
         head = _git(here.parent, "rev-parse", "HEAD")
-        return head + ("+changes" if _git(here.parent, "status", "--porcelain", "--", "asymptotics") else "")
+        return head + ("+changes" if _git(here.parent, "status", "--porcelain", "--", *PACKAGES) else "")
     except (OSError, subprocess.SubprocessError):
         return None
 
 
 def _built_from() -> str | None:
     try:
-        return str(_in_zip().joinpath(BUILT_FROM).read_text(encoding="ascii")).strip() or None
+        return str(_in_zip("asymptotics").joinpath(BUILT_FROM).read_text(encoding="ascii")).strip() or None
     except (OSError, ValueError):
         return None
 
