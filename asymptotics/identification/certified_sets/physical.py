@@ -41,9 +41,7 @@ def physical_box(
     boxes: list[Box] = [(np.zeros(len(losses)), size)]
     last = _MORE if met else MAX_BOXES
     for k in range(MAX_BOXES):
-        if not boxes:
-            return "none"
-        if k > last:
+        if not boxes or k > last:
             break
         low, high = boxes.pop(0)
         if _is_beyond(ratio, rows, low, -1) or _is_beyond(ratio, rows, high, 1):
@@ -51,6 +49,8 @@ def physical_box(
         shrunk = _shrunk(ratio, rows, low, high)
         if shrunk is not None:
             boxes += _halved(*shrunk, size)
+    if not boxes:
+        return "none"
     return np.min([low for low, _ in boxes], axis=0), np.max([high for _, high in boxes], axis=0)
 
 

@@ -12,6 +12,7 @@ from asymptotics.cli.main import main
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.quarter import half_swing
+from asymptotics.identification.certified_sets import physical
 from asymptotics.identification.certified_sets.central_point import chebyshev_point
 from asymptotics.identification.certified_sets.certified_ratio import CertifiedRatio, followed
 from asymptotics.identification.certified_sets.free_exponent import exponents_that_fit
@@ -221,6 +222,16 @@ def test_the_physical_box_holds_the_truth_and_its_tests_bite():
         # half a unit of the last digit more in one row, and the box is empty
         wrong = Decrements(table.amplitude, table.decrement + 3e-3 * (np.arange(12) == 5), table.resolution)
         assert physical_box(terms, ratio, rows_of(ratio, wrong)) == "none"
+
+
+def test_a_last_box_that_is_dismissed_in_the_last_round_leaves_none(monkeypatch):
+    terms, table = losses("1+2"), printed("1+2", [0.01, 0.03], 3)
+    wrong = Decrements(table.amplitude, table.decrement + 3e-3 * (np.arange(12) == 5), table.resolution)
+    monkeypatch.setattr(physical, "MAX_BOXES", 1)
+    with ctx.workprec(80):
+        ratio = CertifiedRatio.of(terms)
+        assert physical_box(terms, ratio, rows_of(ratio, wrong)) == "none"
+        assert isinstance(physical_box(terms, ratio, rows_of(ratio, table)), tuple)
 
 
 @pytest.mark.parametrize(("law", "strength"), [("3/2", 0.05), ("0", 0.05)])
