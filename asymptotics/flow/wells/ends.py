@@ -123,8 +123,13 @@ def require_inside(force: WellForce, x: arb, shown: str) -> None:
     if stays is None:
         raise TooWideError(f"whether {shown} lies inside the well is undecided")
     if not stays:
-        reason = f"{shown} lies outside the well, V' > 0 fails on the way: it {leaves(force)}"
-        raise InputError("x0", reason, "a start inside it")
+        raise outside(force, shown)
+
+
+def outside(force: WellForce, shown: str) -> InputError:
+    """The refusal of a start that V' > 0 does not hold in its well."""
+    reason = f"{shown} lies outside the well, V' > 0 fails on the way: it {leaves(force)}"
+    return InputError("x0", reason, "a start inside it")
 
 
 def _stiffness(force: WellForce, x: arb) -> arb:
