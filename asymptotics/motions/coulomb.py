@@ -33,6 +33,7 @@ from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import Pair, certified_point, certified_values, time_of
 from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.state_route import StateRoute, alone, require_alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
@@ -129,13 +130,11 @@ def coulomb_stop(oscillator: Oscillator, digits: int = 30, *, static: Number | N
 
 
 def _hold(oscillator: Oscillator, static: Number | None) -> ExactReal:
-    oscillator.law.require_pure("the exact solution")
-    terms = oscillator.law.terms
-    if len(terms) != 1 or terms[0].velocity > 0 or not terms[0].b > 0:
-        raise InputError("law", f"{oscillator.law} is not dry friction alone", "one term, alpha = 0 and b > 0")
-    force = terms[0].b if static is None else exact_number(static, "static")
-    if force < terms[0].b:
-        raise InputError("static", f"{force} is below the kinetic friction {terms[0].b}", "a force >= b, in N")
+    require_alone(oscillator, 0, "dry friction")
+    b = oscillator.law.terms[0].b
+    force = b if static is None else exact_number(static, "static")
+    if force < b:
+        raise InputError("static", f"{force} is below the kinetic friction {b}", "a force >= b, in N")
     return force
 
 
@@ -205,3 +204,11 @@ def _count(r: arb, c: arb, h: arb) -> int:
     if n is None:
         raise UndecidedError(f"whether the mass sticks is undecided at {ctx.prec} bits: it may be a tie")
     return max(0, int(n))
+
+
+def _state(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | None) -> MotionPoint | None:
+    bare = alone(oscillator, 0)
+    return None if bare is None else coulomb_motion(bare, t, digits, static=static)
+
+
+ROUTE = StateRoute(("dry",), _state)

@@ -5,7 +5,6 @@ from r to -(r - 2 c); the mass sticks at the first turning point with r_n = r_0 
 of the friction that holds it (Lelas 2024, section 2, has h = c).
 """
 
-
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import ExactReal, square_root
 

@@ -98,6 +98,4 @@ def _time(n: int) -> Number:
     return (lambda: arb.pi() * n) if n else Fraction(0)
 
 
-ROUTE = Route(
-    "dry", "dry friction alone, from rest or a rational first amplitude", METHOD, serves, points, "motions.coulomb"
-)
+ROUTE = Route("dry", "dry friction alone, from rest or a rational first amplitude", METHOD, serves, points)

@@ -123,5 +123,4 @@ ROUTE = Route(
     "Lambert W map, half periods by quadrature, Abel function of exact coefficients",
     serves,
     points,
-    "motions.quadratic",
 )
