@@ -35,16 +35,17 @@ def keys_of(weights: Key, top: int) -> tuple[Key, ...]:
     >>> keys_of((2, 3), 5)
     ((0, 0), (1, 0), (0, 1), (2, 0))
     """
-    return tuple(sorted(_below(weights, top), key=lambda n: sum(i * g for i, g in zip(n, weights))))
+    return tuple(n for n, left in sorted(below(weights, top), key=lambda found: -found[1]))
 
 
-def _below(weights: Key, top: int) -> Iterator[Key]:
+def below(weights: Key, top: int) -> Iterator[tuple[Key, int]]:
+    """All n >= 0 with sum n_i weights_i < top, and what is left to ``top``."""
     if not weights:
-        yield ()
+        yield (), top
         return
-    for n in range(-(-top // weights[0])):
-        for rest in _below(weights[1:], top - n * weights[0]):
-            yield (n, *rest)
+    for k in range(-(-top // weights[0])):
+        for rest, left in below(weights[1:], top - k * weights[0]):
+            yield (k, *rest), left
 
 
 class ExponentGrid(Protocol):

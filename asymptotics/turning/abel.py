@@ -26,7 +26,7 @@ mean value theorem.
 '[1.3910445426199116877e-9 +/- ...]'
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import inf
 
@@ -170,10 +170,19 @@ def of_coefficients(
 
 def _circle(alpha: ExactReal, coefficients: Sequence[arb], power: int) -> Majorant:
     """The circle, out of a few, on which the bound of what lies beyond delta^power is smallest."""
-    largest = widest([alpha.ball()], [arb(1)], whole=True).radii[0]
-    circles = [majorant([alpha.ball()], [largest * arb(share)], whole=True) for share in _SHARES]
-    found = [c for c in circles if c is not None]
-    return min(found, key=lambda c: float((_on_circle(coefficients, c) / c.radii[0] ** power).log()))
+    return least_beyond(polydiscs([alpha.ball()], [arb(1)], _SHARES), power, lambda c: _on_circle(coefficients, c))
+
+
+def polydiscs(exponents: Sequence[arb], direction: Sequence[arb], shares: Sequence[float]) -> list[Majorant]:
+    """The majorants at these shares of the widest polydisc in a direction, as far as they converge provably."""
+    largest = widest(exponents, direction, whole=True).radii[0]
+    found = (majorant(exponents, [largest * arb(share) * d for d in direction], whole=True) for share in shares)
+    return [m for m in found if m is not None]
+
+
+def least_beyond(found: Sequence[Majorant], power: int, bound: Callable[[Majorant], arb]) -> Majorant:
+    """The one with the least ``bound``/rho_1^power: of what lies beyond delta^power, by Cauchy's inequality."""
+    return min(found, key=lambda m: float((bound(m) / m.radii[0] ** power).log()))
 
 
 def _on_circle(coefficients: Sequence[arb], bound: Majorant) -> arb:

@@ -34,11 +34,12 @@ from flint import acb, arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
-from asymptotics.expansions.half_swings.finite_majorant import BITS, Majorant, majorant, widest
+from asymptotics.expansions.half_swings.finite_majorant import BITS, Majorant
 from asymptotics.expansions.normal_form.flow import flow_of
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key
+from asymptotics.turning.abel import least_beyond, polydiscs
 
 FOLLOWING = 1
 """How many terms beyond those kept are in the bound as they are."""
@@ -128,13 +129,10 @@ class AbelFlow:
         """Of a few polydiscs in the direction of ``top`` the one with the least bound of what lies beyond."""
         exponents = [a.ball() for a in self.alphas]
         direction = [arb((d / top[0]).upper()) for d in top]
-        largest = widest(exponents, direction, whole=True).radii[0]
-        found = [majorant(exponents, [largest * arb(s) * d for d in direction], whole=True) for s in _SHARES]
-        power = 2 * (self.kept + FOLLOWING)
-        usable = [(m, self._on_circle(m)[0]) for m in found if m is not None and self._least(m) > 0]
+        usable = [m for m in polydiscs(exponents, direction, _SHARES) if self._least(m) > 0]
         if not usable:
             raise UndecidedError("no circle is proved on which the defects of the Abel function are bounded")
-        return min(usable, key=lambda pair: float((pair[1] / pair[0].radii[0] ** power).log()))[0]
+        return least_beyond(usable, 2 * (self.kept + FOLLOWING), lambda m: self._on_circle(m)[0])
 
     def _least(self, bound: Majorant) -> arb:
         """b: terms of v_1 whose real parts have the sign of the first are left out, others are taken off."""
