@@ -36,7 +36,7 @@ MAX_MU = 20
 MIN_MU = ExactReal(Fraction(1, 10**100))  # below it the multiplier is told from 1 by more bits than a minute pays for
 _DOUBLINGS = 3
 _NEWTON = 12
-_GUESSED = (80, 160, 320, 640)  # bits in which the guess is improved
+_GUESSED = (80, 160, 320, 640)  # bits in which a half-turn of the guess is tried
 _SECANTS = 30
 
 
@@ -164,7 +164,11 @@ def _at_rest(terms: tuple[Term, ...], mu: arb) -> Callable[[arb], arb]:
 
 
 def _fixed_point(terms: tuple[Term, ...], mu: ExactReal, near: float) -> arb:
-    """A fixed point of q by the secant method on midpoints: a guess."""
+    """A fixed point of q by the secant method on midpoints: a guess.
+
+    ``excess`` raises the precision by itself, not by ``at_growing_precision``: that loop would try an UndecidedError of
+    a step again, which ends the guess here, and its own refusal counts digits, of which a guess has none to promise.
+    """
 
     def excess(a: float) -> float:
         for bits in _GUESSED:

@@ -32,12 +32,12 @@ from asymptotics.limit_cycles.force import PolynomialForce
 from asymptotics.numbers.context import ctx
 from asymptotics.terms import Term
 
-MAX_STEPS = 20_000
-_FAR = 1e6  # times the start: it goes off
-_LOW = 53  # bits of bounds
-_NEWTON = 12
-_HALVINGS = 60
-_ROOM = 4  # by which the distance of two motions may grow on a step
+MAX_STEPS = 20_000  # 12 s in 80 bits; the cycle of van der Pol takes 21 at mu = 1 and 107 at mu = 20
+_FAR = 1e6  # times the start: the orbit goes off, as no cycle near the guess does
+_LOW = 53  # bits of bounds: the radius of a ball has 30
+_NEWTON = 12  # bisections, then Newton steps: each doubles the 12 bits that the bisections have left
+_HALVINGS = 60  # of a step: shorter ones move a state by less than the bounds' own rounding
+_ROOM = 4  # by which the distance of two motions may grow on a step: the box is that much wider than what is known
 
 
 @dataclass(frozen=True)
