@@ -75,15 +75,15 @@ class ExponentLine:
         return k - self.shifts[i] if k >= self.shifts[i] else None
 
     def degree(self, k: int) -> int:
-        """The power itself."""
+        """The exponent k, as Euler's operator multiplies x^k by it."""
         return k
 
     def product(self, A: list[arb], B: list[arb]) -> arb:
-        """A convolution."""
+        """The last coefficient of a product on a line is a convolution."""
         return sum(map(mul, A, reversed(B)), _NONE)
 
     def product_from_1(self, A: list[arb], B: list[arb]) -> arb:
-        """A convolution without A_0."""
+        """The convolution that leaves A_0 out."""
         return sum(map(mul, islice(A, 1, None), reversed(B)), _NONE)
 
 
@@ -99,15 +99,15 @@ class Simplex:
         return self._back[k][i]
 
     def degree(self, k: int) -> int:
-        """The total degree."""
+        """The total degree of the k-th monomial."""
         return sum(self.keys[k])
 
     def product(self, A: list[arb], B: list[arb]) -> arb:
-        """Over all pairs of keys that add up."""
+        """The sum over all pairs of keys that add up to the last one."""
         return sum((A[i] * B[j] for i, j in self._pairs[len(B) - 1]), _NONE)
 
     def product_from_1(self, A: list[arb], B: list[arb]) -> arb:
-        """The same without A_0."""
+        """The sum over the pairs without A_0, for the next key."""
         return sum((A[i] * B[j] for i, j in self._pairs[len(B)] if i), _NONE)
 
 

@@ -199,5 +199,5 @@ def discs(force: Smooth, us: list[arb], ws: list[arb]) -> Iterator[tuple[arb, ar
 
 
 def sizes(series: "list[arb] | tuple[arb, ...]") -> arb_poly:
-    """sum_(k>=1) |c_k| t^k."""
+    """The polynomial sum_(k>=1) |c_k| t^k, by which a series moves at most."""
     return arb_poly([arb(0), *(abs(c).upper() for c in series[1:])])

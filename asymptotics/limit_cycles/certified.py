@@ -8,7 +8,9 @@ half-swing, f at rest and derivation ``energy-contraction``, f(q) dq = f(A) dA e
     F(A) = q(A) - A,    F'(A) = (f(A)/f(q)) e^(-J) - 1,
 
 and for an interval I with centre a: if a - F(a)/F'(I) lies inside I, then I contains exactly one turning amplitude of a
-limit cycle (interval Newton; F'(I) must not contain 0).  The multiplier of a whole period is e^(-2 J) at q = A.
+limit cycle (the interval Newton method, Moore 1966; F'(I) must not contain 0).  q is the Poincare return map of the
+section v = 0, reflected (Guckenheimer and Holmes 1983, section 1.5).  The multiplier of a whole period is e^(-2 J) at
+q = A.
 
 The half-swing in balls is that of ``half_turn``.
 """
@@ -75,7 +77,7 @@ class CertifiedCycle(Shown):
         return rf"A = {self.amplitude},\quad \omega = {self.frequency},\quad \mu = {self.mu}"
 
     def to_dict(self) -> dict[str, str | bool | None]:
-        """JSON-ready."""
+        """The numbers as a JSON-ready mapping: decimals are strings."""
         return {**self.__dict__, "certified": True}
 
 

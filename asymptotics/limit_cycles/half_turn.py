@@ -1,4 +1,4 @@
-"""From one turning point of a polynomial oscillator to the next, on the certified flow, with gains as well as losses.
+"""A half-swing of a polynomial oscillator is enclosed on the certified flow, with gains as well as losses.
 
 The orbit from the midpoint of the start is laid out in Taylor steps of ``flow``, each from an exact state, through rest
 at both ends (``flow.trajectory`` says why it is no course).  The errors D travel by the rule of ``flow.parting``, with
@@ -51,7 +51,7 @@ class HalfTurn:
 
 @dataclass(frozen=True)
 class _Here(FlowState):
-    """With J until then."""
+    """A state on the orbit, with the integral J up to it."""
 
     J: arb
 

@@ -51,7 +51,7 @@ class Stop:
     half_swings: int
 
     def to_dict(self) -> dict[str, object]:
-        """JSON-ready."""
+        """The stop as a JSON-ready mapping: decimals are strings."""
         return {"x": self.x, "t": self.t, "half_swings": self.half_swings}
 
 

@@ -130,13 +130,13 @@ class Bundle:
 
     @cached_property
     def sketch(self) -> Sketch:
-        """The same in doubles."""
+        """The same orbits in doubles, for a first solution."""
         columns = zip(*self.strengths)
         return Sketch(doubles([self.alphas])[0], doubles(columns), *doubles([self.h, self.g0]))
 
 
 def doubles(rows: Iterable[Iterable[arb]]) -> Array:
-    """Midpoints."""
+    """The midpoints of the balls in rows."""
     return np.array([[float(x.mid()) for x in row] for row in rows])
 
 
@@ -155,7 +155,7 @@ class NodeGrid:
 
     @classmethod
     def of(cls, bundle: Bundle, count: int) -> "NodeGrid":
-        """For all columns."""
+        """The nodes of all columns, ``count`` in each."""
         ends, places = [t - 1 for t in nodes(count)], []
         still = [i for i, a in enumerate(bundle.alphas) if a == 1]
         moving = [(i, a) for i, a in enumerate(bundle.alphas) if a != 1]

@@ -44,7 +44,7 @@ class Sketch:
         return -self.h * s**2 * drag / room, -self.h * s**2 * slope / room**2
 
     def solved(self, m: int) -> Array:
-        """g at m nodes."""
+        """The solution g at m nodes, by Newton's method on the integral equation."""
         whole, _ = integration(m)
         g = np.zeros((m, 1)) + self.g0
         with np.errstate(all="ignore"):

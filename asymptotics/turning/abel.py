@@ -1,5 +1,8 @@
 """The n-th turning point without iterating, any alpha > 1: a truncated Abel function with a proved bound of its defect.
 
+The solution Psi of Abel's equation Psi(F) = Psi + 1 is the Fatou coordinate of the return map at its parabolic fixed
+point 0 (Milnor 2006, section 10).
+
 In the local strength delta = epsilon A^(alpha-1) a half-swing is the map F, of duration T.  The odd Laurent polynomials
 
     Psi = sum_(k<K) c_k delta^(2k-1),   Psi(F) - Psi - 1 = d,    Theta,  Theta(F) - Theta - T = d,    d = O(delta^(2K))
@@ -55,14 +58,14 @@ class Approximant:
     circle: arb
 
     def __call__(self, delta: arb) -> arb:
-        """The value."""
+        """The value sum c_k delta^(2k-1), by Horner's rule."""
         square, total = delta * delta, arb(0)
         for c in reversed(self.coefficients):
             total = total * square + c
         return total / delta
 
     def slope(self, delta: arb) -> arb:
-        """The derivative."""
+        """The derivative sum (2k-1) c_k delta^(2k-2)."""
         square, total = delta * delta, arb(0)
         for k in reversed(range(len(self.coefficients))):
             total = total * square + (2 * k - 1) * self.coefficients[k]

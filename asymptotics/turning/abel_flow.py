@@ -1,5 +1,7 @@
 """The n-th turning point of a sum of laws, every exponent above 1: the Abel function as an integral of the slow flow.
 
+Psi(F) = Psi + 1 is Abel's equation for the return map F, whose solution is a Fatou coordinate (``abel``).
+
 A half-swing shifts x = ln A by L; the formal flow dx/dj = v(x), v = pi U, reaches it at j = 1 (``normal_form.flow``).
 Powers of A would need logarithms where exponents resonate; the integrals of
 
@@ -60,7 +62,7 @@ class DefectBound:
 
     @property
     def total(self) -> arb:
-        """The bound."""
+        """The bound of the sum of all defects: both parts together."""
         return arb((self.following + self.beyond).upper())
 
 
@@ -76,7 +78,7 @@ class AbelFlow:
 
     @property
     def weights(self) -> tuple[arb, ...]:
-        """alpha_i - 1."""
+        """The exponents alpha_i - 1 of A in the local strengths."""
         return tuple((a - 1).ball() for a in self.alphas)
 
     def strengths(self, x: Any) -> list[Any]:

@@ -1,6 +1,7 @@
 """How a motion ends, decided in balls: it is held, creeps home, is overdamped; or it leaves its well.
 
-*Traps* (derivation ``wells-traps``).  Let s_0(u*) = 0, u* = 0 without losses of exponent 0, and s_0(u) <= K (u - u*)
+*Traps* are positively invariant regions: on the boundary the vector field points inwards (Nagumo 1942; derivation
+``wells-traps``).  Let s_0(u*) = 0, u* = 0 without losses of exponent 0, and s_0(u) <= K (u - u*)
 for the places between u* and u.  With y = u - u* the regions of the linear spring are traps, in units of time
 1/sqrt(K):
 

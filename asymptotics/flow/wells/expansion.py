@@ -100,7 +100,7 @@ class WellExpansion:
         return upper(self.rate + unit * self.reach)
 
     def acceleration(self, u: arb, w: arb) -> arb:
-        """G(u, w)."""
+        """The acceleration dw/dt = G(u, w)."""
         return self.force.acceleration(u, w)
 
     def moved(self, wait: arb) -> tuple[arb, arb]:
