@@ -51,11 +51,11 @@ _SHARES = (0.5, 0.6, 0.7, 0.8, 0.9)
 
 @dataclass(frozen=True, eq=False)
 class Approximant:
-    """An odd Laurent polynomial sum c_k delta^(2k-1), the next coefficients of its defect, and D on the circle."""
+    """An odd Laurent polynomial sum c_k delta^(2k-1), the next coefficients d_m of its defect, and D."""
 
     coefficients: tuple[arb, ...]
     following: tuple[arb, ...]
-    circle: arb
+    D: arb
 
     def __call__(self, delta: arb) -> arb:
         """The value sum c_k delta^(2k-1), by Horner's rule."""
@@ -79,17 +79,17 @@ class Approximant:
 
 @dataclass(frozen=True, eq=False)
 class AbelFunction:
-    """Psi and Theta of one law with alpha > 1, rigorous on 0 < delta < ``radius``; ``gain`` is g."""
+    """Psi and Theta of one law with alpha > 1, rigorous on 0 < delta < rho; 1/delta grows by g or more."""
 
     psi: Approximant
     theta: Approximant
-    radius: arb
-    gain: arb
+    rho: arb
+    g: arb
 
     def advance(self, delta: arb, steps: int) -> arb:
         """The local strength ``steps`` half-swings after the ball ``delta``; ValueError outside (0, radius)."""
-        if not (delta > 0 and delta < self.radius):
-            raise ValueError(f"{delta.str(5)} is not in (0, {self.radius.str(5)})")
+        if not (delta > 0 and delta < self.rho):
+            raise ValueError(f"{delta.str(5)} is not in (0, {self.rho.str(5)})")
         return self._solve(self.psi(delta) + steps + self.defects(self.psi, delta), delta)
 
     def time_between(self, first: arb, last: arb) -> arb:
@@ -102,18 +102,18 @@ class AbelFunction:
             top = arb(delta.upper())
             m = 2 * len(f.coefficients)
             total = sum((c * self.power_sum(top, m + i) for i, c in enumerate(f.following)), arb(0))
-            last, x = m + len(f.following), top / self.radius
-            beyond = f.circle / (1 - x) * self.power_sum(top, last) / self.radius**last
+            J, x = m + len(f.following), top / self.rho
+            beyond = f.D / (1 - x) * self.power_sum(top, J) / self.rho**J
             if not (x < 1 and beyond.is_finite()):
                 raise UndecidedError("delta is outside the circle on which the defect is bounded")
             return arb(0, (total + beyond).upper())
 
     def power_sum(self, delta: arb, m: int) -> arb:
         """A bound of sum_j delta_j^m along the orbit from ``delta``, m >= 2."""
-        behind = 1 / delta - self.gain / 2
+        behind = 1 / delta - self.g / 2
         if not behind > 0:
             raise UndecidedError("delta is too large for the sum along the orbit")
-        return behind ** (1 - m) / ((m - 1) * self.gain)
+        return behind ** (1 - m) / ((m - 1) * self.g)
 
     def _solve(self, value: arb, start: arb) -> arb:
         """The only delta up to about ``start`` with Psi(delta) = value: Newton, then the mean value theorem."""
@@ -121,7 +121,7 @@ class AbelFunction:
         for _ in range(ctx.prec.bit_length() + 3):
             middle = (middle - (self.psi(middle) - value) / self.psi.slope(middle)).mid()
         guess = middle * (1 + arb(0, arb(2) ** -10))
-        if not (guess < self.radius and self.psi.falls_up_to(arb(guess.union(start).upper()))):
+        if not (guess < self.rho and self.psi.falls_up_to(arb(guess.union(start).upper()))):
             raise UndecidedError("the truncated Abel function may not decrease here: use a later head or fewer terms")
         root = middle + (value - self.psi(middle)) / self.psi.slope(guess)
         if not guess.contains(root):
@@ -160,7 +160,7 @@ def of_coefficients(
 ) -> AbelFunction:
     """From the coefficients of Psi and Theta, and those of their defects that follow (as many as are known)."""
     with ctx.workprec(BITS):
-        gain = (alpha.ball() - 1) * arb.pi() * moment(alpha.ball() + 1)
+        g = (alpha.ball() - 1) * arb.pi() * moment(alpha.ball() + 1)
         power = 2 * len(coefficients[0]) + len(following[0])
         bound = _circle(alpha, coefficients[0], power)
         drives = (arb(1), arb.pi() + bound.excess)
@@ -168,7 +168,7 @@ def of_coefficients(
             Approximant(tuple(c), tuple(abs(d).upper() for d in rest), (_on_circle(c, bound) + drive).upper())
             for c, rest, drive in zip(coefficients, following, drives, strict=True)
         )
-    return AbelFunction(psi, theta, bound.radii[0], arb(gain.lower()))
+    return AbelFunction(psi, theta, bound.radii[0], arb(g.lower()))
 
 
 def _circle(alpha: ExactReal, coefficients: Sequence[arb], power: int) -> Majorant:

@@ -13,8 +13,8 @@ terms of each, Psi = int f dx and Theta = int h dx grow on a half-swing by 1 + d
 * **Defects.**  d(lambda), the delta_i made lambda times larger, is analytic on |lambda| = rho_1/delta_1, where the
   majorant of the half-swing (``half_swings.finite_majorant``) gives |L| <= G, and |v_1| >= b there because the real
   parts of its terms have one sign; so |d| <= D, and d = O(lambda^(2K)) makes |d| <= D (delta_1/rho_1)^(2K) (Schwarz).
-* **Along the orbit** 1/delta_1 grows by g = (alpha_1-1) pi M_(alpha_1+1) at least, and delta_i/delta_1 falls, so that
-  one D serves all later half-swings; the sum is that of ``abel.power_sum``.
+* **Along the orbit** 1/delta_1 gains (alpha_1-1) pi M_(alpha_1+1) at least at each step, and delta_i/delta_1 falls, so
+  that one D serves all later half-swings; the sum is that of ``abel.power_sum``.
 * **Following terms.**  The defects of K terms differ from those of K + 1 by an integral over the whole orbit,
   |int g_K/v_1 dx| <= C delta_1^(2K-1)/((2K-1)(alpha_1-1)): the bound is the next term and Schwarz' inequality beyond.
 
@@ -74,7 +74,7 @@ class AbelFlow:
     epsilons: tuple[arb, ...]
     rates: tuple[Part, ...]
     clock: tuple[Part, ...]
-    kept: int
+    K: int
 
     @property
     def weights(self) -> tuple[arb, ...]:
@@ -104,7 +104,7 @@ class AbelFlow:
             bound = self._polydisc(top)
             after = self._following(top)
             beyond = self._on_circle(bound)
-            m = 2 * (self.kept + FOLLOWING)
+            m = 2 * (self.K + FOLLOWING)
             behind = 1 / top[0] - self._gain() / 2
             if not behind > 0:
                 raise UndecidedError("delta is too large for the sum along the orbit")
@@ -117,12 +117,12 @@ class AbelFlow:
     def integrand(self, drive: Sequence[Part], x: Any) -> Any:
         """f for ``drive`` = v_1 alone, h for ``drive`` = ``clock``: K terms."""
         delta = self.strengths(x)
-        v = [_at(part, delta) for part in self.rates[: self.kept]]
+        v = [_at(part, delta) for part in self.rates[: self.K]]
         g = _reciprocal([r / v[0] for r in v[1:]])
         if drive is not self.clock:
             return sum(g) / v[0]
-        c = [_at(part, delta) for part in self.clock[: self.kept]]
-        return sum(c[i] * g[k - i] for k in range(self.kept) for i in range(k + 1)) / v[0]
+        c = [_at(part, delta) for part in self.clock[: self.K]]
+        return sum(c[i] * g[k - i] for k in range(self.K) for i in range(k + 1)) / v[0]
 
     def _gain(self) -> arb:
         return -self.weights[0] * self.rates[0][-1][1]
@@ -134,7 +134,7 @@ class AbelFlow:
         usable = [m for m in polydiscs(exponents, direction, _SHARES) if self._least(m) > 0]
         if not usable:
             raise UndecidedError("no circle is proved on which the defects of the Abel function are bounded")
-        return least_beyond(usable, 2 * (self.kept + FOLLOWING), lambda m: self._on_circle(m)[0])
+        return least_beyond(usable, 2 * (self.K + FOLLOWING), lambda m: self._on_circle(m)[0])
 
     def _least(self, bound: Majorant) -> arb:
         """b: terms of v_1 whose real parts have the sign of the first are left out, others are taken off."""
@@ -168,10 +168,10 @@ class AbelFlow:
         g = _reciprocal([r / v[0] for r in v[1:]])
         clock = [_at(part, shape) for part in self.clock]
         h = [sum((clock[i] * g[k - i] for i in range(k + 1)), arb(0)) for k in range(len(g))]
-        if not sum((abs(c) * top[0] ** (2 * k) for k, c in enumerate(g[: self.kept]) if k), arb(0)) < arb(1) / 2:
+        if not sum((abs(c) * top[0] ** (2 * k) for k, c in enumerate(g[: self.K]) if k), arb(0)) < arb(1) / 2:
             raise UndecidedError("the truncated Abel function may not decrease here: use a later head or fewer terms")
         psi, theta = (
-            sum((abs(f[k] / v[0]) * self._tail(top[0], k) for k in range(self.kept, len(f))), arb(0)) for f in (g, h)
+            sum((abs(f[k] / v[0]) * self._tail(top[0], k) for k in range(self.K, len(f))), arb(0)) for f in (g, h)
         )
         return psi, theta
 
