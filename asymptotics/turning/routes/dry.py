@@ -81,10 +81,10 @@ def _from_rest(
 
 def _first_amplitude(request: Request) -> Fraction | None:
     """a = R - c of a start in motion, where x0, c and R are rational and it moves on at all; else None."""
-    if request.alone is None:
+    alone, v0 = request.alone, request.speed
+    if alone is None:
         return None
-    v0 = request.speed
-    a = amplitude_in_motion((-1 if v0 > 0 else 1) * request.place, request.epsilon, v0 * v0)
+    a = amplitude_in_motion((-1 if v0 > 0 else 1) * request.place, alone[1], v0 * v0)
     return a.rational if a is not None and a > 0 else None
 
 
