@@ -15,6 +15,7 @@ from types import FrameType
 
 import asymptotics as asy
 from asymptotics.cli.main import run
+from asymptotics.motions.reference import ROUTES as STATES
 from asymptotics.turning.routes import ROUTES
 from benchmarks.bound_sites import arithmetic_of
 from tests.sources import tree
@@ -87,7 +88,8 @@ def listed(files: list[str]) -> str:
 
 def routes() -> str:
     """The table of routes."""
-    rows = [f"| `{r.name}` | {r.domain} | {r.way} | {f'`{r.state}`' if r.state else ''} |" for r in ROUTES]
+    states = {n: f"`{r.state.__module__.removeprefix('asymptotics.')}`" for r in STATES for n in r.names}
+    rows = [f"| `{r.name}` | {r.domain} | {r.way} | {states.get(r.name, '')} |" for r in ROUTES]
     return "\n".join(["| route | serves | by | x(t) the same way |", "|---|---|---|---|", *rows])
 
 

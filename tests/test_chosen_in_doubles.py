@@ -37,8 +37,7 @@ ANY_WILL_DO = {
     "envelopes/large.py": "Newton's method starts at one of two places",
     "limit_cycles/series.py": "the cycle nearest to a guess, which is a double itself",
     "flow/slow_manifold/onset.py": "Newton's method starts at one of several places",
-    "turning/abel.py": "each circle has a bound of its own: the least of them is sought",
-    "turning/abel_flow.py": "each polydisc has a bound of its own: the least of them is sought",
+    "turning/abel.py": "each circle or polydisc has a bound of its own: the least of them is sought",
     "turning/jump.py": "the cheaper of several routes",
 }
 

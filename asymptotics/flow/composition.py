@@ -35,16 +35,17 @@ def keys_of(weights: Key, top: int) -> tuple[Key, ...]:
     >>> keys_of((2, 3), 5)
     ((0, 0), (1, 0), (0, 1), (2, 0))
     """
-    return tuple(sorted(_below(weights, top), key=lambda n: sum(i * g for i, g in zip(n, weights))))
+    return tuple(n for n, left in sorted(below(weights, top), key=lambda found: -found[1]))
 
 
-def _below(weights: Key, top: int) -> Iterator[Key]:
+def below(weights: Key, top: int) -> Iterator[tuple[Key, int]]:
+    """All n >= 0 with sum n_i weights_i < top, and what is left to ``top``."""
     if not weights:
-        yield ()
+        yield (), top
         return
-    for n in range(-(-top // weights[0])):
-        for rest in _below(weights[1:], top - n * weights[0]):
-            yield (n, *rest)
+    for k in range(-(-top // weights[0])):
+        for rest, left in below(weights[1:], top - k * weights[0]):
+            yield (k, *rest), left
 
 
 class ExponentGrid(Protocol):
@@ -74,15 +75,15 @@ class ExponentLine:
         return k - self.shifts[i] if k >= self.shifts[i] else None
 
     def degree(self, k: int) -> int:
-        """The power itself."""
+        """The exponent k, as Euler's operator multiplies x^k by it."""
         return k
 
     def product(self, A: list[arb], B: list[arb]) -> arb:
-        """A convolution."""
+        """The last coefficient of a product on a line is a convolution."""
         return sum(map(mul, A, reversed(B)), _NONE)
 
     def product_from_1(self, A: list[arb], B: list[arb]) -> arb:
-        """A convolution without A_0."""
+        """The convolution that leaves A_0 out."""
         return sum(map(mul, islice(A, 1, None), reversed(B)), _NONE)
 
 
@@ -98,15 +99,15 @@ class Simplex:
         return self._back[k][i]
 
     def degree(self, k: int) -> int:
-        """The total degree."""
+        """The total degree of the k-th monomial."""
         return sum(self.keys[k])
 
     def product(self, A: list[arb], B: list[arb]) -> arb:
-        """Over all pairs of keys that add up."""
+        """The sum over all pairs of keys that add up to the last one."""
         return sum((A[i] * B[j] for i, j in self._pairs[len(B) - 1]), _NONE)
 
     def product_from_1(self, A: list[arb], B: list[arb]) -> arb:
-        """The same without A_0."""
+        """The sum over the pairs without A_0, for the next key."""
         return sum((A[i] * B[j] for i, j in self._pairs[len(B)] if i), _NONE)
 
 

@@ -104,7 +104,7 @@ class Damping:
         return bool(self.friction > 0)
 
     def restoring(self, y: arb) -> arb:
-        """The displacement y itself."""
+        """At rest the acceleration is the displacement y."""
         return y
 
     def drag(self, _y: arb, w: arb) -> arb:
@@ -113,7 +113,7 @@ class Damping:
         return self.resistance(top) if top > 0 else arb(0)
 
     def slopes(self, _y: arb, _w: arb) -> tuple[arb, arb]:
-        """1 in the place."""
+        """G_u = 1, and G_w <= 0, which counts as 0."""
         return arb(1), arb(0)
 
     def strongest(self, u: arb, w: arb) -> arb:
@@ -125,7 +125,7 @@ class Damping:
         return []
 
     def loss_powers(self, _side: int) -> list[tuple[arb, int, arb]]:
-        """(-epsilon_i, 0, alpha_i)."""
+        """Each law adds -epsilon_i w^alpha_i at every place: (-epsilon_i, 0, alpha_i)."""
         return [(-e, 0, a) for e, a in zip(self.strengths, self.exponents)]
 
     def largest(self, _y: arb, _dy: arb, w: arb, dw: arb) -> arb:

@@ -74,7 +74,7 @@ class Force(Parting, Protocol):
         """Whether (or what) dry friction holds the mass somewhere."""
 
     def restoring(self, u: arb, /) -> arb:
-        """s_0(u) = G(u, 0)."""
+        """The acceleration from rest, s_0(u) = G(u, 0)."""
 
     def drag(self, u: arb, w: arb, /) -> arb:
         """s_0 - G at speeds up to that of a ball w."""

@@ -52,11 +52,11 @@ class PartingErrors:
     grown: arb = _ONE
 
     def plus(self, own: arb) -> "PartingErrors":
-        """What a piece adds."""
+        """The errors after a piece that adds ``own`` to every distance."""
         return PartingErrors(upper(self.local + own), upper(self.error + own), self.grown)
 
     def times(self, factor: arb) -> "PartingErrors":
-        """After a piece along which distances grow by ``factor``."""
+        """The errors after a piece along which distances grow by ``factor``."""
         if factor == 1:
             return self
         return PartingErrors(*(upper(factor * e) for e in (self.local, self.error, self.grown)))

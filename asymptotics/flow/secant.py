@@ -11,15 +11,25 @@ True
 """
 
 from collections.abc import Callable
+from typing import TypeVar
 
 from flint import arb
 
 from asymptotics.flow.balls import size_of
+from asymptotics.flow.times import NearRest
 from asymptotics.numbers.context import ctx
 
 _FIRST, _MOST = 53, 40
 _NOISE = 25
 """Bits by which a miss is computed beyond its own size, at least."""
+
+
+Expansion = TypeVar("Expansion", bound=NearRest)
+
+
+def through(ending: Callable[[arb], Expansion], goal: arb, w: arb, first: arb) -> Expansion:
+    """``ending`` at the turning point, near ``first``, whose orbit nearly passes ``goal`` at the speed w."""
+    return ending(secant(lambda turn: ending(turn).state(w)[0] - goal, goal, first))
 
 
 def secant(miss: Callable[[arb], arb], start: arb, first: arb) -> arb:

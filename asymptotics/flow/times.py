@@ -1,4 +1,4 @@
-"""Times added exactly, and the state at a time next to a turning point.
+"""Times are added exactly, and the state at a time next to a turning point is enclosed.
 
 A local expansion gives the place and the time in powers of the speed.  Its state at a given time s is found by
 Newton's method in the speed, in midpoints: a choice.  What is left of the time, s - tau(w), is then a distance: the
@@ -27,7 +27,7 @@ class NearRest(Protocol):
 
     @property
     def reach(self) -> arb:
-        """The largest speed."""
+        """The largest speed at which the expansion is used."""
 
     def state(self, w: arb, /) -> tuple[arb, arb]:
         """(place, tau) at the speed 0 <= w <= reach."""

@@ -49,6 +49,11 @@ from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
 
 MAX_PIECES, MAX_FREE, MAX_BEYOND = 200_000, 5000, 200
+"""Pieces of a half-swing; of one that may be trapped, or turn, without either being seen; after the well was left.
+
+A half-swing of moderate strength takes 20 to 40 pieces in 100 to 1000 bits, and one of them 0.7 ms or more: the first
+limit is minutes, the second a separatrix; a motion beyond its well has no turning point to wait for.
+"""
 ESCAPES, ROTATES = "escapes", "rotates"
 _BY_STEPS = "a creep by Taylor steps, as its slow curve is no short sum of powers yet"
 _FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision

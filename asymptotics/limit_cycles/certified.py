@@ -8,7 +8,9 @@ half-swing, f at rest and derivation ``energy-contraction``, f(q) dq = f(A) dA e
     F(A) = q(A) - A,    F'(A) = (f(A)/f(q)) e^(-J) - 1,
 
 and for an interval I with centre a: if a - F(a)/F'(I) lies inside I, then I contains exactly one turning amplitude of a
-limit cycle (interval Newton; F'(I) must not contain 0).  The multiplier of a whole period is e^(-2 J) at q = A.
+limit cycle (the interval Newton method, Moore 1966; F'(I) must not contain 0).  q is the Poincare return map of the
+section v = 0, reflected (Guckenheimer and Holmes 1983, section 1.5).  The multiplier of a whole period is e^(-2 J) at
+q = A.
 
 The half-swing in balls is that of ``half_turn``.
 """
@@ -36,7 +38,7 @@ MAX_MU = 20
 MIN_MU = ExactReal(Fraction(1, 10**100))  # below it the multiplier is told from 1 by more bits than a minute pays for
 _DOUBLINGS = 3
 _NEWTON = 12
-_GUESSED = (80, 160, 320, 640)  # bits in which the guess is improved
+_GUESSED = (80, 160, 320, 640)  # bits in which a half-turn of the guess is tried
 _SECANTS = 30
 
 
@@ -75,7 +77,7 @@ class CertifiedCycle(Shown):
         return rf"A = {self.amplitude},\quad \omega = {self.frequency},\quad \mu = {self.mu}"
 
     def to_dict(self) -> dict[str, str | bool | None]:
-        """JSON-ready."""
+        """The numbers as a JSON-ready mapping: decimals are strings."""
         return {**self.__dict__, "certified": True}
 
 
@@ -164,7 +166,11 @@ def _at_rest(terms: tuple[Term, ...], mu: arb) -> Callable[[arb], arb]:
 
 
 def _fixed_point(terms: tuple[Term, ...], mu: ExactReal, near: float) -> arb:
-    """A fixed point of q by the secant method on midpoints: a guess."""
+    """A fixed point of q by the secant method on midpoints: a guess.
+
+    ``excess`` raises the precision by itself, not by ``at_growing_precision``: that loop would try an UndecidedError of
+    a step again, which ends the guess here, and its own refusal counts digits, of which a guess has none to promise.
+    """
 
     def excess(a: float) -> float:
         for bits in _GUESSED:

@@ -52,16 +52,16 @@ class PolynomialForce:
         return upper(sum((abs(d) * _power(far, m) * _power(fast, a) for d, m, a in self.parts), far))
 
     def at(self, u: arb, w: arb) -> arb:
-        """G."""
+        """The acceleration G(u, w)."""
         return sum((d * _power(u, m) * _power(w, a) for d, m, a in self.parts), u)
 
     def slopes(self, u: arb, w: arb) -> tuple[arb, arb]:
-        """(G_u, G_w)."""
+        """The partial derivatives (G_u, G_w)."""
         in_u = sum((d * m * _power(u, m - 1) * _power(w, a) for d, m, a in self.parts if m), arb(1))
         return in_u, sum((d * a * _power(u, m) * _power(w, a - 1) for d, m, a in self.parts if a), arb(0))
 
     def bends(self, u: arb, w: arb) -> tuple[arb, arb]:
-        """(G_uw, G_ww)."""
+        """The second derivatives (G_uw, G_ww), by which the integral of G_w parts from that of the polynomials."""
         mixed = (d * m * a * _power(u, m - 1) * _power(w, a - 1) for d, m, a in self.parts if m and a)
         twice = (d * a * (a - 1) * _power(u, m) * _power(w, a - 2) for d, m, a in self.parts if a > 1)
         return sum(mixed, arb(0)), sum(twice, arb(0))

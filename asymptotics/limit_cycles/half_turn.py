@@ -1,4 +1,4 @@
-"""From one turning point of a polynomial oscillator to the next, on the certified flow, with gains as well as losses.
+"""A half-swing of a polynomial oscillator is enclosed on the certified flow, with gains as well as losses.
 
 The orbit from the midpoint of the start is laid out in Taylor steps of ``flow``, each from an exact state, through rest
 at both ends (``flow.trajectory`` says why it is no course).  The errors D travel by the rule of ``flow.parting``, with
@@ -32,12 +32,12 @@ from asymptotics.limit_cycles.force import PolynomialForce
 from asymptotics.numbers.context import ctx
 from asymptotics.terms import Term
 
-MAX_STEPS = 20_000
-_FAR = 1e6  # times the start: it goes off
-_LOW = 53  # bits of bounds
-_NEWTON = 12
-_HALVINGS = 60
-_ROOM = 4  # by which the distance of two motions may grow on a step
+MAX_STEPS = 20_000  # 12 s in 80 bits; the cycle of van der Pol takes 21 at mu = 1 and 107 at mu = 20
+_FAR = 1e6  # times the start: the orbit goes off, as no cycle near the guess does
+_LOW = 53  # bits of bounds: the radius of a ball has 30
+_NEWTON = 12  # bisections, then Newton steps: each doubles the 12 bits that the bisections have left
+_HALVINGS = 60  # of a step: shorter ones move a state by less than the bounds' own rounding
+_ROOM = 4  # by which the distance of two motions may grow on a step: the box is that much wider than what is known
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class HalfTurn:
 
 @dataclass(frozen=True)
 class _Here(FlowState):
-    """With J until then."""
+    """A state on the orbit, with the integral J up to it."""
 
     J: arb
 

@@ -50,7 +50,7 @@ class LimitCycle(Rows, Drawn):
     at: CertifiedCycle | None = None
 
     def to_dict(self) -> dict[str, Any]:
-        """JSON-ready: numbers are strings."""
+        """The result as a JSON-ready mapping: numbers are strings."""
         names = ("amplitude", "frequency", "multiplier", "log_multiplier")
         head = {"law": str(self.law), "order": self.order, "arithmetic": self.arithmetic}
         rows = {name: row_to_dict(getattr(self, name)) for name in names}

@@ -26,8 +26,6 @@ Certified: balls, and the number of half-swings until rest is decided exactly wh
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
-from math import ceil
 
 from flint import arb
 
@@ -35,9 +33,11 @@ from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import Pair, certified_point, certified_values, time_of
 from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.state_route import StateRoute, alone, require_alone
 from asymptotics.numbers.context import ctx
-from asymptotics.numbers.exact import ExactReal, square_root
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
+from asymptotics.turning.dry_friction import amplitude_in_motion, half_swings_until
 
 METHOD = "exact: dry friction, certified balls"
 
@@ -51,7 +51,7 @@ class Stop:
     half_swings: int
 
     def to_dict(self) -> dict[str, object]:
-        """JSON-ready."""
+        """The stop as a JSON-ready mapping: decimals are strings."""
         return {"x": self.x, "t": self.t, "half_swings": self.half_swings}
 
 
@@ -65,7 +65,7 @@ class _DryMotion:
     begin: arb
     omega: arb
     half_swings: int
-    rest: Fraction | None
+    rest: ExactReal | None
 
     def place(self, t: arb) -> tuple[arb, arb]:
         """(x, v) at a time before the stop."""
@@ -79,11 +79,11 @@ class _DryMotion:
         return side * (self.centre + R * angle.cos()), -side * R * self.omega * angle.sin()
 
     def stop(self) -> tuple[arb | ExactReal, arb]:
-        """(x, t) of the stop; a rational x as such: it may be 0, or a tie between two decimals."""
+        """(x, t) of the stop; an exact x as such: it may be 0, or a tie between two decimals."""
         n, side = self.half_swings, self.sign * (-1) ** self.half_swings
         t = self.begin + n * arb.pi() / self.omega
         if self.rest is not None:
-            return ExactReal(side * self.rest), t
+            return side * self.rest, t
         return side * (self.amplitude + self.centre * (1 - 2 * n)), t
 
 
@@ -130,13 +130,11 @@ def coulomb_stop(oscillator: Oscillator, digits: int = 30, *, static: Number | N
 
 
 def _hold(oscillator: Oscillator, static: Number | None) -> ExactReal:
-    oscillator.law.require_pure("the exact solution")
-    terms = oscillator.law.terms
-    if len(terms) != 1 or terms[0].velocity > 0 or not terms[0].b > 0:
-        raise InputError("law", f"{oscillator.law} is not dry friction alone", "one term, alpha = 0 and b > 0")
-    force = terms[0].b if static is None else exact_number(static, "static")
-    if force < terms[0].b:
-        raise InputError("static", f"{force} is below the kinetic friction {terms[0].b}", "a force >= b, in N")
+    require_alone(oscillator, 0, "dry friction")
+    b = oscillator.law.terms[0].b
+    force = b if static is None else exact_number(static, "static")
+    if force < b:
+        raise InputError("static", f"{force} is below the kinetic friction {b}", "a force >= b, in N")
     return force
 
 
@@ -147,13 +145,13 @@ def _course(oscillator: Oscillator, hold: ExactReal) -> _DryMotion | None:
     h = hold.ball() / k.ball()
     if not (oscillator.v0 < 0 or oscillator.v0 > 0):
         sign = -1 if oscillator.x0 < 0 else 1
-        exact = _rational_count(oscillator, hold, ExactReal(abs(oscillator.x0.coefficient), oscillator.x0.radicand))
+        exact = _exact_count(oscillator, hold, abs(oscillator.x0))
         n, rest = (_count(abs(x0), c, h), None) if exact is None else exact
         return None if n == 0 else _DryMotion(sign, c, abs(x0) - c, arb(0), omega, n, rest)
     sign = -1 if oscillator.v0 > 0 else 1
     y, w = sign * x0 - c, abs(v0) / omega
     R = (y * y + w * w).sqrt()
-    exact = _rational_count(oscillator, hold, _rational_radius(oscillator, sign))
+    exact = _exact_count(oscillator, hold, _first_amplitude(oscillator, sign))
     n, rest = (_count(R - c, c, h), None) if exact is None else exact
     return _DryMotion(sign, c, R, -arb.atan2(w, y) / omega, omega, 1 + n, rest)
 
@@ -170,10 +168,10 @@ def exact_turning_points(oscillator: Oscillator) -> Callable[[int], ExactReal] |
     if oscillator.v0.is_zero:
         side, first = oscillator.x0.sign, abs(oscillator.x0)
     else:
-        side, radius = oscillator.v0.sign, _rational_radius(oscillator, -oscillator.v0.sign)
-        if radius is None:
+        side, amplitude = oscillator.v0.sign, _first_amplitude(oscillator, -oscillator.v0.sign)
+        if amplitude is None:
             return None
-        first = radius
+        first = amplitude
     try:
         first - c
     except InputError:  # two roots: their difference is no tie
@@ -181,24 +179,21 @@ def exact_turning_points(oscillator: Oscillator) -> Callable[[int], ExactReal] |
     return lambda n: side * (-1) ** n * (first - 2 * n * c)
 
 
-def _rational_radius(oscillator: Oscillator, sign: int) -> ExactReal | None:
-    """R - c, the first turning point of a start with v0 != 0, if R^2 = (s x0 - c)^2 + m v0^2/k is a rational square."""
-    numbers = (oscillator.x0, oscillator.law.terms[0].b, oscillator.stiffness, oscillator.mass)
-    if not all(q.is_rational for q in numbers):
+def _first_amplitude(oscillator: Oscillator, sign: int) -> ExactReal | None:
+    """R - c, the first turning point of a start with v0 != 0, where it is rational, as m, k, b and x0 are."""
+    b, k, m = oscillator.law.terms[0].b, oscillator.stiffness, oscillator.mass
+    if not all(q.is_rational for q in (oscillator.x0, b, k, m)):
         return None
-    x0, b, k, m = (q.rational for q in numbers)
-    R = square_root((sign * x0 - b / k) ** 2 + m / k * oscillator.v0.coefficient**2 * oscillator.v0.radicand)
-    return ExactReal(R.rational - b / k) if R.is_rational else None
+    return amplitude_in_motion(sign * oscillator.x0, b / k, oscillator.v0 * oscillator.v0 * (m / k))
 
 
-def _rational_count(oscillator: Oscillator, hold: ExactReal, first: ExactReal | None) -> tuple[int, Fraction] | None:
-    """The smallest n with r = first - 2 n c <= h, and that r, exactly; None if a number is irrational."""
-    numbers = (first, oscillator.law.terms[0].b, oscillator.stiffness, hold)
-    if first is None or not all(q is not None and q.is_rational for q in numbers):
+def _exact_count(oscillator: Oscillator, hold: ExactReal, first: ExactReal | None) -> tuple[int, ExactReal] | None:
+    """The smallest n with r = first - 2 n c <= h, and that r, exactly; None where a number is irrational."""
+    b, k = oscillator.law.terms[0].b, oscillator.stiffness
+    if first is None or not all(q.is_rational for q in (first, b, k, hold)):
         return None
-    r, b, k, force = (q.rational for q in numbers if q is not None)
-    n = max(0, ceil((r - force / k) / (2 * b / k)))
-    return n, r - 2 * n * b / k
+    n = half_swings_until(first, b / k, hold / k)
+    return n, first - 2 * n * (b / k)
 
 
 def _count(r: arb, c: arb, h: arb) -> int:
@@ -209,3 +204,11 @@ def _count(r: arb, c: arb, h: arb) -> int:
     if n is None:
         raise UndecidedError(f"whether the mass sticks is undecided at {ctx.prec} bits: it may be a tie")
     return max(0, int(n))
+
+
+def _state(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | None) -> MotionPoint | None:
+    bare = alone(oscillator, 0)
+    return None if bare is None else coulomb_motion(bare, t, digits, static=static)
+
+
+ROUTE = StateRoute(("dry",), _state)

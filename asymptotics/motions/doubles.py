@@ -63,7 +63,7 @@ class Doubles:
         return s, psi
 
     def _wave(self, s: float, psi: float) -> complex:
-        """Z at one place."""
+        """The waveform Z = P + i Q at one place (s, psi)."""
         P, Q = self.waveform(np.array([s]), np.array([psi]))
         return complex(P[0], Q[0])
 

@@ -46,7 +46,7 @@ class State:
         return self.s - frame.back_modulus(self.s), self.psi + frame.back_argument(self.s)
 
     def point(self, frame: "Frame") -> acb:
-        """X - i X'."""
+        """The state as one number X - i X', of modulus e^(-s) |Z|."""
         s, psi = self.turning_point(frame)
         Z = sum(frame.terms(self).values(), acb(1))
         return (-s).exp() * (acb(0, 1) * psi).exp() * Z

@@ -20,6 +20,7 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import Pair, certified_point, time_of
 from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.state_route import StateRoute, alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import MAX_EXPONENT
 from asymptotics.numbers.exact import ExactReal
@@ -87,3 +88,11 @@ def _require_linear(oscillator: Oscillator) -> None:
         raise InputError("law", f"{oscillator.law} is not linear damping alone", "alpha = 1")
     if moving and moving[0] is not terms[0]:
         raise InputError("law", "the linear term stands after a term of strength 0", "the linear term alone")
+
+
+def _state(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | None) -> MotionPoint | None:
+    bare = alone(oscillator, 1)
+    return None if bare is None or static is not None else linear_motion(bare, t, digits)
+
+
+ROUTE = StateRoute(("linear",), _state)

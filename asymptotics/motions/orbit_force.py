@@ -1,4 +1,4 @@
-"""The forces along the formal orbit, by degree: F of the equations of the waveform (``waveform``).
+"""The forces along the formal orbit are expanded by degree: they are F in the equations of the ``waveform``.
 
 On 0 < psi < pi, with X/A = c P - s Q and |X'|/A = s g, g = P + (c/s) Q, and one member for each homogeneous force
 (``expansions.half_swings.forces``; side = +1 for a loss, -1 for a spring),
@@ -54,7 +54,7 @@ class OrbitForce:
                 parts.append(_product_part(self._position[m // 2], self._position[m - m // 2], n))
 
     def part(self, n: int) -> dict[Key, Any]:
-        """F of degree n."""
+        """The part of F that is homogeneous of degree n in the delta_i."""
         F: dict[Key, Any] = {}
         for key, factor, v, m in self._members:
             degree = n - sum(key)

@@ -21,8 +21,10 @@ from asymptotics.flow.balls import upper
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import certified_point, time_of
 from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.state_route import StateRoute, alone, require_alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
 from asymptotics.turning.quadratic_duration import duration, elapsed, node_count
 from asymptotics.turning.quadratic_map import next_amplitude
@@ -38,10 +40,7 @@ def quadratic_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Mot
     InputError for another law, v0 != 0 or t < 0; LimitError for more than ``MAX_HALF_SWINGS``.
     """
     moment = time_of(t)
-    oscillator.law.require_pure("the exact solution")
-    terms = oscillator.law.terms
-    if len(terms) != 1 or not terms[0].velocity.is_rational or terms[0].velocity.rational != 2 or not terms[0].b > 0:
-        raise InputError("law", f"{oscillator.law} is not quadratic damping alone", "one term, alpha = 2 and b > 0")
+    require_alone(oscillator, 2, "quadratic damping")
     if oscillator.v0 < 0 or oscillator.v0 > 0:
         raise InputError("v0", f"{oscillator.v0}: the certified motion starts at a turning point", "0")
     with ctx.workprec(64):
@@ -50,10 +49,10 @@ def quadratic_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Mot
         raise LimitError("time", f"{swings:.0f} half-swings are too many", f"at most {MAX_HALF_SWINGS}")
     if not moment > 0:
         return certified_point(lambda: (oscillator.x0, arb(0)), digits, METHOD)
-    return certified_point(lambda: _state(oscillator, moment.ball()), digits, METHOD)
+    return certified_point(lambda: _place(oscillator, moment.ball()), digits, METHOD)
 
 
-def quadratic_is_feasible(oscillator: Oscillator, digits: int) -> bool:
+def _is_feasible(oscillator: Oscillator, digits: int) -> bool:
     """Whether p = 2|u| is of ordinary size: there the quadrature is a matter of seconds and W loses no digits."""
     with ctx.workprec(64):
         gamma = oscillator.law.terms[0].b.ball() / oscillator.mass.ball()
@@ -61,7 +60,7 @@ def quadratic_is_feasible(oscillator: Oscillator, digits: int) -> bool:
         return bool(p < 1e9) and bool(p > 1e-3) and node_count(float(p.mid()) + 1, bits_for(digits, 48)) <= MAX_NODES
 
 
-def _state(oscillator: Oscillator, t: arb) -> tuple[arb, arb]:
+def _place(oscillator: Oscillator, t: arb) -> tuple[arb, arb]:
     gamma, omega = oscillator.law.terms[0].b.ball() / oscillator.mass.ball(), oscillator.omega_0()
     side, p, left = (-1 if oscillator.x0 < 0 else 1), 2 * gamma * abs(oscillator.x0.ball()), t * omega
     while True:
@@ -100,3 +99,13 @@ def _slope(p: arb, q: arb, chi: arb) -> arb:
     s = (p + q) * (1 - chi.cos()) / 2
     w = ((-(1 + p) * (-s).expm1() - s) / 2).mid()
     return (chi.sin() * (p + q) / (4 * abs(w).sqrt())).mid()
+
+
+def _state(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | None) -> MotionPoint | None:
+    bare = alone(oscillator, 2)
+    if bare is None or static is not None or not bare.v0.is_zero or not _is_feasible(bare, digits):
+        return None
+    return quadratic_motion(bare, t, digits)
+
+
+ROUTE = StateRoute(("quadratic",), _state)

@@ -43,12 +43,11 @@ from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.flow.wells.force import estimated_seconds as estimated_in_well
 from asymptotics.flow.wells.rational_stops import rational_stops
-from asymptotics.law import Oscillator, PhysicalLaw
+from asymptotics.law import Oscillator
+from asymptotics.motions import coulomb, linear, quadratic
 from asymptotics.motions.certify import certified_values, half_unit, time_of
-from asymptotics.motions.coulomb import coulomb_motion
-from asymptotics.motions.linear import linear_motion
-from asymptotics.motions.quadratic import quadratic_is_feasible, quadratic_motion
 from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.state_route import StateRoute
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal, require_integer
@@ -88,26 +87,20 @@ def reference_motion(
     oscillator.law.require_dissipative("reference motion to rest")
     require_integer(digits, "digits", 1, MAX_DIGITS)
     with budget(max_seconds):
-        exact = _exact(oscillator, moment, digits, static)
-        if exact is not None:
-            return exact
-        if static is not None:
-            raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0, b > 0")
-        found = _decimals(oscillator, moment, digits)
-    x, v = found
-    return MotionPoint(
-        x,
-        v,
-        None,
-        None,
-        None,
-        None,
-        _method(oscillator),
-        half_unit(x, digits),
-        True,
-        oscillator.law.notes,
-        oscillator.unit,
-    )
+        found = (route.state(oscillator, moment, digits, static) for route in ROUTES)
+        return next(point for point in found if point is not None)
+
+
+def _by_the_flow(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | None) -> MotionPoint:
+    if static is not None:
+        raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0, b > 0")
+    x, v = _decimals(oscillator, t, digits)
+    notes, unit = oscillator.law.notes, oscillator.unit
+    return MotionPoint(x, v, None, None, None, None, _method(oscillator), half_unit(x, digits), True, notes, unit)
+
+
+ROUTES = (coulomb.ROUTE, linear.ROUTE, quadratic.ROUTE, StateRoute(("interpolated", "stepping"), _by_the_flow))
+"""What states x(t), in the order in which it is asked: each closed form that serves, else the flow."""
 
 
 def _method(oscillator: Oscillator) -> str:
@@ -216,24 +209,6 @@ class _Ascending:
 
     def __lt__(self, other: "_Ascending") -> bool:
         return bool(self.value < other.value)
-
-
-def _exact(oscillator: Oscillator, t: ExactReal, digits: int, static: Number | None) -> MotionPoint | None:
-    acting = tuple(term for term in oscillator.law.terms if term.strength.sign > 0)
-    if not oscillator.law.is_pure or len(acting) > 1 or (acting and not acting[0].velocity.is_rational):
-        return None
-    law = PhysicalLaw.from_terms(acting or oscillator.law.terms[:1], oscillator.law.notes)
-    alone = oscillator.with_law(law)
-    alpha = acting[0].velocity.rational if acting else 1
-    if alpha == 0:
-        return coulomb_motion(alone, t, digits, static=static)
-    if static is not None:
-        return None  # the other closed forms know no static friction
-    if alpha == 1:
-        return linear_motion(alone, t, digits)
-    if alpha == 2 and oscillator.v0.is_zero and quadratic_is_feasible(alone, digits):
-        return quadratic_motion(alone, t, digits)
-    return None
 
 
 def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> float:

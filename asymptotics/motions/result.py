@@ -42,7 +42,7 @@ class MotionPoint(Shown):
     unit: str = "m"
 
     def to_dict(self) -> dict[str, Any]:
-        """JSON-ready."""
+        """The state as a JSON-ready mapping: decimals are strings."""
         return {f.name: _plain(getattr(self, f.name)) for f in fields(self) if f.name != "unit"}
 
     def noted(self, notes: tuple[str, ...]) -> "MotionPoint":

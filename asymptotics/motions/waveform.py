@@ -70,7 +70,7 @@ class Arithmetic:
 
 
 def doubles() -> Arithmetic:
-    """NumPy doubles."""
+    """The arithmetic of NumPy's doubles."""
     return Arithmetic(np.exp, np.sin, np.cos, lambda x: float(x.mid()), np.log, np.matmul, 60, in_doubles=True)
 
 
@@ -267,7 +267,7 @@ def _numbers(series: Any, order: int, number: Callable[[arb], Any]) -> Parts:
 
 
 def _keys(flow: Flow, order: int) -> list[list[Key]]:
-    """The multi-indices by degree."""
+    """The multi-indices of the delta_i, a sorted list for each degree."""
     shapes: list[list[Key]] = [[(0,) * flow.U.variables]]
     for _ in range(order):
         grown = {tuple(n + (i == j) for j, n in enumerate(k)) for k in shapes[-1] for i in range(len(k))}

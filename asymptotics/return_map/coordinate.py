@@ -1,4 +1,4 @@
-"""One number z that a half-swing depends on analytically, and how far.
+"""One number z that a half-swing depends on analytically, and how far: the argument of the return map.
 
 The half-swing from the amplitude A is that from X = 1 with the strengths delta_i = epsilon_i A^(alpha_i - 1): the ratio
 of amplitudes q/p and the duration T are functions of the delta_i alone, analytic in every polydisc on which the

@@ -1,5 +1,8 @@
 """From one turning point to the next: the half-swing as a map and a duration, by whichever route is cheapest.
 
+On the section v = 0 the map is the return map of Poincare, reflected, as sides alternate (Guckenheimer and Holmes 1983,
+section 1.5).
+
 >>> from fractions import Fraction
 >>> from flint import ctx
 >>> from asymptotics.numbers.exact import ExactReal

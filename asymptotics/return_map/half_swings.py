@@ -40,7 +40,7 @@ class Quarters:
 
     middle: arb
     scale: arb
-    growth: Interpolant
+    R: Interpolant
     duration: Interpolant
 
     def place(self, z: arb) -> arb:
@@ -85,7 +85,7 @@ class HalfSwings:
                 Quarters(
                     middle,
                     1 / half,
-                    interpolant([one.growth for one in part], size, ellipse.R, fine),
+                    interpolant([one.ln_r for one in part], size, ellipse.R, fine),
                     interpolant([one.duration for one in part], excess, ellipse.R, fine),
                 )
                 for part in (found[: len(places)], found[len(places) :])
@@ -96,7 +96,7 @@ class HalfSwings:
     def __call__(self, z: arb) -> tuple[arb, arb]:
         """(q/p, T) at a ball z in the interval."""
         t = self.forwards.place(z)
-        before = self.forwards.growth(t)
+        before = self.forwards.R(t)
         L = self._near(z, before)
         L += arb(0, upper(self._residual(z, before, L)))
         return L.exp(), self.forwards.duration(t) + self.backwards.duration(self._after(z, L))
@@ -106,7 +106,7 @@ class HalfSwings:
         return self.backwards.place(self.turn * z * (self.root * L).exp())
 
     def _residual(self, z: arb, before: arb, L: arb) -> arb:
-        return L - before + self.backwards.growth(self._after(z, L))
+        return L - before + self.backwards.R(self._after(z, L))
 
     def _near(self, z: arb, before: arb) -> arb:
         """The root nearly: a choice, by secants."""

@@ -1,5 +1,7 @@
 """Half-swings by interpolation: a panel costs as much as dozens by pieces, each half-swing in it tens of microseconds.
 
+What is interpolated is the return map of the section v = 0, as a function of the amplitude, with its time of return.
+
 A ``Panel`` holds q/p and T as polynomials in a coordinate z (``coordinate``, ``chebyshev``) for all amplitudes of an
 interval, with proved errors.  ``Panels`` lays one out when the half-swings still to come are expected to repay it, and
 hands out what it has; what no panel serves is integrated.  Only the choice is made in doubles.

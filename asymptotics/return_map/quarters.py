@@ -6,23 +6,25 @@ In polar coordinates, theta from the turning point, with +delta_i forwards and -
     dg/dz = -s^2 D/(1 - c D),        d tau/dz = s/(1 - c D):
 
 no real z is singular, and s^alpha is analytic for |Im z| < pi/2.  The local expansion at the turning point
-(``expansion``) leads to a small speed, where z = z_0; from there to z = 0 one polynomial in t does it for each
-strength, z = h (t - 1), h = -z_0/2, -1 <= t <= 1.
+(``expansion``) leads to a small speed, where z = z_0 within dz and g = g_0 within dg; from there to z = 0 one
+polynomial in t does it for each strength, z = h (t - 1), h = -z_0/2, -1 <= t <= 1.
 
 *Found*: in doubles (``quarters_in_doubles``), then residuals in balls and corrections in doubles.  Choices.
 
 *Enclosed*: let G = g_0 + the integral of any polynomial P, and f(t) the right-hand side dg/dt along G.
 
 * On the ellipse of parameter R about [-1, 1], |G - gamma| <= B by its Chebyshev coefficients.  If h (R - 1/R)/2 <
-  pi/2, s and c D are analytic there; |c D| <= kappa < 1 on the rim holds inside, and |f| <= M = h max |s^2 D|/(1 -
-  kappa).
+  pi/2, s and c D are analytic there; |c D| <= kappa < 1 on the rim holds inside, and there |f| <= M = h max |s^2 D|/
+  (1 - kappa) and |d tau/dt| <= N = h max |s|/(1 - kappa).
 * So f differs by at most ``chebyshev.cut`` from the polynomial through its values at m nodes, and that from P by at
   most sqrt(2m - 1) times the largest difference at a node: |f - P| <= eta.
 * On the real line |s^alpha c| <= (alpha^alpha/(1+alpha)^(1+alpha))^(1/2) gives a smaller kappa, and the right-hand
   side changes with g at most at the rate K = h sum |alpha_i - 1| |delta_i| e^((alpha_i-1) g)/(1 - kappa)^2.  So
   (Gronwall)
 
-    |g - G| <= e^(2K) (|g - G|(-1) + 2 eta),    and the time is off by the cut of its integrand and by 2 K max |g - G|.
+    |g - G| <= e^(2K) (|g - G|(-1) + 2 eta),    |g - G|(-1) <= dg + dz sum |delta_i| e^((alpha_i-1) g)/(1 - kappa),
+
+  and the time is off by the cut of its integrand, by 2 K max |g - G| and by dz max |d tau/dz| <= dz/(1 - kappa).
 
 Derivation ``quarter-collocation``.
 
@@ -31,9 +33,9 @@ Derivation ``quarter-collocation``.
 >>> with ctx.workprec(140):
 ...     law = Damping.of([(arb(1) / 10, ExactReal(Fraction(2)))])
 >>> forwards, backwards = quarter_swings([(law, 1), (law, -1)], 90)
->>> forwards.growth.str(10), forwards.duration.str(10)
+>>> forwards.ln_r.str(10), forwards.duration.str(10)
 ('[-0.06610623692 +/- ...]', '[1.604523150 +/- ...]')
->>> backwards.growth.str(10), backwards.duration.str(10)
+>>> backwards.ln_r.str(10), backwards.duration.str(10)
 ('[0.06721722457 +/- ...]', '[1.537860788 +/- ...]')
 """
 
@@ -67,9 +69,9 @@ Rows = list[list[arb]]
 
 @dataclass(frozen=True)
 class Quarter:
-    """``growth`` = ln r at the centre, where r = 1 at the turning point, and the time in between."""
+    """ln r at the centre, where r = 1 at the turning point, and the time in between."""
 
-    growth: arb
+    ln_r: arb
     duration: arb
 
 
@@ -93,16 +95,16 @@ def quarter_swings(laws: Sequence[tuple[Damping, int]], bits: int) -> list[Quart
 class Bundle:
     """Orbits at their hand-over, by columns: ``strengths`` signed, h and g_0 exact, ``times`` since the turning point.
 
-    ``late`` and ``off``: how far z_0 and g_0 are from the truth at most.
+    ``dz`` and ``dg``: how far z_0 and g_0 are from the truth at most.
     """
 
     alphas: tuple[arb, ...]
     strengths: tuple[tuple[arb, ...], ...]
-    half: tuple[arb, ...]
-    start: tuple[arb, ...]
+    h: tuple[arb, ...]
+    g0: tuple[arb, ...]
     times: tuple[arb, ...]
-    late: arb
-    off: arb
+    dz: arb
+    dg: arb
 
     @classmethod
     def of(cls, laws: Sequence[tuple[Damping, int]]) -> "Bundle":
@@ -118,23 +120,23 @@ class Bundle:
                 raise UndecidedError("the local expansion does not reach the hand-over")
             r = (u * u + w * w).sqrt()
             columns.append((((r + u) / w).log() / 2, r.log(), side * tau))
-        half, start, times = (tuple(column) for column in zip(*columns))
+        h, g0, times = (tuple(column) for column in zip(*columns))
         rubs = any(law.friction != 0 for law, _ in laws)
         alphas = (*laws[0][0].exponents, *([arb(0)] if rubs else []))
         strengths = (tuple(side * e for e in (*law.strengths, *([law.friction] if rubs else []))) for law, side in laws)
-        late, off = (largest(x.rad() for x in column) for column in (half, start))
-        exact_half, exact_start = (tuple(x.mid() for x in column) for column in (half, start))
-        return cls(alphas, tuple(strengths), exact_half, exact_start, times, upper(2 * late), off)
+        dh, dg = (largest(x.rad() for x in column) for column in (h, g0))
+        exact_h, exact_g0 = (tuple(x.mid() for x in column) for column in (h, g0))
+        return cls(alphas, tuple(strengths), exact_h, exact_g0, times, upper(2 * dh), dg)
 
     @cached_property
     def sketch(self) -> Sketch:
-        """The same in doubles."""
+        """The same orbits in doubles, for a first solution."""
         columns = zip(*self.strengths)
-        return Sketch(doubles([self.alphas])[0], doubles(columns), *doubles([self.half, self.start]))
+        return Sketch(doubles([self.alphas])[0], doubles(columns), *doubles([self.h, self.g0]))
 
 
 def doubles(rows: Iterable[Iterable[arb]]) -> Array:
-    """Midpoints."""
+    """The midpoints of the balls in rows."""
     return np.array([[float(x.mid()) for x in row] for row in rows])
 
 
@@ -153,11 +155,11 @@ class NodeGrid:
 
     @classmethod
     def of(cls, bundle: Bundle, count: int) -> "NodeGrid":
-        """For all columns."""
+        """The nodes of all columns, ``count`` in each."""
         ends, places = [t - 1 for t in nodes(count)], []
         still = [i for i, a in enumerate(bundle.alphas) if a == 1]
         moving = [(i, a) for i, a in enumerate(bundle.alphas) if a != 1]
-        for h, strengths in zip(bundle.half, bundle.strengths):
+        for h, strengths in zip(bundle.h, bundle.strengths):
             tick("the nodes of a quarter-swing")
             linear, column = sum((strengths[i] for i in still), arb(0)), []
             for end in ends:
@@ -193,14 +195,14 @@ class NodeGrid:
 
 def found(grid: NodeGrid, bits: int) -> arb_mat:
     """f at the nodes, nearly: exact numbers, corrected in doubles until that is enough."""
-    sketch, start, m = grid.bundle.sketch, grid.bundle.start, grid.count
+    sketch, g0, m = grid.bundle.sketch, grid.bundle.g0, grid.count
     values, sums = analysis(m, ctx.prec), integrals(m, ctx.prec)
     g = [[arb(float(x)) for x in row] for row in sketch.solved(m)]
     for k in range(1, 3 + bits // _GAIN):
         tick("quarter-swings by collocation")
         unit, rates = arb(2) ** (-k * _GAIN), arb_mat(grid.rates(g)).mid()
         reached = (sums * (values * rates)).table()
-        missing = doubles([(a + x - y) / unit for a, x, y in zip(start, *rows)] for rows in zip(reached, g))
+        missing = doubles([(a + x - y) / unit for a, x, y in zip(g0, *rows)] for rows in zip(reached, g))
         _, slope = sketch.rates(doubles(g))
         change = corrected(slope, missing)
         if np.max(np.abs(missing)) < 2.0 ** ((k + 1) * _GAIN - bits):
@@ -218,8 +220,8 @@ def moved(rows: Rows, change: Array, unit: arb) -> arb_mat:
 class Path:
     """G and what is known along it: ``ends`` at t = 1, ``slowness`` = d tau/dt at the nodes.
 
-    ``differs``: the most that P and f differ at a node; ``loads``: max |delta_i| e^((alpha_i-1) gamma), where gamma is
-    the first Chebyshev coefficient of G, and ``sizes``: those of the others.
+    ``differs``: eta without the cut, sqrt(2m - 1) times the most that P and f differ at a node; ``loads``: the largest
+    |delta_i| e^((alpha_i-1) gamma), gamma the first Chebyshev coefficient of G, and ``sizes``: those of the others.
     """
 
     grid: NodeGrid
@@ -240,7 +242,7 @@ class Path:
         kept = [[x.mid() for x in row] if k <= degree else [none] * len(row) for k, row in enumerate(b)]
         lacking += sum((largest(x.rad() for x in row) for row in b[: degree + 1]), none)
         grown = (integrals(m, ctx.prec) * arb_mat(kept)).table()
-        *g, ends = [[a + x for a, x in zip(bundle.start, row)] for row in grown]
+        *g, ends = [[a + x for a, x in zip(bundle.g0, row)] for row in grown]
         slopes = grid.rates(g)
         apart = largest(x - y for pair in zip(rates.table(), slopes) for x, y in zip(*pair))
         with ctx.workprec(_LOW):
@@ -254,56 +256,57 @@ class Path:
             differs = upper(arb(2 * m - 1).sqrt() * apart + lacking)
         return cls(grid, tuple(ends), grid.slowness(slopes), differs, tuple(loads), arb_poly(sizes))
 
-    def drags(self, spread: arb) -> list[arb]:
-        """Bounds of |delta_i e^((alpha_i-1) g)| where |g - gamma| <= ``spread``."""
-        return [load * (abs(a - 1) * spread).exp() for load, a in zip(self.loads, self.grid.bundle.alphas)]
+    def drags(self, B: arb) -> list[arb]:
+        """Bounds of |delta_i e^((alpha_i-1) g)| where |g - gamma| <= B."""
+        return [load * (abs(a - 1) * B).exp() for load, a in zip(self.loads, self.grid.bundle.alphas)]
 
-    def on_ellipse(self, rim: arb) -> tuple[arb, arb] | None:
-        """Bounds of |f| and |d tau/dt| along G on the ellipse, or None."""
-        a, b = (rim + 1 / rim) / 2, (rim - 1 / rim) / 2
-        half = reduce(arb.union, self.grid.bundle.half)
-        if not half * b < arb.pi() / 2:
+    def on_ellipse(self, R: arb) -> tuple[arb, arb] | None:
+        """(M, N): bounds of |f| and |d tau/dt| along G on the ellipse of parameter R; None where it may be singular."""
+        a, b = (R + 1 / R) / 2, (R - 1 / R) / 2
+        h = reduce(arb.union, self.grid.bundle.h)
+        if not h * b < arb.pi() / 2:
             return None
-        drags = self.drags((self.sizes(rim) + self.sizes(1 / rim)) / 2)
-        full, fast, slow = arb(0), arb(0), arb(0)
+        drags = self.drags((self.sizes(R) + self.sizes(1 / R)) / 2)
+        kappa, fast, slow = arb(0), arb(0), arb(0)
         for j in range(_ARCS):
             angle = arb(fmpq(2 * j + 1, 2 * _ARCS), fmpq(1, 2 * _ARCS))
-            x, y = half * (a * arb.cos_pi(angle) - 1), half * b * arb.sin_pi(angle)
+            x, y = h * (a * arb.cos_pi(angle) - 1), h * b * arb.sin_pi(angle)
             under = x.sinh() ** 2 + y.cos() ** 2
             if not under > 0:
                 return None
             s = (1 / under).sqrt()
             drag = sum((d * s**e for d, e in zip(drags, self.grid.bundle.alphas)), arb(0))
-            full = full.max(upper(drag * ((x.sinh() ** 2 + y.sin() ** 2) / under).sqrt()))
+            kappa = kappa.max(upper(drag * ((x.sinh() ** 2 + y.sin() ** 2) / under).sqrt()))
             fast, slow = fast.max(upper(s * s * drag)), slow.max(upper(s))
-        if not full < 1:
+        if not kappa < 1:
             return None
-        return upper(half * fast / (1 - full)), upper(half * slow / (1 - full))
+        return upper(h * fast / (1 - kappa)), upper(h * slow / (1 - kappa))
 
     def enclosed(self, rim: float) -> list[Quarter]:
-        """With the largest ellipse up to R = ``rim`` on which the bounds are proved."""
+        """With the largest ellipse up to R = ``rim`` on which M and N are proved."""
         bundle, m = self.grid.bundle, self.grid.count
         with ctx.workprec(_LOW):
             tried = ((R, self.on_ellipse(R)) for R in (1 + arb(rim - 1) * arb(0.96) ** k for k in range(_TRIES)))
-            R, bounds = next(((R, found) for R, found in tried if found is not None), (arb(rim), None))
-            if bounds is None:
+            R, found = next(((R, bounds) for R, bounds in tried if bounds is not None), (arb(rim), None))
+            if found is None:
                 raise UndecidedError("no ellipse about the quarter-swings is proved to be free of singularities")
+            M, N = found
             drags = self.drags(upper(self.sizes(arb(1)) + arb(_NEAR)))
-            full = sum((d * peak(e) for d, e in zip(drags, bundle.alphas)), arb(0))
-            if not full < 1:
+            kappa = sum((d * peak(e) for d, e in zip(drags, bundle.alphas)), arb(0))
+            if not kappa < 1:
                 raise UndecidedError("the strengths are too large for polar coordinates")
-            half = reduce(arb.max, bundle.half)
-            slope = half * sum((abs(a - 1) * d for a, d in zip(bundle.alphas, drags)), arb(0)) / (1 - full) ** 2
-            began = bundle.off + bundle.late * sum(drags, arb(0)) / (1 - full)
-            eta = cut(bounds[0], R, m) + self.differs
-            off = upper((2 * slope).exp() * (began + 2 * eta))
-            late = upper(2 * cut(bounds[1], R, m) + 2 * slope * off + bundle.late / (1 - full))
-        if not off < _NEAR:
+            h = reduce(arb.max, bundle.h)
+            K = h * sum((abs(a - 1) * d for a, d in zip(bundle.alphas, drags)), arb(0)) / (1 - kappa) ** 2
+            begun = bundle.dg + bundle.dz * sum(drags, arb(0)) / (1 - kappa)
+            eta = cut(M, R, m) + self.differs
+            apart = upper((2 * K).exp() * (begun + 2 * eta))
+            late = upper(2 * cut(N, R, m) + 2 * K * apart + bundle.dz / (1 - kappa))
+        if not apart < _NEAR:
             raise UndecidedError("the quarter-swings are not enclosed")
         weights = arb_mat([integrals(m, ctx.prec).table()[m]]) * analysis(m, ctx.prec)
         durations = (weights * arb_mat(self.slowness)).table()[0]
         rows = zip(self.ends, bundle.times, durations)
-        return [Quarter(end + arb(0, off), first + rest + arb(0, late)) for end, first, rest in rows]
+        return [Quarter(end + arb(0, apart), first + rest + arb(0, late)) for end, first, rest in rows]
 
 
 def largest(values: Iterable[arb]) -> arb:

@@ -31,26 +31,26 @@ class Sketch:
 
     alphas: Array
     strengths: Array
-    half: Array
-    start: Array
+    h: Array
+    g0: Array
 
     def rates(self, g: Array) -> tuple[Array, Array]:
         """dg/dt at the nodes (rows), and its derivative by g."""
-        z = self.half * (_nodes(len(g))[:, None] - 1)
+        z = self.h * (_nodes(len(g))[:, None] - 1)
         s, c = 1 / np.cosh(z), -np.tanh(z)
         drags = [e * s**a * np.exp((a - 1) * g) for a, e in zip(self.alphas, self.strengths)]
         drag, slope = sum(drags), sum((a - 1) * d for a, d in zip(self.alphas, drags))
         room = 1 - c * drag
-        return -self.half * s**2 * drag / room, -self.half * s**2 * slope / room**2
+        return -self.h * s**2 * drag / room, -self.h * s**2 * slope / room**2
 
     def solved(self, m: int) -> Array:
-        """g at m nodes."""
+        """The solution g at m nodes, by Newton's method on the integral equation."""
         whole, _ = integration(m)
-        g = np.zeros((m, 1)) + self.start
+        g = np.zeros((m, 1)) + self.g0
         with np.errstate(all="ignore"):
             for _ in range(_ROUNDS):
                 f, slope = self.rates(g)
-                change = corrected(slope, self.start + _product(whole, f)[:-1] - g, 1)
+                change = corrected(slope, self.g0 + _product(whole, f)[:-1] - g, 1)
                 g = g + change
                 if not np.all(np.isfinite(change)):
                     break
@@ -78,19 +78,19 @@ class Sketch:
         return int(best[0]) + 2, best[1]
 
     def _size_on(self, rim: float, swell: float) -> float | None:
-        """M on the ellipse, None where it is too large."""
+        """M + N on the ellipse, None where it is too large."""
         phi = np.linspace(0, np.pi, _ARCS)
         t = (rim * np.exp(1j * phi) + np.exp(-1j * phi) / rim) / 2
-        half = np.max(self.half)
-        if half * (rim - 1 / rim) / 2 > 1.5 or not np.isfinite(swell):
+        h = np.max(self.h)
+        if h * (rim - 1 / rim) / 2 > 1.5 or not np.isfinite(swell):
             return None
-        z = half * (t - 1)
+        z = h * (t - 1)
         s = np.abs(1 / np.cosh(z))
         weights = self.alphas - 1
-        sizes = np.max(np.abs(self.strengths) * np.exp(weights[:, None] * self.start), axis=1)
+        sizes = np.max(np.abs(self.strengths) * np.exp(weights[:, None] * self.g0), axis=1)
         drag = sum(e * np.exp(abs(w) * swell) * s**a for e, w, a in zip(sizes, weights, self.alphas))
-        full = np.max(drag * np.abs(np.tanh(z)))
-        return float(half * np.max(s**2 * drag + s) / (1 - full)) if full < _FULL else None
+        kappa = np.max(drag * np.abs(np.tanh(z)))
+        return float(h * np.max(s**2 * drag + s) / (1 - kappa)) if kappa < _FULL else None
 
 
 def corrected(slope: Array, residual: Array, rounds: int = 5) -> Array:

@@ -1,5 +1,8 @@
 """The n-th turning point without iterating, any alpha > 1: a truncated Abel function with a proved bound of its defect.
 
+The solution Psi of Abel's equation Psi(F) = Psi + 1 is the Fatou coordinate of the return map at its parabolic fixed
+point 0 (Milnor 2006, section 10).
+
 In the local strength delta = epsilon A^(alpha-1) a half-swing is the map F, of duration T.  The odd Laurent polynomials
 
     Psi = sum_(k<K) c_k delta^(2k-1),   Psi(F) - Psi - 1 = d,    Theta,  Theta(F) - Theta - T = d,    d = O(delta^(2K))
@@ -26,7 +29,7 @@ mean value theorem.
 '[1.3910445426199116877e-9 +/- ...]'
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import inf
 
@@ -48,21 +51,21 @@ _SHARES = (0.5, 0.6, 0.7, 0.8, 0.9)
 
 @dataclass(frozen=True, eq=False)
 class Approximant:
-    """An odd Laurent polynomial sum c_k delta^(2k-1), the next coefficients of its defect, and D on the circle."""
+    """An odd Laurent polynomial sum c_k delta^(2k-1), the next coefficients d_m of its defect, and D."""
 
     coefficients: tuple[arb, ...]
     following: tuple[arb, ...]
-    circle: arb
+    D: arb
 
     def __call__(self, delta: arb) -> arb:
-        """The value."""
+        """The value sum c_k delta^(2k-1), by Horner's rule."""
         square, total = delta * delta, arb(0)
         for c in reversed(self.coefficients):
             total = total * square + c
         return total / delta
 
     def slope(self, delta: arb) -> arb:
-        """The derivative."""
+        """The derivative sum (2k-1) c_k delta^(2k-2)."""
         square, total = delta * delta, arb(0)
         for k in reversed(range(len(self.coefficients))):
             total = total * square + (2 * k - 1) * self.coefficients[k]
@@ -76,17 +79,17 @@ class Approximant:
 
 @dataclass(frozen=True, eq=False)
 class AbelFunction:
-    """Psi and Theta of one law with alpha > 1, rigorous on 0 < delta < ``radius``; ``gain`` is g."""
+    """Psi and Theta of one law with alpha > 1, rigorous on 0 < delta < rho; 1/delta grows by g or more."""
 
     psi: Approximant
     theta: Approximant
-    radius: arb
-    gain: arb
+    rho: arb
+    g: arb
 
     def advance(self, delta: arb, steps: int) -> arb:
         """The local strength ``steps`` half-swings after the ball ``delta``; ValueError outside (0, radius)."""
-        if not (delta > 0 and delta < self.radius):
-            raise ValueError(f"{delta.str(5)} is not in (0, {self.radius.str(5)})")
+        if not (delta > 0 and delta < self.rho):
+            raise ValueError(f"{delta.str(5)} is not in (0, {self.rho.str(5)})")
         return self._solve(self.psi(delta) + steps + self.defects(self.psi, delta), delta)
 
     def time_between(self, first: arb, last: arb) -> arb:
@@ -99,18 +102,18 @@ class AbelFunction:
             top = arb(delta.upper())
             m = 2 * len(f.coefficients)
             total = sum((c * self.power_sum(top, m + i) for i, c in enumerate(f.following)), arb(0))
-            last, x = m + len(f.following), top / self.radius
-            beyond = f.circle / (1 - x) * self.power_sum(top, last) / self.radius**last
+            J, x = m + len(f.following), top / self.rho
+            beyond = f.D / (1 - x) * self.power_sum(top, J) / self.rho**J
             if not (x < 1 and beyond.is_finite()):
                 raise UndecidedError("delta is outside the circle on which the defect is bounded")
             return arb(0, (total + beyond).upper())
 
     def power_sum(self, delta: arb, m: int) -> arb:
         """A bound of sum_j delta_j^m along the orbit from ``delta``, m >= 2."""
-        behind = 1 / delta - self.gain / 2
+        behind = 1 / delta - self.g / 2
         if not behind > 0:
             raise UndecidedError("delta is too large for the sum along the orbit")
-        return behind ** (1 - m) / ((m - 1) * self.gain)
+        return behind ** (1 - m) / ((m - 1) * self.g)
 
     def _solve(self, value: arb, start: arb) -> arb:
         """The only delta up to about ``start`` with Psi(delta) = value: Newton, then the mean value theorem."""
@@ -118,7 +121,7 @@ class AbelFunction:
         for _ in range(ctx.prec.bit_length() + 3):
             middle = (middle - (self.psi(middle) - value) / self.psi.slope(middle)).mid()
         guess = middle * (1 + arb(0, arb(2) ** -10))
-        if not (guess < self.radius and self.psi.falls_up_to(arb(guess.union(start).upper()))):
+        if not (guess < self.rho and self.psi.falls_up_to(arb(guess.union(start).upper()))):
             raise UndecidedError("the truncated Abel function may not decrease here: use a later head or fewer terms")
         root = middle + (value - self.psi(middle)) / self.psi.slope(guess)
         if not guess.contains(root):
@@ -157,7 +160,7 @@ def of_coefficients(
 ) -> AbelFunction:
     """From the coefficients of Psi and Theta, and those of their defects that follow (as many as are known)."""
     with ctx.workprec(BITS):
-        gain = (alpha.ball() - 1) * arb.pi() * moment(alpha.ball() + 1)
+        g = (alpha.ball() - 1) * arb.pi() * moment(alpha.ball() + 1)
         power = 2 * len(coefficients[0]) + len(following[0])
         bound = _circle(alpha, coefficients[0], power)
         drives = (arb(1), arb.pi() + bound.excess)
@@ -165,15 +168,24 @@ def of_coefficients(
             Approximant(tuple(c), tuple(abs(d).upper() for d in rest), (_on_circle(c, bound) + drive).upper())
             for c, rest, drive in zip(coefficients, following, drives, strict=True)
         )
-    return AbelFunction(psi, theta, bound.radii[0], arb(gain.lower()))
+    return AbelFunction(psi, theta, bound.radii[0], arb(g.lower()))
 
 
 def _circle(alpha: ExactReal, coefficients: Sequence[arb], power: int) -> Majorant:
     """The circle, out of a few, on which the bound of what lies beyond delta^power is smallest."""
-    largest = widest([alpha.ball()], [arb(1)], whole=True).radii[0]
-    circles = [majorant([alpha.ball()], [largest * arb(share)], whole=True) for share in _SHARES]
-    found = [c for c in circles if c is not None]
-    return min(found, key=lambda c: float((_on_circle(coefficients, c) / c.radii[0] ** power).log()))
+    return least_beyond(polydiscs([alpha.ball()], [arb(1)], _SHARES), power, lambda c: _on_circle(coefficients, c))
+
+
+def polydiscs(exponents: Sequence[arb], direction: Sequence[arb], shares: Sequence[float]) -> list[Majorant]:
+    """The majorants at these shares of the widest polydisc in a direction, as far as they converge provably."""
+    largest = widest(exponents, direction, whole=True).radii[0]
+    found = (majorant(exponents, [largest * arb(share) * d for d in direction], whole=True) for share in shares)
+    return [m for m in found if m is not None]
+
+
+def least_beyond(found: Sequence[Majorant], power: int, bound: Callable[[Majorant], arb]) -> Majorant:
+    """The one with the least ``bound``/rho_1^power: of what lies beyond delta^power, by Cauchy's inequality."""
+    return min(found, key=lambda m: float((bound(m) / m.radii[0] ** power).log()))
 
 
 def _on_circle(coefficients: Sequence[arb], bound: Majorant) -> arb:

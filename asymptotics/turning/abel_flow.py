@@ -1,5 +1,7 @@
 """The n-th turning point of a sum of laws, every exponent above 1: the Abel function as an integral of the slow flow.
 
+Psi(F) = Psi + 1 is Abel's equation for the return map F, whose solution is a Fatou coordinate (``abel``).
+
 A half-swing shifts x = ln A by L; the formal flow dx/dj = v(x), v = pi U, reaches it at j = 1 (``normal_form.flow``).
 Powers of A would need logarithms where exponents resonate; the integrals of
 
@@ -11,8 +13,8 @@ terms of each, Psi = int f dx and Theta = int h dx grow on a half-swing by 1 + d
 * **Defects.**  d(lambda), the delta_i made lambda times larger, is analytic on |lambda| = rho_1/delta_1, where the
   majorant of the half-swing (``half_swings.finite_majorant``) gives |L| <= G, and |v_1| >= b there because the real
   parts of its terms have one sign; so |d| <= D, and d = O(lambda^(2K)) makes |d| <= D (delta_1/rho_1)^(2K) (Schwarz).
-* **Along the orbit** 1/delta_1 grows by g = (alpha_1-1) pi M_(alpha_1+1) at least, and delta_i/delta_1 falls, so that
-  one D serves all later half-swings; the sum is that of ``abel.power_sum``.
+* **Along the orbit** 1/delta_1 gains (alpha_1-1) pi M_(alpha_1+1) at least at each step, and delta_i/delta_1 falls, so
+  that one D serves all later half-swings; the sum is that of ``abel.power_sum``.
 * **Following terms.**  The defects of K terms differ from those of K + 1 by an integral over the whole orbit,
   |int g_K/v_1 dx| <= C delta_1^(2K-1)/((2K-1)(alpha_1-1)): the bound is the next term and Schwarz' inequality beyond.
 
@@ -34,11 +36,12 @@ from flint import acb, arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
-from asymptotics.expansions.half_swings.finite_majorant import BITS, Majorant, majorant, widest
+from asymptotics.expansions.half_swings.finite_majorant import BITS, Majorant
 from asymptotics.expansions.normal_form.flow import flow_of
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key
+from asymptotics.turning.abel import least_beyond, polydiscs
 
 FOLLOWING = 1
 """How many terms beyond those kept are in the bound as they are."""
@@ -59,7 +62,7 @@ class DefectBound:
 
     @property
     def total(self) -> arb:
-        """The bound."""
+        """The bound of the sum of all defects: both parts together."""
         return arb((self.following + self.beyond).upper())
 
 
@@ -71,11 +74,11 @@ class AbelFlow:
     epsilons: tuple[arb, ...]
     rates: tuple[Part, ...]
     clock: tuple[Part, ...]
-    kept: int
+    K: int
 
     @property
     def weights(self) -> tuple[arb, ...]:
-        """alpha_i - 1."""
+        """The exponents alpha_i - 1 of A in the local strengths."""
         return tuple((a - 1).ball() for a in self.alphas)
 
     def strengths(self, x: Any) -> list[Any]:
@@ -101,7 +104,7 @@ class AbelFlow:
             bound = self._polydisc(top)
             after = self._following(top)
             beyond = self._on_circle(bound)
-            m = 2 * (self.kept + FOLLOWING)
+            m = 2 * (self.K + FOLLOWING)
             behind = 1 / top[0] - self._gain() / 2
             if not behind > 0:
                 raise UndecidedError("delta is too large for the sum along the orbit")
@@ -114,12 +117,12 @@ class AbelFlow:
     def integrand(self, drive: Sequence[Part], x: Any) -> Any:
         """f for ``drive`` = v_1 alone, h for ``drive`` = ``clock``: K terms."""
         delta = self.strengths(x)
-        v = [_at(part, delta) for part in self.rates[: self.kept]]
+        v = [_at(part, delta) for part in self.rates[: self.K]]
         g = _reciprocal([r / v[0] for r in v[1:]])
         if drive is not self.clock:
             return sum(g) / v[0]
-        c = [_at(part, delta) for part in self.clock[: self.kept]]
-        return sum(c[i] * g[k - i] for k in range(self.kept) for i in range(k + 1)) / v[0]
+        c = [_at(part, delta) for part in self.clock[: self.K]]
+        return sum(c[i] * g[k - i] for k in range(self.K) for i in range(k + 1)) / v[0]
 
     def _gain(self) -> arb:
         return -self.weights[0] * self.rates[0][-1][1]
@@ -128,13 +131,10 @@ class AbelFlow:
         """Of a few polydiscs in the direction of ``top`` the one with the least bound of what lies beyond."""
         exponents = [a.ball() for a in self.alphas]
         direction = [arb((d / top[0]).upper()) for d in top]
-        largest = widest(exponents, direction, whole=True).radii[0]
-        found = [majorant(exponents, [largest * arb(s) * d for d in direction], whole=True) for s in _SHARES]
-        power = 2 * (self.kept + FOLLOWING)
-        usable = [(m, self._on_circle(m)[0]) for m in found if m is not None and self._least(m) > 0]
+        usable = [m for m in polydiscs(exponents, direction, _SHARES) if self._least(m) > 0]
         if not usable:
             raise UndecidedError("no circle is proved on which the defects of the Abel function are bounded")
-        return min(usable, key=lambda pair: float((pair[1] / pair[0].radii[0] ** power).log()))[0]
+        return least_beyond(usable, 2 * (self.K + FOLLOWING), lambda m: self._on_circle(m)[0])
 
     def _least(self, bound: Majorant) -> arb:
         """b: terms of v_1 whose real parts have the sign of the first are left out, others are taken off."""
@@ -168,10 +168,10 @@ class AbelFlow:
         g = _reciprocal([r / v[0] for r in v[1:]])
         clock = [_at(part, shape) for part in self.clock]
         h = [sum((clock[i] * g[k - i] for i in range(k + 1)), arb(0)) for k in range(len(g))]
-        if not sum((abs(c) * top[0] ** (2 * k) for k, c in enumerate(g[: self.kept]) if k), arb(0)) < arb(1) / 2:
+        if not sum((abs(c) * top[0] ** (2 * k) for k, c in enumerate(g[: self.K]) if k), arb(0)) < arb(1) / 2:
             raise UndecidedError("the truncated Abel function may not decrease here: use a later head or fewer terms")
         psi, theta = (
-            sum((abs(f[k] / v[0]) * self._tail(top[0], k) for k in range(self.kept, len(f))), arb(0)) for f in (g, h)
+            sum((abs(f[k] / v[0]) * self._tail(top[0], k) for k in range(self.K, len(f))), arb(0)) for f in (g, h)
         )
         return psi, theta
 

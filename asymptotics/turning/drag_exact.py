@@ -33,48 +33,29 @@ from dataclasses import dataclass
 from flint import arb
 
 from asymptotics.errors import InputError
+from asymptotics.flow.wells.force import WellForce
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
-from asymptotics.numbers.exact import ExactReal
-
-_PIECES = 4096
+from asymptotics.terms import Term
 
 
 @dataclass(frozen=True)
 class PrimitiveWell:
-    """The spring and the two losses in balls; ``rate`` is r if sin(r x)/r stands in the place of x, else None.
+    """The force in balls, and the strengths eps_0 (dry friction) and eps_2 (drag) of its losses: it has no others."""
 
-    r is the unit of length in rad: 1 where x is an angle.
-    """
-
-    springs: tuple[tuple[arb, int], ...]
-    rate: arb | None
+    force: WellForce
     dry: arb
     drag: arb
 
     @classmethod
     def of(cls, law: Law) -> "PrimitiveWell":
         """At the current precision; InputError by name for a force that this method cannot take."""
-        dry, drag, springs, rate = arb(0), arb(0), [], None
-        for t in law.terms:
-            if t.family:
-                rate = t.strength.ball().sqrt()
-            elif t.sign > 0 and t.velocity.is_zero:
-                springs.append((t.strength.ball(), t.position))
-            elif t.is_power_of_velocity and t.velocity == 2:
-                drag = t.strength.ball()
-            elif t.is_power_of_velocity and t.velocity.is_zero:
-                dry = t.strength.ball()
-            else:
-                known = "alpha = 0 and 2 with springs c x|x|^(P-1) or a pendulum; expand takes every force"
-                raise InputError("law", f"{t.shape()}: with a nonlinear spring there is no exact swing", known)
+        for t in _without_primitive(law):
+            known = "alpha = 0 and 2 with springs c x|x|^(P-1) or a pendulum; expand takes every force"
+            raise InputError("law", f"{t.shape()}: with a nonlinear spring there is no exact swing", known)
         _require_one_branch(law)
-        return cls(tuple(springs), rate, dry, drag)
-
-    def force(self, x: arb) -> arb:
-        """V'(x) for x >= 0."""
-        linear = x if self.rate is None else (self.rate * x).sin() / self.rate
-        return sum((c * x**p for c, p in self.springs), start=linear)
+        force = WellForce.of(law.terms)
+        return cls(force, force.grip(arb(0)), sum((loss.strength for loss in force.losses), arb(0)))
 
     def work(self, low: arb, high: arb) -> arb:
         """int_low^high (V'(y) - eps_0) e^(-2 eps_2 y) dy; ``low`` may be negative, ``high`` >= 0."""
@@ -89,21 +70,27 @@ class PrimitiveWell:
     def _primitive(self, x: arb, side: int) -> arb:
         """A primitive of (side V'(x) - eps_0) e^(-2 side eps_2 x), x >= 0."""
         k = 2 * side * self.drag
-        powers = [(side * c, p) for c, p in self.springs] + [(-self.dry, 0)]
-        if self.rate is None:
+        r = self.force.rate
+        powers = [(side * c, p) for c, p in self.force.springs] + [(-self.dry, 0)]
+        if r is None:
             powers.append((arb(side), 1))
         total = sum((c * _power_primitive(x, p, k) for c, p in powers), start=arb(0))
-        if self.rate is not None:
-            r, (sine, cosine) = self.rate, (self.rate * x).sin_cos()
+        if r is not None:
+            sine, cosine = (r * x).sin_cos()
             total -= side * (-(k * x)).exp() * (r * cosine + k * sine) / (r * (r * r + k * k))
         return total
 
 
 def drag_serves(law: Law) -> bool:
     """Whether these forces have their closed primitive, on one branch; the linear spring alone is one of them."""
-    springs = all(t.family or t.velocity.is_zero for t in law.springs)  # true of the linear spring alone
-    losses = all(t.is_power_of_velocity and (t.velocity == 2 or t.velocity.is_zero) for t in law.losses)
-    return springs and losses and not _has_two_branches(law)
+    return not _without_primitive(law) and not _has_two_branches(law)
+
+
+def _without_primitive(law: Law) -> list[Term]:
+    """The terms that are no spring of the place (the linear one is not among them), quadratic drag or dry friction."""
+    springs = [t for t in law.springs if not (t.family or t.velocity.is_zero)]
+    losses = [t for t in law.losses if not (t.is_power_of_velocity and (t.velocity == 2 or t.velocity.is_zero))]
+    return springs + losses
 
 
 def _has_two_branches(law: Law) -> bool:
@@ -139,8 +126,8 @@ def swings(well: PrimitiveWell, x: arb, bits: int) -> Iterator[tuple[arb, bool |
     side = 1 if x > 0 else -1
     a = side * x
     while True:
-        force = abs(well.force(abs(a)))
-        stays = True if force <= well.dry else False if force > well.dry and a > 0 else None
+        pull = abs(well.force.pull(a))
+        stays = True if pull <= well.dry else False if pull > well.dry and a > 0 else None
         yield side * a, stays
         if stays is not False:
             return
@@ -168,7 +155,7 @@ def _guess(well: PrimitiveWell, a: arb) -> arb | None:
         low, high = (middle, high) if well.work(-middle, a).mid() > 0 else (low, middle)
     q = low
     for _ in range(12):
-        slope = (well.force(abs(q)) * (1 if q > 0 else -1) + well.dry) * (2 * well.drag * q).exp()
+        slope = (well.force.pull(q) + well.dry) * (2 * well.drag * q).exp()
         if not abs(slope.mid()) > 0:
             return None
         step = (well.work(-q, a) / slope).mid()
@@ -185,37 +172,5 @@ def _falling_from(well: PrimitiveWell, a: arb) -> arb:
     low, high = arb(0), a
     for _ in range(60):
         middle = ((low + high) / 2).mid()
-        low, high = (low, middle) if well.force(middle) > well.dry else (middle, high)
+        low, high = (low, middle) if well.force.pull(middle) > well.dry else (middle, high)
     return -high
-
-
-def require_well(well: PrimitiveWell, x0: ExactReal) -> None:
-    """InputError unless V' > 0 from 0 to |x0|, decided by balls on pieces of V'(x)/x."""
-    if x0.is_zero:
-        raise InputError("x0", "0 is the place of rest", "a start at rest away from 0")
-    end = abs(x0.ball())
-    stack, pieces = [(arb(0), end.upper())], 0
-    while stack:
-        low, high = stack.pop()
-        pieces += 1
-        ratio = _stiffness(well, low.union(high))
-        if ratio > 0:
-            continue
-        edge = _stiffness(well, high)
-        if edge <= 0 or pieces > _PIECES:
-            what = "it rotates" if well.rate is not None else "it escapes"
-            raise InputError("x0", f"{x0} lies outside the well, V' > 0 fails on the way: {what}", "a start inside it")
-        middle = ((low + high) / 2).mid()
-        stack += [(low, middle), (middle, high)]
-
-
-def _stiffness(well: PrimitiveWell, x: arb) -> arb:
-    """V'(x)/x for a ball x >= 0."""
-    linear = arb(1) if well.rate is None else (well.rate * x).sinc()
-    total = linear
-    for c, p in well.springs:
-        power = arb(1)
-        for _ in range(p - 1):
-            power = power * x
-        total = total + c * power
-    return total

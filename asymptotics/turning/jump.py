@@ -14,7 +14,7 @@ on.  ``planned`` weighs terms, whose coefficients cost, against the length of th
 (1000000000000, '[9.21317728013e-8 +/- ...]', '[3141592653589.79 +/- ...]')
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import ceil, log2
 
@@ -24,12 +24,17 @@ from asymptotics.costs import flow_seconds, interpolation_seconds
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.finite_majorant import widest
 from asymptotics.expansions.moments.certified import moment
+from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.return_map.panels import panels_of
+from asymptotics.return_map.sequence import Interpolated
 from asymptotics.turning.abel import FOLLOWING, AbelFunction, abel_function
 from asymptotics.turning.abel_flow import FOLLOWING as FLOW_FOLLOWING
 from asymptotics.turning.abel_flow import abel_flow
+from asymptotics.turning.enclosing import EnclosedMotion, damping_of, first_of
+from asymptotics.turning.table import Request
 
 HEAD = 300
 """Half-swings of the head of one law, and one more for each bit: delta is then so small that few terms will do."""
@@ -48,6 +53,20 @@ class FarPlan:
     delta: float
     head: int
     seconds: float
+
+
+def with_a_head(request: Request, head: int, far: Callable[[Iterator[Turning]], Turning]) -> EnclosedMotion:
+    """The motion as far as turning point ``start``, which ``far`` finds from a head, and half-swing by half-swing on.
+
+    The head is interpolated as is worth while for ``head`` half-swings.
+    """
+    damping, panels = damping_of(request), panels_of(request.law, ctx.prec)
+
+    def after(first: Turning) -> Iterator[Turning]:
+        there = far(sequence(Interpolated(damping, panels, first.n + head), first))
+        return sequence(Interpolated(damping, panels, there.n + request.count), there)
+
+    return EnclosedMotion(lambda: first_of(request, damping), after)
 
 
 def planned(alphas: Sequence[ExactReal], bits: int, start: int) -> FarPlan:

@@ -15,8 +15,8 @@ from asymptotics.turning.table import Progress, Request
 class Route:
     """``serves(request)``: the seconds it would take, or None; ``points(request, progress)``: the table it finds.
 
-    ``domain`` and ``way`` say in words what it serves and how; ``state`` names the function of ``motions`` that gives
-    (x, v) at a time by the same method, "" where there is none.
+    ``domain`` and ``way`` say in words what it serves and how; what of ``motions`` states (x, v) at a time in the same
+    way names its route (``motions.state_route``).
     """
 
     name: str
@@ -24,4 +24,3 @@ class Route:
     way: str
     serves: Callable[[Request], float | None]
     points: Callable[[Request, Progress], TurningPoints]
-    state: str = ""

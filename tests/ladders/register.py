@@ -389,6 +389,8 @@ NONE_NEEDED: Names = {
     ),
     **_each("bounds.remainder", "remainder", "local_bounds and displacement_bound, both registered, side by side"),
     **_each("turning.jump", "head_end", CHOICE),
+    **_each("turning.abel", "polydiscs", "finite_majorant.majorant, which is registered, at some shares"),
+    **_each("turning.abel", "least_beyond", CHOICE),
     **_each("turning.drag_exact", "swings", "PrimitiveWell.work, which has a ladder, half-swing by half-swing"),
     **_each("turning.enclosing", "damping_of first_of", "Damping.of and flow.sequence.first_from for a request"),
     **_each("turning.table", "size", EXACT),

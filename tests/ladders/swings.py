@@ -143,9 +143,9 @@ def ratio(x):
     return [CertifiedRatio.of((Term(1, 1), Term(1, 2))).at([x, x])]
 
 
-def exact_swing(name, *arguments):
+def exact_work(x):
     spring = Law({0: "1/20", 2: "1/7"}, spring={3: "1/3"})
-    return lambda x: [getattr(drag_exact.PrimitiveWell.of(spring), name)(*arguments, x)]
+    return [drag_exact.PrimitiveWell.of(spring).work(arb("-0.5"), x)]
 
 
 def many(names, room=SPRING):
@@ -280,10 +280,7 @@ TURNING = [
         (10, 20, 40, 80),
         160,
     ),
-    *(
-        Ladder(tuple(EXACT + n for n in ("of", name)), exact_swing(name, *rest), lost=18, stretch=300)
-        for name, rest in (("force", ()), ("work", (arb("-0.5"),)))
-    ),
+    Ladder(many("of work", EXACT), exact_work, lost=18, stretch=300),
 ]
 
 SWINGS = [*PIECES, *SEQUENCES, *SERIES, *TURNING]

@@ -161,7 +161,7 @@ def test_the_place_on_a_half_swing_is_enclosed_or_undecided(monkeypatch):
 def test_a_time_that_may_be_on_two_half_swings_is_undecided(monkeypatch):
     monkeypatch.setattr(quadratic, "duration", lambda *_: arb(3, "0.1"))
     with pytest.raises(UndecidedError, match="half-swing of this time"):
-        quadratic._state(oscillator("2", "1/10"), arb(3))
+        quadratic._place(oscillator("2", "1/10"), arb(3))
 
 
 def test_a_time_that_may_be_before_the_stop_is_undecided(monkeypatch):

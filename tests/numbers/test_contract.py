@@ -140,7 +140,6 @@ def test_no_public_function_with_digits_is_forgotten():
         "estimated_seconds",
         "map_seconds",
         "closed_form_seconds",
-        "quadratic_is_feasible",
         "reference_states",
         "expansions.divergence.constants.effort",
         "expansions.divergence.constants.stokes_balls",

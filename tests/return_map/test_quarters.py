@@ -52,8 +52,8 @@ def test_a_ladder_of_closed_forms(alpha, strength, side):
         growth, time = closed_form(alpha, side * parse_real(strength, "e").ball())
     for bits in (8, 30, 53, 120):
         (quarter,) = quarter_swings([(law, side)], bits)
-        assert quarter.growth.contains(growth) and (time is None or quarter.duration.contains(time)), bits
-        assert max(quarter.growth.rad(), quarter.duration.rad()) < arb(2) ** (4 - bits)
+        assert quarter.ln_r.contains(growth) and (time is None or quarter.duration.contains(time)), bits
+        assert max(quarter.ln_r.rad(), quarter.duration.rad()) < arb(2) ** (4 - bits)
 
 
 def test_many_strengths_of_one_law_at_once_on_both_sides():
@@ -61,7 +61,7 @@ def test_many_strengths_of_one_law_at_once_on_both_sides():
     together = quarter_swings(laws, 60)
     for law, one in zip(laws, together, strict=True):
         (sharp,) = quarter_swings([law], 130)
-        assert one.growth.contains(sharp.growth) and one.duration.contains(sharp.duration)
+        assert one.ln_r.contains(sharp.ln_r) and one.duration.contains(sharp.duration)
 
 
 @pytest.mark.parametrize("other", [(("3", "1/10"),), (("2", "1/10"), ("3", "0")), (("1", "1/10"), ("2", "1/10"))])
@@ -70,7 +70,7 @@ def test_laws_with_other_exponents_are_refused_unless_their_terms_vanish(other):
     laws = [(damping(("2", "1/10")), 1), (damping(*other), 1)]
     if other[-1][1] == "0":
         first, second = quarter_swings(laws, 40)
-        assert first.growth.str(9) == second.growth.str(9)
+        assert first.ln_r.str(9) == second.ln_r.str(9)
     else:
         with pytest.raises(ValueError, match="different exponents"):
             quarter_swings(laws, 40)
@@ -113,7 +113,7 @@ def sampled(path, rim, count=60):
     angles = np.pi * (2 * np.arange(len(g)) + 1) / (2 * len(g))
     b = [(1 + (k > 0)) / len(g) * np.sum(g * np.cos(k * angles)) for k in range(24)]
     terms = [(float(a.mid()), float(e.mid())) for a, e in zip(bundle.alphas, bundle.strengths[0], strict=True)]
-    h, seen = float(bundle.half[0].mid()), []
+    h, seen = float(bundle.h[0].mid()), []
     for angle in np.linspace(0, np.pi, count):
         u = rim * mpmath.expj(angle)
         s, c = (lambda z: (1 / mpmath.cosh(z), -mpmath.tanh(z)))(h * ((u + 1 / u) / 2 - 1))
@@ -140,7 +140,7 @@ def test_the_largest_ellipse_is_free_of_singularities():
         rims = [arb(1) + arb(k) / 20 for k in range(1, 60)]
         last, other = (float(max(R for R in rims if p.on_ellipse(R) is not None)) for p in (path, free))
     assert sampled(path, last)[2] < 1 < sampled(path, last + 0.4)[2]
-    height = float(free.grid.bundle.half[0].mid()) * (other - 1 / other) / 2
+    height = float(free.grid.bundle.h[0].mid()) * (other - 1 / other) / 2
     assert 1.4 < height < np.pi / 2
 
 
@@ -162,13 +162,13 @@ def test_the_error_is_made_of_its_parts(law):
         drags = [float(d) for d in path.drags((path.sizes(arb(1)) + arb(2) ** -20).upper())]
     alphas = [float(a.mid()) for a in bundle.alphas]
     full = sum(d * float(peak(arb(a)).mid()) for d, a in zip(drags, alphas, strict=True))
-    slope = float(bundle.half[0].mid()) * sum(abs(a - 1) * d for d, a in zip(drags, alphas, strict=True))
+    slope = float(bundle.h[0].mid()) * sum(abs(a - 1) * d for d, a in zip(drags, alphas, strict=True))
     K = slope / (1 - full) ** 2
     off = np.exp(2 * K) * 2 * eta
-    assert float(quarter.growth.rad()) == pytest.approx(off, rel=1e-5)
+    assert float(quarter.ln_r.rad()) == pytest.approx(off, rel=1e-5)
     assert float(quarter.duration.rad()) == pytest.approx(time_cut + 2 * K * off, rel=1e-5)
     (sharp,) = quarter_swings([(damping(*law[0]), law[1])], 90)
-    assert quarter.growth.contains(sharp.growth) and quarter.duration.contains(sharp.duration)
+    assert quarter.ln_r.contains(sharp.ln_r) and quarter.duration.contains(sharp.duration)
 
 
 def test_the_drags_are_those_on_the_orbit():
@@ -185,10 +185,10 @@ def test_a_start_that_is_off_is_paid_for():
     e, weak = arb(2) ** -24, ((("2", "1/100000"),), 1)
     bundle = bundle_of(*weak)
     with ctx.workprec(84):
-        grid = NodeGrid.of(replace(bundle, start=(bundle.start[0] + e,), off=e), 60)
+        grid = NodeGrid.of(replace(bundle, g0=(bundle.g0[0] + e,), dg=e), 60)
         (wide,) = Path.along(grid, found(grid, 50)).enclosed(1.5)
-        missing = abs(wide.growth.mid() - quarter_swings([(damping(*weak[0]), 1)], 80)[0].growth)
-        assert missing <= wide.growth.rad() and wide.growth.rad() / 2 < missing
+        missing = abs(wide.ln_r.mid() - quarter_swings([(damping(*weak[0]), 1)], 80)[0].ln_r)
+        assert missing <= wide.ln_r.rad() and wide.ln_r.rad() / 2 < missing
 
 
 def test_a_late_start_is_paid_for():
@@ -196,11 +196,11 @@ def test_a_late_start_is_paid_for():
     e, law = arb(2) ** -24, ((("3/2", "1/5"),), 1)
     bundle = bundle_of(*law)
     with ctx.workprec(84):
-        grid = NodeGrid.of(replace(bundle, half=(bundle.half[0] + e / 2,), late=e), 60)
+        grid = NodeGrid.of(replace(bundle, h=(bundle.h[0] + e / 2,), dz=e), 60)
         (wide,) = Path.along(grid, found(grid, 50)).enclosed(1.5)
         (sharp,) = quarter_swings([(damping(*law[0]), 1)], 80)
-        assert wide.growth.contains(sharp.growth) and wide.duration.contains(sharp.duration)
-        assert e <= wide.duration.rad() <= 1.2 * e + 2 * wide.growth.rad() and wide.growth.rad() <= e / 2
+        assert wide.ln_r.contains(sharp.ln_r) and wide.duration.contains(sharp.duration)
+        assert e <= wide.duration.rad() <= 1.2 * e + 2 * wide.ln_r.rad() and wide.ln_r.rad() <= e / 2
 
 
 def test_rates_that_are_off_are_seen():
@@ -213,7 +213,7 @@ def test_rates_that_are_off_are_seen():
         rates[7][0] += e
         off, right = Path.along(grid, arb_mat(rates)), Path.along(grid, exact)
         assert e * arb(59).sqrt() <= off.differs * arb("1.001") and off.differs <= e * arb(59).sqrt() * arb("1.001")
-        assert 0 < abs(off.ends[0] - right.ends[0]) < off.enclosed(1.5)[0].growth.rad()
+        assert 0 < abs(off.ends[0] - right.ends[0]) < off.enclosed(1.5)[0].ln_r.rad()
 
 
 def test_coefficients_that_are_dropped_count():

@@ -66,7 +66,7 @@ def test_half_of_the_next_term_or_one_term_less_would_be_wrong(law, orbits):
         for drive, rise, bound in zip((flow.rates[:1], flow.clock), (arb(2000), later - t), bounds, strict=True):
             defect = abs(flow._integral(drive, x, there) - rise)
             assert bound.following / 2 < defect < bound.total and bound.total / 2 < defect
-            shorter = replace(flow, kept=1)
+            shorter = replace(flow, K=1)
             wrong = abs(
                 shorter._integral(flow.rates[:1] if drive is not flow.clock else shorter.clock, x, there) - rise
             )
@@ -114,7 +114,7 @@ def test_the_bound_on_the_circle_holds_what_an_independent_integration_finds():
 def test_the_integrand_is_the_slow_flow_of_first_order_where_that_is_all():
     with ctx.workprec(80):
         flow = flow_of(LAWS[0], 2)
-        short = replace(flow, kept=1)
+        short = replace(flow, K=1)
         x = arb(-3)
         delta = [d.mid() for d in flow.strengths(x)]
         mpmath.mp.prec = 80

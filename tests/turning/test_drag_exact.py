@@ -90,7 +90,7 @@ def test_dry_friction_holds_where_the_force_is_at_most_the_friction():
     assert table.ended == {"n": len(table.points) - 1, "reason": "sticks"}
     with ctx.workprec(100):
         well = PrimitiveWell.of(LAWS["softening, dry"][0])
-        assert well.force(abs(arb(table.points[-1].x))) < well.dry < well.force(abs(arb(table.points[-2].x)))
+        assert well.force.pull(abs(arb(table.points[-1].x))) < well.dry < well.force.pull(abs(arb(table.points[-2].x)))
 
 
 @pytest.mark.parametrize(
@@ -136,6 +136,6 @@ def test_the_command(capsys):
 
 def test_a_force_that_may_hold_the_mass_leaves_it_open():
     """V' = x + x^3 at x = 0.5 +- 0.05 is on both sides of the friction 5/8: whether it stays is not told."""
-    well = PrimitiveWell(((arb(1), 3),), None, arb("0.625"), arb(0))
+    well = PrimitiveWell.of(Law({0: "5/8"}, spring={3: 1}))
     assert [stays for _, stays in swings(well, arb("0.5", "0.05"), 60)] == [None]
     assert next(swings(well, arb("0.3"), 60))[1] is True and next(swings(well, arb("0.9"), 60))[1] is False

@@ -42,18 +42,18 @@ def test_the_circle_of_a_defect(alpha, terms):
     """|c_0| (1/|F| + 1/rho) + sum |c_k| (|F|^(2k-1) + rho^(2k-1)) and the drive; for alpha = 2 against F itself."""
     with ctx.workprec(100):
         made = abel_function(real(alpha), terms)
-        bound = majorant([real(alpha).ball()], [made.radius], whole=True)
-    rho, high, low = float(made.radius), float(bound.final(0)), float(bound.inverse())
+        bound = majorant([real(alpha).ball()], [made.rho], whole=True)
+    rho, high, low = float(made.rho), float(bound.final(0)), float(bound.inverse())
     for f, drive in ((made.psi, 1), (made.theta, np.pi + float(bound.excess))):
         c = [abs(float(x)) for x in f.coefficients]
         again = c[0] * (low + 1 / rho) + sum(
             b * (high ** (2 * k - 1) + rho ** (2 * k - 1)) for k, b in enumerate(c) if k
         )
-        assert float(f.circle) == pytest.approx(again + drive, rel=1e-9, abs=0)
+        assert float(f.D) == pytest.approx(again + drive, rel=1e-9, abs=0)
     if alpha == "2":
         points = [rho * mpmath.expj(t) for t in mpmath.linspace(0, mpmath.pi, 9)]
         there, here = (max(abs(value(made.psi, z)) for z in zs) for zs in (map(image, points), points))
-        assert there + here + 1 < float(made.psi.circle) < 1.5 * (there + here + 1)
+        assert there + here + 1 < float(made.psi.D) < 1.5 * (there + here + 1)
 
 
 def image(delta):
@@ -145,7 +145,7 @@ def test_the_bound_of_a_flow_is_the_next_term_and_the_circle():
         top = [float(d) for d in made.strengths(x)]
         bound = made._polydisc([arb(d) for d in top])
         D, least, G = made._on_circle(bound), float(made._least(bound)), float(bound.growth)
-        rho, gain, m = float(bound.radii[0]), float(made._gain()), 2 * (made.kept + 1)
+        rho, gain, m = float(bound.radii[0]), float(made._gain()), 2 * (made.K + 1)
         wide = [float(r) * np.exp(float(w) * G) for r, w in zip(bound.radii, made.weights)]
     along = (1 / top[0] - gain / 2) ** (1 - m) / ((m - 1) * gain) / rho**m
     assert float(psi.beyond) == pytest.approx(float(D[0]) * along, rel=1e-6, abs=0)

@@ -47,10 +47,10 @@ def test_the_bound_of_the_defect_is_above_the_defect():
     with ctx.workprec(400):
         abel, delta = quadratic_abel(5), arb(1) / 200
         image = next_amplitude(2 * delta) / 2
-        scale = (delta / abel.radius) ** 10 / (1 - delta / abel.radius)
-        assert abs(abel.psi(image) - abel.psi(delta) - 1) < abel.psi.circle * scale
+        scale = (delta / abel.rho) ** 10 / (1 - delta / abel.rho)
+        assert abs(abel.psi(image) - abel.psi(delta) - 1) < abel.psi.D * scale
         time = duration(2 * delta, 2 * image)
-        assert abs(abel.theta(image) - abel.theta(delta) - time) < abel.theta.circle * scale
+        assert abs(abel.theta(image) - abel.theta(delta) - time) < abel.theta.D * scale
 
 
 def test_both_series_begin_alike():

@@ -80,7 +80,7 @@ class TurningExpansion:
 
     @classmethod
     def _short(cls, damping: Damping, y0: arb, reach: arb, plan: KeptTerms) -> "TurningExpansion":
-        """The first term alone."""
+        """The expansion of which the first term alone is kept; the rest is bounded by ``room``."""
         drop, slowest, fastest = room(damping, y0, reach)
         late = upper((1 / slowest - 1 / abs(y0)).max(1 / abs(y0) - 1 / fastest))
         return cls(damping, y0, reach, plan, (arb_poly([y0]), arb_poly([1 / y0])), (), drop, late)
@@ -96,7 +96,7 @@ class TurningExpansion:
         return upper(2 * abs(self.y0) + 2 * self.damping.friction + self.reach + fast)
 
     def acceleration(self, y: arb, w: arb) -> arb:
-        """y - N(w)."""
+        """The acceleration dw/dt = y - N(w)."""
         return y - self.damping.resistance(w)
 
     def moved(self, wait: arb) -> tuple[arb, arb]:
@@ -207,7 +207,7 @@ def _on_a_line(damping: Damping, y0: arb, plan: KeptTerms) -> tuple[arb_poly, ar
 
 
 def _powers(z: arb, highest: int) -> list[arb]:
-    """1, z, z^2, ..."""
+    """The powers 1, z, z^2, ... up to z^highest."""
     found = [arb(1)]
     for _ in range(highest):
         found.append(found[-1] * z)

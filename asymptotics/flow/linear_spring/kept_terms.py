@@ -29,14 +29,17 @@ from fractions import Fraction
 from math import factorial, gcd, inf, lcm, log, prod
 
 from asymptotics.errors import LimitError
+from asymptotics.flow.taylor import DEGREE_PER_BIT
 from asymptotics.numbers.context import lru_cache
 
 Key = tuple[int, ...]
 MAX_LINE, MAX_KEYS = 3000, 1500
-_UNIT = 1 << 16  # of the integer weights
+"""The most terms of a line and of a simplex: by ``_microseconds`` either takes about three seconds, many half-swings by
+Taylor steps."""
+_UNIT = 1 << 16  # of the integer weights: to round one down gives away 2^-16 bits for each factor of a term
 _LN2 = log(2)
 _ALONE = 0.25  # the share of its coefficients that a half-swing pays for, where others use them too
-SMALL = 0.2  # exponents below which short plans are made
+SMALL = 0.2  # exponents below which short plans are made: w^alpha halves only where w falls to 1/32 or less
 _HALVINGS = (0.2, 0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 13, 16, 20, 26, 32)
 
 
@@ -185,5 +188,5 @@ def _microseconds(plan: KeptTerms, bits: int, alphas: tuple[float, ...], shared:
 
 
 def _step_microseconds(bits: int, laws: int) -> float:
-    order = 0.42 * bits + 6
+    order = DEGREE_PER_BIT * bits + 6
     return 150 + 0.1 * order**2 * (1 + laws) * (1 + bits / 500)

@@ -48,7 +48,7 @@ class Settling(Piece):
     w: arb
 
     def own(self, t: arb) -> tuple[arb, arb]:
-        """The two balls."""
+        """The true state lies in these two balls all the time."""
         return self.y, self.w
 
 
@@ -101,7 +101,7 @@ class LinearSpring(CertifiedFlow):
         return not self.traps and len(self.force.alphas) == 1
 
     def unit(self, _u: arb, _w: arb) -> arb:
-        """1."""
+        """The unit of places is 1: in it two motions never part."""
         return _ONE
 
     def expansion(self, place: arb) -> TurningExpansion:

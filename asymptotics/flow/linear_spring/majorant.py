@@ -30,10 +30,10 @@ from flint import arb
 def majorant(a: arb, b: arb) -> arb | None:
     """The smaller of R and S at a, b >= 0 as an upper bound below 1; None where neither certainly converges."""
     found: list[arb] = []
-    under = (1 - b) ** 2 - 4 * a
+    under = (1 - b) ** 2 - 4 * a  # the root of R
     if b < 1 and under > 0:
         found.append(((1 + b - under.sqrt()) / 2).upper())
-    under = 1 - 2 * (a + b)
+    under = 1 - 2 * (a + b)  # the root of S
     if under > 0:
         found.append((1 - under.sqrt()).upper())
     found = [bound for bound in found if bound < 1]

@@ -21,10 +21,10 @@ from operator import mul, sub
 
 from flint import arb, arb_poly
 
+from asymptotics.flow.composition import Key, below
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 
-Key = tuple[int, ...]
 Row = tuple[Key, arb_poly, arb_poly]
 _LIMB = 64
 
@@ -54,18 +54,8 @@ def lengths(weights: Key, top: int) -> Iterator[tuple[Key, int]]:
     [((0,), 4), ((1,), 2), ((2,), 1)]
     """
     first, *others = weights
-    for m, left in _below(tuple(others), top):
+    for m, left in below(tuple(others), top):
         yield m, -(-left // first)
-
-
-def _below(weights: Key, top: int) -> Iterator[tuple[Key, int]]:
-    """All m >= 0 with sum m_i weights_i < top, and what is left."""
-    if not weights:
-        yield (), top
-        return
-    for k in range(-(-top // weights[0])):
-        for rest, left in _below(weights[1:], top - k * weights[0]):
-            yield (k, *rest), left
 
 
 @lru_cache(maxsize=32)

@@ -26,7 +26,7 @@ from asymptotics.flow.balls import dyadic, size_of
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.expansion import TurningExpansion, plan_at
 from asymptotics.flow.linear_spring.kept_terms import SMALL
-from asymptotics.flow.secant import secant
+from asymptotics.flow.secant import through
 from asymptotics.numbers.context import ctx
 
 _ROUGH = 53
@@ -37,13 +37,9 @@ def arrive(damping: Damping, y: arb, w: arb) -> TurningExpansion:
     """The expansion at a dyadic guess y_1 of the turning point of the orbit through (y, w), y < 0 a ball, w > 0 exact,
     within the reach of y_1."""
     goal = y.mid()
-
-    def miss(y1: arb) -> arb:
-        return TurningExpansion.at(damping, y1, w).state(w)[0] - goal
-
     with ctx.workprec(_ROUGH):
         first = (goal - w * w / (2 * abs(goal))).mid()
-    return TurningExpansion.at(damping, secant(miss, goal, first), w)
+    return through(lambda y1: TurningExpansion.at(damping, y1, w), goal, w, first)
 
 
 def turns_within(damping: Damping, y: arb, w: arb, error: arb) -> bool:

@@ -1,5 +1,7 @@
 """Creep for all times: the slow curve of the least exponent alpha < 1, between two barriers.
 
+The slow curve is a slow manifold, and the barriers are fences: a lower and an upper solution (Walter 1998, section 9).
+
 The slow curve is a divergent sum of powers of w (``slow_curve_series``).  Cut off below w^E, and theta w^E more in
 B, it is a curve that the motion crosses in one direction only as long as w is small: downwards in y for theta = -h,
 upwards for theta = h.  In between the motion is caught, and the time on either curve is a sum of powers of
@@ -80,10 +82,10 @@ class Barrier(Protocol):
     """What a strip asks of the two curves beside it, as functions of ln w, with their derivatives."""
 
     def place(self, log_w: arb) -> tuple[arb, arb]:
-        """y."""
+        """The place y on the curve, and dy/d ln w."""
 
     def clock(self, log_w: arb) -> tuple[arb, arb]:
-        """The antiderivative of dy/w."""
+        """An antiderivative of dy/w along the curve, by whose decrease time passes, and its derivative by ln w."""
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,7 @@
 """Stiff motion for alpha > 1: far above w = epsilon^(-1/(alpha-1)) it slides on its slow curve, between barriers.
 
+The curve is an attracting slow manifold (Fenichel 1979), the barriers are a lower and an upper solution.
+
 One law alone, epsilon w^(alpha-1) large: after a short time y = epsilon w^alpha (1 - B), with the B of derivation
 ``slow-curve``, whose powers of w are negative here: all of them are largest at the least speed.  With a constant theta
 instead of theta w^E the two barriers, theta = -+h, are checked at that speed once and hold from there on upwards (last

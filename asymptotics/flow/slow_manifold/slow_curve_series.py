@@ -47,7 +47,7 @@ class Truncated:
 
 
 def summed(powers: tuple[Power, ...] | list[Power], log_w: arb) -> arb:
-    """sum of c w^e."""
+    """The sum of all c w^e of the powers (c, e)."""
     return sum((c * (e * log_w).exp() for c, e in powers), arb(0))
 
 

@@ -1,6 +1,7 @@
 """How a motion ends, decided in balls: it is held, creeps home, is overdamped; or it leaves its well.
 
-*Traps* (derivation ``wells-traps``).  Let s_0(u*) = 0, u* = 0 without losses of exponent 0, and s_0(u) <= K (u - u*)
+*Traps* are positively invariant regions: on the boundary the vector field points inwards (Nagumo 1942; derivation
+``wells-traps``).  Let s_0(u*) = 0, u* = 0 without losses of exponent 0, and s_0(u) <= K (u - u*)
 for the places between u* and u.  With y = u - u* the regions of the linear spring are traps, in units of time
 1/sqrt(K):
 
@@ -123,8 +124,13 @@ def require_inside(force: WellForce, x: arb, shown: str) -> None:
     if stays is None:
         raise TooWideError(f"whether {shown} lies inside the well is undecided")
     if not stays:
-        reason = f"{shown} lies outside the well, V' > 0 fails on the way: it {leaves(force)}"
-        raise InputError("x0", reason, "a start inside it")
+        raise outside(force, shown)
+
+
+def outside(force: WellForce, shown: str) -> InputError:
+    """The refusal of a start that V' > 0 does not hold in its well."""
+    reason = f"{shown} lies outside the well, V' > 0 fails on the way: it {leaves(force)}"
+    return InputError("x0", reason, "a start inside it")
 
 
 def _stiffness(force: WellForce, x: arb) -> arb:

@@ -49,7 +49,7 @@ class EvenWell(CertifiedFlow):
             return unit_for(self.force, upper(abs(u) + w))
 
     def expansion(self, place: arb) -> WellExpansion:
-        """The local expansion."""
+        """The local expansion at a turning point of this well."""
         return WellExpansion.at(self.force, place)
 
     def turns_within(self, place: arb, w: arb, _error: arb) -> bool:
@@ -65,7 +65,7 @@ class EvenWell(CertifiedFlow):
         return beyond(self.force, place) or (trap(self.force, place, w) if self.traps else None)
 
     def exact(self, n: int) -> Stop | None:
-        """From ``rational_stops``."""
+        """The n-th of the ``stops``, where it is one of them."""
         return self.stops[n] if n < len(self.stops) else None
 
     def leaves(self, turn: arb) -> str | None:

@@ -51,7 +51,8 @@ _SHRINKING = (1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.03, 0.01)
 class WellExpansion:
     """u(w) and tau(w)/w at the turning point ``u0`` for 0 <= w <= ``reach``, with the bounds of their tails.
 
-    On a line the variable is w^``step``; else ``keys`` are the monomials in w^2, w^alpha_i.
+    ``brake`` is P_0, ``slowness`` has the coefficients Q_e/(e+1) of tau/w.  On a line the variable is w^``step``; else
+    ``keys`` are the monomials in w^2, w^alpha_i.
     """
 
     force: WellForce
@@ -100,7 +101,7 @@ class WellExpansion:
         return upper(self.rate + unit * self.reach)
 
     def acceleration(self, u: arb, w: arb) -> arb:
-        """G(u, w)."""
+        """The acceleration dw/dt = G(u, w)."""
         return self.force.acceleration(u, w)
 
     def moved(self, wait: arb) -> tuple[arb, arb]:

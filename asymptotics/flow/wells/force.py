@@ -95,7 +95,7 @@ class WellForce:
         return sum((f.strength for f in self.losses if f.place == 0 and not f.alpha < 1 and not f.alpha > 1), none)
 
     def pull(self, u: arb) -> arb:
-        """V'(u)."""
+        """The force V'(u) of the springs."""
         linear = u if self.rate is None else (self.rate * u).sin() / self.rate
         return sum((c * u * abs(u) ** (p - 1) for c, p in self.springs), linear)
 

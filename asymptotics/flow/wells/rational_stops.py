@@ -75,7 +75,7 @@ def _energy(terms: Sequence[Term]) -> tuple[list[Fraction], Fraction] | None:
 
 
 def _force(well: list[Fraction], x: Fraction) -> Fraction:
-    """V'(x) + eps."""
+    """The force V'(x) of the springs and eps together."""
     return sum((n * c * x ** (n - 1) for n, c in enumerate(well) if n), Fraction(0))
 
 

@@ -19,7 +19,7 @@ from flint import arb
 
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.parting import points_forward
-from asymptotics.flow.secant import secant
+from asymptotics.flow.secant import through
 from asymptotics.flow.wells.expansion import WellExpansion, reach_at
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.numbers.context import ctx
@@ -30,14 +30,10 @@ _MOST, _LOW = 40, 53
 def arrive(force: WellForce, u: arb, w: arb) -> WellExpansion:
     """The expansion at a dyadic guess u_1 of the turning point of the orbit through the exact (u, w > 0)."""
     goal = u.mid()
-
-    def miss(turn: arb) -> arb:
-        return WellExpansion.at(force, turn, w).state(w)[0] - goal
-
     with ctx.workprec(_LOW):
         first = without_loss(force, goal, (w * w / 2).mid())
     try:
-        return WellExpansion.at(force, secant(miss, goal, goal if first is None else first), w)
+        return through(lambda u1: WellExpansion.at(force, u1, w), goal, w, goal if first is None else first)
     except LimitError as far:  # at the top of a well the place of a turning point is anywhere
         raise UndecidedError("the turning point ahead was not found: too near a separatrix") from far
 

@@ -8,15 +8,13 @@ half-swings go on from there.
 from collections.abc import Iterator
 from operator import attrgetter
 
-from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.half_swing_map import INTEGRATED
 from asymptotics.return_map.panels import ROUTE as INTERPOLATED
 from asymptotics.return_map.panels import panels_of
-from asymptotics.return_map.sequence import Interpolated
-from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
-from asymptotics.turning.jump import head_end, jumped_by_flow, planned
+from asymptotics.turning.enclosing import EnclosedMotion, bits_of, enclosed, in_words
+from asymptotics.turning.jump import head_end, jumped_by_flow, planned, with_a_head
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.routes.stepping import require_moderate, swing_seconds
@@ -41,17 +39,15 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     alphas = [t.velocity for t in laws]
 
     def orbit() -> EnclosedMotion:
-        damping, panels = damping_of(request), panels_of(request.law, ctx.prec)
         plan, epsilons = planned(alphas, ctx.prec, request.start), [t.strength.ball() for t in laws]
 
-        def after(first: Turning) -> Iterator[Turning]:
-            lead = sequence(Interpolated(damping, panels, first.n + plan.head), first)
+        def far(lead: Iterator[Turning]) -> Turning:
             here = head_end(lead, alphas[0], epsilons[0], request.start, plan.delta)
-            if here.n < request.start:
-                here = jumped_by_flow(alphas, epsilons, plan.terms, here, request.start)
-            return sequence(Interpolated(damping, panels, here.n + request.count), here)
+            if here.n >= request.start:
+                return here
+            return jumped_by_flow(alphas, epsilons, plan.terms, here, request.start)
 
-        return EnclosedMotion(lambda: first_of(request, damping), after)
+        return with_a_head(request, plan.head, far)
 
     way = f"{INTEGRATED}, {INTERPOLATED} and Abel function by the slow flow"
     return enclosed(request, orbit, lambda bits: in_words(request, way, bits), bits_of(request), progress)

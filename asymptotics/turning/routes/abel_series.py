@@ -8,13 +8,11 @@ from collections.abc import Iterator
 from itertools import islice
 
 from asymptotics.costs import jump_seconds
-from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import Turning
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.panels import panels_of
-from asymptotics.return_map.sequence import Interpolated
-from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
-from asymptotics.turning.jump import head_of, jumped
+from asymptotics.turning.enclosing import EnclosedMotion, bits_of, enclosed, in_words
+from asymptotics.turning.jump import head_of, jumped, with_a_head
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.routes.interpolated import nodes_in_words
@@ -41,15 +39,13 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     alpha, epsilon = request.law.alphas[0], request.law.terms[0].strength
 
     def orbit() -> EnclosedMotion:
-        damping, panels, head = damping_of(request), panels_of(request.law, ctx.prec), head_of(alpha, ctx.prec)
+        head = head_of(alpha, ctx.prec)
 
-        def after(first: Turning) -> Iterator[Turning]:
-            lead = sequence(Interpolated(damping, panels, first.n + head), first)
+        def far(lead: Iterator[Turning]) -> Turning:
             here = next(islice(lead, min(head, request.start), None))
-            there = jumped(alpha, epsilon.ball(), here, request.start)
-            return sequence(Interpolated(damping, panels, there.n + request.count), there)
+            return jumped(alpha, epsilon.ball(), here, request.start)
 
-        return EnclosedMotion(lambda: first_of(request, damping), after)
+        return with_a_head(request, head, far)
 
     def method(bits: int) -> str:
         return in_words(request, f"{nodes_in_words(request, bits)} and Abel function", bits)

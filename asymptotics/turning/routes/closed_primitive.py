@@ -16,12 +16,14 @@ from flint import arb
 
 from asymptotics.budget import require_seconds
 from asymptotics.costs import primitive_seconds
+from asymptotics.errors import InputError
+from asymptotics.flow.wells.ends import inside, outside
 from asymptotics.flow.wells.rational_stops import rational_stops
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
-from asymptotics.turning.drag_exact import PrimitiveWell, drag_serves, require_well, swings
+from asymptotics.turning.drag_exact import PrimitiveWell, drag_serves, swings
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
 from asymptotics.turning.table import Ended, Kept, Points, Progress, Request
@@ -67,7 +69,10 @@ def _bits(request: Request) -> int:
 def _rounded(request: Request, bits: int, progress: Progress, made: list[TurningPoint]) -> tuple[Points, Ended]:
     """The points and how they end; TooWideError where one cannot be rounded, or what follows it is undecided."""
     well = PrimitiveWell.of(request.law)
-    require_well(well, request.place)
+    if request.place.is_zero:
+        raise InputError("x0", "0 is the place of rest", "a start at rest away from 0")
+    if not inside(well.force, request.place.ball()):  # nor where balls cannot tell: at the very edge of the well
+        raise outside(well.force, str(request.place))
     for n, (x, stays) in enumerate(_places(request, well, bits)):
         if n >= request.start:
             point = proved_point(n, x, None, request.digits)

@@ -23,10 +23,10 @@ from fractions import Fraction
 from flint import arb
 
 from asymptotics.costs import closed_form_seconds
-from asymptotics.errors import InputError
 from asymptotics.flow.sequence import STICKS
-from asymptotics.numbers.exact import ExactReal, square_root
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.rationals import to_fmpq
+from asymptotics.turning.dry_friction import amplitude_in_motion, half_swings_until
 from asymptotics.turning.result import Number, TurningPoints, proved_digits, proved_point
 from asymptotics.turning.route import Route
 from asymptotics.turning.table import Ended, Kept, Points, Progress, Request
@@ -40,20 +40,7 @@ def last_turning_point(epsilon: ExactReal) -> int:
     >>> last_turning_point(ExactReal(Fraction(1, 3))), last_turning_point(ExactReal(Fraction(33, 100)))
     (1, 2)
     """
-    if not epsilon > 0:
-        raise InputError("epsilon", f"{epsilon} never brings the mass to rest", "a positive number")
-    low, high = -1, 1
-    while _moves_on(epsilon, high):
-        low, high = high, 2 * high
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (middle, high) if _moves_on(epsilon, middle) else (low, middle)
-    return high
-
-
-def _moves_on(epsilon: ExactReal, n: int) -> bool:
-    """(2 n + 1) epsilon < 1."""
-    return n < 0 or epsilon < Fraction(1, 2 * n + 1)
+    return half_swings_until(ExactReal(1), epsilon, epsilon)
 
 
 def serves(request: Request) -> float | None:
@@ -94,12 +81,11 @@ def _from_rest(
 
 def _first_amplitude(request: Request) -> Fraction | None:
     """a = R - c of a start in motion, where x0, c and R are rational and it moves on at all; else None."""
-    alone, x0, v0 = request.alone, request.place, request.speed
-    if alone is None or not (alone[1].is_rational and x0.is_rational):
+    alone, v0 = request.alone, request.speed
+    if alone is None:
         return None
-    c = alone[1].rational
-    R = square_root(((-1 if v0 > 0 else 1) * x0.rational - c) ** 2 + v0.coefficient**2 * v0.radicand)
-    return R.rational - c if R.is_rational and R.rational > c else None
+    a = amplitude_in_motion((-1 if v0 > 0 else 1) * request.place, alone[1], v0 * v0)
+    return a.rational if a is not None and a > 0 else None
 
 
 def _place(epsilon: ExactReal, n: int, side: int) -> Number:
@@ -112,6 +98,4 @@ def _time(n: int) -> Number:
     return (lambda: arb.pi() * n) if n else Fraction(0)
 
 
-ROUTE = Route(
-    "dry", "dry friction alone, from rest or a rational first amplitude", METHOD, serves, points, "motions.coulomb"
-)
+ROUTE = Route("dry", "dry friction alone, from rest or a rational first amplitude", METHOD, serves, points)

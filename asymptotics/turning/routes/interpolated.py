@@ -70,5 +70,4 @@ ROUTE = Route(
     f"{INTERPOLATED} of the return map",
     serves,
     points,
-    "motions.reference",
 )

@@ -61,4 +61,4 @@ def _point(epsilon: ExactReal, n: int, digits: int, times: bool) -> TurningPoint
     return proved_point(n, place, (lambda: n * arb.pi() / frequency()) if times else None, digits)
 
 
-ROUTE = Route("linear", "linear damping alone, from rest", METHOD, serves, points, "motions.linear")
+ROUTE = Route("linear", "linear damping alone, from rest", METHOD, serves, points)

@@ -110,7 +110,7 @@ def _require_moderate(request: Request) -> None:
 
 
 def estimated_seconds(epsilon: ExactReal, count: int, digits: int, start: int, times: bool) -> float:
-    """The expected running time."""
+    """The expected running time in seconds, by ``costs.map_seconds``."""
     steps = count + (start if start <= _DIRECT else 7 * digits + 200)
     with ctx.workprec(53):
         first = node_count(2 * float(epsilon.ball().mid()) + 1, bits_for(digits)) if times else 0
@@ -123,5 +123,4 @@ ROUTE = Route(
     "Lambert W map, half periods by quadrature, Abel function of exact coefficients",
     serves,
     points,
-    "motions.quadratic",
 )

@@ -124,5 +124,4 @@ ROUTE = Route(
     f"{INTEGRATED} in balls, half-swing by half-swing",
     serves,
     points,
-    "motions.reference",
 )

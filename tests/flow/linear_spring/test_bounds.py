@@ -106,7 +106,7 @@ def test_a_wrong_guess_of_the_turning_point_is_paid_for(law, monkeypatch):
     with ctx.workprec(120):
         there = TurningExpansion.at(d, arb(-1), w)
         y, tau = there.state(w)
-        monkeypatch.setattr(arrivals, "secant", lambda *given: arb(-1) + off)
+        monkeypatch.setattr("asymptotics.flow.secant.secant", lambda *given: arb(-1) + off)
         flow, friction = LinearSpring(d), d.friction
         here = FlowState(arb(0), (y + friction).mid(), w, PartingErrors(arb(0), arb(0)))
         found = _landing(flow, arb(1), here)
@@ -117,7 +117,7 @@ def test_a_wrong_guess_of_the_turning_point_is_paid_for(law, monkeypatch):
 
 def test_a_guess_beyond_the_place_of_rest_is_undecided(monkeypatch):
     law = damping(("2", "1/10"))
-    monkeypatch.setattr(arrivals, "secant", lambda *_: arb(-1))
+    monkeypatch.setattr("asymptotics.flow.secant.secant", lambda *_: arb(-1))
     found = _landing(
         LinearSpring(law),
         arb(1),

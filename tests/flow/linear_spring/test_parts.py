@@ -74,7 +74,7 @@ def test_a_hand_over_is_late_by_twice_what_half_of_its_place_is_off():
         law, w = damping(("1/10", "2")), arb(HAND_OVER)
         y, _ = TurningExpansion.at(law, arb(1), w).state(w)
         place = ((y * y + w * w).sqrt() + y) / w
-        assert Bundle.of([(law, 1)]).late >= place.log().rad() > 0
+        assert Bundle.of([(law, 1)]).dz >= place.log().rad() > 0
 
 
 def test_the_arcs_of_the_ellipse_leave_no_gap(monkeypatch):
@@ -104,7 +104,7 @@ def test_the_load_on_the_ellipse_is_counted_whole():
     with ctx.workprec(53):
         fast, slow = path.on_ellipse(rim)
         drags = path.drags((path.sizes(rim) + path.sizes(1 / rim)) / 2)
-        h, (a, b) = path.grid.bundle.half[0], ((rim + 1 / rim) / 2, (rim - 1 / rim) / 2)
+        h, (a, b) = path.grid.bundle.h[0], ((rim + 1 / rim) / 2, (rim - 1 / rim) / 2)
         load, slowest = arb(0), arb(0)
         for k in range(257):
             angle = arb(fmpq(k, 256))
