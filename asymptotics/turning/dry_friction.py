@@ -31,14 +31,22 @@ def half_swings_until(first: ExactReal, reach: ExactReal, hold: ExactReal) -> in
 
 
 def amplitude_in_motion(place: ExactReal, reach: ExactReal, square: ExactReal) -> ExactReal | None:
-    """R - c with R^2 = (s x0 - c)^2 + (v0/omega_0)^2, where the first half-swing ends; None unless R is rational.
+    """R - c with R^2 = (s x0 - c)^2 + (v0/omega_0)^2, where the first half-swing ends; None unless R/c is rational.
 
-    ``place`` is s x0 and ``square`` is (v0/omega_0)^2; None also where one of the three numbers is irrational.
+    ``place`` is s x0 and ``square`` is (v0/omega_0)^2.  In units of c all is rational, whatever root the unit of length
+    has, where x0/c and (v0/(omega_0 c))^2 are; None elsewhere.
 
     >>> amplitude_in_motion(ExactReal(1), ExactReal(1) / 5, ExactReal(9) / 25)
     ExactReal('4/5')
+    >>> root = square_root(ExactReal(305).rational)                                # x0 = 7/5, v0 = 16/5 and c = 1
+    >>> amplitude_in_motion(-7 / root, 5 / root, ExactReal(256) / 305)
+    ExactReal('3/61*sqrt(305)')
     """
-    if not (place.is_rational and reach.is_rational and square.is_rational):
+    try:
+        p, q = place / reach, square / (reach * reach)
+    except InputError:  # two roots, or c = 0
         return None
-    R = square_root((place.rational - reach.rational) ** 2 + square.rational)
-    return R - reach if R.is_rational else None
+    if not (p.is_rational and q.is_rational):
+        return None
+    R = square_root((p.rational - 1) ** 2 + q.rational)
+    return (R - 1) * reach if R.is_rational else None

@@ -2,6 +2,7 @@ from fractions import Fraction
 
 import pytest
 
+import asymptotics as asy
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.coulomb import coulomb_stop
@@ -33,3 +34,21 @@ def test_a_speed_with_a_root_and_an_offset_has_its_own_square():
     assert rounded == exact and exact.half_swings == 4
     tables = [turning_points(law, 3, 10, x0=place, v0=v) for v in (near, speed)]
     assert tables[0].points == tables[1].points
+
+
+@pytest.mark.parametrize(
+    ("x0", "v0", "b", "last"),
+    [
+        ("7/5", Fraction(16, 5), 1, "-1"),
+        (0, square_root(Fraction(15)), 1, "-1"),
+        (0, square_root(Fraction(2, 25)), "1/10", "0"),
+    ],
+)
+def test_ties_after_a_start_in_motion_are_decided_in_si_units(x0, v0, b, last):
+    """With m = k = 1 and R^2 = (|x0| + b)^2 + v0^2 = 16 or 9/100: the stop is at the edge of what friction holds, or 0."""
+    found = asy.turning_points(asy.Oscillator({0: b}, x0=x0, v0=v0), 5, digits=9)
+    assert found.ended == {"n": 1, "reason": "sticks"} and Fraction(found.points[-1].x) == Fraction(last)
+    stop = coulomb_stop(Oscillator(Law({0: b}), x0=x0, v0=v0), 9)
+    assert Fraction(stop.x) == Fraction(last)
+    rough = Oscillator(Law({0: b}), x0=x0, v0=v0 * (1 + Fraction(1, 10**12)))  # the near miss: the next swing is made
+    assert asy.turning_points(rough, 5, digits=9).points[-1].x != found.points[-1].x

@@ -8,8 +8,8 @@ and the mass sticks at the first turning point with 1 - 2 N epsilon <= epsilon, 
 force is there at most the friction.  x_N may lie on the side it came from (1 - 2 N epsilon < 0).
 
 After a start in motion the first half-swing has s X = c + R cos theta, c = epsilon, R^2 = (s x0 - c)^2 + v0^2; it
-turns at theta = pi, at the amplitude a = R - c.  Where a is rational, ties are decided exactly; elsewhere another route
-serves.
+turns at theta = pi, at the amplitude a = R - c.  Where a/c is rational, ties are decided exactly; elsewhere another
+route serves.
 
 >>> from asymptotics.law import Law
 >>> table = points(Request.read(Law({0: "3/10"}), 5, 10, times=True))
@@ -25,7 +25,6 @@ from flint import arb
 from asymptotics.costs import closed_form_seconds
 from asymptotics.flow.sequence import STICKS
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.turning.dry_friction import amplitude_in_motion, half_swings_until
 from asymptotics.turning.result import Number, TurningPoints, proved_digits, proved_point
 from asymptotics.turning.route import Route
@@ -44,7 +43,7 @@ def last_turning_point(epsilon: ExactReal) -> int:
 
 
 def serves(request: Request) -> float | None:
-    """The seconds; None unless dry friction acts alone, and the first turning point is rational."""
+    """The seconds; None unless dry friction acts alone, and the first turning point is a rational multiple of epsilon."""
     alone = request.alone
     if alone is None or alone[0] != 0 or (request.in_motion and _first_amplitude(request) is None):
         return None
@@ -57,12 +56,12 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
         return request.table(*_from_rest(request, request.epsilon, 1, progress))
     a = _first_amplitude(request)
     assert a is not None
-    c, v0 = request.epsilon.rational, request.speed
-    y = (-1 if v0 > 0 else 1) * request.place.rational - c
-    tau = proved_digits(lambda: arb.pi() - arb.atan2(abs(v0.ball()), arb(to_fmpq(y))), request.digits)
+    c, v0 = request.epsilon, request.speed
+    y = (-1 if v0 > 0 else 1) * request.place - c
+    tau = proved_digits(lambda: arb.pi() - arb.atan2(abs(v0.ball()), y.ball()), request.digits)
     first = {"amplitude": proved_digits(a, request.digits), "tau": tau}
     side = 1 if v0 > 0 else -1
-    return request.table(*_from_rest(request, ExactReal(c / a), side, progress, first), first)
+    return request.table(*_from_rest(request, c / a, side, progress, first), first)
 
 
 def _from_rest(
@@ -79,13 +78,13 @@ def _from_rest(
     return tuple(made), METHOD, ended
 
 
-def _first_amplitude(request: Request) -> Fraction | None:
-    """a = R - c of a start in motion, where x0, c and R are rational and it moves on at all; else None."""
+def _first_amplitude(request: Request) -> ExactReal | None:
+    """a = R - c of a start in motion, where a/c is rational and it moves on at all; else None."""
     alone, v0 = request.alone, request.speed
     if alone is None:
         return None
     a = amplitude_in_motion((-1 if v0 > 0 else 1) * request.place, alone[1], v0 * v0)
-    return a.rational if a is not None and a > 0 else None
+    return a if a is not None and a > 0 else None
 
 
 def _place(epsilon: ExactReal, n: int, side: int) -> Number:
@@ -98,4 +97,10 @@ def _time(n: int) -> Number:
     return (lambda: arb.pi() * n) if n else Fraction(0)
 
 
-ROUTE = Route("dry", "dry friction alone, from rest or a rational first amplitude", METHOD, serves, points)
+ROUTE = Route(
+    "dry",
+    "dry friction alone, from rest or where the first amplitude is a rational multiple of epsilon",
+    METHOD,
+    serves,
+    points,
+)
