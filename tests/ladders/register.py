@@ -4,7 +4,6 @@ Names = dict[str, str]
 
 LOCAL, TURNING, ORBIT = "tests/bounds/test_local.py", "tests/bounds/test_turning.py", "tests/bounds/test_orbit.py"
 PETAL = "tests/expansions/divergence/test_bounds.py"
-ORDERS = "tests/expansions/divergence/test_large_orders.py"
 HEIGHTS = "tests/expansions/divergence/test_constants.py::test_another_height_gives_the_same_numbers"
 ONE_LAW = "tests/expansions/half_swings/test_one_law.py"
 LATE, FINITE, SLOW = (
@@ -91,12 +90,6 @@ BOUNDS: Names = {
         "tail share",
         f"{PETAL}::test_the_tail_of_cauchy_is_its_formula_and_ends_at_the_circle",
     ),
-    **_each(
-        "expansions.divergence.rows",
-        "rows_of",
-        f"{ORDERS}::test_the_rows_of_the_abel_function_are_those_of_the_half_swing",
-    ),
-    **_each("expansions.divergence.rows", "corrections", f"{ORDERS}::test_the_first_correction_is_f"),
     **_each(
         "expansions.divergence.abel",
         "odd_series at at_height later",

@@ -20,13 +20,13 @@ psi = 0, the sum d_n/(n^2-1).
 
 >>> from sympy import Integer
 >>> forces = Powers((Integer(2),), (Term(1, 0, 3, "position"),))
->>> forces.p("turning-point")[1, 1], forces.half_period()[1, 1]           # the second: pi/2, as the exact map has it
-(-1/(30*pi), pi/2)
+>>> forces.p("turning-point")[1, 1]
+-1/(30*pi)
 """
 
 from dataclasses import dataclass
 
-from sympy import Expr, Integer, Rational, factor, pi
+from sympy import Expr, Integer, Rational, factor
 
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.moments.symbolic import mean, moment
@@ -104,35 +104,6 @@ class Powers:
                 for y in self.part(1, sign):
                     _add(found, x, y, _losses(x, y, gauge) if sign < 0 else _two_springs(x, y, gauge))
         return found
-
-    def log_ratio(self) -> Closed:
-        """ln(A_(n+1)/A_n) through second order in the strengths at a turning point: observable."""
-        p, losses, springs = self.p("turning-point"), self.part(1, -1), self.part(1, 1)
-        found = {key: -pi * c for key, c in p.items()}
-        for x in losses:  # U = -p/(1 + Omega), and its change along the half-swing
-            for y in losses:
-                _add(found, x, y, pi**2 / 2 * x.weight * x.mean * y.mean)
-            for y in springs:
-                _add(found, x, y, pi * x.mean * y.mean)
-        return found
-
-    def half_period(self) -> Closed:
-        """The time between turning points minus pi, through second order: observable."""
-        found = {key: -pi * c for key, c in self.Omega("turning-point").items()}
-        for x in self.part(1, 1):  # W = 1/(1 + Omega), and its change along the half-swing
-            for y in self.part(1, 1):
-                _add(found, x, y, pi * x.mean * y.mean)
-            for y in self.part(1, -1):
-                _add(found, x, y, pi**2 / 2 * x.weight * x.mean * y.mean)
-        return found
-
-    def turning_phase(self) -> tuple[Expr, ...]:
-        """psi_0 = sum_i (these) rho_i is the phase of a turning point, to first order; springs do not move it."""
-        return tuple(-_lead(x, "turning-point") * moment(x + 1) for x in self.alphas)
-
-    def turning_amplitude(self) -> Closed:
-        """lambda_j: a turning amplitude is a (1 + sum_j lambda_j gamma_j), to first order."""
-        return {m.key: _stretch(m, "turning-point") for m in self.part(1, 1)}
 
 
 def _unit(i: int, size: int) -> Key:
