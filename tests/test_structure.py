@@ -27,6 +27,7 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "numbers",
     "public",
     "series",
+    "graded",
     "expansions.moments",
     "terms",
     "law",

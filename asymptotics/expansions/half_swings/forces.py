@@ -28,7 +28,7 @@ from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.grading import LOSS, Grading
 from asymptotics.numbers.bridge import to_fmpq
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.series import Key, Series
+from asymptotics.series import Key, Series, unit_key
 from asymptotics.terms import Term
 
 
@@ -92,7 +92,7 @@ class Forces:
             raise InputError("law", "there is no term", "at least one loss or spring")
         members: list[Member] = []
         for i, t in enumerate(terms):
-            unit = tuple(int(j == i) for j in range(len(terms)))
+            unit = unit_key(i, len(terms))
             members += _family(unit, order) if t.family else [Member(unit, fmpq(1), t.velocity, t.position, t.sign)]
         velocities = tuple(ExactReal(0) if t.family else t.velocity for t in terms)
         return cls(tuple(t.weight for t in terms), tuple(t.sign for t in terms), velocities, tuple(members))

@@ -34,7 +34,7 @@ from asymptotics.expansions.multiple_scales.harmonics import displacement_sum, s
 from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, require_gauge
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
-from asymptotics.series import Key
+from asymptotics.series import Key, unit_key
 from asymptotics.terms import Term
 
 Closed = dict[Key, Expr]
@@ -71,7 +71,7 @@ class Powers:
     def members(self) -> tuple[Power, ...]:
         """Every power of v and x through second order: a pendulum has two."""
         zeros = (0,) * len(self.alphas)
-        found = [Power(_unit(i, self.variables), Integer(1), x, -1) for i, x in enumerate(self.alphas)]
+        found = [Power(unit_key(i, self.variables), Integer(1), x, -1) for i, x in enumerate(self.alphas)]
         for m in Forces.of(self.springs, 2).through(2) if self.springs else ():
             found.append(Power((*zeros, *m.key), to_sympy(m.ratio), Integer(m.position), 1))
         return tuple(found)
@@ -104,10 +104,6 @@ class Powers:
                 for y in self.part(1, sign):
                     _add(found, x, y, _losses(x, y, gauge) if sign < 0 else _two_springs(x, y, gauge))
         return found
-
-
-def _unit(i: int, size: int) -> Key:
-    return tuple(int(j == i) for j in range(size))
 
 
 def _add(found: Closed, x: Power, y: Power, value: Expr) -> None:
