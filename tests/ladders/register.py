@@ -273,6 +273,14 @@ ELSEWHERE: Names = {
     **_each(
         "numbers.value", "Coefficient.ball", "tests/numbers/test_digits.py::test_the_ball_of_digits_reaches_its_ends"
     ),
+    **_each(
+        "numbers.root", "verified_root", "tests/numbers/test_root.py::test_the_root_may_stand_at_the_end_of_the_ball"
+    ),
+    **_each(
+        "numbers.integral",
+        "integral",
+        "tests/bounds/test_flow.py::test_an_integral_that_runs_out_of_evaluations_is_wide_not_wrong",
+    ),
     **_each("motions.reference", "reference_states", "tests/motions/test_reference.py::test_a_ladder_of_digits"),
     **_each(
         "return_map.chebyshev",
