@@ -39,7 +39,7 @@ from flint import fmpq, fmpq_poly
 
 from asymptotics.budget import tick
 from asymptotics.errors import InputError
-from asymptotics.expansions.half_swings.forces import Forces, Given, Member
+from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
 from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
@@ -81,18 +81,6 @@ class FourierFlow:
         return Series(nonzero, self.U.variables, self.U.order)
 
 
-def is_smooth(forces: Forces) -> bool:
-    """Whether all forces are polynomials in x and v."""
-    return all(is_polynomial(m) for m in forces.members)
-
-
-def is_polynomial(m: Member) -> bool:
-    """Whether a force is a polynomial in x and v: alpha odd and m even, or p odd and q even."""
-    if not m.velocity.is_integer:
-        return False
-    return m.integer_velocity % 2 == (m.sign < 0) and m.position % 2 == (m.sign > 0)
-
-
 def fourier_flow(given: Given, order: int, gauge: str = TURNING_POINT) -> FourierFlow:
     """Solve the homological equation through degree ``order`` for polynomial forces, in one of the three gauges.
 
@@ -101,7 +89,7 @@ def fourier_flow(given: Given, order: int, gauge: str = TURNING_POINT) -> Fourie
     """
     forces = Forces.read(given, order)
     require_gauge(gauge)
-    if not is_smooth(forces):
+    if not forces.is_smooth:
         accepted = "losses with alpha odd integers >= 1 and m even, springs with p odd and q even"
         raise InputError("alpha", "a force is no polynomial in x and v: it has no smooth flow in theta", accepted)
     return _FourierKernel(forces, order, gauge).solve()

@@ -46,7 +46,6 @@ from asymptotics.budget import tick
 from asymptotics.costs import hierarchy_seconds, require_affordable
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.forces import Forces, Given, Member
-from asymptotics.expansions.half_swings.fourier_flow import is_polynomial
 from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.graded import WholePowers, monomial_part, summed
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
@@ -158,7 +157,7 @@ def require_smooth(given: Given, order: int) -> Forces:
                 raise InputError("alpha", f"{a!r} has no exact hierarchy", accepted)
     forces = Forces.read(given, order)
     for m in forces.members:
-        if not is_polynomial(m):
+        if not m.is_polynomial:
             name = "spring" if m.sign > 0 else "law" if m.position else "alpha"
             factors = f"velocity to the power {m.velocity}" + (f", position to {m.position}" if m.position else "")
             raise InputError(name, f"{factors}: no polynomial, so its Fourier series does not end", accepted)

@@ -85,11 +85,6 @@ class TurningHierarchy:
         return -(self.L[n].get(key, ZERO) + self.K[n].get(key, ZERO).derivative())
 
 
-def is_closed(forces: Forces) -> bool:
-    """Whether all forces are polynomials in X and |X'| where X' has one sign."""
-    return all(m.velocity.is_integer and m.position % 2 == (m.sign > 0) for m in forces.members)
-
-
 def turning_hierarchy(given: Given, order: int, *, max_seconds: float = MAX_SECONDS) -> TurningHierarchy:
     """Solve the hierarchy through ``order`` >= 1; numbers are exponents of plain losses.
 
@@ -97,7 +92,7 @@ def turning_hierarchy(given: Given, order: int, *, max_seconds: float = MAX_SECO
     """
     require_integer(order, "order", 1, MAX_ORDER)
     forces = Forces.read(given, order)
-    if not is_closed(forces):
+    if not forces.is_closed:
         raise InputError("law", "the hierarchy of these forces does not close in polynomials", ACCEPTED)
     require_affordable(estimated_seconds(forces, order), max_seconds, "order", f"order {order}")
     kernel = _TurningKernel(forces, order)
