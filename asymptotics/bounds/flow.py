@@ -48,11 +48,11 @@ class TruncatedFlow:
         return cls(p.without_constant(), Omega.without_constant(), weights, tuple(epsilons))
 
     def time(self, s: arb) -> arb:
-        """tau(s)."""
+        """The time tau at which the amplitude is e^(-s)."""
         return self._integral(lambda _: acb(1), s)
 
     def phase(self, s: arb) -> arb:
-        """psi(s)."""
+        """The phase psi at which the amplitude is e^(-s)."""
         return self._integral(lambda deltas: 1 + self.Omega.at(deltas), s)
 
     def turning_point(self, n: int) -> tuple[arb, arb]:

@@ -247,7 +247,7 @@ class _Force:
 
 
 def _between(h: arb) -> arb:
-    """[0, h]."""
+    """The ball that holds the interval [0, h]."""
     return arb(0).union(h)
 
 

@@ -86,7 +86,7 @@ class SlowFlow:
         return self.angle(self.xi(tau)) - tau
 
     def xi(self, tau: arb) -> arb:
-        """xi(tau) before the extinction."""
+        """The amplitude xi at the time tau, before the extinction."""
         if not self.losses or tau == 0:
             return self.well.xi(self.start)
         s = self._inverse(tau)

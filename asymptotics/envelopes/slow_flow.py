@@ -44,7 +44,7 @@ _FAINTEST = 60.0
 
 @dataclass(frozen=True)
 class ExponentialSum:
-    """sum_j c_j e^(-a_j s)."""
+    """The function sum_j c_j e^(-a_j s) of s."""
 
     terms: tuple[tuple[arb, arb], ...]
 

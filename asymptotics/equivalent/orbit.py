@@ -68,7 +68,7 @@ class Spring:
         return V + sum((c * x ** (p + 1) / (p + 1) for p, c in self.powers), arb(0))
 
     def force(self) -> arb:
-        """V'(1)."""
+        """The restoring force V'(1) at the turning point."""
         first = arb(1) if self.pendulum is None else self.pendulum.sqrt().sinc()
         return first + sum((c for _, c in self.powers), arb(0))
 
@@ -103,12 +103,12 @@ class ConservativeOrbit:
 
     @property
     def zeta(self) -> arb:
-        """Delta E/(4 pi E)."""
+        """The damping ratio Delta E/(4 pi E)."""
         return self.lost / (4 * arb.pi() * self.energy)
 
     @property
     def quality(self) -> arb:
-        """2 pi E/Delta E."""
+        """The quality factor 2 pi E/Delta E."""
         return 2 * arb.pi() * self.energy / self.lost
 
     @property

@@ -262,7 +262,7 @@ def _sine_integral(power: Expr, phase: Expr) -> Expr:
 
 
 def first_wave(alpha: Expr) -> Expr:
-    """X_1/a^alpha of one law."""
+    """X_1/a^alpha, the wave of first order, of one law."""
     return cos(psi) * lag(alpha) + sin(psi) ** (alpha + 2) / (alpha + 1)
 
 

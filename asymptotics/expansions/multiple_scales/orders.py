@@ -67,7 +67,7 @@ def rate_symbols(n: int) -> tuple[Symbol, Symbol]:
 
 
 def solution_symbol(n: int) -> Expr:
-    """X_n(psi)."""
+    """The unknown X_n as a function of psi."""
     return Function(f"X_{n}")(psi)
 
 

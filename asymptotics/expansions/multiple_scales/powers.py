@@ -136,14 +136,14 @@ def _two_springs(x: Power, y: Power, gauge: str) -> Expr:
 
 
 def _lead(alpha: Expr, gauge: str) -> Expr:
-    """chi/P of a loss."""
+    """chi/P, by which a loss turns the phase of a gauge, to first order."""
     if gauge == NO_FIRST_HARMONIC:
         return Integer(0)
     return Rational(1, 2) if gauge == AVERAGING else (alpha + 3) / (2 * (alpha + 1))
 
 
 def _stretch(spring: Power, gauge: str) -> Expr:
-    """lambda of a spring."""
+    """lambda, by which a spring stretches the amplitude of a gauge, to first order."""
     if gauge == NO_FIRST_HARMONIC:
         return Integer(0)
     return spring.mean / 2 if gauge == AVERAGING else spring.ratio * displacement_sum(spring.exponent)

@@ -45,7 +45,10 @@ Powers = np.ndarray[tuple[int, int], np.dtype[np.intp]]
 HIGHEST = 3.1
 """The largest amplitude, in rad: 177.6 degrees."""
 _NODES, _ROOM = 22, 1.3
+"""Places of the amplitude at which the coefficients are made, and how far beyond the first amplitude the table goes, in
+u, for a fit may begin with a larger one."""
 _ORDERS = {1: 8, 2: 6, 3: 5}
+"""By the number of losses, lower than beside a linear spring: each coefficient is a function of the amplitude here."""
 
 
 class PendulumSwing(HalfSwingModel):

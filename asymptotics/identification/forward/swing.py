@@ -34,7 +34,10 @@ Mask = NDArray[np.bool_]
 QUANTITIES = ("L", "T", "R", "T_q")
 MAX_FREE_ALPHA = 5.0
 _ALPHA_NODES = 28
+"""Places of a free exponent in [0, 5]: the coefficients are smooth in it, and are made once for all of them."""
 _ORDERS = {1: 12, 2: 10, 3: 7, 4: 6, 5: 5}
+"""By the number of terms: the number of coefficients grows like order^terms and decides the cost of a fit; what a lower
+order does not reach is integrated."""
 TOLERANCE, COARSE = 1e-11, 3e-3
 """The largest last degree of a series that is summed; what follows it is smaller by another factor delta."""
 

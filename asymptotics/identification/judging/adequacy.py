@@ -22,8 +22,12 @@ from asymptotics.identification.measuring.criteria import aicc, chosen
 Levels = Mapping[str, tuple[float, float]]
 """For each kind of data the noise level and its degrees of freedom."""
 _LINE, _LONG = 0.55, 24
+"""What a wrong law leaves is a slow curve, with more than half of its power in one line of the spectrum; of so many
+swings white noise hardly has that."""
 _SURELY = 1e-4
+"""The chance that a right law is called inadequate: small, for dozens of laws are asked."""
 _KNOWN = 1000.0
+"""Degrees of freedom of a noise that the user states: as good as known."""
 
 
 def noise_levels(model: Model, noise: Noise | None) -> Levels:

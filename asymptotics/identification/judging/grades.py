@@ -22,8 +22,12 @@ from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.measuring.criteria import bic, chosen
 
 ADEQUATE = 0.10
+"""A choice, told to the user with the share itself: a law that misses a tenth of the loss is still of use."""
 _DEGREES, _POINTS = 6, 41
+"""What a law leaves is a smooth function of ln A, so that a low degree will do, chosen by BIC; places at which it is
+then averaged, many for that degree."""
 _LEAST_FALL = 0.05
+"""The range of ln A below which a slope in it would be noise alone."""
 
 
 @dataclass(frozen=True)
@@ -79,5 +83,5 @@ def in_words(grade: str, share: float) -> str:
 
 
 def percent(share: float) -> str:
-    """Two digits."""
+    """A share in percent, to two digits."""
     return f"{100 * share:.2g} %"
