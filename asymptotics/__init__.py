@@ -37,11 +37,11 @@ if TYPE_CHECKING:
     from asymptotics.api.waves import waveforms
     from asymptotics.bounds.remainder import remainder
     from asymptotics.cli.swept import sweep_command
-    from asymptotics.equivalent.found_law import DampingLaw
     from asymptotics.equivalent.result import EquivalentDamping
     from asymptotics.errors import InputError, LimitError, UndecidedError
     from asymptotics.expansions.equations.build import expand
     from asymptotics.expansions.equations.result import Equations
+    from asymptotics.identification.found_law import DampingLaw
     from asymptotics.identification.identify import identify
     from asymptotics.identification.telling.html_report import html_report
     from asymptotics.identification.telling.result import Identification
@@ -73,7 +73,7 @@ _HOMES = {
     "cli.swept": ("sweep_command",),
     "expansions.equations.build": ("expand",),
     "expansions.equations.result": ("Equations",),
-    "equivalent.found_law": ("DampingLaw",),
+    "identification.found_law": ("DampingLaw",),
     "equivalent.result": ("EquivalentDamping",),
     "errors": ("InputError", "LimitError", "UndecidedError"),
     "identification.telling.html_report": ("html_report",),

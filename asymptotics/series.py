@@ -56,7 +56,7 @@ class Series:
     @classmethod
     def variable(cls, i: int, variables: int, order: int, one: Any = 1) -> "Series":
         """The series delta_i, with the ring's ``one`` as coefficient."""
-        key = tuple(int(j == i) for j in range(variables))
+        key = unit_key(i, variables)
         return cls({key: one} if order else {}, variables, order)
 
     @classmethod
@@ -253,6 +253,15 @@ def compose_all(series: tuple[Series, ...], images: tuple[Series, ...]) -> list[
                     results[s] = results[s] + powers[key] * one.coefficients[key]
         powers = {k: p for k, p in powers.items() if sum(k) == degree}
     return [r.truncate(min(order, s.order)) for r, s in zip(results, series)]
+
+
+def unit_key(i: int, size: int) -> Key:
+    """The exponent of the variable i alone.
+
+    >>> unit_key(1, 3)
+    (0, 1, 0)
+    """
+    return tuple(int(j == i) for j in range(size))
 
 
 def is_exact_zero(c: Any) -> bool:

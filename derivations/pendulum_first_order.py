@@ -16,7 +16,7 @@ n = sympy.Symbol("n", integer=True, nonnegative=True)
 derivation = Derivation(
     "pendulum-first-order",
     "A pendulum in any loss, to first order in the loss",
-    source="asymptotics.expansions.straightening.pendulum",
+    source="asymptotics.expansions.straightening.wells",
 )
 step, asserts = derivation.step, derivation.asserts
 

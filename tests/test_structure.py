@@ -28,6 +28,7 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "numbers",
     "public",
     "series",
+    "graded",
     "expansions.moments",
     "terms",
     "law",
@@ -109,7 +110,7 @@ LATE = {  # what a function loads only when it is asked, and why: none of them d
     "asymptotics/cli/multiple_scales.py": "NumPy and splines, where values of waveforms are asked for",
     "asymptotics/cli/expand.py": "NumPy, which expand does not need",
     "asymptotics/expansions/equations/result.py": "NumPy, which printing does not need",
-    "asymptotics/identification/identify.py": "SymPy, half a second",
+    "asymptotics/identification/identify.py": "the expansions in balls, most of a second, for printed decrements",
     "asymptotics/return_map/panels.py": "NumPy, where collocation pays",
 }
 PARTS = {  # by name, where they are installed: the commands and functions that show derivations and checks

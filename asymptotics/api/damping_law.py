@@ -14,10 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.equivalent.found_law import DampingLaw
-from asymptotics.equivalent.inverse import QUANTITIES, DampingCandidate, Problem, fitted, weighted
 from asymptotics.equivalent.rows import row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.identification.found_law import DampingLaw
+from asymptotics.identification.inverse_damping import QUANTITIES, DampingCandidate, Problem, fitted, weighted
 from asymptotics.law import Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import Number, exact_number

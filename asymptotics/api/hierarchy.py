@@ -27,7 +27,6 @@ from sympy import Add, Expr, Mul, Symbol
 from asymptotics.errors import InputError
 from asymptotics.expansions.equations.given import terms_of
 from asymptotics.expansions.half_swings.forces import Forces
-from asymptotics.expansions.half_swings.fourier_flow import is_smooth
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
 from asymptotics.expansions.half_swings.symbolic import I_4, alpha
 from asymptotics.expansions.multiple_scales.exact import odd_hierarchy
@@ -39,7 +38,7 @@ from asymptotics.expansions.multiple_scales.rates import Rates, certified_rates,
 from asymptotics.expansions.multiple_scales.start import start_of
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.expansions.multiple_scales.symbolic import multiple_scales as smooth_multiple_scales
-from asymptotics.expansions.multiple_scales.turning import TurningHierarchy, is_closed
+from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.expansions.multiple_scales.turning_orders import turning_scales
 from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
 from asymptotics.law import LawLike, SpringLike
@@ -81,10 +80,9 @@ def multiple_scales(
 
 def _of_terms(terms: tuple[Term, ...], order: int, gauge: Any) -> MultipleScales:
     forces = Forces.of(terms, order)
-    smooth = is_smooth(forces)
-    if _gauge(gauge, smooth) == NO_FIRST_HARMONIC:
+    if _gauge(gauge, forces.is_smooth) == NO_FIRST_HARMONIC:
         return smooth_multiple_scales(terms, order)
-    if is_closed(forces):
+    if forces.is_closed:
         return turning_scales(terms, order)
     _require_open(order)
     losses = tuple(t for t in terms if t.is_power_of_velocity)
@@ -143,7 +141,7 @@ def map_of_gauges(
     """
     terms = terms_of(law, spring)[0]
     order = exact_integer(order, "order", 1, MAX_ORDER)
-    _gauge(NO_FIRST_HARMONIC, is_smooth(Forces.of(terms, order)))
+    _gauge(NO_FIRST_HARMONIC, Forces.of(terms, order).is_smooth)
     change, symbols = map_to_turning_points(odd_hierarchy(terms, order)), strength_symbols(terms)
     weights = [to_sympy(t.weight) for t in terms]
     rows = []

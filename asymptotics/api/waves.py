@@ -33,7 +33,7 @@ from asymptotics.expansions.multiple_scales.certified_waves import WaveSource, h
 from asymptotics.expansions.multiple_scales.orders import order_letters
 from asymptotics.expansions.multiple_scales.ring import Wave
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
-from asymptotics.expansions.multiple_scales.turning import is_closed, turning_hierarchy
+from asymptotics.expansions.multiple_scales.turning import turning_hierarchy
 from asymptotics.expansions.normal_form.flow import flow_of
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Law, LawLike, SpringLike
@@ -164,7 +164,7 @@ def _source(terms: tuple[Term, ...], order: int, bits: int) -> WaveSource:
 @lru_cache(maxsize=8)
 def _polynomials(terms: tuple[Term, ...], order: int) -> dict[Key, Wave]:
     """x_k of the keys whose forces are polynomials on a half-swing: exact, zeros among them; none if that is long."""
-    places = [i for i, t in enumerate(terms) if is_closed(Forces.of([t], order))]
+    places = [i for i, t in enumerate(terms) if Forces.of([t], order).is_closed]
     if not places:
         return {}
     try:

@@ -4,9 +4,8 @@ With A_hat = e^(-s), delta_i = epsilon_i e^(-(alpha_i - 1) s) and the coefficien
 
     tau(s) = int_0^s dr/p_N(r),        psi(s) = int_0^s (1 + Omega_N)/p_N dr = tau(s) + int_0^s Omega_N/p_N dr,
 
-by ``acb.integral`` (Petras' algorithm, rigorous).  s(tau) and s(psi) are found by Newton's method for ln tau against s,
-which is concave, and psi is then enclosed: with s_hat near the root,
-|s - s_hat| <= |psi(s_hat) - target| sup p_N/(1 + Omega_N).
+each enclosed (``numbers.integral``).  s(tau) and s(psi) are found by Newton's method for ln tau against s, which is
+concave, and the root is then verified (``numbers.root``), ds/dpsi being p_N/(1 + Omega_N).
 
 >>> from asymptotics.bounds.local import local_bounds
 >>> from asymptotics.numbers.exact import parse_real
@@ -23,12 +22,12 @@ from dataclasses import dataclass
 from flint import acb, arb
 
 from asymptotics.bounds.local import LocalBounds
-from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
 from asymptotics.numbers.context import ctx
+from asymptotics.numbers.integral import integral
+from asymptotics.numbers.root import verified_root
 from asymptotics.series import Series
 
-_EVALUATIONS_PER_BIT = 200
 _STEPS = 200
 
 
@@ -49,11 +48,11 @@ class TruncatedFlow:
         return cls(p.without_constant(), Omega.without_constant(), weights, tuple(epsilons))
 
     def time(self, s: arb) -> arb:
-        """tau(s)."""
+        """The time tau at which the amplitude is e^(-s)."""
         return self._integral(lambda _: acb(1), s)
 
     def phase(self, s: arb) -> arb:
-        """psi(s)."""
+        """The phase psi at which the amplitude is e^(-s)."""
         return self._integral(lambda deltas: 1 + self.Omega.at(deltas), s)
 
     def turning_point(self, n: int) -> tuple[arb, arb]:
@@ -82,13 +81,11 @@ class TruncatedFlow:
         """A ball that holds the s at which psi is ``target``: psi changes on it by more than what is missing."""
         s = self._near(self.phase, target)
         miss = abs(self.phase(s) - target).upper()
-        for widening in (2, 8, 64):
-            radius = (widening * miss * self._p(s)).upper()
-            wide = s + arb(0, radius)
-            slope = (1 + self.Omega.at(self._deltas(wide))) / self._p(wide)
-            if slope > 0 and miss <= radius * slope.lower():
-                return wide
-        raise UndecidedError("the truncated equations are not enclosed: raise the precision")
+        radii = ((widening * miss * self._p(s)).upper() for widening in (2, 8, 64))
+        found = verified_root(s, miss, lambda near: self._p(near) / (1 + self.Omega.at(self._deltas(near))), radii)
+        if found is None:
+            raise UndecidedError("the truncated equations are not enclosed: raise the precision")
+        return found
 
     def _near(self, f: Callable[[arb], arb], target: arb) -> arb:
         """An exact number near the root of f(s) = target, by Newton's method for ln f: no claim."""
@@ -113,13 +110,11 @@ class TruncatedFlow:
 
     def _integral(self, numerator: Callable[[tuple[acb | arb, ...]], acb], s: arb) -> arb:
         def integrand(r: acb, _analytic: bool) -> acb:
-            tick("an integral along the truncated equations")
             deltas = self._deltas(r)
             value: acb = numerator(deltas) / self.p.at(deltas)
             return value
 
-        limit = _EVALUATIONS_PER_BIT * ctx.prec
-        found = acb.integral(integrand, acb(0), acb(s), eval_limit=limit)
+        found = integral(integrand, arb(0), s, "an integral along the truncated equations")
         if not found.is_finite():
             raise UndecidedError("the truncated equations are not integrated: raise the precision")
-        return found.real
+        return found

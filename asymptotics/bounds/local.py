@@ -55,7 +55,11 @@ _GRID = 100
 
 @dataclass(frozen=True)
 class Remainder:
-    """|f(delta)| <= constant(d) d^power for |delta| = d < radius: the next coefficients, and M on the polydisc."""
+    """|f(delta)| <= constant(d) d^power for |delta| = d < radius, f being L - L_N or T - T_N.
+
+    ``power``: m, that is a or b; ``coefficients``: max_n |c_n|/binomial(k; n) for k = m, ..., J; ``cauchy``: M, the
+    largest |f| on the polydisc; ``radius``: rho.
+    """
 
     power: int
     coefficients: tuple[arb, ...]
@@ -200,7 +204,7 @@ def sizes_from(f: Series, power: int) -> tuple[arb, ...]:
 
 
 def multinomial(n: Key) -> int:
-    """|n|!/(n_1! ... n_m!)."""
+    """The multinomial coefficient |n|!/(n_1! ... n_m!)."""
     return factorial(sum(n)) // prod(factorial(k) for k in n)
 
 

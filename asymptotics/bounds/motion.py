@@ -47,6 +47,9 @@ def proved_bound(oscillator: Oscillator, x: str, t: Number, *, max_seconds: floa
 
     UndecidedError where balls cannot tell how the motion goes on; LimitError beside a spring, or with losses that
     depend on the place, where an enclosure of x(t) would take longer than ``max_seconds``.
+
+    Digits are doubled here, and the precision in ``enclosure``, by the one loop: any enclosure gives a bound, and where
+    the printed decimal is so near that more digits would only show its own rounding, the last one is taken.
     """
     moment, printed, digits = time_of(t), parse_printed(x, "x"), _DIGITS
     while True:

@@ -79,9 +79,9 @@ class _Steps:
             self.local, self.epsilons = local, epsilons
             self.map = local.flow.half_swing(arb.pi())
             self.weights = [a.ball() - 1 for a in local.alphas]
-            self.steepest = greatest(abs(w) for w in self.weights)
+            self.w = greatest(abs(weight) for weight in self.weights)
             self.B = sensitivity(local, local.limit)
-            self.fastest = 1 + largest(local.flow.Omega.truncate(local.order), local.limit)
+            self.Omega = largest(local.flow.Omega.truncate(local.order), local.limit)
             if not sum(epsilons, arb(0)) <= local.limit:
                 reason = f"sum epsilon_i = {sum(epsilons, arb(0)).str(3, radius=False)} is out of range"
                 raise LimitError("epsilon", reason, f"at most {float(local.delta_max):g} at order {local.order}")
@@ -93,15 +93,15 @@ class _Steps:
         rest = here.amplitude / here.A
         if not rest < 1:
             return None
-        h = self.steepest * -(1 - rest).log()
-        widest = (delta * h.exp()).upper()
+        wh = self.w * -(1 - rest).log()
+        widest = (delta * wh.exp()).upper()
         if not widest <= self.local.limit:
             return None
         A = here.A * self._value(self.map.L, self.local.amplitude, deltas, delta).exp()
         tau = here.tau + self._value(self.map.T, self.local.duration, deltas, delta)
         amplitude = here.amplitude + A * self.local.amplitude(delta).expm1()
-        time = here.time + self.local.duration(delta) + self.B * h * widest**2
-        bounds = (arb(b.upper()) for b in (amplitude, time, time * self.fastest))
+        time = here.time + self.local.duration(delta) + self.B * wh * widest**2
+        bounds = (arb(b.upper()) for b in (amplitude, time, time * (1 + self.Omega)))
         return TurningPointBound(here.n + 1, A, tau, *bounds)
 
     def _value(self, f: Series, remainder: Remainder, deltas: Sequence[arb], delta: arb) -> arb:

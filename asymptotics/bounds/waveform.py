@@ -38,9 +38,10 @@ from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.expansions.normal_form.flow import Flow, flow_of
+from asymptotics.graded import power_part
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.series import Key, Series, accumulate, monomials
+from asymptotics.series import Key, Series, accumulate, monomials, unit_key
 
 BITS = 80
 PIECES = {1: 1024, 2: 512}
@@ -239,21 +240,14 @@ class _Force:
         F: Part = {}
         for i, powers in enumerate(self._powers):
             while len(powers) < n:
-                powers.append(self._next(powers, self._w.alphas[i].ball()))
-            key = tuple(int(i == j) for j in range(len(self._powers)))
+                powers.append(power_part(self._w.g, powers, self._w.alphas[i].ball(), len(powers)))
+            key = unit_key(i, len(self._powers))
             accumulate(F, [(key, self._w.powers[i])], powers[n - 1].items())
         return F
 
-    def _next(self, powers: Parts, a: arb) -> Part:
-        n, g = len(powers), self._w.g
-        total: Part = {}
-        for j in range(1, min(n + 1, len(g))):
-            accumulate(total, [(k, x * (a * j - (n - j))) for k, x in g[j].items()], powers[n - j].items())
-        return {k: x / n for k, x in total.items()}
-
 
 def _between(h: arb) -> arb:
-    """[0, h]."""
+    """The ball that holds the interval [0, h]."""
     return arb(0).union(h)
 
 

@@ -25,10 +25,10 @@ from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_m
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.quantities import add_physical, read_oscillator
 from asymptotics.cli.rows import told
-from asymptotics.equivalent.found_law import DampingLaw
 from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import QUANTITIES
 from asymptotics.errors import InputError
+from asymptotics.identification.found_law import DampingLaw
 from asymptotics.law import PENDULUM, Law
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.present.inputs import option_words, with_words

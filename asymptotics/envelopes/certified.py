@@ -35,22 +35,19 @@ from fractions import Fraction
 
 from flint import acb, arb, fmpq
 
-from asymptotics.budget import tick
 from asymptotics.envelopes.numeric import NumericEnvelope
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integral import integral
+from asymptotics.numbers.root import verified_root
 
 Laws = Sequence[tuple[ExactReal, arb]]
 
 ROUGH_BITS = 64
 MAX_S = 600.0
 """Amplitudes below e^-600 are refused: the double-precision guess of the inversion ends there."""
-
-
-EVALUATIONS_PER_BIT = 200
-"""A hundred times what envelopes need: FLINT goes on to this limit after an error in the integrand."""
 
 
 def time(laws: Laws, A: arb) -> arb:
@@ -230,12 +227,11 @@ def _integral(laws: Laws, numerator: Sequence[tuple[arb, arb]], s: arb) -> arb:
     terms = [(1 - a.ball(), k) for a, k in laws]
 
     def integrand(r: acb, analytic: bool) -> acb:
-        tick("an integral over the envelope")
         top = sum((c * (-beta * r).exp() for beta, c in numerator), acb(0)) if numerator else acb(1)
         return top / sum((k * (e * r).exp() for e, k in terms), acb(0))
 
     middle = s.mid()
-    whole = acb.integral(integrand, acb(0), acb(middle), eval_limit=EVALUATIONS_PER_BIT * ctx.prec).real
+    whole = integral(integrand, arb(0), middle, "an integral over the envelope")
     return whole + integrand(acb(s), False).real * (s - middle)
 
 
@@ -254,5 +250,4 @@ def _inverse(laws: Laws, tau: arb) -> arb | None:
         s = (s + (target - time(laws, (-s).exp())) * _rate(laws, s)).mid()
     distance = abs(tau - time(laws, (-s).exp())).upper()
     half = (2 * distance * _rate(laws, s)).upper()  # g changes at most exponentially: where this fails, more does too
-    interval = arb(s, half)
-    return interval if distance * _rate(laws, interval).upper() <= half else None
+    return verified_root(s, distance, lambda near: _rate(laws, near), [half])

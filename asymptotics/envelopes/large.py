@@ -31,14 +31,14 @@ from typing import Any
 import numpy as np
 from flint import acb, arb
 
-from asymptotics.budget import tick
 from asymptotics.envelopes.slow_flow import SlowLaw, SlowTable
 from asymptotics.errors import InputError
 from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.numbers.context import cached_property, ctx
+from asymptotics.numbers.integral import integral
 from asymptotics.numbers.precision import TooWideError
+from asymptotics.numbers.root import verified_root
 
-EVALUATIONS_PER_BIT = 200
 ROUGH_BITS = 64
 
 
@@ -86,7 +86,7 @@ class SlowFlow:
         return self.angle(self.xi(tau)) - tau
 
     def xi(self, tau: arb) -> arb:
-        """xi(tau) before the extinction."""
+        """The amplitude xi at the time tau, before the extinction."""
         if not self.losses or tau == 0:
             return self.well.xi(self.start)
         s = self._inverse(tau)
@@ -150,12 +150,7 @@ class SlowFlow:
         s, reached = self._newton(s, tau.mid())
         distance = abs(tau - reached).upper()
         half = (2 * distance * self._speed(s)).upper()
-        for _ in range(8):
-            interval = arb(s, half)
-            if distance * self._speed(interval).upper() <= half:
-                return interval
-            half = 4 * half
-        return None
+        return verified_root(s, distance, self._speed, (4**k * half for k in range(8)))
 
     def _newton(self, s: arb, target: arb) -> tuple[arb, arb]:
         """A point s near s(target), and tau(s): after the first integral only short ones."""
@@ -177,12 +172,7 @@ class SlowFlow:
 
 def _between(f: Callable[[acb, bool], acb], low: arb, high: arb) -> arb:
     """int f from one exact point to another."""
-
-    def integrand(r: acb, analytic: bool) -> acb:
-        tick("an integral over the slow flow")
-        return f(r, analytic)
-
-    return acb.integral(integrand, acb(low), acb(high), eval_limit=EVALUATIONS_PER_BIT * ctx.prec).real
+    return integral(f, low, high, "an integral over the slow flow")
 
 
 def _strength(loss: Loss, s: Any) -> Any:

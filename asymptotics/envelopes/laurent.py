@@ -66,7 +66,7 @@ class LaurentEnvelope:
         return (self.G(delta) - self.G(delta_0)) / ((self.alpha - 1) * self.p_1)
 
     def phase(self, delta: Any, delta_0: Any) -> Any:
-        """phi(delta) - phi(delta_0), truncated."""
+        """The truncated phase phi(delta) - phi(delta_0)."""
         return (_integral(self.r, delta_0) - _integral(self.r, delta)) / ((self.alpha - 1) * self.p_1)
 
     def delta(self, tau: Any, delta_0: Any) -> Any:

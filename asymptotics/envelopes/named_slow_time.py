@@ -57,6 +57,6 @@ def named_slow_time(exponent: Expr, order: int) -> tuple[Expr, Expr]:
 
 
 def _monomial(key: tuple[int, ...], q: fmpq, values: list[Expr], p_1: Expr) -> Expr:
-    """q W^i prod (c_k/p_1)^n_k."""
+    """The monomial q W^i prod (c_k/p_1)^n_k."""
     powers = [v**n for v, n in zip(values, key)]
     return to_sympy(q) * Mul(*powers) / p_1 ** sum(key[1:])

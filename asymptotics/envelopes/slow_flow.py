@@ -27,11 +27,10 @@ from typing import Any, Protocol
 import numpy as np
 from flint import acb, arb
 
-from asymptotics.budget import tick
-from asymptotics.envelopes.certified import EVALUATIONS_PER_BIT
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.expansions.half_swings.grading import Grading, may_vanish
 from asymptotics.numbers.context import cached_property, ctx
+from asymptotics.numbers.integral import integral
 from asymptotics.series import Series
 
 _KNOTS = 2048
@@ -45,7 +44,7 @@ _FAINTEST = 60.0
 
 @dataclass(frozen=True)
 class ExponentialSum:
-    """sum_j c_j e^(-a_j s)."""
+    """The function sum_j c_j e^(-a_j s) of s."""
 
     terms: tuple[tuple[arb, arb], ...]
 
@@ -202,12 +201,11 @@ class SlowLaw:
         if not (self.p(low) > 0 and self.p(high) > 0):
             raise _lost_sign()
 
-        def integrand(r: acb, analytic: bool) -> acb:
-            tick("an integral along the slow flow")
+        def integrand(r: acb, _analytic: bool) -> acb:
             value: acb = numerator(r) / self.p(r)
             return value
 
-        found = acb.integral(integrand, acb(low), acb(high), eval_limit=EVALUATIONS_PER_BIT * ctx.prec).real
+        found = integral(integrand, low, high, "an integral along the slow flow")
         if not found.is_finite():
             raise UndecidedError("the time integral of the amplitude law did not converge")
         return found.mid()

@@ -123,7 +123,7 @@ def _coefficients(series: Series) -> Iterator[tuple[int, int, Any]]:
 
 
 def _monomial(n: int, power: int, order: int) -> Series:
-    """epsilon^n D^power."""
+    """The monomial epsilon^n D^power."""
     return Series({(n,): TauPolynomial((0,) * power + (1,))}, 1, order)
 
 

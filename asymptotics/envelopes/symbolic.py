@@ -74,7 +74,7 @@ class AveragedLaw:
 
     @property
     def kappa(self) -> Expr:
-        """kappa = p_1 epsilon."""
+        """The rate kappa = p_1 epsilon of the envelope."""
         return self.p_1 * epsilon
 
     @property

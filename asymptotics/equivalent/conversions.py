@@ -82,11 +82,11 @@ def _exact(b: ExactReal, digits: int) -> str:
 
 def _roll(oscillator: Oscillator, orders: dict[int, Term], digits: int) -> list[Conversion]:
     def rate(n: int) -> arb:
-        """alpha, beta, gamma."""
+        """The coefficients alpha, beta, gamma of the moment by its power of the rate."""
         return orders[n].b.ball() / oscillator.mass.ball() / (2 if n == 1 else 1)
 
     def share(n: int) -> arb:
-        """a, b, c."""
+        """The coefficients a, b, c of the extinction curve by its power of the angle."""
         omega = oscillator.omega_0()
         factor = {1: arb.pi() / omega, 2: arb(4) / 3, 3: 3 * arb.pi() * omega / 8}[n]
         return rate(n) * factor

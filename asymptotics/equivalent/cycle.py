@@ -44,12 +44,12 @@ class FullSwing:
 
     @property
     def zeta(self) -> arb:
-        """decrement/sqrt(4 pi^2 + decrement^2)."""
+        """The damping ratio decrement/sqrt(4 pi^2 + decrement^2)."""
         return self.decrement / ((2 * arb.pi()) ** 2 + self.decrement**2).sqrt()
 
     @property
     def quality(self) -> arb:
-        """2 pi E/Delta E."""
+        """The quality factor 2 pi E/Delta E."""
         return 2 * arb.pi() / self.share
 
 

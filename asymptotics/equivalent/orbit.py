@@ -24,13 +24,14 @@ from dataclasses import dataclass
 
 from flint import acb, arb
 
-from asymptotics.budget import tick
 from asymptotics.errors import InputError
 from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.context import ctx
+from asymptotics.numbers.integral import integral
 from asymptotics.terms import Term
 
-EVALUATIONS_PER_BIT = 400
+_EVALUATIONS_PER_BIT = 400
+"""Twice those of an envelope: a fractional power of u is not analytic at the end u = 0, which is bisected away."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +68,7 @@ class Spring:
         return V + sum((c * x ** (p + 1) / (p + 1) for p, c in self.powers), arb(0))
 
     def force(self) -> arb:
-        """V'(1)."""
+        """The restoring force V'(1) at the turning point."""
         first = arb(1) if self.pendulum is None else self.pendulum.sqrt().sinc()
         return first + sum((c for _, c in self.powers), arb(0))
 
@@ -102,12 +103,12 @@ class ConservativeOrbit:
 
     @property
     def zeta(self) -> arb:
-        """Delta E/(4 pi E)."""
+        """The damping ratio Delta E/(4 pi E)."""
         return self.lost / (4 * arb.pi() * self.energy)
 
     @property
     def quality(self) -> arb:
-        """2 pi E/Delta E."""
+        """The quality factor 2 pi E/Delta E."""
         return 2 * arb.pi() * self.energy / self.lost
 
     @property
@@ -129,7 +130,6 @@ def _cycle(spring: Spring, m: int, alpha: arb) -> arb:
     whole = alpha.unique_fmpz()
 
     def integrand(u: acb, analytic: bool) -> acb:
-        tick("an integral over the orbit")
         x = 1 - u * u
         g = spring.stiffness(x)
         if whole is not None and not int(whole) % 2:
@@ -139,8 +139,8 @@ def _cycle(spring: Spring, m: int, alpha: arb) -> arb:
         rise = _power(u, alpha + 1, analytic) if whole is None else u ** (int(whole) + 1)
         return x**m * rise * (g.log(analytic=analytic) * (alpha / 2)).exp()
 
-    found = acb.integral(integrand, acb(0), acb(1), eval_limit=EVALUATIONS_PER_BIT * ctx.prec)
-    return 8 * found.real
+    limit = _EVALUATIONS_PER_BIT * ctx.prec
+    return 8 * integral(integrand, arb(0), arb(1), "an integral over the orbit", evaluations=limit)
 
 
 def _power(u: acb, exponent: arb, analytic: bool) -> acb:

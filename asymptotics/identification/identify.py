@@ -33,7 +33,8 @@ from asymptotics.identification.telling.result import Identification, LawAnswer,
 from asymptotics.identification.telling.runs import common, verdict_of_runs
 from asymptotics.identification.telling.verdicts import Verdict, verdict_of
 from asymptotics.identification.textbook import textbook_estimates
-from asymptotics.numbers.policy import Number
+from asymptotics.numbers.arrays import real_array
+from asymptotics.numbers.policy import Number, exact_double
 from asymptotics.public import public
 from asymptotics.records.sources import How
 from asymptotics.records.units import ANGLES, GRAVITY, UNITS
@@ -243,7 +244,7 @@ def _decrements(
     table: Decrements, candidates: Sequence[Candidate], units: RecordUnits, noise: Noise | None
 ) -> Identification:
     if table.resolution is not None:
-        from asymptotics.identification.telling.certified_answer import certified  # noqa: PLC0415 (loads SymPy: half a second)
+        from asymptotics.identification.telling.certified_answer import certified  # noqa: PLC0415 (the expansions in balls: most of a second)
 
         return certified(table, candidates, units)
     fits = [fit_decrements(c, table, noise) for c in candidates]
@@ -287,8 +288,6 @@ def _omega(mass: float | None, stiffness: float | None, omega_0: float | None) -
 def _positive(value: Any, name: str) -> float | None:
     if value is None:
         return None
-    from asymptotics.numbers.policy import exact_double  # noqa: PLC0415 (loads SymPy, and most calls name no number)
-
     number = exact_double(value, name)
     if not number > 0:
         raise InputError(name, f"{number} is not positive", "a positive number")
@@ -296,8 +295,6 @@ def _positive(value: Any, name: str) -> float | None:
 
 
 def _two_numbers(amplitudes: Any) -> tuple[float, float]:
-    from asymptotics.numbers.arrays import real_array  # noqa: PLC0415 (loads SymPy, and most calls name no number)
-
     values = real_array(amplitudes, "amplitudes")
     if values.shape != (2,):
         raise InputError("amplitudes", f"its shape is {values.shape}", "two numbers: low, high")

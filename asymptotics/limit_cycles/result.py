@@ -15,14 +15,15 @@ import numpy as np
 import sympy
 from flint import arb, fmpq
 
-from asymptotics.expansions.half_swings.pi_ring import PI, PiNumber
+from asymptotics.expansions.half_swings.pi_decimals import exact_coefficient
+from asymptotics.expansions.half_swings.pi_ring import PI
 from asymptotics.expansions.normal_form.results import Coefficient, Row, row_to_dict
 from asymptotics.expansions.normal_form.show import sum_latex
 from asymptotics.law import Law
 from asymptotics.limit_cycles.certified import CertifiedCycle, certified_limit_cycle
 from asymptotics.limit_cycles.series import LimitCycleSeries, balanced_square, limit_cycle_series, require_polynomial
-from asymptotics.numbers.bridge import to_fraction, to_sympy
-from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
+from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.value import coefficient_columns
@@ -129,27 +130,16 @@ def _exact_rows(series: LimitCycleSeries, digits: int) -> tuple[Row, Row, Row, R
 
     def amplitude(c: Any) -> Coefficient:
         if root.is_rational:
-            return _rational(c * fmpq(int(root.p), int(root.q)), digits)
+            return exact_coefficient(c * fmpq(int(root.p), int(root.q)), digits)
         value = certified_decimal(lambda: arb(c) * arb(series.square).sqrt(), digits) if c != 0 else "0"
         return Coefficient(value, to_sympy(c) * root)
 
-    def over_pi(number: PiNumber) -> Coefficient:
-        exact = number.to_sympy()
-        if number.is_rational:
-            return _rational(number.as_rational(), digits)
-        return Coefficient(certified_decimal(number.ball, digits), exact)
-
     logs = {k: PI * c for k, c in series.log_multiplier.items()}
     power = Series({(k,): c for k, c in logs.items()}, 1, series.order).exp()
-    rows: tuple[dict[int, Any], ...] = (series.amplitude, series.frequency, logs)
-    makers: tuple[Any, ...] = (amplitude, lambda c: _rational(c, digits), over_pi)
-    made = [{str(k): make(c) for k, c in row.items()} for row, make in zip(rows, makers)]
-    multiplier = {str(k): over_pi(PiNumber.rational(0) + power[k]) for k in range(series.order + 1)}
-    return made[0], made[1], made[2], multiplier
-
-
-def _rational(c: Any, digits: int) -> Coefficient:
-    return Coefficient(rational_decimal(to_fraction(c), digits), to_sympy(c))
+    amplitudes = {str(k): amplitude(c) for k, c in series.amplitude.items()}
+    rows: tuple[dict[int, Any], ...] = (series.frequency, logs, {k: power[k] for k in range(series.order + 1)})
+    frequency, logarithm, multiplier = ({str(k): exact_coefficient(c, digits) for k, c in row.items()} for row in rows)
+    return amplitudes, frequency, logarithm, multiplier
 
 
 def _ball_rows(law: Law, order: int, digits: int, near: float | None) -> tuple[Row, Row, Row, Row]:

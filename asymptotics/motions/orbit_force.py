@@ -18,6 +18,7 @@ from typing import Any
 from flint import arb
 
 from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.graded import power_part, product_part
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, accumulate
 
@@ -46,12 +47,12 @@ class OrbitForce:
         n = len(self._g)
         self._g.append({k: P[k] + self._cot * Q[k] for k in P})
         for v, power in self._velocity.items():
-            power.append(_power_part(self._g, power, self._exponents[v], n))
+            power.append(power_part(self._g, power, self._exponents[v], n))
         for m, parts in self._position.items():  # rising: the halves of m are there before m
             if m < 2:
                 parts.append({k: self._c * P[k] - self._s * Q[k] for k in P} if m else {})
             else:
-                parts.append(_product_part(self._position[m // 2], self._position[m - m // 2], n))
+                parts.append(product_part(self._position[m // 2], self._position[m - m // 2], n))
 
     def part(self, n: int) -> dict[Key, Any]:
         """The part of F that is homogeneous of degree n in the delta_i."""
@@ -68,25 +69,9 @@ class OrbitForce:
             return self._velocity[v][degree]
         if v.is_zero:
             return self._position[m][degree]
-        return _product_part(self._velocity[v], self._position[m], degree)
+        return product_part(self._velocity[v], self._position[m], degree)
 
 
 def _halves(m: int) -> set[int]:
     """The powers that lead to X^m by products of two."""
     return {m} if m < 2 else {m} | _halves(m // 2) | _halves(m - m // 2)
-
-
-def _product_part(left: Parts, right: Parts, n: int) -> dict[Key, Any]:
-    """Degree n of a product."""
-    total: dict[Key, Any] = {}
-    for j in range(n + 1):
-        accumulate(total, left[j].items(), right[n - j].items())
-    return total
-
-
-def _power_part(g: Parts, power: Parts, a: Any, n: int) -> dict[Key, Any]:
-    """Degree n of g^a from n y_n = sum_(j=1..n) (a j - (n - j)) g_j y_(n-j), g_0 = 1."""
-    total: dict[Key, Any] = {}
-    for j in range(1, n + 1):
-        accumulate(total, [(k, x * (a * j - (n - j))) for k, x in g[j].items()], power[n - j].items())
-    return {k: x / n for k, x in total.items()}

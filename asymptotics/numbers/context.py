@@ -42,7 +42,7 @@ class _Alone:
         self.free()
 
     def free(self) -> None:
-        """Nobody is inside."""
+        """Nobody is inside any more, whoever was."""
         self.lock, self.owner, self.depth = Lock(), 0, 0
         self.usual: list[int] = []
 

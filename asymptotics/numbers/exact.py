@@ -110,7 +110,11 @@ class ExactReal(Shown):
 
     @inside
     def ball(self) -> arb:
-        """An enclosure at the current working precision; it holds 0 for 0 alone, however much cancels."""
+        """An enclosure at the current working precision; it holds 0 for 0 alone, however much cancels.
+
+        The precision doubles until it does, without a limit as in ``precision``: a number that is not rational is not
+        0, so that this ends.
+        """
         q = arb(fmpq(self.coefficient.numerator, self.coefficient.denominator))
         if self.is_rational:
             return q

@@ -25,11 +25,14 @@ TOO_WIDE = "the enclosure is too wide"
 
 
 class TooWideError(UndecidedError):
-    """Not decided at this precision; ``lacking``: about how many bits more will do, if the attempt can tell."""
+    """Not decided at this precision; ``lacking``: about how many bits more will do, if the attempt can tell.
 
-    def __init__(self, reason: str = TOO_WIDE, lacking: int | None = None) -> None:
+    ``of``: which of several numbers it was.
+    """
+
+    def __init__(self, reason: str = TOO_WIDE, lacking: int | None = None, of: str = "") -> None:
         super().__init__(reason)
-        self.lacking = lacking
+        self.lacking, self.of = lacking, of
 
 
 def at_growing_precision(
@@ -45,20 +48,20 @@ def at_growing_precision(
     bits, least = min(bits, max_bits), 0
     while True:
         tick(f"{bits} bits")
-        reason, more = TOO_WIDE, bits
+        reason, of, more = TOO_WIDE, "", bits
         with ctx.workprec(bits):
             try:
                 found = attempt(bits)
             except UndecidedError as undecided:
                 if undecided.given_up:
                     raise
-                found, reason = None, str(undecided)
+                found, reason, of = None, str(undecided), getattr(undecided, "of", "")
                 lacking = getattr(undecided, "lacking", None)
                 more = bits if lacking is None else max(lacking, least)
         if found is not None:
             return found
         if bits >= max_bits:
-            raise _given_up(f"no certified {digits} digits at {bits} bits: {reason}")
+            raise _given_up(f"no certified {digits} digits{of and ' of ' + of} at {bits} bits: {reason}")
         least, bits = bits // 2, min(bits + more, max_bits)
 
 

@@ -16,11 +16,11 @@ from asymptotics.envelopes.large import SlowFlow, _Rate, _Turn
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.moments.symbolic import mean
-from asymptotics.expansions.straightening.series import straighten
 from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import parse_real
 from asymptotics.terms import Term
+from derivations.straightening import straighten
 
 WELLS = {  # well, its 2 (V(A) - V(x)) over sin^2, amplitude
     "pendulum": (Well.pendulum(arb(1)), None, "2.7"),

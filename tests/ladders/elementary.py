@@ -9,7 +9,6 @@ from asymptotics.envelopes.large import SlowFlow
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.symbolic import nested_integral, nested_integral_exact
 from asymptotics.expansions.moments.certified import moment, squaring_ratio
-from asymptotics.expansions.straightening import pendulum
 from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.law import Oscillator
 from asymptotics.limit_cycles.half_turn import half_turn
@@ -92,18 +91,6 @@ NUMBERS = [
         "1.2",
         14,
         40,
-    ),
-    *(
-        Ladder(
-            ("asymptotics.expansions.straightening.pendulum." + f.__name__,), lambda x, f=f: [f(x)], "2.7", stretch=8
-        )
-        for f in (pendulum.modulus, pendulum.half_period)
-    ),
-    Ladder(
-        ("asymptotics.expansions.straightening.pendulum.log_ratio",),
-        lambda x: [pendulum.log_ratio(arb(3) / 2, arb(1) / 7, x)],
-        "2.7",
-        stretch=8,
     ),
 ]
 

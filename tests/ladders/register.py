@@ -4,7 +4,6 @@ Names = dict[str, str]
 
 LOCAL, TURNING, ORBIT = "tests/bounds/test_local.py", "tests/bounds/test_turning.py", "tests/bounds/test_orbit.py"
 PETAL = "tests/expansions/divergence/test_bounds.py"
-ORDERS = "tests/expansions/divergence/test_large_orders.py"
 HEIGHTS = "tests/expansions/divergence/test_constants.py::test_another_height_gives_the_same_numbers"
 ONE_LAW = "tests/expansions/half_swings/test_one_law.py"
 LATE, FINITE, SLOW = (
@@ -91,12 +90,6 @@ BOUNDS: Names = {
         "tail share",
         f"{PETAL}::test_the_tail_of_cauchy_is_its_formula_and_ends_at_the_circle",
     ),
-    **_each(
-        "expansions.divergence.rows",
-        "rows_of",
-        f"{ORDERS}::test_the_rows_of_the_abel_function_are_those_of_the_half_swing",
-    ),
-    **_each("expansions.divergence.rows", "corrections", f"{ORDERS}::test_the_first_correction_is_f"),
     **_each(
         "expansions.divergence.abel",
         "odd_series at at_height later",
@@ -279,6 +272,14 @@ ELSEWHERE: Names = {
     ),
     **_each(
         "numbers.value", "Coefficient.ball", "tests/numbers/test_digits.py::test_the_ball_of_digits_reaches_its_ends"
+    ),
+    **_each(
+        "numbers.root", "verified_root", "tests/numbers/test_root.py::test_the_root_may_stand_at_the_end_of_the_ball"
+    ),
+    **_each(
+        "numbers.integral",
+        "integral",
+        "tests/bounds/test_flow.py::test_an_integral_that_runs_out_of_evaluations_is_wide_not_wrong",
     ),
     **_each("motions.reference", "reference_states", "tests/motions/test_reference.py::test_a_ladder_of_digits"),
     **_each(

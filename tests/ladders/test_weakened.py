@@ -47,10 +47,8 @@ OWN = {
     "flow.slow_manifold.slide.sliding": "tests/flow/slow_manifold/test_slide.py"
     "::test_what_the_strip_leaves_open_is_in_the_error_after_it",
     "equivalent.orbit._power": "tests/equivalent/test_orbit_damping.py::test_the_size_of_a_power_near_zero_is_attained",
-    "envelopes.certified._inverse": LADDER,
     "envelopes.certified.amplitude": "tests/envelopes/test_certified.py::test_too_little_precision_is_an_enclosure",
     "envelopes.certified.extinction_time": LADDER,
-    "envelopes.large.SlowFlow._inverse": LADDER,
     "envelopes.large.SlowFlow.extinction_time": LADDER,
     "envelopes.large._power": "tests/envelopes/test_large.py::test_the_extinction_of_the_averaged_amplitude",
     "expansions.half_swings.symbolic._integrate": LADDER,

@@ -17,13 +17,13 @@ from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.expansions.normal_form.expansion import exact_expansion, expansion_of
 from asymptotics.expansions.normal_form.flow import flow_of
-from asymptotics.expansions.normal_form.observables import observables
 from asymptotics.gauges import GAUGES
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Series
 from asymptotics.testing import strategies
 from asymptotics.turning.abel import abel_function
 from tests.second_route.closed_forms import certified_coefficients
+from tests.second_route.gauge_observables import observables
 from tests.second_route.quarter_series import finite_quarter
 
 LONGER = max(1, settings().max_examples // 80)  # the nightly profile draws more

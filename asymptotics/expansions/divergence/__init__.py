@@ -4,8 +4,6 @@
 ``petal``       where orbits stay, and how far the Abel functions are from z there
 ``half_step``   one half-swing at a complex local strength, in balls
 ``abel``        the Abel function and the time along an orbit into the petal
-``rows``        V, p_k and Omega_k to high order, and the corrections in their laws
-``large_orders`` the laws of V_k, p_k and Omega_k for large k
 ``truncation``  where to stop at a local strength, and what is left
 ``constants``   c_k and d_k from several heights
 ``result``      their decimals

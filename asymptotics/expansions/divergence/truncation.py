@@ -68,7 +68,7 @@ class BestOrder(Rows):
         }  # fmt: skip
 
     def rows(self) -> list[tuple[str, str]]:
-        """(what, error in half-swings)."""
+        """The lines of the table: what is told, and the error in half-swings."""
         names = ("measured", *(f"measured, {k} exponential{'s' * (k > 1)} added" for k in range(1, len(self.errors))))
         found = zip(names, self.errors, strict=True)
         head = [("|c_1| e^(-2 pi |c|/delta)", self.predicted), ("smallest term", self.smallest_term)]

@@ -89,7 +89,7 @@ def minus(n: Key, m: Key) -> Key:
 
 
 def dot(n: Key, velocities: Sequence[arb]) -> arb:
-    """The exponent n·alpha."""
+    """The exponent n·alpha of a power of the sine."""
     return sum((k * a for k, a in zip(n, velocities, strict=True)), arb(0))
 
 

@@ -59,7 +59,7 @@ from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.quarter import HalfSwing, half_swing
 from asymptotics.numbers.bridge import to_fmpq
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.series import Key, Series
+from asymptotics.series import Key, Series, unit_key
 
 
 def certified_half_swing(given: Given, order: int, *, max_seconds: float = MAX_SECONDS) -> HalfSwing:
@@ -116,7 +116,7 @@ def map_vanishes(forces: Forces, i: int, n: Key) -> bool:
     """Whether the coefficient of deltaⁿ in F_i is zero by theorem; F_i = delta_i, exactly, if its weight is 0."""
     if forces.weights[i].is_zero or not n[i] or sum(n) == 1:
         return False
-    unit = tuple(int(j == i) for j in range(len(n)))
+    unit = unit_key(i, len(n))
     more = forces.loss_degree(n) - forces.loss_degree(unit)
     balanced = is_zero_weight(forces, tuple(a + b for a, b in zip(n, unit))) and more % 2 == 0
     dry = is_pure_at(forces, n) and not is_value(forces.velocities[i], 0) and negative_power(forces, n, 0)

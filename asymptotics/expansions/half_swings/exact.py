@@ -29,7 +29,7 @@ from typing import Any
 from flint import fmpq, fmpq_poly
 
 from asymptotics.expansions.half_swings.forces import Forces, Given, Member
-from asymptotics.expansions.half_swings.fourier_flow import fourier_flow, is_smooth
+from asymptotics.expansions.half_swings.fourier_flow import fourier_flow
 from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.expansions.half_swings.orbit import Orbit
 from asymptotics.expansions.half_swings.pi_ring import PI, PiNumber
@@ -42,16 +42,11 @@ from asymptotics.terms import Term as Term  # for the examples
 def exact_half_swing(given: Given, order: int) -> HalfSwing:
     """L, F, T through total degree ``order`` for integer exponents; InputError for anything else."""
     forces = Forces.read(given, order)
-    if is_even(forces):
+    if forces.is_even:
         return even_half_swing(forces, order)
-    if is_smooth(forces):
+    if forces.is_smooth:
         return odd_half_swing(forces, order)
     return half_swing(exact_quarter_swing(forces, order))
-
-
-def is_even(forces: Forces) -> bool:
-    """Whether all forces are polynomials in c on the whole half-swing."""
-    return all(m.integer_velocity % 2 == 0 and m.position % 2 == (m.sign > 0) for m in forces.members)
 
 
 def even_half_swing(given: Given, order: int) -> HalfSwing:

@@ -1,7 +1,8 @@
 """How far the series of a half-swing reach: a majorant of the motion for complex local strengths, enclosed by steps.
 
-A comparison theorem in the complex domain (Cauchy's method of majorants): the modulus of the motion stays below the
-solution of a real equation that dominates it.
+A comparison theorem in the complex domain, by Cauchy's method of majorants (Hille, Ordinary Differential Equations in
+the Complex Domain, chapter 2) and a differential inequality (Walter, Ordinary Differential Equations, section 9): the
+modulus of the motion stays below the solution of a real equation that dominates it.
 
 With u_i = epsilon_i r^(alpha_i - 1), s = sin(theta), c = cos(theta) (see ``quarter``), for *complex* starting values
 delta_i in the polydisc |delta_i| <= rho_i, ln r = g obeys

@@ -25,10 +25,10 @@ from math import factorial
 from flint import fmpq
 
 from asymptotics.errors import InputError
-from asymptotics.expansions.half_swings.grading import LOSS, Grading
+from asymptotics.expansions.half_swings.grading import Grading, loss_degree
 from asymptotics.numbers.bridge import to_fmpq
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.series import Key, Series
+from asymptotics.series import Key, Series, unit_key
 from asymptotics.terms import Term
 
 
@@ -69,6 +69,16 @@ class Member:
             raise InputError("alpha", f"{self.velocity} has no exact half-swing", "integers >= 0; certified: any real")
         return int(self.velocity.rational)
 
+    @property
+    def is_polynomial(self) -> bool:
+        """Whether it is a polynomial in x and v: a loss of odd v and even x, or a spring of odd x and even v."""
+        return self.is_closed and self.integer_velocity % 2 == (self.sign < 0)
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether it is a polynomial in x and |v| where v has one sign: |x| may not stand in it."""
+        return self.velocity.is_integer and self.position % 2 == (self.sign > 0)
+
 
 @dataclass(frozen=True)
 class Forces:
@@ -92,7 +102,7 @@ class Forces:
             raise InputError("law", "there is no term", "at least one loss or spring")
         members: list[Member] = []
         for i, t in enumerate(terms):
-            unit = tuple(int(j == i) for j in range(len(terms)))
+            unit = unit_key(i, len(terms))
             members += _family(unit, order) if t.family else [Member(unit, fmpq(1), t.velocity, t.position, t.sign)]
         velocities = tuple(ExactReal(0) if t.family else t.velocity for t in terms)
         return cls(tuple(t.weight for t in terms), tuple(t.sign for t in terms), velocities, tuple(members))
@@ -124,6 +134,21 @@ class Forces:
         """Whether all powers are integers, so that there is exact arithmetic."""
         return all(m.velocity.is_integer for m in self.members)
 
+    @property
+    def is_closed(self) -> bool:
+        """Whether all forces are polynomials in x and |v| where v has one sign."""
+        return all(m.is_closed for m in self.members)
+
+    @property
+    def is_even(self) -> bool:
+        """Whether all forces are polynomials in cos(theta) on a whole half-swing: even powers of v besides."""
+        return all(m.is_closed and m.integer_velocity % 2 == 0 for m in self.members)
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether all forces are polynomials in x and v."""
+        return all(m.is_polynomial for m in self.members)
+
     def only(self, places: Sequence[int], order: int) -> "Forces":
         """The forces that some of the variables make by themselves."""
         members = [
@@ -137,7 +162,7 @@ class Forces:
 
     def loss_degree(self, key: Key) -> int:
         """How many losses a monomial contains."""
-        return sum(n for n, sign in zip(key, self.signs) if sign == LOSS)
+        return loss_degree(self.signs, key)
 
     def exact_grading(self) -> Grading:
         """The grading with rational weights."""

@@ -39,10 +39,11 @@ from flint import fmpq, fmpq_poly
 
 from asymptotics.budget import tick
 from asymptotics.errors import InputError
-from asymptotics.expansions.half_swings.forces import Forces, Given, Member
+from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
 from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
+from asymptotics.graded import WholePowers, monomial_part
 from asymptotics.series import Key, Series, accumulate, is_exact_zero
 from asymptotics.terms import Term as Term  # for the examples
 
@@ -80,18 +81,6 @@ class FourierFlow:
         return Series(nonzero, self.U.variables, self.U.order)
 
 
-def is_smooth(forces: Forces) -> bool:
-    """Whether all forces are polynomials in x and v."""
-    return all(is_polynomial(m) for m in forces.members)
-
-
-def is_polynomial(m: Member) -> bool:
-    """Whether a force is a polynomial in x and v: alpha odd and m even, or p odd and q even."""
-    if not m.velocity.is_integer:
-        return False
-    return m.integer_velocity % 2 == (m.sign < 0) and m.position % 2 == (m.sign > 0)
-
-
 def fourier_flow(given: Given, order: int, gauge: str = TURNING_POINT) -> FourierFlow:
     """Solve the homological equation through degree ``order`` for polynomial forces, in one of the three gauges.
 
@@ -100,7 +89,7 @@ def fourier_flow(given: Given, order: int, gauge: str = TURNING_POINT) -> Fourie
     """
     forces = Forces.read(given, order)
     require_gauge(gauge)
-    if not is_smooth(forces):
+    if not forces.is_smooth:
         accepted = "losses with alpha odd integers >= 1 and m even, springs with p odd and q even"
         raise InputError("alpha", "a force is no polynomial in x and v: it has no smooth flow in theta", accepted)
     return _FourierKernel(forces, order, gauge).solve()
@@ -115,17 +104,12 @@ class _FourierKernel:
         self.M = max((-(-(m.integer_velocity + m.position + 1) // (2 * m.order)) for m in self.members), default=1)
         zero = (0,) * forces.variables
         self.Z: list[Part] = [{zero: fmpq_poly([1])}]
-        self.P = self._powers(fmpq_poly([1, 1]), zero, {m.position: m.order for m in self.members[::-1]})
-        self.Y = self._powers(fmpq_poly([-1, 1]), zero, {m.integer_velocity: m.order for m in self.members[::-1]})
+        used = [(m.position, m.integer_velocity, m.order) for m in self.members]
+        self.P = WholePowers(fmpq_poly([1]), fmpq_poly([1, 1]), zero, [(m, n) for m, _, n in used], order)
+        self.Y = WholePowers(fmpq_poly([1]), fmpq_poly([-1, 1]), zero, [(v, n) for _, v, n in used], order)
         self.U: list[dict[Key, fmpq]] = [{}]
         self.W: list[dict[Key, fmpq]] = [{zero: fmpq(1)}]
         self.forcing: list[Part] = [{}]  # Z_n + Phi_n
-
-    def _powers(self, base: fmpq_poly, zero: Key, used: dict[int, int]) -> list[tuple[list[Part], int]]:
-        """The powers 0, 1, ... of a factor, at degree 0, each with the degree through which it is needed."""
-        top = max([1, *used])
-        need = [self.order - min([n for k, n in used.items() if k >= e], default=0) for e in range(top + 1)]
-        return [([{zero: base**e}], need[e]) for e in range(top + 1)]
 
     def solve(self) -> FourierFlow:
         """All degrees, and the way back from eta to delta."""
@@ -154,19 +138,9 @@ class _FourierKernel:
             degree = alpha + m.position
             turn = alpha + 1 if m.sign < 0 else alpha
             scale, shift = m.ratio * fmpq((-1) ** (turn // 2), 2**degree), self.M * m.order - (degree + 1) // 2
-            for k, p in self._product(m.position, alpha, n - m.order).items():
+            for k, p in monomial_part(self.P, m.position, self.Y, alpha, n - m.order).items():
                 key = tuple(a + b for a, b in zip(k, m.key))
                 total[key] = total.get(key, fmpq_poly([])) + (p * scale).left_shift(shift)
-        return total
-
-    def _product(self, position: int, velocity: int, n: int) -> Part:
-        """Degree n of P^position Y^velocity."""
-        P, Y = self.P[position][0], self.Y[velocity][0]
-        if not position or not velocity:
-            return (P if position else Y)[n]
-        total: Part = {}
-        for j in range(n + 1):
-            accumulate(total, P[j].items(), Y[n - j].items())
         return total
 
     def _right_side(self, n: int) -> Part:
@@ -198,14 +172,7 @@ class _FourierKernel:
         turned = {k: p.left_shift(1) for k, p in self.Z[n].items()}
         mirrored = {k: (-1) ** self.grading.loss_degree(k) * _reversed(p, 2 * self.M * n) for k, p in self.Z[n].items()}
         for powers, side in ((self.P, 1), (self.Y, -1)):
-            powers[0][0].append({})
-            first = powers[1][0]
-            first.append({k: p + side * mirrored[k] for k, p in turned.items()})
-            for e in range(2, len(powers)):
-                total: Part = {}
-                for j in range(n + 1) if n <= powers[e][1] else ():
-                    accumulate(total, powers[e - 1][0][j].items(), first[n - j].items())
-                powers[e][0].append(total)
+            powers.extend({k: p + side * mirrored[k] for k, p in turned.items()})
 
     def _real(self, parts: list[dict[Key, fmpq]], parity: int) -> Series:
         """Back from eta to delta: f(i eta) = i^parity f_hat(eta), so f_n = (-1)^((l - parity)/2) f_hat_n."""

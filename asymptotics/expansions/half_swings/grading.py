@@ -28,6 +28,11 @@ from asymptotics.series import Key, Series
 LOSS, SPRING = -1, 1
 
 
+def loss_degree(signs: tuple[int, ...], key: Key) -> int:
+    """l(n): how many losses a monomial contains, counted with multiplicity."""
+    return sum(n for n, sign in zip(key, signs) if sign == LOSS)
+
+
 @dataclass(frozen=True)
 class Grading:
     """``weights``: d_i - 1 in the coefficient ring; ``signs``: LOSS or SPRING; one of each for every variable."""
@@ -57,7 +62,7 @@ class Grading:
 
     def loss_degree(self, key: Key) -> int:
         """l(n): how many losses a monomial contains."""
-        return sum(n for n, sign in zip(key, self.signs) if sign == LOSS)
+        return loss_degree(self.signs, key)
 
     def flip(self, series: Series) -> Series:
         """f(S delta): every loss with its sign changed."""

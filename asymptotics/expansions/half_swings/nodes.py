@@ -46,17 +46,23 @@ def node_quarter(alpha: ExactReal, order: int, bits: int, small: float) -> tuple
     """R_n and T_n for n = 0 … ``order``, good to 2^-``bits`` or so at |delta| = ``small``; alpha > 0, not 1."""
     with ctx.workprec(BOUND_BITS):
         ellipses = [_Ellipse.of(alpha.ball(), arb(rho), order, arb(small)) for rho in ELLIPSES]
-    ellipse, right, lost = min(ellipses, key=lambda e: e.nodes(bits)), bits, 0
-    while True:
-        right += lost
-        with ctx.workprec(right + GUARD):
-            ends, durations = _Orders(alpha.ball(), arb(small), ellipse, ellipse.nodes(right)).through(order)
-        if right > bits or (lost := _lost(bits, [*ends, *durations])) < SPARE:
-            break  # small exponents alone: the radii grow by some bits an order
+    ellipse, right = min(ellipses, key=lambda e: e.nodes(bits)), bits
+    ends, durations = _at_nodes(alpha, order, right, small, ellipse)
+    lost = _lost(bits, [*ends, *durations])
+    if lost >= SPARE:  # small exponents alone: the radii grow by some bits an order
+        right = bits + lost
+        ends, durations = _at_nodes(alpha, order, right, small, ellipse)
     with ctx.workprec(right + GUARD), ctx.workcap(order + 1):
         scales, log_P = [arb(small) ** n for n in range(order + 1)], arb_series(ends, order + 1).log()
         R = [log_P[n] / (alpha.ball() - 1) / scale for n, scale in enumerate(scales)]
         return R, [t / scale for t, scale in zip(durations, scales, strict=True)]
+
+
+def _at_nodes(
+    alpha: ExactReal, order: int, bits: int, small: float, ellipse: "_Ellipse"
+) -> tuple[list[arb], list[arb]]:
+    with ctx.workprec(bits + GUARD):
+        return _Orders(alpha.ball(), arb(small), ellipse, ellipse.nodes(bits)).through(order)
 
 
 @dataclass(frozen=True, eq=False)

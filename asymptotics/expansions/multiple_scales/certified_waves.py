@@ -110,7 +110,7 @@ def _along(derivatives: tuple[Series, ...], psi: arb | Series) -> Series:
 
 
 def _cosines(psi: arb, count: int) -> list[arb]:
-    """psi^j cos^(j)(psi)."""
+    """The functions psi^j cos^(j)(psi), from which a Taylor polynomial in psi is made."""
     return [(psi + j * arb.pi() / 2).cos() * psi**j for j in range(count)]
 
 

@@ -38,7 +38,6 @@ xhat_n has the odd harmonics |m| <= h_n = 1 + n max(d - 1) and is stored as q^(h
 (3/8*d + -15/256*d^2 + O(3), {3: 1/32})
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from flint import fmpq, fmpq_poly
@@ -47,8 +46,8 @@ from asymptotics.budget import tick
 from asymptotics.costs import hierarchy_seconds, require_affordable
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.forces import Forces, Given, Member
-from asymptotics.expansions.half_swings.fourier_flow import is_polynomial
 from asymptotics.expansions.half_swings.grading import Grading
+from asymptotics.graded import WholePowers, monomial_part, summed
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.series import Key, Series, accumulate, monomials
 from asymptotics.terms import Term
@@ -158,7 +157,7 @@ def require_smooth(given: Given, order: int) -> Forces:
                 raise InputError("alpha", f"{a!r} has no exact hierarchy", accepted)
     forces = Forces.read(given, order)
     for m in forces.members:
-        if not is_polynomial(m):
+        if not m.is_polynomial:
             name = "spring" if m.sign > 0 else "law" if m.position else "alpha"
             factors = f"velocity to the power {m.velocity}" + (f", position to {m.position}" if m.position else "")
             raise InputError(name, f"{factors}: no polynomial, so its Fourier series does not end", accepted)
@@ -182,6 +181,10 @@ def rotated(p: fmpq_poly, h: int) -> fmpq_poly:
     return 2 * p.derivative().left_shift(1) - h * p
 
 
+def _rotated(part: Part, h: int) -> Part:
+    return {k: rotated(p, h) for k, p in part.items()}
+
+
 class _HarmonicKernel:
     """The state of the recurrence: lists by total degree, extended by ``advance``."""
 
@@ -191,17 +194,12 @@ class _HarmonicKernel:
         self.members, self.order = forces.through(order), order
         self.X: list[Part] = [{zero: fmpq_poly([fmpq(1, 2), fmpq(1, 2)])}]  # cos psi
         self.Y: list[Part] = [{zero: fmpq_poly([fmpq(-1, 2), fmpq(1, 2)])}]  # Dhat Xhat: q d_q of it
-        self.X_powers = self._powers(self.X[0][zero], zero, [(m.position, m.order) for m in self.members])
-        self.Y_powers = self._powers(self.Y[0][zero], zero, [(m.integer_velocity, m.order) for m in self.members])
+        used = [(m.position, m.integer_velocity, m.order) for m in self.members]
+        self.X_powers = WholePowers(fmpq_poly([1]), self.X[0][zero], zero, [(m, n) for m, _, n in used], order)
+        self.Y_powers = WholePowers(fmpq_poly([1]), self.Y[0][zero], zero, [(v, n) for _, v, n in used], order)
         self.p: list[dict[Key, fmpq]] = [{}]
         self.Omega: list[dict[Key, fmpq]] = [{}]
         self.known: list[Part] = [{}]
-
-    def _powers(self, base: fmpq_poly, zero: Key, used: list[tuple[int, int]]) -> list[tuple[int, list[Part]]]:
-        """The powers 0, 1, ... of a factor, each with the degree through which some member needs it."""
-        top = max(1, *(e for e, _ in used))
-        need = [self.order - min((n for e, n in used if e >= k), default=self.order) for k in range(top + 1)]
-        return [(need[k], [{zero: base**k}]) for k in range(top + 1)]
 
     def advance(self, n: int) -> None:
         """Order n: the right side, solvability, division by m^2 - 1, and the new velocity."""
@@ -209,15 +207,16 @@ class _HarmonicKernel:
         first = (1 + h) // 2
         velocity = self._slow(self.X, n)
         R = self._force(n)
-        for k, part in _sum(_map(velocity, lambda p: rotated(p, h)), self._slow(self.Y, n)).items():
+        for k, part in summed(_rotated(velocity, h), self._slow(self.Y, n)).items():
             R[k] = R.get(k, fmpq_poly([])) - part
         self.known.append(R)
         odd = {k for k in R if self.forces.loss_degree(k) % 2}
         self.p.append({k: -R[k][first] for k in odd})
         self.Omega.append({k: p[first] for k, p in R.items() if k not in odd})
-        self.X.append(_map(R, lambda p: _divided(p, h)))
-        self.Y.append(_sum(_sum(_map(self.X[n], lambda p: rotated(p, h)), velocity), self._newest(n)))
-        self._extend_powers(n)
+        self.X.append({k: _divided(p, h) for k, p in R.items()})
+        self.Y.append(summed(_rotated(self.X[n], h), velocity, self._newest(n)))
+        self.X_powers.extend(self.X[n])
+        self.Y_powers.extend(self.Y[n])
 
     def _force(self, n: int) -> Part:
         """The forces at degree n: (-1)^((alpha+1)/2) eta X^m Y^alpha and (-1)^(q/2) c X^p Y^q."""
@@ -226,17 +225,13 @@ class _HarmonicKernel:
             if member.order > n:
                 continue
             scale, shift = in_eta(member), (member.order * self.spread + 1 - _degree(member)) // 2
-            for k, p in self._product(member, n - member.order).items():
+            found = monomial_part(
+                self.X_powers, member.position, self.Y_powers, member.integer_velocity, n - member.order
+            )
+            for k, p in found.items():
                 key = tuple(i + j for i, j in zip(k, member.key))
                 total[key] = total.get(key, fmpq_poly([])) + (p * scale).left_shift(shift)
         return total
-
-    def _product(self, member: Member, n: int) -> Part:
-        """Degree n of X^position Y^velocity."""
-        X, Y = self.X_powers[member.position][1], self.Y_powers[member.integer_velocity][1]
-        if not member.position or not member.integer_velocity:
-            return (X if member.position else Y)[n]
-        return _convolution(X, Y, n)
 
     def _slow(self, parts: list[Part], n: int) -> Part:
         """sum_(0<j<n) (Omegahat_j q d_q - phat_j E) of the part of degree n - j: the known slow derivatives."""
@@ -254,17 +249,7 @@ class _HarmonicKernel:
         (cosine,), (sine,) = self.X[0].values(), self.Y[0].values()
         shift = n * self.spread // 2
         slow = {k: -c * cosine.left_shift(shift) for k, c in self.p[n].items()}
-        return _sum(slow, {k: c * sine.left_shift(shift) for k, c in self.Omega[n].items()})
-
-    def _extend_powers(self, n: int) -> None:
-        for powers, newest in ((self.X_powers, self.X[n]), (self.Y_powers, self.Y[n])):
-            first = powers[1][1]
-            powers[0][1].append({})
-            first.append(newest)
-            for k in range(2, len(powers)):
-                need, parts = powers[k]
-                if n <= need:
-                    parts.append(_convolution(powers[k - 1][1], first, n))
+        return summed(slow, {k: c * sine.left_shift(shift) for k, c in self.Omega[n].items()})
 
 
 def in_eta(member: Member) -> fmpq:
@@ -273,29 +258,10 @@ def in_eta(member: Member) -> fmpq:
     return -member.ratio if turns % 4 == 2 else member.ratio
 
 
-def _convolution(left: list[Part], right: list[Part], n: int) -> Part:
-    """Degree n of a product."""
-    total: Part = {}
-    for j in range(n + 1):
-        accumulate(total, left[j].items(), right[n - j].items())
-    return total
-
-
 def _divided(p: fmpq_poly, h: int) -> fmpq_poly:
     """xhat_m = R_m/(m^2 - 1), without first harmonic."""
     harmonics = ((2 * i - h, c) for i, c in enumerate(p.coeffs()))
     return fmpq_poly([c / (m * m - 1) if m * m != 1 else fmpq(0) for m, c in harmonics])
-
-
-def _map(part: Part, f: Callable[[fmpq_poly], fmpq_poly]) -> Part:
-    return {k: f(p) for k, p in part.items()}
-
-
-def _sum(left: Part, right: Part) -> Part:
-    total = dict(left)
-    for k, p in right.items():
-        total[k] = total[k] + p if k in total else p
-    return total
 
 
 def _series(parts: list[dict[Key, fmpq]], variables: int, order: int) -> Series:

@@ -64,17 +64,16 @@ from asymptotics.expansions.multiple_scales.orders import (
     Order,
     a,
     leading_order,
-    operator_equation,
     psi,
     rate_symbols,
+    solved_order,
     symbols_of,
-    velocity_equation,
 )
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.expansions.multiple_scales.turning_orders import turning_conditions
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.numbers.bridge import to_sympy
-from asymptotics.series import Key, Series
+from asymptotics.series import Key, Series, unit_key
 from asymptotics.terms import Term
 
 Rates = Mapping[Key, Expr]
@@ -101,7 +100,7 @@ class PowerForce:
 def forces_of(alphas: tuple[Expr, ...], terms: tuple[Term, ...], order: int) -> tuple[PowerForce, ...]:
     """Losses x'|x'|^(alpha-1), then other terms, as they enter through ``order``."""
     count = len(alphas) + len(terms)
-    found = [PowerForce(_unit(i, count), Integer(1), alpha, 0, -1) for i, alpha in enumerate(alphas)]
+    found = [PowerForce(unit_key(i, count), Integer(1), alpha, 0, -1) for i, alpha in enumerate(alphas)]
     for m in Forces.of(terms, order).through(order) if terms else ():
         key = (*(0,) * len(alphas), *m.key)
         found.append(PowerForce(key, to_sympy(m.ratio), to_sympy(m.velocity), m.position, m.sign))
@@ -160,26 +159,24 @@ class _Open:
 
     def order(self, n: int) -> Order:
         """Order n: the equation of the ansatz, the equation with its forcing, the conditions, the rates, X_n."""
-        (f, g), X_n = rate_symbols(n), wave("X", n)
+        f, g = rate_symbols(n)
         K, L = self.lower(n)
         K_n, L_n = wave("K", n), wave("L", n)
-        rates = self.rates(n)
         forcing = -(L_n + Derivative(K_n, psi)) if n > 1 else -L
-        left, right = Derivative(X_n, (psi, 2)) + X_n, 2 * f * sin(psi) + 2 * a * g * cos(psi) + forcing
         first, second = self.conditions(n)
         names, closed = turning_conditions(n), self.closed(n)
         where = [Eq(K_n, K, evaluate=False), Eq(L_n, L, evaluate=False)] if n > 1 else [Eq(L_n, L, evaluate=False)]
         where.append(Eq(wave("V", n), self.velocity(n), evaluate=False))
-        return Order(
+        return solved_order(
             n,
-            operator_equation(n, self.ansatz_force(n)),
-            velocity_equation(n - 1),
-            Eq(left, right, evaluate=False),
+            self.ansatz_force(n),
+            forcing,
             ((names[0], pi * f - first), (names[1], second - pi * a * g)),
-            tuple(Eq(s, v, evaluate=False) for s, v in zip((f, g), rates)),
-            Eq(X_n, self.integral(n) if closed is None else closed, evaluate=False),
+            self.rates(n),
+            self.integral(n) if closed is None else closed,
             TURNING_POINT,
-            tuple(where),
+            unknown=wave("X", n),
+            where=tuple(where),
         )
 
     def lower(self, n: int) -> tuple[Expr, Expr]:
@@ -265,7 +262,7 @@ def _sine_integral(power: Expr, phase: Expr) -> Expr:
 
 
 def first_wave(alpha: Expr) -> Expr:
-    """X_1/a^alpha of one law."""
+    """X_1/a^alpha, the wave of first order, of one law."""
     return cos(psi) * lag(alpha) + sin(psi) ** (alpha + 2) / (alpha + 1)
 
 
@@ -329,7 +326,3 @@ def _partitions(n: int, largest: int | None = None) -> Iterator[dict[int, int]]:
             rest = n - k * part
             for found in _partitions(rest, part - 1) if part > 1 or rest == 0 else ():
                 yield {part: k, **found}
-
-
-def _unit(i: int, size: int) -> Key:
-    return tuple(int(j == i) for j in range(size))

@@ -22,9 +22,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Add, Derivative, Eq, Expr, Function, Mul, Symbol, cos, expand, latex
+from sympy import Add, Derivative, Eq, Expr, Function, Mul, Symbol, cos, expand, latex, sin
 
 from asymptotics.expansions.half_swings.forces import Forces, Member
+from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.present.shown import Page, Shown
 from asymptotics.series import Key
@@ -66,7 +67,7 @@ def rate_symbols(n: int) -> tuple[Symbol, Symbol]:
 
 
 def solution_symbol(n: int) -> Expr:
-    """X_n(psi)."""
+    """The unknown X_n as a function of psi."""
     return Function(f"X_{n}")(psi)
 
 
@@ -201,6 +202,43 @@ def monomial(degrees: tuple[Any, ...], key: Key, power: int = 1, symbols: tuple[
     for symbol, k in zip(symbols or law_symbols(len(degrees)), key):
         total = total * symbol**k
     return total
+
+
+def solved_order(
+    n: int,
+    force: Expr,
+    forcing: Expr,
+    conditions: tuple[tuple[str, Expr], tuple[str, Expr]],
+    rates: tuple[Expr, Expr],
+    solution: Expr,
+    gauge: str,
+    *,
+    unknown: Expr | None = None,
+    where: tuple[Eq, ...] = (),
+) -> Order:
+    """Order n of the equation X_n'' + X_n = 2 f_n sin psi + 2 a g_n cos psi + ``forcing``.
+
+    ``force``: the forces in the letters of the ansatz; ``rates``: f_n and g_n, by which the ``conditions`` hold;
+    ``unknown``: X_n, a function of psi unless it is given.
+    """
+    (f, g), X_n = rate_symbols(n), solution_symbol(n) if unknown is None else unknown
+    right = 2 * f * sin(psi) + 2 * a * g * cos(psi) + forcing
+    return Order(
+        n,
+        operator_equation(n, force),
+        velocity_equation(n - 1),
+        Eq(Derivative(X_n, (psi, 2)) + X_n, right, evaluate=False),
+        conditions,
+        tuple(Eq(s, v, evaluate=False) for s, v in zip((f, g), rates)),
+        Eq(X_n, solution, evaluate=False),
+        gauge,
+        where,
+    )
+
+
+def strength_monomial(grading: Grading, symbols: tuple[Expr, ...], key: Key, power: int = 1) -> Expr:
+    """a^power delta^key for the degrees of a grading, in a and the strengths."""
+    return monomial(tuple(to_sympy(d) for d in grading.degrees), key, power, symbols)
 
 
 def leading_order(gauge: str) -> Order:

@@ -20,13 +20,13 @@ psi = 0, the sum d_n/(n^2-1).
 
 >>> from sympy import Integer
 >>> forces = Powers((Integer(2),), (Term(1, 0, 3, "position"),))
->>> forces.p("turning-point")[1, 1], forces.half_period()[1, 1]           # the second: pi/2, as the exact map has it
-(-1/(30*pi), pi/2)
+>>> forces.p("turning-point")[1, 1]
+-1/(30*pi)
 """
 
 from dataclasses import dataclass
 
-from sympy import Expr, Integer, Rational, factor, pi
+from sympy import Expr, Integer, Rational, factor
 
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.moments.symbolic import mean, moment
@@ -34,7 +34,7 @@ from asymptotics.expansions.multiple_scales.harmonics import displacement_sum, s
 from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, require_gauge
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
-from asymptotics.series import Key
+from asymptotics.series import Key, unit_key
 from asymptotics.terms import Term
 
 Closed = dict[Key, Expr]
@@ -71,7 +71,7 @@ class Powers:
     def members(self) -> tuple[Power, ...]:
         """Every power of v and x through second order: a pendulum has two."""
         zeros = (0,) * len(self.alphas)
-        found = [Power(_unit(i, self.variables), Integer(1), x, -1) for i, x in enumerate(self.alphas)]
+        found = [Power(unit_key(i, self.variables), Integer(1), x, -1) for i, x in enumerate(self.alphas)]
         for m in Forces.of(self.springs, 2).through(2) if self.springs else ():
             found.append(Power((*zeros, *m.key), to_sympy(m.ratio), Integer(m.position), 1))
         return tuple(found)
@@ -105,39 +105,6 @@ class Powers:
                     _add(found, x, y, _losses(x, y, gauge) if sign < 0 else _two_springs(x, y, gauge))
         return found
 
-    def log_ratio(self) -> Closed:
-        """ln(A_(n+1)/A_n) through second order in the strengths at a turning point: observable."""
-        p, losses, springs = self.p("turning-point"), self.part(1, -1), self.part(1, 1)
-        found = {key: -pi * c for key, c in p.items()}
-        for x in losses:  # U = -p/(1 + Omega), and its change along the half-swing
-            for y in losses:
-                _add(found, x, y, pi**2 / 2 * x.weight * x.mean * y.mean)
-            for y in springs:
-                _add(found, x, y, pi * x.mean * y.mean)
-        return found
-
-    def half_period(self) -> Closed:
-        """The time between turning points minus pi, through second order: observable."""
-        found = {key: -pi * c for key, c in self.Omega("turning-point").items()}
-        for x in self.part(1, 1):  # W = 1/(1 + Omega), and its change along the half-swing
-            for y in self.part(1, 1):
-                _add(found, x, y, pi * x.mean * y.mean)
-            for y in self.part(1, -1):
-                _add(found, x, y, pi**2 / 2 * x.weight * x.mean * y.mean)
-        return found
-
-    def turning_phase(self) -> tuple[Expr, ...]:
-        """psi_0 = sum_i (these) rho_i is the phase of a turning point, to first order; springs do not move it."""
-        return tuple(-_lead(x, "turning-point") * moment(x + 1) for x in self.alphas)
-
-    def turning_amplitude(self) -> Closed:
-        """lambda_j: a turning amplitude is a (1 + sum_j lambda_j gamma_j), to first order."""
-        return {m.key: _stretch(m, "turning-point") for m in self.part(1, 1)}
-
-
-def _unit(i: int, size: int) -> Key:
-    return tuple(int(j == i) for j in range(size))
-
 
 def _add(found: Closed, x: Power, y: Power, value: Expr) -> None:
     key = tuple(a + b for a, b in zip(x.key, y.key))
@@ -169,14 +136,14 @@ def _two_springs(x: Power, y: Power, gauge: str) -> Expr:
 
 
 def _lead(alpha: Expr, gauge: str) -> Expr:
-    """chi/P of a loss."""
+    """chi/P, by which a loss turns the phase of a gauge, to first order."""
     if gauge == NO_FIRST_HARMONIC:
         return Integer(0)
     return Rational(1, 2) if gauge == AVERAGING else (alpha + 3) / (2 * (alpha + 1))
 
 
 def _stretch(spring: Power, gauge: str) -> Expr:
-    """lambda of a spring."""
+    """lambda, by which a spring stretches the amplitude of a gauge, to first order."""
     if gauge == NO_FIRST_HARMONIC:
         return Integer(0)
     return spring.mean / 2 if gauge == AVERAGING else spring.ratio * displacement_sum(spring.exponent)

@@ -49,7 +49,7 @@ class Wave:
 
     @property
     def terms(self) -> int:
-        """The number of monomials."""
+        """How many monomials the function has."""
         return len(self.even) + len(self.odd)
 
     def _raised(self, shift: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
@@ -86,7 +86,7 @@ class Wave:
         return Wave(even, b.derivative("y") - a.derivative("c"), self.shift)
 
     def integral(self) -> "Wave":
-        """int_0^psi."""
+        """The integral from 0 to psi."""
         even, odd = _primitive(_by_power_of_y(self.even), _by_power_of_y(self.odd))
         return Wave(even - even.compose(-_PI / 2, _PI, _ONE), odd, self.shift).lowered()
 
@@ -115,7 +115,7 @@ class Wave:
         return arb((values[0] + psi.sin() * values[1]) * arb.pi() ** self.shift)
 
     def mirrored(self) -> "Wave":
-        """f(pi - psi)."""
+        """The function f(pi - psi) of psi."""
         even, odd = (p.compose(-_Y, _PI, -_C) for p in (self.even, self.odd))
         return Wave(even, odd, self.shift)
 

@@ -33,7 +33,7 @@ class Start:
 
     @property
     def amplitude(self) -> Series:
-        """a(0)/r."""
+        """a(0)/r, the slow amplitude at the start over the radius there."""
         return _exp(self.log_amplitude, fmpq(1), self.log_amplitude.order)
 
 

@@ -31,7 +31,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from flint import fmpq
-from sympy import Add, Derivative, Eq, Expr, cos, diff, expand, latex, sin
+from sympy import Add, Expr, cos, diff, expand, latex, sin
 
 from asymptotics.errors import InputError, shown
 from asymptotics.expansions.multiple_scales.exact import MAX_SECONDS, OddHierarchy, odd_hierarchy
@@ -41,15 +41,13 @@ from asymptotics.expansions.multiple_scales.orders import (
     Order,
     a,
     leading_order,
-    monomial,
-    operator_equation,
     order_letters,
     psi,
     rate_symbols,
     smooth_force,
-    solution_symbol,
+    solved_order,
+    strength_monomial,
     strength_symbols,
-    velocity_equation,
 )
 from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.numbers.bridge import to_sympy
@@ -187,19 +185,13 @@ class _Display:
         first = {key: c.get(1, fmpq(0)) for key, c in known.items()}
         sine, cosine = (self._sum({k: c for k, c in first.items() if self._is_odd(k) == odd}) for odd in (True, False))
         solved = (-self._homogeneous(kernel.p, n, 1), self._homogeneous(kernel.Omega, n, 0))
-        X_n = solution_symbol(n)
-        return Order(
+        return solved_order(
             n,
-            operator_equation(n, smooth_force(kernel.forces, self.symbols, n)),
-            velocity_equation(n - 1),
-            Eq(
-                Derivative(X_n, (psi, 2)) + X_n,
-                2 * rate * sin(psi) + 2 * a * turn * cos(psi) + self._waves(known),
-                evaluate=False,
-            ),
+            smooth_force(kernel.forces, self.symbols, n),
+            self._waves(known),
             ((SECULAR[0], 2 * rate + sine), (SECULAR[1], 2 * a * turn + cosine)),
-            tuple(Eq(s, v, evaluate=False) for s, v in zip((rate, turn), solved)),
-            Eq(X_n, self._waves({key: kernel.harmonics(key) for key in kernel.keys(n)}), evaluate=False),
+            solved,
+            self._waves({key: kernel.harmonics(key) for key in kernel.keys(n)}),
             kernel.gauge,
         )
 
@@ -207,8 +199,7 @@ class _Display:
         return self.kernel.forces.loss_degree(key) % 2 == 1
 
     def _monomial(self, key: Key, power: int = 1) -> Expr:
-        degrees = tuple(to_sympy(d) for d in self.kernel.grading.degrees)
-        return monomial(degrees, key, power, self.symbols)
+        return strength_monomial(self.kernel.grading, self.symbols, key, power)
 
     def _sum(self, parts: dict[Key, fmpq], power: int = 1) -> Expr:
         return Add(*[to_sympy(c) * self._monomial(k, power) for k, c in parts.items()])

@@ -31,7 +31,6 @@ Nothing is taken from the half-swing engine: the ansatz alone gives all of it.
 (2/pi*d + O(5), O(5))
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from flint import fmpq
@@ -39,13 +38,14 @@ from flint import fmpq
 from asymptotics.budget import tick
 from asymptotics.costs import require_affordable, turning_hierarchy_seconds
 from asymptotics.errors import InputError
-from asymptotics.expansions.half_swings.forces import Forces, Given, Member
+from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.expansions.half_swings.pi_ring import PI, PiNumber
 from asymptotics.expansions.multiple_scales.ring import COSINE, ONE, PSI, SINE, ZERO, Wave
 from asymptotics.gauges import TURNING_POINT
+from asymptotics.graded import WholePowers, monomial_part, summed
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
-from asymptotics.series import Key, Series, monomials
+from asymptotics.series import Key, Series, accumulate, monomials
 
 Part = dict[Key, Wave]
 MAX_SECONDS = 60.0
@@ -85,11 +85,6 @@ class TurningHierarchy:
         return -(self.L[n].get(key, ZERO) + self.K[n].get(key, ZERO).derivative())
 
 
-def is_closed(forces: Forces) -> bool:
-    """Whether all forces are polynomials in X and |X'| where X' has one sign."""
-    return all(m.velocity.is_integer and m.position % 2 == (m.sign > 0) for m in forces.members)
-
-
 def turning_hierarchy(given: Given, order: int, *, max_seconds: float = MAX_SECONDS) -> TurningHierarchy:
     """Solve the hierarchy through ``order`` >= 1; numbers are exponents of plain losses.
 
@@ -97,7 +92,7 @@ def turning_hierarchy(given: Given, order: int, *, max_seconds: float = MAX_SECO
     """
     require_integer(order, "order", 1, MAX_ORDER)
     forces = Forces.read(given, order)
-    if not is_closed(forces):
+    if not forces.is_closed:
         raise InputError("law", "the hierarchy of these forces does not close in polynomials", ACCEPTED)
     require_affordable(estimated_seconds(forces, order), max_seconds, "order", f"order {order}")
     kernel = _TurningKernel(forces, order)
@@ -129,13 +124,13 @@ class _TurningKernel:
         self.Omega: dict[Key, PiNumber] = {}
         members = forces.through(order)
         self.members = members
-        self.X_powers = _powers(COSINE, zero, max(m.position for m in members))
-        self.Y_powers = _powers(SINE, zero, max(m.integer_velocity for m in members))
+        used = [(m.position, m.integer_velocity, m.order) for m in members]
+        self.X_powers = WholePowers(ONE, COSINE, zero, [(m, n) for m, _, n in used], order)
+        self.Y_powers = WholePowers(ONE, SINE, zero, [(v, n) for _, v, n in used], order)
 
     def advance(self, n: int) -> None:
         """Order n: what the lower orders give, the two conditions at pi, x_k and v_k."""
-        K, L = self._slow(self.X, n), self._slow(self.V, n)
-        _add(L, self._force(n))
+        K, L = self._slow(self.X, n), summed(self._slow(self.V, n), self._force(n))
         self.K.append(K)
         self.L.append(L)
         self.X.append({})
@@ -151,8 +146,8 @@ class _TurningKernel:
             u, w = (f + PSI * rates[key] if key in rates else f for rates, f in ((self.p, u), (self.Omega, w)))
             self.X[n][key] = (COSINE * u + SINE * w).lowered()
             self.V[n][key] = (COSINE * w - SINE * u).lowered()
-        _extend(self.X_powers, self.X, n)
-        _extend(self.Y_powers, [_map(part, lambda f: -f) for part in self.V], n)
+        self.X_powers.extend(self.X[n])
+        self.Y_powers.extend({k: -f for k, f in self.V[n].items()})
 
     def _slow(self, parts: list[Part], n: int) -> Part:
         """sum_(0<j<n) (Omega_j d_psi - p_j E) of the part of degree n - j."""
@@ -160,7 +155,7 @@ class _TurningKernel:
         for key, f in ((k, f) for part in parts[1:n] for k, f in part.items()):
             turned, grown = f.derivative(), f * -(1 + self.grading.weight(key))
             for rates, g in ((self.Omega, turned), (self.p, grown)):
-                _add(total, {_plus(j, key): g * c for j, c in rates.items() if sum(j) + sum(key) == n})
+                accumulate(total, [(key, g)], [(j, c) for j, c in rates.items() if sum(j) + sum(key) == n])
         return total
 
     def _force(self, n: int) -> Part:
@@ -168,47 +163,6 @@ class _TurningKernel:
         total: Part = {}
         for m in self.members:
             if m.order <= n:
-                found = self._product(m, n - m.order)
-                _add(total, {_plus(m.key, k): f * (m.ratio * m.sign) for k, f in found.items()})
+                found = monomial_part(self.X_powers, m.position, self.Y_powers, m.integer_velocity, n - m.order)
+                accumulate(total, found.items(), [(m.key, m.ratio * m.sign)])
         return total
-
-    def _product(self, member: Member, n: int) -> Part:
-        """Degree n of X^position Y^velocity."""
-        X, Y = self.X_powers[member.position], self.Y_powers[member.integer_velocity]
-        return Y[n] if not member.position else X[n] if not member.integer_velocity else _convolution(X, Y, n)
-
-
-def _powers(base: Wave, zero: Key, top: int) -> list[list[Part]]:
-    found, power = [], ONE
-    for _ in range(top + 1):
-        found.append([{zero: power}])
-        power = power * base
-    return found
-
-
-def _extend(powers: list[list[Part]], base: list[Part], n: int) -> None:
-    """Degree n of the powers 0, 1, 2, ..."""
-    powers[0].append({})
-    for k in range(1, len(powers)):
-        powers[k].append(_convolution(powers[k - 1], base, n) if k > 1 else base[n])
-
-
-def _convolution(a: list[Part], b: list[Part], n: int) -> Part:
-    total: Part = {}
-    for j in range(n + 1):
-        for i, f in a[j].items():
-            _add(total, {_plus(i, k): f * g for k, g in b[n - j].items()})
-    return total
-
-
-def _plus(i: Key, j: Key) -> Key:
-    return tuple(m + n for m, n in zip(i, j))
-
-
-def _map(part: Part, f: Callable[[Wave], Wave]) -> Part:
-    return {k: f(x) for k, x in part.items()}
-
-
-def _add(total: Part, part: Part) -> None:
-    for k, f in part.items():
-        total[k] = total[k] + f if k in total else f

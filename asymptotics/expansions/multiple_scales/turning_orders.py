@@ -20,26 +20,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from sympy import Add, Derivative, Eq, Expr, cos, pi, sin
+from sympy import Add, Expr, cos, pi, sin
 
 from asymptotics.expansions.multiple_scales.initial import InitialConditions
 from asymptotics.expansions.multiple_scales.orders import (
     Order,
     a,
     leading_order,
-    monomial,
-    operator_equation,
     psi,
     rate_symbols,
     smooth_force,
-    solution_symbol,
+    solved_order,
+    strength_monomial,
     strength_symbols,
-    velocity_equation,
 )
 from asymptotics.expansions.multiple_scales.ring import Wave
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.expansions.multiple_scales.turning import MAX_SECONDS, TurningHierarchy, turning_hierarchy
-from asymptotics.numbers.bridge import to_sympy
 from asymptotics.series import Key, Series
 from asymptotics.terms import Term
 
@@ -81,29 +78,23 @@ class _TurningDisplay:
 
     def order(self, n: int) -> Order:
         """Order n: nothing is computed here, everything is shown."""
-        kernel, (rate, turn), X_n = self.kernel, rate_symbols(n), solution_symbol(n)
+        kernel, (rate, turn) = self.kernel, rate_symbols(n)
         forcing = self._waves({key: kernel.forcing(key) for key in kernel.keys(n)})
         p, Omega = (self._numbers(series, n, power) for series, power in ((kernel.p, 1), (kernel.Omega, 1)))
         turned = self._numbers(kernel.Omega, n, 0)
         names = turning_conditions(n)
-        return Order(
+        return solved_order(
             n,
-            operator_equation(n, smooth_force(kernel.forces, self.symbols, n)),
-            velocity_equation(n - 1),
-            Eq(
-                Derivative(X_n, (psi, 2)) + X_n,
-                2 * rate * sin(psi) + 2 * a * turn * cos(psi) + forcing,
-                evaluate=False,
-            ),
+            smooth_force(kernel.forces, self.symbols, n),
+            forcing,
             ((names[0], pi * rate + _times_pi(p)), (names[1], -pi * a * turn + _times_pi(Omega))),
-            tuple(Eq(s, v, evaluate=False) for s, v in ((rate, -p), (turn, turned))),
-            Eq(X_n, self._waves(kernel.X[n]), evaluate=False),
+            (-p, turned),
+            self._waves(kernel.X[n]),
             kernel.gauge,
         )
 
     def _monomial(self, key: Key, power: int = 1) -> Expr:
-        degrees = tuple(to_sympy(d) for d in self.kernel.grading.degrees)
-        return monomial(degrees, key, power, self.symbols)
+        return strength_monomial(self.kernel.grading, self.symbols, key, power)
 
     def _waves(self, parts: dict[Key, Wave]) -> Expr:
         terms: list[Any] = []

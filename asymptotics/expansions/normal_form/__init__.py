@@ -1,1 +1,1 @@
-"""The flow behind the half-swing map: amplitude and frequency series in three gauges, observables, large orders."""
+"""The flow behind the half-swing map: amplitude and frequency series in three gauges."""

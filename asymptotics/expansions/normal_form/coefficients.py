@@ -13,7 +13,7 @@ these the lowest coefficients have closed forms in moments (``expansions.normal_
 Coefficient(value='-0.152788745368', expression=-12/(25*pi))
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from math import inf
@@ -26,6 +26,7 @@ from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.half_swings.forces import Forces, Given
+from asymptotics.expansions.half_swings.pi_decimals import exact_coefficient, exact_decimal, pi_number
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
 from asymptotics.expansions.half_swings.symbolic import alpha
 from asymptotics.expansions.normal_form.digits import certified_digits, round_all
@@ -41,11 +42,14 @@ from asymptotics.expansions.normal_form.results import ZERO, Coefficient, Coeffi
 from asymptotics.expansions.normal_form.spring_terms import first_order, second_order_p
 from asymptotics.expansions.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
 from asymptotics.gauges import TURNING_POINT, require_gauge
-from asymptotics.numbers.bridge import to_fraction, to_sympy
-from asymptotics.numbers.decimals import MAX_DIGITS, certified_decimal, rational_decimal
+from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.decimals import MAX_DIGITS
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.series import Key, Series, monomials
 from asymptotics.terms import Term
+
+_Pairs = list[tuple[Key, Any]]
+_RowsOf = Callable[[Forces, list[int]], dict[str, _Pairs]]
 
 
 def expansion_coefficients(
@@ -73,8 +77,8 @@ def _coefficients(forces: Forces, order: int, digits: int, gauge: str, exact_onl
         expansion = exact_expansion(forces, order, gauge, max_seconds=inf)
         p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
         return _expansion(gauge, order, "exact", forces, p, Omega)
-    exact = _integer_part(forces, order, gauge)
-    decided = {name: {key: _exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
+    exact = _integer_part(forces, order, gauge, partial(_flow_rows, gauge, order))
+    decided = {name: {key: exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
     if gauge == TURNING_POINT:
         rounded = certified_digits(forces, order, digits, names=("p", "Omega"), known=decided)
     else:
@@ -127,8 +131,8 @@ def _half_swing_coefficients(forces: Forces, order: int, digits: int, exact_only
         flow = flow_of(half)
         rows = [_exact_row(s, digits) for s in (half.L, half.T, flow.U, flow.W, *half.F, *flow.V)]
         return _half_swing(order, "exact", forces.variables, rows)
-    exact = _integer_half_swing(forces, order)
-    decided = {name: {key: _exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
+    exact = _integer_part(forces, order, TURNING_POINT, partial(_half_swing_rows, order))
+    decided = {name: {key: exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
     names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(forces.variables))]
     rounded = certified_digits(forces, order, digits, names=names, known=decided)
     known = {"U": dict(first_order(forces)[0]), "T": {(0,) * forces.variables: sympy.pi}}
@@ -177,44 +181,41 @@ def _is_quick(forces: Forces, order: int, gauge: str) -> bool:
     return estimated_seconds(forces, order, gauge) <= seconds_left() / 2
 
 
-def _integer_part(forces: Forces, order: int, gauge: str) -> dict[str, dict[Key, PiNumber]]:
-    """The coefficients that involve only the forces with integer exponents: those of their own sum, exactly."""
+def _integer_part(forces: Forces, order: int, gauge: str, rows_of: _RowsOf) -> dict[str, dict[Key, PiNumber]]:
+    """The coefficients that involve only the forces with integer exponents: those of their own sum, exactly.
+
+    What no ball can tell from a tie is known by them.  ``rows_of`` makes the rows of that sum.
+    """
     places = [i for i, v in enumerate(forces.velocities) if v.is_integer]
     part = forces.only(places, order)
     if not places or not _is_quick(part, order, gauge):
         return {}
+    return {
+        name: {_embedded(key, places, forces.variables): pi_number(c) for key, c in row}
+        for name, row in rows_of(part, places).items()
+    }
+
+
+def _flow_rows(gauge: str, order: int, part: Forces, _places: list[int]) -> dict[str, _Pairs]:
+    """p and Omega, with their zeros."""
     expansion = exact_expansion(part, order, gauge)
-    found: dict[str, dict[Key, PiNumber]] = {}
-    for name, series, parity in (("p", expansion.p, 1), ("Omega", expansion.Omega, 0)):
-        keys = _keys(part, order, parity)
-        found[name] = {_embedded(key, places, forces.variables): _pi_number(series[key]) for key in keys}
-    return found
+    rows = (("p", expansion.p, 1), ("Omega", expansion.Omega, 0))
+    return {name: [(key, series[key]) for key in _keys(part, order, parity)] for name, series, parity in rows}
 
 
-def _integer_half_swing(forces: Forces, order: int) -> dict[str, dict[Key, PiNumber]]:
-    """The same for L, T, U, W, F_i and V_i: what no ball can tell from a tie is known exactly."""
-    places = [i for i, v in enumerate(forces.velocities) if v.is_integer]
-    part = forces.only(places, order)
-    if not places or not _is_quick(part, order, TURNING_POINT):
-        return {}
+def _half_swing_rows(order: int, part: Forces, places: list[int]) -> dict[str, _Pairs]:
+    """L, T, U, W, F_i and V_i."""
     half = exact_half_swing(part, order)
     flow = flow_of(half)
     series = {"L": half.L, "T": half.T, "U": flow.U, "W": flow.W}
     series |= {f"F_{i}": f for i, f in zip(places, half.F)} | {f"V_{i}": v for i, v in zip(places, flow.V)}
-    return {
-        name: {_embedded(key, places, forces.variables): _pi_number(c) for part in one.parts for key, c in part}
-        for name, one in series.items()
-    }
+    return {name: [pair for of_degree in one.parts for pair in of_degree] for name, one in series.items()}
 
 
 def _embedded(key: Key, places: Sequence[int], laws: int) -> Key:
     """A monomial of some of the laws as a monomial of all of them."""
     powers = dict(zip(places, key))
     return tuple(powers.get(i, 0) for i in range(laws))
-
-
-def _pi_number(c: Any) -> PiNumber:
-    return c if isinstance(c, PiNumber) else PiNumber.rational(c)
 
 
 def _in_gauge(forces: Forces, order: int, gauge: str) -> Mapping[str, Series]:
@@ -227,16 +228,8 @@ def _exact_row(series: Series, digits: int) -> Row:
     row = {}
     for part in series.parts:
         for key, c in part:
-            number = _pi_number(c)
-            row[_name(key)] = Coefficient(_exact_decimal(number, digits), number.to_sympy())
+            row[_name(key)] = exact_coefficient(c, digits)
     return row
-
-
-def _exact_decimal(number: PiNumber, digits: int) -> str:
-    """Rationals by integer arithmetic, which also decides ties; anything with pi is irrational and never ties."""
-    if number.is_rational:
-        return rational_decimal(to_fraction(number.as_rational()), digits)
-    return certified_decimal(number.ball, digits)
 
 
 def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, sympy.Expr]) -> Row:

@@ -22,7 +22,6 @@ from collections.abc import Callable, Mapping, Sequence
 from flint import arb
 
 from asymptotics.budget import tick
-from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.certified import MAX_SECONDS
 from asymptotics.expansions.half_swings.certified_zeros import (
     certified_half_swing,
@@ -34,8 +33,8 @@ from asymptotics.expansions.half_swings.certified_zeros import (
 from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.quarter import HalfSwing
 from asymptotics.expansions.normal_form.flow import flow_of
-from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
+from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.series import Key, Series, monomials
 
 MAX_RAISE = 6
@@ -98,24 +97,24 @@ def round_all(
 ) -> Digits:
     """Raise the precision by what is missing until every coefficient of every series is rounded.
 
+    UndecidedError names the first that is not, with its ball.
     ``known``: decimals that another arithmetic has decided (zeros and ties that no ball can).
     """
-    bits = bits_for(digits, guard)
-    limit = MAX_RAISE * bits
-    while True:
+
+    def attempt(bits: int) -> Digits:
         tick(f"coefficients at {bits} bits")
-        with ctx.workprec(bits):
-            series = evaluate()
+        series = evaluate()
         rounded = {name: _round(one, name, digits, known.get(name, {}), forces) for name, one in series.items()}
         open_ones = [(name, n) for name, row in rounded.items() for n, text in row.items() if text is None]
         if not open_ones:
             return {name: {n: text for n, text in row.items() if text} for name, row in rounded.items()}
         name, n = open_ones[0]
-        if bits >= limit:
-            ball = series[name][n].str(5)
-            raise UndecidedError(f"no certified {digits} digits of {name}{n} at {bits} bits: the enclosure is {ball}")
         missing = max(bits_for(digits, 8) - series[name][n].rel_accuracy_bits() for name, n in open_ones)
-        bits = min(bits + max(16, min(missing, bits)), limit)
+        reason = f"the enclosure is {series[name][n].str(5)}"
+        raise TooWideError(reason, max(16, min(missing, bits)), f"{name}{n}")
+
+    first = bits_for(digits, guard)
+    return at_growing_precision(attempt, digits, first, max_bits=MAX_RAISE * first)
 
 
 def _round(series: Series, name: str, digits: int, known: Mapping[Key, str], forces: Forces) -> dict[Key, str | None]:

@@ -22,7 +22,7 @@ from sympy import latex
 from asymptotics.costs import exact_expansion_seconds, require_affordable
 from asymptotics.expansions.half_swings.exact import exact_half_swing, exact_quarter_swing
 from asymptotics.expansions.half_swings.forces import Forces, Given
-from asymptotics.expansions.half_swings.fourier_flow import fourier_flow, is_smooth
+from asymptotics.expansions.half_swings.fourier_flow import fourier_flow
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
 from asymptotics.expansions.half_swings.quarter import HalfSwing, QuarterSwing, half_swing
 from asymptotics.expansions.normal_form.flow import Flow, flow_of
@@ -123,7 +123,7 @@ def exact_expansion(
     require_gauge(gauge)
     forces = Forces.read(given, order)
     require_size(forces, order, gauge, max_seconds)
-    if is_smooth(forces):
+    if forces.is_smooth:
         return _smooth_expansion(forces, order, gauge)
     if gauge == TURNING_POINT:
         half = exact_half_swing(forces, order)
@@ -152,7 +152,7 @@ def estimated_seconds(given: Given, order: int, gauge: str = TURNING_POINT) -> f
     forces = Forces.read(given, order)
     degree = max(2, *(m.integer_velocity + m.position for m in forces.members if m.order == 1)) / 2
     plain = gauge == TURNING_POINT
-    return exact_expansion_seconds(order, forces.variables, degree, smooth=is_smooth(forces), turning_point=plain)
+    return exact_expansion_seconds(order, forces.variables, degree, smooth=forces.is_smooth, turning_point=plain)
 
 
 def require_size(given: Given, order: int, gauge: str = TURNING_POINT, max_seconds: float = MAX_SECONDS) -> None:

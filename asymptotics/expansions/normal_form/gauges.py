@@ -119,7 +119,7 @@ def map_of_bracket(flow: Flow, c: Series, gauge: str) -> GaugeMap:
 
 
 def _sign(n: int) -> int:
-    """i^n for even n."""
+    """The real number i^n of an even n."""
     return -1 if n % 4 == 2 else 1
 
 

@@ -13,7 +13,7 @@ from asymptotics.series import divided
 
 @dataclass(frozen=True)
 class TauPolynomial:
-    """sum_k coefficients[k] tau^k."""
+    """The polynomial sum_k coefficients[k] tau^k."""
 
     coefficients: tuple[Any, ...]
 
@@ -27,7 +27,7 @@ class TauPolynomial:
         return self.coefficients[k] if k < len(self.coefficients) else 0
 
     def shift(self) -> "TauPolynomial":
-        """tau times the polynomial."""
+        """The polynomial times tau."""
         return TauPolynomial((0, *self.coefficients))
 
     def __add__(self, other: Any) -> "TauPolynomial":

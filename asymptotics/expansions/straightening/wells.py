@@ -48,7 +48,7 @@ class Loss:
 
     @property
     def mean(self) -> arb:
-        """<|cos|^m |sin|^(alpha+1)>."""
+        """The mean <|cos|^m |sin|^(alpha+1)> over a turn."""
         if not self.m:
             return moment(self.alpha + 1)
         x, y = arb(self.m + 1) / 2, self.alpha / 2 + 1

@@ -39,10 +39,14 @@ from asymptotics.terms import Term
 
 BITS = 80
 _FOLLOWED, _SMALL = 53, arb("1e-9")
+"""Bits of a half-swing that is followed in pieces: those of a double; and the tail of the series from which on it is,
+far below what a printed table resolves."""
 _ORDERS = {1: 20, 2: 12, 3: 7, 4: 5}
+"""By the number of losses: about a hundred coefficients for two to four, whose number decides the cost of a box."""
 _EXACT, _EXACT_ORDERS = 6, {**_ORDERS, 1: 40}
 """Up to this integer exponent the exact coefficients come sooner than the balls, and more of them are affordable."""
 _REACHES = [arb(k) / 20 for k in (1, 2, 4, 6, 8, 10, 12, 14, 17, 21, 26, 32, 40)]
+"""The heights Y of the majorant at which its tail is bounded: each gives a bound, and the least is taken."""
 
 
 @dataclass(frozen=True)

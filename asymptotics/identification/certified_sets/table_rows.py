@@ -43,7 +43,7 @@ class RatioInequality:
 
 
 def exact(x: float) -> arb:
-    """The printed decimal, exactly."""
+    """The printed decimal as an exact number."""
     q = Fraction(repr(float(x)))
     return arb(fmpq(q.numerator, q.denominator))
 

@@ -20,6 +20,7 @@ from asymptotics.identification.forward.pendulum import PendulumSwing, angle, we
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.sequence import TurningSequence, turning_sequence
 from asymptotics.identification.forward.swing import MAX_FREE_ALPHA, TOLERANCE, HalfSwingModel
+from asymptotics.identification.measuring.criteria import aicc, bic
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.numbers.context import cached_property
 from asymptotics.records.units import UNITS
@@ -221,13 +222,12 @@ class Fit:
     @cached_property
     def aicc(self) -> float:
         """Akaike's criterion with the correction for small samples; infinite when there are too few data."""
-        k, n = self._counted, len(self.residuals)
-        return float("inf") if n - k - 1 <= 0 else -2 * self.log_likelihood + 2 * k + 2 * k * (k + 1) / (n - k - 1)
+        return aicc(-2 * self.log_likelihood, self._counted, len(self.residuals))
 
     @property
     def bic(self) -> float:
         """Schwarz's criterion."""
-        return float(-2 * self.log_likelihood + self._counted * np.log(len(self.residuals)))
+        return bic(-2 * self.log_likelihood, self._counted, len(self.residuals))
 
     @property
     def _counted(self) -> int:

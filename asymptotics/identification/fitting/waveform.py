@@ -56,7 +56,7 @@ class WaveformModel(Model):
         return self.samples.noise * float(np.sqrt(1 - self.samples.memory**2)), self.samples.freedom
 
     def floor(self, kind: str, theta: Array) -> float:
-        """What the integration leaves."""
+        """The noise below which the error of the integration itself would be fitted."""
         return _FLOOR * self.seen.reference
 
     def predict(self, theta: Array) -> tuple[Array, Array]:

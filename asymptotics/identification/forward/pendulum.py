@@ -32,16 +32,23 @@ from asymptotics.identification.forward.coefficients import (
     theta_grid,
 )
 from asymptotics.identification.forward.quadrature import TooStrongError
-from asymptotics.identification.forward.stepped import PRECISE, is_smooth, stepped_swings
-from asymptotics.identification.forward.swing import QUANTITIES, HalfSwingModel, SwingValues
+from asymptotics.identification.forward.swing import (
+    QUANTITIES,
+    HalfSwingModel,
+    SwingValues,
+    chebyshev_angles,
+    interpolation,
+)
 from asymptotics.numbers.context import lru_cache
 
 Powers = np.ndarray[tuple[int, int], np.dtype[np.intp]]
 HIGHEST = 3.1
 """The largest amplitude, in rad: 177.6 degrees."""
 _NODES, _ROOM = 22, 1.3
+"""Places of the amplitude at which the coefficients are made, and how far beyond the first amplitude the table goes, in
+u, for a fit may begin with a larger one."""
 _ORDERS = {1: 8, 2: 6, 3: 5}
-_ITERATIONS, _CLOSE, _IMAGINARY = 80, 1e-12, 1e-30
+"""By the number of losses, lower than beside a linear spring: each coefficient is a function of the amplitude here."""
 
 
 class PendulumSwing(HalfSwingModel):
@@ -81,21 +88,12 @@ class PendulumSwing(HalfSwingModel):
         last = keys.sum(axis=1) == self.order
         beyond = np.abs(C[:, last] * monomials[last]).sum(axis=1).max(axis=0)
         wild = ~(beyond < self.tolerance)
-        if self.coarse and wild.any():
-            raise TooStrongError("the series does not reach these strengths")
         self._last = float(beyond[~wild].max(initial=0.0))
         by_delta = np.stack([(C * _lowered(keys, table, i)).sum(axis=1) for i in range(len(delta))])
         by_a = (by_u * monomials).sum(axis=1) * v + ((weights[:, None] * delta)[:, None] * by_delta).sum(axis=0)
         scale = np.exp(np.clip(weights[:, None] * a, -50, 50))
         found = SwingValues((C * monomials).sum(axis=1), by_a, by_delta * scale[:, None])
-        if wild.any():
-            if self.tolerance >= PRECISE and is_smooth(self.elements):
-                exact = stepped_swings(self.elements, a[wild], parameters, self.k2, self.tolerance)
-            else:
-                exact = _integrated(self.elements, a[wild], parameters, self.k2)
-            for part, replaced in zip((found.values, found.by_amplitude, found.by_parameter), exact, strict=True):
-                part[..., wild] = replaced
-        return found
+        return self.integrate(found, wild, a, parameters, self.k2)
 
     def neglected(self, a: Array, parameters: Array) -> float:
         """The last degree of the series, at the swing where it is largest, times their number."""
@@ -118,11 +116,8 @@ def _all_keys(count: int, order: int) -> Powers:
 @lru_cache(maxsize=64)
 def _interpolated(elements: tuple[Element, ...], order: int, top: float) -> Array:
     """Chebyshev coefficients in u of L, T, R, T_q: an array (nodes, quantities, keys)."""
-    angle = np.pi * (np.arange(_NODES) + 0.5) / _NODES
-    k2 = -np.expm1(-(np.cos(angle) + 1) / 2 * top)
-    matrix = np.cos(np.arange(_NODES)[:, None] * angle) * 2 / _NODES
-    matrix[0] /= 2
-    return np.asarray(np.einsum("cr,qrk->cqk", matrix, _coefficients(elements, order, k2)))
+    k2 = -np.expm1(-(np.cos(chebyshev_angles(_NODES)) + 1) / 2 * top)
+    return np.asarray(np.einsum("cr,qrk->cqk", interpolation(_NODES), _coefficients(elements, order, k2)))
 
 
 def _coefficients(elements: tuple[Element, ...], order: int, k2: Array) -> Array:
@@ -154,36 +149,6 @@ def _coefficients(elements: tuple[Element, ...], order: int, k2: Array) -> Array
     found = [radius @ grid.weights, clock @ grid.weights, radius @ grid.middle, clock @ grid.middle]
     assert len(found) == len(QUANTITIES)
     return np.stack([part.T for part in found])
-
-
-@np.errstate(over="ignore", invalid="ignore")  # a step of the search may leave the doubles: no swing there
-def _integrated(elements: tuple[Element, ...], a: Array, law: Array, k2: float) -> tuple[Array, Array, Array]:
-    """(values, d/da, d/dstrengths) by iteration of the integral equation; the derivatives by a step in the imaginary
-    direction, which loses no digit."""
-    grid, count = theta_grid(), len(elements)
-    c, s = grid.cosine, grid.sine
-    A = np.repeat(a[None, :, None], count + 1, axis=0).astype(complex)
-    A[0] += 1j * _IMAGINARY
-    laws = np.repeat(law[None], count + 1, axis=0).astype(complex)
-    laws[1:] += 1j * _IMAGINARY * np.eye(count)
-    y = np.zeros((*A.shape[:2], len(c)), dtype=complex)
-    for _ in range(_ITERATIONS):
-        N = sum(
-            laws[:, i, None, None] * np.exp(e.weight * (A + y)) * shape(e, grid, e.velocity)
-            for i, e in enumerate(elements)
-        )
-        g = np.sqrt(1 - k2 * c**2 * np.exp(2 * (A + y)))
-        d = g - c * N
-        if not (d.real > 0).all():
-            break
-        known, y = y, (-s * N / d) @ grid.cumulative.T
-        change = y - known
-        if np.abs(change.real).max() < _CLOSE and np.abs(change.imag).max() < 1e-8 * _IMAGINARY:
-            radius, clock = -s * N / d, 1 / d
-            ends = [radius @ grid.weights, clock @ grid.weights, radius @ grid.middle, clock @ grid.middle]
-            found = np.moveaxis(np.stack(ends), 0, 1)
-            return found[0].real, found[0].imag / _IMAGINARY, found[1:].imag / _IMAGINARY
-    raise TooStrongError("no turning point follows on the other side")
 
 
 def well(x: Array | float, size: float) -> Array:

@@ -1,10 +1,12 @@
 """Half-swings too strong for the series: the integral equation of the motion, iterated on the same grid in theta.
 
-    y(theta) = -int_0^theta s m dtheta',    m = N/(1 - c N),    N = sum_i delta_i f_i exp(w_i y)
+    y(theta) = -int_0^theta s m dtheta',    m = N/d,    d = g - c N,    N = sum_i delta_i f_i exp(w_i y)
 
 is a Volterra equation, so Picard's iteration converges for every strength at which m stays bounded; the derivatives by
 the amplitude, the strengths and the exponent solve the linearised equation and are iterated in the same way.  All
-amplitudes run at once.
+amplitudes run at once.  For a linear spring g = 1; for a pendulum (``pendulum``) g^2 = 1 - q, q = k^2 c^2 e^(2 y), and
+
+    dm = (g dN + N q (da + dy)/g)/d^2,    dtau/dtheta = (1 + c m)/g,    d(dtau/dtheta) = c dm/g + q (da + dy)/(g^2 d).
 """
 
 from collections.abc import Sequence
@@ -13,18 +15,24 @@ import numpy as np
 
 from asymptotics.identification.forward.coefficients import Array, Element, ThetaGrid, product, shape, theta_grid
 
-_ITERATIONS = 60
+_ITERATIONS = 80
 _CLOSE, _CLOSE_SLOPES = 1e-12, 1e-9
+_LEAST = 0.01
+"""The part of the spring's force that the losses must leave: near 0 the mass sticks, and the grid no longer serves."""
 
 
 class TooStrongError(ArithmeticError):
     """There is no turning point on the other side: the mass sticks, creeps, escapes, or the parameters are wild."""
 
 
+@np.errstate(over="ignore", invalid="ignore")  # a step of the search may leave the doubles: no swing there
 def integrated_swings(
-    elements: Sequence[Element], a: Array, strengths: Array, alpha: float | None
+    elements: Sequence[Element], a: Array, strengths: Array, alpha: float | None, k2: float = 0.0
 ) -> tuple[Array, Array, Array]:
-    """(values, d/da, d/dparameters) as in ``swing.SwingValues`` at a = ln A; TooStrongError if the iteration fails."""
+    """(values, d/da, d/dparameters) as in ``swing.SwingValues`` at a = ln A; TooStrongError if the iteration fails.
+
+    ``k2``: k^2 of a pendulum at a = 0, or 0 for a linear spring.
+    """
     grid = theta_grid()
     velocity = [e.velocity for e in elements]
     if alpha is not None:
@@ -33,28 +41,42 @@ def integrated_swings(
     weights = np.array([v + e.position - 1 for v, e in zip(velocity, elements)])
     local = np.exp(np.clip(weights[:, None] * a, -50, 50))
     forces = (strengths[:, None] * local)[:, :, None] * shapes[:, None, :]
-    y = _log_radius(forces, weights, grid)
+    squares = k2 * np.exp(2 * a)[:, None] * grid.cosine**2 if k2 else None
+    y = _log_radius(forces, weights, squares, grid)
     powers = np.exp(weights[:, None, None] * y)
     n = (forces * powers).sum(axis=0)
-    d = 1 - grid.cosine * n
-    m, gain = n / d, 1 / d**2  # dm = gain dN
+    q, g = _root(squares, y)
+    d = g - grid.cosine * n
+    m, gain = n / d, g / d**2  # dm = gain (dN + N q (da + dy)/g^2)
     units = local[:, :, None] * shapes[:, None, :] * powers
-    by_y = (weights[:, None, None] * forces * powers).sum(axis=0)
+    by_y = (weights[:, None, None] * forces * powers).sum(axis=0) + n * q / g**2
     sources = [by_y, *units]
     if alpha is not None:
         sources.append(forces[0] * powers[0] * (np.log(grid.sine) + y + a[:, None]))
-    derivatives = np.stack([_linearised(by_y, gain, source, grid) for source in sources])
-    values = _ends(m, grid, constants=True)
-    slopes = np.stack([_ends(x, grid, constants=False) for x in derivatives])
-    return values, slopes[0], slopes[1:]
+    values = _ends(m, (grid.cosine * m + (1 - g)) / g, grid)
+    values[[1, 3]] += [[np.pi], [np.pi / 2]]
+    slopes = []
+    for da, source in zip((1, *[0] * len(sources)), sources):  # the first source is that of the amplitude
+        dy, dm = _linearised(by_y, gain, source, grid)
+        slopes.append(_ends(dm, grid.cosine * dm / g + q * (da + dy) / (g**2 * d), grid))
+    return values, slopes[0], np.stack(slopes[1:])
 
 
-def _log_radius(forces: Array, weights: Array, grid: ThetaGrid) -> Array:
+def _root(squares: Array | None, y: Array) -> tuple[Array | float, Array | float]:
+    """q and g = sqrt(1 - q) at y."""
+    if squares is None:
+        return 0.0, 1.0
+    q = squares * np.exp(2 * y)
+    return q, np.sqrt(1 - q)
+
+
+def _log_radius(forces: Array, weights: Array, squares: Array | None, grid: ThetaGrid) -> Array:
     y = np.zeros(forces.shape[1:])
     for _ in range(_ITERATIONS):
         n = (forces * np.exp(np.clip(weights[:, None, None] * y, -30, 30))).sum(axis=0)
-        d = 1 - grid.cosine * n
-        if not (d > 0.01).all():
+        g = _root(squares, y)[1]
+        d = g - grid.cosine * n
+        if not (d > _LEAST * g).all():
             break
         known, y = y, product(-grid.sine * n / d, grid.cumulative.T)
         if not np.isfinite(y).all():
@@ -64,21 +86,17 @@ def _log_radius(forces: Array, weights: Array, grid: ThetaGrid) -> Array:
     raise TooStrongError("no turning point follows on the other side")
 
 
-def _linearised(by_y: Array, gain: Array, source: Array, grid: ThetaGrid) -> Array:
-    """dm for z = dy, z = -int s dm, dm = gain (by_y z + source)."""
+def _linearised(by_y: Array, gain: Array, source: Array, grid: ThetaGrid) -> tuple[Array, Array]:
+    """dy and dm: dy = -int s dm, dm = gain (by_y dy + source)."""
     z = np.zeros_like(by_y)
     for _ in range(_ITERATIONS):
         known, z = z, product(-grid.sine * gain * (by_y * z + source), grid.cumulative.T)
         if np.abs(z - known).max() <= _CLOSE_SLOPES * (1 + np.abs(z).max()):
             break
-    return gain * (by_y * z + source)
+    return z, gain * (by_y * z + source)
 
 
-def _ends(m: Array, grid: ThetaGrid, *, constants: bool) -> Array:
-    """L, T, R, T_q from m (or their derivatives from dm)."""
-    loss, rate = -grid.sine * m, grid.cosine * m
-    rows = [loss @ grid.weights, rate @ grid.weights, loss @ grid.middle, rate @ grid.middle]
-    if constants:
-        rows[1] = rows[1] + np.pi
-        rows[3] = rows[3] + np.pi / 2
-    return np.stack(rows)
+def _ends(m: Array, rate: Array, grid: ThetaGrid) -> Array:
+    """L, T, R, T_q from m and the rate of the clock (or their derivatives from those)."""
+    loss = -grid.sine * m
+    return np.stack([loss @ grid.weights, rate @ grid.weights, loss @ grid.middle, rate @ grid.middle])

@@ -20,7 +20,9 @@ from asymptotics.numbers.context import lru_cache
 PRECISE = 1e-7
 """The tolerance from which on these steps serve."""
 _STEPS, _NEAR_THE_TOP, _HIGH = 48, 192, 0.7
+"""Steps of a half-swing; four times as many from k^2 = 0.7 on, where the clock of the pendulum has a peak."""
 _IMAGINARY, _FEWEST = 1e-30, 12
+"""A step in the imaginary direction of which the square is below any double; and the fewest steps for a tolerance."""
 
 
 def is_smooth(elements: tuple[Element, ...]) -> bool:

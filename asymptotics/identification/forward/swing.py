@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial import chebyshev
+from numpy.typing import NDArray
 
 from asymptotics.identification.forward.coefficients import (
     Array,
@@ -29,10 +30,14 @@ from asymptotics.identification.forward.quadrature import TooStrongError, integr
 from asymptotics.identification.forward.stepped import PRECISE, is_smooth, stepped_swings
 from asymptotics.numbers.context import lru_cache
 
+Mask = NDArray[np.bool_]
 QUANTITIES = ("L", "T", "R", "T_q")
 MAX_FREE_ALPHA = 5.0
 _ALPHA_NODES = 28
+"""Places of a free exponent in [0, 5]: the coefficients are smooth in it, and are made once for all of them."""
 _ORDERS = {1: 12, 2: 10, 3: 7, 4: 6, 5: 5}
+"""By the number of terms: the number of coefficients grows like order^terms and decides the cost of a fit; what a lower
+order does not reach is integrated."""
 TOLERANCE, COARSE = 1e-11, 3e-3
 """The largest last degree of a series that is summed; what follows it is smaller by another factor delta."""
 
@@ -81,15 +86,23 @@ class HalfSwingModel:
             monomials = table.monomials(delta)
             found = _summed(table, a, delta, scale, monomials)
             wild = ~(table.top @ np.abs(monomials[table.top_keys]) < self.tolerance)
-        if wild.any():
-            if self.coarse:
-                raise TooStrongError("the series does not reach these strengths")
-            if self.tolerance >= PRECISE and not self.free and is_smooth(self.elements):
-                exact = stepped_swings(self.elements, a[wild], parameters, tolerance=self.tolerance)
-            else:
-                exact = integrated_swings(self.elements, a[wild], parameters[:count], alpha)
-            for part, replaced in zip((found.values, found.by_amplitude, found.by_parameter), exact, strict=True):
-                part[..., wild] = replaced
+        return self.integrate(found, wild, a, parameters)
+
+    def integrate(self, found: SwingValues, wild: Mask, a: Array, parameters: Array, k2: float = 0.0) -> SwingValues:
+        """``found`` with the half-swings that the series does not reach replaced: by steps where few digits are asked
+        for, else by quadrature; ``k2`` as in ``integrated_swings``."""
+        if not wild.any():
+            return found
+        if self.coarse:
+            raise TooStrongError("the series does not reach these strengths")
+        if self.tolerance >= PRECISE and not self.free and is_smooth(self.elements):
+            exact = stepped_swings(self.elements, a[wild], parameters, k2, self.tolerance)
+        else:
+            count = len(self.elements)
+            alpha = float(parameters[count]) if self.free else None
+            exact = integrated_swings(self.elements, a[wild], parameters[:count], alpha, k2)
+        for part, replaced in zip((found.values, found.by_amplitude, found.by_parameter), exact, strict=True):
+            part[..., wild] = replaced
         return found
 
     def neglected(self, a: Array, parameters: Array) -> float:
@@ -128,7 +141,7 @@ def _table(elements: tuple[Element, ...], order: int, alpha: float | None) -> _T
         return _assembled(c.weights[0], c, np.stack([getattr(c, q)[0] for q in QUANTITIES]), None, order)
     nodes = _alpha_nodes()
     c = swing_coefficients(elements, order, nodes)
-    basis = _interpolation(len(nodes))
+    basis = interpolation(len(nodes))
     series = np.stack([basis @ getattr(c, q) for q in QUANTITIES])
     u = 2 * alpha / MAX_FREE_ALPHA - 1
     series = np.moveaxis(series, 1, 0)
@@ -138,15 +151,18 @@ def _table(elements: tuple[Element, ...], order: int, alpha: float | None) -> _T
 
 
 def _alpha_nodes() -> tuple[float, ...]:
-    points = np.cos(np.pi * (np.arange(_ALPHA_NODES) + 0.5) / _ALPHA_NODES)
-    return tuple((points + 1) / 2 * MAX_FREE_ALPHA)
+    return tuple((np.cos(chebyshev_angles(_ALPHA_NODES)) + 1) / 2 * MAX_FREE_ALPHA)
+
+
+def chebyshev_angles(count: int) -> Array:
+    """The angles whose cosines are the Chebyshev points of [-1, 1]."""
+    return np.asarray(np.pi * (np.arange(count) + 0.5) / count)
 
 
 @lru_cache(maxsize=4)
-def _interpolation(count: int) -> Array:
+def interpolation(count: int) -> Array:
     """From values at Chebyshev points to Chebyshev coefficients."""
-    angle = np.pi * (np.arange(count) + 0.5) / count
-    matrix = np.cos(np.arange(count)[:, None] * angle[None, :]) * 2 / count
+    matrix = np.cos(np.arange(count)[:, None] * chebyshev_angles(count)) * 2 / count
     matrix[0] /= 2
     return np.asarray(matrix)
 

@@ -17,12 +17,17 @@ from scipy.special import fdtrc
 from asymptotics.identification.fitting.least_squares import Fit, Model, Noise
 from asymptotics.identification.fitting.waveform import WaveformModel
 from asymptotics.identification.forward.coefficients import Array
+from asymptotics.identification.measuring.criteria import aicc, chosen
 
 Levels = Mapping[str, tuple[float, float]]
 """For each kind of data the noise level and its degrees of freedom."""
 _LINE, _LONG = 0.55, 24
+"""What a wrong law leaves is a slow curve, with more than half of its power in one line of the spectrum; of so many
+swings white noise hardly has that."""
 _SURELY = 1e-4
+"""The chance that a right law is called inadequate: small, for dozens of laws are asked."""
 _KNOWN = 1000.0
+"""Degrees of freedom of a noise that the user states: as good as known."""
 
 
 def noise_levels(model: Model, noise: Noise | None) -> Levels:
@@ -40,20 +45,14 @@ def smooth_noise(n: Array, y: Array, alternating: bool) -> tuple[float, float]:
     """(standard deviation, degrees of freedom) of y about a polynomial in n, or (-1)^n times one and an offset."""
     sign = np.where(n % 2, -1.0, 1.0) if alternating else np.ones(len(n))
     u = 2 * (n - n.min()) / np.ptp(n) - 1
-    best = (np.inf, 0.0, 1.0)
-    for degree in range(1, min(14, len(n) // 2)):
-        columns = np.polynomial.chebyshev.chebvander(u, degree) * sign[:, None]
-        if alternating:
-            columns = np.column_stack([columns, np.ones(len(n))])
-        r = y - columns @ np.linalg.lstsq(columns, y, rcond=None)[0]
-        k, rss = columns.shape[1] + 1, max(float(r @ r), 1e-300)
-        left = len(n) - k
-        if left < 2:
-            break
-        aicc = len(n) * np.log(rss / len(n)) + 2 * k + 2 * k * (k + 1) / (left - 1 + 1e-9)
-        if aicc < best[0]:
-            best = (aicc, float(np.sqrt(rss / (left + 1))), left + 1.0)
-    return best[1], best[2]
+    offset = np.ones((len(n), int(alternating)))
+    polynomials = (np.polynomial.chebyshev.chebvander(u, d) * sign[:, None] for d in range(1, min(14, len(n) // 2)))
+    found = chosen((np.column_stack([columns, offset]) for columns in polynomials), y, aicc)
+    if found is None:
+        return 0.0, 1.0
+    _, rss, parameters = found
+    freedom = float(len(n) - parameters + 1)
+    return float(np.sqrt(rss / freedom)), freedom
 
 
 def adequate(fit: Fit, levels: Levels, left: float = 1.0) -> tuple[bool, str]:

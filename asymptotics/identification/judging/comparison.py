@@ -17,7 +17,7 @@ from asymptotics.identification.forward.candidates import Candidate
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.judging.contradiction import Contradiction, further_parameters
-from asymptotics.identification.judging.grades import ADEQUATE, Unexplained, percent
+from asymptotics.identification.judging.grades import Unexplained, grade_of, in_words
 from asymptotics.identification.measuring.observations import Observations
 
 _ALWAYS, _MARGIN, _WORSE = 6, 50.0, 1e-3
@@ -63,15 +63,12 @@ class LawFit:
         """consistent (at the noise level), adequate (contradicted, but it leaves little of the loss), refuted, or
         undetermined."""
         left = self.unexplained
-        near = left is not None and left.share <= ADEQUATE and not self.negative
-        return "adequate" if self.verdict == "refuted" and near else self.verdict
+        return self.verdict if left is None or self.negative else grade_of(self.verdict, left.share)
 
     @property
     def graded(self) -> str:
         """The grade in words."""
-        if self.grade != "adequate" or self.unexplained is None:
-            return self.grade
-        return f"adequate to {percent(self.unexplained.share)} of the loss"
+        return self.grade if self.unexplained is None else in_words(self.grade, self.unexplained.share)
 
     @property
     def criterion(self) -> float:

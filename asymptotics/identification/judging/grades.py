@@ -19,10 +19,15 @@ import numpy as np
 from asymptotics.identification.fitting.least_squares import Fit
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.quadrature import TooStrongError
+from asymptotics.identification.measuring.criteria import bic, chosen
 
 ADEQUATE = 0.10
+"""A choice, told to the user with the share itself: a law that misses a tenth of the loss is still of use."""
 _DEGREES, _POINTS = 6, 41
+"""What a law leaves is a smooth function of ln A, so that a low degree will do, chosen by BIC; places at which it is
+then averaged, many for that degree."""
 _LEAST_FALL = 0.05
+"""The range of ln A below which a slope in it would be noise alone."""
 
 
 @dataclass(frozen=True)
@@ -57,20 +62,26 @@ def open_share(size: Array, residual: Array) -> Unexplained:
     """From the amplitudes of the law and the relative residuals, whose noise is as 1/amplitude."""
     s = np.log(size)
     u = 2 * (s - s.min()) / np.ptp(s) - 1
-    best: tuple[float, Array] = (float(np.inf), np.zeros(1))
-    for degree in range(min(_DEGREES, len(s) // 3) + 1):
-        V = np.polynomial.chebyshev.chebvander(u, degree) * size[:, None]
-        c = np.asarray(np.linalg.lstsq(V, residual * size, rcond=None)[0], dtype=float)
-        rss, k = max(float(((residual * size - V @ c) ** 2).sum()), 1e-300), degree + 2
-        criterion = len(s) * np.log(rss / len(s)) + k * np.log(len(s))
-        if criterion < best[0]:
-            best = criterion, c
+    degrees = range(min(_DEGREES, len(s) // 3) + 1)
+    polynomials = (np.polynomial.chebyshev.chebvander(u, d) * size[:, None] for d in degrees)
+    found = chosen(polynomials, residual * size, bic)
+    c = np.zeros(1) if found is None else found[0]
     grid = np.linspace(-1, 1, _POINTS)
-    slope = np.polynomial.chebyshev.chebder(best[1]) if len(best[1]) > 1 else np.zeros(1)
+    slope = np.polynomial.chebyshev.chebder(c) if len(c) > 1 else np.zeros(1)
     ratio = np.polynomial.chebyshev.chebval(grid, slope) * 2 / np.ptp(s)
     return Unexplained(float(np.sqrt(np.mean(ratio**2))), np.exp(s.min() + (grid + 1) / 2 * np.ptp(s)), ratio)
 
 
+def grade_of(verdict: str, share: float) -> str:
+    """``adequate`` for a refuted law that leaves a small ``share`` of the loss; else its verdict."""
+    return "adequate" if verdict == "refuted" and share <= ADEQUATE else verdict
+
+
+def in_words(grade: str, share: float) -> str:
+    """The grade, with the share where it is one of ``adequate``."""
+    return f"adequate to {percent(share)} of the loss" if grade == "adequate" else grade
+
+
 def percent(share: float) -> str:
-    """Two digits."""
+    """A share in percent, to two digits."""
     return f"{100 * share:.2g} %"

@@ -22,11 +22,19 @@ from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.measuring.observations import Indices
 
 _DEGREES, _MOST, _EACH, _DENSE, _DIRECT = 12, 32, 30, 8.0, 1500
-"""Degrees of the polynomials, and more where there are so many samples for each of their coefficients."""
+"""Degree 12 for every record, and up to 32 where there are 30 samples for each coefficient, so that noise stays noise;
+the third overtone is fitted from 8 samples a period on, of which it has a third; up to 1500 samples the frequency is
+sought in them as they lie, beyond by the fast transform, for the cost of the first is their square."""
 _DEPENDENT = 1e-9
+"""Columns that are so much smaller beside the others are no longer independent of them in doubles."""
 _NEWTON, _NEAR, _PARTS = 3, 0.3, 5
+"""Steps of Newton's method to an extreme, begun where the phase has it; how small the slope must then be, as a share of
+omega |x|; and terms of the integration by parts, each smaller by the slowness of the modulation."""
 _SPECTRAL = 60
+"""Samples below which a spectrum has too few bins to tell its colour from chance."""
 _OVER, _FINE, _MARGIN = 4, 40, 0.15
+"""Trials of the frequency in the width of a line, so that none is missed between two; places of the phase in a period;
+and by how much of a half-swing the phase at the start may be off before the turning point next to it is missed."""
 
 
 Flags = NDArray[np.bool_]

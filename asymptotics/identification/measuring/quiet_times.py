@@ -16,6 +16,7 @@ True
 import numpy as np
 
 from asymptotics.identification.forward.coefficients import Array
+from asymptotics.identification.measuring.criteria import bic
 
 _DEGREES = (1, 2, 3, 5)
 _LEAST = 12
@@ -80,4 +81,4 @@ def _fitted(degree: int, u: Array, late: Array, data: Array, weights: Array) -> 
             break
         keep = near
     rss = float((np.minimum(np.abs(misfit), _CLIP * max(scale, 1e-15)) ** 2).sum())
-    return len(data) * np.log(max(rss, 1e-300)) + len(columns) * np.log(len(data)), V @ c
+    return bic(len(data) * np.log(max(rss, 1e-300)), len(columns), len(data)), V @ c

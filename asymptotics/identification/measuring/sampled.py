@@ -15,12 +15,19 @@ from asymptotics.identification.measuring.demodulation import SpectralLine, demo
 from asymptotics.identification.measuring.observations import Observations, Samples
 
 MAX_SAMPLES, ENOUGH = 20_000, 6_000
+"""More samples than ``ENOUGH`` are averaged in groups, which loses little of a slow motion and saves the time of
+the fit; more than MAX_SAMPLES in any case."""
 _A_PERIOD = 24
+"""Means that are left in a period: a mean over more of it would need a larger correction for its own width."""
 LEAST_SAMPLES = 14
+"""Base, drift and a line of degree 2 have 8 coefficients: below this too little is left to measure the noise."""
 _PER_PERIOD = 2.2
+"""Just above the two samples a period at which a line and its mirror image are the same."""
 _HIDDEN, _LOUD = 1.5, 0.5
+"""A decay ends where the line is below 1.5 of the noise, and is none where the noise is above half of its largest."""
 _TRUE, _GUESSED = 3e-4, 0.05
-"""What the line itself may be off, as a share of an extreme: inside the record, and beyond its ends."""
+"""What the line itself may be off, as a share of an extreme: inside the record, and beyond its ends, where it is
+continued by polynomials; they only weigh the first look at a law, and the samples decide."""
 _WORDS = ("the motion", "the velocity", "the acceleration")
 
 

@@ -29,8 +29,14 @@ each overtone."""
 _NEAR, _SIDE, _LOW, _HEIGHT = 3, 10, 0.3, 6.0
 """The sides of a peak are the bins so far from it; it is so many times as high as the lower ones of each."""
 _SLOW = 5
+"""Coefficients of both modulations in the rough fit, which only takes the line away from the motion: few, or that of
+the motion would follow the line."""
 _SMALLEST, _DEGREES, _WORTH = 2e-3, 6, 60.0
+"""A line below 2/1000 of the motion in the spectrum moves no verdict, and is not looked at; its own modulation has
+degree 6 at most, lower than that of the motion; and it must lower the criterion by 60, a likelihood e^30 times as
+large, for what is taken off in error is signal that is lost."""
 _MODES = 2
+"""So many lines are taken off: each further one is looked for in the rest that the ones before it left."""
 
 
 def without_second_modes(t: Array, x: Array) -> tuple[Array, tuple[str, ...]]:

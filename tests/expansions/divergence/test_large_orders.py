@@ -9,13 +9,13 @@ from mpmath import mp
 from asymptotics.expansions.divergence.abel import at_height, odd_series
 from asymptotics.expansions.divergence.constants import effort, rough_petal, stokes_balls
 from asymptotics.expansions.divergence.germ import germ
-from asymptotics.expansions.divergence.large_orders import large_order
-from asymptotics.expansions.divergence.rows import corrections, rows_of
 from asymptotics.expansions.normal_form.coefficients import expansion_coefficients
 from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning.quadratic_series import abel_coefficients
+from tests.second_route.abel_rows import corrections, rows_of
+from tests.second_route.large_orders import large_order
 
 ORDERS = [
     ("2", 30),

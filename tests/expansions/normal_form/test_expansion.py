@@ -7,7 +7,6 @@ from flint import arb
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.normal_form.expansion import exact_expansion
-from asymptotics.expansions.normal_form.observables import observables
 from asymptotics.expansions.normal_form.show import sum_latex, sum_text
 from asymptotics.gauges import GAUGES
 from asymptotics.numbers.value import Coefficient
@@ -22,6 +21,7 @@ from paper_checks.report.verification import (
     residual_order,
     verify,
 )
+from tests.second_route.gauge_observables import observables
 
 
 @pytest.mark.parametrize("gauge", GAUGES)

@@ -9,8 +9,8 @@ from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.expansions.normal_form.flow import flow_of
 from asymptotics.expansions.normal_form.gauges import gauge_map
-from asymptotics.expansions.normal_form.observables import observables
 from asymptotics.gauges import AVERAGING, GAUGES, NO_FIRST_HARMONIC, TURNING_POINT
+from tests.second_route.gauge_observables import observables
 
 # x'^3: Omega_2 and p_3 in the three gauges (45/4096 from the closed form of p_3)
 CUBIC = {

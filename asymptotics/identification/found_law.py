@@ -1,12 +1,12 @@
 """The law behind a table of equivalent damping, as a result: the verdict in words first, then strengths with intervals.
 
-Estimates in doubles (``inverse``); what the first order neglects is measured against certified motion and told.
+Estimates in doubles (``inverse_damping``); what the first order neglects is measured against certified motion and told.
 """
 
 from dataclasses import dataclass, field
 from typing import Any
 
-from asymptotics.equivalent.inverse import DampingCandidate, Problem, Strength
+from asymptotics.identification.inverse_damping import DampingCandidate, Problem, Strength
 from asymptotics.present.shown import Page, Rows
 
 _SHOWN = 4

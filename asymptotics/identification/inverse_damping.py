@@ -1,11 +1,15 @@
 """From a table of equivalent damping to the law: (A, zeta), (A, Q) or (A, decrement) with resolutions.
 
 To first order zeta(A) = sum_i b_i z_i(A) is linear in the strengths: z_i, the zeta of a unit strength, comes from the
-certified orbit (``orbit``), and the rest is least squares in doubles, weighted by the resolutions, with strengths >= 0.
+certified orbit (``equivalent.orbit``), and the rest is least squares in doubles, weighted by the resolutions, with
+strengths >= 0.
 
     zeta = 1/(2 Q) = decrement/(2 pi),     chi^2 = sum ((zeta_j - sum_i b_i z_i(A_j))/s_j)^2.
 
-Intervals are profiles: where chi^2, minimised over the other strengths, has risen by 3.84 (95 %).  A candidate is
+Intervals are profiles: where chi^2, minimised over the other strengths, has risen by 3.84 (95 %).  The problem is
+linear with a bound at 0, so that each point of a profile is one call of least squares with strengths >= 0, where
+``fitting.profile`` iterates a nonlinear one without bounds.  The criterion and the grades are those of measured decays
+(``measuring.criteria``, ``judging.grades``).  A candidate is
 
     consistent   if chi^2 is not too large for its degrees of freedom (5 %),
     adequate     else, if what it leaves is at most a tenth of the loss (told in %),
@@ -31,13 +35,18 @@ from scipy.stats import chi2
 
 from asymptotics.budget import tick
 from asymptotics.equivalent.rows import orbit_of
+from asymptotics.identification.judging.grades import grade_of, in_words
+from asymptotics.identification.measuring.criteria import aicc
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.policy import exact_number
 from asymptotics.present.shown import Page, Shown
 
 QUANTITIES = ("zeta", "Q", "decrement")
-LEVEL, RISE, ADEQUATE = 0.05, 3.84, 0.10
+LEVEL = 0.05
+"""Of chi^2: a table has few rows, and its resolutions are known, so that one law in twenty may be refuted by chance."""
+RISE = 3.84
+"""The quantile 0.95 of chi^2 with one degree of freedom."""
 _LOW = 53
 
 
@@ -86,7 +95,7 @@ class DampingCandidate(Shown):
 
     def told(self) -> str:
         """The grade in words."""
-        return f"adequate to {100 * self.left:.1f} % of the loss" if self.grade == "adequate" else self.grade
+        return in_words(self.grade, self.left)
 
     def _page(self) -> Page:
         worth = f"estimate; it leaves {100 * self.left:.1f} % of the loss, p = {self.p:.2g}"
@@ -128,7 +137,10 @@ def _unit(problem: Problem, alpha: str, a: float) -> float:
 def fitted(
     amplitudes: Sequence[float], values: Sequence[float], resolution: Sequence[float] | None, problem: Problem
 ) -> tuple[DampingCandidate, ...]:
-    """The candidates, best first: by grade, then without terms that are not needed, then by AICc."""
+    """The candidates, best first: by grade, then without terms that are not needed, then by AICc.
+
+    The grade comes first, for a table may have as few rows as a law has strengths: AICc is then infinite.
+    """
     zeta, s = weighted(amplitudes, values, resolution, problem)
     made = [_candidate(problem, alphas, amplitudes, zeta, s) for alphas in problem.candidates]
     order = ("consistent", "adequate", "refuted")
@@ -163,12 +175,10 @@ def _candidate(
     square, n, count = float(root**2), len(zeta), len(alphas)
     p = float(chi2.sf(square, n - count)) if n > count else 1.0
     left = float(np.sqrt(np.mean(((zeta - z @ b) / zeta) ** 2)))
-    grade = "consistent" if p > LEVEL else "adequate" if left <= ADEQUATE else "refuted"
-    spare = n - count - 1
-    criterion = square + 2 * count + (2 * count * (count + 1) / spare if spare > 0 else np.inf)
+    grade = grade_of("consistent" if p > LEVEL else "refuted", left)
     profile = [_interval(z / s[:, None], zeta / s, b, i, square) for i in range(count)]
     strengths = tuple(Strength(a, low, float(e), high) for a, e, (low, high) in zip(alphas, b, profile))
-    return DampingCandidate("+".join(alphas), strengths, left, square, p, float(criterion), grade)
+    return DampingCandidate("+".join(alphas), strengths, left, square, p, aicc(square, count, n), grade)
 
 
 def _interval(z: Any, y: Any, b: Any, i: int, least: float) -> tuple[float, float]:

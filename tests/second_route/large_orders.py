@@ -1,15 +1,16 @@
 """Large orders of the normal form of one law: the factorial divergence is a theorem, by Cauchy-Heine.
 
-A map that is not a flow has a divergent formal flow.  With c, c_1, d_1, e_1 of this room and f = 4 pi^2 e_1 c the laws
-are proved (derivation ``large-orders``), each with a factor 1 + f/n + O(n^-2), n! being the factorial:
+A map that is not a flow has a divergent formal flow.  With c, c_1, d_1, e_1 of ``expansions.divergence`` and
+f = 4 pi^2 e_1 c the laws are proved (derivation ``large-orders``), each with a factor 1 + f/n + O(n^-2), n! being the
+factorial:
 
     V_k     = -(-1)^(k/2)     (2 c_1/(pi c))     (k-3)!/(2 pi c)^(k-2),     k even,
     p_k/p_1 = -(-1)^((k-1)/2) 2 (c_1 + d_1/pi)   (k-2)!/(2 pi c)^(k-1),     k odd,
     Omega_k = -(-1)^(k/2)     (2 d_1/pi)         (k-1)!/(2 pi c)^k,         k even,
 
 so V_(k+2)/V_k -> -(k-1)(k-2) (|alpha - 1| p_1/2)^2, 2 pi |c| = 2/(|alpha - 1| p_1), unless the constant vanishes.  The
-O(n^-2) goes on as a series (``rows``), and where to stop is measured (``truncation``).  At alpha = 0 and alpha = 1 the
-series of U and W end or converge, and nothing here applies.
+O(n^-2) goes on as a series (``abel_rows``), and where to stop is measured (``truncation``).  At alpha = 0 and
+alpha = 1 the series of U and W end or converge, and nothing here applies.
 """
 
 from collections.abc import Sequence
@@ -22,7 +23,7 @@ def large_order(
 ) -> mpmath.mpf:
     """The proved law of ``row`` "V", "p" (over p_1) or "Omega" at k with its first correction; 0 where k has no term.
 
-    ``further``: g_2, g_3, … of ``rows.corrections``, each of which takes a power of k from what is left.
+    ``further``: g_2, g_3, … of ``abel_rows.corrections``, each of which takes a power of k from what is left.
 
     >>> c, f, d_1 = map(mpmath.mpf, ("0.75", "3.948", "0.4125"))
     >>> print(mpmath.nstr(large_order(40, "Omega", c, f, mpmath.mpf(0), d_1), 6))

@@ -7,8 +7,9 @@ import pytest
 
 import asymptotics as asy
 from asymptotics.cli.main import main
-from asymptotics.equivalent.inverse import Problem, as_zeta, columns, fitted
 from asymptotics.errors import InputError
+from asymptotics.identification.inverse_damping import Problem, as_zeta, columns, fitted
+from asymptotics.identification.judging.grades import percent
 
 A = np.geomspace(0.05, 1, 12)
 LAWS = (("1",), ("2",), ("1", "2"), ("0", "1"), ("0", "2"))
@@ -30,7 +31,7 @@ def test_intervals_cover_and_the_right_law_is_consistent(truth, monkeypatch):
     """120 tables: 95 % intervals cover in 90 to 99 of 100 (three standard errors), the law is consistent as often."""
     rng, problem = np.random.default_rng(20 + len(truth)), Problem("zeta", (tuple(map(str, truth)),))
     known = columns(problem, problem.candidates[0], A.tolist())
-    monkeypatch.setattr("asymptotics.equivalent.inverse.columns", lambda *_: known)
+    monkeypatch.setattr("asymptotics.identification.inverse_damping.columns", lambda *_: known)
     covered = consistent = 0
     for _ in range(120):
         (found,) = fitted(A.tolist(), table(truth, 3e-4, rng).tolist(), [3e-4] * len(A), problem)
@@ -54,7 +55,7 @@ def test_a_law_a_little_off_is_adequate_and_says_by_how_much():
     zeta = table({1: 0.02}, 0, np.random.default_rng(0)) * (1 + 0.03 * np.sin(7 * A))
     (found,) = fitted(A.tolist(), zeta.tolist(), [1e-6] * len(A), Problem("zeta", (("1",),)))
     assert found.grade == "adequate" and 0.01 < found.left < 0.03
-    assert found.told() == f"adequate to {100 * found.left:.1f} % of the loss"
+    assert found.told() == f"adequate to {percent(found.left)} of the loss"
 
 
 def test_quantities_are_one():
