@@ -43,7 +43,7 @@ def last_turning_point(epsilon: ExactReal) -> int:
 
 
 def serves(request: Request) -> float | None:
-    """The seconds; None unless dry friction acts alone, and the first turning point is a rational multiple of epsilon."""
+    """The seconds; None unless dry friction acts alone, and the first amplitude is a rational multiple of epsilon."""
     alone = request.alone
     if alone is None or alone[0] != 0 or (request.in_motion and _first_amplitude(request) is None):
         return None
@@ -97,10 +97,5 @@ def _time(n: int) -> Number:
     return (lambda: arb.pi() * n) if n else Fraction(0)
 
 
-ROUTE = Route(
-    "dry",
-    "dry friction alone, from rest or where the first amplitude is a rational multiple of epsilon",
-    METHOD,
-    serves,
-    points,
-)
+DOMAIN = "dry friction alone, from rest or where the first amplitude is a rational multiple of epsilon"
+ROUTE = Route("dry", DOMAIN, METHOD, serves, points)
