@@ -22,7 +22,6 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "cut_short",
     "present",
     "costs",
-    "verdict",
     "gauges",
     "numbers",
     "public",
