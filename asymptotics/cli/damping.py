@@ -21,7 +21,7 @@ from asymptotics.api.damping import MAX_DIGITS, MAX_ORDER, damping
 from asymptotics.api.damping_law import damping_law
 from asymptotics.cli.answer import Answer, add_common
 from asymptotics.cli.answer import cut_short as shortened
-from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.quantities import add_physical, read_oscillator
 from asymptotics.cli.rows import told
@@ -31,7 +31,7 @@ from asymptotics.equivalent.rows import QUANTITIES
 from asymptotics.errors import InputError
 from asymptotics.law import PENDULUM, Law
 from asymptotics.numbers.exact import parse_integer, parse_real
-from asymptotics.present.inputs import option_words, with_words
+from asymptotics.present.inputs import csv_text, option_words, with_words
 from asymptotics.records.units import ANGLES, LENGTHS
 
 _DRAWN = tuple(name for name in QUANTITIES if name != "half_life")

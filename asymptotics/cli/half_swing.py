@@ -22,7 +22,7 @@ import sympy
 
 from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
 from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER
-from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.cli.rows import (
     deltas_latex,
@@ -40,6 +40,7 @@ from asymptotics.expansions.normal_form.closed_forms import MAX_SYMBOLIC_ORDER
 from asymptotics.expansions.normal_form.coefficients import half_swing_coefficients
 from asymptotics.expansions.normal_form.results import Coefficient, row_to_dict
 from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.present.inputs import csv_text
 from asymptotics.turning.half_swing import half_swing_of_terms
 
 

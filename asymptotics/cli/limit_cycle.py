@@ -18,7 +18,7 @@ stronger relaxation oscillations are left out, and cycles whose multiplier is 1 
 import argparse
 
 from asymptotics.cli.answer import Answer, add_common, read_digits
-from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.rows import row_text, rows_csv, rows_latex, told
 from asymptotics.errors import InputError
@@ -26,6 +26,7 @@ from asymptotics.limit_cycles.result import LimitCycle, limit_cycle
 from asymptotics.limit_cycles.series import MAX_ORDER
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.numbers.policy import exact_double
+from asymptotics.present.inputs import csv_text
 
 MAX_DIGITS = 200
 

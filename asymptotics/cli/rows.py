@@ -14,10 +14,10 @@ import argparse
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from asymptotics.cli.files import csv_text
 from asymptotics.cli.forces import GivenTerms
 from asymptotics.expansions.normal_form.results import Coefficient, Row
 from asymptotics.expansions.normal_form.show import SHOWN_DIGITS, sum_latex
+from asymptotics.present.inputs import csv_text
 
 __all__ = [
     "Coefficient", "deltas_latex", "local_strengths", "order_of", "row_text", "rows_csv", "rows_latex",

@@ -13,10 +13,11 @@ import argparse
 
 from asymptotics.api.divergence import stokes
 from asymptotics.cli.answer import Answer, add_common, read_digits
-from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.rows import told
 from asymptotics.expansions.divergence.result import MAX_COUNT, MAX_DIGITS
 from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.present.inputs import csv_text
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
