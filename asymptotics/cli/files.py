@@ -62,7 +62,7 @@ def _sides(text: str) -> tuple[float, float]:
 
 
 def add_csv(parser: argparse.ArgumentParser, columns: str) -> None:
-    """The option --csv."""
+    """The option --csv, which writes a table of these columns."""
     parser.add_argument("--csv", metavar="FILE", help=f"{columns}, as a table of columns")
 
 
