@@ -71,7 +71,7 @@ ROOMS = (
 )
 GROUPS = {
     "numbers": _room("numbers", "tests/numbers/test_contract.py"),  # it inspects signatures, which mutmut hides
-    "verdict": Group(("asymptotics/verdict.py",), ("tests/test_verdict.py", "asymptotics/verdict.py")),
+    "verdict": Group(("paper_checks/verdict.py",), ("tests/paper_checks/test_verdict.py", "paper_checks/verdict.py")),
     "grading": Group(  # the part of half_swings on which every sign rests, with the tests that are quick
         ("asymptotics/expansions/half_swings/grading.py", "asymptotics/expansions/half_swings/quarter.py"),
         (

@@ -6,7 +6,7 @@ convergence or an integration in floats MEASURED.  A verdict is worth its weakes
 A check that looks at some members of an infinite family (values of an exponent, strengths, times) takes them through
 ``sampled``: however exact each comparison is, the family is not proved by it, and the label says how many were tried.
 
->>> from asymptotics.verdict import Evidence
+>>> from paper_checks.verdict import Evidence
 >>> with recorded() as marks:
 ...     mark(Evidence.PROVED)
 ...     for alpha in sampled((0, 2)):
@@ -23,7 +23,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field
 from typing import TypeVar
 
-from asymptotics.verdict import Evidence
+from paper_checks.verdict import Evidence
 
 STRENGTH = (Evidence.MEASURED, Evidence.CERTIFIED, Evidence.PROVED)
 Point = TypeVar("Point")

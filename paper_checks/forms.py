@@ -21,8 +21,8 @@ from sympy.core.function import PoleError
 from sympy.polys.polyerrors import PolynomialError
 
 from asymptotics.errors import LimitError, UndecidedError
-from asymptotics.verdict import Outcome
 from paper_checks.units import UnitsError
+from paper_checks.verdict import Outcome
 
 DECIMAL = re.compile(r"[+-]?\d+(?:\.(\d+))?")
 STOPS = (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError)

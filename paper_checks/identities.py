@@ -17,12 +17,12 @@ import sympy
 from flint import arb
 from sympy.core.function import AppliedUndef
 
-from asymptotics import verdict
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
 from asymptotics.numbers.context import ctx
-from asymptotics.verdict import Evidence, Outcome
+from paper_checks import verdict
 from paper_checks.evidence import Difference, differ, mark
 from paper_checks.forms import DECIMAL, tex
+from paper_checks.verdict import Evidence, Outcome
 
 Place = dict[sympy.Symbol, sympy.Rational]
 POINTS = (Fraction(2, 7), Fraction(3, 5), Fraction(5, 3), Fraction(7, 11), Fraction(13, 9))
@@ -117,7 +117,7 @@ def rounds_to(printed: str, ball: arb) -> Outcome:
 
 
 def balls_agree(a: arb, b: arb, digits: int) -> Outcome:
-    """``asymptotics.verdict.balls_agree``, noted as certified evidence."""
+    """``paper_checks.verdict.balls_agree``, noted as certified evidence."""
     mark(Evidence.CERTIFIED)
     outcome = verdict.balls_agree(a, b, digits)
     if outcome == Outcome.REFUTED:

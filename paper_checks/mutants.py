@@ -18,8 +18,8 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from asymptotics.verdict import Outcome, Printed
 from paper_checks.registry import Statement
+from paper_checks.verdict import Outcome, Printed
 
 Mutant = tuple[str, Any]
 TENTH = sympy.Rational(11, 10)

@@ -29,13 +29,13 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from asymptotics.verdict import Outcome
 from paper_checks.forms import DECIMAL
 from paper_checks.grammar import MARK, UnreadableError, read
 from paper_checks.identities import vanishes
 from paper_checks.members import MEMBERS, Members
 from paper_checks.readings import PAPERS, READINGS, Reading
 from paper_checks.registry import Statement
+from paper_checks.verdict import Outcome
 
 LEDGER = Path(__file__).parent / "compared.json"
 RELATION = re.compile(r"\\simeq|\\approx|\\sim|\\ll|\\gg|\\propto|\\ge|\\to|[=<>]")

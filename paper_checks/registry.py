@@ -35,9 +35,9 @@ from enum import StrEnum
 from importlib import import_module
 from typing import Any
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import Difference, Marks
 from paper_checks.forms import guarded
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 Check = Callable[[Any], Outcome]
 

@@ -14,9 +14,9 @@ from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing.connection import wait
 
-from asymptotics.verdict import Outcome
 from paper_checks.evidence import Difference, Marks, recorded
 from paper_checks.registry import Entry, Statement, forms, load
+from paper_checks.verdict import Outcome
 
 Progress = Callable[[str], None]
 

@@ -12,8 +12,8 @@ from matplotlib.figure import Figure
 
 import asymptotics as asy
 from asymptotics.cli.main import main
-from asymptotics.present.mathml import to_mathml, whole
 from derivations.__main__ import names
+from paper_checks.mathml import to_mathml, whole
 
 mpl.use("Agg")
 ROOT = Path(__file__).parents[1]
@@ -71,6 +71,11 @@ def test_no_document_outside_the_repository_is_cited():
         for path in [*(ROOT / folder).rglob("*.py"), *(ROOT / folder).rglob("*.md"), *(ROOT / folder).rglob("*.j2")]:
             found = re.findall(r"\b(?:DESIGN|CERTIFY|SPRINGS|KERNELS|PEERS)(?: §?\d|\.md)", path.read_text())
             assert not found, f"{path.relative_to(ROOT)} cites {found[0]}"
+
+
+def test_mathml_is_an_element():
+    assert to_mathml(r"\frac{1}{2}", display=True).startswith("<math")
+    assert 'display="block"' in to_mathml("x", display=True)
 
 
 def test_mathematics_is_well_set():

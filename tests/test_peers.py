@@ -28,7 +28,6 @@ from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion, reference_states
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series
-from asymptotics.verdict import Outcome
 from paper_checks.report.verification import (
     equation_residual,
     exact_reference,
@@ -36,6 +35,7 @@ from paper_checks.report.verification import (
     measured_order,
     residual_order,
 )
+from paper_checks.verdict import Outcome
 from tests.second_route.forced import quadratic_turning_points
 
 TIGHT = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-14}

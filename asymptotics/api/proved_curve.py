@@ -24,7 +24,7 @@ class ProvedCurve(SolutionCurve):
 
     @property
     def certified(self) -> bool:
-        """False: an expansion."""
+        """False, because its values are those of an expansion."""
         return False
 
     @property

@@ -99,17 +99,17 @@ class Waveforms(Shown):
 
     @property
     def keys(self) -> list[Key]:
-        """The k, by degree."""
+        """The exponents k for which x_k is there, ordered by their degree."""
         return list(self.table.keys)
 
     @cached_property
     def scales(self) -> MultipleScales:
-        """The hierarchy itself."""
+        """The multiple-scale hierarchy from which the waveforms are taken."""
         return multiple_scales(Law.from_terms(self.terms), order=self.order, gauge=TURNING_POINT)
 
     @cached_property
     def table(self) -> WaveformTable:
-        """All x_k in doubles."""
+        """The waveforms x_k as a table of doubles over the phase."""
         return wave_table(self.terms, self.order)
 
     def enclosed(self, psi: arb) -> dict[Key, arb]:

@@ -34,7 +34,7 @@ class Answer:
         return int(self.failed)
 
 
-def cut_short(answer: Answer, done: int, missing: str) -> Answer:
+def shortened(answer: Answer, done: int, missing: str) -> Answer:
     """The same with a line that only ``done`` rows are there and what is ``missing``; the error itself says why."""
     data = {**answer.data, "missing": missing}
     return replace(answer, data=data, text=f"{answer.text}\ncut short: {done} rows are done; missing: {missing}")

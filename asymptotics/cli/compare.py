@@ -23,8 +23,7 @@ from functools import partial
 from pathlib import Path
 
 from asymptotics.cli.again import asked_again, compare_again, is_motion, told_request
-from asymptotics.cli.answer import Answer, add_common
-from asymptotics.cli.answer import cut_short as shortened
+from asymptotics.cli.answer import Answer, add_common, shortened
 from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces
 from asymptotics.cli.quantities import PHYSICAL, add_physical, add_start, read_oscillator
@@ -73,7 +72,7 @@ def cut_short(options: argparse.Namespace, found: Comparison) -> Answer:
 
 
 def _answer(options: argparse.Namespace, files: dict[str, Path], found: Comparison, equation: str) -> Answer:
-    """Printed and written."""
+    """The answer that is printed, after its files are written."""
     write_files(files, {"--plot": picture_maker(options, lambda: [found]), "--csv": lambda _: found.to_csv()})
     beside = "law" if options.table is None else "table"
     return Answer({beside: equation, **found.to_dict()}, _text(found, equation), options.json)

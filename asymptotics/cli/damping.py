@@ -19,19 +19,18 @@ from typing import Any
 
 from asymptotics.api.damping import MAX_DIGITS, MAX_ORDER, damping
 from asymptotics.api.damping_law import damping_law
-from asymptotics.cli.answer import Answer, add_common
-from asymptotics.cli.answer import cut_short as shortened
-from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
+from asymptotics.cli.answer import Answer, add_common, shortened
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.quantities import add_physical, read_oscillator
-from asymptotics.cli.rows import told
+from asymptotics.cli.rows import asked_besides
 from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import QUANTITIES
 from asymptotics.errors import InputError
 from asymptotics.identification.found_law import DampingLaw
 from asymptotics.law import PENDULUM, Law
 from asymptotics.numbers.exact import parse_integer, parse_real
-from asymptotics.present.inputs import option_words, with_words
+from asymptotics.present.inputs import csv_text, option_words, with_words
 from asymptotics.records.units import ANGLES, LENGTHS
 
 _DRAWN = tuple(name for name in QUANTITIES if name != "half_life")
@@ -86,14 +85,14 @@ def cut_short(options: argparse.Namespace, found: EquivalentDamping) -> Answer:
 
 
 def _answer(options: argparse.Namespace, files: dict[str, Path], found: EquivalentDamping) -> Answer:
-    """Printed and written."""
+    """The answer that is printed, after its files are written."""
     makers: Makers = {
         "--csv": lambda _: found.to_csv(),
         "--plot": picture_maker(options, lambda: [found], quantity=options.quantity or "Q"),
     }
     written = write_files(files, makers, options, "damping")
     named = found.conversions() if options.conversions else ()
-    data = {**found.to_dict(), **told(options, found.latex(), written)}
+    data = {**found.to_dict(), **asked_besides(options, found.latex(), written)}
     data |= {"conversions": [c.to_dict() for c in named]} if named else {}
     text = "\n".join([str(found), *map(str, named), *written])
     return Answer(data, found.latex() if options.latex else text, options.json)
@@ -127,7 +126,9 @@ def _inverse(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
     found = law_behind(path, options, resolution=options.resolution, laws=options.laws)
     text = with_words(csv_text(LAW_HEAD, law_rows(found)), _law_words(found, options))
     written = write_files(files, {"--csv": lambda _: text})
-    return Answer({**found.to_dict(), **told(options, "", written)}, "\n".join([str(found), *written]), options.json)
+    return Answer(
+        {**found.to_dict(), **asked_besides(options, "", written)}, "\n".join([str(found), *written]), options.json
+    )
 
 
 def law_behind(table: Any, options: argparse.Namespace, **more: Any) -> DampingLaw:

@@ -27,7 +27,7 @@ from asymptotics.api.slow import MAX_DIGITS, Envelope, envelope
 from asymptotics.api.slow_series import MAX_ORDER, EnvelopeSeries
 from asymptotics.api.slowness import SlowPart
 from asymptotics.cli.answer import Answer, add_common, read_digits
-from asymptotics.cli.files import Makers, add_files, csv_text, picture_maker, read_files, read_points, write_files
+from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, read_points, write_files
 from asymptotics.cli.quantities import OVERLAY, Given, add_oscillator, overlaid, read_oscillator
 from asymptotics.envelopes.slow_time import epsilon
 from asymptotics.envelopes.symbolic import MEAN, SQUARING, tau
@@ -36,6 +36,7 @@ from asymptotics.law import Oscillator
 from asymptotics.motions.certify import time_of
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
+from asymptotics.present.inputs import csv_text
 
 Curve = Envelope | SpringEnvelope
 

@@ -167,7 +167,7 @@ def _text(found: Equations, given: GivenTerms, options: argparse.Namespace) -> s
 
 
 def _table(found: Equations) -> str:
-    """The coefficients as CSV."""
+    """The coefficients p_k and Omega_k as CSV."""
     return rows_csv({"p": found.p.named(), "Omega": found.Omega.named()})
 
 

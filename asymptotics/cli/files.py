@@ -7,15 +7,12 @@
 """
 
 import argparse
-import csv
-import io
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 from asymptotics.cli.requests import request_words
 from asymptotics.errors import InputError
-from asymptotics.made_by import mark
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.present.drawn import Drawn, pictured
 from asymptotics.present.figures import DPI, MAX_DPI, MIN_DPI, SIZE
@@ -65,19 +62,8 @@ def _sides(text: str) -> tuple[float, float]:
 
 
 def add_csv(parser: argparse.ArgumentParser, columns: str) -> None:
-    """The option --csv."""
+    """The option --csv, which writes a table of these columns."""
     parser.add_argument("--csv", metavar="FILE", help=f"{columns}, as a table of columns")
-
-
-def csv_text(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    """CSV with a header that carries the units; the last column says what code made it.
-
-    >>> csv_text(["n", "x [m]"], [(0, "0.2"), (1, None)]).replace(mark(), "sha256:...")
-    'n,x [m],code\\n0,0.2,sha256:...\\n1,,sha256:...\\n'
-    """
-    stream, made = io.StringIO(), mark()
-    csv.writer(stream, lineterminator="\n").writerows([[*header, "code"], *([*row, made] for row in rows)])
-    return stream.getvalue()
 
 
 def read_files(options: argparse.Namespace, pictures: tuple[str, ...] = PICTURES) -> dict[str, Path]:

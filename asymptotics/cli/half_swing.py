@@ -22,9 +22,10 @@ import sympy
 
 from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
 from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER
-from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
 from asymptotics.cli.rows import (
+    asked_besides,
     deltas_latex,
     local_strengths,
     order_of,
@@ -32,7 +33,6 @@ from asymptotics.cli.rows import (
     rows_csv,
     rows_latex,
     strengths_given,
-    told,
 )
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.symbolic import symbolic_half_swing
@@ -40,6 +40,7 @@ from asymptotics.expansions.normal_form.closed_forms import MAX_SYMBOLIC_ORDER
 from asymptotics.expansions.normal_form.coefficients import half_swing_coefficients
 from asymptotics.expansions.normal_form.results import Coefficient, row_to_dict
 from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.present.inputs import csv_text
 from asymptotics.turning.half_swing import half_swing_of_terms
 
 
@@ -80,7 +81,7 @@ def run(options: argparse.Namespace) -> Answer:
     latex = rows_latex({_index(name, given): row for name, row in names}, deltas_latex(given), digits)
     makers: Makers = {"--csv": lambda _: rows_csv(dict(names)), "--plot": picture_maker(options, lambda: [found])}
     written = write_files(files, makers, options, "half-swing")
-    data |= told(options, latex, written)
+    data |= asked_besides(options, latex, written)
     return Answer(data, "\n".join([latex] if options.latex else [*lines, *given.notes, *written]), options.json)
 
 
@@ -92,13 +93,12 @@ def _symbolic(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
             raise InputError(name, "cannot be combined with --alpha symbolic", "one law, in closed form")
     order = parse_integer(options.order, "--order", 1, MAX_SYMBOLIC_ORDER)
     read_digits(options, MAX_DIGITS)
-    read_max_seconds(options)
     half = symbolic_half_swing()
     series = {"log_ratio": ("L", half.L), "map": ("F", half.F[0]), "duration": ("T", half.T)}
     rows = {long: (name, [(k, s[k]) for k in range(order + 1) if s[k] != 0]) for long, (name, s) in series.items()}
     lines = [f"{name}_{k} = {c}" for name, row in rows.values() for k, c in row]
     latex = " \\\\\n".join(f"{name}_{{{k}}} = {sympy.latex(c)}" for name, row in rows.values() for k, c in row)
-    data = {"alpha": "symbolic", "order": order, "arithmetic": "symbolic", **told(options, latex, [])}
+    data = {"alpha": "symbolic", "order": order, "arithmetic": "symbolic", **asked_besides(options, latex, [])}
     data |= {long: row_to_dict({str(k): Coefficient(None, c) for k, c in row}) for long, (_, row) in rows.items()}
     return Answer(data, latex if options.latex else "\n".join(["symbolic", *lines]), options.json)
 
@@ -127,5 +127,5 @@ def _at(options: argparse.Namespace, given: GivenTerms, files: dict[str, Path]) 
     written = write_files(
         files, {"--csv": lambda _: csv_text(["quantity", "value", "low", "high"], rows)}, options, "half-swing"
     )
-    data = {**found.to_dict(), "notes": list(given.notes), **told(options, latex, written)}
+    data = {**found.to_dict(), "notes": list(given.notes), **asked_besides(options, latex, written)}
     return Answer(data, latex if options.latex else "\n".join([*lines, *given.notes, *written]), options.json)

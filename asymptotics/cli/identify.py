@@ -19,7 +19,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from asymptotics.cli.answer import Answer, add_common
-from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.errors import InputError
 from asymptotics.identification.identify import identify
 from asymptotics.identification.telling.html_report import html_report
@@ -27,6 +27,7 @@ from asymptotics.identification.telling.result import Identification
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.numbers.policy import exact_double
 from asymptotics.present.files import require_different
+from asymptotics.present.inputs import csv_text
 from asymptotics.records.columns import KINDS
 from asymptotics.records.units import UNITS
 

@@ -18,14 +18,15 @@ stronger relaxation oscillations are left out, and cycles whose multiplier is 1 
 import argparse
 
 from asymptotics.cli.answer import Answer, add_common, read_digits
-from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
-from asymptotics.cli.rows import row_text, rows_csv, rows_latex, told
+from asymptotics.cli.rows import asked_besides, row_text, rows_csv, rows_latex
 from asymptotics.errors import InputError
 from asymptotics.limit_cycles.result import LimitCycle, limit_cycle
 from asymptotics.limit_cycles.series import MAX_ORDER
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.numbers.policy import exact_double
+from asymptotics.present.inputs import csv_text
 
 MAX_DIGITS = 200
 
@@ -56,7 +57,7 @@ def run(options: argparse.Namespace) -> Answer:
     latex = _latex(found, digits)
     makers: Makers = {"--csv": lambda _: _table(found), "--plot": picture_maker(options, lambda: [found])}
     written = write_files(files, makers, options, "limit-cycle")
-    data = {**found.to_dict(), **told(options, latex, written)}
+    data = {**found.to_dict(), **asked_besides(options, latex, written)}
     return Answer(data, latex if options.latex else "\n".join([_text(found), *written]), options.json)
 
 

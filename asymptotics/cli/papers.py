@@ -12,8 +12,7 @@ import textwrap
 from collections import Counter
 from typing import Any
 
-from asymptotics.cli.answer import Answer, add_json
-from asymptotics.cli.answer import cut_short as shortened
+from asymptotics.cli.answer import Answer, add_json, shortened
 from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError
 from asymptotics.papers.lookup import VERDICTS, find, papers, statements

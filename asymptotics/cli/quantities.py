@@ -41,15 +41,6 @@ class Given:
         """m and m/s in the unit of x."""
         return name.replace("m", self.oscillator.unit) if name in ("m", "m/s") else name
 
-    def label(self, unit: str) -> str:
-        """The unit of an axis of a picture."""
-        return f" ({self.of_x(unit)})" if self.si else ""
-
-    @property
-    def time_label(self) -> str:
-        """What the axis of time is called."""
-        return "t (s)" if self.si else r"$\tau$"
-
 
 def add_oscillator(parser: argparse.ArgumentParser, *, springs: bool = False) -> None:
     """The options of the law (--damping or --epsilon), and mass, stiffness, x0, v0."""

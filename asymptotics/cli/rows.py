@@ -14,14 +14,14 @@ import argparse
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from asymptotics.cli.files import csv_text
 from asymptotics.cli.forces import GivenTerms
 from asymptotics.expansions.normal_form.results import Coefficient, Row
 from asymptotics.expansions.normal_form.show import SHOWN_DIGITS, sum_latex
+from asymptotics.present.inputs import csv_text
 
 __all__ = [
     "Coefficient", "deltas_latex", "local_strengths", "order_of", "row_text", "rows_csv", "rows_latex",
-    "strengths_given", "told",
+    "strengths_given", "asked_besides",
 ]  # fmt: skip
 
 
@@ -83,6 +83,6 @@ def _power(weight: str) -> str:
     return {"0": "", "1": " A"}.get(weight, f" A^{weight}" if weight.isdigit() else f" A^({weight})")
 
 
-def told(options: argparse.Namespace, latex: str, written: list[str]) -> dict[str, Any]:
+def asked_besides(options: argparse.Namespace, latex: str, written: list[str]) -> dict[str, Any]:
     """What JSON says besides, where it was asked for: the LaTeX, the files."""
     return ({"latex": latex} if options.latex else {}) | ({"files": written} if written else {})

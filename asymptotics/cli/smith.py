@@ -19,12 +19,13 @@ from math import log2
 from typing import Any
 
 from asymptotics.cli.answer import Answer, add_common, add_digits, read_digits
-from asymptotics.cli.files import add_csv, csv_text, read_files, write_files
+from asymptotics.cli.files import add_csv, read_files, write_files
 from asymptotics.costs import binomial_seconds, require_affordable
 from asymptotics.errors import InputError, LimitError
 from asymptotics.motions.invariants.exact import coefficient, coefficients
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 from asymptotics.numbers.rationals import to_fmpq
+from asymptotics.present.inputs import csv_text
 
 MAX_ROW, MAX_N, MAX_G = 5_000, 100_000, 100
 MAX_DIGITS = 1000

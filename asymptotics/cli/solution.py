@@ -28,13 +28,14 @@ from asymptotics.api.implicit import ImplicitSolution
 from asymptotics.api.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.cli.answer import Answer, add_common, read_digits
-from asymptotics.cli.files import Makers, add_files, csv_text, picture_maker, read_files, read_points, write_files
+from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, read_points, write_files
 from asymptotics.cli.forces import read_alpha
 from asymptotics.cli.quantities import OVERLAY, Given, add_oscillator, is_physical, overlaid, read_oscillator
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import time_of
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
+from asymptotics.present.inputs import csv_text
 
 Found = Solution | ImplicitSolution
 

@@ -13,10 +13,11 @@ import argparse
 
 from asymptotics.api.divergence import stokes
 from asymptotics.cli.answer import Answer, add_common, read_digits
-from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
-from asymptotics.cli.rows import told
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
+from asymptotics.cli.rows import asked_besides
 from asymptotics.expansions.divergence.result import MAX_COUNT, MAX_DIGITS
 from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.present.inputs import csv_text
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -36,5 +37,5 @@ def run(options: argparse.Namespace) -> Answer:
     found = stokes(alpha, count=count, digits=read_digits(options, MAX_DIGITS))
     makers: Makers = {"--csv": lambda _: csv_text(["k", "c_k", "d_k"], found.rows())}
     written = write_files(files, makers | {"--plot": picture_maker(options, lambda: [found])}, options, "stokes")
-    data = {**found.to_dict(), **told(options, found.latex(), written)}
+    data = {**found.to_dict(), **asked_besides(options, found.latex(), written)}
     return Answer(data, found.latex() if options.latex else "\n".join([str(found), *written]), options.json)

@@ -12,8 +12,7 @@ zero), up (away from zero), floor, ceil, interval (both ends).  Every file carri
 import argparse
 from pathlib import Path
 
-from asymptotics.cli.answer import Answer, add_common, read_digits
-from asymptotics.cli.answer import cut_short as shortened
+from asymptotics.cli.answer import Answer, add_common, read_digits, shortened
 from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import read_law
 from asymptotics.errors import InputError
@@ -78,7 +77,7 @@ def _target(options: argparse.Namespace) -> Path | None:
 
 
 def _answer(options: argparse.Namespace, drawn: dict[str, Path], target: Path | None, table: Table) -> Answer:
-    """Printed and written."""
+    """The answer that is printed, after its files are written."""
     pictures = write_files(drawn, {"--plot": picture_maker(options, lambda: [table])})
     if target is None:
         text = "\n".join([_printed(table, options.format), *pictures])

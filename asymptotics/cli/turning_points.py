@@ -28,15 +28,15 @@ from typing import Any
 
 from asymptotics.api.swings import OscillatorTurningPoints, dimensionless
 from asymptotics.api.swings import turning_points as in_si
-from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
-from asymptotics.cli.answer import cut_short as shortened
-from asymptotics.cli.files import Makers, add_csv, add_plot, csv_text, picture_maker, read_files, write_files
+from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds, shortened
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law
 from asymptotics.cli.quantities import add_physical, add_start, is_physical, read_oscillator
 from asymptotics.cut_short import changed
 from asymptotics.errors import LimitError
 from asymptotics.law import PENDULUM, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
+from asymptotics.present.inputs import csv_text
 from asymptotics.turning.choose import offers, turning_points
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START, Request
@@ -83,7 +83,7 @@ def cut_short(options: argparse.Namespace, result: TurningPoints | OscillatorTur
 def _answer(
     options: argparse.Namespace, files: dict[str, Path], result: TurningPoints | OscillatorTurningPoints
 ) -> Answer:
-    """Printed and written."""
+    """The answer that is printed, after its files are written."""
     data, si = result.to_dict(), isinstance(result, OscillatorTurningPoints)
     unit = _unit(options)
     makers: Makers = {"--csv": lambda _: _table(result, unit), "--plot": picture_maker(options, lambda: [result])}

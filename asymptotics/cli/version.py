@@ -16,7 +16,7 @@ DISTRIBUTION = "power-law-oscillator"
 
 
 def text() -> str:
-    """The answer to ``--version``."""
+    """What ``--version`` prints: the version, the commit, and a warning of a package of the same name."""
     warning = clash(packages_distributions().get("asymptotics", []))
     return f"asymptotics {__version__} (commit {commit() or 'unknown'})" + (f"\n{warning}" if warning else "")
 

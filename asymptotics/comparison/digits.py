@@ -118,7 +118,7 @@ def _right_places(given: Fraction, error: Ratio, log: float, written: int) -> in
 
 
 def _difference(a: Fraction, b: Fraction) -> Ratio:
-    """|a - b|."""
+    """The distance |a - b| as an exact ratio, not reduced."""
     return abs(a.numerator * b.denominator - b.numerator * a.denominator), a.denominator * b.denominator
 
 
@@ -139,13 +139,13 @@ def _floor_log10(q: Ratio) -> int:
 
 
 def _at_most(q: Ratio, power: int) -> bool:
-    """q <= 10^power, exactly."""
+    """Whether q <= 10^power, decided in integers."""
     up, down = _powers(power)
     return q[0] * down <= q[1] * up
 
 
 def _at_least(q: Ratio, power: int) -> bool:
-    """q >= 10^power, exactly."""
+    """Whether q >= 10^power, decided in integers."""
     up, down = _powers(power)
     return q[0] * down >= q[1] * up
 

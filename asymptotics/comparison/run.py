@@ -14,8 +14,6 @@
 (3, '4.99', True)
 """
 
-import csv
-import io
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -35,11 +33,11 @@ from asymptotics.comparison.truth import Truth, at_envelope, at_times, at_turnin
 from asymptotics.cut_short import changed
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator
-from asymptotics.made_by import mark
 from asymptotics.numbers.digits import spread
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.figures import counted
+from asymptotics.present.inputs import csv_text
 from asymptotics.present.shown import Page, Rows, Shown
 from asymptotics.turning.choose import turning_points
 
@@ -130,12 +128,8 @@ class Comparison(Rows, Drawn):
 
     def to_csv(self) -> str:
         """All rows as CSV; the last column says what code made it."""
-        dicts = [{**row.to_dict(), "code": mark()} for row in self.rows]
-        text = io.StringIO()
-        writer = csv.DictWriter(text, list(dicts[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(dicts)
-        return text.getvalue()
+        rows = [row.to_dict() for row in self.rows]
+        return csv_text([*rows[0]], [[row.get(name) for name in rows[0]] for row in rows])
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready."""

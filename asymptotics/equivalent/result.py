@@ -3,8 +3,6 @@
 Immutable; every number of the table is a decimal with its label, and the curve alone is in doubles.
 """
 
-import csv
-import io
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -18,12 +16,12 @@ from asymptotics.equivalent.conversions import Conversion, conversions
 from asymptotics.equivalent.rows import QUANTITIES, DampingRow, Measure, orbit_of
 from asymptotics.errors import InputError, require_choice
 from asymptotics.law import Oscillator
-from asymptotics.made_by import mark
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.digits import outward, spread
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.present.drawn import Drawn
+from asymptotics.present.inputs import csv_text
 from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public
 
@@ -80,11 +78,7 @@ class EquivalentDamping(Rows, Drawn):
 
     def to_csv(self) -> str:
         """CSV text: units in the header; the last column says what code made it."""
-        stream, made = io.StringIO(), mark()
-        csv.writer(stream, lineterminator="\n").writerows(
-            [[*self.header(), "code"], *([*row, made] for row in self.table())]
-        )
-        return stream.getvalue()
+        return csv_text(self.header(), self.table())
 
     @public
     def sample(self, A: ArrayLike, *, max_seconds: Number = 60) -> dict[str, Any]:

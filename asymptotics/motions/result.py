@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.made_by import mark
 from asymptotics.numbers.value import Coefficient, number_of, rounded
 from asymptotics.present.drawn import Drawn
+from asymptotics.present.inputs import csv_text
 from asymptotics.present.shown import Page, Rows, Shown
 
 Array = Any
@@ -127,9 +127,7 @@ class MotionSamples(Rows, Drawn):
     def to_csv(self) -> str:
         """CSV text: one row for each time, units in the header, shortest exact decimals; last, what code made it."""
         rows = zip(*(np.ravel(column) for column in self.columns().values()))
-        lines = [",".join((*self.header(), "code"))]
-        lines += (",".join((*(repr(float(x)) for x in row), mark())) for row in rows)
-        return "\n".join(lines) + "\n"
+        return csv_text(self.header(), ([repr(float(x)) for x in row] for row in rows))
 
     def __repr__(self) -> str:
         kind = "reference" if self.order is None else f"order {self.order}, gauge {self.gauge}"

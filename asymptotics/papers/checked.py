@@ -7,18 +7,18 @@ from typing import Any
 
 from asymptotics.errors import InputError
 from asymptotics.numbers.policy import Number
-from asymptotics.papers.statement import PaperStatement
 from asymptotics.public import public_beside_others
 
 
 @public_beside_others
-def check(statement: PaperStatement, *, max_seconds: Number = 60) -> dict[str, Any]:
-    """``PaperStatement.check``; InputError where the checks, a part of the wheel of their own, are not installed."""
+def check(paper: str, statement: str, *, max_seconds: Number = 60) -> dict[str, Any]:
+    """``PaperStatement.check``, by the key of the paper and the id of the statement.
+
+    InputError where the checks, a part of the wheel of their own, are not installed.
+    """
     if find_spec("paper_checks") is None:
         raise InputError("check", "the checks are not installed", "all of a wheel: pip install . in a clone")
-    found = import_module("paper_checks.runner").examine(
-        import_module("paper_checks.registry").load(statement.paper)[statement.id]
-    )
+    found = import_module("paper_checks.runner").examine(import_module("paper_checks.registry").load(paper)[statement])
     apart = None if found.apart is None else asdict(found.apart)
     outcomes = {name: str(outcome) for name, outcome in found.outcomes.items()}
     return {"outcomes": outcomes, "agrees": found.agrees, "apart": apart}

@@ -75,4 +75,4 @@ class PaperStatement(Shown):
         ({'printed': 'confirmed', 'near miss': 'refuted'}, True, (...))
         """
         again = import_module("asymptotics.papers.checked").check  # what computes is heavy, what looks up is not
-        return cast("dict[str, Any]", again(self, max_seconds=max_seconds))
+        return cast("dict[str, Any]", again(self.paper, self.id, max_seconds=max_seconds))

@@ -165,7 +165,7 @@ class _Part:
             raise
 
     def undo(self) -> None:
-        """As it was before."""
+        """Put the file back that stood there before, or take away what is there."""
         with suppress(OSError):
             if self.old.exists():
                 self.old.replace(self.target)

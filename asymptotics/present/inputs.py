@@ -9,13 +9,26 @@ import csv
 import io
 import re
 import shlex
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
+
+from asymptotics.made_by import mark
 
 INPUTS = ("alpha", "epsilon", "law", "spring", "damping", "mass", "stiffness", "x0", "v0")
 """The options that make an oscillator."""
 _LONG = 100_000
+
+
+def csv_text(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """CSV with a header that carries the units; the last column says what code made it.
+
+    >>> csv_text(["n", "x [m]"], [(0, "0.2"), (1, None)]).replace(mark(), "sha256:...")
+    'n,x [m],code\\n0,0.2,sha256:...\\n1,,sha256:...\\n'
+    """
+    stream, made = io.StringIO(), mark()
+    csv.writer(stream, lineterminator="\n").writerows([[*header, "code"], *([*row, made] for row in rows)])
+    return stream.getvalue()
 
 
 def with_inputs(text: str, options: Mapping[str, Any]) -> str:

@@ -17,7 +17,7 @@ import io
 import json
 import shlex
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from importlib import import_module
 from pathlib import Path
@@ -131,13 +131,10 @@ def rows_of(command: str, points: Sequence[Point], store: Store) -> Iterator[dic
         yield {**result, **point, "failed": found.get("failed", ""), "code": mark()}
 
 
-def _columns(command: str, points: Sequence[Point], store: Store) -> list[str]:
-    """The names of all columns: this takes a pass of its own, since results may differ in what they hold."""
-    parameters: dict[str, None] = {}
-    results: dict[str, None] = {}
-    for point, row in zip(points, rows_of(command, points, store)):
-        parameters |= dict.fromkeys(point)
-        results |= dict.fromkeys(row)
+def columns_of(points: Sequence[Point], rows: Iterable[Mapping[str, str]]) -> list[str]:
+    """The names of all columns, which take a pass of their own, since results may differ in what they hold."""
+    parameters = dict.fromkeys(name for point in points for name in point)
+    results = dict.fromkeys(name for row in rows for name in row)
     return [*parameters, *(name for name in results if name not in {*parameters, *LAST}), *LAST]
 
 
@@ -147,7 +144,7 @@ def _request(command: str, points: Sequence[Point]) -> list[str]:
 
 def _write_csv(stream: Any, command: str, points: Sequence[Point], store: Store) -> int:
     text = io.TextIOWrapper(stream, encoding="utf-8", newline="")
-    names = _columns(command, points, store)
+    names = columns_of(points, rows_of(command, points, store))
     writer = csv.DictWriter(text, names, restval="", lineterminator="\n")
     said = f"{LAST[-1]} [{shlex.join(_request(command, points))}]"  # of which request each row is the answer
     csv.writer(text, lineterminator="\n").writerow([*names[:-1], said])
@@ -169,7 +166,7 @@ def _write_json(stream: Any, command: str, points: Sequence[Point], store: Store
 
 def _write_parquet(stream: Any, command: str, points: Sequence[Point], store: Store) -> int:
     arrow, parquet = parquet_module()
-    columns = _columns(command, points, store)
+    columns = columns_of(points, rows_of(command, points, store))
     metadata = {"made_by": json.dumps(made_by()), REQUEST: json.dumps(_request(command, points))}
     schema = arrow.schema([(name, arrow.string()) for name in columns], metadata=metadata)
     with parquet.ParquetWriter(stream, schema) as writer:

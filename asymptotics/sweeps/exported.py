@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from asymptotics.errors import InputError, LimitError, shown
-from asymptotics.sweeps.export import LAST, REQUEST, flat, parquet_module
+from asymptotics.sweeps.export import LAST, REQUEST, columns_of, flat, parquet_module
 
 SUFFIXES = (".json", ".parquet")
 MAX_ROWS = 1_000_000
@@ -72,9 +72,7 @@ def _of_json(path: Path) -> Exported:
         lines.append(line)
     if len(lines) != len(data["rows"]):
         raise _refused(f"{path} has other lists of rows")
-    parameters = dict.fromkeys(name for point in points for name in point)
-    names = dict.fromkeys(name for row in results for name in row)
-    header = [*parameters, *(name for name in names if name not in {*parameters, *LAST}), *LAST]
+    parameters, header = dict.fromkeys(name for point in points for name in point), columns_of(points, results)
     rows = [(line, [row.get(name, "") for name in header]) for line, row in zip(lines, results)]
     return Exported(["sweep", command, *parameters], header, rows)
 

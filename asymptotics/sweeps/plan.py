@@ -36,7 +36,7 @@ class Failures:
     first: list[tuple[int, Point, str]] = field(default_factory=list)
 
     def add(self, index: int, point: Point, reason: str) -> None:
-        """One more failed point."""
+        """Count one more failed point; the reasons of the first few are kept."""
         self.count += 1
         self.first = sorted([*self.first, (index, point, reason)], key=lambda f: f[0])[:SHOWN]
 

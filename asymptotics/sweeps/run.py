@@ -175,7 +175,7 @@ class _Driver:
         self.broken = False
 
     def run(self) -> None:
-        """Until nothing is left."""
+        """Hand out points and take results until nothing is left to compute."""
         try:
             with self.stack:
                 while not self.exhausted or self.flying or self.suspects:

@@ -22,7 +22,7 @@ def moments(inputs: Inputs, digits: int) -> Found:
 
 
 def squaring_ratios(inputs: Inputs, digits: int) -> Found:
-    """Rows (alpha, 2^(-(alpha+1)/2)/M_(alpha+1))."""
+    """Rows (alpha, 2^(-(alpha+1)/2)/M_(alpha+1)): the damping of the squaring trick over the averaged one."""
     return Found([(str(a), _ratio(a, digits)) for a in inputs.alphas_or(GRID)], True)
 
 

@@ -67,11 +67,11 @@ class Table(Rows, Drawn):
         }
 
     def to_json(self) -> str:
-        """The same as text."""
+        """The table as the text of a JSON file."""
         return json.dumps(self.to_dict(), indent=1, ensure_ascii=False) + "\n"
 
     def to_text(self) -> str:
-        """For people."""
+        """The table as aligned text for people, with its source and its label."""
         widths = [max(map(len, column)) for column in zip(self.columns, *self.rows)]
         lines = ["  ".join(c.rjust(w) for c, w in zip(row, widths)).rstrip() for row in (self.columns, *self.rows)]
         return "\n".join([self.title, "", *lines, "", self.source, f"certified: {str(self.certified).lower()}"])

@@ -14,7 +14,7 @@ import re
 
 from docutils import nodes
 
-from asymptotics.present.mathml import to_mathml, whole
+from paper_checks.mathml import to_mathml, whole
 
 
 def _inline(self, node):

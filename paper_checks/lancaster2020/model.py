@@ -27,10 +27,10 @@ from asymptotics.flow.dense import states
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
-from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import not_of_order, vanishes
 from paper_checks.units import SYSTEMS, agreed
+from paper_checks.verdict import Evidence, Outcome
 
 b, k, m, x0, omega0, t, alpha = sympy.symbols("b k m x_0 omega_0 t alpha", positive=True)
 b2, alpha2 = sympy.symbols("b' alpha'", positive=True)  # the second damping term

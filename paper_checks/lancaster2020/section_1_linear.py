@@ -7,11 +7,11 @@ from math import cos
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lancaster2020.model import SI, alpha, b, dimension, k, linear_motion, m, numeric, omega0, t, v, x, x0
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 f, v0 = sympy.symbols("f v_0", positive=True)
 gamma, omega = sympy.symbols("gamma omega", positive=True)

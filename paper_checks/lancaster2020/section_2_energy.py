@@ -7,7 +7,6 @@ from math import cos, sin
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lancaster2020.model import (
     SI,
@@ -29,6 +28,7 @@ from paper_checks.lancaster2020.model import (
     zero,
 )
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 A = sympy.Function("A", positive=True)(t)
 rate = sympy.diff(A, t)

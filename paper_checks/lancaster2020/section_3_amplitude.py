@@ -8,7 +8,6 @@ from flint import acb, arb
 
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.context import ctx
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import sampled
 from paper_checks.identities import all_confirmed, balls_agree, decided, limit_is, same, vanishes
 from paper_checks.lancaster2020.model import (
@@ -30,6 +29,7 @@ from paper_checks.lancaster2020.model import (
     zero,
 )
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 A, s, q = sympy.symbols("A s q", positive=True)  # s = |sin omega_0 t|; q = |alpha - 1|
 RATE = b * omega0 ** (1 + alpha) / k

@@ -2,10 +2,10 @@
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, same
 from paper_checks.lancaster2020.model import SI, amplitude, b, k, m, mean, omega0, t, x0, zero
 from paper_checks.registry import statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 gamma = sympy.gamma
 THREE_HALVES, QUARTERS = sympy.Rational(3, 2), sympy.Rational(3, 4)

@@ -12,11 +12,11 @@ from asymptotics.law import Law
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.context import ctx
 from asymptotics.turning.choose import turning_points
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import sampled
 from paper_checks.identities import all_confirmed, below, decided, limit_is, same, vanishes
 from paper_checks.lancaster2020.model import EPSILON, alpha, amplitude, b, k, kappa, mean, omega0, strength, t, x0, zero
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 K, T, E, q, p, z = sympy.symbols("K T E q p z", positive=True)
 w, X = sympy.symbols("w X", positive=True)

@@ -11,7 +11,6 @@ from asymptotics.law import Law
 from asymptotics.numbers.bridge import closed_form_ball, from_sympy
 from asymptotics.numbers.context import ctx
 from asymptotics.turning.choose import turning_points
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import all_confirmed, below, decided, rounds_to, same
 from paper_checks.lancaster2020.model import (
@@ -27,6 +26,7 @@ from paper_checks.lancaster2020.model import (
     x,
 )
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 THREE_HALVES, HALF = sympy.Rational(3, 2), sympy.Rational(1, 2)
 g, mu = sympy.symbols("g mu", positive=True)

@@ -8,7 +8,6 @@ from math import cos, sin
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, opposite, vanishes
 from paper_checks.lancaster2020.model import (
     SI,
@@ -32,6 +31,7 @@ from paper_checks.lancaster2020.model import (
 )
 from paper_checks.lancaster2020.model import alpha2 as beta
 from paper_checks.registry import statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 c, d, s = sympy.symbols("c c' s", positive=True)
 TWO = (("1", "1"), ("2", "1"))  # exponents and strengths of Fig. 3

@@ -10,7 +10,6 @@ import sympy
 from flint import arb
 
 from asymptotics.numbers.context import ctx
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import all_confirmed, decided, rounds_to, same, vanishes
 from paper_checks.lancaster2020.model import A, alpha, b, b2, dimension, exact_states, k, m, omega0, t, v, x0, zero
@@ -27,6 +26,7 @@ from paper_checks.lancaster2020.section_6_two_laws import (
     solves_20,
 )
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 X, rho = sympy.symbols("X rho", positive=True)  # rho = omega_0 x_0 b'/b
 LENGTH, ONE = sympy.Symbol("L", positive=True), sympy.Integer(1)

@@ -22,10 +22,10 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimal_context import workdps
 from asymptotics.turning.quadratic_duration import duration, elapsed
 from asymptotics.turning.quadratic_map import amplitudes
-from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import not_of_order
 from paper_checks.units import SYSTEMS, agreed
+from paper_checks.verdict import Evidence, Outcome
 
 PAPER = "lelas2024"
 m, k, g, mu, C, b, x0, A0, B0, t = sympy.symbols("m k g mu C b x_0 A_0 B_0 t", positive=True)

@@ -2,10 +2,10 @@
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import b, m, t, x0
 from paper_checks.registry import statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 v0, damped = sympy.symbols("v_0 omega_d", positive=True)
 GAMMA = b / (2 * m)

@@ -2,7 +2,6 @@
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import (
     C,
@@ -25,6 +24,7 @@ from paper_checks.lelas2024.model import (
     x0,
 )
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 sin, cos, sign = sympy.sin(w0 * t), sympy.cos(w0 * t), sympy.sign
 force = sympy.Symbol("F_d", real=True)

@@ -5,11 +5,11 @@ The velocities of the two pairs are -omega_0 x_0 f sin and omega_0 x_0 f cos.  E
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import A0, B0, b, f, k, m, slope, t, theta, w0, x0
 from paper_checks.lelas2024.section_2 import ENERGY, V1, V2, X1, X2, along, v, x
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 sin, cos = sympy.sin(w0 * t), sympy.cos(w0 * t)
 ENERGY_OF_F = m * w0**2 * x0**2 * f**2 / 2

@@ -8,12 +8,12 @@ from collections.abc import Callable
 import sympy
 from mpmath import mpf, pi
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import c, f, g, has_order, k, m, mu, s, slope, t, v, w0, x0
 from paper_checks.lelas2024.section_2 import V1, V2, X1, X2
 from paper_checks.lelas2024.section_2_trick import RATE_OF_ENERGY
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 root2 = sympy.sqrt(2)
 STRENGTH = mu * g / (w0 * x0)  # the paper's recurring factor, an inverse time

@@ -11,12 +11,12 @@ from mpmath import mpf, pi
 
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.turning.quadratic_map import amplitudes
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import C, as_mpf, c, f, has_order, m, s, slope, t, v, w0, x0
 from paper_checks.lelas2024.section_2_trick import RATE_OF_ENERGY
 from paper_checks.lelas2024.section_3 import SPEEDS, power_holds
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 STRENGTH = C * w0 * x0 / m  # an inverse time
 SLOW = 2 * sympy.sqrt(2)  # 2^(3/2)

@@ -16,7 +16,6 @@ from mpmath import mpf, pi
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimal_context import workdps
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import all_confirmed, below, decided, rounds_to, same, vanishes
 from paper_checks.lelas2024.model import (
@@ -42,6 +41,7 @@ from paper_checks.lelas2024.model import (
 from paper_checks.lelas2024.section_2 import X1
 from paper_checks.lelas2024.section_3 import FRICTION_LINE, GARBLED, STRENGTH, TAU
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 PANELS = (Fraction(1, 100), Fraction(3, 100))
 OURS = x0 * FRICTION_LINE * sympy.cos(w0 * t)

@@ -14,13 +14,13 @@ from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.context import ctx
 from asymptotics.turning.quadratic_duration import duration
 from asymptotics.turning.quadratic_map import amplitudes
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, below, decided, opposite, rounds_to, same, vanishes
 from paper_checks.lelas2024.model import FRICTION, C, air_error, f, has_order, m, t, v, w0, x, x0
 from paper_checks.lelas2024.section_2 import X1
 from paper_checks.lelas2024.section_4 import HYPERBOLA, STRENGTH
 from paper_checks.lelas2024.section_5 import PANELS, strength
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 PHASES = (Fraction(0), Fraction(1, 3), Fraction(1, 2))
 AVERAGE = sympy.Rational(4, 3) / sympy.pi  # <|sin|^3>

@@ -2,11 +2,11 @@
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same
 from paper_checks.lelas2024.model import A0, b, f, g, k, m, s, v, w0, x0
 from paper_checks.lelas2024.section_2 import opposes, speed
 from paper_checks.registry import Shortfall, statement
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 n = sympy.Symbol("n", integer=True, nonnegative=True)
 sine = sympy.Symbol("sine", real=True)

@@ -15,11 +15,10 @@ from asymptotics.papers.search import Searched, plain, words_for_pages
 from asymptotics.papers.statement import PaperStatement
 from asymptotics.present.figures import render
 from asymptotics.present.files import write_all
-from asymptotics.present.mathml import to_mathml, whole
 from asymptotics.tables.cells import Formula
 from asymptotics.tables.registry import build
-from asymptotics.verdict import Printed
 from paper_checks.data import record, source
+from paper_checks.mathml import to_mathml, whole
 from paper_checks.registry import PAPERS, Entry, Shortfall
 from paper_checks.report import pages
 from paper_checks.report.difference import marked
@@ -28,6 +27,7 @@ from paper_checks.report.font import font_face
 from paper_checks.report.play import play_page
 from paper_checks.report.tex import tex
 from paper_checks.report.words import OUTCOMES, evidence, inline
+from paper_checks.verdict import Printed
 
 Progress = Callable[[str], None]
 

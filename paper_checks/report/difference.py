@@ -9,7 +9,7 @@ r"""What a correction changes: the tokens of the corrected formula that the prin
 import re
 from difflib import SequenceMatcher
 
-from asymptotics.present.mathml import to_mathml
+from paper_checks.mathml import to_mathml
 
 COLOUR = "#b45309"
 TOKEN = re.compile(r"\\[A-Za-z]+\s*|\\.|\s+|.", re.DOTALL)

@@ -3,8 +3,8 @@
 from collections import Counter
 from collections.abc import Iterable
 
-from asymptotics.verdict import Printed
 from paper_checks.registry import PAPERS, Entry
+from paper_checks.verdict import Printed
 
 VERDICTS = tuple(Printed)
 

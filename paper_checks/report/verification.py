@@ -35,7 +35,7 @@ from asymptotics.expansions.half_swings.pi_ring import PiNumber
 from asymptotics.expansions.half_swings.quarter import HalfSwing, half_swing
 from asymptotics.expansions.normal_form.expansion import Expansion
 from asymptotics.series import Series
-from asymptotics.verdict import Outcome
+from paper_checks.verdict import Outcome
 
 
 @dataclass(frozen=True)

@@ -17,10 +17,10 @@ from flint import arb
 
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.context import ctx
-from asymptotics.verdict import Evidence, Outcome
 from paper_checks.evidence import Difference, differ, mark
 from paper_checks.forms import tex
 from paper_checks.identities import decided
+from paper_checks.verdict import Evidence, Outcome
 
 PAPER = "smith2012"
 x, v, t, gamma, omega = sympy.symbols("x v t gamma omega", positive=True)

@@ -5,11 +5,11 @@ v(x) or f(x, v) are arbitrary functions wherever the paper leaves them so; M is 
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import sampled
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.registry import Shortfall, statement
 from paper_checks.smith2012.model import omega, same_polynomial, t, v, x
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 M = sympy.Symbol("M", positive=True)
 diff, atan = sympy.diff, sympy.atan

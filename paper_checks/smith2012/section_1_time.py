@@ -5,12 +5,12 @@ An integration by parts is checked by differentiating: boundary' + integrand is 
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import sampled
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.registry import Shortfall, statement
 from paper_checks.smith2012.model import omega, same_polynomial, t, v, x
 from paper_checks.smith2012.section_1 import CLOCK, M, along_harmonic, atan, diff
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 That, force = (sympy.Function(name)(x, v) for name in ("T", "f"))
 speed = sympy.Function("v")(x)  # v as a function of x

@@ -5,11 +5,11 @@ The viscous law is x'' = -omega_0^2 x - 2 gamma v; gamma is a rate here, and ome
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, limit_is, same, vanishes
 from paper_checks.registry import Shortfall, statement
 from paper_checks.smith2012.model import gamma, omega, same_polynomial, t, v, x
 from paper_checks.smith2012.section_1 import CLOCK, ENERGY, SOLVED, M, S_value, T_value, along_harmonic, atan, diff
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 omega0 = sympy.Symbol("omega_0", positive=True)
 speed = sympy.Function("v")(x)

@@ -5,7 +5,6 @@ A pair of forms is always (falling, rising), the order of the paper's double sig
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.registry import statement
 from paper_checks.smith2012.model import (
@@ -25,6 +24,7 @@ from paper_checks.smith2012.model import (
     w,
     x,
 )
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 exp = sympy.exp
 TAU = sympy.Symbol("tau", positive=True)

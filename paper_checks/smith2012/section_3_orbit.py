@@ -7,7 +7,6 @@ import sympy
 from flint import arb
 
 from asymptotics.numbers.context import ctx
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, balls_agree, below, decided, same, vanishes
 from paper_checks.registry import Shortfall, statement
 from paper_checks.smith2012.model import (
@@ -30,6 +29,7 @@ from paper_checks.smith2012.model import (
     w,
     x,
 )
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 exp, sqrt, log = sympy.exp, sympy.sqrt, sympy.log
 START = S_falling(u0, 0)  # the value of the constant on the orbit from (u_0, 0)

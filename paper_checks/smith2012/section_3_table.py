@@ -12,7 +12,6 @@ import sympy
 from flint import arb
 
 from asymptotics.numbers.context import ctx
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import mark
 from paper_checks.identities import all_confirmed, balls_agree, below, decided, rounds_to, same, vanishes
 from paper_checks.registry import Check, Statement, add, statement
@@ -30,6 +29,7 @@ from paper_checks.smith2012.model import (
     w,
 )
 from paper_checks.smith2012.section_3_orbit import FACTOR_NOTE, START
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 BITS = 300
 exp = sympy.exp

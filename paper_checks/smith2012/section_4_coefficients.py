@@ -3,11 +3,11 @@
 import sympy
 
 from asymptotics.numbers.bridge import to_sympy
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same
 from paper_checks.registry import statement
 from paper_checks.smith2012.model import coefficient, i, k, m, n, w
 from paper_checks.smith2012.section_4_series import df, f, general_order
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 ROWS = 24
 double = sympy.factorial2

@@ -16,7 +16,6 @@ from mpmath import cos, exp, expm1, lambertw, log, mpf, pi, quad, sin, sqrt
 
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimal_context import workdps
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import mark, sampled
 from paper_checks.identities import all_confirmed, below, decided, not_of_order, same, vanishes
 from paper_checks.registry import Shortfall, statement
@@ -24,6 +23,7 @@ from paper_checks.smith2012.model import FALLING_FORCE, Z_OF_STATE, gamma, invar
 from paper_checks.smith2012.section_3_table import integration_constants
 from paper_checks.smith2012.section_4_quadrature import RADICAND, E
 from paper_checks.units import SYSTEMS, agreed
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 AMPLITUDES = ("0.02", "0.01", "0.005")
 DIGITS = 30

@@ -6,7 +6,6 @@ with a = gamma v^2 - omega^2 x.
 
 import sympy
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, same, vanishes
 from paper_checks.registry import statement
 from paper_checks.smith2012.model import (
@@ -22,6 +21,7 @@ from paper_checks.smith2012.model import (
     w,
     x,
 )
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 exp, sqrt = sympy.exp, sympy.sqrt
 E, dx, dv = sympy.symbols("E dx dv", positive=True)

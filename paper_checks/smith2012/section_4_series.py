@@ -12,7 +12,6 @@ from fractions import Fraction
 import sympy
 
 from asymptotics.numbers.bridge import to_sympy
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.evidence import sampled
 from paper_checks.identities import all_confirmed, decided, same
 from paper_checks.registry import statement
@@ -31,6 +30,7 @@ from paper_checks.smith2012.model import (
     z,
 )
 from paper_checks.smith2012.section_3_law import dimensionless_velocity
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 f, df = sympy.Function("f"), sympy.Function("df")  # f(n) is f_n(w), df(n) its derivative
 C = sympy.Function("C")  # C(n, i) is C_i^n

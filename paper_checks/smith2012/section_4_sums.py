@@ -15,11 +15,11 @@ import sympy
 from flint import fmpq, fmpq_poly
 
 from asymptotics.numbers.bridge import to_fmpq, to_sympy
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.registry import statement
 from paper_checks.smith2012.model import coefficient, gamma, k, m, n, omega, same_polynomial, v, w, x, z
 from paper_checks.smith2012.section_4_coefficients import ROWS, double, sign_power
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 SUMS = 12  # how many closed forms G_i are built explicitly
 

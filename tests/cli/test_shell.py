@@ -20,7 +20,7 @@ PROGRAMS = {
 }
 WRITERS = {
     **PROGRAMS,
-    "tables": ["-m", "asymptotics.tables", "build/tables"],
+    "tables": ["-m", "asymptotics.cli.standard_tables", "build/tables"],
     "benchmarks": ["-m", "benchmarks", "smith-rows"],
 }
 ANSWERING = {**PROGRAMS, "benchmarks": ["-m", "benchmarks", "smith-rows", "--size", "8"]}

@@ -113,7 +113,7 @@ INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.motions.certify",
     "asymptotics.expansions.normal_form", "asymptotics.numbers", "asymptotics.flow.linear_spring", "asymptotics.tables",
     "asymptotics.equivalent",
-    "asymptotics.verdict", "asymptotics.cli", "asymptotics.expansions.equations",
+    "asymptotics.cli", "asymptotics.expansions.equations",
     "asymptotics.turning.quadratic_map",
     "asymptotics.turning.drag_exact", "asymptotics.turning.routes", "asymptotics.turning.result",
     "asymptotics.turning.half_swing",

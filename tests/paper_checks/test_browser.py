@@ -10,7 +10,7 @@ from selenium.webdriver.support.ui import Select, WebDriverWait
 from asymptotics.papers.lookup import statements
 from asymptotics.papers.search import Searched
 from asymptotics.papers.search import ranked as by_command
-from asymptotics.present.mathml import to_mathml
+from paper_checks.mathml import to_mathml
 from paper_checks.report import font
 from paper_checks.report.font import font_face
 

@@ -5,12 +5,12 @@ from dataclasses import replace
 
 import pytest
 
-from asymptotics.present.mathml import to_mathml
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
+from paper_checks.mathml import to_mathml
 from paper_checks.near_misses import LEFT, WORDS
 from paper_checks.registry import forms, load
 from paper_checks.report.pages import near_miss
 from paper_checks.runner import examine
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 ENTRIES = load()
 OPEN = [key for key, entry in ENTRIES.items() if entry.verdict == Printed.OPEN]

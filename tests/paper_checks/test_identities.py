@@ -6,12 +6,12 @@ import pytest
 import sympy
 from flint import arb
 
-from asymptotics.verdict import Outcome
 from paper_checks.evidence import recorded
 from paper_checks.identities import all_confirmed, below, decided, rounds_to, same, vanishes
 from paper_checks.registry import load
 from paper_checks.report.pages import apart
 from paper_checks.runner import examine
+from paper_checks.verdict import Outcome
 
 x = sympy.Symbol("x", positive=True)
 

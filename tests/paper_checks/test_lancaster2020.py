@@ -7,10 +7,10 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.special import beta, hyp2f1
 
-from asymptotics.verdict import Printed
 from paper_checks.lancaster2020 import model
 from paper_checks.lancaster2020.figures import Run
 from paper_checks.registry import load
+from paper_checks.verdict import Printed
 
 ENTRIES = load("lancaster2020")
 SOUND = (Printed.HOLDS, Printed.DEFINITION)

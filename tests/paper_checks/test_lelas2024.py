@@ -4,9 +4,9 @@ from fractions import Fraction
 
 from mpmath import mp, mpf, odefun, pi
 
-from asymptotics.verdict import Printed
 from paper_checks.lelas2024 import model
 from paper_checks.registry import load
+from paper_checks.verdict import Printed
 
 ENTRIES = load("lelas2024")
 SOUND = (Printed.HOLDS, Printed.DEFINITION)

@@ -5,10 +5,10 @@ from importlib import import_module
 
 import pytest
 
-from asymptotics.verdict import Evidence, Outcome
 from derivations.__main__ import names
 from paper_checks.evidence import Marks
 from paper_checks.registry import Entry, expected_outcomes, load, proved_by_line
+from paper_checks.verdict import Evidence, Outcome
 
 ENTRIES = load()
 LINKED = [key for key, entry in ENTRIES.items() if entry.line is not None]

@@ -8,8 +8,8 @@ import sys
 
 import pytest
 
-from asymptotics.verdict import Printed
 from paper_checks.registry import PAPERS, load
+from paper_checks.verdict import Printed
 
 STATEMENTS = load()
 CHECKED = [key for key, entry in STATEMENTS.items() if entry.check and entry.verdict != Printed.OPEN]

@@ -6,10 +6,10 @@ import pytest
 import sympy
 from flint import arb, ctx
 
-from asymptotics.verdict import Outcome
 from paper_checks.identities import rounds_to
 from paper_checks.smith2012.model import coefficient, invariant, orbit, polynomial_row
 from paper_checks.smith2012.section_4_sums import closed_sum, is_closed_sum
+from paper_checks.verdict import Outcome
 
 
 def test_rows_obey_the_differential_equation_in_sympy():

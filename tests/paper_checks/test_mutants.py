@@ -5,11 +5,11 @@ import random
 import pytest
 import sympy
 
-from asymptotics.verdict import Outcome, Printed
 from paper_checks.equivalents import EQUIVALENT, reason
 from paper_checks.forms import defect
 from paper_checks.mutants import confirmed_form, mutants, survivors
 from paper_checks.registry import load
+from paper_checks.verdict import Outcome, Printed
 
 STATEMENTS = load()
 CHECKED = [key for key, entry in STATEMENTS.items() if entry.verdict != Printed.OPEN]

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 import sympy
 
-from asymptotics.verdict import Printed
 from paper_checks.grammar import UnreadableError, read
 from paper_checks.reader import SORTS, Tie, digest, how_read, ledger, numbered, tie, tied
 from paper_checks.registry import load
+from paper_checks.verdict import Printed
 
 ENTRIES = load()
 NUMBERED = [entry for entry in ENTRIES.values() if numbered(entry)]

@@ -4,9 +4,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from asymptotics.verdict import Evidence, Kind, Outcome, Printed
 from paper_checks.registry import Statement, add, expected_outcomes, load
 from paper_checks.runner import examine, examine_all
+from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 
 def check(form):

@@ -6,9 +6,9 @@ import textwrap
 
 import pytest
 
-from asymptotics.verdict import Evidence
 from paper_checks.evidence import Marks, mark, recorded, sampled
 from paper_checks.registry import load
+from paper_checks.verdict import Evidence
 
 PROVED = {
     inspect.unwrap(entry.check): key

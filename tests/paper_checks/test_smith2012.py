@@ -1,7 +1,7 @@
 """Every statement of the paper: present, borne out by its check, and refutable."""
 
-from asymptotics.verdict import Printed
 from paper_checks.registry import load
+from paper_checks.verdict import Printed
 
 ENTRIES = load("smith2012")
 

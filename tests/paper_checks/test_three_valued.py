@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 import sympy
 
-from asymptotics.verdict import Outcome
 from paper_checks.forms import guarded
 from paper_checks.identities import decided, limit_is, opposite, vanishes
 from paper_checks.registry import load
+from paper_checks.verdict import Outcome
 from tests.sources import tree
 
 FOLDER = Path(__file__).parents[2] / "paper_checks"

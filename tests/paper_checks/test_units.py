@@ -3,12 +3,12 @@
 import pytest
 import sympy
 
-from asymptotics.verdict import Outcome
 from paper_checks.lancaster2020.model import numeric
 from paper_checks.lelas2024.model import PAPER, C, b, dimensionless, mu
 from paper_checks.mutants import mutants
 from paper_checks.registry import load
 from paper_checks.units import SYSTEMS, UnitsError
+from paper_checks.verdict import Outcome
 
 ENTRIES = load()
 t, w0, x0, m, k, g = sympy.symbols("t omega_0 x_0 m k g", positive=True)

@@ -3,7 +3,6 @@ import pytest
 from asymptotics.errors import InputError
 from asymptotics.present.figures import render
 from asymptotics.present.files import require_writable, write_atomically
-from asymptotics.present.mathml import to_mathml
 
 
 def test_a_failed_write_leaves_the_old_file(tmp_path):
@@ -31,8 +30,3 @@ def test_pictures_are_the_same_bytes_each_time(kind):
 
     assert render(draw, kind=kind) == render(draw, kind=kind)
     assert render(draw, kind=kind) != render(lambda axes: axes.plot([0, 1]), kind=kind)
-
-
-def test_mathml_is_an_element():
-    assert to_mathml(r"\frac{1}{2}", display=True).startswith("<math")
-    assert 'display="block"' in to_mathml("x", display=True)

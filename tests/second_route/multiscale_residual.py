@@ -22,7 +22,7 @@ from flint import fmpq, fmpq_poly
 from asymptotics.expansions.half_swings.forces import Member
 from asymptotics.expansions.multiple_scales.exact import OddHierarchy, Part, in_eta, rotated, sign
 from asymptotics.series import Key, Series
-from asymptotics.verdict import Outcome
+from paper_checks.verdict import Outcome
 
 
 def residual(hierarchy: OddHierarchy) -> dict[Key, dict[int, fmpq]]:

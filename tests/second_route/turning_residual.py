@@ -23,7 +23,7 @@ from asymptotics.expansions.half_swings.pi_ring import PiNumber
 from asymptotics.expansions.multiple_scales.ring import ONE, ZERO, Wave
 from asymptotics.expansions.multiple_scales.turning import Part, TurningHierarchy
 from asymptotics.series import Key
-from asymptotics.verdict import Outcome
+from paper_checks.verdict import Outcome
 
 
 def turning_residual(h: TurningHierarchy) -> Part:

@@ -6,7 +6,7 @@ from flint import fmpq
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.multiple_scales.exact import odd_hierarchy
 from asymptotics.expansions.normal_form.expansion import exact_expansion
-from asymptotics.verdict import Outcome
+from paper_checks.verdict import Outcome
 from tests.second_route.multiscale_residual import (
     equation_residual,
     residual,

@@ -16,7 +16,7 @@ from asymptotics.expansions.multiple_scales.symbolic import multiple_scales
 from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.gauges import GAUGES
 from asymptotics.terms import Term
-from asymptotics.verdict import Outcome
+from paper_checks.verdict import Outcome
 from tests.second_route.multiscale_observables import flow_in, half_swing_of
 from tests.second_route.multiscale_residual import equation_residual, residual_order, with_amplitude_coefficient
 

@@ -18,7 +18,7 @@ from asymptotics.expansions.multiple_scales.orders import a, epsilon
 from asymptotics.expansions.multiple_scales.turning import turning_hierarchy
 from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.terms import Term
-from asymptotics.verdict import Outcome
+from paper_checks.verdict import Outcome
 from tests.second_route.multiscale_observables import flow_in
 from tests.second_route.turning_residual import turning_outcome, turning_residual, with_rate
 

@@ -11,7 +11,6 @@ from asymptotics.expansions.normal_form.show import sum_latex, sum_text
 from asymptotics.gauges import GAUGES
 from asymptotics.numbers.value import Coefficient
 from asymptotics.terms import Term
-from asymptotics.verdict import Outcome
 from paper_checks.report.growth import growth_ratios
 from paper_checks.report.verification import (
     equation_residual,
@@ -21,6 +20,7 @@ from paper_checks.report.verification import (
     residual_order,
     verify,
 )
+from paper_checks.verdict import Outcome
 from tests.second_route.gauge_observables import observables
 
 

@@ -1,9 +1,10 @@
-"""``python -m asymptotics.tables FOLDER``: every table at 30 digits as CSV, JSON and LaTeX, and an index."""
+"""Every table at 30 digits as CSV, JSON, LaTeX, and an index: ``python -m asymptotics.cli.standard_tables FOLDER``."""
 
 import sys
 from importlib import import_module
 from pathlib import Path
 
+from asymptotics.cli.main import Parser
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import InputError
 
@@ -14,7 +15,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(argv: list[str] | None) -> int:
-    parser = import_module("asymptotics.cli.main").Parser(prog="python -m asymptotics.tables", description=__doc__)
+    parser = Parser(prog="python -m asymptotics.cli.standard_tables", description=__doc__)
     parser.add_argument("folder", help="made if it does not exist")
     folder = parser.parse_args(argv).folder
     try:

@@ -1,7 +1,7 @@
 import pytest
 from flint import arb
 
-from asymptotics.verdict import Outcome, balls_agree
+from paper_checks.verdict import Outcome, balls_agree
 
 
 def test_an_outcome_is_not_a_boolean():
