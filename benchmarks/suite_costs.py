@@ -6,8 +6,9 @@ inside the recorder of coverage never lets go of its lock; the tests of alarms a
 down, a test moves to ``make test-thorough`` if
 
 * each line of the project that it runs is run by at least ``WITNESSES`` tests that stay,
-* no list of weakened bounds names it, and another case of the same function stays, or it costs more than a second,
+* no list of weakened bounds names it, and another case of the same function stays, or it costs more than ``LONE``,
 * it runs in this process: what another process runs is not seen, hence not judged,
+* it is none of ``CONTENT``: statements and derivations are what is tested, whatever lines they share,
 
 until the tests that stay cost no more than ``--seconds``.  Their names are added to ``tests/thorough.txt`` (``--anew``:
 what stands there is measured and chosen again), and ``tests/conftest.py`` marks them as slow.  That the tests that stay
@@ -31,8 +32,10 @@ import pytest
 ROOT = Path(__file__).parents[1]
 THOROUGH = ROOT / "tests" / "thorough.txt"
 BUILD = ROOT / "build" / "suite"
-WITNESSES = 2
-DEAR = 0.25
+WITNESSES = 1
+DEAR, LONE = 0.1, 0.5
+"""Seconds of the processor, under coverage: below the first nothing moves, below the second no function whole."""
+CONTENT = ("tests/derivations/", "tests/paper_checks/test_every_statement")
 ALARMED = {"tests/test_public_time.py", "tests/test_budget.py", "tests/test_time_limits.py"}
 SOURCES = "asymptotics,derivations,paper_checks"
 
@@ -166,9 +169,9 @@ def chosen(costs: list[Cost], seconds: float, named: set[str]) -> set[str]:
     for cost in sorted(costs, key=lambda c: -c.seconds):
         if left <= seconds or cost.seconds < DEAR:
             break
-        alone = cases[cost.function] == 1 and cost.seconds < 1
+        alone = cases[cost.function] == 1 and cost.seconds < LONE
         seen = cost.children < 0.2 * cost.seconds and bool(cost.lines)
-        if cost.function in named or alone or not seen:
+        if cost.function in named or alone or not seen or cost.name.startswith(CONTENT):
             continue
         if all(taken[line] > WITNESSES for line in cost.lines):
             moved.add(cost.name)
