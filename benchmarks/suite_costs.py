@@ -159,9 +159,11 @@ def chosen(costs: list[Cost], seconds: float, named: set[str]) -> set[str]:
     """The names of the tests that move.
 
     >>> both, one = frozenset({("f", 1), ("f", 2)}), frozenset({("f", 1)})
-    >>> tests = [Cost("a[1]", 9, 0, both), Cost("a[2]", 1, 0, both), Cost("b", 0.1, 0, both), Cost("c", 5, 0, one)]
+    >>> tests = [Cost("a[1]", 9, 0, both), Cost("a[2]", 1, 0, both), Cost("b", 0.05, 0, both), Cost("c", 5, 0, one)]
     >>> sorted(chosen(tests, 1, {"c"}))
-    ['a[1]']
+    ['a[1]', 'a[2]']
+    >>> sorted(chosen([*tests, Cost("d", 3, 0, frozenset({("g", 1)}))], 1, {"c"}))             # alone on its line
+    ['a[1]', 'a[2]']
     """
     taken = Counter(line for cost in costs for line in cost.lines)
     cases = Counter(cost.function for cost in costs)
