@@ -156,7 +156,7 @@ class NodeGrid:
         """For all columns."""
         ends, places = [t - 1 for t in nodes(count)], []
         still = [i for i, a in enumerate(bundle.alphas) if a == 1]
-        moving = [(i, a) for i, a in enumerate(bundle.alphas) if a != 1]
+        moving = [(i, a) for i, a in enumerate(bundle.alphas) if i not in still]  # also where a ball cannot tell
         for h, strengths in zip(bundle.half, bundle.strengths):
             tick("the nodes of a quarter-swing")
             linear, column = sum((strengths[i] for i in still), arb(0)), []

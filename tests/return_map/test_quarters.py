@@ -267,6 +267,20 @@ def test_half_swings_contain_the_pieces(pairs):
         assert max(ratio.rad(), duration.rad()) < arb(2) ** (8 - bits)
 
 
+def test_an_exponent_that_no_ball_tells_from_1_counts(bits=40):
+    """1 + 10^-40 in 64 bits: as exactly 1, and not as no loss at all."""
+    with ctx.workprec(bits + 24):
+        near, linear = (Damping.of([(arb(1), parse_real(a, "a"))]) for a in ("1." + 39 * "0" + "1", "1"))
+        assert near.exponents[0].contains(1)
+        (one, back), (other, _) = (quarter_swings([(law, 1), (law, -1)], bits) for law in (near, linear))
+        angle = 2 * arb.pi() / 3  # tan(omega t) = -omega/(1/2)
+        time = angle / (arb(3).sqrt() / 2)
+    for quarter in (one, other):
+        assert abs(quarter.duration - time) < 1e-11
+        assert abs(quarter.growth + time / 2) < 1e-11
+    assert abs(back.growth - time / 4) < 1e-11
+
+
 def test_the_residual_of_a_half_swing_is_what_it_is_off_by(monkeypatch):
     """The derivative of the equation is near 1: a guess off by e is paid for, and half of that is refuted."""
     e, law, place = arb(2) ** -20, coordinate(("2", "1/100")), arb("0.5")
