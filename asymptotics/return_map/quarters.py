@@ -45,16 +45,18 @@ import numpy as np
 from flint import arb, arb_mat, arb_poly, fmpq
 
 from asymptotics.budget import tick
-from asymptotics.errors import UndecidedError
+from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring.expansion import TurningExpansion
+from asymptotics.flow.linear_spring.expansion import TurningExpansion, plan_at
+from asymptotics.flow.linear_spring.kept_terms import MAX_KEYS
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.return_map.chebyshev import cut, nodes
 from asymptotics.return_map.quarters_in_doubles import Array, Sketch, corrected
 from asymptotics.return_map.spectral import analysis, integrals, of_the_integral
 
-HAND_OVER = 0.125  # the speed, in units of the amplitude, up to which the local expansion serves
+HAND_OVERS = (2.0**-3, 2.0**-5, 2.0**-7, 2.0**-9)
+"""Speeds, in units of the amplitude, up to which the local expansion serves: the first that takes few terms."""
 _WORK, _LOW = 24, 53
 _FEWEST = 30  # bits: fewer would not keep G near
 _GAIN = 50  # bits that a correction in doubles brings
@@ -109,7 +111,7 @@ class Bundle:
         """From the local expansions; ValueError for laws with different exponents."""
         if any(law.alphas != laws[0][0].alphas for law, _ in laws):
             raise ValueError("quarter-swings of laws with different exponents")
-        w, columns = arb(HAND_OVER), []
+        w, columns = _hand_over(laws), []
         for law, side in laws:
             tick("the start of a quarter-swing")
             y, tau = TurningExpansion.at(law, side - law.friction, w).state(w)
@@ -131,6 +133,17 @@ class Bundle:
         """The same in doubles."""
         columns = zip(*self.strengths)
         return Sketch(doubles([self.alphas])[0], doubles(columns), *doubles([self.half, self.start]))
+
+
+def _hand_over(laws: Sequence[tuple[Damping, int]]) -> arb:
+    """The largest speed at which no expansion takes more terms than one does without a given speed: a choice."""
+    for w in map(arb, HAND_OVERS):
+        try:
+            if all(plan_at(law, side - law.friction, w).count <= MAX_KEYS for law, side in laws):
+                return w
+        except LimitError:
+            continue
+    return arb(HAND_OVERS[0])
 
 
 def doubles(rows: Iterable[Iterable[arb]]) -> Array:
