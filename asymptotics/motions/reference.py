@@ -222,6 +222,6 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     terms, bits = len(oscillator.law.terms), bits_for(digits, 56) + faded_bits(law, tau)
     panels = panels_of(law, bits)
     pieces = panels.pieces(int(min(swings, 1e9)))
-    long = lingering(law)
+    long = lingering(law) if tau > creeping(law) else 0.0
     slow = lingering_seconds(law, int(tau / long) + 1, bits, tau) if long else creeping_seconds(law, tau, bits)
     return half_swing_seconds(pieces + 2, bits, terms, apart) + interpolation_seconds(swings) + slow

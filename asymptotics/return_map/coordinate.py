@@ -6,7 +6,8 @@ majorant of ``expansions.half_swings.finite_majorant`` exists.
 
 * If all alpha_i - 1 = g k_i with natural k_i (one law: k = 1; (1, 2): k = 0, 1): z = A^g, delta_i = epsilon_i z^k_i,
   analytic at z = 0 too, where the motion is linear;
-* otherwise z = ln A, delta_i = epsilon_i e^(k_i z) with k_i = alpha_i - 1.
+* otherwise, and where g is so small that no amplitude brings z = A^g near 0 while a k_i > 1 narrows the disc about 1,
+  z = ln A, delta_i = epsilon_i e^(k_i z) with k_i = alpha_i - 1.
 
 On the ellipse with centre c and half axis a along the real line, c - a <= Re z <= c + a and, if c >= 0, |z| <= c + a.
 So |delta_i| <= epsilon_i (c + a)^k_i, or epsilon_i times the larger of e^(k_i (c - a)) and e^(k_i (c + a)); on the
@@ -34,6 +35,8 @@ from asymptotics.numbers.exact import ExactReal
 
 MAX_POWER = 12
 """Larger k_i shrink the disc more than z = 0 is worth."""
+_LEAST_ROOT = Fraction(1, 1024)
+"""A^g > 1/2 for any amplitude above 10^-300."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,8 +64,8 @@ class Coordinate:
 
     @property
     def is_quartered(self) -> bool:
-        """Whether half-swings are put together from quarters: z falls to 0, all alpha_i >= 1, and not all are 1."""
-        return self.from_zero and any(k > 0 for k in self.powers)
+        """Whether half-swings are put together from quarters: all alpha_i >= 1, and not all are 1."""
+        return all(a >= 1 for a in self.alphas) and any(k > 0 for k in self.powers)
 
     def __call__(self, amplitude: arb) -> arb:
         """z at an amplitude > 0."""
@@ -106,7 +109,7 @@ def _commensurable(alphas: Sequence[ExactReal]) -> tuple[ExactReal | None, list[
         fractions = [w.rational for w in weights]
         step = moving[0].sign * reduce(_common, (abs(f) for f in fractions if f))
         powers = [int(f / step) for f in fractions]
-        if max(powers) <= MAX_POWER:
+        if max(powers) <= MAX_POWER and abs(step) > _LEAST_ROOT:
             return ExactReal(step), powers
     return None, []
 

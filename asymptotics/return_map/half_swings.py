@@ -8,7 +8,7 @@ strengths at the next turning point, L = ln(q/p) is the root of
 For alpha_i >= 1 the left-hand side grows at least at the rate 1, so any number is off by at most its residual there
 (derivation ``quarter-swing-tail``).  R and T_q are analytic in a wider polydisc than the half-swing, and interpolation
 in z (``coordinate``) takes fewer nodes.  Where z -> -z turns the sign of every strength (one law), one interpolant on
-[-z, z] serves both quarters.
+[-z, z] serves both quarters.  With z = ln A the half-swing ends at z + L.
 
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(120):
@@ -27,10 +27,11 @@ from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.return_map.coordinate import Coordinate
-from asymptotics.return_map.panel_plan import MAX_STRETCH, reach_of, verified
+from asymptotics.return_map.panel_plan import verified, widest
 from asymptotics.return_map.quarters import quarter_swings
 
 _GUARD, _ROUNDS = 32, 60
+_ROOM = 1 + arb(2) ** -20  # for what midpoints drop
 _SHARE = 0.93  # of the reach in doubles: a node more costs less than a second majorant
 
 
@@ -53,45 +54,60 @@ class Quarters:
 
 @dataclass(frozen=True)
 class HalfSwings:
-    """z = A^``root``; quarters ``forwards`` at z and ``backwards`` at ``turn`` z (-1 where both are one)."""
+    """z = A^``root`` or, without it, ln A; quarters ``forwards`` at z and ``backwards`` at ``turn`` z (-1 where both
+    are one)."""
 
-    root: arb
+    root: arb | None
     forwards: Quarters
     backwards: Quarters
     turn: int
 
     @classmethod
     def up_to(cls, coordinate: Coordinate, last: arb, bits: int) -> "HalfSwings":
-        """For 0 <= z <= ``last`` (exact), of a coordinate that ``is_quartered``.
+        """For 0 <= z <= ``last`` (exact), of a coordinate that ``is_quartered`` and falls to 0.
 
         UndecidedError, LimitError where quarter-swings do not serve.
         """
         with ctx.workprec(bits + _GUARD):
             odd = all(int(float(k)) % 2 for k in coordinate.powers)
             middle, half = (arb(0), last) if odd else (last / 2, last / 2)
-            reach = _SHARE * reach_of(coordinate, whole=False)
-            width = float(half)
-            stretch = min((reach - float(middle)) / width, MAX_STRETCH) if width > 0 else MAX_STRETCH
-            ellipse = verified(coordinate, middle, half, stretch, whole=False)
-            size, excess = ellipse.majorant.growth, ellipse.majorant.excess
-            count = ellipse.nodes_for(bits)
-            places = [middle + half * t for t in nodes(count + count % 2 if odd else count)]
+            return cls._about(coordinate, middle, half, bits, odd)
+
+    @classmethod
+    def between(cls, coordinate: Coordinate, first: arb, last: arb, growth: arb, bits: int) -> "HalfSwings":
+        """For first <= z = ln A <= last (exact), of a coordinate that ``is_quartered``; they end above z - ``growth``.
+
+        UndecidedError, LimitError where quarter-swings do not serve.
+        """
+        with ctx.workprec(bits + _GUARD):
+            low = (first - growth * 3 / 2).mid()  # where the root is sought first
+            return cls._about(coordinate, ((low + last) / 2).mid(), ((last - low) / 2 * _ROOM).mid(), bits, odd=False)
+
+    @classmethod
+    def _about(cls, coordinate: Coordinate, middle: arb, half: arb, bits: int, odd: bool) -> "HalfSwings":
+        stretch = _SHARE * widest(coordinate, float(middle), float(half), whole=False)
+        ellipse = verified(coordinate, middle, half, stretch, whole=False)
+        size, excess = ellipse.majorant.growth, ellipse.majorant.excess
+        count = ellipse.nodes_for(bits)
+        places = [middle + half * t for t in nodes(count + count % 2 if odd else count)]
+        if odd:
             laws = [(coordinate.damping(abs(z)), 1 if z > 0 else -1) for z in places]
-            if not odd:
-                laws += [(law, -1) for law, _ in laws]
-            found = quarter_swings(laws, bits)
-            fine = arb(2) ** -bits
-            both = [
-                Quarters(
-                    middle,
-                    1 / half,
-                    interpolant([one.ln_r for one in part], size, ellipse.R, fine),
-                    interpolant([one.duration for one in part], excess, ellipse.R, fine),
-                )
-                for part in (found[: len(places)], found[len(places) :])
-                if part
-            ]
-        return cls(arb(coordinate.root or 0), both[0], both[-1], -1 if odd else 1)
+        else:
+            laws = [(coordinate.damping(z), side) for side in (1, -1) for z in places]
+        found = quarter_swings(laws, bits)
+        fine = arb(2) ** -bits
+        both = [
+            Quarters(
+                middle,
+                1 / half,
+                interpolant([one.ln_r for one in part], size, ellipse.R, fine),
+                interpolant([one.duration for one in part], excess, ellipse.R, fine),
+            )
+            for part in (found[: len(places)], found[len(places) :])
+            if part
+        ]
+        root = None if coordinate.root is None else arb(coordinate.root)
+        return cls(root, both[0], both[-1], -1 if odd else 1)
 
     def __call__(self, z: arb) -> tuple[arb, arb]:
         """(q/p, T) at a ball z in the interval."""
@@ -103,7 +119,7 @@ class HalfSwings:
 
     def _after(self, z: arb, L: arb) -> arb:
         """Where the half-swing ends, on the interval of the backward quarters."""
-        return self.backwards.place(self.turn * z * (self.root * L).exp())
+        return self.backwards.place(z + L if self.root is None else self.turn * z * (self.root * L).exp())
 
     def _residual(self, z: arb, before: arb, L: arb) -> arb:
         return L - before + self.backwards.R(self._after(z, L))

@@ -34,7 +34,8 @@ _LOOK_AHEAD = 3000
 _RANGE = 990.0  # log2 of the largest |z| looked at
 _AT_ONCE = 8  # half-swings by pieces: what quarter-swings cost, however few nodes there are
 _LASTING = 10  # a node is kept for the next who asks, a half-swing before the panel is not
-_PARTS = tuple(2.0**-k for k in (0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64))
+_PARTS = tuple(2.0**-k for k in (0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768))
+_DENSE = 8  # starts looked at one by one; then ever fewer
 _STEPS = 24  # of a quarter
 
 
@@ -125,11 +126,13 @@ def _between(coordinate: Coordinate, path: list[float], bits: int) -> PanelPlan 
             if served == len(path) - start:
                 low = 0.98 * path[-1]
             stretch = _stretch(coordinate, low, path[start])
-            if stretch > MIN_STRETCH and served - (count := _count(bits, stretch)) > gain:
-                best, gain = PanelPlan(low, path[start], stretch, count, served, start), served - count
+            if stretch > MIN_STRETCH:
+                plan = PanelPlan(low, path[start], stretch, _count(bits, stretch), served, start)
+                if served - (cost := plan.work(coordinate)) > gain:
+                    best, gain = plan, served - cost
             if stretch <= MIN_STRETCH or served == len(path) - start:
                 break
-        start += max(1, sum(size > path[start] / 2 for size in path[start:]))
+        start += max(1, start // _DENSE, sum(size > path[start] / 2 for size in path[start:]))
     return best
 
 
@@ -171,17 +174,23 @@ def reach_of(coordinate: Coordinate, *, whole: bool = True) -> float:
 def _stretch(coordinate: Coordinate, low: float, high: float) -> float:
     """About the largest half axis, in units of the half width, with a majorant; 0 if there is none."""
     first, last = sorted(float(coordinate(arb(p))) for p in (low, high))
-    middle, half = (first + last) / 2, (last - first) / 2
+    return widest(coordinate, (first + last) / 2, (last - first) / 2)
+
+
+def widest(coordinate: Coordinate, middle: float, half: float, *, whole: bool = True) -> float:
+    """The same about a middle z (of the quarter-swing, if not ``whole``)."""
     if not half > 0:
         return 0.0
     if coordinate.root is not None:
-        return min((reach_of(coordinate) - middle) / half, MAX_STRETCH)
+        return min((reach_of(coordinate, whole=whole) - middle) / half, MAX_STRETCH)
+    if _exists(coordinate, middle, half * MAX_STRETCH, whole):  # exponents next to 1: strengths that hardly change
+        return MAX_STRETCH
     below, above = 0.0, MIN_STRETCH
-    while above < MAX_STRETCH and _exists(coordinate, middle, half * above):
+    while above < MAX_STRETCH and _exists(coordinate, middle, half * above, whole):
         below, above = above, 2 * above
     while above > 1.05 * below > 0:
         between = (below + above) / 2
-        below, above = (between, above) if _exists(coordinate, middle, half * between) else (below, between)
+        below, above = (between, above) if _exists(coordinate, middle, half * between, whole) else (below, between)
     return below
 
 

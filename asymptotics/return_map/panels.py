@@ -30,7 +30,7 @@ from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.return_map.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.return_map.coordinate import Coordinate
 from asymptotics.return_map.half_swing_map import INTEGRATED, Passage, integrated
-from asymptotics.return_map.panel_plan import PanelPlan, planned, verified
+from asymptotics.return_map.panel_plan import Ellipse, PanelPlan, planned, verified
 
 ROUTE = "Chebyshev interpolation in the amplitude"
 COLLOCATED = "quarter-swings by collocation"
@@ -146,7 +146,7 @@ def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int) -> Panel:
         middle, half = (first + last) / 2, (last - first) / 2
         ellipse = verified(coordinate, middle, half, plan.stretch)
         count = ellipse.nodes_for(bits)
-        by, swings = _half_swings(coordinate, [middle + half * t for t in nodes(count)], last, bits)
+        by, swings = _half_swings(coordinate, [middle + half * t for t in nodes(count)], (first, last, ellipse), bits)
         ratios, durations = zip(*swings)
         fine = arb(2) ** -bits
         ratio, duration = (
@@ -156,13 +156,23 @@ def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int) -> Panel:
     return Panel(coordinate, low, high, middle, 1 / half, ratio, duration, count, by)
 
 
-def _half_swings(coordinate: Coordinate, places: list[arb], last: arb, bits: int) -> tuple[str, list[tuple[arb, arb]]]:
-    """The route, and q/p and T at the places z <= last: from quarter-swings where those serve, else by pieces."""
+def _half_swings(
+    coordinate: Coordinate, places: list[arb], within: tuple[arb, arb, Ellipse], bits: int
+) -> tuple[str, list[tuple[arb, arb]]]:
+    """The route, and q/p and T at the places z: from quarter-swings where those serve, else by pieces.
+
+    ``within``: the least and the largest z, and the ellipse about them.
+    """
+    first, last, ellipse = within
     if coordinate.is_quartered:
         from asymptotics.return_map.half_swings import HalfSwings  # noqa: PLC0415 (NumPy, only where it pays)
 
         try:
-            swings = HalfSwings.up_to(coordinate, last, bits)
+            swings = (
+                HalfSwings.up_to(coordinate, last, bits)
+                if coordinate.from_zero
+                else HalfSwings.between(coordinate, first, last, ellipse.majorant.growth, bits)
+            )
             return COLLOCATED, [swings(z) for z in places]
         except (LimitError, UndecidedError):
             pass

@@ -47,16 +47,18 @@ import numpy as np
 from flint import arb, arb_mat, arb_poly, fmpq
 
 from asymptotics.budget import tick
-from asymptotics.errors import UndecidedError
+from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring.expansion import TurningExpansion
+from asymptotics.flow.linear_spring.expansion import TurningExpansion, plan_at
+from asymptotics.flow.linear_spring.kept_terms import MAX_KEYS
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.return_map.chebyshev import cut, nodes
 from asymptotics.return_map.quarters_in_doubles import Array, Sketch, corrected
 from asymptotics.return_map.spectral import analysis, integrals, of_the_integral
 
-HAND_OVER = 0.125  # the speed, in units of the amplitude, up to which the local expansion serves
+HAND_OVERS = (2.0**-3, 2.0**-5, 2.0**-7, 2.0**-9)
+"""Speeds, in units of the amplitude, up to which the local expansion serves: the first that takes few terms."""
 _WORK, _LOW = 24, 53
 _FEWEST = 30  # bits: fewer would not keep G near
 _GAIN = 50  # bits that a correction in doubles brings
@@ -111,7 +113,7 @@ class Bundle:
         """From the local expansions; ValueError for laws with different exponents."""
         if any(law.alphas != laws[0][0].alphas for law, _ in laws):
             raise ValueError("quarter-swings of laws with different exponents")
-        w, columns = arb(HAND_OVER), []
+        w, columns = _hand_over(laws), []
         for law, side in laws:
             tick("the start of a quarter-swing")
             y, tau = TurningExpansion.at(law, side - law.friction, w).state(w)
@@ -133,6 +135,17 @@ class Bundle:
         """The same orbits in doubles, for a first solution."""
         columns = zip(*self.strengths)
         return Sketch(doubles([self.alphas])[0], doubles(columns), *doubles([self.h, self.g0]))
+
+
+def _hand_over(laws: Sequence[tuple[Damping, int]]) -> arb:
+    """The largest speed at which no expansion takes more terms than one does without a given speed: a choice."""
+    for w in map(arb, HAND_OVERS):
+        try:
+            if all(plan_at(law, side - law.friction, w).count <= MAX_KEYS for law, side in laws):
+                return w
+        except LimitError:
+            continue
+    return arb(HAND_OVERS[0])
 
 
 def doubles(rows: Iterable[Iterable[arb]]) -> Array:
@@ -158,7 +171,7 @@ class NodeGrid:
         """The nodes of all columns, ``count`` in each."""
         ends, places = [t - 1 for t in nodes(count)], []
         still = [i for i, a in enumerate(bundle.alphas) if a == 1]
-        moving = [(i, a) for i, a in enumerate(bundle.alphas) if a != 1]
+        moving = [(i, a) for i, a in enumerate(bundle.alphas) if i not in still]  # also where a ball cannot tell
         for h, strengths in zip(bundle.h, bundle.strengths):
             tick("the nodes of a quarter-swing")
             linear, column = sum((strengths[i] for i in still), arb(0)), []

@@ -294,6 +294,11 @@ ELSEWHERE: Names = {
         f"{QUARTERS}::test_half_swings_contain_the_pieces",
     ),
     **_each(
+        "return_map.half_swings",
+        "HalfSwings.between",
+        f"{QUARTERS}::test_half_swings_over_a_stretch_of_ln_a_contain_the_pieces",
+    ),
+    **_each(
         "return_map.quarters",
         "Bundle.of NodeGrid.of NodeGrid.rates NodeGrid.slowness Path.along Path.enclosed quarter_swings",
         f"{QUARTERS}::test_a_ladder_of_closed_forms",
@@ -309,7 +314,7 @@ ELSEWHERE: Names = {
     ),
     **_each(
         "flow.slow_manifold.creep_near_equal",
-        "StretchCurve.of StretchCurve.place StretchCurve.clock Scale.slope Grouped.slope grouped stretch",
+        "StretchCurve.of StretchCurve.place StretchCurve.clock Scale.slope Grouped.slope Grouped.value grouped stretch",
         f"{NEAR}::test_a_ladder_of_precisions",
     ),
     **_each("return_map.panels", "Panel.passage laid_out", f"{PANELS}::test_a_ladder_of_panels"),

@@ -267,6 +267,48 @@ def test_half_swings_contain_the_pieces(pairs):
         assert max(ratio.rad(), duration.rad()) < arb(2) ** (8 - bits)
 
 
+@pytest.mark.parametrize(
+    "pairs",
+    [
+        (("1.00000000000000000001", "1/2"), ("1.0000000001", "1/2")),
+        (("sqrt(3/2)", "1/20"), ("sqrt(2)", "1/10")),
+        (("3/2", "1/10"), ("1.50000000000000000001", "1/10"), ("sqrt(5)", "1/30")),
+    ],
+)
+def test_half_swings_over_a_stretch_of_ln_a_contain_the_pieces(pairs):
+    law, place = coordinate(*pairs), arb("-0.53125")
+    with ctx.workprec(110):
+        truth = integrated(law.damping(place), arb(1))
+    assert law.is_quartered and not law.from_zero
+    for bits in (10, 40, 70):
+        swings = HalfSwings.between(law, arb("-0.75"), arb("-0.5"), arb("1.875"), bits)
+        with ctx.workprec(bits + 20):
+            ratio, duration = swings(place)
+            assert swings.forwards.place(arb("-0.5")) <= 1 and swings.backwards.place(arb("-2.625")) >= -1
+        assert ratio.contains(truth.amplitude) and duration.contains(truth.duration)
+        assert max(ratio.rad(), duration.rad()) < arb(2) ** (8 - bits)
+
+
+def test_an_exponent_that_no_ball_tells_from_1_counts(bits=40):
+    """1 + 10^-40 in 64 bits: as exactly 1, and not as no loss at all."""
+    with ctx.workprec(bits + 24):
+        near, linear = (Damping.of([(arb(1), parse_real(a, "a"))]) for a in ("1." + 39 * "0" + "1", "1"))
+        assert near.exponents[0].contains(1)
+        (one, back), (other, _) = (quarter_swings([(law, 1), (law, -1)], bits) for law in (near, linear))
+        angle = 2 * arb.pi() / 3  # tan(omega t) = -omega/(1/2)
+        time = angle / (arb(3).sqrt() / 2)
+    for quarter in (one, other):
+        assert abs(quarter.duration - time) < 1e-11
+        assert abs(quarter.ln_r + time / 2) < 1e-11
+    assert abs(back.ln_r - time / 4) < 1e-11
+
+
+def test_below_exponent_1_no_quarters_are_put_together():
+    """There the equation for the end need not grow with it."""
+    assert not coordinate(("0.9999999999", "1/2"), ("1.0000000001", "1/2")).is_quartered
+    assert not coordinate(("1/2", "1/10"), ("2", "1/10")).is_quartered
+
+
 def test_the_residual_of_a_half_swing_is_what_it_is_off_by(monkeypatch):
     """The derivative of the equation is near 1: a guess off by e is paid for, and half of that is refuted."""
     e, law, place = arb(2) ** -20, coordinate(("2", "1/100")), arb("0.5")

@@ -146,7 +146,7 @@ class LinearSpring(CertifiedFlow):
                 end = later(here.t, found.wait)
                 yield Settling(self, _ONE, here.t, end, _EXACT, CREEPS, found.y, found.w)
                 yield from self._creep(end, found.strip)
-        slide = self._for_a_while(y, here.w, error, ended) if here.w != 0 else None
+        slide = self._for_a_while(y, here.w, error) if here.w != 0 else None
         if slide is None:
             return None
         end = later(here.t, slide.length)
@@ -156,10 +156,10 @@ class LinearSpring(CertifiedFlow):
         dropped = upper(u.rad() + w.rad())  # the strip holds the truth, whatever was known of the start
         return FlowState(end, u.mid(), w.mid(), PartingErrors(dropped, dropped))
 
-    def _for_a_while(self, y: arb, w: arb, error: arb, ended: str | None) -> Slide | Stretch | None:
+    def _for_a_while(self, y: arb, w: arb, error: arb) -> Slide | Stretch | None:
         if self._stiff and y > 0:
             return sliding(self.force, y, w, error)
-        return stretch(self.force, y, w, error) if ended == CREEPS else None
+        return stretch(self.force, y, w, error)
 
     def _creep(self, t: arb, strip: Strip) -> Iterator[Piece]:
         """Longer and longer pieces without an end."""

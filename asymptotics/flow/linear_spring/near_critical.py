@@ -17,7 +17,7 @@ claim nothing.
 """
 
 from fractions import Fraction
-from math import ceil, expm1, inf, log, log1p, pi, sqrt
+from math import ceil, exp, expm1, inf, log, log1p, pi, sqrt
 
 from flint import arb
 
@@ -75,8 +75,19 @@ def lost_bits(law: Law) -> int:
 
 
 def lost_until(law: Law, tau: float) -> int:
-    """How many bits the motion loses up to the time tau, 0 where half-swings are short and errors fade with it."""
-    return ceil(_LOST * tau) if lingering(law) > 0 else faded_bits(law, tau)
+    """How many bits the motion loses up to the time tau, 0 where half-swings are short and errors fade with it.
+
+    While it certainly creeps no more than at the rate of the local strength at the end.
+
+    >>> lost_until(Law({"1.0000000001": 4}), 300), lost_until(Law({"1.001": 4}), 1000)
+    (116, 1450)
+    """
+    if not lingering(law) > 0:
+        return faded_bits(law, tau)
+    total, above, _ = _next_to_1(law)
+    end = total * exp(-above * tau)  # w falls like e^-tau at the most
+    rate = _rate(end) if end > _TRAPPED else inf
+    return ceil(min(_LOST * tau, rate / log(2) * tau))
 
 
 def fading(law: Law) -> tuple[float, float]:
@@ -91,8 +102,13 @@ def fading(law: Law) -> tuple[float, float]:
     total, above, below = _next_to_1(law)
     if above <= 0 >= below or total < _TRAPPED:
         return 0.0, 0.0
-    rate = 2 / (total + sqrt(total**2 - 4))
+    rate = _rate(total)
     return rate, inf if below > 0 else log(total / _TRAPPED) / (above * rate)
+
+
+def _rate(strength: float) -> float:
+    """(epsilon - sqrt(epsilon^2 - 4))/2."""
+    return 2 / (strength + sqrt(strength**2 - 4))
 
 
 def _next_to_1(law: Law) -> tuple[float, float, float]:

@@ -28,7 +28,7 @@ from operator import add, mul, sub
 from flint import arb, arb_poly
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow.balls import upper
+from asymptotics.flow.balls import size_of, upper
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.slow_manifold.creep_slow_curve import INSIDE, ORDERS, WIDEST, Strip, solve, too_early
 from asymptotics.flow.slow_manifold.slow_curve_series import Key, lower_set, unit
@@ -38,6 +38,7 @@ from asymptotics.numbers.precision import at_growing_precision
 
 _NEAR = arb(1) / 4  # exponents of one group differ by less
 _SHARE, _FARTHEST = 1 / 16, 1024.0  # eta times the reach, and the reach, at most
+_OPEN = 4  # times the terms of the last order but one looked at: what later ones may add up to
 _MARGIN = arb(1) / 64  # of ln w, at the end of a stretch
 _LN2, _DIGITS = log(2), log10(2)
 
@@ -70,24 +71,21 @@ class StretchCurve:
 
     @classmethod
     def of(cls, scale: Scale, parts: list[Part]) -> "StretchCurve":
-        """UndecidedError where an exponent of the time is not told from 0."""
+        """With the antiderivative made of the parts' slopes."""
         return cls(scale, tuple(parts), tuple((_integral(scale.slope(p), p[1] - 1, scale), p[1] - 1) for p in parts))
 
     def place(self, log_w: arb) -> tuple[arb, arb]:
         """y and dy/d ln w."""
-        return self._with_slope(self.parts, log_w)
+        slopes = tuple((self.scale.slope(part), part[1]) for part in self.parts)
+        return self._sum(self.parts, log_w), self._sum(slopes, log_w)
 
     def clock(self, log_w: arb) -> tuple[arb, arb]:
         """The antiderivative of dy/w, and its derivative by ln w."""
-        return self._with_slope(self.grown, log_w)
+        return self._sum(self.grown, log_w), self.place(log_w)[1] / log_w.exp()
 
-    def _with_slope(self, parts: tuple[Part, ...], log_w: arb) -> tuple[arb, arb]:
-        t, value, slope = self.scale.t(log_w), arb(0), arb(0)
-        for part in parts:
-            power = (part[1] * log_w).exp()
-            value += part[0](t) * power
-            slope += self.scale.slope(part)(t) * power
-        return value, slope
+    def _sum(self, parts: tuple[Part, ...], log_w: arb) -> arb:
+        t = self.scale.t(log_w)
+        return sum((polynomial(t) * (e * log_w).exp() for polynomial, e in parts), arb(0))
 
 
 @dataclass(frozen=True)
@@ -127,6 +125,11 @@ class Grouped:
     def size(self, polynomial: arb_poly, key: Key) -> arb:
         """A bound of |p(t)| w^e on the stretch."""
         return upper(_plain(polynomial) * (self.exponent(key) * self.most).exp())
+
+    def value(self, parts: dict[Key, arb_poly], log_w: arb) -> arb:
+        """sum p(t) w^e."""
+        t = self.scale.t(log_w)
+        return sum((p(t) * (self.exponent(key) * log_w).exp() for key, p in parts.items()), arb(0))
 
     def slope(self, polynomial: arb_poly, key: Key) -> arb_poly:
         """The part of A, for a part of R or -B."""
@@ -168,7 +171,8 @@ def stretch(damping: Damping, y: arb, w: arb, error: arb) -> Stretch | None:
     laws = grouped(damping, together, (INSIDE * (w + error)).upper().log().upper())
     size = damping.resistance(w)
     goal = upper((error * (1 + laws.alpha * size / w) + abs(y) * arb(2) ** -ctx.prec) / size)
-    found = _short_enough(laws, goal)
+    log_w = w.log()
+    found = _short_enough(laws, goal, (log_w, (size - y) / (laws.epsilon * (laws.alpha * log_w).exp())))
     return None if found is None else _between(laws, found, (damping, y, w, error), goal)
 
 
@@ -216,23 +220,34 @@ def _exponentials(terms: list[tuple[arb, arb]], degree: int) -> arb_poly:
     return arb_poly(coefficients)
 
 
-def _short_enough(laws: Grouped, goal: arb) -> tuple[dict[Key, arb_poly], arb] | None:
-    """The shortest B with a residual below the goal on the stretch, and the residual; None where terms grow before."""
+def _short_enough(laws: Grouped, goal: arb, state: tuple[arb, arb]) -> tuple[dict[Key, arb_poly], arb] | None:
+    """The shortest B with a residual below the goal on the stretch, and the residual; None where terms grow before.
+
+    ``state``: ln w, and what B is there if the state is on the curve; none is sought where it certainly is not (a
+    choice: that B is off by more than the last terms leave open).
+    """
     if too_early(laws.epsilon, laws.alpha, laws.most):
         return None
-    before, b = arb(1), dict[Key, arb_poly]()
+    before, least, b = arb(1), 0, dict[Key, arb_poly]()
     for order in ORDERS:
         keys = lower_set(tuple(abs(float(d.mid())) for d in laws.powers), order)
         if keys is None:
             return None
         extend(laws, b, keys)
         last = upper(sum((laws.size(b[key], key) for key in keys if key[0] == order), arb(0)))
-        if not last <= before:
+        if not last <= before or abs(laws.value(b, state[0]) - state[1]) > _OPEN * before + WIDEST * goal:
             return None
         if last < goal / 8 and (left := residual(laws, b)) < goal * laws.alpha / 4:
             return b, left
-        before = last
+        if _too_slow(size_of(last), (size_of(before) - size_of(last)) / (order - least), order, size_of(goal)):
+            return None
+        before, least = last, order
     return None
+
+
+def _too_slow(last: float, fall: float, order: int, goal: float) -> bool:
+    """Whether terms that fall on as they do, by ``fall`` bits an order, are above the goal to the end: a choice."""
+    return order > 2 and last - fall * (ORDERS[-1] - order) > goal
 
 
 def extend(laws: Grouped, b: dict[Key, arb_poly], keys: list[Key]) -> None:
@@ -277,8 +292,7 @@ def _between(
     scale, a, speed = laws.scale, laws.alpha, w + arb(0, error)
     log_w, none = speed.log(), (0,) * len(laws.powers)
     size = laws.epsilon * (a * log_w).exp()
-    B = sum((p(scale.t(log_w)) * (laws.exponent(key) * log_w).exp() for key, p in b.items()), arb(0))
-    theta = upper((damping.resistance(speed) - y - arb(0, error)) / size - B) + laws.lost
+    theta = upper((damping.resistance(speed) - y - arb(0, error)) / size - laws.value(b, log_w)) + laws.lost
     h = upper(theta + 5 * (residual + 2 * laws.lost) / a)
     if not h < WIDEST * goal or not one_way(laws, b, residual, h):
         return None
@@ -322,14 +336,32 @@ def one_way(laws: Grouped, b: dict[Key, arb_poly], residual: arb, h: arb) -> boo
 
 
 def _integral(polynomial: arb_poly, d: arb, scale: Scale) -> arb_poly:
-    """q with (q(t) w^d)' = p(t) w^d by ln w, from the highest power of t downwards."""
-    if not abs(d) * scale.reach > 1 / arb(8):
-        raise UndecidedError("an exponent of the time is not told from 0 on this stretch")
-    above, found = arb(0), []
-    for k in reversed(range(polynomial.length())):
-        above = (polynomial[k] - (k + 1) * above / scale.reach) / d
-        found.append(above)
-    return arb_poly(found[::-1])
+    """q with (q(t) w^d)' = p(t) w^d by ln w, exactly for one value in the ball of q_0 at each t; d may be 0.
+
+    With r the reach, p_k = (k+1) q_(k+1)/r + d q_k: downwards from the highest power where |d| r is no small number.
+    Where it is, upwards from q_0 = 0, as far as some n; then (q w^d)' is too large by d q_n t^n w^d, whose integral
+    from 0 to t, over w^d, is at most e^(|d| r) |d q_n| r/(n+1), as w^d changes by e^(|d| r) at most in between.
+    """
+    p = polynomial.coeffs()
+    if abs(d) * scale.reach > 1 / arb(8):
+        above, downwards = arb(0), list[arb]()
+        for k in reversed(range(len(p))):
+            above = (p[k] - (k + 1) * above / scale.reach) / d
+            downwards.append(above)
+        return arb_poly(downwards[::-1])
+    q, n = [arb(0)], len(p) + _more(abs(d) * scale.reach, len(p))
+    for k in range(n):
+        q.append(((p[k] if k < len(p) else arb(0)) - d * q[k]) * scale.reach / (k + 1))
+    q[0] = arb(0, upper((abs(d) * scale.reach).exp() * d * q[n] * scale.reach / (n + 1)))
+    return arb_poly(q)
+
+
+def _more(size: arb, length: int) -> int:
+    """How many powers of t more make (|d| r)^k length!/(length+k)! less than the precision: a choice."""
+    small, fine, k = size, arb(2) ** (-ctx.prec - 8), 1
+    while not small < fine and k < ctx.prec:
+        small, k = small * size / (length + k), k + 1
+    return k
 
 
 def _plain(polynomial: arb_poly) -> arb:

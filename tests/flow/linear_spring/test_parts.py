@@ -20,7 +20,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.return_map import quarters
 from asymptotics.return_map.half_swing_map import Passage
 from asymptotics.return_map.panels import Panel
-from asymptotics.return_map.quarters import HAND_OVER, Bundle, Path
+from asymptotics.return_map.quarters import HAND_OVERS, Bundle, Path
 from asymptotics.return_map.sequence import following
 from tests.return_map.test_quarters import LAWS, path_of
 
@@ -71,7 +71,7 @@ def test_a_hand_over_behind_the_centre_is_undecided(monkeypatch):
 
 def test_a_hand_over_is_late_by_twice_what_half_of_its_place_is_off():
     with ctx.workprec(40):
-        law, w = damping(("1/10", "2")), arb(HAND_OVER)
+        law, w = damping(("1/10", "2")), arb(HAND_OVERS[0])
         y, _ = TurningExpansion.at(law, arb(1), w).state(w)
         place = ((y * y + w * w).sqrt() + y) / w
         assert Bundle.of([(law, 1)]).dz >= place.log().rad() > 0
