@@ -48,6 +48,9 @@ from asymptotics.public import public
 from asymptotics.terms import Term
 
 MAX_ORDER, MAX_OPEN_ORDER = 60, 12
+MAX_WRITTEN = 400
+"""The largest integer exponent whose waveforms are written out: a polynomial of some thousand terms is read by nobody,
+and beyond 1000 the time of a minute is over before it stands.  Above it they are named integrals, as for any exponent."""
 _EXIST = f"{TURNING_POINT} for any law, {NO_FIRST_HARMONIC} for polynomial forces"
 
 
@@ -82,7 +85,7 @@ def _of_terms(terms: tuple[Term, ...], order: int, gauge: Any) -> MultipleScales
     forces = Forces.of(terms, order)
     if _gauge(gauge, forces.is_smooth) == NO_FIRST_HARMONIC:
         return smooth_multiple_scales(terms, order)
-    if forces.is_closed:
+    if forces.is_closed and all(t.velocity <= MAX_WRITTEN for t in terms):
         return turning_scales(terms, order)
     _require_open(order)
     losses = tuple(t for t in terms if t.is_power_of_velocity)

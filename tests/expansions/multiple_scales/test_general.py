@@ -4,6 +4,7 @@ import pytest
 from flint import arb, ctx
 from sympy import Float, I, Integer, Rational, Symbol, gammasimp, pi, simplify, sqrt
 
+import asymptotics as asy
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
 from asymptotics.expansions.half_swings.exact import exact_half_swing
@@ -108,3 +109,10 @@ def test_surds_are_exact():
     assert Powers((sqrt(2),)).Omega("turning-point")[(2,)].has(sqrt(2))
     with pytest.raises(InputError, match="gauge"):
         Powers((Integer(2),)).Omega("nobody")
+
+
+def test_a_huge_integer_exponent_is_answered_and_has_the_rates_of_the_engine():
+    scales, engine = asy.multiple_scales(1000, order=2), asy.expand(1000, order=2, digits=15)
+    one = dict.fromkeys(scales.amplitude_rate.free_symbols, 1)
+    assert abs(scales.amplitude_rate.subs(one).n(30) + Float(engine.p[1].value, 30)) < Float(10) ** -16
+    assert abs(scales.phase_rate.subs(one).n(30) - 1 - Float(engine.Omega[2].value, 30)) < Float(10) ** -15
