@@ -30,7 +30,7 @@ step, asserts = derivation.step, derivation.asserts
 
 def moment(x: sympy.Expr) -> sympy.Expr:
     """M_x = <|sin|^x>."""
-    return gamma((x + 1) / 2) / (sqrt(pi) * gamma(x / 2 + 1))
+    return gamma((x + 1) * R(1, 2)) / (sqrt(pi) * gamma(x * R(1, 2) + 1))
 
 
 def magnitude(x: sympy.Expr, m: sympy.Expr) -> sympy.Expr:
