@@ -105,11 +105,13 @@ def sign_power(shift: int) -> sympy.Expr:
     derivation="smith-closed-sum", line=3,
 )
 def column_zero(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
-    """Every C_0^superscript with even n vanishes (for some m, if m is free), and for odd n the values hold."""
+    """Every C_0^superscript with even n vanishes, and for odd n the values hold: for some m if n is not in it, else for
+    every m."""
     superscript, value = form
     for a in range(1, ROWS):
         candidates = {int(superscript.subs({n: a, m: j})) for j in range(1, ROWS)}
-        if a % 2 == 1 and a not in candidates | {1}:
+        meant = candidates == {a} if n in superscript.free_symbols else a in candidates | {1}
+        if a % 2 == 1 and not meant:
             return Outcome.REFUTED
         if a % 2 == 0 and all(coefficient(s, 0) != 0 for s in candidates):
             return Outcome.REFUTED
