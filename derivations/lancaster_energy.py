@@ -83,7 +83,6 @@ step(
     "(13) solves the averaged (10): with mu = alpha - 1 and B = 1 + mu kappa omega_0 t",
     At(primitive.subs(alpha, 1 + mu), {size: root}),
     -b * omega_0 ** (mu + 2) * M / k * clock,
-    proves=("lancaster2020:13",),
 )
 A_of = defined("A", lambda tau: (1 + (alpha - 1) * kappa * tau) ** (-1 / (alpha - 1)))
 step(

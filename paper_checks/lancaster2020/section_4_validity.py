@@ -320,7 +320,7 @@ def leading_order(form: int) -> Outcome:
     latex=r"\kappa \sim \frac{b\omega_0^{\alpha}}{kx_0^{1-\alpha}}", printed=EPSILON,
     near_miss=EPSILON * x0 ** (2 - 2 * alpha), conditions="the factor is M_(alpha+1), between 1/2 and 2/pi for"
     " 0 <= alpha <= 1; for large alpha it falls like alpha^(-1/2)", methods=("quotient free of the constants",),
-    derivation="lancaster-average", line=15,
+    derivation="lancaster-average", line=11,
 )
 def kappa_scaling(form: sympy.Expr) -> Outcome:
     """kappa = M_(alpha+1) times the form."""

@@ -253,7 +253,7 @@ def _not_one(low: sympy.Rational, high: sympy.Rational) -> bool:
     r"\frac{\alpha'-1}{\alpha'-\alpha};\frac{1+\alpha-2\alpha'}{\alpha-\alpha'};-\frac{c}{c'}x^{\alpha-\alpha'}\right)}"
     r"{c'(1-\alpha')}",
     corrected_latex=r"\text{the same, for } \frac{\alpha'-1}{\alpha'-\alpha} \neq 0, -1, -2, \ldots",
-    printed=_all_pairs, corrected=_regular, near_miss=_not_one, derivation="two-laws-time", line=9,
+    printed=_all_pairs, corrected=_regular, near_miss=_not_one, derivation="two-laws-time", line=10,
     conditions="(alpha'-1)/(alpha'-alpha) not 0, -1, -2, ...: not alpha' = 1 - n(alpha'-alpha), n = 0, 1, 2, ...",
     methods=("differentiated, with the differential equation z F' + a F = a/(1-z)", "parameters at test pairs"),
     note=f"The exceptional exponents are not excluded: alpha' = 1, whatever alpha (division by zero), and {_LISTED},"
