@@ -225,7 +225,7 @@ def slower_with_alpha(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.three-cases", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The cases alpha = 0, 1, 2 are contained in (13)",
+    paraphrase=True, title="The cases alpha = 0, 1, 2 are contained in (13)",
     latex=r"\langle|\sin|\rangle = \frac{2}{\pi}, \quad \langle\sin^2\rangle = \frac{1}{2}, \quad"
     r" \langle|\sin^3|\rangle = \frac{4}{3\pi}",
     printed=BETA, near_miss=BETA * (alpha + 1) / 2,

@@ -64,7 +64,8 @@ def late_amplitude(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.denominator-exponential", kind=Kind.CLAIM, verdict=Printed.HOLDS,
-    evidence=Evidence.PROVED, title="In the long-time limit the exponential in the denominator may be neglected",
+    evidence=Evidence.PROVED, paraphrase=True,
+    title="In the long-time limit the exponential in the denominator may be neglected",
     latex=r"\lim_{t\to\infty}\frac{A(t)}{c\lambda e^{-ct/(\pi k)}} = 1", printed=c * LAMBDA * DECAY,
     near_miss=c * LAMBDA * DECAY**2, conditions="none", methods=("limit of the quotient",), derivation="two-laws-time",
     note="And c lambda e^{-ct/(pi k)} is the right side of (22).",
@@ -93,6 +94,7 @@ def denominator(form: sympy.Expr) -> Outcome:
 )
 @statement(
     id="lancaster2020:claim.memory-lost", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="Then the dependence on the initial value disappears", printed=(3 * sympy.pi * x0 / (8 * rho), sympy.oo),
     latex=r"\omega_0 x_0b' \gg b: \quad \frac{\partial}{\partial x_0}\lim A(t)e^{\frac{bt}{2m}} = 0",
     near_miss=(x0 * sympy.Rational(3, 8) * sympy.pi, sympy.oo), conditions="late times, bt/(2m) >> 1",

@@ -73,7 +73,7 @@ def closed_sum_of_coefficients(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="smith2012:claim.opposite-parity", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="n and i have opposite parity",
+    paraphrase=True, title="n and i have opposite parity",
     latex=r"C_i^n = 0 \text{ unless } n \text{ and } i \text{ have opposite parity}", printed=1, near_miss=0,
     conditions="none",
     methods=(f"rows to n = {ROWS}", "(62a) keeps n - i mod 2, C_0^1 = 1"), derivation="smith-closed-sum", line=5,

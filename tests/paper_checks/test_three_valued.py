@@ -12,7 +12,7 @@ from paper_checks.identities import decided, limit_is, opposite, vanishes
 from paper_checks.registry import load
 
 FOLDER = Path(__file__).parents[2] / "paper_checks"
-FILES = sorted(path for path in FOLDER.glob("*/*.py") if path.parent.name != "report")
+FILES = sorted(path for path in FOLDER.rglob("*.py") if path.parent.name != "report")
 ENTRIES = load()
 OPEN = sympy.Symbol("o", real=True)
 C, R, U = Outcome.CONFIRMED, Outcome.REFUTED, Outcome.UNDECIDED
