@@ -164,7 +164,7 @@ def _another(key: str, form: Any, model: Any) -> bool:
     true = _dimensions(key, sympy.sympify(model))
     mine = _dimensions(key, sympy.sympify(form))
     pairs = [(a, b) for a, b in zip(mine, true) if isinstance(b, tuple)]
-    return bool(pairs) and not any(a == "unknown" or a == b for a, b in pairs)
+    return len(pairs) > 0 and not any(a == "unknown" or a == b for a, b in pairs)
 
 
 @lru_cache(2000)

@@ -61,7 +61,7 @@ def truths(tree):
                 yield node
 
 
-BALLS = {"is_finite", "is_integer", "is_Number"}  # of python-flint, of a number: two values
+BALLS = {"is_finite", "is_integer", "is_Number", "is_number"}  # of python-flint, of a number, of the tree: two values
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.name}")
