@@ -86,6 +86,18 @@ step(
     sympy.Derivative(convex, y, 2),
     q * (q - 1) * y ** (q - 2),
 )
+middle = sympy.Symbol("y_0", positive=True)
+above = y**q - middle**q - q * middle ** (q - 1) * (y - middle)
+step(
+    "so has y^q less its tangent at y_0, which begins there with 0 and with slope 0",
+    sympy.Tuple(At(above, {y: middle}), At(sympy.Derivative(above, y), {y: middle}), sympy.Derivative(above, y, 2)),
+    sympy.Tuple(0, 0, q * (q - 1) * y ** (q - 2)),
+)
+step(
+    "At y_0 = <y> = 1/2 the mean of the linear term is 0: that of the difference is <y^q> - <y>^q, and its sign is",
+    sympy.Integral(sympy.sin(theta) ** 2 - sympy.Rational(1, 2), (theta, 0, sympy.pi)) / sympy.pi,
+    0,
+)
 for reason, value in (
     ("positive for alpha = 1 + 2 r > 1, q = 1 + r: M_(alpha+1) = <y^q> > <y>^q, underestimated", 1 + r),
     ("negative for 0 <= alpha < 1, q = 1/(1 + r): overestimated", 1 / (1 + r)),

@@ -45,7 +45,7 @@ FREQUENCY_NOTE = (
     latex=r"\frac{A(t)^{1-\alpha} - x_0^{1-\alpha}}{1-\alpha} = -\frac{b\omega_0^{1+\alpha}}{k}\int_0^t"
     r"|\sin^{1+\alpha}(\omega_0 t')|dt' \qquad (\alpha \neq 1)",
     printed=-RATE, near_miss=-RATE / omega0, conditions="alpha != 1; A > 0; A in the sense of sqrt(2E/k), see (8)",
-    methods=("(8) with (9) separated",), derivation="lancaster-energy", line=9,
+    methods=("(8) with (9) separated",), derivation="lancaster-energy", line=10,
     note="Form: the factor in front of the integral.",
 )
 def separated(form: sympy.Expr) -> Outcome:

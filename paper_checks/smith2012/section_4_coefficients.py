@@ -54,7 +54,7 @@ def closed_term(exponent: sympy.Expr, last: sympy.Expr) -> tuple[sympy.Expr, sym
     printed=closed_term(k, n + 1 - 2 * k), corrected=closed_term(k - 1, n + 1 - 2 * k),
     near_miss=closed_term(k - 1, n - 2 * k), conditions="1 <= i < n, n and i of opposite parity",
     methods=(f"all rows to n = {ROWS}", "(62a) unrolled, n and i symbolic: the derivation"),
-    derivation="smith-closed-sum", line=10,
+    derivation="smith-closed-sum", line=13,
     note="(62a) has the first term +2(n-1)/(n+i), so k = 1 must come with a plus: C_1^2 = 2/3 by (60b), the printed sum"
     " gives -2/3. The text cannot tell whether print or transcription lost the -1. For i = 0 use (63).",
 )
@@ -76,7 +76,7 @@ def closed_sum_of_coefficients(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     paraphrase=True, title="n and i have opposite parity",
     latex=r"C_i^n = 0 \text{ unless } n \text{ and } i \text{ have opposite parity}", printed=1, near_miss=0,
     conditions="none",
-    methods=(f"rows to n = {ROWS}", "(62a) keeps n - i mod 2, C_0^1 = 1"), derivation="smith-closed-sum", line=5,
+    methods=(f"rows to n = {ROWS}", "(62a) keeps n - i mod 2, C_0^1 = 1"), derivation="smith-closed-sum", line=6,
     note="Form: the n - i (mod 2) for which C_i^n may differ from 0; there it never vanishes:"
     " by (62a) and induction its sign is (-1)^{(n-1-i)/2}.",
 )
