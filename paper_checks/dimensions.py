@@ -161,8 +161,8 @@ def _another(key: str, form: Any, model: Any) -> bool:
     numbers = (isinstance(part, sympy.Expr | int) and not isinstance(part, bool) for part in (form, model))
     if not all(numbers) or 0 in (form, model):
         return False
-    true = _dimensions(key, sympy.sympify(model))
-    mine = _dimensions(key, sympy.sympify(form))
+    true = _dimensions(key, sympy.S.Zero + model)
+    mine = _dimensions(key, sympy.S.Zero + form)
     pairs = [(a, b) for a, b in zip(mine, true) if isinstance(b, tuple)]
     return len(pairs) > 0 and not any(a == "unknown" or a == b for a, b in pairs)
 
