@@ -1,7 +1,7 @@
 """The average (12): <|sin|^(alpha+1)> = 2^(alpha+1) B(alpha/2+1, alpha/2+1)/pi = M_(alpha+1).
 
->>> print(derivation.steps[6].text())
-Integral(y**2*(1 - y)**2, (y, 0, 1)) = 1/30
+>>> print(derivation.steps[5].text())
+Integral(w**(alpha/2)*(w + 1)**(-alpha - 2), (w, 0, oo)) = gamma(alpha/2 + 1)**2/gamma(alpha + 2)
 """
 
 import sympy
@@ -41,6 +41,17 @@ step(
 )
 M = defined("M", moment, index=True)
 beta = gamma(alpha / 2 + 1) ** 2 / gamma(alpha + 2)
+w = sympy.Symbol("w", positive=True)
+step(
+    "With u = w/(1+w), w from 0 to infinity: u(1-u) and du/dw are",
+    sympy.Tuple(At(y * (1 - y), {y: w / (1 + w)}), sympy.Derivative(w / (1 + w), w)),
+    sympy.Tuple(w / (1 + w) ** 2, 1 / (1 + w) ** 2),
+)
+step(
+    "so int [u(1-u)]^(alpha/2) du is the beta integral B(alpha/2+1, alpha/2+1), for every alpha >= 0",
+    sympy.Integral(w ** (alpha / 2) / (1 + w) ** (alpha + 2), (w, 0, sympy.oo)),
+    beta,
+)
 for n in (0, 2, 4):
     step(
         f"alpha = {n}: the beta integral",
@@ -54,6 +65,7 @@ step(
     "with z = alpha/2 + 1 in the denominator: M_(alpha+1)",
     At(printed, {gamma(alpha + 2): At(double, {z: alpha / 2 + 1})}),
     moment(alpha + 1),
+    proves=("lancaster2020:11", "lancaster2020:12", "lancaster2020:claim.c", "lancaster2020:claim.kappa-scaling"),
 )
 closed = gamma((p + 1) / 2) / (sqrt(pi) * gamma(p / 2 + 1))
 power = sin(theta) ** (p + 1) * cos(theta)
@@ -82,7 +94,6 @@ step(
     "The same at p = 1: by both (12) is M_(alpha+1) for every alpha",
     M(1),
     sympy.Integral(sin(theta), (theta, 0, pi)) / pi,
-    proves=("lancaster2020:11", "lancaster2020:12", "lancaster2020:claim.c", "lancaster2020:claim.kappa-scaling"),
 )
 for n in range(4):
     step(f"(12) at alpha = {n}", At(printed, {alpha: n}), moment(n + 1))

@@ -66,8 +66,17 @@ step(
 )
 primitive = (size ** (1 - alpha) - x_0 ** (1 - alpha)) / (1 - alpha)
 step("(10): the left side integrates dA/A^alpha", sympy.Derivative(primitive, size), size**-alpha)
+moving = sympy.Function("A", positive=True)(t)
 step(
-    "and vanishes at A = x_0; the right side is the integral of the line before last, divided by A^alpha",
+    "so d/dt of it is the integrand on the right, by the line before last",
+    At(
+        sympy.Derivative(primitive.subs(size, moving), t),
+        {diff(moving, t): -b * omega_0 ** (alpha + 1) / k * moving**alpha * sine ** (alpha + 1)},
+    ),
+    -b * omega_0 ** (alpha + 1) / k * sine ** (alpha + 1),
+)
+step(
+    "and both sides vanish at t = 0, A = x_0",
     At(primitive, {size: x_0}),
     sympy.Integer(0),
     proves=("lancaster2020:10",),
@@ -83,7 +92,6 @@ step(
     "(13) solves the averaged (10): with mu = alpha - 1 and B = 1 + mu kappa omega_0 t",
     At(primitive.subs(alpha, 1 + mu), {size: root}),
     -b * omega_0 ** (mu + 2) * M / k * clock,
-    proves=("lancaster2020:13",),
 )
 A_of = defined("A", lambda tau: (1 + (alpha - 1) * kappa * tau) ** (-1 / (alpha - 1)))
 step(
@@ -94,9 +102,17 @@ step(
 )
 rate = kappa / (1 + (alpha - 1) * kappa * tau)
 step(
-    "it falls for alpha > 1, is constant for alpha = 1, and grows for alpha < 1",
+    "this rate r has the derivative -(alpha-1) r^2",
     sympy.Derivative(rate, tau),
     -(alpha - 1) * rate**2,
+)
+R, beyond = sympy.symbols("r p", positive=True)
+slope = -(alpha - 1) * R**2
+derivation.asserts(
+    "it falls for alpha = 1 + p > 1, is constant for alpha = 1, and grows for alpha = 1 - p < 1",
+    sympy.Lt(At(slope, {alpha: 1 + beyond}), 0, evaluate=False),
+    sympy.Eq(At(slope, {alpha: 1}), 0, evaluate=False),
+    sympy.Gt(At(slope, {alpha: 1 - beyond}), 0, evaluate=False),
     proves=tuple(f"lancaster2020:claim.{name}" for name in ("weak-not-slow", "long-or-short", "crossover")),
 )
 q, nu = sympy.symbols("q nu", positive=True)

@@ -62,6 +62,13 @@ step(
     "n - i keeps its parity from C_i^n to C_{i-1}^{n-1} and to C_i^{n-2}; from C_0^1 on it is odd: else C = 0",
     At(n - i, {n: n - 1, i: i - 1}),
     n - i,
+)
+whole, column = sympy.symbols("n i", integer=True, positive=True)
+sign = (-1) ** (whole - column)
+step(
+    "(62a) where both coefficients on the right have the factor 1 - (-1)^{n-i}: times 1 + (-1)^{n-i} it is 0",
+    At(recurrence, {n: whole, i: column, B: B * (1 - sign), D: D * (1 - sign)}) * (1 + sign),
+    0,
     proves=("smith2012:claim.opposite-parity",),
 )
 t = defined("t", term)
@@ -85,6 +92,13 @@ step(
     "and what remains of (62a) is C_i^{i-1} = 0",
     At(n - 2 * k, {k: (n - i + 1) / 2}),
     i - 1,
+)
+below = sympy.symbols("c_1:5")  # C_{i-1}^{n+1-2k}, k = 1 ... 4
+step("so at n = i + 1 the sum has its first term alone", At(recurrence, {D: 0, B: below[0]}), t(1, n) * below[0])
+step(
+    "and from n - 2 to n it gains one: (62a) with the sum for C_i^{n-2}, c_k = C_{i-1}^{n+1-2k}, here of three terms",
+    At(recurrence, {B: below[0], D: sum(t(j, n - 2) * below[j] for j in (1, 2, 3))}),
+    sum(t(j, n) * below[j - 1] for j in (1, 2, 3, 4)),
     proves=("smith2012:62b",),
 )
 step(

@@ -12,8 +12,8 @@ a side is written with objects that wait: ``Derivative``, ``Integral``, ``Limit`
 
 ``step`` evaluates both sides and reduces the difference to zero; it refuses two sides that are printed alike, and a
 bare name beside its value.  ``asserts`` displays relations (<, >, !=, or several) as they are written and decides those
-very relations: nothing can be displayed that was not decided.  ``defines`` displays ``name := value``; such a line
-proves nothing and says so.
+very relations: nothing can be displayed that was not decided.  No line takes a double.  ``defines`` displays
+``name := value``; such a line proves nothing and says so.
 
 >>> x = sympy.Symbol("x")
 >>> d = Derivation("square", "The square of a sum", source="school")
@@ -131,7 +131,7 @@ class Derivation:
         for relation in relations:
             if not isinstance(relation, sympy.core.relational.Relational):
                 raise AssertionError(f"{self._where(reason)}: {relation} is no relation that could be displayed")
-            if not established(relation):
+            if not established(exact(relation)):
                 raise AssertionError(f"{self._where(reason)}: {relation} is not established")
         shown = relations[0] if len(relations) == 1 else sympy.Tuple(*relations)
         self.steps.append(Step(reason, shown, None, proves, "relation"))

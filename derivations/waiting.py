@@ -22,8 +22,17 @@ from sympy.printing.printer import Printer
 
 
 def exact(value: sympy.Basic | int) -> sympy.Basic:
-    """An integer as SymPy's; an expression as it is."""
-    return sympy.Integer(value) if isinstance(value, int) else value
+    """An integer as SymPy's; an expression as it is; AssertionError if there is a double in it.
+
+    >>> exact(sympy.gamma(7 / 2))
+    Traceback (most recent call last):
+        ...
+    AssertionError: 3.32335097044784 has a double in it: nothing exact is decided with it
+    """
+    value = sympy.Integer(value) if isinstance(value, int) else value
+    if isinstance(value, float) or value.has(sympy.Float):
+        raise AssertionError(f"{value} has a double in it: nothing exact is decided with it")
+    return value
 
 
 class At(sympy.Expr):

@@ -10,7 +10,7 @@ A check answers for every form it is given, a corrupted one included.  ``not a =
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import wraps
 from math import isfinite
 from numbers import Real
@@ -30,8 +30,15 @@ UNABLE = (LimitError, UndecidedError, NotImplementedError, PolynomialError, Pole
 INFINITE = (sympy.oo, -sympy.oo, sympy.zoo)
 
 
-def guarded(check: Any, own: Iterable[Any], premises: tuple[int, ...] = ()) -> Any:
+def guarded(
+    check: Any,
+    own: Iterable[Any],
+    premises: tuple[int, ...] = (),
+    impossible: Callable[[Any], bool] = lambda form: False,
+) -> Any:
     """The check, answering REFUTED by itself for a form that has a defect beside the statement's ``own`` forms.
+
+    So is what is ``impossible``: a form of another dimension than the true one.
 
     A foreign form at which the check cannot even be evaluated (a name that does not exist, a division by zero) is
     refuted as well; one on which a tool gives up (no polynomial, no algorithm) stays UNDECIDED.  With the statement's
@@ -46,7 +53,7 @@ def guarded(check: Any, own: Iterable[Any], premises: tuple[int, ...] = ()) -> A
         unable: tuple[type[Exception], ...] = UNABLE
         if any(form is model for model in models):
             stops, unable = (UnitsError,), ()
-        elif defect(form, models, premises) is not None:
+        elif defect(form, models, premises) is not None or impossible(form):
             return Outcome.REFUTED
         try:
             return check(form)

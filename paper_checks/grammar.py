@@ -30,7 +30,7 @@ class UnreadableError(ValueError):
 
 def read(latex: str, symbols: dict[str, sympy.Symbol]) -> sympy.Expr:
     """The expression in these symbols; UnreadableError if the notation or a letter is not known."""
-    latex = latex.replace("(t)", "").replace(r"\dot{x}", "v").replace(r"\hat{S}", "S").strip().rstrip(",.")
+    latex = latex.replace("(t)", "").replace(r"\dot{x}", "v").strip().rstrip(",.")
     tokens = [token for token in TOKEN.findall(latex) if token not in IGNORED]
     value, rest = _sum(tokens, symbols)
     if rest:

@@ -45,7 +45,7 @@ def _same(left: sympy.Expr, right: sympy.Expr, difference: sympy.Expr, points: t
         if place is not None:
             differ(_apart(left, right, place))
             return Outcome.REFUTED
-    if difference.is_zero or sympy.expand(difference) == 0 or sympy.simplify(difference) == 0:
+    if sympy.expand(difference) == 0 or sympy.simplify(difference) == 0:
         mark(Evidence.PROVED)
         return Outcome.CONFIRMED
     return Outcome.UNDECIDED
@@ -92,11 +92,11 @@ def below(a: arb, b: arb) -> Outcome:
 <Outcome.UNDECIDED: 'undecided'>)
     """
     mark(Evidence.CERTIFIED)
-    if bool(a < b):
+    if a < b:
         return Outcome.CONFIRMED
-    if bool(a >= b):
+    if a >= b:
         differ(_numbers(a, "<", b))
-    return Outcome.REFUTED if bool(a >= b) else Outcome.UNDECIDED
+    return Outcome.REFUTED if a >= b else Outcome.UNDECIDED
 
 
 def rounds_to(printed: str, ball: arb) -> Outcome:
@@ -159,7 +159,7 @@ def limit_is(expression: sympy.Expr, variable: sympy.Symbol, end: sympy.Expr, va
     wanted = value if isinstance(value, sympy.Expr) else sympy.Integer(value)
     if found.has(sympy.Limit, sympy.AccumBounds, sympy.nan):
         return Outcome.UNDECIDED
-    if wanted.is_infinite or found.is_infinite:
+    if not {wanted, found}.isdisjoint((sympy.oo, -sympy.oo, sympy.zoo)):
         if found != wanted:
             standing = sympy.Limit(expression, variable, end, side)
             differ(Difference(tex(standing), "=", tex(wanted), (tex(found), "")))

@@ -1,7 +1,8 @@
 """Every form mutated automatically: a check that confirms a mutant confirms a falsehood, or the mutant says the same.
 
 A mutant differs from the confirmed form of its statement in one place: its sign, a factor 2 or 11/10, one exponent, one
-number, one digit, one index or bound, one symbol dropped, doubled or squared; or it is NaN, 0, or empty.
+number, one digit, one index or bound, one symbol dropped, doubled or squared, a unit as a factor (a mass, a rate, ...);
+or it is NaN, 0, or empty.
 
 >>> import sympy
 >>> x = sympy.Symbol("x")
@@ -18,23 +19,19 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from paper_checks.registry import Statement
+from paper_checks.dimensions import UNITS
+from paper_checks.registry import Statement, confirmed_form
 from paper_checks.verdict import Outcome, Printed
 
 Mutant = tuple[str, Any]
 TENTH = sympy.Rational(11, 10)
 
 
-def confirmed_form(entry: Statement) -> Any:
-    """The form that the check confirms: the printed one, or the corrected one where that is true instead."""
-    return entry.printed if entry.verdict in (Printed.HOLDS, Printed.DEFINITION) else entry.corrected
-
-
 def survivors(entry: Statement) -> Iterator[Mutant]:
     """The mutants of the confirmed form that the check does not refute."""
     if entry.check is None or entry.verdict == Printed.OPEN:
         return
-    for name, mutant in mutants(confirmed_form(entry)):
+    for name, mutant in mutants(confirmed_form(entry), UNITS[entry.paper]):
         try:
             outcome = entry.check(mutant)
         except (ArithmeticError, ValueError, TypeError, NotImplementedError, LookupError, AttributeError) as error:
@@ -43,18 +40,24 @@ def survivors(entry: Statement) -> Iterator[Mutant]:
             yield f"{name}: {outcome}", mutant
 
 
-def mutants(form: Any) -> Iterator[Mutant]:
-    """All mutants of a form, each with the name of what was changed."""
-    return (found for found in _all(form) if isinstance(found[1], type(form)) is False or found[1] != form)
+def mutants(form: Any, units: tuple[sympy.Symbol, ...] = ()) -> Iterator[Mutant]:
+    """All mutants of a form, each with the name of what was changed; expressions also times each of the units.
+
+    >>> [str(mutant) for name, mutant in mutants(sympy.Integer(3), sympy.symbols("m k")) if name.startswith("times")]
+    ['3*m', '3*k']
+    """
+    return (found for found in _all(form, units) if isinstance(found[1], type(form)) is False or found[1] != form)
 
 
-def _all(form: Any) -> Iterator[Mutant]:
+def _all(form: Any, units: tuple[sympy.Symbol, ...]) -> Iterator[Mutant]:
     if isinstance(form, tuple):
-        yield from _of_tuple(form)
+        yield from _of_tuple(form, units)
     elif isinstance(form, dict):
         yield "empty", {}
         for key, value in form.items():
-            yield from ((f"{key}: {name}", {**form, key: other}) for name, other in mutants(value) if name != "empty")
+            yield from (
+                (f"{key}: {name}", {**form, key: other}) for name, other in mutants(value, units) if name != "empty"
+            )
     elif isinstance(form, str):
         yield from _of_text(form)
     elif isinstance(form, bool | type(None)):
@@ -65,17 +68,18 @@ def _all(form: Any) -> Iterator[Mutant]:
         yield from _of_interval(form)
     elif isinstance(form, sympy.Expr):
         yield from _of_expression(form)
+        yield from ((f"times {unit}", unit * form) for unit in units if form != 0)
     elif callable(form):
         yield "always", lambda *values: True
         yield "never", lambda *values: False
         yield "the contrary", lambda *values: not form(*values)
 
 
-def _of_tuple(form: tuple[Any, ...]) -> Iterator[Mutant]:
+def _of_tuple(form: tuple[Any, ...], units: tuple[sympy.Symbol, ...]) -> Iterator[Mutant]:
     yield "empty", ()
     for i, part in enumerate(form):
         yield f"without {i}", form[:i] + form[i + 1 :]
-        for name, other in mutants(part):
+        for name, other in mutants(part, units):
             yield f"{i}: {name}", (*form[:i], other, *form[i + 1 :])
 
 

@@ -22,6 +22,7 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 from typing import Any
@@ -29,32 +30,21 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from paper_checks.displays import Display, displays_of
 from paper_checks.forms import DECIMAL
 from paper_checks.grammar import MARK, UnreadableError, read
 from paper_checks.identities import vanishes
 from paper_checks.members import MEMBERS, Members
-from paper_checks.readings import PAPERS, READINGS, Reading
+from paper_checks.readings import READINGS, Reading
 from paper_checks.registry import Statement
 from paper_checks.verdict import Outcome
 
 LEDGER = Path(__file__).parent / "compared.json"
-RELATION = re.compile(r"\\simeq|\\approx|\\sim|\\ll|\\gg|\\propto|\\ge|\\to|[=<>]")
-MODULUS = re.compile(r"\|([^|]+)\|")
-LIMITS = re.compile(
-    r"\\int(?:_\{[^{}]*(?:\{[^{}]*\})?[^{}]*\}|_[a-z0-9])?(?:\^\{[^{}]*(?:\{[^{}]*\})?[^{}]*\}|\^[a-z0-9])?"
-)
-BOUNDARY = re.compile(r"(?:\\Big\||\\bigg\||\\right\|)_\{[^{}]*\}\^(?:\{[^{}]*\}|[a-z])|\\left\.")
-WORDS = re.compile(r"\\text\{[^{}]*\}")
-TAIL = re.compile(r",? *\\qquad.*|, \\quad.*")
-SUMS = re.compile(r"\\sum(?:_\{[^{}]*\})?(?:\^\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})?")
-ACCENT = re.compile(r"\\(dot|ddot|tilde)\{? *([A-Za-z])\}?")
-CASE = re.compile(r",? *&.*?(?=\\\\|\\end)")
-BRANCH = re.compile(r"(?:\\hat\{S\}|S)\^\{?([-+])\}?")
-ARROW = re.compile(r"\\xrightarrow\{(.*?) \\gg 1\}")
-BETA = re.compile(r"B\\left[(\[](.*?),(.*?)\\right[)\]]")
-SAME = {"M": "m", "E": "E_n", "K": "kappa", "fdot": "f'"}  # names of letters in the code and in print
 GAMMA, SPEED, OMEGA = sympy.symbols("gamma v omega", positive=True)
 W, ZERO = GAMMA * SPEED / OMEGA, sympy.S.Zero  # the variable of the polynomials (60)
+
+
+CORRECTED = " corrected"  # after the id: the formula that is true instead
 
 
 class Tie(StrEnum):
@@ -72,7 +62,7 @@ def tie(latex: str, form: Any, key: str = "") -> Tie:
     PART: every expression and number of the form is one of its members.  WHOLE: moreover every member, every limit of
     an integral or a sum, every relation sign and every word is accounted for, by the form or by the reading.
     """
-    reading = READINGS.get(key, Reading())
+    reading = _of(READINGS, key, Reading())
     wanted = _expressions(form, reading.parts)
     if not wanted and isinstance(form, int | sympy.Number if reading.unit else sympy.Number):
         wanted = [sympy.Rational(form)]
@@ -81,14 +71,18 @@ def tie(latex: str, form: Any, key: str = "") -> Tie:
         return Tie.NONE
     if not all(re.search(rf"(?<![\d.]){re.escape(text)}(?![\d.])", latex) for text in texts):
         return Tie.BROKEN
-    letters = {s for part in wanted for s in part.free_symbols}
-    symbols = {SAME.get(str(s), str(s)): s for s in letters}
+    symbols = {reading.name(s): s for part in wanted for s in part.free_symbols}
     found = _all_read(latex, key, reading, symbols)
     missing = [part for part in wanted if not any(_equal(part, value) for value in found)]
     if missing:
         told = any(part.free_symbols == value.free_symbols for part in missing for value in found)
         return Tie.BROKEN if told else Tie.NONE
     return Tie.PART if unaccounted(latex, wanted, texts, key) else Tie.WHOLE
+
+
+def _of(table: dict[str, Any], key: str, default: Any) -> Any:
+    """What a table says of a formula; of a corrected one what it says of the printed one, if nothing else."""
+    return table.get(key, table.get(key.removesuffix(CORRECTED), default))
 
 
 def tied(latex: str, form: Any, key: str = "") -> bool:
@@ -103,20 +97,63 @@ def tied(latex: str, form: Any, key: str = "") -> bool:
 
 def unaccounted(latex: str, wanted: list[sympy.Expr], texts: list[str], key: str) -> list[str]:
     """What a formula has beside the expressions and numbers of its form and its MEMBERS, or what it lacks of these."""
-    reading, members = READINGS.get(key, Reading()), MEMBERS.get(key, Members())
-    letters = _Letters({SAME.get(str(s), str(s)): s for part in wanted for s in part.free_symbols})
+    reading, members = _of(READINGS, key, Reading()), _of(MEMBERS, key, Members())
+    letters = _Letters({reading.name(s): s for part in wanted for s in part.free_symbols})
     unit = read(reading.unit, letters) if reading.unit else sympy.S.One
+    displays = list(displays_of(latex, key, reading))
+    if members.display:
+        models = [model for line in members.display for model in displays_of(line, "", Reading())]
+        return _apart(displays, models, _Sides(letters, unit, wanted, texts))
     also = [read(member, letters) for member in members.also]
     left, used = [], set()
-    for text, signs, beside in _displays(latex, key, reading):
-        for member in filter(None, text):
+    for parts, signs in displays:
+        for member in filter(None, (text for text, _ in parts)):
             for part in _parts(member, letters):
                 same = [k for k in (*wanted, *also) if _equal(k, part) or _equal(k, sympy.expand(part / unit))]
                 left += [] if same or member in texts else [str(part)]
                 used |= set(same)
-        said = Counter([*members.beside, *(members.signs or ("=",) * len(signs))])
-        left += list((Counter([*signs, *beside]) - said) + (said - Counter([*signs, *beside])))
+        beside = [piece for _, pieces in parts for piece in pieces]
+        said, found = Counter(members.beside), Counter(beside)
+        left += list((found - said) + (said - found)) + [sign for sign in signs if sign != "="]
+        left += [piece for piece in beside if piece.startswith(("&", ",&"))]  # the conditions of cases: in order
     return left + [str(value) for value in also if value not in used]
+
+
+@dataclass(frozen=True)
+class _Sides:
+    """What the members of a display are compared with."""
+
+    letters: dict[str, sympy.Symbol]
+    unit: sympy.Expr
+    wanted: list[sympy.Expr]
+    texts: list[str]
+
+    def hold(self, member: str, model: str) -> bool:
+        """Whether a member is the model; ``#12`` are the first and the second expression of the form."""
+        if model == "#":
+            return member in self.texts
+        found = _parts(member, self.letters)
+        if model.startswith("#"):
+            asked = [self.wanted[int(digit) - 1] for digit in model[1:]]
+            found = (
+                found
+                if any(_equal(a, f) for a, f in zip(asked, found))
+                else [sympy.expand(f / self.unit) for f in found]
+            )
+            return len(asked) == len(found) and all(map(_equal, asked, found))
+        asked = _parts(model, self.letters)
+        return len(asked) == len(found) and all(map(_equal, asked, found))
+
+
+def _apart(displays: list[Display], models: list[Display], sides: _Sides) -> list[str]:
+    """Where the chains of members and signs differ from those that are expected, in their order."""
+    left = [] if len(displays) == len(models) else ["another number of displays"]
+    for (parts, signs), (expected, wanted_signs) in zip(displays, models):
+        left += [] if signs == wanted_signs else [f"{signs} for {wanted_signs}"]
+        for (member, beside), (model, pieces) in zip(parts, expected):
+            left += [] if beside == pieces else [f"{beside} for {pieces}"]
+            left += [] if member == model == "" or sides.hold(member, model) else [member]
+    return left
 
 
 def _parts(member: str, letters: dict[str, sympy.Symbol]) -> list[sympy.Expr]:
@@ -124,7 +161,7 @@ def _parts(member: str, letters: dict[str, sympy.Symbol]) -> list[sympy.Expr]:
     try:
         return _components(read(member, letters))
     except UnreadableError:
-        return [sympy.Symbol(member)]
+        return [sympy.Symbol(member.replace(" ", ""))]
 
 
 def _components(value: sympy.Expr) -> list[sympy.Expr]:
@@ -211,42 +248,7 @@ class _Letters(dict[str, sympy.Symbol]):
 
 def _members(latex: str, key: str, reading: Reading) -> Iterator[list[str]]:
     """The members of a formula, once for the upper and once for the lower of its double signs."""
-    return (members for members, _, _ in _displays(latex, key, reading))
-
-
-Display = tuple[list[str], list[str], list[str]]
-
-
-def _displays(latex: str, key: str, reading: Reading) -> Iterator[Display]:
-    """Members, relation signs, and what stands beside them (limits, words, conditions), for both double signs."""
-    beside: list[str] = []
-    text = MODULUS.sub(
-        r"\\abs{\1}", _set_aside(BOUNDARY, "", latex, beside).replace(r"\left|", "|").replace(r"\right|", "|")
-    )
-    text = text.replace("(t)", "").replace(r"\mathrm{sgn}", r"\sgn").replace(r"\cdot", "")
-    for before, after in (*PAPERS.get(key.partition(":")[0], ()), *reading.letters):
-        text = re.sub(" +", " ", text.replace(before, f" {after}"))
-    text = ACCENT.sub(r"\\\1\2 ", text)
-    for pattern, instead in ((CASE, ""), (WORDS, "="), (LIMITS, r"\int "), (SUMS, r"\int "), (TAIL, "")):
-        text = _set_aside(pattern, instead, text, beside)
-    text = BETA.sub(r"\\B{\1}{\2}", ARROW.sub(r"= \1 =", text))
-    text = re.sub(r"\\begin\{cases\}|\\end\{cases\}|\\\\", "=", text)
-    for upper, lower in (("-", "+"), ("+", "-")) if re.search(r"\\(mp|pm)", text) else (("-", "+"),):
-        signed = BRANCH.sub(_branch, text.replace(r"\mp", upper).replace(r"\pm", lower))
-        members = [member.strip().rstrip(",;") for member in RELATION.split(signed)]
-        yield members, RELATION.findall(signed), beside
-
-
-def _set_aside(pattern: re.Pattern[str], instead: str, text: str, beside: list[str]) -> str:
-    """The text with something else in the place of what the pattern finds, which is kept where it says anything."""
-    found = (match[0].replace(" ", "") for match in pattern.finditer(text))
-    beside += [piece for piece in found if piece not in (r"\int", r"\left.")]
-    return pattern.sub(lambda match: instead, text)
-
-
-def _branch(match: re.Match[str]) -> str:
-    """S^+ and S^- as letters with an index."""
-    return f"S_{'plus' if match[1] == '+' else 'minus'}".replace("_", "_{") + "}"
+    return ([text for text, _ in parts] for parts, _ in displays_of(latex, key, reading))
 
 
 def numbered(entry: Statement) -> bool:
@@ -258,7 +260,7 @@ def how_read(entry: Statement) -> Tie:
     """How far the reader ties the printed and the corrected LaTeX to their forms: the lesser of the two."""
     ties = [tie(entry.latex, entry.printed, entry.id)]
     if entry.corrected_latex is not None:
-        ties.append(tie(entry.corrected_latex, entry.corrected, entry.id))
+        ties.append(tie(entry.corrected_latex, entry.corrected, entry.id + CORRECTED))
     return next((t for t in (Tie.BROKEN, Tie.NONE, Tie.PART) if t in ties), Tie.WHOLE)
 
 

@@ -2,13 +2,17 @@ r"""How the formulas of the papers are read: what stands for a letter of the for
 
 A form often holds a part of its equation only, or writes a letter for |sin omega_0 t|.  A ``Reading`` says so, in
 LaTeX: ``letters`` are replacements, made from left to right before anything is read; ``unit`` divides what has been
-read; ``parts`` names the places of a form that the formula prints, where the others are premises of the check.  A
+read; ``parts`` names the places of a form that the formula prints, where the others are premises of the check; with
+``hats`` an S of the form is the paper's S with a hat, with ``differentials`` dx and dv stand in the form.  A
 replacement by ``\int`` marks a factor: what stands beside it and what does not are then two expressions.
 """
 
 from dataclasses import dataclass
 
+import sympy
+
 Letters = tuple[tuple[str, str], ...]
+SAME = {"M": "m", "E": "E_n", "K": "kappa", "fdot": "f'"}  # names of letters in the code and in print
 
 
 @dataclass(frozen=True)
@@ -18,6 +22,13 @@ class Reading:
     letters: Letters = ()
     unit: str = ""
     parts: tuple[int, ...] = ()
+    hats: bool = False
+    differentials: bool = False
+
+    def name(self, symbol: sympy.Symbol) -> str:
+        """What a letter of the code is called in print."""
+        name = str(symbol)
+        return "hat" + name if self.hats and name.startswith("S") else SAME.get(name, name)
 
 
 PAPERS: dict[str, Letters] = {
@@ -32,7 +43,8 @@ PAPERS: dict[str, Letters] = {
 THETA = (r"\omega_0 t", r"\theta")
 SECOND, FIRST, TIME = Reading(parts=(1,)), Reading(parts=(0,)), (r"\omega_0 t", "T")
 PAIR_1, PAIR_2 = Reading(((r"v_1", "v"),)), Reading(((r"v_2", "v"),))
-FORCE = ((r"f(x, v)", "F"), (r"f^2(x, v)", "F^2"), (r"\frac{df}{dv}", "F_v"), (r"\frac{\partial f}{\partial x}", "f_x"),
+FORCE = ((r"f(x, v)", "F"), (r"f^2(x, v)", "F^2"), (r"\frac{df}{dv}", "F_v "),
+         (r"\frac{\partial f}{\partial x}", "f_x"),
          (r"\frac{\partial f}{\partial v}", "f_v"), (r"\frac{dx}{dv}", r"\dxdv"),
          (r"\frac{dv}{v}", r"\frac{1}{v}"))  # fmt: skip
 PLACE = ((r"v(x)", "v"), (r"v^2(x)", "v^2"), (r"\frac{dv}{dx}", "v_x"), (r"\frac{dv/dt}{dx/dt}", r"\frac{a}{\xdot}"),
@@ -80,6 +92,7 @@ READINGS: dict[str, Reading] = {
                               (r"\right]dv", ""), (r"{f}", "{F}"), *FORCE), parts=(1, 2)),
     "smith2012:37": Reading(((r"\frac{\partial\mu}{\partial x}", r"\mu_x"), (r"v\mu", r"v\mu]"),
                              (r"v = \frac{\partial\mu}{\partial v}", r"v - [\mu_v"))),
+    **dict.fromkeys(("smith2012:56a", "smith2012:56b", "smith2012:56d"), Reading(differentials=True)),
     "smith2012:57": Reading(((r"f_n\left(\frac{\gamma v}{\omega}\right)\left(", "= ("), (r"\right)^n", ")"))),
     "smith2012:58": Reading(TERMS, unit=r"\omega"),
     "smith2012:60h": Reading(((r"\sum_{i=0}^{n-1}", "= n-1 ="),)),
@@ -91,7 +104,7 @@ READINGS: dict[str, Reading] = {
     "smith2012:36": Reading(((r"\,dv", r"\int"), (r"\,dx", ""))),
     "smith2012:38a": Reading(((r"\,dv", r"\int"), (r"\,dx", ""))),
     "smith2012:46b": Reading(((r"\ddot{x}", "a"),)),
-    "smith2012:47": Reading(((r"\hat{S}^{+}", r"S_{plus}"),)),
+    "smith2012:47": Reading(hats=True), "smith2012:50": Reading(hats=True), "smith2012:52c": Reading(hats=True),
     "smith2012:52a": Reading((("u_{2n+1}", "u_1"), ("u_{2n}", "u_0"), ("n_{2n}", "u_0"))),
     "smith2012:52b": Reading((("u_{2n+2}", "u_2"), ("u_{2n+1}", "u_1"), ("n_{2n+1}", "u_1"))),
     "smith2012:53": Reading(((r"(\hat{S}-\hat{S}_n)", ""),)),

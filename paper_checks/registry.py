@@ -32,9 +32,11 @@ import inspect
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from functools import partial
 from importlib import import_module
 from typing import Any
 
+from paper_checks.dimensions import dimensionally_false
 from paper_checks.evidence import Difference, Marks
 from paper_checks.forms import guarded
 from paper_checks.verdict import Evidence, Kind, Outcome, Printed
@@ -161,13 +163,19 @@ def add(entry: Statement) -> None:
         raise ValueError(f"{entry.id}: a statement that is partly true, and no other, says in which way")
     if entry.check is None and entry.verdict not in (Printed.DEFINITION, Printed.OPEN):
         raise ValueError(f"{entry.id}: the verdict {entry.verdict} needs a check")
-    check = entry.check and guarded(entry.check, own_forms(entry), entry.premises)
+    other = partial(dimensionally_false, entry.id, model=confirmed_form(entry))
+    check = entry.check and guarded(entry.check, own_forms(entry), entry.premises, other)
     _REGISTRY[entry.id] = replace(entry, check=check)
 
 
 def own_forms(entry: Statement) -> list[Any]:
     """The forms that a statement states: as printed, corrected, and its near miss."""
     return [entry.printed] + [form for form in (entry.corrected, entry.near_miss) if form is not None]
+
+
+def confirmed_form(entry: Statement) -> Any:
+    """The form that the check confirms: the printed one, or the corrected one where that is true instead."""
+    return entry.printed if entry.verdict in (Printed.HOLDS, Printed.DEFINITION) else entry.corrected
 
 
 def load(paper: str | None = None) -> dict[str, Statement]:

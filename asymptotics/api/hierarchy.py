@@ -50,7 +50,7 @@ from asymptotics.terms import Term
 MAX_ORDER, MAX_OPEN_ORDER = 60, 12
 MAX_WRITTEN = 400
 """The largest integer exponent whose waveforms are written out: a polynomial of some thousand terms is read by nobody,
-and beyond 1000 the time of a minute is over before it stands.  Above it they are named integrals, as for any exponent."""
+and at 1000 a minute is over before it stands.  Above it they are named integrals, as for any exponent."""
 _EXIST = f"{TURNING_POINT} for any law, {NO_FIRST_HARMONIC} for polynomial forces"
 
 

@@ -15,14 +15,17 @@ from typing import Any
 from asymptotics.cli.answer import Answer, add_json, shortened
 from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError
-from asymptotics.papers.lookup import VERDICTS, find, papers, statements
+from asymptotics.papers.lookup import SHORTFALLS, VERDICTS, find, has_verdict, papers, statements
 from asymptotics.papers.statement import PaperStatement
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("query", nargs="*", metavar="WHAT", help="a paper, an id, a number, or words")
-    parser.add_argument("--verdict", choices=VERDICTS, help="only statements with this verdict")
+    kinds = ", ".join(f"{name} {said}" for name, said in SHORTFALLS.items())
+    parser.add_argument(
+        "--verdict", choices=(*VERDICTS, *SHORTFALLS), help=f"only statements with this verdict; {kinds}"
+    )
     parser.add_argument("--latex", action="store_true", help="print the formulas alone, as LaTeX")
     parser.add_argument("--check", action="store_true", help="run the checks again")
     add_json(parser)
@@ -32,7 +35,7 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     query = " ".join(options.query)
     chosen = statements(query or None) if not query or query in papers() else _found(query)
-    chosen = tuple(s for s in chosen if options.verdict in (None, s.printed))
+    chosen = tuple(s for s in chosen if has_verdict(s, options.verdict))
     data: dict[str, object] = {"query": query, "entries": [s.to_dict() for s in chosen]}
     if options.check:
         return _checked(chosen, data, options.json)
@@ -56,7 +59,9 @@ def _summary(chosen: tuple[PaperStatement, ...]) -> str:
     for key, reference in papers().items():
         counts = Counter(s.printed for s in chosen if s.paper == key)
         shown = ", ".join(f"{counts[v]} {v}" for v in VERDICTS if counts[v])
-        lines += [f"{key}: {reference}", f"  {sum(counts.values())} statements: {shown}"]
+        kinds = Counter(s.shortfall for s in chosen if s.paper == key and s.shortfall)
+        partly = ", ".join(f"{kinds[said]} {said}" for said in SHORTFALLS.values() if kinds[said])
+        lines += [f"{key}: {reference}", f"  {sum(counts.values())} statements: {shown}", f"  partly: {partly}"]
     return "\n".join(
         [*lines, "", "`asymptotics papers smith2012` lists one paper, `asymptotics papers Lambert` searches."]
     )

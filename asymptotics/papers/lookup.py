@@ -46,6 +46,12 @@ def papers() -> dict[str, str]:
 
 
 VERDICTS = ("holds", "misprint", "transcription", "partly", "refuted", "open", "definition")
+SHORTFALLS = {
+    "partly-condition": "true under an omitted condition",
+    "partly-consequence": "does not follow",
+    "partly-range": "false in a stated range",
+}
+"""The three ways of being partly true, by the words that select them."""
 
 
 def statements(
@@ -53,8 +59,8 @@ def statements(
 ) -> tuple[PaperStatement, ...]:
     """All statements, of one paper or of all three, in reading order; with ``words`` those that are found, best first.
 
-    ``verdict``: only those whose printed form has it.  InputError for an unknown paper or verdict, and for words that
-    nothing has.
+    ``verdict``: only those whose printed form has it; partly-condition, partly-consequence and partly-range are the
+    three ways of being partly true.  InputError for an unknown paper or verdict, and for words that nothing has.
 
     >>> [found.id for found in statements("smith2012", words="Lambert", verdict="holds")][:2]
     ['smith2012:43', ...]
@@ -62,11 +68,20 @@ def statements(
     if paper is not None:
         require_choice(paper, "paper", papers())
     if verdict is not None:
-        require_choice(verdict, "verdict", VERDICTS)
+        require_choice(verdict, "verdict", (*VERDICTS, *SHORTFALLS))
     if words is not None and not isinstance(words, str):
         raise InputError("words", "is not text", "a number (43) or words (Lambert)")
     found = tuple(_all().values()) if words is None else find(words)
-    return tuple(s for s in found if paper in (None, s.paper) and verdict in (None, s.printed))
+    return tuple(s for s in found if paper in (None, s.paper) and has_verdict(s, verdict))
+
+
+def has_verdict(s: PaperStatement, verdict: str | None) -> bool:
+    """Whether a statement has this verdict, or is partly true in this way; None asks for no verdict.
+
+    >>> [has_verdict(paper("lancaster2020:15"), verdict) for verdict in ("partly", "partly-range", "partly-condition")]
+    [True, True, False]
+    """
+    return verdict in (None, s.printed) or s.shortfall is not None and SHORTFALLS.get(str(verdict)) == s.shortfall
 
 
 def paper(id: str) -> PaperStatement:  # noqa: A002 (the papers' own word)

@@ -90,7 +90,8 @@ MEANINGS = {
     "unit": 'the unit of x in the file: m, mm, deg, ...; and of time: "mm,ms"',
     "until": "the time up to which, in s for an oscillator, else tau",
     "value": "what is read: a mapping exponent -> strength, or a law",
-    "verdict": "holds, misprint, transcription, partly, refuted, open or definition",
+    "verdict": "holds, misprint, transcription, partly, refuted, open or definition; partly-condition,"
+    " partly-consequence or partly-range",
     "w": "gamma v/omega, without a unit",
     "words": "words, or a number, that the statement has",
     "workers": "processes; by default one for each core, 1 computes in this process",

@@ -45,7 +45,7 @@ FREQUENCY_NOTE = (
     latex=r"\frac{A(t)^{1-\alpha} - x_0^{1-\alpha}}{1-\alpha} = -\frac{b\omega_0^{1+\alpha}}{k}\int_0^t"
     r"|\sin^{1+\alpha}(\omega_0 t')|dt' \qquad (\alpha \neq 1)",
     printed=-RATE, near_miss=-RATE / omega0, conditions="alpha != 1; A > 0; A in the sense of sqrt(2E/k), see (8)",
-    methods=("(8) with (9) separated",), derivation="lancaster-energy", line=9,
+    methods=("(8) with (9) separated",), derivation="lancaster-energy", line=10,
     note="Form: the factor in front of the integral.",
 )
 def separated(form: sympy.Expr) -> Outcome:
@@ -73,7 +73,7 @@ def linear_limit(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 @statement(
     id="lancaster2020:11", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     slip="On the right side the frequency is omega', on the left omega_0.",
-    derivation="lancaster-average", line=15, title="The integral grows like its mean",
+    derivation="lancaster-average", line=11, title="The integral grows like its mean",
     latex=r"\int_0^t|\sin^{\alpha+1}(\omega_0 t')|dt' \simeq \langle|\sin^{1+\alpha}(\omega' t)|\rangle t",
     printed=mean(alpha), near_miss=2 ** (-(alpha + 1) / 2), order="1", digits=20,
     conditions="omega_0 t >> 1: the difference is periodic, so the relative error is O(1/(omega_0 t))",
@@ -84,7 +84,7 @@ def linear_limit(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 @statement(
     id="lancaster2020:12", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     slip="omega stands where (11) has omega_0; by (2) it is another frequency.",
-    derivation="lancaster-average", line=15, title="The mean as a beta function",
+    derivation="lancaster-average", line=11, title="The mean as a beta function",
     latex=r"\int_0^t|\sin^{\alpha+1}(\omega t')|dt' \simeq 2^{\alpha+1}B\left(\frac{\alpha}{2}+1,"
     r"\frac{\alpha}{2}+1\right)t/\pi",
     printed=BETA, near_miss=BETA / 2, order="1", digits=20,
@@ -130,7 +130,7 @@ def average_period(form: sympy.Expr) -> Outcome:
 
 
 @statement(
-    id="lancaster2020:13", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.PROVED, order="1",
+    id="lancaster2020:13", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
     title="The amplitude for any exponent",
     latex=r"A(t) = x_0\left[1 + (\alpha-1)\frac{b(2\omega_0)^{\alpha+1}t}{\pi kx_0^{1-\alpha}}"
     r"B\left[\frac{\alpha}{2}+1,\frac{\alpha}{2}+1\right]\right]^{-\frac{1}{\alpha-1}}",
@@ -138,7 +138,7 @@ def average_period(form: sympy.Expr) -> Outcome:
     conditions="alpha != 1 (alpha = 1 as a limit); for alpha < 1 only until the bracket vanishes; omega_0 t up to the"
     " order of 1/epsilon, for alpha > 1 all times",
     methods=("(10) with (12), proved", "error of A cos(omega_0 t) against the exact motion, alpha = 0, 3/2, 3"),
-    derivation="lancaster-energy", line=10,
+    derivation="lancaster-energy", extent="sampled: 6 points",
     note="The supplied text runs the number (13) and the definition of kappa into one display; the formula is whole."
     " The error of x is O(epsilon); at the turning points, where |x| is the amplitude, it is O(epsilon^2).",
 )
@@ -225,7 +225,7 @@ def slower_with_alpha(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.three-cases", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The cases alpha = 0, 1, 2 are contained in (13)",
+    paraphrase=True, title="The cases alpha = 0, 1, 2 are contained in (13)",
     latex=r"\langle|\sin|\rangle = \frac{2}{\pi}, \quad \langle\sin^2\rangle = \frac{1}{2}, \quad"
     r" \langle|\sin^3|\rangle = \frac{4}{3\pi}",
     printed=BETA, near_miss=BETA * (alpha + 1) / 2,

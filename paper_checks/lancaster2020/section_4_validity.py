@@ -31,7 +31,7 @@ RATE = K / (1 + (alpha - 1) * K * T)  # |A'|/(omega_0 A), while the bracket is p
     title="Weak damping is generally not equivalent to slow dissipation",
     latex=r"\kappa \ll 1 \text{ is equivalent to } |\dot{A}| \ll \omega_0 A \text{ at all times only for } \alpha = 1",
     printed=1, near_miss=2, conditions="none", methods=("time dependence of (14)",),
-    derivation="lancaster-energy", line=12,
+    derivation="lancaster-energy", line=14,
     note="alpha > 1: strong damping becomes slow; alpha < 1: weak damping ends fast. Form: alpha.",
 )
 def weak_not_slow(form: int) -> Outcome:
@@ -46,14 +46,14 @@ def weak_not_slow(form: int) -> Outcome:
     title="For alpha != 1 the approximation works best at either long or short times",
     latex=r"\alpha > 1: \text{long times}; \quad \alpha < 1: \text{short times}", printed=(-1, 0, 1),
     near_miss=(1, 0, -1),
-    conditions="none", methods=("sign of the time derivative of (14)",), derivation="lancaster-energy", line=12,
+    conditions="none", methods=("sign of the time derivative of (14)",), derivation="lancaster-energy", line=14,
     note="Form: whether |A'|/A falls (-1) or grows (1) for alpha > 1, = 1, < 1.",
 )
 @statement(
     id="lancaster2020:claim.crossover", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="alpha = 1 is the crossover between slow dissipation at long and at short times",
     latex=r"\alpha = 1 \text{ represents a sort of crossover case}", printed=(-1, 0, 1), near_miss=(-1, -1, 1),
-    conditions="none", methods=("sign of the time derivative of (14)",), derivation="lancaster-energy", line=12,
+    conditions="none", methods=("sign of the time derivative of (14)",), derivation="lancaster-energy", line=14,
     note="Form as for claim.long-or-short.",
 )
 def monotone_rate(form: tuple[int, int, int]) -> Outcome:
@@ -70,7 +70,7 @@ def monotone_rate(form: tuple[int, int, int]) -> Outcome:
     printed=K * omega0 / (1 + (alpha - 1) * K * omega0 * t),
     near_miss=K * omega0 / (1 + alpha * K * omega0 * t),
     conditions="alpha != 1, and for alpha < 1 before the bracket vanishes, at (1-alpha) kappa omega_0 t = 1",
-    methods=("logarithmic derivative of (13)",), derivation="lancaster-energy", line=11,
+    methods=("logarithmic derivative of (13)",), derivation="lancaster-energy", line=12,
     note="True for alpha = 1 as well. Form: the middle member, for a positive bracket.",
 )
 def slow_condition(form: sympy.Expr) -> Outcome:
@@ -86,7 +86,7 @@ def slow_condition(form: sympy.Expr) -> Outcome:
     r" \text{ slow-dissipation limit to the weak-damping limit}",
     corrected_latex=r"\alpha = 1: \quad \frac{|\dot{A}|}{A} = \kappa\omega_0 = \frac{b}{2m} \ll \omega_0",
     printed=(), corrected=(K,), near_miss=(2 * K,),
-    conditions="none", methods=("(14) at alpha = 1",), derivation="lancaster-energy", line=11,
+    conditions="none", methods=("(14) at alpha = 1",), derivation="lancaster-energy", line=12,
     note="The two halves of the sentence stand apart, below (13) and below (14), and its middle is lost; as supplied it"
     " states nothing. kappa = b/(2 m omega_0) is gamma/omega_0. Form: |A'|/(omega_0 A) at alpha = 1, if any is stated.",
 )
@@ -108,7 +108,7 @@ def weak_equals_slow(form: tuple[sympy.Expr, ...]) -> Outcome:
     printed=T, corrected=q * K * T, near_miss=q * T,
     conditions="alpha > 1; the arrow as labelled needs kappa of order 1",
     methods=("limit along kappa = 1/z^2, where z is the variable of the label",),
-    derivation="lancaster-energy", line=13,
+    derivation="lancaster-energy", line=15,
     note="The limit is taken in the wrong variable, although the line above (15) has the right one: for 1 << omega_0 t"
     " << 1/((alpha-1) kappa) the rate is still kappa omega_0. As an inequality it holds for all t and b, so that"
     " (14) is satisfied for (alpha-1) omega_0 t >> 1 all the same. Order 0 in epsilon, at a fixed epsilon omega_0 t."
@@ -320,7 +320,7 @@ def leading_order(form: int) -> Outcome:
     latex=r"\kappa \sim \frac{b\omega_0^{\alpha}}{kx_0^{1-\alpha}}", printed=EPSILON,
     near_miss=EPSILON * x0 ** (2 - 2 * alpha), conditions="the factor is M_(alpha+1), between 1/2 and 2/pi for"
     " 0 <= alpha <= 1; for large alpha it falls like alpha^(-1/2)", methods=("quotient free of the constants",),
-    derivation="lancaster-average", line=15,
+    derivation="lancaster-average", line=11,
 )
 def kappa_scaling(form: sympy.Expr) -> Outcome:
     """kappa = M_(alpha+1) times the form."""
@@ -389,7 +389,7 @@ def scaled_condition(form: sympy.Expr) -> Outcome:
     corrected_latex=r"\text{it fails for } (1-\alpha)\kappa\omega_0 t \to 1 \text{, from } 1 - \kappa \text{ on}",
     printed=(T, sympy.oo), corrected=(p * K * T, sympy.Integer(1)), near_miss=(K * T, sympy.Integer(1)),
     conditions="alpha < 1, kappa < 1", methods=("limit of the rate in the variable of the form",),
-    derivation="lancaster-energy", line=16,
+    derivation="lancaster-energy", line=18,
     note="Again the wrong variable: with kappa = 0.001, alpha = 0 the rate at omega_0 t = 100 is 0.0011 omega_0. Form:"
     " the variable, and the value to which it tends where (17) fails.",
 )

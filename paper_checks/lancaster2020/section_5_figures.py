@@ -108,7 +108,7 @@ def breakdown(form: int) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.friction-overwhelms", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The sliding friction can overwhelm the restoring force",
+    paraphrase=True, title="The sliding friction can overwhelm the restoring force",
     latex=r"k|x| < b \text{ when the amplitude has decayed to a sufficiently small value}",
     printed=b / k, near_miss=2 * b / k, conditions="alpha = 0; equal static and kinetic friction",
     methods=("restoring force at the bound", "number of half-swings, exact"),

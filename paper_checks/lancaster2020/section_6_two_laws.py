@@ -136,7 +136,7 @@ def averaged(form: sympy.Expr) -> Outcome:
     title="The constants c and c'",
     latex=r"c = b(2\omega_0)^{\alpha+1}B\left(\frac{\alpha}{2}+1,\frac{\alpha}{2}+1\right), \quad c' ="
     r" b'(2\omega_0)^{\alpha'+1}B\left(\frac{\alpha'}{2}+1,\frac{\alpha'}{2}+1\right)",
-    printed=constant(b, alpha), near_miss=constant(b, alpha) / (2 * omega0), derivation="lancaster-average", line=15,
+    printed=constant(b, alpha), near_miss=constant(b, alpha) / (2 * omega0), derivation="lancaster-average", line=11,
     conditions="none", methods=("c = pi k kappa omega_0 x0^(1-alpha)", "dimension"), note="Form: c.",
 )
 def constants(form: sympy.Expr) -> Outcome:
@@ -184,19 +184,19 @@ def solves_20(form: sympy.Expr) -> Outcome:
 
 
 @statement(
-    id="lancaster2020:21", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.PROVED, order="1",
+    id="lancaster2020:21", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
     title="Viscous drag and air resistance together",
     latex=r"A(t) \simeq \frac{c\lambda e^{-\frac{ct}{\pi k}}}{1 - \lambda c'e^{-\frac{ct}{\pi k}}}",
     printed=FRACTION, near_miss=c * LAMBDA * DECAY / (1 + LAMBDA * d * DECAY), conditions="alpha = 1, alpha' = 2",
     methods=("solution of (20), proved", "error of A cos(omega_0 t) against the exact motion, b = omega_0 x0 b'"),
-    derivation="two-laws-time", line=13,
+    derivation="two-laws-time", extent="sampled: 2 points",
 )
 @statement(
-    id="lancaster2020:claim.no-restriction", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    id="lancaster2020:claim.no-restriction", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
     title="No restriction on the relative sizes of b and omega_0 x0 b'",
     latex=r"\text{we have made no restrictions whatsoever on the relative sizes of } b \text{ and } \omega_0 x_0 b'",
     printed=FRACTION, near_miss=x0 * DECAY, conditions="relative sizes only: both must be weak, b, omega_0 x0 b' <<"
-    " m omega_0", derivation="two-laws-time", line=13,
+    " m omega_0", derivation="two-laws-time", extent="sampled: 2 points",
     methods=("(21) solves (20) for all positive c, c'", "error of A cos(omega_0 t) as for (21)"),
     note="Near miss: (21) without c', which needs omega_0 x0 b' << b.",
 )

@@ -64,7 +64,8 @@ def late_amplitude(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.denominator-exponential", kind=Kind.CLAIM, verdict=Printed.HOLDS,
-    evidence=Evidence.PROVED, title="In the long-time limit the exponential in the denominator may be neglected",
+    evidence=Evidence.PROVED, paraphrase=True,
+    title="In the long-time limit the exponential in the denominator may be neglected",
     latex=r"\lim_{t\to\infty}\frac{A(t)}{c\lambda e^{-ct/(\pi k)}} = 1", printed=c * LAMBDA * DECAY,
     near_miss=c * LAMBDA * DECAY**2, conditions="none", methods=("limit of the quotient",), derivation="two-laws-time",
     note="And c lambda e^{-ct/(pi k)} is the right side of (22).",
@@ -93,6 +94,7 @@ def denominator(form: sympy.Expr) -> Outcome:
 )
 @statement(
     id="lancaster2020:claim.memory-lost", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="Then the dependence on the initial value disappears", printed=(3 * sympy.pi * x0 / (8 * rho), sympy.oo),
     latex=r"\omega_0 x_0b' \gg b: \quad \frac{\partial}{\partial x_0}\lim A(t)e^{\frac{bt}{2m}} = 0",
     near_miss=(x0 * sympy.Rational(3, 8) * sympy.pi, sympy.oo), conditions="late times, bt/(2m) >> 1",
@@ -253,7 +255,7 @@ def _not_one(low: sympy.Rational, high: sympy.Rational) -> bool:
     r"\frac{\alpha'-1}{\alpha'-\alpha};\frac{1+\alpha-2\alpha'}{\alpha-\alpha'};-\frac{c}{c'}x^{\alpha-\alpha'}\right)}"
     r"{c'(1-\alpha')}",
     corrected_latex=r"\text{the same, for } \frac{\alpha'-1}{\alpha'-\alpha} \neq 0, -1, -2, \ldots",
-    printed=_all_pairs, corrected=_regular, near_miss=_not_one, derivation="two-laws-time", line=9,
+    printed=_all_pairs, corrected=_regular, near_miss=_not_one, derivation="two-laws-time", line=10,
     conditions="(alpha'-1)/(alpha'-alpha) not 0, -1, -2, ...: not alpha' = 1 - n(alpha'-alpha), n = 0, 1, 2, ...",
     methods=("differentiated, with the differential equation z F' + a F = a/(1-z)", "parameters at test pairs"),
     note=f"The exceptional exponents are not excluded: alpha' = 1, whatever alpha (division by zero), and {_LISTED},"

@@ -161,7 +161,7 @@ def energy_decreases(form: tuple[sympy.Expr, ...]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.equal-initial-energies", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="Both pairs of initial conditions have the same energy",
+    paraphrase=True, title="Both pairs of initial conditions have the same energy",
     latex=r"E_0 = m\omega_0^2x_0^2/2 \text{ for } (x_0, 0) \text{ and for } (0, \omega_0x_0)",
     printed=((x0, 0), (0, w0 * x0)), near_miss=((x0, 0), (0, x0)),
     conditions="none", methods=("(6) with k = m omega_0^2",),

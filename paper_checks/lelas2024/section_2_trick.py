@@ -135,7 +135,7 @@ def exponential_decay(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.exponential-energy", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="This version of the approach gives a purely exponential decay of energy",
+    paraphrase=True, title="This version of the approach gives a purely exponential decay of energy",
     latex=r"E_1(t) = E_2(t) = E_0e^{-\frac{b}{m}t}", printed=sympy.exp(-b * t / m),
     near_miss=sympy.exp(-b * t / (2 * m)),
     conditions="none", methods=("(14) with f = e^{-bt/2m}",), derivation="lelas-viscous",

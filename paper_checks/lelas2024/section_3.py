@@ -58,7 +58,7 @@ def friction_power(form: sympy.Expr) -> Outcome:
 )
 @statement(
     id="lelas2024:claim.sign-times-cube", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The same for the cube", latex=r"\mathrm{sgn}[v(t)]v^3(t) = |v^3(t)| = |v(t)|^3",
+    paraphrase=True, title="The same for the cube", latex=r"\mathrm{sgn}[v(t)]v^3(t) = |v^3(t)| = |v(t)|^3",
     printed=(3, sympy.Abs(v) ** 3), near_miss=(3, v**3), conditions="none", methods=("v > 0, v = 0, v < 0",),
 )
 def sign_times_power(form: tuple[int, sympy.Expr]) -> Outcome:
@@ -232,7 +232,7 @@ def same_decay_friction(coefficient: sympy.Expr) -> Outcome:
 )
 @statement(
     id="lelas2024:claim.everything-zero-at-stop", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="At tau both displacements and both velocities vanish",
+    paraphrase=True, title="At tau both displacements and both velocities vanish",
     latex=r"x_1(\tau) = x_2(\tau) = v_1(\tau) = v_2(\tau) = 0", printed=TAU, near_miss=TAU / 2,
     methods=("zero of (32)",), conditions="in (8), (9), (12), (13)", derivation="lelas-friction",
     note="True of the approximation; the block itself stops at a turning point, off centre in general.",

@@ -82,7 +82,7 @@ def air_rate(form: tuple[str, sympy.Expr]) -> Outcome:
 @statement(
     id="lelas2024:claim.both-sides-positive", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
     shortfall=Shortfall.RANGE,
-    title="Both sides of (38) and (39) are positive for any t", printed=(0, 1, 2, 3), corrected=(1, 3),
+    paraphrase=True, title="Both sides of (38) and (39) are positive for any t", printed=(0, 1, 2, 3), corrected=(1, 3),
     near_miss=(1, 2, 3), latex=r"\frac{C\omega_0x_0}{m}f^2(t)|\sin(\omega_0t)|^3 > 0 \text{ for any } t",
     corrected_latex=r"\frac{C\omega_0x_0}{m}f^2(t)|\sin(\omega_0t)|^3 \ge 0",
     conditions="positive except at the zeros of sine or cosine", methods=("values at the quarter periods",),

@@ -158,7 +158,7 @@ def _ordered(upper: sympy.Expr, lower: sympy.Expr, eps: Fraction) -> Outcome:
 
 @statement(
     id="lelas2024:claim.slower-decay", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
-    shortfall=Shortfall.RANGE, derivation="lelas-air", line=21,
+    shortfall=Shortfall.RANGE, derivation="lelas-air", line=27,
     title="(51) decays only slightly more slowly than (52)", printed=("51", "52", sympy.Integer(1)),
     corrected=("51", "52", 3 * sympy.pi * sympy.sqrt(2) / 16), near_miss=("52", "51", sympy.Integer(1)),
     latex=r"\text{(51) gives only a slightly slower amplitude decay compared to the solution (52)}",
@@ -184,7 +184,7 @@ def slower_decay(form: tuple[str, str, sympy.Expr]) -> Outcome:
     corrected_latex=r"1 \le \frac{f(t)}{\tilde{f}(t)} < \frac{8\sqrt{2}}{3\pi} = 1.2004", printed=sympy.Integer(1),
     corrected=8 * sympy.sqrt(2) / (3 * sympy.pi), near_miss=3 * sympy.pi / (8 * sympy.sqrt(2)),
     conditions="up to 20 % of the amplitude, reached at late times for any C", methods=("limit of the ratio",),
-    derivation="lelas-air", line=21,
+    derivation="lelas-air", line=26,
     note="At a fixed time the two agree ever better as C -> 0, but so does no damping at all."
     " Form: the ratio of the amplitudes as t tends to infinity.",
 )

@@ -12,10 +12,11 @@ import sympy
 
 from derivations.__main__ import names
 from paper_checks.data import ROOT
+from paper_checks.displays import RELATION
 from paper_checks.evidence import Difference
 from paper_checks.forms import DECIMAL, tex
 from paper_checks.near_misses import LEFT, WORDS
-from paper_checks.reader import RELATION, tied
+from paper_checks.reader import tied
 from paper_checks.readings import READINGS
 from paper_checks.registry import SECTIONS, Statement
 from paper_checks.report.words import typeset

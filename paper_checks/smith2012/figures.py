@@ -113,9 +113,8 @@ def three_oscillators(axes: Any) -> None:
     axes.plot(np.cos(angle), np.sin(angle), "--", color=GREY, linewidth=1, label="no damping")
     axes.plot([halves[0].u[0], halves[2].u[0]], [0, 0], "o", color=GREY, markersize=4)
     _phase_axes(axes)
-    axes.set_xlim(-1.85, 1.85)
-    axes.set_ylim(-1.1, 1.1)
-    axes.set_aspect("equal")
+    axes.set_xlim(-1.08, 1.08)
+    axes.set_ylim(-1.08, 1.08)
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3)
 
 

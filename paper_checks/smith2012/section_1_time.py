@@ -134,6 +134,7 @@ def series_in_inverse_velocity(form: sympy.Expr) -> Outcome:
 @statement(
     id="smith2012:claim.hat-T", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
     shortfall=Shortfall.CONDITION,
+    paraphrase=True,
     title="The series (21) is the function that completes (22)", printed=sympy.Integer(1), corrected=omega,
     near_miss=omega**2, latex=r"\sum_nF_n\left(\frac{1}{v}\right)^n\Big|_{x_0}^x = \hat{T}(x, v) - \hat{T}(x_0, v_0)",
     corrected_latex=r"\omega\sum_nF_n\left(\frac{1}{v}\right)^n\Big|_{x_0}^x = \hat{T}(x, v) - \hat{T}(x_0, v_0)",

@@ -157,7 +157,7 @@ def arctangent_identity(form: tuple[int, int]) -> Outcome:
 
 @statement(
     id="smith2012:claim.standard-motion", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="Either form of T gives the standard motion", printed=SOLVED, near_miss=SOLVED.subs(t, -t),
+    paraphrase=True, title="Either form of T gives the standard motion", printed=SOLVED, near_miss=SOLVED.subs(t, -t),
     latex=r"x = \frac{1}{\omega}\sqrt{\frac{2S}{m}}\sin(\omega t - T)",
     conditions="none", methods=("S and T of the motion",),
     note="The exercise left to the reader; with (30) the constant differs by pi/2, so that a cosine appears.",

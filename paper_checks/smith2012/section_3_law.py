@@ -79,7 +79,7 @@ def damping_opposes_velocity(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 )
 @statement(
     id="smith2012:claim.sign-change-solution", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The solution for v > 0 is obtained from that for v < 0 by simply changing sign",
+    paraphrase=True, title="The solution for v > 0 is obtained from that for v < 0 by simply changing sign",
     latex=r"x_{v>0}(t) = -x_{v<0}(t)", printed=-1, near_miss=1, conditions="initial state mirrored too",
     methods=("substitution",),
 )
@@ -127,7 +127,7 @@ def pfaffian_forms(form: tuple[tuple[sympy.Expr, sympy.Expr], ...]) -> Outcome:
 
 @statement(
     id="smith2012:claim.not-quadratures", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The Pfaffian forms (36) do not obey the integrability condition",
+    paraphrase=True, title="The Pfaffian forms (36) do not obey the integrability condition",
     latex=r"\frac{\partial v}{\partial x} \ne \frac{\partial(\omega^2 x \mp \gamma v^2)}{\partial v}",
     printed=(2 * gamma * v, -2 * gamma * v), near_miss=(sympy.Integer(0), sympy.Integer(0)), conditions="gamma > 0",
     methods=("cross derivatives",),

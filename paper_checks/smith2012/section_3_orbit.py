@@ -51,7 +51,7 @@ FACTOR_NOTE = (
 )
 @statement(
     id="smith2012:claim.S-negative", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="S^- is negative for all positive u_0 and tends to 0 from below",
+    paraphrase=True, title="S^- is negative for all positive u_0 and tends to 0 from below",
     latex=r"\hat{S}^- < 0 \text{ for all } u_0 > 0, \quad \hat{S}^- \to 0^- \text{ as } u_0 \to \infty",
     printed=sympy.Interval.Ropen(-QUARTER, 0), near_miss=sympy.Interval(-QUARTER, QUARTER),
     conditions="u_0 > 0", methods=("monotone with the two limits",), derivation="smith-turning-points",
@@ -181,7 +181,7 @@ def constant_and_acceleration(form: sympy.Expr) -> Outcome:
 )
 @statement(
     id="smith2012:claim.maximum-velocity", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The maximum of the speed is where the acceleration is zero",
+    paraphrase=True, title="The maximum of the speed is where the acceleration is zero",
     conditions="u_0 > 0, first half-swing", latex=r"\ddot{x}(x_f) = 0 \text{ is the point of maximum velocity}",
     printed=u0 - log(2 * u0 + 1) / 2, near_miss=u0 - log(2 * u0 + 1),
     methods=("the acceleration is monotone in u",), derivation="smith-turning-points",
@@ -301,7 +301,7 @@ def second_turning_point(form: sympy.Expr) -> Outcome:
 @statement(
     id="smith2012:claim.second-cycle", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
     shortfall=Shortfall.CONDITION,
-    title="u_2 fed back into (42) determines S for the second cycle",
+    paraphrase=True, title="u_2 fed back into (42) determines S for the second cycle",
     latex=r"\hat{S} = -e^{-2u_2}\left(\frac{u_2}{2} + \frac{1}{4}\right) \text{ for the second cycle}",
     corrected_latex=r"\hat{S} - \hat{S}_2 = -e^{-2u_2}\left(\frac{u_2}{2} + \frac{1}{4}\right)",
     printed=0, corrected=2, near_miss=1, conditions="the left side is S - S_2, as in (52a) and (52c)",

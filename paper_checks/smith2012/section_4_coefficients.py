@@ -54,7 +54,7 @@ def closed_term(exponent: sympy.Expr, last: sympy.Expr) -> tuple[sympy.Expr, sym
     printed=closed_term(k, n + 1 - 2 * k), corrected=closed_term(k - 1, n + 1 - 2 * k),
     near_miss=closed_term(k - 1, n - 2 * k), conditions="1 <= i < n, n and i of opposite parity",
     methods=(f"all rows to n = {ROWS}", "(62a) unrolled, n and i symbolic: the derivation"),
-    derivation="smith-closed-sum", line=10,
+    derivation="smith-closed-sum", line=13,
     note="(62a) has the first term +2(n-1)/(n+i), so k = 1 must come with a plus: C_1^2 = 2/3 by (60b), the printed sum"
     " gives -2/3. The text cannot tell whether print or transcription lost the -1. For i = 0 use (63).",
 )
@@ -73,10 +73,10 @@ def closed_sum_of_coefficients(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="smith2012:claim.opposite-parity", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="n and i have opposite parity",
+    paraphrase=True, title="n and i have opposite parity",
     latex=r"C_i^n = 0 \text{ unless } n \text{ and } i \text{ have opposite parity}", printed=1, near_miss=0,
     conditions="none",
-    methods=(f"rows to n = {ROWS}", "(62a) keeps n - i mod 2, C_0^1 = 1"), derivation="smith-closed-sum", line=5,
+    methods=(f"rows to n = {ROWS}", "(62a) keeps n - i mod 2, C_0^1 = 1"), derivation="smith-closed-sum", line=6,
     note="Form: the n - i (mod 2) for which C_i^n may differ from 0; there it never vanishes:"
     " by (62a) and induction its sign is (-1)^{(n-1-i)/2}.",
 )
@@ -105,11 +105,13 @@ def sign_power(shift: int) -> sympy.Expr:
     derivation="smith-closed-sum", line=3,
 )
 def column_zero(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
-    """Every C_0^superscript with even n vanishes (for some m, if m is free), and for odd n the values hold."""
+    """Every C_0^superscript with even n vanishes, and for odd n the values hold: for some m if n is not in it, else for
+    every m."""
     superscript, value = form
     for a in range(1, ROWS):
         candidates = {int(superscript.subs({n: a, m: j})) for j in range(1, ROWS)}
-        if a % 2 == 1 and a not in candidates | {1}:
+        meant = candidates == {a} if n in superscript.free_symbols else a in candidates | {1}
+        if a % 2 == 1 and not meant:
             return Outcome.REFUTED
         if a % 2 == 0 and all(coefficient(s, 0) != 0 for s in candidates):
             return Outcome.REFUTED

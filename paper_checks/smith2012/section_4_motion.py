@@ -119,7 +119,7 @@ def _value(form: sympy.Expr, place: mpf, speed: mpf, rate: sympy.Expr, length: s
 
 @statement(
     id="smith2012:claim.harmonic-limit", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="(69) agrees with the harmonic oscillator when the damping vanishes",
+    paraphrase=True, title="(69) agrees with the harmonic oscillator when the damping vanishes",
     latex=r"\gamma \to 0: \quad 0 = \omega t + \tan^{-1}\left(\frac{v}{\omega x}\right)",
     printed=-sympy.atan(v / (omega * x)), near_miss=sympy.atan(v / (omega * x)),
     methods=("gamma = 0, differentiated along the motion",), conditions="omega fixed",
@@ -134,7 +134,7 @@ def harmonic_limit(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:claim.last-term-vanishes", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The last term of (69) vanishes at the turning points", conditions="x != 0 there",
+    paraphrase=True, title="The last term of (69) vanishes at the turning points", conditions="x != 0 there",
     latex=r"\frac{2}{3}\frac{\omega\gamma v^3}{[\omega^2v^2 + (\gamma v^2-\omega^2 x)^2]} = 0 \text{ at } v = 0",
     printed=3, near_miss=2, methods=("expansion at v = 0",), note="Form: the order of the zero.",
 )
@@ -148,7 +148,7 @@ def last_term_vanishes(form: int) -> Outcome:
 
 @statement(
     id="smith2012:claim.arctan-argument", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="The argument of the arctangent vanishes at the turning points and diverges in between",
+    paraphrase=True, title="The argument of the arctangent vanishes at the turning points and diverges in between",
     latex=r"\frac{\omega v}{\gamma v^2-\omega^2 x} = 0 \text{ at each turning point; it changes sign and diverges in"
     r" between}",
     printed=Z_OF_STATE, near_miss=1 / Z_OF_STATE, conditions="u_0 > 0; exactly one such point, (46c)",
@@ -164,6 +164,7 @@ def argument_of_arctan(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:claim.pi-added", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="pi must be added to keep omega t continuous", latex=r"\omega(t_+ - t_-) = \pi", printed=sympy.pi,
     near_miss=sympy.pi / 2, conditions="falling half-cycle, after the zero of the acceleration",
     methods=("one-sided limits of the arctangent",),
@@ -195,7 +196,8 @@ def period(form: sympy.Expr) -> Outcome:
     id="smith2012:claim.frequency", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="2",
     extent="sampled: 2 points",
     title="To first order in gamma the frequency is the natural frequency", printed=sympy.Integer(1),
-    latex=r"\text{to first order in } \gamma \text{, the frequency is identical to the natural frequency}",
+    latex=r"\text{to first order in the damping constant the oscillation frequency is identical to the natural}"
+    r"\ \text{frequency}",
     near_miss=1 - u0 / 6, conditions="to first order in gamma x_0",
     methods=("2 pi over twice the half period by quadrature",), derivation="smith-generating-functions",
 )

@@ -101,6 +101,7 @@ def column_one_closed(form: tuple[int, sympy.Expr]) -> Outcome:
 
 @statement(
     id="smith2012:claim.induction-start", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="It is true for n = 2, hence for all even n", latex=r"C_1^2 = \frac{2}{3}", printed=2, near_miss=3,
     conditions="none",
     methods=("f_2 = (2/3) w", "induction step"),

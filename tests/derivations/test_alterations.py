@@ -88,6 +88,41 @@ def unnoticed(step, number):
     return found
 
 
+def relations(step):
+    return list(step.left) if isinstance(step.left, sympy.Tuple) else [step.left]
+
+
+REVERSED = {sympy.Lt: sympy.Ge, sympy.Le: sympy.Gt, sympy.Gt: sympy.Le, sympy.Ge: sympy.Lt, sympy.Ne: sympy.Eq}
+
+
+def holds(step, relation):
+    """Whether the line is accepted with another relation."""
+    line = Derivation("altered", "", source="")
+    try:
+        with limited(SECONDS):
+            line.asserts(step.reason, relation)
+    except (AssertionError, ArithmeticError, AttributeError, LookupError, NotImplementedError, TypeError, ValueError):
+        return False
+    except sympy.PolynomialError:
+        return False
+    return True
+
+
+def unnoticed_in(step, relation, number):
+    """What a line of relations does not notice: the contrary, or every alteration of both sides."""
+    contrary = REVERSED.get(type(relation), sympy.Ne)(*relation.args, evaluate=False)
+    found = [f"the contrary of {relation}"] if holds(step, contrary) else []
+    tried = [
+        relation.func(*relation.args[:side], other, *relation.args[side + 1 :], evaluate=False)
+        for side in (0, 1)
+        for other in altered(relation.args[side])
+    ]
+    for alterations in (spread(iter(tried), number), tried[:60]):
+        if not alterations or any(not holds(step, other) for other in alterations):
+            return found
+    return [*found, f"every alteration of {relation}"]
+
+
 @pytest.mark.parametrize("name", names())
 def test_no_line_is_an_expression_beside_itself_but_those_listed(name):
     found = {step.reason for step in lines(name) if rearranged(step)}
@@ -123,6 +158,20 @@ def test_every_line_with_a_side_altered_stops(name):
     counts = {f"every alteration of {shown}" for shown in LISTED["counts"]["lines"].get(name, [])}
     found = [set(unnoticed(step, PER_SIDE)) for step in lines(name) if step.kind == "equality"]
     assert set().union(*found) == counts  # and what is listed is there
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", names())
+def test_every_relation_altered_stops(name):
+    steps = (step for step in lines(name) if step.kind == "relation")
+    found = {said for step in steps for relation in relations(step) for said in unnoticed_in(step, relation, PER_SIDE)}
+    assert found == set(LISTED["relations"]["lines"].get(name, []))
+
+
+@pytest.mark.parametrize("name", ["lelas-friction", "two-laws-time", "lelas-air"])
+def test_a_relation_altered_stops(name):
+    for step in (step for step in lines(name) if step.kind == "relation"):
+        assert [said for relation in relations(step) for said in unnoticed_in(step, relation, 2)] == []
 
 
 def test_the_walk_reaches_every_kind_of_place():

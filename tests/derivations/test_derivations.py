@@ -185,6 +185,29 @@ def test_a_step_must_be_true_and_a_relation_established():
     assert derivation.steps == []
 
 
+HALF = sympy.Float(0.5)
+X = sympy.Symbol("x", positive=True)
+LINES = {
+    "a side": lambda d, half: d.step("", sympy.Derivative(half * X**2, X), X),
+    "the other side": lambda d, half: d.step("", sympy.Derivative(X**2, X) / 4, half * X),
+    "a place": lambda d, half: d.step("", At(X**2, {X: half}), sympy.Rational(1, 4)),
+    "a body": lambda d, half: d.step("", defined("h", lambda z: half * z)(X) * 2, X),
+    "a name": lambda d, half: d.step("", 2 * named("U_1", half * X), X),
+    "a relation": lambda d, half: d.asserts("", sympy.Gt(X + half, 0, evaluate=False)),
+    "a body in a relation": lambda d, half: d.asserts("", sympy.Gt(defined("h", lambda z: half * z)(X), 0)),
+    "a definition": lambda d, half: d.defines("", "h", half * X),
+}
+
+
+@pytest.mark.parametrize("line", LINES)
+def test_no_line_takes_a_double(line):
+    derivation = Derivation("d", "", source="")
+    with pytest.raises(AssertionError, match="has a double in it"):
+        LINES[line](derivation, HALF)
+    LINES[line](derivation, sympy.Rational(1, 2))
+    assert len(derivation.steps) == 1
+
+
 def test_two_relations_stand_on_one_line():
     x = sympy.Symbol("x", positive=True)
     derivation = Derivation("d", "", source="")

@@ -8,7 +8,7 @@ import pytest
 import sympy
 
 from paper_checks.grammar import UnreadableError, read
-from paper_checks.reader import SORTS, Tie, digest, how_read, ledger, numbered, tie, tied
+from paper_checks.reader import CORRECTED, SORTS, Tie, digest, how_read, ledger, numbered, tie, tied
 from paper_checks.registry import load
 from paper_checks.verdict import Printed
 
@@ -16,31 +16,71 @@ ENTRIES = load()
 NUMBERED = [entry for entry in ENTRIES.values() if numbered(entry)]
 LEDGER = ledger()
 DIGESTS = {key: digest for sort in SORTS for key, digest in LEDGER[sort].items()}
-WHOLE = list(LEDGER[Tie.WHOLE])
+WHOLE = [
+    name
+    for key in LEDGER[Tie.WHOLE]
+    for name in (key, key + CORRECTED)
+    if name == key or ENTRIES[key].corrected_latex is not None
+]
 ROOT = Path(__file__).parents[2]
 
 GREEK = "alpha|beta|zeta|eta|theta|gamma|kappa|lambda|mu|omega|pi|tau"
-TOKEN = re.compile(rf"\\(?:{GREEK}|sin|cos|ll)(?![a-z])|[0-9]|[+\-=<>]|(?<![A-Za-z\\])[A-Za-z](?![a-z])")
+SIGNS = "ll|gg|simeq|approx|le|ge|neq|pm|mp"
+COMMANDS = rf"{GREEK}|{SIGNS}|sin|cos|ln|exp|sqrt|hat|dot|ddot|tilde|infty|min|max"
+TOKEN = re.compile(
+    rf"\\(?:{COMMANDS})(?![a-z])|(?<![A-Za-z\\_])d[vxt](?![a-z])|[0-9]|[+\-=<>']|(?<![A-Za-z\\])[A-Za-z](?![a-z])"
+)
 SAYS_THE_SAME = {  # an even power of -1, where the exponent is changed by an even number
+    "smith2012:62b corrected": "(-1)^{k+1}",
     "smith2012:65": "(-1)^{(n+2)/2}", "smith2012:66": "(-1)^{(n+4)/2}", "smith2012:67": "(-1)^{(n+2)/2}",
 }  # fmt: skip
-OTHER = {"+": "-", "-": "+", "=": "<", "<": ">", ">": "<", r"\sin": r"\cos", r"\cos": r"\sin", r"\ll": r"\gg"}
+OTHER = {"+": "-", "-": "+", "=": "<", "<": ">", ">": "<", "'": "", "dv": "dx", "dx": "dv", "dt": "dx"}
+PAIRS = ("sin cos", "ll gg", "le ge", "pm mp", "ln exp", "min max", "dot ddot")
+OTHER |= {f"\\{a}": f"\\{b}" for pair in map(str.split, PAIRS) for a, b in (pair, pair[::-1])}
+OTHER |= {r"\simeq": "=", r"\approx": "=", r"\neq": "=", r"\infty": "0", r"\hat": "", r"\tilde": "", r"\sqrt": ""}
 FIXED = re.compile(r"\\(?:begin|end)\{cases\}|\\(?:text|mathrm)\{[^{}]*\}|\(t\)")
 
 
 def altered(latex):
-    """The formula with one token another: a digit one more, a sign the other, a letter q (q: h), each in turn."""
+    """The formula with one token another (a digit one more, a sign the other, a letter q (q: h), a command its like),
+    with two sides of a sign exchanged, and with the conditions of two cases exchanged, each in turn."""
     fixed = [found.span() for found in FIXED.finditer(latex)]
     for found in TOKEN.finditer(latex):
         if not any(first <= found.start() < last for first, last in fixed):
-            other = OTHER.get(found[0]) or (
-                str((int(found[0]) + 1) % 10) if found[0].isdigit() else "q" if found[0] != "q" else "h"
-            )
+            other = OTHER.get(found[0])
+            if other is None:
+                other = str((int(found[0]) + 1) % 10) if found[0].isdigit() else "q" if found[0] != "q" else "h"
             yield f"{latex[: found.start()]}{other} {latex[found.end() :]}"
+    yield from (changed for _, changed in exchanged(latex))
+
+
+CHAIN = re.compile(r"(\\simeq|\\approx|\\ll|\\xrightarrow\{[^{}]*\}|=)")
+CONDITION = re.compile(r"&.*?(?=\\\\|\\end)")
+
+
+def exchanged(latex):
+    """The conditions of two cases exchanged; of a chain, the sides of an order and neighbouring signs."""
+    first, second = (CONDITION.findall(latex) * 2)[:2] if CONDITION.search(latex) else ("", "")
+    if first != second:
+        mark = "?"
+        yield "conditions", latex.replace(first, mark).replace(second, first).replace(mark, second)
+    pieces = CHAIN.split(latex.partition(r" \qquad")[0])
+    for k in range(1, len(pieces) - 1, 2):
+        if pieces[k] != "=":
+            yield "sides", "".join([*pieces[: k - 1], pieces[k + 1], pieces[k], pieces[k - 1], *pieces[k + 2 :]])
+    for k in range(1, len(pieces) - 3, 2):
+        if pieces[k] != pieces[k + 2]:
+            yield "signs", "".join([*pieces[:k], pieces[k + 2], pieces[k + 1], pieces[k], *pieces[k + 3 :]])
+
+
+def printed(key):
+    """LaTeX and form of a statement, or of what is true instead of it."""
+    entry = ENTRIES[key.removesuffix(CORRECTED)]
+    return (entry.corrected_latex, entry.corrected) if key.endswith(CORRECTED) else (entry.latex, entry.printed)
 
 
 def unnoticed(key, changes):
-    noticed = (changed for changed in changes if tie(changed, ENTRIES[key].printed, key) == Tie.WHOLE)
+    noticed = (changed for changed in changes if tie(changed, printed(key)[1], key) == Tie.WHOLE)
     return [changed for changed in noticed if SAYS_THE_SAME.get(key, "none") not in changed.replace(" ", "")]
 
 
@@ -61,7 +101,7 @@ def test_latex_and_form_are_those_that_were_compared(key):
 
 @pytest.mark.parametrize("key", random.Random("reader").sample(WHOLE, 25))
 def test_one_token_changed_in_the_latex_is_noticed(key):
-    changes = list(altered(ENTRIES[key].latex))
+    changes = list(altered(printed(key)[0]))
     assert unnoticed(key, random.Random(key).sample(changes, min(2, len(changes)))) == []
 
 
@@ -79,10 +119,23 @@ def test_the_left_side_a_limit_a_sign_and_a_word_are_read():
     assert unnoticed("smith2012:29", [ENTRIES["smith2012:29"].latex.replace("t_-", "t_+")]) == []
 
 
+@pytest.mark.parametrize(
+    ("key", "kind"),
+    [(f"smith2012:{n}", "conditions") for n in ("35", "36", "50", "52c", "63", "65")]
+    + [(f"lelas2024:{n}", "sides") for n in (21, 33, 46, 50, 53)]
+    + [(f"lancaster2020:{n}", "sides") for n in (3, 14, 15, 16, 22)]
+    + [(f"lancaster2020:{n}", "signs") for n in (14, 15, 16)],
+)
+def test_conditions_sides_and_signs_exchanged_are_noticed(key, kind):
+    changed = dict(exchanged(ENTRIES[key].latex))
+    assert kind in changed
+    assert unnoticed(key, [latex for name, latex in exchanged(ENTRIES[key].latex) if name == kind]) == []
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("key", WHOLE)
 def test_every_token_changed_in_the_latex_is_noticed(key):
-    assert unnoticed(key, altered(ENTRIES[key].latex)) == []
+    assert unnoticed(key, altered(printed(key)[0])) == []
 
 
 @pytest.mark.parametrize("latex", [r"\oint x", "x +", r"\frac{x}", "y", r"x_{", "(x", r"\sin x"])

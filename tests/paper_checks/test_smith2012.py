@@ -1,6 +1,11 @@
 """Every statement of the paper: present, borne out by its check, and refutable."""
 
+from importlib import import_module
+
+import pytest
+
 from paper_checks.registry import load
+from paper_checks.smith2012 import figures
 from paper_checks.verdict import Printed
 
 ENTRIES = load("smith2012")
@@ -78,3 +83,11 @@ def test_verdicts_other_than_holds():
     exceptions = (Printed.HOLDS, Printed.DEFINITION)
     found = {short(key): str(entry.verdict) for key, entry in ENTRIES.items() if entry.verdict not in exceptions}
     assert found == NOT_HOLDING
+
+
+@pytest.mark.parametrize("name", sorted(figures.FIGURES))
+def test_the_curves_fill_the_picture(name):
+    axes = import_module("matplotlib.figure").Figure().subplots()
+    figures.FIGURES[name][1](axes)
+    for limits, data in ((axes.get_xlim(), axes.dataLim.intervalx), (axes.get_ylim(), axes.dataLim.intervaly)):
+        assert (data[1] - data[0]) / (limits[1] - limits[0]) > 0.7

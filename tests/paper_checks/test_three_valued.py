@@ -13,7 +13,7 @@ from paper_checks.verdict import Outcome
 from tests.sources import tree
 
 FOLDER = Path(__file__).parents[2] / "paper_checks"
-FILES = sorted(path for path in FOLDER.glob("*/*.py") if path.parent.name != "report")
+FILES = sorted(path for path in FOLDER.rglob("*.py") if path.parent.name != "report")
 ENTRIES = load()
 OPEN = sympy.Symbol("o", real=True)
 C, R, U = Outcome.CONFIRMED, Outcome.REFUTED, Outcome.UNDECIDED
@@ -62,7 +62,7 @@ def truths(tree):
                 yield node
 
 
-BALLS = {"is_finite", "is_integer", "is_Number"}  # of python-flint, of a number: two values
+BALLS = {"is_finite", "is_integer", "is_Number", "is_number"}  # of python-flint, of a number, of the tree: two values
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.name}")
@@ -89,9 +89,11 @@ def test_a_tool_that_gives_up_decides_nothing():
         guarded(check, [foreign[0]])(foreign[0])
 
 
+mm, nn = (sympy.Symbol(letter, integer=True, positive=True) for letter in "mn")
 T, K, q = sympy.symbols("T K q", positive=True)
 FALSE = {  # forms that once passed
-    "lancaster2020:15": [K**3 * T * q, K * T, K * T * q**2, sympy.sqrt(K) * T * q],
+    "lancaster2020:15": [K**3 * T * q, K * T, K * T * q**2, sympy.sqrt(K) * T * q,
+                           K * T * q * sympy.Symbol("m", positive=True)],
     "lancaster2020:fig1": [("0.038", "-0.056"), ("0.041", "-0.056"), ("0.042", "-0.055")],
     "lancaster2020:fig3": [
         tuple(factor * curve if place == i else curve for i, curve in enumerate(ENTRIES["lancaster2020:fig3"].printed))
@@ -104,6 +106,7 @@ FALSE = {  # forms that once passed
         ENTRIES["lelas2024:claim.no-closed-form"].corrected.replace(sympy.ceiling, lambda n: sympy.ceiling(n) + 1),
     ],
     "lelas2024:claim.not-analytically-solvable": [sympy.Integer(3), sympy.Symbol("C", positive=True)],
+    "smith2012:63": [(mm * nn, ENTRIES["smith2012:63"].corrected[1])],
     "smith2012:57": [sympy.sqrt(sympy.Symbol("x", positive=True)), sympy.Symbol("zz", positive=True)],
 }  # fmt: skip
 

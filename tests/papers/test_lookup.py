@@ -8,7 +8,7 @@ import pytest
 
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError
-from asymptotics.papers.lookup import find, paper, papers, statements
+from asymptotics.papers.lookup import SHORTFALLS, find, paper, papers, statements
 from paper_checks.data import DATA, written
 from paper_checks.registry import PAPERS, load
 
@@ -128,3 +128,17 @@ def test_looking_up_loads_no_heavy_library():
         "assert not {'sympy', 'numpy', 'mpmath', 'matplotlib', 'scipy'} & set(sys.modules)"
     )
     subprocess.run([sys.executable, "-c", probe], check=True, capture_output=True)
+
+
+def test_each_way_of_being_partly_true_is_selected_and_counted(capsys):
+    partly = statements(verdict="partly")
+    chosen = {name: statements(verdict=name) for name in SHORTFALLS}
+    assert sorted(s.id for found in chosen.values() for s in found) == sorted(s.id for s in partly)
+    assert all(s.shortfall == SHORTFALLS[name] for name, found in chosen.items() for s in found) and all(
+        chosen.values()
+    )
+    assert main(["papers", "--verdict", "partly-range"]) == 0
+    assert capsys.readouterr().out.endswith(f"{len(chosen['partly-range'])} statements\n")
+    assert main(["papers"]) == 0
+    out = capsys.readouterr().out
+    assert all(said in out for said in SHORTFALLS.values())
