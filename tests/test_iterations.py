@@ -36,7 +36,7 @@ CAPPED = {
     "bounds/reach.py:_until": "what is returned has been proved; a later time may be",
     "flow/linear_spring/expansion.py:_slow_enough": "a bisection: a choice of the step",
     "flow/wells/rational_stops.py:rational_stops": "the stops that are returned are exact, however many they are",
-    "return_map/panel_plan.py:_stretch": "a choice of the ellipse, whose bound is proved after",
+    "return_map/panel_plan.py:widest": "a choice of the ellipse, whose bound is proved after",
 }
 
 
