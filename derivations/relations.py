@@ -7,11 +7,16 @@
 'x >= 0,  x != pi'
 """
 
+from functools import lru_cache
+
 import sympy
 from sympy.core.relational import Relational
 
 SIGNS = {"==": ("=", "="), "!=": ("!=", r"\neq")}
 SIGNS |= {"<": ("<", "<"), "<=": ("<=", r"\leq"), ">": (">", ">"), ">=": (">=", r"\geq")}
+
+latex = lru_cache(maxsize=None)(sympy.latex)
+"""In LaTeX; a line is written when it is checked, and again wherever it is shown."""
 
 
 def value(shown: sympy.Basic) -> sympy.Basic:
@@ -122,7 +127,7 @@ def shown_in_text(shown: sympy.Basic) -> str:
 
 def shown_in_latex(shown: sympy.Basic) -> str:
     """Relations in LaTeX."""
-    return _shown(shown, 1, sympy.latex, r",\quad ")
+    return _shown(shown, 1, latex, r",\quad ")
 
 
 def _shown(shown, language, write, between):

@@ -40,7 +40,7 @@ from dataclasses import dataclass, field
 
 import sympy
 
-from derivations.relations import difference, established, shown_in_latex, shown_in_text
+from derivations.relations import difference, established, latex, shown_in_latex, shown_in_text
 from derivations.waiting import At, Coefficient, Solution, Taylor, defined, exact, is_name, named
 
 __all__ = ["At", "Coefficient", "Derivation", "Solution", "Step", "Taylor", "defined", "difference", "named"]
@@ -65,7 +65,7 @@ class Step:
         if self.right is None:
             return shown_in_latex(self.left)
         sign = " := " if self.kind == "definition" else " = "
-        return sympy.latex(self.left) + sign + sympy.latex(self.right)
+        return latex(self.left) + sign + latex(self.right)
 
     def text(self) -> str:
         """The line in plain text."""
@@ -88,7 +88,7 @@ class Derivation:
         left, right = exact(left), exact(right)
         if (remainder := difference(left, right)) != 0:
             raise AssertionError(f"{self._where(reason)}: the two sides differ by {remainder}")
-        if str(left) == str(right) or sympy.latex(left) == sympy.latex(right):
+        if str(left) == str(right) or latex(left) == latex(right):
             raise AssertionError(f"{self._where(reason)}: both sides are printed as {left}")
         if is_name(left) or is_name(right):
             raise AssertionError(f"{self._where(reason)}: {left} = {right} says what a name stands for: `defines`")
