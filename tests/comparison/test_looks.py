@@ -47,6 +47,7 @@ def as_table(found):
     return lines
 
 
+@pytest.mark.slow
 def test_no_integrator_is_called_a_wrong_law_and_no_law_an_integrator():
     """One law here; eight others in the slow test."""
     for kind, name, look in looks(((1.5,), (0.15,)), battery.FINE, set(battery.RIGHT) - {battery.SLIGHTLY}):

@@ -267,6 +267,7 @@ def test_a_symbolic_exponent_reaches_order_twelve():
     assert sympy.expand(found.relative.subs(D, 1)) == 1 and sympy.expand(found.slow_phase.subs(D, 1)) == 0
 
 
+@pytest.mark.slow
 def test_a_sum_in_motion_has_a_start_and_refuses_what_is_not_exact():
     found = asy.solution(asy.Oscillator({1: "1/40", "3/2": "1/40"}, x0="-5/13", v0="-12/13"), order=3)
     true = asy.reference(found.oscillator)

@@ -76,6 +76,7 @@ def test_the_unit_of_the_file_sets_the_strengths():
     assert answer.law("free").law.epsilon[0].contains(0.003)
 
 
+@pytest.mark.slow
 def test_times_tell_a_spring_from_cubic_loss_and_amplitudes_do_not():
     seen = observed("1+s3", [0.02, 0.05], 80, 3e-4, 1e-3, seed=3)
     answer = asy.identify(seen)

@@ -120,6 +120,7 @@ def test_the_numbers_of_the_page_are_the_proved_ones(browser, page, capsys, stat
     assert len(rows) == sum(time <= until for _, _, time in truth[2])
 
 
+@pytest.mark.slow
 def test_a_wrong_coefficient_in_the_page_is_noticed(browser, page, capsys, tmp_path):
     state, text = "alpha=2&epsilon=0.5&time=9", page.read_text(encoding="utf-8")
     values, rows, commands = shown(browser, page, state)

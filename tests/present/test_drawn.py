@@ -209,6 +209,7 @@ def test_overlay_size_and_resolution_from_the_shell(tmp_path, capsys):
     assert main([*line, "--overlay", "nonsense"]) == 2
 
 
+@pytest.mark.slow
 def test_a_pendulum_is_told_in_radians_everywhere():
     pendulum = asy.Oscillator(asy.Law({2: "1/10"}, spring="pendulum"), x0=1)
     points, motion = asy.turning_points(pendulum, 2, digits=6), asy.motion(pendulum)

@@ -45,6 +45,7 @@ def test_a_constant_from_delta_where_z_is_meant_is_refuted():
         assert (abs(best.smallest_term / (c_1 / pi / sqrt(z) * exp(-2 * pi * z)) - 1) < 0.3) == right
 
 
+@pytest.mark.slow
 def test_motion_says_the_same(capsys):
     told = ["motion", "--alpha", "2", "--epsilon", "1/10", "--time", "7", "--best-order", "1/5"]
     assert main(told) == 0 and str(asy.expand(2).best_order("1/5")) in capsys.readouterr().out

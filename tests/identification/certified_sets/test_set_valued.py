@@ -118,6 +118,7 @@ def test_the_tail_reaches_strong_losses_and_holds_what_is_left_out():
         assert CertifiedRatio.of(losses("3")).tail([arb("0.12")]) < arb("1e-9")
 
 
+@pytest.mark.slow
 def test_a_strong_cubic_loss_is_proved_and_so_is_every_law_that_contains_it():
     # a decrement of an eighth of the amplitude
     answer = asy.identify(printed("3", [0.1], 4, rows=30), laws=["2", "3", "0+3", "1+2+3"])
@@ -268,6 +269,7 @@ def test_more_resistance_costs_more_at_every_row():
             assert all(less < more for less, more in zip(lost, lost[1:]))
 
 
+@pytest.mark.slow
 def test_the_table_of_an_unknown_exponent_names_it(tmp_path, capsys):
     table = printed("3/2", [0.05], 4)
     path = tmp_path / "decrements.csv"
