@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from asymptotics.api.pictures import plot
     from asymptotics.api.slow import Envelope, envelope
     from asymptotics.api.solution import solution
-    from asymptotics.api.swings import OscillatorTurningPoints, turning_points
+    from asymptotics.api.turning_points import OscillatorTurningPoints, turning_points
     from asymptotics.api.waves import waveforms
     from asymptotics.bounds.remainder import remainder
     from asymptotics.cli.swept import sweep_command
@@ -68,7 +68,7 @@ _HOMES = {
     "api.slow": ("Envelope", "envelope"),
     "api.solution": ("solution",),
     "api.waves": ("waveforms",),
-    "api.swings": ("OscillatorTurningPoints", "turning_points"),
+    "api.turning_points": ("OscillatorTurningPoints", "turning_points"),
     "bounds.remainder": ("remainder",),
     "cli.swept": ("sweep_command",),
     "expansions.equations.build": ("expand",),

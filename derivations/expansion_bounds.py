@@ -15,7 +15,8 @@ psi = sympy.Symbol("psi")
 derivation = Derivation(
     "expansion-bounds",
     "What the O() of an expansion holds, on one half-swing and on all of them",
-    source="bounds.local, bounds.turning, bounds.orbit; the map, its majorant and L1b are those of quarter-swing-tail",
+    source="bounds.local, bounds.turning, bounds.turning_sequence; the map, its majorant and L1b are those of "
+    "quarter-swing-tail",
 )
 step, asserts = derivation.step, derivation.asserts
 

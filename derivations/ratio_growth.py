@@ -19,7 +19,7 @@ N, rate = sympy.symbols("N N'", positive=True)
 derivation = Derivation(
     "ratio-growth",
     "How ratios of turning points part",
-    source="Liouville's formula; energy-contraction; asymptotics.flow.parting.by_ratio",
+    source="Liouville's formula; energy-contraction; asymptotics.flow.error_propagation.contraction_by_ratio",
 )
 step, asserts = derivation.step, derivation.asserts
 

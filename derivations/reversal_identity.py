@@ -8,8 +8,8 @@ Taylor(F(delta), delta, 3) = 4*delta**3*q_2**2 + 2*delta**2*q_2 + delta
 
 import sympy
 
+from asymptotics.expansions.half_swings.formal_solution import FormalSolution
 from asymptotics.expansions.half_swings.grading import Grading
-from asymptotics.expansions.half_swings.orbit import Orbit
 from asymptotics.expansions.half_swings.theta_algebra import COSINE, SINE, THETA, ThetaTrig, sine_power
 from asymptotics.series import Series
 from derivations.steps import At, Derivation, Taylor, defined
@@ -141,7 +141,7 @@ def flight(alphas: tuple[int, ...], order: int) -> tuple[Series, ...]:
     """R, T_q (theta = pi/2) and L, T (theta = pi) of one and the same orbit."""
     powers = tuple(sine_power(a) for a in alphas)
     grading, keys = Grading.of(alphas), (tuple(int(i == j) for j in range(len(alphas))) for i in range(len(alphas)))
-    orbit = Orbit.solve(grading, order, list(zip(keys, powers)), COSINE, lambda m: -(SINE * m).integral())
+    orbit = FormalSolution.solve(grading, order, list(zip(keys, powers)), COSINE, lambda m: -(SINE * m).integral())
     log_r = orbit.series(orbit.log_r, lambda f: f)
     time = orbit.series(orbit.m, lambda m: (COSINE * m).integral()) + THETA
     return tuple(f.map(at) for at in (ThetaTrig.at_quarter, ThetaTrig.at_half) for f in (log_r, time))

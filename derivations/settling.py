@@ -16,7 +16,7 @@ N = sympy.Function("N", positive=True)(w)
 derivation = Derivation(
     "settling",
     "A creep whose speed is lost in the errors settles beside N",
-    source="derivations creep and slow-curve; asymptotics.flow.slow_manifold.onset",
+    source="derivations creep and slow-curve; asymptotics.flow.slow_manifold.attraction",
 )
 step, asserts = derivation.step, derivation.asserts
 

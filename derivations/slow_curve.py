@@ -16,7 +16,7 @@ A, B, R = (sympy.Function(name)(w) for name in "ABR")
 derivation = Derivation(
     "slow-curve",
     "Creep for 0 < alpha < 1 between two barriers",
-    source="derivation creep; flow.slow_manifold.creep_slow_curve, flow.slow_manifold.slow_curve_series",
+    source="derivation creep; flow.slow_manifold.slow_curve, flow.slow_manifold.slow_curve_series",
 )
 step = derivation.step
 

@@ -36,7 +36,7 @@ ANY_WILL_DO = {
     "expansions/divergence/petal.py": "each petal has bounds of its own, proved: the smallest of a few",
     "envelopes/large.py": "Newton's method starts at one of two places",
     "limit_cycles/series.py": "the cycle nearest to a guess, which is a double itself",
-    "flow/slow_manifold/onset.py": "Newton's method starts at one of several places",
+    "flow/slow_manifold/attraction.py": "Newton's method starts at one of several places",
     "turning/abel.py": "each circle or polydisc has a bound of its own: the least of them is sought",
     "turning/jump.py": "the cheaper of several routes",
 }

@@ -17,7 +17,7 @@ from dataclasses import replace
 from asymptotics.budget import budget
 from asymptotics.errors import InputError, require_flag
 from asymptotics.expansions.equations.given import terms_of
-from asymptotics.expansions.half_swings.finite_result import HalfSwingAt
+from asymptotics.expansions.half_swings.half_swing_value import HalfSwingAt
 from asymptotics.expansions.normal_form.coefficients import half_swing_coefficients
 from asymptotics.expansions.normal_form.results import HalfSwingCoefficients
 from asymptotics.law import Law, LawLike, SpringLike

@@ -10,7 +10,7 @@ delta_M = O(1/M) the error is O(delta_M^K): a few hundred half-swings, and K = 5
 >>> from asymptotics.numbers.exact import parse_real
 >>> with ctx.workprec(100):
 ...     law = Damping.of([(arb(1) / 10, parse_real("2", "--alpha"))])
-...     late_state(law, Turning(0, 1, arb(1), arb(0), arb(0), arb(0)), arb(10) ** 9, 30).str(8)
+...     late_state(law, TurningState(0, 1, arb(1), arb(0), arb(0), arb(0)), arb(10) ** 9, 30).str(8)
 '[2.0232092e-8 +/- 8.49e-17]'
 """
 
@@ -28,7 +28,7 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states_from
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.turning import TurningState
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.panels import Panels
 from asymptotics.return_map.sequence import Interpolated
@@ -37,7 +37,7 @@ ORDERS = {1: 7, 2: 5}
 """The order K of the jump, by the number of laws; 3 for more than two."""
 
 
-def late_state(damping: Damping, first: Turning, tau: arb, lead: int, panels: Panels | None = None) -> arb:
+def late_state(damping: Damping, first: TurningState, tau: arb, lead: int, panels: Panels | None = None) -> arb:
     """X at the time ``tau``, far beyond ``lead`` half-swings from ``first``, a turning point of the motion.
 
     LimitError as ``late_turning``.
@@ -47,7 +47,9 @@ def late_state(damping: Damping, first: Turning, tau: arb, lead: int, panels: Pa
         return states_from(LinearSpring(damping), there, [tau])[0][0]
 
 
-def late_turning(damping: Damping, first: Turning, tau: arb, lead: int, panels: Panels | None = None) -> Turning:
+def late_turning(
+    damping: Damping, first: TurningState, tau: arb, lead: int, panels: Panels | None = None
+) -> TurningState:
     """One of the last turning points before ``tau``.
 
     LimitError where the motion ends before, or the local strengths there are still out of the range of the theorem.
@@ -65,7 +67,7 @@ def late_turning(damping: Damping, first: Turning, tau: arb, lead: int, panels: 
         amplitude = a * (arb(0, bounds.log_amplitude(n)) - s).exp()
         moment = here.time + time + arb(0, upper(here.time_error + bounds.time(n)))
     side = here.side * (-1) ** n
-    return Turning(here.n + n, side, amplitude.mid(), moment.mid(), upper(amplitude.rad()), upper(moment.rad()))
+    return TurningState(here.n + n, side, amplitude.mid(), moment.mid(), upper(amplitude.rad()), upper(moment.rad()))
 
 
 def _as_long_as(tau: arb) -> int:
@@ -73,7 +75,7 @@ def _as_long_as(tau: arb) -> int:
     return int(ctx.prec + max(0, int(size_of(tau))) + 1)
 
 
-def _led(turnings: Iterator[Turning], last: int) -> Turning:
+def _led(turnings: Iterator[TurningState], last: int) -> TurningState:
     for here in turnings:
         tick(f"turning point {here.n}")
         if here.n >= last:

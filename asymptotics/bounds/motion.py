@@ -26,7 +26,7 @@ from asymptotics.errors import LimitError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import first_from
-from asymptotics.flow.turning import Turning, at_rest
+from asymptotics.flow.turning import TurningState, at_rest
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import time_of
 from asymptotics.motions.reference import reference_states
@@ -93,7 +93,7 @@ def _jumped(oscillator: Oscillator, t: ExactReal, digits: int) -> arb:
         tau, damping = t.ball() * oscillator.omega_0(), Damping.of_law(law)
     with ctx.workprec(bits):
         omega, length = oscillator.omega_0(), oscillator.length()
-        first: Turning | str = at_rest(arb(1))
+        first: TurningState | str = at_rest(arb(1))
         if oscillator.x0 < 0:
             first = replace(at_rest(arb(1)), side=-1)
         if not oscillator.v0.is_zero:

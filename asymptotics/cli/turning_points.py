@@ -26,8 +26,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from asymptotics.api.swings import OscillatorTurningPoints, dimensionless
-from asymptotics.api.swings import turning_points as in_si
+from asymptotics.api.turning_points import OscillatorTurningPoints, dimensionless
+from asymptotics.api.turning_points import turning_points as in_si
 from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds, shortened
 from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.cli.forces import add_forces, read_law

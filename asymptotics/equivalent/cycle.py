@@ -24,7 +24,7 @@ from flint import arb
 
 from asymptotics.bounds.half_swing import disc, half_swing_series
 from asymptotics.bounds.local import BITS
-from asymptotics.equivalent.orbit import Spring
+from asymptotics.equivalent.conservative_cycle import Spring
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from sympy import Expr
 
 from asymptotics.equivalent.conversions import Conversion, conversions
-from asymptotics.equivalent.rows import QUANTITIES, DampingRow, Measure, orbit_of
+from asymptotics.equivalent.rows import QUANTITIES, DampingRow, Measure, cycle_of
 from asymptotics.errors import InputError, require_choice
 from asymptotics.law import Oscillator
 from asymptotics.numbers.arrays import real_array
@@ -225,10 +225,10 @@ def _doubles(oscillator: Oscillator, a: float) -> tuple[float, ...]:
         return (float("nan"),) * 5
     local = Oscillator(oscillator.law, mass=oscillator.mass, stiffness=oscillator.stiffness, x0=exact_number(a, "A"))
     with ctx.workprec(_LOW):
-        orbit = orbit_of(local)
+        cycle = cycle_of(local)
         k = oscillator.stiffness.ball()
         numbers = (
-            orbit.zeta, orbit.quality, orbit.decrement, orbit.lost * k * local.length() ** 2,
-            orbit.coefficient * (k * oscillator.mass.ball()).sqrt(),
+            cycle.zeta, cycle.quality, cycle.decrement, cycle.lost * k * local.length() ** 2,
+            cycle.coefficient * (k * oscillator.mass.ball()).sqrt(),
         )  # fmt: skip
         return tuple(float(x.mid()) for x in numbers)

@@ -18,12 +18,12 @@ from flint import arb
 
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.envelopes.large import SlowFlow
+from asymptotics.equivalent.conservative_cycle import ConservativeCycle
 from asymptotics.equivalent.cycle import FullSwing, expanded_swing, full_swing, swing_bits
-from asymptotics.equivalent.orbit import ConservativeOrbit
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.expansions.straightening.wells import Loss, Well
-from asymptotics.flow.wells.ends import require_inside
 from asymptotics.flow.wells.force import WellForce
+from asymptotics.flow.wells.trapping_regions import require_inside
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, directed_decimal
@@ -113,10 +113,10 @@ def row_at(
     return DampingRow(str(amplitude), _first(local, digits), _motion(local, digits) if motion else None, expanded)
 
 
-def orbit_of(local: Oscillator) -> ConservativeOrbit:
-    """The orbit without loss at the current precision."""
+def cycle_of(local: Oscillator) -> ConservativeCycle:
+    """The cycle without loss at the current precision."""
     terms = local.dimensionless.terms
-    return ConservativeOrbit.of(terms, [t.strength.ball() for t in terms])
+    return ConservativeCycle.of(terms, [t.strength.ball() for t in terms])
 
 
 def _units(local: Oscillator) -> tuple[arb, arb, arb]:
@@ -126,8 +126,8 @@ def _units(local: Oscillator) -> tuple[arb, arb, arb]:
 
 
 def _first(local: Oscillator, digits: int) -> Measure:
-    def number(value: Callable[[ConservativeOrbit], arb]) -> str:
-        return certified_decimal(lambda: value(orbit_of(local)), digits)
+    def number(value: Callable[[ConservativeCycle], arb]) -> str:
+        return certified_decimal(lambda: value(cycle_of(local)), digits)
 
     half = _half_life(local, digits)
     return Measure(
@@ -166,7 +166,7 @@ def _placed(local: Oscillator, digits: int) -> str | None:
         return None
 
     def seconds() -> arb:
-        w, rate = losses[0].weight, orbit_of(local).zeta * local.omega_0()
+        w, rate = losses[0].weight, cycle_of(local).zeta * local.omega_0()
         return arb(2).log() / rate if w.is_zero else ((arb(2).log() * w.ball()).expm1()) / (w.ball() * rate)
 
     return certified_decimal(seconds, digits)
@@ -183,7 +183,7 @@ def _slow_time(local: Oscillator, spring: Term) -> arb:
 def _values(swing: FullSwing, local: Oscillator) -> dict[str, arb]:
     """The quantities of a full swing; c_eq beside the linear spring alone."""
     energy, viscous, _ = _units(local)
-    start = orbit_of(local).energy
+    start = cycle_of(local).energy
     found = {"zeta": swing.zeta, "Q": swing.quality, "decrement": swing.decrement}
     found["energy_loss"] = swing.share * start * energy
     if not any(not t.strength.is_zero for t in local.law.springs):

@@ -25,10 +25,10 @@ from asymptotics.budget import tick
 from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.balls import upper
-from asymptotics.flow.sequence import after_landing, start_in_motion, sticks, turning_after_start
+from asymptotics.flow.sequence import after_arrival, start_in_motion, sticks, turning_after_start
 from asymptotics.flow.times import exact_sum
-from asymptotics.flow.trajectory import ESCAPES, ROTATES, CertifiedFlow, Piece, Turned, course
-from asymptotics.flow.turning import Turning, at_exact_place, at_rest
+from asymptotics.flow.trajectory import ESCAPES, ROTATES, ArrivedPiece, CertifiedFlow, Piece, half_swing_pieces
+from asymptotics.flow.turning import TurningState, at_exact_place, at_rest
 from asymptotics.numbers.context import ctx
 
 State = tuple[arb, arb]
@@ -46,12 +46,12 @@ def states(flow: CertifiedFlow, X: arb, V: arb, times: Sequence[arb]) -> list[St
         return _followed(flow, _first(flow, X, V, wanted), wanted)
 
 
-def states_from(flow: CertifiedFlow, here: Turning, times: Sequence[arb]) -> list[State]:
+def states_from(flow: CertifiedFlow, here: TurningState, times: Sequence[arb]) -> list[State]:
     """(X, X') at the ascending times tau >= here.tau, from a known turning point."""
     return _followed(flow, here, _Wanted(flow, times))
 
 
-def _followed(flow: CertifiedFlow, here: Turning, wanted: "_Wanted") -> list[State]:
+def _followed(flow: CertifiedFlow, here: TurningState, wanted: "_Wanted") -> list[State]:
     while not wanted.done:
         tick(f"turning point {here.n}")
         if sticks(flow, here):
@@ -94,18 +94,18 @@ class _Wanted:
         self.found += [(X, arb(0))] * (len(self.queue) - len(self.found))
 
 
-def _first(flow: CertifiedFlow, X: arb, V: arb, wanted: _Wanted) -> Turning:
+def _first(flow: CertifiedFlow, X: arb, V: arb, wanted: _Wanted) -> TurningState:
     """The first turning point at tau >= 0; times before it are answered."""
     if V == 0:
         return at_exact_place(at_rest(X), flow.exact(0))
     side, u, w, given = start_in_motion(flow, X, V)
-    for piece in course(flow, u, w, given):
+    for piece in half_swing_pieces(flow, u, w, given):
         wanted.take(piece, side, arb(0))
         if wanted.done:
             return at_rest(X)
-        if isinstance(piece, Turned):
+        if isinstance(piece, ArrivedPiece):
             here = turning_after_start(piece, side, given)
-            return here if isinstance(here, Turning) else _refuse(here)
+            return here if isinstance(here, TurningState) else _refuse(here)
     raise UndecidedError("the first half-swing has no end")
 
 
@@ -114,21 +114,21 @@ def _refuse(what: str) -> NoReturn:
     raise InputError("v0", reason, "a start that stays inside the well, or an earlier time")
 
 
-def _swing(flow: CertifiedFlow, here: Turning, wanted: _Wanted) -> Turning:
+def _swing(flow: CertifiedFlow, here: TurningState, wanted: _Wanted) -> TurningState:
     """The next turning point; the half-swing is laid out in pieces only if a time may fall into it."""
     leap = flow.leap(here, wanted.following)
     if leap is not None:
         return leap
-    for piece in course(flow, here.amplitude, arb(0), _distance(flow, here)):
+    for piece in half_swing_pieces(flow, here.amplitude, arb(0), _distance(flow, here)):
         wanted.take(piece, here.side, here.time)
         if wanted.done:
             return here
-        if isinstance(piece, Turned):
-            return after_landing(here, piece)
+        if isinstance(piece, ArrivedPiece):
+            return after_arrival(here, piece)
     raise UndecidedError("the half-swing has no end")
 
 
-def _distance(flow: CertifiedFlow, here: Turning) -> arb:
+def _distance(flow: CertifiedFlow, here: TurningState) -> arb:
     """How far the true state is at most from the turning point ``here``, at the time ``here``."""
     unit, e = flow.unit(here.amplitude, arb(0)), here.time_error
     with ctx.workprec(_LOW):

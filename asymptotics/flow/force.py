@@ -39,7 +39,7 @@ class Smooth(Protocol):
         """A bound of |G - ``linear`` u|, up to a constant, on the complex discs |U - u| <= du, |W - w| <= dw < w."""
 
 
-class Parting(Smooth, Protocol):
+class HasSlopes(Smooth, Protocol):
     """What the distance of two motions asks.  ``nonexpansive``: whether it never grows."""
 
     @property
@@ -50,7 +50,7 @@ class Parting(Smooth, Protocol):
         """Balls with all G_u, and with all G_w above 0 (0 where losses only grow with the speed)."""
 
 
-class Force(Parting, Protocol):
+class Force(HasSlopes, Protocol):
     """A force that only loses energy.  ``kinked``: not one analytic function on both sides of u = 0.
 
     ``viscous``: the strength of the loss epsilon w that contracts; ``least_power``: a <= 1, on which hangs how relative
@@ -63,7 +63,7 @@ class Force(Parting, Protocol):
 
     @property
     def viscous(self) -> arb:
-        """The strength of the loss epsilon w, by which ``contracted`` sharpens its bound."""
+        """The strength of the loss epsilon w, by which ``contraction_by_energy`` sharpens its bound."""
 
     @property
     def least_power(self) -> arb | None:

@@ -1,10 +1,10 @@
 """Turning points one after the other, without losing digits: what is not followed exactly is carried beside.
 
 From an exact amplitude the next one and the time are enclosed (``trajectory``); the midpoint is the next start.  What
-the midpoints drop is led on by the contractions of ``parting``: in a nonexpansive flow errors only add, in any other
-well absolute errors in the square of the speed do, and under viscous loss they decay as the energy does.  Times add
-what ``parting.lateness`` allows.  So n half-swings at a working precision of d digits and log2(n) bits keep d digits,
-and memory stays flat.
+the midpoints drop is led on by the contractions of ``error_propagation``: in a nonexpansive flow errors only add, in
+any other well absolute errors in the square of the speed do, and under viscous loss they decay as the energy does.
+Times add what ``error_propagation.turning_delay`` allows.  So n half-swings at a working precision of d digits and
+log2(n) bits keep d digits, and memory stays flat.
 
 >>> from itertools import islice
 >>> from flint import ctx
@@ -25,16 +25,16 @@ from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
-from asymptotics.flow.parting import contracted
-from asymptotics.flow.trajectory import CertifiedFlow, Turned, course
-from asymptotics.flow.turning import Turning, at_exact_place
+from asymptotics.flow.error_propagation import contraction_by_energy
+from asymptotics.flow.trajectory import ArrivedPiece, CertifiedFlow, half_swing_pieces
+from asymptotics.flow.turning import TurningState, at_exact_place
 from asymptotics.numbers.context import ctx
 
 STICKS = "sticks"
 
 
 def start_in_motion(flow: CertifiedFlow, X: arb, V: arb) -> tuple[int, arb, arb, arb]:
-    """(the side, u, w, what is given) of a course from a state in two balls with V != 0."""
+    """(the side, u, w, what is given) of a half-swing from a state in two balls with V != 0."""
     if not (V > 0 or V < 0):
         raise UndecidedError("the direction of the first motion is undecided")
     side = -1 if V > 0 else 1
@@ -42,29 +42,29 @@ def start_in_motion(flow: CertifiedFlow, X: arb, V: arb) -> tuple[int, arb, arb,
     return side, u, w, upper(upper(flow.unit(u, w) * X.rad()) + V.rad())
 
 
-def first_from(flow: CertifiedFlow, X: arb, V: arb) -> Turning | str:
+def first_from(flow: CertifiedFlow, X: arb, V: arb) -> TurningState | str:
     """The first turning point at tau >= 0 from a state with V != 0, or why there is none."""
     side, u, w, given = start_in_motion(flow, X, V)
-    for piece in course(flow, u, w, given):
+    for piece in half_swing_pieces(flow, u, w, given):
         if piece.ended is not None:
             return piece.ended
-        if isinstance(piece, Turned):
+        if isinstance(piece, ArrivedPiece):
             return turning_after_start(piece, side, given)
     raise UndecidedError("the first half-swing has no end")
 
 
-def turning_after_start(piece: Turned, side: int, given: arb) -> Turning | str:
-    """Turning point 0 after a course that began in motion, within ``given`` of the truth, or how it left the well.
+def turning_after_start(piece: ArrivedPiece, side: int, given: arb) -> TurningState | str:
+    """Turning point 0 after a half-swing that began in motion, within ``given`` of the truth, or how it left the well.
 
     UndecidedError at its edge.
     """
     late = upper(piece.late(given) + piece.clock.rad())
-    here = Turning(0, -side, -piece.turn, piece.clock.mid(), piece.gap(given), late)
+    here = TurningState(0, -side, -piece.turn, piece.clock.mid(), piece.gap(given), late)
     left = piece.flow.leaves(arb(here.amplitude, here.amplitude_error))
     return here if left is None else left
 
 
-def sequence(flow: CertifiedFlow, start: Turning) -> Iterator[Turning]:
+def sequence(flow: CertifiedFlow, start: TurningState) -> Iterator[TurningState]:
     """Turning points from ``start`` on, at the precision current at each call; the last one says why it ended.
 
     UndecidedError where the enclosures cannot tell whether there is a next one.
@@ -82,49 +82,49 @@ def sequence(flow: CertifiedFlow, start: Turning) -> Iterator[Turning]:
         here = following
 
 
-def next_turning(flow: CertifiedFlow, here: Turning) -> Turning | str:
+def next_turning(flow: CertifiedFlow, here: TurningState) -> TurningState | str:
     """The turning point after this one, or why there is none."""
     leap = flow.leap(here)
     return leap if leap is not None else turning_by_pieces(flow, here)[0]
 
 
-def turning_by_pieces(flow: CertifiedFlow, here: Turning) -> tuple[Turning | str, int]:
+def turning_by_pieces(flow: CertifiedFlow, here: TurningState) -> tuple[TurningState | str, int]:
     """The same by pieces, and how many they were."""
     if sticks(flow, here):
         return STICKS, 0
     ended = flow.ended(flow.place(arb(here.amplitude, here.amplitude_error)), arb(0))
     if ended is not None:
         return ended, 0
-    for count, piece in enumerate(course(flow, here.amplitude, arb(0), given_at(flow, here)), start=1):
+    for count, piece in enumerate(half_swing_pieces(flow, here.amplitude, arb(0), given_at(flow, here)), start=1):
         if piece.ended is not None:
             return piece.ended, count
-        if isinstance(piece, Turned):
-            return after_landing(here, piece), count
+        if isinstance(piece, ArrivedPiece):
+            return after_arrival(here, piece), count
     raise UndecidedError("the half-swing has no end")
 
 
-def given_at(flow: CertifiedFlow, here: Turning) -> arb:
+def given_at(flow: CertifiedFlow, here: TurningState) -> arb:
     """The distance that the error of an amplitude is."""
     return upper(flow.unit(here.amplitude, arb(0)) * here.amplitude_error)
 
 
-def after_landing(here: Turning, piece: Turned) -> Turning:
+def after_arrival(here: TurningState, piece: ArrivedPiece) -> TurningState:
     """The next turning point: midpoints, and errors by contraction.
 
     A motion that is late at one turning point is as late at the next one: the time's error only adds.
     """
     late = piece.late(given_at(piece.flow, here))
     duration = (piece.clock - late).lower()
-    carried = contracted(
+    carried = contraction_by_energy(
         piece.flow.force, here.amplitude, here.amplitude_error, duration, piece.flow.place(piece.turn), piece.miss
     )
     clock = here.time + piece.clock
     error = upper(upper(here.time_error + clock.rad()) + late)
-    there = Turning(here.n + 1, -here.side, -piece.turn, clock.mid(), upper(carried + piece.miss), error)
+    there = TurningState(here.n + 1, -here.side, -piece.turn, clock.mid(), upper(carried + piece.miss), error)
     return at_exact_place(there, piece.flow.exact(there.n))
 
 
-def sticks(flow: CertifiedFlow, here: Turning) -> bool:
+def sticks(flow: CertifiedFlow, here: TurningState) -> bool:
     """Whether dry friction holds the mass at a turning point."""
     if not flow.force.grips:
         return False

@@ -2,19 +2,19 @@
 
 Orientation: the motion goes towards smaller u = +-X, with the speed w >= 0.  The state at the start of a piece is a
 pair of dyadic numbers, no ball is carried through a step, and ``errors`` bound the distance of the truth from the
-piece's own orbit at the same time (``parting``).
+piece's own orbit at the same time (``error_propagation``).
 
-* ``Departure``: from rest, by the local expansion at the turning point;
+* ``DeparturePiece``: from rest, by the local expansion at the turning point;
 * ``Step``: a Taylor step; where the force has a kink it ends at u = 0 just before it, and the next one starts there;
-* ``Landing``: the last piece, by the local expansion at the turning point ahead.
+* ``ArrivalPiece``: the last piece, by the local expansion at the turning point ahead.
 
 What else is known of the motions of a force is asked of its ``CertifiedFlow``: a closed form, traps, a slow curve.
 
-*What stays apart.*  ``limit_cycles.half_turn`` shares the Taylor step, the state and the rule of its errors, but not
-this loop.  Whatever is said here of a turning point (``state_gap``, ``lateness``) needs a ``Force`` that only loses
-energy; gains need their own, and the integral J with the errors of each step.  Where all powers are whole, steps
+*What stays apart.*  ``limit_cycles.half_cycle`` shares the Taylor step, the state and the rule of its errors, but not
+this loop.  Whatever is said here of a turning point (``state_gap``, ``turning_delay``) needs a ``Force`` that only
+loses energy; gains need their own, and the integral J with the errors of each step.  Where all powers are whole, steps
 through rest are faster as well: of x'' + x'^3/5 + x = 0 a half-swing in 80, 200 and 700 bits took them 8, 39 and 436
-ms, a course from expansion to expansion 15, 74 and 1140 (with the spring x^3/2 beside it 2.1 to 3.4 times as long).
+ms, the pieces from expansion to expansion 15, 74 and 1140 (with the spring x^3/2 beside it 2.1 to 3.4 times as long).
 The two local expansions stay as well: beside the linear spring the wells' one, without the logarithms and the shared
 rows of ``linear_spring``, took 1.6 times as long for the exponent 2, 2.2 to 2.8 for 3/2 and 3.3 for sqrt(2) (80 bits).
 
@@ -23,9 +23,9 @@ rows of ``linear_spring``, took 1.6 times as long for the exponent 2, 2.2 to 2.8
 >>> from asymptotics.flow.damping import Damping
 >>> from asymptotics.flow.wells.even_well import EvenWell
 >>> with ctx.workprec(100):
-...     *_, last = course(LinearSpring(Damping.of_law(Law({2: 1}))), arb(1), arb(0))
+...     *_, last = half_swing_pieces(LinearSpring(Damping.of_law(Law({2: 1}))), arb(1), arb(0))
 ...     (last.turn + arb(0, last.miss)).str(20), last.time.str(20)
-...     *_, last = course(EvenWell.of(Law({2: "1/5"}, spring="pendulum").terms), arb(2), arb(0))
+...     *_, last = half_swing_pieces(EvenWell.of(Law({2: "1/5"}, spring="pendulum").terms), arb(2), arb(0))
 ...     (last.turn + arb(0, last.miss)).str(20)
 ('[-0.41071968606103944670 +/- ...]', '[3.3809710603589252128 +/- ...]')
 '[-1.2038040963510937100 +/- ...]'
@@ -41,11 +41,11 @@ from flint import arb
 from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.balls import size_of, upper
+from asymptotics.flow.error_propagation import CarriedErrors, growth, state_gap, turning_delay
 from asymptotics.flow.force import Force
-from asymptotics.flow.parting import PartingErrors, growth, lateness, state_gap
 from asymptotics.flow.taylor import TaylorStep
 from asymptotics.flow.times import NearRest, at_time, later
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.turning import TurningState
 from asymptotics.numbers.context import ctx
 
 MAX_PIECES, MAX_FREE, MAX_BEYOND = 200_000, 5000, 200
@@ -70,12 +70,12 @@ class LocalExpansion(NearRest, Protocol):
 
 @dataclass(frozen=True)
 class FlowState:
-    """Where a piece begins: its time from the start of the course, an exact place and speed, and the errors."""
+    """Where a piece begins: its time from the start of the half-swing, an exact place and speed, and the errors."""
 
     t: arb
     u: arb
     w: arb
-    errors: PartingErrors
+    errors: CarriedErrors
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ class CertifiedFlow:
         """How a motion goes on that turned at a place outside the well; None inside."""
         return None
 
-    def closed(self, _u: arb, _w: arb, _given: arb) -> "Turned | None":
+    def closed(self, _u: arb, _w: arb, _given: arb) -> "ArrivedPiece | None":
         """The whole half-swing in closed form."""
         return None
 
@@ -136,8 +136,8 @@ class CertifiedFlow:
         """X at turning point n of the orbit from rest that is followed, and whether it stays there; None: not known."""
         return None
 
-    def leap(self, _here: Turning, _before: arb | None = None) -> Turning | None:
-        """The next turning point by another way than a course, if it pays and comes before that time."""
+    def leap(self, _here: TurningState, _before: arb | None = None) -> TurningState | None:
+        """The next turning point by another way than these pieces, if it pays and comes before that time."""
         return None
 
     def place(self, u: arb) -> arb:
@@ -160,7 +160,7 @@ class Piece:
     unit: arb
     begin: arb
     end: arb
-    errors: PartingErrors
+    errors: CarriedErrors
     ended: str | None
 
     @property
@@ -174,7 +174,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Departure(Piece):
+class DeparturePiece(Piece):
     """From a turning point at ``begin``."""
 
     expansion: LocalExpansion
@@ -196,9 +196,9 @@ class Step(Piece):
 
 
 @dataclass(frozen=True)
-class Turned(Piece):
+class ArrivedPiece(Piece):
     """The last piece: its own orbit turns at the exact u = ``turn`` at a time in ``clock``, of which ``end`` is the
-    middle.  The orbit from the exact start of the course turns within ``miss`` of ``turn``.
+    middle.  The orbit from the exact start of the half-swing turns within ``miss`` of ``turn``.
     """
 
     turn: arb
@@ -206,12 +206,12 @@ class Turned(Piece):
     clock: arb
 
     def gap(self, given: arb) -> arb:
-        """How far from ``turn`` an orbit turns that starts within ``given``, no more than the course was given."""
+        """How far from ``turn`` an orbit turns that starts within ``given``, no more than the pieces were given."""
         return upper(self.miss + given)
 
     def late(self, given: arb) -> arb:
         """How much later or earlier than its own orbit such an orbit turns."""
-        return lateness(self.flow.force, self.unit, self.flow.place(self.turn), self.gap(given), given)
+        return turning_delay(self.flow.force, self.unit, self.flow.place(self.turn), self.gap(given), given)
 
     @property
     def time(self) -> arb:
@@ -220,13 +220,13 @@ class Turned(Piece):
 
 
 @dataclass(frozen=True)
-class Landing(Turned):
+class ArrivalPiece(ArrivedPiece):
     """By the local expansion ahead: it passes the place and the speed ``beside`` within the errors ``begun``, and
     every distance grows by ``factor`` from there on."""
 
     expansion: LocalExpansion
     beside: tuple[arb, arb]
-    begun: PartingErrors
+    begun: CarriedErrors
     factor: arb
 
     def own(self, t: arb) -> tuple[arb, arb]:
@@ -242,23 +242,23 @@ class Landing(Turned):
         """The distance when its own orbit turns, in time."""
         turn, _ = self.expansion.state(arb(0))
         distance = upper(self.factor * self.begun.apart(given))
-        return lateness(self.flow.force, self.unit, turn, self.gap(given), distance)
+        return turning_delay(self.flow.force, self.unit, turn, self.gap(given), distance)
 
 
-def course(
+def half_swing_pieces(
     flow: CertifiedFlow, u: arb, w: arb, given: arb | None = None, *, pieces: int = MAX_PIECES
 ) -> Iterator[Piece]:
-    """The pieces from the exact state (u, w >= 0) at time 0, at the precision current at each call, to ``Turned``.
+    """The pieces from the exact state (u, w >= 0) at time 0 to ``ArrivedPiece``, at the precision current at each call.
 
     ``given`` bounds the distance of the true state, in the distance of ``flow.unit``.  A piece that ended names why,
-    and the course goes on.  LimitError after ``pieces`` pieces, UndecidedError where the enclosures are too wide.
+    and the half-swing goes on.  LimitError after ``pieces`` pieces, UndecidedError where the enclosures are too wide.
     """
     error = arb(0) if given is None else given
     closed = flow.closed(u, w, error)
     if closed is not None:
         yield closed
         return
-    here, unit = FlowState(arb(0), u, w, PartingErrors(arb(0), error)), flow.unit(u, w)
+    here, unit = FlowState(arb(0), u, w, CarriedErrors(arb(0), error)), flow.unit(u, w)
     scale, left = upper(unit * abs(u) + w), 0
     if w == 0:
         yield from flow.along_slow_curve(here, _ended(flow, unit, here))
@@ -270,7 +270,7 @@ def course(
     for count in range(pieces):
         tick(f"piece {count} of {'a half-swing' if ended in (None, ESCAPES, ROTATES) else _BY_STEPS}")
         if flow.turns_within(flow.place(here.u), here.w, here.errors.error):
-            yield _landing(flow, unit, here)
+            yield _arrival(flow, unit, here)
             return
         ended = _ended(flow, unit, here)
         beside = (yield from flow.along_slow_curve(here, ended)) if count % _CATCH == 0 else None
@@ -321,7 +321,7 @@ def _at_a_kink(here: FlowState, step: Step, scale: arb) -> FlowState:
     return here
 
 
-def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> Departure:
+def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> DeparturePiece:
     place, force = flow.place(here.u), flow.force
     if not force.restoring(place + arb(0, upper(here.errors.error / unit))) > 0:
         raise UndecidedError("whether dry friction holds the mass here is undecided")
@@ -331,7 +331,7 @@ def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> Departure:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")
     factor = growth(force, unit, place.union(end), arb(0).union(expansion.reach), tau, here.errors.error)
     errors = here.errors.times(factor).plus(upper(tau.rad() * expansion.speed(unit)))
-    return Departure(flow, unit, arb(0), tau.mid(), errors, None, expansion)
+    return DeparturePiece(flow, unit, arb(0), tau.mid(), errors, None, expansion)
 
 
 def _step(flow: CertifiedFlow, unit: arb, here: FlowState, scale: arb, ended: str | None) -> Step:
@@ -359,7 +359,7 @@ def _up_to_a_kink(force: Force, step: TaylorStep) -> TaylorStep:
     return step.shortened(early)
 
 
-def _landing(flow: CertifiedFlow, unit: arb, here: FlowState) -> Landing:
+def _arrival(flow: CertifiedFlow, unit: arb, here: FlowState) -> ArrivalPiece:
     """The last piece.  Two orbits that are some distance apart turn within the gap that the force allows."""
     start, w, force = flow.place(here.u), here.w, flow.force
     expansion = flow.arrive(start, w)
@@ -374,5 +374,5 @@ def _landing(flow: CertifiedFlow, unit: arb, here: FlowState) -> Landing:
     errors = begun.times(factor).plus(upper(clock.rad() * expansion.speed(unit)))
     miss = state_gap(force, unit, start, w, turn, begun.local)
     state_gap(force, unit, start, w, turn, begun.error)  # the truth turns as well, or that is undecided
-    return Landing(flow, unit, here.t, clock.mid(), errors, None,
+    return ArrivalPiece(flow, unit, here.t, clock.mid(), errors, None,
                    at.mid(), miss, clock, expansion, (start, w), begun, factor)  # fmt: skip

@@ -13,7 +13,7 @@ from asymptotics.numbers.rationals import to_fmpq
 
 
 @dataclass(frozen=True)
-class Turning:
+class TurningState:
     """Turning point n: the exact ``amplitude`` and ``time`` of the orbit followed, and how far the truth is at most.
 
     ``ended``: why it is the last one, or None.  ``side`` is the sign of X.  ``exact``: X where it is a rational number
@@ -40,12 +40,12 @@ class Turning:
         return arb(self.time, self.time_error)
 
 
-def at_rest(X: arb) -> Turning:
+def at_rest(X: arb) -> TurningState:
     """A start from rest at X != 0, at tau = 0."""
-    return Turning(0, 1 if X > 0 else -1, abs(X).mid(), arb(0), X.rad(), arb(0))
+    return TurningState(0, 1 if X > 0 else -1, abs(X).mid(), arb(0), X.rad(), arb(0))
 
 
-def at_exact_place(here: Turning, exact: tuple[Fraction, bool] | None) -> Turning:
+def at_exact_place(here: TurningState, exact: tuple[Fraction, bool] | None) -> TurningState:
     """The same turning point, at a place that is known exactly.
 
     ArithmeticError if its enclosure does not hold that place.

@@ -1,8 +1,8 @@
 """From a table of equivalent damping to the law: (A, zeta), (A, Q) or (A, decrement) with resolutions.
 
 To first order zeta(A) = sum_i b_i z_i(A) is linear in the strengths: z_i, the zeta of a unit strength, comes from the
-certified orbit (``equivalent.orbit``), and the rest is least squares in doubles, weighted by the resolutions, with
-strengths >= 0.
+certified cycle (``equivalent.conservative_cycle``), and the rest is least squares in doubles, weighted by the
+resolutions, with strengths >= 0.
 
     zeta = 1/(2 Q) = decrement/(2 pi),     chi^2 = sum ((zeta_j - sum_i b_i z_i(A_j))/s_j)^2.
 
@@ -34,7 +34,7 @@ from scipy.optimize import brentq, nnls
 from scipy.stats import chi2
 
 from asymptotics.budget import tick
-from asymptotics.equivalent.rows import orbit_of
+from asymptotics.equivalent.rows import cycle_of
 from asymptotics.identification.judging.grades import grade_of, in_words
 from asymptotics.identification.measuring.criteria import aicc
 from asymptotics.law import Oscillator
@@ -131,7 +131,7 @@ def _unit(problem: Problem, alpha: str, a: float) -> float:
         spring=problem.spring,
     )
     with ctx.workprec(_LOW):
-        return float(orbit_of(local).zeta)
+        return float(cycle_of(local).zeta)
 
 
 def fitted(

@@ -12,7 +12,7 @@ limit cycle (the interval Newton method, Moore 1966; F'(I) must not contain 0). 
 section v = 0, reflected (Guckenheimer and Holmes 1983, section 1.5).  The multiplier of a whole period is e^(-2 J) at
 q = A.
 
-The half-swing in balls is that of ``half_turn``.
+The half-swing in balls is that of ``half_cycle``.
 """
 
 from collections.abc import Callable
@@ -24,7 +24,7 @@ from flint import arb
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.limit_cycles.force import PolynomialForce
-from asymptotics.limit_cycles.half_turn import HalfTurn, half_turn
+from asymptotics.limit_cycles.half_cycle import HalfCycle, half_cycle
 from asymptotics.limit_cycles.series import circle_mean, require_polynomial
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
@@ -111,7 +111,7 @@ def certified_limit_cycle(law: Law, mu: ExactReal, digits: int, near: float) -> 
     return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
 
 
-def _rounded(mu: str, found: tuple[arb, arb, HalfTurn], digits: int, back: bool) -> CertifiedCycle | None:
+def _rounded(mu: str, found: tuple[arb, arb, HalfCycle], digits: int, back: bool) -> CertifiedCycle | None:
     """The numbers of the cycle in an interval of this radius, ``back``: in reversed time; None where undecided."""
     amplitude, radius, turn = found
     multiplier = ((2 if back else -2) * turn.J).exp()
@@ -132,11 +132,11 @@ def _repels(terms: tuple[Term, ...], mu: float, near: float) -> bool:
     return mu * sum(e * a * near ** (m + a - 1) * float(circle_mean(m, a - 1)) for e, m, a in losses) < 0
 
 
-def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) -> tuple[arb, arb, HalfTurn] | None:
+def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) -> tuple[arb, arb, HalfCycle] | None:
     """(A, radius of the interval, half-turn over it) once a - F(a)/F'(I) lies inside I; None if it never does."""
     a, rest = guess.mid(), _at_rest(terms, mu)
     for _ in range(_NEWTON):  # Newton's method on midpoints finds the centre
-        turn = half_turn(terms, mu, a)
+        turn = half_cycle(terms, mu, a)
         if turn is None:
             return None
         step = (turn.q - a) / ((rest(a) / rest(turn.q)) * (-turn.J).exp() - 1)
@@ -149,7 +149,7 @@ def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) ->
         return None
     radius = 8 * (abs(step).upper() + arb(2) ** -good)
     interval = arb(a, radius.upper())
-    wide = half_turn(terms, mu, interval)
+    wide = half_cycle(terms, mu, interval)
     if wide is None:
         return None
     slope = (rest(interval) / rest(wide.q)) * (-wide.J).exp() - 1
@@ -175,7 +175,7 @@ def _fixed_point(terms: tuple[Term, ...], mu: ExactReal, near: float) -> arb:
     def excess(a: float) -> float:
         for bits in _GUESSED:
             with ctx.workprec(bits):
-                turn = half_turn(terms, mu.ball(), arb(a))
+                turn = half_cycle(terms, mu.ball(), arb(a))
             if turn is not None:
                 return float(turn.q.mid()) - a
         raise UndecidedError(f"from A = {a:.6g} no next turning point was found")

@@ -10,7 +10,7 @@ reversal of time, and losses only lead inwards.  sin x points to the origin for 
 (``stopping``).
 
 *Kinks.*  With |x|^m, m odd, or x|x|^(p-1), p even, the waveform is good to O(delta^(m+2)) where X changes its sign
-(``orbit_force``), which is order N of the motion for N <= m + 2; the estimate reads two orders more, m + 1 at most.
+(``formal_forces``), which is order N of the motion for N <= m + 2; the estimate reads two orders more, m + 1 at most.
 
 >>> require_served(Oscillator({2: "1/10"}, spring={3: "-3/2"}), 3)
 Traceback (most recent call last):

@@ -31,18 +31,18 @@ from asymptotics.flow.linear_spring.near_critical import (
     creeping,
     creeping_seconds,
     faded_bits,
-    lingering,
-    lingering_seconds,
+    longest_half_swing,
+    longest_half_swing_seconds,
     lost_until,
     most_swings,
     turning,
 )
 from asymptotics.flow.taylor import GUARD
-from asymptotics.flow.wells.ends import require_inside
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.flow.wells.force import estimated_seconds as estimated_in_well
 from asymptotics.flow.wells.rational_stops import rational_stops
+from asymptotics.flow.wells.trapping_regions import require_inside
 from asymptotics.law import Oscillator
 from asymptotics.motions import coulomb, linear, quadratic
 from asymptotics.motions.certify import certified_values, half_unit, time_of
@@ -222,6 +222,6 @@ def estimated_seconds(oscillator: Oscillator, t: ExactReal, digits: int) -> floa
     terms, bits = len(oscillator.law.terms), bits_for(digits, 56) + faded_bits(law, tau)
     panels = panels_of(law, bits)
     pieces = panels.pieces(int(min(swings, 1e9)))
-    long = lingering(law) if tau > creeping(law) else 0.0
-    slow = lingering_seconds(law, int(tau / long) + 1, bits, tau) if long else creeping_seconds(law, tau, bits)
+    long = longest_half_swing(law) if tau > creeping(law) else 0.0
+    slow = longest_half_swing_seconds(law, int(tau / long) + 1, bits, tau) if long else creeping_seconds(law, tau, bits)
     return half_swing_seconds(pieces + 2, bits, terms, apart) + interpolation_seconds(swings) + slow

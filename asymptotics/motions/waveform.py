@@ -8,7 +8,7 @@ W = d tau/d psi,
     Q' = (W-1) P - (U + U D) Q - W c F,
 
 where D multiplies delta^n by sum_i n_i (d_i - 1) and |X'| = A s g, g = P + (c/s) Q; other forces are in
-``orbit_force``.  In this gauge X' vanishes at psi = 0 and pi for every delta, so g = 1 + O(delta) is bounded and
+``formal_forces``.  In this gauge X' vanishes at psi = 0 and pi for every delta, so g = 1 + O(delta) is bounded and
 g^alpha may be expanded for every alpha >= 0: order by order the right-hand sides are known, and Z_n is an integral
 from 0.  Reversibility gives the second half, with l(n) the number of losses in delta^n,
 
@@ -45,7 +45,7 @@ from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
 from asymptotics.expansions.normal_form.flow import Flow
-from asymptotics.motions.orbit_force import OrbitForce
+from asymptotics.motions.formal_forces import FormalForces
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.series import Key, accumulate
 
@@ -230,7 +230,7 @@ def _solve(flow: Flow, forces: Forces, grid: _Grid, order: int) -> tuple[Parts, 
     P: Parts = [{zero: one}]
     Q: Parts = [{zero: one * 0}]
     ends: Ends = {}
-    force = OrbitForce(forces, order, grid.s, grid.c, lambda v: grid.arithmetic.exp(grid.ln_s * v), number)
+    force = FormalForces(forces, order, grid.s, grid.c, lambda v: grid.arithmetic.exp(grid.ln_s * v), number)
     forced: Parts = [{}]
     for n in range(1, order + 1):
         forced.append(force.part(n))

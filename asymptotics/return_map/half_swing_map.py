@@ -21,15 +21,15 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear import ROUTE as CLOSED
-from asymptotics.flow.linear_spring.linear_spring import LinearSpring, LinearSwing
+from asymptotics.flow.linear_spring.linear_spring import LinearPiece, LinearSpring
 from asymptotics.flow.sequence import STICKS
-from asymptotics.flow.trajectory import MAX_PIECES, Turned, course
+from asymptotics.flow.trajectory import MAX_PIECES, ArrivedPiece, half_swing_pieces
 
 INTEGRATED = "local expansions and Taylor steps"
 
 
 @dataclass(frozen=True)
-class Passage:
+class HalfSwingBalls:
     """A half-swing from the amplitude p: ``amplitude`` encloses q/p, ``duration`` its time.
 
     ``route``: how; ``terms``: Taylor pieces, or terms of the series; ``tail``: what was left out, in units of p.
@@ -44,7 +44,7 @@ class Passage:
     ended: str | None = None
 
 
-def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: int = MAX_PIECES) -> Passage:
+def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: int = MAX_PIECES) -> HalfSwingBalls:
     """The half-swing from rest at the exact amplitude p, by pieces.
 
     With ``error``: whether it turns or ends holds for all amplitudes within that distance of p, or is undecided
@@ -52,21 +52,21 @@ def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: in
     """
     error = arb(0) if error is None else error
     if p + error <= damping.friction:
-        return Passage(None, None, INTEGRATED, 0, arb(0), STICKS)
+        return HalfSwingBalls(None, None, INTEGRATED, 0, arb(0), STICKS)
     flow = LinearSpring(damping)
     reason = flow.ended(p - damping.friction + arb(0, error), arb(0))
     if reason is not None:
-        return Passage(None, None, INTEGRATED, 0, arb(0), reason)
-    for count, piece in enumerate(course(flow, p, arb(0), error, pieces=pieces), start=1):
+        return HalfSwingBalls(None, None, INTEGRATED, 0, arb(0), reason)
+    for count, piece in enumerate(half_swing_pieces(flow, p, arb(0), error, pieces=pieces), start=1):
         if piece.ended is not None:
-            return Passage(None, None, INTEGRATED, count, upper((piece.error - error) / p), piece.ended)
-        if isinstance(piece, Turned):
-            return of_landing(p, error, piece, count)
+            return HalfSwingBalls(None, None, INTEGRATED, count, upper((piece.error - error) / p), piece.ended)
+        if isinstance(piece, ArrivedPiece):
+            return of_arrival(p, error, piece, count)
     raise UndecidedError("the half-swing has no end")
 
 
-def of_landing(p: arb, error: arb, piece: Turned, count: int) -> Passage:
+def of_arrival(p: arb, error: arb, piece: ArrivedPiece, count: int) -> HalfSwingBalls:
     """The half-swing whose last piece is known; ``error`` was the distance allowed at its start."""
     tail = upper((piece.error - error) / p)
-    route = CLOSED if isinstance(piece, LinearSwing) else INTEGRATED
-    return Passage(arb(-piece.turn, piece.miss) / p, piece.time, route, count, tail)
+    route = CLOSED if isinstance(piece, LinearPiece) else INTEGRATED
+    return HalfSwingBalls(arb(-piece.turn, piece.miss) / p, piece.time, route, count, tail)

@@ -29,7 +29,7 @@ from asymptotics.law import Law
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.return_map.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.return_map.coordinate import Coordinate
-from asymptotics.return_map.half_swing_map import INTEGRATED, Passage, integrated
+from asymptotics.return_map.half_swing_map import INTEGRATED, HalfSwingBalls, integrated
 from asymptotics.return_map.panel_plan import Ellipse, PanelPlan, planned, verified
 
 ROUTE = "Chebyshev interpolation in the amplitude"
@@ -61,11 +61,11 @@ class Panel:
         nearest = p - error
         return bool(nearest >= self.low) and bool(nearest > 0) and bool(p + error <= self.high)
 
-    def passage(self, p: arb, error: arb | None = None) -> Passage:
+    def passage(self, p: arb, error: arb | None = None) -> HalfSwingBalls:
         """The half-swing from the exact amplitude p; the duration is that of all amplitudes within ``error``."""
         t = self._place(p)
         wide = t if error is None or error == 0 else self._place(arb(p, error))
-        return Passage(self.ratio(t), self.duration(wide), ROUTE, self.ratio.degree, self.ratio.error)
+        return HalfSwingBalls(self.ratio(t), self.duration(wide), ROUTE, self.ratio.degree, self.ratio.error)
 
     def _place(self, p: arb) -> arb:
         return (self.coordinate(p) - self.middle) * self.scale

@@ -54,7 +54,7 @@ from asymptotics.flow.linear_spring.expansion import TurningExpansion, plan_at
 from asymptotics.flow.linear_spring.kept_terms import MAX_KEYS
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.return_map.chebyshev import cut, nodes
-from asymptotics.return_map.quarters_in_doubles import Array, Sketch, corrected
+from asymptotics.return_map.quarters_in_doubles import Array, QuarterInDoubles, corrected
 from asymptotics.return_map.spectral import analysis, integrals, of_the_integral
 
 HAND_OVERS = (2.0**-3, 2.0**-5, 2.0**-7, 2.0**-9)
@@ -131,10 +131,10 @@ class Bundle:
         return cls(alphas, tuple(strengths), exact_h, exact_g0, times, upper(2 * dh), dg)
 
     @cached_property
-    def sketch(self) -> Sketch:
+    def sketch(self) -> QuarterInDoubles:
         """The same orbits in doubles, for a first solution."""
         columns = zip(*self.strengths)
-        return Sketch(doubles([self.alphas])[0], doubles(columns), *doubles([self.h, self.g0]))
+        return QuarterInDoubles(doubles([self.alphas])[0], doubles(columns), *doubles([self.h, self.g0]))
 
 
 def _hand_over(laws: Sequence[tuple[Damping, int]]) -> arb:

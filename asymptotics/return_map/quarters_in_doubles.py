@@ -2,7 +2,7 @@
 
 Choices only: nothing here enters a bound.
 
->>> sketch = Sketch(np.array([2.0]), np.array([[0.1]]), np.array([1.0]), np.array([0.0]))
+>>> sketch = QuarterInDoubles(np.array([2.0]), np.array([[0.1]]), np.array([1.0]), np.array([0.0]))
 >>> count, rim = sketch.planned(100)
 >>> 50 < count < 100, 2 < rim < 3
 (True, True)
@@ -26,7 +26,7 @@ _ALONE = 250_000  # multiplications that one thread does
 
 
 @dataclass(frozen=True)
-class Sketch:
+class QuarterInDoubles:
     """alpha_i, the signed strengths by law and column, h and g_0 by column."""
 
     alphas: Array

@@ -20,10 +20,10 @@ from flint import arb
 
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
+from asymptotics.flow.error_propagation import contraction_by_ratio
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
-from asymptotics.flow.parting import by_ratio
-from asymptotics.flow.turning import Turning
-from asymptotics.return_map.half_swing_map import Passage
+from asymptotics.flow.turning import TurningState
+from asymptotics.return_map.half_swing_map import HalfSwingBalls
 from asymptotics.return_map.panels import Panels
 
 
@@ -34,7 +34,7 @@ class Interpolated(LinearSpring):
     panels: Panels
     last: int = 0
 
-    def leap(self, here: Turning, before: arb | None = None) -> Turning | None:
+    def leap(self, here: TurningState, before: arb | None = None) -> TurningState | None:
         """By a panel, where as many half-swings as may follow repay it."""
         remaining = self.last - here.n if before is None else _whole_swings(before - here.time)
         if before is not None and remaining <= 0:
@@ -51,12 +51,12 @@ def _whole_swings(time: arb) -> int:
     return int(min(float(time) / 3.2, 1e9))
 
 
-def following(damping: Damping, here: Turning, found: Passage) -> Turning:
+def following(damping: Damping, here: TurningState, found: HalfSwingBalls) -> TurningState:
     """The next turning point: midpoints, and errors by contraction; the duration found is that of all amplitudes within
     the error of this one."""
     assert found.amplitude is not None and found.duration is not None
     q, time = here.amplitude * found.amplitude, here.time + found.duration
     amplitude, clock = q.mid(), time.mid()
-    carried = by_ratio(damping, here.amplitude, here.amplitude_error, q)
+    carried = contraction_by_ratio(damping, here.amplitude, here.amplitude_error, q)
     error = upper(carried + q.rad()), upper(here.time_error + time.rad())
-    return Turning(here.n + 1, -here.side, amplitude, clock, *error)
+    return TurningState(here.n + 1, -here.side, amplitude, clock, *error)

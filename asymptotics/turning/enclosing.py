@@ -14,7 +14,7 @@ from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.linear_spring.near_critical import lost_bits, require_brief
 from asymptotics.flow.sequence import first_from
 from asymptotics.flow.taylor import GUARD
-from asymptotics.flow.turning import Turning, at_rest
+from asymptotics.flow.turning import TurningState, at_rest
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.precision import at_growing_precision
@@ -31,8 +31,8 @@ _DOUBLINGS = 5
 class EnclosedMotion:
     """A motion at the current precision: ``first`` turning point, or why there is none; the sequence ``after`` it."""
 
-    first: Callable[[], Turning | str]
-    after: Callable[[Turning], Iterator[Turning]]
+    first: Callable[[], TurningState | str]
+    after: Callable[[TurningState], Iterator[TurningState]]
 
 
 def bits_of(request: Request) -> int:
@@ -59,7 +59,7 @@ def damping_of(request: Request) -> Damping:
         return Damping.of_law(request.law)
 
 
-def first_of(request: Request, damping: Damping) -> Turning | str:
+def first_of(request: Request, damping: Damping) -> TurningState | str:
     """Turning point 0 under powers of the velocity, or why there is none."""
     if not request.in_motion:
         return at_rest(arb(1))

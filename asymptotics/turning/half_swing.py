@@ -14,16 +14,21 @@ from dataclasses import replace
 from flint import arb
 
 from asymptotics.errors import InputError, LimitError
-from asymptotics.expansions.half_swings.finite_result import HalfSwingAt, SwingValue, certified_swing, require_strengths
+from asymptotics.expansions.half_swings.half_swing_value import (
+    HalfSwingAt,
+    HalfSwingValue,
+    certified_swing,
+    require_strengths,
+)
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring.ends import CREEPS, OVERDAMPED
 from asymptotics.flow.linear_spring.linear import ROUTE as CLOSED
+from asymptotics.flow.linear_spring.trapping_regions import CREEPS, OVERDAMPED
 from asymptotics.flow.sequence import STICKS, turning_by_pieces
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.turning import at_rest
-from asymptotics.flow.wells.ends import inside
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.force import WellForce
+from asymptotics.flow.wells.trapping_regions import inside
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.return_map.half_swing_map import INTEGRATED, integrated
@@ -46,15 +51,17 @@ def half_swing_result(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], d
     if all(a.is_zero for a in alphas):
         _require_passing(delta)
 
-    def evaluate(bits: int) -> SwingValue:
+    def evaluate(bits: int) -> HalfSwingValue:
         if all(d.is_zero for d in delta):
-            return SwingValue(arb(0), arb(1), arb.pi(), CLOSED, 0, arb(0))
+            return HalfSwingValue(arb(0), arb(1), arb.pi(), CLOSED, 0, arb(0))
         balls = [d.ball() for d in delta]
         found = integrated(Damping.of(list(zip(balls, alphas, strict=True))), arb(1))
         if found.amplitude is None or found.duration is None:
             how = _ENDS[str(found.ended)]
             raise InputError("delta", f"no turning point follows: the motion {how}", "a smaller delta")
-        return SwingValue(found.amplitude.log(), found.amplitude, found.duration, found.route, found.terms, found.tail)
+        return HalfSwingValue(
+            found.amplitude.log(), found.amplitude, found.duration, found.route, found.terms, found.tail
+        )
 
     return certified_swing(alphas, delta, digits, evaluate)
 
@@ -74,7 +81,7 @@ def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digit
         return half_swing_result([t.velocity for t in terms], delta, digits)
     _require_in_range(terms, delta)
 
-    def evaluate(bits: int) -> SwingValue:
+    def evaluate(bits: int) -> HalfSwingValue:
         with ctx.workprec(bits + GUARD):
             force = WellForce.of(terms, [d.ball() for d in delta])
         if inside(force, arb(1)) is not True:
@@ -84,7 +91,7 @@ def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digit
             how = _ENDS[found] if isinstance(found, str) else "stops before the centre"
             raise InputError("delta", f"no turning point follows: the motion {how}", "a smaller delta")
         q, T = arb(found.amplitude, found.amplitude_error), arb(found.time, found.time_error)
-        return SwingValue(q.log(), q, T, INTEGRATED, pieces, found.amplitude_error)
+        return HalfSwingValue(q.log(), q, T, INTEGRATED, pieces, found.amplitude_error)
 
     losses = [t.velocity for t in terms if t.sign < 0]
     made = certified_swing(losses, delta, digits, evaluate)

@@ -8,7 +8,7 @@ on.  ``planned`` weighs terms, whose coefficients cost, against the length of th
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> with ctx.workprec(100):
-...     start = Turning(0, 1, arb(1) / 1000, arb(0), arb(0), arb(0))
+...     start = TurningState(0, 1, arb(1) / 1000, arb(0), arb(0), arb(0))
 ...     there = jumped(parse_real("3", "--alpha"), arb(50), start, 10**12)
 >>> there.n, there.x.str(12), there.tau.str(15)
 (1000000000000, '[9.21317728013e-8 +/- ...]', '[3141592653589.79 +/- ...]')
@@ -25,7 +25,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.finite_majorant import widest
 from asymptotics.expansions.moments.certified import moment
 from asymptotics.flow.sequence import sequence
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.turning import TurningState
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.return_map.panels import panels_of
@@ -55,14 +55,14 @@ class FarPlan:
     seconds: float
 
 
-def with_a_head(request: Request, head: int, far: Callable[[Iterator[Turning]], Turning]) -> EnclosedMotion:
+def with_a_head(request: Request, head: int, far: Callable[[Iterator[TurningState]], TurningState]) -> EnclosedMotion:
     """The motion as far as turning point ``start``, which ``far`` finds from a head, and half-swing by half-swing on.
 
     The head is interpolated as is worth while for ``head`` half-swings.
     """
     damping, panels = damping_of(request), panels_of(request.law, ctx.prec)
 
-    def after(first: Turning) -> Iterator[Turning]:
+    def after(first: TurningState) -> Iterator[TurningState]:
         there = far(sequence(Interpolated(damping, panels, first.n + head), first))
         return sequence(Interpolated(damping, panels, there.n + request.count), there)
 
@@ -96,12 +96,12 @@ def head_of(alpha: ExactReal, bits: int) -> int:
         return max(HEAD + bits, ceil(float(needed)) + 1)
 
 
-def head_end(lead: Iterable[Turning], alpha: ExactReal, epsilon: arb, start: int, within: float) -> Turning:
+def head_end(lead: Iterable[TurningState], alpha: ExactReal, epsilon: arb, start: int, within: float) -> TurningState:
     """The first point of ``lead`` with delta = epsilon A^(alpha-1) < within; or ``start``, if it comes before."""
     return next(p for p in lead if p.n >= start or _delta(alpha, epsilon, p) < within)
 
 
-def jumped(alpha: ExactReal, epsilon: arb, here: Turning, start: int) -> Turning:
+def jumped(alpha: ExactReal, epsilon: arb, here: TurningState, start: int) -> TurningState:
     """Turning point ``start`` of one law from the point ``here``; UndecidedError where delta is too large."""
     delta, weight = _delta(alpha, epsilon, here), alpha.ball() - 1
     abel = _suited(alpha, delta)
@@ -111,17 +111,17 @@ def jumped(alpha: ExactReal, epsilon: arb, here: Turning, start: int) -> Turning
 
 
 def jumped_by_flow(
-    alphas: Sequence[ExactReal], epsilons: Sequence[arb], terms: int, here: Turning, start: int
-) -> Turning:
+    alphas: Sequence[ExactReal], epsilons: Sequence[arb], terms: int, here: TurningState, start: int
+) -> TurningState:
     """Turning point ``start`` of a sum, the least exponent first, from the point ``here``."""
     log, time = abel_flow(alphas, epsilons, terms).advance(_log(here), start - here.n)
     return _arrived(here, start, log, here.tau + time)
 
 
-def _arrived(here: Turning, n: int, log: arb, tau: arb) -> Turning:
+def _arrived(here: TurningState, n: int, log: arb, tau: arb) -> TurningState:
     """The point n of the orbit through ``here``, from balls of ln A and of the time."""
     amplitude, side = log.exp(), here.side if (n - here.n) % 2 == 0 else -here.side
-    return Turning(n, side, amplitude.mid(), tau.mid(), arb(amplitude.rad()), arb(tau.rad()))
+    return TurningState(n, side, amplitude.mid(), tau.mid(), arb(amplitude.rad()), arb(tau.rad()))
 
 
 def _suited(alpha: ExactReal, delta: arb) -> AbelFunction:
@@ -142,10 +142,10 @@ def _reach(alpha: ExactReal) -> float:
         return 0.7 * float(widest([alpha.ball()], [arb(1)], whole=True).radii[0])
 
 
-def _delta(alpha: ExactReal, epsilon: arb, here: Turning) -> arb:
+def _delta(alpha: ExactReal, epsilon: arb, here: TurningState) -> arb:
     return epsilon * ((alpha.ball() - 1) * _log(here)).exp()
 
 
-def _log(here: Turning) -> arb:
+def _log(here: TurningState) -> arb:
     """ln A of a turning point, with all that is uncertain about it."""
     return arb(here.amplitude, here.amplitude_error).log()

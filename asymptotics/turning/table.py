@@ -25,7 +25,7 @@ from flint import arb
 from asymptotics.budget import tick
 from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.turning import TurningState
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number, exact_number
@@ -131,8 +131,8 @@ class Kept(keeping):
 
 def rounded(
     request: Request,
-    turnings: Iterator[Turning],
-    unit: Turning | None,
+    turnings: Iterator[TurningState],
+    unit: TurningState | None,
     progress: Progress,
     made: list[TurningPoint] | None = None,
 ) -> tuple[Points, Ended]:
@@ -153,17 +153,17 @@ def rounded(
     return tuple(made), None
 
 
-def named(request: Request, unit: Turning) -> dict[str, str]:
+def named(request: Request, unit: TurningState) -> dict[str, str]:
     """Turning point 0 of a start in motion, in words: its amplitude and its time."""
     return {"amplitude": proved_digits(size(unit), request.digits), "tau": proved_digits(unit.tau, request.digits)}
 
 
-def size(here: Turning) -> arb:
+def size(here: TurningState) -> arb:
     """The amplitude with all that is uncertain about it."""
     return arb(here.amplitude, here.amplitude_error)
 
 
-def _point(request: Request, here: Turning, unit: Turning | None) -> TurningPoint:
+def _point(request: Request, here: TurningState, unit: TurningState | None) -> TurningPoint:
     x: arb | ExactReal | Fraction = request.place if here.n == 0 else here.x if here.exact is None else here.exact[0]
     tau = here.tau
     if unit is not None:

@@ -20,8 +20,8 @@ from flint import arb
 
 from asymptotics import __version__
 from asymptotics.bounds.motion import proved_bound
-from asymptotics.bounds.orbit import orbit_bounds
 from asymptotics.bounds.turning import turning_bounds
+from asymptotics.bounds.turning_sequence import turning_sequence_bounds
 from asymptotics.bounds.uniform import uniform_bound
 from asymptotics.errors import LimitError
 from asymptotics.law import Oscillator
@@ -74,7 +74,7 @@ def _everywhere(alphas: list[ExactReal], order: int, share: Fraction) -> str:
             found = turning_bounds(alphas, order, each)
             whole = found.log_amplitude(None)
             return _up(whole) if whole.is_finite() else f"{_up(found.log_amplitude(1))} n"
-        *_, last = orbit_bounds(alphas, order, each)
+        *_, last = turning_sequence_bounds(alphas, order, each)
     except LimitError:
         return "out of range"
     return f"{_up(last.amplitude)}, n up to {last.n}" if last.n else "out of range"

@@ -1,6 +1,7 @@
 """The picture of where each order is good to 10 %, 1 %, 0.1 %: measured errors, proved bounds, over strength and time.
 
-The bounds are those of ``bounds.turning`` for alpha >= 1 and of ``bounds.orbit`` below; where neither holds it is grey.
+The bounds are those of ``bounds.turning`` for alpha >= 1 and of ``bounds.turning_sequence`` below; where neither holds
+it is grey.
 """
 
 from collections.abc import Callable
@@ -10,8 +11,8 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from asymptotics.bounds.orbit import orbit_bounds
 from asymptotics.bounds.turning import turning_bounds
+from asymptotics.bounds.turning_sequence import turning_sequence_bounds
 from asymptotics.errors import LimitError
 from asymptotics.numbers.exact import parse_real
 from paper_checks.report.turning_point_errors import TurningPointErrors, turning_point_errors
@@ -82,7 +83,7 @@ def _bounds(alpha: Any, epsilon: arb, order: int, last: int) -> list[float]:
     if alpha >= 1:
         found = turning_bounds([alpha], order, [epsilon])
         return [float(found.log_amplitude(n).max(found.phase(n))) for n in range(last + 1)]
-    steps = takewhile(lambda step: step.n <= last, orbit_bounds([alpha], order, [epsilon]))
+    steps = takewhile(lambda step: step.n <= last, turning_sequence_bounds([alpha], order, [epsilon]))
     return [max(float(step.amplitude / step.A), float(step.phase)) for step in steps]
 
 

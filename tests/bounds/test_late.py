@@ -15,7 +15,7 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import first_from, sequence
-from asymptotics.flow.turning import Turning, at_rest
+from asymptotics.flow.turning import TurningState, at_rest
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.return_map.panels import panels_of
@@ -44,7 +44,7 @@ def test_the_jump_holds_the_motion_and_is_not_wide(law, start, tau, lead, share)
     with ctx.workprec(100):
         damping = Damping.of_law(law)
         side = 1 if start[0] > 0 else -1
-        rest = Turning(0, side, arb(1), arb(0), arb(0), arb(0))
+        rest = TurningState(0, side, arb(1), arb(0), arb(0), arb(0))
         first = rest if start[1] == 0 else first_from(LinearSpring(damping), *start)
         found = late_state(damping, first, arb(tau), lead)
         true = followed(law, start, arb(tau))
@@ -56,7 +56,7 @@ def test_the_jump_holds_the_motion_and_is_not_wide(law, start, tau, lead, share)
 
 def test_the_turning_point_after_the_jump_is_held_and_its_errors_are_attained():
     with ctx.workprec(100):
-        start, damping = Turning(0, 1, arb(1), arb(0), arb(0), arb(0)), Damping.of([(arb(1) / 50, ONE[0])])
+        start, damping = TurningState(0, 1, arb(1), arb(0), arb(0), arb(0)), Damping.of([(arb(1) / 50, ONE[0])])
         found = late_turning(damping, start, arb(40), 1)
         true = next(islice(sequence(LinearSpring(damping), start), found.n, None))
         amplitude, time = abs(found.amplitude - true.amplitude), abs(found.time - true.time)
@@ -80,7 +80,7 @@ def test_an_uncertain_start_counts():
 
 def followed_points(epsilon, amplitude, count):
     damping = Damping.of([(epsilon, ONE[0])])
-    start = Turning(0, 1, amplitude.mid(), arb(0), arb(0), arb(0))
+    start = TurningState(0, 1, amplitude.mid(), arb(0), arb(0), arb(0))
     return [(abs(p.x), p.tau) for p in islice(sequence(LinearSpring(damping), start), count + 1)]
 
 

@@ -12,7 +12,7 @@ from asymptotics.bounds.turning import TurningBounds, rates, sensitivity, turnin
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.turning import TurningState
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series
@@ -88,8 +88,8 @@ def test_a_jump_from_an_uncertain_turning_point_holds_both_ends(side):
     e = arb(2) ** -10
     with ctx.workprec(100):
         damping = Damping.of([(arb(1) / 50, parse_real("2", "alpha"))])
-        found = late_turning(damping, Turning(0, 1, arb(1), arb(0), e, e), arb(40), 1)
-        end = Turning(0, 1, 1 + side * e, side * e, arb(0), arb(0))
+        found = late_turning(damping, TurningState(0, 1, arb(1), arb(0), e, e), arb(40), 1)
+        end = TurningState(0, 1, 1 + side * e, side * e, arb(0), arb(0))
         true = next(islice(sequence(LinearSpring(damping), end), found.n, None))
         apart, late = abs(found.amplitude - true.amplitude), abs(found.time - true.time)
         assert found.amplitude_error / 4 < apart < found.amplitude_error

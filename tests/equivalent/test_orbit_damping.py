@@ -3,7 +3,7 @@
 import pytest
 from flint import acb, arb, ctx
 
-from asymptotics.equivalent.orbit import ConservativeOrbit, Spring, _power
+from asymptotics.equivalent.conservative_cycle import ConservativeCycle, Spring, _power
 from asymptotics.errors import InputError
 from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.law import Law
@@ -17,7 +17,7 @@ ALL = [*WELLS, ({"3/2": "1/10", (0, 1): "1/9"}, {2: "1/2"}), ({2: 1}, {5: "1/3",
 
 def orbit(losses, spring):
     law = Law(losses, spring=spring)
-    return ConservativeOrbit.of(law.terms, [t.strength.ball() for t in law.terms])
+    return ConservativeCycle.of(law.terms, [t.strength.ball() for t in law.terms])
 
 
 @pytest.mark.parametrize(("losses", "spring"), WELLS, ids=str)
@@ -76,7 +76,7 @@ def test_near_the_top_of_the_well_the_orbit_is_long_but_loses_no_more():
     with ctx.workprec(80):
         law = Law({1: "1/10"}, spring="pendulum")
         amplitude = arb("3.1")
-        found = ConservativeOrbit.of(law.terms, [arb("0.1"), amplitude**2])
+        found = ConservativeCycle.of(law.terms, [arb("0.1"), amplitude**2])
         assert abs(found.action * amplitude**2 - 16) < 0.05
         assert abs(found.coefficient - arb("0.1")) < 1e-15
 

@@ -1,4 +1,4 @@
-"""Parts of the bounds of a course that no motion shows at the full precision: each alone, at its least favourable."""
+"""Parts of the bounds of a half-swing that no motion shows at full precision: each alone, at its least favourable."""
 
 from dataclasses import dataclass, replace
 from types import SimpleNamespace
@@ -7,16 +7,15 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow import dense, parting
-from asymptotics.flow import trajectory as courses
+from asymptotics.flow import dense, error_propagation, trajectory
 from asymptotics.flow.damping import Damping
+from asymptotics.flow.error_propagation import contraction_by_energy, contraction_by_ratio, points_forward, state_gap
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
-from asymptotics.flow.parting import by_ratio, contracted, points_forward, state_gap
 from asymptotics.flow.sequence import start_in_motion, sticks, turning_after_start
-from asymptotics.flow.trajectory import course
-from asymptotics.flow.turning import Turning
-from asymptotics.flow.wells.ends import _held, trap
+from asymptotics.flow.trajectory import half_swing_pieces
+from asymptotics.flow.turning import TurningState
 from asymptotics.flow.wells.even_well import EvenWell
+from asymptotics.flow.wells.trapping_regions import _held, trap
 from asymptotics.law import Law
 from tests.flow.forces import WELLS as FORCES
 from tests.flow.forces import in_a_well
@@ -48,7 +47,7 @@ class Gaining:
 
 
 def test_gains_part_motions_at_their_own_rate():
-    found = parting.parting(Gaining(), arb(1), arb(0), arb(0), arb(2))
+    found = error_propagation.distance_growth(Gaining(), arb(1), arb(0), arb(0), arb(2))
     assert arb(2).exp() <= found < arb(2).exp() * arb("1.001")
 
 
@@ -66,26 +65,28 @@ def test_beside_a_linear_spring_the_turning_points_keep_their_ratio():
     with ctx.workprec(60):
         law = Damping.of_law(LAW)
         p, e, q = arb(1), arb(2) ** -10, arb("0.5")
-        assert q * e / p <= contracted(law, p, e, arb(3), -q, arb(0)) < q * e * arb("1.01")
-        assert q * e / p <= by_ratio(law, p, e, q) < q * e * arb("1.01")
-        assert q * e / p <= contracted(law, p, e, arb(3), -q / 2, q / 2) < q * e * arb("1.01")  # q at the far end
+        assert q * e / p <= contraction_by_energy(law, p, e, arb(3), -q, arb(0)) < q * e * arb("1.01")
+        assert q * e / p <= contraction_by_ratio(law, p, e, q) < q * e * arb("1.01")
+        assert (
+            q * e / p <= contraction_by_energy(law, p, e, arb(3), -q / 2, q / 2) < q * e * arb("1.01")
+        )  # q at the far end
 
 
 def test_an_error_as_large_as_the_start_has_no_ratio():
     """Nothing is known of p - e <= 0: the distance is that of a nonexpansive flow."""
     law = Damping.of_law(LAW)
-    assert [by_ratio(law, arb(1), arb(error), arb(1)) for error in (1, 2)] == [1, 2]
+    assert [contraction_by_ratio(law, arb(1), arb(error), arb(1)) for error in (1, 2)] == [1, 2]
 
 
 def test_the_time_outside_counts_both_ends_of_the_error():
     """The fall begins where the force is least, the loss counts where it is largest, the stop where it is weakest."""
     e = arb("0.25")
-    found = parting._outside(FREE, arb(1), e, arb(-1), arb(0), arb(0))
+    found = error_propagation._outside(FREE, arb(1), e, arb(-1), arb(0), arb(0))
     assert found >= 2 * (e / (1 - e)).sqrt() * arb("0.999999")
     square = arb(2) ** -12
-    found = parting._outside(FREE, arb(1), arb(2) ** -30, arb(-1), e, square)
+    found = error_propagation._outside(FREE, arb(1), arb(2) ** -30, arb(-1), e, square)
     assert found >= (2 * square).sqrt() / (1 - e) * arb("0.999999")
-    assert not parting._outside(LOSSY, arb(1), e, arb(-1), arb(0), arb(0)).is_finite()
+    assert not error_propagation._outside(LOSSY, arb(1), e, arb(-1), arb(0), arb(0)).is_finite()
 
 
 def test_an_uncertain_time_moves_a_state_where_the_force_is_largest():
@@ -96,7 +97,7 @@ def test_an_uncertain_time_moves_a_state_where_the_force_is_largest():
 
 def test_the_distance_of_a_turning_point_counts_the_force_at_its_farther_place():
     flow = SimpleNamespace(force=Steep(), unit=lambda *_: arb(1))
-    found = dense._distance(flow, Turning(0, 1, arb(1), arb(0), arb("0.25"), arb("0.0001")))
+    found = dense._distance(flow, TurningState(0, 1, arb(1), arb(0), arb("0.25"), arb("0.0001")))
     assert found >= arb("0.25") + arb("0.0001") * arb("1.25") ** 20
 
 
@@ -108,9 +109,9 @@ def test_the_growth_along_a_piece_is_that_of_all_its_places_and_speeds(monkeypat
         seen.append((u, w))
         return arb(1)
 
-    monkeypatch.setattr(courses, "growth", growth)
+    monkeypatch.setattr(trajectory, "growth", growth)
     with ctx.workprec(60):
-        first, *_, last = course(EvenWell(FREE), arb(1), arb(0), arb(2) ** -40)
+        first, *_, last = half_swing_pieces(EvenWell(FREE), arb(1), arb(0), arb(2) ** -40)
         end, _ = first.expansion.state(first.expansion.reach)
         turn, place = (last.expansion.state(w)[0] for w in (arb(0), last.beside[1]))
         (u, w), (v, x) = seen[0], seen[-1]
@@ -120,7 +121,7 @@ def test_the_growth_along_a_piece_is_that_of_all_its_places_and_speeds(monkeypat
 
 def test_the_rounding_of_the_time_of_a_landing_is_a_distance():
     with ctx.workprec(30):
-        *_, last = course(EvenWell(FREE), arb(1), arb(0), arb(0))
+        *_, last = half_swing_pieces(EvenWell(FREE), arb(1), arb(0), arb(0))
         own = last.errors.error - last.factor * last.begun.error
         wide = last.clock.rad() * last.expansion.speed(last.unit)
         assert own > 0 and own >= wide * arb("0.999")
@@ -131,7 +132,7 @@ def test_dry_friction_may_hold_a_start_within_its_error(given):
     """Held up to 1/2: the start 0.501 is farther, by less than its error."""
     flow = EvenWell(in_a_well({0: "1/2"}))
     with ctx.workprec(60), pytest.raises(UndecidedError, match="holds the mass here"):
-        next(iter(course(flow, arb("0.501").mid(), arb(0), arb(given))))
+        next(iter(half_swing_pieces(flow, arb("0.501").mid(), arb(0), arb(given))))
 
 
 def expansion(turn, place):
@@ -143,13 +144,13 @@ def expansion(turn, place):
 
 def test_an_expansion_that_reaches_a_kink_is_refused():
     kinked = EvenWell(in_a_well({2: "1/10"}, {2: "1/2"}))
-    here = courses.FlowState(arb(0), arb("0.5"), arb(0), courses.PartingErrors(arb(0), arb(0)))
+    here = trajectory.FlowState(arb(0), arb("0.5"), arb(0), trajectory.CarriedErrors(arb(0), arb(0)))
     flow = replace_method(kinked, "expansion", lambda _place: expansion(arb("0.5"), arb("-0.1")))
     with pytest.raises(UndecidedError, match="reaches a kink"):
-        courses._departure(flow, arb(1), here)
+        trajectory._departure(flow, arb(1), here)
     flow = replace_method(kinked, "arrive", lambda _place, _w: expansion(arb("-0.5"), arb("0.1")))
     with pytest.raises(UndecidedError, match="reaches a kink"):
-        courses._landing(flow, arb(1), replace(here, u=arb("0.1"), w=arb("0.1")))
+        trajectory._arrival(flow, arb(1), replace(here, u=arb("0.1"), w=arb("0.1")))
 
 
 def replace_method(flow, name, method):
@@ -172,7 +173,7 @@ def test_a_step_across_a_kink_must_end_before_it(start, speed, length, place):
 
     step = SimpleNamespace(us=[arb(start)], ws=[arb(speed)], length=arb(length), state=state, shortened=lambda t: t)
     with pytest.raises(UndecidedError, match="passage of a kink"):
-        courses._up_to_a_kink(SimpleNamespace(kinked=True), step)
+        trajectory._up_to_a_kink(SimpleNamespace(kinked=True), step)
 
 
 def test_a_first_motion_must_have_a_direction():
@@ -192,11 +193,11 @@ def test_a_first_turning_point_may_lie_outside_within_its_error():
 
 def test_a_mass_beyond_its_place_of_rest_is_not_said_to_go_on():
     flow = EvenWell(in_a_well({0: "1/2"}))
-    assert not sticks(flow, Turning(0, 1, arb(2), arb(0), arb(0), arb(0)))
+    assert not sticks(flow, TurningState(0, 1, arb(2), arb(0), arb(0), arb(0)))
     with pytest.raises(UndecidedError, match="holds the mass"):
-        sticks(flow, Turning(0, 1, arb(-2), arb(0), arb(0), arb(0)))
+        sticks(flow, TurningState(0, 1, arb(-2), arb(0), arb(0), arb(0)))
     with pytest.raises(UndecidedError, match="holds the mass"):
-        sticks(flow, Turning(0, 1, arb("0.5"), arb(0), arb("0.01"), arb(0)))
+        sticks(flow, TurningState(0, 1, arb("0.5"), arb(0), arb("0.01"), arb(0)))
 
 
 def test_a_turning_point_is_not_near_while_the_place_may_be_on_this_side():

@@ -11,7 +11,7 @@ from asymptotics.expansions.half_swings.symbolic import nested_integral, nested_
 from asymptotics.expansions.moments.certified import moment, squaring_ratio
 from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.law import Oscillator
-from asymptotics.limit_cycles.half_turn import half_turn
+from asymptotics.limit_cycles.half_cycle import half_cycle
 from asymptotics.motions.admission import local_strength
 from asymptotics.motions.invariants import certified as constants
 from asymptotics.motions.invariants.symbolic import generating_function
@@ -187,7 +187,7 @@ def smith(name, *arguments, at="0.3", **more):
 
 
 def turn(x):
-    found = half_turn((Term(-1, 1), Term(1, 1, 2)), arb(1), x)
+    found = half_cycle((Term(-1, 1), Term(1, 1, 2)), arb(1), x)
     if found is None:
         raise UndecidedError("too few bits")
     return [found.q, found.T, found.J]
@@ -208,7 +208,7 @@ INVARIANTS = [
     ),
     smith("series_radius", lost=14, stretch=60),
     smith("absolute_radius", lost=14, stretch=20),
-    Ladder(("asymptotics.limit_cycles.half_turn.half_turn",), turn, "2", 28, None, 40, (20, 40, 80), 120),
+    Ladder(("asymptotics.limit_cycles.half_cycle.half_cycle",), turn, "2", 28, None, 40, (20, 40, 80), 120),
 ]
 
 ELEMENTARY = [*NUMBERS, *LAWS, *ENVELOPES, *INVARIANTS]

@@ -2,21 +2,25 @@
 
 Names = dict[str, str]
 
-LOCAL, TURNING, ORBIT = "tests/bounds/test_local.py", "tests/bounds/test_turning.py", "tests/bounds/test_orbit.py"
+LOCAL, TURNING, ORBIT = (
+    "tests/bounds/test_local.py",
+    "tests/bounds/test_turning.py",
+    "tests/bounds/test_turning_sequence.py",
+)
 PETAL = "tests/expansions/divergence/test_bounds.py"
 HEIGHTS = "tests/expansions/divergence/test_constants.py::test_another_height_gives_the_same_numbers"
 ONE_LAW = "tests/expansions/half_swings/test_one_law.py"
 LATE, FINITE, SLOW = (
     "tests/bounds/test_late.py",
     "tests/expansions/half_swings/test_finite.py",
-    "tests/flow/slow_manifold/test_creep_slow_curve.py",
+    "tests/flow/slow_manifold/test_slow_curve.py",
 )
 UNIFORM, AT_LARGEST = (
     "tests/bounds/test_uniform.py",
     "test_the_constant_for_all_strengths_is_the_bound_at_its_largest",
 )
-NEAR = "tests/flow/slow_manifold/test_creep_near_equal.py"
-SETTLING, STEP = "tests/flow/slow_manifold/test_onset.py", "tests/flow/test_taylor.py"
+NEAR = "tests/flow/slow_manifold/test_near_equal_exponents.py"
+SETTLING, STEP = "tests/flow/slow_manifold/test_attraction.py", "tests/flow/test_taylor.py"
 KEPT, DISTANCE = "tests/flow/linear_spring/test_kept_radii.py", "tests/flow/wells/test_distance_bounds.py"
 NEXT = "tests/flow/wells/test_force_bounds.py"
 SWING, WELLS, PANELS = (
@@ -60,15 +64,17 @@ BOUNDS: Names = {
         "greatest least",
         "tests/test_chosen_in_doubles.py::test_the_extremes_of_balls_hold_those_of_their_numbers",
     ),
-    **_each("flow.slow_manifold.creep_slow_curve", "short_enough", f"{SLOW}::test_the_rest_is_what_the_cut_leaves"),
+    **_each("flow.slow_manifold.slow_curve", "short_enough", f"{SLOW}::test_the_rest_is_what_the_cut_leaves"),
     **_each(
-        "flow.slow_manifold.creep_near_equal", "residual", f"{NEAR}::test_what_is_left_is_the_residual_of_the_curve"
+        "flow.slow_manifold.near_equal_exponents", "residual", f"{NEAR}::test_what_is_left_is_the_residual_of_the_curve"
     ),
-    **_each("flow.slow_manifold.creep_near_equal", "Grouped.size", f"{NEAR}::test_what_is_cut_off_the_sums_is_bounded"),
     **_each(
-        "flow.slow_manifold.slide",
-        "sliding",
-        "tests/flow/slow_manifold/test_slide.py::test_the_strip_holds_every_state_that_enters",
+        "flow.slow_manifold.near_equal_exponents", "Grouped.size", f"{NEAR}::test_what_is_cut_off_the_sums_is_bounded"
+    ),
+    **_each(
+        "flow.slow_manifold.strong_damping",
+        "strong_damping_strip",
+        "tests/flow/slow_manifold/test_strong_damping.py::test_the_strip_holds_every_state_that_enters",
     ),
     **_each(
         "expansions.divergence.germ",
@@ -130,7 +136,11 @@ BOUNDS: Names = {
         "tests/bounds/test_waveform.py::test_what_is_left_over_is_bounded_and_nearly_attained",
     ),
     **_each("bounds.flow", "TruncatedFlow.beyond", f"{UNIFORM}::test_what_is_reached_later_is_hardly_later"),
-    **_each("bounds.orbit", "orbit_bounds", f"{ORBIT}::test_the_bounds_hold_and_half_of_them_would_not"),
+    **_each(
+        "bounds.turning_sequence",
+        "turning_sequence_bounds",
+        f"{ORBIT}::test_the_bounds_hold_and_half_of_them_would_not",
+    ),
     **_each(
         "expansions.half_swings.finite_majorant",
         "Majorant.final Majorant.inverse Majorant.ratio majorant widest",
@@ -173,33 +183,43 @@ BOUNDS: Names = {
     ),
     **_each(
         "flow.trajectory",
-        "Landing.gap Landing.late Piece.error",
+        "ArrivalPiece.gap ArrivalPiece.late Piece.error",
         "tests/flow/wells/test_distance_bounds.py::test_a_landing_holds_the_orbits_of_both_ends",
     ),
-    **_each("flow.parting", "growth parting", f"{WELLS}::test_growth_is_attained_in_the_worst_direction"),
     **_each(
-        "flow.parting", "turning_gap lateness", f"{WELLS}::test_the_gap_and_the_lateness_are_attained_by_free_fall"
+        "flow.error_propagation", "growth distance_growth", f"{WELLS}::test_growth_is_attained_in_the_worst_direction"
     ),
     **_each(
-        "flow.parting",
+        "flow.error_propagation",
+        "turning_gap turning_delay",
+        f"{WELLS}::test_the_gap_and_the_lateness_are_attained_by_free_fall",
+    ),
+    **_each(
+        "flow.error_propagation",
         "state_gap",
         "tests/flow/wells/test_distance_bounds.py::test_the_gap_of_a_state_counts_place_and_speed",
     ),
-    **_each("flow.parting", "contracted", f"{WELLS}::test_turning_points_draw_together_at_most_as_the_bound_says"),
+    **_each(
+        "flow.error_propagation",
+        "contraction_by_energy",
+        f"{WELLS}::test_turning_points_draw_together_at_most_as_the_bound_says",
+    ),
     **_each(
         "flow.turning",
         "at_exact_place",
         "tests/numbers/test_exact_ties.py::test_a_place_that_is_known_lies_in_its_enclosure",
     ),
     **_each(
-        "flow.parting",
+        "flow.error_propagation",
         "ratio_growth",
         "tests/flow/linear_spring/test_ratio_growth.py::test_ratios_part_no_faster_than_is_said",
     ),
-    **_each("flow.parting", "by_ratio", f"{SWING}::test_amplitudes_carry_their_error_by_contraction"),
     **_each(
-        "flow.parting",
-        "PartingErrors.plus PartingErrors.times PartingErrors.apart",
+        "flow.error_propagation", "contraction_by_ratio", f"{SWING}::test_amplitudes_carry_their_error_by_contraction"
+    ),
+    **_each(
+        "flow.error_propagation",
+        "CarriedErrors.plus CarriedErrors.times CarriedErrors.apart",
         "tests/flow/wells/test_distance_bounds.py::test_the_parts_of_a_landing",
     ),
     **_each("flow.sequence", "given_at", f"{DISTANCE}::test_turning_points_hold_those_of_every_start"),
@@ -219,10 +239,14 @@ ELSEWHERE: Names = {
     **_each("return_map.sequence", "Interpolated.leap following", f"{PANELS}::test_a_ladder_of_panels"),
     **_each("api.waves", "Waveforms.balls Waveforms.enclosed", f"{WAVES}::test_more_digits_are_narrower_and_overlap"),
     **_each(
-        "expansions.half_swings.certified_course", "Course.slopes", f"{COURSE}::test_few_terms_are_enclosed_by_many"
+        "expansions.half_swings.certified_displacement",
+        "DisplacementSeries.slopes",
+        f"{COURSE}::test_few_terms_are_enclosed_by_many",
     ),
     **_each(
-        "expansions.half_swings.certified_course", "course_series", f"{COURSE}::test_few_terms_are_enclosed_by_many"
+        "expansions.half_swings.certified_displacement",
+        "displacement_series",
+        f"{COURSE}::test_few_terms_are_enclosed_by_many",
     ),
     **_each(
         "expansions.multiple_scales.certified_waves",
@@ -235,17 +259,17 @@ ELSEWHERE: Names = {
         f"{WAVES}::test_the_balls_hold_the_polynomials_of_integer_exponents",
     ),
     **_each(
-        "equivalent.orbit",
-        "ConservativeOrbit.of ConservativeOrbit.zeta ConservativeOrbit.quality ConservativeOrbit.decrement "
-        "ConservativeOrbit.coefficient",
+        "equivalent.conservative_cycle",
+        "ConservativeCycle.of ConservativeCycle.zeta ConservativeCycle.quality ConservativeCycle.decrement "
+        "ConservativeCycle.coefficient",
         EQUIVALENT,
     ),
     **_each(
-        "equivalent.orbit",
+        "equivalent.conservative_cycle",
         "Spring.of Spring.potential Spring.force Spring.stiffness",
         "tests/equivalent/test_orbit_damping.py::test_the_spring_of_an_orbit_is_its_potential",
     ),
-    **_each("equivalent.rows", "orbit_of", EQUIVALENT),
+    **_each("equivalent.rows", "cycle_of", EQUIVALENT),
     **_each(
         "equivalent.cycle",
         "full_swing FullSwing.zeta FullSwing.quality",
@@ -306,21 +330,21 @@ ELSEWHERE: Names = {
     **_each(
         "return_map.spectral", "analysis integrals of_the_integral", f"{QUARTERS}::test_the_matrices_of_integration"
     ),
-    **_each("flow.linear_spring.linear_spring", "Settling.own", f"{SETTLING}::test_a_ladder_of_precisions"),
+    **_each("flow.linear_spring.linear_spring", "ToSlowCurve.own", f"{SETTLING}::test_a_ladder_of_precisions"),
     **_each(
-        "flow.slow_manifold.onset",
-        "ForceCurve.place ForceCurve.clock settled",
+        "flow.slow_manifold.attraction",
+        "ForceCurve.place ForceCurve.clock attracted",
         f"{SETTLING}::test_a_ladder_of_precisions",
     ),
     **_each(
-        "flow.slow_manifold.creep_near_equal",
+        "flow.slow_manifold.near_equal_exponents",
         "StretchCurve.of StretchCurve.place StretchCurve.clock Scale.slope Grouped.slope Grouped.value grouped stretch",
         f"{NEAR}::test_a_ladder_of_precisions",
     ),
     **_each("return_map.panels", "Panel.passage laid_out", f"{PANELS}::test_a_ladder_of_panels"),
     **_each(
-        "flow.slow_manifold.creep_slow_curve",
-        "SlowCurve.a SlowCurve.place SlowCurve.clock Strip.state solve caught",
+        "flow.slow_manifold.slow_curve",
+        "SlowCurve.a SlowCurve.place SlowCurve.clock FencedStrip.state solve caught",
         f"{SLOW}::test_a_ladder_of_precisions",
     ),
     **_each(
@@ -377,16 +401,18 @@ NONE_NEEDED: Names = {
     ),
     **_each("flow.times", "NearRest.reach NearRest.state NearRest.acceleration NearRest.moved", "abstract"),
     **_each(
-        "flow.force", "Smooth.rate Smooth.restoring_powers Smooth.loss_powers Smooth.largest Parting.slopes", "abstract"
+        "flow.force",
+        "Smooth.rate Smooth.restoring_powers Smooth.loss_powers Smooth.largest HasSlopes.slopes",
+        "abstract",
     ),
     **_each("flow.force", "Force.viscous Force.least_power Force.restoring Force.drag Force.strongest", "abstract"),
     **_each("flow.damping", "Damping.restoring_powers Damping.loss_powers", EXACT),
     **_each("flow.times", "exact_sum later", "exact by its precision"),
     **_each("return_map.half_swings", "Quarters.place", EXACT),
     **_each("return_map.quarters", "found moved", CHOICE),
-    **_each("flow.slow_manifold.onset", "ForceCurve.sums spread", EXACT),
-    **_each("flow.slow_manifold.creep_near_equal", "Scale.t Grouped.exponent", EXACT),
-    **_each("flow.slow_manifold.creep_slow_curve", "Barrier.place Barrier.clock", "abstract"),
+    **_each("flow.slow_manifold.attraction", "ForceCurve.sums spread", EXACT),
+    **_each("flow.slow_manifold.near_equal_exponents", "Scale.t Grouped.exponent", EXACT),
+    **_each("flow.slow_manifold.slow_curve", "Barrier.place Barrier.clock", "abstract"),
     **_each("return_map.panels", "Panels.serving panels_of", "hands out what laid_out made"),
     **_each(
         "turning.jump",
@@ -397,7 +423,7 @@ NONE_NEEDED: Names = {
     **_each("turning.jump", "head_end", CHOICE),
     **_each("turning.abel", "polydiscs", "finite_majorant.majorant, which is registered, at some shares"),
     **_each("turning.abel", "least_beyond", CHOICE),
-    **_each("turning.drag_exact", "swings", "PrimitiveWell.work, which has a ladder, half-swing by half-swing"),
+    **_each("turning.energy_primitive", "swings", "PrimitiveWell.work, which has a ladder, half-swing by half-swing"),
     **_each("turning.enclosing", "damping_of first_of", "Damping.of and flow.sequence.first_from for a request"),
     **_each("turning.table", "size", EXACT),
     **_each(

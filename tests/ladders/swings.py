@@ -11,14 +11,14 @@ from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states, states_from
 from asymptotics.flow.linear_spring.expansion import TurningExpansion
-from asymptotics.flow.linear_spring.linear import LinearOrbit
+from asymptotics.flow.linear_spring.linear import LinearSolution
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.linear_spring.rows import rows_below
 from asymptotics.flow.linear_spring.turning_point import arrive
 from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.slow_manifold.slow_curve_series import summed, truncated
 from asymptotics.flow.taylor import GUARD, TaylorStep, coefficients
-from asymptotics.flow.trajectory import course
+from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.flow.turning import at_rest
 from asymptotics.identification.certified_sets.certified_ratio import CertifiedRatio
 from asymptotics.law import Law
@@ -28,7 +28,7 @@ from asymptotics.return_map.chebyshev import nodes
 from asymptotics.return_map.coordinate import Coordinate
 from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.terms import Term
-from asymptotics.turning import drag_exact
+from asymptotics.turning import energy_primitive
 from asymptotics.turning.quadratic_duration import duration, elapsed
 from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
 from tests.ladders.machine import Ladder
@@ -75,7 +75,7 @@ def pieces(pairs, *times):
 
     def value(x):
         found: list[arb] = []
-        for piece in course(LinearSpring(law(pairs)), x, arb(0)):
+        for piece in half_swing_pieces(LinearSpring(law(pairs)), x, arb(0)):
             inside = [arb(t) for t in times if piece.begin <= arb(t) < piece.end]
             found += [near(c, piece.error) for t in inside for c in piece.own(t)]
         return found
@@ -145,7 +145,7 @@ def ratio(x):
 
 def exact_work(x):
     spring = Law({0: "1/20", 2: "1/7"}, spring={3: "1/3"})
-    return [drag_exact.PrimitiveWell.of(spring).work(arb("-0.5"), x)]
+    return [energy_primitive.PrimitiveWell.of(spring).work(arb("-0.5"), x)]
 
 
 def many(names, room=SPRING):
@@ -158,20 +158,20 @@ EXPANSION, STEP = (
     many("at shortened state", "asymptotics.flow.taylor.TaylorStep."),
 )
 OWN = (
-    *many("Departure.own Step.own Landing.own Turned.time course", FLOW + "trajectory."),
+    *many("DeparturePiece.own Step.own ArrivalPiece.own ArrivedPiece.time half_swing_pieces", FLOW + "trajectory."),
     *many("linear_spring.LinearSpring.expansion linear_spring.LinearSpring.arrive"),
     *many("expansion.TurningExpansion.acceleration expansion.TurningExpansion.moved"),
     *many("damping.Damping.restoring damping.Damping.drag", FLOW),
     "asymptotics.flow.times.at_time",
 )
 SEQUENCE = many(
-    "sequence.sequence sequence.turning_by_pieces sequence.after_landing turning.Turning.x turning.Turning.tau "
-    "turning.at_rest",
+    "sequence.sequence sequence.turning_by_pieces sequence.after_arrival turning.TurningState.x "
+    "turning.TurningState.tau turning.at_rest",
     FLOW,
 )
 STATES, FROM = many("dense.states", FLOW), many("dense.states_from", FLOW)
 MAP, DURATION = "asymptotics.turning.quadratic_map.", "asymptotics.turning.quadratic_duration."
-EXACT = "asymptotics.turning.drag_exact.PrimitiveWell."
+EXACT = "asymptotics.turning.energy_primitive.PrimitiveWell."
 ORDERS = "asymptotics.expansions.half_swings.certified_orders."
 
 PIECES = [
@@ -189,29 +189,34 @@ PIECES = [
         for p in (ROOT, SUM)
     ),
     Ladder(
-        many("linear.LinearOrbit.of linear.LinearOrbit.state"),
-        lambda x: LinearOrbit.of(law(LINEAR), arb("0.5"), arb("0.25")).state(x),
+        many("linear.LinearSolution.of linear.LinearSolution.state"),
+        lambda x: LinearSolution.of(law(LINEAR), arb("0.5"), arb("0.25")).state(x),
         "5",
         stretch=3,
     ),
     Ladder(
-        many("linear.LinearOrbit.turning"), lambda x: LinearOrbit.of(law(LINEAR), x, arb("0.25")).turning(), stretch=4
+        many("linear.LinearSolution.turning"),
+        lambda x: LinearSolution.of(law(LINEAR), x, arb("0.25")).turning(),
+        stretch=4,
     ),
     *(Ladder(OWN, pieces(p, "0.0625", "1.25", "2.75"), "1", 16, least=20, **DEAR) for p in (ROOT, SLOW)),
-    Ladder(many("linear_spring.LinearSwing.own"), pieces(LINEAR, "0.0625", "2.75"), "1", least=20, rungs=(20, 40, 80)),
+    Ladder(many("linear_spring.LinearPiece.own"), pieces(LINEAR, "0.0625", "2.75"), "1", least=20, rungs=(20, 40, 80)),
 ]
 
 SEQUENCES = [
     *(Ladder(SEQUENCE, turnings(p), lost=16, least=20, **DEAR) for p in (ROOT, LINEAR)),
     Ladder(
-        many("sequence.first_from sequence.turning_after_start trajectory.Turned.late trajectory.Turned.gap", FLOW),
+        many(
+            "sequence.first_from sequence.turning_after_start trajectory.ArrivedPiece.late trajectory.ArrivedPiece.gap",
+            FLOW,
+        ),
         first,
         lost=14,
         stretch=6,
         least=20,
         **DEAR,
     ),
-    Ladder(many("half_swing_map.integrated half_swing_map.of_landing", RETURN), swung, lost=14, least=20, **DEAR),
+    Ladder(many("half_swing_map.integrated half_swing_map.of_arrival", RETURN), swung, lost=14, least=20, **DEAR),
     Ladder(STATES, dense(ROOT), lost=16, stretch=12, least=20, **DEAR),
     Ladder(FROM, timed, "5", 16, 12, 20, **DEAR),
     *(

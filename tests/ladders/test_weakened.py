@@ -18,7 +18,8 @@ ROOMS = {
 }  # fmt: skip
 
 WAVES, QUARTERS, SETTLING = (
-    f"tests/{name}.py" for name in ("bounds/test_waveform", "return_map/test_quarters", "flow/slow_manifold/test_onset")
+    f"tests/{name}.py"
+    for name in ("bounds/test_waveform", "return_map/test_quarters", "flow/slow_manifold/test_attraction")
 )
 
 LADDER, ENDS = (
@@ -44,9 +45,10 @@ OWN = {
     "expansions.divergence.abel.later": f"{PETAL}::test_what_an_orbit_leaves_out_is_bounded",
     "expansions.divergence.constants._solved": f"{PETAL}::test_a_tail_left_out_moves_the_constants",
     "expansions.divergence.half_step.at": f"{PETAL}::test_a_half_swing_at_complex_strength_holds_smiths_map",
-    "flow.slow_manifold.slide.sliding": "tests/flow/slow_manifold/test_slide.py"
+    "flow.slow_manifold.strong_damping.strong_damping_strip": "tests/flow/slow_manifold/test_strong_damping.py"
     "::test_what_the_strip_leaves_open_is_in_the_error_after_it",
-    "equivalent.orbit._power": "tests/equivalent/test_orbit_damping.py::test_the_size_of_a_power_near_zero_is_attained",
+    "equivalent.conservative_cycle._power": "tests/equivalent/test_orbit_damping.py"
+    "::test_the_size_of_a_power_near_zero_is_attained",
     "envelopes.certified.amplitude": "tests/envelopes/test_certified.py::test_too_little_precision_is_an_enclosure",
     "envelopes.certified.extinction_time": LADDER,
     "envelopes.large.SlowFlow.extinction_time": LADDER,
@@ -63,13 +65,13 @@ OWN = {
     "return_map.quarters.Path.along": f"{QUARTERS}::test_coefficients_that_are_dropped_count",
     "return_map.quarters.Path.enclosed": f"{QUARTERS}::test_the_error_is_made_of_its_parts",
     "return_map.quarters.Path.on_ellipse": f"{QUARTERS}::test_the_bounds_on_the_ellipse",
-    "flow.slow_manifold.onset.ForceCurve.clock": f"{SETTLING}"
+    "flow.slow_manifold.attraction.ForceCurve.clock": f"{SETTLING}"
     "::test_the_time_on_the_curves_is_the_integral_of_their_slope",
-    "flow.slow_manifold.onset.settled": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
+    "flow.slow_manifold.attraction.attracted": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
     "turning.jump._log": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
-    "flow.wells.ends._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
+    "flow.wells.trapping_regions._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
     "flow.turning.at_exact_place": "tests/numbers/test_exact_ties.py::test_a_place_that_is_known_lies_in_its_enclosure",
-    "flow.parting.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",
+    "flow.error_propagation.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",
 }
 """Functions that widen a ball, none of whose lines is on the list -> the test of their own, in which the truth is
 contained at few bits or the parts are evaluated again."""
@@ -79,7 +81,7 @@ NO_BOUND = {
     "expansions.half_swings.finite_majorant._seems_to_exist": "balls as a key of a cache; the answer is in floats",
     "expansions.half_swings.nodes._lost": "how wide the balls are; wider than wanted, they are made again",
     "identification.certified_sets.set_valued._searched": "boxes of doubles, searched; table_rows claims",
-    "motions.orbit_force.OrbitForce.__init__": "a union of sets",
+    "motions.formal_forces.FormalForces.__init__": "a union of sets",
     "motions.reference._within": "asks whether a radius is small enough",
     "numbers.pickling._make_arb": "the same ball, read and written",
     "numbers.pickling._reduce_arb": "the same ball, read and written",

@@ -7,7 +7,7 @@ from flint import arb
 from asymptotics.flow.dense import states
 from asymptotics.flow.sequence import first_from, sequence, turning_by_pieces
 from asymptotics.flow.taylor import TaylorStep, coefficients
-from asymptotics.flow.trajectory import course
+from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.flow.turning import at_rest
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.expansion import WellExpansion
@@ -33,8 +33,8 @@ def forces(given):
         F, w = force(given), arb("0.5")
         powers = [c for c, *_ in (*F.restoring_powers(1), *F.loss_powers(1))]
         return [
-            F.pull(x),
-            F.grip(x),
+            F.spring_force(x),
+            F.dry_friction(x),
             F.restoring(x),
             F.drag(x, w),
             F.acceleration(x, w),
@@ -73,7 +73,7 @@ def grown(given):
 def pieces(given, *times):
     def value(x):
         found: list[arb] = []
-        for piece in course(EvenWell(force(given)), x, arb(0)):
+        for piece in half_swing_pieces(EvenWell(force(given)), x, arb(0)):
             inside = [arb(t) for t in times if piece.begin <= arb(t) < piece.end]
             for u, w in map(piece.own, inside):
                 local = piece.errors.local
@@ -104,7 +104,7 @@ def dense(given):
 
 WELLS_ROOM, FLOW = "asymptotics.flow.wells.", "asymptotics.flow."
 FORCE = many(
-    "of pull grip restoring drag acceleration potential viscous restoring_powers loss_powers",
+    "of spring_force dry_friction restoring drag acceleration potential viscous restoring_powers loss_powers",
     WELLS_ROOM + "force.WellForce.",
 )
 EXPANSION, LANDING = (
@@ -113,12 +113,12 @@ EXPANSION, LANDING = (
 )
 STEP = many("at shortened state", "asymptotics.flow.taylor.TaylorStep.")
 OWN = (
-    *many("course Departure.own Step.own Landing.own", FLOW + "trajectory."),
+    *many("half_swing_pieces DeparturePiece.own Step.own ArrivalPiece.own", FLOW + "trajectory."),
     *many("expansion arrive", WELLS_ROOM + "even_well.EvenWell."),
     *many("WellExpansion.acceleration WellExpansion.moved", WELLS_ROOM + "expansion."),
     "asymptotics.flow.times.at_time",
 )
-SEQUENCE = (*many("sequence next_turning after_landing", FLOW + "sequence."), FLOW + "turning.at_rest")
+SEQUENCE = (*many("sequence next_turning after_arrival", FLOW + "sequence."), FLOW + "turning.at_rest")
 
 WELLS = [
     *(Ladder(FORCE, forces(given), lost=12, stretch=4) for given in (PENDULUM, DUFFING, KINKED)),

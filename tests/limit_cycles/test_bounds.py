@@ -5,12 +5,12 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import quad, solve_ivp
 
-from asymptotics.flow.parting import PartingErrors, parting
+from asymptotics.flow.error_propagation import CarriedErrors, distance_growth
 from asymptotics.flow.taylor import TaylorStep
 from asymptotics.law import Law
-from asymptotics.limit_cycles import half_turn as course
+from asymptotics.limit_cycles import half_cycle
 from asymptotics.limit_cycles.force import PolynomialForce
-from asymptotics.limit_cycles.half_turn import _after, _box, _Here, _integral, _step, _to_the_turn
+from asymptotics.limit_cycles.half_cycle import _after, _box, _Here, _integral, _step, _to_the_turn
 from asymptotics.limit_cycles.series import require_polynomial
 
 VAN_DER_POL = require_polynomial(Law({1: -1, (1, 2): 1}), springs=True)
@@ -18,7 +18,7 @@ ZERO, ONE = arb(0), arb(1)
 
 
 def at(u, w, error="0"):
-    return _Here(arb(3), arb(u), arb(w), PartingErrors(ZERO, arb(error)), ZERO)
+    return _Here(arb(3), arb(u), arb(w), CarriedErrors(ZERO, arb(error)), ZERO)
 
 
 def test_what_is_missing_to_the_turn_is_bounded_on_its_box():
@@ -53,7 +53,7 @@ def test_how_far_two_motions_part(mu, unit, u, w):
     in_u, in_w = (float(c) for c in field.slopes(arb(u), arb(w)))
     scaled = np.array([[0, -unit], [in_u / unit, in_w]])
     largest = float(np.linalg.norm(np.eye(2) + t * scaled + t * t / 2 * scaled @ scaled, 2))
-    bound = float(parting(field, arb(unit), arb(u), arb(w), arb(t)))
+    bound = float(distance_growth(field, arb(unit), arb(u), arb(w), arb(t)))
     assert largest <= bound * (1 + 1e-9)
     assert largest - 1 > (bound - 1) / 2
 
@@ -64,7 +64,7 @@ def test_a_distance_grows_by_its_factor_and_the_next_state_keeps_it():
         here = at("0.5", "1.5", error)
         step, ends = _step(field, ONE, here)
         there = _after(field, ONE, here, step)
-        factor = parting(field, ONE, *_box(ONE, here, step), step.length)
+        factor = distance_growth(field, ONE, *_box(ONE, here, step), step.length)
     assert not ends and there.errors.error >= error * factor * (1 - 1e-9) > error
 
 
@@ -114,13 +114,13 @@ def test_the_integral_of_the_slope_in_the_speed():
 
 def test_an_orbit_that_goes_off_is_no_half_turn():
     with ctx.workprec(60):
-        assert course.half_turn(require_polynomial(Law({1: 1, (1, 2): -1}), springs=True), arb(3), arb(3)) is None
+        assert half_cycle.half_cycle(require_polynomial(Law({1: 1, (1, 2): -1}), springs=True), arb(3), arb(3)) is None
 
 
 def test_the_last_step_ends_next_to_the_zero_of_the_speed():
     """Without losses u = cos t, w = sin t: T = pi, q = 1 and J = 0."""
     with ctx.workprec(100):
-        found = course.half_turn(VAN_DER_POL, ZERO, ONE)
+        found = half_cycle.half_cycle(VAN_DER_POL, ZERO, ONE)
         assert found.T.contains(arb.pi()) and found.T.rad() < 1e-25
         assert found.q.contains(ONE) and found.J == 0
 
@@ -134,10 +134,10 @@ def test_the_speed_has_no_other_zero_on_the_way(mu, bits, monkeypatch):
         seen.append((here, step, *_box(unit, here, step)))
         return _after(force, unit, here, step)
 
-    monkeypatch.setattr(course, "_after", noted)
+    monkeypatch.setattr(half_cycle, "_after", noted)
     with ctx.workprec(bits):
         field = PolynomialForce.of(VAN_DER_POL, arb(mu))
-        assert course.half_turn(VAN_DER_POL, arb(mu), arb(2)) is not None
+        assert half_cycle.half_cycle(VAN_DER_POL, arb(mu), arb(2)) is not None
         (_, _, *first), *middle, (here, last, *ending) = seen
         assert field.at(*first) > 0 and all(w > 0 for _, _, _, w in middle) and field.at(*ending) < 0
         assert abs(last.state(last.length)[1]) < 1e-6 * here.w
@@ -154,7 +154,7 @@ def test_the_worst_of_a_box_counts(place, speed, far):
         in_u, in_w = 1 - 2 * u * w, 1 - u * u
         return np.exp(t * (in_w / 2 + np.hypot(in_w / 2, (in_u - 1) / 2)))
 
-    found = float(parting(field, ONE, arb(place, far), arb(speed, far), arb(t)))
+    found = float(distance_growth(field, ONE, arb(place, far), arb(speed, far), arb(t)))
     worst = max(factor(place + a * far, speed + b * far) for a in (-1, 1) for b in (-1, 1))
     assert worst <= found < worst * 1.01
     assert factor(place, speed) < worst
@@ -166,7 +166,7 @@ def test_a_box_has_room_for_all_that_the_errors_may_become():
     step = TaylorStep.at(field, arb("0.5"), arb("1.5"), unit, ONE)
     wide, exact = (_box(unit, at("0.5", "1.5", e), step) for e in (error, ZERO))
     more = [(float(x.rad()) - float(y.rad())) for x, y in zip(wide, exact, strict=True)]
-    assert more == pytest.approx([course._ROOM * 5e-4, course._ROOM * 1e-3], rel=1e-3)
+    assert more == pytest.approx([half_cycle._ROOM * 5e-4, half_cycle._ROOM * 1e-3], rel=1e-3)
 
 
 def test_the_force_on_a_disc_is_bounded_and_attained():

@@ -13,7 +13,7 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.half_swings.fourier_flow import fourier_flow
 from asymptotics.law import Law
 from asymptotics.limit_cycles.certified import _at_rest, certified_limit_cycle
-from asymptotics.limit_cycles.half_turn import half_turn
+from asymptotics.limit_cycles.half_cycle import half_cycle
 from asymptotics.limit_cycles.result import limit_cycle
 from asymptotics.limit_cycles.series import limit_cycle_series
 from asymptotics.numbers.exact import ExactReal
@@ -95,15 +95,15 @@ def test_certified_cycle_against_an_integrator_and_the_series():
 def test_the_half_turn_encloses_and_bites():
     """At a low precision the ball contains the fine value; a wide start gives a wide image, and its midpoint misses."""
     with ctx.workprec(160):
-        fine = half_turn(VAN_DER_POL.terms, arb(1), arb(2))
+        fine = half_cycle(VAN_DER_POL.terms, arb(1), arb(2))
     with ctx.workprec(80):
-        coarse = half_turn(VAN_DER_POL.terms, arb(1), arb(2))
-        wide = half_turn(VAN_DER_POL.terms, arb(1), arb(2, 1e-9))
+        coarse = half_cycle(VAN_DER_POL.terms, arb(1), arb(2))
+        wide = half_cycle(VAN_DER_POL.terms, arb(1), arb(2, 1e-9))
     for name in ("q", "T", "J"):
         assert getattr(coarse, name).contains(getattr(fine, name))
         assert getattr(coarse, name).rad() < 1e-10
     with ctx.workprec(160):
-        edge = half_turn(VAN_DER_POL.terms, arb(1), arb(2) + arb(10) ** -9)
+        edge = half_cycle(VAN_DER_POL.terms, arb(1), arb(2) + arb(10) ** -9)
     assert wide.q.contains(edge.q) and wide.q.contains(fine.q)
     assert not wide.q.mid().overlaps(edge.q)
 
@@ -121,8 +121,8 @@ def test_springs_beside_the_laws_at_a_number(spring):
     run = solve_ivp(field, (0, float(found.period)), start, rtol=1e-12, atol=1e-13, method="DOP853")
     assert run.y[:, -1] == pytest.approx(start, abs=1e-9)
     terms, away = Law({1: -1, (1, 2): 1}, spring=spring).terms, 1.7
-    near, far = (half_turn(terms, arb(1) / 2, arb(away) + s * arb(10) ** -5) for s in (-1, 1))
-    middle = half_turn(terms, arb(1) / 2, arb(away))
+    near, far = (half_cycle(terms, arb(1) / 2, arb(away) + s * arb(10) ** -5) for s in (-1, 1))
+    middle = half_cycle(terms, arb(1) / 2, arb(away))
     rest = _at_rest(terms, arb(1) / 2)
     slope = rest(arb(away)) / rest(middle.q) * (-middle.J).exp()
     difference = (far.q - near.q) / (arb(2) * arb(10) ** -5)

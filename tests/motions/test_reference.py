@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 from asymptotics.errors import InputError, LimitError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
-from asymptotics.flow.trajectory import course
+from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion, reference_states
 from asymptotics.numbers.exact import ExactReal, parse_real
@@ -165,7 +165,7 @@ def test_refusals():
             reference_motion(oscillator(closed), "1", 10, static="3/4")
     with pytest.raises(LimitError, match="stiff"), ctx.workprec(64):
         stiff = Damping.of([(arb(10) ** 12, parse_real("3/2", "a")), (arb(1), parse_real("2", "a"))])
-        list(course(LinearSpring(stiff), arb(1), arb(0), pieces=20))
+        list(half_swing_pieces(LinearSpring(stiff), arb(1), arb(0), pieces=20))
     with pytest.raises(LimitError, match="max_seconds"):
         reference_motion(oscillator(("3/2", "1e300")), "6", 10, max_seconds=0.2)
 

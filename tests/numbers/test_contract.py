@@ -115,7 +115,7 @@ INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.equivalent",
     "asymptotics.cli", "asymptotics.expansions.equations",
     "asymptotics.turning.quadratic_map",
-    "asymptotics.turning.drag_exact", "asymptotics.turning.routes", "asymptotics.turning.result",
+    "asymptotics.turning.energy_primitive", "asymptotics.turning.routes", "asymptotics.turning.result",
     "asymptotics.turning.half_swing",
     "asymptotics.limit_cycles", "asymptotics.bounds", "asymptotics.api.evaluated", "asymptotics.api.started",
     "asymptotics.expansions.multiple_scales.rates",

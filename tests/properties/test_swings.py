@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.law import Law
-from asymptotics.return_map.half_swing_map import Passage, integrated
+from asymptotics.return_map.half_swing_map import HalfSwingBalls, integrated
 from asymptotics.testing import strategies
 from tests.properties.in_time import answered_in_time
 
@@ -24,7 +24,7 @@ def ball(q: Fraction) -> arb:
     return arb(q.numerator) / q.denominator
 
 
-def swing(law: Law, p: Fraction, scale: Fraction = Fraction(1)) -> Passage:
+def swing(law: Law, p: Fraction, scale: Fraction = Fraction(1)) -> HalfSwingBalls:
     """From the amplitude p; with ``scale``, of the law that the same motion obeys in units of length 1/scale."""
     with ctx.workprec(BITS + 20):
         terms = [(t.strength.ball() * ball(scale) ** (1 - t.velocity.ball()), t.velocity) for t in law.terms]
@@ -33,7 +33,7 @@ def swing(law: Law, p: Fraction, scale: Fraction = Fraction(1)) -> Passage:
         return integrated(damping, ball(p).mid())
 
 
-def turning(law: Law, p: Fraction) -> Passage:
+def turning(law: Law, p: Fraction) -> HalfSwingBalls:
     """The half-swing, where there is one and it is quickly had."""
     with answered_in_time(law):
         found = swing(law, p)

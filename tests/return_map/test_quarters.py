@@ -18,7 +18,7 @@ from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.return_map.half_swings import HalfSwings
 from asymptotics.return_map.panel_plan import PanelPlan
 from asymptotics.return_map.quarters import Bundle, NodeGrid, Path, found, largest, peak, quarter_swings
-from asymptotics.return_map.quarters_in_doubles import Sketch, corrected
+from asymptotics.return_map.quarters_in_doubles import QuarterInDoubles, corrected
 from asymptotics.return_map.spectral import analysis, integrals, of_the_integral
 
 
@@ -360,7 +360,7 @@ def test_corrections_in_doubles_solve_their_equation():
 
 
 def test_the_sketch_refuses_what_blows_up():
-    strong = Sketch(np.array([3.0]), np.array([[-9.0]]), np.array([1.5]), np.array([0.0]))
+    strong = QuarterInDoubles(np.array([3.0]), np.array([[-9.0]]), np.array([1.5]), np.array([0.0]))
     with pytest.raises(UndecidedError):
         strong.planned(60)
 

@@ -10,10 +10,10 @@ from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.finite_majorant import majorant
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.turning import TurningState
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
-from asymptotics.turning import drag_exact, jump, table
+from asymptotics.turning import energy_primitive, jump, table
 from asymptotics.turning import half_swing as half_swings
 from asymptotics.turning.abel import AbelFunction, Approximant, abel_function
 from asymptotics.turning.abel_flow import AbelFlow, DefectBound, abel_flow
@@ -218,7 +218,7 @@ def test_the_amplitude_equation_falls_up_to_half_of_its_first_term():
 
 
 def test_points_and_turning_points_keep_their_radii():
-    here = Turning(7, -1, arb("0.5"), arb(9), arb(2) ** -10, arb(2) ** -8)
+    here = TurningState(7, -1, arb("0.5"), arb(9), arb(2) ** -10, arb(2) ** -8)
     log = jump._log(here)
     assert all(log.contains((here.amplitude + side * here.amplitude_error).log().mid()) for side in (-1, 1))
     there = jump._arrived(here, 10, arb(-1, arb(2) ** -10), arb(9, arb(2) ** -8))
@@ -232,17 +232,17 @@ def test_points_and_turning_points_keep_their_radii():
 def test_a_guess_that_is_off_is_refused(monkeypatch):
     """Without the two signs beside it any number would be a turning point."""
     with ctx.workprec(160):
-        well = drag_exact.PrimitiveWell.of(Law({0: "1/20", 2: "1/7"}, spring={3: "1/3"}))
-        right = drag_exact._next(well, arb(1), 80)
+        well = energy_primitive.PrimitiveWell.of(Law({0: "1/20", 2: "1/7"}, spring={3: "1/3"}))
+        right = energy_primitive._next(well, arb(1), 80)
         assert right is not None and right.rad() < abs(right) * arb(2) ** -50
         for off in (-1, 1):
-            monkeypatch.setattr(drag_exact, "_guess", lambda *_, off=off: right.mid() * (1 + off * arb(2) ** -40))
-            assert drag_exact._next(well, arb(1), 80) is None
+            monkeypatch.setattr(energy_primitive, "_guess", lambda *_, off=off: right.mid() * (1 + off * arb(2) ** -40))
+            assert energy_primitive._next(well, arb(1), 80) is None
 
 
 def test_the_image_of_a_ball_is_the_hull_of_both_ends():
     with ctx.workprec(160):
-        well = drag_exact.PrimitiveWell.of(Law({2: "1/7"}, spring={3: "1/3"}))
+        well = energy_primitive.PrimitiveWell.of(Law({2: "1/7"}, spring={3: "1/3"}))
         wide, *ends = (
             list(swing(well, x)) for x in (arb(1, arb(2) ** -20), arb(1) - arb(2) ** -20, arb(1) + arb(2) ** -20)
         )
@@ -250,13 +250,13 @@ def test_the_image_of_a_ball_is_the_hull_of_both_ends():
 
 
 def swing(well, x):
-    points = drag_exact.swings(well, x, 80)
+    points = energy_primitive.swings(well, x, 80)
     return [next(points)[0], next(points)[0]]
 
 
 def test_a_half_swing_of_any_terms_keeps_its_radii(monkeypatch):
     e = arb(2) ** -20
-    there = Turning(1, -1, arb("0.5"), arb(3), e, e)
+    there = TurningState(1, -1, arb("0.5"), arb(3), e, e)
     monkeypatch.setattr(half_swings, "turning_by_pieces", lambda *_: (there, 7))
     found = half_swings.half_swing_of_terms(Law({"3/2": 1}, spring="pendulum").terms, reals("1/10", "4"), 4).to_dict()
     for name, middle in (("amplitude", 0.5), ("duration", 3.0)):

@@ -7,7 +7,14 @@ import pytest
 
 from asymptotics.budget import budget
 from asymptotics.errors import LimitError
-from asymptotics.flow.linear_spring.near_critical import creeping, faded_bits, fading, lingering, lost_bits, turning
+from asymptotics.flow.linear_spring.near_critical import (
+    creeping,
+    faded_bits,
+    fading,
+    longest_half_swing,
+    lost_bits,
+    turning,
+)
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions import reference
 from asymptotics.numbers.exact import ExactReal
@@ -30,7 +37,7 @@ def test_the_answer_is_that_of_more_digits(short):
 
 
 def test_what_is_left_of_a_half_swing_is_the_estimate(short):
-    """exp(-T epsilon/2) with T = ``lingering``: the bits lost cover it, a tenth less would not."""
+    """exp(-T epsilon/2) with T = ``longest_half_swing``: the bits lost cover it, a tenth less would not."""
     reached = abs(Fraction(short.points[2].x) / Fraction(short.points[1].x))
     assert Fraction(1, 2 ** lost_bits(NEAR)) < reached < Fraction(1, 2 ** (lost_bits(NEAR) * 9 // 10))
 
@@ -55,7 +62,7 @@ def test_friction_ends_what_lingers_in_closed_form_or_soon():
 def test_critical_and_stronger_damping_and_traps_do_not_linger():
     assert turning_points(Law({1: 2, 2: "1/10"}), 2, 10).ended == {"n": 0, "reason": "overdamped"}
     for law in ({1: 2, 2: 1}, {1: 3}, {1: "1.99"}, {"1/2": "1/10", 1: "1.99"}, {2: 5}, {1: "1/2", 2: 1}):
-        assert lingering(Law(law)) == 0, law
+        assert longest_half_swing(Law(law)) == 0, law
 
 
 def test_a_reference_motion_carries_the_bits_that_it_loses(monkeypatch):
@@ -115,7 +122,7 @@ def test_motions_fade_as_long_as_the_strength_of_the_exponents_next_to_1_lasts()
 def test_one_law_next_to_linear_damping_lingers_as_long_as_is_said(alpha, epsilon):
     """Within 5 % of the time of the first turning point, which is no later."""
     law = Law({alpha: epsilon})
-    first, said = float(turning_points(law, 2, 8, times=True).points[1].tau), lingering(law)
+    first, said = float(turning_points(law, 2, 8, times=True).points[1].tau), longest_half_swing(law)
     assert 0.95 * said < first < 1.001 * said
 
 
@@ -124,4 +131,4 @@ def test_one_law_that_lingers_too_long_is_refused_at_once():
     for epsilon in (2, "1.9999999", 3):
         with pytest.raises(LimitError, match="next to critical damping"):
             turning_points(Law({"1.00000000000000000001": epsilon}), 2, 15)
-    assert lingering(Law({"1.0001": 1})) == 0
+    assert longest_half_swing(Law({"1.0001": 1})) == 0

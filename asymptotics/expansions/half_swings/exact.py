@@ -29,9 +29,9 @@ from typing import Any
 from flint import fmpq, fmpq_poly
 
 from asymptotics.expansions.half_swings.forces import Forces, Given, Member
+from asymptotics.expansions.half_swings.formal_solution import FormalSolution
 from asymptotics.expansions.half_swings.fourier_flow import fourier_flow
 from asymptotics.expansions.half_swings.grading import Grading
-from asymptotics.expansions.half_swings.orbit import Orbit
 from asymptotics.expansions.half_swings.pi_ring import PI, PiNumber
 from asymptotics.expansions.half_swings.quarter import HalfSwing, QuarterSwing, half_swing
 from asymptotics.expansions.half_swings.theta_algebra import COSINE, ONE, SINE, THETA, ThetaTrig, power_product
@@ -61,7 +61,7 @@ def even_half_swing(given: Given, order: int) -> HalfSwing:
         (m.key, m.ratio * m.side * sine_squared ** (m.integer_velocity // 2) * c**m.position)
         for m in forces.through(order)
     ]
-    orbit = Orbit.solve(forces.exact_grading(), order, shapes, c, _from_one)
+    orbit = FormalSolution.solve(forces.exact_grading(), order, shapes, c, _from_one)
     L = orbit.series(orbit.log_r, lambda p: PiNumber.rational(p(fmpq(-1))))
     T = orbit.series(orbit.m, lambda m: PI * _mean_of_cosines(c * m)) + PI
     return _assemble(forces.exact_grading(), L, T)
@@ -105,7 +105,7 @@ def exact_quarter_swing(given: Given, order: int, *, moments: bool = False) -> Q
     """
     forces = Forces.read(given, order)
     grading, shapes = forces.exact_grading(), [_on_the_quarter(m) for m in forces.through(order)]
-    orbit = Orbit.solve(grading, order, shapes, COSINE, lambda m: -(SINE * m).integral())
+    orbit = FormalSolution.solve(grading, order, shapes, COSINE, lambda m: -(SINE * m).integral())
     R = orbit.series(orbit.log_r, ThetaTrig.at_quarter)
     T_q = orbit.series(orbit.m, lambda m: (COSINE * m).integral().at_quarter()) + PI / 2
     return QuarterSwing(grading, R, T_q, _waveform_moments(orbit) if moments else ())
@@ -115,7 +115,7 @@ def _on_the_quarter(member: Member) -> tuple[Key, Any]:
     return member.key, power_product(member.integer_velocity, member.position) * (member.ratio * member.side)
 
 
-def _waveform_moments(orbit: Orbit) -> tuple[tuple[Series, Series], ...]:
+def _waveform_moments(orbit: FormalSolution) -> tuple[tuple[Series, Series], ...]:
     """K_k = int_0^(pi/2) tau^k (cos tau - i sin tau) r c (d tau/d theta) d theta through order N - k, k = 0, ..., N."""
     order = len(orbit.m) - 1
     rate = orbit.series(orbit.m, lambda m: COSINE * m)

@@ -5,7 +5,7 @@ beta; both are finite sums along the flow U = d ln a/d psi, W = d tau/d psi of t
 
     lambda = int_0^(-psi) U,      psi + beta = -int_0^(-psi) W,
 
-so that with X_n(tau) of that orbit at a fixed time (``half_swings.certified_course``), weights w_n and X_0 = cos,
+so that with X_n(tau) of that orbit at a fixed time (``half_swings.certified_displacement``), weights w_n and X_0 = cos,
 
     X(a, psi)/a = sum_n delta^n e^((1 + w_n) lambda) sum_j (beta/psi)^j [psi^j X_n^(j)(psi)]/j!.
 
@@ -25,7 +25,7 @@ from math import factorial
 from flint import arb
 
 from asymptotics.expansions.half_swings.certified_arc import arc
-from asymptotics.expansions.half_swings.certified_course import Course, course_series
+from asymptotics.expansions.half_swings.certified_displacement import DisplacementSeries, displacement_series
 from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.normal_form.flow import Flow, flow_of
@@ -44,7 +44,7 @@ class WaveSource:
     flow: Flow
     U: tuple[Series, ...]
     W: tuple[Series, ...]
-    course: Course
+    displacement: DisplacementSeries
     bits: int
 
     @property
@@ -54,14 +54,14 @@ class WaveSource:
 
 
 def wave_source(forces: Forces, order: int, bits: int) -> WaveSource:
-    """Flow and course of the forces, with some bits more than asked: high orders lose some."""
+    """Flow and displacement of the forces, with some bits more than asked: high orders lose some."""
     with ctx.workprec(bits + _GUARD + 8 * order):
         flow = flow_of(certified_half_swing(forces, order))
         U, W = ([f] for f in (flow.U, flow.W))
         for _ in range(order):
             U.append(flow.derivative(U[-1]))
             W.append(flow.derivative(W[-1]))
-        return WaveSource(forces, flow, tuple(U), tuple(W), course_series(forces, order, bits), ctx.prec)
+        return WaveSource(forces, flow, tuple(U), tuple(W), displacement_series(forces, order, bits), ctx.prec)
 
 
 def waves_at(source: WaveSource, psi: arb) -> Waves:
@@ -84,16 +84,16 @@ def _on_quarter(source: WaveSource, psi: arb) -> Waves:
     order, variables, grading = source.order, source.flow.U.variables, source.flow.grading
     zero: Key = (0,) * variables
     if psi.is_zero():
-        return dict.fromkeys(source.course.series, psi)
+        return dict.fromkeys(source.displacement.series, psi)
     lam, beta = _along(source.U, -psi), -_along(source.W, -psi) - psi
     turn, powers = beta.without_constant() * (1 / psi), [Series.constant(arb(1), variables, order)]
     while len(powers) <= order and powers[-1].coefficients:
         powers.append(powers[-1] * turn)
     total = Series({}, variables, order)
-    for n in [zero, *source.course.series]:
+    for n in [zero, *source.displacement.series]:
         left = order - sum(n)
         near = [p for p in (p.truncate(left) for p in powers) if p.coefficients]
-        slopes = _cosines(psi, len(near)) if n == zero else source.course.slopes(n, psi, len(near))
+        slopes = _cosines(psi, len(near)) if n == zero else source.displacement.slopes(n, psi, len(near))
         moved = sum((p * (s / factorial(j)) for j, (p, s) in enumerate(zip(near, slopes))), Series({}, variables, left))
         grown = moved * (lam.truncate(left) * (1 + grading.weight(n))).exp()
         total = total + Series({_plus(n, k): c for k, c in grown.coefficients.items()}, variables, order)

@@ -1,5 +1,6 @@
 """The flow beside the linear spring, any sum of powers of the velocity: a nonexpansive flow (motions never part).
 
-The force in balls is ``flow.damping``; the course, the errors and the Taylor steps are those of ``flow``, creep is
-``flow.slow_manifold``.  Derivations ``motions-never-part``, ``turning-point-majorant`` and ``arrival``.
+The force in balls is ``flow.damping``; the pieces of a half-swing, the errors and the Taylor steps are those of
+``flow``, creep is ``flow.slow_manifold``.  Derivations ``motions-never-part``, ``turning-point-majorant`` and
+``arrival``.
 """

@@ -12,7 +12,7 @@ pi where w_0 = 0.
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(60):
 ...     law = Damping.of([(arb(1) / 5, ExactReal(1)), (arb(1) / 50, ExactReal(0))])
-...     orbit = LinearOrbit.of(law, arb("0.75"), arb(0))
+...     orbit = LinearSolution.of(law, arb("0.75"), arb(0))
 ...     t, y = orbit.turning()
 >>> t.str(12), y.str(12), orbit.state(t)[1].overlaps(arb(0))
 ('[3.15741941700 +/- ...]', '[-0.546935710716 +/- ...]', True)
@@ -37,7 +37,7 @@ def _total(damping: Damping) -> arb:
 
 
 @dataclass(frozen=True)
-class LinearOrbit:
+class LinearSolution:
     """The orbit from (y, w) at t = 0; ``decay`` is epsilon/2, ``omega`` its frequency."""
 
     decay: arb
@@ -46,7 +46,7 @@ class LinearOrbit:
     w: arb
 
     @classmethod
-    def of(cls, damping: Damping, y: arb, w: arb) -> "LinearOrbit":
+    def of(cls, damping: Damping, y: arb, w: arb) -> "LinearSolution":
         """The orbit from balls y and w >= 0 under a law that ``is_linear``, at the current precision."""
         decay = _total(damping) / 2
         return cls(decay, ((1 - decay) * (1 + decay)).sqrt(), y, w)

@@ -1,11 +1,11 @@
-"""The flow beside the linear spring: what is known of its motions, for the course of ``flow``.
+"""The flow beside the linear spring: what is known of its motions, for the half-swings of ``flow``.
 
 Places are y = u - friction in the force; the unit of the distance is 1, and two motions never part (derivation
-``motions-never-part``).  Besides the local expansions and Taylor steps a course has here
+``motions-never-part``).  Besides the local expansions and Taylor steps a half-swing has here
 
-* ``Settling``: until a creep is known to lie beside the slow curve, where its speed is still lost in the errors;
+* ``ToSlowCurve``: until a creep is known to lie beside the slow curve, where its speed is still lost in the errors;
 * ``Creep``: for ever, once the motion is caught beside the slow curve, or as long as a strip about it goes;
-* ``LinearSwing``: the only piece where linear damping below its critical strength and dry friction act alone.
+* ``LinearPiece``: the only piece where linear damping below its critical strength and dry friction act alone.
 
 >>> from asymptotics.law import Law
 >>> from asymptotics.numbers.context import ctx
@@ -24,24 +24,24 @@ from flint import arb
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring.ends import CREEPS, may_trap, trap
+from asymptotics.flow.error_propagation import CarriedErrors
 from asymptotics.flow.linear_spring.expansion import TurningExpansion
-from asymptotics.flow.linear_spring.linear import LinearOrbit, is_linear
+from asymptotics.flow.linear_spring.linear import LinearSolution, is_linear
+from asymptotics.flow.linear_spring.trapping_regions import CREEPS, may_trap, trap
 from asymptotics.flow.linear_spring.turning_point import arrive, turns_within
-from asymptotics.flow.parting import PartingErrors
-from asymptotics.flow.slow_manifold.creep_near_equal import Stretch, stretch
-from asymptotics.flow.slow_manifold.creep_slow_curve import Strip, caught
-from asymptotics.flow.slow_manifold.onset import settled
-from asymptotics.flow.slow_manifold.slide import Slide, sliding
+from asymptotics.flow.slow_manifold.attraction import attracted
+from asymptotics.flow.slow_manifold.near_equal_exponents import FencedStretch, stretch
+from asymptotics.flow.slow_manifold.slow_curve import FencedStrip, caught
+from asymptotics.flow.slow_manifold.strong_damping import StrongDampingStrip, strong_damping_strip
 from asymptotics.flow.times import later
-from asymptotics.flow.trajectory import CertifiedFlow, FlowState, Piece, Turned
+from asymptotics.flow.trajectory import ArrivedPiece, CertifiedFlow, FlowState, Piece
 from asymptotics.numbers.context import cached_property
 
-_ONE, _EXACT = arb(1), PartingErrors(arb(0), arb(0))
+_ONE, _EXACT = arb(1), CarriedErrors(arb(0), arb(0))
 
 
 @dataclass(frozen=True)
-class Settling(Piece):
+class ToSlowCurve(Piece):
     """A short time in which the true state stays in the balls ``y`` and ``w``; ``error`` is 0."""
 
     y: arb
@@ -56,7 +56,7 @@ class Settling(Piece):
 class Creep(Piece):
     """Beside the slow curve; the enclosures are those of the true state, and ``error`` is 0."""
 
-    strip: Strip
+    strip: FencedStrip
 
     def own(self, t: arb) -> tuple[arb, arb]:
         """(y, w) between the two barriers."""
@@ -64,11 +64,11 @@ class Creep(Piece):
 
 
 @dataclass(frozen=True)
-class LinearSwing(Turned):
-    """The whole course in closed form, up to the middle of ``clock``: if its own orbit has turned before, its friction
-    has the wrong sign for as long as the radius, which is in ``error``."""
+class LinearPiece(ArrivedPiece):
+    """All of the half-swing in closed form, up to the middle of ``clock``: if its own orbit has turned before, its
+    friction has the wrong sign for as long as the radius, which is in ``error``."""
 
-    orbit: LinearOrbit
+    orbit: LinearSolution
 
     def own(self, t: arb) -> tuple[arb, arb]:
         """(y, w) in closed form."""
@@ -120,18 +120,18 @@ class LinearSpring(CertifiedFlow):
         """Why no turning point follows (the state lies in a trap), or None; asked only where ``traps``."""
         return trap(self.force, place, w) if self.traps else None
 
-    def closed(self, u: arb, w: arb, given: arb) -> LinearSwing | None:
+    def closed(self, u: arb, w: arb, given: arb) -> LinearPiece | None:
         """Linear damping and dry friction alone."""
         if not is_linear(self.force):
             return None
         y = self.place(u)
         if w == 0 and not y > given:
             raise UndecidedError("whether dry friction holds the mass here is undecided")
-        orbit = LinearOrbit.of(self.force, y, w)
+        orbit = LinearSolution.of(self.force, y, w)
         time, there = orbit.turning()
         at, own = self.back(there), upper(4 * self.force.friction * time.rad())
         miss = upper(at.rad())
-        return LinearSwing(self, _ONE, arb(0), time.mid(), PartingErrors(miss, upper(given + own)), None,
+        return LinearPiece(self, _ONE, arb(0), time.mid(), CarriedErrors(miss, upper(given + own)), None,
                            at.mid(), miss, time, orbit)  # fmt: skip
 
     def along_slow_curve(self, here: FlowState, ended: str | None) -> Generator[Piece, None, FlowState | None]:
@@ -141,27 +141,27 @@ class LinearSpring(CertifiedFlow):
             strip = caught(self.force, y, here.w, error)
             if strip is not None:
                 yield from self._creep(here.t, strip)
-            found = settled(self.force, y, here.w, error)
+            found = attracted(self.force, y, here.w, error)
             if found is not None:
                 end = later(here.t, found.wait)
-                yield Settling(self, _ONE, here.t, end, _EXACT, CREEPS, found.y, found.w)
+                yield ToSlowCurve(self, _ONE, here.t, end, _EXACT, CREEPS, found.y, found.w)
                 yield from self._creep(end, found.strip)
-        slide = self._for_a_while(y, here.w, error) if here.w != 0 else None
-        if slide is None:
+        finite = self._for_a_while(y, here.w, error) if here.w != 0 else None
+        if finite is None:
             return None
-        end = later(here.t, slide.length)
-        yield Creep(self, _ONE, here.t, end, _EXACT, ended, slide)
-        y, w = slide.state(slide.length)
+        end = later(here.t, finite.length)
+        yield Creep(self, _ONE, here.t, end, _EXACT, ended, finite)
+        y, w = finite.state(finite.length)
         u = self.back(y)
         dropped = upper(u.rad() + w.rad())  # the strip holds the truth, whatever was known of the start
-        return FlowState(end, u.mid(), w.mid(), PartingErrors(dropped, dropped))
+        return FlowState(end, u.mid(), w.mid(), CarriedErrors(dropped, dropped))
 
-    def _for_a_while(self, y: arb, w: arb, error: arb) -> Slide | Stretch | None:
+    def _for_a_while(self, y: arb, w: arb, error: arb) -> StrongDampingStrip | FencedStretch | None:
         if self._stiff and y > 0:
-            return sliding(self.force, y, w, error)
+            return strong_damping_strip(self.force, y, w, error)
         return stretch(self.force, y, w, error)
 
-    def _creep(self, t: arb, strip: Strip) -> Iterator[Piece]:
+    def _creep(self, t: arb, strip: FencedStrip) -> Iterator[Piece]:
         """Longer and longer pieces without an end."""
         length = arb(1)
         while True:

@@ -7,13 +7,15 @@ more are carried, from the start on.
 
 With exponents next to 1 that are not all 1, a creep fades like e^(-rate tau) while its errors only add: it loses
 rate/ln 2 bits per unit of time (``fading``).  A motion that turns keeps its relative errors but for the factors g of
-``parting.ratio_growth`` (``faded_bits``).  All these are estimates: they choose a precision, or refuse the work; they
-claim nothing.
+``error_propagation.ratio_growth`` (``faded_bits``).  All these are estimates: they choose a precision, or refuse the
+work; they claim nothing.
 
 >>> from asymptotics.law import Law
 >>> near = Law({1: "1.99", 2: "1/10"})
->>> round(lingering(near), 1), lost_bits(near), lost_bits(Law({1: "1/2", 2: "1/10"})), lost_bits(Law({1: 2, 2: 1}))
-(31.5, 46, 0, 0)
+>>> round(longest_half_swing(near), 1), lost_bits(near)
+(31.5, 46)
+>>> lost_bits(Law({1: "1/2", 2: "1/10"})), lost_bits(Law({1: 2, 2: 1}))
+(0, 0)
 """
 
 from fractions import Fraction
@@ -36,7 +38,7 @@ _PARTS = 64  # of the time in which relative errors grow
 _TINY, _LARGE = 1e-15, 700.0  # what doubles tell from 0, and whose exponential they hold
 
 
-def lingering(law: Law) -> float:
+def longest_half_swing(law: Law) -> float:
     """About the longest half-swing under such a law, 0 where it is short, in closed form, or there is none."""
     with ctx.workprec(2000):
         damping = Damping.of_law(law)
@@ -71,7 +73,7 @@ def _nearly_linear(damping: Damping) -> float:
 
 def lost_bits(law: Law) -> int:
     """How many bits a half-swing loses."""
-    return ceil(_LOST * lingering(law))
+    return ceil(_LOST * longest_half_swing(law))
 
 
 def lost_until(law: Law, tau: float) -> int:
@@ -82,7 +84,7 @@ def lost_until(law: Law, tau: float) -> int:
     >>> lost_until(Law({"1.0000000001": 4}), 300), lost_until(Law({"1.001": 4}), 1000)
     (116, 1450)
     """
-    if not lingering(law) > 0:
+    if not longest_half_swing(law) > 0:
         return faded_bits(law, tau)
     total, above, _ = _next_to_1(law)
     end = total * exp(-above * tau)  # w falls like e^-tau at the most
@@ -169,9 +171,9 @@ def creeping_seconds(law: Law, tau: float, bits: int) -> float:
     return _PER_TIME / 2 * min(tau, creeping(law)) * _SECONDS * (bits / _BITS) ** 2
 
 
-def lingering_seconds(law: Law, swings: int, bits: int, within: float = inf) -> float:
+def longest_half_swing_seconds(law: Law, swings: int, bits: int, within: float = inf) -> float:
     """What ``swings`` half-swings that linger cost in addition, at ``bits`` and more, up to the time ``within``."""
-    time = min(lingering(law), within)
+    time = min(longest_half_swing(law), within)
     if time == 0:
         return 0.0
     step = _SECONDS * ((bits + _LOST * time) / _BITS) ** 2
@@ -180,13 +182,13 @@ def lingering_seconds(law: Law, swings: int, bits: int, within: float = inf) -> 
 
 def require_brief(law: Law, swings: int, digits: int, bits: int) -> None:
     """LimitError at once where the budget does not allow ``swings`` half-swings that linger, at ``bits`` and more."""
-    time = lingering(law)
+    time = longest_half_swing(law)
     if time == 0:
         return
     work = (
         f"next to critical damping, where one half-swing lasts about {time:.3g}, {swings} of them with {digits} digits"
     )
-    require_seconds(lingering_seconds(law, swings, bits), work)
+    require_seconds(longest_half_swing_seconds(law, swings, bits), work)
 
 
 def _most(law: Law) -> float:

@@ -4,6 +4,6 @@ A barrier is a lower or an upper solution of dy/dw (Walter 1998, section 9), a f
 (1991): motions cross it one way only, by a differential inequality.  No theorem on slow manifolds is used, as each pair
 of barriers is checked in balls.
 
-They are the creep to rest of exponents below 1 and, for one exponent above 1, a stiff motion that slides (``slide``).
-Derivations ``slow-curve`` and ``settling``.
+They are the creep to rest of exponents below 1 and, for one exponent above 1, a stiff motion that slides
+(``strong_damping``).  Derivations ``slow-curve`` and ``settling``.
 """

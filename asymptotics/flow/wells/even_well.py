@@ -1,4 +1,4 @@
-"""The flow in any even well: what is known of its motions, for the course of ``flow``.
+"""The flow in any even well: what is known of its motions, for the half-swings of ``flow``.
 
 >>> from asymptotics.law import Law
 >>> with ctx.workprec(60):
@@ -15,10 +15,10 @@ from flint import arb
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import size_of, upper
 from asymptotics.flow.trajectory import CertifiedFlow
-from asymptotics.flow.wells.ends import beyond, inside, leaves, may_trap, trap
 from asymptotics.flow.wells.expansion import WellExpansion
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.flow.wells.rational_stops import Stop
+from asymptotics.flow.wells.trapping_regions import beyond, inside, leaves, may_trap, trap
 from asymptotics.flow.wells.turning_point import arrive, turns_within
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.terms import Term

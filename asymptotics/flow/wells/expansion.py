@@ -94,7 +94,7 @@ class WellExpansion:
         Where r < 1, |P| <= 2 |P_0|, and neither what grips nor what drags exceeds its value at u_0 by more than |P_0|;
         on the other side of the turning point they count twice against P.
         """
-        return upper(6 * abs(self.brake) + 2 * self.force.grip(self.u0))
+        return upper(6 * abs(self.brake) + 2 * self.force.dry_friction(self.u0))
 
     def speed(self, unit: arb) -> arb:
         """A bound of |(unit u', w')| within the reach, on both sides of the turning point."""

@@ -1,16 +1,17 @@
 """The force on a half-swing in balls: spring, pendulum, dry friction and losses, each with a power of the place.
 
-    G(u, w) = s_0(u) - sum_i epsilon_i |u|^m_i w^alpha_i,    s_0 = pull - grip,
-    pull(u) = u + sum_j c_j u|u|^(p_j-1), with sin(r u)/r in place of u for a pendulum,    grip(u) = sum epsilon |u|^m
+    G(u, w) = s_0(u) - sum_i epsilon_i |u|^m_i w^alpha_i,    s_0 = spring_force - dry_friction,
+    spring_force(u) = u + sum_j c_j u|u|^(p_j-1), with sin(r u)/r in place of u for a pendulum,
+    dry_friction(u) = sum epsilon |u|^m over the losses of exponent 0.
 
-(``grip`` are the losses of exponent 0).  Strengths are enclosures at the precision current when the ``WellForce`` is
-made. On one side of u = 0 everything is a polynomial or a sine of u: ``restoring_powers`` and ``loss_powers`` give it.
+Strengths are enclosures at the precision current when the ``WellForce`` is made. On one side of u = 0 everything is a
+polynomial or a sine of u: ``restoring_powers`` and ``loss_powers`` give it.
 
 >>> from asymptotics.law import Law
 >>> air = WellForce.of(Law({2: "1/10", 0: "1/50"}, spring={3: "1/2"}).terms)
 >>> air.acceleration(arb(1), arb(1)).str(5), air.slope(arb(1), arb(0)).str(5)
 ('[1.3800 +/- ...]', '2.5000')
->>> WellForce.of(Law({1: 1}, spring="pendulum").terms).pull(arb(-2)).str(5)
+>>> WellForce.of(Law({1: 1}, spring="pendulum").terms).spring_force(arb(-2)).str(5)
 '[-0.90930 +/- ...]'
 """
 
@@ -94,18 +95,18 @@ class WellForce:
         none = arb(0)
         return sum((f.strength for f in self.losses if f.place == 0 and not f.alpha < 1 and not f.alpha > 1), none)
 
-    def pull(self, u: arb) -> arb:
+    def spring_force(self, u: arb) -> arb:
         """The force V'(u) of the springs."""
         linear = u if self.rate is None else (self.rate * u).sin() / self.rate
         return sum((c * u * abs(u) ** (p - 1) for c, p in self.springs), linear)
 
-    def grip(self, u: arb) -> arb:
+    def dry_friction(self, u: arb) -> arb:
         """What dry friction holds at u."""
         return sum((e * abs(u) ** m for e, m in self.grips), arb(0))
 
     def restoring(self, u: arb) -> arb:
         """s_0(u): the acceleration from rest towards smaller u."""
-        return self.pull(u) - self.grip(u)
+        return self.spring_force(u) - self.dry_friction(u)
 
     def drag(self, u: arb, w: arb) -> arb:
         """sum_i epsilon_i |u|^m_i w^alpha_i for w >= 0 (a ball: at its upper end)."""
@@ -141,7 +142,7 @@ class WellForce:
 
     def strongest(self, u: arb, w: arb) -> arb:
         """Pull and all losses together."""
-        return upper(abs(self.pull(u)) + self.grip(u) + self.drag(u, w))
+        return upper(abs(self.spring_force(u)) + self.dry_friction(u) + self.drag(u, w))
 
     def potential(self, u: arb) -> arb:
         """V(u) with V(0) = 0."""

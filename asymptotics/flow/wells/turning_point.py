@@ -1,9 +1,9 @@
 """The turning point ahead of a state that certainly turns: no bracketing is needed.
 
 Where s_0 < 0 and w > 0, w' <= s_0(u): the motion turns.  The orbit that ends at a guess u_1 passes the speed w at the
-place U(w) (``expansion``), at the distance unit |U(w) - u| from the state: it is followed instead, and the truth
-turns near u_1 (``flow.parting``).  The guess decides how good the enclosure is, not whether it holds; it comes from the
-secant method (``flow.secant``).
+place U(w) (``expansion``), at the distance unit |U(w) - u| from the state: it is followed instead, and the truth turns
+near u_1 (``flow.error_propagation``).  The guess decides how good the enclosure is, not whether it holds; it comes from
+the secant method (``flow.secant``).
 
 >>> from asymptotics.law import Law
 >>> with ctx.workprec(60):
@@ -18,7 +18,7 @@ True
 from flint import arb
 
 from asymptotics.errors import LimitError, UndecidedError
-from asymptotics.flow.parting import points_forward
+from asymptotics.flow.error_propagation import points_forward
 from asymptotics.flow.secant import through
 from asymptotics.flow.wells.expansion import WellExpansion, reach_at
 from asymptotics.flow.wells.force import WellForce

@@ -16,7 +16,7 @@ import numpy as np
 
 from asymptotics.budget import tick
 from asymptotics.identification.forward.coefficients import Array
-from asymptotics.identification.forward.pendulum import PendulumSwing, angle, well
+from asymptotics.identification.forward.pendulum import PendulumHalfSwing, angle, well
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.sequence import TurningSequence, turning_sequence
 from asymptotics.identification.forward.swing import MAX_FREE_ALPHA, TOLERANCE, HalfSwingModel
@@ -59,7 +59,7 @@ class Model:
         self.angle = UNITS.get(seen.unit, 1.0) if pendulum else None
         self.reference = seen.reference if self.angle is None else float(well(seen.reference, self.angle))
         if self.angle is not None:
-            swing = PendulumSwing(swing.elements, seen.reference * self.angle, coarse=swing.coarse)
+            swing = PendulumHalfSwing(swing.elements, seen.reference * self.angle, coarse=swing.coarse)
         self.swing, self.seen = swing, seen
         self.offset = offset and len(seen.n) >= 8
         self.law = slice(1, 1 + swing.parameters)

@@ -13,7 +13,7 @@ import numpy as np
 
 from asymptotics.identification.fitting.least_squares import Model
 from asymptotics.identification.forward.coefficients import Array, swing_coefficients
-from asymptotics.identification.forward.pendulum import PendulumSwing, well
+from asymptotics.identification.forward.pendulum import PendulumHalfSwing, well
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.sequence import turning_sequence
 from asymptotics.identification.measuring.observations import Observations
@@ -61,7 +61,7 @@ def _regressed(model: Model, alpha: float | None) -> tuple[Array, float]:
     if seen.has_times:
         lag = [e * _sums(gap * middle**w) for e, w in zip(by_time[~losses], weights[~losses])]
         half = np.pi * gap
-        if isinstance(swing, PendulumSwing):
+        if isinstance(swing, PendulumHalfSwing):
             half = half * swing.period_ratio(np.log(middle))
         columns = np.stack([np.ones(len(size)), _sums(half), *lag], axis=1)
         clock, *_ = np.linalg.lstsq(columns, seen.t, rcond=1e-9)

@@ -9,7 +9,7 @@ The series in the local strengths has coefficients that depend on k: they are in
 Chebyshev points, where they are smooth up to the top of the circle.
 
 >>> from asymptotics.identification.forward.coefficients import loss
->>> swing = PendulumSwing((loss(1.0),), amplitude=1.5)
+>>> swing = PendulumHalfSwing((loss(1.0),), amplitude=1.5)
 >>> value = swing.at(np.array([0.0]), np.array([0.0]))
 >>> from scipy.special import ellipk
 >>> bool(abs(value.of("T")[0] - 2 * ellipk(np.sin(0.75) ** 2)) < 1e-9)
@@ -34,8 +34,8 @@ from asymptotics.identification.forward.coefficients import (
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.swing import (
     QUANTITIES,
+    HalfSwingArrays,
     HalfSwingModel,
-    SwingValues,
     chebyshev_angles,
     interpolation,
 )
@@ -51,7 +51,7 @@ _ORDERS = {1: 8, 2: 6, 3: 5}
 """By the number of losses, lower than beside a linear spring: each coefficient is a function of the amplitude here."""
 
 
-class PendulumSwing(HalfSwingModel):
+class PendulumHalfSwing(HalfSwingModel):
     """The half-swing at amplitudes A with 2 sin(A/2) = 2 sin(amplitude/2) e^a; ``amplitude`` in rad."""
 
     def __init__(self, elements: Sequence[Element], amplitude: float, *, coarse: bool = False) -> None:
@@ -68,7 +68,7 @@ class PendulumSwing(HalfSwingModel):
         u = -np.log1p(-np.minimum(self.k2 * np.exp(2 * a), np.sin(HIGHEST / 2) ** 2))
         return np.asarray(chebyshev.chebval(2 * u / self.top - 1, self._series[:, 1, 0]) / np.pi)
 
-    def at(self, a: Array, parameters: Array) -> SwingValues:
+    def at(self, a: Array, parameters: Array) -> HalfSwingArrays:
         """As ``HalfSwingModel.at``; TooStrongError over the top, and where the series does not reach."""
         k2 = self.k2 * np.exp(2 * np.clip(a, -50, 50))
         if not (k2 < np.sin(HIGHEST / 2) ** 2).all():
@@ -92,7 +92,7 @@ class PendulumSwing(HalfSwingModel):
         by_delta = np.stack([(C * _lowered(keys, table, i)).sum(axis=1) for i in range(len(delta))])
         by_a = (by_u * monomials).sum(axis=1) * v + ((weights[:, None] * delta)[:, None] * by_delta).sum(axis=0)
         scale = np.exp(np.clip(weights[:, None] * a, -50, 50))
-        found = SwingValues((C * monomials).sum(axis=1), by_a, by_delta * scale[:, None])
+        found = HalfSwingArrays((C * monomials).sum(axis=1), by_a, by_delta * scale[:, None])
         return self.integrate(found, wild, a, parameters, self.k2)
 
     def neglected(self, a: Array, parameters: Array) -> float:

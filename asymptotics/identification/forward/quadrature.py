@@ -29,7 +29,7 @@ class TooStrongError(ArithmeticError):
 def integrated_swings(
     elements: Sequence[Element], a: Array, strengths: Array, alpha: float | None, k2: float = 0.0
 ) -> tuple[Array, Array, Array]:
-    """(values, d/da, d/dparameters) as in ``swing.SwingValues`` at a = ln A; TooStrongError if the iteration fails.
+    """(values, d/da, d/dparameters) as in ``swing.HalfSwingArrays`` at a = ln A; TooStrongError if the iteration fails.
 
     ``k2``: k^2 of a pendulum at a = 0, or 0 for a linear spring.
     """

@@ -43,7 +43,7 @@ TOLERANCE, COARSE = 1e-11, 3e-3
 
 
 @dataclass(frozen=True)
-class SwingValues:
+class HalfSwingArrays:
     """``values``: (quantities, swings); ``by_amplitude``: d/da; ``by_parameter``: (parameters, quantities, swings).
 
     The parameters are the strengths s_i, then the exponent if it is free.
@@ -74,7 +74,7 @@ class HalfSwingModel:
         """How many numbers describe the law: the strengths, and the exponent if it is free."""
         return len(self.elements) + self.free
 
-    def at(self, a: Array, parameters: Array) -> SwingValues:
+    def at(self, a: Array, parameters: Array) -> HalfSwingArrays:
         """All quantities at the amplitudes ``a``; TooStrongError where there is no next turning point on the other
         side."""
         count = len(self.elements)
@@ -88,7 +88,9 @@ class HalfSwingModel:
             wild = ~(table.top @ np.abs(monomials[table.top_keys]) < self.tolerance)
         return self.integrate(found, wild, a, parameters)
 
-    def integrate(self, found: SwingValues, wild: Mask, a: Array, parameters: Array, k2: float = 0.0) -> SwingValues:
+    def integrate(
+        self, found: HalfSwingArrays, wild: Mask, a: Array, parameters: Array, k2: float = 0.0
+    ) -> HalfSwingArrays:
         """``found`` with the half-swings that the series does not reach replaced: by steps where few digits are asked
         for, else by quadrature; ``k2`` as in ``integrated_swings``."""
         if not wild.any():
@@ -184,7 +186,7 @@ def _assembled(weights: Array, c: SwingCoefficients, values: Array, slopes: Arra
     return _Table(weights, keys, np.concatenate(blocks), order, np.abs(values[:, top]).max(axis=0), top)
 
 
-def _summed(table: _Table, a: Array, delta: Array, scale: Array, monomials: Array) -> SwingValues:
+def _summed(table: _Table, a: Array, delta: Array, scale: Array, monomials: Array) -> HalfSwingArrays:
     count, q = len(delta), len(QUANTITIES)
     rows = product(monomials.T, table.matrix.T).T.reshape(-1, q, len(a))
     by_delta = rows[1 : count + 1]
@@ -192,5 +194,5 @@ def _summed(table: _Table, a: Array, delta: Array, scale: Array, monomials: Arra
     by_strength = by_delta * scale[:, None, :]
     if len(rows) > count + 1:
         by_alpha = rows[count + 1] + by_delta[0] * (delta[0] * a)
-        return SwingValues(rows[0], by_amplitude, np.concatenate([by_strength, by_alpha[None]]))
-    return SwingValues(rows[0], by_amplitude, by_strength)
+        return HalfSwingArrays(rows[0], by_amplitude, np.concatenate([by_strength, by_alpha[None]]))
+    return HalfSwingArrays(rows[0], by_amplitude, by_strength)

@@ -8,7 +8,7 @@ half-swings go on from there.
 from collections.abc import Iterator
 from operator import attrgetter
 
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.turning import TurningState
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.half_swing_map import INTEGRATED
 from asymptotics.return_map.panels import ROUTE as INTERPOLATED
@@ -41,7 +41,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     def orbit() -> EnclosedMotion:
         plan, epsilons = planned(alphas, ctx.prec, request.start), [t.strength.ball() for t in laws]
 
-        def far(lead: Iterator[Turning]) -> Turning:
+        def far(lead: Iterator[TurningState]) -> TurningState:
             here = head_end(lead, alphas[0], epsilons[0], request.start, plan.delta)
             if here.n >= request.start:
                 return here

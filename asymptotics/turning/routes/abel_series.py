@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import islice
 
 from asymptotics.costs import jump_seconds
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.turning import TurningState
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.panels import panels_of
 from asymptotics.turning.enclosing import EnclosedMotion, bits_of, enclosed, in_words
@@ -41,7 +41,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     def orbit() -> EnclosedMotion:
         head = head_of(alpha, ctx.prec)
 
-        def far(lead: Iterator[Turning]) -> Turning:
+        def far(lead: Iterator[TurningState]) -> TurningState:
             here = next(islice(lead, min(head, request.start), None))
             return jumped(alpha, epsilon.ball(), here, request.start)
 

@@ -1,8 +1,8 @@
 """Route "closed-primitive": quadratic drag and dry friction, beside the linear spring or any other, from rest.
 
-The work on a half-swing is an elementary function (``drag_exact``), so a turning point is the root of one equation; its
-time is not known.  Beside the linear spring with drag alone this is the equation of the Lambert W map, which is some
-fifty times faster (``quadratic``).
+The work on a half-swing is an elementary function (``energy_primitive``), so a turning point is the root of one
+equation; its time is not known.  Beside the linear spring with drag alone this is the equation of the Lambert W map,
+which is some fifty times faster (``quadratic``).
 
 >>> from asymptotics.law import Law
 >>> law = Law({2: "1/5"}, spring="pendulum")
@@ -17,13 +17,13 @@ from flint import arb
 from asymptotics.budget import require_seconds
 from asymptotics.costs import primitive_seconds
 from asymptotics.errors import InputError
-from asymptotics.flow.wells.ends import inside, outside
 from asymptotics.flow.wells.rational_stops import rational_stops
+from asymptotics.flow.wells.trapping_regions import inside, outside
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
-from asymptotics.turning.drag_exact import PrimitiveWell, drag_serves, swings
+from asymptotics.turning.energy_primitive import PrimitiveWell, primitive_serves, swings
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
 from asymptotics.turning.table import Ended, Kept, Points, Progress, Request
@@ -34,7 +34,7 @@ _DOUBLINGS = 5
 
 def serves(request: Request) -> float | None:
     """The seconds; None for other forces, for times, for a start in motion, and beyond the limits."""
-    if not drag_serves(request.law) or request.times or request.in_motion:
+    if not primitive_serves(request.law) or request.times or request.in_motion:
         return None
     if request.digits > MAX_DIGITS or request.last >= MAX_LAST:
         return None

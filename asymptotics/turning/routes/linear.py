@@ -19,7 +19,7 @@ from fractions import Fraction
 from flint import arb
 
 from asymptotics.costs import closed_form_seconds
-from asymptotics.flow.linear_spring.ends import OVERDAMPED
+from asymptotics.flow.linear_spring.trapping_regions import OVERDAMPED
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route

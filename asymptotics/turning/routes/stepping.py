@@ -25,11 +25,11 @@ from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.linear_spring.near_critical import most_swings
 from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.taylor import GUARD
-from asymptotics.flow.turning import Turning, at_rest
-from asymptotics.flow.wells.ends import require_inside
+from asymptotics.flow.turning import TurningState, at_rest
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.force import WellForce, estimated_seconds
 from asymptotics.flow.wells.rational_stops import rational_stops
+from asymptotics.flow.wells.trapping_regions import require_inside
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.return_map.half_swing_map import INTEGRATED
@@ -97,7 +97,7 @@ def _in_well(request: Request, progress: Progress) -> TurningPoints:
         require_inside(force, request.place.ball(), "the start")
         well = EvenWell(force, () if request.in_motion else rational_stops(request.law.terms, request.place))
 
-        def first() -> Turning | str:
+        def first() -> TurningState | str:
             x0, v0 = request.place.ball(), request.speed.ball()
             return first_from(well, x0, v0) if request.in_motion else at_rest(x0)
 

@@ -6,7 +6,7 @@ from flint import arb, arb_poly
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.certified_arc import arc
-from asymptotics.expansions.half_swings.certified_course import RADIUS, Course, course_series
+from asymptotics.expansions.half_swings.certified_displacement import RADIUS, DisplacementSeries, displacement_series
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.numbers.context import ctx
 from asymptotics.terms import Term
@@ -15,7 +15,7 @@ from asymptotics.terms import Term
 def geometric(terms):
     """sum_i (t/3)^i, cut: the coefficients are as large as a bound 1 on |t| < 3 allows."""
     kept = arb_poly([arb(RADIUS) ** -i for i in range(terms)])
-    return Course({(1,): arb(0)}, {(1,): kept}, {(1,): arb(1)}, terms)
+    return DisplacementSeries({(1,): arb(0)}, {(1,): kept}, {(1,): arb(1)}, terms)
 
 
 @pytest.mark.parametrize("tau", ["1/2", "3/2"])
@@ -41,7 +41,7 @@ def test_a_course_beyond_its_circle_is_refused():
 def test_few_terms_are_enclosed_by_many(law):
     """Balls of short series overlap those of long ones; without their tails they do not."""
     forces = Forces.of([Term(1, a) for a in law], 3)
-    short, long = (course_series(forces, 3, bits) for bits in (4, 120))
+    short, long = (displacement_series(forces, 3, bits) for bits in (4, 120))
     with ctx.workprec(150):
         tau, missed = arb(3) / 2, 0
         for key in long.series:
@@ -55,7 +55,7 @@ def test_linear_friction_is_known():
     """exp(-eps tau/2)(cos w tau + eps/(2 w) sin w tau), w^2 = 1 - eps^2/4: its second order."""
     with ctx.workprec(120):
         tau = arb(1)
-        found = course_series(Forces.losses((1,)), 2, 100)
+        found = displacement_series(Forces.losses((1,)), 2, 100)
         first = (tau.sin() - tau * tau.cos()) / 2
         assert found.slopes((1,), tau, 1)[0].overlaps(first)
         second = tau**2 * tau.cos() / 8 - tau * tau.sin() / 8

@@ -13,20 +13,20 @@ from flint import arb, ctx
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow import dense
 from asymptotics.flow.damping import Damping
+from asymptotics.flow.error_propagation import CarriedErrors, turning_delay
 from asymptotics.flow.linear_spring import turning_point as arrivals
-from asymptotics.flow.linear_spring.ends import trap
 from asymptotics.flow.linear_spring.expansion import TurningExpansion
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.linear_spring.majorant import majorant
-from asymptotics.flow.parting import PartingErrors, lateness
+from asymptotics.flow.linear_spring.trapping_regions import trap
 from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.times import at_time
-from asymptotics.flow.trajectory import FlowState, Landing, _landing, course
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.trajectory import ArrivalPiece, FlowState, _arrival, half_swing_pieces
+from asymptotics.flow.turning import TurningState
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.return_map import half_swing_map
-from asymptotics.return_map.half_swing_map import Passage, integrated
+from asymptotics.return_map.half_swing_map import HalfSwingBalls, integrated
 from asymptotics.return_map.sequence import following
 
 
@@ -108,8 +108,8 @@ def test_a_wrong_guess_of_the_turning_point_is_paid_for(law, monkeypatch):
         y, tau = there.state(w)
         monkeypatch.setattr("asymptotics.flow.secant.secant", lambda *given: arb(-1) + off)
         flow, friction = LinearSpring(d), d.friction
-        here = FlowState(arb(0), (y + friction).mid(), w, PartingErrors(arb(0), arb(0)))
-        found = _landing(flow, arb(1), here)
+        here = FlowState(arb(0), (y + friction).mid(), w, CarriedErrors(arb(0), arb(0)))
+        found = _arrival(flow, arb(1), here)
         assert off <= found.miss and found.miss / 2 < off and found.miss < off * arb(1.2)
         late = abs(found.clock + tau)
         assert found.time.contains(-tau.mid()) and late <= found.late(arb(0)) < off * arb(1.2)
@@ -118,10 +118,10 @@ def test_a_wrong_guess_of_the_turning_point_is_paid_for(law, monkeypatch):
 def test_a_guess_beyond_the_place_of_rest_is_undecided(monkeypatch):
     law = damping(("2", "1/10"))
     monkeypatch.setattr("asymptotics.flow.secant.secant", lambda *_: arb(-1))
-    found = _landing(
+    found = _arrival(
         LinearSpring(law),
         arb(1),
-        FlowState(arb(0), arb("-0.1").mid(), arb("0.01").mid(), PartingErrors(arb(0), arb(0))),
+        FlowState(arb(0), arb("-0.1").mid(), arb("0.01").mid(), CarriedErrors(arb(0), arb(0))),
     )
     with pytest.raises(UndecidedError, match="place of rest"):
         found.late(arb(0))
@@ -136,7 +136,7 @@ def test_a_mass_that_leaves_its_turning_point_does_not_turn():
 def test_errors_of_pieces_add_up():
     """Each piece has at least the error of the one before it and its own, rounding of the restart included."""
     with ctx.workprec(24):
-        first, *steps, last = course(LinearSpring(damping(("3/2", "1/5"))), arb(1), arb(0))
+        first, *steps, last = half_swing_pieces(LinearSpring(damping(("3/2", "1/5"))), arb(1), arb(0))
         off = last.expansion.state(last.beside[1])[0] - last.beside[0]
         dropped = [[c.rad() for c in step.taylor.state(step.taylor.length)] for step in steps]
     for step, following_step, (y, w) in zip(steps, steps[1:], dropped, strict=False):
@@ -147,7 +147,7 @@ def test_errors_of_pieces_add_up():
 def test_a_shifted_orbit_turns_as_much_later_as_the_bound_says():
     """Undamped, an orbit d ahead on its circle turns d/p earlier."""
     p, d = arb(1), arb(2) ** -20
-    bound = lateness(damping(*NOTHING), arb(1), -p, d, d)
+    bound = turning_delay(damping(*NOTHING), arb(1), -p, d, d)
     assert d / p <= bound and bound / 2 < d / p
 
 
@@ -155,9 +155,9 @@ def test_the_error_of_a_start_reaches_the_turning_point():
     """The enclosure from a start with an error contains the orbits from both of its ends, and half of it does not."""
     law, d = damping(*NOTHING), arb(2) ** -20
     with ctx.workprec(80):
-        *_, last = course(LinearSpring(law), arb("0.5"), arb("0.5"), d)
-        *_, high = course(LinearSpring(law), arb("0.5") + d * arb(0.7), arb("0.5") + d * arb(0.7))
-        assert isinstance(last, Landing) and isinstance(high, Landing)
+        *_, last = half_swing_pieces(LinearSpring(law), arb("0.5"), arb("0.5"), d)
+        *_, high = half_swing_pieces(LinearSpring(law), arb("0.5") + d * arb(0.7), arb("0.5") + d * arb(0.7))
+        assert isinstance(last, ArrivalPiece) and isinstance(high, ArrivalPiece)
         apart = abs(high.turn - last.turn)
         assert apart <= last.error and last.error / 2 < apart
 
@@ -166,20 +166,20 @@ def test_the_error_of_a_start_reaches_the_turning_point():
 def test_amplitudes_carry_their_error_by_contraction(law):
     d, error = damping(*law), arb(2) ** -30
     ratio = arb("0.75")
-    here = Turning(3, -1, arb("0.5"), arb(9), error, arb(0))
-    there = following(d, here, Passage(ratio, arb(3), "", 1, arb(0)))
+    here = TurningState(3, -1, arb("0.5"), arb(9), error, arb(0))
+    there = following(d, here, HalfSwingBalls(ratio, arb(3), "", 1, arb(0)))
     moved = ratio * error  # linear: the ratio is the same for all amplitudes
     assert moved <= there.amplitude_error and there.amplitude_error / 2 < moved
     friction = damping(("0", "1/100"), ("1", "1/10"))
-    by_distance = following(friction, here, Passage(ratio, arb(3), "", 1, arb(0)))
+    by_distance = following(friction, here, HalfSwingBalls(ratio, arb(3), "", 1, arb(0)))
     assert by_distance.amplitude_error >= error  # dry friction: relative errors grow, distances do not
 
 
 def test_radii_of_a_passage_are_kept():
     """What the midpoints drop: the radius of q and that of T."""
     law = damping(("1", "1/10"))
-    found = Passage(arb("0.75", arb(2) ** -20), arb(3, arb(2) ** -21), "", 1, arb(0))
-    there = following(law, Turning(0, 1, arb(1), arb(0), arb(0), arb(0)), found)
+    found = HalfSwingBalls(arb("0.75", arb(2) ** -20), arb(3, arb(2) ** -21), "", 1, arb(0))
+    there = following(law, TurningState(0, 1, arb(1), arb(0), arb(0), arb(0)), found)
     assert there.amplitude_error >= arb(2) ** -20 and there.time_error >= arb(2) ** -21
 
 
@@ -201,7 +201,7 @@ def test_a_wide_time_near_a_turning_point(law):
 def test_the_error_of_a_time_becomes_a_distance():
     """Near a turning point of amplitude a the state moves by a |t|."""
     law, late = damping(*NOTHING), arb(2) ** -20
-    bound = dense._distance(LinearSpring(law), Turning(1, -1, arb(2), arb(3), arb(0), late))
+    bound = dense._distance(LinearSpring(law), TurningState(1, -1, arb(2), arb(3), arb(0), late))
     truth = 2 * (2 * (late / 2).sin())
     assert truth <= bound and bound / 2 < truth
 
@@ -274,10 +274,10 @@ def test_a_law_that_is_no_damping_is_refused_as_such():
 
 def test_what_the_pieces_leave_out_is_told_with_the_half_swing(monkeypatch):
     piece = SimpleNamespace(error=arb("1e-5"), ended=None, turn=arb("0.9"), miss=arb("1e-9"), time=arb(3))
-    found = half_swing_map.of_landing(arb(1), arb(0), piece, 3)
+    found = half_swing_map.of_arrival(arb(1), arb(0), piece, 3)
     assert found.tail >= arb("9.99e-6") and found.amplitude.contains(arb("-0.9") + arb("0.99e-9"))
     monkeypatch.setattr(
-        half_swing_map, "course", lambda *_, **__: iter([SimpleNamespace(error=arb("1e-5"), ended="held")])
+        half_swing_map, "half_swing_pieces", lambda *_, **__: iter([SimpleNamespace(error=arb("1e-5"), ended="held")])
     )
     assert integrated(damping(("2", "1/10")), arb(1)).tail >= arb("9.99e-6")
 

@@ -7,23 +7,23 @@ from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow import dense
-from asymptotics.flow.linear_spring.ends import _together, trap
+from asymptotics.flow.error_propagation import CarriedErrors, turning_delay
 from asymptotics.flow.linear_spring.expansion import TurningExpansion
 from asymptotics.flow.linear_spring.kept_terms import KeptTerms
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
-from asymptotics.flow.parting import PartingErrors, lateness
-from asymptotics.flow.sequence import after_landing, first_from, turning_after_start, turning_by_pieces
-from asymptotics.flow.slow_manifold.creep_slow_curve import solve
-from asymptotics.flow.trajectory import course
-from asymptotics.flow.turning import Turning
-from asymptotics.return_map.half_swing_map import Passage, integrated, of_landing
+from asymptotics.flow.linear_spring.trapping_regions import _together, trap
+from asymptotics.flow.sequence import after_arrival, first_from, turning_after_start, turning_by_pieces
+from asymptotics.flow.slow_manifold.slow_curve import solve
+from asymptotics.flow.trajectory import half_swing_pieces
+from asymptotics.flow.turning import TurningState
+from asymptotics.return_map.half_swing_map import HalfSwingBalls, integrated, of_arrival
 from asymptotics.return_map.sequence import following
 from tests.flow.linear_spring.test_bounds import NOTHING, damping
 
 
 def late_by(law, amplitude, distance):
     """How much later an orbit turns that is that far from one that turns at -amplitude."""
-    return lateness(law, arb(1), -amplitude - law.friction, distance, distance)
+    return turning_delay(law, arb(1), -amplitude - law.friction, distance, distance)
 
 
 @pytest.mark.parametrize("law", [NOTHING, (("3/2", "1/2"),), (("0", "1/10"), ("2", "1"))])
@@ -48,7 +48,7 @@ def test_every_rounding_of_a_course_is_in_its_errors():
     """At 20 bits: the time of the departure, the restarts, the clock and the place of the landing, each recomputed."""
     law = damping(("0", "1/30"), ("3/2", "1/5"))
     with ctx.workprec(20):
-        first, *steps, last = course(LinearSpring(law), arb(1), arb(0))
+        first, *steps, last = half_swing_pieces(LinearSpring(law), arb(1), arb(0))
         y, tau = first.expansion.state(first.expansion.reach)
         less = 1 - arb(2) ** -10
         assert first.error >= tau.rad() * first.expansion.speed(arb(1)) * less > 0
@@ -79,7 +79,7 @@ def test_the_closed_form_keeps_its_radii():
     """Of the place at which it turns, and of the friction whose sign is wrong while its time is uncertain."""
     with ctx.workprec(20):
         law = damping(("0", "1/7"), ("1", "1/3"))
-        (swing,) = course(LinearSpring(law), arb(1), arb(0))
+        (swing,) = half_swing_pieces(LinearSpring(law), arb(1), arb(0))
         time, y = swing.orbit.turning()
         assert swing.miss >= (y + law.friction).rad() > 0
         assert swing.error >= 4 * law.friction * time.rad() * (1 - arb(2) ** -10) > 0
@@ -92,7 +92,7 @@ def test_what_is_uncertain_at_a_time_is_a_distance():
     flow, x, w = LinearSpring(law), arb("0.75"), arb("1.5")
     with ctx.workprec(80):
         wanted = dense._Wanted(flow, [arb(2, e)])
-        piece = next(p for p in course(flow, arb(1), arb(0), e) if p.end > 2)
+        piece = next(p for p in half_swing_pieces(flow, arb(1), arb(0), e) if p.end > 2)
         wanted.take(piece, 1, arb(0))
         ((u, v),) = wanted.found
         moved = dense._moved(flow, u.mid() + arb(0, piece.error), abs(v.mid()) + arb(0, piece.error), 2 * e)
@@ -108,9 +108,9 @@ def test_what_is_uncertain_at_a_time_is_a_distance():
 def test_the_distance_of_a_turning_point_has_both_of_its_parts():
     law, e = damping(("0", "1/10"), ("2", "1")), arb(2) ** -8
     flow, truth = LinearSpring(law), 2.0**-8 + 2.0**-8 * (0.5 + 0.1)
-    found = float(dense._distance(flow, Turning(1, -1, arb("0.5"), arb(3), e, e)))
+    found = float(dense._distance(flow, TurningState(1, -1, arb("0.5"), arb(3), e, e)))
     assert truth <= found < 1.1 * truth
-    assert dense._distance(flow, Turning(1, -1, arb("0.5"), arb(3), e, arb(0))) >= e
+    assert dense._distance(flow, TurningState(1, -1, arb("0.5"), arb(3), e, arb(0))) >= e
 
 
 def test_a_start_keeps_its_radii():
@@ -128,11 +128,11 @@ def test_a_start_keeps_its_radii():
 
 
 def test_the_end_of_a_course_that_began_in_motion_keeps_its_parts():
-    """Made-up radii: the errors of the course and what was given add up, and so do the clock's radius and the delay."""
+    """Made-up radii: the errors of the pieces and what was given add up, and so do the clock's radius and the delay."""
     law, e = damping(("3/2", "1/5")), arb(2) ** -10
     with ctx.workprec(80):
-        *_, real = course(LinearSpring(law), arb("0.5"), arb("0.25"))
-        piece = replace(real, begun=PartingErrors(e, e), miss=e, clock=arb(real.clock.mid(), e))
+        *_, real = half_swing_pieces(LinearSpring(law), arb("0.5"), arb("0.25"))
+        piece = replace(real, begun=CarriedErrors(e, e), miss=e, clock=arb(real.clock.mid(), e))
         found = turning_after_start(piece, 1, 2 * e)
         late = late_by(law, -piece.turn, 3 * e)
         assert 3 * e <= found.amplitude_error < arb("3.01") * e
@@ -141,29 +141,29 @@ def test_the_end_of_a_course_that_began_in_motion_keeps_its_parts():
 
 def test_a_passage_keeps_what_its_landing_misses():
     with ctx.workprec(40):
-        *_, last = course(LinearSpring(damping(("3/2", "1/5"))), arb("0.5"), arb(0))
-        found = of_landing(arb("0.5"), arb(0), last, 3)
+        *_, last = half_swing_pieces(LinearSpring(damping(("3/2", "1/5"))), arb("0.5"), arb(0))
+        found = of_arrival(arb("0.5"), arb(0), last, 3)
         assert found.amplitude.rad() * arb("0.5") >= last.miss * (1 - arb(2) ** -20)
     law = damping(("1/2", "1"))
     edge, e = (arb(1) / 6).sqrt() * 9 / 16, arb(2) ** -6
     assert integrated(law, edge * arb("0.98"), arb(2) ** -20).ended == "creeps"
     assert trap(law, edge * arb("0.999") + arb(0, e), arb(0)) is None
     with ctx.workprec(60), pytest.raises(UndecidedError):  # from within e of the edge it may turn as well
-        turning_by_pieces(LinearSpring(law), Turning(0, 1, (edge * arb("0.999")).mid(), arb(0), e, arb(0)))
+        turning_by_pieces(LinearSpring(law), TurningState(0, 1, (edge * arb("0.999")).mid(), arb(0), e, arb(0)))
 
 
 def test_times_and_places_of_a_turning_point_add_up():
     """Made-up radii: what is carried, that of q, that of T and the times before; by pieces the delay as well."""
     law, e = damping(("3/2", "1/5"), ("0", "1/20")), arb(2) ** -10
-    found = Passage(arb("0.75", e), arb(3, e), "", 1, arb(0))
-    there = following(law, Turning(2, 1, arb(1), arb(9), 3 * e, 5 * e), found)
+    found = HalfSwingBalls(arb("0.75", e), arb(3, e), "", 1, arb(0))
+    there = following(law, TurningState(2, 1, arb(1), arb(9), 3 * e, 5 * e), found)
     assert there.amplitude_error >= 4 * e and there.amplitude_error < arb("4.1") * e
     assert there.time_error >= 6 * e * (1 - arb(2) ** -20) and there.time_error < arb("6.01") * e
     with ctx.workprec(80):
-        *_, real = course(LinearSpring(law), arb(1), arb(0), 3 * e)
-        piece = replace(real, begun=PartingErrors(e, 4 * e), miss=e, clock=arb(real.clock.mid(), e))
+        *_, real = half_swing_pieces(LinearSpring(law), arb(1), arb(0), 3 * e)
+        piece = replace(real, begun=CarriedErrors(e, 4 * e), miss=e, clock=arb(real.clock.mid(), e))
         there, late = (
-            after_landing(Turning(2, 1, arb(1), arb(9), 3 * e, 5 * e), piece),
+            after_arrival(TurningState(2, 1, arb(1), arb(9), 3 * e, 5 * e), piece),
             late_by(law, -piece.turn, 4 * e),
         )
         assert there.amplitude_error >= 4 * e and there.amplitude_error < arb("4.1") * e

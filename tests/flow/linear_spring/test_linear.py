@@ -9,11 +9,11 @@ from flint import arb, ctx
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states, states_from
-from asymptotics.flow.linear_spring import linear_spring as courses
-from asymptotics.flow.linear_spring.linear import ROUTE, LinearOrbit, is_linear
+from asymptotics.flow.linear_spring import linear_spring
+from asymptotics.flow.linear_spring.linear import ROUTE, LinearSolution, is_linear
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
-from asymptotics.flow.trajectory import course
+from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.flow.turning import at_rest
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
@@ -37,19 +37,19 @@ def damping(pairs, bits=200):
 def test_the_pieces_agree(pairs, start, monkeypatch):
     with ctx.workprec(120):
         law, (u, w) = damping(pairs), (arb(x).mid() for x in start)
-        *_, closed = course(LinearSpring(law), u, w)
-        monkeypatch.setattr(courses, "is_linear", lambda given: False)
-        *_, pieces = course(LinearSpring(law), u, w)
+        *_, closed = half_swing_pieces(LinearSpring(law), u, w)
+        monkeypatch.setattr(linear_spring, "is_linear", lambda given: False)
+        *_, pieces = half_swing_pieces(LinearSpring(law), u, w)
         assert abs(closed.turn - pieces.turn) <= pieces.miss + closed.miss and closed.time.overlaps(pieces.time)
         assert closed.miss < arb(2) ** -110 and closed.time.rad() < arb(2) ** -100
         middle = (closed.end / 2).mid()
-        (y, v), own = closed.own(middle), next(p for p in course(LinearSpring(law), u, w) if p.end >= middle)
+        (y, v), own = closed.own(middle), next(p for p in half_swing_pieces(LinearSpring(law), u, w) if p.end >= middle)
         near = own.error + arb(2) ** -100
         assert abs(y - own.own(middle)[0]) < near and abs(v - own.own(middle)[1]) < near
     monkeypatch.undo()
     for bits in (8, 16, 40):
         with ctx.workprec(bits):
-            *_, low = course(LinearSpring(damping(pairs, bits)), arb(start[0]).mid(), arb(start[1]).mid())
+            *_, low = half_swing_pieces(LinearSpring(damping(pairs, bits)), arb(start[0]).mid(), arb(start[1]).mid())
         with ctx.workprec(200):
             u, w = arb(start[0]).mid(), arb(start[1]).mid()
         if all(x.mid() == y for x, y in zip((u, w), _rounded(start, bits), strict=True)):
@@ -81,7 +81,7 @@ def test_where_it_does_not_hold():
     assert not is_linear(damping((("1", "2"),))) and is_linear(damping((("1", "1.9999999999"),)))
     assert not is_linear(damping((("1", "1/2"), ("2", "1e-30")))) and not is_linear(damping((("1.0000001", "1/2"),)))
     with pytest.raises(UndecidedError, match="friction"):
-        list(course(LinearSpring(damping((("0", "1/2"),))), arb("0.5"), arb(0)))
+        list(half_swing_pieces(LinearSpring(damping((("0", "1/2"),))), arb("0.5"), arb(0)))
     over = turning_points(Law({0: "1/100", 1: 2}), 3, 20)
     assert over.ended == {"n": 0, "reason": "overdamped"} and len(over.points) == 1
 
@@ -89,14 +89,14 @@ def test_where_it_does_not_hold():
 def test_at_the_turning_point_the_wrong_friction_is_paid_for():
     """Past its turning the closed form keeps the sign of the friction: 2 mu t off, of which the error counts twice."""
     law, wide = damping((("0", "1/4"),)), arb(2) ** -12
-    orbit = LinearOrbit(arb(0), arb(1, wide / arb.pi()), arb("0.75"), arb(0))
+    orbit = LinearSolution(arb(0), arb(1, wide / arb.pi()), arb("0.75"), arb(0))
     with ctx.workprec(100):
         time, _ = orbit.turning()
         late = time.rad()
-        (last,) = course(LinearSpring(law), arb(1), arb(0))
+        (last,) = half_swing_pieces(LinearSpring(law), arb(1), arb(0))
         assert last.error <= 4 * arb("0.25") * last.time.rad() * arb("1.001")
         given = arb(2) ** -90
-        (after,) = course(LinearSpring(law), arb(1), arb(0), given)
+        (after,) = half_swing_pieces(LinearSpring(law), arb(1), arb(0), given)
         assert after.error >= given + 4 * arb("0.25") * after.time.rad() > given
         gone = abs(orbit.y) * late - (abs(orbit.y) - 2 * arb("0.25")) * late  # the speed it has, and should have
         assert gone <= 4 * arb("0.25") * late and 4 * arb("0.25") * late / 2 <= gone

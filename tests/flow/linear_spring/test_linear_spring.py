@@ -11,7 +11,7 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
-from asymptotics.flow.trajectory import Landing, course
+from asymptotics.flow.trajectory import ArrivalPiece, half_swing_pieces
 from asymptotics.flow.turning import at_rest
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
@@ -44,8 +44,8 @@ def landing(pairs, bits, p="1", start=None):
         u, w = (arb(1), arb(0)) if start is None else (arb(start[0]), arb(start[1]))
         with ctx.workprec(bits + GUARD):
             law = damping(pairs)
-        *_, last = course(LinearSpring(law), u, w)
-        assert isinstance(last, Landing)
+        *_, last = half_swing_pieces(LinearSpring(law), u, w)
+        assert isinstance(last, ArrivalPiece)
         return arb(-last.turn, last.miss), last.time
 
 

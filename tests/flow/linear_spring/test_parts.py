@@ -11,14 +11,14 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.expansion import TurningExpansion
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
-from asymptotics.flow.slow_manifold.creep_slow_curve import caught
-from asymptotics.flow.slow_manifold.onset import settled
-from asymptotics.flow.slow_manifold.slide import sliding
+from asymptotics.flow.slow_manifold.attraction import attracted
+from asymptotics.flow.slow_manifold.slow_curve import caught
 from asymptotics.flow.slow_manifold.slow_curve_series import truncated
-from asymptotics.flow.turning import Turning
+from asymptotics.flow.slow_manifold.strong_damping import strong_damping_strip
+from asymptotics.flow.turning import TurningState
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.return_map import quarters
-from asymptotics.return_map.half_swing_map import Passage
+from asymptotics.return_map.half_swing_map import HalfSwingBalls
 from asymptotics.return_map.panels import Panel
 from asymptotics.return_map.quarters import HAND_OVERS, Bundle, Path
 from asymptotics.return_map.sequence import following
@@ -32,15 +32,15 @@ def damping(*terms):
 def test_no_settling_beside_a_force_that_grows_faster_than_the_speed():
     """w n'/n is near 3 where the cubic loss is all: the region of the slow curve asks for less than 1."""
     with ctx.workprec(60):
-        assert settled(damping(("1/1000", "1/2"), ("1e35", "3")), arb("0.1"), arb(0), arb(0)) is None
-        assert settled(damping(("1", "1/1000")), arb("0.1"), arb(0), arb(0)) is not None
+        assert attracted(damping(("1/1000", "1/2"), ("1e35", "3")), arb("0.1"), arb(0), arb(0)) is None
+        assert attracted(damping(("1", "1/1000")), arb("0.1"), arb(0), arb(0)) is not None
 
 
 def test_no_slide_below_the_exponent_1():
     with ctx.workprec(60):
         for alpha, held in (("1/2", False), ("3/2", True)):
             law, w = damping(("1e6", alpha)), arb("0.001" if alpha == "1/2" else 1).mid()
-            found = sliding(law, law.resistance(w).mid(), w, w * arb("1e-9"))
+            found = strong_damping_strip(law, law.resistance(w).mid(), w, w * arb("1e-9"))
             assert (found is not None) is held
 
 
@@ -127,8 +127,8 @@ def test_a_half_swing_read_off_carries_the_ratio_of_its_error():
     """Linear damping: q e/p, exactly."""
     with ctx.workprec(60):
         law, e, ratio = damping(("1/2", "1")), arb(2) ** -10, arb("0.5")
-        here = Turning(0, 1, arb(1), arb(0), e, arb(0))
-        there = following(law, here, Passage(ratio, arb(3), "panels", 1, arb(0)))
+        here = TurningState(0, 1, arb(1), arb(0), e, arb(0))
+        there = following(law, here, HalfSwingBalls(ratio, arb(3), "panels", 1, arb(0)))
         assert e * ratio <= there.amplitude_error < e * ratio * arb("1.01")
 
 

@@ -6,10 +6,10 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.flow.damping import Damping
+from asymptotics.flow.error_propagation import contraction_by_ratio, ratio_growth
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
-from asymptotics.flow.parting import by_ratio, ratio_growth
 from asymptotics.flow.sequence import sequence
-from asymptotics.flow.turning import Turning, at_rest
+from asymptotics.flow.turning import TurningState, at_rest
 from asymptotics.law import Law
 from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.turning.choose import turning_points
@@ -61,7 +61,7 @@ def test_every_start_within_the_error_counts(law):
 @pytest.mark.parametrize("e", [arb(2) ** -4, arb(2) ** -20])
 def test_turning_points_of_both_ends_of_a_wide_error_are_held(law, e):
     with ctx.workprec(30):
-        found = by_ratio(Damping.of_law(Law(law)), arb(1), e, turns_at(law, arb(1)))
+        found = contraction_by_ratio(Damping.of_law(Law(law)), arb(1), e, turns_at(law, arb(1)))
     apart = [abs(turns_at(law, 1 + s * e) - turns_at(law, arb(1))) for s in (1, -1)]
     assert max(apart) <= found <= e
     assert law not in WEAK or found / 2 < max(apart)
@@ -69,7 +69,7 @@ def test_turning_points_of_both_ends_of_a_wide_error_are_held(law, e):
 
 def test_a_turning_point_within_the_error_of_rest_has_no_ratio():
     law, e = Damping.of_law(Law({"1/2": "1/10"})), arb(2) ** -10
-    assert [by_ratio(law, arb(1), e, q) for q in (e, e / 2, arb(e, e))] == [e] * 3
+    assert [contraction_by_ratio(law, arb(1), e, q) for q in (e, e / 2, arb(e, e))] == [e] * 3
 
 
 def test_relative_errors_hardly_grow_over_many_half_swings():
@@ -77,7 +77,7 @@ def test_relative_errors_hardly_grow_over_many_half_swings():
     law, e, n = Law({"99/100": "1/2"}), arb(2) ** -20, 12
     with ctx.workprec(60):
         flow = LinearSpring(Damping.of_law(law))
-        starts = [Turning(0, 1, arb(1), arb(0), e, arb(0)), at_rest(1 + e), at_rest(1 - e)]
+        starts = [TurningState(0, 1, arb(1), arb(0), e, arb(0)), at_rest(1 + e), at_rest(1 - e)]
         wide, *ends = [next(islice(sequence(flow, start), n, None)) for start in starts]
     relative = wide.amplitude_error / wide.amplitude
     assert relative < e * arb("1.1") / wide.amplitude ** arb("0.01") and wide.amplitude_error < e / 2**13

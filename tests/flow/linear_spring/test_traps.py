@@ -9,7 +9,7 @@ from flint import arb
 from scipy.integrate import solve_ivp
 
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring.ends import trap
+from asymptotics.flow.linear_spring.trapping_regions import trap
 from asymptotics.numbers.exact import ExactReal
 
 

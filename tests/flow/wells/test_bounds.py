@@ -11,17 +11,16 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow import dense
-from asymptotics.flow import trajectory as courses
-from asymptotics.flow.parting import contracted, growth, lateness, points_forward, turning_gap
-from asymptotics.flow.sequence import after_landing
-from asymptotics.flow.trajectory import Landing, course
-from asymptotics.flow.turning import Turning, at_rest
+from asymptotics.flow import dense, trajectory
+from asymptotics.flow.error_propagation import contraction_by_energy, growth, points_forward, turning_delay, turning_gap
+from asymptotics.flow.sequence import after_arrival
+from asymptotics.flow.trajectory import ArrivalPiece, half_swing_pieces
+from asymptotics.flow.turning import TurningState, at_rest
 from asymptotics.flow.wells import expansion as expansions
-from asymptotics.flow.wells.ends import _critical, inside, trap
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.expansion import WellExpansion
 from asymptotics.flow.wells.force import WellForce
+from asymptotics.flow.wells.trapping_regions import _critical, inside, trap
 from asymptotics.numbers.exact import parse_real
 from tests.flow.forces import WELLS as FORCES
 from tests.flow.forces import in_a_well
@@ -86,7 +85,7 @@ def test_nothing_parts_in_the_own_unit():
 
 def orbit(force, p, bits=160):
     with ctx.workprec(bits):
-        *_, last = course(EvenWell(force), arb(p), arb(0))
+        *_, last = half_swing_pieces(EvenWell(force), arb(p), arb(0))
         return last
 
 
@@ -96,7 +95,7 @@ def orbit(force, p, bits=160):
 def test_turning_points_draw_together_at_most_as_the_bound_says(name):
     force, p, e = FORCES[name], arb(1), arb(2) ** -30
     one, other = orbit(force, p), orbit(force, p + e)
-    bound = contracted(force, p, e, one.clock.lower(), one.turn, arb(0))
+    bound = contraction_by_energy(force, p, e, one.clock.lower(), one.turn, arb(0))
     with ctx.workprec(160):
         truth = abs(other.turn - one.turn)
         assert truth <= bound and bound < 3 * e
@@ -107,7 +106,7 @@ def test_turning_points_draw_together_at_most_as_the_bound_says(name):
 def test_viscous_loss_draws_them_together_and_the_bound_knows_how_fast():
     force, e = in_a_well({1: "1/2"}, "pendulum"), arb(2) ** -40
     one, other = orbit(force, 2), orbit(force, 2 + e)
-    bound = contracted(force, arb(2), e, one.clock.lower(), one.turn, arb(0))
+    bound = contraction_by_energy(force, arb(2), e, one.clock.lower(), one.turn, arb(0))
     with ctx.workprec(160):
         truth = abs(other.turn - one.turn)
         assert truth <= bound and bound / 2 < truth and truth < e / 2
@@ -120,7 +119,7 @@ def test_the_gap_and_the_lateness_are_attained_by_free_fall():
         radius = (1 + d * d).sqrt()
         farther, later = radius - 1, d.atan()
         gap = turning_gap(FREE, turn, (d * d / 2).upper())
-        late = lateness(FREE, arb(1), turn, arb(0), d)
+        late = turning_delay(FREE, arb(1), turn, arb(0), d)
         assert farther <= gap and gap / 2 < farther
         assert later <= late and late / 2 < later
 
@@ -128,7 +127,7 @@ def test_the_gap_and_the_lateness_are_attained_by_free_fall():
 def test_a_turning_point_near_the_place_of_rest_is_undecided():
     for call in (
         lambda: turning_gap(FREE, arb(-1), arb(2)),
-        lambda: lateness(FREE, arb(1), arb(-1), arb(0), arb(1)),
+        lambda: turning_delay(FREE, arb(1), arb(-1), arb(0), arb(1)),
         lambda: growth(FORCES["duffing"], arb(1), arb(0), arb(1), arb(10), arb(1)),
     ):
         with pytest.raises(Exception, match=r"place of rest|part too fast"):
@@ -139,9 +138,13 @@ def test_a_step_stops_before_a_kink():
     """The orbit of the kinked force passes u = 0 between pieces, and one with a smooth force does not care."""
     with ctx.workprec(90):
         places = [
-            p.taylor.us[0] for p in course(EvenWell(FORCES["place"]), arb(1), arb(0)) if isinstance(p, courses.Step)
+            p.taylor.us[0]
+            for p in half_swing_pieces(EvenWell(FORCES["place"]), arb(1), arb(0))
+            if isinstance(p, trajectory.Step)
         ]
-        smooth = [p.taylor.us[0] for p in course(EvenWell(AIR), arb(1), arb(0)) if isinstance(p, courses.Step)]
+        smooth = [
+            p.taylor.us[0] for p in half_swing_pieces(EvenWell(AIR), arb(1), arb(0)) if isinstance(p, trajectory.Step)
+        ]
     assert any(u == 0 for u in places) and not any(u == 0 for u in smooth)
 
 
@@ -156,7 +159,7 @@ def test_ignoring_a_kink_is_seen(monkeypatch):
 
 def test_the_window_about_a_turning_point_is_attained():
     """Within the time e the speed grows to e s_0."""
-    here = Turning(3, 1, arb(1), arb(10), arb(0), arb(2) ** -20)
+    here = TurningState(3, 1, arb(1), arb(10), arb(0), arb(2) ** -20)
     distance = dense._distance(EvenWell(FREE), here)
     with ctx.workprec(100):
         e = arb(2) ** -20
@@ -168,10 +171,10 @@ def test_the_next_turning_point_carries_the_error_of_the_last():
     """An error of the start is neither forgotten nor doubled."""
     with ctx.workprec(120):
         e = arb(2) ** -30
-        pieces = list(course(EvenWell(FORCES["free pendulum"]), arb(1), arb(0), e))
-        assert isinstance(pieces[-1], Landing)
-        there = after_landing(Turning(0, 1, arb(1), arb(0), e, arb(0)), pieces[-1])
-        exactly = after_landing(at_rest(arb(1)), orbit(FORCES["free pendulum"], 1, 120))
+        pieces = list(half_swing_pieces(EvenWell(FORCES["free pendulum"]), arb(1), arb(0), e))
+        assert isinstance(pieces[-1], ArrivalPiece)
+        there = after_arrival(TurningState(0, 1, arb(1), arb(0), e, arb(0)), pieces[-1])
+        exactly = after_arrival(at_rest(arb(1)), orbit(FORCES["free pendulum"], 1, 120))
         shifted = orbit(FORCES["free pendulum"], 1 + e, 120)
         assert abs(shifted.turn + exactly.amplitude) <= there.amplitude_error < 2 * e
         assert abs(shifted.clock - exactly.time) <= there.time_error < 20 * e

@@ -7,17 +7,23 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.flow import dense, parting
-from asymptotics.flow import trajectory as courses
-from asymptotics.flow.parting import PartingErrors, contracted, growth, lateness, state_gap, turning_gap
-from asymptotics.flow.sequence import after_landing, first_from, next_turning, sticks, turning_after_start
+from asymptotics.flow import dense, error_propagation, trajectory
+from asymptotics.flow.error_propagation import (
+    CarriedErrors,
+    contraction_by_energy,
+    growth,
+    state_gap,
+    turning_delay,
+    turning_gap,
+)
+from asymptotics.flow.sequence import after_arrival, first_from, next_turning, sticks, turning_after_start
 from asymptotics.flow.times import at_time
-from asymptotics.flow.trajectory import Landing, Step, course
-from asymptotics.flow.turning import Turning, at_rest
+from asymptotics.flow.trajectory import ArrivalPiece, Step, half_swing_pieces
+from asymptotics.flow.turning import TurningState, at_rest
 from asymptotics.flow.wells import even_well as wells
-from asymptotics.flow.wells.ends import _held, trap
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.expansion import WellExpansion
+from asymptotics.flow.wells.trapping_regions import _held, trap
 from tests.flow.forces import WELLS as FORCES
 from tests.flow.forces import in_a_well
 from tests.flow.wells.test_bounds import FREE
@@ -95,29 +101,29 @@ def test_a_late_motion_near_the_top_is_later():
     """It passes at the speed d where the brake is weaker than at the turning point, by the gap and by its own way."""
     turn, gap, d = arb(-3), arb("0.05"), arb("0.03")
     with ctx.workprec(80):
-        found = lateness(TOP, arb(1), turn, gap, d)
+        found = turning_delay(TOP, arb(1), turn, gap, d)
         weakest = (arb(3) + gap + 2 * d).sin()
         assert d / weakest <= found < d / weakest * arb("1.001")
         assert d / (arb(3) + gap + d).sin() < found and d / (arb(3) + d).sin() * arb("1.3") < found
     with pytest.raises(UndecidedError, match="place of rest"):  # in that time it would move farther than that
-        lateness(TOP, arb(20), arb(-2), arb(0), arb("0.05"))
+        turning_delay(TOP, arb(20), arb(-2), arb(0), arb("0.05"))
 
 
 @pytest.mark.parametrize(("p", "e"), [("0.25", "0.125"), ("1", "0.25")])
 def test_contraction_counts_the_force_at_the_farther_start(p, e, monkeypatch):
     """The energy between the two starts: e times the force at the nearer one is less, at the farther hardly more."""
-    monkeypatch.setattr(parting, "turning_gap", lambda _force, _turn, square, _beyond: square)
+    monkeypatch.setattr(error_propagation, "turning_gap", lambda _force, _turn, square, _beyond: square)
     p, e = arb(p), arb(e)
     truth = p.cos() - (p + e).cos()
-    square = contracted(TOP, p, e, arb(3), -p, arb(0))
+    square = contraction_by_energy(TOP, p, e, arb(3), -p, arb(0))
     assert e * p.sin() < truth <= square < truth * arb("1.3")
 
 
 def test_viscous_contraction_leaves_out_the_first_fall_and_the_last_stop(monkeypatch):
     """The time that the factor counts is shorter by at least the free fall through e, and not by much more."""
-    monkeypatch.setattr(parting, "turning_gap", lambda _force, _turn, square, _beyond=None: square)
+    monkeypatch.setattr(error_propagation, "turning_gap", lambda _force, _turn, square, _beyond=None: square)
     force, e, duration = in_a_well({1: "1/2"}), arb(2) ** -12, arb(3)
-    square = contracted(force, arb(1), e, duration, -arb("0.45"), arb(0))
+    square = contraction_by_energy(force, arb(1), e, duration, -arb("0.45"), arb(0))
     common = -(square / (e * (1 + e))).log() * 2
     assert duration - 12 * (2 * e).sqrt() < common < duration - (2 * e).sqrt()
 
@@ -129,23 +135,23 @@ def test_viscous_contraction_counts_only_the_time_that_both_spend():
         rate, omega = arb(1) / 4, (1 - arb(1) / 16).sqrt()
         duration, q = arb.pi() / omega, (-rate * arb.pi() / omega).exp()
         for e in (arb(2) ** -6, arb(2) ** -20):
-            bound = contracted(force, arb(1), e, duration.lower(), -q.mid(), q.rad())
+            bound = contraction_by_energy(force, arb(1), e, duration.lower(), -q.mid(), q.rad())
             assert q * e <= bound
         assert bound < q * e * arb("1.3")
-        assert contracted(force, arb(1), arb(2) ** -6, duration.lower(), -q.mid(), q.rad()) > bound * 2**14 * arb(
-            "1.02"
-        )
+        assert contraction_by_energy(
+            force, arb(1), arb(2) ** -6, duration.lower(), -q.mid(), q.rad()
+        ) > bound * 2**14 * arb("1.02")
 
 
 def test_outside_the_common_places_the_time_is_that_of_free_fall():
     """sqrt(2 e/s_0) from rest, at most twice with the loss; |w|/|s_0| at the end."""
     e, square = arb(2) ** -10, arb(2) ** -10
-    found = float(parting._outside(FREE, arb(1), e, arb(-1), arb(0), square))
+    found = float(error_propagation._outside(FREE, arb(1), e, arb(-1), arb(0), square))
     fall, stop = 2 * float((e / (1 - e)).sqrt()), float((2 * square).sqrt())
     assert fall + stop <= found < 1.02 * (fall + stop)
     assert stop > 0.3 * found
     steep = in_a_well({"1/10": 20})  # the loss may hold the faster one back at once
-    assert not parting._outside(steep, arb(1), e, arb(-1), arb(0), square).is_finite()
+    assert not error_propagation._outside(steep, arb(1), e, arb(-1), arb(0), square).is_finite()
 
 
 @pytest.mark.parametrize("given", [arb(0), arb(2) ** -14])
@@ -153,7 +159,7 @@ def test_errors_of_pieces_grow_and_add_up(given):
     """Each piece has at least the error of the one before, grown, its residual, and the rounding of the restart."""
     force = FORCES["pendulum"]
     with ctx.workprec(24):
-        first, *steps, last = course(EvenWell(force), arb(2), arb(0), given)
+        first, *steps, last = half_swing_pieces(EvenWell(force), arb(2), arb(0), given)
         unit = first.unit
         place, tau = first.expansion.state(first.expansion.reach)
         assert first.errors.local >= tau.rad() * first.expansion.speed(unit) * arb("0.9999") > 0
@@ -168,7 +174,7 @@ def test_errors_of_pieces_grow_and_add_up(given):
             assert step.error >= (begun + step.taylor.residual) * factor * arb("0.9999")
             u, w = step.taylor.state(step.taylor.length)
             begun = step.error + unit * u.rad() + w.rad()
-        assert isinstance(last, Landing) and last.error >= begun
+        assert isinstance(last, ArrivalPiece) and last.error >= begun
     assert max(s.error for s in steps) > given * arb("1.05")
 
 
@@ -176,12 +182,12 @@ def shifted(force, p, e, bits=120):
     """The landing from p within e, its gap and lateness, and the landings from both ends exactly."""
     with ctx.workprec(bits):
         unit = EvenWell(force).unit(p, arb(0))
-        *_, wide = course(EvenWell(force), p, arb(0), unit * e)
+        *_, wide = half_swing_pieces(EvenWell(force), p, arb(0), unit * e)
         return (
             wide,
             wide.gap(unit * e),
             wide.late(unit * e),
-            [list(course(EvenWell(force), p + side * e, arb(0)))[-1] for side in (-1, 1)],
+            [list(half_swing_pieces(EvenWell(force), p + side * e, arb(0)))[-1] for side in (-1, 1)],
         )
 
 
@@ -221,19 +227,19 @@ def test_what_a_turning_point_carries(monkeypatch):
     """Made-up pieces: the gap, the miss, the lateness, the radius of the clock and what was carried all count."""
     force, e = FORCES["free pendulum"], arb(2) ** -10
     with ctx.workprec(80):
-        *_, real = course(EvenWell(force), arb(1), arb(0))
+        *_, real = half_swing_pieces(EvenWell(force), arb(1), arb(0))
         piece = replace(real, miss=e, clock=arb(real.clock.mid(), e))
-        monkeypatch.setattr(Landing, "gap", lambda _, given: given)
-        monkeypatch.setattr(Landing, "late", lambda _, given: e + given)
+        monkeypatch.setattr(ArrivalPiece, "gap", lambda _, given: given)
+        monkeypatch.setattr(ArrivalPiece, "late", lambda _, given: e + given)
         kicked = turning_after_start(piece, 1, 4 * e)
         assert kicked.amplitude_error >= 4 * e and kicked.time_error >= 5 * e
-        here = Turning(3, 1, arb(1), arb(20), e, 5 * e)
-        there = after_landing(here, piece)
+        here = TurningState(3, 1, arb(1), arb(20), e, 5 * e)
+        there = after_arrival(here, piece)
         assert there.time_error >= 8 * e and there.time_error < 9 * e
         assert there.amplitude_error >= 2 * e and there.amplitude_error < 4 * e
         viscous = in_a_well({1: "1/2"}, "pendulum")
-        long = after_landing(here, replace(piece, flow=EvenWell(viscous))).amplitude_error - piece.miss
-        again = contracted(viscous, arb(1), e, (piece.clock - 2 * e).lower(), piece.turn, piece.miss)
+        long = after_arrival(here, replace(piece, flow=EvenWell(viscous))).amplitude_error - piece.miss
+        again = contraction_by_energy(viscous, arb(1), e, (piece.clock - 2 * e).lower(), piece.turn, piece.miss)
         assert long >= again * arb("0.9999")
 
 
@@ -244,7 +250,7 @@ def test_the_error_of_a_time_only_adds(name):
     with ctx.workprec(80):
         there = dense._swing(
             EvenWell(FORCES[name]),
-            Turning(0, 1, arb(1), arb(0), arb(0), e),
+            TurningState(0, 1, arb(1), arb(0), arb(0), e),
             dense._Wanted(EvenWell(FORCES[name]), [arb(9)]),
         )
         exactly = dense._swing(EvenWell(FORCES[name]), at_rest(arb(1)), dense._Wanted(EvenWell(FORCES[name]), [arb(9)]))
@@ -253,7 +259,7 @@ def test_the_error_of_a_time_only_adds(name):
 
 def test_dry_friction_at_an_uncertain_amplitude():
     force = in_a_well({0: "1/4"}, {3: "1/2"})
-    held = Turning(1, 1, arb("0.2"), arb(3), arb("0.01"), arb(0))
+    held = TurningState(1, 1, arb("0.2"), arb(3), arb("0.01"), arb(0))
     assert sticks(EvenWell(force), held) and not sticks(EvenWell(force), replace(held, amplitude=arb("0.3")))
     for amplitude in ("0.23", "0.25"):
         with pytest.raises(UndecidedError, match="undecided"):
@@ -324,7 +330,7 @@ def test_a_late_fall_is_off_in_place_too(monkeypatch):
     monkeypatch.setattr(EvenWell, "unit", lambda *_: arb(10))
     t = arb(1) / 8
     truth = ((10 * t**2 / 2) ** 2 + t**2).sqrt()
-    found = dense._distance(EvenWell(Falling()), Turning(1, 1, arb(1), arb(3), arb(0), t))
+    found = dense._distance(EvenWell(Falling()), TurningState(1, 1, arb(1), arb(3), arb(0), t))
     assert t * arb("1.1") < truth <= found < 2 * truth
 
 
@@ -333,7 +339,7 @@ def test_what_is_uncertain_about_a_turning_point_is_a_distance():
     force, e = FORCES["free pendulum"], arb(2) ** -10
     unit = EvenWell(force).unit(arb(1), arb(0))
     for amplitude, time in ((e, arb(0)), (arb(0), e), (e, e), (arb(0), arb(1) / 8)):
-        found = dense._distance(EvenWell(force), Turning(1, 1, arb(1), arb(3), amplitude, time))
+        found = dense._distance(EvenWell(force), TurningState(1, 1, arb(1), arb(3), amplitude, time))
         speed, way = arb(1).sin() * time, arb(1).sin() * time**2 / 2
         truth = ((unit * (amplitude + way)) ** 2 + speed**2).sqrt()
         assert truth <= found < 2.5 * truth
@@ -342,7 +348,7 @@ def test_what_is_uncertain_about_a_turning_point_is_a_distance():
 def test_the_piece_before_a_kink_ends_at_it_within_its_error():
     force = FORCES["place"]
     with ctx.workprec(40):
-        pieces = [p for p in course(EvenWell(force), arb(1), arb(0)) if isinstance(p, Step)]
+        pieces = [p for p in half_swing_pieces(EvenWell(force), arb(1), arb(0)) if isinstance(p, Step)]
         before, after = next((a, b) for a, b in zip(pieces, pieces[1:]) if b.taylor.us[0] == 0)
         left = before.taylor.state(before.taylor.length)[0]
         assert left > 0 and after.error - after.taylor.residual >= before.error + before.unit * left.lower()
@@ -356,7 +362,7 @@ def test_the_parts_of_a_landing(name, error):
     flow = EvenWell(force)
     with ctx.workprec(24):
         unit = EvenWell(force).unit(arb(1), arb(0))
-        found = courses._landing(flow, unit, courses.FlowState(arb(1), u, w, PartingErrors(local, error, grown)))
+        found = trajectory._arrival(flow, unit, trajectory.FlowState(arb(1), u, w, CarriedErrors(local, error, grown)))
         place, time = found.expansion.state(w)
         slack = unit * abs(place - u).upper()
         factor = growth(force, unit, found.turn.union(place), arb(0).union(w), -time, error + slack)
@@ -367,7 +373,7 @@ def test_the_parts_of_a_landing(name, error):
         gap = state_gap(force, unit, u, w, found.turn, whole)
         assert found.gap(given) >= gap
         assert found.miss >= state_gap(force, unit, u, w, found.turn, (local + slack) * less)
-        assert found.late(given) >= lateness(force, unit, found.turn, gap, factor * whole)
+        assert found.late(given) >= turning_delay(force, unit, found.turn, gap, factor * whole)
         assert found.error >= (factor * (error + slack) + own) * less
         assert found.errors.local >= (factor * (local + slack) + own) * less
 
@@ -392,7 +398,7 @@ def test_traps_and_edges_are_asked_about_the_whole_error(monkeypatch):
     monkeypatch.setattr(wells, "trap", lambda _force, u, w: seen.append((u.rad(), w.rad())))
     monkeypatch.setattr(wells, "beyond", lambda _force, u: seen.append((u.rad(), arb(1))))
     with ctx.workprec(60):
-        pieces = list(course(EvenWell(force), arb(1), arb(0), given))
+        pieces = list(half_swing_pieces(EvenWell(force), arb(1), arb(0), given))
         unit = pieces[0].unit
     assert len(seen) >= 4 and all(u >= given / unit * arb("0.999") and w >= given for u, w in seen)
 

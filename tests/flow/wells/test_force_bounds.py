@@ -83,10 +83,12 @@ def test_the_rate_next_to_a_turning_point(name):
         w = found.reach
         u, _ = found.state(w)
         before = abs(force.acceleration(u, w))
-        after = abs(force.restoring(u) + 2 * force.grip(u) + force.drag(u, w))  # on its way to the turning point
+        after = abs(
+            force.restoring(u) + 2 * force.dry_friction(u) + force.drag(u, w)
+        )  # on its way to the turning point
         most = before.max(after).max(abs(found.brake))
         assert most <= found.rate < 7 * most
-        again = 6 * abs(force.restoring(arb(1))) + 2 * force.grip(arb(1))
+        again = 6 * abs(force.restoring(arb(1))) + 2 * force.dry_friction(arb(1))
         assert again <= found.rate * (1 + arb(1e-9)) and found.rate <= again * (1 + arb(1e-9))
         assert found.speed(arb(3)) >= found.rate + 3 * found.reach
 

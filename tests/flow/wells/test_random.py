@@ -8,9 +8,9 @@ from flint import arb, ctx
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.dense import states
 from asymptotics.flow.taylor import GUARD
-from asymptotics.flow.wells.ends import inside
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.flow.wells.force import WellForce
+from asymptotics.flow.wells.trapping_regions import inside
 from asymptotics.law import Law
 
 EXPONENTS = ("0", "1/3", "1/2", "1", "3/2", "2", "5/2", "3", "7")

@@ -8,7 +8,7 @@ import asymptotics as asy
 from asymptotics.errors import InputError
 from asymptotics.identification.forward.candidates import default_candidates, read_candidate
 from asymptotics.identification.forward.coefficients import loss
-from asymptotics.identification.forward.pendulum import PendulumSwing
+from asymptotics.identification.forward.pendulum import PendulumHalfSwing
 
 G = 9.80665
 
@@ -27,7 +27,7 @@ def integrated(amplitude, law):
 def test_the_half_swing_is_that_of_an_integrator(degrees, law):
     A = np.radians(degrees)
     r = 2 * np.sin(A / 2)
-    swing = PendulumSwing([loss(q) for q, _ in law], A)
+    swing = PendulumHalfSwing([loss(q) for q, _ in law], A)
     strengths = np.array([e * r ** (q - 1) for q, e in law])
     value = swing.at(np.array([0.0]), strengths)
     following, half, quarter = integrated(A, law)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asymptotics.identification.forward.coefficients import loss, spring
-from asymptotics.identification.forward.pendulum import PendulumSwing
+from asymptotics.identification.forward.pendulum import PendulumHalfSwing
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.sequence import turning_sequence
 from asymptotics.identification.forward.stepped import stepped_swings
@@ -32,7 +32,7 @@ def one_by_one(swing, law):
 
 
 def swings():
-    return [PendulumSwing((loss(0.0), loss(2.0)), 0.7), HalfSwingModel((loss(0.0), loss(2.0)))]
+    return [PendulumHalfSwing((loss(0.0), loss(2.0)), 0.7), HalfSwingModel((loss(0.0), loss(2.0)))]
 
 
 @pytest.mark.parametrize("swing", swings())

@@ -1,4 +1,4 @@
-"""How the errors of an expansion add up from one turning point to the next, for any exponents, alpha < 1 included.
+"""How the errors of an expansion add up along the sequence of turning points, for any exponents, alpha < 1 included.
 
 Lady Windermere's fan (Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, section I.7) for the
 return map of a nonexpansive flow, step by step.
@@ -23,7 +23,7 @@ the angle of the motion runs through the whole half-swing.
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> root = [parse_real("1/2", "--alpha")]
->>> steps = list(orbit_bounds(root, 3, [arb(1) / 20]))
+>>> steps = list(turning_sequence_bounds(root, 3, [arb(1) / 20]))
 >>> len(steps) - 1, steps[10].amplitude.str(2, radius=False), steps[10].time.str(2, radius=False)
 (15, '1.3e-7', '1.0e-5')
 """
@@ -57,7 +57,9 @@ class TurningPointBound:
     phase: arb
 
 
-def orbit_bounds(alphas: Sequence[ExactReal], order: int, epsilons: Sequence[arb]) -> Iterator[TurningPointBound]:
+def turning_sequence_bounds(
+    alphas: Sequence[ExactReal], order: int, epsilons: Sequence[arb]
+) -> Iterator[TurningPointBound]:
     """The bounds at n = 0, 1, ..., as long as the local strengths stay in the range of ``local_bounds``.
 
     LimitError if not even the first half-swing does.

@@ -13,14 +13,22 @@ from flint import arb, arb_poly, ctx
 from asymptotics.errors import UndecidedError
 from asymptotics.flow import dense
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring import linear_spring as course_module
+from asymptotics.flow.linear_spring import linear_spring
 from asymptotics.flow.linear_spring.linear_spring import Creep, LinearSpring
 from asymptotics.flow.sequence import sequence
-from asymptotics.flow.slow_manifold import creep_near_equal
-from asymptotics.flow.slow_manifold.creep_near_equal import Stretch, extend, grouped, groups, one_way, residual, stretch
-from asymptotics.flow.slow_manifold.creep_slow_curve import solve
+from asymptotics.flow.slow_manifold import near_equal_exponents
+from asymptotics.flow.slow_manifold.near_equal_exponents import (
+    FencedStretch,
+    extend,
+    grouped,
+    groups,
+    one_way,
+    residual,
+    stretch,
+)
+from asymptotics.flow.slow_manifold.slow_curve import solve
 from asymptotics.flow.slow_manifold.slow_curve_series import lower_set
-from asymptotics.flow.trajectory import course
+from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.flow.turning import at_rest
 from asymptotics.numbers.exact import parse_real
 
@@ -48,11 +56,11 @@ def state_at(law, time, monkeypatch):
     made = []
 
     def counted(*given, **named):
-        for piece in course(*given, **named):
+        for piece in half_swing_pieces(*given, **named):
             made.append(piece)
             yield piece
 
-    monkeypatch.setattr(dense, "course", counted)
+    monkeypatch.setattr(dense, "half_swing_pieces", counted)
     begin = parse_real("9/10", "x").ball().mid()
     return dense.states(LinearSpring(law), begin, arb(0), [arb(time)])[0], len(made)
 
@@ -88,7 +96,9 @@ def creeping(terms, bits=BITS):
         law = Damping.of(terms())
         begin = parse_real("9/10", "x").ball().mid()
         found = (
-            p for p in course(LinearSpring(law), begin, arb(0)) if isinstance(p, Creep) and isinstance(p.strip, Stretch)
+            p
+            for p in half_swing_pieces(LinearSpring(law), begin, arb(0))
+            if isinstance(p, Creep) and isinstance(p.strip, FencedStretch)
         )
         return law, next(found)
 
@@ -112,12 +122,12 @@ LAWS = [
 @pytest.mark.parametrize("law", LAWS[:-1])
 def test_taylor_steps_pass_between_the_barriers(law, monkeypatch):
     _, piece = creeping(law)
-    monkeypatch.setattr(course_module, "caught", lambda *_: None)
-    monkeypatch.setattr(course_module, "stretch", lambda *_: None)
+    monkeypatch.setattr(linear_spring, "caught", lambda *_: None)
+    monkeypatch.setattr(linear_spring, "stretch", lambda *_: None)
     inside = 0
     with ctx.workprec(240):
         for count, step in enumerate(
-            course(LinearSpring(Damping.of(law())), parse_real("9/10", "x").ball().mid(), arb(0))
+            half_swing_pieces(LinearSpring(Damping.of(law())), parse_real("9/10", "x").ball().mid(), arb(0))
         ):
             if step.begin > piece.begin:
                 state = step.own(step.begin)
@@ -181,7 +191,7 @@ def test_what_is_left_is_the_residual_of_the_curve(law):
 
 def test_what_is_cut_off_the_sums_is_bounded(monkeypatch):
     """After t^3, at the end of the stretch: less than the bound, and more than half of it."""
-    monkeypatch.setattr(creep_near_equal, "_degree", lambda _: 3)
+    monkeypatch.setattr(near_equal_exponents, "_degree", lambda _: 3)
     with ctx.workprec(200):
         damping = Damping.of(LAWS[2]())
         laws = grouped(damping, groups(damping), arb("1e-3").log())
@@ -233,31 +243,31 @@ def test_a_curve_that_is_not_checked_where_it_starts_is_none():
             laws = grouped(damping, groups(damping), (arb("1.01") * w).log() + shift)
             b = {}
             extend(laws, b, lower_set(tuple(float(d.mid()) for d in laws.powers), 3))
-            strip = creep_near_equal._between(laws, (b, residual(laws, b)), (damping, y, w, error), arb(1))
+            strip = near_equal_exponents._between(laws, (b, residual(laws, b)), (damping, y, w, error), arb(1))
             assert (strip is not None) is found
 
 
 def test_the_slope_of_the_curve_is_at_least_half_of_that_of_the_law():
     """alpha = 1/2 and B = b w on a stretch: 3/2 b w < 1/4."""
     with ctx.workprec(60):
-        scale = creep_near_equal.Scale(arb(0), arb(1))
-        laws = creep_near_equal.Grouped(scale, arb(0), arb(1), arb("0.5"), (arb(1),), {(0,): arb_poly([1])}, arb(0))
+        scale = near_equal_exponents.Scale(arb(0), arb(1))
+        laws = near_equal_exponents.Grouped(scale, arb(0), arb(1), arb("0.5"), (arb(1),), {(0,): arb_poly([1])}, arb(0))
         for b, holds in (("0.166", True), ("0.168", False)):
             assert one_way(laws, {(1,): arb_poly([arb(b)])}, arb(0), arb("1e-9")) is holds
 
 
 def test_the_time_where_no_exponent_is_small():
-    scale = creep_near_equal.Scale(arb(0), arb(8))
-    assert creep_near_equal._integral(arb_poly([1, 2]), arb(1), scale)[0].overlaps(1 - arb(2) / 8)
+    scale = near_equal_exponents.Scale(arb(0), arb(8))
+    assert near_equal_exponents._integral(arb_poly([1, 2]), arb(1), scale)[0].overlaps(1 - arb(2) / 8)
 
 
 @pytest.mark.parametrize("d", ["0", "1/64", "-1/64", "1e-10", "-1e-30"])
 def test_the_time_where_an_exponent_is_0_or_small(d):
     """q(t) e^(d r t) from 0 to t is the integral of p(t) e^(d r t) r, by mpmath, to nearly all bits."""
-    scale, p = creep_near_equal.Scale(arb(0), arb(8)), [3, -1, 2]
+    scale, p = near_equal_exponents.Scale(arb(0), arb(8)), [3, -1, 2]
     with ctx.workprec(BITS), mpmath.workdps(50):
         d = parse_real(d, "d").ball()
-        q = creep_near_equal._integral(arb_poly(p), d, scale)
+        q = near_equal_exponents._integral(arb_poly(p), d, scale)
         rate = mpmath.mpf(str((8 * d).mid().str(45, radius=False)))
         for t in (-1, -0.3, 1):
             exact = mpmath.quad(lambda x: 8 * mpmath.polyval(p[::-1], x) * mpmath.exp(rate * x), [0, t])
@@ -271,14 +281,14 @@ def test_the_time_where_an_exponent_is_0_or_small(d):
 @pytest.mark.parametrize("d", ["1/64", "-1/64"])
 def test_what_a_time_leaves_out_is_bounded(d, monkeypatch):
     """With as many powers as p has: less than the bound, and more than half of it."""
-    monkeypatch.setattr(creep_near_equal, "_more", lambda *_: 0)
-    scale, n = creep_near_equal.Scale(arb(0), arb(8)), 6
+    monkeypatch.setattr(near_equal_exponents, "_more", lambda *_: 0)
+    scale, n = near_equal_exponents.Scale(arb(0), arb(8)), 6
     with ctx.workprec(BITS):
         d = parse_real(d, "d").ball()
         monomial = arb_poly([0] * (n - 1) + [1])
-        short = creep_near_equal._integral(monomial, d, scale)
-        monkeypatch.setattr(creep_near_equal, "_more", lambda *_: 40)
-        long = creep_near_equal._integral(monomial, d, scale)
+        short = near_equal_exponents._integral(monomial, d, scale)
+        monkeypatch.setattr(near_equal_exponents, "_more", lambda *_: 40)
+        long = near_equal_exponents._integral(monomial, d, scale)
         off, bound = abs(long(arb(1)) - arb_poly([0, *short.coeffs()[1:]])(arb(1))), arb(short[0].rad())
         assert off < bound and off > bound / 2
 
@@ -303,9 +313,12 @@ def test_the_stretches_join():
     with ctx.workprec(BITS):
         law = Damping.of(of(("1/2", "2"), ("0.55", "1"))())
         pieces = [
-            p for p, _ in zip(course(LinearSpring(law), parse_real("9/10", "x").ball().mid(), arb(0)), range(110))
+            p
+            for p, _ in zip(
+                half_swing_pieces(LinearSpring(law), parse_real("9/10", "x").ball().mid(), arb(0)), range(110)
+            )
         ]
-        stretches = [p for p in pieces if isinstance(getattr(p, "strip", None), Stretch)]
+        stretches = [p for p in pieces if isinstance(getattr(p, "strip", None), FencedStretch)]
         assert len(stretches) > 2
         for before, after in pairwise(p for p in pieces if not isinstance(p, Creep) or p in stretches):
             if before.end == after.begin:

@@ -1,4 +1,4 @@
-"""One half-swing at finite strength as a result: correctly rounded digits, enclosures, and how they were found."""
+"""The value of one half-swing at finite strength: correctly rounded digits, enclosures, and how they were found."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -18,7 +18,7 @@ from asymptotics.present.shown import Page, Rows
 
 
 @dataclass(frozen=True)
-class SwingValue:
+class HalfSwingValue:
     """One half-swing: L = ln(q/p), amplitude = q/p and duration as balls; how they were found.
 
     ``terms``: the number of pieces; ``tail``: the largest bound of what was cut off in L.
@@ -32,7 +32,7 @@ class SwingValue:
     tail: arb
 
 
-Evaluate = Callable[[int], SwingValue]
+Evaluate = Callable[[int], HalfSwingValue]
 _TRIES, _GUARD = 3, 32
 
 

@@ -9,8 +9,8 @@ from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.bounds.local import local_bounds
-from asymptotics.bounds.orbit import TurningPointBound, _Steps, orbit_bounds
 from asymptotics.bounds.turning import turning_bounds
+from asymptotics.bounds.turning_sequence import TurningPointBound, _Steps, turning_sequence_bounds
 from asymptotics.errors import LimitError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
@@ -51,7 +51,7 @@ CASES = [
 
 @pytest.mark.parametrize(("alphas", "epsilons", "order", "share_A", "share_tau"), CASES)
 def test_the_bounds_hold_and_half_of_them_would_not(alphas, epsilons, order, share_A, share_tau):
-    steps = list(islice(orbit_bounds(reals(*alphas), order, [arb(e) for e in epsilons]), 20))
+    steps = list(islice(turning_sequence_bounds(reals(*alphas), order, [arb(e) for e in epsilons]), 20))
     count = len(steps) - 1
     assert count > 2
     exact = turning_points(Law(dict(zip(alphas, epsilons))), count + 1, 20, times=True).points
@@ -69,16 +69,19 @@ def test_the_bounds_hold_and_half_of_them_would_not(alphas, epsilons, order, sha
 
 
 def test_it_ends_where_the_local_strength_leaves_the_range():
-    steps = list(orbit_bounds(reals("1/2"), 3, [arb(1) / 20]))
+    steps = list(turning_sequence_bounds(reals("1/2"), 3, [arb(1) / 20]))
     assert len(steps) == 16
     assert steps[0].amplitude == 0
     with pytest.raises(LimitError, match="out of range"):
-        next(orbit_bounds(reals("1/2"), 3, [arb(1)]))
+        next(turning_sequence_bounds(reals("1/2"), 3, [arb(1)]))
 
 
 def test_where_both_theorems_hold_they_agree():
     quadratic, epsilon = reals("2"), [arb(1) / 20]
-    every, followed = turning_bounds(quadratic, 2, epsilon), list(islice(orbit_bounds(quadratic, 2, epsilon), 11))
+    every, followed = (
+        turning_bounds(quadratic, 2, epsilon),
+        list(islice(turning_sequence_bounds(quadratic, 2, epsilon), 11)),
+    )
     relative = float(followed[10].amplitude / followed[10].A)
     assert float(every.log_amplitude(10)) < relative < 2 * float(every.log_amplitude(10))
 

@@ -89,7 +89,7 @@ class Barrier(Protocol):
 
 
 @dataclass(frozen=True)
-class Strip:
+class FencedStrip:
     """Between the curves ``above`` (theta = -h) and ``below`` (theta = h), the last power of each; ``starts``: ln w on
     either curve at the greatest and the least height y of the state that entered; ``most``: ln w up to which the
     curves were checked, where y and the clock increase with w.
@@ -154,7 +154,7 @@ def solve(function: Callable[[arb], tuple[arb, arb]], value: arb, guess: arb) ->
     raise UndecidedError("the place on the slow curve is undecided: raise the precision")
 
 
-def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
+def caught(damping: Damping, y: arb, w: arb, error: arb) -> FencedStrip | None:
     """The strip that holds all states within ``error`` of the exact (y, w) from now on, or None where none is narrow
     enough."""
     if not damping.sublinear or not w > 2 * error:
@@ -177,7 +177,9 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> Strip | None:
         starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
     except UndecidedError:  # too few bits here: a later state may do
         return None
-    return Strip(above, below, starts, most, upper(4 * h / a), E) if all(start < most for start in starts) else None
+    return (
+        FencedStrip(above, below, starts, most, upper(4 * h / a), E) if all(start < most for start in starts) else None
+    )
 
 
 def short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Truncated | None:

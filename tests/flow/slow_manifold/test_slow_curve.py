@@ -9,11 +9,11 @@ from scipy.integrate import solve_ivp
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring import linear_spring as course_module
+from asymptotics.flow.linear_spring import linear_spring
 from asymptotics.flow.linear_spring.linear_spring import Creep, LinearSpring
-from asymptotics.flow.slow_manifold.creep_slow_curve import SlowCurve, _grown, caught, one_way, solve
+from asymptotics.flow.slow_manifold.slow_curve import SlowCurve, _grown, caught, one_way, solve
 from asymptotics.flow.slow_manifold.slow_curve_series import Truncated, summed, truncated
-from asymptotics.flow.trajectory import course
+from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import parse_real
@@ -35,11 +35,13 @@ def damping(law):
 
 
 def creeping(law, bits, start="9/10"):
-    """The first piece of the course from rest that is a creep, and the damping, at so many bits."""
+    """The first piece of the half-swing from rest that is a creep, and the damping, at so many bits."""
     with ctx.workprec(bits):
         law = damping(law)
         place = parse_real(start, "x").ball().mid()
-        return next(piece for piece in course(LinearSpring(law), place, arb(0)) if isinstance(piece, Creep)), law
+        return next(
+            piece for piece in half_swing_pieces(LinearSpring(law), place, arb(0)) if isinstance(piece, Creep)
+        ), law
 
 
 def stiff(alpha, epsilon, y, w, time):
@@ -80,10 +82,12 @@ def test_a_stiff_integrator_agrees(alpha, epsilon):
 @pytest.mark.parametrize("law", [LAWS[0], LAWS[2], LAWS[5], LAWS[6]])
 def test_taylor_steps_pass_between_the_barriers(law, monkeypatch):
     piece, _ = creeping(law, 80)
-    monkeypatch.setattr(course_module, "caught", lambda *_: None)
+    monkeypatch.setattr(linear_spring, "caught", lambda *_: None)
     with ctx.workprec(240):
         exact = damping(law)
-        for count, step in enumerate(course(LinearSpring(exact), parse_real("9/10", "x").ball().mid(), arb(0))):
+        for count, step in enumerate(
+            half_swing_pieces(LinearSpring(exact), parse_real("9/10", "x").ball().mid(), arb(0))
+        ):
             if step.begin > piece.begin and count % 7 == 0:
                 y, w = step.own(step.begin)
                 with ctx.workprec(80):

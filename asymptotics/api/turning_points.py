@@ -41,7 +41,7 @@ def _letters(unit: str) -> dict[str, str]:
 
 
 @dataclass(frozen=True, repr=False)
-class SwingPoint(Shown):
+class OscillatorTurningPoint(Shown):
     """The n-th turning point: x in ``unit`` with its sign, t in s since n = 0 (None if not asked for)."""
 
     n: int
@@ -74,7 +74,7 @@ class OscillatorTurningPoints(Rows, Drawn):
 
     oscillator: Oscillator
     digits: int
-    points: tuple[SwingPoint, ...]
+    points: tuple[OscillatorTurningPoint, ...]
     dimensionless: TurningPoints
 
     @property
@@ -208,7 +208,7 @@ def dimensionless(oscillator: Oscillator) -> tuple[Law, dict[str, ExactReal]]:
     return oscillator.dimensionless, kick
 
 
-def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[SwingPoint, ...] | None:
+def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[OscillatorTurningPoint, ...] | None:
     """The points in m and s; None if the digits known do not decide the rounding."""
     with ctx.workprec(bits_for(found.digits, 64)):
         omega = oscillator.omega_0()
@@ -222,7 +222,7 @@ def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[S
             t = None if p.tau is None else "0" if p.n == 0 else decimal_of_ball(ball_of(p.tau) / omega, digits)
             if x is None or (t is None and p.tau is not None):
                 return None
-            points.append(SwingPoint(p.n, x, t, found.certified, oscillator.unit))
+            points.append(OscillatorTurningPoint(p.n, x, t, found.certified, oscillator.unit))
     return tuple(points)
 
 

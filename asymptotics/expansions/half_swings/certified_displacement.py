@@ -1,4 +1,4 @@
-"""x(tau) on the quarter swing at a fixed time, order by order in the local strengths, with proved balls.
+"""The displacement x(tau) on the quarter swing at a fixed time, by orders in the local strengths, with proved balls.
 
 From the turning point X = 1, X' = 0 on, while Y = -X' > 0, z = X - i X' obeys z' = i z - i S with S = sum_i delta^(k_i)
 r_i X^(m_i) Y^(v_i) over the members of the forces (``forces``; r_i > 0 for a loss, < 0 for a spring).  With
@@ -23,7 +23,7 @@ first K coefficients lack of tau^j d^j X_n/d tau^j, e = n.v + 2, by
     tau^e B_n (e + 2K + j)^j (t/varrho)^K/(1 - q),       q = (t/varrho) ((e + 2K + j + 2)/(e + 2K + j))^j.
 
 >>> from asymptotics.expansions.half_swings.forces import Forces
->>> air = course_series(Forces.losses((2,)), 2, 53)
+>>> air = displacement_series(Forces.losses((2,)), 2, 53)
 >>> air.slopes((1,), arb(1), 1)[0].overlaps((1 - arb(1).cos()) ** 2 / 3)        # X_1 of x'' + x = eps x'^2
 True
 """
@@ -53,7 +53,7 @@ Parts = dict[Key, Any]
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
+class DisplacementSeries:
     """X_n/tau^(n.v+2) as the first coefficients in t, and the suprema B_n on |t| < 3 that bound the rest."""
 
     exponents: dict[Key, arb]
@@ -96,7 +96,7 @@ class _Ring:
     divide: Any
 
 
-def course_series(forces: Forces, order: int, bits: int) -> Course:
+def displacement_series(forces: Forces, order: int, bits: int) -> DisplacementSeries:
     """X_n for 1 <= |n| <= ``order``, the tails below 2^-bits of the largest bound."""
     with ctx.workprec(_BOUND_BITS):
         suprema = _orders(_bounds(forces, order), forces, order)
@@ -105,7 +105,7 @@ def course_series(forces: Forces, order: int, bits: int) -> Course:
     with ctx.workprec(bits + int(largest) + 16):
         series = _orders(_series(forces, order, terms), forces, order)
         exponents = {n: dot(n, [v.ball() for v in forces.velocities]) for n in series}
-    return Course(exponents, series, suprema, terms)
+    return DisplacementSeries(exponents, series, suprema, terms)
 
 
 def _orders(ring: _Ring, forces: Forces, order: int) -> Parts:

@@ -25,7 +25,7 @@ from asymptotics.series import Key, accumulate
 Parts = list[dict[Key, Any]]
 
 
-class OrbitForce:
+class FormalForces:
     """F by degree; ``extend`` tells it each degree of P and Q in turn, ``part(n)`` needs those below n."""
 
     def __init__(self, forces: Forces, order: int, s: Any, c: Any, power: Callable[[Any], Any], number: Any) -> None:

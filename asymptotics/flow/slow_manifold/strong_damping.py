@@ -1,4 +1,4 @@
-"""Stiff motion for alpha > 1: far above w = epsilon^(-1/(alpha-1)) it slides on its slow curve, between barriers.
+"""Strong damping, alpha > 1: far above w = epsilon^(-1/(alpha-1)) a motion slides on its slow curve, between barriers.
 
 The curve is an attracting slow manifold (Fenichel 1979), the barriers are a lower and an upper solution.
 
@@ -11,8 +11,8 @@ lines of the derivation).  The motion is followed between them down to a moderat
 >>> from asymptotics.numbers.exact import ExactReal
 >>> law = Damping.of([(arb(10) ** 6, ExactReal(Fraction(2)))])
 >>> with ctx.workprec(80):
-...     slide = sliding(law, arb(1), arb("0.001"), arb("1e-8"))
-...     slide.length.str(3, radius=False), [value.str(5) for value in slide.state(arb(1000))]
+...     strip = strong_damping_strip(law, arb(1), arb("0.001"), arb("1e-8"))
+...     strip.length.str(3, radius=False), [value.str(5) for value in strip.state(arb(1000))]
 ('1.99e+3', ['[0.2500 +/- ...]', '[0.0005000 +/- ...]'])
 """
 
@@ -24,7 +24,7 @@ from flint import arb
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.slow_manifold.creep_slow_curve import WIDEST, SlowCurve, Strip, one_way, short_enough, solve
+from asymptotics.flow.slow_manifold.slow_curve import WIDEST, FencedStrip, SlowCurve, one_way, short_enough, solve
 from asymptotics.flow.slow_manifold.slow_curve_series import Truncated, summed
 from asymptotics.numbers.context import ctx
 
@@ -33,7 +33,7 @@ _LN2, _WORTH = log(2), 0.5  # a slide lets ln w fall by more
 
 
 @dataclass(frozen=True)
-class Slide(Strip):
+class StrongDampingStrip(FencedStrip):
     """A strip for ln w >= ``most``; ``length``: how long the motion is followed in it."""
 
     length: arb
@@ -43,7 +43,7 @@ class Slide(Strip):
         return bool(log_w > self.most)
 
 
-def sliding(damping: Damping, y: arb, w: arb, error: arb) -> Slide | None:
+def strong_damping_strip(damping: Damping, y: arb, w: arb, error: arb) -> StrongDampingStrip | None:
     """The strip that holds all states within ``error`` of the exact (y, w) for a while, or None where none is narrow
     enough, or none is worth it."""
     if len(damping.alphas) != 1 or not damping.alphas[0] > 1 or not (w > 2 * error and y > 2 * error):
@@ -71,7 +71,7 @@ def _ends(damping: Damping, start: float) -> list[arb]:
     return found
 
 
-def _between(series: Truncated, state: tuple[Damping, arb, arb, arb], end: arb, goal: arb) -> Slide | None:
+def _between(series: Truncated, state: tuple[Damping, arb, arb, arb], end: arb, goal: arb) -> StrongDampingStrip | None:
     damping, y, w, error = state
     a = series.alpha
     speed, place = w + arb(0, error), y + arb(0, error)
@@ -89,4 +89,4 @@ def _between(series: Truncated, state: tuple[Damping, arb, arb, arb], end: arb, 
     times = [(curve.clock(at)[0] - curve.clock(last)[0]).lower() for curve, at in zip((above, below), starts)]
     length = times[0].min(times[1]).mid()
     worth = all(at > last for at in starts) and length > 0
-    return Slide(above, below, starts, end, upper(4 * h / a), arb(0), length) if worth else None
+    return StrongDampingStrip(above, below, starts, end, upper(4 * h / a), arb(0), length) if worth else None

@@ -8,10 +8,10 @@ from flint import arb, ctx
 from scipy.integrate import quad, solve_ivp
 
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring.linear_spring import Creep, LinearSpring, Settling
-from asymptotics.flow.slow_manifold.creep_slow_curve import solve
-from asymptotics.flow.slow_manifold.onset import ForceCurve, _at, _wait, settled, spread
-from asymptotics.flow.trajectory import course
+from asymptotics.flow.linear_spring.linear_spring import Creep, LinearSpring, ToSlowCurve
+from asymptotics.flow.slow_manifold.attraction import ForceCurve, _at, _wait, attracted, spread
+from asymptotics.flow.slow_manifold.slow_curve import solve
+from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import ExactReal
@@ -31,7 +31,7 @@ def test_a_ladder_of_precisions(terms):
         with ctx.workprec(bits + 32):
             law = damping(*terms)
         with ctx.workprec(bits):
-            found = settled(law, place, arb(0), arb(2) ** (2 - bits))
+            found = attracted(law, place, arb(0), arb(2) ** (2 - bits))
             return found.strip.state(time), found.wait
 
     place, time = arb("0.1").mid(), arb(10) ** 9
@@ -51,12 +51,12 @@ def test_taylor_steps_pass_through_the_settling_into_the_strip(terms, speed, mon
     with ctx.workprec(100):
         law, w = damping(*terms), arb(speed).mid()
     with ctx.workprec(40):
-        found = settled(law, place, w, arb(2) ** -50)
+        found = attracted(law, place, w, arb(2) ** -50)
         there = found.strip.state(arb(0))
     monkeypatch.setattr(LinearSpring, "along_slow_curve", lambda *_: iter(()))
     with ctx.workprec(120):
         law, inside = damping(*terms), 0
-        for step in course(LinearSpring(law), place, w):
+        for step in half_swing_pieces(LinearSpring(law), place, w):
             true = step.own(step.begin)
             assert found.y.contains(true[0]) and found.w.contains(true[1]) and step.begin < found.wait
             inside = inside + 1 if there[1].contains(true[1]) else 0
@@ -70,7 +70,7 @@ def test_the_wait_is_as_long_as_it_takes_or_longer(terms):
     """From the largest speed, in ln w.  A wait so short costs nothing: it may be 10^4 times as long."""
     with ctx.workprec(53):
         law, place = damping(*terms), 0.1
-        found = settled(law, arb(place), arb("1e-13"), arb(2) ** -50)
+        found = attracted(law, arb(place), arb("1e-13"), arb(2) ** -50)
         curve = ForceCurve(law, 2, law.exponents[0])
 
         def outside(_, state):
@@ -144,9 +144,9 @@ def test_a_state_at_the_edge_of_its_error_is_held(side):
     with ctx.workprec(100):
         law = damping(*PAIR)
     with ctx.workprec(60):
-        found = settled(law, place, arb(0), error)
+        found = attracted(law, place, arb(0), error)
         wide = found.strip.state(time)
-        true = settled(law, (place + side * error * arb("0.999")).mid(), arb(0), arb(0)).strip.state(time)
+        true = attracted(law, (place + side * error * arb("0.999")).mid(), arb(0), arb(0)).strip.state(time)
         assert (found.strip.above.h, found.strip.below.h) == (0, 2)
         assert all(map(arb.contains, wide, true)) and found.y.contains(true[0])
 
@@ -155,16 +155,16 @@ def test_a_speed_at_which_y_moves_while_it_settles_has_to_fall_first():
     law = damping(("1/1000", "1/2"))
     with ctx.workprec(60):
         fast = arb(2) ** -30 * arb("4.5e-4")  # sigma is just below 2^-60
-        assert settled(law, arb("0.1"), fast.mid(), arb(0)) is None
-        assert settled(law, arb("0.1"), (fast / 20).mid(), arb(0)) is not None
+        assert attracted(law, arb("0.1"), fast.mid(), arb(0)) is None
+        assert attracted(law, arb("0.1"), (fast / 20).mid(), arb(0)) is not None
 
 
 def test_nothing_is_promised_where_the_speed_may_grow_or_is_not_small():
     law = damping(("1/2", "1"))
     with ctx.workprec(60):
-        assert settled(law, arb("0.1"), arb(0), arb(2) ** -60) is None  # sigma = 4 w = 0.04 at the slow speed
-        assert settled(law, arb("1e-20"), arb(0), arb("1e-20")) is None
-        assert settled(damping(("1", "3")), arb("0.1"), arb(0), arb(0)) is None
+        assert attracted(law, arb("0.1"), arb(0), arb(2) ** -60) is None  # sigma = 4 w = 0.04 at the slow speed
+        assert attracted(law, arb("1e-20"), arb(0), arb("1e-20")) is None
+        assert attracted(damping(("1", "3")), arb("0.1"), arb(0), arb(0)) is None
 
 
 @pytest.mark.parametrize(
@@ -181,8 +181,8 @@ def test_reference_motion_at_any_time_for_exponents_near_0(law, x):
 
 def test_a_creep_begins_at_rest_without_a_step():
     with ctx.workprec(60):
-        pieces = course(LinearSpring(damping(*PAIR)), arb("0.1").mid(), arb(0))
-        assert [type(next(pieces)) for _ in range(2)] == [Settling, Creep]
+        pieces = half_swing_pieces(LinearSpring(damping(*PAIR)), arb("0.1").mid(), arb(0))
+        assert [type(next(pieces)) for _ in range(2)] == [ToSlowCurve, Creep]
 
 
 def test_each_part_of_the_wait_counts():

@@ -1,4 +1,4 @@
-"""First-order equivalent damping as balls: one cycle of the motion without loss, from the turning amplitude 1.
+"""First-order equivalent damping as balls: one conservative cycle from the turning amplitude 1.
 
 The balance of energy over one cycle, as in Jacobsen's equivalent viscous damping (1930); to first order it is
 Melnikov's integral.
@@ -14,7 +14,7 @@ the linear spring they are 2 pi <|cos|^m |sin|^(alpha+1)>.
 
 >>> from asymptotics.law import Law
 >>> law = Law({2: "1/10"}, spring={3: "1/2"})
->>> found = ConservativeOrbit.of(law.terms, [t.strength.ball() for t in law.terms])
+>>> found = ConservativeCycle.of(law.terms, [t.strength.ball() for t in law.terms])
 >>> found.lost.str(10), found.energy.str(6), found.zeta.str(10)
 ('[0.3466666667 +/- ...]', '0.625000', '[0.04413897088 +/- ...]')
 """
@@ -84,7 +84,7 @@ class Spring:
 
 
 @dataclass(frozen=True)
-class ConservativeOrbit:
+class ConservativeCycle:
     """V(1), V'(1), what the losses take in one cycle, and the closed integral of v dx: balls."""
 
     energy: arb
@@ -93,7 +93,7 @@ class ConservativeOrbit:
     action: arb
 
     @classmethod
-    def of(cls, terms: Sequence[Term], delta: Sequence[arb]) -> "ConservativeOrbit":
+    def of(cls, terms: Sequence[Term], delta: Sequence[arb]) -> "ConservativeCycle":
         """At these local strengths, which the caller knows to be inside the well."""
         spring = Spring.of(terms, delta)
         lost = sum(

@@ -10,12 +10,12 @@ from scipy.integrate import solve_ivp
 
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring import linear_spring as course_module
+from asymptotics.flow.linear_spring import linear_spring
 from asymptotics.flow.linear_spring.linear_spring import Creep, LinearSpring
-from asymptotics.flow.slow_manifold.creep_slow_curve import SlowCurve, one_way
-from asymptotics.flow.slow_manifold.slide import sliding
+from asymptotics.flow.slow_manifold.slow_curve import SlowCurve, one_way
 from asymptotics.flow.slow_manifold.slow_curve_series import summed, truncated
-from asymptotics.flow.trajectory import Turned, course
+from asymptotics.flow.slow_manifold.strong_damping import strong_damping_strip
+from asymptotics.flow.trajectory import ArrivedPiece, half_swing_pieces
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.context import ctx
@@ -30,9 +30,9 @@ def damping(alpha, epsilon):
 def turned(alpha, epsilon, bits):
     """(q, T) of the first half-swing as balls, and how many pieces and slides it took."""
     with ctx.workprec(bits):
-        pieces = list(course(LinearSpring(damping(alpha, epsilon)), arb(1), arb(0)))
+        pieces = list(half_swing_pieces(LinearSpring(damping(alpha, epsilon)), arb(1), arb(0)))
         last = pieces[-1]
-        assert isinstance(last, Turned)
+        assert isinstance(last, ArrivedPiece)
         return arb(-last.turn, last.miss), last.time, len(pieces), sum(isinstance(p, Creep) for p in pieces)
 
 
@@ -41,19 +41,19 @@ def entered(alpha, epsilon, bits, error=None):
     with ctx.workprec(bits):
         law = damping(alpha, epsilon)
         before = None
-        for piece in course(LinearSpring(law), arb(1), arb(0)):
+        for piece in half_swing_pieces(LinearSpring(law), arb(1), arb(0)):
             if isinstance(piece, Creep):
                 break
             before = piece
         y, w = (value.mid() for value in before.own(before.end))
-        return law, y, w, sliding(law, y, w, before.error if error is None else error)
+        return law, y, w, strong_damping_strip(law, y, w, before.error if error is None else error)
 
 
 @pytest.mark.parametrize(("alpha", "epsilon"), [("3/2", "100"), ("2", "300"), ("sqrt(3)", "200")])
 def test_the_slide_ends_where_steps_do(alpha, epsilon, monkeypatch):
     """At 70 bits with a slide, at 140 by Taylor steps alone: place and time are held."""
     q, time, count, slides = turned(alpha, epsilon, 70)
-    monkeypatch.setattr(course_module, "sliding", lambda *_: None)
+    monkeypatch.setattr(linear_spring, "strong_damping_strip", lambda *_: None)
     exact, late, more, none = turned(alpha, epsilon, 140)
     assert slides == 1 and none == 0 and count < more
     assert q.contains(exact) and time.contains(late) and q.rad() < 1e-12
@@ -157,7 +157,7 @@ def test_next_to_linear_damping_a_half_swing_is_refused_at_once():
 
 def test_what_the_strip_leaves_open_is_in_the_error_after_it():
     with ctx.workprec(70):
-        pieces = list(course(LinearSpring(damping("3/2", "100")), arb(1), arb(0)))
+        pieces = list(half_swing_pieces(LinearSpring(damping("3/2", "100")), arb(1), arb(0)))
         i = next(i for i, piece in enumerate(pieces) if isinstance(piece, Creep))
         y, w = pieces[i].own(pieces[i].end)
         assert pieces[i + 1].error >= y.rad() + w.rad() > 0

@@ -1,4 +1,4 @@
-"""How far two motions of one force can part: the record of a course's errors, and the one rule by which they travel.
+"""Error propagation along a half-swing: how far two motions of one force can part, and the errors carried so.
 
 *Along a piece.*  The distance D = sqrt(unit^2 (u - u~)^2 + (w - w~)^2) of two motions in a convex box obeys the
 differential inequality of the logarithmic norm (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd
@@ -33,7 +33,7 @@ from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
-from asymptotics.flow.force import Force, Parting
+from asymptotics.flow.force import Force, HasSlopes
 from asymptotics.numbers.context import ctx
 
 _LOW, _PIECES = 40, 64
@@ -41,8 +41,8 @@ _ONE = arb(1)
 
 
 @dataclass(frozen=True)
-class PartingErrors:
-    """Distances at one time of a course: ``local`` of the orbit from its exact start, ``error`` of the truth.
+class CarriedErrors:
+    """Distances at one time of a half-swing: ``local`` of the orbit from its exact start, ``error`` of the truth.
 
     A distance given at the start has ``grown`` by that factor at most.
     """
@@ -51,22 +51,22 @@ class PartingErrors:
     error: arb
     grown: arb = _ONE
 
-    def plus(self, own: arb) -> "PartingErrors":
+    def plus(self, own: arb) -> "CarriedErrors":
         """The errors after a piece that adds ``own`` to every distance."""
-        return PartingErrors(upper(self.local + own), upper(self.error + own), self.grown)
+        return CarriedErrors(upper(self.local + own), upper(self.error + own), self.grown)
 
-    def times(self, factor: arb) -> "PartingErrors":
+    def times(self, factor: arb) -> "CarriedErrors":
         """The errors after a piece along which distances grow by ``factor``."""
         if factor == 1:
             return self
-        return PartingErrors(*(upper(factor * e) for e in (self.local, self.error, self.grown)))
+        return CarriedErrors(*(upper(factor * e) for e in (self.local, self.error, self.grown)))
 
     def apart(self, given: arb) -> arb:
-        """How far an orbit is that started within ``given``, no more than the course was given."""
+        """How far an orbit is that started within ``given``, no more than the pieces were given."""
         return upper(self.local + self.grown * given)
 
 
-def parting(force: Parting, unit: arb, u: arb, w: arb, duration: arb) -> arb:
+def distance_growth(force: HasSlopes, unit: arb, u: arb, w: arb, duration: arb) -> arb:
     """The factor by which the distance of two motions in the box may grow in that time."""
     with ctx.workprec(_LOW):
         in_u, in_w = force.slopes(u, w)
@@ -76,7 +76,7 @@ def parting(force: Parting, unit: arb, u: arb, w: arb, duration: arb) -> arb:
         return upper((duration * rate).exp())
 
 
-def growth(force: Parting, unit: arb, u: arb, w: arb, duration: arb, error: arb) -> arb:
+def growth(force: HasSlopes, unit: arb, u: arb, w: arb, duration: arb, error: arb) -> arb:
     """The factor by which ``error`` may grow along a piece: u a ball with all its places, w with all its speeds.
 
     UndecidedError where it grows so much that the piece does not hold it.
@@ -86,7 +86,7 @@ def growth(force: Parting, unit: arb, u: arb, w: arb, duration: arb, error: arb)
     with ctx.workprec(_LOW):
         room = upper(4 * error)
         for _ in range(8):
-            factor = parting(force, unit, u + arb(0, upper(room / unit)), w + arb(0, room), duration)
+            factor = distance_growth(force, unit, u + arb(0, upper(room / unit)), w + arb(0, room), duration)
             if factor * error <= room:
                 return factor
             room = upper(2 * factor * error)
@@ -146,7 +146,7 @@ def points_forward(force: Force, low: arb, high: arb) -> bool:
     return True
 
 
-def lateness(force: Force, unit: arb, turn: arb, gap: arb, distance: arb) -> arb:
+def turning_delay(force: Force, unit: arb, turn: arb, gap: arb, distance: arb) -> arb:
     """How much later the second of two motions turns: they are ``distance`` apart, and one turns within ``gap`` of
     ``turn``, where the other may be the one that turns.
 
@@ -164,13 +164,13 @@ def lateness(force: Force, unit: arb, turn: arb, gap: arb, distance: arb) -> arb
     raise UndecidedError("the enclosure of a turning point reaches the place of rest: raise the precision")
 
 
-def contracted(force: Force, p: arb, error: arb, duration: arb, turn: arb, gap: arb) -> arb:
+def contraction_by_energy(force: Force, p: arb, error: arb, duration: arb, turn: arb, gap: arb) -> arb:
     """How far apart two motions turn that start from rest within ``error`` of p, each after at least ``duration``.
 
     The motion from p itself turns within ``gap`` of ``turn``.
     """
     if error == 0 or force.nonexpansive:
-        return by_ratio(force, p, error, abs(turn) + arb(0, gap))
+        return contraction_by_ratio(force, p, error, abs(turn) + arb(0, gap))
     with ctx.workprec(_LOW):
         steep = force.restoring(p + arb(0, error))
         square = upper(error * steep)
@@ -180,7 +180,7 @@ def contracted(force: Force, p: arb, error: arb, duration: arb, turn: arb, gap: 
         return turning_gap(force, turn, square, gap)
 
 
-def by_ratio(force: Force, p: arb, error: arb, q: arb) -> arb:
+def contraction_by_ratio(force: Force, p: arb, error: arb, q: arb) -> arb:
     """A bound of how far apart two motions turn that start from rest within ``error`` of p, the one from p in q.
 
     It is ``error``, or q (e^(g error/(p - error)) - 1) if that is less.

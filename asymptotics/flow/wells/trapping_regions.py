@@ -1,9 +1,8 @@
 """How a motion ends, decided in balls: it is held, creeps home, is overdamped; or it leaves its well.
 
-*Traps* are positively invariant regions: on the boundary the vector field points inwards (Nagumo 1942; derivation
-``wells-traps``).  Let s_0(u*) = 0, u* = 0 without losses of exponent 0, and s_0(u) <= K (u - u*)
-for the places between u* and u.  With y = u - u* the regions of the linear spring are traps, in units of time
-1/sqrt(K):
+*Traps* are trapping regions, positively invariant: on the boundary the vector field points inwards (Nagumo 1942;
+derivation ``wells-traps``).  Let s_0(u*) = 0, u* = 0 without losses of exponent 0, and s_0(u) <= K (u - u*) for the
+places between u* and u.  With y = u - u* the regions of the linear spring are traps, in units of time 1/sqrt(K):
 
     one alpha < 1:   (w/c)^alpha <= K y/epsilon with c^alpha = 2/(2 - alpha), while
                      c^2 y^(2/alpha-2) < alpha^2/(2-alpha) epsilon^(2/alpha) K^(1-2/alpha);
@@ -25,7 +24,7 @@ pendulum rotates, and any other mass escapes.
 from flint import arb
 
 from asymptotics.errors import InputError
-from asymptotics.flow.linear_spring.ends import CREEPS, OVERDAMPED
+from asymptotics.flow.linear_spring.trapping_regions import CREEPS, OVERDAMPED
 from asymptotics.flow.trajectory import ESCAPES, ROTATES
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.numbers.context import ctx
@@ -91,7 +90,7 @@ def _slow(epsilon: arb, a: arb, K: arb, y: arb, highest: arb, w: arb) -> bool:
 
 def beyond(force: WellForce, u: arb) -> str | None:
     """Why a motion that passes the place u < 0 has left its well, or None."""
-    return leaves(force) if u < 0 and force.pull(u) > 0 else None
+    return leaves(force) if u < 0 and force.spring_force(u) > 0 else None
 
 
 def leaves(force: WellForce) -> str:

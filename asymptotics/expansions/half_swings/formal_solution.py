@@ -1,4 +1,4 @@
-"""The motion on a half-swing order by order in the local strengths, over any algebra of functions of theta.
+"""The formal solution on a half-swing, order by order in the local strengths, over any algebra of functions of theta.
 
 Along the half-swing, started with r(0) = 1, the quotient m = N/D (see ``quarter``) obeys m = N + c N m, and
 
@@ -9,7 +9,8 @@ in delta needs lower degrees only.  The algebra supplies the functions f, c and 
 
 >>> from flint import fmpq, fmpq_poly                # alpha = 2: everything is a polynomial in c
 >>> shapes = [((1,), fmpq_poly([1, 0, -1]))]
->>> orbit = Orbit.solve(Grading.of((2,)), 2, shapes, fmpq_poly([0, 1]), lambda m: m.integral() - m.integral()(fmpq(1)))
+>>> c, integral = fmpq_poly([0, 1]), lambda m: m.integral() - m.integral()(fmpq(1))
+>>> orbit = FormalSolution.solve(Grading.of((2,)), 2, shapes, c, integral)
 >>> orbit.log_r[1], orbit.log_r[1][(1,)](-1)         # L = -4/3 delta + ...
 ({(1,): (-1/3)*x^3 + x + (-2/3)}, -4/3)
 """
@@ -26,7 +27,7 @@ Part = dict[Key, Any]
 
 
 @dataclass(frozen=True)
-class Orbit:
+class FormalSolution:
     """Homogeneous parts in delta of ln r and of m = (d tau/d theta - 1)/c, as functions of theta."""
 
     log_r: tuple[Part, ...]
@@ -41,7 +42,7 @@ class Orbit:
         shapes: Sequence[tuple[Key, Any]],
         cosine: Any,
         integrate: Callable[[Any], Any],
-    ) -> "Orbit":
+    ) -> "FormalSolution":
         """ln r and m through degree ``order``; ``integrate(m)`` is -int_0^theta s m d theta."""
         zero = (0,) * grading.variables
         log_r: list[Part] = [{}]

@@ -1,7 +1,7 @@
-"""How a creep begins while its speed is still lost in the errors: in a short time it lies beside the slow curve.
+"""How a creep begins while its speed is still lost in the errors: its attraction to the slow curve takes a short time.
 
 For an exponent near 0 the speed of the creep, about (y/epsilon)^(1/alpha), is far below every error, and beside a
-second exponent near the first the slow curve is no short sum of powers (``creep_slow_curve``).  But where w is small,
+second exponent near the first the slow curve is no short sum of powers (``slow_curve``).  But where w is small,
 so is
 
     sigma = w^2/n^2,     n = w N'(w) = sum alpha_i epsilon_i w^alpha_i,
@@ -19,7 +19,7 @@ So what is known of y then says what w is: errors of y count 1/alpha times in ln
 >>> from asymptotics.numbers.exact import ExactReal
 >>> law = Damping.of([(arb(1) / 5, ExactReal(Fraction(k, 1000))) for k in (1, 2)])
 >>> with ctx.workprec(80):
-...     found = settled(law, arb("0.3"), arb(0), arb("1e-20"))
+...     found = attracted(law, arb("0.3"), arb(0), arb("1e-20"))
 ...     found.wait < 1e-12, found.strip.state(arb(10) ** 9)[1].str(5)
 (True, '[2.1588e-85 +/- ...]')
 """
@@ -31,7 +31,7 @@ from flint import arb
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.slow_manifold.creep_slow_curve import Strip, solve
+from asymptotics.flow.slow_manifold.slow_curve import FencedStrip, solve
 from asymptotics.numbers.context import ctx
 
 _SMALL = arb(1) / 16
@@ -75,16 +75,16 @@ class ForceCurve:
 
 
 @dataclass(frozen=True)
-class Settled:
+class Attracted:
     """After the time ``wait``, in which the state stays in the balls ``y`` and ``w``, it lies in ``strip``."""
 
     wait: arb
     y: arb
     w: arb
-    strip: Strip
+    strip: FencedStrip
 
 
-def settled(damping: Damping, y: arb, w: arb, error: arb) -> Settled | None:
+def attracted(damping: Damping, y: arb, w: arb, error: arb) -> Attracted | None:
     """How all states within ``error`` of the exact (y, w) settle in a strip beside N; None where it is not narrow."""
     if not damping.sublinear or not y > 2 * error:
         return None
@@ -107,8 +107,8 @@ def settled(damping: Damping, y: arb, w: arb, error: arb) -> Settled | None:
         return None
     if not all(start < most for start in starts):
         return None
-    strip = Strip(above, below, starts, most, spread(sigma), arb(0))
-    return Settled(wait, lowest.union(y + error), arb(0).union(fastest), strip)
+    strip = FencedStrip(above, below, starts, most, spread(sigma), arb(0))
+    return Attracted(wait, lowest.union(y + error), arb(0).union(fastest), strip)
 
 
 def spread(sigma: arb) -> arb:
@@ -132,7 +132,7 @@ def _at(curve: ForceCurve, log_w: arb) -> tuple[arb, arb, arb, arb, arb]:
 
 
 def _wait(curve: ForceCurve, slow: arb, most: arb, y: arb) -> arb:
-    """The two times of the module's docstring together; ``creep_slow_curve``, ``most``: ln m, ln W."""
+    """The two times of the module's docstring together; ``slow_curve``, ``most``: ln m, ln W."""
     _, _, n_slow, _, sigma = _at(curve, slow)
     m, _, n_m, _, _ = _at(curve, slow - 1)
     W, _, n, _, _ = _at(curve, most)

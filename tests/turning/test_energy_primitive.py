@@ -10,7 +10,7 @@ from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning.choose import turning_points
-from asymptotics.turning.drag_exact import PrimitiveWell, swings
+from asymptotics.turning.energy_primitive import PrimitiveWell, swings
 from asymptotics.turning.routes.stepping import METHOD
 from tests.second_route.forced import drag_turning_points
 
@@ -90,7 +90,11 @@ def test_dry_friction_holds_where_the_force_is_at_most_the_friction():
     assert table.ended == {"n": len(table.points) - 1, "reason": "sticks"}
     with ctx.workprec(100):
         well = PrimitiveWell.of(LAWS["softening, dry"][0])
-        assert well.force.pull(abs(arb(table.points[-1].x))) < well.dry < well.force.pull(abs(arb(table.points[-2].x)))
+        assert (
+            well.force.spring_force(abs(arb(table.points[-1].x)))
+            < well.dry
+            < well.force.spring_force(abs(arb(table.points[-2].x)))
+        )
 
 
 @pytest.mark.parametrize(

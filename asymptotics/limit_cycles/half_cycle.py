@@ -1,9 +1,9 @@
-"""A half-swing of a polynomial oscillator is enclosed on the certified flow, with gains as well as losses.
+"""A half-cycle of a polynomial oscillator is enclosed on the certified flow, with gains as well as losses.
 
 The orbit from the midpoint of the start is laid out in Taylor steps of ``flow``, each from an exact state, through rest
-at both ends (``flow.trajectory`` says why it is no course).  The errors D travel by the rule of ``flow.parting``, with
-a unit s > 0 of places: along the slow branch of a relaxation oscillation nothing parts, and only the jump costs digits.
-With J = -int G_w d tau,
+at both ends (``flow.trajectory`` says why they have a loop of their own).  The errors D travel by the rule of
+``flow.error_propagation``, with a unit s > 0 of places: along the slow branch of a relaxation oscillation nothing
+parts, and only the jump costs digits.  With J = -int G_w d tau,
 
     |J - int over the polynomials| <= length (|G_uw|/s + |G_ww|) D.
 
@@ -13,7 +13,7 @@ the way.  The last step ends where the polynomial of w vanishes; there |w| <= om
 
 >>> from asymptotics.law import Law
 >>> with ctx.workprec(80):
-...     turn = half_turn(Law({1: -1, (1, 2): 1}).terms, arb(1), arb(2))
+...     turn = half_cycle(Law({1: -1, (1, 2): 1}).terms, arb(1), arb(2))
 >>> turn.q.str(12), turn.T.str(12)
 ('[2.00836140871 +/- ...]', '[3.32026115191 +/- ...]')
 """
@@ -25,7 +25,7 @@ from flint import arb, arb_poly
 
 from asymptotics.budget import tick
 from asymptotics.flow.balls import dyadic, size_of, upper
-from asymptotics.flow.parting import PartingErrors, parting
+from asymptotics.flow.error_propagation import CarriedErrors, distance_growth
 from asymptotics.flow.taylor import TaylorStep, sizes
 from asymptotics.flow.trajectory import FlowState
 from asymptotics.limit_cycles.force import PolynomialForce
@@ -41,7 +41,7 @@ _ROOM = 4  # by which the distance of two motions may grow on a step: the box is
 
 
 @dataclass(frozen=True)
-class HalfTurn:
+class HalfCycle:
     """From (A, 0) to (-q, 0): q, the time T, and J = int h_v d tau."""
 
     q: arb
@@ -56,12 +56,12 @@ class _Here(FlowState):
     J: arb
 
 
-def half_turn(terms: Sequence[Term], mu: arb, A: arb) -> HalfTurn | None:
+def half_cycle(terms: Sequence[Term], mu: arb, A: arb) -> HalfCycle | None:
     """The half-swing from (A, 0) in balls; None if an enclosure fails."""
     force = PolynomialForce.of(terms, mu)
     unit = _unit(force, A)
     far = _FAR * abs(A.mid())
-    start = PartingErrors(arb(0), upper(unit * A.rad()))
+    start = CarriedErrors(arb(0), upper(unit * A.rad()))
     here = _Here(arb(0), A.mid(), arb(0), start, arb(0))
     for k in range(MAX_STEPS):
         tick(f"step {k} around the cycle")
@@ -91,7 +91,7 @@ def _step(force: PolynomialForce, unit: arb, here: _Here) -> tuple[TaylorStep, b
         end = None if here.w == 0 or step.state(step.length)[1] > 0 else _root(step)
         last = step if end is None else step.shortened(end)
         u, w = _box(unit, here, last)
-        pull, steady = force.at(u, w), parting(force, unit, u, w, last.length) <= _ROOM
+        pull, steady = force.at(u, w), distance_growth(force, unit, u, w, last.length) <= _ROOM
         if end is not None and steady and pull < 0:
             return last, True
         if end is None and steady and (pull > 0 if here.w == 0 else w > 0):
@@ -126,7 +126,7 @@ def _after(force: PolynomialForce, unit: arb, here: _Here, step: TaylorStep) -> 
     """The state after a step."""
     with ctx.workprec(_LOW):
         errors, box = here.errors.plus(step.residual), _box(unit, here, step)
-        factor = parting(force, unit, *box, step.length)
+        factor = distance_growth(force, unit, *box, step.length)
         mixed, twice = (abs(c) for c in force.bends(*box))
         errors = errors.times(factor)
         parted = upper(step.length * (mixed / unit + twice) * errors.error)
@@ -143,7 +143,7 @@ def _integral(force: PolynomialForce, step: TaylorStep) -> arb:
     return slope.integral()(step.length)
 
 
-def _to_the_turn(force: PolynomialForce, unit: arb, end: _Here) -> HalfTurn | None:
+def _to_the_turn(force: PolynomialForce, unit: arb, end: _Here) -> HalfCycle | None:
     """What is missing to w = 0: with |w| <= omega and a deceleration of at least g near the end, |dt| <= omega/g."""
     error = end.errors.error
     omega = upper(end.w + arb(0, error))
@@ -154,4 +154,4 @@ def _to_the_turn(force: PolynomialForce, unit: arb, end: _Here) -> HalfTurn | No
     dt = (omega / g).upper()
     more = arb(0, upper(abs(force.slopes(u, w)[1]) * dt))
     place = end.u + arb(0, upper(error / unit + 2 * omega * dt))
-    return HalfTurn(-place, end.t + arb(0, dt), end.J + more)
+    return HalfCycle(-place, end.t + arb(0, dt), end.J + more)

@@ -55,7 +55,7 @@ class PrimitiveWell:
             raise InputError("law", f"{t.shape()}: with a nonlinear spring there is no exact swing", known)
         _require_one_branch(law)
         force = WellForce.of(law.terms)
-        return cls(force, force.grip(arb(0)), sum((loss.strength for loss in force.losses), arb(0)))
+        return cls(force, force.dry_friction(arb(0)), sum((loss.strength for loss in force.losses), arb(0)))
 
     def work(self, low: arb, high: arb) -> arb:
         """int_low^high (V'(y) - eps_0) e^(-2 eps_2 y) dy; ``low`` may be negative, ``high`` >= 0."""
@@ -81,7 +81,7 @@ class PrimitiveWell:
         return total
 
 
-def drag_serves(law: Law) -> bool:
+def primitive_serves(law: Law) -> bool:
     """Whether these forces have their closed primitive, on one branch; the linear spring alone is one of them."""
     return not _without_primitive(law) and not _has_two_branches(law)
 
@@ -126,7 +126,7 @@ def swings(well: PrimitiveWell, x: arb, bits: int) -> Iterator[tuple[arb, bool |
     side = 1 if x > 0 else -1
     a = side * x
     while True:
-        pull = abs(well.force.pull(a))
+        pull = abs(well.force.spring_force(a))
         stays = True if pull <= well.dry else False if pull > well.dry and a > 0 else None
         yield side * a, stays
         if stays is not False:
@@ -155,7 +155,7 @@ def _guess(well: PrimitiveWell, a: arb) -> arb | None:
         low, high = (middle, high) if well.work(-middle, a).mid() > 0 else (low, middle)
     q = low
     for _ in range(12):
-        slope = (well.force.pull(q) + well.dry) * (2 * well.drag * q).exp()
+        slope = (well.force.spring_force(q) + well.dry) * (2 * well.drag * q).exp()
         if not abs(slope.mid()) > 0:
             return None
         step = (well.work(-q, a) / slope).mid()
@@ -172,5 +172,5 @@ def _falling_from(well: PrimitiveWell, a: arb) -> arb:
     low, high = arb(0), a
     for _ in range(60):
         middle = ((low + high) / 2).mid()
-        low, high = (low, middle) if well.force.pull(middle) > well.dry else (middle, high)
+        low, high = (low, middle) if well.force.spring_force(middle) > well.dry else (middle, high)
     return -high

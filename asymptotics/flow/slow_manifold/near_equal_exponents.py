@@ -30,7 +30,7 @@ from flint import arb, arb_poly
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import size_of, upper
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.slow_manifold.creep_slow_curve import INSIDE, ORDERS, WIDEST, Strip, solve, too_early
+from asymptotics.flow.slow_manifold.slow_curve import INSIDE, ORDERS, WIDEST, FencedStrip, solve, too_early
 from asymptotics.flow.slow_manifold.slow_curve_series import Key, lower_set, unit
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
@@ -89,7 +89,7 @@ class StretchCurve:
 
 
 @dataclass(frozen=True)
-class Stretch(Strip):
+class FencedStretch(FencedStrip):
     """A strip for ``least`` < ln w < ``most``; ``length``: how long the motion is followed in it."""
 
     least: arb
@@ -160,7 +160,7 @@ def _apart(a: ExactReal, b: ExactReal) -> arb:
     return at_growing_precision(attempt, int(wanted * _DIGITS), 2 * wanted)
 
 
-def stretch(damping: Damping, y: arb, w: arb, error: arb) -> Stretch | None:
+def stretch(damping: Damping, y: arb, w: arb, error: arb) -> FencedStretch | None:
     """The strip that holds all states within ``error`` of the exact (y, w) for a while, or None where none is narrow
     enough; for a law with exponents near to its least one only."""
     if not damping.sublinear or not (w > 2 * error and y > 2 * error):
@@ -286,7 +286,7 @@ def residual(laws: Grouped, b: dict[Key, arb_poly]) -> arb:
 
 def _between(
     laws: Grouped, found: tuple[dict[Key, arb_poly], arb], state: tuple[Damping, arb, arb, arb], goal: arb
-) -> Stretch | None:
+) -> FencedStretch | None:
     """The strip, where the motion crosses its edges one way only, and it is worth it."""
     (b, residual), (damping, y, w, error) = found, state
     scale, a, speed = laws.scale, laws.alpha, w + arb(0, error)
@@ -313,7 +313,7 @@ def _between(
     length = times[0].min(times[1]).mid()
     if not all(last < at < laws.most for at in starts) or not length > 0:
         return None
-    return Stretch(above, below, starts, laws.most, upper(4 * h / a), arb(0), least, length)
+    return FencedStretch(above, below, starts, laws.most, upper(4 * h / a), arb(0), least, length)
 
 
 def one_way(laws: Grouped, b: dict[Key, arb_poly], residual: arb, h: arb) -> bool:

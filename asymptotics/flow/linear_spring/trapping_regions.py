@@ -1,8 +1,8 @@
 """When no turning point follows, decided in balls: dry friction holds the mass, or the motion creeps home.
 
-While y > 0 the orbit cannot turn, and it never reaches y = 0 once it is inside a trap, a region w <= c(y) that it
-cannot leave: a positively invariant region, on whose boundary the vector field points inwards (Nagumo 1942; derivation
-``creep``):
+While y > 0 the orbit cannot turn, and it never reaches y = 0 once it is inside a trap, a trapping region w <= c(y) that
+it cannot leave: a positively invariant region, on whose boundary the vector field points inwards (Nagumo 1942;
+derivation ``creep``):
 
     one alpha < 1:   (w/c)^alpha <= y/epsilon with c^alpha = 2/(2 - alpha), while c^2 y^(2/alpha-2) < alpha^2/(2-alpha)
                      epsilon^(2/alpha);          alpha = 1, epsilon >= 2:  w <= y (epsilon + sqrt(epsilon^2 - 4))/2.
