@@ -29,12 +29,28 @@ True
 What is handed over is made when it is asked for: by then the time that was over is over for nobody.
 """
 
+import gc
 from collections.abc import Callable
 from contextlib import AbstractContextManager, suppress
-from types import TracebackType
+from types import FrameType, TracebackType
 from typing import Any
 
 _NAME, _DEPTH = "_rows_done", 20
+
+
+def is_lost(frame: FrameType | None) -> bool:
+    """Whether what is raised there is swallowed by the interpreter, and printed: in ``__del__``, or in what the
+    collector of garbage calls when it starts and stops.
+
+    >>> is_lost(None)
+    False
+    """
+    collecting = {getattr(call, "__code__", None) for call in gc.callbacks}
+    while frame is not None:
+        if frame.f_code in collecting or frame.f_code.co_name == "__del__":
+            return True
+        frame = frame.f_back
+    return False
 
 
 def done(error: BaseException) -> Any:

@@ -24,6 +24,7 @@ from types import FrameType, TracebackType
 from typing import Any, ParamSpec, TypeVar, cast
 
 from asymptotics.budget import budget, seconds_left, tick
+from asymptotics.cut_short import is_lost
 from asymptotics.errors import LimitError
 from asymptotics.numbers import context
 from asymptotics.numbers.policy import exact_seconds
@@ -111,13 +112,12 @@ def _ring(number: int, frame: FrameType | None) -> None:
     A door must not be left half-open: nothing rings while one is opened or closed (who waits there ticks itself), nor
     while the collector runs, which would swallow the error and print it.
     """
-    collecting = {getattr(call, "__code__", None) for call in gc.callbacks}
+    if _ringing or _collected or is_lost(frame):
+        return
     while frame is not None:
-        if frame.f_code in _OPENING or frame.f_code in collecting or frame.f_code.co_name == "__del__":
+        if frame.f_code in _OPENING:
             return
         frame = frame.f_back
-    if _ringing or _collected:
-        return
     _ringing.append(True)
     try:
         tick()

@@ -35,6 +35,7 @@ CACHES = []
 
 
 def pytest_collection_finish(session):
+    gc.unfreeze()
     found = [o for o in gc.get_objects() if isinstance(o, functools._lru_cache_wrapper)]
     CACHES[:] = [o for o in found if (o.__module__ or "").startswith("asymptotics")]
 

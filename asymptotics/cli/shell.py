@@ -17,19 +17,22 @@ a fault of the program        two lines that say how to report it, exit code 70
 import os
 import signal
 import sys
+import threading
 import traceback
 from collections.abc import Callable
 from contextlib import suppress
 from types import FrameType
-from typing import Any, NoReturn
+from typing import Any
 
 from asymptotics.cli.memory import NO_MEMORY, in_child, is_little
+from asymptotics.cut_short import is_lost
 from asymptotics.errors import MAX_ACCEPTED, MAX_REASON, printable
 
 _USUAL: dict[int, Any] = {signal.SIGINT: signal.default_int_handler, signal.SIGTERM: signal.SIG_DFL}
 
 
 REFUSED, FAULT = 2, 70  # the second as EX_SOFTWARE of sysexits
+_AGAIN = 0.02  # seconds until a signal that came where it would be lost comes again: a call of the collector is over
 TRACEBACK = "ASYMPTOTICS_TRACEBACK"
 
 
@@ -55,9 +58,14 @@ class Interrupts:
     def __init__(self) -> None:
         self.seen = 0
 
-    def __call__(self, number: int, frame: FrameType | None) -> NoReturn:
+    def __call__(self, number: int, frame: FrameType | None) -> None:
         """The handler of SIGINT and SIGTERM: what is being written is taken back on the way out."""
         self.seen = number
+        if is_lost(frame):  # it comes again in a moment, and until then nothing has happened
+            again = threading.Timer(_AGAIN, os.kill, (os.getpid(), number))
+            again.daemon = True
+            again.start()
+            return
         raise Interrupted
 
     def install(self) -> None:

@@ -4,7 +4,6 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
-from asymptotics.cli.main import Parser
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import InputError
 
@@ -15,13 +14,14 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(argv: list[str] | None) -> int:
-    parser = Parser(prog="python -m asymptotics.cli.standard_tables", description=__doc__)
+    make = import_module("asymptotics.cli.main").Parser  # inside the shell, as all that takes its time to load
+    parser = make(prog="python -m asymptotics.cli.standard_tables", description=__doc__)
     parser.add_argument("folder", help="made if it does not exist")
     folder = parser.parse_args(argv).folder
     try:
         if not folder:
             raise InputError("FOLDER", "the name is empty", "a folder")
-        tables = import_module("asymptotics.tables.standard_set").standard_set(Path(folder))  # loaded inside the shell
+        tables = import_module("asymptotics.tables.standard_set").standard_set(Path(folder))
     except InputError as error:
         complain(f"tables: {error}")
         return 2

@@ -66,6 +66,36 @@ def test_help_and_bad_options_on_a_full_disk(name):
     assert "Traceback" not in shell(f"{command} --no-such-option > /dev/full").stderr
 
 
+IN_THE_COLLECTOR = """
+import gc, os, signal, sys, time
+from asymptotics.cli.shell import run_guarded
+
+def slow(phase, _info):
+    if phase == "start":
+        os.kill(os.getpid(), signal.SIGINT)
+        for _ in range(1000):
+            pass
+
+def body():
+    gc.callbacks.append(slow)
+    gc.collect()
+    gc.callbacks.remove(slow)
+    time.sleep(10)
+    return 0
+
+sys.exit(run_guarded("program", body))
+"""
+
+
+def test_a_signal_while_the_collector_runs_is_not_lost():
+    """What is raised inside a call of the collector is swallowed, and printed."""
+    found = subprocess.run(
+        [sys.executable, "-c", IN_THE_COLLECTOR], cwd=ROOT, capture_output=True, text=True, timeout=60
+    )
+    assert (found.returncode, found.stdout) == (130, "")
+    assert found.stderr == "program: interrupted; no file was left half-written\n"
+
+
 @pytest.mark.parametrize("name", first(WRITERS))
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_while_the_libraries_load_is_one_line(name, number):

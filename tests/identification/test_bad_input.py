@@ -178,3 +178,11 @@ def test_the_laws_as_a_table_and_the_picture_are_written_together(tmp_path, caps
     assert picture.read_bytes().startswith(b"%PDF")
     assert main([*line[:-1], str(path)]) == 2
     assert path.read_text() == "n,x\n" + POINTS
+
+
+def test_a_record_of_one_row_is_refused_by_its_count(tmp_path):
+    """It has no step of time: the search for a second mode took the mean of nothing."""
+    file = tmp_path / "one.csv"
+    file.write_text("t,x\n0,0")
+    with pytest.raises(asy.InputError, match="1 rows with numbers"):
+        asy.identify(file, laws=["1"], bootstrap=False)

@@ -64,6 +64,7 @@ SAID = {  # what ran, and the words one of which must stand in the methods
 
 def caches():
     """Whatever remembers a result: a call that is answered from memory cannot be seen."""
+    gc.unfreeze()  # what was frozen after the collection of the tests is not among the objects
     found = (o for o in gc.get_objects() if isinstance(o, functools._lru_cache_wrapper))
     papers = tuple(f"paper_checks.{paper}." for paper in PAPERS)
     return [o for o in found if (o.__module__ or "").startswith((*papers, "asymptotics."))]

@@ -54,9 +54,9 @@ def without_second_modes(t: Array, x: Array) -> tuple[Array, tuple[str, ...]]:
 
 def _peak(t: Array, x: Array) -> tuple[float, float] | None:
     """(frequency of the motion, that of the highest line beside it) in the spectrum; None where there is none."""
-    span, step = float(t[-1] - t[0]), float(np.median(np.diff(t)))
     if len(t) < _LEAST:
         return None
+    span, step = float(t[-1] - t[0]), float(np.median(np.diff(t)))
     count = int(min(2 ** int(np.log2(len(t)) + 1), 2**17))
     grid = np.linspace(t[0], t[-1], count)
     even = np.interp(grid, t, x)

@@ -31,6 +31,7 @@ from asymptotics.flow.slow_manifold.slow_curve_series import lower_set
 from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.flow.turning import at_rest
 from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.precision import at_growing_precision
 
 BITS, LATE, MANY = 90, 1000, 40
 BASES = ["1", "1/5", "1/3", "1", "1/2", "7/10", "4/5", "sqrt(1/2)", "1", "4/3", "3/2", "sqrt(5)"]
@@ -68,10 +69,15 @@ def state_at(law, time, monkeypatch):
 @pytest.mark.parametrize("seed", range(16))
 def test_nearly_equal_exponents_cost_what_one_law_costs_and_move_like_it(seed, monkeypatch):
     """Creep to a late time, and motions that turn a dozen times."""
+
+    def both(bits):
+        with ctx.workprec(bits):
+            near, one, _ = (Damping.of(terms) for terms in drawn(seed))
+            time = LATE if near.exponents[0] < 0.9 else MANY
+            return [state_at(law, time, monkeypatch) for law in (near, one)]
+
+    (state, pieces), (alone, single) = at_growing_precision(both, 9, BITS, max_bits=2 * BITS)
     with ctx.workprec(BITS):
-        near, one, _ = (Damping.of(terms) for terms in drawn(seed))
-        time = LATE if near.exponents[0] < 0.9 else MANY
-        (state, pieces), (alone, single) = (state_at(law, time, monkeypatch) for law in (near, one))
         size = abs(alone[0]).max(abs(alone[1])).mid()
         assert pieces <= 3 * single
         assert all(abs(x - a) < 1e-6 * size for x, a in zip(state, alone)) and size > 0
