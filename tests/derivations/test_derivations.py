@@ -35,7 +35,7 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("smith_generating_functions", "slope = 2 * c * (1 - c**2)", "slope = 2 * c * (1 + c**2)"),
     ("smith_generating_functions", "integral - rest.as_expr()", "integral + rest.as_expr()"),
     ("smith_closed_sum", "return 2 * (-1) ** (k - 1) * top", "return 2 * (-1) ** k * top"),
-    ("smith_denominators", "fmpq_poly([0, 0, -2, 1])", "fmpq_poly([0, 0, -2, 2])"),
+    ("smith_denominators", "field = E**3 - 2 * E**2", "field = E**3 - 3 * E**2"),
     ("smith_denominators", "return N * double_factorial(N - 2)", "return N * double_factorial(N - 1)"),
     ("quadratic_trapezoid", "(1 + p) / 2 * sympy.exp(2 * u - p)", "(1 + p) * sympy.exp(2 * u - p)"),
     ("quadratic_trapezoid", "place = end * (1 - sympy.cos(chi)) / 2", "place = end * (1 - sympy.cos(chi))"),
