@@ -88,7 +88,7 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("lancaster_energy", "slow * sin(2 * omega_0 * t)", "slow * sin(omega_0 * t)"),
     ("lancaster_energy", "root = x_0 * growth ** (-1 / mu)", "root = x_0 * growth ** (1 / mu)"),
     ("lancaster_average", "beta = gamma(alpha / 2 + 1) ** 2", "beta = gamma(alpha / 2 + 1)"),
-    ("lancaster_average", "(p + 2) * sin(theta) ** (p + 2)", "(p + 1) * sin(theta) ** (p + 2)"),
+    ("lancaster_average", "sin(theta) ** (n + 1), (theta", "sin(theta) ** (n + 2), (theta"),
     ("lancaster_linear_limit", "kappa * tau) ** (-1 / mu)", "kappa * tau) ** (1 / mu)"),
     ("lancaster_linear_limit", "-(epsilon**2) / 8", "-(epsilon**2) / 4"),
     ("lelas_viscous", "solution = sympy.exp(-b * t / (2 * m))", "solution = sympy.exp(-b * t / m)"),
