@@ -163,7 +163,7 @@ def test_every_line_with_a_side_altered_stops(name):
 def test_every_relation_altered_stops(name):
     steps = (step for step in lines(name) if step.kind == "relation")
     found = {said for step in steps for relation in relations(step) for said in unnoticed_in(step, relation, PER_SIDE)}
-    assert found == set(LISTED["relations"]["lines"].get(name, []))
+    assert found == set()
 
 
 @pytest.mark.parametrize("name", ["lelas-friction", "two-laws-time", "lelas-air"])
