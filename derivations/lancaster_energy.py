@@ -7,7 +7,7 @@
 import sympy
 
 from asymptotics.expansions.moments.symbolic import moment
-from derivations.steps import At, Derivation, Solution, defined
+from derivations.steps import At, Derivation, Solution
 
 b, k, m, x_0, tau, t = sympy.symbols("b k m x_0 tau t", positive=True)
 alpha = sympy.Symbol("alpha", positive=True)
@@ -66,18 +66,20 @@ step(
 )
 primitive = (size ** (1 - alpha) - x_0 ** (1 - alpha)) / (1 - alpha)
 step("(10): the left side integrates dA/A^alpha", sympy.Derivative(primitive, size), size**-alpha)
-moving = sympy.Function("A", positive=True)(t)
+s, moment_of_time = sympy.Function("s", positive=True), sympy.Symbol("u", positive=True)
+impulse = sympy.Integral(s(moment_of_time) ** (alpha + 1), (moment_of_time, 0, t))
+ten = primitive.subs(size, A) + b * omega_0 ** (alpha + 1) / k * impulse
 step(
-    "so d/dt of it is the integrand on the right, by the line before last",
+    "(10), left minus right, with s(t) = |sin(omega_0 t)|: its d/dt is 0 with dA/dt by the line before last",
     At(
-        sympy.Derivative(primitive.subs(size, moving), t),
-        {diff(moving, t): -b * omega_0 ** (alpha + 1) / k * moving**alpha * sine ** (alpha + 1)},
+        sympy.Derivative(ten, t),
+        {diff(A, t): -b * omega_0 ** (alpha + 1) / k * A**alpha * s(t) ** (alpha + 1)},
     ),
-    -b * omega_0 ** (alpha + 1) / k * sine ** (alpha + 1),
+    sympy.Integer(0),
 )
 step(
-    "and both sides vanish at t = 0, A = x_0",
-    At(primitive, {size: x_0}),
+    "and it is 0 at t = 0, where A = x_0",
+    At(ten, {A: x_0, t: 0}),
     sympy.Integer(0),
     proves=("lancaster2020:10",),
 )
@@ -87,16 +89,16 @@ kappa = sympy.Symbol("kappa", positive=True)  # M b omega_0^alpha x_0^(alpha-1)/
 growth = sympy.Symbol("B", positive=True)  # 1 + (alpha-1) kappa omega_0 t
 mu = sympy.Symbol("mu", real=True, nonzero=True)  # alpha - 1
 root = x_0 * growth ** (-1 / mu)
-clock = (growth - 1) / (mu * M * b * omega_0 ** (mu + 1) * x_0**mu / k * omega_0)
+instant = (growth - 1) / (mu * (M * b * omega_0 ** (mu + 1) * x_0**mu / k) * omega_0)  # t at which B is reached
 step(
-    "(13) solves the averaged (10): with mu = alpha - 1 and B = 1 + mu kappa omega_0 t",
+    "(13) solves the averaged (10), M t for the integral: mu = alpha - 1, at the time t of B = 1 + mu kappa omega_0 t",
     At(primitive.subs(alpha, 1 + mu), {size: root}),
-    -b * omega_0 ** (mu + 2) * M / k * clock,
+    At(-b * omega_0 ** (mu + 2) / k * M * t, {t: instant}),
 )
-A_of = defined("A", lambda tau: (1 + (alpha - 1) * kappa * tau) ** (-1 / (alpha - 1)))
+fading = (1 + (alpha - 1) * kappa * tau) ** (-1 / (alpha - 1))  # A/x_0 by (13)
 step(
-    "(14): |dA/dt|/(omega_0 A) in tau = omega_0 t",
-    -sympy.Derivative(A_of(tau), tau) / A_of(tau),
+    "(14): |dA/dt|/(omega_0 A) in tau = omega_0 t, with A/x_0 of (13)",
+    -sympy.Derivative(fading, tau) / fading,
     kappa / (1 + (alpha - 1) * kappa * tau),
     proves=("lancaster2020:14", "lancaster2020:claim.weak-equals-slow"),
 )

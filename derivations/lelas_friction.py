@@ -1,16 +1,16 @@
 """Lelas' squaring trick for sliding friction (22)-(33), and for any exponent alpha <= 1: too fast a decay.
 
 >>> derivation.steps[-1].reason
-'and Lelas stops earlier, by the factor M_1 sqrt(2) = 2 sqrt(2)/pi < 1, for every strength'
+'and Lelas stops earlier than at 1/(M_1 epsilon), by the factor M_1 sqrt(2) = 2 sqrt(2)/pi < 1, for every strength'
 """
 
 import sympy
 
-from asymptotics.expansions.moments.symbolic import moment, squaring_moment
+from asymptotics.expansions.moments.symbolic import moment
 from derivations.steps import At, Derivation, Solution, defined
 
 mu, g, m, k, x_0, omega_0, t = sympy.symbols("mu g m k x_0 omega_0 t", positive=True)
-epsilon, theta = sympy.symbols("epsilon theta", positive=True)
+epsilon, theta, tau = sympy.symbols("epsilon theta tau", positive=True)
 v = sympy.Symbol("v", real=True)
 sqrt = sympy.sqrt
 
@@ -77,18 +77,23 @@ derivation.asserts(
     "(50): 0.58 to two digits, for m = 3/2, k = 30, x_0 = 1/5, g = 9.81 in SI units",
     sympy.Lt(sympy.Abs(bound - sympy.Rational(58, 100), evaluate=False), sympy.Rational(1, 200), evaluate=False),
 )
+local = At(solution, {t: tau / omega_0, mu: epsilon * omega_0**2 * x_0 / g})
+step(
+    "In tau = omega_0 t and epsilon = mu m g/(k x_0), k = m omega_0^2: df/dtau",
+    sympy.Derivative(local, tau),
+    -epsilon / sqrt(2),
+)
 M = defined("M", moment, index=True)
-Lelas = defined("L", lambda alpha: squaring_moment(alpha))
-step("In epsilon = mu m g/(k x_0): df/dtau = -2^{-1/2} epsilon", Lelas(0), 1 / sqrt(2))
-step("while the mean over a swing is", M(1), sympy.Integral(sympy.sin(theta), (theta, 0, sympy.pi)) / sympy.pi)
+mean = sympy.Integral(sympy.sin(theta), (theta, 0, sympy.pi)) / sympy.pi
+step("while the mean over a swing is", M(1), mean)
 step(
     "the ratio pi sqrt(2)/4 > 1: the trick overestimates the damping",
-    Lelas(0) / M(1),
+    -sympy.Derivative(local, tau) / (mean * epsilon),
     sympy.pi * sqrt(2) / 4,
 )
 derivation.asserts("It is larger than 1", sympy.Gt(sympy.pi * sqrt(2) / 4, 1, evaluate=False))
 step(
-    "and Lelas stops earlier, by the factor M_1 sqrt(2) = 2 sqrt(2)/pi < 1, for every strength",
-    (1 / (Lelas(0) * epsilon)) / (1 / (M(1) * epsilon)),
+    "and Lelas stops earlier than at 1/(M_1 epsilon), by the factor M_1 sqrt(2) = 2 sqrt(2)/pi < 1, for every strength",
+    Solution(local, sympy.Integer(0), tau) * mean * epsilon,
     2 * sqrt(2) / sympy.pi,
 )

@@ -6,7 +6,6 @@ Integral(phi**2, (phi, -pi/2, pi/2))/pi = pi**2/12
 
 import sympy
 
-from asymptotics.expansions.half_swings.symbolic import nested_integral_exact
 from asymptotics.expansions.moments.symbolic import moment
 from derivations.steps import At, Coefficient, Derivation, Solution, defined
 
@@ -61,12 +60,14 @@ step(
     sympy.Integral(sympy.cos(phi) ** 2 * (phi / 2 + sympy.sin(2 * phi) / 4) ** 2, quarter) / pi,
     pi**2 * moment(2) ** 3 / 12,
 )
-I_4 = defined("I_4", lambda n: nested_integral_exact(int(n)).to_sympy())
+w = sympy.Symbol("w", real=True)
+S_3 = 3 * phi / 8 + sympy.sin(2 * phi) / 4 + sympy.sin(4 * phi) / 32
+step("alpha = 3: S", sympy.Integral(sympy.cos(w) ** 4, (w, 0, phi)), S_3)
 step(
-    "(the algebra of theta, s, c finds I_4 = J - pi^2 M_(alpha+1)^2 M_(2alpha)/12 rational, here at 1, 3 and 5.) pi^2"
-    " is irrational: r_1 = 1/12 at every odd integer that is no pole of an r_i: r_1 - 1/12 has infinitely many zeros",
-    sympy.Tuple(I_4(1), I_4(3), I_4(5)),
-    sympy.Tuple(0, -sympy.Rational(143, 20480), -sympy.Rational(289731, 58720256)),
+    "and I_4 = J - pi^2 M_(alpha+1)^2 M_(2alpha)/12.  pi^2 is irrational: r_1 = 1/12 at every odd integer that is no"
+    " pole of an r_i: r_1 - 1/12 has infinitely many zeros",
+    sympy.Integral(sympy.cos(phi) ** 6 * S_3**2, quarter) / pi - pi**2 * moment(4) ** 2 * moment(6) / 12,
+    -sympy.Rational(143, 20480),
 )
 M_of = defined("M", moment, index=True)
 

@@ -3,20 +3,16 @@
 Two proofs: by operators, for any law, sums and alpha = 1 included; and order by order with a quarter-swing whose
 coefficients are indeterminates.
 
->>> sorted(n for (n,), x in generic[0].coefficients.items() if x != 0)
-[1, 3]
+>>> derivation.steps[-1].text()
+'Coefficient((2*delta**4*t_4 + 2*delta**3*t_3 + 2*delta**2*t_2 + 2*delta*t_1 + pi)/pi, delta, 1) = 2*t_1/pi'
 """
 
 import sympy
-from sympy import QQ
-from sympy.polys.fields import field
 
-from asymptotics.series import Series
-from derivations.steps import At, Coefficient, Derivation, defined
+from derivations.steps import At, Coefficient, Derivation, Taylor, defined, named
 
 PL, PT, v2, v3, v4, delta = sympy.symbols("PL PT v_2 v_3 v_4 delta")
 ORDER = 4
-FIELD, a, pi, r1, r2, r3, r4, t1, t2, t3, t4 = field("a,pi,r1,r2,r3,r4,t1,t2,t3,t4", QQ)
 
 derivation = Derivation(
     "parity-of-flow",
@@ -54,16 +50,15 @@ step(
 
 
 def time_pi(V: sympy.Expr, sign: int) -> sympy.Expr:
-    """exp(sign pi V d/d delta) delta through delta^4."""
-    total, term = delta, delta
-    for j in range(1, 4):
-        term = sympy.expand(sign * sympy.pi * V * sympy.diff(term, delta) / j)
-        total += term
-    return sum(sympy.expand(total).coeff(delta, n) * delta**n for n in range(1, 5))
+    """exp(sign pi V d/d delta) delta, the terms through the third derivative, not yet differentiated."""
+    terms = [delta]
+    for _ in range(3):
+        terms.append(V * sympy.Derivative(terms[-1], delta))
+    return sympy.Add(*((sign * sympy.pi) ** j / sympy.factorial(j) * term for j, term in enumerate(terms)))
 
 
 V = v2 * delta**2 + v3 * delta**3 + v4 * delta**4
-broken = sympy.expand(time_pi(V, -1) + time_pi(V, 1).subs(delta, -delta))
+broken = time_pi(V, -1) + At(time_pi(V, 1), {delta: -delta})
 step(
     "In coefficients (alpha != 1): F^(-1)(delta) + F(-delta) for a field V with a cubic term",
     Coefficient(broken, delta, 3),
@@ -75,43 +70,63 @@ step(
     sympy.Integer(0),
 )
 
-
-# Second proof: a quarter-swing with indeterminate coefficients, exponent alpha = 1 + a.
-def strengths(log_ratio: Series) -> Series:
-    """delta exp(a log_ratio)."""
-    return (log_ratio.truncate(ORDER - 1) * a).exp().shift(0).truncate(ORDER)
-
-
-def half_swing(R: Series, T_q: Series) -> tuple[Series, Series]:
-    """The reversal identity: L = R(delta) - R(-F) by fixed point, T = T_q(delta) + T_q(-F)."""
-    L = Series({}, 1, ORDER)
-    for _ in range(ORDER):
-        L = R - R.compose((-strengths(L),))
-    return L, T_q + T_q.compose((-strengths(L),))
+# Second proof: a quarter-swing with indeterminate coefficients, exponent alpha = 1 + a, through delta^4.
+a = sympy.Symbol("a", real=True)
+r, t = sympy.symbols("r_1:5", real=True), sympy.symbols("t_1:5", real=True)
+R = sum(r[n - 1] * delta**n for n in range(1, ORDER + 1))
+T_q = sympy.pi / 2 + sum(t[n - 1] * delta**n for n in range(1, ORDER + 1))
 
 
-def flow(L: Series, T: Series) -> tuple[Series, Series]:
-    """U and W - 1 as (1/pi) sum_k (-1)^k/(k+1) (C-1)^k of L and T - pi."""
-    F, results = (strengths(L),), []
-    for f in (L, T.without_constant()):
-        total, term = f, f
-        for k in range(1, ORDER):
-            term = term.compose(F) - term
-            total = total + term * FIELD(QQ((-1) ** k, k + 1))
-        results.append(total.map(lambda x: x / pi))
-    return results[0], results[1]
+def through(f: sympy.Expr, last: int = ORDER) -> sympy.Expr:
+    """The value of what waits, without the powers of delta above ``last``."""
+    return sympy.collect(Taylor(f, delta, last).doit(), delta)
 
 
-R_generic = Series.from_list([FIELD.zero, r1, r2, r3, r4])
-T_generic = Series.from_list([pi / 2, t1, t2, t3, t4])
-L_generic, T_full = half_swing(R_generic, T_generic)
-generic = flow(L_generic, T_full)
-U, W = (defined(x, lambda n, s=s: (FIELD.one * s[int(n)]).as_expr(), index=True) for x, s in zip("UW", generic))
-for name, series, orders in (("U", U, (2, 4)), ("W", W, (1, 3))):
-    for n in orders:
-        step(f"{name}_{n} = 0 for all R = r_1 delta + ..., T_q = pi/2 + t_1 delta + ...", series(n), sympy.Integer(0))
-step("while", U(1), (2 * r1 / pi).as_expr())
-step("and", W(2), ((2 * t2 - 2 * a * r1 * t1) / pi).as_expr())
-false_time = flow(L_generic, T_generic + T_generic)[1]
-W_false = defined("W^false", lambda n: (FIELD.one * false_time[int(n)]).as_expr(), index=True)
-step("With T = 2 T_q, a duration that ignores the reversal, W_1 does not vanish", W_false(1), (2 * t1 / pi).as_expr())
+def strength(L: sympy.Expr) -> sympy.Expr:
+    """delta e^(a L) with the exponential through L^3, which is enough for delta^4."""
+    return delta * (1 + a * L + (a * L) ** 2 / 2 + (a * L) ** 3 / 6)
+
+
+log_ratio = sympy.Integer(0)
+for _ in range(ORDER):
+    log_ratio = through(R - At(R, {delta: -through(strength(log_ratio))}))
+L = derivation.defines("Second proof, through delta^4, for any R = r_1 delta + ...: let", "L", log_ratio)
+mapped = through(strength(L))
+step("F = delta e^(a L), a = alpha - 1, is", Taylor(strength(L), delta, ORDER), mapped)
+F = named("F", mapped)
+step("and L obeys the reversal identity L = R(delta) - R(-F)", Taylor(R - At(R, {delta: -F}), delta, ORDER), log_ratio)
+
+
+def advance(letter: str, f: sympy.Expr, last: int) -> sympy.Expr:
+    """Display (C-1) f = f(F) - f through delta^last and return it under its name."""
+    grown = At(f, {delta: F}) - f
+    step(f"{letter} = (C-1) {f}, C f = f(F)", Taylor(grown, delta, last), through(grown, last))
+    return named(letter, through(grown, last))
+
+
+L_1 = advance("L_1", L, ORDER)
+L_2 = advance("L_2", L_1, ORDER)
+L_3 = advance("L_3", L_2, ORDER)
+step(
+    "pi U = log C/(C-1) L = L - L_1/2 + L_2/3 - L_3/4: U has neither delta^2 nor delta^4",
+    Taylor((L - L_1 / 2 + L_2 / 3 - L_3 / 4) / sympy.pi, delta, ORDER),
+    2 / sympy.pi * (r[0] * delta + (r[2] - 2 * a * r[0] * r[1] + 2 * a**2 * r[0] ** 3 / 3) * delta**3),
+)
+duration = T_q + At(T_q, {delta: -F}) - sympy.pi
+step(
+    "For any T_q = pi/2 + t_1 delta + ... the duration T = T_q(delta) + T_q(-F) less pi is, through delta^3,",
+    Taylor(duration, delta, 3),
+    through(duration, 3),
+)
+T = named("T", through(duration, 3))
+T_1 = advance("T_1", T, 3)
+step(
+    "pi (W - 1) = T - T_1/2 + ...: W has neither delta nor delta^3",
+    Taylor((T - T_1 / 2) / sympy.pi, delta, 3),
+    2 / sympy.pi * (t[1] - a * r[0] * t[0]) * delta**2,
+)
+step(
+    "With T = 2 T_q, a duration that ignores the reversal, W_1 does not vanish",
+    Coefficient(2 * T_q / sympy.pi, delta, 1),
+    2 * t[0] / sympy.pi,
+)

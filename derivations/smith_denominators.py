@@ -14,19 +14,14 @@ a coefficient of an integer polynomial over (n+i)!!.
 Fraction(16, 35)
 """
 
-from fractions import Fraction
-from math import factorial
-
 import sympy
-from flint import fmpq_poly
 
-from derivations.steps import At, Derivation, Solution, defined
+from derivations.steps import At, Coefficient, Derivation, Solution, defined
 
 n, i, k = sympy.symbols("n i k", integer=True, positive=True)
 C, B, D_below = sympy.symbols("C_i^n C_{i-1}^{n-1} C_i^{n-2}")
-w, t, z = sympy.symbols("w t z", positive=True)
+t = sympy.Symbol("t", positive=True)
 D, E = sympy.symbols("D E", positive=True)
-ROWS = 100
 
 derivation = Derivation(
     "smith-denominators",
@@ -48,25 +43,19 @@ def integer_rows(last: int) -> dict[int, tuple[int, ...]]:
     return rows
 
 
-def rational_rows(last: int) -> dict[int, tuple[Fraction, ...]]:
-    """C_0^n, ..., C_(n-1)^n by (62a) as printed."""
-    rows = {0: (), 1: (Fraction(1),)}
-    for row in range(2, last + 1):
-        before, twice = rows[row - 1], rows[row - 2]
-        rows[row] = tuple(
-            ((2 * (row - 1) * before[j - 1] if j else 0) - ((row - 2) * twice[j] if j < row - 2 else 0))
-            / Fraction(row + j)
-            for j in range(row)
-        )
-    return rows
-
-
 def double_factorial(N: int) -> int:
     """N!! = N (N-2) ..., down to 1 or 2."""
     return N * double_factorial(N - 2) if N > 1 else 1
 
 
 # First proof: induction.
+F_7 = {
+    0: sympy.Rational(-1, 7),
+    2: sympy.Rational(272, 189),
+    4: sympy.Rational(-1856, 1155),
+    6: sympy.Rational(1024, 3003),
+}
+"""Smith's f_7 as printed: the coefficients of w^i."""
 q = sympy.Symbol("(n+i-2)!!", positive=True)
 step(
     "With (n+i)!! = (n+i)(n+i-2)!!, (62a) times (n+i)!!",
@@ -75,14 +64,16 @@ step(
 )
 step("and C_{i-1}^{n-1} has the same index sum n+i-2", At(n + i, {n: n - 1, i: i - 1}), n + i - 2)
 step("as has C_i^{n-2}", At(n + i, {n: n - 2}), n + i - 2)
-ratio = sympy.Rational
-f_7 = (-ratio(1, 7), 0, ratio(272, 189), 0, -ratio(1856, 1155), 0, ratio(1024, 3003))
-row_of = defined("A", lambda row: sympy.Tuple(*integer_rows(int(row))[int(row)]))
+rows = integer_rows(7)
+w = sympy.Symbol("w", positive=True)
+A_6, A_5 = sympy.symbols("A^6 A^5")
+row_5, row_6 = (sum(a * w**j for j, a in enumerate(rows[row])) for row in (5, 6))
 step(
     "So A_i^n = (n+i)!! C_i^n obeys A_i^n = 2(n-1) A_{i-1}^{n-1} - (n-2) A_i^{n-2} with A_0^1 = 1: an integer for all"
-    " n, i, by induction on n; A(7), i = 0 ... 6, from this against Smith's f_7 times (7+i)!!",
-    row_of(7),
-    sympy.Tuple(*(double_factorial(7 + j) * x for j, x in enumerate(f_7))),
+    " n, i, by induction on n; the rows 6 and 5 as polynomials in w, sum_i A_i^n w^i, give Smith's f_7 with w^i times"
+    " (7+i)!!",
+    At(12 * w * A_6 - 5 * A_5, {A_6: row_6, A_5: row_5}),
+    sum(double_factorial(7 + j) * c * w**j for j, c in F_7.items()),
 )
 a_left, a_below, A_left, A_below = sympy.symbols("a_{i-1}^{n-1} a_i^{n-2} A_{i-1}^{n-1} A_i^{n-2}")
 step(
@@ -96,34 +87,12 @@ step(
     At(n + i, {i: n - 1 - 2 * k}),
     2 * n - 1 - 2 * k,
 )
-rows, exact = integer_rows(ROWS), rational_rows(ROWS)
-
-
-def violations(last: sympy.Expr) -> sympy.Expr:
-    """How many C_i^n, n <= last, break one of the three statements of the next line."""
-    return sympy.Integer(
-        sum(
-            a != double_factorial(row + j) * exact[row][j]
-            or a % 2**j != 0
-            or (double_factorial(2 * row - 1) * exact[row][j]).denominator != 1
-            for row in range(1, int(last) + 1)
-            for j, a in enumerate(rows[row])
-        )
-    )
-
-
+below = sympy.Symbol("(2n-3)!!", positive=True)
 step(
-    "Checked against (62a) in rational arithmetic: C_i^n = A_i^n/(n+i)!!, 2^i divides A_i^n, and (2n-1)!! C_i^n is an"
-    " integer; the number of failures up to n",
-    defined("failures", violations)(ROWS),
-    0,
-)
-last_of = defined("C", lambda row: sympy.Rational(*exact[int(row)][int(row) - 1].as_integer_ratio()))
-step(
-    "(2n-1)!! cannot be replaced by (2n-3)!!: C(n) = C_{n-1}^n = 2^{n-1} (n-1)!/(2n-1)!!, e.g. for n = 2, 3, 4, 6"
-    " (2n-1 prime) (2n-3)!! C_{n-1}^n is",
-    sympy.Tuple(*(double_factorial(2 * row - 3) * last_of(row) for row in (2, 3, 4, 6))),
-    sympy.Tuple(*(ratio(2 ** (row - 1) * factorial(row - 1), 2 * row - 1) for row in (2, 3, 4, 6))),
+    "(2n-1)!! cannot be replaced by (2n-3)!!: (62a) at i = n-1 has no C_i^{n-2}, and with C_{n-2}^{n-1} = 2^{n-2}"
+    " (n-2)!/(2n-3)!! (1 at n = 2) it gives (2n-3)!! C_{n-1}^n, where no factor cancels 2n-1 if that is a prime",
+    below * At(Solution((2 * n - 1) * C, 2 * (n - 1) * B, C), {B: 2 ** (n - 2) * sympy.factorial(n - 2) / below}),
+    2 ** (n - 1) * sympy.factorial(n - 1) / (2 * n - 1),
 )
 
 # Second proof: an integral.
@@ -153,10 +122,6 @@ step(
     sympy.Tuple(*(top(power) / double_factorial(2 * power + 1) for power in range(5))),
 )
 # E along the orbit is Taylor-expanded about its end point: s' - s = -(w^2/2)(1-t^2) with w' = tw.
-field = fmpq_poly([0, 0, -2, 1])
-polynomials = [fmpq_poly([0, 1])]
-for _ in range(30):
-    polynomials.append(field * polynomials[-1].derivative())
 step(
     "tau = int_0^w E dw' with E(s') = sum_k p_k(E) (s'-s)^k/k!, p_0 = E, p_{k+1} = (E^3-2E^2) p_k' in"
     " Z[E], and w' = tw:"
@@ -169,18 +134,28 @@ step(
     At(n + i, {i: 2 * k + 1 - n}),
     2 * k + 1,
 )
+field = E**3 - 2 * E**2
+c, d = sympy.symbols("c_{n-1} c_{n-2}")
+step(
+    "In p_{k+1} = (E^3-2E^2) p_k' the power E^n comes from E^{n-1} and E^{n-2} in p_k alone, c being its coefficients",
+    Coefficient(field * sympy.Derivative(c * E ** (n - 1) + d * E ** (n - 2), E) / E**n, E, 0),
+    (n - 2) * d - 2 * (n - 1) * c,
+)
+step(
+    "so (-1)^k [E^n] p_k, 2k+1 = n+i, obeys the recurrence of A_i^n, and p_0 = E is A_0^1 = 1: they are equal",
+    At((-1) ** (k + 1) * ((n - 2) * d - 2 * (n - 1) * c), {c: (-1) ** k * A_left, d: (-1) ** k * A_below}),
+    2 * (n - 1) * A_left - (n - 2) * A_below,
+)
 
 
-def disagreements(last: sympy.Expr) -> sympy.Expr:
-    """How many A_i^n with n + i <= last differ from (-1)^k [E^n] p_k(E), 2k+1 = n+i."""
-    pairs = (
-        (row, 2 * power + 1 - row, power) for power in range((int(last) + 1) // 2) for row in range(1, 2 * power + 2)
-    )
-    return sympy.Integer(sum(j < row and rows[row][j] != (-1) ** p * polynomials[p][row] for row, j, p in pairs))
+def applied(f: sympy.Expr) -> sympy.Expr:
+    """(E^3 - 2E^2) df/dE, not yet differentiated."""
+    return field * sympy.Derivative(f, E)
 
 
 step(
-    "Hence A_i^n = (-1)^k [E^n] p_k(E), 2k+1 = n+i: the number of disagreements with the recurrence up to n+i",
-    defined("disagreements", disagreements)(61),
-    0,
+    "as in -p_3, by three derivatives, against the rows 4, 5, 6, 7, by the recurrence: the sum of A_{7-n}^n E^n; 100"
+    " rows against (62a) and 30 polynomials in tests/derivations/test_smith_denominators.py",
+    -applied(applied(applied(E))),
+    sum(rows[row][7 - row] * E**row for row in range(4, 8)),
 )

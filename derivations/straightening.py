@@ -6,11 +6,7 @@ sqrt(2)*Derivative(V(x), x)/(2*sqrt(V(x))) = Derivative(sqrt(2)*sqrt(V(x)), x)
 
 import sympy
 
-from asymptotics.expansions.half_swings.exact import exact_half_swing
-from asymptotics.expansions.half_swings.forces import Forces, Given, Member
-from asymptotics.series import Series
-from asymptotics.terms import Term
-from derivations.steps import At, Derivation, defined
+from derivations.steps import At, Coefficient, Derivation, Taylor
 
 x, h, xi, c, A = sympy.symbols("x h xi c A", positive=True)
 V = sympy.Function("V", positive=True)(x)
@@ -21,7 +17,7 @@ derivation = Derivation(
     "Every even potential is a linear spring in its own coordinate",
     source="asymptotics.expansions.straightening",
 )
-step, asserts = derivation.step, derivation.asserts
+step = derivation.step
 
 step("For x > 0 put xi = sqrt(2 V): xi xi' = V'", root * sympy.Derivative(root, x), sympy.Derivative(V, x))
 step("so that xi'(x) is", sympy.Derivative(V, x) / root, sympy.Derivative(root, x))
@@ -47,61 +43,37 @@ step(
     A**2 * (1 + c * A**2 / 2),
 )
 
-# The theorem on the engine: the same turning amplitudes, after the relabelling A -> xi_A.
-ORDER = 4
-
-
-def coordinate(given: Given, order: int) -> Series:
-    """X = x/xi as a series in the strengths of the springs at the amplitude xi."""
-    forces = Forces.read(given, order)
-    v, grading = forces.potential(order), forces.exact_grading()
-    log = Series({}, forces.variables, order)
-    for _ in range(order):
-        log = v.compose(grading.strengths(log)).log() / -2
-    return log.exp()
-
-
-def slope(given: Given, order: int) -> Series:
-    """x'(xi) as a series in the strengths of the springs at the amplitude xi: the clock dt = x'(xi) dsigma."""
-    forces = Forces.read(given, order)
-    X = coordinate(forces, order)
-    return X + forces.exact_grading().weighted(X)
-
-
-def straighten(given: Given, order: int) -> Forces:
-    """The losses x'(xi) |x(xi)|^m v|v|^(alpha-1) through ``order``, without springs: the same turning amplitudes in xi.
-
-    The strengths are those of the original forces at the amplitude xi.  Raises InputError for a spring that depends on
-    the velocity.
-    """
-    forces = Forces.read(given, order)
-    X, clock = coordinate(forces, order), slope(forces, order)
-    members = []
-    for m in forces.through(order):
-        if m.sign > 0:
-            continue
-        factor = (clock * X**m.position).truncate(order - m.order)
-        for key, c in factor.coefficients.items():
-            place = m.position + int(sum(n * w.rational for n, w in zip(key, forces.weights) if n))
-            joint = tuple(a + b for a, b in zip(key, m.key))
-            members.append(Member(joint, c * m.ratio, m.velocity, place, m.sign))
-    return Forces(forces.weights, forces.signs, forces.velocities, tuple(members))
-
-
-def defect(forces: Forces, straight: Forces) -> sympy.Expr:
-    """The first coefficient in which L in xi differs from the L of the straightened loss, or 0."""
-    log = forces.potential(ORDER).log() / 2
-    swing = exact_half_swing(forces, ORDER)
-    there = exact_half_swing(straight, ORDER).L.compose(forces.exact_grading().strengths(log))
-    off = (swing.L + log.compose(swing.F) - log - there).coefficients.values()
-    return next((y.to_sympy() for y in off if y != 0), sympy.Integer(0))
-
-
-pendulum = Forces.read([Term(1, 2), Term(1, 0, 3, "position", "pendulum")], ORDER)
-duffing = Forces.read([Term(1, 1), Term(1, 0, 3, "position")], ORDER)
-for name, forces in (("a pendulum with quadratic loss", pendulum), ("a Duffing oscillator with linear loss", duffing)):
-    off = defined("d", lambda order, forces=forces: defect(forces, straighten(forces, int(order))))
-    step(f"{name}: d(n), the first coefficient in which the two half-swings differ through order n", off(ORDER), 0)
-bare = Forces(pendulum.weights, pendulum.signs, pendulum.velocities, pendulum.members[:1])
-off = defined("d", lambda order: defect(pendulum, bare))
-asserts("Without the factor x'(xi) they do", sympy.Ne(off(ORDER), 0, evaluate=False))
+# What a half-swing loses at first order in the loss, in x and in xi, by the amplitude.
+end, theta = sympy.symbols("xi_A theta", positive=True)
+clock = Taylor(1 / sympy.sqrt(1 - xi**2 / 4), xi, 4)
+lost = sympy.Integral(2 * sympy.cos(x) - 2 * sympy.cos(A), (x, 0, A))
+step(
+    "A pendulum with quadratic loss v^2 = 2 cos x - 2 cos A loses the integral over x; through A^7 it is that of the"
+    " straightened loss x'(xi) v^2, v^2 = xi_A^2 - xi^2, over xi, at xi_A = 2 sin(A/2)",
+    Taylor(lost, A, 7),
+    Taylor(At(sympy.Integral(clock * (end**2 - xi**2), (xi, 0, end)), {end: 2 * sympy.sin(A / 2)}), A, 7),
+)
+step(
+    "and without the factor x'(xi) it would not be: at A^5 there is missing",
+    Coefficient(lost - At(sympy.Integral(end**2 - xi**2, (xi, 0, end)), {end: 2 * sympy.sin(A / 2)}), A, 5),
+    sympy.Rational(1, 60),
+)
+inverse = xi * (1 - c * xi**2 / 4 + sympy.Rational(7, 32) * c**2 * xi**4)
+step(
+    "Duffing: xi^2 = x^2 + c x^4/2 inverted, through c^2",
+    Taylor(At(x**2 + c * x**4 / 2, {x: inverse}), c, 2),
+    xi**2,
+)
+sine, cosine = sympy.sin(theta), sympy.cos(theta)
+in_xi = sympy.Integral(
+    At(sympy.Derivative(inverse, xi), {xi: end * sine}) * (end * cosine) ** 2, (theta, 0, sympy.pi / 2)
+)
+step(
+    "with linear loss it loses int v dx, v = A cos theta (1 + c A^2 (1 + sin^2 theta)/2)^(1/2) at x = A sin theta;"
+    " through c^2 that is the integral of x'(xi) v over xi = xi_A sin theta.  The half-swings themselves, to"
+    " the fifth order of the losses, are compared in tests/expansions/straightening/test_straightening.py",
+    sympy.Integral(
+        (A * cosine) ** 2 * Taylor(sympy.sqrt(1 + c * A**2 * (1 + sine**2) / 2), c, 2), (theta, 0, sympy.pi / 2)
+    ),
+    Taylor(At(in_xi, {end: A * sympy.sqrt(1 + c * A**2 / 2)}), c, 2),
+)

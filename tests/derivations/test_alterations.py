@@ -155,9 +155,7 @@ def test_a_line_with_a_side_altered_stops(name):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", names())
 def test_every_line_with_a_side_altered_stops(name):
-    counts = {f"every alteration of {shown}" for shown in LISTED["counts"]["lines"].get(name, [])}
-    found = [set(unnoticed(step, PER_SIDE)) for step in lines(name) if step.kind == "equality"]
-    assert set().union(*found) == counts  # and what is listed is there
+    assert [said for step in lines(name) if step.kind == "equality" for said in unnoticed(step, PER_SIDE)] == []
 
 
 @pytest.mark.slow
@@ -165,7 +163,7 @@ def test_every_line_with_a_side_altered_stops(name):
 def test_every_relation_altered_stops(name):
     steps = (step for step in lines(name) if step.kind == "relation")
     found = {said for step in steps for relation in relations(step) for said in unnoticed_in(step, relation, PER_SIDE)}
-    assert found == set(LISTED["relations"]["lines"].get(name, []))
+    assert found == set()
 
 
 @pytest.mark.parametrize("name", ["lelas-friction", "two-laws-time", "lelas-air"])

@@ -20,7 +20,7 @@ from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import parse_real
 from asymptotics.terms import Term
-from derivations.straightening import straighten
+from tests.second_route.straightened import straighten
 
 WELLS = {  # well, its 2 (V(A) - V(x)) over sin^2, amplitude
     "pendulum": (Well.pendulum(arb(1)), None, "2.7"),

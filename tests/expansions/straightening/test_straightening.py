@@ -10,7 +10,7 @@ from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.terms import Term
-from derivations.straightening import coordinate, slope, straighten
+from tests.second_route.straightened import coordinate, slope, straighten
 
 PENDULUM = Term(1, 0, 3, "position", "pendulum")
 DUFFING, QUINTIC = Term(1, 0, 3, "position"), Term(1, 0, 5, "position")
