@@ -1,8 +1,7 @@
 # Two commands: `make reproduce` and `make test`. Each creates its own environment; nothing is installed by hand.
 VENV ?= .venv
 PYTHON ?= python3
-# One worker of the tests more than there are cores: browsers, pools and processes that are stopped leave cores idle.
-WORKERS ?= $(shell nproc >/dev/null 2>&1 && expr $$(nproc) + 1 || echo auto)
+WORKERS ?= auto
 PIP = $(VENV)/bin/python -m pip install --disable-pip-version-check --quiet
 RUN = $(VENV)/bin/python -m
 
