@@ -145,13 +145,17 @@ step(
 u = sympy.Symbol("u", real=True)
 whole, part = (theta, 0, sympy.pi), (theta, 0, sympy.pi / 2)
 sine, cosine = sympy.sin(theta), sympy.cos(theta)
-for n in (2, 3):
-    S = sympy.Integral(sympy.sin(u) ** (n + 1), (u, 0, theta))
+primitives = {
+    2: sympy.Rational(2, 3) - 3 * cosine / 4 + sympy.cos(3 * theta) / 12,
+    3: 3 * theta / 8 - sympy.sin(2 * theta) / 4 + sympy.sin(4 * theta) / 32,
+}
+for n, S in primitives.items():
+    step(f"alpha = {n}: S", sympy.Integral(sympy.sin(u) ** (n + 1), (u, 0, theta)), S)
     L_2 = (n - 1) * S * sine ** (n + 1) - sine ** (2 * n + 1) * cosine
     T_2 = -(n - 1) * S * sine**n * cosine + sine ** (2 * n) * cosine**2
     R_1, L_1 = -sympy.Integral(sine ** (n + 1), part), -sympy.Integral(sine ** (n + 1), whole)
     step(
-        f"alpha = {n}, to delta^2: ln r = -delta S + ..., S the integral of sin^{n + 1} from 0; with F = delta +"
+        "to delta^2: ln r = -delta S + ...; with F = delta +"
         " (alpha-1) L_1 delta^2 the identity L = R(delta) - R(-F) says L_2 = (alpha-1) R_1 L_1, as R_2 cancels",
         sympy.Integral(L_2, whole),
         (n - 1) * R_1 * L_1,

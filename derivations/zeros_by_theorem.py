@@ -157,15 +157,31 @@ step(
 TEST = "tests/derivations/test_zeros_by_theorem.py"
 g, d, z = sympy.symbols("g d z", positive=True)
 size, epsilon = sympy.Symbol("L", real=True), sympy.Symbol("epsilon", positive=True)
-energy = (1 - sympy.exp(2 * size)) / 2 + g * (1 - sympy.exp(3 * size)) / 3 - d * (1 + sympy.exp(size))
-swing = -2 * d - 2 * d**2 + 2 * d * g - sympy.Rational(8, 3) * d**3 + 2 * d**2 * g - 2 * d * g**2
-swing += -4 * d**4 + sympy.Rational(14, 3) * d**3 * g + 2 * d * g**3
+ratio = sympy.Symbol("r", positive=True)
+energy = (1 - ratio**2) / 2 + g * (1 - ratio**3) / 3 - d * (1 + ratio)
+growth = 1 - 2 * d + 2 * d * g - 2 * d**2 * g - 2 * d * g**2
+growth += sympy.Rational(2, 3) * d**3 * g + 6 * d**2 * g**2 + 2 * d * g**3
 step(
-    "Dry friction and x|x|, of weights -1 and 1, d and g at the amplitude A: the energy over A^2, from A to -A e^L,"
-    " vanishes through the fourth order for L without d^0 g^n and without d^2 g^2, a = 0 and l = 2; a near miss of the"
-    " theorem with the parity of the degree in the place of l is d g, which is there",
-    Taylor(At(At(energy, {size: swing}), {g: z * g, d: z * d}), z, 4),
+    "Dry friction and x|x|, of weights -1 and 1, d and g at the amplitude A: the energy over A^2, from A to -A r,"
+    " vanishes through the fourth order for r = e^L as here",
+    Taylor(At(At(energy, {ratio: growth}), {g: z * g, d: z * d}), z, 4),
     sympy.Integer(0),
+)
+rest = At(growth - 1, {g: z * g, d: z * d})
+third = sympy.Rational(1, 3)
+step(
+    "and L = ln r, the series of the logarithm, has no d^0 g^n and no d^2 g^2, a = 0 and l = 2; a near miss of the"
+    " theorem with the parity of the degree in the place of l is d g, which is there",
+    At(Taylor(rest - rest**2 / 2 + third * rest**3 - rest**4 / 4, z, 4), {z: 1}),
+    -2 * d
+    - 2 * d**2
+    + 2 * d * g
+    - 8 * third * d**3
+    + 2 * d**2 * g
+    - 2 * d * g**2
+    - 4 * d**4
+    + 14 * third * d**3 * g
+    + 2 * d * g**3,
 )
 nu = sympy.sqrt(1 - epsilon**2 / 4)
 linear = sympy.exp(-epsilon * t / 2) * (sympy.cos(nu * t) + epsilon / (2 * nu) * sympy.sin(nu * t))
