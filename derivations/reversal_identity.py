@@ -141,28 +141,23 @@ step(
     -e / 2 * (2 * sympy.pi / root),
 )
 
-# The second order of half-swings integrated directly, theta from 0 to pi, against the identity.
+# The second order of a half-swing integrated directly, theta from 0 to pi, against the identity.
 u = sympy.Symbol("u", real=True)
 whole, part = (theta, 0, sympy.pi), (theta, 0, sympy.pi / 2)
 sine, cosine = sympy.sin(theta), sympy.cos(theta)
-primitives = {
-    2: sympy.Rational(2, 3) - 3 * cosine / 4 + sympy.cos(3 * theta) / 12,
-    3: 3 * theta / 8 - sympy.sin(2 * theta) / 4 + sympy.sin(4 * theta) / 32,
-}
-for n, S in primitives.items():
-    step(f"alpha = {n}: S", sympy.Integral(sympy.sin(u) ** (n + 1), (u, 0, theta)), S)
-    L_2 = (n - 1) * S * sine ** (n + 1) - sine ** (2 * n + 1) * cosine
-    T_2 = -(n - 1) * S * sine**n * cosine + sine ** (2 * n) * cosine**2
-    R_1, L_1 = -sympy.Integral(sine ** (n + 1), part), -sympy.Integral(sine ** (n + 1), whole)
-    step(
-        "to delta^2: ln r = -delta S + ...; with F = delta +"
-        " (alpha-1) L_1 delta^2 the identity L = R(delta) - R(-F) says L_2 = (alpha-1) R_1 L_1, as R_2 cancels",
-        sympy.Integral(L_2, whole),
-        (n - 1) * R_1 * L_1,
-    )
-    step(
-        "and T = T_q(delta) + T_q(-F) says that T_2 is twice that of the quarter, less (alpha-1) t_1 L_1"
-        + ("; orders 3 to 5, and a sum of laws, are in tests/derivations/test_reversal_identity.py" if n == 3 else ""),
-        sympy.Integral(T_2, whole),
-        2 * sympy.Integral(T_2, part) - (n - 1) * L_1 * sympy.Integral(sine**n * cosine, part),
-    )
+S = sympy.Rational(2, 3) - 3 * cosine / 4 + sympy.cos(3 * theta) / 12
+step("alpha = 2: S", sympy.Integral(sympy.sin(u) ** 3, (u, 0, theta)), S)
+R_1, L_1 = -sympy.Integral(sine**3, part), -sympy.Integral(sine**3, whole)
+step(
+    "to delta^2: ln r = -delta S + ...; with F = delta + L_1 delta^2 the identity L = R(delta) - R(-F) says"
+    " L_2 = R_1 L_1, as R_2 cancels",
+    sympy.Integral(S * sine**3 - sine**5 * cosine, whole),
+    R_1 * L_1,
+)
+T_2 = -S * sine**2 * cosine + sine**4 * cosine**2
+step(
+    "and T = T_q(delta) + T_q(-F) says that T_2 is twice that of the quarter, less t_1 L_1; alpha = 0, 1, 2, 3, to the"
+    " orders 3 to 5, and a sum of laws are in tests/derivations/test_reversal_identity.py",
+    sympy.Integral(T_2, whole),
+    2 * sympy.Integral(T_2, part) - L_1 * sympy.Integral(sine**2 * cosine, part),
+)
