@@ -69,6 +69,9 @@ ROOMS = (
     "return_map",
     "turning",
     "envelopes",
+    "bounds",
+    "limit_cycles",
+    "comparison",
 )
 GROUPS = {
     "numbers": _room("numbers", "tests/numbers/test_contract.py"),  # it inspects signatures, which mutmut hides

@@ -3,11 +3,14 @@
 Two lists.  ``benchmarks/weakened_bounds.json`` was written by hand: the file, the bound in words, the line and what it
 is weakened to, and the test that notices.  ``benchmarks/bound_sites.json`` answers for the places that
 ``benchmarks.bound_sites`` finds in the syntax trees: the test that notices each, or the reason why none can.  Each is
-planted in a copy of the project in ``build/weakened`` and its test is run.  ``PART`` selects by a part of the file's
-name; ``--search`` looks among the tests of the room for one that notices the places that neither list answers for.
+planted in a copy of the project in ``build/weakened`` and its test is run, in as many ``--processes`` as there are
+cores.  Outcomes are written down one by one: what was stopped goes on where it was, as long as no tracked file
+changes.  ``PART`` selects by a part of the file's name; ``--search`` looks among the tests of the room for one that
+notices the places that neither list answers for.
 """
 
 import argparse
+import hashlib
 import json
 import os
 import re
@@ -15,8 +18,12 @@ import subprocess
 import sys
 from collections import Counter
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from queue import Queue
+
+from tqdm import tqdm
 
 from benchmarks.bound_sites import Site, sites
 from benchmarks.mutants import FORGET, PYTEST, copy_of_the_project
@@ -25,6 +32,7 @@ from benchmarks.table import Table
 ROOT = Path(__file__).parents[1]
 LIST = Path(__file__).with_name("weakened_bounds.json")
 SITES = Path(__file__).with_name("bound_sites.json")
+BUILD = ROOT / "build" / "weakened"
 SECONDS = 300
 
 
@@ -99,18 +107,51 @@ def main(argv: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.weakened", description=__doc__)
     parser.add_argument("parts", nargs="*", help="parts of file names, such as flow/wells/ or abel (default: all)")
     parser.add_argument("--search", action="store_true", help="look for tests that notice what no list answers for")
+    parser.add_argument("--processes", type=int, default=os.cpu_count() or 1, help="default: as many as cores")
     options = parser.parse_args(argv)
     parts = options.parts
     if options.search:
         return search([site for site in unanswered() if not parts or any(part in site.file for part in parts)])
     chosen = [w for w in (*listed(), *answered()) if not parts or any(part in w.file for part in parts)]
-    folder = copy_of_the_project(ROOT / "build" / "weakened")
-    outcomes = [(w, outcome_of(w, folder)) for w in chosen]
+    outcomes = list(zip(chosen, outcomes_of(chosen, options.processes), strict=True))
     print(table(outcomes).text())
     alive = [w for w, outcome in outcomes if outcome == "survived"]
     for w in alive:
         print(f"\n{w.file}: {w.bound}\n  - {w.line}\n  + {w.weaker}", file=sys.stderr)
     return int(bool(alive))
+
+
+def outcomes_of(chosen: Sequence[Weakened | Answered], processes: int) -> list[str]:
+    """The outcome of each, with a copy of the project for each process; those written down before are read."""
+    folders: Queue[Path] = Queue()
+    for number in range(processes):
+        folders.put(copy_of_the_project(BUILD / str(number)))
+    journal = BUILD / f"outcomes-{state_of_the_project(BUILD / '0')}.jsonl"
+    written = dict(json.loads(line) for line in journal.read_text().splitlines()) if journal.exists() else {}
+
+    def outcome(w: Weakened | Answered) -> str:
+        key = f"{w.file}: {w.bound}: {w.line} -> {w.weaker}"
+        if key in written:
+            return written[key]
+        folder = folders.get()
+        try:
+            found = outcome_of(w, folder)
+        finally:
+            folders.put(folder)
+        with journal.open("a") as file:  # one short line: written at once
+            file.write(json.dumps([key, found]) + "\n")
+        return found
+
+    with ThreadPoolExecutor(processes) as pool:
+        return list(tqdm(pool.map(outcome, chosen), total=len(chosen), unit="bound", disable=None))
+
+
+def state_of_the_project(folder: Path) -> str:
+    """A digest of the copied files."""
+    digest = hashlib.sha256()
+    for path in sorted(p for p in folder.rglob("*") if p.is_file()):
+        digest.update(str(path.relative_to(folder)).encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()[:16]
 
 
 def outcome_of(w: Weakened | Answered, folder: Path) -> str:
