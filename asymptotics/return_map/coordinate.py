@@ -22,7 +22,7 @@ polydisc with these radii |q/p - 1| <= e^G - 1, and |T - pi| is at most the exce
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import reduce
 from math import gcd, lcm
@@ -82,6 +82,11 @@ class Coordinate:
     def damping(self, z: arb) -> Damping:
         """The law in units of the amplitude, at the current precision."""
         return Damping.of(list(zip(self.strengths(z), self.alphas, strict=True)))
+
+    def in_units(self, unit: arb) -> "Coordinate":
+        """The same for amplitudes A = ``unit`` A': epsilon_i unit^(alpha_i - 1), at the current precision."""
+        scaled = tuple(e * unit ** (a - 1).ball() for e, a in zip(self.epsilons, self.alphas, strict=True))
+        return replace(self, epsilons=scaled)
 
     def bounds(self, centre: arb, half_axis: arb, *, whole: bool = True) -> Majorant | None:
         """The majorant on the ellipse, None where none is proved; ``centre`` >= 0 where z = 0 is included.

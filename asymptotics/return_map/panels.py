@@ -34,19 +34,24 @@ from asymptotics.return_map.panel_plan import Ellipse, PanelPlan, planned, verif
 
 ROUTE = "Chebyshev interpolation in the amplitude"
 COLLOCATED = "quarter-swings by collocation"
+ONE = arb(1)
 _MARGIN = 2.0**-10  # a panel begins that much above the amplitude it is made for
 _GUARD, _SLACK = 32, 8
 _AGAIN = 8  # half-swings after which a plan that does not come true is made anew
+_SHRUNK = 512
+"""Below 2^-512 amplitudes are planned in units of 2^-512, below 2^-1024 in units of 2^-1024, and so on: in doubles."""
 
 
 @dataclass(frozen=True)
 class Panel:
     """q/p and T for the exact amplitudes from ``low`` (excluded where it is 0) to ``high``.
 
-    ``cost``: its nodes, each found ``by`` a route.
+    Amplitudes are given as they are, and the panel holds them in its ``unit``, a power of two.  ``cost``: its nodes,
+    each found ``by`` a route.
     """
 
     coordinate: Coordinate
+    unit: arb
     low: arb
     high: arb
     middle: arb
@@ -58,8 +63,8 @@ class Panel:
 
     def holds(self, p: arb, error: arb) -> bool:
         """Whether every amplitude within ``error`` of p lies in the panel."""
-        nearest = p - error
-        return bool(nearest >= self.low) and bool(nearest > 0) and bool(p + error <= self.high)
+        nearest, farthest = (p - error) / self.unit, (p + error) / self.unit
+        return bool(nearest >= self.low) and bool(nearest > 0) and bool(farthest <= self.high)
 
     def passage(self, p: arb, error: arb | None = None) -> HalfSwingBalls:
         """The half-swing from the exact amplitude p; the duration is that of all amplitudes within ``error``."""
@@ -68,7 +73,7 @@ class Panel:
         return HalfSwingBalls(self.ratio(t), self.duration(wide), ROUTE, self.ratio.degree, self.ratio.error)
 
     def _place(self, p: arb) -> arb:
-        return (self.coordinate(p) - self.middle) * self.scale
+        return (self.coordinate(p / self.unit) - self.middle) * self.scale
 
 
 @dataclass
@@ -80,34 +85,45 @@ class Panels:
     made: list[Panel] = field(default_factory=list)
     planned_for: tuple[float, int] = (0.0, 0)
     plan: PanelPlan | None = None
+    shrunk: int = 0
 
     def __post_init__(self) -> None:
         with ctx.workprec(self.bits + _SLACK + _GUARD):
             terms = [(t.strength.ball(), t.velocity) for t in self.law.terms if t.strength.sign > 0]
             damping = Damping.of(terms)
             self.closed, self.sizes = is_linear(damping), damping.sizes
-            self.coordinate = None if self.closed else Coordinate.of(terms)
+            self.coordinates: dict[int, Coordinate] = {} if self.closed else {0: Coordinate.of(terms)}
 
     def serving(self, p: arb, error: arb, remaining: int) -> Panel | None:
         """A panel for the amplitudes within ``error`` of p; a new one if ``remaining`` half-swings may repay it."""
         for panel in self.made:
             if panel.holds(p, error):
                 return panel
-        if self.coordinate is None:
+        if self.closed:
             return None
-        size, bits = float(p), self.bits + _SLACK
+        if (shrunk := _shrunk(p)) != self.shrunk:
+            self.shrunk, self.plan, self.planned_for = shrunk, None, (0.0, 0)
+        coordinate, unit, bits = self.coordinate(shrunk), _unit(shrunk), self.bits + _SLACK
+        size = float(p / unit)
         if not (size <= self.planned_for[0] and remaining <= self.planned_for[1]) or self._is_late(size, remaining):
-            self.plan, self.planned_for = planned(self.coordinate, size, remaining, bits), (size, remaining)
+            self.plan, self.planned_for = planned(coordinate, size, remaining, bits), (size, remaining)
         if self.plan is None or not self.plan.low < size <= self.plan.high:
             return None
         try:
-            panel = laid_out(self.coordinate, self.plan, bits)
+            panel = laid_out(coordinate, self.plan, bits, unit)
         except UndecidedError:  # seen in doubles, not proved in balls: by pieces, where the plan would hold
             self.plan = None
             return None
         self.made.append(panel)
         self.planned_for = (0.0, 0)
         return panel if panel.holds(p, error) else None
+
+    def coordinate(self, shrunk: int) -> Coordinate:
+        """The coordinate of amplitudes in units of 2^(-512 ``shrunk``)."""
+        if shrunk not in self.coordinates:
+            with ctx.workprec(self.bits + _SLACK + _GUARD):
+                self.coordinates[shrunk] = self.coordinates[0].in_units(_unit(shrunk))
+        return self.coordinates[shrunk]
 
     def _is_late(self, size: float, remaining: int) -> bool:
         """Whether the amplitude of the plan is not there although twice its half-swings have passed."""
@@ -119,17 +135,31 @@ class Panels:
 
         None where they have a closed form.
         """
-        if self.coordinate is None:
+        if self.closed:
             return 0
-        size, total = 1.0, 0
+        size, shrunk, total = 1.0, 0, 0
         while remaining > 0:
-            plan = planned(self.coordinate, size, remaining, self.bits + _SLACK)
+            coordinate = self.coordinate(shrunk)
+            plan = planned(coordinate, size, remaining, self.bits + _SLACK)
             if plan is None:
                 return total + remaining
-            total += plan.wait + plan.work(self.coordinate)
+            total += plan.wait + plan.work(coordinate)
             remaining -= plan.wait + plan.served
             size = plan.low
+            while 0 < size <= 2.0**-_SHRUNK:
+                size, shrunk = size * 2.0**_SHRUNK, shrunk + 1
         return total
+
+
+def _shrunk(p: arb) -> int:
+    """How often p can be doubled 512 times and stay at most 1."""
+    mantissa, exponent = p.mid().man_exp()
+    return max(0, -(int(exponent) + mantissa.bit_length()) // _SHRUNK)
+
+
+def _unit(shrunk: int) -> arb:
+    """2^(-512 ``shrunk``), exactly."""
+    return arb(2) ** (-_SHRUNK * shrunk)
 
 
 @lru_cache(maxsize=16)
@@ -138,8 +168,8 @@ def panels_of(law: Law, bits: int) -> Panels:
     return Panels(law, bits)
 
 
-def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int) -> Panel:
-    """The panel of a plan, at ``bits`` bits; its nodes are integrated."""
+def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int, unit: arb = ONE) -> Panel:
+    """The panel of a plan, at ``bits`` bits, for amplitudes in that ``unit``; its nodes are integrated."""
     with ctx.workprec(bits + _GUARD):
         low, high = arb(plan.low), arb(plan.high * (1 + _MARGIN))
         first, last = _outwards(coordinate, low, high)
@@ -153,7 +183,7 @@ def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int) -> Panel:
             interpolant(values, bound, ellipse.R, fine)
             for values, bound in ((ratios, ellipse.ratio_bound), (durations, ellipse.majorant.excess))
         )
-    return Panel(coordinate, low, high, middle, 1 / half, ratio, duration, count, by)
+    return Panel(coordinate, unit, low, high, middle, 1 / half, ratio, duration, count, by)
 
 
 def _half_swings(
