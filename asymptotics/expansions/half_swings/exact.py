@@ -42,6 +42,7 @@ from asymptotics.terms import Term as Term  # for the examples
 def exact_half_swing(given: Given, order: int) -> HalfSwing:
     """L, F, T through total degree ``order`` for integer exponents; InputError for anything else."""
     forces = Forces.read(given, order)
+    # The smallest algebra that is closed comes first: polynomials of one variable cost least, those of theta most.
     if forces.is_even:
         return even_half_swing(forces, order)
     if forces.is_smooth:
@@ -89,6 +90,7 @@ def _integrate_flow(U: Series, grading: Grading, f: Series) -> Series:
     total, term, factor = Series({}, U.variables, U.order), f, PI
     for j in range(U.order + 1):
         total = total + term * factor
+        # d/d psi raises the degree, as U has no term of degree 0: the Taylor series of the flow ends by itself.
         term, factor = U * grading.weighted(term), factor * PI / (j + 2)
     return total
 
@@ -130,6 +132,7 @@ def _waveform_moments(orbit: FormalSolution) -> tuple[tuple[Series, Series], ...
         pair = tuple(f.map(lambda g: (ONE * g).integral().at_quarter()) for f in (real, imaginary))
         moments.append((pair[0], pair[1]))
         if k < order:
+            # The next moment is wanted through one order less.
             tau = lag.truncate(order - k - 1) + THETA
             real, imaginary = real * tau, imaginary * tau
     return tuple(moments)

@@ -101,6 +101,7 @@ class _FourierKernel:
     def __init__(self, forces: Forces, order: int, gauge: str) -> None:
         self.grading, self.order, self.gauge = forces.exact_grading(), order, gauge
         self.members = forces.through(order)
+        # (d + 1)/2 for each power of the strength, rounded up: with q^(M n) in front no power of q is negative.
         self.M = max((-(-(m.integer_velocity + m.position + 1) // (2 * m.order)) for m in self.members), default=1)
         zero = (0,) * forces.variables
         self.Z: list[Part] = [{zero: fmpq_poly([1])}]
@@ -119,6 +120,8 @@ class _FourierKernel:
             self.forcing.append(self._phi(n))
             rest = self._right_side(n)
             middle = self.M * n
+            # Solvability: the mean, stored at q^(M n), has to vanish, which fixes U_hat or W_hat by the parity of the
+            # monomial.
             self.U.append({k: p[middle] for k, p in rest.items() if l(k) % 2})
             self.W.append({k: -p[middle] for k, p in rest.items() if l(k) % 2 == 0})
             self.Z.append({k: self._integrate(p, n, l(k)) for k, p in rest.items()})
@@ -160,8 +163,10 @@ class _FourierKernel:
         """Z_n from 2 q d_q Z_n = p - mean(p); the gauge fixes the mean of Z_n."""
         middle = self.M * n
         z = [c / (2 * (m - middle)) if m != middle else fmpq(0) for m, c in enumerate(p.coeffs())]
+        # The mean may lie above the last coefficient that is there.
         z += [fmpq(0)] * (middle + 1 - len(z))
         if self.gauge == TURNING_POINT:
+            # Z = 1 at psi = 0, where q = 1: the coefficients of Z_n have the sum 0.
             z[middle] = -sum(z, start=fmpq(0))
         elif self.gauge == NO_FIRST_HARMONIC:  # mean of Z_n + q^-1 conj(Z_n), and conj(Z_n)(q) = (-1)^l Z_n(1/q)
             z[middle] = -((-1) ** loss_degree) * z[middle - 1]

@@ -172,6 +172,8 @@ def nested_integral(exponent: arb) -> arb:
     """
     if not exponent >= 0:
         raise InputError("alpha", f"{exponent.str(5)} is not certainly >= 0", "alpha >= 0")
+    # x = (pi/6)^2 is worth 1.87 bits a term. Counted as 1.8, with eight terms to spare; the tail is added whatever it
+    # is.
     terms = ceil(ctx.prec / 1.8) + 8
     weight = _sinc_power(2 * exponent, terms)
     sigma = [c / (exponent + 2 + 2 * j) for j, c in enumerate(_sinc_power(exponent + 1, terms))]
@@ -209,6 +211,7 @@ def _integrate(y: list[arb], e: arb, bound: arb) -> arb:
     h = arb.pi() / 2
     ratio, scale = (h / RADIUS) ** 2, h ** (e + 1)
     total = sum((c * h ** (2 * j) / (e + 1 + 2 * j) for j, c in enumerate(y)), start=arb(0))
+    # Cauchy: |y_j| <= bound R^(-2 j), the divisor e + 1 + 2 j is least at j = K, and the rest is a geometric series.
     tail = bound * scale * ratio ** len(y) / ((e + 1 + 2 * len(y)) * (1 - ratio))
     return total * scale + arb(0, tail.upper())
 
