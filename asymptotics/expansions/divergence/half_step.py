@@ -6,7 +6,8 @@ from the ball of F and improved by a step of Newton's method for
 
     G(L) = L - R(delta) + R(u),  u = -delta e^(eta L),      G'(L) = 1 + eta u R'(u)        (the reversal identity);
 
-the mean value theorem along the segment from the midpoint m to L keeps the enclosure: L in m - G(m)/G'(ball of L).
+the mean value theorem along the segment from the midpoint m to L keeps the enclosure: L in m - G(m)/G'(ball of L), the
+interval Newton method (Moore 1966).
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> from asymptotics.expansions.divergence.germ import germ
@@ -32,11 +33,14 @@ BOUND_BITS = 64
 def half_step(g: Germ, delta: acb) -> tuple[acb, acb]:
     """(F(delta), T(delta) - pi) at a ball; UndecidedError outside the circle of the majorant."""
     first = at(g.F, delta, tail(g.half.final(0), delta, g.half.radii[0], g.order))
+    # F/delta = e^(eta L) with |eta L| <= |eta| growth < 3 < pi: then eta L is the principal logarithm.
     if not abs(g.eta) * g.half.growth < 3:
         raise UndecidedError("the half-swing may turn around the origin: its logarithm is not known")
     L = (first / delta).log() / g.eta
     middle = acb(L.real.mid(), L.imag.mid())
     value = middle - _R(g, delta) + _R(g, -delta * (g.eta * middle).exp())
+    # On the whole ball of L: a rectangle is convex, so that it holds the segment, and G' over it holds the mean of G'
+    # there.
     slope = 1 + g.eta * _weighted_R(g, -delta * (g.eta * L).exp())
     F = delta * (g.eta * (middle - value / slope)).exp()
     return F, _T(g, delta) + _T(g, -F)

@@ -56,10 +56,12 @@ def compare_functions(
     rates: Callable[..., tuple[Any, Any]], other: Callable[..., Any], A: float
 ) -> EquationsComparison:
     """``rates`` against a user's (A, psi) -> (dA/dtau, dpsi/dtau), at A and A/2."""
+    # At A/4 and A/8 the lowest power rules: the quotient of the two gaps is 2 to that power.
     gaps = [_gap(rates, other, A / 2**i) for i in (2, 3)]
     differences = dict(zip(("dA/dtau", "dpsi/dtau"), _gap(rates, other, A)))
     parts = []
     for (name, at), wide, narrow in zip(differences.items(), *gaps):
+        # Fifty units of the last place of a rate near 1: rounding, and no difference.
         if at < 1e-14:
             parts.append(f"{name} agrees")
         elif wide and narrow:

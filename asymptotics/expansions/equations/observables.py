@@ -97,6 +97,7 @@ def observables_at(
 ) -> Observables:
     """The observables of a law at local strengths ``deltas``, through ``order``."""
     try:
+        # Two orders more, for one may change nothing: with linear friction alone L is odd and T is even.
         here, finer = (_values(_half(terms, n), _potential(terms, n), deltas) for n in (order, order + 2))
     except (OverflowError, ZeroDivisionError):
         here = finer = (nan,)
@@ -109,6 +110,7 @@ def observables_at(
     return Observables(
         amplitude,
         *(
+            # Twice the change, and a few units of the last place where the series has converged.
             Observable(a * f, 0.0 if a == b == inf else (2 * abs(a - b) + 1e-15 * abs(a)) * f, u)
             for a, b, f, u in zip(here, finer, factors, units)
         ),

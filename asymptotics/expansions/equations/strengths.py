@@ -52,6 +52,7 @@ class Strengths:
         if self.oscillator is None:
             return [number(e) for e in balls], weights, 1
         length, omega = number(self.oscillator.length()), number(self.oscillator.omega_0())
+        # delta = epsilon (A/length)^w, with A in metres.
         return [number(e) / length**w for e, w in zip(balls, weights)], weights, omega
 
     def symbolic(self, A: sympy.Expr) -> tuple[list[sympy.Expr], sympy.Expr]:
@@ -115,4 +116,5 @@ def _float(x: arb) -> float:
 def as_mpf(x: arb) -> Any:
     """The midpoint at mpmath's precision; the ball is made at that precision by the caller's context."""
     with ctx.workprec(mpmath.mp.prec + 20):
+        # Twenty bits and five digits beyond mpmath's precision, so that only its own rounding is seen.
         return mpmath.mpf(x.mid().str(mpmath.mp.dps + 5, radius=False))

@@ -78,7 +78,10 @@ def _coefficients(forces: Forces, order: int, digits: int, gauge: str, exact_onl
         p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
         return _expansion(gauge, order, "exact", forces, p, Omega)
     exact = _integer_part(forces, order, gauge, partial(_flow_rows, gauge, order))
+    # What these decide is handed over as digits: a tie or a zero among them would stop the balls at every precision.
     decided = {name: {key: exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
+    # The theorems on zeros hold at turning points. Elsewhere parity alone is known, and a coefficient that vanishes for
+    # another reason is refused as undecided.
     if gauge == TURNING_POINT:
         rounded = certified_digits(forces, order, digits, names=("p", "Omega"), known=decided)
     else:
@@ -170,6 +173,7 @@ def _is_exact(forces: Forces, order: int, gauge: str, exact_only: bool) -> bool:
         if exact_only:
             raise InputError("exact", "there are no exact coefficients at this order", "integer exponents")
         return False
+    # No other engine can serve, so the whole of the time is its own; else half of it is kept for the balls.
     if exact_only:
         require_size(forces, order, gauge, seconds_left())
         return True
@@ -186,6 +190,7 @@ def _integer_part(forces: Forces, order: int, gauge: str, rows_of: _RowsOf) -> d
 
     What no ball can tell from a tie is known by them.  ``rows_of`` makes the rows of that sum.
     """
+    # In a monomial of these variables no other force occurs: its coefficient is the one of their own sum.
     places = [i for i, v in enumerate(forces.velocities) if v.is_integer]
     part = forces.only(places, order)
     if not places or not _is_quick(part, order, gauge):
@@ -234,6 +239,7 @@ def _exact_row(series: Series, digits: int) -> Row:
 
 def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, sympy.Expr]) -> Row:
     def exact(key: Key, text: str) -> sympy.Expr | None:
+        # "0" is told by a theorem, whatever form stands beside it.
         return sympy.Integer(0) if text == "0" else known.get(key)
 
     return {_name(key): Coefficient(text, exact(key, text)) for key, text in row.items()}

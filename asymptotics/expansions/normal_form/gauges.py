@@ -82,8 +82,10 @@ class GaugeMap:
 
     def apply(self, flow: Flow) -> Flow:
         """The flow of the source gauge, written in the target gauge."""
+        # d psi_g = (1 + D chi) d psi: the rates of the docstring, still as functions of the old strengths.
         rate = flow.derivative(self.argument) + 1
         U, W = (flow.U + flow.derivative(self.log_modulus)) / rate, flow.W / rate
+        # Then the old strengths as series in the new ones.
         images = self.inverse().strengths
         return Flow(self.grading, U.compose(images), W.compose(images))
 
@@ -139,6 +141,7 @@ def _bracket_of_x(flow: Flow, K: tuple[tuple[Series, Series], ...]) -> Series:
     order = flow.order
     if len(K) <= order:
         raise ValueError(f"{order + 1} waveform moments are needed, {len(K)} are given")
+    # Without forces K_0 = int_0^(pi/2) e^(-i tau) cos(tau) d tau = pi/4 - i/2: pi comes from the ring itself.
     pi = K[0][0].constant_term * 4
     hatted = [_hat_moment(flow.grading, K[k], k) for k in range(order + 1)]
     ratio, kernel = _phase_kernel(flow)
@@ -146,6 +149,7 @@ def _bracket_of_x(flow: Flow, K: tuple[tuple[Series, Series], ...]) -> Series:
     for j in range(order + 1):
         terms.append(_contract(kernel.truncate(order - j), hatted, j))
         kernel = kernel * ratio
+    # Horner's rule in the operator: (4/pi) (t_0 + D_1 (t_1 + D_1 (t_2 + ...)/2)).
     total = terms[order]
     for j in range(order - 1, -1, -1):
         total = terms[j] + _d1(flow, total) / (j + 1)

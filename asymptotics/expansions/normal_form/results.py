@@ -19,6 +19,7 @@ from asymptotics.present.shown import Page, Rows
 __all__ = ["ZERO", "Coefficient", "Coefficients", "HalfSwingCoefficients", "Row", "row_to_dict"]
 
 
+# For a smooth line on the page: no number is read off it.
 _POINTS = 401
 ZERO = Coefficient("0", sympy.Integer(0))
 Row = dict[str, Coefficient]

@@ -72,5 +72,6 @@ def second_order_p(forces: Forces) -> dict[Key, Expr]:
     {(1, 1): -5/32}
     """
     U, W = first_order(forces)
+    # p = -U/W = -U (1 - (W - 1) + ...): of second order -U_2 + U_1 W_1.
     products = {tuple(a + b for a, b in zip(x, y)): U[x] * W[y] for x in U for y in W}
     return {key: products[key] - u for key, u in second_order_cross(forces).items()}
