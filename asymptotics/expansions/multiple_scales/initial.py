@@ -47,6 +47,7 @@ def map_to_turning_points(hierarchy: OddHierarchy) -> GaugeMap:
     order, variables = hierarchy.order, hierarchy.forces.variables
     velocity = _taylor(hierarchy, hierarchy.Y)
     sigma = Series({}, variables, order)
+    # The fixed point of the docstring: its derivative at 0 is 1 - cosh 0 + O(eta) = O(eta), an order for each pass.
     for _ in range(order):
         sigma = sigma + _at(velocity, sigma)
     log_modulus = _at(_taylor(hierarchy, hierarchy.X), sigma).log()
@@ -62,6 +63,7 @@ def _taylor(hierarchy: OddHierarchy, parts: tuple[Part, ...]) -> list[Series]:
         for n, part in enumerate(parts):
             h = 1 + n * hierarchy.spread
             for k, p in part.items():
+                # q^m at q = e^(-sigma) is e^(-m sigma), with m = 2 i - h for the coefficient i.
                 total = sum((c * (h - 2 * i) ** j for i, c in enumerate(p.coeffs())), start=fmpq(0))
                 values[k] = total / factorial(j)
         found.append(Series({k: c for k, c in values.items() if c != 0}, hierarchy.forces.variables, order))

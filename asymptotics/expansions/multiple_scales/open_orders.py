@@ -139,6 +139,7 @@ def require_exponents(alphas: tuple[Expr, ...]) -> None:
 
 def _require_derivatives(forces: tuple[PowerForce, ...], order: int) -> None:
     for f in forces:
+        # At order n the force is differentiated n - 1 times in x, and |x|^m has m derivatives that are functions.
         if f.piecewise and order > f.position + 1:
             power = f"|x|^{f.position}" if f.sign < 0 else f"x|x|^{f.position - 1}"
             reason = f"{order}: it takes derivative {order - 1} of {power}, which is no function where x = 0"
@@ -162,6 +163,7 @@ class _Open:
         f, g = rate_symbols(n)
         K, L = self.lower(n)
         K_n, L_n = wave("K", n), wave("L", n)
+        # V_n = X_n' + K_n + ... put into V_n' = -X_n - L_n - ...: K enters by its derivative.
         forcing = -(L_n + Derivative(K_n, psi)) if n > 1 else -L
         first, second = self.conditions(n)
         names, closed = turning_conditions(n), self.closed(n)
@@ -228,6 +230,7 @@ class _Open:
         for rates, power, open_form, sense in ((self.p, 1, first / pi, -1), (self.Omega, 0, second / (pi * a), 1)):
             keys = [k for k in rates if sum(k) == n]
             total = Add(*[rates[k] * self.strength(k) * self.power(k, power) for k in keys])
+            # Known in closed form, or zero by reversal, or the integral that the condition at pi gives.
             found.append(sense * total if n <= self.known or self.vanishes(n, sense) else open_form)
         return found[0], found[1]
 
@@ -307,10 +310,12 @@ def _product(m: PowerForce, n: int, Y_0: Factors, X_0: Factors, name: Callable[[
 
 def _power(base: Factors, exponent: Expr, later: list[Expr]) -> Expr:
     """The highest part of (base + sum_j eps^j later_j)^exponent, j = 1, ..., n: one term for each partition of n."""
+    # Faa di Bruno's formula: weight = exponent (exponent - 1) ... over the factorials of the multiplicities.
     terms = []
     for counts in _partitions(len(later)):
         m = sum(counts.values())
         weight = Mul(*[exponent - i for i in range(m)]) / prod(factorial(k) for k in counts.values())
+        # A whole exponent ends its derivatives: what comes after is exactly 0, and base^(exponent - m) would be a pole.
         if weight != 0:
             powers = [f ** (exponent - m) for f in base]
             terms.append(weight * Mul(*powers) * Mul(*[later[j - 1] ** k for j, k in counts.items()]))

@@ -91,6 +91,8 @@ class Powers:
         found = {m.key: m.mean for m in self.part(1, -1)}
         for x in self.part(1, -1):
             for y in self.part(1, 1):
+                # A = a (1 + lambda_j gamma_j): the strength of the loss is w_i lambda_j less in terms of A, and the
+                # stretch falls with the amplitude, w_j lambda_j more.
                 shift = x.mean * (y.weight - x.weight) * _stretch(y, gauge)
                 _add(found, x, y, _cross(x, y) + shift)
         return found
@@ -101,6 +103,7 @@ class Powers:
         found = {m.key: m.mean for m in self.members if m.sign > 0}
         for sign in (-1, 1):
             for x in self.part(1, sign):
+                # Ordered pairs: a mixed term comes twice, which is its coefficient in the square of the sum.
                 for y in self.part(1, sign):
                     _add(found, x, y, _losses(x, y, gauge) if sign < 0 else _two_springs(x, y, gauge))
         return found

@@ -23,11 +23,13 @@ from asymptotics.series import Key
 from asymptotics.terms import Term
 
 Rates = dict[Key, Expr]
+# Of the numbers that are shown beside the integrals; each is rounded correctly.
 DIGITS = 30
 
 
 def closed_rates(alphas: tuple[Expr, ...], terms: tuple[Term, ...], order: int) -> tuple[Rates, Rates, int]:
     """The coefficients of p and Omega known in closed form through ``order``, and the order through which all are."""
+    # ``powers`` knows losses of the velocity alone and springs of the place alone.
     if any(t.sign < 0 or not t.velocity.is_zero for t in terms):
         return {}, {}, 0
     powers = Powers(alphas, terms)
