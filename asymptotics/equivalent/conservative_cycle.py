@@ -79,6 +79,7 @@ class Spring:
             half = self.pendulum.sqrt() / 2
             # 2 (V(1) - V(x)) of the pendulum is 2 (cos(q x) - cos q)/q^2, a product of two sines, divided by 1 - x.
             first *= (half * (1 + x)).sinc() * (half * (1 - x)).sinc()
+        # (1 - x^(p+1))/(1 - x) as a sum of powers: no difference is left that could cancel near x = 1.
         return first + sum(
             (2 * c / (p + 1) * sum((x**j for j in range(p + 1)), acb(0)) for p, c in self.powers), acb(0)
         )
