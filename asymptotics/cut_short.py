@@ -1,4 +1,4 @@
-"""What is done when work is cut short, by its time or by Ctrl-C: the error carries it out, and ``done`` hands it over.
+"""What was finished when work is cut short, by its time or by Ctrl-C: the error carries it, and ``done`` hands it over.
 
 >>> rows = []
 >>> try:

@@ -1,5 +1,7 @@
 """Where to stop the divergent series at a given local strength, what is left, what the first exponentials give back.
 
+Optimal truncation at the smallest term, and its exponential improvement by Dingle's terminants.
+
 The Abel function counts half-swings, so its error is a fraction of one.  At the local strength delta > 0, with z =
 |c|/delta, the terms eps_n z^-n (n odd) fall until n is near 2 pi z, then grow; they stand for (``cauchy-heine``)
 

@@ -63,6 +63,7 @@ class Strengths:
             return [symbols[0] * A ** (self.symbol - 1)], sympy.Integer(1)
         powers = [A ** to_sympy(t.weight) for t in self.terms]
         if self.oscillator is None:
+            # A Scaled strength has no exact form: its symbol stands for it.
             known = [t.strength for t in self.law.terms] if self.law is not None else []
             strengths = [to_sympy(e) if isinstance(e, ExactReal) else s for e, s in zip(known or symbols, symbols)]
             return [s * power for s, power in zip(strengths, powers)], sympy.Integer(1)

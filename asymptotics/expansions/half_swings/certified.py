@@ -92,6 +92,7 @@ def quarter_swing(
     with ctx.workprec(bits):
         sums = truncated_sums(forces, order, kept, moments)
         enclosed = [enclose(s, b, radius, kept) for s, b in zip(sums, bounds, strict=True)]
+    # The moments come as Re K_0, Im K_0, Re K_1, ...; each series is known through its own highest degree.
     R, T_q, *K = [Series(c, forces.variables, max(map(sum, c))) for c in enclosed]
     return QuarterSwing(forces.ball_grading(), R, T_q, tuple(zip(K[::2], K[1::2], strict=True)))
 

@@ -1,5 +1,7 @@
 """The orders of the quarter swing, computed twice by one recursion: in truncated power series, and in bounds.
 
+The second is Cauchy's method of majorants, with suprema on a disc in the place of the functions.
+
 **Variables.**  On the quarter swing from the turning point (theta = 0) to the equilibrium passage (theta = pi/2) put
 theta = (pi/2) u, t = u², and R = ln r, Y = S/(1 − c S), where S = sum_i delta^{k_i} P_i varrho_i s^{v_i} c^{m_i} runs
 over the members of the forces (``forces``): key k_i, number ±varrho_i, powers of s and c, and P_i = e^{a_i R} with the

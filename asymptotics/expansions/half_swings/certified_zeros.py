@@ -155,6 +155,7 @@ def dry_friction_cancels(forces: Forces, n: Key) -> bool:
     degree, weight = sum(k for _, k in others), _weight(forces, n)
     if degree == sum(n) or weight is None:
         return False
+    # n_0 = sum(n) - degree counts dry friction, and D^n_0 of a^w_2, w_2 = w + n_0, is zero for a whole 0 <= w_2 < n_0.
     power = weight + sum(n) - degree
     second = degree == 2 and power.denominator == 1 and 0 <= power < sum(n) - degree
     return second or (degree == 3 and len(others) == 1 and is_value(others[0][0], 3))

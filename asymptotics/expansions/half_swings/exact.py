@@ -64,6 +64,7 @@ def even_half_swing(given: Given, order: int) -> HalfSwing:
     ]
     orbit = FormalSolution.solve(forces.exact_grading(), order, shapes, c, _from_one)
     L = orbit.series(orbit.log_r, lambda p: PiNumber.rational(p(fmpq(-1))))
+    # d tau = (1 + c m) d theta: pi for the 1, and the mean of c m.
     T = orbit.series(orbit.m, lambda m: PI * _mean_of_cosines(c * m)) + PI
     return _assemble(forces.exact_grading(), L, T)
 

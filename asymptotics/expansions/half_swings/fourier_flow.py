@@ -1,5 +1,7 @@
 """Smooth forces: the flow (U, W) and the waveform Z directly, in rational Fourier polynomials, in each gauge.
 
+This is the homological equation of the normal form, one order after the other.
+
 Losses eps |x|^m v|v|^(alpha-1) with m even, alpha odd and springs c x|x|^(p-1) |v|^q with p odd, q even are
 polynomials in x and v (cubic damping, Duffing, the pendulum, van der Pol, Rayleigh).  Then
 z = X - i X' = A e^(i psi) Z(psi, delta) obeys
@@ -153,6 +155,8 @@ class _FourierKernel:
         for j in range(1, n):
             shift = self.M * j
             if self.U[j]:
+                # D_1 = U (1 + sum (d_i - 1) delta_i d_i) multiplies a monomial by 1 + a_k; q^(M j) aligns what is
+                # stored.
                 grown = [(k, (p * (1 + self.grading.weight(k))).left_shift(shift)) for k, p in self.Z[n - j].items()]
                 accumulate(total, [(k, -u) for k, u in self.U[j].items()], grown)
             if self.W[j]:

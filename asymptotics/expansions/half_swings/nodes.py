@@ -1,5 +1,7 @@
 """The quarter swing of one law in balls, order by order by its values at Chebyshev nodes: products are pointwise.
 
+A collocation method with a proof: the interpolants are bounded on Bernstein ellipses (Trefethen 2013).
+
 With v = sin(theta/2)^2, 0 <= v <= 1/2, P = e^(eta R), eta = alpha - 1, and C = P Y (see ``quarter`` for s, c, Y)
 
     s^2 = 4 v (1 - v),  c = 1 - 2v,   Y = delta s^alpha (P + c C),   dP/dv = -2 eta C,
@@ -121,6 +123,7 @@ class _Orders:
         """p_n and tau_n at v = 1/2, n = 0 … ``order``."""
         eta, bits = self.alpha - 1, ctx.prec
         p, C = [arb(1)] * self.nodes, [arb(0)] * self.nodes
+        # A row for each node: the convolution at a node is a sum over its own two rows.
         all_p: list[list[arb]] = [[x] for x in p]
         all_y: list[list[arb]] = [[] for _ in p]
         ends = [arb(1)]

@@ -102,6 +102,7 @@ def field_half_swing() -> HalfSwing:
     minus_lambda = Series({(n,): -x for n, x in _lambda().items()}, 1, ORDER)
     log_mid = minus_lambda  # ln(q/delta)/a as a series in delta: its fixed point gains one order a pass
     for _ in range(ORDER):
+        # From delta, which is known, to q at the passage: delta = q e^(a lambda(q)) solved for q.
         log_mid = minus_lambda.compose(_GRADING.strengths(log_mid))
     q = _GRADING.strengths(log_mid)
     odd = Series({(n,): -2 * x for n, x in _lambda().items() if n % 2}, 1, ORDER)
@@ -223,4 +224,5 @@ def nested_integral_exact(n: int) -> PiNumber:
     S, weight = sine_power(n + 1).integral(), sine_power(2 * n)
     m, mean = S.at_quarter(), 2 / PI * weight.integral().at_quarter()
     linear, square = ((weight * f).integral().at_quarter() * 2 / PI for f in (S, S * S))
+    # S = int_0^theta - m with m = pi M/2, so that pi^2 M^2/12 = m^2/3 leaves two thirds of m^2.
     return m * m * mean * fmpq(2, 3) - 2 * m * linear + square

@@ -246,6 +246,7 @@ class _HarmonicKernel:
         """sum_(0<j<n) (Omegahat_j q d_q - phat_j E) of the part of degree n - j: the known slow derivatives."""
         total: Part = {}
         for j in range(1, n):
+            # As in ``_force``: what is stored for degree n - j is moved to where degree n has it.
             shift, h = j * self.spread // 2, 1 + (n - j) * self.spread
             grown = {k: p.left_shift(shift) * -(1 + self.grading.weight(k)) for k, p in parts[n - j].items()}
             turned = {k: rotated(p, h).left_shift(shift) for k, p in parts[n - j].items()}
@@ -257,6 +258,7 @@ class _HarmonicKernel:
         """(Omegahat_n q d_q - phat_n) of cos psi."""
         (cosine,), (sine,) = self.X[0].values(), self.Y[0].values()
         shift = n * self.spread // 2
+        # The newest rates act on X_0 alone at this order.
         slow = {k: -c * cosine.left_shift(shift) for k, c in self.p[n].items()}
         return summed(slow, {k: c * sine.left_shift(shift) for k, c in self.Omega[n].items()})
 

@@ -194,6 +194,7 @@ class _Open:
         total: Expr = Integer(0)
         for m in self.forces:
             if (later := n - sum(m.key)) >= 0:
+                # A loss enters with V|V|^(alpha-1) = -(-V)^alpha where V < 0, which its sign -1 says; a spring with +1.
                 total += m.sign * self.strength(m.key) * m.ratio * _product(m, later, Y_0, X_0, name)
         return total
 
@@ -236,10 +237,12 @@ class _Open:
 
     def vanishes(self, n: int, sense: int) -> bool:
         """By reversal f_n has only odd, g_n only even numbers of losses: zero where no spring helps."""
+        # With a spring a degree has monomials with an even and with an odd number of losses, and n itself says nothing.
         return all(f.sign < 0 for f in self.forces) and n % 2 == (0 if sense < 0 else 1)
 
     def power(self, key: Key, power: int) -> Expr:
         """a^(power + sum n_i (d_i - 1))."""
+        # Of a symbolic exponent too: a SymPy expression, and no number is asked for.
         weights = [x - 1 for x in self.alphas] + [to_sympy(term.weight) for term in self.terms]
         return a ** Add(power, *[n * w for n, w in zip(key, weights)])
 

@@ -126,6 +126,7 @@ def _cross(x: Power, y: Power) -> Expr:
 def _losses(x: Power, y: Power, gauge: str) -> Expr:
     """Half of (x, y) plus half of (y, x): alpha_i alpha_j M/(...) and rational * P_i P_j."""
     a, b = x.exponent, y.exponent
+    # Half of the sums for (x, y) and for (y, x), with ``velocity_sum`` put in: the moment of a + b, and products.
     below = (a + 1) * (b + 1)
     products = (a + b) / 4 - 1 - (1 - a - b - 3 * a * b) / (2 * below)
     products -= (_lead(a, gauge) * (a - 1) + _lead(b, gauge) * (b - 1)) / 2

@@ -39,6 +39,7 @@ def closed_rates(alphas: tuple[Expr, ...], terms: tuple[Term, ...], order: int) 
         found = symbolic_expansion()
         p |= {(k,): c.subs(alpha, alphas[0]) for k, c in found["p"].items() if 2 < k <= order}
         Omega |= {(k,): c.subs(alpha, alphas[0]) for k, c in found["Omega"].items() if 2 < k <= order}
+    # A coefficient that is identically 0 is left out, and counts as known through the order that is told.
     rows = ({k: c for k, c in row.items() if c != 0} for row in (p, Omega))
     return (*rows, min(order, 4 if alone else 2))  # type: ignore[return-value]
 

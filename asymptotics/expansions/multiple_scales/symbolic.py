@@ -182,6 +182,7 @@ class _Display:
     def order(self, n: int) -> Order:
         """Order n: nothing is computed here, everything is shown."""
         kernel, (rate, turn) = self.kernel, rate_symbols(n)
+        # From here on everything is exact and known: the display only orders it by sin and cos.
         known = {key: kernel.right_side(key) for key in kernel.keys(n)}
         first = {key: c.get(1, fmpq(0)) for key, c in known.items()}
         sine, cosine = (self._sum({k: c for k, c in first.items() if self._is_odd(k) == odd}) for odd in (True, False))

@@ -102,6 +102,7 @@ class _TurningDisplay:
         s, c = sin(psi), cos(psi)
         for key, f in parts.items():
             scale = self._monomial(key)
+            # As it stands in the ring, power by power: SymPy is not asked to simplify what may be long.
             terms += [scale * q.to_sympy() * psi**i * s**j * c**m for (i, j, m), q in f.coefficients().items()]
         return Add(*terms)
 

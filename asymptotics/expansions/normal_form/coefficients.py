@@ -182,6 +182,7 @@ def _is_exact(forces: Forces, order: int, gauge: str, exact_only: bool) -> bool:
 
 def _is_quick(forces: Forces, order: int, gauge: str) -> bool:
     """Whether the exact engine leaves at least half of the time for the other one."""
+    # Where exact numbers take longer than that, the balls still have time to answer.
     return estimated_seconds(forces, order, gauge) <= seconds_left() / 2
 
 

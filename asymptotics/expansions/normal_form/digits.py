@@ -107,6 +107,7 @@ def round_all(
         tick(f"coefficients at {bits} bits")
         series = evaluate()
         rounded = {name: _round(one, name, digits, known.get(name, {}), forces) for name, one in series.items()}
+        # All are rounded before the precision grows: the worst one says by how much.
         open_ones = [(name, n) for name, row in rounded.items() for n, text in row.items() if text is None]
         if not open_ones:
             return {name: {n: text for n, text in row.items() if text} for name, row in rounded.items()}

@@ -8,6 +8,8 @@ z = X - i X' = A e^(i psi) Z(psi, delta) leaves one freedom: A e^(i psi) -> A e^
 ``no-first-harmonic``  <Z + conj(Z) e^(-2 i psi)> = 1: the e^(i psi) coefficient of X is exactly A/2
 =====================  ==============================================================================================
 
+The last condition is that of Krylov, Bogoliubov and Mitropolsky.
+
 *The brackets from one family of integrals.*  Start an orbit at a turning point with amplitude 1 and strength delta_0.
 Along it X(psi; delta_0) is exp(psi D_1) of the fixed-delta waveform, with D_1 = U + sum_i V_i d_i.  Undoing that, the
 e^(i psi) coefficient of X, times 2, is, over the first quarter,
@@ -105,6 +107,7 @@ def gauge_map(flow: Flow, K: tuple[tuple[Series, Series], ...], gauge: str) -> G
     require_gauge(gauge)
     if gauge == TURNING_POINT:
         return identity_map(flow)
+    # The bracket of no-first-harmonic in any case: that of averaging is made of it.
     c = _bracket_of_x(flow, K)
     if gauge == AVERAGING:
         W_inverse = _hat(flow.grading, flow.W, 0).inverse()
@@ -197,6 +200,8 @@ def _contract(kernel: Series, moments: list[Series], j: int) -> Series:
 
 def _logarithm(even: Series, odd: Series) -> tuple[Series, Series]:
     """(lambda, chi) with exp(lambda + i chi) = even + i odd: E chi = (even E odd - odd E even)/(even^2 + odd^2)."""
+    # ln |c| is half the logarithm of the modulus; the argument by its Euler derivative, so that no arctangent is
+    # expanded.
     modulus = even * even + odd * odd
     ones = (1,) * even.variables
     turn = (even * odd.weighted(ones) - odd * even.weighted(ones)) / modulus

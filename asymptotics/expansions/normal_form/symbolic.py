@@ -84,5 +84,6 @@ def second_order_sum(alphas: tuple[Any, ...]) -> dict[tuple[int, ...], Expr]:
         for j, b in enumerate(alphas[i:], start=i):
             key = tuple((k == i) + (k == j) for k in range(len(alphas)))
             term = a * b * moment(a + b) / ((a + 1) * (b + 1))
+            # The pairs (i, j) and (j, i) have one key.
             found[key] = term * (1 if i == j else 2)
     return found

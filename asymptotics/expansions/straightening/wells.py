@@ -76,6 +76,7 @@ class Well:
         """sqrt(2 V(A)) of a turning point A > 0; InputError unless A is certainly inside the well."""
         if self.kind == "pendulum":
             root = self.strength.sqrt()
+            # Beyond pi the pendulum turns over: decided in balls, and refused where they do not tell.
             if not (A > 0 and root * A < arb.pi()):
                 raise InputError("x0", f"{A.str(5)} is not certainly inside the well", "less than pi rad")
             return 2 * (root * A / 2).sin() / root
@@ -170,6 +171,7 @@ def _log(x: Any, analytic: bool = False) -> Any:
 def _hypergeometric(a: arb, b: arb, c: arb, z: Any, analytic: bool) -> Any:
     """2F1(a, b; c; z), cut along [1, infinity): where ``analytic`` is asked a ball that may meet the cut is refused."""
     if isinstance(z, acb):
+        # 2F1 is cut from 1 on: a ball that may meet the cut is not analytic, and the integrator is told so by nan.
         if analytic and not (z.real < 1 or z.imag > 0 or z.imag < 0):
             return acb("nan")
         return z.hypgeom_2f1(a, b, c)
