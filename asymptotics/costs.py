@@ -26,8 +26,8 @@ from asymptotics.errors import LimitError
 
 def exact_expansion_seconds(order: int, variables: int, degree: float, *, smooth: bool, turning_point: bool) -> float:
     """Monomials^2 order^2, for integer exponents; ``degree`` is half the largest degree, at least 1."""
-    # Products of series take the square of the number of monomials; order^2 covers the passes and the growing
-    # rationals.
+    # Products of series take the square of the number of monomials;
+    # order^2 covers the passes and the growing rationals.
     work = order**2 * comb(order + variables, variables) ** 2
     if smooth:
         # Fourier polynomials are as long as the degree, once for each factor.
@@ -95,8 +95,8 @@ def jump_seconds(bits: int) -> float:
 
 def flow_seconds(order: int, laws: int, bits: int) -> float:
     """The coefficients of the slow flow of a sum through an order."""
-    # 3.7 s at order 13 of two laws, 7.5 s at order 9 of three, 9.2 s at order 7 of more, at 220 bits: the number of
-    # monomials sets the powers.
+    # 3.7 s at order 13 of two laws, 7.5 s at order 9 of three, 9.2 s at
+    # order 7 of more, at 220 bits: the number of monomials sets the powers.
     one = {2: 3.7 * (order / 13) ** 3.6, 3: 7.5 * (order / 9) ** 4.8}.get(laws, 9.2 * (order / 7) ** 5.4)
     return float(one * (bits / 220) ** 1.2)
 

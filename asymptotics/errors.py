@@ -62,8 +62,8 @@ def shown(value: object) -> str:
     ("'averag'", 'None (NoneType)', 'a object')
     """
     kind = type(value).__name__
-    # 60 characters and 40 digits are for a message on one line; Python refuses to print an integer of more than 4300
-    # digits.
+    # 60 characters and 40 digits are for a message on one line;
+    # Python refuses to print an integer of more than 4300 digits.
     if isinstance(value, str):
         return repr(value[:60])
     if isinstance(value, int) and not isinstance(value, bool):

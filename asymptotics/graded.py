@@ -53,8 +53,8 @@ class WholePowers:
         """``base``: the factor at degree 0; ``used``: the exponent and the degree of each member, up to ``order``."""
         pairs = [*used]
         top = max([1, *(e for e, _ in pairs)])
-        # The power k stands in the members whose exponent is at least k; with a strength of degree n in front a member
-        # needs it through ``order`` - n.
+        # The power k stands in the members whose exponent is at least k; with a
+        # strength of degree n in front a member needs it through ``order`` - n.
         self._need = [order - min((n for e, n in pairs if e >= k), default=order) for k in range(top + 1)]
         leading = accumulated([base] * top, mul, initial=one)
         self.parts: list[list[Part]] = [[{zero: x}] for x in leading]

@@ -57,6 +57,7 @@ class _Sum(Shown):
         terms, notes = _merged([*given, *_springs(spring)])
         if not terms:
             raise InputError("law", "there is no term", _FORMS)
+        # What was read from floats is told whichever way the law came, and told once.
         noted = law.notes if isinstance(law, _Sum) else _float_notes(law, "alpha")
         object.__setattr__(self, "terms", terms)
         object.__setattr__(self, "notes", tuple(dict.fromkeys([*noted, *_float_notes(spring, "spring"), *notes])))
@@ -67,6 +68,7 @@ class _Sum(Shown):
         made, more = _merged(_terms(terms))
         if not made:
             raise InputError("law", "there is no term", _FORMS)
+        # Past ``__init__``, which reads mappings: these terms have been read already.
         law = object.__new__(cls)
         object.__setattr__(law, "terms", made)
         object.__setattr__(law, "notes", tuple(dict.fromkeys([*notes, *more])))
@@ -240,6 +242,7 @@ class Oscillator(Shown):
     @inside
     def deltas(self, amplitude: arb) -> tuple[arb, ...]:
         """delta_i = epsilon_i A^(d_i-1) at the slow amplitude A > 0, in units of ``length``; InputError else."""
+        # Anything else would be refused by FLINT, in words that name no argument.
         _require_balls(amplitude=amplitude)
         if not amplitude > 0:
             raise InputError("amplitude", f"{amplitude.str(5)} is not certainly positive", "a positive number")

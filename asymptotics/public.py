@@ -88,8 +88,8 @@ class limited:  # noqa: N801 (used as a context manager, as ``suppress`` and ``c
             signal.signal(signal.SIGALRM, self.before)
             gc.callbacks.remove(_collecting)
             _collected.clear()
-        # _rung tells that an alarm did stop the work; what reaches this place may be another error that a library made
-        # of it.
+        # _rung tells that an alarm did stop the work; what reaches
+        # this place may be another error that a library made of it.
         stopped, broken = self.before is not None and bool(_rung), isinstance(error, Exception)
         if self.before is not None:
             _rung.clear()

@@ -297,6 +297,7 @@ def accumulate(total: dict[Key, Any], left: Iterable[tuple[Key, Any]], right: It
     second = list(right)
     for i, x in left:
         for j, y in second:
+            # The innermost loop of all expansions: for one variable it goes without a generator.
             key = (i[0] + j[0],) if len(i) == 1 else tuple(p + q for p, q in zip(i, j))
             total[key] = total[key] + x * y if key in total else x * y
 

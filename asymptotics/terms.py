@@ -49,6 +49,8 @@ def terms_of(text: str, argument: str) -> list[str]:
     parts = [part.strip() for part in text.split("+")]
     # What is not the old spelling goes on unread: the caller parses exponents.
     for part in parts:
+        # The old spelling had commas between terms and an x before
+        # the power of the place: both are translated for the message.
         new = "+".join(re.sub(r"^(.+)x(\d+)$", r"\1,\2:", piece.strip()) for piece in part.split(","))
         if "," in part and ":" not in part:
             accepted = f"{new}, or {part}: for |x|^M v|v|^(A-1) with A,M as in --law A,M:E"
@@ -126,6 +128,7 @@ class Scaled:
     def ball(self) -> arb:
         """An enclosure at the current working precision."""
         time = _power(self.units.omega_0(), self.velocity)
+        # Nothing is kept: each factor is made at the precision in force.
         return self.b.ball() * time * _power(self.units.length(), self.weight) / self.units.stiffness.ball()
 
     def __str__(self) -> str:

@@ -138,8 +138,8 @@ class SlowFlow:
         """int_(s_0)^s f, by the mean-value form at both ends."""
         if not self.losses:
             raise InputError("law", "without a loss the amplitude stays", "a loss")
-        # The integrator is given exact ends; what lies between them and the balls of the ends is added by the mean
-        # value theorem.
+        # The integrator is given exact ends; what lies between them
+        # and the balls of the ends is added by the mean value theorem.
         low, high = self.s_0.mid(), s.mid()
         whole = _between(f, low, high)
         return whole + f(acb(s), False).real * (s - high) - f(acb(self.s_0), False).real * (self.s_0 - low)

@@ -79,8 +79,8 @@ class NumericEnvelope:
         exponent, kappa = self.alphas[0] - 1, self.kappas[0]
         if exponent == 0:
             return kappa * t
-        # From the extinction on log1p(-1)/exponent is infinity (the exponent is negative): A = 0, as the averaged law
-        # has it.
+        # From the extinction on log1p(-1)/exponent is infinity (the
+        # exponent is negative): A = 0, as the averaged law has it.
         growth = np.maximum(exponent * kappa * t, -1.0)
         with np.errstate(divide="ignore"):
             return np.asarray(np.log1p(growth) / exponent)

@@ -67,8 +67,8 @@ class ExponentialSum:
             if 0 < sum(key) <= order and not absent:
                 for e, n in zip(epsilons, key):
                     c = c * e**n
-                # Midpoints alone: what is made of these sums is heuristic (``motions.frame``), and a radius would only
-                # look like a proof.
+                # Midpoints alone: what is made of these sums is heuristic
+                # (``motions.frame``), and a radius would only look like a proof.
                 terms.append((arb(c).mid(), arb(grading.weight(key)).mid()))
         return cls(tuple(terms))
 
@@ -170,8 +170,8 @@ class SlowLaw:
             return start + max(tau_max, 1.0) * float(self.p.array(np.array(start))), inf
         # A falling power of the amplitude: p grows with s, and A = 0 is reached in a finite time.
         ends = min(rates) < 0
-        # A quarter of the shortest scale of p in s, and 5 at most: on e^(s/4) ten Gauss nodes are right to the last
-        # bit.
+        # A quarter of the shortest scale of p in s, and 5 at most:
+        # on e^(s/4) ten Gauss nodes are right to the last bit.
         step = 0.25 / max(max(map(abs, rates)), 0.05)
         for _ in range(_MAX_PANELS):
             if tau >= tau_max:
@@ -180,8 +180,8 @@ class SlowLaw:
                 return s, tau + self._rest(s, step)
             tau += float(self._panels(np.array([s, s + step]), lambda _: 1.0)[0])
             now, then = (float(self.p.array(np.array(at))) for at in (s, s + step))
-            # Where only the slowest loss is left p is nearly constant: longer steps, or a long time would take 100,000
-            # of them.
+            # Where only the slowest loss is left p is nearly constant:
+            # longer steps, or a long time would take 100,000 of them.
             s, step = s + step, 2 * step if not ends and _STEADY < then / now <= 1 else step
         raise LimitError("time", f"{tau_max:.3g}/omega_0 is too long for the amplitude law", "a shorter time")
 

@@ -80,8 +80,8 @@ def closed_form_ball(expression: sympy.Expr) -> arb:
     if isinstance(expression, sympy.Add | sympy.Mul):
         return reduce(add if expression.is_Add else mul, [closed_form_ball(a) for a in expression.args])
     if isinstance(expression, sympy.Pow):
-        # An integer exponent stays one: the power of a ball by a ball goes through the logarithm, which a negative base
-        # lacks.
+        # An integer exponent stays one: the power of a ball by a ball
+        # goes through the logarithm, which a negative base lacks.
         base, exponent = (closed_form_ball(a) for a in expression.args)
         return base ** (int(expression.exp) if expression.exp.is_Integer else exponent)
     if type(expression) in _FUNCTIONS:

@@ -170,8 +170,8 @@ class cached_property(Generic[T]):  # noqa: N801 (a decorator, as in functools)
     def __get__(self, instance: object | None, owner: type | None = None) -> "cached_property[T] | T":
         if instance is None:
             return self
-        # Python finds a kept value before it asks here (there is no ``__set__``); another thread may have made it
-        # meanwhile.
+        # Python finds a kept value before it asks here (there is no
+        # ``__set__``); another thread may have made it meanwhile.
         with alone:
             kept = instance.__dict__
             if self.name not in kept:

@@ -97,8 +97,8 @@ def decimal_of_ball(ball: arb, digits: int) -> str | None:
         radius, radius_shift = fmpz(1), fmpz(radius.bit_length() - 2 * MAX_EXPONENT)
     low_shift = min(int(shift), int(radius_shift))
     middle, radius = middle << (int(shift) - low_shift), radius << (int(radius_shift) - low_shift)
-    # Rounding to nearest is monotone: where both ends round to one decimal, so does every number between them (Ziv's
-    # test).
+    # Rounding to nearest is monotone: where both ends round to
+    # one decimal, so does every number between them (Ziv's test).
     low, high = (_round_dyadic(end, low_shift, digits) for end in (middle - radius, middle + radius))
     return _format(*low, digits) if low == high else None
 
@@ -140,8 +140,8 @@ def _round_quotient(p: fmpz, q: fmpz, digits: int) -> tuple[fmpz, int]:
         scale = fmpz(10) ** abs(exponent)
         top, bottom = (p, q * scale) if exponent >= 0 else (p * scale, q)
         n, rest = divmod(top, bottom)
-        # Half to even. Where this makes n = 10^digits the next exponent begins again with the quotient: never two
-        # roundings.
+        # Half to even. Where this makes n = 10^digits the next
+        # exponent begins again with the quotient: never two roundings.
         n += int(2 * rest > bottom or (2 * rest == bottom and n % 2 == 1))
         if n < fmpz(10) ** digits:
             return sign * n, exponent

@@ -79,8 +79,8 @@ class ExactReal(Shown):
         if radicand == 1:
             parts = (coefficient + offset if offset else coefficient, _ONE, _ZERO)
         else:
-            # A rational root is taken, so that a root is left exactly where the number is irrational: sign, equality
-            # and hash rest on that.
+            # A rational root is taken, so that a root is left exactly where
+            # the number is irrational: sign, equality and hash rest on that.
             root = _rational_root(Fraction(radicand)) if coefficient else _ZERO
             parts = (coefficient, radicand, offset) if root is None else (coefficient * root + offset, _ONE, _ZERO)
         for name, value in zip(("coefficient", "radicand", "offset"), parts):
@@ -104,8 +104,8 @@ class ExactReal(Shown):
     @property
     def sign(self) -> int:
         """-1, 0 or 1: of the greater in size of the two parts, root and offset."""
-        # Where a root is left the two parts are not of one size, else the root were rational: the larger one has the
-        # sign.
+        # Where a root is left the two parts are not of one size,
+        # else the root were rational: the larger one has the sign.
         root, square = _sign(self.coefficient), self.coefficient**2 * self.radicand
         return root if square > self.offset**2 else _sign(self.offset)
 
@@ -153,8 +153,8 @@ class ExactReal(Shown):
     def __hash__(self) -> int:
         if self.is_rational:
             return hash(self.coefficient)
-        # 2 sqrt(2) and sqrt(8) are equal: equal numbers have equal offsets and equal squares of what stands beside
-        # them.
+        # 2 sqrt(2) and sqrt(8) are equal: equal numbers have equal
+        # offsets and equal squares of what stands beside them.
         return hash((self.offset, _sign(self.coefficient), self.coefficient**2 * self.radicand))
 
     def __lt__(self, other: "int | Fraction | ExactReal") -> bool:

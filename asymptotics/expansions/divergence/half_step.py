@@ -39,8 +39,8 @@ def half_step(g: Germ, delta: acb) -> tuple[acb, acb]:
     L = (first / delta).log() / g.eta
     middle = acb(L.real.mid(), L.imag.mid())
     value = middle - _R(g, delta) + _R(g, -delta * (g.eta * middle).exp())
-    # On the whole ball of L: a rectangle is convex, so that it holds the segment, and G' over it holds the mean of G'
-    # there.
+    # On the whole ball of L: a rectangle is convex, so that it
+    # holds the segment, and G' over it holds the mean of G' there.
     slope = 1 + g.eta * _weighted_R(g, -delta * (g.eta * L).exp())
     F = delta * (g.eta * (middle - value / slope)).exp()
     return F, _T(g, delta) + _T(g, -F)

@@ -72,8 +72,8 @@ def _petal(g: Germ, height: float) -> Petal | None:
     x = r / g.half.radii[0]
     if not x < 1:
         return None
-    # Upper bounds are rounded up, lambda down, so that each number may stand in the inequalities of the module
-    # docstring.
+    # Upper bounds are rounded up, lambda down, so that each number
+    # may stand in the inequalities of the module docstring.
     b, b_T = (
         (g.c**2 * quadratic_bound(f, size, r, x)).upper()
         for f, size in ((g.gamma, abs(g.c * g.eta) * g.half.gains[0] + 1), (g.tau, g.half.excess))

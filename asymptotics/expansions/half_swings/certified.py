@@ -144,8 +144,8 @@ def terms_needed(bounds: Sequence[Orders], radius: int, bits: int) -> int:
 def _guard_bits(size: Sequence[Orders]) -> int:
     """Bits lost to cancellation: the bounds at varrho = 1 bound the largest coefficient.  This affects the width
     only."""
-    # Where 24 and 1.25 come from is not recorded. Too few bits leave wider balls, which whoever wants digits answers
-    # with a higher precision.
+    # Where 24 and 1.25 come from is not recorded. Too few bits leave wider
+    # balls, which whoever wants digits answers with a higher precision.
     return 24 + int(1.25 * max(_log2(b) + 3 * sum(n) for part in size for n, b in part.items()))
 
 

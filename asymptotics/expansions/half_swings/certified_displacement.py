@@ -47,8 +47,8 @@ from asymptotics.expansions.half_swings.forces import Forces, Member
 from asymptotics.numbers.context import ctx
 from asymptotics.series import Key
 
-# Not 4 as in ``certified``: 1/sigma is among the functions here, and it has its pole at t = 4. 3 is worth 1.6 bits a
-# term at the passage.
+# Not 4 as in ``certified``: 1/sigma is among the functions here, and
+# it has its pole at t = 4. 3 is worth 1.6 bits a term at the passage.
 RADIUS = 3
 _BOUND_BITS = 64
 Parts = dict[Key, Any]
@@ -130,8 +130,8 @@ def _orders(ring: _Ring, forces: Forces, order: int) -> Parts:
             rest = minus(n, m.key)
             if min(rest) >= 0:
                 force = force + ring.cut(ring.powers[i] * _product(ring, [Q[i], *X[i]], rest))
-        # First the wave of order n from forces that know lower orders only, then the powers of the velocity that it
-        # makes.
+        # First the wave of order n from forces that know lower
+        # orders only, then the powers of the velocity that it makes.
         e = dot(n, velocities)
         a = ring.divide(ring.cut(ring.sine_ratio * force), e + 2)
         b = ring.divide(ring.cut(ring.cosine * force), e + 1)
@@ -181,8 +181,8 @@ def _series(forces: Forces, order: int, terms: int) -> _Ring:
 
 
 def _bounds(forces: Forces, order: int) -> _Ring:
-    # cos and sin/theta by the absolute values of their Taylor coefficients, 1/sigma by its product, whose factors are
-    # least in modulus at t = varrho.
+    # cos and sin/theta by the absolute values of their Taylor coefficients,
+    # 1/sigma by its product, whose factors are least in modulus at t = varrho.
     theta = arb.pi() / 2 * arb(RADIUS).sqrt()
     cosine, ratio = theta.cosh(), theta.sinh() / theta
     powers = tuple(abs(arb(m.ratio)) * ratio ** m.velocity.ball() for m in forces.through(order))

@@ -83,8 +83,8 @@ def _waveform(ring: Ring, sine_ratio: arb_poly, y: Mapping[Key, arb_poly]) -> tu
     for n in y:
         A, B = cut(convolve(y, a, n)), cut(convolve(y, b, n))
         exponent = dot(n, ring.velocities)
-        # -(g + i kappa u c)(A + i u B): u^2 = t is the shift, and the recursion of a_n, b_n in the module docstring
-        # follows.
+        # -(g + i kappa u c)(A + i u B): u^2 = t is the shift, and
+        # the recursion of a_n, b_n in the module docstring follows.
         even = cut(ring.turn * A) - cut((cosine * B).left_shift(1))
         a[n] = -ring.integrate(even, exponent)
         b[n] = -divide(cut(ring.turn * B + cosine * A), exponent, 1)

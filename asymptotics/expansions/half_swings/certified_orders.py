@@ -124,8 +124,8 @@ def order_series(ring: Ring, orders: Sequence[Key]) -> dict[Key, Any]:
             if sum(n) + sum(ring.keys[i]) > top:
                 continue
             C[i][n] = ring.cut(convolve(p[i], y, n))
-            # P_i = 1 where the weight is exactly 0 (linear friction); a ball around 0 is no such weight and may not be
-            # dropped.
+            # P_i = 1 where the weight is exactly 0 (linear friction);
+            # a ball around 0 is no such weight and may not be dropped.
             if ring.slopes[i] != 0 or not ring.slopes[i].is_exact():
                 p[i][n] = ring.slopes[i] * ring.integrate(ring.cut(ring.turn * C[i][n]), dot(n, ring.velocities))
     return y

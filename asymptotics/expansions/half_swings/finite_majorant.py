@@ -186,8 +186,8 @@ class _Step:
 def _fixed_point(start: float, h: float, rows: Sequence[tuple[float, ...]]) -> float:
     """The fixed point of g = G_j + h N*(g)/(1 - C*(g)) in floats; rows (rho, slope, s^(alpha+1), s^alpha |c|)."""
     g, previous = start, -1.0
-    # Near the end of the disc the iteration hardly converges: 200 steps, or none is seen, which costs a bit of the
-    # disc.
+    # Near the end of the disc the iteration hardly converges:
+    # 200 steps, or none is seen, which costs a bit of the disc.
     for _ in range(200):
         if g - previous <= 1e-14 * (1 + g):
             return g
@@ -212,8 +212,8 @@ def _extremes(alphas: tuple[tuple[Any, Any], ...], pieces: int) -> tuple[tuple[t
         exponents = [arb(arb(m), arb(r)) for m, r in alphas]
         found = []
         for j in range(pieces):
-            # s rises and c falls on the quarter: the largest s is at the right end of the piece, the largest c at the
-            # left one.
+            # s rises and c falls on the quarter: the largest s is at
+            # the right end of the piece, the largest c at the left one.
             s = arb.sin_pi(arb(fmpq(j + 1, 2 * pieces)))
             c = arb.cos_pi(arb(fmpq(j, 2 * pieces)))
             powers = [s**a for a in exponents]

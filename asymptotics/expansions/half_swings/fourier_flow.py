@@ -122,8 +122,8 @@ class _FourierKernel:
             self.forcing.append(self._phi(n))
             rest = self._right_side(n)
             middle = self.M * n
-            # Solvability: the mean, stored at q^(M n), has to vanish, which fixes U_hat or W_hat by the parity of the
-            # monomial.
+            # Solvability: the mean, stored at q^(M n), has to vanish,
+            # which fixes U_hat or W_hat by the parity of the monomial.
             self.U.append({k: p[middle] for k, p in rest.items() if l(k) % 2})
             self.W.append({k: -p[middle] for k, p in rest.items() if l(k) % 2 == 0})
             self.Z.append({k: self._integrate(p, n, l(k)) for k, p in rest.items()})
@@ -155,8 +155,8 @@ class _FourierKernel:
         for j in range(1, n):
             shift = self.M * j
             if self.U[j]:
-                # D_1 = U (1 + sum (d_i - 1) delta_i d_i) multiplies a monomial by 1 + a_k; q^(M j) aligns what is
-                # stored.
+                # D_1 = U (1 + sum (d_i - 1) delta_i d_i) multiplies a
+                # monomial by 1 + a_k; q^(M j) aligns what is stored.
                 grown = [(k, (p * (1 + self.grading.weight(k))).left_shift(shift)) for k, p in self.Z[n - j].items()]
                 accumulate(total, [(k, -u) for k, u in self.U[j].items()], grown)
             if self.W[j]:

@@ -20,7 +20,6 @@ def pi_number(c: Any) -> PiNumber:
 
 def exact_decimal(number: PiNumber, digits: int) -> str:
     """Rationals by integer arithmetic, which also decides ties; anything with pi is irrational and never ties."""
-    # A ball could not decide a tie between two decimals, which a rational number may be.
     if number.is_rational:
         return rational_decimal(to_fraction(number.as_rational()), digits)
     return certified_decimal(number.ball, digits)

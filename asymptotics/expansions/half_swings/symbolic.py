@@ -173,8 +173,8 @@ def nested_integral(exponent: arb) -> arb:
     """
     if not exponent >= 0:
         raise InputError("alpha", f"{exponent.str(5)} is not certainly >= 0", "alpha >= 0")
-    # x = (pi/6)^2 is worth 1.87 bits a term. Counted as 1.8, with eight terms to spare; the tail is added whatever it
-    # is.
+    # x = (pi/6)^2 is worth 1.87 bits a term. Counted as 1.8, with
+    # eight terms to spare; the tail is added whatever it is.
     terms = ceil(ctx.prec / 1.8) + 8
     weight = _sinc_power(2 * exponent, terms)
     sigma = [c / (exponent + 2 + 2 * j) for j, c in enumerate(_sinc_power(exponent + 1, terms))]

@@ -143,8 +143,8 @@ class _TurningKernel:
             for rates, f in ((self.p, u), (self.Omega, w)):
                 # Both conditions in one form: u + pi p_k = 0 and w + pi Omega_k = 0 at psi = pi.
                 rate = f.at_pi() * fmpq(-1) / PI
-                # Exact numbers, so that a zero is one: Omega_k of an odd loss degree, all of dry friction from order 2
-                # on.
+                # Exact numbers, so that a zero is one: Omega_k of an
+                # odd loss degree, all of dry friction from order 2 on.
                 if rate != 0:
                     rates[key] = rate
             u, w = (f + PSI * rates[key] if key in rates else f for rates, f in ((self.p, u), (self.Omega, w)))

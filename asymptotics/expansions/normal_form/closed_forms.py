@@ -38,7 +38,7 @@ def symbolic_coefficients(order: int, gauge: str, digits: int) -> Coefficients:
         raise InputError("order", reason, f"an integer from 1 to {highest}")
     source = symbolic_expansion()
     p, Omega, W = ({k: v for k, v in source[name].items() if k <= order} for name in ("p", "Omega", "W"))
-    # The source is the turning-point gauge; Omega_2 alone has a closed form in the others.
+    # The source is the turning-point gauge: through order 2 the others differ from it in Omega_2 alone.
     if 2 in Omega:
         Omega[2] = omega_2(gauge)
     return Coefficients(

@@ -135,7 +135,7 @@ def _round(series: Series, name: str, digits: int, known: Mapping[Key, str], for
             if n in known:
                 row[n] = known[n]
                 continue
-            # Absent is the exact 0, "0". A ball around 0 is no zero: it has no first digit, and None asks for more
-            # precision.
+            # Absent is the exact 0, "0". A ball around 0 is no zero:
+            # it has no first digit, and None asks for more precision.
             row[n] = decimal_of_ball(arb(value), digits) if value != 0 or not arb(value).is_exact() else "0"
     return row

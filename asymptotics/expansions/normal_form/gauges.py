@@ -200,8 +200,8 @@ def _contract(kernel: Series, moments: list[Series], j: int) -> Series:
 
 def _logarithm(even: Series, odd: Series) -> tuple[Series, Series]:
     """(lambda, chi) with exp(lambda + i chi) = even + i odd: E chi = (even E odd - odd E even)/(even^2 + odd^2)."""
-    # ln |c| is half the logarithm of the modulus; the argument by its Euler derivative, so that no arctangent is
-    # expanded.
+    # ln |c| is half the logarithm of the modulus; the argument
+    # by its Euler derivative, so that no arctangent is expanded.
     modulus = even * even + odd * odd
     ones = (1,) * even.variables
     turn = (even * odd.weighted(ones) - odd * even.weighted(ones)) / modulus
