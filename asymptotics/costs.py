@@ -21,7 +21,7 @@ from math import comb, log2
 from asymptotics.errors import LimitError
 
 # What all of these numbers decide: which route is offered first, and whether a request is refused before it begins.  No
-# result depends on one.  Half or twice a constant moves a refusal, and the time budget stops what was let through.
+# digit depends on one.  Half or twice a constant moves a refusal, and the time budget stops what was let through.
 
 
 def exact_expansion_seconds(order: int, variables: int, degree: float, *, smooth: bool, turning_point: bool) -> float:
