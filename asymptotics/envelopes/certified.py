@@ -257,6 +257,7 @@ def _rate(laws: Laws, s: arb) -> arb:
 
 def _inverse(laws: Laws, tau: arb) -> arb | None:
     """s(tau) by Newton from a double-precision guess, then the enclosure of the module docstring, or None."""
+    # Doubles give the place to look at; the distance of tau at that place, and the root about it, are found in balls.
     guess = NumericEnvelope.of([(float(a.ball().mid()), float(k.mid())) for a, k in laws])
     start = float(guess.log_decay(float(tau.mid())))
     if not 0 <= start <= MAX_S:

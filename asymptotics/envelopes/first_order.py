@@ -141,6 +141,7 @@ class FirstOrderEnvelope:
 
     def amplitudes(self, t: Array) -> Array:
         """A in m at an array of times in s, in double precision: heuristic.  NaN stays NaN, extinct is 0."""
+        # Heuristic from here on: middles of balls, and no bound.
         omega_0, length = (float(x.mid()) for x in (self.oscillator.omega_0(), self.oscillator.length()))
         with np.errstate(over="ignore"):  # beyond the range of doubles is at infinity, where nothing is left
             return self.numeric().amplitude(omega_0 * t) * length

@@ -156,6 +156,7 @@ class SlowFlow:
             with ctx.workprec(ROUGH_BITS):
                 s, _ = self._newton(s, tau.mid())
         s, reached = self._newton(s, tau.mid())
+        # Rounded up, and tau is a ball: the distance of the farthest time that it holds.
         distance = abs(tau - reached).upper()
         half = (2 * distance * self._speed(s)).upper()
         # Twice the radius that a constant speed would want, then four times as much each time: the speed may change
@@ -169,6 +170,7 @@ class SlowFlow:
         reached = self._integral(self._slowness, s)
         for _ in range(ctx.prec.bit_length() + 2):
             step = ((target - reached) * self._speed(s)).mid()
+            # As above, and always an exact number: the next short integral begins where this one ends.
             moved = arb(max(s + step, self.s_0.upper(), key=float)).mid()
             if not moved.is_finite():
                 raise TooWideError("the amplitude at that time was not found")

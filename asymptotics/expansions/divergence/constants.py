@@ -57,6 +57,7 @@ class Effort:
 def rough_petal(alpha: ExactReal) -> tuple[Germ, Petal]:
     """A germ of low order with its petal."""
     with ctx.workprec(ROUGH_BITS):
+        # ``small`` says where the coefficients are wanted to these bits: at 0.3, or on the circle if that is smaller.
         g = germ(alpha, ROUGH_ORDER, ROUGH_BITS, min(0.3, float(majorants(alpha)[1].radii[0])))
         return g, petal(g)
 

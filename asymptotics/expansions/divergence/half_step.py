@@ -55,6 +55,7 @@ def tail(size: arb, delta: acb, radius: arb, order: int) -> arb:
 
 def share(delta: acb, radius: arb) -> arb:
     """|delta|/radius, rounded up and proved to be below 1."""
+    # One number that is at least |delta|/radius for every delta of the ball; the tails grow with it.
     x = arb((abs(delta) / radius).upper())
     if not x < 1:
         raise UndecidedError(f"|delta| = {abs(delta).str(3)} is outside the circle of the majorant")
@@ -79,5 +80,7 @@ def _weighted_R(g: Germ, u: acb) -> acb:
     K = g.order
     with ctx.workprec(BOUND_BITS):
         x = share(u, g.quarter.radii[0])
+        # A sum of terms that grow with x, so that the x that was rounded up gives an upper bound, although K + 1 - K x
+        # falls.
         rest = (g.quarter.growth * x ** (K + 1) * (K + 1 - K * x) / (1 - x) ** 2).upper()
     return at([n * r for n, r in enumerate(g.R)], u, arb(rest))

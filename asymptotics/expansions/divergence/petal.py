@@ -49,6 +49,7 @@ class Petal:
 
     def tail(self, size: arb, heights: int, v: arb) -> arb:
         """A bound of sum_(k>n) |c_k| e^(-2 pi k v) where |c_k| <= 2 ``size`` e^(2 pi k Y_0); v > Y_0."""
+        # |c_k| e^(-2 pi k v) <= 2 size Q^k: a geometric series from k = n + 1 on.
         Q = (2 * arb.pi() * (self.Y_0 - v)).exp()
         if not Q < 1:
             raise UndecidedError("the point is not in the half-plane in which the series of D converges")

@@ -98,6 +98,7 @@ def best_truncation(alpha: ExactReal, delta: ExactReal) -> BestOrder:
     _require(alpha, delta)
     rough, p = rough_petal(alpha)
     with ctx.workprec(ROUGH_BITS):
+        # A double: where to stop is measured and never claimed.
         z = float(abs(rough.c) / delta.ball())
     if not delta.ball() < rough.half.radii[0]:
         raise UndecidedError(f"delta = {delta} is outside the circle in which half-swings are enclosed: a smaller one")

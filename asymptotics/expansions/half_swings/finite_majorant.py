@@ -67,11 +67,13 @@ class Majorant:
     def final(self, i: int) -> arb:
         """A bound of |u_i| at the end."""
         with ctx.workprec(BITS):
+            # |u| = |delta| e^(weight ln r) <= rho e^(|weight| G).
             return (self.radii[i] * (abs(self.alphas[i] - 1) * self.growth).exp()).upper()
 
     def inverse(self, i: int = 0) -> arb:
         """A bound of |1/u_i| at the end on the circle |delta_i| = rho_i (one law)."""
         with ctx.workprec(BITS):
+            # 1/u - 1/delta is the integral whose bound the module docstring has; |1/delta| = 1/rho on the circle.
             return (1 / self.radii[i] + abs(self.alphas[i] - 1) * self.gains[i]).upper()
 
 

@@ -97,6 +97,7 @@ class _Ellipse:
     def nodes(self, bits: int) -> int:
         """How many nodes make all errors less than 2^-``bits``, in floats: the choice moves the error only."""
         largest = max(float((1 + x).log()) for x in (*self.C, *self.rates))
+        # Six nodes more than the estimate of doubles; what they leave is ``gap``, an upper bound.
         return int((bits * log(2) + largest) / log(float(self.rho))) + 6
 
     def gap(self, nodes: int, bound: arb) -> arb:
@@ -153,6 +154,8 @@ class _Orders:
         for n, means in enumerate((self.means * rates).transpose().table(), 1):
             tick("the durations of the quarter swing")
             h, error = self.integral(means, (n * self.alpha + 1) / 2, self.ellipse.rates[n])
+            # T_k(1) = 1: at v = 1/2, x = 1, the sum of the coefficients is the value, and the gap is added to its
+            # radius.
             found.append((sum(h, arb(0)) + arb(0, error.upper())) * arb("0.5").sqrt())
         return found
 
