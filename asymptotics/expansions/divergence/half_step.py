@@ -80,7 +80,7 @@ def _weighted_R(g: Germ, u: acb) -> acb:
     K = g.order
     with ctx.workprec(BOUND_BITS):
         x = share(u, g.quarter.radii[0])
-        # A sum of terms that grow with x, so that the x that was rounded up gives an upper bound, although K + 1 - K x
-        # falls.
+        # A sum of terms that grow with x, so that the x that was
+        # rounded up gives an upper bound, although K + 1 - K x falls.
         rest = (g.quarter.growth * x ** (K + 1) * (K + 1 - K * x) / (1 - x) ** 2).upper()
     return at([n * r for n, r in enumerate(g.R)], u, arb(rest))

@@ -124,6 +124,7 @@ def _values(half: HalfSwing, potential: Series, deltas: list[float]) -> tuple[fl
     L = float(half.L.map(_double).at(balls))
     # delta is multiplied by e^(w L) on a half-swing: the second one begins with these.
     after = tuple(d * exp(float(w) * L) for d, w in zip(deltas, (_double(w) for w in half.grading.weights)))
+    # Over a full swing: the logarithms of two half-swings, the second at the strengths that the first has left.
     decrement = -(L + float(half.L.map(_double).at(after)))
     T = float(half.T.map(_double).at(balls))
     last = tuple(d * exp(-float(w) * decrement) for d, w in zip(deltas, (_double(w) for w in half.grading.weights)))

@@ -179,6 +179,7 @@ class Equations(Rows):
         time, names = (r"\tau" if self.oscillator is None else "t"), self._names(r"\delta", "_{%d}")
         p, Omega = show.sum_latex(self.p.keyed(), names, "", D), show.sum_latex(self.Omega.keyed(), names, "1", D)
         factor = "" if self.oscillator is None else r"\omega_0"
+        # omega_0 in front of a sum needs brackets around it.
         phase = Omega if not factor or Omega == "1" else rf"\left({Omega}\right)"
         right = f"{factor} {phase}".strip() if phase != "1" or not factor else factor
         left = f"-{factor} A".replace("- A", "-A")

@@ -124,6 +124,8 @@ def _waveform_moments(orbit: FormalSolution) -> tuple[tuple[Series, Series], ...
     rate = orbit.series(orbit.m, lambda m: COSINE * m)
     lag = rate.map(ThetaTrig.integral)  # tau - theta
     x = orbit.series(orbit.log_r, lambda f: f).exp().map(lambda f: COSINE * f)
+    # e^(-i tau) = e^(-i theta) e^(-i lag): only the lag, a series
+    # without constant term, is put into a cosine and a sine.
     cosine, sine = lag.cos_sin()
     common = x * (rate + ONE)
     real = common * (cosine * COSINE - sine * SINE)

@@ -141,6 +141,7 @@ class _FourierKernel:
                 continue
             alpha = m.integer_velocity
             degree = alpha + m.position
+            # i^(1+alpha) of a loss, i^q of a spring: even powers of i, so that signs are left.
             turn = alpha + 1 if m.sign < 0 else alpha
             scale, shift = m.ratio * fmpq((-1) ** (turn // 2), 2**degree), self.M * m.order - (degree + 1) // 2
             for k, p in monomial_part(self.P, m.position, self.Y, alpha, n - m.order).items():

@@ -154,8 +154,8 @@ class _Orders:
         for n, means in enumerate((self.means * rates).transpose().table(), 1):
             tick("the durations of the quarter swing")
             h, error = self.integral(means, (n * self.alpha + 1) / 2, self.ellipse.rates[n])
-            # T_k(1) = 1: at v = 1/2, x = 1, the sum of the coefficients is the value, and the gap is added to its
-            # radius.
+            # T_k(1) = 1: at v = 1/2, x = 1, the sum of the coefficients
+            # is the value, and the gap is added to its radius.
             found.append((sum(h, arb(0)) + arb(0, error.upper())) * arb("0.5").sqrt())
         return found
 

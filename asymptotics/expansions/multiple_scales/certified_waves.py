@@ -72,6 +72,7 @@ def waves_at(source: WaveSource, psi: arb) -> Waves:
         side, chi = half_turns(psi)
         late, losses = bool(chi.mid() > (arb.pi() / 2).mid()), source.flow.grading.loss_degree
         found = _on_quarter(source, arb.pi() - chi if late else chi)
+        # Reversal: x_k(pi - psi) = -(-1)^l(k) x_k(psi).
         return {k: x * side * (-((-1) ** losses(k)) if late else 1) for k, x in found.items()}
 
 

@@ -212,6 +212,8 @@ class _HarmonicKernel:
         first = (1 + h) // 2
         # The order matters: x_n from the lower orders, then its velocity with the new rates, then the powers of both.
         velocity = self._slow(self.X, n)
+        # (1 - m^2) x_n + R = 0 beside the newest rates: R is the force,
+        # less the derivative of the velocity as far as it is known.
         R = self._force(n)
         for k, part in summed(_rotated(velocity, h), self._slow(self.Y, n)).items():
             R[k] = R.get(k, fmpq_poly([])) - part

@@ -50,6 +50,7 @@ def map_to_turning_points(hierarchy: OddHierarchy) -> GaugeMap:
     # The fixed point of the docstring: its derivative at 0 is 1 - cosh 0 + O(eta) = O(eta), an order for each pass.
     for _ in range(order):
         sigma = sigma + _at(velocity, sigma)
+    # ln x(psi_0) begins with ln cos 0 = 0: the constant term under the logarithm is 1, exactly.
     log_modulus = _at(_taylor(hierarchy, hierarchy.X), sigma).log()
     lam, psi_0 = (hierarchy.real(s).map(PiNumber.rational) for s in (log_modulus, sigma))
     return GaugeMap(GAUGE, TURNING_POINT, hierarchy.grading, lam, -psi_0)

@@ -143,6 +143,7 @@ def _lead(alpha: Expr, gauge: str) -> Expr:
     """chi/P, by which a loss turns the phase of a gauge, to first order."""
     if gauge == NO_FIRST_HARMONIC:
         return Integer(0)
+    # X' = 0 at psi_0 = -rho (P + sum n b_n/(n^2-1)), the second sum of ``harmonics``; chi takes that phase away.
     return Rational(1, 2) if gauge == AVERAGING else (alpha + 3) / (2 * (alpha + 1))
 
 

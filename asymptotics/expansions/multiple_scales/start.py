@@ -56,6 +56,7 @@ def _log_Z(h: TurningHierarchy) -> tuple[Series, Series]:
         for k, x in X.items():
             u[k] = COSINE * x - SINE * V[k]
             w[k] = SINE * x + COSINE * V[k]
+    # Z = 1 + P + i Q.
     P, Q = Series(u, variables, order), -Series(w, variables, order)
     ones = (1,) * variables
     modulus = P * 2 + P * P + Q * Q  # |Z|^2 - 1

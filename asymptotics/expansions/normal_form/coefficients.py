@@ -123,6 +123,7 @@ def half_swing_coefficients(
     _require_counts(order, digits)
     with budget(max_seconds):
         found = _half_swing_coefficients(Forces.read(given, order), order, digits, exact_only)
+    # Forces have no words for their terms.
     if isinstance(given, Forces):
         return found
     return replace(found, forces=tuple(t.shape() if isinstance(t, Term) else f"alpha = {t}" for t in given))
@@ -138,6 +139,7 @@ def _half_swing_coefficients(forces: Forces, order: int, digits: int, exact_only
     decided = {name: {key: exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
     names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(forces.variables))]
     rounded = certified_digits(forces, order, digits, names=names, known=decided)
+    # Whatever the exponents, these two have closed forms: U at first order, T without forces.
     known = {"U": dict(first_order(forces)[0]), "T": {(0,) * forces.variables: sympy.pi}}
     for name, row in exact.items():
         known[name] = known.get(name, {}) | {key: c.to_sympy() for key, c in row.items()}

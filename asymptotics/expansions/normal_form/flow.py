@@ -76,6 +76,7 @@ class Flow:
 
     def _accumulated(self, f: Series, pi: Any) -> Series:
         total, term, factor = Series({}, f.variables, f.order), f, pi
+        # The Taylor series of exp(pi D): D raises the degree, so that it ends.
         for j in range(f.order + 1):
             total = total + term * factor
             term, factor = self.derivative(term), factor * pi / (j + 2)
@@ -100,6 +101,7 @@ def _columns(half: HalfSwing) -> dict[Key, tuple[tuple[Key, Any], ...]]:
     """The matrix of C - 1 on monomials: delta^n -> delta^n (exp(a_n L) - 1) for every n of degree 1, ..., order - 1."""
     columns = {}
     for key in (k for d in range(1, half.order) for k in monomials(half.grading.variables, d)):
+        # delta^n has its own degree: the exponential is wanted through what is left of the order.
         growth = (half.L.truncate(half.order - sum(key)) * half.grading.weight(key)).exp().without_constant()
         columns[key] = tuple((tuple(p + q for p, q in zip(key, k)), c) for k, c in growth.coefficients.items())
     return columns

@@ -111,6 +111,7 @@ def gauge_map(flow: Flow, K: tuple[tuple[Series, Series], ...], gauge: str) -> G
     c = _bracket_of_x(flow, K)
     if gauge == AVERAGING:
         W_inverse = _hat(flow.grading, flow.W, 0).inverse()
+        # -(i/W) D_1 c with D_1 = i D_hat_1 at delta = i eta: all of it is real.
         c = (c * (W_inverse + 1) + _d1(flow, c).truncate(flow.order) * W_inverse) / 2
     return map_of_bracket(flow, c, gauge)
 
@@ -118,6 +119,7 @@ def gauge_map(flow: Flow, K: tuple[tuple[Series, Series], ...], gauge: str) -> G
 def map_of_bracket(flow: Flow, c: Series, gauge: str) -> GaugeMap:
     """The map from the turning-point gauge given c^(eta), the bracket at delta = i eta (real, constant term 1)."""
     l = flow.grading.loss_degree  # noqa: E741 (the letter of ``grading``)
+    # eta = -i delta: a monomial of loss degree l gets (-i)^l, which is real for even l and -i times a sign for odd l.
     even = c.map_keys(lambda k, x: x * _sign(l(k)) if l(k) % 2 == 0 else 0 * x)
     odd = c.map_keys(lambda k, x: -x * _sign(l(k) - 1) if l(k) % 2 else 0 * x)
     return GaugeMap(TURNING_POINT, gauge, flow.grading, *_logarithm(even.without_constant() + 1, odd))
@@ -177,6 +179,7 @@ def _phase_kernel(flow: Flow) -> tuple[Series, Series]:
         ratio = ratio + _at_power(term, j, factorial(j + 1))
         rate = rate + _at_power(term, j, factorial(j))
         term = -(W_inverse * U * flow.grading.weighted(term))
+    # Psi_hat - sigma = sigma (Psi_hat/sigma - 1).
     lag = ratio.without_constant().map(lambda p: p.shift())
     return ratio, lag.exp() * rate
 

@@ -36,6 +36,7 @@ def cross_term(alpha: Expr | int, m: int, p: int) -> Expr:
     >>> cross_term(1, 0, 3), cross_term(2, 0, 3)
     (11/32, 8/(15*pi))
     """
+    # The second line of the docstring: no negative power of the sine, so that alpha = 0 needs no limit.
     first, second = mean(m, sympy.Add(alpha, 1)), mean(m + p - 1, sympy.Add(alpha, 1))
     return ((p - m - alpha) * first + (p + m) * second) / (p + 1)
 
