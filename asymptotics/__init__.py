@@ -54,6 +54,7 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 
+# The same names once more: a type checker reads the imports above, Python this table.
 _HOMES = {
     "api.constants": ("S", "T", "radii"),
     "api.damping": ("damping",),

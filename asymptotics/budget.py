@@ -40,6 +40,7 @@ _current: ContextVar[_Budget | None] = ContextVar("budget", default=None)
 def budget(seconds: float = DEFAULT_SECONDS, report: Callable[[str], None] | None = None) -> Iterator[None]:
     """Everything inside has ``seconds`` together; ``report`` is handed what ``tick`` says, to show the progress."""
     outer, own = _current.get(), _Budget(seconds, monotonic() + seconds, report)
+    # An inner budget cannot give more time than the outer one has left.
     token = _current.set(outer if outer is not None and outer.deadline < own.deadline else own)
     try:
         yield
@@ -52,9 +53,11 @@ def tick(stage: str | None = None) -> None:
     current = _current.get()
     if current is None:
         return
+    # The stage is kept even where nobody reports it: the error names it.
     current.stage = stage or current.stage
     if current.report is not None:
         current.report(current.stage)
+    # A monotonic clock: setting the clock of the machine neither ends nor lengthens a request.
     if monotonic() >= current.deadline:
         raise LimitError("max_seconds", f"{current.seconds:g} s are over at {current.stage}", _ACCEPTED)
 
@@ -68,6 +71,7 @@ def seconds_left() -> float:
 def require_seconds(estimate: float, work: str) -> None:
     """LimitError at once when an estimate is more than twice what is left: no use in starting."""
     current = _current.get()
+    # Estimates are good to a factor of about three (``costs``): what may just fit is tried, and the ticks stop it.
     if current is not None and estimate > 2 * seconds_left():
         reason = f"{work} would take about {estimate:.0f} s, more than the {current.seconds:g} s allowed"
         raise LimitError("max_seconds", reason, _ACCEPTED)

@@ -1,4 +1,4 @@
-"""What is done when work is cut short, by its time or by Ctrl-C: the error carries it out, and ``done`` hands it over.
+"""What was finished when work is cut short, by its time or by Ctrl-C: the error carries it, and ``done`` hands it over.
 
 >>> rows = []
 >>> try:
@@ -35,6 +35,7 @@ from contextlib import AbstractContextManager, suppress
 from types import FrameType, TracebackType
 from typing import Any
 
+# Twenty errors made of one another are more than libraries make; the count ends a chain that should close on itself.
 _NAME, _DEPTH = "_rows_done", 20
 
 
@@ -45,6 +46,7 @@ def is_lost(frame: FrameType | None) -> bool:
     >>> is_lost(None)
     False
     """
+    # ``gc.callbacks`` are functions of Python, with code, or objects of C, without.
     collecting = {getattr(call, "__code__", None) for call in gc.callbacks}
     while frame is not None:
         if frame.f_code in collecting or frame.f_code.co_name == "__del__":
@@ -81,6 +83,7 @@ class keeping(AbstractContextManager[Any]):  # noqa: N801 (used as a context man
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         if error is not None and _maker(error) is None:
+            # An error of C or with slots takes no attribute: then nothing is handed over, and the error itself goes on.
             with suppress(AttributeError, TypeError):
                 setattr(error, _NAME, self.rows)
 

@@ -13,6 +13,7 @@ line ends and what else does not print are escaped, and what is long loses its m
 
 from collections.abc import Iterable
 
+# What keeps a message on one line that is read at a glance; of anything longer the middle is left out.
 MAX_ARGUMENT, MAX_REASON, MAX_ACCEPTED = 60, 240, 400
 
 
@@ -22,6 +23,7 @@ def printable(text: str, limit: int) -> str:
     >>> printable("a\\tb" + chr(0x202e), 60), printable("0123456789" * 9, 21)
     ('a\\\\tb\\\\u202e', '01234567 ... 23456789')
     """
+    # Cut before it is escaped, so that no escape is torn: the line may be somewhat longer than the limit.
     if len(text) > limit:
         half = (limit - 5) // 2
         text = f"{text[:half]} ... {text[-half:]}"
@@ -60,6 +62,8 @@ def shown(value: object) -> str:
     ("'averag'", 'None (NoneType)', 'a object')
     """
     kind = type(value).__name__
+    # 60 characters and 40 digits are for a message on one line;
+    # Python refuses to print an integer of more than 4300 digits.
     if isinstance(value, str):
         return repr(value[:60])
     if isinstance(value, int) and not isinstance(value, bool):

@@ -15,6 +15,7 @@ asymptotics.errors.InputError: argument gauge: 'average' is unknown (accepted: t
 
 from asymptotics.errors import require_choice
 
+# On the ground floor, so that whoever reads an option or a result needs no engine for it.
 GAUGES = ("turning-point", "averaging", "no-first-harmonic")
 TURNING_POINT, AVERAGING, NO_FIRST_HARMONIC = GAUGES
 

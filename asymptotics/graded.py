@@ -53,6 +53,8 @@ class WholePowers:
         """``base``: the factor at degree 0; ``used``: the exponent and the degree of each member, up to ``order``."""
         pairs = [*used]
         top = max([1, *(e for e, _ in pairs)])
+        # The power k stands in the members whose exponent is at least k; with a
+        # strength of degree n in front a member needs it through ``order`` - n.
         self._need = [order - min((n for e, n in pairs if e >= k), default=order) for k in range(top + 1)]
         leading = accumulated([base] * top, mul, initial=one)
         self.parts: list[list[Part]] = [[{zero: x}] for x in leading]
@@ -64,6 +66,7 @@ class WholePowers:
         first.append(newest)
         self.parts[0].append({})
         for k in range(2, len(self.parts)):
+            # A list that is not needed further simply ends: nobody asks for its later degrees.
             if n <= self._need[k]:
                 self.parts[k].append(product_part(self.parts[k - 1], first, n))
 

@@ -57,6 +57,7 @@ class _Sum(Shown):
         terms, notes = _merged([*given, *_springs(spring)])
         if not terms:
             raise InputError("law", "there is no term", _FORMS)
+        # What was read from floats is told whichever way the law came, and told once.
         noted = law.notes if isinstance(law, _Sum) else _float_notes(law, "alpha")
         object.__setattr__(self, "terms", terms)
         object.__setattr__(self, "notes", tuple(dict.fromkeys([*noted, *_float_notes(spring, "spring"), *notes])))
@@ -67,6 +68,7 @@ class _Sum(Shown):
         made, more = _merged(_terms(terms))
         if not made:
             raise InputError("law", "there is no term", _FORMS)
+        # Past ``__init__``, which reads mappings: these terms have been read already.
         law = object.__new__(cls)
         object.__setattr__(law, "terms", made)
         object.__setattr__(law, "notes", tuple(dict.fromkeys([*notes, *more])))
@@ -192,6 +194,7 @@ class Oscillator(Shown):
         self, law: Mapping[Any, Any] | _Sum, *, mass: Number = 1, stiffness: Number = 1, x0: Number = 1, v0: Number = 0,
         spring: Mapping[Any, Any] | str | None = None,
     ) -> None:  # fmt: skip
+        # A Scaled strength has had the units of its oscillator taken off: read as b it would mean something else.
         if isinstance(law, _Sum) and any(isinstance(t.strength, Scaled) for t in law.terms):
             raise InputError("law", "its strengths belong to another oscillator", "strengths b as exact numbers")
         given: dict[str, Any] = {"mass": mass, "stiffness": stiffness, "x0": x0, "v0": v0}
@@ -199,6 +202,7 @@ class Oscillator(Shown):
         for name in ("mass", "stiffness"):
             if not values[name] > 0:
                 raise InputError(name, f"{values[name]} is not positive", "a positive number")
+        # Exact numbers: whether the motion starts at all is decided, not estimated.
         if values["x0"].is_zero and values["v0"].is_zero:
             raise InputError("x0", "with x0 = 0 and v0 = 0 nothing moves", "a start away from rest at the origin")
         physical = PhysicalLaw(law, spring)
@@ -217,6 +221,7 @@ class Oscillator(Shown):
     @property
     def dimensionless(self) -> Law:
         """The law in units m = k = x0 = 1: epsilon = b omega_0^velocity length^weight/k, exact where it can be."""
+        # No two terms have one key, with units or without: nothing is merged here, and the order stays.
         return Law.from_terms([self.units.without(t) for t in self.law.terms], self.notes)
 
     @inside
@@ -237,6 +242,7 @@ class Oscillator(Shown):
     @inside
     def deltas(self, amplitude: arb) -> tuple[arb, ...]:
         """delta_i = epsilon_i A^(d_i-1) at the slow amplitude A > 0, in units of ``length``; InputError else."""
+        # Anything else would be refused by FLINT, in words that name no argument.
         _require_balls(amplitude=amplitude)
         if not amplitude > 0:
             raise InputError("amplitude", f"{amplitude.str(5)} is not certainly positive", "a positive number")
@@ -318,6 +324,7 @@ def _springs(spring: Any) -> Iterable[Term]:
     if spring is None:
         return
     if isinstance(spring, str) and spring == PENDULUM:
+        # The first term of sin x - x gives the weight 2; the strength 1 is in units of one radian squared.
         yield Term(1, 0, 3, "position", "pendulum")
         return
     if not isinstance(spring, Mapping):
@@ -331,6 +338,7 @@ def _merged(terms: Iterable[Term]) -> tuple[tuple[Term, ...], list[str]]:
     """Losses before springs, equal exponents added; InputError when a sum of strengths is not one exact number."""
     found: dict[object, Term] = {}
     notes = []
+    # A stable sort: within losses and within springs the order given stays.
     for t in sorted(terms, key=lambda t: t.sign):
         if t.key in found:
             name = "alpha" if t.sign < 0 else "spring"
@@ -343,6 +351,7 @@ def _merged(terms: Iterable[Term]) -> tuple[tuple[Term, ...], list[str]]:
 def _float_notes(mapping: Any, name: str) -> tuple[str, ...]:
     if not isinstance(mapping, Mapping):
         return ()
+    # A key may be a pair of powers: each of the two may be a float.
     keys = [k for key in mapping for k in (key if isinstance(key, tuple) else (key,))]
     of_keys = (float_notes(**{name: k}) for k in keys)
     return tuple(n for notes in (*of_keys, *(float_notes(strength=s) for s in mapping.values())) for n in notes)

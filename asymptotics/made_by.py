@@ -39,6 +39,7 @@ def code() -> str:
     found = hashlib.sha256()
     for package in PACKAGES:
         for name, content in sorted(_sources(_folder(package), f"{package}/")):
+            # With its length before each content no two sets of files give one stream of bytes.
             found.update(f"{name} {len(content)}\n".encode())
             found.update(content)
     return found.hexdigest()
@@ -55,6 +56,7 @@ def _sources(folder: Any, prefix: str) -> list[tuple[str, bytes]]:
     for entry in folder.iterdir() if folder.is_dir() else ():
         if entry.name.endswith(READ):
             found.append((prefix + entry.name, entry.read_bytes()))
+        # Folders of sources have no dot in their names: what else lies about (caches, metadata) is no code.
         elif "." not in entry.name and entry.name != "__pycache__" and entry.is_dir():
             found += _sources(entry, f"{prefix}{entry.name}/")
     return found
@@ -71,6 +73,7 @@ def versions() -> dict[str, str]:
 
 
 def _version(name: str) -> str:
+    # A library that has been loaded knows its version; to read it from the metadata takes longer than all the rest.
     loaded = getattr(sys.modules.get(LIBRARIES[name]), "__version__", None)
     if loaded is not None:
         return str(loaded)
@@ -90,6 +93,7 @@ def commit() -> str | None:
     try:
         head = _git(here.parent, "rev-parse", "HEAD")
         return head + ("+changes" if _git(here.parent, "status", "--porcelain", "--", *PACKAGES) else "")
+    # No git, a checkout of another user, or no answer within ten seconds: not known, and no reason to stop.
     except (OSError, subprocess.SubprocessError):
         return None
 

@@ -31,6 +31,7 @@ from asymptotics.numbers.policy import exact_seconds
 
 P = ParamSpec("P")
 T = TypeVar("T")
+# A call that does not ask runs over its time by about that much, and by what C takes between two steps of Python.
 PERIOD = 0.25  # seconds between two rings
 
 
@@ -69,9 +70,11 @@ class limited:  # noqa: N801 (used as a context manager, as ``suppress`` and ``c
 
     def __enter__(self) -> None:
         self.budget.__enter__()
+        # Somebody else's handler stays: pytest's time limits, say, or a server's.
         free = hasattr(signal, "setitimer") and signal.getsignal(signal.SIGALRM) in (signal.SIG_DFL, signal.SIG_IGN)
         if free:
             with suppress(ValueError):  # not the main thread: no signal arrives here
+                # The handler first and the timer last: an alarm that met no handler would end the process.
                 self.before = signal.signal(signal.SIGALRM, _ring)
                 gc.callbacks.append(_collecting)
                 signal.setitimer(signal.ITIMER_REAL, PERIOD, PERIOD)
@@ -85,6 +88,8 @@ class limited:  # noqa: N801 (used as a context manager, as ``suppress`` and ``c
             signal.signal(signal.SIGALRM, self.before)
             gc.callbacks.remove(_collecting)
             _collected.clear()
+        # _rung tells that an alarm did stop the work; what reaches
+        # this place may be another error that a library made of it.
         stopped, broken = self.before is not None and bool(_rung), isinstance(error, Exception)
         if self.before is not None:
             _rung.clear()
@@ -112,6 +117,7 @@ def _ring(number: int, frame: FrameType | None) -> None:
     A door must not be left half-open: nothing rings while one is opened or closed (who waits there ticks itself), nor
     while the collector runs, which would swallow the error and print it.
     """
+    # _ringing: the tick of one alarm is not interrupted by the next.
     if _ringing or _collected or is_lost(frame):
         return
     while frame is not None:

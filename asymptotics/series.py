@@ -69,6 +69,7 @@ class Series:
     @cached_property
     def parts(self) -> tuple[tuple[tuple[Key, Any], ...], ...]:
         """The homogeneous parts: ``parts[d]`` holds the (exponent, coefficient) pairs of total degree d."""
+        # By degree, so that a product meets only the pairs that the order keeps.
         found: list[list[tuple[Key, Any]]] = [[] for _ in range(self.order + 1)]
         for key in sorted(self.coefficients):
             if sum(key) <= self.order:
@@ -78,6 +79,7 @@ class Series:
     def __getitem__(self, key: int | Key) -> Any:
         """The coefficient of a monomial (an int will do for one variable); 0 if absent, IndexError beyond the order."""
         k = (key,) if isinstance(key, int) else key
+        # An absent coefficient is 0 below the order and unknown above it: the two must not look alike.
         if sum(k) > self.order:
             raise IndexError(f"the coefficient of {k} is beyond the order {self.order}")
         return self.coefficients.get(k, 0)
@@ -124,6 +126,7 @@ class Series:
         """The truncated sum at numbers delta_i = values[i]: no claim about what was cut off."""
         total: Any = 0
         for key, c in self.coefficients.items():
+            # From exact numbers or balls alike: an enclosure of the polynomial, and of nothing that was cut off.
             for v, n in zip(values, key):
                 c = c * v**n
             total = total + c
@@ -157,6 +160,7 @@ class Series:
     def __mul__(self, other: Any) -> "Series":
         if not isinstance(other, Series):
             return self.map(lambda c: c * other)
+        # A product may take long where the coefficients are long: the time is asked for at each.
         tick()
         order = min(self.order, other.order)
         total: dict[Key, Any] = {}
@@ -180,13 +184,16 @@ class Series:
 
     def inverse(self) -> "Series":
         """1/self; the constant term must be a unit of the ring."""
+        # A constant term 1 is its own inverse, also in a ring without division (polynomials in time).
         unit = self.constant_term if self.constant_term == 1 else divided(1, self.constant_term)
         rest = -(self.without_constant() * unit)
+        # (1 - rest) y = unit: y_d = sum rest_j y_(d-j), a divisor of 1.
         return self._solve_by_degree({(0,) * self.variables: unit}, rest, lambda d, j: 1)
 
     def exp(self) -> "Series":
         """exp(self) for a series without constant term, by E exp(a) = exp(a) E a with the Euler operator E."""
         self._require_no_constant("exp")
+        # E multiplies degree d by d, so that d y_d = sum_j (j a_j) y_(d-j): divisions by whole numbers alone.
         scaled = self.map_keys(lambda k, c: c * sum(k))
         return self._solve_by_degree({(0,) * self.variables: 1}, scaled, lambda d, j: d)
 
@@ -246,11 +253,13 @@ def compose_all(series: tuple[Series, ...], images: tuple[Series, ...]) -> list[
     for degree in range(order + 1):
         for key in monomials(len(images), degree):
             if degree:
+                # Each monomial of the images from one of the degree below, which is kept until the next degree is done.
                 i = next(i for i, n in enumerate(key) if n)
                 powers[key] = powers[(*key[:i], key[i] - 1, *key[i + 1 :])] * images[i]
             for s, one in enumerate(series):
                 if degree <= one.order and key in one.coefficients:
                     results[s] = results[s] + powers[key] * one.coefficients[key]
+        # Lower degrees are not needed again: the memory holds one degree at a time.
         powers = {k: p for k, p in powers.items() if sum(k) == degree}
     return [r.truncate(min(order, s.order)) for r, s in zip(results, series)]
 
@@ -288,6 +297,7 @@ def accumulate(total: dict[Key, Any], left: Iterable[tuple[Key, Any]], right: It
     second = list(right)
     for i, x in left:
         for j, y in second:
+            # The innermost loop of all expansions: for one variable it goes without a generator.
             key = (i[0] + j[0],) if len(i) == 1 else tuple(p + q for p, q in zip(i, j))
             total[key] = total[key] + x * y if key in total else x * y
 

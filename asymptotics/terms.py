@@ -30,6 +30,7 @@ from asymptotics.numbers.exact import REAL_FORMS, ExactReal, exact_power
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.present.shown import Page, Shown
 
+# A limit of size, for exact algebras and integrals grow with the powers; no bound rests on it.
 MAX_POSITION = 100
 
 
@@ -46,7 +47,10 @@ def terms_of(text: str, argument: str) -> list[str]:
     asymptotics.errors.InputError: argument laws: '1,2' is the old spelling of a sum (accepted: 1+2, or 1,2: for ...
     """
     parts = [part.strip() for part in text.split("+")]
+    # What is not the old spelling goes on unread: the caller parses exponents.
     for part in parts:
+        # The old spelling had commas between terms and an x before
+        # the power of the place: both are translated for the message.
         new = "+".join(re.sub(r"^(.+)x(\d+)$", r"\1,\2:", piece.strip()) for piece in part.split(","))
         if "," in part and ":" not in part:
             accepted = f"{new}, or {part}: for |x|^M v|v|^(A-1) with A,M as in --law A,M:E"
@@ -71,6 +75,7 @@ class Units:
 
     def length(self) -> arb:
         """|x0| when v0 = 0, else the radius sqrt(x0^2 + m v0^2/k) of the start, in m, as a ball."""
+        # Exact where it can be: the root of a square would be a ball around x0.
         if self.v0.is_zero:
             return abs(self.x0.ball())
         return (self.x0.ball() ** 2 + (self.v0.ball() / self.omega_0()) ** 2).sqrt()
@@ -86,6 +91,7 @@ class Units:
     def scale(self, b: ExactReal, velocity: ExactReal, weight: ExactReal) -> "ExactReal | Scaled":
         """epsilon = b omega_0^velocity length^weight / k, as an exact number when it is one."""
         scaled = Scaled(b, velocity, weight, self)
+        # omega_0^velocity = (k/m)^(velocity/2): exact where that is a rational times one root.
         time = exact_power(self.stiffness / self.mass, velocity / 2)
         try:
             area = self.x0**2 + self.mass * self.v0**2 / self.stiffness
@@ -122,6 +128,7 @@ class Scaled:
     def ball(self) -> arb:
         """An enclosure at the current working precision."""
         time = _power(self.units.omega_0(), self.velocity)
+        # Nothing is kept: each factor is made at the precision in force.
         return self.b.ball() * time * _power(self.units.length(), self.weight) / self.units.stiffness.ball()
 
     def __str__(self) -> str:
@@ -247,6 +254,7 @@ class Term(Shown):
         if not isinstance(other, Term):
             raise InputError("other", f"{shown(other)} is no term", "a Term")
         a, b = self.strength, other.strength
+        # Scaled strengths could be added as balls alone, and two pendulums are no pendulum: neither sum is one term.
         if self.family or isinstance(a, Scaled) or isinstance(b, Scaled):
             raise InputError("law", f"{self.shape()} stands in it twice", "each force once")
         try:

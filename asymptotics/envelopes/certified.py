@@ -45,6 +45,7 @@ from asymptotics.numbers.root import verified_root
 
 Laws = Sequence[tuple[ExactReal, arb]]
 
+# Only a first look at which side of the extinction a time lies; where it cannot tell, the full precision is asked.
 ROUGH_BITS = 64
 MAX_S = 600.0
 """Amplitudes below e^-600 are refused: the double-precision guess of the inversion ends there."""
@@ -73,6 +74,7 @@ def amplitude(laws: Laws, tau: arb) -> arb:
         raise InputError("time", f"{tau.str(5)} is not certainly >= 0", "a time from the start on")
     if tau == 0:
         return arb(1)
+    # The order matters: without this look each amplitude would cost an extinction time at full precision.
     with ctx.workprec(ROUGH_BITS):  # decides all but the closest cases at a fraction of the cost
         before = _is_before(tau, extinction_time(active))
     if before is None:
@@ -80,6 +82,8 @@ def amplitude(laws: Laws, tau: arb) -> arb:
     if before is False:
         return arb(0)
     if before is None:
+        # A falls with tau: over the ball it lies between 0 and A at the lower end, if that is certainly before the end;
+        # else A is somewhere in [0, 1], where it always is.
         low = tau.lower()
         return arb(0).union(amplitude(laws, low) if low > 0 and _is_before(low, extinction_time(active)) else arb(1))
     if len(active) == 1:
@@ -99,10 +103,14 @@ def extinction_time(laws: Laws) -> arb | None:
     if len(active) == 2:
         return _companion(active[0], active[1], arb(1))
     gap = active[1][0].ball() - alpha.ball()
+    # Chosen so that R <= sum (kappa_i/kappa) e^(-gap s) = 2^-(prec+2); R is made anew from the s that is taken, so that
+    # a poor choice costs width alone.
     s = ((ctx.prec + 2) * arb(2).log() + sum((k for _, k in active[1:]), arb(0)).log() - kappa.log()) / gap
+    # The midpoint is an exact number, which the integral below wants, and which this comparison orders for certain.
     s = max(s.mid(), arb(1))
     rest = (-(1 - alpha.ball()) * s).exp() / ((1 - alpha.ball()) * kappa)
     R = sum((k / kappa * (-(a.ball() - alpha.ball()) * s).exp() for a, k in active[1:]), arb(0))
+    # 1/(1 + r) falls from 1 to 1/(1 + R) as r goes from 0 to R: both ends, and what lies between, are in the union.
     return _integral(active, [], s) + rest * (1 / (1 + R)).union(arb(1))
 
 
@@ -119,6 +127,7 @@ def phase(laws: Laws, strengths: Sequence[arb], A: arb) -> arb:
             return w * A.log() / kappa
         exponent = alpha.ball() - 1
         return w / (exponent * kappa) * (exponent * A.log()).expm1()
+    # delta_i delta_j = eps_i eps_j e^(-(alpha_i + alpha_j - 2) r): exponents and coefficients of the numerator.
     pairs = [(a.ball() + b.ball() - 2, _w(a.ball(), b.ball()) * e * f) for a, _, e in active for b, _, f in active]
     return -_integral([(a, k) for a, k, _ in active], pairs, -A.log())
 
@@ -136,6 +145,8 @@ def F(a: Fraction | arb, z: arb) -> arb:
     >>> (F(Fraction(1, 2), arb(-3)) * arb(3).sqrt() * 3 / arb.pi()).str(10)       # arctan(sqrt 3)/sqrt 3
     '[1.000000000 +/- ...]'
     """
+    # Both forms enclose the same number, so that this is a choice of speed and width: y^(-p) undoes 2 p/q bits at z =
+    # -1/4 and more nearer to 0, and a thousand logarithms and steps are slower than Arb's series.
     if isinstance(a, Fraction) and z < -0.25 and a.denominator + a.numerator < 1000:
         return _log_form(a.numerator, a.denominator, -z)
     b = arb(fmpq(a.numerator, a.denominator)) if isinstance(a, Fraction) else a
@@ -148,12 +159,14 @@ def _log_form(p: int, q: int, w: arb) -> arb:
     1 - y/root stays off (-inf, 0]: its imaginary part y sin(theta) vanishes only at theta = pi, where it is 1 + y.
     """
     y = (w.log() / q).exp()
+    # 1 <= low <= q is where the sum of logarithms holds; the recursion leads from there up to p.
     low = (p - 1) % q + 1
     total = acb(0)
     for j in range(q):
         theta = fmpq(2 * j + 1, q)
         direction = acb(arb.cos_pi_fmpq(-theta), arb.sin_pi_fmpq(-theta))
         total += direction ** (-low) * (1 - y * direction).log()
+    # The roots come in conjugate pairs, so the imaginary part holds 0.
     integral = -total.real / q
     for n in range(low + q, p + 1, q):
         integral = y ** (n - q) / (n - q) - integral
@@ -228,8 +241,11 @@ def _integral(laws: Laws, numerator: Sequence[tuple[arb, arb]], s: arb) -> arb:
 
     def integrand(r: acb, analytic: bool) -> acb:
         top = sum((c * (-beta * r).exp() for beta, c in numerator), acb(0)) if numerator else acb(1)
+        # Where the sum may vanish this ball is not finite, and the integrator bisects: ``analytic`` need not be asked.
         return top / sum((k * (e * r).exp() for e, k in terms), acb(0))
 
+    # The mean value theorem: what lies between the middle and any s of the ball is the integrand somewhere on the way,
+    # which the integrand of the whole ball encloses.
     middle = s.mid()
     whole = integral(integrand, arb(0), middle, "an integral over the envelope")
     return whole + integrand(acb(s), False).real * (s - middle)
@@ -241,13 +257,18 @@ def _rate(laws: Laws, s: arb) -> arb:
 
 def _inverse(laws: Laws, tau: arb) -> arb | None:
     """s(tau) by Newton from a double-precision guess, then the enclosure of the module docstring, or None."""
+    # Doubles give the place to look at; the distance of tau at that place, and the root about it, are found in balls.
     guess = NumericEnvelope.of([(float(a.ball().mid()), float(k.mid())) for a, k in laws])
     start = float(guess.log_decay(float(tau.mid())))
     if not 0 <= start <= MAX_S:
         raise LimitError("time", f"the amplitude at {tau.str(5)} is below e^-600", "an earlier time")
     s, target = arb(start), tau.mid()
+    # The start is right to 50 bits or so, and each step of Newton's method doubles that: 50 * 2^(b-4) > prec for b the
+    # length of prec in bits. One step less makes the ball wide, and not wrong.
     for _ in range(max(ctx.prec.bit_length() - 4, 2)):
         s = (s + (target - time(laws, (-s).exp())) * _rate(laws, s)).mid()
     distance = abs(tau - time(laws, (-s).exp())).upper()
+    # With half = k distance g(s) and g growing by e^(c half) at most, the inversion wants c distance g <= ln(k)/k: k =
+    # 2 is within 6 per cent of the best, k = e, so that a second radius would seldom help.
     half = (2 * distance * _rate(laws, s)).upper()  # g changes at most exponentially: where this fails, more does too
     return verified_root(s, distance, lambda near: _rate(laws, near), [half])

@@ -8,7 +8,8 @@ where tanh(y s)/s is an even function of s: tan(y |s|)/|s| for k_1^2 < 4 k_- k_+
 Lancaster (13) (one strength alone), his (21) (k_1, k_+ at mu = 1), every pair that contains 1, every pair
 (alpha, 2-alpha) such as dry friction with air resistance (0,2), and the triple (0,1,2) of all three.
 
-*Lambert*: two exponents for which y - ln y is linear in tau, with y > 1 and r = kappa'/kappa,
+*Lambert* (Corless, Gonnet, Hare, Jeffrey and Knuth, On the Lambert W function, 1996): two exponents for which y - ln y
+is linear in tau, with y > 1 and r = kappa'/kappa,
 
     (alpha, (1+alpha)/2), alpha < 1:   y = 1 + r A^((1-alpha)/2),   y - ln y = y_0 - ln y_0 - (1-alpha) kappa r^2 tau/2,
     (alpha, 2 alpha-1),   alpha > 1:   y = 1 + A^(1-alpha)/r,       y - ln y = y_0 - ln y_0 + (alpha-1) kappa tau/r,
@@ -126,6 +127,7 @@ def _strengths(laws: Mapping[Expr, Expr], mu: Expr) -> tuple[Expr, Expr, Expr]:
 
 def _riccati(laws: Mapping[Expr, Expr], mu: Expr) -> ClosedForm:
     k_minus, k_1, k_plus = _strengths(laws, mu)
+    # Here s is imaginary, and the tangent is the real form: dry friction with air resistance, (0,2), is of this kind.
     if k_1 == 0 and k_minus != 0 and k_plus != 0:
         root = sqrt(k_plus / k_minus)
         angle = atan(root) - mu * sqrt(k_minus) * sqrt(k_plus) * tau
@@ -139,6 +141,7 @@ def _riccati(laws: Mapping[Expr, Expr], mu: Expr) -> ClosedForm:
     if k_plus == 0:
         ratio = k_minus / k_1
         return ClosedForm("bernoulli", ((1 + ratio) * exp(-mu * k_1 * tau) - ratio) ** (1 / mu))
+    # All three: which sign k_1^2 - 4 k_- k_+ has is a matter of the numbers, and the quotient holds for either.
     return ClosedForm("riccati", riccati_power(mu, k_minus, k_1, k_plus) ** (1 / mu))
 
 
@@ -150,6 +153,7 @@ def _riccati_extinction(mu: Expr, k_minus: Expr, k_1: Expr, k_plus: Expr) -> Exp
     if k_plus == 0:
         return log(1 + k_1 / k_minus) / (mu * k_1)
     s = sqrt(k_1**2 - 4 * k_minus * k_plus)
+    # v = 0 at T = 1/total, an artanh written as a logarithm: total^2 - s^2 = 4 k_- (k_- + k_1 + k_+) > 0.
     total = 2 * k_minus + k_1
     return 2 / (mu * total) if s == 0 else log((total + s) / (total - s)) / (mu * s)
 
@@ -157,6 +161,7 @@ def _riccati_extinction(mu: Expr, k_minus: Expr, k_1: Expr, k_plus: Expr) -> Exp
 def _lambert_below(low: Expr, kappa: Expr, kappa_prime: Expr) -> ClosedForm:
     ratio = kappa_prime / kappa
     exponent = -1 - ratio + (1 - low) * kappa * ratio**2 * tau / 2
+    # y > 1, hence the branch W_(-1), here and below: on it -W >= 1, while the other one has -W <= 1.
     y = -LambertW(-(1 + ratio) * exp(exponent), -1)
     return ClosedForm("lambert", ((y - 1) / ratio) ** (2 / (1 - low)))
 

@@ -49,6 +49,7 @@ def exact_kappa(term: Term) -> ExactReal | None:
         return None
     found, over_pi = integer_moment(int(a.rational) + 1)
     for k in range(2, m + 1, 2):
+        # <|c|^k |s|^b> = (k-1)/(k+b) <|c|^(k-2) |s|^b> with b = a + 1, by parts (``moments.symbolic.mean``).
         found *= Fraction(k - 1, k + int(a.rational) + 1)
     return None if over_pi else e * found
 
@@ -74,11 +75,13 @@ class FirstOrderEnvelope:
             kappas = tuple(arb(2) ** (-(a.ball() + 1) / 2) * e for a, e in zip(alphas, self.oscillator.epsilons()))
         else:
             kappas = self.oscillator.kappas()
+        # A strength is exactly 0, or its ball does not hold 0 (``ExactReal.ball``): none that acts is dropped.
         return [(a, k) for a, k in zip(alphas, kappas) if k > 0]
 
     def amplitude(self, t: Number, digits: int) -> str:
         """A(t) in m at an exact time t >= 0 in s, correctly rounded; "0" from the extinction time on."""
         seconds = exact_number(t, "time")
+        # A(0) is then the number that was given, of which a ball could not tell a tie between two decimals.
         if seconds.is_zero and self.oscillator.v0.is_zero:
             return certified_decimal(lambda: abs(self.oscillator.x0), digits)
         return certified_decimal(lambda: self.amplitude_ball(seconds.ball() * self.oscillator.omega_0()), digits)
@@ -96,6 +99,7 @@ class FirstOrderEnvelope:
 
         def seconds() -> arb:
             relative = metres.ball() / self.oscillator.length()
+            # Only what is certainly above the start is refused: a ball that holds 1 goes on, and is narrowed.
             if relative > 1:
                 raise InputError("amplitude", f"{metres} m is above the start", "0 < amplitude <= A(0)")
             return certified.time(self.laws(), relative) / self.oscillator.omega_0()
@@ -137,6 +141,7 @@ class FirstOrderEnvelope:
 
     def amplitudes(self, t: Array) -> Array:
         """A in m at an array of times in s, in double precision: heuristic.  NaN stays NaN, extinct is 0."""
+        # Heuristic from here on: middles of balls, and no bound.
         omega_0, length = (float(x.mid()) for x in (self.oscillator.omega_0(), self.oscillator.length()))
         with np.errstate(over="ignore"):  # beyond the range of doubles is at infinity, where nothing is left
             return self.numeric().amplitude(omega_0 * t) * length

@@ -129,6 +129,7 @@ def time_of_amplitude(laws: Mapping[Expr, Expr]) -> Expr | None:
     d = high[0] - low[0]
     index = (1 - low[0]) / d if low[0] < 1 else (high[0] - 1) / d
     rational = low[0].is_Rational and high[0].is_Rational
+    # The elementary form has about q logarithms and p/q powers: where that is more than a line, 2F1 says it better.
     if rational and index.p <= MAX_POWER and index.q <= MAX_ROOT:
         return expand_mul(elementary_time(low, high))
     return two_law_time(low, high)
@@ -183,9 +184,11 @@ def _integral(p: int, q: int, y: Expr) -> Expr:
     total: Expr = S.Zero
     for j in range(q // 2):
         theta = pi * Rational(2 * j + 1, q)
+        # w^p ln(1 - y/w) and its conjugate together: 2 Re = cos(p theta) ln|1 - y/w|^2 - 2 sin(p theta) arg(1 - y/w).
         angle = atan(y) if q == 2 else atan2(y * sin(theta), 1 - y * cos(theta))
         size = log(1 - 2 * y * cos(theta) + y**2)
         total += 2 * sin(p * theta) * angle - cos(p * theta) * size
+    # An odd q has the root w = -1, which is its own conjugate.
     if q % 2:
         total -= (-1) ** p * log(1 + y)
     return total / q

@@ -39,6 +39,7 @@ from asymptotics.numbers.integral import integral
 from asymptotics.numbers.precision import TooWideError
 from asymptotics.numbers.root import verified_root
 
+# For a first look at the extinction and the first steps of Newton's method, which cost a fraction there.
 ROUGH_BITS = 64
 
 
@@ -101,9 +102,13 @@ class SlowFlow:
             return None
         first, rest = losses[0], losses[1:]
         gap = min([arb(2), *(x.weight - first.weight for x in rest)], key=lambda x: float(x.mid()))
+        # So far that the other losses, and the well beside its parabola, count for less than 2^-(prec+8) behind it. Any
+        # S is right: a smaller one leaves a wider ball, as the 8 does where the balls of the weights do not tell a gap.
         S = self.s_0 + 8 if not gap > 0 else self.s_0 + ((ctx.prec + 8) * arb(2).log() / gap).upper()
         xi = (-S).exp()
         X = (first.weight * S).exp() / (-first.weight * first.epsilon * first.mean)
+        # All amplitudes behind S. The weight e^(w s) is positive, so that the mean value theorem of integrals takes the
+        # rest of the integrand at one of them.
         near = arb(0).union(xi)
         shape = self.well.near_zero(first, near)
         for x in rest:
@@ -133,6 +138,8 @@ class SlowFlow:
         """int_(s_0)^s f, by the mean-value form at both ends."""
         if not self.losses:
             raise InputError("law", "without a loss the amplitude stays", "a loss")
+        # The integrator is given exact ends; what lies between them
+        # and the balls of the ends is added by the mean value theorem.
         low, high = self.s_0.mid(), s.mid()
         whole = _between(f, low, high)
         return whole + f(acb(s), False).real * (s - high) - f(acb(self.s_0), False).real * (self.s_0 - low)
@@ -144,24 +151,31 @@ class SlowFlow:
         """s(tau) by Newton from the doubles, at a low precision first; then the enclosure of the module docstring."""
         table = self.table(float(tau.mid()))
         s = arb(float(table.at(np.array([float(tau.mid())]))[0][0]))
+        # Newton's method forgets the rounding of earlier steps, so these may be made at few bits.
         if ctx.prec > ROUGH_BITS:
             with ctx.workprec(ROUGH_BITS):
                 s, _ = self._newton(s, tau.mid())
         s, reached = self._newton(s, tau.mid())
+        # Rounded up, and tau is a ball: the distance of the farthest time that it holds.
         distance = abs(tau - reached).upper()
         half = (2 * distance * self._speed(s)).upper()
+        # Twice the radius that a constant speed would want, then four times as much each time: the speed may change
+        # fast (a pendulum near its top). The first radius that is proved is taken, and none is taken on trust.
         return verified_root(s, distance, self._speed, (4**k * half for k in range(8)))
 
     def _newton(self, s: arb, target: arb) -> tuple[arb, arb]:
         """A point s near s(target), and tau(s): after the first integral only short ones."""
+        # Not before the start, where the well may have ended; a double may choose here, for the root is verified later.
         s = arb(max(s, self.s_0.upper(), key=float)).mid()
         reached = self._integral(self._slowness, s)
         for _ in range(ctx.prec.bit_length() + 2):
             step = ((target - reached) * self._speed(s)).mid()
+            # As above, and always an exact number: the next short integral begins where this one ends.
             moved = arb(max(s + step, self.s_0.upper(), key=float)).mid()
             if not moved.is_finite():
                 raise TooWideError("the amplitude at that time was not found")
             reached, s = reached + _between(self._slowness, s, moved), moved
+            # All bits are right after a step that only changed the second half of them.
             if abs(step) < arb(2) ** (-ctx.prec // 2):
                 break
         return s, reached

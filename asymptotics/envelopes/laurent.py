@@ -9,7 +9,8 @@ Only even powers occur, hence 1/(delta p) has no term 1/delta and its integral n
     (alpha-1) p_1 tau = G(delta) - G(delta_0),         G(delta) = 1/delta - sum_(k=2,4,..) q_k delta^(k-1)/(k-1),
     (alpha-1) p_1 phi = H(delta_0) - H(delta),         H(delta) = sum_(k=2,4,..) r_k delta^(k-1)/(k-1).
 
-*Explicit.*  With sigma = 1/(G(delta_0) + (alpha-1) p_1 tau) the first line is sigma = 1/G(delta), and reversal gives
+*Explicit.*  With sigma = 1/(G(delta_0) + (alpha-1) p_1 tau) the first line is sigma = 1/G(delta), and reversal of that
+series (Lagrange's inversion; not the reversal of time) gives
 
     delta = sigma (1 + g_2 sigma^2 + g_4 sigma^4 + ...),     A = (delta/delta_0)^(1/(alpha-1)),
 
@@ -128,6 +129,7 @@ def envelope_of_series(alpha: Any, p: Series, Omega: Series, gauge: str = TURNIN
         raise InputError("alpha", "at alpha = 1 delta is constant and A = exp(-epsilon tau/2) exactly", "alpha != 1")
     p_1 = p[1]
     q = (_lowered(p, 1) / p_1).inverse()
+    # Omega begins with delta^2: lowered by two it meets q through all orders that both know, and loses none of its own.
     r = _raised(_lowered(Omega, 2) * q.truncate(max(Omega.order - 2, 0)), 2) if Omega.order >= 2 else Omega
     return LaurentEnvelope(alpha, gauge, max(p.order, Omega.order), p_1, q, r, _reversal(q))
 
@@ -137,6 +139,7 @@ def _reversal(q: Series) -> Series:
     order = q.order + 1
     correction = q.without_constant().map_keys(lambda n, c: divided(-c, n[0] - 1))
     delta = Series.variable(0, 1, order)
+    # Only even powers stand in the bracket: each pass of the fixed point makes two orders more right.
     for _ in range(order // 2):
         inner = correction.extend(order).compose((delta,)).truncate(q.order)
         delta = _raised(inner + 1, 1)
@@ -167,6 +170,7 @@ def _expression(c: Any) -> Any:
     """A coefficient as something SymPy can print: exact numbers exactly, balls by six digits."""
     if isinstance(c, PiNumber):
         return c.to_sympy()
+    # Six digits are for the eye; the ball itself stays in the series.
     return Symbol(c.str(6, radius=False)) if isinstance(c, arb) else _rational(c)
 
 

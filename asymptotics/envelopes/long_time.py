@@ -39,6 +39,7 @@ def extinction(laws: Laws) -> Expr | None:
         return 1 / ((1 - alpha) * kappa)
     try:
         return explicit_extinction(laws)
+    # No A(tau) in closed form: the time of two laws is known by 2F1 all the same.
     except InputError:
         return extinction_time(pairs[0], pairs[1]) if len(pairs) == 2 else None
 
@@ -53,4 +54,5 @@ def long_time(laws: Laws) -> Expr | None:
         return long_time_amplitude(pairs[0], pairs[1], tau)
     if alpha > 1:
         return held_power((alpha - 1) * kappa * tau, -1 / (alpha - 1))
+    # Beside a linear loss and two more the constant C is an integral that has no name here.
     return exp(-kappa * tau) if len(pairs) == 1 else None

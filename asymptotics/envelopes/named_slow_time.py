@@ -35,10 +35,12 @@ def named_slow_time(exponent: Expr, order: int) -> tuple[Expr, Expr]:
     """A/A_0 and phi in D, epsilon, the exponent and the letters of ``rate_letters``."""
     p, Omega = rate_letters(order)
     names = [*(f"p_{k}" for k in p if k > 1), *(f"Omega_{k}" for k in Omega)]
+    # W stands for 1/(alpha - 1): what is left are polynomials over Q, and no quotient of symbols is ever simplified.
     ring = fmpq_mpoly_ctx.get(("W", *names), "lex")
     W, *gens = ring.gens()
     places = dict(zip(names, gens))
     rates, detuning = (
+        # p_1 is the unit of the rates, so its own coefficient is 1.
         Series({(k,): places.get(f"{name}_{k}", 1) for k in letters}, 1, order)
         for name, letters in (("p", p), ("Omega", Omega))
     )

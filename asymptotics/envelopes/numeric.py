@@ -26,6 +26,7 @@ from asymptotics.errors import InputError
 Array = NDArray[np.float64]
 
 NODES = 8
+# e^-700 is still a normal double; e^-709 is not.
 LAST_S = 700.0
 
 
@@ -59,6 +60,7 @@ class NumericEnvelope:
             return None
         if len(self.alphas) == 1:
             return 1 / (below * self.kappas[0])
+        # Behind the table the least exponent rules alone: the rest is its integral to infinity.
         return float(self.times[-1]) + float(np.exp(-below * self.edges[-1])) / (below * self.kappas[0])
 
     def amplitude(self, tau: ArrayLike) -> Array:
@@ -77,6 +79,8 @@ class NumericEnvelope:
         exponent, kappa = self.alphas[0] - 1, self.kappas[0]
         if exponent == 0:
             return kappa * t
+        # From the extinction on log1p(-1)/exponent is infinity (the
+        # exponent is negative): A = 0, as the averaged law has it.
         growth = np.maximum(exponent * kappa * t, -1.0)
         with np.errstate(divide="ignore"):
             return np.asarray(np.log1p(growth) / exponent)
@@ -101,6 +105,8 @@ class NumericEnvelope:
         inside = np.where(np.isnan(t), 0.0, np.minimum(t, self.times[-1]))
         panel = self._panel_of(self.times, inside)
         left, width = self.edges[panel], self.edges[1]
+        # Inside a panel the rate changes by e^(1/4) at most, so that the chord is off by some per cent of it and three
+        # steps of Newton's method, each of which squares the error, end within a double.
         s = left + width * (inside - self.times[panel]) / (self.times[panel + 1] - self.times[panel])
         for _ in range(3):
             s = s + (inside - self.times[panel] - self._piece(left, s)) * self._rate(s)
@@ -134,7 +140,9 @@ def _table(alphas: tuple[float, ...], kappas: tuple[float, ...]) -> tuple[Array,
     bare = NumericEnvelope(alphas, kappas, edges, edges)
     with np.errstate(over="ignore", divide="ignore", under="ignore"):
         sums = np.concatenate([[0.0], np.cumsum(bare._piece(edges[:-1], edges[1:]))])
+        # What comes after an infinite entry has left the doubles.
         times: Array = np.asarray(sums[np.isfinite(sums)], dtype=np.float64)
+    # Toward an extinction the panels end by adding nothing to tau in doubles: a bisection needs a table that grows.
     stuck = np.flatnonzero(np.diff(times) <= 0)
     last = int(stuck[0]) + 1 if len(stuck) else len(times)
     return edges[:last], times[:last]

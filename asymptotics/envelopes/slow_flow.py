@@ -1,5 +1,8 @@
 """Amplitude and phase as functions of time: the truncated slow equations, solved as they stand.
 
+The slow equations are those of averaging (Bogoliubov and Mitropolsky, Asymptotic Methods in the Theory of Non-linear
+Oscillations, 1961); nothing is neglected in solving them, and nothing is claimed of how near they are to the motion.
+
 With A = e^(-s) every monomial delta^n is an exponential in s, so that the equations at order N,
 
     ds/d tau = p = sum_n p_n epsilon^n e^(-a_n s),     d phi/d tau = Omega(s),    a_n = sum_i n_i (alpha_i - 1),
@@ -33,10 +36,13 @@ from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.integral import integral
 from asymptotics.series import Series
 
+# Cubic Hermite interpolation errs by h^4/384 max |f''''| between knots h apart. Twice as many would take twice the
+# time; no digit that is claimed comes from the table.
 _KNOTS = 2048
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
 _STEADY = 0.99
 """The next step in s may be twice as long when p falls by no more than this factor."""
+# A limit of time: a march that is longer is refused by name.
 _MAX_PANELS = 100_000
 _FAINTEST = 60.0
 """s beyond which the amplitude counts as extinct in doubles (e^-60 of the start)."""
@@ -61,6 +67,8 @@ class ExponentialSum:
             if 0 < sum(key) <= order and not absent:
                 for e, n in zip(epsilons, key):
                     c = c * e**n
+                # Midpoints alone: what is made of these sums is heuristic
+                # (``motions.frame``), and a radius would only look like a proof.
                 terms.append((arb(c).mid(), arb(grading.weight(key)).mid()))
         return cls(tuple(terms))
 
@@ -160,7 +168,10 @@ class SlowLaw:
         rates = [float(a) for _, a in self.p.terms]
         if not any(rates):  # alpha = 1 alone: p is constant
             return start + max(tau_max, 1.0) * float(self.p.array(np.array(start))), inf
+        # A falling power of the amplitude: p grows with s, and A = 0 is reached in a finite time.
         ends = min(rates) < 0
+        # A quarter of the shortest scale of p in s, and 5 at most:
+        # on e^(s/4) ten Gauss nodes are right to the last bit.
         step = 0.25 / max(max(map(abs, rates)), 0.05)
         for _ in range(_MAX_PANELS):
             if tau >= tau_max:
@@ -169,6 +180,8 @@ class SlowLaw:
                 return s, tau + self._rest(s, step)
             tau += float(self._panels(np.array([s, s + step]), lambda _: 1.0)[0])
             now, then = (float(self.p.array(np.array(at))) for at in (s, s + step))
+            # Where only the slowest loss is left p is nearly constant:
+            # longer steps, or a long time would take 100,000 of them.
             s, step = s + step, 2 * step if not ends and _STEADY < then / now <= 1 else step
         raise LimitError("time", f"{tau_max:.3g}/omega_0 is too long for the amplitude law", "a shorter time")
 
@@ -178,6 +191,7 @@ class SlowLaw:
         while True:
             more = float(self._panels(np.array([s, s + step]), lambda _: 1.0)[0])
             rest, s = rest + more, s + step
+            # Until a panel adds less than the last bit; p grows exponentially, so that 10^4 is far behind that.
             if more <= 1e-17 * rest or s > 1e4:
                 return rest
 
@@ -189,10 +203,12 @@ class SlowLaw:
         if float(tau) >= table.extinction:
             return None
         s = arb(float(table.at(np.array([float(tau)]))[0][0]))
+        # The table gives a few digits, Newton's method doubles them each time; four more for a table that gave fewer.
         for _ in range(ctx.prec.bit_length() + 4):
             miss = self._integral(lambda _: acb(1), start, s) - tau
             step = (miss * self.p(s)).mid()
             s = (s - step).mid()
+            # Half the bits are right before this step, all of them after it.
             if abs(step) < arb(2) ** (-ctx.prec // 2 - 4) * (1 + abs(s)):
                 return s, self._integral(self.Omega, start, s).mid()
         raise UndecidedError("the amplitude at that time was not found by Newton's method")
@@ -208,6 +224,7 @@ class SlowLaw:
         found = integral(integrand, low, high, "an integral along the slow flow")
         if not found.is_finite():
             raise UndecidedError("the time integral of the amplitude law did not converge")
+        # As above: heuristic, the radius is dropped on purpose.
         return found.mid()
 
 

@@ -40,6 +40,7 @@ from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.series import Key, Series, divided, is_exact_zero
 from asymptotics.terms import Term
 
+# What a ball is shown with; digits that are claimed come from ``certified_slow_time``.
 _DIGITS = 30
 D, epsilon = Symbol("D", positive=True), Symbol("epsilon", positive=True)
 
@@ -63,13 +64,17 @@ def explicit(envelope: LaurentEnvelope, last: int, weight: Any = None) -> SlowTi
     """The same from the Laurent polynomials, through epsilon^``last``; ``weight``: 1/(alpha-1) in their ring."""
     rows = [{n[0]: c for n, c in s.coefficients.items()} for s in (envelope.q, envelope.r, envelope.reversal)]
     q, r, reversal = rows
+    # What the denominator of z has beside 1: G_n = -q_(n+1)/n, each power with one factor D.
     lagging: dict[Key, Any] = {(k,): TauPolynomial((0, divided(-c, k - 1))) for k, c in q.items() if 2 <= k <= last}
     z = (Series(lagging, 1, last) + 1).inverse() if lagging else Series.constant(1, 1, last)
+    # The reversal of ``laurent`` at sigma = epsilon D z, divided by epsilon D.
     y = z
     for k, c in sorted(reversal.items()):
         if 3 <= k <= last + 1:
             y = y + _monomial(k - 1, k - 1, last) * c * z**k
     weight = 1 / (envelope.alpha - 1) if weight is None else weight
+    # The power by logarithm and exponential, for its exponent may be a symbol; the logarithm wants a constant term that
+    # is exactly 1, which it is, whatever the ring has made of it.
     amplitude = ((y.without_constant() + 1).log() * weight).exp()
     phase, powers = Series({}, 1, last), y
     for k in range(1, last + 1):
@@ -102,6 +107,7 @@ def certified_slow_time(alpha: ExactReal, order: int, digits: int, *, above: int
             return None
         return [_sum((n, i, Float(text, digits)) for n, i, text in row if text != "0") for row in texts]
 
+    # Four bits an order are a first guess of what the recursions cancel: too few cost another pass, and no digit.
     amplitude, phase = at_growing_precision(attempt, digits, bits_for(digits, 4 * order + 64))
     return amplitude, phase
 
@@ -109,6 +115,8 @@ def certified_slow_time(alpha: ExactReal, order: int, digits: int, *, above: int
 def _rounded(x: Any, digits: int) -> str | None:
     """The decimal of a ball, "0" where it is that small and holds 0, None if that is not decided."""
     x = arb(x)
+    # A zero by theorem is in its ball at every precision; a coefficient that is not zero leaves its ball in the end,
+    # unless it is below 10^(-2 digits), where it is left out.
     if x.contains(0):
         return "0" if abs(x) < arb(10) ** (-2 * digits) else None
     return decimal_of_ball(x, digits)

@@ -34,6 +34,7 @@ from asymptotics.expansions.moments.symbolic import moment, squaring_moment
 MEAN = "mean"
 SQUARING = "squaring"
 AVERAGINGS = (MEAN, SQUARING)
+# How a formula looks depends on it, and nothing else: above it the digits of the numbers hide the rest.
 _LARGEST_POWER = 50
 
 alpha, epsilon, amplitude_symbol = symbols("alpha epsilon A", positive=True)
@@ -106,6 +107,7 @@ class AveragedLaw:
     @property
     def total_lag(self) -> Expr:
         """-phi(infinity) = w_2 epsilon/((alpha-1) p_1) for alpha > 1, the same in every gauge; InputError otherwise."""
+        # A symbol whose place beside 1 is not known is let through: the formula is the one for alpha > 1.
         if (self.alpha - 1).is_positive is False:
             raise InputError("alpha", f"the lag is not bounded at alpha = {self.alpha}", "alpha > 1")
         return self.w_2 * epsilon / ((self.alpha - 1) * self.p_1)

@@ -25,6 +25,7 @@ from math import exp, inf, log
 from asymptotics.envelopes.numeric import NumericEnvelope
 from asymptotics.errors import InputError
 
+# e^-300 of the start stands for "down to rest"; doubles would go to e^-745.
 LAST_S = 300.0
 
 
@@ -57,9 +58,11 @@ def slow_amplitudes(envelope: NumericEnvelope, eta: float) -> SlowInterval | Non
     _require_positive(eta=eta)
 
     def excess(s: float) -> float:
+        # exp leaves the doubles at 709, and a rate of e^700 is above every eta as it is.
         total = sum(exp(min(log(k) + (1 - a) * s, 700.0)) for a, k in zip(envelope.alphas, envelope.kappas))
         return log(total) - log(eta)
 
+    # The function is convex, so a bounded search finds its only minimum; it never looks at the ends, which come after.
     lowest = float(minimize_scalar(excess, bounds=(0.0, LAST_S), method="bounded", options={"xatol": 1e-12}).x)
     lowest = min((0.0, lowest, LAST_S), key=excess)
     if excess(lowest) > 0:

@@ -77,7 +77,9 @@ class Spring:
         first = 1 + x
         if self.pendulum is not None:
             half = self.pendulum.sqrt() / 2
+            # 2 (V(1) - V(x)) of the pendulum is 2 (cos(q x) - cos q)/q^2, a product of two sines, divided by 1 - x.
             first *= (half * (1 + x)).sinc() * (half * (1 - x)).sinc()
+        # (1 - x^(p+1))/(1 - x) as a sum of powers: no difference is left that could cancel near x = 1.
         return first + sum(
             (2 * c / (p + 1) * sum((x**j for j in range(p + 1)), acb(0)) for p, c in self.powers), acb(0)
         )
@@ -127,6 +129,7 @@ def _cycle(spring: Spring, m: int, alpha: arb) -> arb:
     if spring.linear:
         x, y = arb(m + 1) / 2, alpha / 2 + 1
         return 2 * arb.pi() * moment(alpha + 1) if not m else 2 * x.gamma() * y.gamma() * (x + y).rgamma()
+    # None unless the ball is one integer: then powers are products, and an even one leaves polynomials alone.
     whole = alpha.unique_fmpz()
 
     def integrand(u: acb, analytic: bool) -> acb:
@@ -134,6 +137,7 @@ def _cycle(spring: Spring, m: int, alpha: arb) -> arb:
         g = spring.stiffness(x)
         if whole is not None and not int(whole) % 2:
             return x**m * u ** (int(whole) + 1) * g ** (int(whole) // 2)
+        # The logarithm is analytic where Re g > 0. Elsewhere this says so, and the integrator bisects.
         if analytic and not g.real > 0:
             return acb("nan")
         rise = _power(u, alpha + 1, analytic) if whole is None else u ** (int(whole) + 1)
@@ -149,5 +153,6 @@ def _power(u: acb, exponent: arb, analytic: bool) -> acb:
         return (u.log(analytic=analytic) * exponent).exp()
     if analytic:
         return acb("nan")
+    # |u^e| = |u|^e for a real e, on every branch: a square around 0 of the largest size holds the power.
     size = (arb(u.abs_upper()).log() * exponent).exp()
     return acb(arb(0, size), arb(0, size))

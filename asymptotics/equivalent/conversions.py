@@ -62,6 +62,7 @@ def conversions(oscillator: Oscillator, digits: int) -> tuple[Conversion, ...]:
     """What its losses are called elsewhere; roll coefficients where all exponents are 1, 2 or 3 beside any spring."""
     losses = [t for t in oscillator.law.losses if t.is_power_of_velocity and not t.b.is_zero]
     found: list[Conversion] = []
+    # Equal exponents were merged when the law was made: one term for each.
     orders = {int(t.velocity.rational): t for t in losses if t.velocity.is_integer and 1 <= t.velocity <= 3}
     if len(orders) == len(losses) == len([t for t in oscillator.law.losses if not t.b.is_zero]) and orders:
         found += _roll(oscillator, orders, digits)
@@ -93,6 +94,7 @@ def _roll(oscillator: Oscillator, orders: dict[int, Term], digits: int) -> list[
 
     def bertin(degrees: int) -> arb:
         degree = arb.pi() / 180
+        # a phi + b phi^2 + c phi^3 over phi^2: in 1/rad, and by ``degree`` once more in 1/deg.
         angle = degrees * degree
         return sum((share(n) * angle ** (n - 2) for n in orders), arb(0)) * degree
 

@@ -61,6 +61,7 @@ def full_swing(law: Law, digits: int) -> FullSwing | str:
     text = found.points[2].x
     if text == "0":
         return "it stops at the centre"
+    # Correctly rounded digits: the turning point is within half a unit of the last, which the ball holds.
     last = abs(ball_of(text))
     delta = [t.strength.ball() for t in law.terms]
     spring = Spring.of(law.terms, delta)
@@ -84,6 +85,7 @@ def expanded_swing(terms: Sequence[Term], delta: Sequence[arb], order: int) -> F
         return "a bound is proved for powers of the velocity beside the linear spring"
     try:
         return _expanded(terms, delta, order)
+    # Order N is one column of a table: where no bound is proved it says why, and the others stand.
     except (UndecidedError, LimitError) as error:
         return str(error) if isinstance(error, UndecidedError) else error.reason
 
@@ -91,13 +93,16 @@ def expanded_swing(terms: Sequence[Term], delta: Sequence[arb], order: int) -> F
 def _expanded(terms: Sequence[Term], delta: Sequence[arb], order: int) -> FullSwing:
     alphas = tuple(t.velocity for t in terms)
     _, radius = disc(alphas)
+    # Upper ends, for the bound of ``half_swing_series`` is one on the polydisc.
     if not sum((arb(d.abs_upper()) for d in delta), arb(0)) < radius:
         raise UndecidedError(f"sum delta is not below {float(radius):.2g}, up to which the expansion is bounded")
     series = half_swing_series(alphas, order)
     with ctx.workprec(BITS):
         first = series.at(delta)
+        # first holds L of the motion, tail included, so that this holds the strengths of the second half-swing.
         after = [d * (t.weight.ball() * first).exp() for d, t in zip(delta, terms)]
         decrement = -(first + series.at(after))
         if not decrement > 0:
             raise UndecidedError("the bound is larger than the decrement itself")
+        # Powers of the velocity alone: V = A^2/2, and the share is 1 - (A_2/A_0)^2.
         return FullSwing(decrement, -(-2 * decrement).expm1())

@@ -33,6 +33,7 @@ LETTERS = {
     "half_life": r"t_{1/2}",
 }  # fmt: skip
 PARTS = {"first": "first order", "motion": "the motion itself", "expanded": "order N"}
+# Of the curve alone: its points, their bits, and the ratio of the amplitudes from which the axes are logarithmic.
 _CURVE, _LOW, _WIDE = 60, 53, 8
 
 
@@ -205,6 +206,7 @@ def _spread(name: str, cells: list[tuple[str | None, str | None]]) -> dict[str, 
     columns = spread(name, [value for value, _ in cells])
     for i, (value, bound) in enumerate(cells):
         if value is not None and bound is not None:
+            # Order N is known to within its bound, not to half a unit: the ends are made anew, rounded outward.
             low, high = Fraction(value) - Fraction(bound), Fraction(value) + Fraction(bound)
             columns[f"{name}_low"][i], columns[f"{name}_high"][i] = outward(low, -1), outward(high, 1)
     return columns
@@ -221,9 +223,11 @@ def _shown(m: Measure, name: str) -> str:
 
 def _doubles(oscillator: Oscillator, a: float) -> tuple[float, ...]:
     """The first order at one amplitude; NaN stays NaN."""
+    # NaN fails this test too, and so keeps its place.
     if not a > 0:
         return (float("nan"),) * 5
     local = Oscillator(oscillator.law, mass=oscillator.mass, stiffness=oscillator.stiffness, x0=exact_number(a, "A"))
+    # At the bits of a double: the middle of each ball is drawn, and no more is said.
     with ctx.workprec(_LOW):
         cycle = cycle_of(local)
         k = oscillator.stiffness.ball()

@@ -34,6 +34,7 @@ from asymptotics.present.shown import Page, Shown
 from asymptotics.terms import Term
 
 QUANTITIES = ("zeta", "Q", "decrement", "energy_loss", "c_eq", "half_life")
+# The first precision and the last: digits that are not decided by then are refused, never guessed.
 _GUARD, _DOUBLINGS = 24, 4
 _NO_HALF_LIFE = "half-life: known beside the linear spring, one x^3 or the pendulum, for losses >= 0"
 
@@ -108,6 +109,7 @@ def row_at(
         for t in springs:
             if not t.velocity.is_zero:
                 raise InputError("spring", f"{t.shape()} depends on the velocity: no potential", "springs c x|x|^(P-1)")
+        # In the local units the amplitude is 1: asked before any integral, which would not end outside the well.
         require_inside(WellForce.of(springs), arb(1), f"the amplitude {amplitude}")
     expanded = None if order is None else _expanded(local, digits, order)
     return DampingRow(str(amplitude), _first(local, digits), _motion(local, digits) if motion else None, expanded)
@@ -147,12 +149,14 @@ def _half_life(local: Oscillator, digits: int) -> str | None:
     """The time of the first-order envelope from A to A/2, or None where it is not known."""
     law = local.dimensionless
     springs = [t for t in law.springs if not t.strength.is_zero]
+    # The envelopes know losses >= 0 that do not see the place; one loss that does has a formula of its own.
     if not law.is_dissipative or (not springs and not law.is_pure and any(t.position for t in law.losses)):
         return _placed(local, digits)
     if not springs:
         return FirstOrderEnvelope(local.with_law({t.velocity: t.b for t in local.law.losses})).time(
             abs(local.x0) / 2, digits
         )
+    # The wells of ``straightening``: the pendulum, and one x^3.
     known = len(springs) == 1 and (springs[0].family or springs[0].position == 3)
     if not known or (springs[0].family and any(t.position for t in law.losses)):
         return None
@@ -198,6 +202,7 @@ def _motion(local: Oscillator, digits: int) -> Measure:
 
     def attempt(bits: int) -> Measure | None:
         swing = full_swing(law, swing_bits(bits))
+        # No full swing (it sticks, creeps or stops at the centre): an answer in words, which no precision changes.
         if isinstance(swing, str):
             return Measure(reason=swing)
         texts = {name: decimal_of_ball(value, digits) for name, value in _values(swing, local).items()}
@@ -209,6 +214,7 @@ def _motion(local: Oscillator, digits: int) -> Measure:
     try:
         return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
     except (UndecidedError, LimitError) as error:
+        # The time of the whole request is over, which is no property of this amplitude.
         if isinstance(error, LimitError) and error.argument == "max_seconds":
             raise
         return Measure(reason=error.reason if isinstance(error, LimitError) else str(error))
@@ -218,6 +224,7 @@ def _expanded(local: Oscillator, digits: int, order: int) -> Measure:
     terms = [t for t in local.dimensionless.terms if not t.strength.is_zero]
     if not local.dimensionless.is_dissipative:
         return Measure(reason="anti-damping: no bound is proved")
+    # Once is enough: the width is that of the bound, not of the rounding.
     with ctx.workprec(bits_for(digits, 64)):
         swing = expanded_swing(terms, [t.strength.ball() for t in terms], order)
         if isinstance(swing, str):
@@ -232,6 +239,8 @@ def _expanded(local: Oscillator, digits: int, order: int) -> Measure:
 def _within(ball: arb, digits: int) -> tuple[str, str]:
     """(a decimal, how far at most every number of the ball is from it), as many digits as that leaves."""
     low, high = bounds(ball)
+    # As many digits as the bound leaves, one more so that the printed decimal adds little, and the distance from that
+    # decimal to the farther end, rounded up.
     middle, radius = (low + high) / 2, (high - low) / 2
     known = next((d for d in range(1, digits) if radius * 10 ** (d + 1) >= abs(middle)), digits)
     text = directed_decimal(middle, known + 1, -1)

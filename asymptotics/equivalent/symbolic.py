@@ -98,6 +98,7 @@ def _in_well(springs: list[Term], cs: list[Expr], units: tuple[Expr, Expr]) -> C
     m, k = units
     omega = sympy.sqrt(k / m)
     named = bool(springs and springs[0].family)
+    # Neither well of ``straightening``: the integral is shown as it stands.
     if len(springs) > 1 or (springs and not named and springs[0].position != 3):
         return lambda loss: _waiting(loss, springs, cs, units)
 
@@ -117,6 +118,7 @@ def _in_well(springs: list[Term], cs: list[Expr], units: tuple[Expr, Expr]) -> C
         gamma = cs[0] * A**2 / k
         B = 1 + gamma
         wave = sympy.hyper((-alpha / 2, alpha / 2 + 1), ((alpha + place + 3) / 2,), gamma / (2 * B))
+        # V(A) = A^2 (1 + gamma/2)/2 is what the linear formula has without the bracket.
         return linear(loss) * B ** (alpha / 2) / (1 + gamma / 2) * wave
 
     return pendulum if named else duffing if springs else linear
@@ -128,6 +130,7 @@ def _waiting(loss: Loss, springs: list[Term], cs: list[Expr], units: tuple[Expr,
     m, k = units
     V = _potential(springs, cs, k, A)
     speed = sympy.sqrt(2 * (V - _potential(springs, cs, k, _x)) / m)
+    # Four quarters of the cycle, over 4 pi E.
     return 4 * b * sympy.Integral(_x**place * speed**alpha, (_x, 0, A)) / (4 * pi * V)
 
 
@@ -143,6 +146,7 @@ def _half_life(
         rate = lost / (period * sympy.diff(energy, A))
         return sympy.Integral((1 / rate).subs(A, _a), (_a, A / 2, A))
     if len(losses) == 1:
+        # int from A/2 to A of da/(omega zeta(a) a), zeta proportional to a^w; ln 2 is the limit w = 0.
         w = degrees[0] - 1
         if w == 0:
             return _tidy(sympy.log(2) / (omega * zeta))
@@ -150,6 +154,7 @@ def _half_life(
     if len(losses) == 2 and 1 in degrees:
         first = degrees.index(1)
         w = degrees[1 - first] - 1
+        # Bernoulli's equation: da/dt = -omega a (viscous + other (a/A)^w), from a = A to A/2.
         viscous, other = (sympy.expand(zeta).coeff(losses[i][0]) * losses[i][0] for i in (first, 1 - first))
         return sympy.log((2**w * viscous + other) / (viscous + other)) / (w * omega * viscous)
     return sympy.Integral((1 / (omega * A * zeta)).subs(A, _a), (_a, A / 2, A))

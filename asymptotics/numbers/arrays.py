@@ -27,11 +27,15 @@ def real_array(value: Any, argument: str) -> Any:
         given = np.asarray(value)
     except (TypeError, ValueError):  # rows of different lengths
         raise InputError(argument, f"{shown(value)} is not an array of numbers", _ACCEPTED) from None
+    # Doubles and machine integers are taken as they are; a masked entry is a gap in the data, for which NaN stands.
     if given.dtype.kind in "fiu":
         masked = np.ma.isMaskedArray(value)
         return np.ma.filled(value.astype(float), np.nan) if masked else given.astype(float)
+    # Objects and text go on to the number policy, complex numbers and bools with them, to be refused by name.
     if given.dtype.kind not in "OUcb":
         raise InputError(argument, f"an array of {given.dtype} is not an array of numbers", _ACCEPTED)
+    # The user's own list, where there is one: NumPy would make
+    # text of all of [0, "1/2"], and 0.1 is read as it was typed.
     cells = [value] if not given.ndim else list(value) if given.ndim == 1 else given.ravel().tolist()
     return np.array([_double(cell, argument) for cell in cells]).reshape(given.shape)
 

@@ -61,6 +61,7 @@ _FUNCTIONS: dict[type, Callable[..., arb]] = {
     sympy.coth: arb.coth,
     sympy.gamma: arb.gamma,
     sympy.zeta: arb.zeta,
+    # Real values stand on the branches 0 and -1 alone, and SymPy writes the branch only where it is not 0.
     sympy.LambertW: lambda x, branch=None: arb.lambertw(x, 0 if branch is None else -1),
 }
 _CONSTANTS: dict[sympy.Expr, Callable[[], arb]] = {
@@ -79,6 +80,8 @@ def closed_form_ball(expression: sympy.Expr) -> arb:
     if isinstance(expression, sympy.Add | sympy.Mul):
         return reduce(add if expression.is_Add else mul, [closed_form_ball(a) for a in expression.args])
     if isinstance(expression, sympy.Pow):
+        # An integer exponent stays one: the power of a ball by a ball
+        # goes through the logarithm, which a negative base lacks.
         base, exponent = (closed_form_ball(a) for a in expression.args)
         return base ** (int(expression.exp) if expression.exp.is_Integer else exponent)
     if type(expression) in _FUNCTIONS:

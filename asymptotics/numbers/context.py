@@ -31,6 +31,7 @@ from asymptotics.budget import tick
 
 P = ParamSpec("P")
 T = TypeVar("T")
+# Longer would delay the refusal of a thread whose time is over, shorter would only wake it more often.
 _PATIENCE = 0.1  # seconds between two looks at the time of a thread that waits
 
 
@@ -38,11 +39,13 @@ class _Alone:
     """A re-entrant lock whose holder is the one thread that computes."""
 
     def __init__(self) -> None:
+        # What a forked child sets back; ``decimal_context`` adds mpmath's, so that nobody loads it who needs none.
         self.guarded: list[tuple[Any, str]] = [(flint.ctx, "prec"), (flint.ctx, "cap")]
         self.free()
 
     def free(self) -> None:
         """Nobody is inside any more, whoever was."""
+        # A plain lock beside its owner and its depth: ``forked`` has to ask who holds it, which an RLock does not tell.
         self.lock, self.owner, self.depth = Lock(), 0, 0
         self.usual: list[int] = []
 
@@ -52,6 +55,7 @@ class _Alone:
             while not self.lock.acquire(timeout=_PATIENCE):
                 tick("the wait for another thread, which computes")
             self.owner = me
+            # The values before the outermost setting: where a child of this process goes back to.
             self.usual = [getattr(owner, name) for owner, name in self.guarded]
         self.depth += 1
 
@@ -82,10 +86,12 @@ class Setting:
         self.owner, self.name, self.value = owner, name, value
 
     def __enter__(self) -> None:
+        # First alone, then read: what another thread has set for a while is not what is to be set back.
         alone.__enter__()
         self.before = getattr(self.owner, self.name)
         try:
             setattr(self.owner, self.name, self.value)
+        # A value that FLINT refuses, or an alarm: who has set nothing must not keep the others out.
         except BaseException:
             alone.__exit__()
             raise
@@ -139,6 +145,7 @@ def inside(function: Callable[P, T]) -> Callable[P, T]:
 
 def lru_cache(maxsize: int | None) -> Callable[[Callable[..., T]], "functools._lru_cache_wrapper[T]"]:
     """``functools.lru_cache``, filled inside the door."""
+    # The look-up takes no lock. Two threads may make the same value one after the other, which costs time and no more.
     return lambda function: functools.lru_cache(maxsize)(inside(function))
 
 
@@ -163,6 +170,8 @@ class cached_property(Generic[T]):  # noqa: N801 (a decorator, as in functools)
     def __get__(self, instance: object | None, owner: type | None = None) -> "cached_property[T] | T":
         if instance is None:
             return self
+        # Python finds a kept value before it asks here (there is no
+        # ``__set__``); another thread may have made it meanwhile.
         with alone:
             kept = instance.__dict__
             if self.name not in kept:

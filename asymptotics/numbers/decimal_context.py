@@ -12,12 +12,14 @@ import mpmath
 
 from asymptotics.numbers.context import Setting, alone
 
+# A child that is forked while another thread works sets these back as well.
 alone.guarded += [(mpmath.mp, "prec"), (mpmath.iv, "prec")]
 
 
 @contextmanager
 def workdps(digits: int) -> Iterator[None]:
     """``mpmath.workdps``, alone."""
+    # Left in the opposite order: the digits are set back first, the lock is released last.
     with alone, mpmath.workdps(digits):
         yield
 

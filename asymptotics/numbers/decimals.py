@@ -30,6 +30,8 @@ from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 
 BITS_PER_DIGIT = log2(10)
+# A million bits hold 315,652 digits. What is not decided there (a tie, a zero that no ball tells) is refused, so that
+# half or twice as much moves the refusal and no digit.
 MAX_BITS = 1 << 20
 MAX_DIGITS = 300_000  # what MAX_BITS can hold
 MAX_EXPONENT = 1 << 24  # beyond it the decimal expansion alone would fill the memory
@@ -37,6 +39,7 @@ MAX_EXPONENT = 1 << 24  # beyond it the decimal expansion alone would fill the m
 
 def bits_for(digits: int, guard: int = 32) -> int:
     """Working precision in bits for ``digits`` decimal digits and a guard."""
+    # The guard is a matter of speed: an enclosure that it does not cover is refused and asked for again at more bits.
     return int(digits * BITS_PER_DIGIT) + guard
 
 
@@ -83,14 +86,19 @@ def decimal_of_ball(ball: arb, digits: int) -> str | None:
     if middle and abs(int(shift)) > MAX_EXPONENT:
         accepted = f"magnitudes from 2^-{MAX_EXPONENT} to 2^{MAX_EXPONENT}"
         raise LimitError("magnitude", f"the result is near 2^{int(shift)}", accepted)
+    # An exact ball is one dyadic number, whose rounding is decided on a tie as well.
     if radius == 0:
         return _format(*_round_dyadic(middle, int(shift), digits), digits)
+    # |middle| < 2^(shift + its length) and radius >= 2^(radius_shift + its length - 1): here the radius is the larger.
     if not middle or int(radius_shift) + radius.bit_length() > int(shift) + middle.bit_length():
         return None  # the ball contains 0
+    # The radius is below 2^(radius_shift + its length), which is at most the one put in its place: the interval grows.
     if radius_shift < -2 * MAX_EXPONENT:  # its ends alone would fill the memory: a wider ball will do
         radius, radius_shift = fmpz(1), fmpz(radius.bit_length() - 2 * MAX_EXPONENT)
     low_shift = min(int(shift), int(radius_shift))
     middle, radius = middle << (int(shift) - low_shift), radius << (int(radius_shift) - low_shift)
+    # Rounding to nearest is monotone: where both ends round to
+    # one decimal, so does every number between them (Ziv's test).
     low, high = (_round_dyadic(end, low_shift, digits) for end in (middle - radius, middle + radius))
     return _format(*low, digits) if low == high else None
 
@@ -108,6 +116,7 @@ def directed_decimal(q: Fraction, digits: int, side: int) -> str:
     ('0.34', '0.33')
     """
     require_integer(digits, "digits", 1, MAX_DIGITS)
+    # The nearest decimal is off by half a unit at most: where it lies on the wrong side one unit more is enough.
     n, exponent = _round_quotient(fmpz(q.numerator), fmpz(q.denominator), digits)
     shown = Fraction(int(n)) * Fraction(10) ** exponent
     return _format(n + (side if (shown - q) * side < 0 else 0), exponent, digits)
@@ -124,11 +133,15 @@ def _round_quotient(p: fmpz, q: fmpz, digits: int) -> tuple[fmpz, int]:
     if p == 0:
         return fmpz(0), 0
     sign, p = (-1, -p) if p < 0 else (1, p)
+    # p/q is 2^(difference of the lengths) to within a factor of 2, so this start is never above the exponent that is
+    # sought, and the first one that leaves no more than the wanted digits is the right one.
     exponent = int((p.bit_length() - q.bit_length()) / BITS_PER_DIGIT) - digits - 1
     while True:  # at most a few steps: the exponent starts one or two too small
         scale = fmpz(10) ** abs(exponent)
         top, bottom = (p, q * scale) if exponent >= 0 else (p * scale, q)
         n, rest = divmod(top, bottom)
+        # Half to even. Where this makes n = 10^digits the next
+        # exponent begins again with the quotient: never two roundings.
         n += int(2 * rest > bottom or (2 * rest == bottom and n % 2 == 1))
         if n < fmpz(10) ** digits:
             return sign * n, exponent

@@ -22,6 +22,7 @@ from asymptotics.numbers.decimal_context import intervals
 def ends(text: str) -> tuple[Fraction, Fraction]:
     """Both ends of the interval of the numbers that round to these digits, exactly."""
     value = Fraction(text)
+    # "0" is printed for the number 0 alone (``decimals``): it has no last digit, and no half unit to either side.
     if text == "0":
         return value, value
     mantissa, _, exponent = text.partition("e")
@@ -31,6 +32,7 @@ def ends(text: str) -> tuple[Fraction, Fraction]:
 
 def interval_of(text: str) -> Any:
     """An mpmath interval that contains the number: the digits, half a unit in the last place either way."""
+    # log2(10) < 4 bits a digit. mpmath rounds either end outward, so that fewer bits would be wider and not wrong.
     with intervals(4 * len(text) + 32):
         found = [mpmath.iv.mpf(q.numerator) / q.denominator for q in ends(text)]
         return mpmath.iv.mpf([found[0].a, found[1].b])
@@ -39,6 +41,7 @@ def interval_of(text: str) -> Any:
 def ball_of(text: str) -> arb:
     """The same as a ball of python-flint, at the precision in force."""
     low, high = (arb(fmpq(q.numerator, q.denominator)) for q in ends(text))
+    # The ball of both ends, each enclosed, holds what lies between.
     return low.union(high)
 
 
@@ -65,5 +68,7 @@ def outward(q: Fraction, side: int) -> float:
     try:
         near = float(q)
     except OverflowError:
+        # Beyond the doubles the next one outward is infinity; inward it is the largest double.
         return side * inf if side * q > 0 else -side * nextafter(inf, 0.0)
+    # The nearest double is off by less than a step, and the comparison is one of fractions: one step passes q.
     return near if (Fraction(near) - q) * side >= 0 else nextafter(near, side * inf)

@@ -29,12 +29,15 @@ from asymptotics.errors import InputError, shown
 from asymptotics.numbers.context import ctx, inside
 from asymptotics.present.shown import Page, Shown
 
+# Long enough for any number that is typed, far beyond the doubles, and short enough to be read at once; no repetition
+# stands within another, so that no text takes the expression long.
 _NUMBER = r"[+-]?(?:\d{1,400}(?:\.\d{0,400})?|\.\d{1,400})(?:[eE][+-]?\d{1,3})?(?:/\d{1,400})?"
 _RATIONAL = re.compile(_NUMBER + r"\Z", re.ASCII)
 _PRINTED = re.compile(_NUMBER.replace(r"\d{1,3})?(?:/", r"\d{1,5})?(?:/") + r"\Z", re.ASCII)
 _ROOT = re.compile(rf"(?P<sign>[+-]?)sqrt\((?P<radicand>{_NUMBER})\)\Z", re.ASCII)
 _INTEGER = re.compile(r"[+-]?\d{1,40}\Z", re.ASCII)
 
+# A limit of memory: such a power of a fraction has a hundred thousand times its digits.
 MAX_POWER = 100_000
 MAX_ORDER = 100_000
 """No series is that long; what an order costs is estimated where it is computed."""
@@ -72,9 +75,12 @@ class ExactReal(Shown):
         if radicand < 0:
             raise InputError("radicand", "it is negative: its root is not real", "a number >= 0")
         parts: tuple[Fraction | int, ...]
+        # Rationals come often, and need no test for squares.
         if radicand == 1:
             parts = (coefficient + offset if offset else coefficient, _ONE, _ZERO)
         else:
+            # A rational root is taken, so that a root is left exactly where
+            # the number is irrational: sign, equality and hash rest on that.
             root = _rational_root(Fraction(radicand)) if coefficient else _ZERO
             parts = (coefficient, radicand, offset) if root is None else (coefficient * root + offset, _ONE, _ZERO)
         for name, value in zip(("coefficient", "radicand", "offset"), parts):
@@ -98,6 +104,8 @@ class ExactReal(Shown):
     @property
     def sign(self) -> int:
         """-1, 0 or 1: of the greater in size of the two parts, root and offset."""
+        # Where a root is left the two parts are not of one size,
+        # else the root were rational: the larger one has the sign.
         root, square = _sign(self.coefficient), self.coefficient**2 * self.radicand
         return root if square > self.offset**2 else _sign(self.offset)
 
@@ -132,8 +140,10 @@ class ExactReal(Shown):
             return (self - y).sign
         rest = self - y.offset  # against the root of y: by signs, else by squares
         root = _sign(y.coefficient)
+        # The signs are -1, 0, 1 and that of y's root is not 0: their difference has the sign of self - other.
         if rest.sign != root:
             return rest.sign - root
+        # Of one sign: the squares tell, the other way round where both are negative. They hold the root of self alone.
         return root * (rest * rest - y.coefficient**2 * y.radicand).sign
 
     def __eq__(self, other: object) -> bool:
@@ -143,6 +153,8 @@ class ExactReal(Shown):
     def __hash__(self) -> int:
         if self.is_rational:
             return hash(self.coefficient)
+        # 2 sqrt(2) and sqrt(8) are equal: equal numbers have equal
+        # offsets and equal squares of what stands beside them.
         return hash((self.offset, _sign(self.coefficient), self.coefficient**2 * self.radicand))
 
     def __lt__(self, other: "int | Fraction | ExactReal") -> bool:
@@ -180,6 +192,7 @@ class ExactReal(Shown):
             raise InputError("divisor", "it is 0", "a number other than 0")
         if self.is_rational:
             return ExactReal(1 / self.coefficient)
+        # Not 0, as the number is irrational.
         norm = self.offset**2 - self.coefficient**2 * self.radicand
         return ExactReal(-self.coefficient / norm, self.radicand, self.offset / norm)
 
@@ -261,6 +274,7 @@ def _over_one_root(
         return *parts, x.radicand, Fraction(0), y.coefficient
     if x.is_rational:
         return Fraction(0), x.coefficient, y.radicand, y.coefficient, y.offset
+    # sqrt(r')/sqrt(r) is rational exactly where r'/r is the square of a rational.
     ratio = _rational_root(y.radicand / x.radicand)
     if ratio is None:
         name = "sum" if operation == "+" else "product"
@@ -270,6 +284,7 @@ def _over_one_root(
 
 def _rational_root(q: Fraction) -> Fraction | None:
     """The square root of q >= 0 when it is rational, else None."""
+    # A fraction in lowest terms is a square exactly where both its terms are.
     a, b = isqrt(q.numerator), isqrt(q.denominator)
     return Fraction(a, b) if a * a == q.numerator and b * b == q.denominator else None
 
@@ -292,6 +307,7 @@ def exact_power(base: ExactReal, exponent: ExactReal) -> ExactReal | None:
     """
     if base == 1 or exponent.is_zero:
         return ExactReal(Fraction(1))
+    # Beyond 1000 an exact power has too many digits to be worth it: None, and the caller goes on with a ball.
     if exponent.is_integer and abs(exponent.rational) <= 1000:
         return base ** int(exponent.rational)
     twice = exponent * 2
@@ -321,6 +337,7 @@ def _fraction(text: str, argument: str, accepted: str, form: re.Pattern[str]) ->
     number, _, denominator = stripped.partition("/")
     if denominator and not int(denominator):
         raise InputError(argument, f"{_shown(text)} has a zero denominator", accepted)
+    # The constructor of Decimal keeps every digit, whatever the context of decimals is.
     found = Fraction(*Decimal(number).as_integer_ratio())
     return found / int(denominator) if denominator else found
 

@@ -23,9 +23,11 @@ def integral(f: Callable[[acb, bool], acb], low: arb, high: arb, words: str, *, 
     """
 
     def integrand(r: acb, analytic: bool) -> acb:
+        # FLINT calls back for nothing else: here alone an integral that goes on for long can be stopped.
         tick(words)
         return f(r, analytic)
 
     limit = EVALUATIONS_PER_BIT * ctx.prec if evaluations is None else evaluations
+    # The integrands are real on the real line, so that the imaginary part holds 0 and is dropped.
     found: arb = acb.integral(integrand, acb(low), acb(high), eval_limit=limit).real
     return found

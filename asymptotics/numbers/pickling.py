@@ -19,7 +19,9 @@ _Pair = tuple[int, int]
 
 def _pair(x: arb) -> _Pair | None:
     if not x.is_finite():
+        # Not a finite ball: it comes back as nan, the enclosure of everything.
         return None
+    # Exact: integers and a power of 2, which the receiver puts together without rounding.
     mantissa, exponent = x.man_exp()
     return int(mantissa), int(exponent)
 
@@ -62,6 +64,7 @@ _REDUCERS: dict[type, Any] = {
 
 
 def _has_native_pickling(kind: type) -> bool:
+    # Cython gives each class a ``__reduce__`` that only raises: that one counts as none.
     return "__reduce__" in vars(kind) and "reduce_cython" not in getattr(kind.__reduce__, "__name__", "reduce_cython")
 
 

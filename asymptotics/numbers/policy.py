@@ -27,6 +27,7 @@ from asymptotics.errors import InputError, shown
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_rational, parse_real
 
 Number = str | int | float | Fraction | Decimal | ExactReal | sympy.Expr | numbers.Integral
+# Eleven days: nothing rests on it.
 _MAX_SECONDS = 10**6
 _MAX_DIGITS = 1000  # as for text: reading a number must not exhaust the machine
 _TOO_LARGE = 10**_MAX_DIGITS
@@ -39,6 +40,7 @@ def exact_number(value: Any, argument: str) -> ExactReal:
     """
     try:
         return _read(value, argument)
+    # A LimitError of the time is an InputError, and a lack of memory says nothing about the value: both go through.
     except (InputError, MemoryError):
         raise
     except Exception:
@@ -60,6 +62,7 @@ def exact_double(value: Any, argument: str) -> float:
         found = float(number.rational if number.is_rational else number.ball().mid())
     except OverflowError:
         found = math.inf
+    # The squares of such numbers are formed later (variances, energies): neither infinite, nor 0 for what is not 0.
     if not math.isfinite(found * found) or (found * found == 0) != number.is_zero:
         raise InputError(argument, "it is out of the range of doubles", f"about 1e-150 to 1e150 in size: {REAL_FORMS}")
     return found
@@ -70,6 +73,7 @@ def _read(value: Any, argument: str) -> ExactReal:
         return value
     if isinstance(value, str):
         return parse_real(value, argument)
+    # Before the integers, among which Python counts True and False.
     if isinstance(value, bool):
         raise InputError(argument, f"{value} is a bool, not a number", REAL_FORMS)
     if isinstance(value, Decimal):
@@ -84,6 +88,7 @@ def _read(value: Any, argument: str) -> ExactReal:
     if isinstance(value, numbers.Real):  # float, numpy.float64, numpy.float32
         if not math.isfinite(value):
             raise InputError(argument, f"{value} is not a finite number", REAL_FORMS)
+        # The shortest decimal that reads back as this float (of a numpy.float32, as a float32) is what was typed.
         return ExactReal(parse_rational(str(value), argument))
     raise InputError(argument, f"{shown(value)} is not an exact number", REAL_FORMS)
 
@@ -138,6 +143,7 @@ def _sized(q: Fraction, argument: str) -> ExactReal:
 def _decimal(value: Decimal, argument: str) -> Fraction:
     if not value.is_finite():
         raise InputError(argument, f"{value} is not a finite number", REAL_FORMS)
+    # The size is asked before the Fraction is made: that of Decimal("1e999999") would fill the memory.
     exponent = value.as_tuple().exponent
     if abs(int(exponent)) > _MAX_DIGITS or len(value.as_tuple().digits) > _MAX_DIGITS:
         raise InputError(argument, f"it has more than {_MAX_DIGITS} digits", REAL_FORMS)
@@ -153,6 +159,7 @@ def _from_sympy(value: sympy.Expr, argument: str) -> ExactReal:
     offset, rest = value.as_coeff_Add()
     coefficient, root = rest.as_coeff_Mul()
     square = root**2
+    # The root is written as sqrt(square), so it must be the positive one; a sign stands in the coefficient.
     if all(part.is_Rational for part in (offset, coefficient, square)) and root.is_positive:
         parts = (Fraction(int(part.p), int(part.q)) for part in (coefficient, square, offset))
         return ExactReal(*parts)

@@ -45,6 +45,8 @@ def at_growing_precision(
     ``lacking``; a second guess of that kind must add half as much again, so that a tie, which no precision decides,
     ends soon.  At the limit UndecidedError says how far it went and why.
     """
+    # 65,536 bits (19,728 digits) is a limit of time: what is
+    # undecided there is refused, and nothing else depends on it.
     bits, least = min(bits, max_bits), 0
     while True:
         tick(f"{bits} bits")
@@ -53,6 +55,7 @@ def at_growing_precision(
             try:
                 found = attempt(bits)
             except UndecidedError as undecided:
+                # A loop inside has gone to its own limit: to double here too would multiply the two.
                 if undecided.given_up:
                     raise
                 found, reason, of = None, str(undecided), getattr(undecided, "of", "")

@@ -26,6 +26,7 @@ def bounds(x: arb) -> tuple[Fraction, Fraction]:
     """The exact rational end points of a finite ball; ValueError if it is not finite."""
     if not x.is_finite():
         raise ValueError(f"the ball {x.str(5)} has no finite bounds")
+    # Middle and radius are integers times powers of 2, and so are the ends: nothing is rounded here.
     (middle, shift), (radius, radius_shift) = x.mid().man_exp(), x.rad().man_exp()
     m, r = _dyadic(middle, shift), _dyadic(radius, radius_shift)
     return m - r, m + r

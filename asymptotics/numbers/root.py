@@ -24,6 +24,8 @@ def verified_root(s: arb, distance: arb, speed: Callable[[arb], arb], radii: Ite
     for half in radii:
         interval = arb(s, half)
         there = speed(interval)
+        # S = ``there.upper()`` bounds 1/f' on the whole interval: f
+        # moves by half/S >= distance to either side (mean value).
         if there > 0 and distance * there.upper() <= half:
             return interval
     return None

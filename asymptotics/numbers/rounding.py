@@ -51,6 +51,7 @@ def rounded_decimal(text: str, digits: int, mode: str) -> str | None:
     if text == "0":
         return "0"
     value, half = Fraction(text), half_unit(text)
+    # Each mode is monotone: where both ends of what the digits allow round alike, so does the number between them.
     ends = {rounded_rational(end, digits, mode) for end in (value - half, value + half)}
     return ends.pop() if len(ends) == 1 else None
 
@@ -68,6 +69,8 @@ def half_unit(text: str) -> Fraction:
 
 def _unit(q: Fraction, digits: int) -> Fraction:
     """The power of ten that is one unit of the last of ``digits`` significant digits of q."""
+    # |q| > 10^(difference of the lengths - 1), so that this start is too small by one at least and the loop stops at
+    # the first unit that leaves no more than ``digits`` digits.
     exponent = len(str(abs(q.numerator))) - len(str(q.denominator)) - digits - 1
     unit = Fraction(10) ** exponent
     while abs(q) >= unit * 10**digits:

@@ -79,6 +79,7 @@ class Coefficient(Shown):
         """The exact form where one is known, else a SymPy Float with the digits."""
         if self.expression is not None:
             return self.expression
+        # As many digits as are written: the mantissa without sign, point and the zeros in front.
         return sympy.Float(self.text(), len(self.text().lstrip("-0.").replace(".", "").partition("e")[0]))
 
     def fraction(self) -> Fraction:

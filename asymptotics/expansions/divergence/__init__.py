@@ -1,5 +1,7 @@
 """Why the series diverge: the Stokes constants of the half-swing, certified.
 
+They are the Ecalle-Voronin invariants of its germ, which is tangent to the identity (Ecalle 1981, Voronin 1981).
+
 ``germ``        the half-swing of one law at delta = 0, its coefficients and majorants
 ``petal``       where orbits stay, and how far the Abel functions are from z there
 ``half_step``   one half-swing at a complex local strength, in balls

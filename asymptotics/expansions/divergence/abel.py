@@ -38,6 +38,7 @@ from asymptotics.expansions.divergence.petal import BITS, Petal
 from asymptotics.expansions.half_swings.odd_abel import odd_solution
 from asymptotics.numbers.context import ctx
 
+# A limit of time: an orbit that is not in the petal by then is undecided.
 _MAX_STEPS = 20_000
 _FOLLOWING = 0.35
 """The part of the known orders that is kept of the defect, as it is: what lies beyond falls fast enough then."""
@@ -61,6 +62,7 @@ def odd_series(g: Germ) -> tuple[OddSeries, OddSeries]:
     The first coefficients, c for Phi and 0 for theta, are known; ArithmeticError as in ``odd_solution``.
     """
     known = g.order - 1
+    # Odd powers only, hence the half; the orders that they leave are those of the defect that are kept as they are.
     terms = int((1 - _FOLLOWING) * known / 2) + 1
     found = [odd_solution(g.F[: known + 1], rise, terms) for rise in ([arb(1)], g.tau)]
     rises = (abs(g.c * g.eta) * g.half.gains[0] + 1, g.half.excess)
@@ -88,6 +90,7 @@ def at(g: Germ, p: Petal, series: tuple[OddSeries, OddSeries], z: acb) -> tuple[
         theta, steps = theta - tau, steps + 1
         if steps > _MAX_STEPS:
             raise UndecidedError("the orbit was not followed into the petal: raise the precision")
+    # Rounded down: a smaller X has larger bounds.
     X = arb((g.c / delta).real.lower())
     Phi, late = (delta * arb_poly(list(f.coefficients))(delta * delta) + later(g, p, f, X) for f in series)
     return g.c / delta + Phi - steps, theta + late
@@ -96,19 +99,24 @@ def at(g: Germ, p: Petal, series: tuple[OddSeries, OddSeries], z: acb) -> tuple[
 def later(g: Germ, p: Petal, f: OddSeries, X: arb) -> acb:
     """The sum of all defects from a point with Re z >= X on, as a disc around 0."""
     with ctx.workprec(BITS):
+        # From here on |g| <= b/|z|^2 <= b/X^2, so that Re z gains at least lam a step and |delta_j| <= |c|/(X + j lam).
         lam, size, rho, S = 1 - p.b / X**2, abs(g.c) / X, g.half.radii[0], g.half.final(0)
         if not (X >= p.Y and lam > 0 and size < rho):
             raise UndecidedError("the orbit is not certainly in the petal")
 
         def along(m: int) -> arb:
             """A bound of sum_j |delta_j|^m."""
+            # The first term, and the integral of (X + j lam)^(-m) over j for the others.
             return size**m * (1 + X / ((m - 1) * lam))
 
         known = sum((abs(c) * along(m) for m, c in enumerate(f.defect) if m > 1), arb(0))
         last = len(f.defect)
+        # |E| on the circle: S bounds |F| there, so that this is |Phi_N(F)| + |Phi_N| beside the rise.
         circle = f.rise + sum(
             (abs(e) * (S ** (2 * k + 1) + rho ** (2 * k + 1)) for k, e in enumerate(f.coefficients)), arb(0)
         )
+        # Cauchy's |E_m| <= circle rho^(-m), and the sum of |delta_j|^m falls by size at least from one m to the next.
         beyond = circle / (1 - size / rho) * along(last) / rho**last
         radius = arb((known + beyond).upper())
+    # The square that holds the disc.
     return acb(arb(0, radius), arb(0, radius))

@@ -36,7 +36,10 @@ from asymptotics.numbers.exact import ExactReal
 
 ROUGH_ORDER, ROUGH_BITS = 24, 100
 """Of the first germ, from which the petal is taken."""
+# From one height to the next q falls by e^(-pi/2) = 0.21. Closer heights are harder to tell apart, farther ones want
+# more digits of Phi; the solution in balls says what has come of it.
 SPACING = 0.25
+# Limits of time: near alpha = 1 all grows like 1/|alpha - 1|.
 MAX_ORDER = 400
 MAX_SECONDS = 600.0
 
@@ -54,6 +57,7 @@ class Effort:
 def rough_petal(alpha: ExactReal) -> tuple[Germ, Petal]:
     """A germ of low order with its petal."""
     with ctx.workprec(ROUGH_BITS):
+        # ``small`` says where the coefficients are wanted to these bits: at 0.3, or on the circle if that is smaller.
         g = germ(alpha, ROUGH_ORDER, ROUGH_BITS, min(0.3, float(majorants(alpha)[1].radii[0])))
         return g, petal(g)
 
@@ -61,10 +65,14 @@ def rough_petal(alpha: ExactReal) -> tuple[Germ, Petal]:
 def effort(g: Germ, p: Petal, count: int, digits: int, lift: float = 0.0) -> Effort:
     """What ``count`` constants to ``digits`` digits take, ``lift`` higher up than needed (for a second route)."""
     Y_0, size = float(p.Y_0), max(float(p.s), float(p.s_T))
+    # The tail spoils the last unknowns most, so that as many again are solved for and dropped.
     m = 2 * count
     wanted = 2 * pi * count * Y_0 + log(2 * size + 1) + (digits + 4) * log(10)
+    # The error of c_count in the module docstring, set to 10^-(digits + 4) and solved for v; 0.01 keeps the lowest
+    # point inside the petal whatever the doubles have rounded.
     v = max(Y_0 + wanted / (2 * pi * (m + 1 - count)), float(p.Y + p.s)) + 0.01 + lift
     heights = tuple(v + SPACING * i for i in range(m))
+    # c_count is read off q^count at the highest point, and the linear system takes about a digit a height.
     needed = count * 2 * pi * heights[-1] / log(10) + digits + 8 + m
     small = abs(float(g.c)) / (heights[0] - float(p.s))
     order = max(ROUGH_ORDER, ceil(needed / log10(float(g.quarter.radii[0]) / small)) + 4)
@@ -98,7 +106,9 @@ def stokes_balls(
 def _solved(p: Petal, rows: list[tuple[arb, arb, arb]], size: arb) -> list[arb]:
     """The first constants of D = sum c_k q^k from (q, D, v) at as many heights."""
     n, first = len(rows), rows[0][0]
+    # With the tail as a radius the equations hold exactly for the true constants, so the solution in balls holds them.
     right = arb_mat(n, 1, [D + arb(0, p.tail(size, n, v)) for _, D, v in rows])
+    # In units of the first q, so that the unknowns c_k first^k are solved for with entries of moderate size.
     powers = arb_mat(n, n, [(q / first) ** k for q, _, _ in rows for k in range(1, n + 1)])
     try:
         u = powers.solve(right, algorithm="precond")  # far narrower than elimination
@@ -109,6 +119,7 @@ def _solved(p: Petal, rows: list[tuple[arb, arb, arb]], size: arb) -> list[arb]:
 
 def require_affordable(alpha: ExactReal, plan: Effort, max_seconds: float) -> None:
     """Refuse what is too large before it starts."""
+    # log2(5.5) = 2.46 bits a node, on the widest of the ellipses of ``nodes``.
     seconds = node_seconds(plan.order, int(plan.bits / 2.4) + 10, plan.bits)
     told = f"the germ to order {plan.order} at {plan.bits} bits"
     if plan.order > MAX_ORDER or seconds > max_seconds:

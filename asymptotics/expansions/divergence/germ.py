@@ -30,6 +30,7 @@ from asymptotics.numbers.exact import ExactReal
 
 SHARE = 0.9
 """The part of the widest majorant that is used: near its end the bounds explode."""
+# For the rounding, with a bit an order for the reversion; the balls say whether that was enough.
 GUARD = 32
 
 
@@ -59,6 +60,7 @@ class Germ:
 
 def germ(alpha: ExactReal, order: int, bits: int, small: float) -> Germ:
     """The germ through ``order``, its coefficients good to about 2^-``bits`` where |delta| <= ``small`` (a float)."""
+    # In eighths of an octave, rounded up: calls that differ by little find one germ in the cache.
     return _germ(alpha, order, bits, ceil(8 * log2(small)))
 
 
@@ -87,6 +89,7 @@ def _quarter(alpha: ExactReal, order: int, bits: int, small: float) -> tuple[lis
         rows = [[arb(x) for x in R], [x.ball() for x in T]]
     else:
         rows = [list(row) for row in node_quarter(alpha, order, bits, small)]
+    # R has no constant term, and pi/2 is taken off T_q: exact zeros in the place of balls.
     return [arb(0), *rows[0][1:]], [arb(0), *rows[1][1:]]
 
 
@@ -99,6 +102,7 @@ def _half(eta: arb, c: arb, R: list[arb], T_q: list[arb]) -> tuple[tuple[arb, ..
         F = -h.reversion()(-h)
         T = arb_series(T_q, length)
         tau = T + T(-F)
+        # c/F = (c/delta) (delta/F): z, then 1, then nothing at delta^1, and gamma_m at delta^m.
         ratio = arb_series([F[n + 1] for n in range(length - 1)], length - 1)  # F/delta
         inverse = ratio.inv() * c
     gamma = [arb(0), arb(0), *(inverse[n + 1] for n in range(2, length - 2))]

@@ -6,7 +6,8 @@ from the ball of F and improved by a step of Newton's method for
 
     G(L) = L - R(delta) + R(u),  u = -delta e^(eta L),      G'(L) = 1 + eta u R'(u)        (the reversal identity);
 
-the mean value theorem along the segment from the midpoint m to L keeps the enclosure: L in m - G(m)/G'(ball of L).
+the mean value theorem along the segment from the midpoint m to L keeps the enclosure: L in m - G(m)/G'(ball of L), the
+interval Newton method (Moore 1966).
 
 >>> from asymptotics.numbers.exact import parse_real
 >>> from asymptotics.expansions.divergence.germ import germ
@@ -32,11 +33,14 @@ BOUND_BITS = 64
 def half_step(g: Germ, delta: acb) -> tuple[acb, acb]:
     """(F(delta), T(delta) - pi) at a ball; UndecidedError outside the circle of the majorant."""
     first = at(g.F, delta, tail(g.half.final(0), delta, g.half.radii[0], g.order))
+    # F/delta = e^(eta L) with |eta L| <= |eta| growth < 3 < pi: then eta L is the principal logarithm.
     if not abs(g.eta) * g.half.growth < 3:
         raise UndecidedError("the half-swing may turn around the origin: its logarithm is not known")
     L = (first / delta).log() / g.eta
     middle = acb(L.real.mid(), L.imag.mid())
     value = middle - _R(g, delta) + _R(g, -delta * (g.eta * middle).exp())
+    # On the whole ball of L: a rectangle is convex, so that it
+    # holds the segment, and G' over it holds the mean of G' there.
     slope = 1 + g.eta * _weighted_R(g, -delta * (g.eta * L).exp())
     F = delta * (g.eta * (middle - value / slope)).exp()
     return F, _T(g, delta) + _T(g, -F)
@@ -51,6 +55,7 @@ def tail(size: arb, delta: acb, radius: arb, order: int) -> arb:
 
 def share(delta: acb, radius: arb) -> arb:
     """|delta|/radius, rounded up and proved to be below 1."""
+    # One number that is at least |delta|/radius for every delta of the ball; the tails grow with it.
     x = arb((abs(delta) / radius).upper())
     if not x < 1:
         raise UndecidedError(f"|delta| = {abs(delta).str(3)} is outside the circle of the majorant")
@@ -75,5 +80,7 @@ def _weighted_R(g: Germ, u: acb) -> acb:
     K = g.order
     with ctx.workprec(BOUND_BITS):
         x = share(u, g.quarter.radii[0])
+        # A sum of terms that grow with x, so that the x that was
+        # rounded up gives an upper bound, although K + 1 - K x falls.
         rest = (g.quarter.growth * x ** (K + 1) * (K + 1 - K * x) / (1 - x) ** 2).upper()
     return at([n * r for n, r in enumerate(g.R)], u, arb(rest))

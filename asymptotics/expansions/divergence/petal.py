@@ -32,6 +32,7 @@ from asymptotics.expansions.divergence.germ import Germ
 from asymptotics.numbers.context import ctx
 
 BITS = 64
+# Heights from 1.05 to 3.95 times the least one: each that is proved is a petal, and the lowest Y_0 is the most useful.
 _TRIED = 60
 
 
@@ -48,6 +49,7 @@ class Petal:
 
     def tail(self, size: arb, heights: int, v: arb) -> arb:
         """A bound of sum_(k>n) |c_k| e^(-2 pi k v) where |c_k| <= 2 ``size`` e^(2 pi k Y_0); v > Y_0."""
+        # |c_k| e^(-2 pi k v) <= 2 size Q^k: a geometric series from k = n + 1 on.
         Q = (2 * arb.pi() * (self.Y_0 - v)).exp()
         if not Q < 1:
             raise UndecidedError("the point is not in the half-plane in which the series of D converges")
@@ -71,6 +73,8 @@ def _petal(g: Germ, height: float) -> Petal | None:
     x = r / g.half.radii[0]
     if not x < 1:
         return None
+    # Upper bounds are rounded up, lambda down, so that each number
+    # may stand in the inequalities of the module docstring.
     b, b_T = (
         (g.c**2 * quadratic_bound(f, size, r, x)).upper()
         for f, size in ((g.gamma, abs(g.c * g.eta) * g.half.gains[0] + 1), (g.tau, g.half.excess))
@@ -85,5 +89,6 @@ def _petal(g: Germ, height: float) -> Petal | None:
 
 def quadratic_bound(f: tuple[arb, ...], size: arb, r: arb, x: arb) -> arb:
     """A bound of |f(delta)/delta^2| on |delta| <= r for f = O(delta^2) with |f| <= ``size`` on |delta| <= r/x."""
+    # Degrees 0 and 1 are zero by theorem; the next ones as they are, then Cauchy on the circle of the majorant, r/x.
     total = sum((abs(f[m]) * r ** (m - 2) for m in range(2, len(f))), arb(0))
     return arb((total + size * x ** len(f) / ((1 - x) * r**2)).upper())

@@ -122,6 +122,7 @@ def stokes_constants(alpha: ExactReal, count: int, digits: int, notes: tuple[str
     """c_1 ... c_count and d_1 ... d_count, rounded to ``digits`` digits; errors as in ``asymptotics.stokes``."""
     _require(alpha)
     pole, action = (certified_decimal(partial(number, alpha), digits) for number in (pole_of, action_of))
+    # Dry friction alone: the one exponent at which the constants are zeros by theorem, which no ball could tell.
     if alpha.is_zero:  # z' = z + 1 and T = pi exactly
         zeros = ("0",) * count
         return StokesConstants("0", pole, action, zeros, zeros, digits, "by theorem", alpha.is_zero, notes)
@@ -132,6 +133,7 @@ def stokes_constants(alpha: ExactReal, count: int, digits: int, notes: tuple[str
         return (balls, texts) if len(texts) == len(balls) else None
 
     balls, texts = at_growing_precision(attempt, digits, FIRST_GUARD, max_bits=FIRST_GUARD << TRIES)
+    # Asked once more, by comparison instead of by rounding.
     certified = all(rounds_to(x, text, digits) for x, text in zip(balls, texts, strict=True))
     rows = tuple(texts[:count]), tuple(texts[count:])
     return StokesConstants(str(alpha), pole, action, *rows, digits, ROUTE, certified, notes)

@@ -26,6 +26,7 @@ from asymptotics.numbers.policy import Number, exact_integer, exact_seconds
 from asymptotics.public import public
 from asymptotics.terms import Term
 
+# Refused by size before anything is estimated; what lies below may still be refused by its estimate.
 MAX_ORDER, MAX_DIGITS, MAX_TERMS = 200, 1000, 4
 
 

@@ -56,16 +56,19 @@ def compare_functions(
     rates: Callable[..., tuple[Any, Any]], other: Callable[..., Any], A: float
 ) -> EquationsComparison:
     """``rates`` against a user's (A, psi) -> (dA/dtau, dpsi/dtau), at A and A/2."""
+    # At A/4 and A/8 the lowest power rules: the quotient of the two gaps is 2 to that power.
     gaps = [_gap(rates, other, A / 2**i) for i in (2, 3)]
     differences = dict(zip(("dA/dtau", "dpsi/dtau"), _gap(rates, other, A)))
     parts = []
     for (name, at), wide, narrow in zip(differences.items(), *gaps):
+        # Fifty units of the last place of a rate near 1: rounding, and no difference.
         if at < 1e-14:
             parts.append(f"{name} agrees")
         elif wide and narrow:
             parts.append(f"{name} differs from A^{log(wide / narrow) / log(2):.1f} on")
         else:
             parts.append(f"{name} differs by {at:.1e}")
+    # Agreement can be said of a function; that it differs may be its purpose (another order, another gauge).
     agree = True if max(differences.values()) < 1e-14 else None
     return EquationsComparison(agree, differences, f"function: {', '.join(parts)}")
 
@@ -74,6 +77,7 @@ def _gap(rates: Callable[..., tuple[Any, Any]], other: Callable[..., Any], A: fl
     try:
         mine, theirs = rates(A, 0.0), other(A, 0.0)
         found = abs(float(mine[0]) - float(theirs[0])), abs(float(mine[1]) - float(theirs[1]))
+    # What a user's function of another shape raises; anything else is its own affair and goes through.
     except (TypeError, ValueError, IndexError) as error:
         raise InputError("other", f"the function failed: {error}", "(A, psi) -> (dA/dtau, dpsi/dtau)") from None
     if not all(isfinite(x) for x in found):

@@ -13,6 +13,7 @@ from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.policy import float_notes
 from asymptotics.terms import Term
 
+# A limit of size: M_(alpha+1) and the series exist for every exponent.
 MAX_ALPHA = 1000
 _FORMS = 'an exponent >= 0, a list of them, a Law, an Oscillator, a mapping exponent -> strength, or "symbolic"'
 
@@ -30,6 +31,7 @@ def terms_of(law: Any, spring: Any = None) -> tuple[tuple[Term, ...], Law | None
     exponents = law if isinstance(law, list | tuple) else [law]
     if not exponents and spring is None:
         raise InputError("alpha", "no exponent is given", _FORMS)
+    # Read as an exponent it would be refused as well, but without a word of the other forms that are accepted.
     if law is None:
         raise InputError("alpha", "None is not an exponent", _FORMS)
     bare = Law.from_terms([*[Term(1, a) for a in exponents], *_springs(spring)], float_notes_of(exponents))

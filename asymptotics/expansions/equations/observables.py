@@ -45,6 +45,7 @@ class Observable(Shown):
     def __str__(self) -> str:
         if self.value == inf:
             return "inf"
+        # As many decimal places as the estimated error leaves, 15 at most: a double has no more.
         places = 15 if self.error == 0 else max(0, -floor(log10(self.error)) - 1)
         text = f"{self.value:.{min(places, 15)}f}" if self.error < abs(self.value) else f"{self.value:.1g}"
         return f"{text} {self.unit}".strip()
@@ -97,6 +98,7 @@ def observables_at(
 ) -> Observables:
     """The observables of a law at local strengths ``deltas``, through ``order``."""
     try:
+        # Two orders more, for one may change nothing: with linear friction alone L is odd and T is even.
         here, finer = (_values(_half(terms, n), _potential(terms, n), deltas) for n in (order, order + 2))
     except (OverflowError, ZeroDivisionError):
         here = finer = (nan,)
@@ -109,6 +111,7 @@ def observables_at(
     return Observables(
         amplitude,
         *(
+            # Twice the change, and a few units of the last place where the series has converged.
             Observable(a * f, 0.0 if a == b == inf else (2 * abs(a - b) + 1e-15 * abs(a)) * f, u)
             for a, b, f, u in zip(here, finer, factors, units)
         ),
@@ -119,12 +122,15 @@ def _values(half: HalfSwing, potential: Series, deltas: list[float]) -> tuple[fl
     """(T, e^L, Lambda, energy loss, Q, energy lost/A^2) of a truncated map; ``potential`` is V(A)/(A^2/2)."""
     balls = tuple(deltas)
     L = float(half.L.map(_double).at(balls))
+    # delta is multiplied by e^(w L) on a half-swing: the second one begins with these.
     after = tuple(d * exp(float(w) * L) for d, w in zip(deltas, (_double(w) for w in half.grading.weights)))
+    # Over a full swing: the logarithms of two half-swings, the second at the strengths that the first has left.
     decrement = -(L + float(half.L.map(_double).at(after)))
     T = float(half.T.map(_double).at(balls))
     last = tuple(d * exp(-float(w) * decrement) for d, w in zip(deltas, (_double(w) for w in half.grading.weights)))
     start, half_way, end = (float(potential.map(_double).at(d)) for d in (balls, after, last))
     swing_loss = 1 - exp(-2 * decrement) * end / start
+    # Without a loss nothing is taken, and Q is infinite, exactly.
     quality = 2 * pi / swing_loss if decrement else inf
     loss = 1 - exp(2 * L) * half_way / start
     return T, exp(L), decrement, loss, quality, loss * start / 2

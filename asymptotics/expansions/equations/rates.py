@@ -34,6 +34,7 @@ def rates(
         with np.errstate(all="ignore"):  # out of the range of doubles is inf or nan, as in NumPy itself
             deltas = [s * amplitude**w for s, w in zip(factors, weights)]
             both = -scale * amplitude * sum_at(p, deltas), scale * (1 + sum_at(Omega, deltas))
+        # A number in gives Python's numbers out; an array gives arrays.
         return tuple(map(float, both)) if isinstance(amplitude, np.float64) else both  # type: ignore[return-value]
 
     return found

@@ -99,6 +99,7 @@ class Equations(Rows):
         from asymptotics.expansions.equations.rates import rates  # noqa: PLC0415 (NumPy: printing needs none)
 
         p, Omega = ([(k, as_number(c)) for k, c in row.keyed().items()] for row in (self.p, self.Omega))
+        # A list of exponents has no strengths: then they are an argument of what is returned.
         if epsilon is None and self.law is None and self.terms:
 
             def of_strength(A: Any, psi: Any = 0.0, epsilon: Any = None) -> tuple[Any, Any]:
@@ -167,6 +168,7 @@ class Equations(Rows):
         follow, enclosed.  InputError for sums and springs (not treated); UndecidedError for a delta too large to
         enclose, LimitError with the estimate for one too small.  Source: derivation ``cauchy-heine``.
         """
+        # The Abel function and its constants are those of one power of the velocity (``divergence``).
         if len(self.terms) != 1 or not self.terms[0].is_power_of_velocity:
             raise InputError("law", "the large orders are known for one law only", "one law without a spring")
         return best_truncation(self.terms[0].velocity, exact_number(delta, "delta"))
@@ -177,6 +179,7 @@ class Equations(Rows):
         time, names = (r"\tau" if self.oscillator is None else "t"), self._names(r"\delta", "_{%d}")
         p, Omega = show.sum_latex(self.p.keyed(), names, "", D), show.sum_latex(self.Omega.keyed(), names, "1", D)
         factor = "" if self.oscillator is None else r"\omega_0"
+        # omega_0 in front of a sum needs brackets around it.
         phase = Omega if not factor or Omega == "1" else rf"\left({Omega}\right)"
         right = f"{factor} {phase}".strip() if phase != "1" or not factor else factor
         left = f"-{factor} A".replace("- A", "-A")

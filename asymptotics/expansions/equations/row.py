@@ -33,6 +33,7 @@ class CoefficientRow(Rows, Mapping[Any, Coefficient]):
     def __contains__(self, key: object) -> bool:
         try:
             return _key(key) in self._items
+        # A key that is malformed stands in no row; ``in`` answers and raises nothing.
         except InputError:
             return False
 

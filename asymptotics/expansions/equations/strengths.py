@@ -52,6 +52,7 @@ class Strengths:
         if self.oscillator is None:
             return [number(e) for e in balls], weights, 1
         length, omega = number(self.oscillator.length()), number(self.oscillator.omega_0())
+        # delta = epsilon (A/length)^w, with A in metres.
         return [number(e) / length**w for e, w in zip(balls, weights)], weights, omega
 
     def symbolic(self, A: sympy.Expr) -> tuple[list[sympy.Expr], sympy.Expr]:
@@ -62,6 +63,7 @@ class Strengths:
             return [symbols[0] * A ** (self.symbol - 1)], sympy.Integer(1)
         powers = [A ** to_sympy(t.weight) for t in self.terms]
         if self.oscillator is None:
+            # A Scaled strength has no exact form: its symbol stands for it.
             known = [t.strength for t in self.law.terms] if self.law is not None else []
             strengths = [to_sympy(e) if isinstance(e, ExactReal) else s for e, s in zip(known or symbols, symbols)]
             return [s * power for s, power in zip(strengths, powers)], sympy.Integer(1)
@@ -115,4 +117,5 @@ def _float(x: arb) -> float:
 def as_mpf(x: arb) -> Any:
     """The midpoint at mpmath's precision; the ball is made at that precision by the caller's context."""
     with ctx.workprec(mpmath.mp.prec + 20):
+        # Twenty bits and five digits beyond mpmath's precision, so that only its own rounding is seen.
         return mpmath.mpf(x.mid().str(mpmath.mp.dps + 5, radius=False))

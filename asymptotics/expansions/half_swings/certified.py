@@ -53,7 +53,9 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.series import Series
 
+# Bounds are wanted to a digit or two; they are balls, so that 64 bits cannot make them too small.
 BOUND_BITS = 64
+# sigma vanishes at t = 4 itself; the suprema are those of the open disc, where every function is bounded.
 RADIUS = 4
 MAX_SECONDS = 600.0
 
@@ -78,7 +80,9 @@ def quarter_swing(
     forces = Forces.read(given, order)
     _check(order, radius)
     products = _products(forces, order, moments)
+    # First of all with an estimate, for the bounds are work too: log2(4) = 2 bits a term tell how many there will be.
     _check_work(products, terms or ctx.prec // 2, ctx.prec, max_seconds)  # the bounds themselves cost scalar products
+    # At varrho the bounds of what is cut off, at 1 those of the coefficients themselves: their size is what cancels.
     with ctx.workprec(BOUND_BITS):
         bounds = tail_constants(forces, order, radius, moments)
         size = tail_constants(forces, order, 1, moments)
@@ -88,6 +92,7 @@ def quarter_swing(
     with ctx.workprec(bits):
         sums = truncated_sums(forces, order, kept, moments)
         enclosed = [enclose(s, b, radius, kept) for s, b in zip(sums, bounds, strict=True)]
+    # The moments come as Re K_0, Im K_0, Re K_1, ...; each series is known through its own highest degree.
     R, T_q, *K = [Series(c, forces.variables, max(map(sum, c))) for c in enclosed]
     return QuarterSwing(forces.ball_grading(), R, T_q, tuple(zip(K[::2], K[1::2], strict=True)))
 
@@ -101,6 +106,7 @@ def truncated_sums(forces: Forces, order: int, terms: int, moments: bool) -> lis
     T: Orders = {(0,) * forces.variables: kappa}
     for n, tau in duration_orders(ring, y).items():
         exponent = dot(n, ring.velocities)
+        # At t = 1 a series in t is the sum of its coefficients.
         R[n] = -sum(ring.integrate(ring.cut(ring.turn * y[n]), exponent).coeffs(), arb(0)) * kappa**exponent
         T[n] = sum(tau.coeffs(), arb(0)) * kappa ** (exponent + 1)
     K = moment_orders(ring, elementary_series(terms)[1], y, order) if moments else []
@@ -122,19 +128,24 @@ def tail_constants(forces: Forces, order: int, radius: int, moments: bool) -> li
 
 def enclose(sums: Orders, bounds: Orders, radius: int, terms: int) -> Orders:
     """The truncated sums with their tails: B_n varrho^{−K}/(2K (1 − 1/varrho)) added to the radius of each ball."""
+    # varrho^(-K)/(1 - 1/varrho); 2K is the least of the divisors from j = K on, so all of the rest is divided by it.
     tail = arb(radius) ** (1 - terms) / (2 * terms * (radius - 1))
+    # Rounded up, as a radius must be. What has no bound (T_0 = pi/2) has no tail either.
     return {n: x + arb(0, (bounds[n] * tail).upper()) if n in bounds else x for n, x in sums.items()}
 
 
 def terms_needed(bounds: Sequence[Orders], radius: int, bits: int) -> int:
     """Enough terms for tails below 2^(−bits − 3|n|); the factor allows for coefficients that fall with the order."""
     largest = max(_log2(b) + 3 * sum(n) for part in bounds for n, b in part.items())
+    # In doubles: how many terms are kept decides how narrow the balls are, and the tail is counted whatever it is.
     return max(4, int((bits + largest) / log2(radius)) + 2)
 
 
 def _guard_bits(size: Sequence[Orders]) -> int:
     """Bits lost to cancellation: the bounds at varrho = 1 bound the largest coefficient.  This affects the width
     only."""
+    # Where 24 and 1.25 come from is not recorded. Too few bits leave wider
+    # balls, which whoever wants digits answers with a higher precision.
     return 24 + int(1.25 * max(_log2(b) + 3 * sum(n) for part in size for n, b in part.items()))
 
 
@@ -151,6 +162,7 @@ def _check(order: int, radius: int) -> None:
 
 def _products(forces: Forces, order: int, moments: bool) -> int:
     """Products of series: C(order + 2 k, 2 k) per convolution in k variables, one for each member and one for y."""
+    # A convolution through the order sums over the pairs (m, n - m), multi-indices in 2 k variables.
     k, convolutions = forces.variables, len(forces.members) + 1
     products = convolutions * comb(order + 2 * k, 2 * k)
     return products + (4 * comb(order + 2 * k + 1, 2 * k + 1) if moments else 0)

@@ -36,6 +36,7 @@ def arc(forces: Forces, order: int, theta: arb) -> tuple[Series, Series]:
         e = dot(n, ring.velocities)
         R[n] = -ring.integrate(ring.cut(ring.turn * y[n]), e)(t) * theta**e
         T[n] = tau(t) * theta ** (e + 1)
+    # t <= 1 and theta <= pi/2: the tails at the passage, powers of pi/2 in front, are larger than those here.
     found = (enclose(s, b, RADIUS, kept) for s, b in zip((R, T), bounds))
     log_radius, time = (Series(c, forces.variables, order) for c in found)
     return log_radius, time

@@ -47,6 +47,8 @@ from asymptotics.expansions.half_swings.forces import Forces, Member
 from asymptotics.numbers.context import ctx
 from asymptotics.series import Key
 
+# Not 4 as in ``certified``: 1/sigma is among the functions here, and
+# it has its pole at t = 4. 3 is worth 1.6 bits a term at the passage.
 RADIUS = 3
 _BOUND_BITS = 64
 Parts = dict[Key, Any]
@@ -69,12 +71,15 @@ class DisplacementSeries:
         for j in range(count):
             total = arb_poly(series)(t)
             found.append(scale * (total + arb(0, self._rest(key, e, t, j).upper())))
+            # tau^j d^j of tau^s has the factor s (s-1) ... (s-j+1), one more for each j.
             series = [c * (step - j) for c, step in zip(series, steps)]
         return found
 
     def _rest(self, key: Key, e: arb, t: arb, j: int) -> arb:
         """What the kept coefficients lack, over tau^e."""
         first, small = e + 2 * self.terms + j, t / RADIUS
+        # The j factors of a coefficient are at most e + 2i + j in modulus. From one i to the next their bound grows by
+        # less and less, so that the rest is below a geometric series with the first quotient.
         q = small * ((first + 2) / first) ** j
         if not q < 1:
             raise UndecidedError(f"the course of a swing is a series in t, and {t.str(5)} is not below {RADIUS}")
@@ -101,6 +106,7 @@ def displacement_series(forces: Forces, order: int, bits: int) -> DisplacementSe
     with ctx.workprec(_BOUND_BITS):
         suprema = _orders(_bounds(forces, order), forces, order)
         largest = max(_log2(b) for b in suprema.values())
+    # Eight terms and sixteen bits more than the estimate: they cost little, and what they leave is in the radii.
     terms = int((bits + largest) / log2(RADIUS)) + 8
     with ctx.workprec(bits + int(largest) + 16):
         series = _orders(_series(forces, order, terms), forces, order)
@@ -124,6 +130,8 @@ def _orders(ring: _Ring, forces: Forces, order: int) -> Parts:
             rest = minus(n, m.key)
             if min(rest) >= 0:
                 force = force + ring.cut(ring.powers[i] * _product(ring, [Q[i], *X[i]], rest))
+        # First the wave of order n from forces that know lower
+        # orders only, then the powers of the velocity that it makes.
         e = dot(n, velocities)
         a = ring.divide(ring.cut(ring.sine_ratio * force), e + 2)
         b = ring.divide(ring.cut(ring.cosine * force), e + 1)
@@ -150,6 +158,7 @@ def _next_power(ring: _Ring, m: Member, y: Parts, q: Parts, n: Key) -> Any:
     for k, f in y.items():
         rest = minus(n, k)
         if any(k) and min(rest) >= 0:
+            # Among bounds the weight counts by its size: nothing may cancel there.
             weight = v * sum(k) - sum(rest)
             total = total + (abs(weight) if ring.minus < 0 else weight) * ring.cut(f * q[rest])
     return total * (arb(1) / size)
@@ -172,6 +181,8 @@ def _series(forces: Forces, order: int, terms: int) -> _Ring:
 
 
 def _bounds(forces: Forces, order: int) -> _Ring:
+    # cos and sin/theta by the absolute values of their Taylor coefficients,
+    # 1/sigma by its product, whose factors are least in modulus at t = varrho.
     theta = arb.pi() / 2 * arb(RADIUS).sqrt()
     cosine, ratio = theta.cosh(), theta.sinh() / theta
     powers = tuple(abs(arb(m.ratio)) * ratio ** m.velocity.ball() for m in forces.through(order))

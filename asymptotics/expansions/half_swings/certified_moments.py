@@ -53,6 +53,7 @@ def moment_orders(
     kappa = arb.pi() / 2
     moments = []
     for k in range(order + 1):
+        # Each moment has tau/theta once more than the one before, and is needed through one order less.
         if k:
             real, imaginary = (
                 {n: ring.cut(convolve(tau, f, n)) for n in f if sum(n) <= order - k} for f in (real, imaginary)
@@ -82,6 +83,8 @@ def _waveform(ring: Ring, sine_ratio: arb_poly, y: Mapping[Key, arb_poly]) -> tu
     for n in y:
         A, B = cut(convolve(y, a, n)), cut(convolve(y, b, n))
         exponent = dot(n, ring.velocities)
+        # -(g + i kappa u c)(A + i u B): u^2 = t is the shift, and
+        # the recursion of a_n, b_n in the module docstring follows.
         even = cut(ring.turn * A) - cut((cosine * B).left_shift(1))
         a[n] = -ring.integrate(even, exponent)
         b[n] = -divide(cut(ring.turn * B + cosine * A), exponent, 1)
@@ -90,6 +93,7 @@ def _waveform(ring: Ring, sine_ratio: arb_poly, y: Mapping[Key, arb_poly]) -> tu
     real, imaginary = {}, {}
     for n in a:
         A, B = cut(convolve(d, a, n)), cut(convolve(d, b, n))
+        # (even - i u odd)(A + i u B) with u^2 = t.
         real[n] = cut(even * A + (odd * B).left_shift(1))
         imaginary[n] = cut(even * B - odd * A)
     return real, imaginary
@@ -104,6 +108,7 @@ def moment_bounds(velocities: Sequence[arb], y: Mapping[Key, arb], radius: arb |
     tau: Orders = {zero: arb(1)}
     d: Orders = {zero: arb(1)}
     for n, bound in y.items():
+        # Together I_n and I'_n divide the coefficient of u^j by n.alpha + j, j >= 1: one bound does for a_n + i u b_n.
         w[n] = theta * theta.exp() * convolve(y, w, n) / (dot(n, velocities) + 1)
         d[n] = theta.cosh() * bound
         tau[n] = d[n] / (dot(n, velocities) + 1)

@@ -1,5 +1,7 @@
 """The orders of the quarter swing, computed twice by one recursion: in truncated power series, and in bounds.
 
+The second is Cauchy's method of majorants, with suprema on a disc in the place of the functions.
+
 **Variables.**  On the quarter swing from the turning point (theta = 0) to the equilibrium passage (theta = pi/2) put
 theta = (pi/2) u, t = u², and R = ln r, Y = S/(1 − c S), where S = sum_i delta^{k_i} P_i varrho_i s^{v_i} c^{m_i} runs
 over the members of the forces (``forces``): key k_i, number ±varrho_i, powers of s and c, and P_i = e^{a_i R} with the
@@ -112,14 +114,18 @@ def order_series(ring: Ring, orders: Sequence[Key]) -> dict[Key, Any]:
     top = sum(orders[-1])
     for n in orders[1:]:
         tick(f"order {sum(n)} of {top} of the quarter swing")
+        # y_0 = 0, so that C_n needs p_m of lower degree only: y_n comes first, then C_n, then p_n from C_n.
         rests = [(i, minus(n, ring.keys[i])) for i in members]
         s = ring.cut(sum((ring.powers[i] * p[i][m] for i, m in rests if m in p[i]), start=0 * ring.cosine))
         products = (ring.powers[i] * C[i][m] for i, m in rests if m in C[i])
         y[n] = s + ring.cut(ring.cosine * ring.cut(sum(products, start=0 * ring.cosine)))
         for i in members:
+            # No order that is asked for can use it.
             if sum(n) + sum(ring.keys[i]) > top:
                 continue
             C[i][n] = ring.cut(convolve(p[i], y, n))
+            # P_i = 1 where the weight is exactly 0 (linear friction);
+            # a ball around 0 is no such weight and may not be dropped.
             if ring.slopes[i] != 0 or not ring.slopes[i].is_exact():
                 p[i][n] = ring.slopes[i] * ring.integrate(ring.cut(ring.turn * C[i][n]), dot(n, ring.velocities))
     return y
@@ -130,6 +136,7 @@ def power_series_ring(forces: Forces, terms: int) -> Ring:
     cosine, sine_ratio = elementary_series(terms)
     square = (arb.pi() / 2) ** 2
 
+    # The sum of nothing is a number among polynomials: adding the empty polynomial makes one of it.
     def cut(f: Any) -> Any:
         return (f + arb_poly()).truncate(terms)
 
@@ -139,6 +146,7 @@ def power_series_ring(forces: Forces, terms: int) -> Ring:
             f = cut(f * cosine)
         return f
 
+    # g = theta sin theta = theta^2 sigma with theta^2 = (pi/2)^2 t.
     turn = cut((square * sine_ratio).left_shift(1))
     return Ring(
         cosine, turn, *_variables(forces), tuple(map(function, forces.members)),
@@ -168,6 +176,8 @@ def elementary_series(terms: int) -> tuple[arb_poly, arb_poly]:
 def sine_ratio_power(alpha: arb, terms: int) -> arb_poly:
     """(sin theta/theta)^alpha in t, from t d/dt ln sigma = −sum_j zeta(2j) (t/4)^j, which is the product of the module
     docstring."""
+    # ln sigma = sum_k ln(1 - t/(4 k^2)) = -sum_j zeta(2j)/j (t/4)^j, and f' = alpha (ln sigma)' f coefficient by
+    # coefficient: no root or logarithm of a ball is taken, so any alpha will do.
     slope = [arb(0)] + [-alpha * arb(2 * j).zeta() / arb(4) ** j for j in range(1, terms)]
     f = [arb(1)]
     for j in range(1, terms):
@@ -184,6 +194,7 @@ def integrate_series(f: arb_poly, exponent: arb) -> arb_poly:
 def bound_ring(forces: Forces, radius: arb | int) -> Ring:
     """Upper bounds of the functions on |t| < ``radius``, 1 < radius <= 4."""
     theta = arb.pi() / 2 * arb(radius).sqrt()
+    # Items 1 to 3 of the module docstring in balls: their upper ends are what the tails are made of.
     cosine, sine_ratio = theta.cosh(), theta.sinh() / theta
     powers = tuple(abs(arb(m.ratio)) * sine_ratio ** m.velocity.ball() * cosine**m.position for m in forces.members)
     return Ring(

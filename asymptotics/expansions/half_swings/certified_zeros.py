@@ -71,12 +71,14 @@ def certified_half_swing(given: Given, order: int, *, max_seconds: float = MAX_S
     if any(a.key == b.key or a.shape == b.shape for a, b in combinations(forces.members, 2)):
         raise InputError("alphas", "equal exponents in one law", "different exponents (add their coefficients)")
     alphas = [m.velocity for m in forces.members]
+    # The centre may only be shifted beside a linear spring and losses that do not see the place.
     dry = [i for i, a in enumerate(alphas) if is_value(a, 0)] if forces.is_pure else []
     if dry:
         L, T = _with_dry_friction(alphas, dry[0], order, max_seconds)
     else:
         half = half_swing(quarter_swing(forces, order, max_seconds=max_seconds))
         L, T = half.L, half.T
+    # The zeros of L first: F is made of L, and would carry their balls on.
     L = without(L, lambda n: log_ratio_vanishes(forces, n))
     T = without(T, lambda n: duration_vanishes(forces, n))
     grading = forces.ball_grading()
@@ -93,6 +95,7 @@ def is_value(a: ExactReal, value: int) -> bool:
 def without(series: Series, vanishes: Callable[[Key], bool]) -> Series:
     """The series without the monomials that vanish by theorem; their balls must contain zero."""
     dropped = {n: c for n, c in series.coefficients.items() if any(n) and vanishes(n)}
+    # A ball off zero contradicts a theorem, so the program is wrong: no UndecidedError, for no precision would help.
     if any(isinstance(c, arb) and not c.contains(0) for c in dropped.values()):
         raise ArithmeticError(f"a coefficient that vanishes by theorem is not zero: {dropped}")
     kept = {n: c for n, c in series.coefficients.items() if n not in dropped}
@@ -114,6 +117,7 @@ def duration_vanishes(forces: Forces, n: Key) -> bool:
 
 def map_vanishes(forces: Forces, i: int, n: Key) -> bool:
     """Whether the coefficient of deltaⁿ in F_i is zero by theorem; F_i = delta_i, exactly, if its weight is 0."""
+    # F_i = delta_i e^(w_i L): exactly delta_i without a weight, and else every monomial has delta_i as a factor.
     if forces.weights[i].is_zero or not n[i] or sum(n) == 1:
         return False
     unit = unit_key(i, len(n))
@@ -151,6 +155,7 @@ def dry_friction_cancels(forces: Forces, n: Key) -> bool:
     degree, weight = sum(k for _, k in others), _weight(forces, n)
     if degree == sum(n) or weight is None:
         return False
+    # n_0 = sum(n) - degree counts dry friction, and D^n_0 of a^w_2, w_2 = w + n_0, is zero for a whole 0 <= w_2 < n_0.
     power = weight + sum(n) - degree
     second = degree == 2 and power.denominator == 1 and 0 <= power < sum(n) - degree
     return second or (degree == 3 and len(others) == 1 and is_value(others[0][0], 3))
@@ -191,6 +196,7 @@ def _shifted(f: Series, others: Sequence[ExactReal], dry: int) -> Series:
         exponent = sum((k * (a.ball() - 1) for a, k in zip(others, n, strict=True)), arb(0))
         for j in range(f.order - sum(n) + 1):
             factor = _binomial(exponent if weight is None else weight, j)
+            # An exact zero is left out, so that what is made of it stays exactly zero; a ball around 0 stays.
             if factor != 0 or not factor.is_exact():
                 result[(*n[:dry], j, *n[dry:])] = c * factor * (-1) ** j
     return Series(result, f.variables + 1, f.order)

@@ -42,6 +42,7 @@ from asymptotics.terms import Term as Term  # for the examples
 def exact_half_swing(given: Given, order: int) -> HalfSwing:
     """L, F, T through total degree ``order`` for integer exponents; InputError for anything else."""
     forces = Forces.read(given, order)
+    # The smallest algebra that is closed comes first: polynomials of one variable cost least, those of theta most.
     if forces.is_even:
         return even_half_swing(forces, order)
     if forces.is_smooth:
@@ -63,6 +64,7 @@ def even_half_swing(given: Given, order: int) -> HalfSwing:
     ]
     orbit = FormalSolution.solve(forces.exact_grading(), order, shapes, c, _from_one)
     L = orbit.series(orbit.log_r, lambda p: PiNumber.rational(p(fmpq(-1))))
+    # d tau = (1 + c m) d theta: pi for the 1, and the mean of c m.
     T = orbit.series(orbit.m, lambda m: PI * _mean_of_cosines(c * m)) + PI
     return _assemble(forces.exact_grading(), L, T)
 
@@ -89,6 +91,7 @@ def _integrate_flow(U: Series, grading: Grading, f: Series) -> Series:
     total, term, factor = Series({}, U.variables, U.order), f, PI
     for j in range(U.order + 1):
         total = total + term * factor
+        # d/d psi raises the degree, as U has no term of degree 0: the Taylor series of the flow ends by itself.
         term, factor = U * grading.weighted(term), factor * PI / (j + 2)
     return total
 
@@ -121,6 +124,8 @@ def _waveform_moments(orbit: FormalSolution) -> tuple[tuple[Series, Series], ...
     rate = orbit.series(orbit.m, lambda m: COSINE * m)
     lag = rate.map(ThetaTrig.integral)  # tau - theta
     x = orbit.series(orbit.log_r, lambda f: f).exp().map(lambda f: COSINE * f)
+    # e^(-i tau) = e^(-i theta) e^(-i lag): only the lag, a series
+    # without constant term, is put into a cosine and a sine.
     cosine, sine = lag.cos_sin()
     common = x * (rate + ONE)
     real = common * (cosine * COSINE - sine * SINE)
@@ -130,6 +135,7 @@ def _waveform_moments(orbit: FormalSolution) -> tuple[tuple[Series, Series], ...
         pair = tuple(f.map(lambda g: (ONE * g).integral().at_quarter()) for f in (real, imaginary))
         moments.append((pair[0], pair[1]))
         if k < order:
+            # The next moment is wanted through one order less.
             tau = lag.truncate(order - k - 1) + THETA
             real, imaginary = real * tau, imaginary * tau
     return tuple(moments)

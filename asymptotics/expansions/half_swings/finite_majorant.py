@@ -67,11 +67,13 @@ class Majorant:
     def final(self, i: int) -> arb:
         """A bound of |u_i| at the end."""
         with ctx.workprec(BITS):
+            # |u| = |delta| e^(weight ln r) <= rho e^(|weight| G).
             return (self.radii[i] * (abs(self.alphas[i] - 1) * self.growth).exp()).upper()
 
     def inverse(self, i: int = 0) -> arb:
         """A bound of |1/u_i| at the end on the circle |delta_i| = rho_i (one law)."""
         with ctx.workprec(BITS):
+            # 1/u - 1/delta is the integral whose bound the module docstring has; |1/delta| = 1/rho on the circle.
             return (1 / self.radii[i] + abs(self.alphas[i] - 1) * self.gains[i]).upper()
 
 
@@ -81,10 +83,13 @@ def majorant(
     """The majorant of the quarter-swing, or of the half-swing if ``whole``; None where it is not proved to exist."""
     with ctx.workprec(BITS):
         exponents = tuple(arb(a) for a in alphas)
+        # Rounded up: the majorant then holds on a polydisc that is no smaller than the one asked for.
         balls = tuple(arb(arb(r).upper()) for r in radii)
         if not all(r > 0 for r in balls):
             return None
+        # A ball is no key of a cache; its exact middle and radius are.
         steps = _extremes(tuple((a.mid().man_exp(), a.rad().man_exp()) for a in exponents), pieces)
+        # s and |c| come back on the second quarter: s(pi - theta) = s(theta).
         walk = [*steps, *reversed(steps)] if whole else list(steps)
         h = arb.pi() / (2 * pieces)
         growth, excess, gains = arb(0), arb(0), [arb(0)] * len(exponents)
@@ -94,7 +99,9 @@ def majorant(
             reached = step.upper_end(growth)
             if reached is None:
                 return None
+            # C* and N* grow with G, so that their values at the upper end of the piece hold for all of it.
             growth, room = reached, 1 - step.C(reached)
+            # C*/(1 - C*) = 1/(1 - C*) - 1. Each piece is rounded up: sums of upper bounds stay upper bounds.
             excess = (excess + h * (1 / room - 1)).upper()
             gains = [(g + h * s / room).upper() for g, s in zip(gains, sines, strict=True)]
     return Majorant(exponents, balls, whole, growth, excess, tuple(gains))
@@ -106,11 +113,13 @@ def widest(alphas: Sequence[arb], direction: Sequence[arb], *, whole: bool = Fal
     ``share``: the part of the largest scale found by bisection; any value is right, it only moves the bounds.
     """
     low, high = 0.0, _first_guess(alphas, direction)
+    # One per cent is finer than what ``share`` gives away after it.
     while high - low > 0.01 * high:
         middle = (low + high) / 2
         seems = _seems_to_exist(alphas, [float(d) * middle for d in direction], whole)
         low, high = (middle, high) if seems else (low, middle)
     while True:
+        # The proof in balls decides; where it fails the disc shrinks until it holds.
         found = majorant(alphas, [d * arb(low * share) for d in direction], whole=whole)
         if found is not None:
             return found
@@ -121,6 +130,7 @@ def _seems_to_exist(alphas: Sequence[arb], radii: Sequence[float], whole: bool, 
     """Whether the fixed points of all pieces exist in floats: where to look, no claim."""
     with ctx.workprec(BITS):
         steps = _extremes(tuple((arb(a).mid().man_exp(), arb(a).rad().man_exp()) for a in alphas), pieces)
+    # Half the pieces of the proof: larger maxima, so that what seems to exist here mostly does.
     slopes, growth, h = [abs(float(a) - 1) for a in alphas], 0.0, pi / (2 * pieces)
     for sines, products in [*steps, *reversed(steps)] if whole else steps:
         growth = _fixed_point(growth, h, list(zip(radii, slopes, map(float, sines), map(float, products), strict=True)))
@@ -130,7 +140,7 @@ def _seems_to_exist(alphas: Sequence[arb], radii: Sequence[float], whole: bool, 
 
 
 def _first_guess(alphas: Sequence[arb], direction: Sequence[arb]) -> float:
-    """A scale at which no majorant exists: C* >= 1 somewhere although nothing has grown."""
+    """A scale at which sixteen pieces prove no majorant: the bisection looks below it."""
     scale = 1.0
     while majorant(alphas, [d * arb(scale) for d in direction], pieces=16) is not None:
         scale *= 2
@@ -165,8 +175,11 @@ class _Step:
         g = _fixed_point(float(start), float(self.h), rows)
         if g == inf:
             return None
+        # A little above the fixed point, so that the inequality below has room for the rounding of the doubles.
         end = arb(g * (1 + 1e-12) + 1e-15)
         room = 1 - self.C(end)
+        # The differential inequality: the slope grows with G, so that below ``end`` it is at most the slope there, and
+        # with that one G does not pass ``end`` before the piece is over.
         if not (room > 0 and start + self.h * self.N(end) / room <= end):
             return None
         return end
@@ -175,9 +188,12 @@ class _Step:
 def _fixed_point(start: float, h: float, rows: Sequence[tuple[float, ...]]) -> float:
     """The fixed point of g = G_j + h N*(g)/(1 - C*(g)) in floats; rows (rho, slope, s^(alpha+1), s^alpha |c|)."""
     g, previous = start, -1.0
+    # Near the end of the disc the iteration hardly converges:
+    # 200 steps, or none is seen, which costs a bit of the disc.
     for _ in range(200):
         if g - previous <= 1e-14 * (1 + g):
             return g
+        # e^700 is the end of the doubles.
         if any(row[1] * g > 700 for row in rows):
             return inf
         strengths = [row[0] * exp(row[1] * g) for row in rows]
@@ -185,6 +201,7 @@ def _fixed_point(start: float, h: float, rows: Sequence[tuple[float, ...]]) -> f
         if room <= 0:
             return inf
         previous, g = g, start + h * sum(v * row[2] for v, row in zip(strengths, rows, strict=True)) / room
+        # r would have grown by e^50: no bound of use is found there.
         if g > 50:
             return inf
     return inf
@@ -197,6 +214,8 @@ def _extremes(alphas: tuple[tuple[Any, Any], ...], pieces: int) -> tuple[tuple[t
         exponents = [arb(arb(m), arb(r)) for m, r in alphas]
         found = []
         for j in range(pieces):
+            # s rises and c falls on the quarter: the largest s is at
+            # the right end of the piece, the largest c at the left one.
             s = arb.sin_pi(arb(fmpq(j + 1, 2 * pieces)))
             c = arb.cos_pi(arb(fmpq(j, 2 * pieces)))
             powers = [s**a for a in exponents]

@@ -103,6 +103,7 @@ class Forces:
         members: list[Member] = []
         for i, t in enumerate(terms):
             unit = unit_key(i, len(terms))
+            # A family is written out as far as the order sees it: one member for each power of its strength.
             members += _family(unit, order) if t.family else [Member(unit, fmpq(1), t.velocity, t.position, t.sign)]
         velocities = tuple(ExactReal(0) if t.family else t.velocity for t in terms)
         return cls(tuple(t.weight for t in terms), tuple(t.sign for t in terms), velocities, tuple(members))

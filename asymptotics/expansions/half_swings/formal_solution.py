@@ -52,12 +52,14 @@ class FormalSolution:
         for d in range(1, order + 1):
             tick(f"order {d} of {order} of the orbit")
             n.append(_numerator(shapes, grown, d))
+            # m = N + c N m at degree d: N begins with degree 1, so that m is needed below d only.
             m.append(dict(n[d]))
             for j in range(1, d):
                 tick()
                 accumulate(m[d], n[j].items(), [(k, cosine * x) for k, x in m[d - j].items()])
             log_r.append({k: integrate(x) for k, x in m[d].items()})
             for (key, _), known in zip(shapes, grown):
+                # A higher degree of f exp(a ln r) would meet no order that is asked for.
                 if d + sum(key) <= order:
                     known.append(_exponential_part(known, log_r, grading.weight(key), d))
         return cls(tuple(log_r), tuple(m), grading.variables)

@@ -1,5 +1,7 @@
 """Smooth forces: the flow (U, W) and the waveform Z directly, in rational Fourier polynomials, in each gauge.
 
+This is the homological equation of the normal form, one order after the other.
+
 Losses eps |x|^m v|v|^(alpha-1) with m even, alpha odd and springs c x|x|^(p-1) |v|^q with p odd, q even are
 polynomials in x and v (cubic damping, Duffing, the pendulum, van der Pol, Rayleigh).  Then
 z = X - i X' = A e^(i psi) Z(psi, delta) obeys
@@ -101,6 +103,7 @@ class _FourierKernel:
     def __init__(self, forces: Forces, order: int, gauge: str) -> None:
         self.grading, self.order, self.gauge = forces.exact_grading(), order, gauge
         self.members = forces.through(order)
+        # (d + 1)/2 for each power of the strength, rounded up: with q^(M n) in front no power of q is negative.
         self.M = max((-(-(m.integer_velocity + m.position + 1) // (2 * m.order)) for m in self.members), default=1)
         zero = (0,) * forces.variables
         self.Z: list[Part] = [{zero: fmpq_poly([1])}]
@@ -119,6 +122,8 @@ class _FourierKernel:
             self.forcing.append(self._phi(n))
             rest = self._right_side(n)
             middle = self.M * n
+            # Solvability: the mean, stored at q^(M n), has to vanish,
+            # which fixes U_hat or W_hat by the parity of the monomial.
             self.U.append({k: p[middle] for k, p in rest.items() if l(k) % 2})
             self.W.append({k: -p[middle] for k, p in rest.items() if l(k) % 2 == 0})
             self.Z.append({k: self._integrate(p, n, l(k)) for k, p in rest.items()})
@@ -136,6 +141,7 @@ class _FourierKernel:
                 continue
             alpha = m.integer_velocity
             degree = alpha + m.position
+            # i^(1+alpha) of a loss, i^q of a spring: even powers of i, so that signs are left.
             turn = alpha + 1 if m.sign < 0 else alpha
             scale, shift = m.ratio * fmpq((-1) ** (turn // 2), 2**degree), self.M * m.order - (degree + 1) // 2
             for k, p in monomial_part(self.P, m.position, self.Y, alpha, n - m.order).items():
@@ -150,6 +156,8 @@ class _FourierKernel:
         for j in range(1, n):
             shift = self.M * j
             if self.U[j]:
+                # D_1 = U (1 + sum (d_i - 1) delta_i d_i) multiplies a
+                # monomial by 1 + a_k; q^(M j) aligns what is stored.
                 grown = [(k, (p * (1 + self.grading.weight(k))).left_shift(shift)) for k, p in self.Z[n - j].items()]
                 accumulate(total, [(k, -u) for k, u in self.U[j].items()], grown)
             if self.W[j]:
@@ -160,8 +168,10 @@ class _FourierKernel:
         """Z_n from 2 q d_q Z_n = p - mean(p); the gauge fixes the mean of Z_n."""
         middle = self.M * n
         z = [c / (2 * (m - middle)) if m != middle else fmpq(0) for m, c in enumerate(p.coeffs())]
+        # The mean may lie above the last coefficient that is there.
         z += [fmpq(0)] * (middle + 1 - len(z))
         if self.gauge == TURNING_POINT:
+            # Z = 1 at psi = 0, where q = 1: the coefficients of Z_n have the sum 0.
             z[middle] = -sum(z, start=fmpq(0))
         elif self.gauge == NO_FIRST_HARMONIC:  # mean of Z_n + q^-1 conj(Z_n), and conj(Z_n)(q) = (-1)^l Z_n(1/q)
             z[middle] = -((-1) ** loss_degree) * z[middle - 1]

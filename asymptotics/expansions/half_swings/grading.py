@@ -78,6 +78,7 @@ class Grading:
 
     def strengths(self, log_ratio: Series) -> tuple[Series, ...]:
         """delta_i e^((d_i - 1) log_ratio), through the order of ``log_ratio``: the local strengths further on."""
+        # delta_i has one degree of its own: the exponential is wanted through one order less.
         below = log_ratio.truncate(log_ratio.order - 1) if log_ratio.order else log_ratio
         return tuple((below * w).exp().shift(i).truncate(log_ratio.order) for i, w in enumerate(self.weights))
 

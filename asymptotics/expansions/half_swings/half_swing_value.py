@@ -33,6 +33,7 @@ class HalfSwingValue:
 
 
 Evaluate = Callable[[int], HalfSwingValue]
+# A route is asked for 32 bits less than are set, for it loses some; after two doublings it is given up as undecided.
 _TRIES, _GUARD = 3, 32
 
 
@@ -92,6 +93,7 @@ class HalfSwingAt(Rows):
     def _table(self) -> dict[str, list[Any]]:
         names = ("amplitude", "log_ratio", "duration")
         ends = [[float(Fraction(self.enclosures[n][i])) for n in names] for i in (0, 1)]
+        # float() takes the nearest double, which may lie within: one step outward does not.
         outward = [[nextafter(x, side) for x in row] for row, side in zip(ends, (-inf, inf))]
         texts = [str(getattr(self, n)) for n in names]
         return {"name": list(names), "value": ends[0], "value_low": outward[0],

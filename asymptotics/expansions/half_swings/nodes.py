@@ -1,5 +1,7 @@
 """The quarter swing of one law in balls, order by order by its values at Chebyshev nodes: products are pointwise.
 
+A collocation method with a proof: the interpolants are bounded on Bernstein ellipses (Trefethen 2013).
+
 With v = sin(theta/2)^2, 0 <= v <= 1/2, P = e^(eta R), eta = alpha - 1, and C = P Y (see ``quarter`` for s, c, Y)
 
     s^2 = 4 v (1 - v),  c = 1 - 2v,   Y = delta s^alpha (P + c C),   dP/dv = -2 eta C,
@@ -37,7 +39,10 @@ from asymptotics.budget import tick
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 
+# GUARD for the rounding of the recursion; fewer than SPARE lost bits are not worth a second pass. All of it is in the
+# radii: none of the three can make a ball wrong.
 BOUND_BITS, GUARD, SPARE = 64, 40, 8
+# All below 3 + sqrt(8) = 5.83, where the ellipse reaches v = 1 and (1 - v)^(alpha/2) is no longer analytic.
 ELLIPSES = ("5.5", "4", "3")
 """The parameters rho that are tried: the widest has the fastest error, the narrower ones the smaller bounds."""
 
@@ -46,6 +51,7 @@ def node_quarter(alpha: ExactReal, order: int, bits: int, small: float) -> tuple
     """R_n and T_n for n = 0 … ``order``, good to 2^-``bits`` or so at |delta| = ``small``; alpha > 0, not 1."""
     with ctx.workprec(BOUND_BITS):
         ellipses = [_Ellipse.of(alpha.ball(), arb(rho), order, arb(small)) for rho in ELLIPSES]
+    # Doubles choose among three theorems, each of which holds.
     ellipse, right = min(ellipses, key=lambda e: e.nodes(bits)), bits
     ends, durations = _at_nodes(alpha, order, right, small, ellipse)
     lost = _lost(bits, [*ends, *durations])
@@ -53,6 +59,7 @@ def node_quarter(alpha: ExactReal, order: int, bits: int, small: float) -> tuple
         right = bits + lost
         ends, durations = _at_nodes(alpha, order, right, small, ellipse)
     with ctx.workprec(right + GUARD), ctx.workcap(order + 1):
+        # P = e^(eta R) at v = 1/2, as a series in x = delta/small.
         scales, log_P = [arb(small) ** n for n in range(order + 1)], arb_series(ends, order + 1).log()
         R = [log_P[n] / (alpha.ball() - 1) / scale for n, scale in enumerate(scales)]
         return R, [t / scale for t, scale in zip(durations, scales, strict=True)]
@@ -76,6 +83,7 @@ class _Ellipse:
     @classmethod
     def of(cls, alpha: arb, rho: arb, order: int, small: arb) -> "_Ellipse":
         """The recursion of the module docstring in absolute values."""
+        # Each function by its largest modulus in the ellipse, which |v - 1/4| <= a holds, and H f by |f|/beta.
         a = (rho + 1 / rho) / 8
         cosine, near = arb(1) / 2 + 2 * a, 1 / (arb(3) / 4 - a).sqrt()
         force, slope = small * (2 * (arb(3) / 4 + a)) ** (alpha / 2), 2 * abs(alpha - 1) * (arb(1) / 4 + a)
@@ -89,6 +97,7 @@ class _Ellipse:
     def nodes(self, bits: int) -> int:
         """How many nodes make all errors less than 2^-``bits``, in floats: the choice moves the error only."""
         largest = max(float((1 + x).log()) for x in (*self.C, *self.rates))
+        # Six nodes more than the estimate of doubles; what they leave is ``gap``, an upper bound.
         return int((bits * log(2) + largest) / log(float(self.rho))) + 6
 
     def gap(self, nodes: int, bound: arb) -> arb:
@@ -102,6 +111,7 @@ class _Orders:
 
     def __init__(self, alpha: arb, small: arb, ellipse: _Ellipse, nodes: int) -> None:
         self.alpha, self.ellipse, self.nodes = alpha, ellipse, nodes
+        # T_k at the node i is cos(k (2i + 1) pi/(2K)): one table of 4K cosines has all of them.
         table = [arb.cos_pi_fmpq(fmpq(j, 2 * nodes)) for j in range(4 * nodes)]
         self.values = arb_mat([[table[k * (2 * i + 1) % (4 * nodes)] for k in range(nodes)] for i in range(nodes)])
         self.means = self.values.transpose()
@@ -114,11 +124,13 @@ class _Orders:
         """p_n and tau_n at v = 1/2, n = 0 … ``order``."""
         eta, bits = self.alpha - 1, ctx.prec
         p, C = [arb(1)] * self.nodes, [arb(0)] * self.nodes
+        # A row for each node: the convolution at a node is a sum over its own two rows.
         all_p: list[list[arb]] = [[x] for x in p]
         all_y: list[list[arb]] = [[] for _ in p]
         ends = [arb(1)]
         for n in range(1, order + 1):
             tick(f"order {n} of {order} of the quarter swing")
+            # The radii count the rounding, at however many bits.
             with ctx.workprec(_fewer(bits, C) if n > 1 else bits):  # what is small needs fewer right bits
                 y = (f * (a + c * x) for f, a, c, x in zip(self.force, p, self.cosine, C, strict=True))
                 for row, value in zip(all_y, y, strict=True):
@@ -126,6 +138,7 @@ class _Orders:
                 C = [sum(map(mul, a, reversed(b)), arb(0)) for a, b in zip(all_p, all_y, strict=True)]
                 means = (self.means * arb_mat(self.nodes, 1, C)).entries()
                 h, error = self.integral(means, n * self.alpha / 2 + 1, self.ellipse.C[n])
+                # 2 v <= 1: this is at least 2 |eta| v times the error of H f, at the nodes and at the end.
                 around = arb(0, (abs(eta) * error).upper())
                 there = (self.values * arb_mat(self.nodes, 1, h)).entries()
                 p = [-2 * eta * v * x + around for v, x in zip(self.v, there, strict=True)]
@@ -141,11 +154,14 @@ class _Orders:
         for n, means in enumerate((self.means * rates).transpose().table(), 1):
             tick("the durations of the quarter swing")
             h, error = self.integral(means, (n * self.alpha + 1) / 2, self.ellipse.rates[n])
+            # T_k(1) = 1: at v = 1/2, x = 1, the sum of the coefficients
+            # is the value, and the gap is added to its radius.
             found.append((sum(h, arb(0)) + arb(0, error.upper())) * arb("0.5").sqrt())
         return found
 
     def integral(self, means: Sequence[arb], beta: arb, bound: arb) -> tuple[list[arb], arb]:
         """Of H f from the sums of f T_k over the nodes: coefficients, and how far f and its interpolant are apart."""
+        # Discrete orthogonality of the T_k: the coefficients of the interpolant.
         coefficients = [2 * x / self.nodes for x in means]
         return _solved(coefficients, beta), self.ellipse.gap(self.nodes, bound) / beta
 

@@ -30,10 +30,13 @@ def odd_solution(F: Sequence[arb], rise: Sequence[arb], terms: int) -> tuple[lis
         found: list[arb] = []
         for k in range(terms):
             tick(f"order {k} of {terms} of the Abel function")
+            # f = delta^(2k-1) grows by delta^(2k-1) ((F/delta)^(2k-1) - 1), beginning with (F/delta)^(-1).
             grown = [power[i] - (i == 0) for i in range(length)]
             shifted = grown[1:] if k == 0 else [arb(0)] * (2 * k - 1) + grown
+            # The lowest even power that is left is cancelled by the next odd power of delta: its growth begins there.
             found.append(-rest[2 * k] / shifted[2 * k])
             rest = rest + arb_series(shifted[:length], length) * found[-1]
+            # By reversibility the odd power has gone with it; a ball off zero means that F is not what it should be.
             if k and not rest[2 * k - 1].contains(0):
                 raise ArithmeticError("the increments leave an odd power: the map is not reversible")
             power = power * square

@@ -30,11 +30,13 @@ def even_quarter(alpha: int, order: int) -> tuple[list[fmpq], list[PiNumber]]:
     for n in range(1, order + 2):
         tick(f"order {n} of the quarter swing")
         last = q[n - 1]
+        # The integral of the right side; Q = 1 at the turning point, so that it starts at c = 1.
         primitive = (sines * (c * last.derivative() - eta * last)).integral()
         q.append(primitive - primitive(fmpq(1)) - _half_of_the_square(q, n))
     T = [PI / 2]
     for f in q[2:]:
         rate, rest = divmod(f.derivative(), -eta * sines)
+        # Exact arithmetic: a remainder would contradict the derivation.
         if rest:
             raise ArithmeticError("the rate of the time is no polynomial")
         T.append(_over_the_quarter(rate))

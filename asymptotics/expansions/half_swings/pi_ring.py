@@ -92,6 +92,7 @@ class PiNumber:
 
     def __mul__(self, other: Any) -> "PiNumber":
         if isinstance(other, PiNumber):
+            # Already the unique form: the product of two constant terms that are not 0 is not 0.
             product = self.polynomial * other.polynomial
             return PiNumber(product, self.shift + other.shift if product.length() else 0)
         b = _lift(other)
@@ -112,6 +113,7 @@ class PiNumber:
 
     def inverse(self) -> "PiNumber":
         """1/self for a single term; ZeroDivisionError otherwise."""
+        # The units of Q[pi, 1/pi] are the q pi^n, for pi is transcendental (Lindemann).
         if self.polynomial.length() != 1:
             raise ZeroDivisionError(f"{self} is not a unit of Q[pi, 1/pi]")
         return PiNumber(fmpq_poly([1 / self.polynomial[0]]), -self.shift)

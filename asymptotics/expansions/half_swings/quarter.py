@@ -104,6 +104,7 @@ def half_swing(quarter: QuarterSwing) -> HalfSwing:
         known = min(2 * known + 2, R.order)
         L = L.extend(known)
         images = grading.reversed(grading.strengths(L))
+        # Both at once: what costs is the monomials in the images.
         there, slope = compose_all((R.truncate(known), weighted.truncate(known)), images)
         L = L - (L - R.truncate(known) + there) * (slope + 1).inverse()
     F = grading.strengths(L)

@@ -67,6 +67,8 @@ class ThetaTrig:
         carry_p, carry_q = _ZERO, _ZERO
         for j in range(len(self.parts) - 1, -1, -1):
             p, q = self.parts[j][0] + carry_p, self.parts[j][1] + carry_q
+            # From the highest power down: by parts theta^j F' = (theta^j
+            # F)' - j theta^(j-1) F, and the last term is carried on.
             mean, sine_part = _integrate_cosine(p)
             cosine_part = -q.integral()  # d/d theta of -int Q dc is s Q
             result[j + 1][0] += mean / (j + 1)

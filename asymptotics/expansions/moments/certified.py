@@ -19,6 +19,7 @@ def moment(p: arb) -> arb:
         raise InputError("p", f"{p.str(5)} is not above -1", "p > -1")
     if not p > -1:
         return arb.nan()  # undecided at this precision: an enclosure of everything
+    # (p + 1)/2 > 0 keeps away from the poles of Gamma, which stand at 0, -1, -2, ...
     return ((p + 1) / 2).gamma() * (p / 2 + 1).rgamma() / arb.pi().sqrt()
 
 

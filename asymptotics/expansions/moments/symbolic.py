@@ -59,6 +59,7 @@ def mean(a: Expr | int, b: Expr | int) -> Expr:
     (1/8, 4/(3*pi), 1/(2*pi))
     """
     a, b = Add(a, 0), Add(b, 0)
+    # By parts, two powers of the cosine at a time: no Gamma functions where a rational factor does.
     if a.is_even and a >= 0:
         return prod((Rational(k - 1) / (k + b) for k in range(2, int(a) + 1, 2)), start=moment(b))
     x, y = (a + 1) / 2, (b + 1) / 2
@@ -73,6 +74,7 @@ def integer_moment(p: int) -> tuple[Fraction, bool]:
     """
     if p < 0:
         raise InputError("p", f"{p} is negative", "an integer p >= 0")
+    # From M_0 = 1 or M_1 = 2/pi up (Wallis); fmpq, for these products reach large indices.
     value = fmpq(2 if p % 2 else 1)
     for k in range(2 + p % 2, p + 1, 2):
         value *= fmpq(k - 1, k)

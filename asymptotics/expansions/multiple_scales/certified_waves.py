@@ -33,6 +33,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.series import Key, Series
 
 Waves = dict[Key, arb]
+# With eight bits an order beside it, for the derivatives along the flow: a choice, of which the radii tell the rest.
 _GUARD = 40
 
 
@@ -59,6 +60,7 @@ def wave_source(forces: Forces, order: int, bits: int) -> WaveSource:
         flow = flow_of(certified_half_swing(forces, order))
         U, W = ([f] for f in (flow.U, flow.W))
         for _ in range(order):
+            # D raises the degree, so that as many derivatives as orders are all there are.
             U.append(flow.derivative(U[-1]))
             W.append(flow.derivative(W[-1]))
         return WaveSource(forces, flow, tuple(U), tuple(W), displacement_series(forces, order, bits), ctx.prec)
@@ -70,11 +72,13 @@ def waves_at(source: WaveSource, psi: arb) -> Waves:
         side, chi = half_turns(psi)
         late, losses = bool(chi.mid() > (arb.pi() / 2).mid()), source.flow.grading.loss_degree
         found = _on_quarter(source, arb.pi() - chi if late else chi)
+        # Reversal: x_k(pi - psi) = -(-1)^l(k) x_k(psi).
         return {k: x * side * (-((-1) ** losses(k)) if late else 1) for k, x in found.items()}
 
 
 def half_turns(psi: arb) -> tuple[int, arb]:
     """(side, chi): psi less the half-turns below it, X(psi) = side X(chi)."""
+    # The midpoint chooses the half-turn; psi - turns pi keeps the radius.
     turns = int(str((psi / arb.pi()).mid().floor().unique_fmpz()))
     return (-1) ** (turns % 2), psi - turns * arb.pi()
 
@@ -83,15 +87,18 @@ def _on_quarter(source: WaveSource, psi: arb) -> Waves:
     """The same for 0 <= psi <= pi/2."""
     order, variables, grading = source.order, source.flow.U.variables, source.flow.grading
     zero: Key = (0,) * variables
+    # The turning point itself: x_k = 0 there by the gauge, and 1/psi below would be infinite.
     if psi.is_zero():
         return dict.fromkeys(source.displacement.series, psi)
     lam, beta = _along(source.U, -psi), -_along(source.W, -psi) - psi
+    # beta has no constant term, so that its j-th power begins with degree j and the Taylor polynomial in time ends.
     turn, powers = beta.without_constant() * (1 / psi), [Series.constant(arb(1), variables, order)]
     while len(powers) <= order and powers[-1].coefficients:
         powers.append(powers[-1] * turn)
     total = Series({}, variables, order)
     for n in [zero, *source.displacement.series]:
         left = order - sum(n)
+        # A wave of order n needs the shift in time through the orders that are left.
         near = [p for p in (p.truncate(left) for p in powers) if p.coefficients]
         slopes = _cosines(psi, len(near)) if n == zero else source.displacement.slopes(n, psi, len(near))
         moved = sum((p * (s / factorial(j)) for j, (p, s) in enumerate(zip(near, slopes))), Series({}, variables, left))
@@ -131,6 +138,7 @@ def start_series(source: WaveSource, theta: arb) -> tuple[Series, Series]:
         R, tau = arc(source.forces, source.order, angle)
         psi = tau
         for _ in range(source.order):
+            # W = 1 + O(delta^2): each pass makes one order more right, and so does the next fixed point.
             psi = tau - (_along(source.W, psi) - psi)
         size, turn = _along(source.U, psi) - R, psi - angle
         back = -R
@@ -138,4 +146,5 @@ def start_series(source: WaveSource, theta: arb) -> tuple[Series, Series]:
             back = (-R).compose(grading.strengths(back))
         images = grading.strengths(back)
         size, turn = (f.without_constant().compose(images) for f in (size, turn))
+        # Reversal of time: the signs of the losses, pi - theta, pi - psi.
         return (grading.flip(size), -grading.flip(turn)) if late else (size, turn)

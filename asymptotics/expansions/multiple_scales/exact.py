@@ -109,6 +109,7 @@ class OddHierarchy:
 
     def real_harmonics(self, key: Key, p: fmpq_poly) -> dict[int, fmpq]:
         """(-i)^l sum_m c_m e^(i m psi) in sin(m psi) or cos(m psi): the coefficients 2 (-1)^floor(l/2) c_m."""
+        # The harmonic m of q^h xhat(q) stands at q^(m + h), and the polynomial is stored in q^2.
         h, turn = 1 + sum(key) * self.spread, 2 * sign(self.forces.loss_degree(key))
         return {m: turn * p[(m + h) // 2] for m in range(1, h + 1, 2) if p[(m + h) // 2] != 0}
 
@@ -122,11 +123,13 @@ def sign(n: int) -> int:
 
     Omega(i eta) = Omegahat and p(i eta) = i phat, so Omega_n = (-1)^(n/2) Omegahat_n, p_n = (-1)^((n-1)/2) phat_n.
     """
+    # The same number for n = 0, 1 and for n = 2, 3: one function serves cosines (n even) and sines (n odd).
     return -1 if n % 4 >= 2 else 1
 
 
 def spread_of(forces: Forces, order: int) -> int:
     """How many harmonics an order adds: the largest d - 1, a member of a family counted for each power of its key."""
+    # -(-x // y) rounds up: half a harmonic would be one.
     return max((-(-(_degree(m) - 1) // m.order) for m in forces.through(order)), default=0)
 
 
@@ -167,6 +170,7 @@ def require_smooth(given: Given, order: int) -> Forces:
 def estimated_seconds(forces: Forces, order: int) -> float:
     """A rough estimate of the time for the hierarchy."""
     count = len(monomials(forces.variables + 1, order))
+    # For the estimate alone: how many products of series an order needs.
     powers = max(max(m.integer_velocity, 1) + m.position for m in forces.through(order))
     length = 1 + order * (spread_of(forces, order) + 1) // 2
     return hierarchy_seconds(count, powers, length)
@@ -204,13 +208,19 @@ class _HarmonicKernel:
     def advance(self, n: int) -> None:
         """Order n: the right side, solvability, division by m^2 - 1, and the new velocity."""
         h = 1 + n * self.spread
+        # Where the first harmonic stands in what is stored.
         first = (1 + h) // 2
+        # The order matters: x_n from the lower orders, then its velocity with the new rates, then the powers of both.
         velocity = self._slow(self.X, n)
+        # (1 - m^2) x_n + R = 0 beside the newest rates: R is the force,
+        # less the derivative of the velocity as far as it is known.
         R = self._force(n)
         for k, part in summed(_rotated(velocity, h), self._slow(self.Y, n)).items():
             R[k] = R.get(k, fmpq_poly([])) - part
         self.known.append(R)
         odd = {k for k in R if self.forces.loss_degree(k) % 2}
+        # Solvability (Fredholm's alternative): the first harmonic is in the kernel of d^2/dpsi^2 + 1, so that it has to
+        # vanish on the right, which the terms with p_n and Omega_n bring about.
         self.p.append({k: -R[k][first] for k in odd})
         self.Omega.append({k: p[first] for k, p in R.items() if k not in odd})
         self.X.append({k: _divided(p, h) for k, p in R.items()})
@@ -224,6 +234,7 @@ class _HarmonicKernel:
         for member in self.members:
             if member.order > n:
                 continue
+            # The stored polynomials of a factor and of its product differ by powers of q: this is the difference.
             scale, shift = in_eta(member), (member.order * self.spread + 1 - _degree(member)) // 2
             found = monomial_part(
                 self.X_powers, member.position, self.Y_powers, member.integer_velocity, n - member.order
@@ -237,6 +248,7 @@ class _HarmonicKernel:
         """sum_(0<j<n) (Omegahat_j q d_q - phat_j E) of the part of degree n - j: the known slow derivatives."""
         total: Part = {}
         for j in range(1, n):
+            # As in ``_force``: what is stored for degree n - j is moved to where degree n has it.
             shift, h = j * self.spread // 2, 1 + (n - j) * self.spread
             grown = {k: p.left_shift(shift) * -(1 + self.grading.weight(k)) for k, p in parts[n - j].items()}
             turned = {k: rotated(p, h).left_shift(shift) for k, p in parts[n - j].items()}
@@ -248,6 +260,7 @@ class _HarmonicKernel:
         """(Omegahat_n q d_q - phat_n) of cos psi."""
         (cosine,), (sine,) = self.X[0].values(), self.Y[0].values()
         shift = n * self.spread // 2
+        # The newest rates act on X_0 alone at this order.
         slow = {k: -c * cosine.left_shift(shift) for k, c in self.p[n].items()}
         return summed(slow, {k: c * sine.left_shift(shift) for k, c in self.Omega[n].items()})
 

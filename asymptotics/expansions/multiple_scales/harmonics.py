@@ -6,7 +6,8 @@
 
 For odd alpha the sum ends at n = alpha; alpha = 0 is the square wave, b_n = 4/(pi n).
 
-*Sums that telescope.*  With the ratio of neighbours, for b_n of alpha and c_n of beta (alpha = beta for one law),
+*Sums that telescope* (hypergeometric terms, as in Gosper's summation).  With the ratio of neighbours, for b_n of alpha
+and c_n of beta (alpha = beta for one law),
 
     b_n c_n [1/(n^2-1) + (alpha+beta+1)/((alpha+1)(beta+1))] = F(n+2) - F(n),
     F(n) = -(n+alpha)(n+beta)/(2 (alpha+1)(beta+1)(n-1)) b_n c_n,
@@ -40,6 +41,7 @@ def harmonic(alpha: Expr, n: int) -> Expr:
     """b_n for an odd n >= 1 by the ratio of neighbours: 0 where the Gamma functions have their poles."""
     value = 2 * moment(alpha + 1)
     for k in range(1, n, 2):
+        # For an odd alpha the factor at k = alpha is 0, and with it all later harmonics.
         value = value * (k - alpha) / (k + alpha + 2)
     return value
 
@@ -57,6 +59,7 @@ def spring_sum(p: Expr, r: Expr) -> Expr:
     >>> spring_sum(Integer(3), Integer(3))                     # 1/8 d_3^2
     1/128
     """
+    # n^2/(n^2-1) = 1 + 1/(n^2-1): from velocity_sum goes what Parseval's sum has from n = 3 on, 2 M - d_1 d_1'.
     products = moment(p + 1) * moment(r + 1)
     return velocity_sum(p, r) - 2 * moment(p + r) + 4 * products
 

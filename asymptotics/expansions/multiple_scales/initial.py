@@ -47,8 +47,10 @@ def map_to_turning_points(hierarchy: OddHierarchy) -> GaugeMap:
     order, variables = hierarchy.order, hierarchy.forces.variables
     velocity = _taylor(hierarchy, hierarchy.Y)
     sigma = Series({}, variables, order)
+    # The fixed point of the docstring: its derivative at 0 is 1 - cosh 0 + O(eta) = O(eta), an order for each pass.
     for _ in range(order):
         sigma = sigma + _at(velocity, sigma)
+    # ln x(psi_0) begins with ln cos 0 = 0: the constant term under the logarithm is 1, exactly.
     log_modulus = _at(_taylor(hierarchy, hierarchy.X), sigma).log()
     lam, psi_0 = (hierarchy.real(s).map(PiNumber.rational) for s in (log_modulus, sigma))
     return GaugeMap(GAUGE, TURNING_POINT, hierarchy.grading, lam, -psi_0)
@@ -62,6 +64,7 @@ def _taylor(hierarchy: OddHierarchy, parts: tuple[Part, ...]) -> list[Series]:
         for n, part in enumerate(parts):
             h = 1 + n * hierarchy.spread
             for k, p in part.items():
+                # q^m at q = e^(-sigma) is e^(-m sigma), with m = 2 i - h for the coefficient i.
                 total = sum((c * (h - 2 * i) ** j for i, c in enumerate(p.coeffs())), start=fmpq(0))
                 values[k] = total / factorial(j)
         found.append(Series({k: c for k, c in values.items() if c != 0}, hierarchy.forces.variables, order))

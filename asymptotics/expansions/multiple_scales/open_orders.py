@@ -139,6 +139,7 @@ def require_exponents(alphas: tuple[Expr, ...]) -> None:
 
 def _require_derivatives(forces: tuple[PowerForce, ...], order: int) -> None:
     for f in forces:
+        # At order n the force is differentiated n - 1 times in x, and |x|^m has m derivatives that are functions.
         if f.piecewise and order > f.position + 1:
             power = f"|x|^{f.position}" if f.sign < 0 else f"x|x|^{f.position - 1}"
             reason = f"{order}: it takes derivative {order - 1} of {power}, which is no function where x = 0"
@@ -162,6 +163,7 @@ class _Open:
         f, g = rate_symbols(n)
         K, L = self.lower(n)
         K_n, L_n = wave("K", n), wave("L", n)
+        # V_n = X_n' + K_n + ... put into V_n' = -X_n - L_n - ...: K enters by its derivative.
         forcing = -(L_n + Derivative(K_n, psi)) if n > 1 else -L
         first, second = self.conditions(n)
         names, closed = turning_conditions(n), self.closed(n)
@@ -192,6 +194,7 @@ class _Open:
         total: Expr = Integer(0)
         for m in self.forces:
             if (later := n - sum(m.key)) >= 0:
+                # A loss enters with V|V|^(alpha-1) = -(-V)^alpha where V < 0, which its sign -1 says; a spring with +1.
                 total += m.sign * self.strength(m.key) * m.ratio * _product(m, later, Y_0, X_0, name)
         return total
 
@@ -228,15 +231,18 @@ class _Open:
         for rates, power, open_form, sense in ((self.p, 1, first / pi, -1), (self.Omega, 0, second / (pi * a), 1)):
             keys = [k for k in rates if sum(k) == n]
             total = Add(*[rates[k] * self.strength(k) * self.power(k, power) for k in keys])
+            # Known in closed form, or zero by reversal, or the integral that the condition at pi gives.
             found.append(sense * total if n <= self.known or self.vanishes(n, sense) else open_form)
         return found[0], found[1]
 
     def vanishes(self, n: int, sense: int) -> bool:
         """By reversal f_n has only odd, g_n only even numbers of losses: zero where no spring helps."""
+        # With a spring a degree has monomials with an even and with an odd number of losses, and n itself says nothing.
         return all(f.sign < 0 for f in self.forces) and n % 2 == (0 if sense < 0 else 1)
 
     def power(self, key: Key, power: int) -> Expr:
         """a^(power + sum n_i (d_i - 1))."""
+        # Of a symbolic exponent too: a SymPy expression, and no number is asked for.
         weights = [x - 1 for x in self.alphas] + [to_sympy(term.weight) for term in self.terms]
         return a ** Add(power, *[n * w for n, w in zip(key, weights)])
 
@@ -307,10 +313,12 @@ def _product(m: PowerForce, n: int, Y_0: Factors, X_0: Factors, name: Callable[[
 
 def _power(base: Factors, exponent: Expr, later: list[Expr]) -> Expr:
     """The highest part of (base + sum_j eps^j later_j)^exponent, j = 1, ..., n: one term for each partition of n."""
+    # Faa di Bruno's formula: weight = exponent (exponent - 1) ... over the factorials of the multiplicities.
     terms = []
     for counts in _partitions(len(later)):
         m = sum(counts.values())
         weight = Mul(*[exponent - i for i in range(m)]) / prod(factorial(k) for k in counts.values())
+        # A whole exponent ends its derivatives: what comes after is exactly 0, and base^(exponent - m) would be a pole.
         if weight != 0:
             powers = [f ** (exponent - m) for f in base]
             terms.append(weight * Mul(*powers) * Mul(*[later[j - 1] ** k for j, k in counts.items()]))

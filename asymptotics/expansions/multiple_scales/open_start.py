@@ -45,6 +45,8 @@ def start_of_open(alphas: tuple[Expr, ...], order: int) -> tuple[Parts, Parts]:
         slope, bend = moment(alpha + 1) - sin(theta) ** (alpha + 1), sin(theta) ** alpha * cos(theta)
         second = alpha / 2 * (u**2 + w**2)
         log_size = (u**2 - w**2) / 2 - second + (alpha - 1) * u**2 - w * slope
+        # From the logarithm to a(0)/r itself: half the square of the first order, -u.
         sizes.append(log_size + u**2 / 2)
+        # -u w - (alpha - 1) u w = -alpha u w, and w' = sin^alpha cos.
         turns.append(second_turn(alpha, theta) - alpha * u * w + w * bend)
     return tuple(sizes), tuple(turns)

@@ -142,6 +142,7 @@ def order_letters(gauge: str) -> dict[str, str]:
 
 
 def _operator(n: int) -> Symbol:
+    # Symbols that do not commute: SymPy would else write D_1 D_2 for D_2 D_1, the mistake that this hierarchy warns of.
     return Symbol(f"D_{n}", commutative=False)
 
 
@@ -160,6 +161,7 @@ def _velocity(n: int) -> Symbol:
 
 def operator_equation(n: int, force: Expr) -> Eq:
     """D_0^2 X_n + X_n = -sum D_i D_j X_k - force, with every product of operators in its own order."""
+    # All D_i D_j X_k with i + j + k = n but D_0 D_0 X_n, which stands on the left.
     pairs = [(i, j) for i in range(n + 1) for j in range(n + 1 - i) if i + j]
     known = Add(*[_operator(i) * _operator(j) * _unknown(n - i - j) for i, j in pairs])
     return Eq(_operator(0) ** 2 * _unknown(n) + _unknown(n), expand(-known) - force, evaluate=False)
@@ -190,6 +192,7 @@ def _product_part(factors: list[Callable[[int], Symbol]], degree: int) -> Expr:
     """The coefficient of eps^degree in a product of series X_0 + eps X_1 + ... and V_0 + eps V_1 + ...."""
     parts: list[Expr] = [Add(1)] + [Add()] * degree
     for factor in factors:
+        # One factor after the other: products of truncated series, degree by degree.
         parts = [expand(Add(*[factor(j) * parts[d - j] for j in range(d + 1)])) for d in range(degree + 1)]
     return parts[degree]
 

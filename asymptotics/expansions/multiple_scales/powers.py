@@ -91,6 +91,8 @@ class Powers:
         found = {m.key: m.mean for m in self.part(1, -1)}
         for x in self.part(1, -1):
             for y in self.part(1, 1):
+                # A = a (1 + lambda_j gamma_j): the strength of the loss is w_i lambda_j less in terms of A, and the
+                # stretch falls with the amplitude, w_j lambda_j more.
                 shift = x.mean * (y.weight - x.weight) * _stretch(y, gauge)
                 _add(found, x, y, _cross(x, y) + shift)
         return found
@@ -101,6 +103,7 @@ class Powers:
         found = {m.key: m.mean for m in self.members if m.sign > 0}
         for sign in (-1, 1):
             for x in self.part(1, sign):
+                # Ordered pairs: a mixed term comes twice, which is its coefficient in the square of the sum.
                 for y in self.part(1, sign):
                     _add(found, x, y, _losses(x, y, gauge) if sign < 0 else _two_springs(x, y, gauge))
         return found
@@ -123,6 +126,7 @@ def _cross(x: Power, y: Power) -> Expr:
 def _losses(x: Power, y: Power, gauge: str) -> Expr:
     """Half of (x, y) plus half of (y, x): alpha_i alpha_j M/(...) and rational * P_i P_j."""
     a, b = x.exponent, y.exponent
+    # Half of the sums for (x, y) and for (y, x), with ``velocity_sum`` put in: the moment of a + b, and products.
     below = (a + 1) * (b + 1)
     products = (a + b) / 4 - 1 - (1 - a - b - 3 * a * b) / (2 * below)
     products -= (_lead(a, gauge) * (a - 1) + _lead(b, gauge) * (b - 1)) / 2
@@ -139,6 +143,7 @@ def _lead(alpha: Expr, gauge: str) -> Expr:
     """chi/P, by which a loss turns the phase of a gauge, to first order."""
     if gauge == NO_FIRST_HARMONIC:
         return Integer(0)
+    # X' = 0 at psi_0 = -rho (P + sum n b_n/(n^2-1)), the second sum of ``harmonics``; chi takes that phase away.
     return Rational(1, 2) if gauge == AVERAGING else (alpha + 3) / (2 * (alpha + 1))
 
 

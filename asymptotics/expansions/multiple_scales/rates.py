@@ -23,11 +23,13 @@ from asymptotics.series import Key
 from asymptotics.terms import Term
 
 Rates = dict[Key, Expr]
+# Of the numbers that are shown beside the integrals; each is rounded correctly.
 DIGITS = 30
 
 
 def closed_rates(alphas: tuple[Expr, ...], terms: tuple[Term, ...], order: int) -> tuple[Rates, Rates, int]:
     """The coefficients of p and Omega known in closed form through ``order``, and the order through which all are."""
+    # ``powers`` knows losses of the velocity alone and springs of the place alone.
     if any(t.sign < 0 or not t.velocity.is_zero for t in terms):
         return {}, {}, 0
     powers = Powers(alphas, terms)
@@ -37,6 +39,7 @@ def closed_rates(alphas: tuple[Expr, ...], terms: tuple[Term, ...], order: int) 
         found = symbolic_expansion()
         p |= {(k,): c.subs(alpha, alphas[0]) for k, c in found["p"].items() if 2 < k <= order}
         Omega |= {(k,): c.subs(alpha, alphas[0]) for k, c in found["Omega"].items() if 2 < k <= order}
+    # A coefficient that is identically 0 is left out, and counts as known through the order that is told.
     rows = ({k: c for k, c in row.items() if c != 0} for row in (p, Omega))
     return (*rows, min(order, 4 if alone else 2))  # type: ignore[return-value]
 

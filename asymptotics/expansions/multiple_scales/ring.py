@@ -57,6 +57,7 @@ class Wave:
         return self.even * power, self.odd * power
 
     def __add__(self, other: "Wave") -> "Wave":
+        # The common case, in which no power of pi has to be multiplied in.
         if self.shift == other.shift:
             return Wave(self.even + other.even, self.odd + other.odd, self.shift)
         shift = min(self.shift, other.shift)
@@ -75,6 +76,7 @@ class Wave:
         if not isinstance(other, Wave):
             return Wave(self.even * other, self.odd * other, self.shift)
         even = self.even * other.even
+        # s^2 = 1 - c^2 brings the product of the odd parts back to the even one.
         if len(self.odd) and len(other.odd):
             even += _SINE_SQUARED * (self.odd * other.odd)
         return Wave(even, self.even * other.odd + self.odd * other.even, self.shift + other.shift)
@@ -87,6 +89,7 @@ class Wave:
 
     def integral(self) -> "Wave":
         """The integral from 0 to psi."""
+        # At psi = 0, y = -pi/2, c = 1 and s = 0: the even part alone has a value there, which is taken off.
         even, odd = _primitive(_by_power_of_y(self.even), _by_power_of_y(self.odd))
         return Wave(even - even.compose(-_PI / 2, _PI, _ONE), odd, self.shift).lowered()
 
@@ -106,6 +109,7 @@ class Wave:
 
     def at(self, psi: arb) -> arb:
         """The value at any phase as a ball at the current precision; exactly 0 where the function is."""
+        # A product of balls would only hold 0.
         if self.is_zero:
             return arb(0)
         y, c, values = psi - arb.pi() / 2, psi.cos(), []
@@ -166,6 +170,7 @@ def _primitive(even: Rows, odd: Rows) -> tuple[fmpq_mpoly, fmpq_mpoly]:
     carry: tuple[dict[int, fmpq_poly], dict[int, fmpq_poly]] = ({}, {})
     for i in range(max(len(even), len(odd)) - 1, -1, -1):
         a, b = (_sum(rows[i] if i < len(rows) else {}, c) for rows, c in zip((even, odd), carry))
+        # y^i F' = (y^i F)' - i y^(i-1) F: what is left is carried on to the next lower power of y.
         mean, sine = _integrated_cosines(a)
         cosine = {m + 1: -q / (m + 1) for m, q in b.items()}
         _put(found[0], i + 1, {0: mean / (i + 1)})

@@ -43,6 +43,7 @@ def start_of(h: TurningHierarchy) -> Start:
     real, imaginary = _log_Z(h)
     lam, beta = Series({}, variables, order), Series({}, variables, order)
     for _ in range(order):
+        # Re ln Z and Im ln Z are O(delta): each pass makes one order more right.
         lam, beta = -_at(h, real, lam, beta), -_at(h, imaginary, lam, beta)
     return Start(lam, beta)
 
@@ -55,9 +56,11 @@ def _log_Z(h: TurningHierarchy) -> tuple[Series, Series]:
         for k, x in X.items():
             u[k] = COSINE * x - SINE * V[k]
             w[k] = SINE * x + COSINE * V[k]
+    # Z = 1 + P + i Q.
     P, Q = Series(u, variables, order), -Series(w, variables, order)
     ones = (1,) * variables
     modulus = P * 2 + P * P + Q * Q  # |Z|^2 - 1
+    # 1/|Z|^2 by the geometric series, which ends with the order: Wave has no division.
     inverse, power = Series.constant(ONE, variables, order), Series.constant(ONE, variables, order)
     for _ in range(order):
         power = -(power * modulus)
@@ -72,6 +75,7 @@ def _at(h: TurningHierarchy, f: Series, lam: Series, beta: Series) -> Series:
     total, order = Series({}, f.variables, f.order), f.order
     slope, power = f, Series.constant(ONE, f.variables, order)
     for j in range(order + 1):
+        # Taylor in the phase by j, and delta^key = rho^key e^(a_key lambda) monomial by monomial.
         for key, c in slope.coefficients.items():
             if sum(key) <= order:
                 grown = _exp(lam, h.grading.weight(key), order)

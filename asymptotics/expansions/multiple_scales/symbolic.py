@@ -126,6 +126,7 @@ class MultipleScales(Shown):
         """(D_i D_j - D_j D_i) of a and of psi: zero would mean that a(T_1, T_2, ...), phi(T_1, T_2, ...) exist."""
         last = len(self.rates) - 1
         pairs = zip(*(self.rates[require_integer(n, name, 0, last)] for name, n in (("i", i), ("j", j))))
+        # The bracket of two vector fields on the coordinates: D_i of the components of D_j, less the other way round.
         of_a, of_psi = (expand(self.slow_derivative(i, y) - self.slow_derivative(j, x)) for x, y in pairs)
         return of_a, of_psi
 
@@ -181,9 +182,11 @@ class _Display:
     def order(self, n: int) -> Order:
         """Order n: nothing is computed here, everything is shown."""
         kernel, (rate, turn) = self.kernel, rate_symbols(n)
+        # From here on everything is exact and known: the display only orders it by sin and cos.
         known = {key: kernel.right_side(key) for key in kernel.keys(n)}
         first = {key: c.get(1, fmpq(0)) for key, c in known.items()}
         sine, cosine = (self._sum({k: c for k, c in first.items() if self._is_odd(k) == odd}) for odd in (True, False))
+        # f_n = -a p_n and g_n = Omega_n, with which the two conditions hold.
         solved = (-self._homogeneous(kernel.p, n, 1), self._homogeneous(kernel.Omega, n, 0))
         return solved_order(
             n,

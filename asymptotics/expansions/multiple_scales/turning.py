@@ -136,23 +136,29 @@ class _TurningKernel:
         self.X.append({})
         self.V.append({})
         for key in monomials(self.forces.variables, n):
+            # The integrals without the rates first: u and w less p_k psi and Omega_k psi.
             k, l = K.get(key, ZERO), L.get(key, ZERO)  # noqa: E741 (the letters of the docstring)
             u = (SINE * l - COSINE * k).integral()
             w = -(SINE * k + COSINE * l).integral()
             for rates, f in ((self.p, u), (self.Omega, w)):
+                # Both conditions in one form: u + pi p_k = 0 and w + pi Omega_k = 0 at psi = pi.
                 rate = f.at_pi() * fmpq(-1) / PI
+                # Exact numbers, so that a zero is one: Omega_k of an
+                # odd loss degree, all of dry friction from order 2 on.
                 if rate != 0:
                     rates[key] = rate
             u, w = (f + PSI * rates[key] if key in rates else f for rates, f in ((self.p, u), (self.Omega, w)))
             self.X[n][key] = (COSINE * u + SINE * w).lowered()
             self.V[n][key] = (COSINE * w - SINE * u).lowered()
         self.X_powers.extend(self.X[n])
+        # Y = -X' is the positive one.
         self.Y_powers.extend({k: -f for k, f in self.V[n].items()})
 
     def _slow(self, parts: list[Part], n: int) -> Part:
         """sum_(0<j<n) (Omega_j d_psi - p_j E) of the part of degree n - j."""
         total: Part = {}
         for key, f in ((k, f) for part in parts[1:n] for k, f in part.items()):
+            # D = (1 + Omega) d_psi - p E on a delta^k: E multiplies by 1 + a_k.
             turned, grown = f.derivative(), f * -(1 + self.grading.weight(key))
             for rates, g in ((self.Omega, turned), (self.p, grown)):
                 accumulate(total, [(key, g)], [(j, c) for j, c in rates.items() if sum(j) + sum(key) == n])

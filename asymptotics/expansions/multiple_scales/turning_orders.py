@@ -81,6 +81,7 @@ class _TurningDisplay:
         kernel, (rate, turn) = self.kernel, rate_symbols(n)
         forcing = self._waves({key: kernel.forcing(key) for key in kernel.keys(n)})
         p, Omega = (self._numbers(series, n, power) for series, power in ((kernel.p, 1), (kernel.Omega, 1)))
+        # The conditions carry a Omega_n, the rate of the phase Omega_n alone.
         turned = self._numbers(kernel.Omega, n, 0)
         names = turning_conditions(n)
         return solved_order(
@@ -101,6 +102,7 @@ class _TurningDisplay:
         s, c = sin(psi), cos(psi)
         for key, f in parts.items():
             scale = self._monomial(key)
+            # As it stands in the ring, power by power: SymPy is not asked to simplify what may be long.
             terms += [scale * q.to_sympy() * psi**i * s**j * c**m for (i, j, m), q in f.coefficients().items()]
         return Add(*terms)
 

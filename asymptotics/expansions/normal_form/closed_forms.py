@@ -23,6 +23,7 @@ from asymptotics.numbers.decimals import MAX_DIGITS, certified_decimal
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
 from asymptotics.terms import Term
 
+# From p_5 on nested integrals remain that reduce to no name (``multiple_scales.open_orders`` shows them).
 MAX_SYMBOLIC_ORDER = 4
 _SAMPLES = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
 
@@ -37,6 +38,7 @@ def symbolic_coefficients(order: int, gauge: str, digits: int) -> Coefficients:
         raise InputError("order", reason, f"an integer from 1 to {highest}")
     source = symbolic_expansion()
     p, Omega, W = ({k: v for k, v in source[name].items() if k <= order} for name in ("p", "Omega", "W"))
+    # The source is the turning-point gauge: through order 2 the others differ from it in Omega_2 alone.
     if 2 in Omega:
         Omega[2] = omega_2(gauge)
     return Coefficients(

@@ -78,7 +78,10 @@ def _coefficients(forces: Forces, order: int, digits: int, gauge: str, exact_onl
         p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
         return _expansion(gauge, order, "exact", forces, p, Omega)
     exact = _integer_part(forces, order, gauge, partial(_flow_rows, gauge, order))
+    # What these decide is handed over as digits: a tie or a zero among them would stop the balls at every precision.
     decided = {name: {key: exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
+    # The theorems on zeros hold at turning points. Elsewhere parity alone is known, and a coefficient that vanishes for
+    # another reason is refused as undecided.
     if gauge == TURNING_POINT:
         rounded = certified_digits(forces, order, digits, names=("p", "Omega"), known=decided)
     else:
@@ -120,6 +123,7 @@ def half_swing_coefficients(
     _require_counts(order, digits)
     with budget(max_seconds):
         found = _half_swing_coefficients(Forces.read(given, order), order, digits, exact_only)
+    # Forces have no words for their terms.
     if isinstance(given, Forces):
         return found
     return replace(found, forces=tuple(t.shape() if isinstance(t, Term) else f"alpha = {t}" for t in given))
@@ -135,6 +139,7 @@ def _half_swing_coefficients(forces: Forces, order: int, digits: int, exact_only
     decided = {name: {key: exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
     names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(forces.variables))]
     rounded = certified_digits(forces, order, digits, names=names, known=decided)
+    # Whatever the exponents, these two have closed forms: U at first order, T without forces.
     known = {"U": dict(first_order(forces)[0]), "T": {(0,) * forces.variables: sympy.pi}}
     for name, row in exact.items():
         known[name] = known.get(name, {}) | {key: c.to_sympy() for key, c in row.items()}
@@ -170,6 +175,7 @@ def _is_exact(forces: Forces, order: int, gauge: str, exact_only: bool) -> bool:
         if exact_only:
             raise InputError("exact", "there are no exact coefficients at this order", "integer exponents")
         return False
+    # No other engine can serve, so the whole of the time is its own; else half of it is kept for the balls.
     if exact_only:
         require_size(forces, order, gauge, seconds_left())
         return True
@@ -178,6 +184,7 @@ def _is_exact(forces: Forces, order: int, gauge: str, exact_only: bool) -> bool:
 
 def _is_quick(forces: Forces, order: int, gauge: str) -> bool:
     """Whether the exact engine leaves at least half of the time for the other one."""
+    # Where exact numbers take longer than that, the balls still have time to answer.
     return estimated_seconds(forces, order, gauge) <= seconds_left() / 2
 
 
@@ -186,6 +193,7 @@ def _integer_part(forces: Forces, order: int, gauge: str, rows_of: _RowsOf) -> d
 
     What no ball can tell from a tie is known by them.  ``rows_of`` makes the rows of that sum.
     """
+    # In a monomial of these variables no other force occurs: its coefficient is the one of their own sum.
     places = [i for i, v in enumerate(forces.velocities) if v.is_integer]
     part = forces.only(places, order)
     if not places or not _is_quick(part, order, gauge):
@@ -234,6 +242,7 @@ def _exact_row(series: Series, digits: int) -> Row:
 
 def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, sympy.Expr]) -> Row:
     def exact(key: Key, text: str) -> sympy.Expr | None:
+        # "0" is told by a theorem, whatever form stands beside it.
         return sympy.Integer(0) if text == "0" else known.get(key)
 
     return {_name(key): Coefficient(text, exact(key, text)) for key, text in row.items()}

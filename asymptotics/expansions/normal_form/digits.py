@@ -75,6 +75,7 @@ def expansions(given: Given, order: int, max_seconds: float = MAX_SECONDS) -> di
     per_law = {f"F_{i}": f for i, f in enumerate(half.F)}
     for i, weight in enumerate(half.grading.weights):
         per_law[f"V_{i}"] = (U * weight).shift(i).truncate(order)
+    # Products of balls that hold 0 are balls again: the zeros of p and Omega are taken out once more.
     p = without(-(U * inverse), lambda n: l(n) % 2 == 0 or (sum(n) > 1 and is_linear_friction(forces, n)))
     Omega = without(inverse, lambda n: l(n) % 2 == 1)
     return {"L": half.L, "T": half.T, "U": U, "W": W, "p": p, "Omega": Omega.without_constant(), **per_law}
@@ -83,6 +84,7 @@ def expansions(given: Given, order: int, max_seconds: float = MAX_SECONDS) -> di
 def _flow(half: HalfSwing, forces: Forces) -> tuple[Series, Series]:
     """U and W of the half-swing, zeros by theorem absent."""
     flow = flow_of(half)
+    # The field a U carries the power a_n + 1 of a, W the power a_n (``certified_zeros``, integer exponents).
     U = without(flow.U, lambda n: negative_power(forces, n, 1))
     W = without(flow.W, lambda n: negative_power(forces, n, 0) or dry_friction_cancels(forces, n))
     return U, W
@@ -105,10 +107,13 @@ def round_all(
         tick(f"coefficients at {bits} bits")
         series = evaluate()
         rounded = {name: _round(one, name, digits, known.get(name, {}), forces) for name, one in series.items()}
+        # All are rounded before the precision grows: the worst one says by how much.
         open_ones = [(name, n) for name, row in rounded.items() for n, text in row.items() if text is None]
         if not open_ones:
             return {name: {n: text for n, text in row.items() if text} for name, row in rounded.items()}
         name, n = open_ones[0]
+        # What the worst ball lacks, with 8 bits for the rounding of the decimal: at least 16 bits more, so that a tie
+        # does not creep up to the limit, and at most as many again.
         missing = max(bits_for(digits, 8) - series[name][n].rel_accuracy_bits() for name, n in open_ones)
         reason = f"the enclosure is {series[name][n].str(5)}"
         raise TooWideError(reason, max(16, min(missing, bits)), f"{name}{n}")
@@ -130,5 +135,7 @@ def _round(series: Series, name: str, digits: int, known: Mapping[Key, str], for
             if n in known:
                 row[n] = known[n]
                 continue
+            # Absent is the exact 0, "0". A ball around 0 is no zero:
+            # it has no first digit, and None asks for more precision.
             row[n] = decimal_of_ball(arb(value), digits) if value != 0 or not arb(value).is_exact() else "0"
     return row

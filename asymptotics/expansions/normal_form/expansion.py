@@ -123,8 +123,10 @@ def exact_expansion(
     require_gauge(gauge)
     forces = Forces.read(given, order)
     require_size(forces, order, gauge, max_seconds)
+    # The smallest algebra first: rational Fourier polynomials, then the half-swing, then the quarter with its moments.
     if forces.is_smooth:
         return _smooth_expansion(forces, order, gauge)
+    # No waveform moments are wanted here, so that the half-swing may choose its algebra.
     if gauge == TURNING_POINT:
         half = exact_half_swing(forces, order)
         flow = flow_of(half)
@@ -150,6 +152,7 @@ def _in_gauge(flow: Flow, change: GaugeMap) -> Flow:
 def estimated_seconds(given: Given, order: int, gauge: str = TURNING_POINT) -> float:
     """A rough estimate of the time for an exact expansion."""
     forces = Forces.read(given, order)
+    # Of the first member of a family only: the others have a higher degree and a higher order in the same measure.
     degree = max(2, *(m.integer_velocity + m.position for m in forces.members if m.order == 1)) / 2
     plain = gauge == TURNING_POINT
     return exact_expansion_seconds(order, forces.variables, degree, smooth=forces.is_smooth, turning_point=plain)

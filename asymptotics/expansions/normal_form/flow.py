@@ -1,7 +1,8 @@
 """From the half-swing map to its flow: U = d ln A/d psi and W = d tau/d psi in the turning-point gauge.
 
-The flow is the iterative logarithm of the return map, a formal embedding: it exists at every order, and its divergence
-is the theorem of ``divergence``.
+The flow is the iterative logarithm of the return map, a formal embedding: it exists at every order.  A germ that is
+tangent to the identity is embedded in an analytic flow only where its invariants vanish (Ecalle 1981, Voronin 1981);
+``divergence`` encloses those of the half-swing.
 
 The half-swing multiplies A by exp(L(delta)), takes the time T(delta), and moves delta_i to F_i(delta).  With the
 composition operator C f = f o F, the flow d delta_i/d psi = V_i = (alpha_i - 1) delta_i U whose time-pi map is F has
@@ -75,6 +76,7 @@ class Flow:
 
     def _accumulated(self, f: Series, pi: Any) -> Series:
         total, term, factor = Series({}, f.variables, f.order), f, pi
+        # The Taylor series of exp(pi D): D raises the degree, so that it ends.
         for j in range(f.order + 1):
             total = total + term * factor
             term, factor = self.derivative(term), factor * pi / (j + 2)
@@ -89,7 +91,9 @@ def flow_of(half: HalfSwing) -> Flow:
     pi = half.T.constant_term
     columns = _columns(half)
     U = _log_quotient(half.L, columns).map(lambda x: x / pi)
+    # C leaves the constant pi as it is, so that (C - 1) pi = 0 and W begins with 1.
     W = _log_quotient(half.T.without_constant(), columns).map(lambda x: x / pi) + 1
+    # Parity is checked, not assumed: a wrong quarter-swing shows here.
     return Flow(half.grading, half.grading.of_parity(U, 1), half.grading.of_parity(W, 0))
 
 
@@ -97,6 +101,7 @@ def _columns(half: HalfSwing) -> dict[Key, tuple[tuple[Key, Any], ...]]:
     """The matrix of C - 1 on monomials: delta^n -> delta^n (exp(a_n L) - 1) for every n of degree 1, ..., order - 1."""
     columns = {}
     for key in (k for d in range(1, half.order) for k in monomials(half.grading.variables, d)):
+        # delta^n has its own degree: the exponential is wanted through what is left of the order.
         growth = (half.L.truncate(half.order - sum(key)) * half.grading.weight(key)).exp().without_constant()
         columns[key] = tuple((tuple(p + q for p, q in zip(key, k)), c) for k, c in growth.coefficients.items())
     return columns
@@ -106,6 +111,7 @@ def _log_quotient(f: Series, columns: dict[Key, tuple[tuple[Key, Any], ...]]) ->
     """sum_k (-1)^k/(k + 1) (C - 1)^k f for a series f without constant term."""
     total, term, k = f, f, 0
     zero = (0,) * f.variables
+    # C - 1 raises the degree, so that nothing is left after as many passes as there are orders.
     while term.coefficients:
         k += 1
         image: dict[Key, Any] = {}

@@ -8,6 +8,8 @@ z = X - i X' = A e^(i psi) Z(psi, delta) leaves one freedom: A e^(i psi) -> A e^
 ``no-first-harmonic``  <Z + conj(Z) e^(-2 i psi)> = 1: the e^(i psi) coefficient of X is exactly A/2
 =====================  ==============================================================================================
 
+The last condition is that of Krylov, Bogoliubov and Mitropolsky.
+
 *The brackets from one family of integrals.*  Start an orbit at a turning point with amplitude 1 and strength delta_0.
 Along it X(psi; delta_0) is exp(psi D_1) of the fixed-delta waveform, with D_1 = U + sum_i V_i d_i.  Undoing that, the
 e^(i psi) coefficient of X, times 2, is, over the first quarter,
@@ -82,8 +84,10 @@ class GaugeMap:
 
     def apply(self, flow: Flow) -> Flow:
         """The flow of the source gauge, written in the target gauge."""
+        # d psi_g = (1 + D chi) d psi: the rates of the docstring, still as functions of the old strengths.
         rate = flow.derivative(self.argument) + 1
         U, W = (flow.U + flow.derivative(self.log_modulus)) / rate, flow.W / rate
+        # Then the old strengths as series in the new ones.
         images = self.inverse().strengths
         return Flow(self.grading, U.compose(images), W.compose(images))
 
@@ -103,9 +107,11 @@ def gauge_map(flow: Flow, K: tuple[tuple[Series, Series], ...], gauge: str) -> G
     require_gauge(gauge)
     if gauge == TURNING_POINT:
         return identity_map(flow)
+    # The bracket of no-first-harmonic in any case: that of averaging is made of it.
     c = _bracket_of_x(flow, K)
     if gauge == AVERAGING:
         W_inverse = _hat(flow.grading, flow.W, 0).inverse()
+        # -(i/W) D_1 c with D_1 = i D_hat_1 at delta = i eta: all of it is real.
         c = (c * (W_inverse + 1) + _d1(flow, c).truncate(flow.order) * W_inverse) / 2
     return map_of_bracket(flow, c, gauge)
 
@@ -113,6 +119,7 @@ def gauge_map(flow: Flow, K: tuple[tuple[Series, Series], ...], gauge: str) -> G
 def map_of_bracket(flow: Flow, c: Series, gauge: str) -> GaugeMap:
     """The map from the turning-point gauge given c^(eta), the bracket at delta = i eta (real, constant term 1)."""
     l = flow.grading.loss_degree  # noqa: E741 (the letter of ``grading``)
+    # eta = -i delta: a monomial of loss degree l gets (-i)^l, which is real for even l and -i times a sign for odd l.
     even = c.map_keys(lambda k, x: x * _sign(l(k)) if l(k) % 2 == 0 else 0 * x)
     odd = c.map_keys(lambda k, x: -x * _sign(l(k) - 1) if l(k) % 2 else 0 * x)
     return GaugeMap(TURNING_POINT, gauge, flow.grading, *_logarithm(even.without_constant() + 1, odd))
@@ -139,6 +146,7 @@ def _bracket_of_x(flow: Flow, K: tuple[tuple[Series, Series], ...]) -> Series:
     order = flow.order
     if len(K) <= order:
         raise ValueError(f"{order + 1} waveform moments are needed, {len(K)} are given")
+    # Without forces K_0 = int_0^(pi/2) e^(-i tau) cos(tau) d tau = pi/4 - i/2: pi comes from the ring itself.
     pi = K[0][0].constant_term * 4
     hatted = [_hat_moment(flow.grading, K[k], k) for k in range(order + 1)]
     ratio, kernel = _phase_kernel(flow)
@@ -146,6 +154,7 @@ def _bracket_of_x(flow: Flow, K: tuple[tuple[Series, Series], ...]) -> Series:
     for j in range(order + 1):
         terms.append(_contract(kernel.truncate(order - j), hatted, j))
         kernel = kernel * ratio
+    # Horner's rule in the operator: (4/pi) (t_0 + D_1 (t_1 + D_1 (t_2 + ...)/2)).
     total = terms[order]
     for j in range(order - 1, -1, -1):
         total = terms[j] + _d1(flow, total) / (j + 1)
@@ -170,6 +179,7 @@ def _phase_kernel(flow: Flow) -> tuple[Series, Series]:
         ratio = ratio + _at_power(term, j, factorial(j + 1))
         rate = rate + _at_power(term, j, factorial(j))
         term = -(W_inverse * U * flow.grading.weighted(term))
+    # Psi_hat - sigma = sigma (Psi_hat/sigma - 1).
     lag = ratio.without_constant().map(lambda p: p.shift())
     return ratio, lag.exp() * rate
 
@@ -193,6 +203,8 @@ def _contract(kernel: Series, moments: list[Series], j: int) -> Series:
 
 def _logarithm(even: Series, odd: Series) -> tuple[Series, Series]:
     """(lambda, chi) with exp(lambda + i chi) = even + i odd: E chi = (even E odd - odd E even)/(even^2 + odd^2)."""
+    # ln |c| is half the logarithm of the modulus; the argument
+    # by its Euler derivative, so that no arctangent is expanded.
     modulus = even * even + odd * odd
     ones = (1,) * even.variables
     turn = (even * odd.weighted(ones) - odd * even.weighted(ones)) / modulus

@@ -19,6 +19,7 @@ from asymptotics.present.shown import Page, Rows
 __all__ = ["ZERO", "Coefficient", "Coefficients", "HalfSwingCoefficients", "Row", "row_to_dict"]
 
 
+# For a smooth line on the page: no number is read off it.
 _POINTS = 401
 ZERO = Coefficient("0", sympy.Integer(0))
 Row = dict[str, Coefficient]
@@ -83,6 +84,7 @@ class HalfSwingCoefficients(Rows, Drawn):
             raise InputError("plot", "a sum of laws has several local strengths", "one law")
         last = style.pop("until", 0.5)
         delta = np.linspace(0.0, float(last), _POINTS)
+        # Two orders in one picture: where they part the truncated series tells nothing any more.
         for order in range(self.order, max(0, self.order - 2), -1):
             size = np.exp(sum((c * delta**k for (k,), c in powers.items() if k <= order), 0.0 * delta))
             own = style if order == self.order else {"linestyle": "--", "linewidth": 1.0}

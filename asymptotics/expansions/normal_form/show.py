@@ -15,6 +15,7 @@ import sympy
 from asymptotics.numbers.value import Coefficient, rounded
 from asymptotics.series import Key
 
+# What is shown; all digits stay in the coefficient.
 SHOWN_DIGITS, MAX_DIGITS = 10, 10_000
 _LONGEST_EXACT = 24  # a longer exact form hides the equation it stands in
 

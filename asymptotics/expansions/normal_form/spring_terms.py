@@ -36,6 +36,7 @@ def cross_term(alpha: Expr | int, m: int, p: int) -> Expr:
     >>> cross_term(1, 0, 3), cross_term(2, 0, 3)
     (11/32, 8/(15*pi))
     """
+    # The second line of the docstring: no negative power of the sine, so that alpha = 0 needs no limit.
     first, second = mean(m, sympy.Add(alpha, 1)), mean(m + p - 1, sympy.Add(alpha, 1))
     return ((p - m - alpha) * first + (p + m) * second) / (p + 1)
 
@@ -72,5 +73,6 @@ def second_order_p(forces: Forces) -> dict[Key, Expr]:
     {(1, 1): -5/32}
     """
     U, W = first_order(forces)
+    # p = -U/W = -U (1 - (W - 1) + ...): of second order -U_2 + U_1 W_1.
     products = {tuple(a + b for a, b in zip(x, y)): U[x] * W[y] for x in U for y in W}
     return {key: products[key] - u for key, u in second_order_cross(forces).items()}

@@ -62,6 +62,7 @@ def omega_2(gauge: str = TURNING_POINT) -> Expr:
     """Omega_2 for symbolic alpha in any of the three gauges (module docstring)."""
     require_gauge(gauge)
     a, p_1 = alpha, moment(alpha + 1)
+    # What the argument of c, chi_1 delta, adds: -(alpha - 1) p_1 chi_1 delta^2, with chi_1 of the module docstring.
     shift = {
         TURNING_POINT: 0,
         AVERAGING: (a - 1) / (a + 1),
@@ -83,5 +84,6 @@ def second_order_sum(alphas: tuple[Any, ...]) -> dict[tuple[int, ...], Expr]:
         for j, b in enumerate(alphas[i:], start=i):
             key = tuple((k == i) + (k == j) for k in range(len(alphas)))
             term = a * b * moment(a + b) / ((a + 1) * (b + 1))
+            # The pairs (i, j) and (j, i) have one key.
             found[key] = term * (1 if i == j else 2)
     return found

@@ -48,6 +48,7 @@ class TauPolynomial:
         b = TauPolynomial.lift(other).coefficients
         total: list[Any] = [0] * (len(self.coefficients) + len(b) - 1)
         for i, x in enumerate(self.coefficients):
+            # Only the integer 0 that pads is skipped: a ball around 0 counts.
             if not (isinstance(x, int) and x == 0):
                 for j, y in enumerate(b):
                     total[i + j] = total[i + j] + x * y

@@ -76,6 +76,7 @@ class Well:
         """sqrt(2 V(A)) of a turning point A > 0; InputError unless A is certainly inside the well."""
         if self.kind == "pendulum":
             root = self.strength.sqrt()
+            # Beyond pi the pendulum turns over: decided in balls, and refused where they do not tell.
             if not (A > 0 and root * A < arb.pi()):
                 raise InputError("x0", f"{A.str(5)} is not certainly inside the well", "less than pi rad")
             return 2 * (root * A / 2).sin() / root
@@ -104,6 +105,8 @@ class Well:
             return power * _hypergeometric(half, half, (a + 3) / 2, _like(self.strength / 4, s) * q, analytic)
         B = self._stiffness(q, analytic)
         mu = (B - 1) / (2 * B)
+        # A^2 = 2 xi^2/(1 + B) turns A^(m+alpha+1) B^(alpha/2)/xi^2 into xi^weight and powers of functions that are 1 at
+        # xi = 0; by logarithms, for the flag ``analytic`` is theirs.
         size = _log(2 / (1 + B), analytic) * _like((a + loss.m + 1) / 2, s) + _log(B, analytic) * _like(a / 2, s)
         return power * _exp(size) * _hypergeometric(-a / 2, a / 2 + 1, (a + loss.m + 3) / 2, mu, analytic)
 
@@ -117,6 +120,7 @@ class Well:
         if self.kind == "pendulum":
             return (self.strength * q / 4).hypgeom_2f1(half, half, (a + 3) / 2)
         B = self._stiffness(q)
+        # As in ``loss``, with the leading power divided out, so that a ball that holds xi = 0 will do.
         size = (2 / (1 + B)).log() * (a + loss.m + 1) / 2 + B.log() * a / 2
         value: arb = size.exp() * ((B - 1) / (2 * B)).hypgeom_2f1(-a / 2, a / 2 + 1, (a + loss.m + 3) / 2)
         return value
@@ -136,6 +140,7 @@ class Well:
         if self.kind == "pendulum":
             return _hypergeometric(half, half, arb(1), _like(self.strength / 4, s) * q, analytic)
         B = self._stiffness(q, analytic)
+        # A root by its logarithm, which is not finite where a ball meets the cut: the integrator then bisects.
         return _exp(-_log(B, analytic) / 2) * _hypergeometric(half, half, arb(1), (B - 1) / (2 * B), analytic)
 
     def _stiffness(self, q: Any, analytic: bool = False) -> Any:
@@ -166,6 +171,7 @@ def _log(x: Any, analytic: bool = False) -> Any:
 def _hypergeometric(a: arb, b: arb, c: arb, z: Any, analytic: bool) -> Any:
     """2F1(a, b; c; z), cut along [1, infinity): where ``analytic`` is asked a ball that may meet the cut is refused."""
     if isinstance(z, acb):
+        # 2F1 is cut from 1 on: a ball that may meet the cut is not analytic, and the integrator is told so by nan.
         if analytic and not (z.real < 1 or z.imag > 0 or z.imag < 0):
             return acb("nan")
         return z.hypgeom_2f1(a, b, c)
