@@ -22,6 +22,7 @@ from asymptotics.numbers.exact import parse_printed
 Key = tuple[str, ...]
 _LONG, _LONGEST = 60, 10_000  # characters of a cell in a message; bits of a number that Python prints
 _MARKS = {"code", "failed"}
+"""Columns of provenance: that they are not compared needs no telling."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,7 @@ def compared_cells(
     lacking = next((name for name in (*right.keys, *columns) if name not in right.header or name not in header), None)
     if lacking is not None:
         raise InputError("FILE", f"it or its request has no column {shown(lacking)}", ", ".join(right.header)[:400])
+    # Rows are found by their keys, for a file may be sorted or cut; a number is one key however it is written.
     truth = {_key(row, right.header, right.keys): row for row in right.rows}
     places, rows, differs, unjudged = [], list[ComparedValue](), list[str](), list[int]()
     order = {key: place for place, key in enumerate(truth)}
@@ -68,6 +70,7 @@ def compared_cells(
                 "FILE", f"line {line}: its request has no row {', '.join(key)[:80]}", "rows of the request"
             )
         places.append(order[key])
+        # No route certifies this row: to count its digits would be a judgement by an estimate.
         if key in right.estimates:
             unjudged.append(line)
             continue
@@ -120,8 +123,10 @@ def _judged(
     """One number.  Fractions and integers are right or wrong as a whole, however long they are."""
     text, number = given
     found = judged(text, number, right[1], digits)
+    # An exact number has no digits that are nearly right.
     whole = "." not in text and "." not in right[0]
     marked = f"[{text}]" if whole and number != right[1] else found.marked
+    # The parts are cut apart again at ", " (``ComparedValue.to_dict``): none may have it inside.
     told = ", ".join(part.replace(", ", " ") for part in key)
     names = ",".join(part or "what" for part in keys)
     return ComparedValue(line, told, name, text, right[0], found.digits, found.error, marked, names)

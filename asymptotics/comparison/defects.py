@@ -1,5 +1,7 @@
 """By how much given amplitudes fall faster, and given half-swings last longer, than the law wants from where they are.
 
+The field's word is the defect (or residual) of an approximate solution: which equation do the values solve?
+
 With lambda = ln A of the truth and lambda + a that of the values, R(lambda) the rate at which ln A falls and Q(lambda)
 that at which times are late, from one point to the next
 
@@ -41,10 +43,13 @@ class Defects:
 def defects_of(errors: Errors, shift: Any | None) -> Defects:
     """From three points on; ``shift`` is the sum of T - pi at each."""
     size, steps = np.log(errors.size), np.diff(errors.tau)
+    # From here on size is ln A, and R its rate of fall between two points, at the middle of both.
     middle, R = (size[1:] + size[:-1]) / 2, -np.diff(size) / steps
     a = (errors.amplitude[1:] + errors.amplitude[:-1]) / 2
+    # Beyond a fall of a tenth a power of A shows in R; before it, or where an amplitude grows, slopes count as 0.
     telling = bool(np.ptp(middle) > _TELLING and np.all(R > 0))
     slope = _slope(middle, np.log(R), 2) if telling else np.zeros_like(R)
+    # dR/d lambda = R d ln R/d lambda: a law that is followed from a wrong amplitude has no defect.
     r = -np.diff(errors.amplitude) / steps - R * slope * a
     total, whole = float(np.sum(r * steps)), float(size[0] - size[-1])
     frequency = quickness = None
@@ -53,9 +58,11 @@ def defects_of(errors: Errors, shift: Any | None) -> Defects:
         Q = np.diff(shift) / steps
         q = -np.diff(errors.advance) / steps - (_slope(middle, Q, 2) if telling else 0.0) * a
         late, added = float(np.sum(q * steps)), float(shift[-1] - shift[0])
+        # Dry friction adds nothing to the periods: then there is no share of it.
         frequency = late / added if abs(added) > 1e-12 else None
         quickness = abs(late / total) if total else None
     logs = np.log(np.maximum(abs(r), 1e-300))
+    # One datum to spare, or the parabola would go through everything and nothing were rough.
     degree = min(2, len(r) - 2) if telling else 0
     rough = float(np.std(logs - np.polyval(np.polyfit(middle, logs, degree), middle)))
     power = float(np.polyfit(middle, logs, 1)[0]) if telling else 0.0

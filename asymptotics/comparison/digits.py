@@ -19,6 +19,8 @@ from math import floor, log10
 
 _NUMBER = re.compile(r"(?P<sign>[+-]?)(?P<digits>[\d.]+)(?P<rest>.*)\Z", re.DOTALL)
 _NEAR, _LOG_2 = 1e-9, log10(2)
+"""Logarithms nearer than this to a whole number are decided in integers: a double has them to 1e-16 of their size,
+which is less than this for numbers of a million digits."""
 
 Ratio = tuple[int, int]
 """A numerator and a positive denominator, not in lowest terms: a common divisor costs more than all the rest."""
@@ -40,6 +42,7 @@ def judged(text: str, given: Fraction, value: Fraction, known: int) -> JudgedVal
     JudgedValue(digits='5.46', error='3.5e-06', marked='0.41072[111]')
     """
     error = _difference(given, value)
+    # An error of 0 has no logarithm: the value is right to all digits that are known.
     if error[0] == 0:
         return JudgedValue(f"{known:.2f}", "0", text.strip())
     log, size = _log10(error), _log10(_size(value)) if value else 0.0
@@ -80,8 +83,11 @@ def _digits(given: Fraction, value: Fraction, known: int, log: float, size: floa
 def _error(value: Fraction, log: float, size: float) -> str:
     if not value:
         return "1.0e+00"
+    # An error of exactly a power of ten may have a logarithm just below it; where it does lie below, two digits are the
+    # same.
     exponent = floor(log - size + 1e-12)
     tens = round(10 ** (log - size - exponent + 1))
+    # 9.96 rounds to two digits as 10.
     return f"{tens // 10}.{tens % 10}e{exponent:+03d}" if tens < 100 else f"1.0e{exponent + 1:+03d}"
 
 
@@ -92,10 +98,12 @@ def _marked(given: str, number: Fraction, error: Ratio, log: float) -> str:
         return text
     written = _written(found)
     wanted, shown = _right_places(number, error, log, written), ""
+    # All digits that are written are right: nothing is marked.
     if wanted == written:
         return text
     seen, started = 0, False
     for place, letter in enumerate(found["digits"]):
+        # Zeros at the front, and the point, are no significant digits.
         started = started or letter not in "0."
         if seen == wanted and started and letter != ".":
             shown = found["digits"][:place] + "[" + found["digits"][place:] + "]"
@@ -108,11 +116,14 @@ def _right_places(given: Fraction, error: Ratio, log: float, written: int) -> in
     """How many of the digits written are right: the error, > 0, is within half a unit of the last of them."""
     if not given:
         return 0
+    # With k right digits half a unit of the last is 10^(top + 1 - k)/2: the largest k for which the error is not above
+    # it.
     top = _floor_log10(_size(given))
     exact = top - log - _LOG_2 + 1
     right = floor(exact)
     if abs(exact - round(exact)) < _NEAR:  # a double cannot tell
         right = round(exact)
+        # Twice the error against a power of ten, in integers: a value on the very tie counts as right.
         right -= not _at_most((2 * error[0], error[1]), top + 1 - right)
     return min(max(right, 0), written)
 

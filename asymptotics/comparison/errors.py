@@ -15,6 +15,9 @@ import numpy as np
 
 _SAMPLES = 4  # that a fit needs
 _WIDTHS = (0.5, 0.8, 1.2, np.pi / 2)
+"""How far about a turning point, in units of 1/omega_0, samples are taken: as near as there are four of them.  Nearer
+is better, for a first-order waveform is wrong in third order there; beyond a quarter-swing they belong to the next one.
+A choice."""
 
 
 @dataclass(frozen=True)
@@ -38,8 +41,10 @@ def of_turning_points(ns: Any, given: Any, x: Any, given_tau: Any | None = None,
     """From amplitudes at the turning points ``ns``, given and true, and times if there are any."""
     order = np.argsort(ns)
     g, c = (np.abs(np.asarray(values, float))[order] for values in (given, x))
+    # Without times the clock without damping will do: rates are compared with rates on the same clock.
     true = np.pi * np.asarray(ns, float)[order] if tau is None else np.asarray(tau, float)[order]
     advance = None if given_tau is None else true - np.asarray(given_tau, float)[order]
+    # An amplitude given as 0 has an infinite error, which is told as such (``run``).
     with np.errstate(divide="ignore", invalid="ignore"):
         return Errors(true, c, np.log(g / c), advance)
 
@@ -61,7 +66,9 @@ def of_motion(tau: Any, given: Any, x: Any, v: Any, turning: tuple[Any, Any]) ->
         columns = np.stack([x[near], v[near]], axis=1)
         wrong = (given - x)[near]
         (a, s), *_ = np.linalg.lstsq(columns, wrong, rcond=None)
+        # What a and s leave, over all turning points: its share tells noise from a wrong motion.
         missed, whole = missed + float(np.sum((wrong - columns @ (a, s)) ** 2)), whole + float(np.sum(wrong**2))
+        # A factor of 0 or less is no amplitude.
         if a > -1:
             found.append((time, size, np.log1p(a), s, n))
     if not found:

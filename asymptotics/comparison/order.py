@@ -23,6 +23,7 @@ def order_of(keys: Sequence[Fraction], *, counted: bool) -> dict[str, int]:
     shuffled = sum(b < a for a, b in zip(keys, keys[1:]))
     step = Fraction(1) if counted else _step(distinct)
     gaps = [b - a for a, b in zip(distinct, distinct[1:])]
+    # Half a step more is the rounding of a clock; from there on rows are missing.
     missing = 0 if step is None else sum(round(gap / step) - 1 for gap in gaps if gap > step * 3 / 2)
     return {"missing": missing, "doubled": len(keys) - len(distinct), "shuffled": shuffled}
 
@@ -32,6 +33,7 @@ def _step(distinct: Sequence[Fraction]) -> Fraction | None:
     gaps = [b - a for a, b in zip(distinct, distinct[1:])]
     if len(gaps) < 3:
         return None
+    # Exact numbers: a step of printed times repeats exactly or nearly so, to a hundredth.
     usual = Fraction(median(gaps))
     equal = sum(abs(gap - usual) * 100 <= usual for gap in gaps)
     return usual if equal >= _REGULAR * len(gaps) else None

@@ -11,7 +11,9 @@ D, the fall of ln A, and T - pi.  (Defects, not errors: an orbit of the right la
 * Amplitudes right and times wrong by a noticeable share of T - pi is phase drift: formulas of first order, large steps.
 * Errors that jump from sample to sample are noise: undecided, unless they are small.
 
-How often each answer is right is measured on integrators, formulas and laws that the thresholds were not chosen on.
+How often each answer is right is measured on integrators, formulas and laws that the thresholds were not chosen on
+(``docs/tables.md``, "How far the look is to be trusted"; ``tests/comparison/battery.py`` names the twelve laws they
+were chosen on).
 
 >>> import numpy as np
 >>> from asymptotics.comparison.errors import Errors
@@ -32,14 +34,16 @@ import numpy as np
 from asymptotics.comparison.defects import Defects, defects_of
 from asymptotics.comparison.errors import Errors
 
-WRONG_DAMPING, WRONG_FREQUENCY = 5e-3, 5e-2
+# All thresholds were chosen on those laws, and none is derived. They decide what the errors are called, never how many
+# digits are right.
+WRONG_DAMPING, WRONG_FREQUENCY = 5e-3, 5e-2  # shares of what damping does that are noticeable: of D, and of T - pi
 _SMALL, _SMALLEST = 3e-4, 3e-5  # shares of the damping: below the second it is an integrator's, between them undecided
 _QUICK = 0.12  # q/r of a law, or thrice (T - pi)/D where damping is strong; integrators have more
-_ONE_SIGN, _SMOOTH, _NOISE = 0.95, 0.2, 0.7
+_ONE_SIGN, _SMOOTH, _NOISE = 0.95, 0.2, 0.7  # |sum r|/sum |r|, scatter of ln |r|: a law's; and shares that are noise's
 _CONSTANT = 0.3  # the power of A in r, below which it is that of a linear term
 _FAR = -0.5  # so far off that shapes are not to be trusted
 _LINEAR = 3.0  # f/d: 2 for a linear law of another strength, 4 for a linear law stepped by Euler
-_FEWEST = 3
+_FEWEST = 3  # half-swings: two defects, of which a sign can be told
 
 
 @dataclass(frozen=True)
@@ -58,6 +62,7 @@ class Look:
 
 def look_of(errors: Errors, shift: Any | None, lost: float) -> Look:
     """The look of errors; ``shift`` is the sum of T - pi at each point, ``lost`` the digits lost at most."""
+    # Less than a digit lost is what rounding does, and what the errors look like says nothing.
     if lost < 1:
         return Look("rounding", "every value is right to the digits written, or nearly")
     if len(errors) < _FEWEST:
@@ -70,10 +75,13 @@ def look_of(errors: Errors, shift: Any | None, lost: float) -> Look:
 
 def _judged(errors: Errors, found: Defects, drift: float | None) -> tuple[str, str]:
     d, late = found.damping, drift is not None and abs(drift) > WRONG_FREQUENCY
+    # In this order: noise first, for it has defects of any kind; then what no loss can do; then laws; what is left is
+    # an integrator's.
     if errors.jumps > _NOISE or (errors.advance is None and found.one_sign < _NOISE):
         if late or abs(d) > WRONG_DAMPING or float(np.max(abs(errors.amplitude))) > WRONG_DAMPING:
             return "undecided", "the errors jump from value to value, like noise"
         return "truncation", "the errors are small and jump from value to value"
+    # More than the whole damping is missing.
     if d < -1:
         return "truncation", "the amplitudes grow, as no loss lets them: steps too large for the method"
     ordered = found.one_sign > _ONE_SIGN and found.rough < _SMOOTH
@@ -83,6 +91,7 @@ def _judged(errors: Errors, found: Defects, drift: float | None) -> tuple[str, s
         and (found.quickness is None or found.quickness < max(_QUICK, 3 * found.strength))
     ):
         return _like_a_law(errors, found)
+    # Damping that is noticeably wrong, yet rough or too quick for a law, unless the times are off by as much.
     if abs(d) > WRONG_DAMPING and not (late and (found.quickness or 0.0) > 0.5):
         return "undecided", f"the damping given is {_more(d)} than that of the law, but not as in another law"
     if late:
@@ -96,8 +105,11 @@ def _like_a_law(errors: Errors, found: Defects) -> tuple[str, str]:
     reason = f"the damping given is {_more(d)} than that of the law"
     if abs(d) < _SMALL:
         return "undecided", f"{reason}, throughout: a strength that was rounded, or steps"
+    # r at all amplitudes alike, or not to be told: so far Euler's method and a linear term less are the same.
     steady = abs(found.power) < _CONSTANT or not found.telling or d < _FAR
     linear = found.telling and abs(found.own_power) < _CONSTANT
+    # Damping and periods of a linear law of another strength are wrong by shares of 1 and 2, of Euler's method by 1 and
+    # 4.
     timely = linear and d > _FAR and found.frequency is not None and 1 < found.frequency / d < _LINEAR
     if d < 0 and steady and not timely:
         reason += f", by {abs(found.rate):.2g} at all amplitudes"
@@ -126,6 +138,7 @@ def _exponent(errors: Errors) -> str:
         return ""
     drops = -np.diff(np.log(given)) / np.diff(errors.tau)
     middle = np.log(given[:-1] * given[1:]) / 2
+    # Over a fifth of ln A at least, or the slope would be that of the errors.
     if np.any(drops <= 0) or np.ptp(middle) < 0.2:
         return ""
     slope = np.polyfit(middle, np.log(drops), 1)[0]

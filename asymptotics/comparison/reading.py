@@ -27,6 +27,7 @@ Columns = Mapping[str, Any]
 QUANTITIES = ("n", "tau", "t", "x", "v", "amplitude", "phase")
 UNITS = {"t": "s", "x": "m", "amplitude": "m", "v": "m/s", "phase": "rad"}
 MAX_ROWS = 1_000_000
+"""Each row is an exact number and a certified one: more of them would take the memory and the day."""
 _UNIT = re.compile(r"\s*[\[(](?P<unit>[^\])]*)[\])]\s*\Z")
 
 
@@ -75,8 +76,11 @@ def read_sheet(
     if header is None and mapping is None:
         accepted = f"--columns, such as n,x,tau (known: {', '.join(known)})"
         raise InputError("FILE", f"{path} has no header", accepted)
+    # A column without content is no key; one that is named by --columns must be there.
     filled = [name if _holds(rows, place) else "" for place, name in enumerate(names)] if mapping is None else names
+    # In the order of the file, so that messages follow it.
     columns = dict(sorted(columns_of(filled, mapping, known).items(), key=lambda pair: pair[1]))
+    # Tables have units of their own, which their description says.
     if not words:
         _require_units({name: units.get(place, "") for name, place in columns.items()}, si)
     wanted = max(columns.values())
@@ -84,6 +88,7 @@ def read_sheet(
         if len(cells) <= wanted:
             raise InputError("FILE", f"line {line} has {len(cells)} cells", f"{wanted + 1} cells in each row")
     numbers = {
+        # Exact, not doubles: a value of 100 digits is judged by all of them.
         name: tuple(parse_printed(cells[place], f"{place_of} {line}") for line, cells in rows)
         for name, place in columns.items()
         if name not in words
@@ -118,6 +123,7 @@ def columns_of(names: list[str], mapping: str | None, known: tuple[str, ...] = Q
     if len(pairs) < 2 or len({quantity for quantity, _ in pairs}) < len(pairs):
         raise InputError("columns", "it needs a key and a value, each once", "n,x  or  tau=time,x=pos")
     meanings = [quantity for quantity, _ in pairs]
+    # n,x are meanings only where no column has one of the names elsewhere: then they would contradict the header.
     foreign = all(name == quantity or name not in known for name, quantity in zip(names, meanings))
     if "=" not in mapping and len(pairs) == len(names) and foreign:
         return {quantity: place for place, quantity in enumerate(meanings)}
@@ -146,8 +152,9 @@ def rows_of_file(path: Path) -> tuple[list[tuple[int, list[str]]], list[str] | N
     _refuse_devices(path)
     try:
         with path.open(newline="", encoding="utf-8-sig") as stream:
-            text = stream.read(4096)
+            text = stream.read(4096)  # some lines
             stream.seek(0)
+            # The sign that is most frequent in the first lines; decimal commas are refused, cell by cell.
             mark = max(",;\t", key=text.count)
             reader = csv.reader(stream, delimiter=mark, strict=True)
             rows = [(reader.line_num, row) for row in reader if any(row) and not row[0].startswith("#")]
@@ -156,6 +163,7 @@ def rows_of_file(path: Path) -> tuple[list[tuple[int, list[str]]], list[str] | N
         raise InputError("FILE", f"cannot read {path}: {reason}", "a CSV file in UTF-8") from error
     if len(rows) > MAX_ROWS:
         raise LimitError("FILE", f"{len(rows)} rows are too many", f"at most {MAX_ROWS} in one comparison")
+    # A header is a first row without any number.
     if rows and not any(_is_number(cell) for cell in rows[0][1]):
         return rows[1:], rows[0][1]
     return rows, None
@@ -190,6 +198,7 @@ def cell_of(value: Any, counts: bool = False) -> str:
         return value
     if isinstance(value, float):
         return str(int(value)) if counts and value.is_integer() else repr(value)
+    # Every other number as the exact one that it is.
     return str(exact_number(value, "row"))
 
 

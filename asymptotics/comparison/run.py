@@ -43,6 +43,8 @@ from asymptotics.turning.choose import turning_points
 
 MAX_DIGITS, MAX_N = 1000, 10**30
 LEAST_DIGITS, GUARD = 20, 4
+"""Certified digits: four more than the longest value has, so that its last digit is judged; at least 20, more than
+doubles have.  MAX_N is far beyond any table."""
 _AXES = {"n": "turning point n", "tau": r"$\tau = \omega_0 t$", "t": "t (s)"}
 _LOOKED_AT = 500  # half-swings whose errors are judged
 
@@ -153,10 +155,13 @@ def compare_file(
     """
     sheet, left = read_sheet(path, columns, si=si), list[str]()
     key = next((name for name in ("n", "tau", "t") if name in sheet.columns), None)
+    # The first of n, tau, t is the key; a time beside n is a value.
     values = [name for name in sheet.columns if name != key]
     if key is None or not values:
         raise InputError("columns", "there is no key", "n or tau, and what is to be compared")
     wanted = digits or min(MAX_DIGITS, max(LEAST_DIGITS, *(GUARD + _written(sheet, name) for name in values)))
+    # At a time amplitude and phase belong to the averaged law: beside x they are another motion's, and are left out and
+    # told.
     if key != "n" and not set(values) <= {"amplitude", "phase"}:
         left = [name for name in values if name not in ("x", "v")]
         values = [name for name in values if name in ("x", "v")]
@@ -179,6 +184,7 @@ def compare_file(
         truth, judge = _truth(
             sheet, oscillator, key, values, wanted, si, "FILE line" if isinstance(path, Path) else "row"
         )
+        # The values are there: if the time ends here, they are told without a look at their errors.
         with changed(lambda _: truth, otherwise=lambda: truth):
             errors, shift = judge()
     return compared(sheet, truth, lambda rows: _judged(rows, errors, shift))
@@ -244,6 +250,7 @@ def row_of(
     """One value, as text and as a number, beside the right one."""
     if right is None:
         return ComparedValue(line, key, column, given, None, "0.00", "", given, name)
+    # The certified decimal as an exact fraction, through integers: its exponent may be beyond the doubles.
     found = judged(given, value, Fraction(*Decimal(right).as_integer_ratio()), digits)
     return ComparedValue(line, key, column, given, right, found.digits, found.error, found.marked, name)
 
@@ -265,6 +272,7 @@ def summary_of(rows: Sequence[ComparedValue], look: Look) -> dict[str, Any]:
 
 def _judged(rows: Sequence[ComparedValue], errors: Errors, shift: Any | None) -> Look:
     lost = max(significant(row.given) - float(row.digits) for row in rows)
+    # Values with few digits lose none when all that is written is right.
     wrong = any("[" in row.marked for row in rows)
     finite = len(errors) == 0 or bool(np.all(np.isfinite(errors.amplitude)))
     if not finite:
@@ -289,6 +297,7 @@ def _of_turning(
     time = next((name for name in ("tau", "t") if name in values), None)
     scale = float(oscillator.omega_0().mid()) if time == "t" and si else 1.0
     right = truth.columns[size] if size else []
+    # Beyond the end of the motion there is nothing to compare with; 500 half-swings show what errors look like.
     there = [i for i, text in enumerate(right) if text is not None][:_LOOKED_AT]
     if size is None or not there:
         return Errors(*np.zeros((4, 0))), None
@@ -313,8 +322,10 @@ def _of_motion(
     tau = np.array([float(t) for t in times]) * omega
     given, x = (_floats(cells, everything) for cells in (sheet.column("x"), truth.columns["x"]))
     v = np.array(truth.speeds)
+    # A half-swing lasts pi or so: as many turning points as the samples reach, and one more.
     last = min(int(tau.max() / np.pi) + 1, _LOOKED_AT)
     try:
+        # Fifteen digits, for doubles; where they cannot be had, the values are judged and the look is not.
         points = turning_points(oscillator.dimensionless, last + 1, 15, times=True).points
     except (UndecidedError, LimitError):
         return nothing, None

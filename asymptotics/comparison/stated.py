@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 _LINES, _LONG = 20, 100_000
+"""Lines of a head, and characters of one, that are read: heads of our own are a handful of short lines."""
 
 
 @dataclass(frozen=True)

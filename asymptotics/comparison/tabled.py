@@ -54,8 +54,10 @@ def compare_table(
     """Compare a file, or columns by name, with the table ``name``; InputError for rows and columns that it lacks."""
     about, left, header = description(name), list[str](), 0
     if isinstance(path, Path) and series_table(path) == name:
+        # Columns by name have no header line: the lines of the file are one more.
         (path, left), header = _coefficients(path), 1
     names = tuple(about["columns"])
+    # Keys and cells without a unit are words, which need not be numbers.
     words = tuple(c for c, unit in zip(names, about["units"]) if not unit or c in about["keys"])
     sheet = read_sheet(path, columns, names, words=words)
     keys = [column for column in sheet.columns if column in about["keys"]]
@@ -63,6 +65,7 @@ def compare_table(
     if not keys or not values:
         raise InputError("columns", f"{name} needs a key and a value", f"keys {', '.join(about['keys'])}; {names}")
     given = inputs or Inputs()
+    # The table is made as long as the file, which only its keys tell.
     if "rows" in about["uses"] and given.rows is None:
         given = replace(given, rows=min(MAX_ROWS, _counted(sheet, keys)))
     longest = max(significant(cell) for column in values for cell in sheet.column(column))
@@ -129,6 +132,7 @@ def _rows(sheet: Sheet, table: Table, keys: list[str], values: list[str], digits
     cells = {column: sheet.column(column) for column in values}
     for place, (line, texts) in enumerate(zip(sheet.lines, _keys_of(sheet, keys))):
         entries = found.get(_key(texts), [])
+        # Keys that name two rows would let a value choose the one that fits.
         if len(entries) != 1:
             what = "no row" if not entries else f"{len(entries)} rows"
             accepted = f"keys that name one row: {', '.join(table.keys)}"

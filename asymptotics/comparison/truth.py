@@ -56,7 +56,10 @@ def at_turning_points(
     if not si:
         return _at_turning_points(oscillator, numbers, digits, wanted, _unchanged)
     for guard in _GUARDS:
+        # A decimal stands for all numbers that round to it: in SI its rounding may be undecided, and more digits are
+        # asked for.
         with suppress(UndecidedError), ctx.workprec(bits_for(digits + guard, 32)):
+            # The precision is set before x0 and omega_0 become balls.
             units = _Units(oscillator.x0.ball(), oscillator.omega_0(), digits, ctx.prec)
             return _at_turning_points(oscillator, numbers, digits + guard, wanted, units.changed)
     raise UndecidedError(f"a value in SI is too near to a tie of {digits} digits")
@@ -77,6 +80,7 @@ def _at_turning_points(
         return replace(_from_tables(tables, [numbers[i] for i in places], wanted, change), places=places)
 
     with changed(so_far, otherwise=so_far):
+        # Points far apart are asked for in stretches: the table of all between them may have 10^30 rows.
         for first, last in _runs(sorted(set(numbers))):
             times = bool(wanted & {"tau", "t"})
             made.append(turning_points(oscillator.dimensionless, last - first + 1, digits, start=first, times=times))
@@ -94,6 +98,7 @@ def _from_tables(
         columns[name] = [None if text is None else change(name, text) for text in texts]
     ends = [f"turning point {t.ended['n']} is the last: {t.ended['reason']}" for t in tables if t.ended]
     method = "; ".join(dict.fromkeys(table.method for table in tables))
+    # One table that is an estimate makes the whole comparison one.
     return Truth(columns, all(table.certified for table in tables), method, ends[-1] if ends else "")
 
 
@@ -108,6 +113,7 @@ def at_times(
     for t in times:
         if t < 0:
             raise InputError("FILE", f"the time {t} is before the start", "times >= 0")
+    # The printed times are exact numbers; as doubles they would be other times.
     moved, exact = (oscillator if si else Oscillator(oscillator.law)), [ExactReal(t) for t in times]
     made = _Moments(tuple(wanted), digits)
     left = list(range(len(times)))
@@ -123,9 +129,12 @@ def at_times(
         made.method = made.method or f"half-swing by half-swing, balls of {states.bits} bits"
         for i, x, v in zip(left, states.x, states.v):
             made.add(i, x, v)
+        # Balls good to 10^-digits of the first amplitude: near a zero they have fewer digits of the value, and only
+        # those places are asked again.
         left = [i for i in left if i not in made.places()]
         if not left:
             break
+    # The last resort, one time after the other, at whatever precision it takes.
     for i in left:
         with changed(lambda _: made.done(), otherwise=made.done):
             made.take(i, reference_motion(moved, exact[i], digits))
@@ -145,6 +154,7 @@ class _Moments:
         self.speeds[place] = float(v.mid())
         for name, column in self.texts.items():
             ball = x if name == "x" else v
+            # Exactly 0, such as v at the start from rest; a ball that only holds 0 has no digits, and gives None.
             text = "0" if ball == 0 else decimal_of_ball(ball, self.digits)
             if text is not None:
                 column[place] = text
@@ -157,6 +167,7 @@ class _Moments:
 
     def places(self) -> set[int]:
         """Where every column has its value."""
+        # A row counts where all that is wanted of it is decided.
         return set.intersection(*(set(column) for column in self.texts.values()))
 
     def done(self) -> Truth | None:
@@ -208,11 +219,14 @@ class _Units:
     def changed(self, name: str, text: str) -> str:
         """A decimal in SI, correctly rounded; UndecidedError if the dimensionless one has too few digits for that."""
         with ctx.workprec(self.bits):
+            # All numbers that round to the decimal: half a unit of its last digit either way, so that the result holds
+            # the truth.
             value = ball_of(text)
             if name in ("x", "amplitude"):
                 value *= self.length
             elif name == "t":
                 value /= self.omega
+        # None unless all numbers of the ball have one rounding.
         found = decimal_of_ball(abs(value) if name == "amplitude" else value, self.digits)
         if found is None and value != 0:
             raise UndecidedError(f"{name} has no certified {self.digits} digits")

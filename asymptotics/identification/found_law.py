@@ -9,6 +9,7 @@ from typing import Any
 from asymptotics.identification.inverse_damping import DampingCandidate, Problem, Strength
 from asymptotics.present.shown import Page, Rows
 
+# So many rivals are named; the table below has all of them.
 _SHOWN = 4
 
 
@@ -49,6 +50,7 @@ class DampingLaw(Rows):
                 f"no candidate fits; nearest is {_words(best)}, which leaves {100 * best.left:.1f} % of the loss open"
             )
         parts = [head, ", ".join(self._shown(s) for s in best.strengths)]
+        # Of its own grade, and not merely the same law with a term too many.
         others = [c.name for c in self.laws[1:] if c.grade == best.grade and not c.unneeded]
         unsaid = [] if not others or best.grade == "refuted" else [f"it from {' or '.join(others[:_SHOWN])}"]
         wider = [c for c in self.laws if c.unneeded and best.name != c.name and c.grade == "consistent"]

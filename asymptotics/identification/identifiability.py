@@ -23,12 +23,15 @@ from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.measuring.observations import Observations
 
 SIGNIFICANT = 1.96 + 1.28
+"""Quantiles of the normal distribution: two-sided 95 %, and one-sided 90 % for the power."""
 MOST_SWINGS = 4000
+"""A limit of the search, in time; longer decays are hardly ever recorded."""
 
 
 def standard_errors(law: str, strengths: Sequence[float], *, swings: int, noise: float) -> Array:
     """The smallest standard errors of the strengths (x0 = 1) from turning points 0 ... ``swings`` with this noise."""
     candidate = read_candidate(law)
+    # The signs of turning points alone: the design has no data, and the information does not depend on them.
     n = np.arange(swings + 1)
     model = Model(candidate.swing(), Observations.of(n, np.where(n % 2, -1.0, 1.0)))
     theta = np.array([0.0, *strengths, *([0.0] if model.offset else [])])
@@ -47,8 +50,10 @@ def swings_needed(law: str, strengths: Sequence[float], *, term: int, noise: flo
                 strengths[term] > SIGNIFICANT * standard_errors(law, strengths, swings=swings, noise=noise)[term]
             )
         except TooStrongError:
+            # The motion ends before so many swings: no more of them can be had.
             return False
 
+    # Doubled until it is enough, then halved in between; a number at which the motion has ended counts as not enough.
     low, high = 4, 8
     while not enough(high):
         low, high = high, 2 * high

@@ -41,6 +41,7 @@ from asymptotics.records.units import ANGLES, GRAVITY, UNITS
 from asymptotics.terms import terms_of
 
 MAX_RUNS = 50
+"""A limit of the time, of which each run has its share: of a minute that is a second for each of fifty."""
 
 
 @public
@@ -99,11 +100,13 @@ def identify(
     if len(units) > 1:
         raise InputError("unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
     known = RecordUnits(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, _omega(mass, stiffness, omega_0))
+    # One run without times leaves no spring to any: a common law must be tried on all of them.
     times = not amplitudes_only and all(isinstance(r, Observations) and r.has_times for r in runs)
     candidates = _candidates(laws, springs, times, known.unit in ANGLES)
     scale = None if noise is None else Noise(x=noise)
     answers = []
     for place, run in enumerate(runs):
+        # What a run leaves of its share falls to those after it.
         time = Time.but_for_the_answer(1 / (len(runs) - place))
         answers.append(_one_run(run, candidates, known, amplitudes_only, scale, bootstrap, time))
     return answers[0] if len(answers) == 1 else _together(answers, known)
@@ -136,6 +139,7 @@ def _candidates(laws: Sequence[str] | None, springs: Sequence[str], times: bool,
         raise InputError("laws", "no law is named", "at least one law")
     powers = ("+".join("s" + p for p in terms_of(text, "springs")) for text in _texts(springs, "springs"))
     extra = [read_candidate(f"0+{text}").springs for text in powers]
+    # A pendulum has its spring.
     chosen += [Candidate(c.losses, s) for s in extra for c in chosen if not (c.springs or c.pendulum)]
     if any(c.pendulum for c in chosen) and not angles:
         raise InputError("laws", "a pendulum needs angles", f"x in one of: {', '.join(ANGLES)} (--unit)")
@@ -157,11 +161,13 @@ def _one_run(
         return _decrements(run, candidates, units, noise)
     seen = run.without_times() if amplitudes_only else run
     constant = is_constant(np.abs(seen.x))
+    # A constant amplitude may be a little larger at its end.
     growing = is_growing(seen.x) and not constant
     notes, fits = [*run.notes], []
     if constant:
         reason = "the amplitude is constant within the noise"
         notes.append(f"{reason}: only laws of one term are compared")
+        # One amplitude is one number: only laws of one strength can be compared, and none of them told apart.
         simple = [c for c in candidates if len(c.elements) == 1 and not c.free]
         fits = [LawFit(c, None, reason=reason) for c in candidates if c not in simple]
         candidates = simple
@@ -173,16 +179,21 @@ def _one_run(
     if amplitudes_only:
         bound, origin = spring_bound(run)
         notes[-1] += f"; {origin}: intervals and verdicts allow for it"
+        # Before the verdicts: what an unseen spring would explain refutes no law; after them its intervals are widened.
         fits = [relieved(law, bound) for law in fits]
+    # In this order: fits, verdicts and intervals, the verdict in words, the error of prediction, textbook estimators;
+    # what the time does not suffice for is left out from the end.
     laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap, time=time)
     if bound is not None:
         laws = relabelled([widened(law, bound) for law in laws], growing)
+    # A share of the time for the advice, which fits again; where it is not enough, the verdict without it.
     verdict = _in_time(
         laws, time.within(0.4, partial(verdict_of, laws, seen, growing), verdict_of(laws, None, growing))
     )
     notes += [*_untried(laws), *_lengths(laws), *_memory(laws)]
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
+    # Each held-out error is a fit more: for the laws of the verdict only.
     chosen = {law.candidate for law in minimal(laws)[:4]}
     laws = [
         replace(law, held_out=time.within(0.2, partial(predicted_error, law, seen), None))
@@ -211,6 +222,7 @@ def _lengths(laws: Sequence[LawFit]) -> list[str]:
         return []
     frequency = coordinate(len(best.fit.theta) - 2)
     ends = wald_interval(best.fit, frequency, kind=best.fit.model.kinds[-1]).stretched(best.inflation)
+    # omega_0 and the length go in opposite directions.
     long, middle, short = (
         GRAVITY * float(np.exp(-2 * w)) for w in (ends.low, ends.estimate, ends.high) if w is not None
     )
@@ -244,6 +256,7 @@ def _decrements(
     table: Decrements, candidates: Sequence[Candidate], units: RecordUnits, noise: Noise | None
 ) -> Identification:
     if table.resolution is not None:
+        # Rows with a resolution are sets, not samples: no statistics, but balls.
         from asymptotics.identification.telling.certified_answer import certified  # noqa: PLC0415 (the expansions in balls: most of a second)
 
         return certified(table, candidates, units)
@@ -263,6 +276,7 @@ def _together(answers: Sequence[Identification], units: RecordUnits) -> Identifi
     verdict = verdict_of_runs([a.verdict for a in answers], laws, first)
     notes = [f"{a.runs[0].name}: {note}" for a in answers for note in a.notes]
     omegas = [a.units.omega_0 for a in answers if a.units.omega_0 is not None]
+    # One oscillator: its frequency is the mean of what the runs measured.
     units = replace(units, omega_0=float(np.mean(omegas)) if omegas else None)
     shown = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
     runs = tuple(a.runs[0] for a in answers)
@@ -273,6 +287,7 @@ def _measured(units: RecordUnits, laws: Sequence[LawFit]) -> RecordUnits:
     """omega_0 from the times of the best law, if it is not given."""
     best = min(laws, key=lambda law: law.criterion)
     if units.omega_0 is None and best.fit is not None and best.fit.model.seen.has_times:
+        # The vector ends with ln omega_0 and t_0.
         return replace(units, omega_0=float(np.exp(best.fit.theta[-2])))
     return units
 

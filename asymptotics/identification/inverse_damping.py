@@ -1,5 +1,8 @@
 """From a table of equivalent damping to the law: (A, zeta), (A, Q) or (A, decrement) with resolutions.
 
+The field's words are equivalent linearisation (Bogoliubov and Mitropolsky) and nonnegative least squares (Lawson and
+Hanson 1974).
+
 To first order zeta(A) = sum_i b_i z_i(A) is linear in the strengths: z_i, the zeta of a unit strength, comes from the
 certified cycle (``equivalent.conservative_cycle``), and the rest is least squares in doubles, weighted by the
 resolutions, with strengths >= 0.
@@ -48,6 +51,7 @@ LEVEL = 0.05
 RISE = 3.84
 """The quantile 0.95 of chi^2 with one degree of freedom."""
 _LOW = 53
+"""Bits of the balls of a unit strength: only their middles are used, in doubles."""
 
 
 @dataclass(frozen=True)
@@ -110,6 +114,7 @@ def as_zeta(quantity: str, values: Any, resolution: Any) -> tuple[Any, Any]:
     (array([0.01]), array([0.0002]))
     """
     if quantity == "Q":
+        # d zeta = -dQ/(2 Q^2).
         return 1 / (2 * values), resolution / (2 * values**2)
     factor = 1 / (2 * np.pi) if quantity == "decrement" else 1.0
     return values * factor, resolution * factor
@@ -161,9 +166,11 @@ def _scatter(amplitudes: Sequence[float], zeta: Any, problem: Problem) -> float:
     found = []
     for alphas in problem.candidates:
         free = len(zeta) - len(alphas)
+        # A law with as many strengths as there are rows leaves nothing, and knows no scatter.
         if free > 0:
             z = columns(problem, alphas, amplitudes)
             found.append(nnls(z, zeta)[1] / np.sqrt(free))
+    # A table without scatter, such as one that was computed, still needs a weight that is not infinite.
     return max(float(min(found)), 1e-12 * float(np.abs(zeta).max()))
 
 
@@ -173,6 +180,7 @@ def _candidate(
     z = columns(problem, alphas, amplitudes)
     b, root = nnls(z / s[:, None], zeta / s)
     square, n, count = float(root**2), len(zeta), len(alphas)
+    # Strengths at the bound 0 are counted as fitted, though they fit nothing: p is rather too small.
     p = float(chi2.sf(square, n - count)) if n > count else 1.0
     left = float(np.sqrt(np.mean(((zeta - z @ b) / zeta) ** 2)))
     grade = grade_of("consistent" if p > LEVEL else "refuted", left)
@@ -183,6 +191,7 @@ def _candidate(
 
 def _interval(z: Any, y: Any, b: Any, i: int, least: float) -> tuple[float, float]:
     """Where the profile of strength i has risen by 3.84; a misfit widens it by its own chi^2 per degree of freedom."""
+    # A law that does not fit has errors as large as its misfit (Birge's ratio); a good fit does not shorten them.
     rise = RISE * max(1.0, least / max(len(y) - len(b), 1))
     others = np.delete(z, i, axis=1)
 
@@ -192,6 +201,7 @@ def _interval(z: Any, y: Any, b: Any, i: int, least: float) -> tuple[float, floa
         return square - least - rise
 
     step: float = float(np.sqrt(rise) / np.linalg.norm(z[:, i]))
+    # The profile is convex: one end below the estimate, or none above 0.
     low = 0.0 if above(0.0) <= 0 else float(brentq(above, 0.0, b[i]))
     high = _first_above(above, float(b[i]), step)
     return low, float(brentq(above, b[i], high))
@@ -200,6 +210,7 @@ def _interval(z: Any, y: Any, b: Any, i: int, least: float) -> tuple[float, floa
 def _first_above(above: Callable[[float], float], start: float, step: float) -> float:
     """A place beyond the start where the profile has risen enough."""
     place: float = start + step
+    # A quadratic without others rises in the first step; with others that give way it rises more slowly, but it rises.
     while above(place) <= 0:
         step *= 2
         place = start + step

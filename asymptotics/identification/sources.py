@@ -20,6 +20,7 @@ from asymptotics.records.sources import How
 from asymptotics.records.table import RecordTable, read_table
 
 LEAST_POINTS = 4
+"""First amplitude and a strength leave two data of four: fewer turning points tell no law from another."""
 Run = Observations | Decrements
 
 
@@ -51,6 +52,7 @@ def _decays(run: RecordTable) -> list[Run]:
     """Each release of a run, without the samples that are spikes."""
     column = "xva"[_order(run)]
     t, x, rows, notes = straightened(run.columns["t"], run.columns[column], run.rows)
+    # Spikes go before the releases are sought: one of them would be the largest swing.
     wild = spikes(x)
     if wild.any():
         first = rows.where(int(np.argmax(wild)), column)
@@ -68,6 +70,7 @@ def _decays(run: RecordTable) -> list[Run]:
             own = replace(own, name=f"{rows.name} (release {number})")
         try:
             found.append(_decay(t[places], x[places], run, own, told))
+        # One release of several may be too short; the only one may not.
         except InputError as error:
             if len(parts) == 1:
                 raise
@@ -82,6 +85,7 @@ def _order(run: RecordTable) -> int:
 
 
 def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...]) -> Observations:
+    # Within each release: a line has its own phase and size in each of them.
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)
     if _order(run) == 0:
@@ -117,6 +121,7 @@ def _turning_points(table: RecordTable) -> Observations:
         require_increasing(tau, "tau", rows)
     seen = Observations.of(n.astype(int), x, () if tau is None else tau, unit=table.unit, name=name, notes=notes)
     wrong = np.flatnonzero(seen.x * seen.sign < 0)
+    # Noise may change the sign of the last points; more than a third is another numbering.
     if len(wrong) > max(2, len(x) // 3):
         reason = f"{rows.where(wrong[0], 'x')}: the signs do not alternate with n"
         raise InputError("FILE", reason, "x_n with alternating signs, or amplitudes of one sign")
@@ -140,6 +145,7 @@ def _decrements(table: RecordTable) -> Decrements:
     amplitude, decrement, resolution = columns["amplitude"], columns["decrement"], columns.get("resolution")
     if len(amplitude) < 2:
         raise InputError("FILE", f"{rows.name} has {len(amplitude)} rows with numbers", "at least 2")
+    # A decrement of twice the mean amplitude would end at 0 or beyond.
     checks = [("amplitude", amplitude <= 0, "is not positive"), ("decrement", decrement >= 2 * amplitude, "too large")]
     if resolution is not None:
         wide = np.abs(decrement) + resolution >= 2 * amplitude

@@ -53,6 +53,8 @@ def bertin(x: Array) -> Array:
 def feeny_liang(x: Array) -> Array:
     """(epsilon_0, epsilon_1): dry friction and linear damping from the signed extremes, least squares."""
     sums = x[1:] + x[:-1]
+    # Successive sums of extremes have the ratio -q of linear damping, whatever the friction is; beyond (0, 1] it is
+    # noise.
     q = float(np.clip(-(sums[1:] @ sums[:-1]) / (sums[:-1] @ sums[:-1]), 1e-9, 1.0))
     side = np.sign(x[:-1])
     shift = float(np.mean((x[1:] + q * x[:-1]) * side)) / (1 + q)
@@ -111,7 +113,9 @@ def systematic_error(candidate: Candidate, estimator: Estimator, seen: Observati
         run = turning_sequence(candidate.swing(), seen.last, fitted.theta[: fitted.model.after])
     except TooStrongError:
         return None
+    # The offset is left out: the estimators are judged by their formula, not by a base line.
     exact = seen.sign * seen.reference * np.exp(run.a[seen.n])
     weights = np.array([e.weight for e in candidate.elements])
+    # From strengths at the first amplitude to those of one unit of the data.
     true = fitted.theta[fitted.model.law] * seen.reference**-weights
     return np.asarray(estimator(exact) - true)

@@ -20,7 +20,9 @@ from asymptotics.records.layout import WHITE, Layout, is_comment, split
 
 Array = NDArray[np.float64]
 _BLOCK = 200_000
+"""Lines that are in memory together.  A choice: it bounds the memory of a block, and changes no number."""
 _CELL = "\x1f"
+"""The separator of units in ASCII: in no table of numbers, so that quoted cells may hold any other sign."""
 
 
 @dataclass
@@ -54,6 +56,7 @@ def read_body(lines: Iterable[str], layout: Layout, wanted: Sequence[int], stamp
         pass
     count = 0
     while block := list(islice(stream, _BLOCK)):
+        # The test of the first sign spares the regular expression for the many lines that begin with a digit.
         kept = [(i, line) for i, line in block if line and not (line[0] in " #%/!\t" and is_comment(line))]
         if not kept:
             continue
@@ -72,6 +75,7 @@ def _block(lines: list[str], layout: Layout, wanted: Sequence[int], unread: Unre
     import pandas  # noqa: PLC0415 (an extra: only tables need it)
 
     separator = layout.separator
+    # Quotes may hide separators: such blocks are cut by ``split``, the others by pandas.
     if any('"' in line for line in lines):
         lines = [_CELL.join(split(line, separator)) for line in lines]
         separator = _CELL
@@ -80,9 +84,11 @@ def _block(lines: list[str], layout: Layout, wanted: Sequence[int], unread: Unre
         if cells > layout.width and separator != WHITE:  # rows may end with separators
             lines[i] = line = line.rstrip(" " + separator)
             cells = line.count(separator) + 1
+        # A row of another width becomes a row without numbers, so that rows keep their places in the file.
         if cells > layout.width:
             unread.add(before + i, wanted[0], f"{cells} cells")
             lines[i] = _blank(layout.width, separator)
+        # A row may be short where nothing is wanted of its end.
         elif cells < layout.width and cells <= max(wanted):
             unread.add(before + i, wanted[0], line.strip())
             lines[i] = _blank(layout.width, separator)
@@ -94,6 +100,7 @@ def _block(lines: list[str], layout: Layout, wanted: Sequence[int], unread: Unre
         usecols=sorted(wanted),
         index_col=False,
         decimal=layout.decimal,
+        # All quotes have been obeyed above; the words for missing values are ours alone.
         quoting=csv.QUOTE_NONE,
         skip_blank_lines=False,
         skipinitialspace=True,
@@ -108,6 +115,7 @@ def _blank(width: int, separator: str) -> str:
 
 
 def _numbers(column: Any, place: int, layout: Layout, unread: Unread, before: int, stamp: bool) -> Array:
+    # pandas has read every cell as a number; otherwise each is read strictly, and the first that is none is told.
     if column.dtype.kind in "fiu" and not stamp:
         return np.asarray(column.to_numpy(dtype=float))
     found = np.full(len(column), np.nan)
@@ -115,6 +123,7 @@ def _numbers(column: Any, place: int, layout: Layout, unread: Unread, before: in
         if not isinstance(cell, str):
             if isinstance(cell, bool):
                 unread.add(before + i, place, str(cell))
+            # nan is the only number that differs from itself.
             elif cell is not None and cell == cell:
                 found[i] = float(cell)
             continue

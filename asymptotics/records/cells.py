@@ -14,11 +14,13 @@ MISSING = ("", "-", "--", "nan", "NaN", "NAN", "na", "NA", "n/a", "N/A", "#N/A",
 MARKS = (-999.0, -9999.0, -99999.0, -999.25)
 """Numbers that stand for a missing value, where all others are well below them."""
 
+# Fortran writes the exponent of a double with D.
 _EXPONENT = r"(?:[eEdD][+-]?\d+)?"
 _PLAIN = {
     ".": re.compile(rf"[+-]?(?:\d+\.?\d*|\.\d+){_EXPONENT}"),
     ",": re.compile(rf"[+-]?(?:\d+(?:,\d+)?|,\d+){_EXPONENT}"),
 }
+# Groups of three digits with one and the same mark between them; a number that begins with 0 has none.
 _GROUPS = {
     ".": re.compile(r"[+-]?[1-9]\d{0,2}(?P<mark>[, '\u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<rest>\.\d*)?"),
     ",": re.compile(r"[+-]?[1-9]\d{0,2}(?P<mark>[. '\u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<rest>,\d*)?"),
@@ -32,12 +34,15 @@ def number(cell: str, decimal: str, *, thousands: bool = False) -> float | None:
     ``1,234`` with the decimal point is a number only where ``thousands`` are known to be grouped by commas;
     ``1,234.5`` always is.
     """
+    # The minus sign of typography is what spreadsheets export in some languages.
     text = cell.strip().strip('"').strip().replace("\u2212", "-")
     if text in MISSING:
         return nan
     if _PLAIN[decimal].fullmatch(text):
         return float(text.replace(",", ".").replace("D", "e").replace("d", "e"))
     found = _GROUPS[decimal].fullmatch(text)
+    # A point or comma that may be decimal groups thousands only if the file shows it, or the other mark stands behind
+    # it; a space or an apostrophe is no decimal mark.
     if found and (thousands or found["rest"] or found["mark"] not in ",."):
         return float(text.replace(found["mark"], "").replace(",", "."))
     return None
@@ -68,13 +73,16 @@ def seconds_of_stamp(cell: str) -> float | None:
         return nan
     if not is_stamp(text):
         return None
+    # Four digits of a year and a hyphen; a time of day alone begins with its hours.
     if "-" in text[:6]:
         day, _, clock = text.replace("T", " ").partition(" ")
         zone = re.search(r"(?:Z|[+-]\d\d:?\d\d)\Z", clock)
+        # A date without a zone is taken in universal time: only differences are used.
         shift = zone.group() if zone and zone.group() != "Z" else "+00:00"
         clock = clock[: zone.start()] if zone else clock
         try:
             start = datetime.fromisoformat(f"{day}T00:00:00{shift}").timestamp()
+        # Such as a thirteenth month: no stamp, though it looks like one.
         except ValueError:
             return None
     else:

@@ -61,14 +61,17 @@ def quantity(name: str) -> str:
     """
     unit = suffix(name)
     label = re.sub(r"[\[(][^\])]*[\])]\s*\Z", "", without_run(name))
+    # Physicists write quantity/unit: what stands behind the slash is no word of the name.
     label = label.rpartition("/")[0] if re.search(r"\S\s*/\s*\S+\Z", label) and unit else label
     label = label.removesuffix("_" + unit) if unit else label
     words = [w for w in re.split(r"[^\w]+|_|\d+", label.lower()) if w]
     found = [_MEANING[w] for w in words if w in _MEANING]
     by_unit = _by_unit(unit)
+    # A name that is one word of the list as a whole, such as x_value, is cut into no others.
     if label.lower().strip() in _MEANING:
         return _MEANING[label.lower().strip()]
     for decisive in _LAST:
+        # A unit of length or speed overrules the word time, as in "time average (m)".
         if decisive in found and not (decisive == "time" and by_unit not in ("", "time")):
             return decisive
     return found[0] if found else by_unit
@@ -87,6 +90,7 @@ def choose(names: Sequence[str], columns: str | None, kind: str | None, file: st
     given = _given(names, columns) if columns is not None else {}
     found = kind or _kind_of(names, given, file)
     wanted, optional = COLUMNS[found], OPTIONAL[found]
+    # What is said stands; the rest is found among the columns that are left.
     places = dict(given)
     for column in (*wanted, *optional):
         if column in places:
@@ -109,12 +113,14 @@ def accepted(kind: str) -> str:
 def _given(names: Sequence[str], columns: str) -> dict[str, int]:
     """Quantity -> place from ``t=Time (s),x=3``; a number is a place, counted from 1."""
     known = sorted({c for kind in KINDS for c in (*COLUMNS[kind], *OPTIONAL[kind])})
+    # A name may hold commas itself: a piece ends only where another quantity and a sign of equality follow.
     pieces = re.split(rf",\s*(?=(?:{'|'.join(known)})\s*=)", columns) if isinstance(columns, str) else []
     found: dict[str, int] = {}
     for piece in pieces:
         key, sign, name = (part.strip() for part in piece.partition("="))
         if not sign or key not in known or key in found:
             raise InputError("columns", f"{shown(piece)} is not clear", f"t=NAME,x=NAME with {', '.join(known)}")
+        # The name as it stands, else without its unit, else its place.
         matches = [i for i, n in enumerate(names) if n == name] or [
             i for i, n in enumerate(names) if re.sub(r"\s*[\[(].*", "", n).strip().lower() == name.lower()
         ]
@@ -131,6 +137,8 @@ def _given(names: Sequence[str], columns: str) -> dict[str, int]:
 
 def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
     if given:
+        # The first kind to which all that is said belongs: x, which two kinds have, is that of turning points unless t
+        # is said as well.
         for kind in ("decrement", "turning-points", "velocity", "acceleration", "record"):
             if set(given) <= {*COLUMNS[kind], *OPTIONAL[kind]} and COLUMNS[kind][1] in given:
                 return kind
@@ -141,6 +149,7 @@ def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
         if "n" in meant:
             return "turning-points"
         if "time" in meant:
+            # A column that says nothing may be the position; only where there is none is a velocity the motion itself.
             has_x = "position" in meant or "" in meant
             derived = [kind for kind in ("velocity", "acceleration") if kind in meant]
             return derived[0] if not has_x and derived else "record"
@@ -159,6 +168,7 @@ _MEASURED = {"x": "position", "v": "velocity", "a": "acceleration"}
 
 def _place_of(column: str, names: Sequence[str], used: list[int], kind: str, file: str, needed: bool) -> int | None:
     """The only column that can be meant; None if an optional one is not there; InputError where it must be asked."""
+    # A file without names: its columns stand in the order of the contract, if there are no more of them.
     if all(re.fullmatch(r"column \d+", n) for n in names):
         order = (*COLUMNS[kind], *OPTIONAL[kind])
         if len(names) <= len(order):
@@ -166,9 +176,11 @@ def _place_of(column: str, names: Sequence[str], used: list[int], kind: str, fil
     free = [i for i in range(len(names)) if i not in used and names[i]]
     meant = _MEANT.get(column, column)
     found = [i for i in free if quantity(names[i]) == meant]
+    # No column says what is wanted: any that does not say something else may be meant.
     if not found and column in _MEASURED:
         other = {"time", "n", *_MEASURED.values()} - {_MEASURED[column]}
         found = [i for i in free if quantity(names[i]) not in other]
+    # One of two columns is taken, so that the other has to be x.
     if column == "x" and not found and len(free) == 1 and len(names) == 2:
         found = free
     if len(found) == 1 or (found and not needed):
@@ -201,6 +213,7 @@ def _require_what_it_says(
             continue
         name = names[places[column]]
         said = {quantity(name), _by_unit(suffix(name))} - {"", "amplitude"}
+        # Asked only where nothing was said: --kind and --columns know better than a name.
         wrong = said - {_MEANT[column]}
         if wrong and kind is None and columns is None and wrong & {"velocity", "acceleration", "position", "time"}:
             reason = (

@@ -28,6 +28,7 @@ def with_clock(lines: Iterable[str]) -> Iterator[str]:
         separator = "," if said.get("Separator") == "Comma" else "\t"
         name, _, rest = line.partition(separator)
         if name.strip():
+            # Rows of the header begin with a name; a new X0 begins a new segment, and with it the count of its rows.
             said[name.strip()] = rest.split(separator)[0].strip()
             count = 0 if name.strip() == "X0" else count
             yield line
@@ -48,7 +49,9 @@ def _time(said: dict[str, str], count: int) -> str | None:
         start, step = (float(said.get(name, "0").replace(",", ".")) for name in ("X0", "Delta_X"))
     except ValueError:
         return None
+    # Twelve digits: start + n step is rounded in doubles, and its last digits would look like an uneven clock.
     text = f"{start + count * step:.12g}"
     return (
+        # If the header does not name the mark, that of its own step.
         text.replace(".", ",") if said.get("Decimal_Separator", "," if "," in said["Delta_X"] else ".") == "," else text
     )

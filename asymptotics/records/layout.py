@@ -20,6 +20,7 @@ from asymptotics.records.units import is_unit, suffix
 
 WHITE = " "
 _SEPARATORS = ("\t", ";", "|", ",", WHITE)
+"""The signs that are no decimal marks first: of equal readings the first wins, by a millionth of the score."""
 _COMMENT = re.compile(r"\s*(?:#|%|//|!)\s?")
 _HEADER_WORD = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")
 
@@ -57,6 +58,7 @@ def is_comment(line: str) -> bool:
 
 def layout_of(lines: Sequence[str], name: str, *, decimal: str | None = None, skip: int = 0) -> Layout:
     """The layout that the first lines show; InputError if they hold no table, or two readings are possible."""
+    # Excel announces the separator in a first line, sep=;.
     separator = next((s for s in (_announced(line) for line in lines[:3]) if s), None)
     tried = [
         found
@@ -68,10 +70,12 @@ def layout_of(lines: Sequence[str], name: str, *, decimal: str | None = None, sk
         filled = any(line.strip() for line in lines)
         reason = f"{name}: no rows of two numbers in {len(lines)} lines" if filled else f"{name} is empty"
         raise InputError("FILE", reason, "a table with a row for each moment, perhaps with a header")
+    # The score counts rows of one width, so that a wrong separator, which cuts some rows and not others, loses.
     best = max(tried, key=lambda found: found[0])
     _require_one_reading(best, tried, lines, name)
     _, layout = best
     header, unclear = _header(lines[skip : layout.start], layout)
+    # Names that do not fit the cells are a sign that a decimal comma was taken for a separator.
     if unclear:
         reason = f"{name}, row {layout.start}: {unclear} names above rows of {layout.width} cells"
         raise InputError("FILE", reason, "as many names as cells; or --columns t=1,x=2 with --skip, or --decimal ,")
@@ -93,11 +97,14 @@ def _tried(lines: Sequence[str], separator: str, decimal: str, skip: int) -> tup
     good: dict[int, float] = {i: q for i, cells in rows.items() if (q := _quality(cells, decimal)) is not None}
     if not good:
         return None
+    # The usual number of cells: a footer or a preamble may have others.
     width = Counter(len(rows[i]) for i in good).most_common(1)[0][0]
     chosen = [i for i in good if len(rows[i]) == width]
     share = sum(good[i] for i in chosen) / len(chosen)
     grouped = any(is_grouped(cell, decimal) for i in chosen for cell in rows[i])
     order = 1 - 1e-6 * _SEPARATORS.index(separator) if separator in _SEPARATORS else 1
+    # At equal merit a reading without groups of thousands wins. The factors only break ties: ``_require_one_reading``
+    # asks about scores as near as 0.998.
     score = len(chosen) * share * order * (0.999 if grouped else 1)
     return score, Layout(separator, decimal, (), _first(rows, chosen, width, decimal), width, grouped)
 
@@ -107,10 +114,12 @@ def _first(rows: dict[int, list[str]], chosen: Sequence[int], width: int, decima
     known, order = set(chosen), sorted(rows)
     for i in chosen:
         following = order[order.index(i) + 1 :][:4]
+        # Half of the next four rows are of the table too, which no line of a preamble has.
         if 2 * sum(j in known for j in following) >= len(following):
             break
     else:
         i = chosen[0]
+    # Rows just above with one cell spoilt belong to the table, and are told as unreadable.
     for j in reversed(order[: order.index(i)]):
         if len(rows[j]) != width or not any(_is_number(c, decimal) for c in rows[j]):
             break
@@ -136,6 +145,7 @@ def _require_one_reading(
 ) -> None:
     score, taken = best
     for other_score, other in tried:
+        # Another mark with the same separator and practically the same score: the cells themselves must agree.
         if other.decimal == taken.decimal or other_score < 0.998 * score or other.separator != taken.separator:
             continue
         for i in range(taken.start, len(lines)):
@@ -159,8 +169,10 @@ def _header(above: Sequence[str], layout: Layout) -> tuple[tuple[str, ...], int]
         names, remark = _names(lines[-1], layout)
     if len(names) != layout.width or not any(names):
         return (), 0 if remark or len(names) < 2 else len(names)
+    # Numbers above the numbers are a row that was skipped, no names.
     if all(number(cell, layout.decimal) is not None for cell in names):
         return (), 0
+    # Names that repeat have the run or the sensor in the row above them.
     if len(set(names)) < len(names) and len(lines) > 1:
         names = _grouped(_names(lines[-2], layout)[0], names)
     if units:
@@ -173,16 +185,20 @@ def _names(line: str, layout: Layout) -> tuple[list[str], bool]:
     remark = _COMMENT.match(line)
     text = line[remark.end() :] if remark else line
     if layout.separator == WHITE:
+        # Names with spaces in a table of white space: by wide gaps, by brackets, by words; the first that fits the
+        # width.
         for names in (re.split(r"\t|\s{2,}|,\s*|;\s*", text.strip()), _HEADER_WORD.findall(text), text.split()):
             if len(names) == layout.width:
                 return [n.strip() for n in names], bool(remark)
         return text.split(), bool(remark)
     names = split(text, layout.separator)
+    # Some exporters head a table of tabs with names between commas.
     if len(names) < layout.width and layout.separator != ",":
         other = split(text, ",")
         names = other if len(other) == layout.width else names
     while len(names) > layout.width and not names[-1]:
         names.pop()
+    # A column of remarks that is empty in every row looked at.
     if len(names) == layout.width + 1 and names[-1].lower() in ("comment", "comments", "remarks", "notes"):
         names.pop()
     if len(names) == layout.width - 1:  # rows that end with a separator

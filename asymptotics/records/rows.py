@@ -19,6 +19,7 @@ class RowPlaces:
 
     def kept(self, keep: NDArray[np.bool_] | NDArray[np.intp]) -> "RowPlaces":
         """The rows for which ``keep`` holds, or those whose places it gives."""
+        # Flags and places both: a row keeps the number that an editor shows, through every selection.
         chosen: NDArray[np.int64] = np.asarray(np.flatnonzero(keep) if keep.dtype == bool else keep, dtype=np.int64)
         return replace(self, lines=chosen if self.lines is None else self.lines[chosen])
 

@@ -62,6 +62,7 @@ def opened(source: Any, how: How) -> Source:
             return _of_frame(pandas.DataFrame({str(k): np.asarray(v) for k, v in source.items()}), "the data", how)
         except ValueError as error:
             raise InputError("data", str(error), "columns of equal length") from error
+    # Before paths: an open file has a name too. It is read whole, since it may be a pipe, which cannot be read twice.
     if hasattr(source, "read") and hasattr(source, "readline"):
         text = source.read()
         name = Path(str(getattr(source, "name", "the file"))).name
@@ -70,6 +71,7 @@ def opened(source: Any, how: How) -> Source:
         raise InputError("data", f"{shown(source)} is no data", "a file, a data frame, a mapping of columns, (t, x)")
     path = Path(source)
     try:
+        # A name with half a surrogate pair cannot be printed in a message either.
         str(path).encode()
     except UnicodeEncodeError as error:
         raise InputError("FILE", f"{str(path)!r} is no file name", "a file of data") from error
@@ -106,6 +108,7 @@ def _of_text(source: Path | bytes, name: str, how: How) -> Source:
     names = layout.header or tuple(f"column {i + 1}" for i in range(layout.width))
     rows = [layout.cells(line) for line in head[layout.start :] if not is_comment(line)]
     rows = [row for row in rows if len(row) == layout.width]
+    # A column of times of day may have a few spoilt cells.
     stamps = [i for i in range(layout.width) if sum(is_stamp(row[i]) for row in rows) > 0.5 * len(rows)]
 
     def read(wanted: Sequence[int]) -> Body:
@@ -119,6 +122,7 @@ def _of_text(source: Path | bytes, name: str, how: How) -> Source:
 
         return {c: np.array([value(row[c], c) for row in rows]) for c in wanted}
 
+    # A reading that another program would not share is told.
     told = [f"decimal comma, cells separated by {layout.separator!r}"] if layout.decimal == "," else []
     told += ["a comma or point groups thousands"] if layout.thousands else []
     return Source(name, names, bool(layout.header), read, sample, tuple(told))
@@ -132,6 +136,8 @@ def _layout(source: Path | bytes, name: str, how: How) -> tuple[list[str], Layou
             try:
                 return head, layout_of(head, name, decimal=how.decimal, skip=how.skip)
             except InputError:
+                # The refusal may be due to a long preamble: more lines are looked at, up to _LONGEST, and then the last
+                # refusal stands.
                 more = list(islice(lines, 10 * _HEAD))
                 if not more or len(head) > _LONGEST or any("\0" in line for line in more):
                     raise
@@ -140,6 +146,7 @@ def _layout(source: Path | bytes, name: str, how: How) -> tuple[list[str], Layou
 
 def _of_frame(frame: Any, name: str, how: How) -> Source:
     names = tuple(str(c).strip() for c in frame.columns)
+    # pandas numbers columns that have no names.
     headed = not all(isinstance(c, int) for c in frame.columns) and not all(n.startswith("column ") for n in names)
     if not headed:
         names = tuple(f"column {i + 1}" for i in range(len(names)))
@@ -156,6 +163,7 @@ def _numbers(column: Any, place: int, unread: Unread, decimal: str) -> Array:
     kind = column.dtype.kind
     if kind in "fiu":
         return np.asarray(column.to_numpy(dtype=float, na_value=np.nan))
+    # Dates as seconds since the first, for nanoseconds since 1970 have no room in a double.
     if kind in "Mm":
         pandas = _pandas()
         start = column.iloc[0] if len(column) else 0

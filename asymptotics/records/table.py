@@ -26,6 +26,7 @@ from asymptotics.records.units import GRAVITY, SECONDS, UNITS, seconds, standard
 
 Array = NDArray[np.float64]
 MAX_SIZE = 1e60
+"""Beyond this, or below its inverse, the fifth power of an amplitude leaves the doubles: no measurement does."""
 _TOLERATED = 0.1
 """The share of rows (and one more) that may be unreadable."""
 
@@ -67,6 +68,7 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     how = how or How()
     given = opened(source, how)
     named = [name for name in given.names if name]
+    # Names that stand twice can still be told by their places.
     if len(set(named)) < len(named) and how.columns is None:
         raise InputError(
             "FILE", f"{given.name}: two columns have one name", "columns with different names, or --columns"
@@ -76,6 +78,8 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     columns = {name: body.columns[place] for name, place in choice.places.items()}
     rows = RowPlaces(given.name, body.lines)
     table = RecordTable(choice.kind, columns, "", rows, (choice.note, *given.notes))
+    # In this order: a row that cannot be read is told with its text, a mark as it stands in the file, and units come
+    # last.
     return _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit, time)
 
 
@@ -105,6 +109,7 @@ def _ordered(given: Source, kind: str | None, how: How) -> list[str]:
         steps = [np.diff(body[i]) for i in (0, 1)]
     rising = [len(step) > 3 and bool((step > 0).all()) for step in steps]
     counted = [bool(np.array_equal(step, np.ones(len(step)))) for step in steps]
+    # 0, 1, 2, ... counts turning points or rows as well as seconds: that is asked.
     if rising == [True, False] and not counted[0]:
         return ["t", "x"]
     if rising == [False, True] and not counted[1]:
@@ -118,6 +123,7 @@ def _unmarked(table: RecordTable) -> RecordTable:
     for name, values in table.columns.items():
         marks = np.isin(values, MARKS)
         rest = values[~marks & ~np.isnan(values)]
+        # Half of the smallest mark: values of that size make -999 a value.
         if marks.any() and len(rest) and float(np.abs(rest).max()) < 500:
             columns[name] = np.where(marks, np.nan, values)
             notes.append(f"{int(marks.sum())} values {values[marks][0]:g} of {name} taken as missing")
@@ -138,8 +144,10 @@ def _readable(table: RecordTable, unread: Unread, given: Source) -> RecordTable:
     if first is None:
         return table
     count = len(next(iter(table.columns.values())))
+    # Unreadable rows at the end are a footer, and do not count against the file.
     footer = next(k for k in range(count + 1) if count - 1 - k not in bad)
     where = f"row {table.rows.row(first[0])}: {first[2][:30]!r} in {named}"
+    # More than a tenth, and one: then the layout was read wrongly, and the remedy is named.
     if len(bad) - footer > 1 + _TOLERATED * count or len(bad) > 1 + 0.5 * count:
         reason = f"{table.rows.name}, {where} is not a number, and so in {len(bad)} of {count} rows"
         raise InputError("FILE", reason, "numbers; or say --decimal , or --decimal . or --skip LINES or --columns")
@@ -153,6 +161,7 @@ def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time
     columns, notes = dict(table.columns), list(table.notes)
     for column in ("t", "tau"):
         if column in columns:
+            # Times become seconds; x keeps its unit, to which strengths refer.
             columns[column] = columns[column] * seconds(given.names[choice.places[column]], given.name, time)
     measured = [
         given.names[choice.places[c]] for c in ("x", "v", "a", "amplitude", "decrement", "resolution") if c in columns

@@ -15,8 +15,12 @@ from typing import IO, Any
 from asymptotics.errors import InputError, LimitError
 
 MAX_BYTES = 2_000_000_000
+"""Of a file as it lies, and of a member of a zip archive by what the archive states: minutes of reading.  A gzip stream
+states no size, and is limited by the time alone."""
 _HEAD = 1 << 16
+"""Bytes that show the encoding."""
 _BINARY = {*range(8), *range(14, 27)}
+"""Control characters that stand in no text; white space, the escape sign and the separators from 28 on may."""
 _MARKS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
 
 
@@ -24,6 +28,7 @@ _MARKS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-
 def unpacked(source: Path | bytes, name: str) -> Iterator[IO[bytes]]:
     """The bytes of a file, unpacked; InputError for one that cannot be read, or an archive of several files."""
     try:
+        # A device may wait for ever, or never end.
         if isinstance(source, Path) and (source.is_char_device() or source.is_block_device()):
             raise InputError("FILE", f"{source} is a device", "a file of data")
         if isinstance(source, Path) and source.stat().st_size > MAX_BYTES:
@@ -31,6 +36,7 @@ def unpacked(source: Path | bytes, name: str) -> Iterator[IO[bytes]]:
         with source.open("rb") if isinstance(source, Path) else io.BytesIO(source) as raw:
             first = raw.read(4)
             raw.seek(0)
+            # By the first bytes, for names lie: gzip, and zip but for the formats that are archives themselves.
             if first[:2] == b"\x1f\x8b":
                 with gzip.open(raw) as stream:
                     yield stream  # type: ignore[misc]
@@ -48,11 +54,13 @@ def unpacked(source: Path | bytes, name: str) -> Iterator[IO[bytes]]:
 def _one_member(archive: zipfile.ZipFile, name: str) -> str:
     members = [item.filename for item in archive.infolist() if not item.is_dir()]
     members = [item for item in members if not item.startswith("__MACOSX")]
+    # Phone applications pack remarks about the device beside the data.
     data = [item for item in members if not Path(item).name.startswith(("meta", "device", "time"))]
     if len(data) != 1:
         raise InputError(
             "FILE", f"{name} holds {len(members)} files: {', '.join(members)[:100]}", "one of them, unpacked"
         )
+    # The size that the archive states, before a byte is unpacked.
     if archive.getinfo(data[0]).file_size > MAX_BYTES:
         raise LimitError("FILE", f"{name} unpacks to more than {MAX_BYTES} bytes", f"at most {MAX_BYTES} bytes")
     return data[0]
@@ -63,6 +71,7 @@ def decoding(head: bytes) -> str:
     for mark, encoding in _MARKS.items():
         if head.startswith(mark):
             return encoding
+    # UTF-16 without a mark: every second byte of a text in Latin letters is 0, one other letter allowed.
     for encoding, place in (("utf-16-le", 1), ("utf-16-be", 0)):
         if len(head) > 8 and head[place:64:2].count(0) >= len(head[place:64:2]) - 1:
             return encoding
@@ -82,6 +91,7 @@ def lines_of(stream: IO[bytes], name: str) -> Generator[str, None, None]:
     encoding = decoding(head)
     if "16" not in encoding and set(head) & _BINARY:
         raise InputError("FILE", f"{name} is not text", "a text table (CSV, TSV, ...), xlsx, parquet, npz, npy or mat")
+    # A letter that cannot be decoded is replaced: it may stand in a remark, and in a number it is told as unreadable.
     text = io.TextIOWrapper(buffered, encoding=encoding, newline=None, errors="replace")
     try:
         for line in text:

@@ -41,6 +41,7 @@ _ALSO = {
     "hours": "h", "\u00b0/s": "deg/s", "1/s": "rad/s", "rad s^-1": "rad/s", "m s^-1": "m/s", "m*s^-1": "m/s",
     "g0": "g", "inch": "in", "inches": "in", "foot": "ft", "feet": "ft", "milliradians": "mrad", "arcminutes": "arcmin",
 }  # fmt: skip
+# Run #1, Lauf 2, Latest: what recorders put before or behind a name.
 _RUN = re.compile(r"\b(?:run|lauf|latest|data set|set)\b\s*#?\s*\d*\s*:?", re.IGNORECASE)
 _NONE = ("n", "-", "1", "")
 """No unit: the index in x_n, and the ways to write that a number has none."""
@@ -52,6 +53,7 @@ def standard(named: str) -> str:
     >>> standard("seconds"), standard("m/s\u00b2"), standard("(ms)")
     ('s', 'm/s^2', 'ms')
     """
+    # The micro sign and the Greek letter look alike and are two characters.
     text = named.strip().strip("[]() ").replace("\u00b5", "u").replace("\N{GREEK SMALL LETTER MU}", "u")
     text = text.replace("\u00b2", "^2").replace("**", "^").replace("/s/s", "/s^2").replace("/s2", "/s^2")
     text = _ALSO.get(text.lower(), text)
@@ -88,6 +90,7 @@ def suffix(column: str) -> str:
     if found:
         return standard(found[1])
     found = re.fullmatch(r"(?:.*\S\s+/\s*|[^\s/]+/)(\S+)\s*", column)
+    # m/s is a unit with a slash, not the quantity m in s.
     if found and not _is_known(standard(column)):
         return standard(found[1])
     found = re.fullmatch(r".*_([^_]+)", column)
@@ -98,6 +101,7 @@ def seconds(column: str, name: str, said: str = "") -> float:
     """The size in seconds of the unit in the name of a column of times, or of the one that is said; 1 without one."""
     named = suffix(column)
     after = re.fullmatch(r".*_([a-z]{2,})", column)
+    # t_ms is a unit, t_raw a word: an ending that is no unit of time and no such word is refused, not taken as seconds.
     if not named and after and after[1] not in ("n", "time", "t", "raw"):
         named = after[1]
     if named and named not in SECONDS:
@@ -116,6 +120,7 @@ def unit_of(columns: Sequence[str], unit: str, name: str) -> str:
         named = SPEEDS.get(named, ACCELERATIONS.get(named, named))
         if named not in UNITS:
             continue
+        # Metres and degrees are no two units of one quantity, and deserve another sentence than mm and m.
         if found and (found in LENGTHS) != (named in LENGTHS):
             raise InputError("unit", f"{found} does not fit the column {column} of {name}", named)
         if found and found != named:

@@ -22,6 +22,8 @@ from asymptotics.identification.forward.swing import MAX_FREE_ALPHA
 
 _STEPS = 12
 _CLOSE = 1e-3
+"""Linearisations, each with the gain quadratic near the end, and the relative gain below which they stop.  They decide
+how near to the middle the point lies: a point that misses a row is never called consistent, for balls decide that."""
 
 
 def chebyshev_point(candidate: Candidate, table: Decrements, *, physical: bool = True) -> tuple[float, Array]:
@@ -31,6 +33,7 @@ def chebyshev_point(candidate: Candidate, table: Decrements, *, physical: bool =
     """
     assert table.resolution is not None
     model = DecrementModel(candidate.swing(), table)
+    # A resolution of 0 asks for equality, which doubles cannot have: 1e-12 only keeps the division finite.
     width = np.maximum(table.resolution, 1e-12 * table.amplitude)
     lowest = np.full(model.size, 0.0 if physical else -np.inf)
     highest = np.full(model.size, np.inf)
@@ -41,6 +44,8 @@ def chebyshev_point(candidate: Candidate, table: Decrements, *, physical: bool =
         try:
             predicted, slopes = model.predict(theta)
         except TooStrongError:
+            # The linear step led to a motion that ends: weaker losses, at the same exponent. 0.7 is a choice; 12 steps
+            # of it reach 1 %.
             theta = theta * np.append(np.full(model.size - candidate.free, 0.7), [1.0] * candidate.free)
             continue
         missed = (table.decrement - predicted) / width
@@ -48,6 +53,7 @@ def chebyshev_point(candidate: Candidate, table: Decrements, *, physical: bool =
         gained = best[0] - least
         if least < best[0]:
             best = (least, theta)
+        # The first gain is infinite, so that one step is always made.
         if not gained > _CLOSE * least:
             break
         theta = np.clip(
@@ -58,10 +64,12 @@ def chebyshev_point(candidate: Candidate, table: Decrements, *, physical: bool =
 
 def _step(slopes: Array, missed: Array, low: Array, high: Array) -> Array:
     """The change y that minimises the largest |missed - slopes y|, in units in which the columns are comparable."""
+    # The unknowns are y and t: slopes y - t <= missed and -slopes y - t <= -missed, the least t.
     size = np.abs(slopes).max(axis=0) + 1e-300
     ones = np.ones((len(missed), 1))
     matrix = np.block([[slopes / size, -ones], [-slopes / size, -ones]])
     cost = np.append(np.zeros(len(size)), 1.0)
     limits = [*zip(low * size, high * size), (0.0, None)]
     found = linprog(cost, A_ub=matrix, b_ub=np.concatenate([missed, -missed]), bounds=limits, method="highs")
+    # A program without a solution leaves the point where it is, which ends the iteration.
     return np.zeros(len(size)) if found.x is None else np.asarray(found.x[:-1] / size)

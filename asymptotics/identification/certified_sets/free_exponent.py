@@ -1,5 +1,8 @@
 """Which exponents and strengths of one loss meet every printed value: an outer box, proved strip by strip.
 
+Monotone dependence on two parameters (differential inequalities, Walter 1998, section 9) makes two evaluations a proof
+for a whole strip of exponents.
+
 Let the largest amplitude of the table be the unit.  Speeds are then at most 1 all the way (no turning point lies
 higher, and no speed exceeds the amplitude), so that e w^alpha falls when alpha grows and grows with e.  -s N/(1 - c N)
 falls when N grows; by comparison of solutions of y' = f(theta, y), the loss -L of a half-swing falls with alpha and
@@ -41,10 +44,16 @@ from asymptotics.numbers.exact import ExactReal
 
 _FREE = read_candidate("free")
 _FIRST, _LEAST, _SHARE, _PIECES = 0.5, 2.0**-12, 1 / 16, 8
-"""The first strip; the least, and the least in units of the distance to the proved point; strips that bound e."""
+"""Widths of strips in the exponent: of the first one, of the thinnest, and of the thinnest as a share of the distance
+to the proved point; then the number of strips in each of which the strength is bounded.  Choices: thinner and more
+strips make the box smaller at two half-swings each, and none of them decides what is proved."""
 _WIDER, _DOUBLES = 1e-3, 1e-6
-"""How far behind the ends in doubles the proof is tried: a share of the length, and what the doubles may be wrong."""
+"""How far behind the ends that doubles find the proof is tried: a share of the length between them, and what the
+doubles themselves may be wrong.  A smaller margin fails more often, and then no bound is given; a larger one makes the
+interval longer."""
 _STRENGTHS = 1e-9, 10.0
+"""Where the doubles look for a root, in units of the largest amplitude: from no visible loss to one that leaves hardly
+anything of the amplitude.  A root that is cut off there only makes the trial in balls fail."""
 
 
 @dataclass(frozen=True)
@@ -61,10 +70,13 @@ def exponents_that_fit(table: Decrements) -> ExponentSet:
     """The certified set of one loss whose exponent is not known, for a table with a resolution."""
     with ctx.workprec(BITS):
         strips = _Strips.of(table)
+        # -L >= 0 for every strength >= 0: a row whose largest decrement is negative refutes all exponents.
         if any(level < 0 for _, level in strips.upper):
             return ExponentSet("refuted", reason="the amplitude grows, and no strength >= 0 does that")
         least, theta = chebyshev_point(_FREE, table)
+        # In doubles the point meets every row; only what balls confirm is claimed. least < 1 merely saves the trial.
         point = theta if least < 1 and strips.meets(*theta) else None
+        # Strips from below, then from above towards what is left: the exponents between hold every solution.
         low = strips.excluded(0.0, MAX_FREE_ALPHA, None if point is None else float(point[1]))
         if low >= MAX_FREE_ALPHA:
             return ExponentSet("refuted", reason=f"no exponent from 0 to {MAX_FREE_ALPHA:g} meets every printed value")
@@ -102,12 +114,15 @@ class _Strips:
         unit = max((amplitude for rows in sides.values() for amplitude, _ in rows), key=arb.upper)
         lower, upper = (tuple((a / unit, level) for a, level in sides[sign]) for sign in (1, -1))
         swing = HalfSwingModel(_FREE.elements, free=True)
+        # Doubles choose strengths and rows only: seven digits are more than a choice needs, and the series reaches
+        # farther.
         swing.tolerance = 1e-7
         return cls(lower, upper, unit, exact(table.reference), swing)
 
     def meets(self, strength: float, alpha: float) -> bool:
         """Whether the strength at the largest mean amplitude and the exponent are proved to meet every row."""
         power = ExactReal(Fraction(alpha))
+        # epsilon A_ref^(alpha - 1) is given; that of the unit is its multiple by (unit/A_ref)^(alpha - 1).
         e = arb(strength) * ((power.ball() - 1) * (self.unit / self.reference).log()).exp()
         rows = [*((1, row) for row in self.lower), *((-1, row) for row in self.upper)]
         return all(self._shows(sign, row, e, power, miss=False) for sign, row in rows)
@@ -117,13 +132,17 @@ class _Strips:
         sign = 1.0 if end > start else -1.0
         place, width = start, _FIRST
         while (end - place) * sign > 0:
+            # Near the point the strips may be thin, far from it not: the work is then logarithmic in the width that is
+            # left.
             last = max(_LEAST, 0.0 if goal is None else abs(goal - place) * _SHARE)
             if width < last:
                 break
             ahead = place + sign * min(width, abs(end - place))
+            # A strip that holds the proved point cannot be empty: the trial is saved.
             if goal is not None and (goal - ahead) * sign <= 0:
                 width /= 2
             elif self._is_empty(min(place, ahead), max(place, ahead)):
+                # The next strip begins at the very double at which this one ends: no exponent is left between.
                 place, width = ahead, 2 * width
             else:
                 width /= 2
@@ -132,15 +151,21 @@ class _Strips:
     def strengths(self, low: float, high: float) -> tuple[float, float] | None:
         """Bounds of epsilon (for x0 = 1 unit of the file) over low <= alpha <= high; None if they were not proved."""
         cuts = np.linspace(low, high, _PIECES + 1)
+        # linspace may miss its ends by a rounding.
         cuts[0], cuts[-1] = low, high
         ends: list[float] = []
         for one, two in zip(cuts[:-1], cuts[1:]):
             least, most = self._root(1, one), self._root(-1, two)
+            # The roots in doubles are moved outwards, so that balls can prove that there nothing is left.
             margin = _WIDER * abs(most - least) + _DOUBLES * most
             least, most = max(least - margin, least / 2), most + margin
+            # The loss falls with alpha and grows with e: what is too weak at the lower end of a piece is too weak in
+            # all of it, and what is too strong at the upper end too.
             if not (self._misses(1, one, least) and self._misses(-1, two, most)):
                 return None
             for alpha in (one, two):
+                # epsilon = e unit^(1 - alpha) is monotone in alpha, so that the ends of the piece bound it; outwards,
+                # lower and upper.
                 factor = ((1 - arb(float(alpha))) * self.unit.log()).exp()
                 ends += [float((factor * arb(least)).lower()), float((factor * arb(most)).upper())]
         return float(np.nextafter(min(ends), -np.inf)), float(np.nextafter(max(ends), np.inf))
@@ -148,8 +173,10 @@ class _Strips:
     def _is_empty(self, low: float, high: float) -> bool:
         """Whether two half-swings prove that no strength meets every row at any exponent of the strip."""
         least, most = self._root(1, low), self._root(-1, high)
+        # In doubles some e may meet every row: no trial in balls. The 1e-9 decides that alone.
         if not least > most * (1 + 1e-9):
             return False
+        # The e* of the docstring, as far in ratio from the rows it is too weak for as from those it is too strong for.
         middle = float(np.sqrt(least * most))
         return self._misses(1, low, middle) and self._misses(-1, high, middle)
 
@@ -157,11 +184,14 @@ class _Strips:
         """In doubles: the least strength that all lower rows allow, or the largest that all upper rows allow."""
 
         def gap(log_e: float) -> float:
+            # Increasing in e: for sign 1 the lower row that is met last, for sign -1 the upper row that is exceeded
+            # first.
             return sign * float((sign * self._gaps(sign, alpha, float(np.exp(log_e)))).min())
 
         low, high = np.log(_STRENGTHS[0]), np.log(_STRENGTHS[1])
         if gap(low) > 0 or gap(high) < 0:
             return _STRENGTHS[0] if gap(low) > 0 else _STRENGTHS[1]
+        # Ten digits of a strength, which is proposed to the balls with a margin.
         return float(np.exp(brentq(gap, low, high, xtol=1e-10)))
 
     def _gaps(self, sign: int, alpha: float, e: float) -> Array:
@@ -171,12 +201,14 @@ class _Strips:
         try:
             lost = -self.swing.at(a, np.array([e, alpha])).values[0]
         except TooStrongError:
+            # e^-1000 of the amplitude: as good as no turning point, and finite for the search of a root.
             lost = np.full(len(a), 1e3)
         return np.asarray(lost - np.array([float(level.mid()) for _, level in rows]))
 
     def _misses(self, sign: int, alpha: float, e: float) -> bool:
         """Whether the row of one side that is missed most is proved to be missed."""
         rows = self.lower if sign > 0 else self.upper
+        # The row is chosen in doubles; one row that is proved to be missed is enough.
         place = int(np.argmin(sign * self._gaps(sign, alpha, e)))
         return self._shows(sign, rows[place], arb(e), ExactReal(Fraction(float(alpha))), miss=True)
 
@@ -185,7 +217,10 @@ class _Strips:
         amplitude, level = row
         local = e * ((alpha.ball() - 1) * amplitude.log()).exp()
         try:
+            # Followed, not summed: the exponent is any double, and a table of coefficients for each would cost more
+            # than the half-swing.
             gap = sign * (-followed([(local, alpha)]) - level)
         except UndecidedError:
             return False
+        # Neither holds for a ball that reaches across 0: undecided counts as not shown, either way.
         return bool(gap < 0) if miss else bool(gap >= 0)

@@ -1,5 +1,8 @@
 """Rows of a printed table as inequalities for the strengths, linear on a box, with proved slack.
 
+The field's words are the mean-value form (Moore 1966) and weak duality: safe bounds from a linear program that was
+solved in doubles (Neumaier and Shcherbina 2004, Math. Program. 99, 283-296).
+
 The decrement of a law grows with g in  L(a + D/2) + ln((a + D/2)/(a - D/2))  as in ``printed``, so that a row with the
 decrement D in [D_lo, D_hi] at the mean amplitude a holds exactly if
 
@@ -44,6 +47,7 @@ class RatioInequality:
 
 def exact(x: float) -> arb:
     """The printed decimal as an exact number."""
+    # repr is the shortest decimal that reads back as this double: up to 15 digits it is what stood in the table.
     q = Fraction(repr(float(x)))
     return arb(fmpq(q.numerator, q.denominator))
 
@@ -54,6 +58,9 @@ def rows_of(ratio: CertifiedRatio, table: Decrements) -> list[RatioInequality]:
     rows = []
     for a, d, r in zip(table.amplitude, table.decrement, table.resolution):
         for sign in (1, -1):
+            # sign 1: the decrement is at least D - r; sign -1: it is at most D + r. The function of D in the docstring
+            # increases, for the next amplitude increases with this one (paths do not cross), so that its sign at the
+            # end decides.
             half = (exact(d) - sign * exact(r)) / 2
             upper, lower = exact(a) + half, exact(a) - half
             scale = tuple((w * upper.log()).exp() for w in ratio.weights)
@@ -68,16 +75,21 @@ def linear(ratio: CertifiedRatio, rows: Sequence[RatioInequality], centre: Array
     """
     matrix, bounds = [], []
     for row in rows:
+        # The local strengths of the whole box: the tail and the gradient are wanted on all of it.
         in_box = [s * arb(float(c), float(r)) for s, c, r in zip(row.scale, centre, radius)]
         try:
             tail = ratio.tail(in_box)
         except UndecidedError:
             continue
+        # Mean-value form: -L = -P(centre) - P'(somewhere in the box) y, give or take the tail, P the truncated sum; the
+        # gradient over the box holds that of the unknown place.
         slopes = [-g * s * row.sign for g, s in zip(ratio.gradient(in_box), row.scale)]
+        # Any doubles may stand for the slopes: what they miss, times the half-sides, is taken off b.
         chosen = [float(s.mid()) for s in slopes]
         slack = sum((abs(s - c) * arb(float(r)) for s, c, r in zip(slopes, chosen, radius)), tail)
         b = row.sign * (row.level + ratio.polynomial(row.local(centre))) - slack
         matrix.append(chosen)
+        # Downwards, for a smaller b is the weaker inequality; the neighbour pays for the rounding to a double.
         bounds.append(np.nextafter(float(b.lower()), -np.inf))
     if not matrix:
         raise UndecidedError("the series does not reach the amplitudes of the table")
@@ -91,28 +103,36 @@ def bounds(M: Array, b: Array, radius: Array) -> tuple[Array, Array]:
         for sign in (1.0, -1.0):
             c = np.zeros(len(radius))
             c[i] = sign
+            # The program is solved in doubles and believed in nothing but its multipliers.
             found = linprog(c, A_ub=-M, b_ub=-b, bounds=list(zip(-radius, radius)), method="highs")
             if found.x is None:
                 continue
+            # SciPy's marginals of <= rows are <= 0; what rounding makes of the wrong sign is set to 0, for only lambda
+            # >= 0 proves.
             proved = _lower_bound(c, M, b, radius, np.maximum(-found.ineqlin.marginals, 0))
             if sign > 0:
                 low[i] = max(low[i], proved)
             else:
                 high[i] = min(high[i], -proved)
+    # Ends that cross prove that there is no solution in the box: any interval then holds all of them.
     return low, np.maximum(high, low)
 
 
 def _lower_bound(c: Array, M: Array, b: Array, radius: Array, multipliers: Array) -> float:
     """lambda.b + min over the box of (c - M^T lambda).y, rounded down."""
+    # The doubles enter as the exact numbers they are, so that the balls hold all roundings of this sum.
     total = sum((arb(float(m)) * arb(float(v)) for m, v in zip(multipliers, b)), arb(0))
     for j, r in enumerate(radius):
         rest = arb(float(c[j])) - sum((arb(float(m)) * arb(float(M[k, j])) for k, m in enumerate(multipliers)), arb(0))
+        # The least of rest y_j over |y_j| <= r.
         total = total - abs(rest) * arb(float(r))
     return float(np.nextafter(float(total.lower()), -np.inf))
 
 
 def elastic(M: Array, b: Array, low: Array, high: Array) -> tuple[Array, Array]:
     """(y, multipliers) of: the least t with M y + t size >= b, low <= y <= high; heuristic, in units of the box."""
+    # A side without length must not divide by 0. In units of the box every row has the same size: the tolerances of the
+    # program (1e-7 in HiGHS) then mean the same in each.
     half = (high - low) / 2 + 1e-300
     size = np.abs(M) @ half + 1e-300
     padded = np.column_stack([M * half / size[:, None], np.ones(len(b))])
@@ -121,6 +141,7 @@ def elastic(M: Array, b: Array, low: Array, high: Array) -> tuple[Array, Array]:
         c, A_ub=-padded, b_ub=-b / size, bounds=[*zip(low / half, high / half), (None, None)], method="highs"
     )
     if found.x is None:
+        # A program that fails proves nothing: with multipliers 0 the bound is 0, and the box stays.
         return np.zeros(len(half)), np.zeros(len(b))
     return found.x[:-1] * half, np.maximum(-found.ineqlin.marginals, 0) / size
 
@@ -128,6 +149,7 @@ def elastic(M: Array, b: Array, low: Array, high: Array) -> tuple[Array, Array]:
 def is_empty(M: Array, b: Array, radius: Array) -> bool:
     """Whether multipliers prove that no y in the box has M y >= b: lambda.b exceeds the maximum of lambda.M y."""
     multipliers = elastic(M, b, -radius, radius)[1]
+    # With c = 0: lambda.b - max lambda.M y > 0 contradicts M y >= b (Farkas).
     return _lower_bound(np.zeros(len(radius)), M, b, radius, multipliers) > 0
 
 
@@ -135,6 +157,8 @@ def meets(ratio: CertifiedRatio, rows: Sequence[RatioInequality], point: Array) 
     """Whether every row is proved to hold at the point."""
     for row in rows:
         L = ratio.at(row.local(point))
+        # A ball that holds 0 is not >= 0: only what is proved is met. -L is infinite where the mass stays on its side:
+        # there a lower row is met and an upper one is missed, as the decrement wants it.
         if not row.sign * (-L - row.level) >= 0:
             return False
     return True

@@ -21,6 +21,8 @@ from asymptotics.errors import LimitError
 
 T = TypeVar("T")
 _RESERVE, _LEAST = 0.2, 2.0
+"""Kept for judging and telling: a fifth of the time, and 2 seconds at least, if that is not more than half of it.  A
+choice: too little of it ends in a request that is cut short, too much leaves more laws untried."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +58,7 @@ class Time:
             return otherwise
         try:
             with budget(share * left):
+                # Raises at once where the caller's own time is over, before work begins.
                 tick()
                 return work()
         except LimitError:

@@ -1,5 +1,7 @@
 """The fit of one law to one run: weighted least squares with exact derivatives, noise scales from the residuals.
 
+The method is Levenberg and Marquardt's; the likelihood is concentrated, that is maximised over the scales.
+
 Unknown beside the law: ln of the first amplitude, the offset of the rest position, and (with times) ln omega_0 and the
 start of the clock.  Turning points, turning times and passages each have a noise scale of their own.  For a scale
 that is not known, the likelihood is maximised over it, so that
@@ -28,9 +30,12 @@ from asymptotics.records.units import UNITS
 KINDS = ("x", "t", "passage")
 """Turning points, turning times, passages."""
 _ROUNDS, _STEPS = 5, 40
+"""How often the scales are found anew, and steps of the minimiser for each.  Choices: a fit that has not ended by then
+says so (``converged``), and one that is worse than that of a smaller law begins again from there (``comparison``)."""
 _MODEL_SHARE = 3e-3
 """The last degree of a summed series, as a share of the noise: what is neglected is smaller still."""
 _WILD = 300.0
+"""The largest |ln omega_0| of a step of the search: e^300 is still a double, and belongs to no clock."""
 _FLOOR = 1e-9
 """Residuals below this share of the first amplitude (or of 1/omega_0) are the arithmetic's, not the data's."""
 
@@ -61,6 +66,7 @@ class Model:
         if self.angle is not None:
             swing = PendulumHalfSwing(swing.elements, seen.reference * self.angle, coarse=swing.coarse)
         self.swing, self.seen = swing, seen
+        # Of fewer turning points an offset takes a parameter that the law needs more. A choice.
         self.offset = offset and len(seen.n) >= 8
         self.law = slice(1, 1 + swing.parameters)
         self.after = 1 + swing.parameters
@@ -70,6 +76,7 @@ class Model:
         self.kinds = [kind for kind, count in zip(KINDS, counts) if count]
         self.data = np.concatenate([seen.x, seen.t, seen.passage_t])
         sigmas = [seen.sigma_x, seen.sigma_t, seen.sigma_passage]
+        # Known errors give the weights within a kind; their common size is found with the fit.
         shapes = [s / np.sqrt(np.mean(s**2)) if len(s) else np.ones(c) for s, c in zip(sigmas, counts) if c]
         self.shape = np.concatenate(shapes)
         self._known: tuple[Array, TurningSequence] | None = None
@@ -80,6 +87,7 @@ class Model:
         guess = None
         if self._known is not None:
             before, run = self._known
+            # The linear prediction by the derivatives that are there; a guess changes the work, never the sequence.
             guess = run.a + np.clip((law - before) @ run.d_a, -1.0, 1.0)
         run = turning_sequence(self.swing, self.seen.last, law, guess)
         self._known = law.copy(), run
@@ -116,6 +124,8 @@ class Model:
             values.append(theta[-1] + rate * tau)
             slopes.append(self._time_slopes(rate, tau, by))
             if self.offset:
+                # About an offset the passage is late by offset over speed, to first order in the offset; the sign of
+                # the motion alternates with the half-swings.
                 first = seen.sign[0] * np.where((seen.n[0] + seen.passage_n) % 2, -1.0, 1.0)
                 ease = first * rate * np.exp(-run.log_speed[seen.passage_n]) / self.reference
                 late = theta[after] * ease
@@ -193,6 +203,7 @@ class Fit:
     @cached_property
     def freedoms(self) -> dict[str, float]:
         """For each kind of data, their number minus the parameters they determine."""
+        # Kinds that were not measured have the freedom of all data together.
         left = _left_over(self.model, self.slopes, self.scales)
         return {**dict.fromkeys(KINDS, float(self.freedom)), **left}
 
@@ -200,6 +211,7 @@ class Fit:
     def covariance(self) -> Array:
         """(J^T J)^(-1) of the weighted problem."""
         J = self.slopes / self.model.scale_vector(self.scales)[:, None]
+        # Columns of one length: strengths, logarithms and times have different units, and pinv compares them.
         size = np.linalg.norm(J, axis=0) + 1e-300
         return np.asarray(np.linalg.pinv((J / size).T @ (J / size), rcond=1e-13) / np.outer(size, size))
 
@@ -215,6 +227,7 @@ class Fit:
         for kind, group in zip(self.model.kinds, self.model.groups):
             r = self.residuals[group] / self.model.shape[group]
             low = self.model.floor(kind, self.theta)
+            # The most likely scale is the mean square (over N, not N - k), but not below what the arithmetic leaves.
             s2 = self.scales[kind] ** 2 if self.known else max(float(np.mean(r**2)), low**2)
             total -= float((r**2).sum()) / (2 * s2) + len(r) / 2 * np.log(2 * np.pi * s2)
         return float(total - np.log(self.model.shape).sum())
@@ -231,6 +244,7 @@ class Fit:
 
     @property
     def _counted(self) -> int:
+        # Each scale that was found is a parameter too.
         return self.model.size + (0 if self.known else len(self.model.groups))
 
 
@@ -241,15 +255,19 @@ def fit(model: Model, start: Array, noise: Noise | None = None) -> Fit:
     """The best fit from ``start``; the noise scales are found with it unless all of them are given."""
     given = {k: getattr(noise, k) for k in model.kinds} if noise else {}
     known = bool(given) and all(v is not None for v in given.values())
+    # A beginning, forgotten after the first round: its ratio only weighs positions against times once.
     scales = dict(given) if known else {k: 1e-2 * model.seen.reference if k == "x" else 0.1 for k in model.kinds}
     theta, converged = start, False
     for _ in range(1 if known else _ROUNDS):
         if not model.swing.coarse:
+            # A series that is exact beyond the noise wastes time; 3e-4 keeps the model smooth for the minimiser however
+            # loud the noise is.
             model.swing.tolerance = float(np.clip(_MODEL_SHARE * scales["x"] / model.seen.reference, TOLERANCE, 3e-4))
         theta, converged = minimise(model, theta, scales)
         previous = scales
         if not known:
             scales = likely_scales(model, theta, scales)
+            # A thousandth of a scale is a thousandth of the length of an interval.
             if all(abs(scales[k] - previous[k]) < 1e-3 * scales[k] for k in scales):
                 break
     predicted, slopes = model.predict(theta)
@@ -263,6 +281,7 @@ def likely_scales(model: Model, theta: Array, scales: dict[str, float]) -> dict[
     left = _left_over(model, slopes, scales)
     found = {}
     for kind, group in zip(model.kinds, model.groups):
+        # With no freedom left the scale is not determined; half a datum keeps the quotient finite.
         size = float(np.sqrt((r[group] ** 2).sum() / max(left[kind], 0.5)))
         found[kind] = max(size, model.floor(kind, theta))
     return found
@@ -273,6 +292,7 @@ def _left_over(model: Model, slopes: Array, scales: dict[str, float]) -> dict[st
     J = J / (np.linalg.norm(J, axis=0) + 1e-300)
     inverse = np.linalg.pinv(J.T @ J, rcond=1e-13)
     return {
+        # N_g minus the trace of the hat matrix over the group: the parameters shared out between the kinds.
         kind: group.stop - group.start - float(np.sum(inverse * (J[group].T @ J[group])))
         for kind, group in zip(model.kinds, model.groups)
     }
@@ -296,26 +316,34 @@ def minimise(
         return np.append(r, value), np.vstack([J, gradient])
 
     r, J = residuals(theta)
+    # Nearly Gauss and Newton's step at once: the starting values are within its reach as a rule.
     cost, damping = float(r @ r), 1e-6
     for _ in range(_STEPS):
         tick()
         size = np.sqrt((J**2).sum(axis=0)) + 1e-300
+        # In Marquardt's scaling, the damping does not depend on the units of the parameters.
         step = _step(J / size, r, damping) / size
         trial = _inside(model, theta + step)
         try:
             new_r, new_J = residuals(trial)
             new_cost = float(new_r @ new_r)
+        # The step leads to a motion that ends before the data do: infinitely bad, so that the damping grows.
         except TooStrongError:
             new_cost = np.inf
         if new_cost <= cost:
+            # In units of the noise: 1e-7 of chi-squared is far below the 3.84 that moves an interval; 1e-14 is
+            # rounding.
             done = cost - new_cost <= 1e-7 * min(cost, 1.0) + 1e-14 * cost
             theta, r, J, cost, damping = trial, new_r, new_J, new_cost, damping / 10
             if done:
                 return theta, True
+        # A step too small to be seen that does not descend either: the minimum, to rounding.
         elif np.linalg.norm(step * size) <= 1e-7 * (1 + np.sqrt(cost)):
             return theta, True
         else:
+            # Downhill the damping vanishes and the steps are Newton's; uphill it must come back from there.
             damping = max(damping * 10, 1e-6)
+            # The step has shrunk by 1e12 without a descent: no minimum is claimed.
             if damping > 1e12:
                 break
     return theta, False

@@ -68,10 +68,13 @@ class DecrementModel(Model):
         """The decrements and their derivatives (rows, parameters); TooStrongError outside the model's domain."""
         a = np.log(self.table.amplitude / self.table.reference)
         u = np.zeros(len(a))
+        # The derivatives below belong to the last u: they are right if the change is at rounding, which is asked for.
         for _ in range(30):
             value = self.swing.at(a + np.log1p(u), theta)
             slope = value.by_amplitude[0] / (1 + u) + 2 / (1 - u**2)
             change = -(value.values[0] + 2 * np.arctanh(u)) / slope
+            # u = 1 would be a mass that stays at its rest position, u < 0 a loss that feeds: both are possible in a
+            # search, the ends of artanh are not.
             u = np.clip(u + change, -0.9, 0.95)
             if np.abs(change).max() < 1e-13:
                 break
@@ -84,6 +87,7 @@ class DecrementModel(Model):
 def decrement_start(model: DecrementModel) -> Array:
     """Starting values: linear regression of D on the first-order decrements -c_i s_i a^(w_i + 1)."""
     swing, table = model.swing, model.table
+    # One of the whole exponents lies near enough to any other.
     tried = [0.0, 1.0, 2.0, 3.0] if swing.free else [None]
     found = []
     for alpha in tried:
@@ -91,6 +95,7 @@ def decrement_start(model: DecrementModel) -> Array:
         if alpha is not None:
             zero[-1] = alpha
         a = np.log(table.amplitude / table.reference)
+        # At strength 0 the derivatives of L are the first coefficients; D = -A L to first order.
         slopes = -table.amplitude[:, None] * swing.at(a, zero).by_parameter[: len(swing.elements), 0].T
         strengths, *_ = np.linalg.lstsq(slopes, table.decrement, rcond=1e-9)
         misfit = float(((table.decrement - slopes @ strengths) ** 2).sum())

@@ -1,5 +1,8 @@
 """Profile-likelihood intervals for any function of the parameters.
 
+That twice the fall of the log-likelihood has chi-squared's distribution is Wilks's theorem (1938); the ends are those
+of MINOS, to which the tests compare them.
+
 With S the weighted sum of squares, the 95 % interval of g(theta) is where  S_prof(v) - S_min <= t^2,  S_prof(v) being
 the minimum of S at fixed g = v and t the quantile of Student's distribution (of the normal one when the noise is
 known).  The minimum at fixed g is found by adding one residual (g - v)/w, small w: its minimiser minimises S at its own
@@ -19,6 +22,7 @@ from asymptotics.present.shown import Page, Shown
 
 Function = Callable[[Array], tuple[float, Array]]
 _STEPS, _CLOSE = 12, 5e-3
+"""Points of the profile for one end, and how near its height must be to t: half a percent of an interval's length."""
 
 
 @dataclass(frozen=True)
@@ -110,6 +114,7 @@ def profile_curve(fit: Fit, g: Function, count: int = 21, reach: float = 3.0) ->
     """(values of g, S_prof - S_min) over ``reach`` standard errors on both sides; shorter where the model ends."""
     value, gradient = g(fit.theta)
     error = _standard_error(fit, gradient)
+    # From the estimate outwards, each point beginning where the last one ended.
     points = [(value, 0.0)]
     for sign in (-1, 1):
         theta = fit.theta
@@ -131,23 +136,28 @@ def _end(fit: Fit, g: Function, value: float, error: float, t: float) -> float |
         try:
             theta, at, rise = _minimum_at(fit, g, theta, target, abs(error))
         except TooStrongError:
+            # The motion ends before the data do at this strength: half-way back to what is known.
             target = (target + known[-1][1]) / 2
             continue
         height = float(np.sqrt(max(rise, 0.0)))
         known.append((height, at))
         if abs(height - t) < _CLOSE * t:
             return at
+        # The secant through the two points nearest to the height that is wanted.
         (h0, v0), (h1, v1) = sorted(known, key=lambda point: abs(point[0] - t))[:2]
         slope = (v1 - v0) / (h1 - h0) if h1 != h0 else 0.0
+        # The profile falls, or has not risen within a thousand standard errors: the data set no limit on this side.
         if slope * error <= 0 or abs(target - value) > 1e3 * abs(error):
             return None
         lowest, highest = sorted((value, value + 1e4 * error))
         target = min(max(v0 + (t - h0) * slope, lowest), highest)
+    # The secants have not met the height: between two points that enclose it, the straight line.
     heights = np.array(known)
     return float(np.interp(t, heights[:, 0], heights[:, 1])) if heights[:, 0].max() >= t else None
 
 
 def _minimum_at(fit: Fit, g: Function, start: Array, target: float, error: float) -> tuple[Array, float, float]:
+    # w is small beside the error, so that g comes near to its target; any w gives a point of the profile.
     width = 0.02 * error
 
     def penalty(theta: Array) -> tuple[float, Array]:
@@ -156,6 +166,7 @@ def _minimum_at(fit: Fit, g: Function, start: Array, target: float, error: float
 
     gradient = g(fit.theta)[1]
     step = fit.covariance @ gradient
+    # Along the conditional minimum of the quadratic approximation: where the model is nearly linear, one step does.
     straight = fit.theta + step * (target - g(fit.theta)[0]) / max(float(gradient @ step), 1e-300)
     try:
         theta, _ = minimise(fit.model, straight, fit.scales, penalty)

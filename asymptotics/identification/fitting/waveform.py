@@ -22,7 +22,10 @@ _STEPS, _NEAR_THE_TOP = 16, 48
 """Steps of a half-swing (of a pendulum beyond 130 degrees): what they leave is below 1e-6 of the amplitude, the least
 noise that is believed."""
 _FLOOR = 1e-6
+"""The error of these steps as a noise: without it a record without noise would fit it."""
 _STEP = 1e-5
+"""One-sided differences in the law: their error, 1e-5 of the curvature, steers the minimiser a little worse and is no
+error of the minimum; smaller steps would meet the rounding."""
 
 
 class WaveformModel(Model):
@@ -32,9 +35,11 @@ class WaveformModel(Model):
         super().__init__(swing, seen, offset=True, pendulum=pendulum)
         assert seen.samples is not None
         self.samples = seen.samples
+        # Beside the law: offset, drift, ln omega_0 and t_0.
         self.offset, self.size = True, self.after + 4
         t = self.samples.t
         self._u = (t - t[0]) / (t[-1] - t[0])
+        # Memory falls exponentially with time: that of neighbours, to the power of the gap in units of the usual one.
         self._rho = self.samples.memory ** (np.diff(t) / float(np.median(np.diff(t))))
         self.groups, self.kinds, self.shape = [slice(0, len(t))], ["x"], np.ones(len(t))
         self.data = self._white(self.samples.x)
@@ -48,6 +53,7 @@ class WaveformModel(Model):
         """The vector from one of the turning points, with or without an offset; one of this kind as it is."""
         if len(theta) == self.size:
             return theta
+        # The turning points of a smooth line may have been fitted without an offset.
         rest = theta[self.after : -2] if len(theta) > self.after + 2 else [0.0]
         return np.array([*theta[: self.after], rest[0], 0.0, *theta[-2:]])
 
@@ -61,10 +67,12 @@ class WaveformModel(Model):
 
     def predict(self, theta: Array) -> tuple[Array, Array]:
         """The samples and their derivatives (samples, parameters), both as innovations."""
+        # As in ``least_squares``: e^300 is still a double.
         if not abs(theta[-2]) < 300:
             raise TooStrongError("the frequency leaves every bound")
         run, after, t = self._sequence(theta), self.after, self.samples.t
         clock = np.exp(theta[-2]) * (t - theta[-1])
+        # Samples before the first and after the last turning point belong to the polynomials at the ends, continued.
         n = np.clip(np.searchsorted(run.tau, clock, side="right") - 1, 0, len(run.tau) - 2)
         well = 0.0 if self.angle is None else self.reference * self.angle / 2
         nodes, order = _nodes(self.swing, run.a[:-1], theta[self.law], well), self.samples.derivative
@@ -74,8 +82,11 @@ class WaveformModel(Model):
         if not np.isfinite(values).all():
             raise TooStrongError("the motion leaves every bound")
         slopes = np.zeros((len(t), self.size))
+        # The chain rule: a parameter moves the amplitude at which a half-swing begins, and the time of its beginning.
         slopes[:, :after] = (by_a * run.d_a[:, n] - speed * run.d_tau[:, n]).T
+        # And the law acts within the half-swing itself.
         slopes[:, self.law] += ((values[2:] - x) / _STEP).T
+        # A derivative by time brings a factor omega_0 for each order.
         slopes[:, -2], slopes[:, -1] = speed * clock + order * x, -speed * np.exp(theta[-2])
         radius = radius * np.exp(order * theta[-2])
         slopes *= radius[:, None]
@@ -89,6 +100,8 @@ class WaveformModel(Model):
         rho = self._rho.reshape(-1, *[1] * (values.ndim - 1))
         size = np.sqrt(1 - self.samples.memory**2)
         later = (values[1:] - rho * values[:-1]) / np.sqrt(1 - rho**2) * size
+        # All innovations have one size, that of the innovation over the usual gap; the determinant is the same for all
+        # laws.
         return np.concatenate([values[:1] * size, later])
 
 
@@ -112,10 +125,10 @@ def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Ar
     w = [v + e.position - 1 for v, e in zip(q, swing.elements, strict=True)]
     delta = [laws[:, i : i + 1] * np.exp(np.clip(w[i] * A, -50, 50)) for i in range(count)]
 
-    steps = _STEPS if well < 0.9 else _NEAR_THE_TOP
+    steps = _STEPS if well < 0.9 else _NEAR_THE_TOP  # sin(A/2) = 0.9 at 128 degrees: near the top the clock has a peak
     h = np.pi / steps
     places = np.arange(2 * steps + 1) * h / 2
-    sines, cosines = np.abs(np.sin(places)), np.cos(places)
+    sines, cosines = np.abs(np.sin(places)), np.cos(places)  # a power of a negative rounding of sin(pi) is nan
     shapes = [
         [_shape(e, v, sine, cosine) for e, v in zip(swing.elements, q, strict=True)]
         for sine, cosine in zip(sines, cosines, strict=True)
@@ -138,7 +151,7 @@ def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Ar
     def rates(k: int, y: Array) -> tuple[Array, Array]:
         N = force(k, y)
         d = slope(k, y) - cosines[k] * N
-        if not (d > 0.01).all():
+        if not (d > 0.01).all():  # as in ``quadrature``: the loss is about to stop the motion
             raise TooStrongError("no turning point follows on the other side")
         clock = 1 / d
         return -sines[k] * N * clock, clock
@@ -147,7 +160,7 @@ def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Ar
     found = []
     for k in range(0, 2 * steps + 1, 2):
         r, N, c = np.exp(A + y), force(k, y), cosines[k]
-        x = np.arcsin(np.clip(well * r * c, -1, 1)) / well if well else r * c
+        x = np.arcsin(np.clip(well * r * c, -1, 1)) / well if well else r * c  # back to the angle
         found.append((tau, x, -r * sines[k], r * (N - c * slope(k, y))))
         if k == 2 * steps:
             break
@@ -168,7 +181,8 @@ def _shape(element: Element, velocity: Array, sine: float, cosine: float) -> Arr
 
 
 def _whole(weight: Array) -> int:
-    """The weight where it is 0, 1 or 2 throughout, for which products do; otherwise -1."""
+    """The weight where it is 0, 1 or 2 throughout, for which products do; otherwise -1.  These are the usual laws:
+    others cost an exponential at each node."""
     w = float(weight.flat[0])
     return int(w) if np.ptp(weight) == 0 and w in (0.0, 1.0, 2.0) else -1
 
@@ -179,12 +193,15 @@ def _between(
 ) -> tuple[Array, Array]:
     """A derivative of x in all columns (columns, samples), and the next one of the first column, at times ``since``
     turning point ``n``."""
+    # The interval is chosen by the unmoved column: the moved ones differ by 1e-5, and are continued by their
+    # polynomials.
     k = np.clip((since[None] >= tau[:, 0, n]).sum(axis=0) - 1, 0, len(tau) - 2)
     t0, x0, v0, a0 = (part[k, :, n].T for part in (tau, x, v, acceleration))
     t1, x1, v1, a1 = (part[k + 1, :, n].T for part in (tau, x, v, acceleration))
     h = t1 - t0
     u = (since[None] - t0) / h
     p1, p2 = h * v0, h**2 * a0 / 2
+    # Hermite's interpolation of degree 5: position, velocity and acceleration at both nodes.
     D, E, G = x1 - x0 - p1 - p2, h * v1 - p1 - 2 * p2, h**2 * a1 - 2 * p2
     p = [x0, p1, p2, 10 * D - 4 * E + G / 2, -15 * D + 7 * E - G, 6 * D - 3 * E + G / 2]
     for _ in range(order):

@@ -20,11 +20,13 @@ from asymptotics.terms import terms_of
 
 FREE, PENDULUM = "free", "pendulum"
 MAX_TERMS = 6
+"""With more terms the columns of a fit are parallel within any noise, and its series has too few orders (``swing``)."""
 FORMS = (
     "exponents joined by +, as 1+2 or 3/2; free; A,M: for the loss |x|^M v|v|^(A-1); sP for a spring x|x|^(P-1); "
     "pendulum"
 )
 _SPRINGS: tuple[tuple[int, ...], ...] = ((), (3,), (3, 5))
+"""The springs that are tried by themselves: the first odd terms of a symmetric force, which has no others."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,7 @@ class Candidate:
     @cached_property
     def elements(self) -> tuple[Element, ...]:
         """The terms of the forward model, losses first."""
+        # The exponent of a free loss is a parameter of the fit; the 1 that stands here is used by nobody.
         losses = [loss(1.0 if a == FREE else _float(parse_real(a, "laws")), m) for a, m in self.losses]
         return (*losses, *(spring(p) for p in self.springs))
 
@@ -58,6 +61,7 @@ class Candidate:
 
     def is_within(self, other: "Candidate") -> bool:
         """Whether ``other`` has all these terms and more."""
+        # sin x is no sum of springs with coefficients to find: a law with it is within none without it.
         alike = self != other and self.pendulum == other.pendulum
         return alike and set(self.losses) <= set(other.losses) and set(self.springs) <= set(other.springs)
 
@@ -73,6 +77,7 @@ class Candidate:
 
 
 def _float(value: ExactReal) -> float:
+    # A double is enough: a fit tells no exponent from its neighbour at 1e-16.
     return float(value.ball().mid())
 
 
@@ -87,9 +92,11 @@ def default_candidates(with_springs: bool, angles: bool = False) -> list[Candida
     """Every subset of the exponents 0, 1, 2, 3, and one free exponent; each with the springs x^3 and x^3, x^5 too,
     and for angles each sum as a pendulum."""
     exponents = ("0", "1", "2", "3")
+    # From small laws to large ones, which is the order in which they are tried.
     sets = [chosen for size in range(1, 5) for chosen in combinations(exponents, size)] + [(FREE,)]
     springs = _SPRINGS if with_springs else ((),)
     found = [Candidate(tuple((a, 0) for a in chosen), extra) for extra in springs for chosen in sets]
+    # The free exponent, which stands last, has no pendulum: its series is interpolated in the amplitude already.
     pendulums = [replace(c, pendulum=True) for c in found[: len(sets) - 1]] if with_springs and angles else []
     return found + pendulums
 
@@ -110,6 +117,7 @@ def read_candidate(text: str) -> Candidate:
             losses.append(_read_loss(item))
     if not losses:
         raise InputError("laws", f"{text[:40]!r} has no loss", FORMS)
+    # Beside another loss a free exponent is hardly ever determined: the columns of near exponents are nearly parallel.
     if len(losses) > 1 and any(a == FREE for a, _ in losses):
         raise InputError("laws", f"{text[:40]!r} joins a free exponent with others", "free alone, or with springs")
     if len(set(losses)) < len(losses) or len(set(springs)) < len(springs):
@@ -129,6 +137,7 @@ def _read_loss(item: str) -> tuple[str, int]:
         raise InputError("laws", f"{item[:40]!r} has a strength, which is to be found", f"{powers}: without it")
     alpha_text, comma, power = powers.partition(",")
     alpha = parse_real(alpha_text, "laws")
+    # A force with a negative exponent is infinite at rest; beyond 10 a loss is gone after the first swings.
     if alpha < 0 or alpha > 10:
         raise InputError("laws", f"{alpha} is out of range", f"exponents from 0 to 10; free: 0 to {MAX_FREE_ALPHA:g}")
     return str(alpha), parse_integer(power, "laws", 1, 9) if comma else 0

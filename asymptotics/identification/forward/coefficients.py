@@ -30,9 +30,11 @@ from asymptotics.series import Key, monomials
 
 Array = NDArray[np.float64]
 _BLAS_SERIAL = 200_000
-"""Multiplications in a matrix product below which BLAS stays in one thread."""
+"""Multiplications in a matrix product below which BLAS stays in one thread.  It decides the time alone."""
 _HALF_NODES = 32
-"""Nodes on either side of the middle of each quarter: the coefficients are then right to about 1e-12."""
+"""Nodes on either side of the middle of each quarter: the coefficients are then right to about 1e-12.  Against 64
+nodes, laws 3/2, 1/10 + 2 and 3/2 with a cubic spring through degree 5 are off by 2e-6 at most with 16, 3e-9 with 24 and
+2e-12 with 32."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +102,9 @@ def swing_coefficients(elements: tuple[Element, ...], order: int, alphas: tuple[
     quarter = grid.middle
     R, L = (_ends(-all_m * grid.sine, w) for w in (quarter, grid.weights))
     T_q, T = (_ends(rate, w) for w in (quarter, grid.weights))
+    # The constant 1 of 1 + c m is not in m: its integrals are known.
     T_q[:, 0], T[:, 0] = np.pi / 2, np.pi
+    # One row of weights for each exponent, also where the others have one weight for all of them.
     rows = np.broadcast_arrays(*(w.reshape(-1) for w in weights))
     return SwingCoefficients(np.stack(rows, axis=1), keys, L, T, R, T_q)
 
@@ -124,15 +128,20 @@ class ThetaGrid:
 def theta_grid(half: int = _HALF_NODES) -> ThetaGrid:
     """Sinc nodes u_k = k h with theta = (pi/4)(1 + tanh((pi/2) sinh u)); Haber's indefinite integration formula."""
     k = np.arange(-half, half + 1)
+    # The step that balances the error of the sum and that of cutting it off, up to a constant.
     h = np.log(half) / half
     g = np.pi * np.sinh(k * h)
+    # At the other end 1 - share has no digits; there cos theta comes from the mirror image below.
     share = 1 / (1 + np.exp(-g))  # theta/(pi/2), accurate at its small end
     theta = np.pi / 2 * share
     slope = np.pi / 2 * share * (1 - share) * np.pi * np.cosh(k * h) * h
+    # The integral of sinc up to node j is 1/2 + Si(pi (j - k))/pi.
     lower = slope * (0.5 + sici(np.pi * (k[:, None] - k[None, :]))[0] / np.pi)
     zero = np.zeros_like(lower)
+    # cos theta = sin(pi/2 - theta): by symmetry of the nodes, and accurate near pi/2.
     cosine = np.sin(theta[::-1])
     sine = np.sin(theta)
+    # Up to a node of the second quarter: all of the first, and the second so far.
     cumulative = np.block([[lower, zero], [np.broadcast_to(slope, lower.shape), lower]])
     blank = np.zeros_like(slope)
     return ThetaGrid(
@@ -146,6 +155,7 @@ def theta_grid(half: int = _HALF_NODES) -> ThetaGrid:
 
 def shape(element: Element, grid: ThetaGrid, velocity: Array | float) -> Array:
     """f(theta) of the module docstring on the grid, for one exponent or a column of exponents."""
+    # No node stands at an end, so that the logarithm is finite, and s^0 is 1 as friction wants it.
     powers = np.exp(velocity * np.log(grid.sine)) * np.ones((1, 1))
     if element.kind == "loss":
         return np.asarray(powers * np.abs(grid.cosine) ** element.position)
@@ -171,6 +181,7 @@ def _sum_indices(variables: int, left: int, right: int) -> NDArray[np.intp]:
 def graded_product(variables: int, left: list[Array], right: list[Array], i: int, j: int) -> Array:
     """Degree i of ``left`` times degree j of ``right``: arrays (keys, alphas, nodes)."""
     a, b, places = left[i], right[j], _sum_indices(variables, i, j)
+    # The loop runs over the shorter factor; monomials of one degree are distinct sums, so that += hits each place once.
     if len(a) > len(b):
         a, b, places = b, a, places.T
     total = np.zeros((len(keys_of(variables, i + j)), *np.broadcast_shapes(a.shape[1:], b.shape[1:])))
@@ -187,10 +198,12 @@ def _solve(shapes: list[Array], weights: list[Array], order: int, grid: ThetaGri
     strength = [[blank + s] for s in shapes]
     for d in range(1, order + 1):
         n.append(forced(count, strength, d))
+        # m = N + c N m in degree d; N begins with degree 1, so that lower degrees of m are enough.
         m.append(n[d] + sum(graded_product(count, n, m, j, d - j) for j in range(1, d)) * grid.cosine)
         y.append(product(-m[d] * grid.sine, grid.cumulative.T))
         if d < order:
             for known, weight in zip(strength, weights):
+                # exp(w y) by its logarithmic derivative in the degree: d E_d = w sum_j j y_j E_(d-j).
                 known.append(sum(j * graded_product(count, y, known, j, d - j) for j in range(1, d + 1)) * (weight / d))
     return m
 

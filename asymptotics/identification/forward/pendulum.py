@@ -56,11 +56,15 @@ class PendulumHalfSwing(HalfSwingModel):
 
     def __init__(self, elements: Sequence[Element], amplitude: float, *, coarse: bool = False) -> None:
         super().__init__(elements, coarse=coarse)
+        # With four losses and more the order is 4.
         self.order = _ORDERS.get(len(self.elements), 4)
         self.k2 = float(np.sin(min(amplitude, HIGHEST) / 2) ** 2)
+        # Three digits, so that near amplitudes share one table of the cache; 0.02 keeps the interval of u from
+        # vanishing at small angles.
         self.top = float(f"{min(max(_ROOM * -np.log1p(-self.k2), 0.02), -np.log(np.cos(HIGHEST / 2) ** 2)):.3g}")
         self._series = _interpolated(self.elements, self.order, self.top)
         self._slopes = chebyshev.chebder(self._series) * 2 / self.top
+        # Set by each evaluation; before the first nothing is known of what is neglected.
         self._last = float("inf")
 
     def period_ratio(self, a: Array) -> Array:
@@ -73,7 +77,9 @@ class PendulumHalfSwing(HalfSwingModel):
         k2 = self.k2 * np.exp(2 * np.clip(a, -50, 50))
         if not (k2 < np.sin(HIGHEST / 2) ** 2).all():
             raise TooStrongError("the pendulum goes over the top")
+        # k^2 goes with e^(2a), so that du/da = 2 k^2/(1 - k^2).
         u, v = -np.log1p(-k2), 2 * k2 / (1 - k2)
+        # An extrapolated Chebyshev series is worthless a little beyond its interval; a thousandth is harmless.
         if u.max() > 1.001 * self.top:
             raise TooStrongError("the amplitude leaves the table")
         weights = np.array([e.weight for e in self.elements])
@@ -87,9 +93,11 @@ class PendulumHalfSwing(HalfSwingModel):
         by_u = np.einsum("cqk,cn->qkn", self._slopes, basis[:-1])
         last = keys.sum(axis=1) == self.order
         beyond = np.abs(C[:, last] * monomials[last]).sum(axis=1).max(axis=0)
+        # Written so that nan is wild too.
         wild = ~(beyond < self.tolerance)
         self._last = float(beyond[~wild].max(initial=0.0))
         by_delta = np.stack([(C * _lowered(keys, table, i)).sum(axis=1) for i in range(len(delta))])
+        # The amplitude enters through the coefficients and through every local strength.
         by_a = (by_u * monomials).sum(axis=1) * v + ((weights[:, None] * delta)[:, None] * by_delta).sum(axis=0)
         scale = np.exp(np.clip(weights[:, None] * a, -50, 50))
         found = HalfSwingArrays((C * monomials).sum(axis=1), by_a, by_delta * scale[:, None])
@@ -103,6 +111,7 @@ class PendulumHalfSwing(HalfSwingModel):
 
 def _lowered(keys: Powers, table: Array, i: int) -> Array:
     """The derivatives of the monomials by the strength i."""
+    # A monomial without this strength has the factor 0; its power is then any.
     place = np.maximum(keys[:, i] - 1, 0)
     rest: list[Array] = [table[j, keys[:, j]] for j in range(len(table)) if j != i]
     return np.asarray(keys[:, i, None] * table[i, place] * (np.prod(rest, axis=0) if rest else 1.0))
@@ -116,6 +125,7 @@ def _all_keys(count: int, order: int) -> Powers:
 @lru_cache(maxsize=64)
 def _interpolated(elements: tuple[Element, ...], order: int, top: float) -> Array:
     """Chebyshev coefficients in u of L, T, R, T_q: an array (nodes, quantities, keys)."""
+    # k^2 = 1 - e^(-u) at the Chebyshev points of u.
     k2 = -np.expm1(-(np.cos(chebyshev_angles(_NODES)) + 1) / 2 * top)
     return np.asarray(np.einsum("cr,qrk->cqk", interpolation(_NODES), _coefficients(elements, order, k2)))
 
@@ -136,10 +146,14 @@ def _coefficients(elements: tuple[Element, ...], order: int, k2: Array) -> Array
             return np.asarray(sum(parts)) if parts else np.zeros((1, 1, 1))
 
         n.append(forced(count, strength, d))
+        # (g - c N) m = N by degrees: g_0, which does not vanish below the top, stands alone on the left.
         m.append((n[d] + c * sums(n, m, 1, d - 1) - sums(g, m, 1, d - 1)) / g[0])
         y.append(product(-m[d] * s, grid.cumulative.T))
+        # E = e^(2y), by its logarithmic derivative in the degree.
         E.append(np.asarray(sum(j * graded_product(count, y, E, j, d - j) for j in range(1, d + 1)) * (2 / d)))
+        # From g^2 = 1 - k^2 c^2 E.
         g.append((-k2[:, None] * c**2 * E[d] - sums(g, g, 1, d - 1)) / (2 * g[0]))
+        # The clock: g h = 1 + c m.
         h.append((c * m[d] - sums(g, h, 1, d)) / g[0])
         if d < order:
             for known, e in zip(strength, elements):
@@ -159,4 +173,5 @@ def well(x: Array | float, size: float) -> Array:
 def angle(q: Array, size: float) -> tuple[Array, Array]:
     """The angle with this well coordinate, and its derivative; both in units of ``size`` rad."""
     sine = np.clip(size * q / 2, -1, 1)
+    # At the top the derivative is infinite; 1e-12 keeps a step of the search finite.
     return 2 / size * np.arcsin(sine), 1 / np.sqrt(np.maximum(1 - sine**2, 1e-12))

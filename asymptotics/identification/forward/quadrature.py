@@ -16,7 +16,10 @@ import numpy as np
 from asymptotics.identification.forward.coefficients import Array, Element, ThetaGrid, product, shape, theta_grid
 
 _ITERATIONS = 80
+"""Picard's error falls like a^k/k!, where a is the size of the kernel: 80 suffice unless the motion is about to stick,
+and then it is refused like one that does."""
 _CLOSE, _CLOSE_SLOPES = 1e-12, 1e-9
+"""Changes at which the iterations stop: that of the values is the error of the grid; slopes only steer a fit."""
 _LEAST = 0.01
 """The part of the spring's force that the losses must leave: near 0 the mass sticks, and the grid no longer serves."""
 
@@ -39,6 +42,7 @@ def integrated_swings(
         velocity[0] = alpha
     shapes = np.concatenate([shape(e, grid, v) for e, v in zip(elements, velocity)])
     weights = np.array([v + e.position - 1 for v, e in zip(velocity, elements)])
+    # A step of a search may lead anywhere; e^50 is refused below as too strong, where infinities would be nan.
     local = np.exp(np.clip(weights[:, None] * a, -50, 50))
     forces = (strengths[:, None] * local)[:, :, None] * shapes[:, None, :]
     squares = k2 * np.exp(2 * a)[:, None] * grid.cosine**2 if k2 else None
@@ -49,11 +53,14 @@ def integrated_swings(
     d = g - grid.cosine * n
     m, gain = n / d, g / d**2  # dm = gain (dN + N q (da + dy)/g^2)
     units = local[:, :, None] * shapes[:, None, :] * powers
+    # The derivative of N by y at fixed amplitude, and the pendulum's part, which a and y enter in the same way.
     by_y = (weights[:, None, None] * forces * powers).sum(axis=0) + n * q / g**2
     sources = [by_y, *units]
     if alpha is not None:
+        # w = A e^y s is the speed: d(w^alpha)/d alpha brings its logarithm, here of the local one.
         sources.append(forces[0] * powers[0] * (np.log(grid.sine) + y + a[:, None]))
     values = _ends(m, (grid.cosine * m + (1 - g)) / g, grid)
+    # The clock without loss; what is integrated is the difference, which is small.
     values[[1, 3]] += [[np.pi], [np.pi / 2]]
     slopes = []
     for da, source in zip((1, *[0] * len(sources)), sources):  # the first source is that of the amplitude
@@ -73,9 +80,11 @@ def _root(squares: Array | None, y: Array) -> tuple[Array | float, Array | float
 def _log_radius(forces: Array, weights: Array, squares: Array | None, grid: ThetaGrid) -> Array:
     y = np.zeros(forces.shape[1:])
     for _ in range(_ITERATIONS):
+        # Only iterates that diverge meet the clip.
         n = (forces * np.exp(np.clip(weights[:, None, None] * y, -30, 30))).sum(axis=0)
         g = _root(squares, y)[1]
         d = g - grid.cosine * n
+        # Here the equation has no solution up to pi, or the iterate has left its neighbourhood: refused either way.
         if not (d > _LEAST * g).all():
             break
         known, y = y, product(-grid.sine * n / d, grid.cumulative.T)
@@ -91,6 +100,7 @@ def _linearised(by_y: Array, gain: Array, source: Array, grid: ThetaGrid) -> tup
     z = np.zeros_like(by_y)
     for _ in range(_ITERATIONS):
         known, z = z, product(-grid.sine * gain * (by_y * z + source), grid.cumulative.T)
+        # Linear in z: it converges for every source, and the last iterate serves if 80 should not do.
         if np.abs(z - known).max() <= _CLOSE_SLOPES * (1 + np.abs(z).max()):
             break
     return z, gain * (by_y * z + source)

@@ -1,5 +1,7 @@
 """The sequence of turning points and times of a law, with exact derivatives: the forward model of identification.
 
+An orbit of the return map, solved as one nonlinear system (as in multiple shooting), with its variational equations.
+
 a_(n+1) = a_n + L(a_n) for a = ln A is solved for all n at once by Newton's iteration.  The linearised recurrence
 
     u_(n+1) = (1 + L_a(a_n)) u_n + f_n      has the solution      u_n = P_n (u_0 + sum_(k<n) f_k/P_(k+1)),
@@ -22,6 +24,8 @@ from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.swing import HalfSwingModel
 
 _NEWTON_STEPS = 12
+"""Newton's iteration doubles the digits, so that from a guess in reach a few steps do; where they do not, the sequence
+is halved (``_in_parts``)."""
 _CLOSE = 1e-7
 """A change of ln(amplitude) whose square, the size of the next one, is below every noise and nearly below doubles."""
 _FEW = 4
@@ -53,9 +57,12 @@ def turning_sequence(
     a = _solved(swing, a0, law, count, guess)
     value = swing.at(a[:-1], law)
     growth = 1 + value.by_amplitude[0]
+    # d ln A'/d ln A > 0, for paths do not cross; at 0 the motion ends at the next turning point, and products would
+    # vanish.
     if not (growth > 1e-9).all():
         raise TooStrongError("the next amplitude falls when this one rises")
     product = np.concatenate([[1.0], np.cumprod(growth)])
+    # The formula of the docstring, with f = dL/dparameter, for all parameters at once.
     source = value.by_parameter[:, 0] / product[1:]
     d_a = np.concatenate([product[None], product * _before(source)])
     d_value = value.by_amplitude[:, None, :] * d_a[None, :, :-1]
@@ -74,8 +81,10 @@ def _before(increments: Array) -> Array:
 
 def _solved(swing: HalfSwingModel, a0: float, law: Array, count: int, guess: Array | None) -> Array:
     if guess is None or len(guess) != count + 1:
+        # The guess falls like 1/n, as for quadratic loss: between the decay of linear loss and the end of friction.
         first = float(swing.at(np.array([a0]), law).values[0, 0])
         guess = -np.log1p(np.arange(count + 1) * max(-first, 0.0))
+    # A coarse look gives a law up where Newton's iteration does: the full fit decides about it.
     return _polished(swing, a0, law, guess) if swing.coarse else _in_parts(swing, a0, law, guess)
 
 
@@ -99,9 +108,11 @@ def _polished(swing: HalfSwingModel, a0: float, law: Array, a: Array) -> Array:
         value = swing.at(a[:-1], law)
         L, slope = value.values[0], value.by_amplitude[0]
         product = np.concatenate([[1.0], np.cumprod(1 + slope)])
+        # An iterate at which the map is not increasing is no orbit, nor near one.
         if not (product > 0).all():
             break
         change = product * _before((a[:-1] + L - a[1:]) / product[1:])
+        # At most a factor e in an amplitude: a longer step would leave the domain of the series.
         a = a + np.clip(change, -1.0, 1.0)
         if np.abs(change).max() < _CLOSE:  # quadratic: the next change would be far below
             return a

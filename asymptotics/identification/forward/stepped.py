@@ -1,5 +1,8 @@
 """Half-swings by Runge and Kutta's steps in theta, where the series does not reach and the noise asks for few digits.
 
+The classical fourth-order method (Hairer, Norsett and Wanner 1993, II.1) in the angle, where the ends of a half-swing
+are known beforehand; the derivatives are complex steps (Squire and Trapp 1998, SIAM Rev. 40, 110-112).
+
 The equations of ``coefficients`` (and of ``pendulum``: k2 > 0) for all swings and all derivatives at once; the
 derivatives by a step in the imaginary direction, which loses no digit.  For whole exponents, whose forces are smooth,
 48 steps (192 near the top of the circle) leave 6e-8 at a loss of a quarter in one half-swing: measured against the
@@ -37,11 +40,14 @@ def stepped_swings(
     """(values, d/da, d/dstrengths) of L, T, R, T_q at the amplitudes; TooStrongError where no turning point follows."""
     count = len(elements)
     sets = 2 + count
+    # Column 0 as it is, column 1 with a moved, then each strength.
     nudge = 1j * _IMAGINARY * np.eye(sets)
     A = np.repeat(a[None], sets, axis=0) + nudge[:, 1:2]
     w = np.array([e.weight for e in elements])[:, None, None]
     delta = (strengths[:, None, None] + nudge[:, 2:].T[:, :, None]) * np.exp(w * A)
+    # One number of steps for all swings, by the largest: they run together.
     steps = _NEAR_THE_TOP if k2 and (k2 * np.exp(2 * a)).max() > _HIGH else _STEPS
+    # Even, so that the passage through the base line is a node.
     steps = max(2 * round(steps / 2 * (PRECISE / max(tolerance, PRECISE)) ** 0.25), _FEWEST)
     h = np.pi / steps
     sines, cosines, shapes = _places(elements, steps)
@@ -51,6 +57,7 @@ def stepped_swings(
         N = (delta * shapes[k] * np.exp(w * y)).sum(axis=0)
         g = np.sqrt(1 - k2 * c**2 * np.exp(2 * (A + y))) if k2 else 1.0
         d = g - c * N
+        # d = 0: the loss has taken all of the spring's force, and the phase stands still.
         if not (d.real > 0).all():
             raise TooStrongError("no turning point follows on the other side")
         return -s * N / d, 1 / d
@@ -77,6 +84,7 @@ def _places(elements: tuple[Element, ...], steps: int) -> tuple[list[float], lis
     """sin, cos and the shapes of the terms at the ends and the middles of the steps; both ends are at rest."""
     theta = np.arange(2 * steps + 1) * np.pi / steps / 2
     s, c = np.sin(theta), np.cos(theta)
+    # sin(pi) is 1.2e-16 in doubles; both ends are at rest exactly, where friction, s^0, is 1.
     s[[0, -1]] = 0.0
     shapes = [
         s**e.velocity * np.abs(c) ** e.position if e.kind == "loss" else -c * np.abs(c) ** max(e.position - 1, 0)

@@ -46,11 +46,13 @@ def smooth_noise(n: Array, y: Array, alternating: bool) -> tuple[float, float]:
     sign = np.where(n % 2, -1.0, 1.0) if alternating else np.ones(len(n))
     u = 2 * (n - n.min()) / np.ptp(n) - 1
     offset = np.ones((len(n), int(alternating)))
+    # Degree 13 at most: a decay needs less, and the half of the data stays for the noise.
     polynomials = (np.polynomial.chebyshev.chebvander(u, d) * sign[:, None] for d in range(1, min(14, len(n) // 2)))
     found = chosen((np.column_stack([columns, offset]) for columns in polynomials), y, aicc)
     if found is None:
         return 0.0, 1.0
     _, rss, parameters = found
+    # The scale of the noise is among the parameters, and is no coefficient.
     freedom = float(len(n) - parameters + 1)
     return float(np.sqrt(rss / freedom)), freedom
 
@@ -64,17 +66,21 @@ def adequate(fit: Fit, levels: Levels, left: float = 1.0) -> tuple[bool, str]:
     for kind, group in zip(fit.model.kinds, fit.model.groups):
         own = float(np.sqrt(left * (fit.residuals[group] ** 2).sum() / max(fit.freedoms[kind], 1.0)))
         level, freedom = levels[kind]
+        # A level from fewer than five data to spare is worth no verdict.
         if not level or freedom < 5:
             continue
+        # What the arithmetic leaves is no misfit of a law.
         level = max(level, fit.model.floor(kind, fit.theta))
         above = _exceeds(own, fit.freedoms[kind], level, freedom)
         squares = fit.residuals[group] ** 2
+        # Without its largest square: one swing that was touched, or one wild sample.
         rest = float(np.sqrt(left * (squares.sum() - squares.max()) / max(fit.freedoms[kind] - 1, 1.0)))
         alone = above and not _exceeds(rest, fit.freedoms[kind] - 1, level, freedom)
         good &= not above or alone
         words = f" ({rest:.3g} but for one value)" if alone else " (too large)" if above else ""
         said.append(f"{kind}: residual {own:.3g}, noise {level:.3g}{words}")
     share, frequency, p = strongest_line(fit.residuals[fit.model.groups[0]])
+    # At the floor the residuals are those of the arithmetic, which may well be one line.
     beyond = fit.scales["x"] > 1.01 * fit.model.floor("x", fit.theta)
     if left == 1 and beyond and share > _LINE and p < _SURELY and len(fit.model.seen.n) >= _LONG:
         good = False
@@ -85,6 +91,8 @@ def adequate(fit: Fit, levels: Levels, left: float = 1.0) -> tuple[bool, str]:
 def _exceeds(own: float, freedom: float, level: float, of_level: float) -> bool:
     """Whether residuals are larger than the noise beyond doubt; one value alone refutes no law."""
     p = float(fdtrc(max(freedom, 1.0), of_level, (own / level) ** 2))
+    # 1.3: with thousands of samples a tenth more than the noise would be significant, and may be what the smooth curve
+    # has taken up. A choice.
     return p < _SURELY and own > 1.3 * level
 
 
@@ -94,6 +102,7 @@ def strongest_line(r: Array) -> tuple[float, float, float]:
     p bounds the probability that white noise of this length has so large a share g in one of its m lines alone:
     each has it with probability (1 - g)^(m - 1), so that p = m (1 - g)^(m - 1).
     """
+    # Fisher's test of the largest ordinate of a periodogram (1929), by its first term, which bounds the probability.
     power = np.abs(np.fft.rfft(r - r.mean())) ** 2
     k, total = int(np.argmax(power)), float(power.sum())
     if not total > 0:

@@ -16,7 +16,8 @@ from asymptotics.identification.judging.comparison import LawFit
 from asymptotics.present.shown import Shown
 
 WEAK = 0.2
-"""The share of the loss from which on a term that is not excluded makes the verdict too weak for one law."""
+"""The share of the loss from which on a term that is not excluded makes the verdict too weak for one law.  A choice: a
+smaller one says "several" more often, and the share itself is told either way."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -53,6 +54,7 @@ def allowances(chosen: LawFit, laws: Sequence[LawFit], first: float | None) -> t
     found = []
     for law in laws:
         further = set(law.candidate.elements) - set(chosen.candidate.elements)
+        # A law with a fitted exponent is no extension of one whose exponent is given.
         alike = law.candidate.free == chosen.candidate.free and chosen.candidate.is_within(law.candidate)
         if law.verdict == "consistent" and alike and len(further) == 1:
             found.append(_allowance(chosen, law, next(iter(further)), first))
@@ -67,6 +69,7 @@ def _instead_of_sine(chosen: LawFit, laws: Sequence[LawFit]) -> tuple[Allowance,
         if chosen.candidate.pendulum and law.candidate.losses == chosen.candidate.losses and law.candidate.springs
     ]
     standing = [law for law in alike if law.verdict == "consistent"]
+    # The cubic alone if it will do: with x^5 beside it, its coefficient has a wider interval.
     law = min(standing, key=lambda law: len(law.candidate.springs), default=None)
     if law is None:
         return ()
@@ -81,6 +84,7 @@ def _allowance(chosen: LawFit, law: LawFit, term: Element, first: float | None) 
         return Allowance(name, None)
     if term.kind == "spring":
         return Allowance(name, max(abs(ends.low), abs(ends.high)))
+    # A loss is not negative: where the whole interval is, none is allowed.
     largest = max(ends.high, 0.0)
     if first is None or law.candidate.free:
         return Allowance(name, largest)
@@ -95,4 +99,5 @@ def _percent(share: float) -> str:
 
 
 def _first_order(term: Element) -> float:
+    # L = -J delta + ..., the same for all amplitudes.
     return -float(swing_coefficients((term,), 1).L[0, 1])

@@ -19,7 +19,8 @@ from asymptotics.identification.judging.comparison import LawFit, fit_law, stren
 from asymptotics.identification.measuring.observations import Observations
 
 ASSUMED_DRIFT = 0.01
-"""The relative change of frequency that is assumed when it cannot be measured."""
+"""The relative change of frequency that is assumed when it cannot be measured: a choice, which the answer tells.  Twice
+as much widens the intervals nearly twice as much, by the first-order effect of the spring."""
 
 
 def spring_bound(seen: Observations) -> tuple[float, str]:
@@ -27,9 +28,11 @@ def spring_bound(seen: Observations) -> tuple[float, str]:
     if seen.has_times:
         fitted = fit_law(Candidate((("1", 0),), (3,)), seen).fit
         if fitted is not None:
+            # The vector is ln A_0, epsilon_1, gamma = c A_0^2: the larger end of its interval is the bound.
             found = wald_interval(fitted, coordinate(2), kind="t")
             bound = max(abs(found.low or 0.0), abs(found.high or 0.0))
             return bound, f"the times show a drift of at most {3 / 8 * bound:.2g} of the frequency"
+    # omega moves by (3/8) c A^2.
     return 8 / 3 * ASSUMED_DRIFT, f"no times: a drift of {ASSUMED_DRIFT:g} of the frequency is assumed"
 
 
@@ -45,6 +48,7 @@ def relieved(law: LawFit, bound: float) -> LawFit:
         return law
     middle = law.fit.chi2
     bend = low[1] + high[1] - 2 * middle
+    # The vertex of the parabola through -1, 0 and 1, if it has one between them.
     place = float(np.clip((low[1] - high[1]) / (2 * bend), -1, 1)) if bend > 0 else 0.0
     parabola = middle + place * (high[1] - low[1]) / 2 + place**2 * bend / 2
     least = max(min(low[1], high[1], parabola), 0.0)
@@ -60,6 +64,8 @@ def widened(law: LawFit, bound: float) -> LawFit:
     if not known:
         return law
     at_zero = np.array([e.estimate for e in law.epsilon])
+    # Both signs: the intervals move to the side to which the spring would move the estimates, each by its largest
+    # shift.
     shifts = np.stack(known) - at_zero
     below, above = -np.minimum(shifts.min(axis=0), 0), np.maximum(shifts.max(axis=0), 0)
     return replace(law, epsilon=tuple(e.widened(float(b), float(a)) for e, b, a in zip(law.epsilon, below, above)))
@@ -69,6 +75,7 @@ def _with_spring(law: LawFit, gamma: float) -> tuple[Array, float] | None:
     """The strengths refitted with a cubic spring held at c A_ref^2 = gamma, and the weighted sum of squares."""
     assert law.fit is not None
     old, candidate = law.fit.model, law.candidate
+    # A law with this spring has no unseen one.
     if 3 in candidate.springs:
         return None
     larger = Candidate(candidate.losses, (*candidate.springs, 3))
@@ -79,6 +86,7 @@ def _with_spring(law: LawFit, gamma: float) -> tuple[Array, float] | None:
 
     def held(at: Array) -> tuple[float, Array]:
         gradient = np.zeros(len(at))
+        # One residual that holds the spring: 1e8 standard errors for a unit, so that it moves by nothing that matters.
         gradient[place] = 1e8
         return (float(at[place]) - gamma) * 1e8, gradient
 

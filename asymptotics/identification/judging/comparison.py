@@ -25,7 +25,8 @@ _ALWAYS, _MARGIN, _WORSE = 6, 50.0, 1e-3
 above the best, for e^-25 is no rival; log-likelihoods are alike within 1e-3, by which two runs of the minimiser may
 differ.  These are choices, not measurements: they decide which law is tried to its end, never its verdict."""
 _MANY, _FAR, _WEAKER = 6, 10.0, 3
-"""So many laws of one spring are worth a look at the largest of them first."""
+"""So many laws of one spring are worth a look at the largest first; so many margins from the best are far; so often a
+start is weakened by 0.8.  Choices, as those above."""
 _SHARE = 0.2
 """Of the time that is left, what one fit may take."""
 UNTRIED = "not tried to its end: the time was over"
@@ -132,10 +133,11 @@ def fit_laws(
     the time does not suffice for has no fit, and says so.
     """
     fits = [LawFit(c, None, reason=UNTRIED) for c in candidates]
-    half, points, look, first = time.part(0.5), seen, noise, first_of_families(candidates)
+    half, points, look, first = time.part(0.5), seen, noise, first_of_families(candidates)  # half for the first look
     if seen.samples is not None:
         points, look = (
             replace(seen, samples=None),
+            # Of samples the turning points are made up: their stated errors weigh the first look.
             Noise(*(float(np.sqrt(np.mean(s**2))) for s in (seen.sigma_x, seen.sigma_t))),
         )
     for i in sorted(range(len(fits)), key=lambda i: (candidates[i] not in first, fits[i].parameters)):
@@ -149,7 +151,7 @@ def fit_laws(
     margin = _margin(fits)
     for rank, i in enumerate(order):
         rough = fits[i]
-        if rough.verdict == "refuted":
+        if rough.verdict == "refuted":  # beyond hope already
             continue
         if rank < _ALWAYS or rough.criterion < least + margin or not _is_good(rough.fit):
             tick(f"the law {candidates[i]}; the best at the first look: {candidates[order[0]]}")
@@ -187,7 +189,7 @@ def _dispensable(larger: LawFit, law: LawFit) -> bool:
     first = larger.fit.model.law.start
     further = [first + k for k, e in enumerate(larger.candidate.elements) if e not in law.candidate.elements]
     strengths, covariance = larger.fit.theta[further], larger.fit.covariance[np.ix_(further, further)]
-    return float(strengths @ np.linalg.pinv(covariance) @ strengths) < _MARGIN
+    return float(strengths @ np.linalg.pinv(covariance) @ strengths) < _MARGIN  # Wald's chi-squared of 0
 
 
 def _margin(fits: Sequence[LawFit]) -> float:
@@ -224,8 +226,11 @@ def _beyond_hope(candidate: Candidate, fits: Sequence[LawFit], first: Mapping[Ca
         head = looked.get(largest)
         if head is None or candidate not in inside or not _is_good(head.fit):
             continue
+        # A law that contains another fits at least as well; where it does not, the minimiser failed, and nothing
+        # follows.
         trusted = all(_likelihood(head) >= _likelihood(looked[c]) - _WORSE for c in inside if c in looked)
         if trusted and -2 * _likelihood(head) > least + _FAR * _margin(fits):
+            # The deviance of the largest law is below that of each law inside it, and so below the AICc of each.
             beyond = -2 * _likelihood(head) - least
             return (
                 f"far from the data at the first look: so is {largest}, which contains it ({beyond:.3g} above the best)"
@@ -261,7 +266,7 @@ def _embedded(fit: Fit, law: Candidate, larger: Candidate) -> Array:
     if larger.free and not law.free:
         first[0] = fit.theta[1]
         first.append(law.elements[0].velocity)
-    elif law.free and not larger.free:
+    elif law.free and not larger.free:  # the exponent leaves the vector
         first[0] = fit.theta[1]
         rest = rest[1:]
     return np.concatenate([fit.theta[:1], first, rest])
@@ -286,6 +291,7 @@ def fit_law(
     if seen.samples is not None:
         return _fit_motion(candidate, seen, noise, start)
     model = Model(candidate.swing(coarse), seen, pendulum=candidate.pendulum)
+    # Two data to spare: AICc divides by what is left.
     if len(model.data) < model.size + 2:
         return LawFit(candidate, None, reason=f"{len(model.data)} data for {model.size} unknowns")
     try:
@@ -356,6 +362,7 @@ def with_intervals(law: LawFit, *, profiled: bool) -> LawFit:
     fit = law.fit
     assert fit is not None
     losses, terms = len(law.candidate.losses), law.terms
+    # Springs are seen in the times, best in the passages: Student's t has the freedom of those.
     clock = next((k for k in ("passage", "t") if k in fit.model.kinds), "x")
     interval = profile_interval if profiled else wald_interval
     kinds = ["x"] * losses + [clock] * len(law.candidate.springs) + ["x"] * law.candidate.free
@@ -382,7 +389,7 @@ def predicted_error(law: LawFit, seen: Observations, share: float = 2 / 3) -> fl
     if first.fit is None:
         return None
     model = Model(first.fit.model.swing, seen, first.fit.model.offset, law.candidate.pendulum)
-    late = np.flatnonzero(seen.n > early.last)
+    late = np.flatnonzero(seen.n > early.last)  # what the fit has not seen
     try:
         predicted, _ = model.predict(first.fit.theta)
     except TooStrongError:

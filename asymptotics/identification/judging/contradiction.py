@@ -1,5 +1,7 @@
 """When do the data contradict a law?  When another law explains them better than chance allows.
 
+The likelihood-ratio test, for nested laws by Wilks's theorem (1938), for others by the inequality below.
+
 Let C be the law in question, B another, and k the number of parameters that B has and C has not.  If C is true, then
 
     -2 ln(L_C/L_B)  <=  -2 ln(L_C/L_(B and C together)),
@@ -21,7 +23,8 @@ from asymptotics.identification.forward.candidates import Candidate
 from asymptotics.identification.forward.swing import MAX_FREE_ALPHA
 
 REFUTED = 1e-3
-"""The probability of so bad a fit, were the law true, below which it is refuted."""
+"""The probability of so bad a fit, were the law true, below which it is refuted.  Small, for dozens of laws are
+compared: of a thousand true laws about one exceeds it (``docs/theory/identifiability.md``)."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +53,10 @@ def further_parameters(larger: Candidate, law: Candidate) -> int:
     if larger.free:
         if law.free:
             return springs
+        # A single loss with exponent up to 5 lies within the free one, which has one parameter more; a sum does not:
+        # two.
         return springs + (1 if len(law.losses) == 1 and _is_one_of_the_free(law) else 2)
+    # A fixed exponent has nothing that the free one lacks.
     if law.free and len(larger.losses) == 1 and _is_one_of_the_free(larger):
         return springs
     return springs + len(set(larger.losses) - set(law.losses))
@@ -69,8 +75,10 @@ def contradiction(
     ``inflation``: by how much correlated residuals of ``better`` stretch intervals; ``left``: the share of the
     sum of squares of ``law`` that effects which the data cannot show would leave.
     """
+    # In units of twice the log-likelihood: with scales from the residuals, N ln of the share of the sum of squares.
     relief = fit.chi2 * (1 - left) if fit.known else -len(fit.residuals) * np.log(max(left, 1e-12))
     terms = further_parameters(by, law)
+    # Residuals that remember are fewer independent data: by the square of what stretches an interval.
     ratio = (2 * (better.log_likelihood - fit.log_likelihood) - relief) / inflation**2
     if terms == 0 or not ratio > 0:
         return Contradiction(by, max(ratio, 0.0), terms, 1.0)
@@ -82,6 +90,7 @@ def _p_value(ratio: float, terms: int, better: Fit) -> float:
     if better.known:
         return float(chdtrc(terms, ratio))
     sizes = [group.stop - group.start for group in better.model.groups]
+    # The smallest group has the heaviest tail of F: the p-value is rather too large, which refutes less.
     place = int(np.argmin(sizes))
     freedom = max(better.freedoms[better.model.kinds[place]], 1.0)
     F = float(np.expm1(min(ratio / sizes[place], 700.0))) * freedom / terms

@@ -47,6 +47,7 @@ class Unexplained:
 def unexplained(fit: Fit) -> Unexplained | None:
     """What a fitted law leaves of the loss; None where there are no turning points, or they hardly fall."""
     model, seen = fit.model, fit.model.seen
+    # Printed decrements are no sequence; four points have no polynomial to spare.
     if not model.alternating or len(seen.n) < 5:
         return None
     try:
@@ -62,12 +63,15 @@ def open_share(size: Array, residual: Array) -> Unexplained:
     """From the amplitudes of the law and the relative residuals, whose noise is as 1/amplitude."""
     s = np.log(size)
     u = 2 * (s - s.min()) / np.ptp(s) - 1
+    # Three data for each coefficient.
     degrees = range(min(_DEGREES, len(s) // 3) + 1)
+    # Both sides times the amplitude: the noise of the turning points is then equal, as least squares wants it.
     polynomials = (np.polynomial.chebyshev.chebvander(u, d) * size[:, None] for d in degrees)
     found = chosen(polynomials, residual * size, bic)
     c = np.zeros(1) if found is None else found[0]
     grid = np.linspace(-1, 1, _POINTS)
     slope = np.polynomial.chebyshev.chebder(c) if len(c) > 1 else np.zeros(1)
+    # d/ds = (2/range) d/du.
     ratio = np.polynomial.chebyshev.chebval(grid, slope) * 2 / np.ptp(s)
     return Unexplained(float(np.sqrt(np.mean(ratio**2))), np.exp(s.min() + (grid + 1) / 2 * np.ptp(s)), ratio)
 

@@ -20,10 +20,13 @@ from asymptotics.identification.judging.contradiction import REFUTED, Contradict
 from asymptotics.identification.judging.grades import unexplained
 
 _SHARE = 0.3
+"""Of the time that is left, what the profiles of one law may take."""
 _PROFILED = FEW = 8
-"""So many candidates get profile likelihoods all, whether the data support them or not."""
+"""So many candidates get profile likelihoods all, whether the data support them or not: a matter of time, and of the
+shape of their intervals, which by curvature are symmetric."""
 _DISFAVOURED = 1e-2
-"""A law with more parameters, not refuted but less probable than this beside a simpler one, is not its rival."""
+"""A law with more parameters, not refuted but less probable than this beside a simpler one, is not its rival.  A choice
+between the level of an interval and that of a refutation; such a law is named beside the verdict."""
 
 
 def judged(
@@ -34,10 +37,12 @@ def judged(
     found = [_measured(law, levels, bootstrap) for law in fits]
     least = min((law.criterion for law in found), default=float("inf"))
     found = [replace(law, excess=law.criterion - least) if law.usable else law for law in found]
+    # First intervals and signs, for only a law without a negative loss may refute another.
     found = [replace(law, against=worst(law, found, growing)) for law in found]
     rough = [labelled(law, growing) for law in found]
     standing = sorted((law for law in rough if law.verdict == "consistent"), key=lambda law: law.criterion)
     best = sorted((law for law in rough if law.usable), key=lambda law: law.criterion)[:1]
+    # The laws of the verdict, the best of all, then the others that stand.
     order = rough if len(rough) <= FEW else [*minimal(rough), *best, *standing]
     matter = list(dict.fromkeys(law.candidate for law in order if law.usable))[:_PROFILED]
     profiled = {law.candidate: law for law in rough}
@@ -45,6 +50,7 @@ def judged(
         tick(f"the intervals of the law {candidate}")
         law = profiled[candidate]
         profiled[candidate] = time.within(_SHARE, partial(_profiled, law), law)
+    # A profile may hold 0, or exclude it, where the curvature did not: the verdicts are made again.
     return relabelled([profiled[law.candidate] for law in rough], growing)
 
 
@@ -55,6 +61,7 @@ def _measured(law: LawFit, levels: Levels, bootstrap: bool) -> LawFit:
     good, said = adequate(law.fit, levels, law.left)
     stretches: tuple[float, ...] = ()
     if bootstrap and is_correlated(law.fit):
+        # One set of draws for all strengths of the law.
         drawn = replicas(law.fit)
         stretches = tuple(stretch(law.fit, g, drawn) for g in law.functions)
     law = replace(
@@ -88,6 +95,7 @@ def labelled(law: LawFit, growing: bool) -> LawFit:
     """The law with its verdict and the reason for it."""
     if not law.usable:
         return law
+    # In this order: what other laws say, what the residuals say, what physics says, what the data leave open.
     if law.against.p < REFUTED:
         return law.judged_as("refuted", str(law.against))
     if law.misfit:
@@ -107,6 +115,7 @@ def relabelled(laws: Sequence[LawFit], growing: bool) -> list[LawFit]:
 
 def is_negative(strength: Interval) -> bool:
     """Whether a strength is negative beyond doubt: 0 lies outside the interval stretched to twice its length."""
+    # Twice the 95 % interval is about four standard errors: a true strength near 0 is hardly ever refuted by its sign.
     high = strength.stretched(2.0).high
     return high is not None and high < 0
 
@@ -124,6 +133,7 @@ def contains(larger: LawFit, smaller: LawFit) -> bool:
         return True
     if one.pendulum and other.springs:
         alike = set(one.losses) <= set(other.losses) or (other.free and _holds_exponent(larger, smaller))
+        # Where the free spring explains the data better than the sine, it is a law of its own.
         return alike and against(smaller, larger).p >= _DISFAVOURED
     return other.free and further_parameters(one, other) == 0 and _holds_exponent(larger, smaller)
 
@@ -133,6 +143,7 @@ def _holds_exponent(larger: LawFit, smaller: LawFit) -> bool:
     losses = smaller.candidate.losses
     if len(losses) > 1 or losses[0][1]:
         return False
+    # Stretched as in ``is_negative``: outside of it the exponent of the smaller law is excluded beyond doubt.
     return larger.alpha is None or larger.alpha.stretched(2.0).contains(smaller.candidate.elements[0].velocity)
 
 
@@ -169,6 +180,7 @@ def _commented(law: LawFit, smallest: Sequence[LawFit]) -> LawFit:
     names = [*law.candidate.alphas, *(f"s{p}" for p in law.candidate.springs)]
     further = {name: held.get(name, True) for name in names if name not in known}
     if law.candidate.free and not inside.candidate.free:
+        # The free loss is the loss of the smaller law: what is not needed is that its exponent is free.
         del further[law.candidate.alphas[0]]
         value = inside.candidate.elements[0].velocity
         further["a free exponent"] = law.alpha is None or law.alpha.contains(value)

@@ -1,5 +1,8 @@
 """How many parameters the data bear: the criteria of Akaike and of Schwarz, and the fit that one of them chooses.
 
+The field's word is model selection: Akaike 1974 (IEEE Trans. Autom. Control 19, 716-723), with the small-sample term of
+Hurvich and Tsai 1989 (Biometrika 76, 297-307), and Schwarz 1978 (Ann. Statist. 6, 461-464).
+
 With k parameters and n data, the noise among the parameters where it is fitted too, and -2 ln(likelihood) the deviance,
 
     AICc = deviance + 2 k + 2 k (k + 1)/(n - k - 1),        BIC = deviance + k ln n.
@@ -37,8 +40,10 @@ def chosen(bases: Iterable[Array], y: Array, criterion: Criterion) -> tuple[Arra
     best, found = inf, None
     for columns in bases:
         c = np.asarray(np.linalg.lstsq(columns, y, rcond=None)[0], dtype=float)
+        # A basis that leaves nothing at all must still have a logarithm.
         rss, parameters = max(float(((y - columns @ c) ** 2).sum()), 1e-300), columns.shape[1] + 1
         value = criterion(len(y) * log(rss / len(y)), parameters, len(y))
+        # Of equals the first, which is the smallest where the bases grow.
         if value < best:
             best, found = value, (c, rss, parameters)
     return found

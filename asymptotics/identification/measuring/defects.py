@@ -9,6 +9,8 @@ from asymptotics.records.rows import RowPlaces
 
 Flags = np.ndarray[tuple[int], np.dtype[np.bool_]]
 _MOST_CLIPPED = 0.6
+"""The share of samples that must be whole: with less the phases near the turning points are never seen.  A choice; it
+refuses."""
 _PLATEAU = 4
 """Equal samples that make a plateau on their own, if it is entered and left at speed."""
 
@@ -23,8 +25,11 @@ def usable(t: Array, x: Array, rows: RowPlaces) -> Flags:
     whole = np.ones(len(x), dtype=bool)
     for extreme, word in ((x.max(), "largest"), (x.min(), "smallest")):
         runs = _runs(x == extreme)
+        # Two equal extreme samples are ordinary in a quantised record, and one is the extreme itself.
         long = [run for run in runs if run[1] - run[0] >= 3]
         sharp = [run for run in long if run[1] - run[0] >= _PLATEAU and _is_sharp(x, *run)]
+        # One plateau that is entered at speed, or three that are so in the median: a single slow one is a hand that
+        # holds, or rest.
         if sharp or (len(long) >= 3 and _is_cut(x, long, float(extreme))):
             whole[x == extreme] = False
         if whole.mean() < _MOST_CLIPPED:
@@ -45,6 +50,7 @@ def _is_sharp(x: Array, start: int, stop: int) -> bool:
     From rest the first two steps, a/2 and 3a/2, sum to twice the second difference a; a hand that holds the body
     before its release leaves a plateau so.
     """
+    # Eight samples on each side, the nearest first; five of them measure the second difference.
     before, after = x[max(start - 8, 0) : start][::-1], x[stop : stop + 8]
     steps = np.abs(np.diff(x))
     quantum = float(steps[steps > 0].min())
@@ -53,6 +59,7 @@ def _is_sharp(x: Array, start: int, stop: int) -> bool:
             return False
         away = np.diff(outside, prepend=x[start])
         bend = float(np.abs(np.diff(away[1:5])).max())
+        # From rest it would be 2 bend: 3 leaves room for noise, 4 steps of the last digit for rounding.
         if float(np.abs(away[:2]).sum()) < 4 * quantum + 3 * bend:
             return False
     return True
@@ -74,12 +81,17 @@ def shape_notes(t: Array, x: Array, turning: Array, sigma: Array, period: float)
     """Growth, and amplitudes that beat: signs of a second mode, of forcing, or of self-excitation."""
     size = np.abs(turning)
     notes = []
+    # Beyond five standard errors of both ends: noise does not.
     if size[-1] > size[0] + 5 * (sigma[0] + sigma[-1]):
         notes.append("the amplitude grows: this is not a decay")
+    # Turning points of one side, so that an offset makes no rise; 1e-6 is what the fit of an extreme leaves without
+    # noise.
     rise = np.diff(size[::2]) > 6 * (sigma[::2][1:] + sigma[::2][:-1]) + 1e-6 * size[0]
+    # One may be a knock, which is cut elsewhere.
     if rise.sum() >= 2:
         notes.append(f"the amplitude rises {rise.sum()} times: a second mode, forcing, or an unquiet base")
     gap = float(np.diff(t).max())
+    # A fifth of a period hides an extreme or a passage.
     if gap > 0.2 * period:
         notes.append(f"the longest gap between samples is {gap:.3g}, {gap / period:.2g} periods")
     return notes
@@ -96,10 +108,14 @@ def is_constant(size: Array) -> bool:
 
     Then one number is seen, the mean amplitude: no exponent, no spring (it is a shift of the frequency).
     """
+    # Too few to tell a slope from noise: then the amplitude is not called constant.
     if len(size) < 8:
         return False
     n = np.linspace(-1.0, 1.0, len(size))
     steps = np.diff(size)
+    # Differences of neighbours know the noise whatever the trend is (von Neumann's ratio, 1941).
     noise = float(np.sqrt((steps**2).sum() / (2 * len(steps))))
     slope = float(n @ size) / float(n @ n)
+    # 1.5: white noise has a ratio near 1, a smooth shape a larger one. Both limits are choices, which only keep laws
+    # from being compared that the data cannot tell apart.
     return bool(abs(slope) < 4 * noise / np.sqrt(n @ n) and size.std() < 1.5 * noise)

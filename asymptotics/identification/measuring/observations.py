@@ -77,6 +77,7 @@ class Observations:
         position = np.asarray(x, dtype=float)
         text = tuple(notes)
         alternate = np.where((number - number[0]) % 2, -1.0, 1.0)
+        # A decay about a base line changes sign at every turning point: values of one sign are amplitudes.
         if len(position) > 1 and ((position > 0).all() or (position < 0).all()):
             position = np.abs(position) * alternate
             text = (*text, "the values have one sign: read as amplitudes |x_n|")
@@ -91,6 +92,7 @@ class Observations:
     @property
     def sign(self) -> Array:
         """The sign of x_n: it alternates, whatever the noise does."""
+        # By all of them together: a late one may have lost its sign to noise.
         first = 1.0 if (self.x * np.where(self.n % 2, -1.0, 1.0)).sum() >= 0 else -1.0
         return first * np.where(self.n % 2, -1.0, 1.0)
 
@@ -122,6 +124,7 @@ class Observations:
         """The longest stretch of turning points with low <= |x_n| <= high; the numbering starts with it."""
         inside = np.flatnonzero((np.abs(self.x) >= low) & (np.abs(self.x) <= high))
         pieces = np.split(inside, np.flatnonzero(np.diff(inside) > 1) + 1)
+        # A stretch, not all that fits: a beat comes back into the range, and belongs to another decay.
         chosen = max(pieces, key=len)
         passages = np.isin(self.passage_n, self.n[chosen[:-1]])
         return Observations.of(

@@ -19,7 +19,9 @@ from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.measuring.criteria import bic
 
 _DEGREES = (1, 2, 3, 5)
+"""Turning times are nearly n T: a spring or a loss bends them, a deep pendulum by more; BIC chooses."""
 _LEAST = 12
+"""Twice the coefficients of degree 5: with fewer times the curve would follow their noise."""
 _PASSAGE = 0.25
 """The error of a passage as a share of that of an extreme: the motion is steep there."""
 _NOISY = 3.0
@@ -44,7 +46,9 @@ def quiet_times(t: Array, x: Array, sigma: Array, passages: Array, steps: Array)
     n = np.concatenate([[0.0], np.cumsum(steps)])
     inside = passages[(passages > t[0]) & (passages < t[-1])]
     where = np.interp(inside, t, n)
+    # Passages stand half-way in number; what damping and drift make of that is the line that they have more.
     place = np.floor(where) + 0.5
+    # The error of a time goes like 1/amplitude, so that the amplitude is its weight.
     size = np.interp(n, n, _smooth_size(n, x))
     error = float(np.median(sigma * size))
     rows = np.concatenate([n, place])
@@ -53,6 +57,7 @@ def quiet_times(t: Array, x: Array, sigma: Array, passages: Array, steps: Array)
     late = np.concatenate([np.zeros(len(n)), np.ones(len(place))])
     tried = [_fitted(degree, rows / n[-1] * 2 - 1, late, data, weights) for degree in _DEGREES]
     best, curve = min(tried, key=lambda pair: pair[0])
+    # The median: a few wild times do not decide that there is no curve.
     typical = float(np.median(np.abs(t - curve[: len(t)]) * size))
     if typical >= _NOISY * error:
         return None
@@ -75,10 +80,13 @@ def _fitted(degree: int, u: Array, late: Array, data: Array, weights: Array) -> 
     for _ in range(4):
         c, *_rest = np.linalg.lstsq(V[keep] * weights[keep, None], data[keep] * weights[keep], rcond=None)
         misfit = (data - V @ c) * weights
+        # The standard deviation of a normal distribution from its median deviation.
         scale = 1.4826 * float(np.median(np.abs(misfit)))
         near = np.abs(misfit) <= _CLIP * scale
+        # So many misses are no outliers: the degree is wrong, and BIC will say so.
         if near.mean() < _MOST:
             break
         keep = near
+    # Clipped misses count at the clip, so that no degree gains by leaving more of them out.
     rss = float((np.minimum(np.abs(misfit), _CLIP * max(scale, 1e-15)) ** 2).sum())
     return bic(len(data) * np.log(max(rss, 1e-300)), len(columns), len(data)), V @ c

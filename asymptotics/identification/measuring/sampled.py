@@ -45,6 +45,7 @@ def observations_of_motion(
             notes = (*notes, f"the means of {step} samples each are fitted")
     line = demodulated(t, x, period)
     keep = _free(line, t)
+    # Once more on the free decay alone: what is forced or hidden has bent the polynomials.
     if keep.sum() >= LEAST_SAMPLES and not keep.all():
         t, x = t[keep], x[keep]
         notes = (*notes, f"free decay from t = {t[0]:.6g} to {t[-1]:.6g}: the rest is forced, held or hidden by noise")
@@ -74,8 +75,10 @@ def _thinned(t: Array, x: Array, omega: float, step: int) -> tuple[Array, Array]
     count = len(t) // step * step
     times, values = t[:count].reshape(-1, step), x[:count].reshape(-1, step)
     middle = times.mean(axis=1)
+    # Exactly |sin(w)/w| for even samples; as it stands it holds for uneven ones too.
     smaller = np.abs(np.exp(1j * omega * (times - middle[:, None])).mean(axis=1))
     level = float(np.median(values))
+    # A group over a gap may average the wave away: 0.1 keeps its correction finite.
     return middle, level + (values.mean(axis=1) - level) / np.maximum(smaller, 0.1)
 
 
@@ -84,6 +87,7 @@ def _free(line: SpectralLine, t: Array) -> Array:
     size = line.at(t)[0]
     first = int(np.argmax(size))
     keep = np.ones(len(t), dtype=bool)
+    # Five percent above its start: below that the polynomial itself may rise. Late maxima are growth, and stay.
     if 0 < first < len(t) // 2 and size[first] > 1.05 * size[0]:
         keep[:first] = False
     hidden = np.flatnonzero(size[first:] < _HIDDEN * line.noise)
@@ -98,6 +102,7 @@ def _require_line(line: SpectralLine, t: Array, name: str) -> None:
     if len(t) < LEAST_SAMPLES or per_period < _PER_PERIOD:
         reason = f"{name} has {len(t)} samples, {per_period:.3g} a period"
         raise InputError("FILE", reason, f"at least {LEAST_SAMPLES} samples, {_PER_PERIOD} a period, or turning points")
+    # Base, drift and a line of degree 2 fit anything shorter.
     if periods < 1.5:
         raise InputError("FILE", f"{name} shows {periods:.2g} periods", "at least 1.5 periods of a free decay")
     if line.noise > _LOUD * float(line.at(t)[0].max()):

@@ -57,6 +57,7 @@ def _peak(t: Array, x: Array) -> tuple[float, float] | None:
     if len(t) < _LEAST:
         return None
     span, step = float(t[-1] - t[0]), float(np.median(np.diff(t)))
+    # As in ``demodulation.dominant_period``.
     count = int(min(2 ** int(np.log2(len(t)) + 1), 2**17))
     grid = np.linspace(t[0], t[-1], count)
     even = np.interp(grid, t, x)
@@ -66,17 +67,21 @@ def _peak(t: Array, x: Array) -> tuple[float, float] | None:
     bin_width = 2 * np.pi * (count - 1) / count / span
     main = int(np.argmax(power))
     omega = main * bin_width
+    # Below five periods in the record every other line stands within the width of the motion's.
     if main < 5 or 2 * np.pi / omega / step < _PER_PERIOD:
         return None
     far = _APART + _chirp(t, x, omega)
     highest = min(_HIGHEST * omega, _NYQUIST * 2 * np.pi / step) / bin_width
     k = np.arange(max(int(_LOWEST * main), 3), min(int(highest), len(power) - _SIDE - 1))
+    # The odd overtone nearest to each bin: those of a symmetric force.
     odd = 2 * np.floor(k / main / 2) + 1
     k = k[np.abs(k - odd * main) > np.maximum(far * odd * main, _NEAR)]
+    # Why half of _SMALLEST is not recorded: it decides what is looked at, and _WORTH what is taken off.
     k = k[(power[k] >= power[k - 1]) & (power[k] >= power[k + 1]) & (power[k] > _SMALLEST * power[main] / 2)]
     if not len(k):
         return None
     reach = np.arange(_NEAR, _SIDE + 1)
+    # The higher of both sides: the flank of the motion has one high side, and is no line.
     sides = [np.quantile(power[np.maximum(k[:, None] + way * reach, 2)], _LOW, axis=1) for way in (-1, 1)]
     k = k[power[k] > _HEIGHT * np.maximum(*sides)]
     return (omega, float(k[np.argmax(power[k])] * bin_width)) if len(k) else None
@@ -84,17 +89,20 @@ def _peak(t: Array, x: Array) -> tuple[float, float] | None:
 
 def _chirp(t: Array, x: Array, omega: float) -> float:
     """By which share the frequency changes: slopes of the phase, from means over whole periods, in both halves."""
+    # Means over two whole periods, in which the carrier and its overtones cancel.
     place = ((t - t[0]) * omega / (4 * np.pi)).astype(int)
     count = np.maximum(np.bincount(place), 1)
     wave = (x - np.median(x)) * np.exp(-1j * omega * (t - t[0]))
     means = (np.bincount(place, wave.real) + 1j * np.bincount(place, wave.imag)) / count
     phase, middle = np.unwrap(np.angle(means)), len(means) // 2
+    # Two slopes of less than three points each would be noise.
     if middle < 3:
         return 0.0
     slopes = [
         np.polyfit(np.arange(len(phase[part])), phase[part], 1, w=np.abs(means[part]) + 1e-300)[0]
         for part in (slice(middle), slice(middle, None))
     ]
+    # The phase gains 4 pi times the share in each step of two periods.
     return float(abs(slopes[1] - slopes[0])) / (4 * np.pi)
 
 
@@ -104,16 +112,20 @@ def _fitted(t: Array, x: Array, omega: float, other: float) -> tuple[Array, str]
     some = slice(None, None, -(-len(t) // _MOST))
     T, X = t[some], x[some]
     slow = _motion(SpectralLine(T, omega, np.zeros(_SLOW), np.zeros(1), 0.0, 0.0, 0.0), T)
+    # A rough fit of both, to take the line off before the motion is demodulated.
     line = _line(t, other)[some, : 2 * _SLOW]
     rough = X - line @ _solved(slow, line, X)[slow.shape[1] :]
     first = demodulated(T, rough, 2 * np.pi / omega)  # without the line, or its modulation would follow it
     main = _motion(first, T)
+    # The frequency again, now that the motion is away: a bin of the spectrum is too coarse for a phase over the record.
     other = _refined(T, X - main @ _solved(main, main[:, :0], rough), other)
     line = _line(t, other)
     Q = np.linalg.qr(np.concatenate([main, line[some]], axis=1))[0]
     left = X - Q[:, : main.shape[1]] @ (Q[:, : main.shape[1]].T @ X)
+    # Without the line: the criterion that it has to beat by _WORTH.
     criteria = [len(T) * np.log(float(left @ left) / len(T)) - _WORTH]
     for place in range(main.shape[1], Q.shape[1], 2):
+        # Cosine and sine of one degree together: Akaike's 2 for each.
         left = left - Q[:, place : place + 2] @ (Q[:, place : place + 2].T @ X)
         criteria.append(len(T) * np.log(max(float(left @ left), 1e-300) / len(T)) + 2.0 * (place + 2 - main.shape[1]))
     columns = 2 * int(np.argmin(criteria))
@@ -151,6 +163,8 @@ def _places(t: Array) -> Array:
 
 def _refined(t: Array, left: Array, omega: float) -> float:
     """The frequency of the line in what the motion leaves, within a bin of where the spectrum shows it."""
+    # A twentieth of a bin: the phase is then off by 0.16 rad at the ends, which the modulation takes up.
     trials = omega + np.linspace(-1.5, 1.5, 61) * 2 * np.pi / (t[-1] - t[0])
+    # Hann's window: what is left of the motion leaks less into the place.
     window = np.sin(np.pi * (t - t[0]) / (t[-1] - t[0])) ** 2 * left
     return float(trials[np.argmax(np.abs(np.exp(-1j * trials[:, None] * (t - t[0])) @ window))])

@@ -25,11 +25,14 @@ def sensor_notes(t: Array, x: Array) -> list[str]:
     if len(t) < _FEWEST:
         return notes
     step = quantum(x)
+    # An error spread evenly over a step has this standard deviation (Bennett 1948, Bell Syst. Tech. J. 27, 446-472).
     if step:
         notes.append(f"values in steps of {step:.3g}: at least {step / 12**0.5:.2g} of noise (step/sqrt(12))")
     gaps = np.diff(t)
     usual = float(np.median(gaps))
+    # Gaps in the record are no scatter of the clock; where they are more than a tenth nothing is said.
     near = gaps[np.abs(gaps - usual) < usual / 2]
+    # A gap is the difference of two stamps, whose errors add in squares.
     scatter = float(near.std()) / np.sqrt(2) / usual if len(near) > 0.9 * len(gaps) and usual > 0 else 0.0
     if _EVEN < scatter < _UNEVEN:
         said = "taken as they are; an error of the clock would be noise"
@@ -46,4 +49,5 @@ def quantum(x: Array) -> float:
     steps = steps[steps > _SAME * float(np.ptp(x))]  # equal numbers may differ in their last digit
     step = float(steps.min())
     multiples = (values - values[0]) / step
+    # Printing in decimals spoils a multiple in proportion to its size: a millionth is allowed for.
     return step if np.abs(multiples - np.round(multiples)).max() < _WHOLE * max(1.0, multiples[-1] * 1e-6) else 0.0

@@ -30,6 +30,7 @@ def certified(table: Decrements, candidates: Sequence[Candidate], units: RecordU
         for law in laws
         if law.verdict == "undetermined" and not any(contains(law, other) for other in chosen)
     ]
+    # A law that is open and not contained may meet the table too: one law alone is then not what was proved.
     if len(chosen) == 1 and rivals:
         text = f"{SEVERAL} or undecided: {names} meets every printed value (proved); undecided: {'; '.join(rivals)}"
         verdict = Verdict(SEVERAL, text, "fewer candidates, smaller amplitudes, or one more printed digit")
@@ -45,6 +46,7 @@ def certified(table: Decrements, candidates: Sequence[Candidate], units: RecordU
     else:
         verdict = Verdict(NONE, f"{NONE}: no candidate law meets every printed value (proved in the searched box)")
     order = sorted(laws, key=lambda law: (("consistent", "undetermined", "refuted").index(law.verdict), law.terms))
+    # Derivation ignored-spring: at the order epsilon c a spring is the loss of exponent alpha + p - 1.
     notes = (*table.notes, "decrements cannot tell a nonlinear spring from loss: the sets hold for linear springs")
     answers = tuple(LawAnswer(law, units, certified=bool(law.epsilon)) for law in order)
     return Identification(verdict, answers, (table,), {}, notes, units)
@@ -57,8 +59,10 @@ def _sets(candidates: Sequence[Candidate], table: Decrements) -> list[LawFit]:
     for candidate in sorted(candidates, key=lambda c: len(c.losses) + c.free):
         inside = [c for c, law in laws.items() if law.verdict == "consistent" and _holds(candidate, c)]
         known = [_embedded(c, points[c], candidate) for c in inside if c in points]
+        # A point of a smaller law, with further strengths 0; a negative one would spare no search.
         found = _set(candidate, table, next((p for p in known if (p >= 0).all()), None))
         law = LawFit(candidate, None, found.verdict, found.reason, epsilon=found.epsilon, alpha=found.alpha)
+        # What contains a consistent law is consistent by the same point, also where its own set stayed open.
         laws[candidate] = law.judged_as("consistent", "") if inside and found.verdict != "consistent" else law
         if found.point is not None and not candidate.free:
             points[candidate] = found.point

@@ -27,6 +27,7 @@ from asymptotics.public import public
 
 _TEMPLATE = Path(__file__).with_name("report.html")
 _LONG = 2000
+"""Characters of one text: a cell of a file may be as long as the file."""
 _READING = (
     "Intervals are 95 % and hold under the law of their row, with independent noise, or noise as correlated as the "
     "residuals are; certified sets hold every solution. Strengths epsilon refer to x0 = 1 unit of the data. "
@@ -93,6 +94,7 @@ def _pictures(answer: Identification) -> Iterable[str]:
             yield f"<p>No picture: {text(error.reason)}.</p>"
             continue
         label = text(f"decay, decrement against amplitude, residuals and profiles of {one.runs[0].name or 'the data'}")
+        # Without the XML declaration, which may not stand inside a page.
         yield f'<figure role="img" aria-label="{label}">{drawn[drawn.index("<svg") :]}</figure>'
 
 

@@ -1,7 +1,8 @@
 """What a law means at the amplitudes of the record: Q at its beginning and its end, and the half-life.
 
 To first order zeta(A) = sum_i <|cos|^m |sin|^(alpha+1)> epsilon_i A^(d_i-1), Q = 1/(2 zeta), and the half-life from A
-is int_(A/2)^A da/(a zeta(a)) in units of 1/omega_0 (theory page ``equivalent_damping``).  Doubles, from the estimates.
+is int_(A/2)^A da/(a zeta(a)) in units of 1/omega_0 (theory page ``equivalent_damping``).  All numbers are doubles,
+computed from the estimates.
 
 >>> zeta = equivalent_ratio([(1.0, 0, 0.02), (2.0, 0, 0.05)])
 >>> round(float(zeta(1.0)), 6), round(half_life(equivalent_ratio([(1.0, 0, 0.02)]), 1.0), 6)
@@ -18,6 +19,7 @@ from asymptotics.identification.forward.candidates import FREE
 from asymptotics.identification.judging.comparison import LawFit
 
 _POINTS = 401
+"""Of the trapezoidal rule over ln 2, for a smooth integrand: an error of about 1e-6, where three digits are told."""
 Ratio = Callable[[Any], Any]
 
 
@@ -35,12 +37,14 @@ def half_life(zeta: Ratio, amplitude: float) -> float:
     """omega_0 t from A to A/2."""
     s = np.linspace(np.log(amplitude / 2), np.log(amplitude), _POINTS)
     rate = np.array(zeta(np.exp(s)))
+    # A loss that vanishes on the way never halves the amplitude.
     return float(np.trapezoid(1 / rate, s)) if (rate > 0).all() else np.inf
 
 
 def equivalent(law: LawFit, omega_0: float | None) -> dict[str, Any] | None:
     """Amplitudes, Q there, the half-life at the first; None beside springs, without a fit, and for printed tables."""
     losses, fit = _losses(law), law.fit
+    # The formula is that of a linear spring, and printed decrements have no first amplitude.
     if losses is None or fit is None or not fit.model.alternating:
         return None
     size = np.abs(fit.model.seen.x - fit.rest)
@@ -51,6 +55,7 @@ def equivalent(law: LawFit, omega_0: float | None) -> dict[str, Any] | None:
         return None
     life = half_life(zeta, ends[0])
     found: dict[str, Any] = {"amplitudes": ends, "Q": [1 / (2 * z) for z in ratios], "zeta": ratios}
+    # Without omega_0 a swing, 2 pi, is the unit of time.
     return found | {"half_life": life / (omega_0 or 2 * pi), "half_life_unit": "s" if omega_0 else "swings"}
 
 

@@ -19,6 +19,7 @@ from asymptotics.identification.judging.grades import percent
 from asymptotics.present.drawn import head
 
 _SHOWN = 3
+"""So many curves with their bands can be told apart in one panel."""
 
 
 def shown_laws(answer: Any) -> list[LawFit]:
@@ -26,6 +27,7 @@ def shown_laws(answer: Any) -> list[LawFit]:
     laws = [found.law for found in answer.laws if found.law.fit is not None and found.law.fit.model.alternating]
     if answer.per_run or not laws:
         raise InputError("plot", "there is no single run of turning points to draw", "one record or turning points")
+    # Those of the verdict alone have a held-out error.
     consistent = [law for law in laws if law.verdict == "consistent" and law.held_out is not None]
     return (consistent or laws)[:_SHOWN]
 
@@ -68,6 +70,7 @@ def decrement_band(fit: Fit) -> tuple[Array, Array, Array]:
     size, by_law = model.amplitudes(fit.theta)
     slopes = np.zeros((model.size, len(size) - 1))
     slopes[: model.after] = by_law[:, :-1] - by_law[:, 1:]
+    # The delta method: the band is that of a decrement at each place by itself, 1.96 standard errors either way.
     spread = np.sqrt(np.maximum(np.einsum("in,ij,jn->n", slopes, fit.covariance, slopes), 0.0))
     return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], 1.96 * spread
 
@@ -97,6 +100,7 @@ def _draw_left(axes: Any, law: LawFit) -> None:
     if left is None or law.verdict == "consistent" or not left.share > 0:
         return
     amplitude, value, _ = decrement_band(_fit_of(law))
+    # Amplitudes fall with n, and interp wants them rising.
     drawn = np.interp(left.amplitudes, amplitude[::-1], value[::-1])
     label = f"left unexplained: {percent(left.share)} of the loss"
     axes.fill_between(left.amplitudes, drawn, drawn * (1 + left.ratio), color="C3", alpha=0.4, lw=0, label=label)
@@ -125,6 +129,7 @@ def _profile(axes: Any, law: LawFit) -> None:
         values, rise = profile_curve(fit, law.functions[i], count=13)
         estimate = law.epsilon[i].estimate
         axes.plot((values - estimate) / (abs(estimate) or 1.0), rise, label=f"strength of {name}")
+    # The 95 % of chi-squared with one degree of freedom.
     axes.axhline(3.84, color="0.5", lw=0.6)
     axes.locator_params(axis="x", nbins=4)
     axes.set(xlabel="relative change of the strength", ylabel="rise of chi squared")

@@ -40,6 +40,7 @@ class RecordUnits:
         omega = self.omega_0
         if omega is None or not self.unit:
             return None
+        # x'' + omega_0^2 x + (b/m) |x|^m x'|x'|^(alpha - 1) = 0 in SI, scaled to the unit of x and the time omega_0 t.
         factor = omega ** (2 - alpha) * self.size ** (1 - alpha - position)
         name = "b/m"
         if self.mass is not None:
@@ -89,6 +90,7 @@ class LawAnswer(Rows):
     def physical(self, i: int) -> tuple[str, Interval] | None:
         """b_i or b_i/m in SI, if the units are known and the exponent is given."""
         element = self.law.candidate.elements[i]
+        # The unit of b would depend on the exponent that was found.
         if self.law.candidate.losses[i][0] == FREE:
             return None
         return self.units.physical(element.velocity, element.position, self.law.epsilon[i])
@@ -269,6 +271,7 @@ def _end(value: float | None) -> str:
 def _shown(interval: Interval) -> str:
     size = abs(interval.estimate)
     width = min((abs(v - interval.estimate) for v in (interval.low, interval.high) if v is not None), default=size)
+    # Two digits of the shorter half of the interval; four at least, twelve at most.
     digits = 4 if not 0 < width < size else min(12, max(4, 2 + int(np.ceil(np.log10(size / width)))))
     ends = ["-" if v is None else f"{v:.{digits}g}" for v in (interval.low, interval.high)]
     return f"{interval.estimate:.{digits}g} [{ends[0]}, {ends[1]}]"

@@ -17,8 +17,10 @@ from asymptotics.present.shown import Page, Shown
 
 IDENTIFIED, SEVERAL, NONE, UNTOLD = "identified", "several laws are consistent", "none fits", "too short or too noisy"
 MANY = 3
+"""With more consistent laws than this the list tells nothing but that the data are too few.  A choice of words."""
 _DIFFERENT = 12.0
-"""The chi-squared by which a wrong law must be worse to be refuted, nearly: p = 5e-4 for one parameter."""
+"""The chi-squared by which a wrong law must be worse to be refuted, nearly: p = 5e-4 for one parameter, where 10.8
+would be REFUTED.  It enters the advice of ``what_would_tell`` alone."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -52,6 +54,7 @@ def _verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool
     if not chosen:
         return _nothing_fits(fitted, best)
     names = "; ".join(named(law) for law in chosen[:6])
+    # Consistent, but only with a loss that feeds the motion: no physical law among the candidates stands.
     if not growing and all(_is_imitation(law) for law in chosen):
         text = f"{NONE} with strengths >= 0: {names} needs a negative one ({', '.join(chosen[0].negative)})"
         return Verdict(
@@ -59,6 +62,7 @@ def _verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool
             text,
             "candidates of another kind: a loss that depends on position such as 1,2: (|x|^2 x'), a free exponent",
         )
+    # No loss at all is consistent too: then the smallest of the laws is no finding.
     if all(e.contains(0.0) for law in chosen for e in law.epsilon):
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")
     if len(chosen) == 1:
@@ -129,6 +133,7 @@ def named(law: LawFit) -> str:
 
 def _beside(law: LawFit, best: LawFit, beaten: Sequence[LawFit]) -> str:
     gain = law.criterion - best.criterion
+    # A difference of 4 is the least that is customarily called considerable (Burnham and Anderson 2002).
     said = f" (with more terms, {best.candidate}, AICc falls by {gain:.2g})" if gain > 4 else ""
     if beaten:
         said += f" (with more terms {', '.join(str(other.candidate) for other in beaten)} cannot be excluded)"
@@ -140,12 +145,14 @@ def what_would_tell(one: LawFit, other: LawFit, seen: Observations) -> str:
     if one.fit is None or other.fit is None or seen.samples is not None:
         return ""
     scales = Noise(**one.fit.scales)
+    # A few lengths of the record, each a fit: the advice is a size, no number.
     for factor in (1.0, 1.25, 1.6, 2.0, 3.0, 4.0, 6.0):
         last = int(np.ceil(seen.last * factor))
         difference = separation(one, other, seen, last, scales)
         if difference is None:
             return f"to tell {one.candidate} from {other.candidate}: less noise; the motion of the first ends too soon"
         if factor == 1.0:
+            # Chi-squared goes with the inverse square of the noise.
             less = float(np.sqrt(max(difference, 1e-12) / _DIFFERENT))
         elif difference >= _DIFFERENT:
             return (
