@@ -96,15 +96,18 @@ class SlowFlow:
         return (-s).exp()
 
     def extinction_time(self) -> arb | None:
-        """tau at which the averaged amplitude reaches 0 (a loss of weight < 0); None if it never does."""
-        losses = sorted(self.losses, key=lambda x: float(x.weight.mid()))
-        if not losses or not losses[0].weight < 0:
+        """tau at which the averaged amplitude reaches 0 (a loss of weight < 0); None if it never does.
+
+        TooWideError where the balls of two weights do not tell which is the least.
+        """
+        if not any(x.weight < 0 for x in self.losses):
             return None
-        first, rest = losses[0], losses[1:]
+        first = self._least()
+        rest = [x for x in self.losses if x is not first]
         gap = min([arb(2), *(x.weight - first.weight for x in rest)], key=lambda x: float(x.mid()))
-        # So far that the other losses, and the well beside its parabola, count for less than 2^-(prec+8) behind it. Any
-        # S is right: a smaller one leaves a wider ball, as the 8 does where the balls of the weights do not tell a gap.
-        S = self.s_0 + 8 if not gap > 0 else self.s_0 + ((ctx.prec + 8) * arb(2).log() / gap).upper()
+        # The time behind S goes like e^(w S), and the other losses and the well beside its parabola count there for a
+        # share of e^(-gap S): both together are less than 2^-(prec+8). Any S is right: a smaller one leaves a wider ball.
+        S = self.s_0 + ((ctx.prec + 8) * arb(2).log() / (gap - first.weight)).upper()
         xi = (-S).exp()
         X = (first.weight * S).exp() / (-first.weight * first.epsilon * first.mean)
         # All amplitudes behind S. The weight e^(w s) is positive, so that the mean value theorem of integrals takes the
@@ -117,6 +120,13 @@ class SlowFlow:
         head = self._integral(self._slowness, S)
         return head + X * self.well.theta_near_zero(near) / shape
 
+    def _least(self) -> Loss:
+        """The loss of least weight, which rules the end; it is told in balls, as a double would take one for another."""
+        for loss in self.losses:
+            if all(x is loss or x.weight > loss.weight for x in self.losses):
+                return loss
+        raise TooWideError("the losses of least weight are not told apart")
+
     def table(self, tau_max: float) -> SlowTable:
         """(s, psi - tau) on knots of tau in doubles, for arrays."""
         return SlowLaw(_Rate(self), _Turn(self)).table(float(self.s_0.mid()), tau_max)
@@ -125,7 +135,10 @@ class SlowFlow:
         if not tau >= 0:
             raise InputError("time", f"{tau.str(5)} is not certainly >= 0", "a time from the start on")
         with ctx.workprec(ROUGH_BITS):  # decides all but the closest cases at a fraction of the cost
-            end = self.extinction_time()
+            try:
+                end = self.extinction_time()
+            except TooWideError:  # of weights that are told apart at more bits
+                end = arb("nan")
         if not (end is None or tau < end or tau >= end):
             end = self.extinction_time()
         if end is None or tau < end:
@@ -194,8 +207,10 @@ def _strength(loss: Loss, s: Any) -> Any:
 
 
 def _power(near: arb, xi: arb, exponent: arb) -> arb:
-    """near^exponent for 0 <= near <= xi, exponent >= 0."""
-    return arb(0).union((exponent * xi.log()).exp()) if exponent > 0 else near**0
+    """near^exponent for 0 <= near <= xi and an exponent that is certainly positive."""
+    if not exponent > 0:
+        raise TooWideError("the exponent of a power next to 0 is not certainly positive")
+    return arb(0).union((exponent * xi.log()).exp())
 
 
 @dataclass(frozen=True)

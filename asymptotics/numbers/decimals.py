@@ -83,15 +83,15 @@ def decimal_of_ball(ball: arb, digits: int) -> str | None:
     if not ball.is_finite():
         return None
     (middle, shift), (radius, radius_shift) = ball.mid().man_exp(), ball.rad().man_exp()
+    # |middle| < 2^(shift + its length) and radius >= 2^(radius_shift + its length - 1): here the radius is the larger.
+    if radius and (not middle or int(radius_shift) + radius.bit_length() > int(shift) + middle.bit_length()):
+        return None  # the ball contains 0
     if middle and abs(int(shift)) > MAX_EXPONENT:
         accepted = f"magnitudes from 2^-{MAX_EXPONENT} to 2^{MAX_EXPONENT}"
         raise LimitError("magnitude", f"the result is near 2^{int(shift)}", accepted)
     # An exact ball is one dyadic number, whose rounding is decided on a tie as well.
     if radius == 0:
         return _format(*_round_dyadic(middle, int(shift), digits), digits)
-    # |middle| < 2^(shift + its length) and radius >= 2^(radius_shift + its length - 1): here the radius is the larger.
-    if not middle or int(radius_shift) + radius.bit_length() > int(shift) + middle.bit_length():
-        return None  # the ball contains 0
     # The radius is below 2^(radius_shift + its length), which is at most the one put in its place: the interval grows.
     if radius_shift < -2 * MAX_EXPONENT:  # its ends alone would fill the memory: a wider ball will do
         radius, radius_shift = fmpz(1), fmpz(radius.bit_length() - 2 * MAX_EXPONENT)
