@@ -191,7 +191,7 @@ class Solution(ProvedCurve):
         if units == "kappa":
             change: dict[Expr, Expr] = {epsilon: kappa / self.p_1}
             return self.amplitude.subs(change), self.phase.subs(change)
-        # Simultaneously: the strength in SI holds letters (k, m) that occur in tau as well.
+        # Both at once, so that what stands for one letter is not searched for the other.
         change = {epsilon: self.strength_in_SI, tau: sympy.sqrt(k / m) * t}
         amplitude, phase = (e.subs(change, simultaneous=True) for e in (self.amplitude, self.phase))
         return x_0 * amplitude, phase
