@@ -28,6 +28,8 @@ from asymptotics.numbers.policy import Number, exact_integer, exact_number, floa
 from asymptotics.public import public
 from asymptotics.records.units import ANGLES, LENGTHS
 
+# 100 digits leave thirty of the 130 that pi has in the units of angles; 12 is the order of the bounds
+# (``bounds.uniform``), and a thousand certified swings are the work of minutes.  Refusals.
 MAX_DIGITS, MAX_ORDER, MAX_AMPLITUDES = 100, 12, 1000
 # The start and what three halvings leave of it: enough to see how Q changes with the amplitude.
 _SHARES = (1, 2, 4, 8)

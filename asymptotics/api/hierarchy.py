@@ -79,6 +79,7 @@ def multiple_scales(
     odd M or x|x|^(P-1) of even P meets an order at which its derivative is no function; LimitError for too much work.
     """
     N = exact_integer(order, "order", 1, MAX_ORDER)
+    # The one text that is no exponent: a letter alpha, for which every coefficient must be a formula.
     if isinstance(law, str) and law.strip() == "symbolic":
         return symbolic_multiple_scales(() if spring is None else terms_of([], spring)[0], N, gauge)
     terms, _, _, notes = terms_of(law, spring)
@@ -157,8 +158,8 @@ def map_of_gauges(
     terms = terms_of(law, spring)[0]
     order = exact_integer(order, "order", 1, MAX_ORDER)
     _gauge(NO_FIRST_HARMONIC, Forces.of(terms, order).is_smooth)
-    # One trigonometric expansion is read in two coordinates: amplitude and phase of its turning points as series in the
-    # local strengths delta_i = strength_i a^(d_i - 1), which is where the powers of a below come from.
+    # The expansion without first harmonic is solved for its own turning points: their amplitude and phase are series in
+    # the local strengths delta_i = strength_i a^(d_i - 1), which is where the powers of a below come from.
     change, symbols = map_to_turning_points(odd_hierarchy(terms, order)), strength_symbols(terms)
     weights = [to_sympy(t.weight) for t in terms]
     rows = []

@@ -109,6 +109,7 @@ class ImplicitSolution(ProvedCurve):
         found = self._motion.sample(times)
         return found.amplitude, found.phase, found.x
 
+    # The bound of the truncated equations holds here as it is: tau(A) and phi(A) solve them exactly, by quadrature.
     def _theorem(self) -> Theorem:
         return uniform_theorem(_dimensionless(self.oscillator), self.order)
 

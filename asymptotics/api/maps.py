@@ -28,6 +28,7 @@ from asymptotics.numbers.policy import Number, exact_integer, exact_number, exac
 from asymptotics.public import public
 from asymptotics.turning.half_swing import half_swing_of_terms
 
+# As ``expand`` has them: the work is estimated from order and exponents before it begins, and refused by that.
 MAX_ORDER, MAX_DIGITS = 200, 1000
 
 

@@ -59,7 +59,7 @@ class ProvedCurve(SolutionCurve):
         try:
             found = self.proved()
         # No strength, a force or a start without a theorem, damping too strong for it, or balls that do not decide: the
-        # label says asymptotic then, with the reason, and never less than was found out.
+        # label says asymptotic then, with the reason.
         except (InputError, LimitError, UndecidedError) as reason:
             end = None if self.valid_until is None else str(self.valid_until)
             return {"valid_until": end, "valid_label": "asymptotic", "not_proved": str(reason)}

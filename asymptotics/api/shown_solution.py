@@ -51,6 +51,7 @@ def text_of(s: Any) -> str:
     lines += [] if s.alpha == 1 else [f"D       = {slow}"]
     lines += [f"A_0     = {leading}", f"A       = {relative}", f"phi     = {slow_phase}"]
     waves = "".join(f" + delta{f'**{n}' if n > 1 else ''}*x_{n}(psi)" for n in range(1, s.order))
+    # The waveforms are told on one half-swing; the last line of the formulas continues them.
     where = f"psi = tau + phi, delta = {s.local_strength}, on 0 < psi < pi"
     lines.append(f"x       = A*(cos(psi){waves}), {where}")
     lines += [f"x_{n}     = {wave}" for n, wave in enumerate(s.shown_waves(), start=1)]

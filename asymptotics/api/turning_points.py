@@ -173,6 +173,7 @@ def turning_points(
     # Without units nothing has to be multiplied: the digits of the route are those that are shown.
     if not isinstance(law, Oscillator):
         return _computed(law_of(law), *sizes, times, route=route)
+    # An oscillator is solved without units, where powers of the velocity have strengths alone, and carried back.
     count, digits, start = sizes
     pure, kick = dimensionless(law)
 

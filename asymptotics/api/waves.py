@@ -48,6 +48,7 @@ from asymptotics.public import public
 from asymptotics.series import Key
 from asymptotics.terms import Term
 
+# As ``solution`` and ``motion`` serve; more only takes longer.
 MAX_DIGITS = 300
 # 160 bits for the flow behind a table of doubles: 53 are needed, the rest is for what high orders lose.  Ten seconds
 # for the exact polynomials, of which balls are the substitute: either choice is one of time, not of what is claimed.

@@ -20,7 +20,7 @@ from asymptotics.present.files import require_different, target_file, write_all
 from asymptotics.present.inputs import INPUTS, with_inputs, with_words
 
 PICTURES = (".svg", ".png", ".pdf")
-# A thousand rows draw a smooth curve of some hundred periods; the limit is a refusal.
+# A thousand rows draw a smooth curve of some twenty periods; the limit is a refusal.
 MAX_POINTS, DEFAULT_POINTS = 100_000, 1000
 Makers = dict[str, Callable[[str], str | bytes]]
 

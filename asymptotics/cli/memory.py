@@ -86,7 +86,6 @@ def _end(pid: int) -> None:
         for _ in range(_GRACE):
             if os.waitpid(pid, os.WNOHANG)[0]:
                 return
-            # A sleep that a signal does not end with an exception, in hundredths of a second.
             signal.sigtimedwait((), 0.01)
         os.kill(pid, signal.SIGKILL)
         os.waitpid(pid, 0)

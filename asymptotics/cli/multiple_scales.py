@@ -80,7 +80,7 @@ def run(options: argparse.Namespace) -> Answer:
         "strengths": strengths,
         "orders": [_order(one) for one in found.orders],
     }
-    # Written only where it is shown: LaTeX of high orders takes longer than the derivation.
+    # Written only where it is shown: a high order has terms by the thousand.
     if options.json or options.latex:
         data["latex"] = _latex(found.orders, rates)
     lines = [*map(str, found.orders), f"da/dtau = {found.amplitude_rate}", f"dpsi/dtau = {found.phase_rate}"]

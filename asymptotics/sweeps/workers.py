@@ -70,7 +70,7 @@ def _run(task: Task, point: Point) -> PointOutcome:
     try:
         # Written here, in the worker: a result that is no JSON fails as its point, not as the sweep.
         return PointOutcome(json.dumps({"result": task(point)}, ensure_ascii=False, separators=(",", ":")))
-    # The point itself is refused or undecided, by a message that names the reason: so it would be next time.
+    # The point is refused or undecided, by a message that names the reason; a time that was over is among these.
     except (InputError, UndecidedError) as error:
         return _failed(str(error))
     except (MemoryError, OSError) as error:  # of the machine, not of the point: worth another try some day
