@@ -196,7 +196,7 @@ def _numbers(envelope: LaurentEnvelope, digits: int) -> _Found | None:
 
 def _integrated(series: Series, sign: int) -> dict[int, Any]:
     """+-c_k/(k-1) at the power k-1, for k >= 2."""
-    # Term by term; there is no 1/delta, so no logarithm (derivation ``no-logarithms``).
+    # Term by term; there is no 1/delta, so no logarithm (``envelopes.laurent``).
     return {n - 1: divided(sign * c, n - 1) for (n,), c in sorted(series.coefficients.items()) if n >= 2}
 
 
