@@ -1,4 +1,5 @@
 """What a loss is at an amplitude, in the words of linear damping: zeta, Q, decrement, energy loss, c_eq, half-life.
+Equivalent linearisation by the energy of one cycle (Bogoliubov and Mitropolsky), beside what the motion itself does.
 
 >>> air = damping({2: "1/10"}, ["1/2", 1], digits=6)
 >>> air.formulas["Q"], air.rows[0].first.Q, air.rows[1].motion.decrement
@@ -27,7 +28,10 @@ from asymptotics.numbers.policy import Number, exact_integer, exact_number, floa
 from asymptotics.public import public
 from asymptotics.records.units import ANGLES, LENGTHS
 
+# 100 digits leave thirty of the 130 that pi has in the units of angles; 12 is the order of the bounds
+# (``bounds.uniform``), and a thousand certified swings are the work of minutes.  Refusals.
 MAX_DIGITS, MAX_ORDER, MAX_AMPLITUDES = 100, 12, 1000
+# The start and what three halvings leave of it: enough to see how Q changes with the amplitude.
 _SHARES = (1, 2, 4, 8)
 
 
@@ -73,6 +77,7 @@ def damping(
         told = (*oscillator.notes, *notes)
         return EquivalentDamping(oscillator, si, D, N, formulas, tuple(rows), told, unit, float(size.ball().mid()))
 
+    # Each row is a certified swing that may take seconds: those that are done outlive a time that is over.
     with keeping(lambda: found() if rows else None):
         for a in given:
             rows.append(replace(row_at(oscillator, a * size, D, N, motion), amplitude=str(a)))
@@ -88,6 +93,7 @@ def _size(unit: str, oscillator: Oscillator, si: bool, amplitudes: Any) -> Exact
         raise InputError("unit", f"{shown(unit)} is no unit of these amplitudes", accepted)
     if unit and amplitudes is None:
         raise InputError("amplitudes", "there is none in this unit", f"amplitudes in {unit}")
+    # Exactly, so that 10 deg is the same number whatever precision comes next (pi to 130 digits, ``records.units``).
     return ExactReal(known.get(unit, Fraction(1)))
 
 
@@ -102,6 +108,7 @@ def _oscillator(law: Any, spring: Any) -> Oscillator:
     if all(t.strength.is_zero for t in made.law.losses):
         raise InputError("law", "there is no loss in it", "a law with a strength that is not 0")
     for t in made.law.springs:
+        # x^p |x'|^q has no potential energy, which every quantity here is divided by.
         if not t.velocity.is_zero:
             raise InputError("spring", f"{t.shape()} depends on the velocity: no potential", "springs c x|x|^(P-1)")
     return made
@@ -113,6 +120,8 @@ def _amplitudes(given: Any, oscillator: Oscillator) -> tuple[list[ExactReal], tu
             raise InputError("amplitudes", "the oscillator starts at x0 = 0", "amplitudes > 0")
         return [abs(oscillator.x0) / n for n in _SHARES], ()
     try:
+        # A text and an exact number are one amplitude, though a text has a length; an array without dimensions has the
+        # method and refuses it, hence the TypeError below.
         values = [given] if isinstance(given, str | ExactReal) or not hasattr(given, "__len__") else list(given)
     except TypeError:
         values = [given]

@@ -1,4 +1,5 @@
-"""From a table (A, zeta), (A, Q) or (A, decrement) with resolutions to laws with intervals.
+"""From a table (A, zeta), (A, Q) or (A, decrement) with resolutions to laws with intervals.  A linear inverse problem:
+least squares with strengths >= 0 and profile intervals (``identification.inverse_damping``).
 
 >>> A = ["0.1", "0.2", "0.4", "0.8"]
 >>> found = damping_law({"A": A, "zeta": [0.0120, 0.0141, 0.0178, 0.0261]}, resolution="0.0002")
@@ -26,7 +27,10 @@ from asymptotics.records.sources import How, Source, opened
 from asymptotics.records.units import ANGLES, UNITS, suffix
 from asymptotics.terms import terms_of
 
+# The exponents that have names (dry friction, viscous, air, cubic) and the sums of them that are met in practice; a law
+# that is not among them is asked for by ``laws``.
 DEFAULT = ("0", "1", "2", "3", "0+1", "1+2", "0+2", "1+3", "0+1+2")
+# They bound the work: a profile is many least squares over all rows, for every strength of every candidate.
 MAX_POINTS, MAX_TERMS = 1000, 4
 NAMES = {
     "amplitude": ("a", "amplitude"),
@@ -68,8 +72,10 @@ def damping_law(
     if (mass is None) != (stiffness is None):
         raise InputError("mass" if mass is None else "stiffness", "is missing", "both, or neither")
     candidates = _candidates(laws)
+    # One row more than strengths, or chi^2 has no degree of freedom and every candidate fits.
     if len(given) < 1 + max(map(len, candidates)):
         raise InputError("table", f"{len(given)} rows are too few", f"more than {max(map(len, candidates))} rows")
+    # m = k = 1 without them: b is epsilon then, in the unit of the amplitudes.
     problem = Problem(quantity, candidates, mass or 1, stiffness or 1, spring)
     table_of = given.tolist(), values.tolist(), None if spread is None else spread.tolist()
     found, (zeta, s) = fitted(*table_of, problem), weighted(*table_of, problem)
@@ -119,12 +125,14 @@ def _opened(table: Any) -> Source:
     try:
         return opened(table, How())
     except InputError as error:
+        # The reader of files calls its argument FILE; here the caller has written table=.
         if not error.argument.startswith("FILE"):
             raise
         raise type(error)("table", error.reason, error.accepted) from error
 
 
 def _what(name: str) -> str | None:
+    # The name without its unit, written as A [deg], A (mm) or A / mm.
     plain = re.sub(r"\s*[\[(].*|\s+/\s.*", "", name.strip()).lower()
     return next((what for what, words in NAMES.items() if plain in words), None)
 
@@ -132,6 +140,7 @@ def _what(name: str) -> str | None:
 def _positive(values: Any, name: str) -> Any:
     if values.ndim != 1 or len(values) > MAX_POINTS:
         raise LimitError(name, f"its shape is {values.shape}", f"one column of at most {MAX_POINTS} rows")
+    # NaN fails both comparisons.  The range keeps squares and quotients of the columns within doubles.
     bad = np.flatnonzero(~((values > 1e-100) & (values < 1e100)))
     if len(bad):
         raise InputError(name, f"{values[bad[0]]:g} in row {bad[0] + 1} is not positive", "numbers > 0")
@@ -156,6 +165,7 @@ def _candidates(laws: Any) -> tuple[tuple[str, ...], ...]:
 
 def _neglected(problem: Problem, best: DampingCandidate, ends: tuple[float, float]) -> float | None:
     """The largest relative difference of the motion from the first order at both ends, for the best law."""
+    # A strength that the fit has put to 0 acts nowhere; without any there is no motion to compare with.
     strengths = {exact_number(s.alpha, "laws"): s.estimate for s in best.strengths if s.estimate > 0}
     if not strengths:
         return None
@@ -163,9 +173,13 @@ def _neglected(problem: Problem, best: DampingCandidate, ends: tuple[float, floa
     off = []
     for a in ends:
         try:
+            # Six digits of the certified motion over one full swing: the difference is shown as a percentage.  A swing
+            # that balls cannot decide, or that does not come back (dry friction holds it), says nothing, hence None.
             row = row_at(law, exact_number(a, "A"), 6, None)
         except UndecidedError:
             return None
+        # The largest local strength, and with it what the first order leaves out, is at one of the ends: a sum of
+        # powers of A is convex in ln A.
         first = getattr(row.first, problem.quantity)
         motion = None if row.motion is None else getattr(row.motion, problem.quantity)
         if motion is None:

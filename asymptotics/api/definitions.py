@@ -15,6 +15,8 @@ from asymptotics.expansions.multiple_scales.orders import a, rate_symbols
 
 def definitions_of(s: Any) -> list[Eq]:
     """The equations of the letters of a ``Solution``, from the orders of its hierarchy."""
+    # x needs the waveforms through N - 1; the rates of order N enter A and phi, and are added below where they are
+    # open.
     shown, weight = s.scales.orders[1 : s.order], s.alpha - 1
     powers = [Eq(e.solution.lhs, a ** (1 + e.n * weight) * Symbol(f"x_{e.n}")) for e in shown if e.solution is not None]
     found = [*powers, *_named(s), *(e for one in shown for e in (*one.solvability, *one.where))]
@@ -26,6 +28,8 @@ def definitions_of(s: Any) -> list[Eq]:
 
 def _rates(s: Any) -> list[tuple[int, int, Expr]]:
     """(n, 0 for f and 1 for g, the rate) where the theorem of reversal leaves one."""
+    # Under reversal of time the losses change sign and with them every odd power of epsilon: A changes at odd orders
+    # alone, the phase at even ones (derivation ``parity-of-flow``).
     return [(n, (n + 1) % 2, s.scales.rates[n][(n + 1) % 2]) for n in range(1, s.order + 1)]
 
 
@@ -38,6 +42,7 @@ def _named(s: Any) -> list[Eq]:
     """p_n and Omega_n where A and phi hold them by name: closed, or from f_n and g_n."""
     found, letters = [], rate_letters(s.order)
     for n, side, rate in _rates(s):
+        # f_n = -a p_n (a^(alpha-1))^n and g_n = Omega_n (a^(alpha-1))^n: homogeneous in the amplitude.
         open_form = rate_symbols(n)[side] / a ** (1 - side + n * (s.alpha - 1))
         value = open_form if rate.has(Integral) else rate.subs(a, 1)
         found += [Eq(letters[side][n], value if side else -value, evaluate=False)] if _is_held(s, n, side) else []

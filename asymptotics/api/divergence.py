@@ -1,4 +1,5 @@
-"""Why the series diverge, in numbers: the Stokes constants of the half-swing.
+"""Why the series diverge, in numbers: the Stokes constants of the half-swing.  The half-swing is a parabolic germ;
+the two Abel functions on its petals differ by a Fourier series, whose coefficients are these constants (Ecalle).
 
 >>> stokes(2, digits=12).constants
 ('-0.0909280010378',)

@@ -30,22 +30,27 @@ Function = Callable[..., Any]
 delta = Symbol("delta", positive=True)
 tau = Symbol("tau", nonnegative=True)
 chi = Symbol("chi", real=True)
+# 16384 times in a piece are 128 KB in each array of doubles: a matter of speed alone.  64 bits beyond the digits are
+# room for what cancels in a waveform; no claim rests on them.
 _CHUNK, _GUARD = 1 << 14, 64
 
 
 def functions(s: Any, strength: Any) -> tuple[Function, Function, Function]:
     """(A, phi, x) as functions of arrays tau and epsilon, or of tau alone with a ``strength``."""
+    # Twenty digits, since a double holds 17: rates that are decimals must not be what limits an array.
     s = s.refined(20)
     names, shape, begun = [tau, epsilon, *s.letters], _shape(s), _letters(s)
     amplitude, phase = (sympy.lambdify(names, e, "numpy", cse=True) for e in (s.amplitude, s.phase))
 
     def both(times: Any, eps: Any) -> tuple[Any, Any]:
         times, values = np.asarray(times, dtype=float), begun(eps)
+        # A formula without tau (phi = 0, say) is one number to NumPy: adding 0 times gives it the shape, and keeps NaN.
         return amplitude(times, eps, *values) + 0.0 * times, phase(times, eps, *values) + 0.0 * times
 
     def x(times: Any, eps: Any) -> Any:
         size, lag = both(times, eps)
         turned = np.asarray(times, dtype=float) + lag
+        # The half-swing and the phase within it, as in ``Solution.x``: (-1)^swings without a power of a negative base.
         swings = np.floor(turned / np.pi)
         sign = 1.0 - 2.0 * np.mod(swings, 2.0)
         local = eps * size ** (float(s.alpha) - 1.0)
@@ -73,6 +78,7 @@ def _letters(s: Any) -> Function:
 
 def _shape(s: Any) -> Function:
     """cos psi + sum delta^k x_k(psi) in doubles, 0 <= psi <= pi: polynomials, or a table of the open integrals."""
+    # Closed waveforms of other exponents hold hypergeometric functions, which NumPy does not have: the table has them.
     if isinstance(s.scales.kernel, TurningHierarchy) or s.order == 1:
         return sympy.lambdify([chi, delta], s.shape(chi), "numpy", cse=True)  # type: ignore[no-any-return]
     waves = s.waveforms
@@ -81,6 +87,7 @@ def _shape(s: Any) -> Function:
         rows, c, sine = waves.table.at(psi), np.cos(psi), np.sin(psi)
         total = c.copy()
         for (n,), P, Q in zip(waves.table.keys, rows[::2], rows[1::2]):
+            # X - i X' = A e^(i psi) (P + i Q): its real part.
             total += local**n * (c * P - sine * Q)
         return total
 
@@ -89,10 +96,15 @@ def _shape(s: Any) -> Function:
 
 def numbers(s: Any, number: Expr, digits: int) -> tuple[Any, Any, Any]:
     """A, phi and x at tau = ``number`` as mpmath numbers of about that many digits."""
+    # Fifteen decimals more than are shown, for what cancels in A, phi and the waveform; not proved to suffice (a phase
+    # of 10^15 takes them all), and ``certified`` is False.
     made, dps = s.refined(digits), digits + 15
     value: dict[Any, Any] = {tau: number, epsilon: made.strength}
     for letter, e in made.letters.items():
+        # In their order: epsilon_0 is a formula in a_0, which has its value by then.
         value[letter] = sympy.N(e.subs(value), dps)
+    # 1/D = 1 - (1-alpha) p_1 epsilon tau is positive until A_0 vanishes; beyond, the root of a negative number would
+    # give complex digits without a word.
     if made.alpha < 1 and not made.begun(1 / made.leading[1]).subs(value).evalf(30) > 0:
         end = made.begun(1 / ((1 - made.alpha) * made.p_1 * epsilon)).subs(value).evalf(6)
         raise InputError("time", f"A_0 has vanished at tau = {end}", "an earlier time")
@@ -112,6 +124,8 @@ def numbers(s: Any, number: Expr, digits: int) -> tuple[Any, Any, Any]:
 def _open_waves(s: Any, psi: Any, digits: int) -> dict[int, Any]:
     """x_n at a phase, from the middle of balls."""
     with ctx.workprec(bits_for(digits, _GUARD)):
+        # Of the balls only the middle is used: the phase itself is an approximation, so that an enclosure of x_n there
+        # would enclose nothing of interest.
         found = s.waveforms.enclosed(arb(mpmath.nstr(psi, digits + 15)).mid())
         return {n: mpmath.mpf(x.mid().str(digits + 15, radius=False)) for (n,), x in found.items()}
 

@@ -1,4 +1,5 @@
-"""Data in, verdicts out: one's own values beside certified ones, and the derivations.
+"""Data in, verdicts out: one's own values beside certified ones, and the derivations.  Right digits are counted as
+-log10 of the relative error, against values of which every digit is proved.
 
 ``identify`` and ``sweep`` are owned by their rooms (``identification``, ``sweeps``).
 """
@@ -46,6 +47,7 @@ def compare(
     """
     source = _source(file)
     wanted = None if digits is None else exact_integer(digits, "digits", 1, MAX_DIGITS)
+    # A file of coefficients names its table by its columns; what is no such file is compared as points or a motion.
     table = series_table(source) if table is None else table
     if table is not None:
         if not isinstance(table, str):
@@ -64,6 +66,7 @@ def _source(file: Any) -> Path | Mapping[str, Any]:
         return Path(file)
     if isinstance(file, Mapping):
         return file
+    # By its methods: pandas, an extra, need not be installed for a file to be compared.
     if hasattr(file, "columns") and hasattr(file, "to_dict"):
         found: dict[str, Any] = file.to_dict("list")
         return found
@@ -79,6 +82,7 @@ def derive(name: str | None = None, *, max_seconds: Number = 60) -> Any:
     >>> derive("abel-petal").title
     '...'
     """
+    # Looked for without being imported: each derivation proves itself while it loads, which takes its time.
     if find_spec("derivations") is None:
         raise InputError("name", "the derivations are not installed", "all of a wheel: pip install . in a clone")
     names: list[str] = import_module("derivations.__main__").names()

@@ -1,4 +1,6 @@
-"""The classical multiple-scale derivation, every exponent to any order: every order an object that shows itself.
+"""The classical multiple-scale derivation, every exponent to any order: every order an object that shows itself.  The
+method of multiple scales in the form of derivative expansion: D_n = d/dT_n, and the secular terms of each order vanish
+by its solvability conditions, which are the rates f_n of the amplitude and g_n of the phase.
 
 >>> derivation = multiple_scales(2, order=3)
 >>> print(derivation.orders[1])
@@ -47,6 +49,8 @@ from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.public import public
 from asymptotics.terms import Term
 
+# Both decide refusals only.  60: integer exponents, whose work grows like a power of the order and is estimated before
+# it begins.  12: open orders, whose sums grow like the partitions of N; ``motion`` and ``solution`` end there as well.
 MAX_ORDER, MAX_OPEN_ORDER = 60, 12
 MAX_WRITTEN = 400
 """The largest integer exponent whose waveforms are written out: a polynomial of some thousand terms is read by nobody,
@@ -75,6 +79,7 @@ def multiple_scales(
     odd M or x|x|^(P-1) of even P meets an order at which its derivative is no function; LimitError for too much work.
     """
     N = exact_integer(order, "order", 1, MAX_ORDER)
+    # The one text that is no exponent: a letter alpha, for which every coefficient must be a formula.
     if isinstance(law, str) and law.strip() == "symbolic":
         return symbolic_multiple_scales(() if spring is None else terms_of([], spring)[0], N, gauge)
     terms, _, _, notes = terms_of(law, spring)
@@ -83,11 +88,15 @@ def multiple_scales(
 
 def _of_terms(terms: tuple[Term, ...], order: int, gauge: Any) -> MultipleScales:
     forces = Forces.of(terms, order)
+    # The order of these branches is from what is exact to what is open: trigonometric polynomials in psi; polynomials
+    # in psi, sin psi, cos psi on a half-swing; closed forms and integrals with certified digits for the rates.
     if _gauge(gauge, forces.is_smooth) == NO_FIRST_HARMONIC:
         return smooth_multiple_scales(terms, order)
     if forces.is_closed and all(t.velocity <= MAX_WRITTEN for t in terms):
         return turning_scales(terms, order)
     _require_open(order)
+    # The open hierarchy numbers its symbols so: epsilon_i of the powers of the velocity, then all other forces, among
+    # them losses that depend on the place.  ``ordered`` gives the terms of a law in that order.
     losses = tuple(t for t in terms if t.is_power_of_velocity)
     others = tuple(t for t in terms if not t.is_power_of_velocity)
     alphas = tuple(to_sympy(t.velocity) for t in losses)
@@ -103,6 +112,9 @@ def symbolic_multiple_scales(springs: tuple[Term, ...], order: int, gauge: Any =
 
 def _numbers(terms: tuple[Term, ...], closed: tuple[Rates, Rates, int], order: int) -> tuple[Rates, Rates, int]:
     """Certified digits wherever no closed form in moments is known."""
+    # Through the third order all rates of one loss are moments in closed form (of a sum through the second); Omega_4
+    # holds the nested integral I_4(alpha).  From there on the closed ones without I_4 stay and certified numbers fill
+    # the rest.
     if order <= min(closed[2], 3):
         return closed
     p, Omega = ({k: c for k, c in row.items() if not c.has(I_4)} for row in closed[:2])
@@ -116,6 +128,7 @@ def _gauge(gauge: Any, smooth: bool) -> str:
         return NO_FIRST_HARMONIC if smooth else TURNING_POINT
     require_gauge(gauge)
     if gauge == NO_FIRST_HARMONIC and not smooth:
+        # In the turning-point gauge x' vanishes at psi = 0 and pi at every order, so that |x'|^A can be expanded there.
         reason = f"{gauge}: the zero of x' moves with the order there, and |x'|^A is no polynomial"
         raise InputError("gauge", reason, TURNING_POINT)
     if gauge not in (NO_FIRST_HARMONIC, TURNING_POINT):
@@ -145,6 +158,8 @@ def map_of_gauges(
     terms = terms_of(law, spring)[0]
     order = exact_integer(order, "order", 1, MAX_ORDER)
     _gauge(NO_FIRST_HARMONIC, Forces.of(terms, order).is_smooth)
+    # The expansion without first harmonic is solved for its own turning points: their amplitude and phase are series in
+    # the local strengths delta_i = strength_i a^(d_i - 1), which is where the powers of a below come from.
     change, symbols = map_to_turning_points(odd_hierarchy(terms, order)), strength_symbols(terms)
     weights = [to_sympy(t.weight) for t in terms]
     rows = []
@@ -157,6 +172,7 @@ def map_of_gauges(
 
 def ordered(terms: Sequence[Term], scales: MultipleScales) -> list[Term]:
     """The terms in the order of the symbols of the hierarchy: where it does not close, powers of v come first."""
+    # sorted() is stable: among forces of one kind the order in which they were given stays.
     closed = isinstance(scales.kernel, TurningHierarchy)
     return sorted(terms, key=lambda t: not closed and not t.is_power_of_velocity)
 
@@ -177,6 +193,7 @@ def any_start(scales: MultipleScales, *, max_seconds: Number = 60) -> dict[str, 
     if not isinstance(scales, MultipleScales):
         raise InputError("scales", f"a {type(scales).__name__}", "what multiple_scales returns")
     r = Symbol("r", positive=True)
+    # ``losses`` names the exponents of an open hierarchy; a closed one has its waveforms in the kernel instead.
     if scales.losses:
         return _open_start(scales, r)
     if not isinstance(scales.kernel, TurningHierarchy):
@@ -190,6 +207,7 @@ def any_start(scales: MultipleScales, *, max_seconds: Number = 60) -> dict[str, 
     local = [s * r**w for s, w in zip(scales.symbols, weights)]
     rows = []
     for series in (found.amplitude, found.phase):
+        # The key (0, ..., 0) stands for r and theta themselves, which are written apart below.
         terms = [
             (Mul(*[d**n for d, n in zip(local, k)]), c.to_sympy()) for k, c in series.coefficients.items() if any(k)
         ]
@@ -201,6 +219,7 @@ def _open_start(scales: MultipleScales, r: Expr) -> dict[str, Expr]:
     """The same from the closed waveforms of other exponents."""
     sizes, turns = start_of_open(scales.losses, len(scales.orders) - 1)
     local = [s * r ** (x - 1) for s, x in zip(scales.symbols, scales.losses)]
+    # One entry for each law at first order; of one law at second order the entries are those of rho and rho^2.
     scale = local if len(sizes) == len(local) else [local[0], local[0] ** 2]
     size, turn = (Add(*[d * part for d, part in zip(scale, parts)]) for parts in (sizes, turns))
     return {"a(0)": r * (1 + size), "psi(0)": theta + turn}

@@ -1,4 +1,5 @@
 """The multiple-scale solution of several laws, or of losses beside springs: tau and phi as functions of the amplitude.
+The amplitude equation dA/dtau = -A p(A) is autonomous and of one variable, so both are quadratures by separation.
 
     tau(A) = int_A^1 du/(u p(u)),      phi(A) = int_A^1 Omega(u)/(u p(u)) du,
 
@@ -69,11 +70,15 @@ class ImplicitSolution(ProvedCurve):
     def time_of_amplitude(self) -> Expr:
         """tau(A), closed at first order for two losses, else a named integral."""
         terms = self.oscillator.law.terms
+        # Beyond the first order p(u) is a sum of more than two powers of u, and beside |x|^m or from A(0) = a_0 the
+        # forms of ``envelopes.hypergeometric`` (two powers of the velocity, A(0) = 1) do not apply.
         if self.start is None and self.order == 1 and len(terms) == 2 and all(t.is_power_of_velocity for t in terms):
+            # epsilon_i is numbered as in the hierarchy, whose order of the terms need not be that of the law.
             kappas = zip(ordered(terms, self.scales), self.scales.symbols)
             found = time_of_amplitude({to_sympy(t.velocity): moment(to_sympy(t.velocity) + 1) * e for t, e in kappas})
             if found is not None:
                 return found
+        # Common factors in front leave an integrand that can be read; they do not change its value.
         return Integral(1 / sympy.factor_terms(self.loss), (u, amplitude_symbol, self.first))
 
     @property
@@ -104,6 +109,7 @@ class ImplicitSolution(ProvedCurve):
         found = self._motion.sample(times)
         return found.amplitude, found.phase, found.x
 
+    # The bound of the truncated equations holds here as it is: tau(A) and phi(A) solve them exactly, by quadrature.
     def _theorem(self) -> Theorem:
         return uniform_theorem(_dimensionless(self.oscillator), self.order)
 
@@ -166,13 +172,18 @@ def implicit_solution(oscillator: Oscillator, order: int) -> ImplicitSolution:
 
 def _dimensionless(given: Oscillator) -> Oscillator:
     """The same motion in units of 1/omega_0 and of the radius of the start, of a start at rest from x = 1."""
+    # Strengths without units belong to a start at distance 1, from rest or in motion: only the place on that circle is
+    # left to say, and at rest x0 < 0 is the mirror image of x0 > 0, since every force is odd under (x, v) -> (-x, -v).
     law = given.dimensionless
     if given.v0.is_zero:
         return Oscillator(law)
     numbers = (given.mass, given.stiffness, given.x0, given.v0)
+    # x0/radius and its speed are square roots of rationals if all four numbers are rational; a root under the root has
+    # no place in ExactReal, and a rounded start would not be the one whose bound is asked for.
     if any(n.offset or (n.coefficient and not n.is_rational) for n in numbers):
         raise InputError("v0", "the start divided by its radius is not exact", "rational mass, stiffness, x0 and v0")
     m, k, x0, v0 = (n.rational for n in numbers)
     radius = x0**2 + m * v0**2 / k
+    # ExactReal(+-1, q) is +-sqrt(q), exactly.
     place, speed = ((1 if n > 0 else -1, square / radius) for n, square in ((x0, x0**2), (v0, m * v0**2 / k)))
     return Oscillator(law, x0=ExactReal(*place) if x0 else 0, v0=ExactReal(*speed))

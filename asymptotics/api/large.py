@@ -1,4 +1,5 @@
 """The envelope of a pendulum or Duffing oscillator in SI units: first order in the loss, exact in the spring.
+Averaging in the action-angle variables of the conservative motion, which is given by Jacobi's elliptic functions.
 
 A(t) is the turning amplitude, psi(t) = omega_0 t + phi(t) the phase (n pi at the n-th turning point), and with the
 modulus k of the well at A
@@ -41,6 +42,8 @@ from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
 from asymptotics.public import public
 
+# Refusals alone: each step of a Newton iteration integrates hypergeometric functions to all digits, and at omega_0 t =
+# 10^100 the number of turns itself has a hundred.
 MAX_DIGITS, MAX_TAU = 200, 1e100
 Array = Any
 NOTE = "first order in the loss, exact in the spring"
@@ -77,6 +80,8 @@ class SpringEnvelope(SlowNumbers, Drawn):
             raise InputError("v0", "the envelope exact in the spring starts at a turning point", "v0 = 0")
         found = cls(oscillator, notes=(*oscillator.notes, NOTE))
         try:
+            # The start is 1 in its own unit; a start on the separatrix is not certainly inside and is refused with
+            # those beyond.
             found._flow().well.xi(arb(1))
         except InputError as outside:  # it speaks of x in units of x0
             raise InputError("x0", f"{oscillator.x0} is not certainly inside the well", outside.accepted) from None
@@ -87,6 +92,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         """The turning amplitude A(t) in m, correctly rounded; "0" from the extinction time on."""
 
         def metres(seconds: ExactReal) -> arb | ExactReal:
+            # At t = 0 the amplitude is x0 itself, exact, and may be a tie or have few digits: a ball would not round.
             if seconds.is_zero:
                 return abs(self.oscillator.x0)
             return self._flow().amplitude(self._tau(seconds)) * self._length()
@@ -104,6 +110,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         metres = exact_number(amplitude, "amplitude")
         if not 0 < metres <= abs(self.oscillator.x0):
             raise InputError("amplitude", f"{metres} {self.oscillator.unit} is not on the way", "0 < amplitude <= A(0)")
+        # Decided exactly: the integral from A(0) to A(0) in balls is a ball around 0, which has no first digit.
         if metres == abs(self.oscillator.x0):
             return "0"
 
@@ -131,6 +138,8 @@ class SpringEnvelope(SlowNumbers, Drawn):
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
         if self._flow().extinction_time() is None:
             return None
+        # ``_flow`` is made anew at every precision, since its strengths are balls of the precision in force.  Whether
+        # there is an extinction is decided by exponents above, so that ``or`` never acts: it is for the type.
         return certified_decimal(lambda: (self._flow().extinction_time() or arb(0)) / self.oscillator.omega_0(), D)
 
     @public
@@ -161,15 +170,19 @@ class SpringEnvelope(SlowNumbers, Drawn):
         if np.any(times < 0) or np.any(np.isinf(times)):
             raise InputError("time", "a time is negative or infinite", "times >= 0 in seconds")
         omega, length = float(self.oscillator.omega_0().mid()), float(self._length().mid())
+        # NaN and extinct times are computed at a harmless place and overwritten: the table is for 0 <= tau before the
+        # end.
         missing = np.isnan(times)
         tau = np.where(missing, 0.0, times) * omega
         _require_near(bool(np.all(tau <= MAX_TAU)))
+        # initial=1: a table has to have some length even for no times at all.
         table = self._flow().table(float(np.max(tau, initial=1.0)))
         gone = tau >= table.extinction
         s, phi = table.at(np.where(gone, 0.0, tau))
         xi = np.exp(-s)
         X, V = self._wave(xi, tau + phi)
         A = self._flow().well.amplitude(xi)
+        # Springs and losses are odd: from -x0 the mirror image.
         side = length * self.oscillator.x0.sign
         rows = (X * side, V * side * omega, A * length)
         x, v, A = (np.where(missing, np.nan, np.where(gone, 0.0, row)) for row in rows)
@@ -194,6 +207,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
 
     def _curve(self, axes: Any, **style: Any) -> None:
         until = time_of_curve(self.oscillator, style.pop("until", None))
+        # Asked of no times, for the refusal of an order alone.
         self.columns([], order=style.pop("order", None))
         found = self.sample(np.linspace(0.0, until, POINTS))
         axes_of_motion(axes, si=self.si, unit=self.oscillator.unit)
@@ -207,12 +221,17 @@ class SpringEnvelope(SlowNumbers, Drawn):
         well, g = self._flow().well, float(self._flow().well.strength.mid())
         theta = np.asarray(well.theta(-np.log(xi)))
         if well.kind == "pendulum":
+            # g = theta_0^2 for x in units of the start theta_0, so that k = sin(A/2) with A in rad; theta = sqrt(g) X.
+            # Slow changes of k are left out of X', as in x = A cos psi with v = -omega A sin psi.
             k = np.sqrt(g) * xi / 2
             sn, cn, dn, _ = ellipj(theta * psi, k * k)
             return 2 * np.arcsin(k * cn / dn) / np.sqrt(g), -2 * k * np.sqrt(1 - k * k) * sn / dn / np.sqrt(g)
+        # xi = sqrt(2 V): B = 1 + g A^2, the square of the frequency of cn; mu = g A^2/(2 B) is its parameter k^2.
         B = np.sqrt(1 + 2 * g * xi * xi)
         A, mu, fast = well.amplitude(xi), (B - 1) / (2 * B), np.sqrt(B)
         u = theta * fast * psi
+        # A soft spring has mu < 0, where SciPy's ellipj is not defined.  For a negative parameter
+        # cn(u|-m) = cd(u sqrt(1+m) | m/(1+m)) (Abramowitz and Stegun, section 16.10).
         if g >= 0:
             sn, cn, dn, _ = ellipj(u, mu)
             return A * cn, -A * fast * sn * dn
@@ -237,6 +256,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
 
     def _flow(self) -> SlowFlow:
         """The flow with balls of the current precision."""
+        # Not cached: the caller's precision decides how wide its balls are.
         springs = [t for t in self.oscillator.dimensionless.springs if not t.strength.is_zero]
         strength = springs[0].strength.ball()
         well = Well.pendulum(strength) if springs[0].family else Well.duffing(strength)

@@ -31,6 +31,7 @@ from asymptotics.tables import registry
 from asymptotics.tables.inputs import MAX_ROWS, Inputs
 from asymptotics.tables.table import Table
 
+# Sizes of answers that still come at once and can be read; they refuse, and nothing that is answered rests on them.
 MAX_P, MAX_DIGITS, MAX_ROW, MAX_N, MAX_G = 10_000, 10_000, 5_000, 10_000, 100
 
 
@@ -41,9 +42,12 @@ def moment(p: Number, *, digits: int = 30, max_seconds: Number = 60) -> Coeffici
     InputError for p <= -1, where the average diverges, and for what is not an exact number.
     """
     number, D = exact_number(p, "p"), exact_integer(digits, "digits", 1, MAX_DIGITS)
+    # |sin|^p is integrable at the zeros of the sine for p > -1 alone.
     if not number > -1 or number > MAX_P:
         reason = "the average diverges" if not number > -1 else "is out of range"
         raise InputError("p", f"{number}: {reason}", f"a real number above -1, at most {MAX_P}")
+    # M_p is rational for even p, a rational over pi for odd p; a rational may be a tie, which only exact rounding
+    # tells.
     expression = moment_expression(to_sympy(number))
     if expression.is_Rational:  # even p: exactly known, ties included
         return Coefficient(rational_decimal(from_sympy(expression), D), expression, float_notes(p=p))

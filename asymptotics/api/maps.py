@@ -1,4 +1,5 @@
 """The half-swing, as series in the local strengths or at given ones, and the cycle that a law of negative damping has.
+The half-swing is a return map (Poincare) on the turning points, a limit cycle a fixed point of it in the amplitude.
 
 >>> series = half_swing(2, order=3)
 >>> series.log_ratio["1"].exact, series.duration["2"].exact
@@ -27,6 +28,7 @@ from asymptotics.numbers.policy import Number, exact_integer, exact_number, exac
 from asymptotics.public import public
 from asymptotics.turning.half_swing import half_swing_of_terms
 
+# As ``expand`` has them: the work is estimated from order and exponents before it begins, and refused by that.
 MAX_ORDER, MAX_DIGITS = 200, 1000
 
 
@@ -50,6 +52,7 @@ def half_swing(
     require_flag(exact, "exact")
     terms, _, _, notes = terms_of(law, spring)
     if delta is None:
+        # The coefficients depend on the exponents alone: strengths that were given with the law are not used.
         found = half_swing_coefficients(terms, exact_integer(order, "order", 1, MAX_ORDER), D, exact_only=exact)
         return replace(found, notes=notes)
     if exact:
@@ -80,6 +83,7 @@ def limit_cycle(
     >>> limit_cycle({1: -1, (1, 2): 1}, mu=1, spring={3: "1/2"}, digits=12).at.amplitude
     '1.95363409607'
     """
+    # mu multiplies the losses alone, so that springs must not be read as part of what grows with it.
     made = Law.read(law) if spring is None else Law(Law.read(law), spring)
     N, D = exact_integer(order, "order", 1, MAX_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
     place = None if near is None else exact_number(near, "near")
@@ -87,4 +91,5 @@ def limit_cycle(
         raise InputError("near", f"{place} is not positive", "an amplitude > 0")
     number = None if mu is None else exact_number(mu, "mu")
     with budget(exact_seconds(max_seconds)):
+        # ``near`` only chooses among cycles that are then proved: a double is enough.
         return of_law(made, N, D, number, None if place is None else float(place.ball()))

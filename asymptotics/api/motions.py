@@ -40,8 +40,13 @@ from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public
 
 Array = Any
+# 15 digits of the reference are what a double shows; 10^4 half-swings and 120 s (the estimates are good to a factor of
+# three) bound the work of a curve.  They refuse, they decide no digit.
 DIGITS, MAX_EVENTS, MAX_SECONDS = 15, 10_000, 120
+# Points of a drawing: an expansion costs microseconds a point, a reference a certified step or more.
 POINTS, ERROR_POINTS, REFERENCE_POINTS = 4001, 241, 401
+# Two zeros of x, or of v, are about half a turn apart unless damping is strong: in a cell of a sixteenth of it two are
+# not expected, and a pair in one cell would be missed.  The docstring of ``Events`` says so: heuristic.
 _PER_HALF_SWING = 16
 
 
@@ -99,6 +104,7 @@ class Motion(Drawn):
         time, notes = exact_number(t, "t"), (*self.notes, *float_notes(t=t))
         if digits is not None:
             return self._motion.at(time, exact_integer(digits, "digits", 1, 300)).noted(notes)
+        # Thirty digits of an expansion that is right to five would mislead: they are asked for by ``digits``.
         return self._motion.at(time).rounded_to_error().noted(notes)
 
     @public
@@ -117,6 +123,7 @@ class Motion(Drawn):
         (derivation ``uniform-bound``).  InputError for other forces and gauges, LimitError where the local strength
         leaves the range of the theorem.
         """
+        # The waveform of the theorem is that of the gauge in which v vanishes at psi = n pi to every order.
         if self.gauge != TURNING_POINT:
             raise InputError("gauge", f"no such theorem is known in the gauge {self.gauge}", TURNING_POINT)
         return uniform_bound(self.oscillator, self.order, until=until)
@@ -150,6 +157,8 @@ class Motion(Drawn):
         envelope_lines(axes, found.t, found.amplitude)
         if errors:
             t = np.linspace(0.0, until, ERROR_POINTS)
+            # Fewer points than the curve: each is a point of the certified reference.  The start has the error 0, and a
+            # logarithm none below 1e-17, under the rounding of doubles.
             error = np.abs(self.sample(t).x - Reference(self.oscillator).sample(t).x)
             lower = below(axes)
             lower.semilogy(t[1:], np.maximum(error[1:], 1e-17), color="#15803d")
@@ -199,6 +208,7 @@ class Reference(Drawn):
         missing = np.isnan(times)
         if np.any(times < 0):
             raise InputError("time", "a time is negative", "times >= 0 in seconds")
+        # NaN is computed at the start, t = 0, and put back afterwards.
         x, v = self._values(np.where(missing, 0.0, times).ravel())
         x, v = (np.where(missing, np.nan, values.reshape(times.shape)) for values in (x, v))
         notes = (*self.notes, *([f"NaN times: {missing.sum()}"] if missing.any() else []))
@@ -240,8 +250,10 @@ class Reference(Drawn):
             lower.set_ylabel(f"v ({self.oscillator.unit}/s)" if self.si else "v")
 
     def _values(self, times: Array) -> tuple[Array, Array]:
+        # The times of an array are binary fractions; their shortest decimals would be other times.
         exact = [ExactReal(Fraction(float(t))) for t in times]  # the doubles, exactly
         if self._is_dry:
+            # A closed form on each half-swing, sticking included, so that each time stands by itself.
             points = [coulomb_motion(self.oscillator, t, DIGITS, static=self.static) for t in exact]
             return np.array([float(p.x) for p in points]), np.array([float(p.v) for p in points])
         if self.static is not None:
@@ -252,6 +264,7 @@ class Reference(Drawn):
 
     def _require_size(self, times: Sequence[ExactReal]) -> None:
         last = max(times, default=ExactReal(0))
+        # The states are found along one orbit, so that the latest time decides the cost.
         seconds = estimated_seconds(self.oscillator, last, DIGITS)
         require_affordable(seconds, MAX_SECONDS, "time", f"{last} s")
 
@@ -275,6 +288,7 @@ def motion(law: LawLike, *, order: int = 3, gauge: str = TURNING_POINT, max_seco
     """
     oscillator = oscillator_of(law)
     N = exact_integer(order, "order", 1, MAX_ORDER)
+    # Made once for its refusals; the motion makes its own when it is first asked.
     AsymptoticMotion.of(oscillator, N, gauge)
     return Motion(oscillator, N, gauge, oscillator.notes, isinstance(law, Oscillator))
 
@@ -329,6 +343,7 @@ def events_of(moving: _Sampled, until: Number, stop: float | None) -> Events:
     if swings > MAX_EVENTS:
         raise LimitError("until", f"{swings:.3g} half-swings are too many", f"at most {MAX_EVENTS}")
     if stop is not None:
+        # Beyond the stop x is constant and v = 0: no sign changes there.
         last = min(last, stop)
     grid = np.linspace(0.0, last, int(_PER_HALF_SWING * (swings + 1)) + 2)
     found = moving.sample(grid)
@@ -341,11 +356,16 @@ def events_of(moving: _Sampled, until: Number, stop: float | None) -> Events:
 
 def _crossings(moving: _Sampled, grid: Array, values: Array, *, of_velocity: bool) -> Array:
     """Where ``values`` changes sign: the secant, then Newton steps kept inside the interval."""
+    # A start at rest has v = 0 on the first grid point and is no event, since events are in 0 < t.
     i = np.nonzero(values[:-1] * values[1:] < 0)[0]
     low, high = grid[i], grid[i + 1]
     t = low - values[i] * (high - low) / (values[i + 1] - values[i])
+    # The secant over a sixteenth of a half-swing is right to some hundredths of the cell, and each Newton step doubles
+    # the digits: three would do, a fourth costs little.  clip keeps a step that divides by nearly 0 in its cell.
     for _ in range(4 if t.size else 0):
         now = moving.sample(t)
+        # Newton for v = 0 needs v' = x'', from the equation of motion at the sampled state: differences of v would be
+        # rougher, and an expansion's v is differentiated nowhere.
         step = now.v / _acceleration(moving.oscillator, now) if of_velocity else now.x / now.v
         t = np.clip(t - np.where(np.isfinite(step), step, 0.0), low, high)
     return t
@@ -357,6 +377,7 @@ def _acceleration(oscillator: Oscillator, now: MotionSamples) -> Array:
     for t in oscillator.law.terms:
         b, velocity = float(t.b.ball().mid()), float(t.velocity.ball().mid())
         if t.family:
+            # The pendulum's term is what sin x has beyond x, times the stiffness.
             force = force + float(oscillator.stiffness.ball().mid()) * (np.sin(now.x) - now.x)
         elif t.sign < 0:
             force = force + b * np.abs(now.x) ** t.position * np.sign(now.v) * np.abs(now.v) ** velocity

@@ -20,6 +20,7 @@ def plot(*results: Any, ax: Any = None, max_seconds: Number = 60, **style: Any) 
 
     InputError for no result, and for one that has no curve.
     """
+    # All are looked at before the first is drawn: half a picture is worse than a refusal.
     for result in results:
         if not isinstance(result, Drawn):
             accepted = "what motion, envelope, reference, solution, turning_points, ... return"

@@ -1,4 +1,5 @@
-"""A solution with what is proved of its error, for all times at once (``bounds.explicit``, ``bounds.uniform``).
+"""A solution with what is proved of its error, for all times at once (``bounds.explicit``, ``bounds.uniform``).  A
+differential inequality along the nonexpansive flow turns the defect of the formula into a bound of its error.
 
 >>> from asymptotics.api.solution import solution
 >>> air = solution({2: "1/20"}, order=2)
@@ -57,6 +58,8 @@ class ProvedCurve(SolutionCurve):
         """``valid_until`` and ``valid_label``: proved, with the size of the error, or asymptotic, with the reason."""
         try:
             found = self.proved()
+        # No strength, a force or a start without a theorem, damping too strong for it, or balls that do not decide: the
+        # label says asymptotic then, with the reason.
         except (InputError, LimitError, UndecidedError) as reason:
             end = None if self.valid_until is None else str(self.valid_until)
             return {"valid_until": end, "valid_label": "asymptotic", "not_proved": str(reason)}

@@ -15,6 +15,8 @@ from sympy import Add, Eq, Expr, Integer, latex
 
 from asymptotics.present.shown import Page, Shown, fields_of
 
+# Layout alone.  Six terms fill a line of LaTeX in landscape; through order 4 the text of x is short enough to have
+# every letter written out, as SymPy prints it.
 _TERMS, _PLAIN = 6, 4
 _chi = sympy.Symbol("chi", real=True)
 A_0 = sympy.Symbol("A_0", positive=True)
@@ -49,6 +51,7 @@ def text_of(s: Any) -> str:
     lines += [] if s.alpha == 1 else [f"D       = {slow}"]
     lines += [f"A_0     = {leading}", f"A       = {relative}", f"phi     = {slow_phase}"]
     waves = "".join(f" + delta{f'**{n}' if n > 1 else ''}*x_{n}(psi)" for n in range(1, s.order))
+    # The waveforms are told on one half-swing; the last line of the formulas continues them.
     where = f"psi = tau + phi, delta = {s.local_strength}, on 0 < psi < pi"
     lines.append(f"x       = A*(cos(psi){waves}), {where}")
     lines += [f"x_{n}     = {wave}" for n, wave in enumerate(s.shown_waves(), start=1)]
@@ -57,6 +60,7 @@ def text_of(s: Any) -> str:
     lines += [] if s.oscillator is None else [f"epsilon = {s.strength}"]
     end = s.valid_until
     limit = "for every tau >= 0 (alpha >= 1)" if end == sympy.oo else f"while tau < {end}"
+    # Of a symbolic exponent: the end exists for alpha < 1 alone, and is the first branch.
     if isinstance(end, sympy.Piecewise):
         limit = f"for every tau >= 0 where alpha >= 1, else while tau < {end.args[0][0]}"
     lines += [f"valid   {limit}", f"error   O(epsilon**{s.order}) at fixed epsilon*tau; not certified"]
@@ -92,6 +96,8 @@ def text_of_x(s: Any) -> str:
 
 def _replaced(text: str, values: dict[str, str]) -> str:
     for letter, value in values.items():
+        # Whole words, since A stands in other names.  A value may hold letters that are replaced after it: delta has A,
+        # chi has psi.
         text = re.sub(rf"\b{letter}\b", f"({value})", text)
     return text
 
@@ -115,6 +121,7 @@ def _slow_part(s: Any) -> tuple[Expr, Expr, Expr, Expr, list[Eq]]:
         return *found, []
     leading, slow, relative, slow_phase = (s.begun(e) for e in found)
     a_0, phi_0, _ = s.letters
+    # Unevaluated: SymPy would decide at once that two expressions are equal or not, and print True.
     begin = [Eq(letter, value, evaluate=False) for letter, value in s.letters.items()]
     return leading, slow, a_0 * relative, phi_0 + slow_phase, begin
 

@@ -1,4 +1,5 @@
-"""The first-order envelope A(t) and phase phi(t) of any law: numbers, arrays, and the formula where one is known.
+"""The first-order envelope A(t) and phase phi(t) of any law: numbers, arrays, and the formula where one is known.  The
+averaged equation (Krylov and Bogoliubov; Bogoliubov and Mitropolsky, 1961) is solved in balls; x(t) itself is not.
 
 >>> slow = envelope(Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5"))
 >>> slow.amplitude(7, digits=12), slow.formula
@@ -96,6 +97,8 @@ class Envelope(SlowNumbers, Drawn):
         delta(sigma) = sigma + 1/90 sigma^3
         """
         N, D = exact_integer(order, "order", 1, MAX_SERIES_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
+        # The squaring trick of Lelas replaces the mean of |sin|^(alpha+1) by a power of the mean square: no expansion
+        # has it as its first term, so that there is no second.
         if self.averaging != MEAN:
             raise InputError("averaging", f"{self.averaging} has no higher orders", MEAN)
         terms = [t for t in self.oscillator.law.terms if not t.b.is_zero]
@@ -110,6 +113,8 @@ class Envelope(SlowNumbers, Drawn):
         terms = self.oscillator.dimensionless.terms
 
         def rate(i: int) -> arb | ExactReal:
+            # A rational rate may be a tie between two decimals, which no ball tells from its neighbours; other rates
+            # are balls.
             return exact_kappa(terms[i]) or self.oscillator.kappas()[i]
 
         return tuple(certified_decimal(partial(rate, i), D) for i in range(len(terms)))
@@ -147,6 +152,8 @@ class Envelope(SlowNumbers, Drawn):
     def total_lag(self) -> sympy.Expr | None:
         """-phi at infinity, the same in every gauge: finite for one law with alpha > 1, None otherwise."""
         alone = self._alone()
+        # dphi/dtau is of the size delta^2, and the integral of delta^2 over all time is finite where delta falls like
+        # 1/tau: for alpha > 1.
         return alone.total_lag if alone is not None and self.averaging == MEAN and alone.alpha > 1 else None
 
     @property
@@ -190,11 +197,14 @@ class Envelope(SlowNumbers, Drawn):
     @public
     def phases(self, t: ArrayLike, *, max_seconds: Number = 60) -> Any:
         """phi in rad at an array of times in s, 0 at the start: doubles; NaN where it is not known."""
+        # The squaring trick is one for the amplitude: it has no phase.
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
+        # The difference below puts phi = 0 at the start, where the motion of order 2 has its own phi(0).
         start, rate = self._at_rest()
         motion = AsymptoticMotion.of(start, 2)  # order 2 is p_1 and Omega_2: this phase
         phi = motion.sample(np.asarray(times_of(t)) * rate).phase - motion.sample([0.0]).phase[0]
+        # From the extinction on there is no amplitude, and a phase of nothing is NaN, not the last value.
         return np.where(self.amplitudes(t) > 0, phi, np.nan)
 
     def _at_rest(self) -> tuple[Oscillator, float]:
@@ -217,6 +227,7 @@ class Envelope(SlowNumbers, Drawn):
             float(x.mid()) for x in (oscillator.epsilons()[0], oscillator.omega_0(), oscillator.length())
         )
         forms = (sympy.lambdify([tau, epsilon], e, "numpy", cse=True) for e in self.series(order).explicit)
+        # 0 times the times gives a constant the shape of the array.
         A, phi = (f(times * omega, epsilon_) + 0.0 * times for f in forms)
         return times, A * length, phi
 
@@ -226,12 +237,15 @@ class Envelope(SlowNumbers, Drawn):
     def _curve(self, axes: Any, **style: Any) -> None:
         order, until = style.pop("order", None), time_of_curve(self.oscillator, style.pop("until", None))
         t, A, phi = self.columns(np.linspace(0.0, until, POINTS), order=order)
+        # Without an amplitude any phase draws the same curve; with the squaring trick, which has none, it is A
+        # cos(omega_0 t).
         psi = t * float(self.oscillator.omega_0().mid()) + np.nan_to_num(phi)
         axes_of_motion(axes, si=self.si, unit=self.oscillator.unit)
         named = r"$A\,\cos(\omega_0 t + \varphi)$" + ("" if order is None else f", order {order}")
         axes.plot(t, A * np.cos(psi), **{"label": named, **style})
         envelope_lines(axes, t, A)
 
+    # Kept for its tables of doubles; the balls in it are made anew at each precision.
     @cached_property
     def _law(self) -> FirstOrderEnvelope:
         return FirstOrderEnvelope(self.oscillator, self.averaging)
@@ -287,10 +301,13 @@ def envelope(law: LawLike, *, averaging: str = MEAN, max_seconds: Number = 60) -
     '16.1555393724'
     """
     oscillator = oscillator_of(law)
+    # A spring makes the phase, the period and the loss of a cycle depend on the amplitude, at any strength: another
+    # averaged law, in another coordinate (``envelopes.large``).
     if any(not t.b.is_zero for t in oscillator.law.springs):
         if averaging != MEAN:
             raise InputError("averaging", f"{averaging!r:.40} knows the linear spring", MEAN)
         return replace(SpringEnvelope.of(oscillator), si=isinstance(law, Oscillator))
     oscillator.law.require_pure("the first-order envelope")
+    # Made once for its refusals: an envelope that exists can be asked.
     FirstOrderEnvelope(oscillator, averaging)
     return Envelope(oscillator, averaging, oscillator.notes, isinstance(law, Oscillator))

@@ -31,7 +31,9 @@ class SlowNumbers:
         ``at`` an amplitude in m; "extinction_time" (s) and "kappa_1", "kappa_2", ... without.  InputError for a name
         or a place that this envelope does not have.
         """
+        # A mixin: the methods are those of the envelope that inherits, and their names are what can be asked for.
         this: Any = self
+        # One digit is enough to count them.
         kappas = [f"kappa_{i}" for i in range(1, len(this.kappas(digits=1)) + 1)]
         known = [n for n in (*_AT, "extinction_time") if hasattr(this, n)]
         require_choice(name, "name", [*known, *kappas])

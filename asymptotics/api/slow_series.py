@@ -1,4 +1,5 @@
-"""The envelope of one law to any order: tau and phi as Laurent polynomials in delta, and delta(tau) by reversal.
+"""The envelope of one law to any order: tau and phi as Laurent polynomials in delta, and delta(tau) by reversal.  The
+averaged equations beyond the first order (Bogoliubov and Mitropolsky), integrated as they stand: formal series.
 
     (alpha-1) p_1 tau = G(delta) - G(delta_0),    (alpha-1) p_1 phi = H(delta_0) - H(delta),
     delta = sigma + g_2 sigma^3 + ...,            sigma = 1/(G(delta_0) + (alpha-1) p_1 tau)
@@ -45,6 +46,7 @@ from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public
 from asymptotics.series import Series, divided
 
+# Refusals alone: the work grows with the order; numbers up to 10^100 keep products of two of them within doubles.
 MAX_ORDER, MAX_NUMBER = 40, Fraction(10) ** 100
 _Found = tuple[list[dict[int, Coefficient]], LaurentEnvelope]
 _TEXTS = {"G": "G(delta)", "H": "H(delta)", "reversal": "delta(sigma)"}
@@ -90,9 +92,11 @@ class EnvelopeSeries(Rows):
     def _number(self, name: str, **given: Any) -> float:
         numbers = {key: exact_number(value, key) for key, value in given.items()}
         for key, number in numbers.items():
+            # tau = 0 is the start; a strength 0 has no 1/delta.
             in_range = 1 / MAX_NUMBER <= number <= MAX_NUMBER or (key == "tau" and 0 <= number <= MAX_NUMBER)
             if not in_range:
                 raise InputError(key, f"{number} is out of range", "a number from 1e-100 to 1e100")
+        # Exact numbers become doubles here at last: what is found is a truncated series, no enclosure.
         found = getattr(self.formulas.numeric(), name)(*(float(n.ball()) for n in numbers.values()))
         if not isfinite(found):
             raise InputError("delta_0", "the truncated series give no number there", "smaller local strengths")
@@ -159,15 +163,20 @@ def envelope_series(alpha: ExactReal, order: int, digits: int = 30) -> EnvelopeS
     """
     if alpha == 1:
         raise InputError("alpha", "at alpha = 1 delta is constant and A = exp(-epsilon tau/2) exactly", "alpha != 1")
+    # Integer exponents have coefficients in Q[pi, 1/pi]: a rational one may be a tie, which only exact arithmetic
+    # tells, and the others are rounded from balls of pi.
     if alpha.is_integer:
         exact = laurent_envelope(exact_expansion((int(alpha.rational),), order))
         found = at_growing_precision(lambda _: _numbers(exact, digits), digits, bits_for(digits))
     else:
 
         def attempt(bits: int) -> _Found | None:
+            # The exponent is read at this precision anew: a ball made before would carry its old radius along.
             series = expansions([alpha], order)
             return _numbers(envelope_of_series(alpha.ball(), series["p"], series["Omega"]), digits)
 
+        # The guard grows with the order, at which the flow loses digits.  It decides how often a pass is repeated and
+        # no more: a ball that is too wide to round asks for twice the bits.
         found = at_growing_precision(attempt, digits, bits_for(digits, 4 * order + 64))
     rows, formulas = found
     first, G, H, reversal = rows
@@ -187,6 +196,7 @@ def _numbers(envelope: LaurentEnvelope, digits: int) -> _Found | None:
 
 def _integrated(series: Series, sign: int) -> dict[int, Any]:
     """+-c_k/(k-1) at the power k-1, for k >= 2."""
+    # Term by term; there is no 1/delta, so no logarithm (``envelopes.laurent``).
     return {n - 1: divided(sign * c, n - 1) for (n,), c in sorted(series.coefficients.items()) if n >= 2}
 
 

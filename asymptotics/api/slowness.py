@@ -1,4 +1,5 @@
-"""Where an envelope is slow, |dA/dt| <= eta omega_0 A, in the units of its oscillator: heuristic doubles.
+"""Where an envelope is slow, |dA/dt| <= eta omega_0 A, in the units of its oscillator: heuristic doubles.  That is the
+condition of averaging, in which the amplitude changes little within a period.
 
 One law is slow for an interval of times, a sum for an interval of amplitudes (``envelopes.validity``).
 
@@ -20,6 +21,7 @@ from asymptotics.errors import InputError, shown
 from asymptotics.numbers.policy import exact_number
 from asymptotics.present.shown import Page, Shown
 
+# 1/eta and eta kappa must stay far inside the range of doubles; an eta that large or small asks nothing.
 MAX_ETA = 1e9
 _SHOWN = 8
 
@@ -83,6 +85,8 @@ def slow_part(law: FirstOrderEnvelope, eta: Any) -> SlowPart:
         raise InputError("law", "every strength is zero: the amplitude is constant", "at least one b > 0")
     if len(active) == 1:
         ((alpha, kappa),) = active
+        # For one law |dA/dtau|/A is monotone in time, so that the slow part is an interval of times; for a sum it is
+        # convex in ln A, and the slow part is an interval of amplitudes, whose times would each be a quadrature.
         found, unit = slow_interval(float(alpha.ball().mid()), kappa=float(kappa.mid()), eta=number), 1 / omega_0
     else:
         found, unit = slow_amplitudes(law.numeric(), number), length

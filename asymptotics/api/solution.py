@@ -1,4 +1,5 @@
-"""The multiple-scale solution of one law as functions of time: A(tau), phi(tau), x(tau) through order N.
+"""The multiple-scale solution of one law as functions of time: A(tau), phi(tau), x(tau) through order N.  Two
+scales suffice: the fast phase psi, and through delta the slow time epsilon tau in which A and phi are explicit.
 
     x = A [cos psi + sum_(0<k<N) delta^k x_k(psi)],   psi = tau + phi,   delta = epsilon A^(alpha-1),
 
@@ -79,6 +80,7 @@ from asymptotics.public import public
 from asymptotics.series import Key, Series
 from asymptotics.terms import Term
 
+# Limits of what is offered: 12 is the order through which open hierarchies go, 300 digits what ``motion`` serves too.
 MAX_ORDER, MAX_DIGITS = 12, 300
 CLOSED_ORDER = 4
 """Through which a symbolic exponent has its rates written out; beyond, p_k and Omega_k stand by name."""
@@ -87,6 +89,8 @@ A_0, A, a_0, epsilon_0 = sympy.symbols("A_0 A a_0 epsilon_0", positive=True)
 phi_0 = Symbol("phi_0", real=True)
 kappa, m, k, b, x_0, t = sympy.symbols("kappa m k b x_0 t", positive=True)
 Array = Any
+# Bits beyond those of the digits: time and length are handed on with thirty decimals more (100 bits), and their balls
+# must be narrower still.
 _GUARD = 128
 
 
@@ -121,6 +125,7 @@ class Solution(ProvedCurve):
     @cached_property
     def amplitude(self) -> Expr:
         """A in tau and epsilon, 1 at a start at rest; in ``letters`` for one in motion."""
+        # D, not tau, is the variable of the series: A_0 and D hold all of the dependence on time.
         A_0, slow = self.leading
         found = A_0 * self.relative.subs(D, slow)
         return found if self.start is None else a_0 * self.begun(found)
@@ -155,6 +160,7 @@ class Solution(ProvedCurve):
     @cached_property
     def x(self) -> Expr:
         """x in tau and epsilon, valid for all tau; an open integral stands as x_n(psi), see ``definitions``."""
+        # X(psi + pi) = -X(psi): the waveforms are known on one half-swing, and (-1)^swings continues them.
         turned = tau + self.phase
         swings = floor(turned / pi)
         shape = self.shape(chi).subs({delta: self.local_strength}).subs({A: self.amplitude, chi: turned - pi * swings})
@@ -162,6 +168,7 @@ class Solution(ProvedCurve):
 
     def shape(self, phase: Expr) -> Expr:
         """cos psi + sum delta^k x_k(psi) with ``delta``, at a phase in (0, pi)."""
+        # An open waveform stands as an undefined function of its name, which ``definitions`` explains.
         waves = ((n, Function(f"x_{n}")(psi) if w is None else w) for n, w in enumerate(self.waves, start=1))
         return cos(phase) + Add(*[delta**n * w.subs(psi, phase) for n, w in waves])
 
@@ -170,6 +177,8 @@ class Solution(ProvedCurve):
         """tau until which delta < 1 can be hoped for: infinity for alpha >= 1, else where A_0 makes delta = 1."""
         if self.alpha.is_number and bool(self.alpha >= 1):
             return sympy.oo
+        # Below 1 delta = epsilon D grows as A falls: epsilon D = 1 solved for tau.  It is no bound, the letter of the
+        # series becomes 1 there.
         end = self.begun((1 - epsilon) / ((1 - self.alpha) * self.p_1 * epsilon))
         return end if self.alpha.is_number else Piecewise((end, self.alpha < 1), (sympy.oo, True))
 
@@ -182,6 +191,7 @@ class Solution(ProvedCurve):
         if units == "kappa":
             change: dict[Expr, Expr] = {epsilon: kappa / self.p_1}
             return self.amplitude.subs(change), self.phase.subs(change)
+        # Both at once, so that what stands for one letter is not searched for the other.
         change = {epsilon: self.strength_in_SI, tau: sympy.sqrt(k / m) * t}
         amplitude, phase = (e.subs(change, simultaneous=True) for e in (self.amplitude, self.phase))
         return x_0 * amplitude, phase
@@ -218,6 +228,8 @@ class Solution(ProvedCurve):
         long products of gamma functions, slow to evaluate."""
         if self.is_exact:
             return self
+        # Fifteen digits more than are shown, as ``evaluated.numbers`` works with, and never fewer than the form at hand
+        # has.
         relative, phase = _slow(self.scales, self.alpha, self.order, max(digits + 15, DIGITS + 1))
         start = self.start
         if start is not None:
@@ -238,10 +250,13 @@ class Solution(ProvedCurve):
 
     def at_time(self, oscillator: Oscillator, time: Number, digits: int) -> SolutionPoint:
         """The same at a time t of an oscillator with this law, in its units: A and x in m, phi in rad."""
+        # The oscillator's numbers are balls of FLINT and the formulas mpmath's: both precisions are set for what is
+        # shared.
         with ctx.workprec(bits_for(digits, _GUARD)), workdps(digits + 30):
             scaled, length = time_of(time).ball() * oscillator.omega_0(), oscillator.length()
             size, lag, x = numbers(self, sympy.Float(scaled.str(digits + 30, radius=False), digits + 30), digits)
             unit = mpmath.mpf(length.str(digits + 30, radius=False))
+            # The formulas are of a start at rest at +1; a start in motion has its side in phi(0) already.
             turned = -x if oscillator.x0 < 0 and oscillator.v0.is_zero else x
             return _rounded(size * unit, lag, turned * unit, digits)
 
@@ -249,6 +264,8 @@ class Solution(ProvedCurve):
         """A proved bound, rounded up, of |x(tau) - x_N| for the decimal x_N that ``at`` gives, in units of x_0."""
         if self.start is not None:
             raise InputError("v0", "a bound in units of the radius of the start is not served", "at_time, proved_bound")
+        # The bound is of the printed decimal, so that its rounding is inside: an enclosure of the true motion beside
+        # it, whatever way the decimal was found.
         dimensionless = Oscillator(self._given().dimensionless)
         return proved_bound(dimensionless, self.at(time, digits=digits).x, time)
 
@@ -309,6 +326,8 @@ def solution(law: LawLike, *, order: int = 3, max_seconds: Number = 60) -> Solut
     if isinstance(law, Law | Oscillator | Mapping):
         oscillator = oscillator_of(law)
         oscillator.law.require_dissipative("solution that decays")
+        # Only one power of the velocity makes A explicit: delta is then the one variable, and tau(delta) can be
+        # reversed.
         if len(oscillator.law.terms) > 1 or not oscillator.law.is_pure:
             return replace(implicit_solution(oscillator, N), si=isinstance(law, Oscillator))
     exponent, given = _exponent(law)
@@ -316,6 +335,7 @@ def solution(law: LawLike, *, order: int = 3, max_seconds: Number = 60) -> Solut
     alpha = symbolic_alpha if exponent is None else to_sympy(exponent)
     p_1 = -scales.rates[1][0].subs(a, 1)
     relative, phase = _slow(scales, alpha, N, DIGITS)
+    # Rates of order N act over times 1/epsilon and count like epsilon^(N-1), as the last waveform that is kept does.
     waves = tuple(_closed_wave(scales, n) for n in range(1, N))
     start = None if given is None or given.v0.is_zero else start_in_motion(given, scales)
     si = isinstance(law, Oscillator)
@@ -335,6 +355,8 @@ def _exponent(law: Any) -> tuple[ExactReal | None, Oscillator | None]:
 def _slow(scales: MultipleScales, alpha: Expr, order: int, digits: int) -> tuple[Expr, Expr]:
     """A/A_0 and phi in D and epsilon; at alpha = 1 in tau and epsilon.  ``digits`` of the rates that do not close."""
     kernel = scales.kernel
+    # From what is shortest to what is general: letters for a symbol, the exponential decay of the linear law (which
+    # divides by no alpha - 1), exact polynomials, and closed forms continued by decimals.
     if not alpha.is_number and order > CLOSED_ORDER:
         return named_slow_time(alpha, order)
     if alpha == 1:
@@ -344,6 +366,8 @@ def _slow(scales: MultipleScales, alpha: Expr, order: int, digits: int) -> tuple
     rates = list(enumerate(scales.rates))[1:]
     p: dict[Key, Expr] = {(n,): -f.subs(a, 1) for n, (f, _) in rates if f != 0}
     Omega: dict[Key, Expr] = {(n,): g.subs(a, 1) for n, (_, g) in rates if g != 0}
+    # The first rate that is a decimal ends the exact part: rates through ``closed`` fix A and phi through
+    # epsilon^(closed-1), and the balls give what comes after, so no order is counted twice.
     numbers = [n for row in (p, Omega) for (n,), c in row.items() if c.has(sympy.Float)]
     closed = min([*numbers, order + 1]) - 1
     exact = slow_time(alpha, *(Series(row, 1, order).truncate(closed) for row in (p, Omega)))
@@ -362,6 +386,7 @@ def _closed_wave(scales: MultipleScales, n: int) -> Expr | None:
 
 def _strength(oscillator: Oscillator) -> Expr:
     """The dimensionless strength as an exact number, or as one of 400 digits where it is a product of roots."""
+    # A product of several roots (mass, stiffness and x0 to fractional powers) has no exact form here.
     (term,) = oscillator.dimensionless.terms
     if isinstance(term.strength, ExactReal):
         return to_sympy(term.strength)

@@ -28,6 +28,8 @@ class SolutionCurve(Drawn):
         oscillator = self._given()
         omega, length = float(oscillator.omega_0().mid()), float(oscillator.length().mid())
         times = np.asarray(t, dtype=float)
+        # ``sample`` knows tau and the unit of the start; at rest it starts at +1, so that x0 < 0 is told by a sign
+        # here.
         A, phi, x = self.sample(times * omega)
         turned = -1.0 if oscillator.x0 < 0 and oscillator.v0.is_zero else 1.0
         return times, A * length, phi, x * length * turned
@@ -41,6 +43,7 @@ class SolutionCurve(Drawn):
         return f"{self._given()}: solution, order {self.order}, turning-point gauge"
 
     def _curve(self, axes: Any, **style: Any) -> None:
+        # Options of our own are taken out first: what is left in ``style`` goes to Matplotlib's line.
         until = time_of_curve(self._given(), style.pop("until", None))
         t, A, _, x = self.columns(np.linspace(0.0, until, POINTS))
         axes_of_motion(axes, si=self.si, unit="m")

@@ -1,4 +1,5 @@
 """A(0) and phi(0) of the solution for a start in motion: exact polynomials (``multiple_scales.start``), else balls.
+The start is carried back to the turning point of its own orbit, where the slow variables have their meaning.
 
 >>> from asymptotics.gauges import TURNING_POINT
 >>> from asymptotics.api.hierarchy import multiple_scales
@@ -36,6 +37,8 @@ def start_in_motion(given: Oscillator, scales: MultipleScales, *, digits: int = 
     """
     m, k, x0, v0 = (to_sympy(n) for n in (given.mass, given.stiffness, given.x0, given.v0))
     speed = v0 * sympy.sqrt(m / k)
+    # The waveforms are known for x' < 0.  Every force is odd, so a start with x' > 0 is -x of one that has x' < 0, and
+    # X(psi + pi) = -X(psi) puts that half a turn earlier.
     radius, side = sympy.sqrt(x0**2 + speed**2), -1 if given.v0 > 0 else 1
     angle = acos(side * x0 / radius)
     if isinstance(scales.kernel, TurningHierarchy):
@@ -49,17 +52,23 @@ def start_in_motion(given: Oscillator, scales: MultipleScales, *, digits: int = 
 
 def _in_balls(given: Oscillator, scales: MultipleScales, side: int, digits: int) -> tuple[Expr, Expr]:
     """A(0) and psi(0) - theta by the orbit through the start."""
+    # 64 bits beyond the digits that are shown, for what the orbit through the start loses; its balls say how much it
+    # was.
     bits, order = bits_for(digits, 64), len(scales.orders) - 1
     with ctx.workprec(bits):
         speed = given.v0.ball() / given.omega_0()
+        # The phase of the start as the argument of X - i X', which has no branch cut for X' < 0; an arccosine would
+        # lose half its digits next to a turning point.
         angle = acb(side * given.x0.ball(), -side * speed).arg()
         forces = Forces.of(ordered(given.dimensionless.terms, scales), order)
         size, turn = start_series(wave_source(forces, order, bits), arb(angle))
+        # ``size`` is the series of ln(A(0)/r).
         return _expression(size.exp(), scales, digits), _expression(turn, scales, digits)
 
 
 def _expression(series: Series, scales: MultipleScales, digits: int) -> Expr:
     """A series in the strengths as SymPy has it; what a ball cannot tell from 0 is left out."""
+    # The constant of exp is 1 exactly; that of the phase is 0, and its series has none.
     terms = [Integer(1)] if any(not any(key) for key in series.coefficients) else []
     for key, c in series.coefficients.items():
         if not any(key) or arb(c).contains(0):

@@ -33,7 +33,9 @@ from asymptotics.turning import choose
 from asymptotics.turning.result import TurningPoints, draw_sizes
 from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START
 
-_SPARE, _DOUBLINGS = 23, 3  # bits: six digits more, and four times as many at most
+_SPARE, _DOUBLINGS = 23, 3  # bits: six digits more than are shown, and eight times as many bits at most
+"""The unit of length is a factor with an error of its own and may spoil the rounding of a point: six digits more decide
+all but one case in a million, a doubling the rest; a tie that no precision decides ends after the third."""
 
 
 def _letters(unit: str) -> dict[str, str]:
@@ -168,8 +170,10 @@ def turning_points(
         exact_integer(start, "start", 0, MAX_START),
     )
     require_flag(times, "times")
+    # Without units nothing has to be multiplied: the digits of the route are those that are shown.
     if not isinstance(law, Oscillator):
         return _computed(law_of(law), *sizes, times, route=route)
+    # An oscillator is solved without units, where powers of the velocity have strengths alone, and carried back.
     count, digits, start = sizes
     pure, kick = dimensionless(law)
 
@@ -178,10 +182,13 @@ def turning_points(
         return None if points is None else OscillatorTurningPoints(law, digits, points, found)
 
     def attempt(bits: int) -> OscillatorTurningPoints | None:
+        # Points that were done when the time was over are handed out in m and s, as the result would have been.
         with changed(in_si):
             found = _computed(pure, count, int(bits / BITS_PER_DIGIT), start, times, route=route, **kick)
         return in_si(found)
 
+    # The route proves its own digits, so that ``attempt`` passes on bits as a number of digits: what is repeated is the
+    # whole computation with more of them, and only where the product with the unit is undecided.
     bits = bits_for(digits, _SPARE)
     return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
 
@@ -199,6 +206,8 @@ def dimensionless(oscillator: Oscillator) -> tuple[Law, dict[str, ExactReal]]:
     x0, v0 = oscillator.x0, oscillator.v0
     if v0.is_zero:
         return oscillator.dimensionless, {}
+    # One square root is all that an exact number may hold: with rational data the square of the radius is rational, and
+    # place and speed in its unit are a root each.  Other data (a root in the mass) raise ValueError, by InputError.
     try:
         ratio = oscillator.mass / oscillator.stiffness
         square = (x0 * x0 + ratio * v0 * v0).rational
@@ -212,14 +221,19 @@ def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[O
     """The points in m and s; None if the digits known do not decide the rounding."""
     with ctx.workprec(bits_for(found.digits, 64)):
         omega = oscillator.omega_0()
+        # With v0 the route counts in amplitudes of turning point 0, whose size has digits of its own: an interval of
+        # half a unit of the last of them, as every printed digit is read back.
         length = (
             oscillator.x0.ball() if found.first is None else oscillator.length() * ball_of(found.first["amplitude"])
         )
         points, exact = [], _exact_places(oscillator)
         for p in found.points:
             unit = arb(-1 if p.x.startswith("-") else 1)  # of point 0, with its sign
+            # Exact places first: a rational x_n may be a tie between two decimals, or 0, and no ball tells either.
+            # Otherwise p.x is 1 exactly at n = 0, and elsewhere a ball that its digits leave.
             x = decimal_of(exact(p.n) or (unit if p.n == 0 else ball_of(p.x)) * length, digits)
             t = None if p.tau is None else "0" if p.n == 0 else decimal_of_ball(ball_of(p.tau) / omega, digits)
+            # Not decided: the attempt is made again with more digits, for all points, since each is checked here again.
             if x is None or (t is None and p.tau is not None):
                 return None
             points.append(OscillatorTurningPoint(p.n, x, t, found.certified, oscillator.unit))
@@ -229,6 +243,7 @@ def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[O
 def _exact_places(oscillator: Oscillator) -> Callable[[int], ExactReal | None]:
     """n -> x_n in m where it is known exactly: all of them under dry friction alone, else the start at rest."""
     acting = [t for t in oscillator.law.terms if not t.b.is_zero]
+    # x_n = (-1)^n (r_0 - 2 n b/k) until it sticks: rational arithmetic if the oscillator's numbers are rational.
     if oscillator.law.is_pure and len(acting) == 1 and acting[0].velocity.is_zero:
         found = exact_turning_points(oscillator.with_law(Law.from_terms(acting)))
         if found is not None:

@@ -17,6 +17,7 @@ def oscillator_of(value: Any, spring: Any = None) -> Oscillator:
     """An oscillator as it is; a law or mapping of epsilons as the oscillator with m = k = x0 = 1 (no units)."""
     if isinstance(value, Oscillator):
         return value
+    # m = k = x0 = 1 makes b and epsilon the same number, so that a law without units loses nothing on the way.
     return Oscillator(law_of(value), spring=spring)
 
 

@@ -1,4 +1,5 @@
-"""The waveforms x_k(psi) of the turning-point gauge as numbers, for any exponents and springs.
+"""The waveforms x_k(psi) of the turning-point gauge as numbers, for any exponents and springs: the response of the fast
+phase at each order of multiple scales, in balls (interval arithmetic) or tabulated.
 
     X = a (cos psi + sum_k delta^k x_k(psi)),      delta_i = epsilon_i a^(d_i-1),
 
@@ -47,7 +48,10 @@ from asymptotics.public import public
 from asymptotics.series import Key
 from asymptotics.terms import Term
 
+# As ``solution`` and ``motion`` serve; more only takes longer.
 MAX_DIGITS = 300
+# 160 bits for the flow behind a table of doubles: 53 are needed, the rest is for what high orders lose.  Ten seconds
+# for the exact polynomials, of which balls are the substitute: either choice is one of time, not of what is claimed.
 _BITS, _SECONDS = 160, 10.0
 Label = int | Key
 
@@ -84,6 +88,7 @@ class Waveforms(Shown):
     def sample(self, psi: ArrayLike, *, max_seconds: Number = 60) -> dict[Label, Any]:
         """x_k at an array of phases in doubles, to about 1e-13: an array of the same shape for each k."""
         phases = real_array(psi, "psi")
+        # X(psi + pi) = -X(psi) brings every phase to the one half-swing that is tabulated.
         turns = np.floor(phases / np.pi)
         chi, side = (phases - np.pi * turns).ravel(), 1.0 - 2.0 * np.mod(turns, 2.0)
         rows, c, s = self.table.at(chi), np.cos(chi), np.sin(chi)
@@ -114,12 +119,16 @@ class Waveforms(Shown):
 
     def enclosed(self, psi: arb) -> dict[Key, arb]:
         """x_k at the current precision: polynomials where the forces of a key are such, else by the orbits."""
+        # x_k(0) = 0 by the gauge: a turning point has the amplitude a.  The orbit of ``waves_at`` begins there and
+        # would divide by psi.
         if psi.is_zero():
             return dict.fromkeys(self.keys, arb(0))
         side, chi = half_turns(psi)
         known = {k: side * wave.at(chi) for k, wave in _polynomials(self.terms, self.order).items()}
         if len(known) < len(self.keys):
+            # Ziv's loop asks for x_k at several precisions; the source is the costly part, and one of more bits serves.
             bits = -(-ctx.prec // 64) * 64  # few sources for many precisions
+            # Where both routes have x_k the polynomial stands: it is exact, and knows its zeros.
             known = waves_at(_source(self.terms, self.order, bits), psi) | known
         return known
 
@@ -151,11 +160,13 @@ def waveforms(law: LawLike, *, order: int = 4, spring: SpringLike | None = None,
 
 def wave_table(terms: tuple[Term, ...], order: int) -> WaveformTable:
     """The waveforms as splines: P_k, Q_k with X - i X' = a e^(i psi) (1 + sum delta^k (P_k + i Q_k))."""
+    # The balls are made at that precision and read as doubles afterwards; a table is one quadrature for all phases.
     forces = Forces.of(terms, order)
     with ctx.workprec(_BITS):
         return WaveformTable.of(flow_of(certified_half_swing(forces, order)), forces, order)
 
 
+# Kept: certified half-swings through the order, seconds each.  Eight are the precisions of a few laws at once.
 @lru_cache(maxsize=8)
 def _source(terms: tuple[Term, ...], order: int, bits: int) -> WaveSource:
     return wave_source(Forces.of(terms, order), order, bits)
@@ -164,11 +175,14 @@ def _source(terms: tuple[Term, ...], order: int, bits: int) -> WaveSource:
 @lru_cache(maxsize=8)
 def _polynomials(terms: tuple[Term, ...], order: int) -> dict[Key, Wave]:
     """x_k of the keys whose forces are polynomials on a half-swing: exact, zeros among them; none if that is long."""
+    # x_k depends on the forces alone whose index in k is not 0, so that a sum has the polynomials of its polynomial
+    # part.
     places = [i for i, t in enumerate(terms) if Forces.of([t], order).is_closed]
     if not places:
         return {}
     try:
         closed = turning_hierarchy([terms[i] for i in places], order, max_seconds=_SECONDS)
+    # Too dear exactly (estimated before the work): balls serve, only a 0 is then not told apart from a small number.
     except LimitError:
         return {}
     found: dict[Key, Wave] = {}

@@ -26,6 +26,8 @@ from asymptotics.sweeps.grid import Point
 
 _KEYS = ("part", "series", "k", "quantity", "n", "i")
 _APART = frozenset(("remark", "bound of zeta", "low", "high"))
+# What the commands themselves accept for --digits (``envelope``: beside a spring); _MOST is that of the others.  A file
+# of longer values is compared in as many digits as can be had.
 _HIGHEST = {"damping": 100, "stokes": 100, "limit-cycle": 200, "envelope": 200}
 _MOST = 1000
 _SERIES = "order "
@@ -36,6 +38,7 @@ def asked_again(path: Path) -> bool:
     if path.suffix in SUFFIXES:
         return True
     words = stated_words(path)
+    # A request begins with the name of a command, not with an option (the header of an oscillator) or name=value.
     return bool(words) and not words[0].startswith("--") and "=" not in words[0] and len(words) > 1
 
 
@@ -64,6 +67,7 @@ def compare_again(path: Path, digits: int | None) -> Comparison:
     wanted = min(wanted, _HIGHEST.get(command, _MOST))
     if command == "envelope":
         return compared_envelope(point, header, rows, wanted)
+    # The commands below compute their whole answer first, and compare it afterwards.
     with changed(lambda _: None):  # rows of the request that are done are no rows of a comparison
         return compared_cells(rows, header, _of_command(command, point, wanted), wanted)
 
@@ -88,14 +92,17 @@ def _of_command(command: str, point: Point, digits: int) -> Cells:
     """The file that the command writes when it is asked again."""
     more = point if command == "smith" else {**point, "digits": str(digits)}
     options = typed_options(command, more)
+    # By way of a file, since what is to be compared is what the command writes: columns, units, order, marks.
     with tempfile.TemporaryDirectory() as folder:
         options.csv = str(Path(folder) / "again.csv")
         data = _answered(command, options)
         with Path(options.csv).open(newline="", encoding="utf-8") as stream:
             head, *rows = csv.reader(stream)
     header = (*head[:-1], "code")
+    # Amplitudes are what a row of ``damping`` is found by, and a value to be judged in other files.
     known = (*_KEYS, "amplitude") if command == "damping" else _KEYS
     keys = tuple(name for name in header if name.split(" [")[0] in known)
+    # Bounds, ends of intervals and remarks depend on the digits: they are no values to be right or wrong.
     apart = (_APART & set(header)) | {"code"}
     cells = [tuple(row) for row in rows]
     if command == "damping":

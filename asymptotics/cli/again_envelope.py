@@ -38,7 +38,10 @@ def compared_envelope(request: Point, header: list[str], rows: list[tuple[int, l
     def so_far() -> Comparison | None:
         return cells_so_far(rows, header, right(), digits)
 
+    # What an inner computation has done of one row is no row; the rows before it are.
     with changed(lambda _: so_far(), otherwise=so_far):
         for t in times:
+            # At the shortest decimal of the double, which is what the file has in its first column and what a reader of
+            # it means.
             made.append((repr(float(t)), *command.certified_at(found, repr(float(t)), digits), ""))
     return compared_cells(rows, header, right(), digits)

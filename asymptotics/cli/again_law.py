@@ -21,6 +21,7 @@ from asymptotics.numbers.exact import parse_rational
 from asymptotics.sweeps.grid import Point
 
 _COLUMNS = ("A", "zeta", "Q", "decrement", "resolution")
+# What tells every double apart: the fit is one in doubles.
 _DIGITS = 17
 
 
@@ -40,5 +41,6 @@ def compared_law(request: Point, header: list[str], rows: list[tuple[int, list[s
 def _numbers(text: str) -> list[float]:
     cells = text.split(",")
     for cell in cells:
+        # Read by the grammar of numbers first: a header is foreign text.
         parse_rational(cell, "FILE")
     return list(map(as_double, cells))

@@ -23,6 +23,7 @@ _TOLD = frozenset((  # parts of a sweep's results that are bounds, provenance or
     "latex", "method", "route", "error", "tail", "radius", "digits", "terms", "notes", "enclosures", "certified",
     "low", "high", "units", "x_unit", "what", "files", "gauge", "order", "stable",
 ))  # fmt: skip
+# Words of ``arithmetic``, where an answer has no field ``certified``.
 _CERTIFIED = ("exact", "certified")
 _EXACT_COMMANDS = ("smith", "moment")  # rational arithmetic; a quotient of Gamma functions in balls
 
@@ -43,6 +44,8 @@ def compared_sweep(command: str, names: list[str], header: list[str], rows: Rows
 
     An error that cuts the work short carries the rows that are done.
     """
+    # A motion of order N is an expansion: x and v are held against the certified motion, and its amplitude and phase,
+    # which depend on gauge and order, against nothing.
     motion = command == "motion"
     kept = {"x", "v"} if motion else set(header)
     apart = {n for n in header if n not in names and (n not in kept or set(n.split(".")) & _TOLD or n == "failed")}
@@ -61,6 +64,7 @@ def compared_sweep(command: str, names: list[str], header: list[str], rows: Rows
             if len(cells) != len(header):
                 raise InputError("FILE", f"line {line} has {len(cells)} cells", f"{len(header)} cells in each row")
             row = dict(zip(header, cells))
+            # A row that failed then may succeed now, for want of time or memory: there is nothing in it to judge.
             result = _of_row(command, {name: row[name] for name in names}, digits) if not row.get("failed") else None
             if result is None:
                 unsure.add(tuple(same(row[name].strip()) for name in names))
@@ -79,8 +83,10 @@ def _again(command: str, row: dict[str, str], digits: int) -> Point:
     flags = {name: "" for name in row if name and takes_no_value(command, name.partition(".")[0])}
     point = {**point_options(command, {name: cell for name, cell in row.items() if name not in flags}), **flags}
     if command == "motion":
+        # These say of which expansion the row is; the reference has none of them.
         point = {name: value for name, value in point.items() if name not in ("order", "gauge", "best-order")}
         point["reference"] = ""
+    # Exact fractions: ``smith`` refuses --digits there.
     if command == "smith" and point.get("") in ("f", "c", "g"):
         return point
     return {**point, "digits": str(digits)}

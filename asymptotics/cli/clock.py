@@ -14,5 +14,6 @@ from asymptotics.public import limited
 def timed(options: argparse.Namespace) -> Iterator[None]:
     """Everything inside has --max-seconds together; LimitError when they are over, wherever that is."""
     seconds = read_max_seconds(options)
+    # The line is opened first and closed last, so that the error that ends the time is printed on a clean line.
     with status_line(seconds, quiet=getattr(options, "quiet", False)) as show, limited(seconds, show), alone:
         yield

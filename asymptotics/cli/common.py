@@ -13,6 +13,7 @@ import argparse
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
+# The options that nearly every command has; a test holds each command to have them, or a reason below.
 COMMON = ("csv", "digits", "gauge", "json", "latex", "plot", "points", "quiet")
 _FLAGS = ("latex", "json", "quiet")
 
@@ -87,6 +88,8 @@ def missing(command: str, option: str) -> str | None:
 def add_missing(parser: argparse.ArgumentParser, command: str) -> None:
     """The common options that the command does not have, each of which says why; --help does not show them."""
     for option, reason in MISSING.get(command, {}).items():
+        # As it would be read where it exists: a flag takes no word, the others take one, lest it be read as something
+        # else.
         count: Any = 0 if option in _FLAGS else "?"
         parser.add_argument(f"--{option}", action=_Refuse, nargs=count, const=reason, help=argparse.SUPPRESS)
 

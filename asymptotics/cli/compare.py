@@ -39,6 +39,7 @@ from asymptotics.present.inputs import stated_inputs
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.registry import names
 
+# Lines that fill a screen: half from the head of the file, half the worst.
 _SHOWN = 40
 
 
@@ -59,6 +60,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     files = read_files(options)
+    # --csv must not overwrite the file that is read, be it through a link.
     require_different({"FILE": Path(options.file), **files})
     digits = None if options.digits is None else parse_integer(options.digits, "--digits", 1, MAX_DIGITS)
     make, equation = _asked(options, digits)
@@ -82,6 +84,9 @@ def _asked(options: argparse.Namespace, digits: int | None) -> tuple[Callable[[]
     """The comparison, still to be made, and what the values are held against."""
     path = Path(options.file)
     head = stated(path)
+    # From what is most certain to what is asked: the head of a table names itself and its inputs; a header names its
+    # whole request; coefficients are known by their columns; a header names an oscillator; the options say it.  What
+    # the command says itself goes before what the file says.
     if options.table is None and head is not None and head.table in names() and not _said(options):
         law = list(head.law) or None
         inputs = table_inputs(None, None, law, None) if law else Inputs.of(head.alphas, None, head.epsilons)
@@ -96,6 +101,7 @@ def _asked(options: argparse.Namespace, digits: int | None) -> tuple[Callable[[]
         options = _with_its_inputs(options, path, series=name is not None)
     if name is None:
         given = read_oscillator(options, "epsilon", epsilon_beside_units=True)
+        # A start that was given makes x a length of its own; otherwise x is in units of x0, as the law alone has it.
         own = given.si or options.x0 is not None or getattr(options, "v0", None) is not None
         make = partial(compare_file, path, given.oscillator, si=own)
         told = str(given.oscillator) if own else str(given.oscillator.law)
@@ -113,6 +119,7 @@ def _with_its_inputs(options: argparse.Namespace, path: Path, *, series: bool) -
     """The options, with the oscillator that the file's own header says; coefficients have their exponents alone."""
     inputs = stated_inputs(path)
     special = next((name for name in ("spring", "v0") if inputs.get(name, "0") != "0"), None)
+    # Points and coefficients of such an oscillator depend on more than INPUTS: they need the request itself.
     if special and not is_motion(path):
         reason = f"it is of an oscillator with --{special}, and its header does not name the request"
         raise InputError("FILE", reason, "a motion, or turning points written by --csv of this version")
@@ -129,6 +136,7 @@ def _text(found: Comparison, equation: str) -> str:
     summary, look = found.summary, found.summary["look"]
     rows = found.rows
     if len(rows) > _SHOWN:
+        # Fewest right digits first; in the order of the file when they are shown.
         worst = set(sorted(range(len(rows)), key=lambda i: float(rows[i].digits))[: _SHOWN // 2])
         rows = tuple(row for i, row in enumerate(rows) if i < _SHOWN // 2 or i in worst)
     cells = [("line", found.rows[0].key_name, "column", "given", "certified", "digits"), *map(_cells, rows)]

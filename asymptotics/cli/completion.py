@@ -48,6 +48,7 @@ def _options(parser: argparse.ArgumentParser) -> Iterator[tuple[str, argparse.Ac
 def _values(action: argparse.Action) -> str:
     if action.choices is not None:
         return " ".join(map(str, action.choices))
+    # --gauge takes any text, refused with the list of gauges: argparse knows no choices of it.
     if action.dest == "gauge":
         return " ".join(GAUGES)
     if action.nargs == 0:
@@ -65,6 +66,8 @@ def _words(command: str, parser: argparse.ArgumentParser) -> list[str]:
     return found
 
 
+# compgen -W takes words from a text that is written into the script: names of options and choices alone, none of which
+# needs quotes.
 def _bash(parsers: Mapping[str, argparse.ArgumentParser]) -> Iterator[str]:
     yield "_asymptotics() {"
     yield '  local word="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD-1]}" words=""'

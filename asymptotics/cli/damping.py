@@ -33,6 +33,7 @@ from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.present.inputs import csv_text, option_words, with_words
 from asymptotics.records.units import ANGLES, LENGTHS
 
+# The half-life is a time of first order only: there is no curve of the motion beside it.
 _DRAWN = tuple(name for name in QUANTITIES if name != "half_life")
 
 
@@ -105,6 +106,7 @@ def _inverse(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
         path.stat()
     except OSError as error:
         raise InputError("--from", f"cannot read {path.name[:80]}: {error.strerror}", "a file of data") from None
+    # The law is what is looked for here, so that nothing may say it beforehand.
     refused = (
         "alpha",
         "law",
@@ -156,6 +158,7 @@ def _spring(options: argparse.Namespace) -> Any:
     """The springs as a mapping, or the pendulum's name."""
     if options.spring is None:
         return None
+    # The reader of laws wants a loss: one is put in, and only the springs are taken out again.
     terms = read_law(argparse.Namespace(**{**vars(options), "law": ["1:1"]}), "epsilon").springs
     if any(t.family for t in terms):
         return PENDULUM
@@ -170,6 +173,7 @@ def _asked(options: argparse.Namespace) -> EquivalentDamping:
     if options.amplitudes is None and given.si:
         raise InputError("--amplitudes", "is missing", "turning amplitudes in m (rad of a pendulum), such as 0.2,0.1")
     amplitudes = options.amplitudes and [parse_real(text, "--amplitudes") for text in options.amplitudes.split(",")]
+    # Without units the amplitudes are in the unit of the strengths, which a law alone says; an oscillator would mean m.
     law = given.oscillator if given.si else Law.from_terms(given.oscillator.law.terms)
     return damping(law, amplitudes, order=order, digits=digits, unit=options.unit or "")
 

@@ -35,6 +35,7 @@ def run(options: argparse.Namespace) -> Answer:
         )
     try:
         derivation = import_module("derivations." + options.name.replace("-", "_")).derivation
+    # A derivation asserts each of its steps while it is imported: one that fails has been refuted, exit code 1.
     except AssertionError as failure:
         return Answer({"name": options.name, "failed": str(failure)}, f"failed: {failure}", options.json, failed=True)
     return Answer(derivation.to_dict(), derivation.latex() if options.latex else derivation.text(), options.json)

@@ -11,6 +11,8 @@ from importlib import import_module
 
 from asymptotics.cli.shell import run_guarded
 
+# The usual threshold is some 700 objects; SymPy makes far more while it loads, and nearly all of them live.  A smaller
+# number looks in vain more often: it costs time and changes nothing else.
 _OBJECTS = 50_000
 
 

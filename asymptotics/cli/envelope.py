@@ -64,6 +64,7 @@ def run(options: argparse.Namespace) -> Answer:
     if files and (time is None or not time > 0):
         raise InputError("--time", "there is no stretch of time to draw", "a time > 0 with --plot or --csv")
     found = _curve(options, given)
+    # Refused before the numbers are computed, as all that can be known beforehand is.
     if options.latex and found.formula is None and options.order is None:
         raise InputError("--latex", "no elementary form is known for this law", "the command without --latex")
     data = _data(found, time, digits)
@@ -138,18 +139,22 @@ def _of_order(series: EnvelopeSeries, given: Given, time: ExactReal | None, digi
         "certified": False,
     }
     if time is not None:
+        # Four bits a digit are more than log2(10), and 128 bits are thirty digits more with room: the decimals handed
+        # to SymPy are right to their last digit but the formula is truncated, so that nothing here is certified.
         with ctx.workprec(4 * digits + 128):
             values = {tau: (time.ball() * oscillator.omega_0()).mid(), epsilon: oscillator.epsilons()[0].mid()}
             numbers = {s: sympy.Float(v.str(digits + 30, radius=False), digits + 30) for s, v in values.items()}
             length = sympy.Float(oscillator.length().mid().str(digits + 30, radius=False), digits + 30)
         _require_before_extinction(series, numbers)
         for name, form in (("amplitude", length * amplitude.subs(numbers)), ("phase", phase.subs(numbers))):
+            # Ten digits more than are shown; SymPy raises its own precision where terms cancel.
             value = sympy.N(form, digits + 10)
             data[name] = mpmath.nstr(mpmath.mpf(value), digits, strip_zeros=False) if value else "0"
     return data
 
 
 def _require_before_extinction(series: EnvelopeSeries, numbers: dict[sympy.Symbol, sympy.Float]) -> None:
+    # Beyond the extinction of the truncated series 1 + (alpha-1) p_1 epsilon tau is negative, and its power complex.
     if series.alpha < 1:
         end = series.extinction_time(ExactReal(Fraction(str(numbers[epsilon]))))
         if not float(numbers[tau]) < end:
@@ -204,6 +209,7 @@ def _period(found: Curve, digits: int) -> str | None:
 
 def _phase(found: Curve, time: ExactReal, digits: int) -> str | None:
     """phi, or None where the averaged amplitude is extinct: there is no phase without an amplitude."""
+    # "0" is exact here: from the extinction time on.  Two digits tell it.
     return None if found.amplitude(time, digits=2) == "0" else found.phase(time, digits=digits)
 
 
@@ -240,6 +246,7 @@ def table_head(found: Curve) -> tuple[str, str, str]:
 
 def table_times(time: ExactReal, options: argparse.Namespace) -> NDArray[np.float64]:
     """The times of its rows."""
+    # In one place: ``compare`` makes the same doubles again to find the rows of an exported envelope.
     return np.linspace(0.0, float(time.ball().mid()), read_points(options) + 1)
 
 

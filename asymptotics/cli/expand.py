@@ -75,6 +75,7 @@ def run(options: argparse.Namespace) -> Answer:
     digits = read_digits(options, MAX_DIGITS)
     seconds = read_max_seconds(options)
     files = read_files(options)
+    # Before any number is read: closed forms in alpha take none, and each option that needs one is refused by name.
     if options.alpha == "symbolic":
         if files:
             raise InputError("--csv", "a symbolic exponent has no numbers", "an exponent instead of --alpha symbolic")
@@ -85,11 +86,13 @@ def run(options: argparse.Namespace) -> Answer:
             raise InputError("--best-order", "it needs a number", "an exponent instead of --alpha symbolic")
         if options.bound:
             raise InputError("--bound", "a bound needs a number", "an exponent instead of --alpha symbolic")
+        # A strength with a symbol for the exponent would be read and then have no effect.
         for name in ("epsilon", *PHYSICAL):
             if getattr(options, name) is not None:
                 raise InputError(f"--{name}", "closed forms take no numbers", "an exponent instead of --alpha symbolic")
         return _symbolic(options, order, digits)
     given = read_terms(options)
+    # Strengths that were left out are 1: the coefficients do not depend on them, only the line ``delta = `` shows them.
     law = Law.from_terms(given.terms)
     oscillator = read_oscillator(options).oscillator if is_physical(options) else None
     found = expand(
@@ -109,6 +112,7 @@ def run(options: argparse.Namespace) -> Answer:
     if options.bound:
         if options.gauge != TURNING_POINT:
             raise InputError("--bound", f"it is not known in the gauge {options.gauge}", f"the gauge {TURNING_POINT}")
+        # The bound is of the equations without units, whose delta is the same number as that of an oscillator in SI.
         from asymptotics.bounds.remainder import remainder  # noqa: PLC0415 (NumPy, which expand does not need)
 
         proved = remainder(law, order=order, max_seconds=seconds)
@@ -143,6 +147,7 @@ def _symbolic(options: argparse.Namespace, order: int, digits: int) -> Answer:
 
 def _one_spring(options: argparse.Namespace) -> int:
     """P of the one spring x|x|^(P-1) that stands beside a symbolic exponent."""
+    # ``read_terms`` would read the word symbolic as a number; what is left for it are the springs.
     options.alpha = None
     terms = read_terms(options).terms
     if len(terms) > 1 or terms[0].family or not terms[0].velocity.is_zero or options.gauge != TURNING_POINT:
@@ -184,6 +189,7 @@ def _sum(name: str, row: Row, deltas: list[str]) -> str:
     """p_1 delta + p_3 delta^3: the terms that do not vanish."""
     terms = []
     for key, c in row.items():
+        # "0" is written for zero by theorem alone; a coefficient that is small has digits.
         if c.value == "0":
             continue
         powers = [(delta, int(n)) for delta, n in zip(deltas, key.split(",")) if int(n)]

@@ -20,6 +20,7 @@ from asymptotics.present.files import require_different, target_file, write_all
 from asymptotics.present.inputs import INPUTS, with_inputs, with_words
 
 PICTURES = (".svg", ".png", ".pdf")
+# A thousand rows draw a smooth curve of some twenty periods; the limit is a refusal.
 MAX_POINTS, DEFAULT_POINTS = 100_000, 1000
 Makers = dict[str, Callable[[str], str | bytes]]
 
@@ -94,6 +95,7 @@ def write_files(
     With ``options`` the head of a table says which oscillator it is of, so that ``compare`` can be asked without it;
     with ``command`` it says the whole request, as ``cli.requests.request_words`` has it.
     """
+    # All contents before the first byte is written: a picture that fails leaves no table behind.
     contents = {path: makers[argument](_kind(path, argument)) for argument, path in files.items()}
     table = contents.get(files["--csv"]) if "--csv" in files and options is not None else None
     if isinstance(table, str):

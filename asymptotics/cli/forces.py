@@ -26,6 +26,7 @@ from asymptotics.law import PENDULUM, Law
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_integer, parse_real
 from asymptotics.terms import MAX_POSITION, Term
 
+# The work grows like the monomials of so many strengths; an exponent above 1000 is a wall, not a law.  Refusals.
 MAX_FORCES, MAX_ALPHA = 4, 1000
 _LAW_FORMS = "A:E or A,M:E, such as 3/2:0.1 or 1,2:0.1 for |x|^2 x'"
 _SPRING_FORMS = f"P:C or P,Q:C, such as 3:-1/6 for x^3, or {PENDULUM}"
@@ -92,6 +93,8 @@ def read_terms(options: argparse.Namespace) -> GivenTerms:
     terms: list[Term] = []
     notes = []
     for t in (*_losses(options, "epsilon", needed=False, negative=True), *_springs(options, needed=False)):
+        # Two strengths before one function of (x, v) are one force: their delta would be the sum, so one index has to
+        # do.
         if t.key in {other.key for other in terms}:
             name = f"exponents merged: alpha = {t.velocity}" if t.sign < 0 else f"springs merged: {t.shape()}"
             notes.append(f"equal {name} (its delta is the sum of the strengths)")
@@ -119,6 +122,7 @@ def _losses(options: argparse.Namespace, strength: str, *, needed: bool, negativ
     if options.alpha is None:
         if value is not None:
             raise InputError("--alpha", "is missing", forms)
+        # Springs alone are a sum without losses, which the commands of series serve.
         if getattr(options, "spring", None):
             return []
         raise InputError("--alpha", "is missing", forms)
@@ -141,6 +145,7 @@ def _springs(options: argparse.Namespace, *, needed: bool) -> list[Term]:
 
 def _spring(text: str, needed: bool) -> Term:
     if text == PENDULUM:
+        # The family sin x - x, by its leading power x^3; its strength is that of the linear spring, hence no number.
         return Term(1, 0, 3, "position", "pendulum")
     powers, strength = _split(text, "--spring", needed, _SPRING_FORMS)
     position, comma, velocity = powers.partition(",")

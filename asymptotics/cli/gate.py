@@ -16,6 +16,8 @@ from typing import Any
 from asymptotics.errors import InputError, shown
 
 _OPTION = re.compile(r"--[a-z][a-z0-9-]*")
+# -inf and -nan are joined as well: the reader of numbers refuses them by the name of the option, argparse would say
+# that the option has no value.
 _NEGATIVE_VALUE = re.compile(r"-(\d|\.\d|sqrt|inf|nan)", re.IGNORECASE)
 
 

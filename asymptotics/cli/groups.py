@@ -29,6 +29,7 @@ GROUPS = {
     ),
     "limits": ("max_seconds", "workers", "dask", "store"),
 }  # fmt: skip
+# An option that no list names stays under argparse's own heading; a test finds it.
 _GROUP_OF = {name: title for title, names in GROUPS.items() for name in names}
 
 
@@ -39,6 +40,8 @@ def group_options(parser: argparse.ArgumentParser) -> None:
         wanted = [a for a in plain._group_actions if a.option_strings and _GROUP_OF.get(a.dest) == title]
         if wanted:
             group = parser.add_argument_group(title)
+            # argparse has no public way to move an action: the lists of its groups are edited, and how it parses is
+            # untouched.
             group._group_actions += wanted
             plain._group_actions[:] = [a for a in plain._group_actions if a not in wanted]
 

@@ -70,6 +70,7 @@ def run(options: argparse.Namespace) -> Answer:
     seconds = read_max_seconds(options)
     found = half_swing_coefficients(given.terms, order, digits, exact_only=options.exact, max_seconds=seconds)
     names = [("L", found.log_ratio), ("T", found.duration), ("U", found.U), ("W", found.W)]
+    # F and V have a component for each force, L, T, U and W are common to all.
     suffixes = [""] if len(given.terms) == 1 else [f"[{name}]" for name in given.names]
     names += [(f"{n}{s}", row) for n, rows in (("F", found.map), ("V", found.V)) for s, row in zip(suffixes, rows)]
     deltas = local_strengths(given, options)
@@ -91,7 +92,9 @@ def _symbolic(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
     for name, value in {**others, "--delta": options.delta, "--epsilon": options.epsilon}.items():
         if value:
             raise InputError(name, "cannot be combined with --alpha symbolic", "one law, in closed form")
+    # Beyond, the coefficients in alpha hold nested integrals without a closed form.
     order = parse_integer(options.order, "--order", 1, MAX_SYMBOLIC_ORDER)
+    # Read for its refusal: digits mean nothing here, but a wrong number is told.
     read_digits(options, MAX_DIGITS)
     half = symbolic_half_swing()
     series = {"log_ratio": ("L", half.L), "map": ("F", half.F[0]), "duration": ("T", half.T)}

@@ -61,6 +61,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     files = read_files(options)
+    # A file of data must not be overwritten by a picture of it, whichever of several runs it is.
     for name in options.files:
         require_different({"FILE": Path(name), **files})
     numbers = {name: _number(getattr(options, name), f"--{name}") for name in ("mass", "stiffness", "omega0", "noise")}
@@ -98,6 +99,7 @@ def _table(answer: Identification) -> str:
 
 def _provenance(options: argparse.Namespace) -> dict[str, str]:
     """The files with their digests, and the options that are not at their defaults."""
+    # The page is to be checked against its data years later: names change, digests do not.
     files = {str(name): f"SHA-256 {sha256(Path(name).read_bytes()).hexdigest()}" for name in options.files}
     names = ("kind", "unit", "laws", "springs", "amplitudes", "amplitudes_only", "mass", "stiffness", "omega0", "noise")
     given = {name: getattr(options, name) for name in (*names, "columns", "decimal", "sheet", "no_bootstrap")}

@@ -84,12 +84,14 @@ def _table(found: LimitCycle) -> str:
 
 def _text(found: LimitCycle) -> str:
     lines = [f"x'' + x + mu ({found.law}) = 0, {found.arithmetic}; powers of mu"]
+    # Beside springs there is no series in mu, whose first term would be the linear frequency 1.
     if not found.frequency:
         springs, losses = ("".join(f" + {t}" for t in terms) for terms in (found.law.springs, found.law.losses))
         lines = [f"x'' + x{springs} + mu ({losses[3:]}) = 0".replace("+ -", "- ")]
     lines += [*row_text("A", found.amplitude), *row_text("omega", found.frequency)]
     lines += row_text("log multiplier", found.log_multiplier)
     if found.at is not None:
+        # ``stable`` is None where the ball of the multiplier holds 1: neither is proved.
         names = ("amplitude", "period", "frequency", "multiplier")
         kind = {True: "stable", False: "unstable", None: "stability undecided"}[found.at.stable]
         lines += [f"at mu = {found.at.mu}: certified, {kind}"]

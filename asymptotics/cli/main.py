@@ -45,6 +45,7 @@ COMMANDS = {
 class Parser(argparse.ArgumentParser):
     """An argument parser whose errors are one line."""
 
+    # argparse says which option is missing, not that --alhpa stands there: the words tell it.
     words: Sequence[str] = ()  # what is being parsed
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
@@ -54,6 +55,7 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Print one line that says what is wrong, what was perhaps meant, and where help is; exit code 2."""
+        # A misspelt required option is two faults for argparse, of which it tells the wrong one first.
         if "required" in message and (misspelt := next(filter(self._is_misspelt, self.words), None)):
             message = f"unrecognized arguments: {misspelt.partition('=')[0]}"
         message = lacking(self, message) + self._meant(message)
@@ -119,10 +121,13 @@ def run(argv: list[str] | None = None) -> int:
         top.print_help(sys.stdout)
         return 0
     _require_known(top, arguments[0])
+    # Two parsers: the first reads one word, so that only the module of that command is loaded, and its options are
+    # unknown here.
     name = top.parse_args(arguments[: 2 if arguments[0] == "--completion" else 1]).command
     module = import_module("asymptotics.cli." + name.replace("-", "_"))  # only this command's libraries are loaded
     parser = Parser(prog=f"asymptotics {name}", description=module.__doc__, allow_abbrev=False, formatter_class=_Raw)
     module.configure(parser)
+    # After the command's own options: what it lacks is declared last, hidden, and grouped with nothing.
     add_missing(parser, name)
     group_options(parser)
     options = parser.parse_args(arguments[1:])
@@ -133,6 +138,8 @@ def run(argv: list[str] | None = None) -> int:
         complain(f"asymptotics {name}: {as_option(error, options, _written(parser))}")
         return 2
     except ValueError as error:
+        # Python's limit on the digits of an int (4300) is met where a fraction is printed: an answer too long to be
+        # one, not a fault.  InputError is a ValueError too and was caught above; any other is a fault.
         if "integer string conversion" not in str(error):
             raise
         complain(f"asymptotics {name}: the answer has an integer of more than {sys.get_int_max_str_digits()} digits "
@@ -155,6 +162,7 @@ def _shown(name: str, module: Any, options: argparse.Namespace) -> int:
     try:
         answer = _answer(module, options)
     except (LimitError, KeyboardInterrupt) as stop:
+        # The rows are printed, and the error is raised again after them: the exit code and the line on stderr stay.
         rows = import_module("asymptotics.cut_short").done(stop) if hasattr(module, "cut_short") else None
         partial = None if rows is None else module.cut_short(options, rows)
         if partial is not None:
@@ -190,8 +198,10 @@ def as_option(
     '--from'
     """
     names = [name.replace("-", "_") for name in _OPTIONS.get(error.argument, (error.argument,))]
+    # Of several options that feed one parameter the one that was typed is meant; without any, the first that exists.
     given = [name for name in names if getattr(options, name, None) not in (None, False)]
     known = given or [name for name in names if hasattr(options, name)]
+    # An error that names an option already was made by the command itself.
     if error.argument.startswith("-") or not known:
         return error
     option = written.get(known[0], f"--{known[0].replace('_', '-')}")

@@ -16,6 +16,8 @@ from importlib import import_module
 from threading import active_count
 from typing import IO
 
+# What the interpreter and its libraries say when memory is refused; with a status that is not 0 one of them is enough.
+# A sign too many puts another failure into the wrong words, it hides none: the exit code is not 0 either way.
 SIGNS = (b"MemoryError", b"not enough memory", b"OpenBLAS", b"FLINT", b"allocat", b"map segment", b"pthread_create",
          b"start new thread", b"ImportError", b"SystemError", b"shared object", b"jemalloc")  # fmt: skip
 NO_MEMORY = "there is not enough memory (accepted: a lower order, fewer digits or points, a larger ulimit -v)"
@@ -25,6 +27,7 @@ _GRACE = 200  # hundredths of a second that a child has to end after a signal
 
 def is_little() -> bool:
     """Whether the address space of this process is limited, and a child can be started safely."""
+    # A fork copies locks that other threads hold, and the child would wait for them for ever.
     if not hasattr(os, "fork") or active_count() > 1:
         return False
     resource = import_module("resource")  # not on every system
@@ -34,6 +37,7 @@ def is_little() -> bool:
 
 def in_child(body: Callable[[], int], complain: Callable[[str], None], name: str, wanting: int) -> int:
     """The exit code of ``body``, run in a child; ``wanting`` and one line where it ends for want of memory."""
+    # Files, not pipes: whoever reads a pipe must read while the child writes, and needs memory for it.
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         pid = os.fork()
         if not pid:
@@ -62,6 +66,8 @@ def _content(file: IO[bytes]) -> bytes:
 def _child(body: Callable[[], int], out: int, err: int) -> None:
     os.dup2(out, 1)
     os.dup2(err, 2)
+    # Each thread of OpenBLAS reserves buffers of its own, out of an address space that is short already.  Set before
+    # NumPy is loaded, which happens in ``body``.
     os.environ |= {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
     code = 70
     try:
@@ -69,6 +75,7 @@ def _child(body: Callable[[], int], out: int, err: int) -> None:
     except MemoryError:
         os.write(2, b"MemoryError")
     finally:
+        # Not sys.exit: what is to be done at exit, and the buffers of the parent, belong to the parent.
         os._exit(code)
 
 

@@ -69,6 +69,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     resting = _rests(options)
+    # At rest at the centre there is no unit of length, and no oscillator can be made: another start stands in, so that
+    # every other option is still read and refused as usual.
     given = read_oscillator(argparse.Namespace(**{**vars(options), **({"x0": "1"} if resting else {})}))
     oscillator, time, digits = (
         given.oscillator,
@@ -91,8 +93,10 @@ def run(options: argparse.Namespace) -> Answer:
         point = reference_motion(oscillator, time, digits, static=options.static, max_seconds=seconds)
     else:
         point = AsymptoticMotion.of(oscillator, order, gauge).at(time, digits)
+        # Without --digits the expansion shows what its estimate of the error leaves, as ``Motion.at`` does.
         if options.digits is None:
             point = point.rounded_to_error()
+    # Of the x that is printed, rounded as it is: the two stand side by side.
     proved = proved_bound(oscillator, point.x, time, max_seconds=seconds) if options.bound else None
     always = _uniform(oscillator, point, time) if options.bound else None
     best = _best_order(oscillator, options, seconds)
@@ -102,6 +106,7 @@ def run(options: argparse.Namespace) -> Answer:
         """The point, and the rows that were done when the time was over; None of a picture."""
         if not isinstance(found, MotionSamples):
             return None
+        # Half a picture is none; half a table has right rows, and says where it ends.
         done = {name: file for name, file in files.items() if name == "--csv"}
         written = write_files(done, {"--csv": lambda _: found.to_csv()}, options)
         whole, rows = _answer(point, options, given, written, proved, always, best), len(found.t)
@@ -130,6 +135,8 @@ def _uniform(oscillator: Oscillator, point: MotionPoint, time: ExactReal) -> Uni
     """The bound for all times, or, for an exponent below 1, up to the time that is asked for, if there is one."""
     if point.gauge != TURNING_POINT or not oscillator.law.is_pure or point.order is None:
         return None
+    # Below 1 the local strength grows and leaves the range of the theorem: a bound up to the time that is asked for may
+    # exist where none for all times does.
     growing = any(term.velocity < 1 for term in oscillator.law.terms)
     try:
         return uniform_bound(oscillator, point.order, until=time if growing and time > 0 else None)
@@ -178,6 +185,7 @@ def _makers(given: Given, time: ExactReal, options: argparse.Namespace, order: i
             return Reference(oscillator, options.static, si=given.si)
         return Motion(oscillator, order, gauge, si=given.si)
 
+    # Errors and velocities have axes below, for one law: several would lie over one another.
     alone = options.overlay is None
     more = "velocity" if options.reference else "errors"
     shows = alone and (options.reference or reference_is_near(given.oscillator, time))

@@ -25,7 +25,9 @@ from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 
+# 14 digits of the reference are right in a double to all but its last place or two; more would not be seen.
 _ROWS, _REFERENCE_DIGITS = 1000, 14
+# Of the estimate, which is good to a factor of three: beyond, a file is refused and an error curve left out.
 _MAX_SECONDS = 60.0
 
 
@@ -54,6 +56,7 @@ def csv_of(
 
 def reference_is_near(oscillator: Oscillator, time: ExactReal) -> bool:
     """Whether the reference, and so the error of an expansion, can be drawn in reasonable time."""
+    # No error curve beside springs: a state costs more there, and nothing but the picture would depend on it.
     return oscillator.law.is_pure and estimated_seconds(oscillator, time, _REFERENCE_DIGITS) < _MAX_SECONDS
 
 
@@ -64,6 +67,7 @@ def _reference(
     time = times[-1]
     seconds = estimated_seconds(oscillator, time, _REFERENCE_DIGITS)
     require_affordable(seconds, _MAX_SECONDS, "--time", f"a reference motion through {time} s", " for files")
+    # Each time by its closed form, so that what is done so far is a list of rows.
     if oscillator.law.is_pure and oscillator.law.integer_alphas == (0,):  # exact, with sticking
         made: list[tuple[float, float]] = []
         with keeping(lambda: made or None):
@@ -78,10 +82,12 @@ def _reference(
 
 def _unbroken(found: Mapping[int, tuple[Any, Any]]) -> list[tuple[float, float]]:
     """The states from the first on, up to one that is not there."""
+    # States are found in the order of their half-swings; a table ends at the first gap, since its rows ascend.
     places = takewhile(lambda i: i in found, range(len(found)))
     return [(float(x), float(v)) for x, v in (found[i] for i in places)]
 
 
 def _float(x: ExactReal) -> float:
+    # Eleven bits more than a double: the middle of the ball rounds as the number does, but for ties.
     with ctx.workprec(64):
         return float(x.ball().mid())

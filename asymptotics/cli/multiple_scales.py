@@ -80,6 +80,7 @@ def run(options: argparse.Namespace) -> Answer:
         "strengths": strengths,
         "orders": [_order(one) for one in found.orders],
     }
+    # Written only where it is shown: a high order has terms by the thousand.
     if options.json or options.latex:
         data["latex"] = _latex(found.orders, rates)
     lines = [*map(str, found.orders), f"da/dtau = {found.amplitude_rate}", f"dpsi/dtau = {found.phase_rate}"]
@@ -112,6 +113,7 @@ def _waves(options: argparse.Namespace, found: MultipleScales) -> dict[str, str]
     from asymptotics.api.waves import Waveforms  # noqa: PLC0415 (NumPy and splines: only --phase needs them)
 
     order = parse_integer(options.order, "--order", 1, MAX_OPEN_ORDER)
+    # In the order of the symbols above, so that the indices of x_k are those of the strengths in the text.
     waves = Waveforms(tuple(ordered(read_terms(options).terms, found)), order)
     values = waves.at(parse_real(options.phase, "--phase"), digits=read_digits(options, MAX_DIGITS))
     return {str(k) if isinstance(k, int) else ",".join(map(str, k)): value for k, value in values.items()}
@@ -132,6 +134,7 @@ def _strengths(options: argparse.Namespace, found: MultipleScales) -> dict[str, 
         return {}
     told: dict[str, str] = {}
     for letter, sign in (("epsilon", -1), ("c", 1)):
+        # A pendulum has the angle theta_0 for its letter, which no strength is told of.
         terms = [t for t in ordered(given.terms, found) if t.sign == sign and not t.family]
         told |= {letter + (f"_{i}" if len(terms) > 1 else ""): str(t.strength) for i, t in enumerate(terms)}
     return told

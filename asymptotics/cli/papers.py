@@ -34,6 +34,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     query = " ".join(options.query)
+    # The name of a paper lists it; everything else is an id, a number or words, in this order.
     chosen = statements(query or None) if not query or query in papers() else _found(query)
     chosen = tuple(s for s in chosen if has_verdict(s, options.verdict))
     data: dict[str, object] = {"query": query, "entries": [s.to_dict() for s in chosen]}
@@ -92,12 +93,14 @@ def _in_full(s: PaperStatement) -> str:
     lines = [f"{s.id}: {s.title}"]
     for name, value in rows:
         if value:
+            # 118 columns leave room for the marks of a terminal; a formula is never broken inside a word.
             lines += textwrap.wrap(f"{name:12}  {value}", 118, subsequent_indent=" " * 14, break_long_words=False)
     return "\n".join(lines)
 
 
 def _checked(chosen: tuple[PaperStatement, ...], data: dict[str, object], as_json: bool) -> Answer:
     results: dict[str, Any] = {}
+    # Some checks take long: those that are done are told when the time is over.
     with keeping(lambda: (chosen, data, results) if results else None):
         for s in chosen:
             results[s.id] = s.check()

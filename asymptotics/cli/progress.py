@@ -10,6 +10,7 @@ def progress_bar(total: int | None, *, unit: str, title: str = "", quiet: bool =
     """A tqdm bar that shows nothing in files, pipes and tests, and nothing for work of less than a second."""
     from tqdm import tqdm  # noqa: PLC0415 (a tenth of the time of a short command, most of which show no bar)
 
+    # Control characters of a bar would stand in files and pipes; stderr is None under pythonw.
     hidden = quiet or sys.stderr is None or not sys.stderr.isatty()
     return tqdm(total=total, unit=unit, desc=title or None, leave=False, disable=hidden, delay=1)
 

@@ -84,11 +84,13 @@ def read_oscillator(
     """
     given = [name for name in QUANTITIES if getattr(options, name, None) is not None]
     si, named = is_physical(options), options.epsilon is not None
+    # b and epsilon say the same thing, each in its units: both at once would be one too many.
     if named and si and (options.damping is not None or not epsilon_beside_units):
         other = next(name for name in PHYSICAL if getattr(options, name) is not None)
         raise InputError("--epsilon", f"it has no units, and --{other} has", "--epsilon alone, or --damping instead")
     if options.alpha is not None and not (named or si or options.law):
         raise InputError("--epsilon", "is missing", "--epsilon E, without units; or --damping B in N (s/m)^alpha")
+    # Under the name by which it was given, or would have to be given: an error names that option.
     law = read_law(options, "epsilon" if named else "damping" if si else strength)
     numbers: dict[str, Any] = {name: parse_real(getattr(options, name), f"--{name}") for name in given}
     oscillator = Oscillator(law, **numbers)
@@ -109,6 +111,7 @@ def overlaid(
 
 def _with_epsilon(unit: Oscillator) -> Oscillator:
     """The oscillator whose dimensionless strength is what stands in ``unit`` as b; InputError if its b is no root."""
+    # epsilon = scale b, scale = omega_0^alpha x0^(alpha-1)/k: b is a quotient, exact where the powers are one root.
     (term,) = unit.law.terms
     epsilon = term.strength
     scale = unit.units.scale(ExactReal(1), term.velocity, term.weight)

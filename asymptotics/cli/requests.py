@@ -39,6 +39,7 @@ def request_words(command: str, options: argparse.Namespace) -> list[str]:
     """The command and what it was asked for; nothing where the oscillator says enough."""
     given = {name: getattr(options, name, None) for name in REQUESTS[command]}
     special = any(given.get(name) for name in ("spring", "v0", "delta"))
+    # The header has the options of the oscillator then (``present.inputs``), which ``compare`` reads as its own.
     if command in _FROM_REST and not special:
         return []
     placed = given.pop(_PLACED, None)
@@ -53,12 +54,15 @@ def stated_request(words: Sequence[str]) -> tuple[str, dict[str, str]]:
     known, point = REQUESTS[command], dict[str, str]()
     for word in rest:
         name, equals, value = word.removeprefix("--").partition("=")
+        # A header is foreign text: one word without an option's name where the command has a place for it, and
+        # otherwise options of the list, flags without and all others with a value.  Anything else is refused.
         if not word.startswith("--") and _PLACED in known and "" not in point:
             point[""] = word
         elif not word.startswith("--") or name not in known or name == _PLACED or bool(equals) == (name in _FLAGS):
             accepted = ", ".join(f"--{each}" for each in known if each != _PLACED)
             raise InputError("FILE", f"its header says {shown(word)} of {command}, which is not asked again", accepted)
         else:
+            # A mapping has each key once: repeated options are numbered, law.1, law.2, as the axes of a sweep are.
             repeated = sum(key.partition(".")[0] == name for key in point)
             if repeated and name not in ("law", "spring"):
                 raise InputError("FILE", f"its header says --{name} twice", "each option once")

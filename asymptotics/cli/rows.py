@@ -29,6 +29,7 @@ def row_text(name: str, row: Row) -> list[str]:
     """One line for each coefficient: its digits, and its exact form if there is one."""
     entries: list[tuple[str, Any]] = [(f"{name}_{key}", c) for key, c in row.items()]
     width = max((len(label) for label, _ in entries), default=0)
+    # "0 = 0" tells nothing.
     shown = {label: f"  = {c.exact}" for label, c in entries if c.exact and c.value != "0"}
     return [f"{label:{width}}  {c.value}" + shown.get(label, "") for label, c in entries]
 
@@ -64,6 +65,7 @@ def order_of(given: GivenTerms) -> list[str]:
 def strengths_given(given: GivenTerms, options: argparse.Namespace) -> bool:
     """Whether every force came with its strength, and none was merged."""
     texts = [*(options.law or []), *(options.spring or [])]
+    # Strengths left out are read as 1, and merged ones have a sum that nobody typed: a letter is shown for both.
     known = options.epsilon is not None or all(":" in text for text in texts) and bool(texts)
     return known and not given.notes
 
@@ -73,6 +75,7 @@ def local_strengths(given: GivenTerms, options: argparse.Namespace) -> list[tupl
     known, deltas = strengths_given(given, options), []
     for i, term in enumerate(given.terms, start=1):
         mark = "" if len(given.terms) == 1 else f"_{i}"
+        # A pendulum has no strength of its own: its variable is A^2 in rad^2.
         strength = str(term.strength) if known and not term.family else f"epsilon{mark}"
         deltas.append((f"delta{mark}", term.shape(), "A^2" if term.family else strength + _power(str(term.weight))))
     return deltas

@@ -62,6 +62,8 @@ class Interrupts:
         """The handler of SIGINT and SIGTERM: what is being written is taken back on the way out."""
         self.seen = number
         if is_lost(frame):  # it comes again in a moment, and until then nothing has happened
+            # Only a signal reaches the main thread, wherever it waits; the timer's own thread could raise nothing
+            # there.
             again = threading.Timer(_AGAIN, os.kill, (os.getpid(), number))
             again.daemon = True
             again.start()
@@ -85,6 +87,7 @@ class Interrupts:
 
 def run_guarded(name: str, body: Callable[[], int]) -> int:
     """Run ``body`` and return its exit code; interrupts and lost output as in the table of the module."""
+    # Twice guarded: the child answers for the work, this process for the child and for interrupts while it waits.
     if is_little():
         return _guarded(name, lambda: in_child(lambda: _guarded(name, body), complain, name, REFUSED))
     return _guarded(name, body)
@@ -97,13 +100,18 @@ def _guarded(name: str, body: Callable[[], int]) -> int:
         for stream in (sys.stdout, sys.stderr):
             reconfigure = getattr(stream, "reconfigure", None)
             if reconfigure is not None:
+                # Encodings of terminals and pipes are not ours: a letter that they lack must not end an answer halfway.
                 reconfigure(errors="backslashreplace")
         return _finished(name, body)
     except BaseException as error:
+        # Once a signal was seen whatever arrives here is its work: libraries turn a KeyboardInterrupt into errors of
+        # theirs.
         if not interrupts.seen and not isinstance(error, KeyboardInterrupt):
             return _last_resort(name, error)
         complain(f"{name}: interrupted; no file was left half-written")
         _drop_output()
+        # The shell's convention for a program that a signal has ended, 130 and 143; the process ends itself, after
+        # cleaning.
         return 128 + (interrupts.seen or signal.SIGINT)
     finally:
         interrupts.remove()
@@ -119,6 +127,7 @@ def _finished(name: str, body: Callable[[], int]) -> int:
         _flush()
     except OutputError as error:
         _drop_output()
+        # ``| head`` has what it wanted: no fault, no line.
         if error.gone:
             return 0
         complain(f"{name}: cannot write the answer: {error.reason}")
@@ -128,6 +137,7 @@ def _finished(name: str, body: Callable[[], int]) -> int:
 
 def _last_resort(name: str, error: BaseException) -> int:
     """What nobody foresaw: never exit code 1, which means undecided, and never a traceback that was not asked for."""
+    # GeneratorExit and their like are of the interpreter and none of our business.
     if not isinstance(error, Exception):
         raise error
     _drop_output()

@@ -27,8 +27,10 @@ from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.present.inputs import csv_text
 
+# Limits of what is printed; one coefficient alone goes further than a row, since only a line of integers is carried.
 MAX_ROW, MAX_N, MAX_G = 5_000, 100_000, 100
 MAX_DIGITS = 1000
+# The work and the memory of one coefficient, estimated from n and i before it begins: refusals, no digits.
 MAX_SECONDS, MAX_BYTES = 120, 1 << 30
 _USERS = {
     "n": ("f", "c"),
@@ -78,6 +80,7 @@ def run(options: argparse.Namespace) -> Answer:
     data = makers[options.what](options)
     text = data["latex"] if options.latex else data["text"]
     written = write_files(files, {"--csv": lambda _: csv_text(["n", "i", "C"], _rows(data))}, options, "smith")
+    # The LaTeX of a long row would double the JSON: of f and c it is there only where it was asked for.
     hidden = ("text",) if options.latex or options.what not in "fc" else ("text", "latex")
     data = {name: value for name, value in data.items() if name not in hidden} | ({"files": written} if written else {})
     shown = [text] if options.latex else [text, *written]
@@ -106,6 +109,7 @@ def _coefficient(options: argparse.Namespace) -> dict[str, Any]:
     n = _integer(options, "n", 1, MAX_N)
     i = _integer(options, "i", 0, n - 1)
     same_parity = (n - i) % 2 == 0
+    # C_i^n is 0 where i and n have the same parity (the recurrence couples opposite ones alone): no work to estimate.
     if not same_parity:
         _check_work(n, i)
     value = _text(coefficient(n, i))
@@ -165,6 +169,7 @@ def _integer(options: argparse.Namespace, name: str, low: int, high: int) -> int
 def _check_work(n: int, i: int) -> None:
     """Refuse a coefficient whose line of integers would take too long or too much memory, with the estimate."""
     line = (n - i + 1) // 2
+    # (n - i + 1)/2 integers that grow to about n log2 n bits, half of that on average, eight bits to a byte.
     size = line * n * log2(n + 2) / 16 + 1
     if size > MAX_BYTES:
         reason = f"C_{i}^{n} would take {size / 2**20:.0f} MiB"

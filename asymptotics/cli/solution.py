@@ -56,6 +56,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     order, digits = parse_integer(options.order, "--order", 1, MAX_ORDER), read_digits(options, MAX_DIGITS)
+    # The units in which the numbers came are those in which the formulas are expected.
     units = options.units or ("SI" if is_physical(options) else "epsilon")
     if units not in UNITS:
         raise InputError("--units", f"{units!r:.40} is unknown", ", ".join(UNITS))
@@ -68,6 +69,7 @@ def run(options: argparse.Namespace) -> Answer:
     given = _given(options)
     if given is None and time is not None:
         raise InputError("--epsilon", "is missing", "a strength with --time")
+    # An exponent alone has formulas with a letter for the strength; an oscillator has numbers as well.
     found = solution(_exponent(options) if given is None else given.oscillator, order=order)
     found = found if given is None else replace(found, si=given.si)
     data = found.to_dict() | {"units": units} | _formulas(found, units)
@@ -80,6 +82,7 @@ def run(options: argparse.Namespace) -> Answer:
             "--csv": lambda _: _table(found, given, time, read_points(options)),
         }
         data |= {"files": write_files(files, makers, options)}
+    # LaTeX of a high order takes seconds: made only where it is shown.
     if options.json or options.latex or options.fragment:
         data["latex"] = found.latex(standalone=not options.fragment)
     text = data["latex"] if options.latex or options.fragment else _text(found, data, given)
@@ -93,6 +96,7 @@ def _again(order: int, si: bool) -> Callable[[Oscillator], Found]:
 
 def _given(options: argparse.Namespace) -> Given | None:
     """The oscillator; None where one exponent stands without a strength."""
+    # One exponent without any number is the symbolic case; a sum without strengths has no explicit solution to show.
     alone = options.alpha is not None and options.law is None and options.spring is None
     if alone and options.epsilon is None and options.damping is None and not is_physical(options):
         return None

@@ -19,6 +19,7 @@ def _run(argv: list[str] | None) -> int:
     parser.add_argument("folder", help="made if it does not exist")
     folder = parser.parse_args(argv).folder
     try:
+        # An empty name would be the current folder, which nobody means by it.
         if not folder:
             raise InputError("FOLDER", "the name is empty", "a folder")
         tables = import_module("asymptotics.tables.standard_set").standard_set(Path(folder))

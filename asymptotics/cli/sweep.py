@@ -27,6 +27,7 @@ from asymptotics.sweeps.grid import MAX_POINTS, Grid, Point, too_large
 from asymptotics.sweeps.run import SweepResult, sweep
 from asymptotics.sweeps.workers import dask_executor
 
+# Processes of one machine or slots of one scheduler; a refusal of slips.
 MAX_WORKERS = 1024
 
 
@@ -69,11 +70,14 @@ def run(options: argparse.Namespace) -> Answer:
     if own.export is not None:
         export(Path(own.export), options.swept, points, Path(own.store))
         data["export"] = own.export
+    # A point that fails is an answer too; a sweep in which all of them fail has none, exit code 1.
     return Answer(data, _text(result, own), own.json, failed=result.failed == result.points > 0)
 
 
 def _split(options: argparse.Namespace) -> tuple[argparse.Namespace, list[str]]:
     """The options of the sweep wherever they stand, and those that are left for the command."""
+    # argparse gives everything behind COMMAND to it (REMAINDER): the options of the sweep are taken out again, those
+    # before COMMAND put in front.
     parser = argparse.ArgumentParser(prog="asymptotics sweep", allow_abbrev=False, add_help=False, exit_on_error=False)
     for name, value, _ in OWN:
         parser.add_argument(name, action="store" if value else "store_true")
@@ -90,6 +94,7 @@ def _points(command: str, own: argparse.Namespace, rest: list[str]) -> Grid | li
     axes = read_axes(command, rest)
     if own.list is None:
         return Grid(axes)
+    # Options beside --list hold for all of its points, so each has one value.
     fixed = {name: values[0] for name, values in axes.items() if len(values) == 1}
     if len(fixed) < len(axes):
         raise InputError("--list", "it stands next to a range", "either a list of points or ranges")

@@ -24,7 +24,10 @@ from asymptotics.public import limited, public_beside_others
 from asymptotics.sweeps.grid import Grid, Point, values
 from asymptotics.sweeps.run import SweepResult, sweep
 
+# The commands that answer one set of option values with one record.
 SWEPT = ("turning-points", "half-swing", "expand", "moment", "motion", "smith", "envelope", "limit-cycle", "stokes")
+# Options that write files or shape what is printed: a point of a sweep is its JSON, and a header or a list of points
+# from elsewhere must not name a file to be written.
 EXCLUDED = ("json", "plot", "csv", "latex", "points", "save", "report", "quiet", "list", "store", "export")
 _WORD = re.compile(r"[a-z][a-z0-9-]{0,39}\Z")
 _FORMAL = ("expand", "half-swing")  # they need no strengths
@@ -38,6 +41,7 @@ class _Parser(argparse.ArgumentParser):
         raise InputError("COMMAND", " ".join(message.split()), f"the options of asymptotics {self.prog}")
 
 
+# One parser for all points of a process: declaring the options costs more than a cheap point.
 @lru_cache
 def _command(name: str) -> tuple[Any, argparse.ArgumentParser, dict[str, argparse.Action]]:
     """The module of a command, its parser, and its options by name."""
@@ -82,6 +86,7 @@ def takes_no_value(command: str, name: str) -> bool:
 def _axis(command: str, name: str, text: str) -> tuple[str, ...]:
     if name and takes_no_value(command, name):
         return ("",)
+    # The colon of a force is not that of a range: the powers are cut off first.
     if name in ("law", "spring"):
         return _forces(command, name, text)
     if name in ("", *_NAMED) or text == "symbolic":
@@ -128,6 +133,7 @@ def typed_options(command: str, point: Point) -> argparse.Namespace:
 def run_point(command: str, point: Point) -> dict[str, Any]:
     """One run of the command: its JSON, without what every command adds.  This is the task of a sweep."""
     options = typed_options(command, point)
+    # The time is that of a point, as --max-seconds of the command says; the sweep itself may last for days.
     with limited(read_max_seconds(options)), alone:
         answer = _command(command)[0].run(options)
     if answer.failed:
@@ -162,5 +168,6 @@ def sweep_command(
         points: Grid | list[Point] = Grid(read_axes(command, [f"--{n}={text}" for n, each in texts for text in each]))
     else:
         points = [point_options(command, row) for row in options]
+    # An option that no point could use is refused before anything is computed or a store is made.
     typed_options(command, points[0])
     return sweep(partial(run_point, command), command, points, folder, workers=workers, executor=executor)

@@ -48,6 +48,7 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     if options.list:
         return Answer({"tables": {name: description(name) for name in names()}}, _listed(), options.json)
+    # Also in ``cut_short``: there the options are as they were typed.
     options = _spelled_out(options)
     if options.name is None:
         raise InputError("NAME", "is missing", ", ".join(names()))
@@ -58,6 +59,7 @@ def run(options: argparse.Namespace) -> Answer:
         raise InputError("--format", "parquet is not text", "--output FILE with it")
     target = _target(options)
     inputs = table_inputs(options.alpha, options.epsilon, options.law, options.rows)
+    # --csv of a table is --output in CSV, with provenance, and not the file that ``write_files`` makes.
     drawn = read_files(argparse.Namespace(plot=options.plot))
     table = build(options.name, read_digits(options, MAX_DIGITS), inputs, options.rounding)
     return _answer(options, drawn, target, table)
@@ -92,6 +94,7 @@ def _spelled_out(options: argparse.Namespace) -> argparse.Namespace:
     asked = {name: form for name, form in asked.items() if form is not None}
     others = {"--format": options.format, "--output": options.output if options.csv is not None else None}
     clash = [name for name, value in others.items() if value is not None]
+    # Two forms of one table: which of them was meant is not guessed.
     if len(asked) > 1 or asked and clash:
         other = clash[0] if clash else "--latex"
         raise InputError([*asked][-1], f"it stands next to {other}", "one form of the table")

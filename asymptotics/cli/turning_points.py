@@ -65,6 +65,7 @@ def run(options: argparse.Namespace) -> Answer:
     digits = read_digits(options, MAX_DIGITS)
     if options.route == "help":
         return _routes(options, count, digits, start)
+    # The routes know their parameters and not the options that set them.
     try:
         result = _computed(options, count, digits, start)
     except LimitError as error:
@@ -110,6 +111,8 @@ def _computed(
         )
     law = read_law(options, "epsilon")
     x0, v0 = _start(options)
+    # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths epsilon_i x0^(alpha_i-1),
+    # and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
     if law.is_pure and v0.is_zero and x0 != 1:
         return _undivided(Oscillator(law, x0=x0), count, digits, start, options)
     seconds = read_max_seconds(options)
@@ -149,6 +152,7 @@ def _undivided(
 
     def bare(found: OscillatorTurningPoints) -> TurningPoints:
         inner = found.dimensionless
+        # m = k = 1: seconds are tau, and metres the unit in which the strengths were given.
         points = tuple(replace(q, x=p.x, tau=p.t) for p, q in zip(found.points, inner.points, strict=True))
         return replace(inner, epsilon=strengths, digits=digits, points=points)
 
@@ -168,6 +172,7 @@ def _unit(options: argparse.Namespace) -> str:
     springs = options.spring or []
     if PENDULUM in springs:
         return "rad"
+    # A,M:E is a loss |x|^M: its strength belongs to a length, as that of a spring does.
     placed = any("," in text.partition(":")[0] for text in options.law or [])
     return "strengths" if springs or placed or x0 != 1 else "x0"
 

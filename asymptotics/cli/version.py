@@ -26,5 +26,6 @@ def clash(distributions: Sequence[str]) -> str | None:
     others = sorted(set(distributions) - {DISTRIBUTION})
     if not others:
         return None
+    # Both would install the folder asymptotics, and what was installed last has overwritten the other's files.
     named = " and ".join(others)
     return f"warning: {named} also installs a package named 'asymptotics'; the two cannot share an environment"

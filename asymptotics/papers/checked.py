@@ -16,6 +16,7 @@ def check(paper: str, statement: str, *, max_seconds: Number = 60) -> dict[str, 
 
     InputError where the checks, a part of the wheel of their own, are not installed.
     """
+    # Looked for without being loaded: statements are looked up far more often than checked.
     if find_spec("paper_checks") is None:
         raise InputError("check", "the checks are not installed", "all of a wheel: pip install . in a clone")
     found = import_module("paper_checks.runner").examine(import_module("paper_checks.registry").load(paper)[statement])

@@ -112,6 +112,8 @@ def _searched() -> tuple[Searched, ...]:
 
 
 def _suggestion(wanted: str) -> str:
+    # Ratios of difflib: 0.6 is its own default, and words must be nearer than ids, whose beginnings are all alike.
+    # They decide what is suggested, nothing else.
     near = get_close_matches(wanted, _all(), n=3, cutoff=0.6) or get_close_matches(
         wanted, _vocabulary(), n=3, cutoff=0.7
     )

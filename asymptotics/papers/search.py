@@ -27,6 +27,7 @@ YEARS = ("2012", "2020", "2024")
 IDLE = ("a", "al", "an", "and", "at", "by", "eq", "eqn", "eqs", "equation", "et", "for", "formula", "in", "is", "no",
         "of", "on", "the", "to", "what", "with")  # fmt: skip
 MARKS = r"\\(hat|dot|ddot|tilde|bar|text|mathrm|left|right|quad|qquad)\b"
+# These statements say in formulas what is asked for in words.
 SAID = {  # what a reader calls it, beside what the statement says: by the beginning of an id
     "lancaster2020:13": "envelope amplitude decay",
     "lancaster2020:table1.": "envelope amplitude decay",
@@ -80,6 +81,9 @@ class Searched:
     def marks(self, word: str) -> int:
         """How well a word fits, 0 if not at all."""
         own = self.id.partition(":")[2].lower()
+        # The marks are an order of precedence, not a measure: the number itself before a part of it, a whole word in
+        # the title before one in the formula, and those before parts of words and notes.  A formula that begins with
+        # the word defines it.
         if own == word or self.id.lower() == word:
             return 100
         if own.startswith(f"{word}.") or own == f"claim.{word}":
@@ -102,10 +106,13 @@ def ranked(entries: Iterable[Searched], query: str) -> list[str]:
     found: list[tuple[int, int, str]] = []
     for place, entry in enumerate(chosen):
         marks = [entry.marks(word) for word in words]
+        # At least half of the words; 1000 is more than all marks together may be below it (100 a word), so that whoever
+        # has every word stands first.
         if all(marks) or len(words) > 1 and 2 * sum(map(bool, marks)) >= len(words):
             found.append((-sum(marks) - 1000 * all(marks), place, entry.id))
     found.sort()
     complete = [key for key in found if key[0] <= -1000]
+    # Every word is the number itself: then nothing that only mentions it is shown.
     exact = [key for key in complete if key[0] <= -1000 - 100 * len(words)]
     return [key for *_, key in exact or complete or found]
 

@@ -16,8 +16,7 @@ class PaperStatement(Shown):
     ``evidence`` what it rests on (proved, certified, measured, none) and ``extent`` how far that reaches; ``latex`` is
     the printed form (with ``paraphrase``: in our words), ``corrected`` what is true instead (None if it holds),
     ``shortfall`` in which way it is partly true, ``slip`` a slip that changes nothing; ``line`` is the line of the
-    derivation that proves it; ``source`` is the file
-    and line of the check.
+    derivation that proves it; ``source`` is the file and line of the check.
     """
 
     id: str
@@ -56,6 +55,7 @@ class PaperStatement(Shown):
         return self.latex
 
     def _letters(self) -> dict[str, str]:
+        # The papers' letters are their own: gamma is no gamma function here.
         return dict.fromkeys(letters(self.latex), f"as in {self.paper}")
 
     def to_dict(self) -> dict[str, Any]:

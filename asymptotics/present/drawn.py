@@ -26,6 +26,8 @@ from asymptotics.present.shown import Shown
 
 KINDS = (".svg", ".png", ".pdf")
 _WIDTH, _COLUMNS, _ROW = 78, 3, 15.0  # characters in a line of the heading; entries and points of a row of the legend
+# Inches of a picture in a notebook and of one with axes below; seconds that a cell may wait for one: longer work is
+# shown without it, and drawn by plot().
 _IN_PAGE, _TWO, _SECONDS = (6.4, 3.6), (6.4, 5.2), 5
 
 
@@ -71,6 +73,7 @@ def plotted(results: Sequence[Any], ax: Any, style: dict[str, Any]) -> Any:
         return ax
     given = dict(style)
     with styled():
+        # The size of new axes is that of the first result: the others are drawn into what there is.
         size = given.pop("size", None)
         axes = new_axes(results[0]._size(given) if size is None else size)
         draw_on(axes, results, given)
@@ -106,6 +109,7 @@ def draw_on(axes: Any, results: Sequence[Any], style: dict[str, Any]) -> None:
         own = dict(style)
         if len(results) > 1:
             own.setdefault("label", result._heading())
+        # A copy of the style for each, since a curve takes its own options out of it.
         if _drawn(partial(result._curve, axes, **own)):
             return  # panels, which have headings of their own
     told = axes.get_title().split("\n") if axes.get_title() else []
@@ -126,6 +130,8 @@ def _lines(heading: str) -> list[str]:
 def _drawn(draw: Callable[[], Any]) -> Any:
     try:
         return draw()
+    # What Matplotlib raises for a keyword or a value that its lines do not have; an InputError is ours and says more.
+    # A fault of our own of these kinds is told as one of the style: its words are in the reason.
     except (AttributeError, TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
@@ -137,6 +143,7 @@ def head(axes: Any, lines: list[str]) -> None:
     """Heading, legend below it, axes below that."""
     handles, labels = axes.get_legend_handles_labels()
     longest = max(map(len, labels), default=0)
+    # Names of more than forty characters do not stand side by side in a picture of this width.
     columns = 1 if longest > 40 else min(_COLUMNS, max(1, len(labels)))
     rows = -(-len(labels) // columns) if labels else 0
     axes.set_title("\n".join(lines), loc="center", pad=6.0 + _ROW * rows, fontsize=9)

@@ -13,6 +13,7 @@ from typing import Any
 from asymptotics.errors import InputError, shown
 
 COLOURS = ["#1f4e9c", "#c2410c", "#15803d", "#7e22ce", "#0e7490", "#be185d", "#78716c", "#ca8a04"]
+# hashsalt makes the ids of an SVG depend on the drawing alone: Matplotlib draws them at random otherwise.
 STYLE: Any = {
     "axes.edgecolor": "#6b7280",
     "axes.grid": True,
@@ -31,7 +32,9 @@ STYLE: Any = {
 }
 
 
+# Inches and dots of a figure in a column of text; all are asked for otherwise by size= and dpi=.
 SIZE, DPI = (6.4, 4.0), 160
+# Refusals: below, nothing can be read; 40 inches at 1200 dots are 48000 pixels, under the 2^16 a side of the renderer.
 MIN_SIZE, MAX_SIZE, MIN_DPI, MAX_DPI = 1.0, 40.0, 30, 1200
 _FORMATS = "svg, png or pdf"
 _WITHOUT = {  # what would differ from call to call
@@ -55,6 +58,7 @@ def render(
     if isinstance(dpi, bool) or not isinstance(dpi, int) or not MIN_DPI <= dpi <= MAX_DPI:
         raise InputError("dpi", f"{shown(dpi)} is no resolution", f"an integer from {MIN_DPI} to {MAX_DPI}")
     with styled():
+        # Not by pyplot, which would keep the figure, and open a window where there is one.
         figure = _matplotlib("matplotlib.figure").Figure(figsize=(wide, high), layout="constrained")
         draw(figure.subplots())
         buffer = io.BytesIO()
@@ -83,6 +87,7 @@ def counted(axis: Any) -> None:
     [0.0, 1.0, 2.0, 3.0]
     """
     locator = axis.get_major_locator()
+    # Ticks that somebody has placed (a fixed locator) stay.
     if "integer" in getattr(locator, "default_params", ()):
         locator.set_params(integer=True)
 

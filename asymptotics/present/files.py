@@ -50,6 +50,8 @@ def target_file(name: str | Path, argument: str) -> Path:
         _require_regular(path, str(name), argument)
         if not path.parent.is_dir():
             raise InputError(argument, f"there is no folder {path.parent}", _ACCEPTED)
+        # Asking the system for permissions would say less than a file that was really made: quotas, read-only disks,
+        # names.
         os.close(_created(_beside(path), remove=True))
     except (OSError, ValueError) as error:
         if isinstance(error, InputError):
@@ -67,6 +69,7 @@ def require_different(targets: Mapping[str, Path | None]) -> None:
             continue
         real = _real(target)
         for other, before in seen.items():
+            # realpath resolves symbolic links; two names of one file by hard links have only its number in common.
             if real == other or (real.exists() and other.exists() and real.samefile(other)):
                 raise InputError(argument, f"{target} is the file of {before} too", "two different files")
         seen[real] = argument
@@ -88,7 +91,9 @@ def write_all(contents: Mapping[Path, str | bytes], argument: str = "FILE") -> N
     try:
         for name, content in contents.items():
             data = content.encode() if isinstance(content, str) else bytes(memoryview(content))
+            # All are written before the first is put in place: a full disk leaves everything as it was.
             parts.append(_Part.written(name, data, argument))
+        # A rename is the one step that cannot be half done (POSIX): all files are complete and synchronised by now.
         for part in parts:
             part.put()
     except BaseException as error:
@@ -138,6 +143,8 @@ class _Part:
                 os.fsync(stream.fileno())
                 if part.existed:
                     before = target.stat()
+                    # Only root may give a file to somebody else; the owner first, since that clears set-uid bits of the
+                    # mode.
                     with suppress(PermissionError):
                         os.fchown(stream.fileno(), before.st_uid, before.st_gid)
                     os.fchmod(stream.fileno(), stat.S_IMODE(before.st_mode))
@@ -170,6 +177,7 @@ class _Part:
             if self.old.exists():
                 self.old.replace(self.target)
                 self.old.unlink(missing_ok=True)  # a rename between two names of one file leaves both
+            # The new name is gone, so it was renamed to a target that did not exist: what stands there is ours.
             elif not self.existed and not self.new.exists():
                 self.target.unlink(missing_ok=True)
             self.new.unlink(missing_ok=True)
@@ -186,6 +194,7 @@ def _beside(path: Path) -> Path:
 
 def _created(path: Path, *, remove: bool) -> int:
     """A file descriptor of a file that did not exist; the umask shapes its mode."""
+    # O_EXCL follows no link that somebody has put there, and fails if the name is taken.
     handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
     if remove:
         path.unlink()

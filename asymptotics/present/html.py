@@ -17,6 +17,7 @@ def block(
     picture: str = "",
 ) -> str:
     """One block: ``title`` in bold, each line that is not empty, the table if it has a head, a picture."""
+    # Everything that was typed, or read from a file, may come by here: no text reaches the page unescaped.
     told = "".join(f"<p>{escape(line)}</p>" for line in lines if line)
     body = "".join("<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
     top = "".join(f"<th>{escape(name)}</th>" for name in head)

@@ -17,6 +17,7 @@ from asymptotics.made_by import mark
 
 INPUTS = ("alpha", "epsilon", "law", "spring", "damping", "mass", "stiffness", "x0", "v0")
 """The options that make an oscillator."""
+# Characters of a first line that are read: a header is shorter, and a file without line ends must not fill the memory.
 _LONG = 100_000
 
 
@@ -43,6 +44,7 @@ def with_inputs(text: str, options: Mapping[str, Any]) -> str:
 def with_words(text: str, words: Sequence[str]) -> str:
     """The same with words as they are."""
     head, _, rows = text.partition("\n")
+    # Text that has no such column, or nothing to say, stays as it is.
     if not words or not head.endswith(",code"):
         return text
     stream = io.StringIO()
@@ -58,6 +60,7 @@ def option_words(options: Mapping[str, Any]) -> list[str]:
 
 def _word(name: str, value: Any) -> str:
     """An option with its value; a flag alone."""
+    # With =, since a value may begin with a minus.
     return f"--{name}" if value is True else f"--{name}={value}"
 
 
@@ -70,6 +73,7 @@ def stated_words(path: Path) -> list[str]:
     try:
         with path.open(newline="", encoding="utf-8-sig") as stream:
             cells = next(csv.reader([stream.readline(_LONG)]), [])
+        # In the last cell of the header, where programs that read CSV see a column with a unit in brackets.
         found = re.fullmatch(r"code \[(.*)\]", cells[-1]) if cells else None
         return shlex.split(found[1]) if found else []
     except (OSError, ValueError, csv.Error):
@@ -87,6 +91,7 @@ def stated_inputs(path: Path) -> dict[str, str | list[str]]:
     """
     inputs: dict[str, str | list[str]] = {}
     for name, equals, value in (word.removeprefix("--").partition("=") for word in stated_words(path)):
+        # One word from outside the list, and the header is that of a request or of another program: none of it is used.
         if not equals or name not in INPUTS:
             return {}
         if name in ("law", "spring"):

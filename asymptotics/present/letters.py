@@ -68,10 +68,12 @@ MEANINGS = {
     r"\tau": "time omega_0 t",
     r"\theta": "angle, or the Abel function of the time",
 }
+# Words of text and names of functions, in braces that may hold one more pair, and the arguments of environments.
 _WORDS = re.compile(
     r"\\(?:text|mathrm|operatorname|mathit|textbf)\*?\s*\{(?:[^{}]|\{[^{}]*\})*\}"
     r"|\\(?:begin|end)\{[^}]*\}(?:\{[^}]*\})?"
 )
+# A Greek name, a letter, or a number with its exponent: the e of 1.5e-7 is no letter.
 _TOKEN = re.compile(r"\\[A-Za-z]+|[A-Za-z]|\d(?:\.?\d)*e-?\d+")
 GREEK = {name for name in MEANINGS if name.startswith("\\")} | {
     r"\beta", r"\zeta", r"\iota", r"\lambda", r"\nu", r"\xi", r"\rho", r"\upsilon", r"\Delta", r"\Lambda", r"\Psi",
@@ -83,6 +85,7 @@ def letters(formula: str) -> set[str]:
     """The letters of a formula, Latin and Greek, without those of words, functions and numbers; pi is known."""
     tokens = _TOKEN.findall(_WORDS.sub(" ", formula))
     found = {t for t in tokens if (t in GREEK if t.startswith("\\") else len(t) == 1)}
+    # A d before another letter, or on top of a fraction, is that of a differential.
     return found - ({"d"} if re.search(r"\\frac\{d|\bd\\?[A-Za-z]", formula) else set())
 
 

@@ -28,6 +28,7 @@ from asymptotics.errors import InputError
 from asymptotics.present.html import block
 from asymptotics.present.letters import defined
 
+# What fits on a screen beside other cells of a notebook; nothing is lost, ``to_dataframe`` and ``to_dict`` have it all.
 MAX_LINES, MAX_WIDTH, MAX_ROWS = 8, 160, 12
 
 
@@ -113,6 +114,7 @@ def fields_of(found: Any, units: Mapping[str, str] | None = None, skip: Sequence
     >>> fields_of(Point("0.1", None), {"x": "m"}).rows
     (('x', '0.1 m'),)
     """
+    # Records are dataclasses, or named tuples where they must stay tuples.
     names = [f.name for f in fields(found)] if is_dataclass(found) else list(found._fields)
     given = units or {}
     kept = [(n, getattr(found, n)) for n in names if n not in skip]
@@ -126,4 +128,5 @@ def plain(text: str) -> str:
     >>> plain("50 % of a_1")
     '50 \\% of a\\_1'
     """
+    # A backslash, ^ and ~ have no short escape within \text{}, and no word of ours needs them: blanks.
     return "".join("\\" + c if c in "#$%&_{}" else " " if c in "\\^~" else c for c in text)

@@ -48,6 +48,8 @@ def records(command: str, points: Sequence[Point], store: Store) -> Iterator[tup
 
     Memory: nine bytes for each point, and one record at a time.
     """
+    # First where each point lies, then one line after the other in the order of the sweep: the store has them in the
+    # order in which they were finished.
     buckets, offsets = _index(command, points, store)
     streams: dict[int, BinaryIO] = {}
     try:
@@ -72,6 +74,7 @@ def _index(command: str, points: Sequence[Point], store: Store) -> tuple[np.ndar
     size = len(points)
     buckets = np.fromiter((place(command, p)[0] for p in points), dtype=np.uint8, count=size)
     offsets = np.full(size, -1, dtype=np.int64)
+    # One shard at a time is held as a mapping: 1/256 of the keys, more or less.
     for bucket in map(int, np.unique(buckets)):
         where = {key: offset for offset, key, _ in store.read(bucket)}
         for i in map(int, np.flatnonzero(buckets == bucket)):
@@ -91,6 +94,7 @@ def export(path: Path, command: str, points: Sequence[Point], folder: Path) -> i
         with tempfile.NamedTemporaryFile(dir=path.parent, prefix=".export.", delete=False) as stream:
             temporary = Path(stream.name)
             rows = _WRITERS[path.suffix](stream, command, points, store)
+        # A temporary file is readable by its owner alone; the rename makes the export appear whole.
         temporary.chmod(0o644)
         temporary.replace(path)
         return rows
@@ -144,11 +148,13 @@ def _request(command: str, points: Sequence[Point]) -> list[str]:
 
 def _write_csv(stream: Any, command: str, points: Sequence[Point], store: Store) -> int:
     text = io.TextIOWrapper(stream, encoding="utf-8", newline="")
+    # Two passes over the store: the columns are known only when every row was seen, and no row is kept meanwhile.
     names = columns_of(points, rows_of(command, points, store))
     writer = csv.DictWriter(text, names, restval="", lineterminator="\n")
     said = f"{LAST[-1]} [{shlex.join(_request(command, points))}]"  # of which request each row is the answer
     csv.writer(text, lineterminator="\n").writerow([*names[:-1], said])
     writer.writerows(rows_of(command, points, store))
+    # Or the wrapper would close the stream under the one who has opened it.
     text.detach()
     return len(points)
 
@@ -229,4 +235,5 @@ def _exact(cell: str) -> Exact:
         value = parse_real(cell, "cell")
     except InputError:
         return cell
+    # Text that is no number (a gauge, a reason) stays text: a column may hold both.
     return value.rational if value.is_rational else value

@@ -25,6 +25,7 @@ from asymptotics.sweeps.export import LAST, REQUEST, columns_of, flat, parquet_m
 SUFFIXES = (".json", ".parquet")
 MAX_ROWS = 1_000_000
 _ROWS = re.compile(r'"rows"\s*:\s*\[')
+# Between two rows: the text has been read as JSON, so that nothing else can stand there.
 _BETWEEN = re.compile(r"[\s,]*")
 _ACCEPTED = "what asymptotics sweep ... --export has written"
 
@@ -58,6 +59,8 @@ def _of_json(path: Path) -> Exported:
     except ValueError as error:
         raise _refused(f"{path} is not JSON") from error
     command = data.get("command") if isinstance(data, dict) else None
+    # The rows are found a second time in the text, for their lines; a file with another list of that name before it is
+    # noticed by the count, and refused.
     start = _ROWS.search(text)
     if not isinstance(command, str) or not isinstance(data.get("rows"), list) or start is None:
         raise _refused(f"{path} is no export of a sweep")
@@ -68,6 +71,7 @@ def _of_json(path: Path) -> Exported:
         if not isinstance(point, dict) or not isinstance(result, dict) or not all(map(_is_text, point.values())):
             raise _refused(f"line {line} has no point and result")
         points.append(point)
+        # Parameters over results of the same name, as the export has them: the request is what was typed.
         results.append({**flat(result), **point, LAST[0]: str(row.get("failed") or "")})
         lines.append(line)
     if len(lines) != len(data["rows"]):
@@ -86,6 +90,7 @@ def _lines(text: str, place: int) -> Iterator[tuple[int, Any]]:
     decoder, line, counted = json.JSONDecoder(), 1, 0
     place = _after(text, place)
     while text[place] != "]":
+        # Each stretch of text is counted once, or a file of many rows would take the square of its length.
         line, counted = line + text.count("\n", counted, place), place
         row, place = decoder.raw_decode(text, place)
         yield line, row
@@ -105,6 +110,7 @@ def _of_parquet(path: Path) -> Exported:
             _require_few(file.metadata.num_rows)
             header = list(file.schema_arrow.names)
             rows = [row for chunk in file.iter_batches() for row in chunk.to_pylist()]
+    # What pyarrow raises for damaged and hostile files; InputError is a ValueError, and passes as it is.
     except (ValueError, KeyError, NotImplementedError, MemoryError) as error:
         if isinstance(error, InputError | LimitError):
             raise

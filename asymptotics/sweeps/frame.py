@@ -14,6 +14,7 @@ from asymptotics.sweeps.export import rows_of
 from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.store import Store
 
+# A table is made in memory; more lines than twelve are told apart by no eye.
 MAX_ROWS, MAX_LINES = 1_000_000, 12
 
 
@@ -30,6 +31,7 @@ def columns(command: str, points: Sequence[Point], folder: Path) -> dict[str, li
     found: dict[str, list[Any]] = {}
     for name in names:
         cells = [row.get(name, "") for row in rows]
+        # A reason or a mark that happened to look like a number would lose its text.
         read = None if name in ("failed", "code") else numbers(cells)
         found[name] = cells if read is None else read
         if read is not None and any("." in cell or "/" in cell or "s" in cell for cell in cells):
@@ -56,6 +58,7 @@ def draw(axes: Any, points: Sequence[Point], table: Mapping[str, list[Any]], sty
     Options: ``x`` and ``y``, names of columns.  InputError where there is nothing to draw against, or to draw.
     """
     parameters = list(dict.fromkeys(name for point in points for name in point))
+    # The order of the parameters is that in which they were typed: the first that varies is the abscissa.
     varied = [name for name in parameters if len(set(table[name])) > 1]
     numeric = [name for name, cells in table.items() if any(isinstance(c, float) for c in cells)]
     x = style.pop("x", next((name for name in varied if name in numeric), None))

@@ -14,6 +14,7 @@ from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.shard import LockedShard, failure
 from asymptotics.sweeps.store import Store, place
 
+# All are in the store with their reasons; on the screen twenty tell what is wrong.
 SHOWN = 20  # failures that are reported with their reason
 
 
@@ -55,6 +56,8 @@ class SweepPlan:
     def buckets(self) -> np.ndarray:
         """The bucket of each point."""
         size = len(self.points)
+        # The key is computed again when the shard's turn comes: 64 characters for each of 10^7 points would be a
+        # gigabyte.
         return np.fromiter((place(self.command, p)[0] for p in self.points), dtype=np.uint8, count=size)
 
     def jobs(self) -> Iterator[Job | None]:
@@ -65,6 +68,8 @@ class SweepPlan:
         while queue:
             shard = self.store.take(queue[0])
             if shard is None:
+                # Held by another driver: to the end of the queue.  Once all that are left were met so, the caller
+                # decides what to do while it waits, and the round begins again.
                 queue.rotate(-1)
                 passed += 1
                 if passed >= len(queue):
@@ -77,6 +82,7 @@ class SweepPlan:
     def _of_shard(self, shard: LockedShard, indices: np.ndarray) -> Iterator[Job]:
         self.open_shards.append(shard)
         shard.waiting += 1  # the shard stays open until all its jobs are handed out
+        # Keys handed out and not yet in the shard: a point that occurs twice is computed once.
         coming: set[str] = set()
         for index in map(int, indices):
             point = self.points[index]

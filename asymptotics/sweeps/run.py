@@ -41,8 +41,11 @@ from asymptotics.sweeps.shard import record_of
 from asymptotics.sweeps.store import Store, require_usable, task_of
 from asymptotics.sweeps.workers import Crew, OtherCodeError, PointOutcome, Task, one_process, process_pool, run_batch
 
+# What a kill loses of each worker; at a millisecond or two for the way of a batch less than a hundredth is overhead.
+# Half or double only moves one against the other.
 _BATCH_SECONDS = 0.25
 _SLOT_SECONDS = 2e-3  # a scheduler needs about a millisecond for a task: batches grow with the slots it has to feed
+# For points of microseconds: a batch stays a small message.
 _MAX_BATCH = 500
 _PAUSE = 0.2  # seconds between two looks at a shard that another driver holds
 _DRAWN = 2000  # points of a sweep that a notebook draws by itself
@@ -119,10 +122,13 @@ def sweep(
     start = time.perf_counter()
     folder = _folder(folder)
     require_usable(folder)
+    # A finished sweep can be read from a folder of somebody else's, or from an archive.
     if folder.is_dir() and any(folder.iterdir()) and not os.access(folder / "shards", os.W_OK):
         return _result(_read_only(command, points, folder), 0, start)
     count = workers or os.cpu_count() or 1
     if executor is not None:
+        # No executor says by a public name how many calls it runs at a time; a wrong number changes how many batches
+        # wait in its queue, nothing else.
         given = Crew(executor, getattr(executor, "_max_workers", count))
         opened: OpenCrew = lambda: nullcontext(given)  # noqa: E731
     else:
@@ -183,6 +189,7 @@ class _Driver:
                     self._collect()
                     if self.broken:
                         self._replace_crew()
+        # Ctrl-C, a full disk, a worker of other code: what has come back already is written before the error goes on.
         except BaseException:
             self._settle({future for future in self.flying if future.done()}, last=True)
             raise
@@ -191,6 +198,7 @@ class _Driver:
 
     def _hand_out(self) -> None:
         """Keep twice as many batches under way as there are slots; suspects go alone."""
+        # One suspect at a time and nothing else under way: if a worker dies again, this point is what it died of.
         while self.suspects and not self.flying and not self.broken:
             self._submit([self.suspects.popleft()])
         while not (self.exhausted or self.suspects or self.broken) and len(self.flying) < 2 * self.crew.slots:
@@ -200,6 +208,8 @@ class _Driver:
             if jobs:
                 self._submit(jobs)
             elif found:  # what is left is held by another driver
+                # While own results are under way their arrival is what is waited for; otherwise a pause, not a busy
+                # loop.
                 if not self.flying:
                     time.sleep(_PAUSE)
                 return
@@ -224,6 +234,7 @@ class _Driver:
             jobs, alone = self.flying.pop(future), len(self.flying) == 0
             try:
                 outcomes, seconds = future.result()
+            # Its results would be filed as those of this code: the sweep ends.
             except OtherCodeError:
                 raise
             except (Exception, CancelledError) as error:
@@ -237,6 +248,7 @@ class _Driver:
 
     def _suspect(self, jobs: list[Job], error: BaseException, alone: bool) -> None:
         for job in jobs:
+            # Deaths in company prove nothing against a point and are not counted.
             job.tries += alone and len(jobs) == 1
             if job.tries < _DEATHS:
                 self.suspects.append(job)
@@ -247,6 +259,7 @@ class _Driver:
             self.plan.release(job.shard)
 
     def _write(self, job: Job, outcome: PointOutcome) -> None:
+        # Want of memory or a disk is no property of the point: counted and told, and tried again by the next sweep.
         if outcome.lasting:
             try:
                 job.shard.append(job.key, record_of(task_of(self.plan.command, job.point), outcome.record))
@@ -262,6 +275,8 @@ class _Driver:
     def _pace(self, size: int, seconds: float) -> None:
         """The next batches take about a quarter of a second (longer on large clusters), and grow at most twofold."""
         pace = max(_BATCH_SECONDS, _SLOT_SECONDS * self.crew.slots)
+        # From the last batch alone, since cost varies along a sweep; at most doubled, lest one cheap batch be followed
+        # by an hour's.
         wanted = int(pace * size / max(seconds, 1e-6))
         self.batch = max(1, min(wanted, 2 * self.batch, _MAX_BATCH))
 
@@ -271,6 +286,8 @@ class _Driver:
         self.stack.close()
         self.crew, self.broken = self.stack.enter_context(self.opened()), False
         try:
+            # The smallest task there is: a fresh executor that cannot run it will not run the others either, and the
+            # loop would go on for ever.
             self.crew.executor.submit(int).result()
         except BrokenExecutor as error:
             accepted = "an executor that works: what is finished is safe in the store"

@@ -1,4 +1,4 @@
-"""One file of finished points: lines that prove themselves, appended under a lock.
+"""One file of finished points: lines that prove themselves, appended under a lock, as in a write-ahead log.
 
     KEY CHECKSUM {"task": {"command": ..., "point": ..., "version": ...}, "result": ...}      or "failed": the reason
 
@@ -19,6 +19,7 @@ from typing import Any
 
 from asymptotics.errors import InputError
 
+# Hexadecimal digits of a SHA-256.
 _HASH = 64
 
 
@@ -42,11 +43,14 @@ def record_of(task: Mapping[str, Any], outcome: str) -> str:
     >>> record_of({"command": "half"}, '{"failed":"no"}')
     '{"failed":"no","task":{"command":"half"}}'
     """
+    # Text is put beside text: what a worker wrote is not read and written again, which could change how a number
+    # stands.
     return f'{outcome[:-1]},"task":{canonical(task)}}}'
 
 
 def failure(record: str) -> str | None:
     """The reason, if the record is that of a failed point."""
+    # By its beginning: records of results may be long, and most are not looked into.
     return str(json.loads(record)["failed"]) if record.startswith('{"failed":') else None
 
 
@@ -80,6 +84,7 @@ def lines(path: Path) -> Iterator[tuple[int, str, str]]:
     """(offset, key, record) of every line of a shard that proves itself; nothing if there is no file."""
     if not path.exists():
         return
+    # Counted over all lines, torn ones included: it is the place in the file, from which one record is read again.
     offset = 0
     with path.open("rb") as stream:
         for line in stream:
@@ -105,11 +110,14 @@ class LockedShard:
                 if found is not None:
                     self._note(*found)
         self._end = size
+        # A file that does not end with a line end was cut by a kill: the next record begins on a line of its own, and
+        # the torn one stays what it is, a line that does not prove itself.
         self._torn = bool(size) and os.pread(handle, 1, size - 1) != b"\n"
 
     @classmethod
     def take(cls, path: Path) -> "LockedShard | None":
         """Lock the shard at ``path``, which is created; None while another process has it."""
+        # A lock belongs to the open file: a worker that inherited it would hold the lock after this process has ended.
         handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -127,6 +135,8 @@ class LockedShard:
         try:
             done = 0
             while done < len(data):
+                # At its place, not at the end of the file: what a failed write has left behind is overwritten.  A write
+                # may be short.
                 done += os.pwrite(self._handle, data[done:], self._end + done)
         except OSError:
             os.ftruncate(self._handle, self._end)
@@ -142,5 +152,7 @@ class LockedShard:
 
     def close(self) -> None:
         """Bring the file to the disk and release the lock."""
+        # Once for a shard, not for each point: after a kill the system still has what was written; after a loss of
+        # power the checksums say which lines have reached the disk.
         os.fsync(self._handle)
         os.close(self._handle)

@@ -1,4 +1,4 @@
-"""The folder in which the finished points of sweeps lie.
+"""The folder in which the finished points of sweeps lie: a store addressed by content.
 
     store.json          what this folder is, and the code and libraries whose results it holds (``made_by``)
     shards/0a.points    the points whose bucket is 0a (see ``shard``), in the order in which they were finished
@@ -35,6 +35,7 @@ class Store:
         self.folder = folder
         about = folder / "store.json"
         try:
+            # Only a folder that is new or empty becomes a store: nobody's other files get shards put among them.
             if create and not about.exists() and not (folder.exists() and any(folder.iterdir())):
                 require_writable(folder / "shards", "store")
                 write_atomically(
@@ -54,6 +55,7 @@ class Store:
         if found.get("version") != __version__:
             reason = f"{self.folder} holds results of version {str(found.get('version'))[:20]}, this is {__version__}"
             raise InputError("store", reason, ACCEPTED)
+        # Other code may be wrong where this is right: its results are refused, not mixed with those of this code.
         other = _difference(found.get("made_by"))
         if other is not None:
             raise InputError("store", f"{self.folder} holds results of {other}: they are not believed", ACCEPTED)
@@ -96,6 +98,7 @@ def require_usable(folder: Path) -> None:
 
 def task_of(command: str, point: Point) -> dict[str, Any]:
     """What the key of a point is made of."""
+    # With the mark of code and libraries: a point of other code has another key, even in one file.
     return {"command": command, "point": point, "version": __version__, "code": mark()}
 
 
@@ -107,5 +110,6 @@ def place(command: str, point: Point) -> tuple[int, str]:
     (True, False)
     """
     key = content_key(task_of(command, point))
+    # Sixteen classes of exponents, each in sixteen files by the first digit of the key, which is as good as random.
     exponents = " ".join(v.partition(":")[0] for n, v in point.items() if n == "alpha" or n.startswith("law"))
     return 16 * (hashlib.sha256(exponents.encode()).digest()[0] // 16) + int(key[0], 16), key

@@ -61,13 +61,16 @@ def run_batch(task: Task, batch: list[Point], code: str | None = None) -> tuple[
     """
     if code is not None and code != mark():
         raise OtherCodeError("executor", f"a worker runs other code ({mark()}, here {code})", "workers of this code")
+    # Without the time in a queue: the pace of the batches is that of the work.
     start = perf_counter()
     return [_run(task, point) for point in batch], perf_counter() - start
 
 
 def _run(task: Task, point: Point) -> PointOutcome:
     try:
+        # Written here, in the worker: a result that is no JSON fails as its point, not as the sweep.
         return PointOutcome(json.dumps({"result": task(point)}, ensure_ascii=False, separators=(",", ":")))
+    # The point is refused or undecided, by a message that names the reason; a time that was over is among these.
     except (InputError, UndecidedError) as error:
         return _failed(str(error))
     except (MemoryError, OSError) as error:  # of the machine, not of the point: worth another try some day
@@ -117,8 +120,10 @@ def process_pool(workers: int) -> Iterator[Crew]:
     """A pool of processes that are fresh, die with this one, and leave Ctrl-C to it."""
     method = "forkserver" if sys.platform == "linux" else "spawn"  # a fork would copy locks held by other threads
     context = multiprocessing.get_context(method)
+    # Children of whoever called us are not ours to end.
     before = set(multiprocessing.active_children())
     pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_attend_to_parent)
+    # An error, or Ctrl-C: nothing that workers do is waited for.  After the last point each may end by itself.
     patience = 0.0
     try:
         yield Crew(pool, workers)
@@ -134,6 +139,7 @@ def process_pool(workers: int) -> Iterator[Crew]:
 
 def _attend_to_parent() -> None:
     """A worker whose driver was killed would wait for ever: it ends instead."""
+    # Ctrl-C goes to the whole group of processes: the driver answers it, workers are ended by it.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
     if parent is not None:
@@ -145,6 +151,7 @@ def _end_after(parent: BaseProcess) -> None:
     os._exit(1)
 
 
+# What Dask calls a scheduler: a protocol, a host or a bracketed IPv6 address, a port.
 _ADDRESS = re.compile(r"(tcp|tls|ws|wss|ucx)://[^\s/:]+:\d{1,5}|(tcp|tls)://\[[0-9a-fA-F:.]+\]:\d{1,5}")
 
 
@@ -174,6 +181,7 @@ def dask_executor(address: str, workers: int | None) -> Iterator[Crew]:
             reason = f"no worker has joined {address[:80]!r} in {_PATIENCE} s"
             raise InputError("dask", reason, "a scheduler whose workers are there: start them first") from error
         slots = sum(client.ncores().values())
+        # pure=False: two calls of one batch are two calls; Dask would hand back the first one's result.
         yield Crew(client.get_executor(pure=False), slots or 1)
 
 

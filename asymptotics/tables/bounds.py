@@ -5,6 +5,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.inputs import GRID, Inputs
 from asymptotics.tables.recipe import Found, begun
 
+# As far as orders are usually taken; --rows goes on.
 _ORDERS = 3
 
 

@@ -1,4 +1,4 @@
-"""What stands in a cell, and how it is rounded.
+"""What stands in a cell, and how it is rounded: the table maker's dilemma, met by more digits until all are decided.
 
 A cell is an exact number (``Fraction``), a ``Nearest`` decimal (correctly rounded to the digits its recipe was asked
 for), a ``Formula``, or other text (names, exact forms, integers), which is printed as it is.
@@ -13,6 +13,9 @@ from fractions import Fraction
 from asymptotics.errors import UndecidedError
 from asymptotics.numbers.rounding import require_mode, rounded_decimal, rounded_rational
 
+# Digits beyond those that are printed, for roundings other than to the nearest.  Six decide all but one value in a
+# million, 40 and 200 those that are near a decimal by design; a number that is a decimal (1/4, say) is never decided by
+# digits and must be an exact cell.  Fewer cost another pass, and at the end an UndecidedError, never a wrong digit.
 _GUARDS = (6, 40, 200)
 
 
@@ -44,6 +47,7 @@ def printed(cell: Cell, digits: int, mode: str) -> str | None:
     if isinstance(cell, Fraction):
         return rounded_rational(cell, digits, mode)
     if isinstance(cell, Nearest):
+        # A second rounding to the nearest could go wrong at a half: the recipe's own is printed as it is.
         return str(cell) if mode == "nearest" else rounded_decimal(cell, digits, mode)
     return cell
 
@@ -54,6 +58,7 @@ def round_rows(compute: Callable[[int], Rows], digits: int, mode: str) -> tuple[
     UndecidedError for a number that two hundred more digits do not tell from a decimal.
     """
     require_mode(mode)
+    # To the nearest the recipe has proved its rounding to these very digits.
     for guard in (0,) if mode == "nearest" else _GUARDS:
         rows = [[printed(cell, digits, mode) for cell in row] for row in compute(digits + guard)]
         if all(cell is not None for row in rows for cell in row):
@@ -70,6 +75,7 @@ def rounded_so_far(rows: Rows, digits: int, mode: str) -> tuple[tuple[str, ...],
     made: list[tuple[str, ...]] = []
     for row in rows:
         cells = [printed(cell, digits, mode) for cell in row]
+        # What follows would have the same right to stand there, but a table without one of its rows is another table.
         if None in cells:
             break
         made.append(tuple(map(_text, cells)))

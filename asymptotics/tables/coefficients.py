@@ -1,4 +1,7 @@
-"""The normal form and the half-swing as coefficients of powers of delta, for a grid of exponents or one sum of laws."""
+"""The normal form and the half-swing as coefficients of powers of delta, for a grid of exponents or one sum of laws.
+
+The return map (Poincare) from one turning point to the next, and the flow through it, its iterative logarithm.
+"""
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -31,6 +34,7 @@ def half_swing(inputs: Inputs, digits: int) -> Found:
     for alphas in _exponents(inputs):
         made = half_swing_coefficients(alphas, inputs.count(_ORDER), digits)
         rows = [("L", made.log_ratio), ("T", made.duration), ("U", made.U), ("W", made.W)]
+        # Of a sum F and V have a component for each law: their names would need two indices.
         if len(alphas) == 1:
             rows += [("F", made.map[0]), ("V", made.V[0])]
         for name, row in rows:
@@ -52,6 +56,7 @@ def _with(found: Found, alphas: Sequence[ExactReal], name: str, row: Mapping[str
 
 
 def _value(c: Coefficient) -> Cell:
+    # Exact where it can be: a decimal that ends is a tie for every directed rounding.
     if isinstance(c.expression, sympy.Rational):
         return Fraction(int(c.expression.p), int(c.expression.q))
     return "" if c.value is None else Nearest(c.value)

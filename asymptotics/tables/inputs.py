@@ -14,8 +14,10 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, parse_real
 
+# Refusals: a table is made in memory and read by people.  MAX_CELLS is for tables whose rows grow with their number.
 MAX_ROWS, MAX_ALPHA, MAX_CELLS = 100_000, 1000, 1_000_000
 GRID = ("0", "1/2", "1", "3/2", "2", "5/2", "3", "4")
+# Sums in measured decays: friction and viscous drag, viscous and quadratic or cubic drag, all three.
 SUMS = ((0, 1), (1, 2), (1, 3), (0, 1, 2))
 
 
@@ -63,6 +65,7 @@ class Inputs:
             return [self.law]
         strengths = self.epsilons_or(*epsilons)
         laws = [Law({a: e}) for a, e in product(self.alphas_or(GRID), strengths)]
+        # Whoever asks for exponents wants those alone; the default table has the sums as well.
         if self.alphas:
             return laws
         return laws + [Law({Fraction(a): e for a in exponents}) for exponents in sums for e in strengths]

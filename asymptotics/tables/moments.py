@@ -16,6 +16,7 @@ from asymptotics.tables.recipe import Found
 
 def moments(inputs: Inputs, digits: int) -> Found:
     """Rows (alpha, M_(alpha+1), M_(2 alpha), M_(3 alpha+1))."""
+    # (k, plus) of M_(k alpha + plus): the moments of the first, the second and the third order.
     orders = ((1, 1), (2, 0), (3, 1))
     rows = [(str(a), *(_moment(a, k, plus, digits) for k, plus in orders)) for a in inputs.alphas_or(GRID)]
     return Found(list(rows), True)
@@ -27,6 +28,7 @@ def squaring_ratios(inputs: Inputs, digits: int) -> Found:
 
 
 def _moment(a: ExactReal, k: int, plus: int, digits: int) -> Cell:
+    # M_p of an even integer p is rational, of an odd one a rational over pi, whose decimal no ball has trouble with.
     if a.is_integer:
         value, over_pi = integer_moment(k * a.rational.numerator + plus)
         if not over_pi:

@@ -16,6 +16,7 @@ from asymptotics.made_by import made_by
 
 def checksum(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """The SHA-256 of a table's columns and rows."""
+    # Of the rows alone: the same numbers have the same digest whatever the file format, the commit and the machine.
     content = json.dumps([list(columns), *map(list, rows)], separators=(",", ":"), ensure_ascii=False)
     return hashlib.sha256(content.encode()).hexdigest()
 

@@ -20,6 +20,7 @@ from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.recipe import Found, begun
 from asymptotics.turning.quadratic_map import amplitudes
 
+# Default lengths; --rows goes on.
 _HALF_CYCLES, _TRANSIT_ORDER, _ROWS = 6, 24, 12
 _ONE = ExactReal(Fraction(1))
 
@@ -40,8 +41,11 @@ def _half_cycles(before: Rows, u_0: ExactReal, count: int, digits: int) -> Rows:
         constant = first_constant(start, arb(0))
         rows = begun()
         rows.extend(before)
+        # ``amplitudes`` is in p = 2|u|, by W_0 of Lambert's function: a contraction, so that the radius of p grows by
+        # roundings alone (derivation ``smith-contraction``).
         for n, p in enumerate(islice(amplitudes(2 * start), count)):
             tick(f"row {n} of {count}")
+            # S_0 = 0 by definition: any ball that rounds will do in its place, and 0 is printed below.
             offset = constant - first_constant(p / 2, arb(0)) if n else arb(1)
             S, u = decimal_of_ball(offset, digits), decimal_of_ball(-p / 2 if n % 2 else p / 2, digits)
             if S is None or u is None:
@@ -50,12 +54,15 @@ def _half_cycles(before: Rows, u_0: ExactReal, count: int, digits: int) -> Rows:
             rows.append((str(u_0), str(n + 1), Nearest(S) if n else Fraction(0), first))
         return rows
 
+    # n steps add n roundings, log2 n bits of them; twice that and 48 bits more decide nearly every first pass, and a
+    # pass that they do not is repeated at twice the bits.
     return at_growing_precision(attempt, digits, bits_for(digits, 48) + 2 * count.bit_length(), max_bits=MAX_BITS)
 
 
 def transit_time(inputs: Inputs, _digits: int) -> Found:
     """Rows (i, H_i(pi)/pi), exact; the number of digits does not matter."""
     first = islice(generating_functions(), inputs.count(_TRANSIT_ORDER + 1))
+    # H_i = theta P_i(cos theta) + sin theta R_i: at theta = pi it is pi P_i(-1).
     return Found([(str(g.i), str(to_fraction(g.P(fmpq(-1))))) for g in first], True)
 
 

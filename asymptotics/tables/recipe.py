@@ -16,6 +16,7 @@ class Found:
     certified: bool
 
 
+# A context variable and no argument: recipes are plain functions of their inputs, and threads have one each.
 _made: ContextVar[list[Rows] | None] = ContextVar("rows", default=None)
 
 
@@ -41,6 +42,7 @@ class Begun:
 
     def most(self) -> Rows:
         """The rows of the attempt that came farthest."""
+        # A recipe runs once for each guard of digits, and begins its rows anew each time.
         return max(self.tried, key=len, default=[])
 
 

@@ -30,6 +30,7 @@ def names() -> dict[str, str]:
 
 def description(name: str) -> dict[str, Any]:
     """What a table is: title, columns, units, keys, the route and the one that checks it, cost, options."""
+    # The function that computes is no part of the description.
     found = asdict(_recipe(name))
     found.pop("compute")
     return {key: list(value) if isinstance(value, tuple) else value for key, value in found.items()}
@@ -44,6 +45,7 @@ def build(name: str, digits: int = 30, inputs: Inputs | None = None, rounding: s
 
     def compute(wanted: int) -> Rows:
         found = recipe.compute(given, wanted)
+        # The verdict of the pass whose digits are printed: the last one.
         verdicts.append(found.certified)
         return found.rows
 
@@ -54,12 +56,15 @@ def build(name: str, digits: int = 30, inputs: Inputs | None = None, rounding: s
         keys = tuple(key for key in recipe.keys if key in columns)
         return Table(name, recipe.title, columns, rows, recipe.source, certified, keys, units, origin)
 
+    # Stopped inside a row, an inner computation hands over what it has (points of a sequence, say), turned into rows by
+    # its recipe if it can; otherwise the rows that the recipe has begun count.
     def so_far(found: Any) -> Table | None:
         """The rows that were done; a sequence that a row would have come from is none."""
         cells = found if isinstance(found, list) else begun.most()
         done = rounded_so_far(cells, digits, rounding)
         return table(done, _proved(recipe, done)) if done else None
 
+    # The order matters: the rows must still be known when the error passes ``changed``.
     with Begun() as begun, changed(so_far, otherwise=lambda: so_far(begun.most())):
         rows = round_rows(compute, digits, rounding)
     return table(rows, verdicts[-1])
@@ -74,6 +79,7 @@ def _proved(recipe: Recipe, rows: tuple[tuple[str, ...], ...]) -> bool:
 
 def _columns(recipe: Recipe, rows: tuple[tuple[str, ...], ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """The columns there are: a leading one that holds nothing but the default may be left out by the recipe."""
+    # Smith's Table I has no column u_0 where it is 1, as printed.
     missing = len(recipe.columns) - len(rows[0]) if rows else 0
     return recipe.columns[missing:], recipe.units[missing:]
 

@@ -1,4 +1,5 @@
 """What the averaged law says in closed form: amplitudes, times of two laws, where its motion ends, the phase lost.
+First and second order of averaging (Bogoliubov and Mitropolsky): these formulas are enclosed, not the motion.
 
 Lengths and times are in units of x0 and 1/omega_0 except in Lancaster's Table I, which is in SI.
 """
@@ -21,7 +22,9 @@ from asymptotics.tables.cells import Cell, Formula, Nearest
 from asymptotics.tables.inputs import Inputs, label
 from asymptotics.tables.recipe import Found
 
+# The exponents of Lancaster's printed table, and his (13) for a letter.
 _PRINTED: tuple[Expr, ...] = (Integer(0), Integer(1), Rational(3, 2), Integer(2), Integer(3), alpha)
+# Pairs on both sides of 1 and around it, among them those at which one of the two forms by 2F1 breaks down.
 _PAIRS = (("0", "1/2"), ("0", "1"), ("0", "2"), ("1/2", "3/2"), ("1", "2"), ("1", "3"), ("3/2", "2"), ("2", "3"))
 _AMPLITUDES = (Fraction(9, 10), Fraction(1, 2), Fraction(1, 10))
 
@@ -72,6 +75,8 @@ def phase_lags(inputs: Inputs, digits: int) -> Found:
 
 
 def _lag_cell(a: ExactReal, epsilon: ExactReal, digits: int) -> Cell:
+    # Rational lags may be ties: exact cells.  M_(2 alpha) is rational for every integer alpha, M_(alpha+1) for odd
+    # ones.
     if a.is_integer and a.rational.numerator % 2 and epsilon.is_rational:  # both moments are rational
         exact = averaged_law(a.rational.numerator).w_2 / averaged_law(a.rational.numerator).p_1 / (to_sympy(a) - 1)
         return Fraction(int(exact.p), int(exact.q)) * epsilon.rational
@@ -101,4 +106,5 @@ def _time(law: Law, amplitude: Fraction) -> arb:
 
 def _end(law: Law) -> arb:
     found = extinction_time(_kappas(law))
+    # Never reached: the callers ask for exponents below 1 alone.  NaN would be undecided, not printed.
     return arb.nan() if found is None else found

@@ -14,6 +14,7 @@ DIGITS = 30
 
 def standard_set(folder: Path, digits: int = DIGITS) -> list[Table]:
     """Write all tables and the index into ``folder``, or nothing; returns the tables."""
+    # Proved before the tables are computed.
     require_writable(folder, "FOLDER")
     tables, contents = [], {}
     for name in tqdm(names(), unit="table", disable=not sys.stderr.isatty()):
@@ -22,6 +23,7 @@ def standard_set(folder: Path, digits: int = DIGITS) -> list[Table]:
         contents[folder / f"{name}.json"] = table.to_json()
         contents[folder / f"{name}.tex"] = table.to_latex() + "\n"
         tables.append(table)
+    # All or none: an index whose digests are those of another run would be worse than an old one.
     write_all({**contents, folder / "index.md": _index(tables)}, "FOLDER")
     return tables
 

@@ -24,6 +24,7 @@ from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
 from asymptotics.tables.cells import Formula
 
+# TeX's ten special characters, and those that the usual text fonts do not have.
 _ESCAPES = {"_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "$": r"\$", "^": r"\^{}", "~": r"\~{}", "{": r"\{",
             "}": r"\}", "\\": r"\textbackslash{}", "<": r"$<$", ">": r"$>$", "|": r"$|$"}  # fmt: skip
 _NUMBER = re.compile(r"-?[\d.]+(e-?\d+)?\Z")
@@ -138,6 +139,8 @@ class Table(Rows, Drawn):
 
     def _table(self) -> dict[str, list[Any]]:
         found: dict[str, list[Any]] = {}
+        # Half a unit to either side holds the value for correct rounding alone; rounded down or up it lies to one side,
+        # and the ends would be wrong.
         rounded = self.certified and self.origin.get("inputs", {}).get("rounding") == "nearest"
         for i, name in enumerate(self.columns):
             found |= _numbers(name, [row[i] for row in self.rows], key=name in self.keys, certified=rounded)
@@ -152,6 +155,8 @@ class Table(Rows, Drawn):
 def _numbers(name: str, cells: Sequence[str], *, key: bool, certified: bool) -> dict[str, list[Any]]:
     """The columns of a data frame for one column: numbers with their ends, both ends of intervals, else text."""
     filled = [cell for cell in cells if cell]
+    # Eighteen digits fit into 64 bits.  A column of values with gaps becomes one of doubles, as pandas would make of
+    # it.
     if filled and all(re.fullmatch(r"-?\d{1,18}", cell) for cell in filled) and (key or len(filled) == len(cells)):
         return {name: [int(cell) if cell else None for cell in cells]}
     if key or not all(_NUMBER.match(cell) or _INTERVAL.match(cell) for cell in filled):
@@ -166,6 +171,7 @@ def _ends(name: str, cells: Sequence[str]) -> list[list[str]]:
     """A column with its name; intervals as two columns of numbers."""
     if not any(_INTERVAL.match(cell) for cell in cells):
         return [[name, *cells]]
+    # A cell that is no interval stands in both columns: its ends are one number.
     pairs = [cell.strip("[]").split(", ") for cell in cells]
     return [[f"{name}_low", *(p[0] for p in pairs)], [f"{name}_high", *(p[-1] for p in pairs)]]
 

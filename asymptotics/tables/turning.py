@@ -13,6 +13,7 @@ from asymptotics.turning.choose import turning_points
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.routes.dry import last_turning_point
 
+# Points of each law by default: enough to see how the decrement goes.
 _ROWS = 5
 
 
@@ -21,6 +22,7 @@ def turning(inputs: Inputs, digits: int) -> Found:
     rows = begun()
     certified = True
     for law in inputs.laws_or(SUMS):
+        # Points of the law at which the time was over come after the rows of the laws before it.
         with changed(partial(_after, rows, law)):
             made = turning_points(law, inputs.count(_ROWS), digits, times=True)
         certified = certified and made.certified
@@ -50,6 +52,8 @@ def half_periods(inputs: Inputs, digits: int) -> Found:
     for law in inputs.laws_or((), ("1/10", "1/2", "1")):
         made = turning_points(law, 2, digits, times=True)
         certified = certified and made.certified
+        # A law that sticks, creeps or is overdamped at once has no second turning point: the reason stands there
+        # instead.
         if len(made.points) < 2:
             reason = str(made.ended["reason"]) if made.ended else ""
             rows.append((label(law), "", "", str(made.certified).lower(), reason))
@@ -65,6 +69,7 @@ def stops(inputs: Inputs, digits: int) -> Found:
     """Rows (epsilon, N, x_N, tau_N): where and when dry friction alone holds the mass."""
     rows = begun()
     for epsilon in inputs.epsilons_or("1/100", "1/20", "1/10", "3/20", "1/5", "1/4", "3/10", "1/2"):
+        # N is decided in exact arithmetic: at (2 N + 1) epsilon = 1 the mass sticks, and no ball could tell.
         law, last = Law({0: epsilon}), last_turning_point(epsilon)
         point = turning_points(law, 1, digits, start=last, times=True).points[0]
         rows.append((str(epsilon), str(last), _x(law, last, point.x), _tau(last, str(point.tau))))
@@ -77,6 +82,7 @@ def _x(law: Law, n: int, text: str) -> Cell:
         return Fraction(1)
     acting = [t for t in law.terms if t.strength.sign > 0]
     epsilon = acting[0].strength if len(acting) == 1 and acting[0].velocity.is_zero else None
+    # Dry friction alone takes 2 epsilon from the amplitude on every half-swing (closed form of ``motions.coulomb``).
     if isinstance(epsilon, ExactReal) and epsilon.is_rational:
         return Fraction((-1) ** n) * (1 - 2 * n * epsilon.rational)
     return Nearest(text)

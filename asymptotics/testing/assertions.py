@@ -1,4 +1,5 @@
-"""How many digits are right, and which order an error has: assertions whose messages say by how much they fail.
+"""How many digits are right, and which order an error has: assertions whose messages say by how much they fail.  The
+order is the slope of the error on a doubly logarithmic scale, read by halving, as in Richardson's extrapolation.
 
 >>> assert_digits("3.1416", "3.14159265358979", 5)
 >>> assert_digits(3.1415, "3.14159265358979", 5, "pi")
@@ -19,6 +20,8 @@ from typing import Any
 
 from asymptotics.errors import InputError
 
+# Small enough that the next order changes the slope by some hundredths, large enough that a double still sees the error
+# of a fourth order (10^-9): neither is needed with other strengths or more digits.
 STRENGTHS = (Fraction(1, 50), Fraction(1, 100), Fraction(1, 200))
 
 
@@ -43,6 +46,7 @@ def right_digits(value: Any, certified: str) -> float:
     (2.0, -inf, 3.9999565683801923)
     """
     try:
+        # By way of text: a float is taken for the shortest decimal that means it, as everywhere (``numbers.policy``).
         given, truth = Fraction(str(value)), Fraction(certified)
     except (ValueError, ZeroDivisionError):  # nan, inf, text that is no number
         return float("-inf")
@@ -51,6 +55,7 @@ def right_digits(value: Any, certified: str) -> float:
     if truth == 0:
         return float("-inf")
     error = abs(given / truth - 1)
+    # Logarithms of the integers: the fraction as a double would be 0 below 10^-308.
     return log10(error.denominator) - log10(error.numerator)
 
 
@@ -78,6 +83,7 @@ def assert_order(
     shown = f"{', '.join(f'{e:.2g}' for e in errors)} at {', '.join(map(str, strengths))}"
     if not all(isfinite(e) and e > 0 for e in errors):
         raise AssertionError(f"no order can be read from the errors {shown}")
+    # Of the last two: there the next order counts least.  slack = 0.2 is what it may count: orders are 1 apart.
     slope = log2(errors[-2] / errors[-1])
     if abs(slope - order) > slack:
         raise AssertionError(f"the error has order {slope:.2f}, not {order}: {shown}")

@@ -1,4 +1,5 @@
-"""Certified answers beside the caller's own: turning points, motion, and the coefficients of an expansion.
+"""Certified answers beside the caller's own: turning points, motion, and the coefficients of an expansion: an oracle of
+which every digit is proved, where a second program would only agree or not.
 
 Each check takes a function of the caller, asks the certified routes of this package for the same thing and compares.
 What is not certified is never used as an oracle: UndecidedError says so.
@@ -18,6 +19,8 @@ from asymptotics.public import public
 from asymptotics.testing.assertions import assert_digits
 from asymptotics.turning.choose import turning_points
 
+# The certified value is rounded to six digits more, so that its own rounding moves a comparison by 10^-6 of what is
+# compared.
 GUARD = 6
 """Digits that the certified value has beyond those that are compared."""
 
@@ -65,6 +68,7 @@ def check_motion(
     found = list(mine(oscillator, moments))
     if len(found) != len(moments):
         raise AssertionError(f"{len(found)} values for {len(moments)} times")
+    # The scale of an absolute error: its own twenty digits, or fifteen of a double, are far more than it takes.
     length = Fraction(oscillator.length().mid().str(20, radius=False))
     for value, moment in zip(found, moments):
         truth = reference_motion(oscillator, moment, digits + GUARD)
@@ -98,6 +102,7 @@ def check_coefficients(
             if c.value is None:
                 raise UndecidedError(f"{label} has no certified digits")
             if label not in mine:
+                # One that vanishes by theorem may be left out: half of all coefficients do.
                 if c.value != "0":
                     raise AssertionError(f"{label} is missing: {c.value} in the gauge {gauge}")
                 continue
