@@ -216,8 +216,8 @@ def _stretched(damping: Damping, size: arb, w: arb, plan: KeptTerms) -> tuple[ar
 def _on_a_line(damping: Damping, y0: arb, plan: KeptTerms) -> tuple[arb_poly, arb_poly]:
     """y and tau/w in powers of w^(1/q); what no sum of 2q and the alpha_i q reaches is exactly 0."""
     q = plan.denominator
-    # alpha q is a whole number, as q is a common denominator.  Equal exponents are merged in the law, so no key is met
-    # twice.
+    # alpha q is a whole number, as q is a common denominator.  Whoever makes a ``Damping`` has merged equal exponents
+    # (``Law`` does): two of them would meet in one key here.
     force = {int(a.rational * q): e for a, e in zip(damping.alphas, damping.strengths)}
     Q, y, reached = [1 / y0], [y0], sums_below(plan.count, (2 * q, *force))
     scale, none = -1 / y0, arb(0)
