@@ -351,7 +351,6 @@ def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> DeparturePiec
         raise UndecidedError("whether dry friction holds the mass here is undecided")
     expansion = flow.expansion(place)
     end, tau = expansion.state(expansion.reach)
-    # Its power series holds on one side of u = 0 only.
     if force.kinked and not end > 0:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")
     factor = growth(force, unit, place.union(end), arb(0).union(expansion.reach), tau, here.errors.error)
@@ -400,7 +399,6 @@ def _arrival(flow: CertifiedFlow, unit: arb, here: FlowState) -> ArrivalPiece:
     expansion = flow.arrive(start, w)
     turn, _ = expansion.state(arb(0))
     place, time = expansion.state(w)
-    # Its power series holds on one side of u = 0 only.
     if force.kinked and not turn * place > 0:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")
     # u = place + shift is rounded to a midpoint, whose error counts as a distance too.

@@ -97,7 +97,6 @@ def verified(coordinate: Coordinate, middle: arb, half: arb, stretch: float, *, 
 
 def planned(coordinate: Coordinate, size: float, remaining: int, bits: int) -> PanelPlan | None:
     """The plan for ``remaining`` half-swings from the amplitude ``size``, None where no panel repays its nodes."""
-    # Four half-swings never repay a panel.
     if remaining < 4 or not 0 < size < inf:
         return None
     with ctx.workprec(BITS):
@@ -121,7 +120,6 @@ def _from_zero(coordinate: Coordinate, path: list[float], beyond: int, bits: int
             cost = plan.work(coordinate)
             if cost + wait < total and cost + _LASTING * wait < cheapest:
                 best, cheapest = plan, cost + _LASTING * wait
-        # Waiting alone costs more than the best plan.
         if _LASTING * wait > cheapest:
             break
     return best
@@ -180,7 +178,6 @@ def _moment(p: float) -> float:
 def reach_of(coordinate: Coordinate, *, whole: bool = True) -> float:
     """About the largest |z| with a majorant (of the quarter-swing, if not ``whole``), or 0: bisection of log2 |z|."""
     low, high = -_RANGE, _RANGE
-    # Two per cent of |z|; the ellipse is verified in balls.
     while high - low > 0.03:
         middle = (low + high) / 2
         low, high = (middle, high) if _exists(coordinate, 0.0, 2.0**middle, whole) else (low, middle)

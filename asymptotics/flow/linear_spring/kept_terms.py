@@ -203,7 +203,6 @@ def _microseconds(plan: KeptTerms, bits: int, alphas: tuple[float, ...], shared:
     q, terms, step = plan.denominator, plan.count, _step_microseconds(bits, len(alphas))
     if q:
         parts = (2 * q, *(round(a * q) for a in alphas))
-        # Only sums of 2q and the alpha_i q are reached (``sums_below``): those on their common grid, or by volume.
         terms = min(plan.count // gcd(*parts), int(prod(plan.count / p + 1 for p in parts) / factorial(len(parts))))
         ends = 3.5 * (0.1 * terms**2 * (1 + bits / 500) + 5 * terms + plan.count)
     elif not shared:

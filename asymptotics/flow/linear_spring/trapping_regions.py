@@ -41,7 +41,6 @@ def trap(damping: Damping, y: arb, w: arb) -> str | None:
     """Why y = 0 is never reached from any (y, w) in the two balls, or None if nothing proves it."""
     if not y > 0:
         return None
-    # Slower states are in the trap as well, its lower boundary being w = 0.
     w = abs(w).upper()
     # The energy falls, so no later speed of this half-swing exceeds it.
     fastest = (y**2 + w**2).sqrt().upper()

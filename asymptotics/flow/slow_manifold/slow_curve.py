@@ -142,7 +142,6 @@ class FencedStrip:
 def _after(curve: Barrier, start: arb, elapsed: arb) -> arb:
     """ln w on the curve at the time ``elapsed`` after ln w = start; with a = dy/d ln w over y the clock is about
     -w^(a-1) times a factor."""
-    # A guess for Newton's method: the clock taken as one power of w with the slopes at the start.
     now, slope = curve.clock(start)
     y, step = curve.place(start)
     steep = 1 - (step / y).mid()
@@ -191,7 +190,7 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> FencedStrip | None:
     # Twice the state's own theta, so that it lies well inside, and more than what is neglected needs: the drift alpha h
     # w^E has to exceed it, which ``one_way`` verifies.
     h = 2 * upper(theta) + 4 * upper(summed(series.neglected, most) * (-E * most).exp() / a)
-    # The first condition is a choice (how many digits the strip may cost), the second the theorem's.
+    # A choice (how many digits the strip may cost), and the theorem's hypothesis.
     if not h * (E * most).exp() < WIDEST * goal or not one_way(series, h, most):
         return None
     above, below = (SlowCurve(series.epsilon, a, series.others, (*series.b, (sign * h, E))) for sign in (-1, 1))
