@@ -56,8 +56,7 @@ limit is minutes, the second a separatrix; a motion beyond its well has no turni
 """
 ESCAPES, ROTATES = "escapes", "rotates"
 _BY_STEPS = "a creep by Taylor steps, as its slow curve is no short sum of powers yet"
-# Two choices of when to try what: an earlier one costs a try in vain, a later one some steps more, and neither is part
-# of a bound.
+# Choices of when to try what: earlier costs a try in vain, later some steps more; no bound rests on them.
 _FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision
 _CATCH = 4  # every so many pieces a strip about the slow curve is tried
 _NEAR = 10  # bits above the last one of the scale within which a place counts as the kink's
@@ -260,12 +259,11 @@ def half_swing_pieces(
     if closed is not None:
         yield closed
         return
-    # The orbit from the exact start has no error yet; the truth has the one given.  One unit of places serves the whole
-    # half-swing, since distances in different units are not comparable without loss.
+    # The orbit from the exact start has no error yet.  One unit of places serves the half-swing: distances are
+    # comparable.
     here, unit = FlowState(arb(0), u, w, CarriedErrors(arb(0), error)), flow.unit(u, w)
     scale, left = upper(unit * abs(u) + w), 0
-    # At rest the powers of w have no Taylor series in the time, so the local expansion comes first; a motion that is
-    # caught at once (a creep from rest) is never expanded.
+    # The powers of w have no Taylor series in the time at rest.  A creep from rest is caught first, and never expanded.
     if w == 0:
         yield from flow.along_slow_curve(here, _ended(flow, unit, here))
         first = _departure(flow, unit, here)
@@ -279,10 +277,8 @@ def half_swing_pieces(
         if flow.turns_within(flow.place(here.u), here.w, here.errors.error):
             yield _arrival(flow, unit, here)
             return
-        # For the true state, in all of its ball.  A trap is known for good, yet the motion goes on in it, for those who
-        # ask for a state at a time.
+        # For the true state.  In a trap the motion goes on, for those who ask for a state at a time.
         ended = _ended(flow, unit, here)
-        # A stiff motion or a creep is left to the barriers as soon as a strip about it is narrow enough.
         beside = (yield from flow.along_slow_curve(here, ended)) if count % _CATCH == 0 else None
         if beside is not None:
             here = beside
@@ -291,12 +287,10 @@ def half_swing_pieces(
             _require_room(flow, unit, here, count, scale)
         step = _step(flow, unit, here, scale, ended)
         yield step
-        # Beyond its well a motion is followed a little, for whoever asks for an earlier state, and then given up.
         left += ended in (ESCAPES, ROTATES)
         if left > MAX_BEYOND:
             break
-        # The next step starts at midpoints, whose distance from the enclosure is added: no ball is carried on, so
-        # nothing wraps.
+        # From midpoints, whose distance from the enclosure is added: no ball is carried on, so nothing wraps.
         here = _at_a_kink(_after(step, *step.taylor.state(step.taylor.length)), step, scale)
     where = "the motion is too stiff, leaves its well or is too near a separatrix"
     reason = f"one half-swing takes more than {pieces} pieces: {where}"
@@ -305,22 +299,17 @@ def half_swing_pieces(
 
 def _ended(flow: CertifiedFlow, unit: arb, here: FlowState) -> str | None:
     error = here.errors.error
-    # A distance of ``error`` is at most error/unit in the place and error in the speed: the ball of the true state.
     return flow.ended(flow.place(here.u) + arb(0, upper(error / unit)), here.w + arb(0, error))
 
 
 def _require_room(flow: CertifiedFlow, unit: arb, here: FlowState, count: int, scale: arb) -> None:
     """UndecidedError where the place and the speed are lost in the errors, or a trap may be missed for ever."""
     error, place = here.errors.error, flow.place(here.u)
-    # The state is no larger than four times its error: what comes next is not told from rest.  A choice of when to give
-    # up, as the bounds hold all the same.
+    # No larger than four times its error, the state is not told from rest.  A choice: the bounds hold all the same.
     lost = upper(unit * abs(place) + here.w) < 4 * error
-    # Far from the centre, slower and slower, and the speed lost in its error: whether the motion falls into the trap is
-    # not going to be seen at this precision, however many steps are taken.
+    # Far from the centre and slower and slower: no further step will show whether the motion falls into the trap.
     if flow.traps and here.w < 4 * error and unit * place > _FAR * scale:
         lost = lost or flow.force.drag(place, here.w) > flow.force.restoring(place)
-    # A separatrix is a curve, and with more bits nearly every start is seen to lie on one side of it (for alpha < 1 the
-    # motions on it come to rest at 0 in finite time).
     if lost or (flow.traps and count > MAX_FREE):
         where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
         raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
@@ -335,9 +324,8 @@ def _after(piece: Piece, place: arb, w: arb) -> FlowState:
 def _at_a_kink(here: FlowState, step: Step, scale: arb) -> FlowState:
     """The state itself, or u = 0 if it is as near before a kink there as makes no difference."""
     start = step.taylor.us[0]
-    # A step is cut off 2^8 last places before u = 0, and ``_NEAR`` leaves two bits for the sum of length and u/w there.
-    # From a start that is itself tiny half of its own bits count as near.  What the place is moved by enters the
-    # errors: too large a choice costs digits, and no truth.
+    # A step is cut off 2^8 last places before u = 0; from a start that is itself tiny, half of its own bits count as
+    # near.  What the place is moved by enters the errors: too large a choice costs digits, and no truth.
     near = max(size_of(start) - ctx.prec / 2, size_of(scale) - ctx.prec + _NEAR)
     if step.flow.force.kinked and start > 0 and here.u > 0 and size_of(here.u) < near:
         return FlowState(here.t, arb(0), here.w, here.errors.plus(upper(step.unit * here.u)))
@@ -354,8 +342,8 @@ def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> DeparturePiec
     if force.kinked and not end > 0:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")
     factor = growth(force, unit, place.union(end), arb(0).union(expansion.reach), tau, here.errors.error)
-    # The piece ends at the midpoint of tau(reach), an exact time; its orbit has the speed ``reach`` within tau.rad() of
-    # that, and moves no faster than ``speed``.
+    # The piece ends at the exact time tau.mid(), up to which the speed ``reach`` is off by tau.rad() at the rate
+    # ``speed``.
     errors = here.errors.times(factor).plus(upper(tau.rad() * expansion.speed(unit)))
     return DeparturePiece(flow, unit, arb(0), tau.mid(), errors, None, expansion)
 
@@ -363,8 +351,7 @@ def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> DeparturePiec
 def _step(flow: CertifiedFlow, unit: arb, here: FlowState, scale: arb, ended: str | None) -> Step:
     """A Taylor step, with the growth of the distances along it."""
     taylor = _up_to_a_kink(flow.force, TaylorStep.at(flow.force, flow.place(here.u), here.w, unit, scale))
-    # The residual first, and then the growth of the whole: D' <= lambda D + residual is at most (D + integral of the
-    # residual) e^(lambda h).
+    # D' <= lambda D + residual: at most (D + integral of the residual) e^(lambda h), so the residual comes first.
     errors = here.errors.plus(taylor.residual)
     if not flow.force.nonexpansive:
         errors = errors.times(growth(flow.force, unit, *taylor.box, taylor.length, errors.error))
@@ -376,15 +363,13 @@ def _up_to_a_kink(force: Force, step: TaylorStep) -> TaylorStep:
     u, w = step.us[0], step.ws[0]
     if not (force.kinked and u > 0) or step.state(step.length)[0] > 0:
         return step
-    # Newton's method for U(t) = 0, with U' = -W: U is nearly linear where the mass passes the centre.  Each round
-    # doubles the bits, and six more start it.
+    # Newton's method for U(t) = 0, U' = -W: each round doubles the bits, and six more start it.
     t = (u / w).mid()
     for _ in range(6 + ctx.prec.bit_length()):
         t = min(t, step.length)
         place, speed = step.state(t)
         t = (t + place / speed).mid()
-    # Earlier by 2^8 last places, so that U > 0 there is proved although the root is known to the precision only; the
-    # state at that time is checked below.
+    # Earlier by 2^8 last places, so that U > 0 can be proved there, in the check below.
     early = (t - (step.length + u / w) * arb(2) ** (-ctx.prec + 8)).mid()
     if not (early > 0 and early < step.length and step.state(early)[0] > 0):
         raise UndecidedError("the passage of a kink of the force is too near for the working precision")
@@ -394,21 +379,18 @@ def _up_to_a_kink(force: Force, step: TaylorStep) -> TaylorStep:
 def _arrival(flow: CertifiedFlow, unit: arb, here: FlowState) -> ArrivalPiece:
     """The last piece.  Two orbits that are some distance apart turn within the gap that the force allows."""
     start, w, force = flow.place(here.u), here.w, flow.force
-    # An expansion at a guess of the turning point; the orbit that ends there exactly is followed from now on, and its
-    # distance from the state is added.
+    # The orbit that ends at a guess of the turning point is followed from now on; its distance from the state is added.
     expansion = flow.arrive(start, w)
     turn, _ = expansion.state(arb(0))
     place, time = expansion.state(w)
     if force.kinked and not turn * place > 0:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")
-    # u = place + shift is rounded to a midpoint, whose error counts as a distance too.
     at = flow.back(turn)
     begun = here.errors.plus(upper(upper(unit * (place - start)) + upper(unit * at.rad())))
     # The time of the expansion is negative here, from w = 0 backwards: -time is how long the piece lasts.
     factor = growth(force, unit, turn.union(place), arb(0).union(w), -time, begun.error)
     clock = here.t - time
     errors = begun.times(factor).plus(upper(clock.rad() * expansion.speed(unit)))
-    # Where the orbit from the exact start turns, which is at a state within ``local`` of this one.
     miss = state_gap(force, unit, start, w, turn, begun.local)
     state_gap(force, unit, start, w, turn, begun.error)  # the truth turns as well, or that is undecided
     return ArrivalPiece(flow, unit, here.t, clock.mid(), errors, None,

@@ -36,17 +36,13 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import at_growing_precision
 
-# Exponents farther apart have w^d small enough to be a power of its own.  Wider groups need more terms of the
-# exponential, narrower ones more powers; a strip is verified whatever the groups are.
+# Exponents farther apart have w^d small enough to be a power of its own; a strip is verified whatever the groups are.
 _NEAR = arb(1) / 4  # exponents of one group differ by less
-# eta reach <= 1/16: four bits for each power of t.  Where all eta are tiny a stretch still ends, at a speed e^2048
-# times lower.
+# Four bits for each power of t; and where all eta are tiny a stretch still ends, at a speed e^2048 times lower.
 _SHARE, _FARTHEST = 1 / 16, 1024.0  # eta times the reach, and the reach, at most
-# A choice of when to seek a longer B: too small a number misses a strip and costs steps, too large a one costs series
-# in vain.
+# A choice: too small a number misses a strip and costs steps, too large a one costs series in vain.
 _OPEN = 4  # times the terms of the last order but one looked at: what later ones may add up to
-# The motion is followed to one margin, and the curves are used to the other, so that Newton's method for the time stays
-# where the barriers hold.
+# So that Newton's method for the time stays where the barriers hold.
 _MARGIN = arb(1) / 64  # of ln w, at the end of a stretch
 _LN2, _DIGITS = log(2), log10(2)
 
@@ -165,7 +161,6 @@ def _apart(a: ExactReal, b: ExactReal) -> arb:
         found = a.ball() - b.ball()
         return found if found.rel_accuracy_bits() > wanted else None
 
-    # Exact numbers as near as 10^-1000 to each other have a difference to any precision; equal ones were seen above.
     return at_growing_precision(attempt, int(wanted * _DIGITS), 2 * wanted)
 
 
@@ -190,8 +185,7 @@ def grouped(damping: Damping, together: list[list[int]], most: arb) -> Grouped:
     first = damping.alphas[together[0][0]]
     bases = [damping.alphas[group[0]] for group in together]
     beside = [[_apart(damping.alphas[i], base) for i in group] for group, base in zip(together, bases)]
-    # The reach is a choice, so a double may name it; what is cut off the exponentials is bounded below with the exact
-    # eta.
+    # The reach is a choice, so a double may name it; the cut below is bounded with the exact eta.
     widest = max(float(eta.mid()) for group in beside for eta in group)
     reach = arb(min(_FARTHEST, _SHARE / max(widest, _SHARE / _FARTHEST)))
     scale, degree = Scale((most - reach).mid(), reach), _degree(max(widest, 2.0**-900) * float(reach))
@@ -242,8 +236,7 @@ def _short_enough(laws: Grouped, goal: arb, state: tuple[arb, arb]) -> tuple[dic
     if too_early(laws.epsilon, laws.alpha, laws.most):
         return None
     before, least, b = arb(1), 0, dict[Key, arb_poly]()
-    # As in ``slow_curve.short_enough``, with the terms of the last order as a cheap sign of how the series falls; the
-    # residual itself is formed only when they are small.
+    # The last order's terms are a cheap sign of how the series falls; the residual is formed only when they are small.
     for order in ORDERS:
         keys = lower_set(tuple(abs(float(d.mid())) for d in laws.powers), order)
         if keys is None:
@@ -269,8 +262,6 @@ def _too_slow(last: float, fall: float, order: int, goal: float) -> bool:
 def extend(laws: Grouped, b: dict[Key, arb_poly], keys: list[Key]) -> None:
     """B = A^(-1) w^(2-2 alpha)/epsilon^2 power by power, through the keys, which are a lower set, small ones first."""
     none, length = (0,) * len(laws.powers), laws.length
-    # A without B's own part: its constant key is alpha for exponents that are all equal, and a polynomial in t close to
-    # it for others.
     inverse = _inverse(laws.slope(laws.parts[none], none), length)
     others = {key: laws.slope(part, key) for key, part in laws.parts.items() if key != none}
     slopes = {key: laws.slope(p, key) for key, p in b.items()}
@@ -353,8 +344,7 @@ def one_way(laws: Grouped, b: dict[Key, arb_poly], residual: arb, h: arb) -> boo
         if key != none:
             slope = laws.slope(part, key)
             others += laws.size(slope, key)
-            # A law's slope is its constant, which is above 0, and the rest: it is below 0 by no more than the rest
-            # exceeds the constant.
+            # A law's slope is below 0 by no more than the rest exceeds its constant, which is above 0.
             falls += (laws.size(slope - slope[0], key) - abs(laws.size(arb_poly([slope[0]]), key))).nonnegative_part()
     most = a + falls + others + own
     # What disturbs the drift alpha h of theta: the residual, A times what N lacks, and h times B.
@@ -370,12 +360,10 @@ def _integral(polynomial: arb_poly, d: arb, scale: Scale) -> arb_poly:
     from 0 to t, over w^d, is at most e^(|d| r) |d q_n| r/(n+1), as w^d changes by e^(|d| r) at most in between.
     """
     p = polynomial.coeffs()
-    # Dividing by d loses bits where |d| r is small, and the upward series converges slowly where it is large; 1/8 makes
-    # each of its powers worth three bits.
+    # Dividing by a small d loses bits; upwards each power is worth three bits at |d| r = 1/8, and fewer above.
     if abs(d) * scale.reach > 1 / arb(8):
         above, downwards = arb(0), list[arb]()
         for k in reversed(range(len(p))):
-            # An exact finite recurrence, from q_k = 0 beyond the degree of p.
             above = (p[k] - (k + 1) * above / scale.reach) / d
             downwards.append(above)
         return arb_poly(downwards[::-1])
