@@ -182,7 +182,7 @@ def of_coefficients(
             Approximant(tuple(c), tuple(abs(d).upper() for d in rest), (_on_circle(c, bound) + drive).upper())
             for c, rest, drive in zip(coefficients, following, drives, strict=True)
         )
-    # A lower bound of g: a smaller gain makes every sum larger.
+    # Rounded down: 1/delta_j >= 1/delta_0 + g j holds for any smaller gain.
     return AbelFunction(psi, theta, bound.radii[0], arb(g.lower()))
 
 

@@ -148,8 +148,8 @@ def _next(well: PrimitiveWell, a: arb, bits: int) -> arb | None:
     q = _guess(well, a)
     if q is None:
         return None
-    # 24 bits less than the target leaves the signs clear of rounding, as the work is computed with 2 bits; too small an
-    # eta leaves them undecided, too large a one costs digits.
+    # 24 bits less than the target leaves the signs clear of rounding, as the work is computed with twice the bits; too
+    # small an eta leaves them undecided, too large a one costs digits.
     eta = abs(q) * arb(2) ** (24 - bits)
     inner, outer = well.work(-(q - eta), a), well.work(-(q + eta), a)
     # The work falls through 0 once from x* on: a change of sign encloses the only zero.
