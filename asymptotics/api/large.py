@@ -140,7 +140,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         # Decided by the exact exponents: in balls of the precision in force 1 - 10^-20 may be 1.
         if not any(t.velocity < 1 - t.position for t in losses):
             return None
-        # ``_flow`` is made anew at every precision, since its strengths are balls of the precision in force.  There is an
+        # ``_flow`` is made anew at every precision: its strengths are balls of the precision in force.  There is an
         # extinction here, so that ``or`` never acts: it is for the type.
         return certified_decimal(lambda: (self._flow().extinction_time() or arb(0)) / self.oscillator.omega_0(), D)
 

@@ -55,10 +55,10 @@ def _speed_at(expansion: NearRest, s: arb) -> arb:
     rest, _ = expansion.state(arb(0))
     w = min(expansion.reach, abs(s * expansion.acceleration(rest, arb(0))).mid())
     while known < full:
-        bits = min(full, max(30, 4 * known))
+        bits = min(full, max(30, 2 * known))
         with ctx.workprec(bits):
             # Newton's method: the derivative of tau by w is 1/acceleration.  Three steps from a guess that is right to
-            # a few bits.
+            # a few bits, then one for twice as many bits at a time.
             for _ in range(3 if known == 0 else 1):
                 place, tau = expansion.state(w)
                 step = (tau - s) * expansion.acceleration(place, w)

@@ -8,6 +8,7 @@ import sympy
 from flint import arb, ctx, fmpq
 from mpmath import mp
 
+import asymptotics as asy
 from asymptotics.envelopes import certified
 from asymptotics.envelopes.certified import F
 from asymptotics.envelopes.explicit import explicit_amplitude
@@ -195,3 +196,18 @@ def test_an_interval_that_the_rate_leaves_is_not_claimed():
         assert found is None
         around = certified.amplitude(laws, arb(end, "1e-3"))
         assert around.contains(certified.amplitude(laws, end - arb("0.00099")).mid())
+
+
+def test_two_exponents_next_to_each_other_go_by_the_integral():
+    """2F1 with an index near 10^18 took more than a minute; both forms agree where both serve."""
+    near = asy.envelope(asy.Oscillator({"1/3": "1/10", "1000000000000000003/3000000000000000000": "1/10"}, x0="1/2"))
+    one = asy.envelope(asy.Oscillator({"1/3": "1/5"}, x0="1/2"))
+    for found, expected in (
+        (near.extinction_time(digits=16), one.extinction_time(digits=16)),
+        (near.time("1/8", digits=16), one.time("1/8", digits=16)),
+    ):
+        assert found == expected
+    with ctx.workprec(80):
+        laws = [(parse_real(a, "alpha"), arb(k) / 10) for a, k in (("1/3", 2), ("2/3", 1))]
+        both = certified._integral(laws, [], arb(1)), certified.time(laws, arb(-1).exp())
+        assert both[0].overlaps(both[1]) and both[0].rad() < 1e-20
