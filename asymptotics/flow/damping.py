@@ -47,9 +47,9 @@ class Damping:
 
     @classmethod
     def of(cls, terms: list[tuple[arb, ExactReal]]) -> "Damping":
-        """From (epsilon_i, alpha_i), at the current precision; terms of strength exactly 0 are dropped.
+        """From (epsilon_i, alpha_i), at the current precision.
 
-        UndecidedError for a strength that is not told from 0.
+        Terms of strength exactly 0 are dropped, and those of one exponent are one term.  UndecidedError for a strength that is not told from 0.
         """
         # A ball about 0 is neither a term nor none: without it the least exponent, and with it how the motion ends, is
         # not known.  The caller raises the precision.
@@ -57,9 +57,12 @@ class Damping:
             raise UndecidedError("a strength is not told from 0 at this precision")
         # Exponents are exact numbers >= 0, so the comparison decides: several terms of exponent 0 are one dry friction.
         friction = sum((e for e, a in terms if not a > 0), arb(0))
-        moving = [(e, a) for e, a in terms if a > 0 and e != 0]
-        strengths, alphas = (tuple(column) for column in zip(*moving)) if moving else ((), ())
-        return cls(friction, strengths, alphas, tuple(a.ball() for a in alphas))
+        # The series of the half-swing are filed by exponent: of two terms with one exponent they would keep one.
+        moving: dict[ExactReal, arb] = {}
+        for e, a in terms:
+            if a > 0 and e != 0:
+                moving[a] = moving[a] + e if a in moving else e
+        return cls(friction, tuple(moving.values()), tuple(moving), tuple(a.ball() for a in moving))
 
     @classmethod
     def of_law(cls, law: Law) -> "Damping":
