@@ -9,10 +9,10 @@ LOCAL, TURNING, ORBIT = (
 )
 PETAL = "tests/expansions/divergence/test_bounds.py"
 HEIGHTS = "tests/expansions/divergence/test_constants.py::test_another_height_gives_the_same_numbers"
-ONE_LAW = "tests/expansions/half_swings/test_one_law.py"
+ONE_LAW = "tests/expansions/half_swings/test_nodes.py"
 LATE, FINITE, SLOW = (
     "tests/bounds/test_late.py",
-    "tests/expansions/half_swings/test_finite.py",
+    "tests/expansions/half_swings/test_finite_majorant.py",
     "tests/flow/slow_manifold/test_slow_curve.py",
 )
 UNIFORM, AT_LARGEST = (
@@ -21,8 +21,8 @@ UNIFORM, AT_LARGEST = (
 )
 NEAR = "tests/flow/slow_manifold/test_near_equal_exponents.py"
 SETTLING, STEP = "tests/flow/slow_manifold/test_attraction.py", "tests/flow/test_taylor.py"
-KEPT, DISTANCE = "tests/flow/linear_spring/test_kept_radii.py", "tests/flow/wells/test_distance_bounds.py"
-NEXT = "tests/flow/wells/test_force_bounds.py"
+KEPT, DISTANCE = "tests/flow/linear_spring/test_linear_spring_errors.py", "tests/flow/wells/test_distance_bounds.py"
+NEXT = "tests/flow/wells/test_force.py"
 SWING, WELLS, PANELS = (
     "tests/flow/linear_spring/test_bounds.py",
     "tests/flow/wells/test_bounds.py",
@@ -38,7 +38,8 @@ RATIO, QUADRATIC = "tests/identification/certified_sets/test_certified_ratio.py"
 
 EXACT = "arithmetic of balls and nothing else: no truncation, no choice"
 CHOICE = "a choice that claims nothing"
-WAVES, COURSE = "tests/expansions/multiple_scales/test_waves.py", "tests/expansions/half_swings/test_course.py"
+WAVES = "tests/expansions/multiple_scales/test_certified_waves.py"
+COURSE = "tests/expansions/half_swings/test_certified_displacement.py"
 MIDPOINTS = "midpoints of the asymptotic motion, which is not certified"
 
 
@@ -46,9 +47,9 @@ def _each(room: str, names: str, told: str) -> Names:
     return {f"asymptotics.{room}.{name}": told for name in names.split()}
 
 
-EQUIVALENT = "tests/equivalent/test_orbit_damping.py::test_every_rung_of_an_orbit_holds_what_is_above_it"
-FULL_SWING = "tests/equivalent/test_cycle_damping.py"
-CUT = "tests/bounds/test_half_swing_series.py"
+EQUIVALENT = "tests/equivalent/test_conservative_cycle.py::test_every_rung_of_an_orbit_holds_what_is_above_it"
+FULL_SWING = "tests/equivalent/test_cycle.py"
+CUT = "tests/bounds/test_half_swing.py"
 
 BOUNDS: Names = {
     **_each(
@@ -163,7 +164,7 @@ BOUNDS: Names = {
     **_each(
         "flow.linear_spring.expansion",
         "room",
-        "tests/flow/linear_spring/test_short.py::test_half_of_the_drop_or_of_the_delay_would_be_wrong",
+        "tests/flow/linear_spring/test_expansion.py::test_half_of_the_drop_or_of_the_delay_would_be_wrong",
     ),
     **_each("flow.linear_spring.majorant", "majorant", f"{SWING}::test_the_majorant_is_attained_without_damping"),
     **_each("return_map.panel_plan", "Ellipse.ratio_bound verified", f"{PANELS}::test_a_ladder_of_panels"),
@@ -212,7 +213,7 @@ BOUNDS: Names = {
     **_each(
         "flow.error_propagation",
         "ratio_growth",
-        "tests/flow/linear_spring/test_ratio_growth.py::test_ratios_part_no_faster_than_is_said",
+        "tests/flow/test_error_propagation_ratios.py::test_ratios_part_no_faster_than_is_said",
     ),
     **_each(
         "flow.error_propagation", "contraction_by_ratio", f"{SWING}::test_amplitudes_carry_their_error_by_contraction"
@@ -267,7 +268,7 @@ ELSEWHERE: Names = {
     **_each(
         "equivalent.conservative_cycle",
         "Spring.of Spring.potential Spring.force Spring.stiffness",
-        "tests/equivalent/test_orbit_damping.py::test_the_spring_of_an_orbit_is_its_potential",
+        "tests/equivalent/test_conservative_cycle.py::test_the_spring_of_an_orbit_is_its_potential",
     ),
     **_each("equivalent.rows", "cycle_of", EQUIVALENT),
     **_each(

@@ -36,7 +36,7 @@ OWN = {
         "tests/bounds/test_explicit.py::test_on_each_piece_is_what_is_anywhere_on_it"
     ),
     "bounds.half_swing.HalfSwingSeries.at": (
-        "tests/bounds/test_half_swing_series.py::test_the_motion_is_within_the_bound_and_not_within_half_of_it"
+        "tests/bounds/test_half_swing.py::test_the_motion_is_within_the_bound_and_not_within_half_of_it"
     ),
     "bounds.motion._by_energy": f"{LATE}::test_what_is_out_of_range_falls_back_on_energy",
     "bounds.uniform._UniformTheorem._start": "tests/bounds/test_uniform.py::test_each_part_of_the_bound_counts",
@@ -47,7 +47,7 @@ OWN = {
     "expansions.divergence.half_step.at": f"{PETAL}::test_a_half_swing_at_complex_strength_holds_smiths_map",
     "flow.slow_manifold.strong_damping.strong_damping_strip": "tests/flow/slow_manifold/test_strong_damping.py"
     "::test_what_the_strip_leaves_open_is_in_the_error_after_it",
-    "equivalent.conservative_cycle._power": "tests/equivalent/test_orbit_damping.py"
+    "equivalent.conservative_cycle._power": "tests/equivalent/test_conservative_cycle.py"
     "::test_the_size_of_a_power_near_zero_is_attained",
     "envelopes.certified.amplitude": "tests/envelopes/test_certified.py::test_too_little_precision_is_an_enclosure",
     "envelopes.certified.extinction_time": LADDER,

@@ -12,7 +12,7 @@ import pytest
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
-from tests.motions.test_springs import truth
+from tests.motions.test_asymptotic_springs import truth
 
 EXPONENTS = [Fraction(1, 2), 1, 1, Fraction(3, 2), 2, 2, 3, Fraction(7, 3)]
 
