@@ -14,12 +14,14 @@ from asymptotics.envelopes.explicit import explicit_amplitude
 from asymptotics.envelopes.symbolic import tau as tau_symbol
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.moments.certified import moment
-from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.exact import ExactReal, parse_real
 
 SETS = [
     "0", "1", "3/2", "1/2", "sqrt(2)", "0 1", "0 2", "1 2", "1 3", "2 3", "0 1/2", "1/2 sqrt(2)", "sqrt(2) sqrt(3)",
     "0 1 2", "1/3 2/3 3", "1 2 3", "3/2 2 5/2",
 ]  # fmt: skip
+
+
 KAPPAS = ("1/10", "1/4", "1/7")
 
 
@@ -195,3 +197,10 @@ def test_an_interval_that_the_rate_leaves_is_not_claimed():
         assert found is None
         around = certified.amplitude(laws, arb(end, "1e-3"))
         assert around.contains(certified.amplitude(laws, end - arb("0.00099")).mid())
+
+
+def test_an_inversion_that_fails_says_all_that_is_known(monkeypatch):
+    monkeypatch.setattr(certified, "_inverse", lambda *_: None)
+    laws = [(ExactReal(1), arb(1)), (ExactReal(2), arb(1))]
+    found = certified.amplitude(laws, arb(1))
+    assert found.contains(arb(0)) and found.contains(arb(1))

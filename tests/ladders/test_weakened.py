@@ -27,11 +27,11 @@ OWN = {
     "bounds.uniform._UniformTheorem._start": "tests/bounds/test_uniform.py::test_each_part_of_the_bound_counts",
     "bounds.waveform._between": "tests/bounds/test_waveform.py::test_the_pieces_are_hulls_of_their_functions",
     "bounds.waveform._hulls": "tests/bounds/test_waveform.py::test_the_pieces_are_hulls_of_their_functions",
-    "expansions.divergence.abel.later": "tests/expansions/divergence/test_bounds.py"
+    "expansions.divergence.abel.later": "tests/expansions/divergence/test_abel.py"
     "::test_what_an_orbit_leaves_out_is_bounded",
-    "expansions.divergence.constants._solved": "tests/expansions/divergence/test_bounds.py"
+    "expansions.divergence.constants._solved": "tests/expansions/divergence/test_constants.py"
     "::test_a_tail_left_out_moves_the_constants",
-    "expansions.divergence.half_step.at": "tests/expansions/divergence/test_bounds.py"
+    "expansions.divergence.half_step.at": "tests/expansions/divergence/test_half_step.py"
     "::test_a_half_swing_at_complex_strength_holds_smiths_map",
     "flow.slow_manifold.strong_damping.strong_damping_strip": "tests/flow/slow_manifold/test_strong_damping.py"
     "::test_what_the_strip_leaves_open_is_in_the_error_after_it",

@@ -27,28 +27,18 @@ BOUNDS: Names = {
     **each(
         "expansions.divergence.germ",
         "germ majorants",
-        "tests/expansions/divergence/test_bounds.py::test_the_numbers_of_a_petal_are_those_of_its_definition",
+        "tests/expansions/divergence/test_petal.py::test_the_numbers_of_a_petal_are_those_of_its_definition",
     ),
     **each(
         "expansions.divergence.petal",
         "petal quadratic_bound Petal.tail",
-        "tests/expansions/divergence/test_bounds.py::test_the_numbers_of_a_petal_are_those_of_its_definition",
+        "test_the_numbers_of_a_petal_are_those_of_its_definition",
     ),
+    **each("expansions.divergence.half_step", "half_step at", "test_a_half_swing_at_complex_strength_holds_smiths_map"),
     **each(
-        "expansions.divergence.half_step",
-        "half_step at",
-        "tests/expansions/divergence/test_bounds.py::test_a_half_swing_at_complex_strength_holds_smiths_map",
+        "expansions.divergence.half_step", "tail share", "test_the_tail_of_cauchy_is_its_formula_and_ends_at_the_circle"
     ),
-    **each(
-        "expansions.divergence.half_step",
-        "tail share",
-        "tests/expansions/divergence/test_bounds.py::test_the_tail_of_cauchy_is_its_formula_and_ends_at_the_circle",
-    ),
-    **each(
-        "expansions.divergence.abel",
-        "odd_series at at_height later",
-        "tests/expansions/divergence/test_bounds.py::test_what_an_orbit_leaves_out_is_bounded",
-    ),
+    **each("expansions.divergence.abel", "odd_series at at_height later", "test_what_an_orbit_leaves_out_is_bounded"),
     **each("expansions.half_swings.nodes", "node_quarter", "test_the_balls_hold_those_of_the_sums"),
     **each("expansions.divergence.constants", "stokes_balls rough_petal", "test_another_height_gives_the_same_numbers"),
     **each(
@@ -66,12 +56,8 @@ BOUNDS: Names = {
         "TurningBounds.log_amplitude TurningBounds.time TurningBounds.phase turning_bounds",
         "test_the_theorem_holds_for_every_n_and_its_half_would_not",
     ),
-    **each(
-        "bounds.turning",
-        "sensitivity",
-        "tests/bounds/test_constants.py::test_durations_change_with_delta_as_fast_as_B_says",
-    ),
-    **each("bounds.turning", "largest", "tests/bounds/test_constants.py::test_the_phase_runs_as_fast_as_Omega_says"),
+    **each("bounds.turning", "sensitivity", "test_durations_change_with_delta_as_fast_as_B_says"),
+    **each("bounds.turning", "largest", "test_the_phase_runs_as_fast_as_Omega_says"),
     **each("bounds.turning", "rates", "tests/bounds/test_uniform.py::test_the_rates_are_attained_or_not_far_off"),
     **each("bounds.uniform", "displacement_bound", "test_the_constant_for_all_strengths_is_the_bound_at_its_largest"),
     **each("bounds.waveform", "waveform_bounds", "test_what_is_left_over_is_bounded_and_nearly_attained"),

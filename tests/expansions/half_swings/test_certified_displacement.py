@@ -1,11 +1,9 @@
-"""The quarter swing at a fixed time and at an angle: against exact motion, each other, and bounds that are attained."""
+"""The displacement at a fixed time: against exact motion, short series against long ones, bounds that are attained."""
 
 import pytest
 from flint import arb, arb_poly
 
 from asymptotics.errors import UndecidedError
-from asymptotics.expansions.half_swings.certified import quarter_swing
-from asymptotics.expansions.half_swings.certified_arc import arc
 from asymptotics.expansions.half_swings.certified_displacement import RADIUS, DisplacementSeries, displacement_series
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.numbers.context import ctx
@@ -60,11 +58,3 @@ def test_linear_friction_is_known():
         assert found.slopes((1,), tau, 1)[0].overlaps(first)
         second = tau**2 * tau.cos() / 8 - tau * tau.sin() / 8
         assert found.slopes((2,), tau, 1)[0].overlaps(second)
-
-
-def test_an_arc_to_the_passage_is_the_quarter_swing():
-    with ctx.workprec(100):
-        forces = Forces.of([Term(1, "1/2"), Term(1, "3/2")], 3)
-        whole, (R, tau) = quarter_swing(forces, 3), arc(forces, 3, arb.pi() / 2)
-        for k, c in whole.R.coefficients.items():
-            assert c.overlaps(R[k]) and whole.T_q[k].overlaps(tau[k]) and R[k].rad() < 1e-25

@@ -1,27 +1,17 @@
-"""The quarter swing of one law by the reciprocal of its strength: exact, in balls, and its bound a second time."""
+"""The quarter swing of one law from the nodes of an integral: in balls, and its bound a second time."""
 
 import pytest
-from flint import arb, fmpq_poly
+from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mp
 from numpy.polynomial import chebyshev
 
-from asymptotics.expansions.half_swings import one_law
 from asymptotics.expansions.half_swings.certified import quarter_swing
-from asymptotics.expansions.half_swings.exact import exact_quarter_swing
 from asymptotics.expansions.half_swings.nodes import _Ellipse, _Orders, _solved, node_quarter
 from asymptotics.expansions.half_swings.one_law import even_quarter
-from asymptotics.expansions.half_swings.pi_ring import PiNumber
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import parse_real
-
-
-@pytest.mark.parametrize("alpha", [0, 2, 4])
-def test_even_exponents_agree_with_polynomials_in_theta(alpha):
-    exact, (R, T) = exact_quarter_swing((alpha,), 7), even_quarter(alpha, 7)
-    assert [exact.R[n] for n in range(1, 8)] == [PiNumber.rational(x) for x in R[1:]]
-    assert [exact.T_q[n] for n in range(8)] == T
 
 
 @pytest.mark.parametrize(("text", "bits"), [("3/2", 53), ("3", 100), ("1/3", 100), ("sqrt(7)", 53), ("2", 20)])
@@ -108,9 +98,3 @@ def test_the_integral_of_a_polynomial_solves_its_equation(f, twice_beta):
     right = [f[0] / 2, *f[1:]]
     for z in (-1.0, -0.3, 0.6, 1.0):
         assert chebyshev.chebval(z, left) == pytest.approx(chebyshev.chebval(z, right), abs=1e-9)
-
-
-def test_a_rate_that_is_no_polynomial_is_noticed(monkeypatch):
-    monkeypatch.setattr(one_law, "_half_of_the_square", lambda q, n: fmpq_poly([0, n]))
-    with pytest.raises(ArithmeticError, match="polynomial"):
-        even_quarter(2, 3)

@@ -8,6 +8,8 @@ from flint import arb, ctx
 
 from asymptotics.flow.wells import expansion as expansions
 from asymptotics.flow.wells.expansion import WellExpansion
+from asymptotics.flow.wells.force import WellForce
+from asymptotics.law import Law
 from tests.flow.forces import WELLS as FORCES
 from tests.flow.forces import in_a_well
 
@@ -32,7 +34,11 @@ def polynomial(force, side):
 
 
 STIFF = in_a_well({(1, 2): "1/3", "1/2": "1/5", (2, 1): "1/4"}, {3: "1/2", 2: "1/7"})
+
+
 HELD = in_a_well({(0, 2): "1/3", (0, 1): "1/9", 2: "1/5"})
+
+
 LOST = in_a_well({(2, 2): "1/3", "3/2": "1/4"}, "pendulum")
 
 
@@ -159,3 +165,12 @@ def test_what_is_left_out_is_added(name):
             u, tau = wide.state(w)
             assert u.rad() >= arb(1) / 4 and tau.rad() >= (w / 2).lower()
             assert u.contains(few.state(w)[0].mid() + arb(1) / 4)
+
+
+def test_a_force_sorts_its_terms_and_is_as_strong_as_all_of_them():
+    """Losses, springs that harden or soften, and which loss is linear."""
+    with ctx.workprec(60):
+        force = WellForce.of(Law({2: "1/2", 1: "1/3", "1/2": 1}, spring={3: "-1/4"}).terms)
+        assert len(force.losses) == 3 and len(force.springs) == 1 and not force.grips
+        assert force.viscous.overlaps(arb(1) / 3) and force.viscous < arb("0.34")
+        assert force.strongest(arb(1), arb(1)) >= arb("0.75") + arb("1.8333")
