@@ -1,4 +1,4 @@
-"""How relative errors of turning points travel with exponents below 1: the truth by two swings, and half the bound."""
+"""How relative errors of turning points travel: the truth by two swings, and half the bound."""
 
 from itertools import islice
 
@@ -6,7 +6,7 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.error_propagation import contraction_by_ratio, ratio_growth
+from asymptotics.flow.error_propagation import contraction_by_energy, contraction_by_ratio, ratio_growth
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import TurningState, at_rest
@@ -38,6 +38,9 @@ def bound(law, p, error):
     """At few bits, q a ball."""
     with ctx.workprec(30):
         return ratio_growth(Damping.of_law(Law(law)).least_power, p, error, turns_at(law, p))
+
+
+LAW = Law({1: "1/2"})
 
 
 @pytest.mark.parametrize("law", WEAK + MIXED, ids=str)
@@ -93,3 +96,21 @@ def test_an_exponent_below_1_beside_1_takes_the_bits_of_one_law():
     assert found.certified and found.method.endswith(f"balls of {first} bits") and abs(arb(last.x)) < arb(2) ** -45
     for few, many in ((last.x, truth.x), (last.tau, truth.tau)):
         assert abs(arb(few) - arb(many)) <= abs(arb(many)) * arb("5e-12")
+
+
+def test_beside_a_linear_spring_the_turning_points_keep_their_ratio():
+    """Linear damping: q e/p exactly."""
+    with ctx.workprec(60):
+        law = Damping.of_law(LAW)
+        p, e, q = arb(1), arb(2) ** -10, arb("0.5")
+        assert q * e / p <= contraction_by_energy(law, p, e, arb(3), -q, arb(0)) < q * e * arb("1.01")
+        assert q * e / p <= contraction_by_ratio(law, p, e, q) < q * e * arb("1.01")
+        assert (
+            q * e / p <= contraction_by_energy(law, p, e, arb(3), -q / 2, q / 2) < q * e * arb("1.01")
+        )  # q at the far end
+
+
+def test_an_error_as_large_as_the_start_has_no_ratio():
+    """Nothing is known of p - e <= 0: the distance is that of a nonexpansive flow."""
+    law = Damping.of_law(LAW)
+    assert [contraction_by_ratio(law, arb(1), arb(error), arb(1)) for error in (1, 2)] == [1, 2]

@@ -77,26 +77,16 @@ ELSEWHERE: Names = {
         "Creep.own",
         "tests/flow/slow_manifold/test_slow_curve.py::test_a_ladder_of_precisions",
     ),
+    **each("return_map.half_swings", "HalfSwings.__call__ HalfSwings.up_to", "test_half_swings_contain_the_pieces"),
     **each(
-        "return_map.half_swings",
-        "HalfSwings.__call__ HalfSwings.up_to",
-        "tests/return_map/test_quarters.py::test_half_swings_contain_the_pieces",
-    ),
-    **each(
-        "return_map.half_swings",
-        "HalfSwings.between",
-        "tests/return_map/test_quarters.py::test_half_swings_over_a_stretch_of_ln_a_contain_the_pieces",
+        "return_map.half_swings", "HalfSwings.between", "test_half_swings_over_a_stretch_of_ln_a_contain_the_pieces"
     ),
     **each(
         "return_map.quarters",
         "Bundle.of NodeGrid.of NodeGrid.rates NodeGrid.slowness Path.along Path.enclosed quarter_swings",
         "test_a_ladder_of_closed_forms",
     ),
-    **each(
-        "return_map.spectral",
-        "analysis integrals of_the_integral",
-        "tests/return_map/test_quarters.py::test_the_matrices_of_integration",
-    ),
+    **each("return_map.spectral", "analysis integrals of_the_integral", "test_the_matrices_of_integration"),
     **each(
         "flow.linear_spring.linear_spring",
         "ToSlowCurve.own",

@@ -49,7 +49,7 @@ OWN = {
     "numbers.decimals.decimal_of_ball": "tests/numbers/test_decimal_edges.py"
     "::test_a_ball_is_printed_when_both_exact_ends_round_alike_and_only_then",
     "numbers.rationals.bounds": "tests/numbers/test_bridge.py::test_bounds_enclose",
-    "return_map.half_swings.HalfSwings.__call__": "tests/return_map/test_quarters.py"
+    "return_map.half_swings.HalfSwings.__call__": "tests/return_map/test_half_swings.py"
     "::test_the_residual_of_a_half_swing_is_what_it_is_off_by",
     "return_map.quarters.Bundle.of": "tests/return_map/test_quarters.py::test_a_late_start_is_paid_for",
     "return_map.quarters.Path.along": "tests/return_map/test_quarters.py::test_coefficients_that_are_dropped_count",
@@ -60,9 +60,11 @@ OWN = {
     "flow.slow_manifold.attraction.attracted": "tests/flow/slow_manifold/test_attraction.py"
     "::test_the_wait_is_as_long_as_it_takes_or_longer",
     "turning.jump._log": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
-    "flow.wells.trapping_regions._held": "tests/flow/wells/test_bounds.py::test_creep_beside_springs_and_dry_friction",
-    "flow.turning.at_exact_place": "tests/numbers/test_exact_ties.py::test_a_place_that_is_known_lies_in_its_enclosure",
-    "flow.error_propagation.points_forward": "tests/flow/wells/test_bounds.py::test_the_force_ahead_must_point_forward",
+    "flow.wells.trapping_regions._held": "tests/flow/wells/test_trapping_regions.py"
+    "::test_creep_beside_springs_and_dry_friction",
+    "flow.turning.at_exact_place": "tests/flow/test_turning.py::test_a_place_that_is_known_lies_in_its_enclosure",
+    "flow.error_propagation.points_forward": "tests/flow/test_error_propagation.py"
+    "::test_the_force_ahead_must_point_forward",
 }
 """Functions that widen a ball, none of whose lines is on the list -> the test of their own, in which the truth is
 contained at few bits or the parts are evaluated again."""

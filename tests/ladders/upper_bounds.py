@@ -15,11 +15,7 @@ BOUNDS: Names = {
         "tests/bounds/test_half_swing.py::test_the_motion_is_within_the_bound_and_not_within_half_of_it",
     ),
     **each("equivalent.cycle", "expanded_swing", "test_half_of_the_bound_would_be_wrong"),
-    **each(
-        "numbers.extremes",
-        "greatest least",
-        "tests/test_chosen_in_doubles.py::test_the_extremes_of_balls_hold_those_of_their_numbers",
-    ),
+    **each("numbers.extremes", "greatest least", "test_the_extremes_of_balls_hold_those_of_their_numbers"),
     **each("flow.slow_manifold.slow_curve", "short_enough", "test_the_rest_is_what_the_cut_leaves"),
     **each("flow.slow_manifold.near_equal_exponents", "residual", "test_what_is_left_is_the_residual_of_the_curve"),
     **each("flow.slow_manifold.near_equal_exponents", "Grouped.size", "test_what_is_cut_off_the_sums_is_bounded"),
@@ -87,17 +83,9 @@ BOUNDS: Names = {
         "Damping.strongest",
         "tests/flow/linear_spring/test_linear_spring_errors.py::test_what_is_uncertain_at_a_time_is_a_distance",
     ),
-    **each(
-        "flow.linear_spring.expansion",
-        "TurningExpansion.speed",
-        "tests/flow/linear_spring/test_bounds.py::test_a_wide_time_near_a_turning_point",
-    ),
+    **each("flow.linear_spring.expansion", "TurningExpansion.speed", "test_a_wide_time_near_a_turning_point"),
     **each("flow.linear_spring.expansion", "room", "test_half_of_the_drop_or_of_the_delay_would_be_wrong"),
-    **each(
-        "flow.linear_spring.majorant",
-        "majorant",
-        "tests/flow/linear_spring/test_bounds.py::test_the_majorant_is_attained_without_damping",
-    ),
+    **each("flow.linear_spring.majorant", "majorant", "test_the_majorant_is_attained_without_damping"),
     **each(
         "return_map.panel_plan",
         "Ellipse.ratio_bound verified",
@@ -120,33 +108,19 @@ BOUNDS: Names = {
     **each(
         "flow.trajectory",
         "ArrivalPiece.gap ArrivalPiece.late Piece.error",
-        "tests/flow/wells/test_distance_bounds.py::test_a_landing_holds_the_orbits_of_both_ends",
+        "test_a_landing_holds_the_orbits_of_both_ends",
     ),
+    **each("flow.error_propagation", "growth distance_growth", "test_growth_is_attained_in_the_worst_direction"),
     **each(
-        "flow.error_propagation",
-        "growth distance_growth",
-        "tests/flow/wells/test_bounds.py::test_growth_is_attained_in_the_worst_direction",
+        "flow.error_propagation", "turning_gap turning_delay", "test_the_gap_and_the_lateness_are_attained_by_free_fall"
     ),
-    **each(
-        "flow.error_propagation",
-        "turning_gap turning_delay",
-        "tests/flow/wells/test_bounds.py::test_the_gap_and_the_lateness_are_attained_by_free_fall",
-    ),
-    **each(
-        "flow.error_propagation",
-        "state_gap",
-        "tests/flow/wells/test_distance_bounds.py::test_the_gap_of_a_state_counts_place_and_speed",
-    ),
+    **each("flow.error_propagation", "state_gap", "test_the_gap_of_a_state_counts_place_and_speed"),
     **each(
         "flow.error_propagation",
         "contraction_by_energy",
-        "tests/flow/wells/test_bounds.py::test_turning_points_draw_together_at_most_as_the_bound_says",
+        "tests/flow/test_error_propagation_contraction.py::test_turning_points_draw_together_at_most_as_the_bound_says",
     ),
-    **each(
-        "flow.turning",
-        "at_exact_place",
-        "tests/numbers/test_exact_ties.py::test_a_place_that_is_known_lies_in_its_enclosure",
-    ),
+    **each("flow.turning", "at_exact_place", "test_a_place_that_is_known_lies_in_its_enclosure"),
     **each(
         "flow.error_propagation",
         "ratio_growth",
@@ -155,28 +129,16 @@ BOUNDS: Names = {
     **each(
         "flow.error_propagation",
         "contraction_by_ratio",
-        "tests/flow/linear_spring/test_bounds.py::test_amplitudes_carry_their_error_by_contraction",
+        "tests/return_map/test_sequence.py::test_amplitudes_carry_their_error_by_contraction",
     ),
     **each(
         "flow.error_propagation",
         "CarriedErrors.plus CarriedErrors.times CarriedErrors.apart",
-        "tests/flow/wells/test_distance_bounds.py::test_the_parts_of_a_landing",
+        "tests/flow/test_trajectory.py::test_the_parts_of_a_landing",
     ),
-    **each(
-        "flow.sequence",
-        "given_at",
-        "tests/flow/wells/test_distance_bounds.py::test_turning_points_hold_those_of_every_start",
-    ),
-    **each(
-        "flow.wells.force",
-        "WellForce.strongest",
-        "tests/flow/wells/test_distance_bounds.py::test_an_uncertain_time_moves_a_state",
-    ),
-    **each(
-        "flow.wells.expansion",
-        "WellExpansion.rate WellExpansion.speed",
-        "tests/flow/wells/test_force.py::test_the_rate_next_to_a_turning_point",
-    ),
+    **each("flow.sequence", "given_at", "test_turning_points_hold_those_of_every_start"),
+    **each("flow.wells.force", "WellForce.strongest", "tests/flow/test_dense.py::test_an_uncertain_time_moves_a_state"),
+    **each("flow.wells.expansion", "WellExpansion.rate WellExpansion.speed", "test_the_rate_next_to_a_turning_point"),
     **each("flow.wells.force", "WellForce.slope", "test_every_slope_is_in_the_ball_and_hardly_more"),
     **each("flow.wells.force", "WellForce.largest_change", "test_the_change_of_the_force_is_attained"),
     **each("flow.wells.force", "WellForce.largest", "test_the_largest_force_on_two_discs_is_attained"),

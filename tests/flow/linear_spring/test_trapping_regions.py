@@ -9,8 +9,9 @@ from flint import arb
 from scipy.integrate import solve_ivp
 
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring.trapping_regions import trap
-from asymptotics.numbers.exact import ExactReal
+from asymptotics.flow.linear_spring.trapping_regions import _together, trap
+from asymptotics.numbers.exact import ExactReal, parse_real
+from tests.flow.forces import damping_of
 
 
 def damping(*terms):
@@ -90,3 +91,28 @@ def test_no_exponent_from_1_on_creeps():
     for law in (damping((Fraction(3, 2), 10)), damping((Fraction(3, 2), 10), (Fraction(5, 4), "0.1"))):
         assert trap(law, arb(1), arb(0)) is None and law.least_power == 1
     assert damping((Fraction(1, 2), 10), (Fraction(3, 2), 1)).least_power == arb(1) / 2
+
+
+def test_a_trap_is_announced_inside_its_condition_only():
+    law = damping_of(("1/2", "1"))
+    assert trap(law, arb("0.1"), arb("0.001")) == "creeps"
+    assert trap(law, arb("0.1"), arb("0.5")) is None and trap(law, arb("-0.1"), arb("0.001")) is None
+    edge = (arb(2) / arb("1.5")) ** 2 * arb("0.01")  # (w/c)^(1/2) = y, c^(1/2) = 4/3
+    assert trap(law, arb("0.1"), edge * arb("0.999")) == "creeps" and trap(law, arb("0.1"), edge * arb("1.001")) is None
+    steep = arb(9) / 96  # c^2 y^2 < 1/6 with c = 16/9
+    largest = (arb(1) / 6).sqrt() * 9 / 16
+    assert steep < largest
+    assert trap(law, largest * arb("0.999"), arb(0)) == "creeps" and trap(law, largest * arb("1.001"), arb(0)) is None
+    for text in ("1/3", "2", "7"):  # y^2 < eps^4/6/c^2: at w = 0 the second condition alone
+        law, edge = damping_of(("1/2", text)), (arb(1) / 6).sqrt() * 9 / 16 * parse_real(text, "e").ball() ** 2
+        assert trap(law, edge * arb("0.999"), arb(0)) == "creeps" and trap(law, edge * arb("1.001"), arb(0)) is None
+    assert trap(damping_of(("1", "1.99")), arb(1), arb("0.001")) is None
+    assert trap(damping_of(("1", "2")), arb(1), arb("0.999")) == "overdamped"
+    assert trap(damping_of(("1", "2")), arb(1), arb("1.001")) is None
+
+
+def test_only_terms_up_to_alpha_help_to_trap():
+    """At small speeds w^3 is nothing beside w^(1/2); w^(1/4) is more, by fastest^(-1/4) at least."""
+    law = damping_of(("1/4", "1/5"), ("1/2", "1/5"), ("3", "10"))
+    found = float(_together(law, law.alphas[1], law.exponents[1], arb("0.0625")))
+    assert found == pytest.approx(0.2 + 0.2 * 2, rel=1e-9)

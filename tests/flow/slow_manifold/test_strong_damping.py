@@ -21,6 +21,7 @@ from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning.choose import turning_points
+from tests.flow.forces import by_strength
 
 
 def damping(alpha, epsilon):
@@ -161,3 +162,11 @@ def test_what_the_strip_leaves_open_is_in_the_error_after_it():
         i = next(i for i, piece in enumerate(pieces) if isinstance(piece, Creep))
         y, w = pieces[i].own(pieces[i].end)
         assert pieces[i + 1].error >= y.rad() + w.rad() > 0
+
+
+def test_no_slide_below_the_exponent_1():
+    with ctx.workprec(60):
+        for alpha, held in (("1/2", False), ("3/2", True)):
+            law, w = by_strength(("1e6", alpha)), arb("0.001" if alpha == "1/2" else 1).mid()
+            found = strong_damping_strip(law, law.resistance(w).mid(), w, w * arb("1e-9"))
+            assert (found is not None) is held
