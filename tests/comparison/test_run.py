@@ -8,18 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from asymptotics.cli.main import main
 from asymptotics.comparison import compare_file
-from asymptotics.comparison.digits import judged, marked, right_digits
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
-from asymptotics.numbers.digits import ball_of
 from asymptotics.turning.choose import turning_points
 
 sys.path.insert(0, str(Path(__file__).parent))
+
+
 import examples
 
 EPSILON = 0.1
@@ -211,45 +209,6 @@ def test_the_rows_as_csv_and_as_a_picture(tmp_path):
     assert found.picture("svg").startswith(b"<?xml")
 
 
-# --- digits
-
-
-@given(st.fractions(min_value=Fraction(1, 10**9), max_value=10**9), st.integers(1, 15), st.sampled_from([1, -1]))
-def test_right_digits_are_those_of_the_relative_error(value, digits, sign):
-    off = value * (1 + sign * Fraction(1, 10**digits))
-    assert right_digits(off, value, 30) == f"{digits}.00"
-    assert right_digits(-off, -value, 30) == f"{digits}.00"
-    assert right_digits(-off, value, 30) == "0.00"
-
-
-@given(st.decimals("-1e6", "1e6", allow_nan=False, places=8), st.integers(0, 7))
-def test_what_is_not_marked_is_right(value, place):
-    if not value:
-        return
-    wrong = Fraction(value) + Fraction(7, 10 ** (place + 1))
-    text = f"{value:f}"
-    shown = marked(text, wrong)
-    assert shown.replace("[", "").replace("]", "") == text
-    kept = shown.partition("[")[0]
-    if "[" in shown and any(letter in "123456789" for letter in kept):
-        ulp = Fraction(1) if "." not in kept else Fraction(1, 10 ** len(kept.partition(".")[2]))
-        scale = ulp if "." in kept else Fraction(10 ** (len(text.partition(".")[0]) - len(kept)))
-        assert abs(Fraction(text) - wrong) <= scale / 2
-
-
-def test_balls_of_decimals_hold_everything_that_rounds_to_them():
-    assert ball_of("0.5").contains(ball_of("0.45")) is False
-    assert ball_of("1.50").overlaps(ball_of("1.505"))
-    assert not ball_of("1.50").overlaps(ball_of("1.5151"))
-    assert ball_of("0").is_exact()
-    assert float(ball_of("1.0e-5").rad()) == pytest.approx(5e-7, rel=1e-3)
-
-
-def test_errors_in_two_digits():
-    errors = [judged("", 1 + Fraction(t), Fraction(1), 0).error for t in ("0", "0.00123", "9.96", "0.0999")]
-    assert errors == ["0", "1.2e-03", "1.0e+01", "1.0e-01"]
-
-
 def test_fractions_in_a_file_are_numbers(tmp_path):
     """-8/9 in the place of x_1, and a time 3/2, in the picture too."""
     points, motion = tmp_path / "points.csv", tmp_path / "motion.csv"
@@ -258,3 +217,11 @@ def test_fractions_in_a_file_are_numbers(tmp_path):
     for file in (points, motion):
         for picture in ([], ["--plot", str(tmp_path / "lost.svg")]):
             assert main(["compare", str(file), "--alpha", "2", "--epsilon", "1/10", "--quiet", *picture]) in (0, 1)
+
+
+def test_a_record_in_si_may_begin_at_the_start(tmp_path):
+    path = tmp_path / "lab.csv"
+    path.write_text("t,x\n0,0.2\n0.1,0.18\n")
+    found = compare_file(path, Oscillator({2: "1/10"}, mass="3/2", stiffness=30, x0="1/5"), si=True)
+    assert found.certified
+    assert found.rows[0].digits == "20.00"

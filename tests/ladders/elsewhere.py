@@ -56,11 +56,7 @@ ELSEWHERE: Names = {
     **each("bounds.late", "late_state", "test_the_jump_holds_the_motion_and_is_not_wide"),
     **each("bounds.late", "late_turning", "test_the_turning_point_after_the_jump_is_held_and_its_errors_are_attained"),
     **each("bounds.motion", "enclosure", "test_the_bound_covers_the_distance_and_hardly_more"),
-    **each(
-        "numbers.digits",
-        "ball_of",
-        "tests/comparison/test_si_start.py::test_a_decimal_is_every_number_that_rounds_to_it",
-    ),
+    **each("numbers.digits", "ball_of", "test_a_decimal_is_every_number_that_rounds_to_it"),
     **each(
         "numbers.value", "Coefficient.ball", "tests/numbers/test_digits.py::test_the_ball_of_digits_reaches_its_ends"
     ),

@@ -43,12 +43,12 @@ OWN = {
     "envelopes.large._power": "tests/envelopes/test_large.py::test_the_extinction_of_the_averaged_amplitude",
     "expansions.half_swings.symbolic._integrate": "tests/ladders/test_ladders.py"
     "::test_every_rung_holds_what_is_above_it",
-    "limit_cycles.certified._interval_newton": "tests/limit_cycles/test_limit_cycles.py"
+    "limit_cycles.certified._interval_newton": "tests/limit_cycles/test_half_cycle.py"
     "::test_the_half_turn_encloses_and_bites",
-    "motions.quadratic._angle": "tests/motions/test_exact.py::test_quadratic_motion_after_many_half_swings",
-    "numbers.decimals.decimal_of_ball": "tests/numbers/test_decimal_edges.py"
+    "motions.quadratic._angle": "tests/motions/test_quadratic.py::test_quadratic_motion_after_many_half_swings",
+    "numbers.decimals.decimal_of_ball": "tests/numbers/test_decimals.py"
     "::test_a_ball_is_printed_when_both_exact_ends_round_alike_and_only_then",
-    "numbers.rationals.bounds": "tests/numbers/test_bridge.py::test_bounds_enclose",
+    "numbers.rationals.bounds": "tests/numbers/test_rationals.py::test_bounds_enclose",
     "return_map.half_swings.HalfSwings.__call__": "tests/return_map/test_half_swings.py"
     "::test_the_residual_of_a_half_swing_is_what_it_is_off_by",
     "return_map.quarters.Bundle.of": "tests/return_map/test_quarters.py::test_a_late_start_is_paid_for",
@@ -59,7 +59,7 @@ OWN = {
     "::test_the_time_on_the_curves_is_the_integral_of_their_slope",
     "flow.slow_manifold.attraction.attracted": "tests/flow/slow_manifold/test_attraction.py"
     "::test_the_wait_is_as_long_as_it_takes_or_longer",
-    "turning.jump._log": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
+    "turning.jump._log": "tests/turning/test_jump.py::test_points_and_turning_points_keep_their_radii",
     "flow.wells.trapping_regions._held": "tests/flow/wells/test_trapping_regions.py"
     "::test_creep_beside_springs_and_dry_friction",
     "flow.turning.at_exact_place": "tests/flow/test_turning.py::test_a_place_that_is_known_lies_in_its_enclosure",

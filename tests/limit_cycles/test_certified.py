@@ -1,5 +1,8 @@
-"""Newton's method for a cycle: what it may claim; cycles that repel, and that relax."""
+"""Certified cycles: an integrator, what Newton's method may claim, cycles that repel, and that relax."""
 
+from fractions import Fraction
+
+import numpy as np
 import pytest
 from flint import arb, ctx
 from scipy.integrate import solve_ivp
@@ -7,10 +10,12 @@ from scipy.integrate import solve_ivp
 from asymptotics.errors import InputError
 from asymptotics.law import Law
 from asymptotics.limit_cycles.certified import MAX_MU, _interval_newton, certified_limit_cycle
-from asymptotics.numbers.exact import parse_real
+from asymptotics.limit_cycles.series import limit_cycle_series
+from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.terms import Term
 
 VAN_DER_POL = (Term(-1, 1), Term(1, 1, 2))
+VAN_DER_POL_LAW, RAYLEIGH = Law({1: -1, (1, 2): 1}), Law({1: -1, 3: 1})
 
 
 def test_a_newton_method_that_runs_out_claims_nothing(monkeypatch):
@@ -60,3 +65,18 @@ def test_a_mu_whose_multiplier_is_one_to_a_hundred_digits_is_refused(mu):
 def test_a_newton_step_without_an_end_claims_nothing():
     with ctx.workprec(80):
         assert _interval_newton(VAN_DER_POL, arb("1e-60"), arb("2.02"), 50) is None
+
+
+def test_certified_cycle_against_an_integrator_and_the_series():
+    found = certified_limit_cycle(VAN_DER_POL_LAW, ExactReal(Fraction(1, 2)), 15, 2.0)
+    run = solve_ivp(
+        lambda t, y: [y[1], -y[0] - 0.5 * (y[0] ** 2 - 1) * y[1], 0.5 * (y[0] ** 2 - 1)],
+        (0, float(found.period)), [float(found.amplitude), 0, 0], rtol=1e-12, atol=1e-13,
+    )  # fmt: skip
+    assert run.y[0, -1] == pytest.approx(float(found.amplitude), abs=1e-9)
+    assert np.exp(-run.y[2, -1]) == pytest.approx(float(found.multiplier), rel=1e-8)
+    series = limit_cycle_series(VAN_DER_POL_LAW, 24)
+    value = sum(2 * float(int(c.p) / int(c.q)) * 0.5**k for k, c in series.amplitude.items())
+    assert value == pytest.approx(float(found.amplitude), abs=1e-12)
+    assert found.stable is True
+    assert certified_limit_cycle(VAN_DER_POL_LAW, ExactReal(Fraction(-1, 2)), 10, 2.0).stable is False

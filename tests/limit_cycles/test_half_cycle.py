@@ -1,4 +1,4 @@
-"""The bounds of one half-turn: what is missing to the turning point, how motions part, the box of a step, J."""
+"""One half-turn and its bounds: what is missing to the turning point, how motions part, the box of a step, J."""
 
 import numpy as np
 import pytest
@@ -11,6 +11,7 @@ from asymptotics.law import Law
 from asymptotics.limit_cycles import half_cycle
 from asymptotics.limit_cycles.force import PolynomialForce
 from asymptotics.limit_cycles.half_cycle import _after, _box, _Here, _integral, _step, _to_the_turn
+from asymptotics.limit_cycles.half_cycle import half_cycle as half_turn
 from asymptotics.limit_cycles.series import require_polynomial
 
 VAN_DER_POL = require_polynomial(Law({1: -1, (1, 2): 1}), springs=True)
@@ -19,6 +20,9 @@ ZERO, ONE = arb(0), arb(1)
 
 def at(u, w, error="0"):
     return _Here(arb(3), arb(u), arb(w), CarriedErrors(ZERO, arb(error)), ZERO)
+
+
+VAN_DER_POL_LAW, RAYLEIGH = Law({1: -1, (1, 2): 1}), Law({1: -1, 3: 1})
 
 
 def test_what_is_missing_to_the_turn_is_bounded_on_its_box():
@@ -169,9 +173,17 @@ def test_a_box_has_room_for_all_that_the_errors_may_become():
     assert more == pytest.approx([half_cycle._ROOM * 5e-4, half_cycle._ROOM * 1e-3], rel=1e-3)
 
 
-def test_the_force_on_a_disc_is_bounded_and_attained():
-    """|G| with every part at its largest: all parts of one sign attain it."""
-    field = PolynomialForce.of(require_polynomial(Law({1: -1, (1, 2): -1}), springs=True), arb(2))
-    bound = field.largest(arb(1), arb("0.5"), arb(2), arb("0.25"))
-    attained = field.at(arb("1.5"), arb("2.25"))
-    assert abs(attained) <= bound and bound < attained * arb("1.000001")
+def test_the_half_turn_encloses_and_bites():
+    """At a low precision the ball contains the fine value; a wide start gives a wide image, and its midpoint misses."""
+    with ctx.workprec(160):
+        fine = half_turn(VAN_DER_POL_LAW.terms, arb(1), arb(2))
+    with ctx.workprec(80):
+        coarse = half_turn(VAN_DER_POL_LAW.terms, arb(1), arb(2))
+        wide = half_turn(VAN_DER_POL_LAW.terms, arb(1), arb(2, 1e-9))
+    for name in ("q", "T", "J"):
+        assert getattr(coarse, name).contains(getattr(fine, name))
+        assert getattr(coarse, name).rad() < 1e-10
+    with ctx.workprec(160):
+        edge = half_turn(VAN_DER_POL_LAW.terms, arb(1), arb(2) + arb(10) ** -9)
+    assert wide.q.contains(edge.q) and wide.q.contains(fine.q)
+    assert not wide.q.mid().overlaps(edge.q)

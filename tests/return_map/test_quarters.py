@@ -68,6 +68,8 @@ def test_laws_with_other_exponents_are_refused_unless_their_terms_vanish(other):
             quarter_swings(laws, 40)
 
 
+# The bounds, each against an evaluation that shares nothing with it.
+
 LAWS = [
     ((("3/2", "1/5"),), 1),
     ((("1", "1/20"), ("2", "1/5")), -1),

@@ -1,8 +1,6 @@
-"""Sweeps that are killed, crowded, starved of disk and lied to: nothing wrong is read back, nothing is done twice."""
+"""Sweeps that are killed, crowded and starved of disk: nothing is done twice, nothing finished is lost."""
 
-import json
 import os
-import random
 import resource
 import shutil
 import signal
@@ -14,29 +12,14 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-
-from asymptotics.errors import InputError
-from asymptotics.sweeps import Grid, sweep, values
-from asymptotics.sweeps.export import export, read_rows, records
-from asymptotics.sweeps.shard import LockedShard, verified, written
-from asymptotics.sweeps.store import Store
-
-sys.path.insert(0, str(Path(__file__).parent))  # worker processes import the tasks by name
 import tasks
 
+from asymptotics.errors import InputError
+from asymptotics.sweeps import sweep
+from asymptotics.sweeps.export import records
+from asymptotics.sweeps.store import Store
+
 LAST = 60
-
-
-@pytest.fixture
-def log(tmp_path):
-    return tmp_path / "log"
-
-
-@pytest.fixture
-def folder(tmp_path):
-    return tmp_path / "store"
 
 
 def stored(folder, points):
@@ -167,54 +150,6 @@ def test_two_drivers_on_one_store_share_the_work(log, folder):
     all_right(folder, tasks.grid(log, LAST))
 
 
-def test_damaged_shards_are_never_read_back(log, folder):
-    points = tasks.grid(log, LAST)
-    sweep(tasks.square, "square", points, folder, workers=1)
-    chance = random.Random(1)
-    for path in sorted((folder / "shards").iterdir()):
-        data = bytearray(path.read_bytes())
-        kind = chance.choice(["flip", "cut", "keep", "swap"])
-        if kind == "flip":
-            data[chance.randrange(len(data))] ^= 1 << chance.randrange(8)
-        if kind == "cut":
-            data = data[: chance.randrange(len(data))]
-        if kind == "swap":  # a number is replaced by another, as a careless editor would
-            data = data.replace(b'"square":"', b'"square":"1')
-        path.write_bytes(data)
-    intact = stored(folder, points)
-    assert 0 < len(intact) < LAST
-    assert all(value == n * n for n, value in intact.items())
-    again = sweep(tasks.square, "square", points, folder, workers=1)
-    assert again.reused == len(intact)
-    assert again.computed == LAST - len(intact)
-    all_right(folder, points)
-
-
-@given(st.text(alphabet='ab{":,}\\ é', max_size=40), st.data())
-def test_a_line_proves_itself(record, data):
-    line = written("0" * 64, record)
-    assert verified(line) == ("0" * 64, record)
-    place = data.draw(st.integers(0, len(line) - 1))
-    bit = data.draw(st.integers(0, 7))
-    wrong = line[:place] + bytes([line[place] ^ (1 << bit)]) + line[place + 1 :]
-    if place not in (64, 129):  # the two spaces carry nothing
-        assert verified(wrong) is None
-    assert verified(line[:place]) is None
-
-
-def test_a_torn_line_does_not_spoil_the_next_one(tmp_path):
-    path = tmp_path / "00.points"
-    path.write_bytes(written("1" * 64, "{}") + written("2" * 64, "{}")[:50])
-    shard = LockedShard.take(path)
-    assert LockedShard.take(path) is None  # the lock holds
-    assert shard.keys == {"1" * 64}
-    shard.append("3" * 64, "{}")
-    shard.close()
-    shard = LockedShard.take(path)
-    assert shard.keys == {"1" * 64, "3" * 64}
-    shard.close()
-
-
 def _small_files():
     resource.setrlimit(resource.RLIMIT_FSIZE, (1500, 1500))
 
@@ -254,82 +189,3 @@ def test_a_small_file_system_fills_up(tmp_path, log):
         all_right(tmp_path / "larger", points)
     finally:
         subprocess.run(["umount", str(disk)], check=True)
-
-
-def test_the_exported_file_does_not_depend_on_the_order_of_completion(log, tmp_path):
-    points = tasks.grid(log, 30)
-    texts = []
-    for name, order, workers in (("a", points, 2), ("b", list(reversed(list(points))), 1)):
-        sweep(tasks.failing, "square", order, tmp_path / name, workers=workers)
-        for suffix in ("csv", "json", "parquet"):
-            assert export(tmp_path / f"{name}.{suffix}", "square", points, tmp_path / name) == 30
-        texts.append([(tmp_path / f"{name}.{suffix}").read_bytes() for suffix in ("csv", "json", "parquet")])
-    assert texts[0] == texts[1]
-    rows = list(read_rows(tmp_path / "a.csv"))
-    assert rows == list(read_rows(tmp_path / "a.parquet"))
-    assert [row["square"] for row in rows[:6]] == [1, 4, 9, 16, None, 36]
-    assert rows[4]["failed"].startswith("argument n")
-    assert rows[0]["nested.0.nothing"] is None
-    assert json.loads(texts[0][1])["rows"][2]["result"]["square"] == "9"
-
-
-def test_an_export_of_an_unfinished_sweep_says_what_is_missing(log, folder, tmp_path):
-    sweep(tasks.square, "square", tasks.grid(log, 3), folder, workers=1)
-    export(tmp_path / "a.csv", "square", tasks.grid(log, 4), folder)
-    assert [row["failed"] for row in read_rows(tmp_path / "a.csv")] == [None, None, None, "not in the store"]
-
-
-FOREIGN = [None, "", "{}", '{"format": "other"}', '{"format": "asymptotics-sweep/1", "version": "0.0.0"}', "[]"]
-
-
-@pytest.mark.parametrize("content", FOREIGN)
-def test_a_foreign_store_is_refused_and_left_alone(folder, log, content):
-    folder.mkdir()
-    (folder / "thesis.txt").write_text("dear")
-    if content is not None:
-        (folder / "store.json").write_text(content)
-    before = sorted(p.name for p in folder.iterdir())
-    with pytest.raises(InputError, match="argument store"):
-        sweep(tasks.square, "square", tasks.grid(log, 2), folder, workers=1)
-    assert sorted(p.name for p in folder.iterdir()) == before
-
-
-def test_a_file_is_no_store(tmp_path, log):
-    (tmp_path / "file").write_text("x")
-    with pytest.raises(InputError, match="argument store"):
-        sweep(tasks.square, "square", tasks.grid(log, 2), tmp_path / "file", workers=1)
-
-
-@pytest.mark.parametrize("text", ["1:2", "1:2:0", "2:1:1/2", "1:2:3/10", "a", "", "1,,2", "1:2:1:1", "0:1:nan", "1_0"])
-def test_what_is_no_range_is_refused(text):
-    with pytest.raises(InputError, match="--alpha"):
-        values(text, "--alpha")
-
-
-def test_a_grid_of_10_to_the_12_is_refused_with_its_cost():
-    axis = values("1:1000:1", "--a")
-    with pytest.raises(InputError, match=r"10\^12 points would take about 1.2e\+04 days"):
-        Grid(dict.fromkeys("abcd", axis))
-    with pytest.raises(InputError, match="points would take"):
-        values("0:1:1e-12", "--alpha")
-
-
-def test_a_million_points_need_no_million_files_and_little_memory(tmp_path):
-    points = Grid({"alpha": values("1:100:1", "a"), "epsilon": values("1:100:1", "e")})
-    result = sweep(lambda point: {"x": point["alpha"]}, "square", points, tmp_path, workers=1)
-    assert result.computed == 10_000
-    assert len(list((tmp_path / "shards").iterdir())) <= 256
-    assert float(result.seconds) < 2e-3 * 10_000  # the overhead of a point, here with nothing to compute
-
-
-def test_a_finished_sweep_on_a_read_only_disk_is_read_and_exported(tmp_path, log, folder, monkeypatch):
-    points = tasks.grid(log, 12)
-    sweep(tasks.square, "square", points, folder, workers=1)
-    writable = os.access
-    monkeypatch.setattr(os, "access", lambda path, mode: mode != os.W_OK and writable(path, mode))
-    monkeypatch.setattr(LockedShard, "take", lambda *_: pytest.fail("a shard is opened for writing"))
-    again = sweep(tasks.square, "square", points, folder, workers=1)
-    assert (again.points, again.reused, again.computed, again.failed) == (12, 12, 0, 0)
-    assert export(tmp_path / "out.json", "square", points, folder) == 12
-    with pytest.raises(InputError, match="can only be read, and does not hold every point"):
-        sweep(tasks.square, "square", tasks.grid(log, 13), folder, workers=1)

@@ -10,10 +10,9 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+import tasks
 
 pytest.importorskip("distributed", reason="the extra cluster is not installed")
-sys.path.insert(0, str(Path(__file__).parent))
-import tasks
 
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError

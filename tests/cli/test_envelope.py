@@ -1,4 +1,4 @@
-"""The commands envelope and multiple-scales, and the files of motion."""
+"""The command envelope: its formulas, where it is slow, its series and its files."""
 
 import csv
 import json
@@ -7,6 +7,7 @@ import math
 import pytest
 import sympy
 
+import asymptotics as asy
 from asymptotics.cli.main import main
 
 
@@ -20,6 +21,32 @@ def answer(capsys, line: str) -> dict:
     code, out, err = run(capsys, line + " --json")
     assert code == 0, err
     return json.loads(out)
+
+
+PAIRS = (
+    ("0:1/20", "2:3/10"), ("0:1/10", "sqrt(3):1/10"), ("2:1/5", "3:2"), ("3:1/5", "1:1/10"), ("0:0", "3/2:1/5"),
+    ("3/2:1/5", "11/8:1/9"),
+)  # fmt: skip
+
+
+def at(row, x, lead=0.0):
+    return lead + sum(float(c["value"]) * x ** int(n) for n, c in row.items())
+
+
+def test_the_envelope_of_an_order_is_that_of_the_solution_everywhere(capsys, tmp_path):
+    line = ["envelope", "--alpha", "2", "--epsilon", "1/10", "--order", "6", "--time", "20", "--digits", "15", "--json"]
+    assert main([*line, "--csv", str(tmp_path / "e.csv"), "--points", "4"]) == 0
+    found, point = json.loads(capsys.readouterr().out), asy.solution({2: "1/10"}, order=6).at(20, digits=15)
+    assert (found["amplitude"], found["phase"]) == (point.amplitude, point.phase)
+    assert found["certified"] is False and found["order"] == 6 and "epsilon**4" in found["formula"]
+    first = asy.envelope({2: "1/10"}).amplitude(20, digits=15)
+    assert abs(float(first) - float(found["amplitude"])) > 1e-6  # no silent first order
+    last = (tmp_path / "e.csv").read_text().splitlines()[-1].split(",")
+    assert float(last[1]) == pytest.approx(float(point.amplitude), abs=1e-12)
+    assert main(["envelope", "--alpha", "2", "--epsilon", "1/10", "--order", "2", "--latex"]) == 0
+    assert capsys.readouterr().out.strip().count("\n") == 0
+    assert main(["envelope", "--alpha", "2", "--epsilon", "1/10", "--order", "2", "--v0", "1"]) == 2
+    assert "--order" in capsys.readouterr().err
 
 
 def test_the_envelope_of_lancaster_13(capsys):
@@ -44,12 +71,6 @@ def test_the_envelope_of_sums_extinction_and_certified_digits_at_irrational_expo
     oscillator = "--alpha 0 --damping 0.14715 --mass 3/2 --stiffness 30 --x0 0.2"
     squaring = answer(capsys, f"envelope {oscillator} --squaring --digits 5")
     assert (squaring["extinction"], squaring["phase"]) == ("12.894", None)
-
-
-PAIRS = (
-    ("0:1/20", "2:3/10"), ("0:1/10", "sqrt(3):1/10"), ("2:1/5", "3:2"), ("3:1/5", "1:1/10"), ("0:0", "3/2:1/5"),
-    ("3/2:1/5", "11/8:1/9"),
-)  # fmt: skip
 
 
 @pytest.mark.parametrize(("one", "other"), PAIRS)
@@ -98,10 +119,6 @@ def test_a_bound_of_slowness_that_is_none_is_refused(capsys, wrong):
     code, out, err = run(capsys, f"envelope --alpha 2 --epsilon 1/10 --slow {wrong}")
     assert (code, out) == (2, "")
     assert "--slow" in err
-
-
-def at(row, x, lead=0.0):
-    return lead + sum(float(c["value"]) * x ** int(n) for n, c in row.items())
 
 
 @pytest.mark.parametrize(("alpha", "kind"), [("2", "exact"), ("3/2", "certified"), ("1/2", "certified")])
@@ -158,75 +175,3 @@ def test_the_files_of_the_envelope(capsys, tmp_path, monkeypatch):
     assert float(rows[-1][1]) == pytest.approx(float(last["amplitude"]), abs=1e-12)
     assert float(rows[-1][2]) == pytest.approx(float(last["phase"]), abs=1e-9)
     assert (folder / "e.svg").read_text().startswith("<?xml")
-
-
-def test_the_derivation_of_cubic_damping(capsys):
-    found = answer(capsys, "multiple-scales --alpha 3 --order 2")
-    a, epsilon = sympy.symbols("a epsilon", positive=True)
-    names = {"a": a, "epsilon": epsilon}
-    shown = sympy.sympify(found["amplitude_rate"], locals=names)
-    assert sympy.expand(shown + sympy.Rational(3, 8) * a**3 * epsilon) == 0
-    assert found["gauge"] == "no-first-harmonic"
-    assert [one["n"] for one in found["orders"]] == [0, 1, 2]
-    assert found["orders"][1]["solvability"] == ["f_1 = -3*a**3/8", "g_1 = 0"]
-    assert found["orders"][2]["solvability"][1] == "g_2 = 9*a**4/256"  # the gauge's own second order, 9/256
-    text = run(capsys, "multiple-scales --alpha 3 --order 2")[1]
-    assert "dpsi/dtau = 9*a**4*epsilon**2/256 + 1" in text
-
-
-@pytest.mark.parametrize("law", ["--alpha 3/2", "--alpha symbolic", "--law 1 --law 3 --order 3", "--law 1 --law 2"])
-def test_the_derivation_in_latex(capsys, law):
-    code, out, err = run(capsys, f"multiple-scales {law} --latex")
-    assert code == 0, err
-    assert out.count(r"\[") == out.count(r"\]") >= 4
-    assert out.count(r"\begin{aligned}") == out.count(r"\end{aligned}")
-
-
-def test_motion_draws_and_tabulates_the_reference(capsys, tmp_path):
-    target = tmp_path / "r.csv"
-    line = f"motion --alpha 0 --damping 3 --stiffness 10 --x0 1 --time 5 --reference --static 5 --csv {target}"
-    code, _, err = run(capsys, f"{line} --plot {tmp_path}/r.svg --points 50")
-    assert code == 0, err
-    rows = list(csv.reader(target.read_text().splitlines()))
-    assert len(rows) == 52
-    assert float(rows[-1][1]) == pytest.approx(-0.4)  # held at the first turning point, -(1 - 6/10): 4/10 <= 5/10
-    assert math.isclose(float(rows[-1][2]), 0, abs_tol=1e-12)
-    assert (tmp_path / "r.svg").stat().st_size > 5000
-
-
-BAD = [
-    ("envelope --alpha 2 --epsilon 1/5 --mass 2", "--epsilon"),
-    ("envelope --alpha 2 --epsilon 1/5 --plot a.svg", "--time"),
-    ("envelope --alpha 2 --epsilon 1/5 --time 1 --points 5", "--points"),
-    ("envelope --alpha 2 --epsilon 1/5 --time 1 --csv a.csv --points 0", "--points"),
-    ("envelope --alpha 2", "--damping"),
-    ("envelope --alpha 2 --epsilon -1", "--epsilon"),
-    ("envelope --alpha 2 --epsilon 1 --time -1", "--time"),
-    ("envelope --law 0:1 --law sqrt(3):1 --latex", "--latex"),
-    ("envelope --alpha 2 --epsilon 1 --digits 0", "--digits"),
-    ("multiple-scales --alpha 3/2 --order 13", "--order"),
-    ("multiple-scales --alpha 3 --order 0", "--order"),
-    ("multiple-scales", "--alpha"),
-    ("multiple-scales --alpha symbolic --law 2", "--law"),
-    ("multiple-scales --law 1,1 --order 3", "--order"),
-    ("multiple-scales --law 3/2 --spring 2 --order 4", "--order"),
-    ("multiple-scales --alpha 2 --gauge no-first-harmonic", "--gauge"),
-    ("multiple-scales --alpha 3 --gauge averaging", "--gauge"),
-    ("multiple-scales --law 1 --spring 1/2", "--spring"),
-    ("multiple-scales --alpha 2 --map", "--gauge"),
-    ("motion --alpha 2 --damping 1 --x0 1 --time 1 --csv no/such/folder/a.csv", "--csv"),
-    ("motion --alpha 2 --damping 1 --x0 1 --time 1 --csv a.svg --plot a.svg", "--csv"),
-    ("motion --alpha 2 --damping 1 --x0 0 --time 1 --csv a.csv", "--x0"),
-    ("smith f --n 7 --i x", "--i"),
-    ("smith g --i 2 --n 1", "--n"),
-]
-
-
-@pytest.mark.parametrize(("line", "argument"), BAD, ids=[line for line, _ in BAD])
-def test_bad_input_is_one_line_that_names_the_argument(capsys, tmp_path, monkeypatch, line, argument):
-    monkeypatch.chdir(tmp_path)
-    code, out, err = run(capsys, line)
-    assert (code, out) == (2, "")
-    assert err.count("\n") == 1
-    assert argument in err
-    assert list(tmp_path.iterdir()) == []
