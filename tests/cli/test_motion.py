@@ -31,7 +31,7 @@ def test_the_contract(capsys):
     assert exact["amplitude"] is None and exact["phase"] is None and exact["order"] is None
     gap = abs(Fraction(data["x"]) - Fraction(exact["x"]))
     assert gap < 2 * Fraction(data["error"]) and gap > Fraction(exact["error"])
-    assert exact["x"] == "0.163853083446548520399362953734"  # tests/motion: two precisions, and order 5 within 1e-13
+    assert exact["x"] == "0.163853083446548520399362953734"  # tests/motions: two precisions, and order 5 within 1e-13
 
 
 def test_sums_of_laws_and_one_law_agree(capsys):
