@@ -19,7 +19,7 @@ def test_corrections_in_doubles_solve_their_equation():
     assert np.max(np.abs(residual + whole @ (slope * e) - e)) < 1e-10
 
 
-def test_the_sketch_refuses_what_blows_up():
+def test_the_quarter_in_doubles_refuses_what_blows_up():
     strong = QuarterInDoubles(np.array([3.0]), np.array([[-9.0]]), np.array([1.5]), np.array([0.0]))
     with pytest.raises(UndecidedError):
         strong.planned(60)

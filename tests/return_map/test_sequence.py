@@ -22,7 +22,7 @@ def test_amplitudes_carry_their_error_by_contraction(law):
     assert by_distance.amplitude_error >= error  # dry friction: relative errors grow, distances do not
 
 
-def test_radii_of_a_passage_are_kept():
+def test_radii_of_a_half_swing_are_kept():
     """What the midpoints drop: the radius of q and that of T."""
     law = damping_of(("1", "1/10"))
     found = HalfSwingBalls(arb("0.75", arb(2) ** -20), arb(3, arb(2) ** -21), "", 1, arb(0))

@@ -17,7 +17,7 @@ def geometric(terms):
 
 
 @pytest.mark.parametrize("tau", ["1/2", "3/2"])
-def test_the_tail_of_a_course_is_attained_and_half_of_it_would_not_do(tau):
+def test_the_tail_of_a_displacement_is_attained_and_half_of_it_would_not_do(tau):
     with ctx.workprec(200):
         tau = arb(1) / 2 if tau == "1/2" else arb(3) / 2
         t = (2 * tau / arb.pi()) ** 2
@@ -30,7 +30,7 @@ def test_the_tail_of_a_course_is_attained_and_half_of_it_would_not_do(tau):
                 assert ball.contains(true.mid()) and 2 * miss > ball.rad() * (1 if ball is found[0] else arb(1) / 2)
 
 
-def test_a_course_beyond_its_circle_is_refused():
+def test_a_displacement_beyond_its_circle_is_refused():
     with pytest.raises(UndecidedError, match="course"):
         geometric(4).slopes((1,), arb(3), 1)
 

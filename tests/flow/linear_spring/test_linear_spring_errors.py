@@ -24,7 +24,7 @@ def late_by(law, amplitude, distance):
     return turning_delay(law, arb(1), -amplitude - law.friction, distance, distance)
 
 
-def test_every_rounding_of_a_course_is_in_its_errors():
+def test_every_rounding_of_a_half_swing_is_in_its_errors():
     """At 20 bits: the time of the departure, the restarts, the clock and the place of the landing, each recomputed."""
     law = damping_of(("0", "1/30"), ("3/2", "1/5"))
     with ctx.workprec(20):
@@ -88,7 +88,7 @@ def test_a_start_keeps_its_radii():
         assert all(one.amplitude_error < 4 * e and one.time_error < 8 * e for one in wide)
 
 
-def test_the_end_of_a_course_that_began_in_motion_keeps_its_parts():
+def test_the_end_of_a_half_swing_that_began_in_motion_keeps_its_parts():
     """Made-up radii: the errors of the pieces and what was given add up, and so do the clock's radius and the delay."""
     law, e = damping_of(("3/2", "1/5")), arb(2) ** -10
     with ctx.workprec(80):
@@ -100,7 +100,7 @@ def test_the_end_of_a_course_that_began_in_motion_keeps_its_parts():
         assert (e + late) * (1 - arb(2) ** -20) <= found.time_error < (e + late) * arb("1.01")
 
 
-def test_a_passage_keeps_what_its_landing_misses():
+def test_a_half_swing_keeps_what_its_landing_misses():
     with ctx.workprec(40):
         *_, last = half_swing_pieces(LinearSpring(damping_of(("3/2", "1/5"))), arb("0.5"), arb(0))
         found = of_arrival(arb("0.5"), arb(0), last, 3)
