@@ -1,13 +1,11 @@
-"""Limit cycles as they are asked for: springs, one of several, refusals, the contract."""
+"""Limit cycles as they are asked for: springs, one of several, refusals."""
 
-import json
 from fractions import Fraction
 
 import pytest
 from flint import arb
 from scipy.integrate import solve_ivp
 
-from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.law import Law
 from asymptotics.limit_cycles.certified import _at_rest
@@ -59,17 +57,3 @@ def test_irrational_amplitudes_are_certified():
     more = limit_cycle(Law({1: -1, (1, 2): 1, (1, 4): "1/7"}), 4, 30)
     assert found.arithmetic == "certified"
     assert all(more.frequency[k].value[:15] == c.value[:15] for k, c in found.frequency.items())
-
-
-def test_the_contract(capsys):
-    assert main(["limit-cycle", "--law", "1:-1", "--law", "1,2:1", "--order", "8", "--json", "--digits", "10"]) == 0
-    data = json.loads(capsys.readouterr().out)
-    assert data["amplitude"]["2"] == {"value": "0.01041666667", "exact": "1/96"}
-    assert list(data["frequency"]) == ["0", "2", "4", "6", "8"]
-    assert data["frequency"]["8"]["exact"] == "-678899/5096079360"
-    line = "limit-cycle --law 1:-1 --law 1,2:1 --spring 3:1/2 --mu 1 --digits 10"
-    assert main([*line.split(), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["at"]["amplitude"].startswith("1.95363")
-    assert main(line.split()) == 0 and "x'' + x + 1/2 x^3 + mu (-x' + x^2 x')" in capsys.readouterr().out
-    assert main(["limit-cycle", "--law", "1:-1", "--law", "1,2:1", "--near", "-1"]) == 2
-    assert main(["limit-cycle", "--law", "1:1"]) == 2
