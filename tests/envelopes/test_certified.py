@@ -15,12 +15,14 @@ from asymptotics.envelopes.explicit import explicit_amplitude
 from asymptotics.envelopes.symbolic import tau as tau_symbol
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.moments.certified import moment
-from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.exact import ExactReal, parse_real
 
 SETS = [
     "0", "1", "3/2", "1/2", "sqrt(2)", "0 1", "0 2", "1 2", "1 3", "2 3", "0 1/2", "1/2 sqrt(2)", "sqrt(2) sqrt(3)",
     "0 1 2", "1/3 2/3 3", "1 2 3", "3/2 2 5/2",
 ]  # fmt: skip
+
+
 KAPPAS = ("1/10", "1/4", "1/7")
 
 
@@ -211,3 +213,10 @@ def test_two_exponents_next_to_each_other_go_by_the_integral():
         laws = [(parse_real(a, "alpha"), arb(k) / 10) for a, k in (("1/3", 2), ("2/3", 1))]
         both = certified._integral(laws, [], arb(1)), certified.time(laws, arb(-1).exp())
         assert both[0].overlaps(both[1]) and both[0].rad() < 1e-20
+
+
+def test_an_inversion_that_fails_says_all_that_is_known(monkeypatch):
+    monkeypatch.setattr(certified, "_inverse", lambda *_: None)
+    laws = [(ExactReal(1), arb(1)), (ExactReal(2), arb(1))]
+    found = certified.amplitude(laws, arb(1))
+    assert found.contains(arb(0)) and found.contains(arb(1))
