@@ -49,7 +49,8 @@ class Damping:
     def of(cls, terms: list[tuple[arb, ExactReal]]) -> "Damping":
         """From (epsilon_i, alpha_i), at the current precision.
 
-        Terms of strength exactly 0 are dropped, and those of one exponent are one term.  UndecidedError for a strength that is not told from 0.
+        Terms of strength exactly 0 are dropped, and those of one exponent are one term.  UndecidedError for a strength
+        that is not told from 0.
         """
         # A ball about 0 is neither a term nor none: without it the least exponent, and with it how the motion ends, is
         # not known.  The caller raises the precision.

@@ -123,7 +123,7 @@ class TaylorStep:
 
 def order_for(bits: int) -> int:
     """The degree at which full precision is reached near e^-1.65 of the radius."""
-    # 2^-bits = (h/R)^n at n = 0.42 bits makes h/R = 2^(-1/0.42) = e^-1.65; six terms more for the few bits of a sketch.
+    # 2^-bits = (h/R)^n at n = 0.42 bits makes h/R = 2^(-1/0.42) = e^-1.65; six terms more for the bits of a first look.
     return int(DEGREE_PER_BIT * bits) + 6
 
 

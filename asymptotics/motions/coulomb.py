@@ -98,16 +98,16 @@ def coulomb_motion(oscillator: Oscillator, t: Number, digits: int = 30, *, stati
     hold = _hold(oscillator, static)
 
     def evaluate() -> Pair:
-        course = _course(oscillator, hold)
-        if course is None:
+        motion = _dry_motion(oscillator, hold)
+        if motion is None:
             return oscillator.x0, arb(0)
-        x, end = course.stop()
+        x, end = motion.stop()
         now = moment.ball()
         if now >= end:
             return x, arb(0)
         if not now < end:
             raise UndecidedError("whether the mass has come to rest is undecided")
-        return course.place(now)
+        return motion.place(now)
 
     # t = 0 is the start itself, exactly.
     if not moment > 0:
@@ -121,12 +121,12 @@ def coulomb_stop(oscillator: Oscillator, digits: int = 30, *, static: Number | N
     found: list[int] = []
 
     def evaluate() -> Pair:
-        course = _course(oscillator, hold)
-        if course is None:
+        motion = _dry_motion(oscillator, hold)
+        if motion is None:
             found[:] = [0]
             return oscillator.x0, arb(0)
-        found[:] = [course.half_swings]
-        return course.stop()
+        found[:] = [motion.half_swings]
+        return motion.stop()
 
     x, t = certified_values(evaluate, digits)
     return Stop(x, t, found[0])
@@ -141,7 +141,7 @@ def _hold(oscillator: Oscillator, static: Number | None) -> ExactReal:
     return force
 
 
-def _course(oscillator: Oscillator, hold: ExactReal) -> _DryMotion | None:
+def _dry_motion(oscillator: Oscillator, hold: ExactReal) -> _DryMotion | None:
     """The motion at the current precision, or None if the mass never starts."""
     b, k = oscillator.law.terms[0].b, oscillator.stiffness
     x0, v0, omega, c = oscillator.x0.ball(), oscillator.v0.ball(), oscillator.omega_0(), b.ball() / k.ball()

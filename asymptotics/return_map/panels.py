@@ -12,7 +12,7 @@ turning point exists.
 >>> from asymptotics.law import Law
 >>> with ctx.workprec(80):
 ...     panel = Panels(Law({1: "1/20", 2: "1/5"}), 80).serving(arb(1), arb(0), 1000)
-...     found = panel.passage(arb("0.5")) if panel else None
+...     found = panel.half_swing(arb("0.5")) if panel else None
 >>> found.amplitude.str(12), found.duration.str(12), found.route
 ('[0.818929935607 +/- ...]', '[3.15094119172 +/- ...]', 'Chebyshev interpolation in the amplitude')
 """
@@ -73,7 +73,7 @@ class Panel:
         # Comparisons of balls that must be certain; amplitude 0 has no half-swing.
         return bool(nearest >= self.low) and bool(nearest > 0) and bool(farthest <= self.high)
 
-    def passage(self, p: arb, error: arb | None = None) -> HalfSwingBalls:
+    def half_swing(self, p: arb, error: arb | None = None) -> HalfSwingBalls:
         """The half-swing from the exact amplitude p; the duration is that of all amplitudes within ``error``."""
         t = self._place(p)
         # The ratio is that of p itself, as the error of the amplitude is led on by contraction
@@ -224,8 +224,8 @@ def _half_swings(
         tick(f"node {j} of {len(places)} of an interpolation")
         law = coordinate.damping(z)
         with ctx.workprec(bits):
-            passage = integrated(law, arb(1))
-        found.append((_there(passage.amplitude), _there(passage.duration)))
+            there = integrated(law, arb(1))
+        found.append((_certain(there.amplitude), _certain(there.duration)))
     return INTEGRATED, found
 
 
@@ -239,7 +239,7 @@ def _outwards(coordinate: Coordinate, low: arb, high: arb) -> tuple[arb, arb]:
         return (first + 0).lower(), (last + 0).upper()
 
 
-def _there(value: arb | None) -> arb:
+def _certain(value: arb | None) -> arb:
     if value is None:
         # The majorant proves that the motion reaches theta = pi there; an end would refute it.
         raise ArithmeticError("a half-swing inside the polydisc of the majorant has no end")

@@ -92,7 +92,7 @@ def quarter_swings(laws: Sequence[tuple[Damping, int]], bits: int) -> list[Quart
     bits = max(bits, _FEWEST)
     with ctx.workprec(bits + _WORK):
         bundle = Bundle.of(laws)
-        count, rim = bundle.sketch.planned(bits)
+        count, rim = bundle.in_doubles.planned(bits)
         if count > _MOST:
             raise UndecidedError("the quarter-swings need too many nodes")
         grid = NodeGrid.of(bundle, count)
@@ -143,7 +143,7 @@ class Bundle:
         return cls(alphas, tuple(strengths), exact_h, exact_g0, times, upper(2 * dh), dg)
 
     @cached_property
-    def sketch(self) -> QuarterInDoubles:
+    def in_doubles(self) -> QuarterInDoubles:
         """The same orbits in doubles, for a first solution."""
         columns = zip(*self.strengths)
         return QuarterInDoubles(doubles([self.alphas])[0], doubles(columns), *doubles([self.h, self.g0]))
@@ -222,9 +222,9 @@ class NodeGrid:
 
 def found(grid: NodeGrid, bits: int) -> arb_mat:
     """f at the nodes, nearly: exact numbers, corrected in doubles until that is enough."""
-    sketch, g0, m = grid.bundle.sketch, grid.bundle.g0, grid.count
+    in_doubles, g0, m = grid.bundle.in_doubles, grid.bundle.g0, grid.count
     values, sums = analysis(m, ctx.prec), integrals(m, ctx.prec)
-    g = [[arb(float(x)) for x in row] for row in sketch.solved(m)]
+    g = [[arb(float(x)) for x in row] for row in in_doubles.solved(m)]
     for k in range(1, 3 + bits // _GAIN):
         tick("quarter-swings by collocation")
         # Iterative refinement: the residual g_0 + integral of f - g in balls, scaled up until a double holds it, the
@@ -232,7 +232,7 @@ def found(grid: NodeGrid, bits: int) -> arb_mat:
         unit, rates = arb(2) ** (-k * _GAIN), arb_mat(grid.rates(g)).mid()
         reached = (sums * (values * rates)).table()
         missing = doubles([(a + x - y) / unit for a, x, y in zip(g0, *rows)] for rows in zip(reached, g))
-        _, slope = sketch.rates(doubles(g))
+        _, slope = in_doubles.rates(doubles(g))
         change = corrected(slope, missing)
         # One more correction of 50 bits reaches 2^-bits; it goes into f, as P is the polynomial through f.
         if np.max(np.abs(missing)) < 2.0 ** ((k + 1) * _GAIN - bits):

@@ -2,8 +2,8 @@
 
 Choices only: nothing here enters a bound.
 
->>> sketch = QuarterInDoubles(np.array([2.0]), np.array([[0.1]]), np.array([1.0]), np.array([0.0]))
->>> count, rim = sketch.planned(100)
+>>> quarter = QuarterInDoubles(np.array([2.0]), np.array([[0.1]]), np.array([1.0]), np.array([0.0]))
+>>> count, rim = quarter.planned(100)
 >>> 50 < count < 100, 2 < rim < 3
 (True, True)
 """

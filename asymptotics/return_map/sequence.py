@@ -43,7 +43,7 @@ class Interpolated(LinearSpring):
         panel = self.panels.serving(here.amplitude, here.amplitude_error, remaining)
         if panel is None:
             return None
-        there = following(self.force, here, panel.passage(here.amplitude, here.amplitude_error))
+        there = following(self.force, here, panel.half_swing(here.amplitude, here.amplitude_error))
         # A turning point after the time asked for is of no use: the state in between has to be followed by pieces.
         return there if before is None or there.time < before else None
 

@@ -53,7 +53,7 @@ NONE_NEEDED: Names = {
     **each("flow.slow_manifold.attraction", "ForceCurve.sums spread", EXACT),
     **each("flow.slow_manifold.near_equal_exponents", "Scale.t Grouped.exponent", EXACT),
     **each("flow.slow_manifold.slow_curve", "Barrier.place Barrier.clock", "abstract"),
-    **each("return_map.panels", "Panels.serving panels_of", "hands out what laid_out made"),
+    **each("return_map.panels", "Panels.serving Panels.coordinate panels_of", "hands out what laid_out made"),
     **each(
         "turning.jump",
         "jumped jumped_by_flow",

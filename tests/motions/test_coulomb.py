@@ -52,7 +52,7 @@ def test_a_kicked_mass_under_dry_friction():
 
 
 def test_a_time_that_may_be_before_the_stop_is_undecided(monkeypatch):
-    course = SimpleNamespace(stop=lambda: (arb(1), arb(7, "0.1")), place=lambda _: (arb(0), arb(0)))
-    monkeypatch.setattr(coulomb, "_course", lambda *_: course)
+    motion = SimpleNamespace(stop=lambda: (arb(1), arb(7, "0.1")), place=lambda _: (arb(0), arb(0)))
+    monkeypatch.setattr(coulomb, "_dry_motion", lambda *_: motion)
     with pytest.raises(UndecidedError):
         coulomb_motion(oscillator("0", "1/10"), 7)

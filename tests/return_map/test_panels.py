@@ -54,7 +54,7 @@ def test_a_ladder_of_panels(pairs, low, high, stretch):
         panel = laid_out(coordinate(pairs), PanelPlan(low, high, stretch, 0, 0, 0), bits)
         for p, sharp in zip(places, truth, strict=True):
             with ctx.workprec(bits):
-                found = panel.passage(p)
+                found = panel.half_swing(p)
             assert found.amplitude.contains(sharp.amplitude) and found.duration.contains(sharp.duration), bits
             assert found.amplitude.rad() < arb(2) ** (14 - bits) and found.duration.rad() < arb(2) ** (15 - bits)
             assert found.tail >= panel.ratio.error
@@ -65,7 +65,7 @@ def test_the_duration_is_that_of_all_amplitudes_nearby(pairs, low, high, stretch
     panel = laid_out(coordinate(pairs), PanelPlan(low, high, stretch, 0, 0, 0), 30)
     p, error = arb((low + high) / 2).mid(), arb(2) ** -10
     with ctx.workprec(30):
-        found, narrow = panel.passage(p, error), panel.passage(p)
+        found, narrow = panel.half_swing(p, error), panel.half_swing(p)
     for other in (p - error, p + error):
         assert found.duration.contains(by_pieces(pairs, other.mid(), 60).duration)
     gap = abs(by_pieces(pairs, (p + error).mid(), 60).duration - narrow.duration).upper()
@@ -104,7 +104,7 @@ def check(seed):
     for _ in range(3):
         p = arb(draw.uniform(low, 1)).mid()
         with ctx.workprec(40):
-            found = panel.passage(p)
+            found = panel.half_swing(p)
         sharp = by_pieces(pairs, p, 80)
         assert found.amplitude.contains(sharp.amplitude) and found.duration.contains(sharp.duration), (seed, pairs)
         assert found.amplitude.rad() < arb(2) ** -24, (seed, pairs)
@@ -165,7 +165,7 @@ def test_a_plan_that_does_not_come_true_is_made_anew(monkeypatch):
 
 
 def test_a_panel_holds_no_amplitude_that_may_be_0():
-    panel = SimpleNamespace(low=arb(-1), high=arb(2))
+    panel = SimpleNamespace(unit=arb(1), low=arb(-1), high=arb(2))
     assert Panel.holds(panel, arb("0.5"), arb("0.25")) and not Panel.holds(panel, arb("0.5"), arb("0.75"))
 
 
@@ -178,6 +178,23 @@ def test_where_quarters_do_not_serve_the_pieces_do(monkeypatch):
     monkeypatch.setattr(half_swings, "quarter_swings", refused)
     found.append(panels.laid_out(law, plan, 40))
     with ctx.workprec(40):
-        one, other = (panel.passage(arb("0.125")) for panel in found)
+        one, other = (panel.half_swing(arb("0.125")) for panel in found)
     assert one.amplitude.overlaps(other.amplitude) and one.duration.overlaps(other.duration)
     assert found[0].ratio.error != found[1].ratio.error
+
+
+def test_amplitudes_that_no_double_holds_have_panels():
+    """1 +- 10^-20 at 2^-1500: a panel in units of 2^-1024 holds what a step at twice the precision finds."""
+    law, p = Law({f"1.{'0' * 19}1": "1/20", f"0.{'9' * 20}": "1/20"}), arb(2) ** -1500
+    pairs = [(t.velocity, t.strength) for t in law.terms]
+    made = Panels(law, 60)
+    with ctx.workprec(60):
+        panel = made.serving(p, arb(0), 200)
+        assert panel is not None and panel.unit == arb(2) ** -1024 and made.serving(p / 2, arb(0), 1) is panel
+        assert made.serving(arb(2) ** -1490, arb(0), 1) is None
+        found = panel.half_swing(p)
+    with ctx.workprec(160):
+        sharp = integrated(Damping.of([(e.ball() * p ** (a - 1).ball(), a) for a, e in pairs]), arb(1))
+    assert found.amplitude.contains(sharp.amplitude) and found.duration.contains(sharp.duration)
+    assert found.amplitude.rad() < 1e-15
+    assert made.pieces(100_000) < 5000  # each half-swing takes a seventh: 22,000 bits, in 44 units

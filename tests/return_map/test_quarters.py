@@ -91,8 +91,8 @@ def path_of(law, count, bits=60):
 
 def sampled(path, rim, count=60):
     """(|f|, |d tau/dt|, |c D|) on the rim by mpmath; G from its values in doubles."""
-    bundle, sketch = path.grid.bundle, path.grid.bundle.sketch
-    g = sketch.solved(path.grid.count)[:, 0]
+    bundle, in_doubles = path.grid.bundle, path.grid.bundle.in_doubles
+    g = in_doubles.solved(path.grid.count)[:, 0]
     angles = np.pi * (2 * np.arange(len(g)) + 1) / (2 * len(g))
     b = [(1 + (k > 0)) / len(g) * np.sum(g * np.cos(k * angles)) for k in range(24)]
     terms = [(float(a.mid()), float(e.mid())) for a, e in zip(bundle.alphas, bundle.strengths[0], strict=True)]

@@ -96,10 +96,10 @@ def majorant(
         slopes = [abs(a - 1) for a in exponents]
         for sines, products in walk:
             step = _Step(h, balls, slopes, sines, products)
+            # C* and N* grow with G, so that their values at the upper end of the piece hold for all of it.
             reached = step.upper_end(growth)
             if reached is None:
                 return None
-            # C* and N* grow with G, so that their values at the upper end of the piece hold for all of it.
             growth, room = reached, 1 - step.C(reached)
             # C*/(1 - C*) = 1/(1 - C*) - 1. Each piece is rounded up: sums of upper bounds stay upper bounds.
             excess = (excess + h * (1 / room - 1)).upper()
