@@ -102,7 +102,7 @@ step(
 # The mean itself, for four pairs of laws: the integrand of d tau/d theta, its S_x and S_y integrals too.
 theta, u = sympy.symbols("theta u", real=True)
 TEST = "tests/derivations/test_second_order_sums.py"
-for a, b in ((1, 2), (0, 2), (2, 3), (1, 4)):
+for a, b in ((1, 2), (0, 3), (2, 3), (1, 4)):
     cited = f"; the engine's W and U of the four are in {TEST}" if (a, b) == (1, 4) else ""
     S_a, S_b = (sympy.Integral(sympy.sin(u) ** (p + 1), (u, sympy.pi / 2, theta)) for p in (a, b))
     sine, cosine = sympy.sin(theta), sympy.cos(theta)
