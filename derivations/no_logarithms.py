@@ -10,7 +10,6 @@ from derivations.steps import At, Coefficient, Derivation, Solution, Taylor
 
 delta = sympy.Symbol("delta", positive=True)
 v2, v3, v4, v5, v6, w2, w4, f2, f3 = sympy.symbols("v_2:7 w_2 w_4 f_2 f_3", real=True)
-ONE = sympy.Integer(1)
 
 derivation = Derivation(
     "no-logarithms",
@@ -18,12 +17,6 @@ derivation = Derivation(
     source="theory page half_swing; asymptotics.expansions.normal_form.flow",
 )
 step = derivation.step
-
-
-def laurent(field: sympy.Expr, numerator: sympy.Expr = ONE, last: int = 2) -> sympy.Expr:
-    """numerator/field as a Laurent series in delta through delta^last; the field begins with delta^2."""
-    regular = sympy.series(sympy.expand(numerator) / sympy.expand(field / delta**2), delta, 0, last + 3).removeO()
-    return sympy.expand(sympy.expand(regular) / delta**2)
 
 
 any_field = v2 * delta**2 + v3 * delta**3 + v4 * delta**4
@@ -38,16 +31,21 @@ step(
     -v3 / v2**2,
 )
 even = v2 * delta**2 + v4 * delta**4 + v6 * delta**6
-phase_rate = laurent(even)
 step("V even (derivation parity-of-flow): no such term", Coefficient(delta**2 / even, delta, 1), sympy.Integer(0))
-step("1/V is even", phase_rate, At(phase_rate, {delta: -delta}))
+step("1/V is even", At(1 / even, {delta: -delta}), 1 / even)
 step(
-    "so psi, up to its constant, is an odd Laurent series",
-    sympy.Integral(phase_rate, delta),
+    "so psi, up to its constant, is an odd Laurent series: the integral of 1/V, expanded through delta^2,",
+    sympy.Integral(Taylor(1 / even, delta, 2), delta),
     -1 / (v2 * delta) - v4 * delta / v2**2 + (v4**2 / v2**3 - v6 / v2**2) * delta**3 / 3,
 )
-time = sympy.integrate(laurent(even, 1 + w2 * delta**2 + w4 * delta**4), delta)
-step("and with W even so is tau = int W/V d delta", time + At(time, {delta: -delta}), sympy.Integer(0))
+even_rate = 1 + w2 * delta**2 + w4 * delta**4
+step(
+    "and with W even so is tau = int W/V d delta, W/V expanded likewise",
+    sympy.Integral(Taylor(even_rate / even, delta, 2), delta),
+    -1 / (v2 * delta)
+    + (w2 / v2 - v4 / v2**2) * delta
+    + (w4 / v2 - v4 * w2 / v2**2 + v4**2 / v2**3 - v6 / v2**2) * delta**3 / 3,
+)
 
 k, c_k = sympy.Symbol("k", integer=True), sympy.Symbol("c_k")
 step(

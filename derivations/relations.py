@@ -7,10 +7,11 @@
 'x >= 0,  x != pi'
 """
 
-from functools import lru_cache
+from functools import lru_cache, reduce
 
 import sympy
 from sympy.core.relational import Relational
+from sympy.polys.fields import field
 
 SIGNS = {"==": ("=", "="), "!=": ("!=", r"\neq")}
 SIGNS |= {"<": ("<", "<"), "<=": ("<=", r"\leq"), ">": (">", ">"), ">=": (">=", r"\geq")}
@@ -38,16 +39,21 @@ def value(shown: sympy.Basic) -> sympy.Basic:
 
 def _integrated(integral: sympy.Integral) -> sympy.Expr:
     """The integral of c x^p from 0, p > -1, or of a sum of c x^n e^(ikx), such as a polynomial in sin x and cos x; any
-    other as it is.
+    other as it is, but none of a quotient with x in the denominator and a sine or cosine.
 
     SymPy finds these by trial, in seconds, and how many depends on the hash seed; here the second is
-    int x^n e^(rx) = e^(rx) sum_j (-1)^j n!/(n-j)! x^(n-j)/r^(j+1).
+    int x^n e^(rx) = e^(rx) sum_j (-1)^j n!/(n-j)! x^(n-j)/r^(j+1).  After a quotient it may search until it has filled
+    the memory.
 
     >>> x = sympy.Symbol("x", real=True)
     >>> _integrated(sympy.Integral(x * sympy.sin(x)**2, (x, 0, sympy.pi)))
     pi**2/4
     >>> _integrated(sympy.Integral(sympy.exp(x**2), (x, 0, 1)))
     Integral(exp(x**2), (x, 0, 1))
+    >>> _integrated(sympy.Integral(1 / (x + sympy.sin(x)), (x, 1, 2)))
+    Traceback (most recent call last):
+        ...
+    NotImplementedError: no primitive is looked for: Integral(1/(x + sin(x)), (x, 1, 2))
     """
     f, *limits = integral.args
     if len(limits) != 1 or len(limits[0]) != 3:
@@ -58,26 +64,68 @@ def _integrated(integral: sympy.Integral) -> sympy.Expr:
         return factor * high ** (power + 1) / (power + 1)
     if not f.has(sympy.sin, sympy.cos):
         return integral
-    terms = [_wave(term, x) for term in sympy.Add.make_args(sympy.expand(f.rewrite(sympy.exp)))]
-    if None in terms:
+    if (waves := _waves(f, x) or _waves(sympy.expand(f), x)) is None:
+        quotient = any(power.exp.is_negative and power.has(x) for power in f.atoms(sympy.Pow))
+        if quotient and any(wave.has(x) for wave in f.atoms(sympy.sin, sympy.cos)):
+            raise NotImplementedError(f"no primitive is looked for: {integral}")
         return integral
-    primitive = sympy.Add(*(_primitive(*term, x) for term in terms))
+    primitive = sympy.Add(*(_primitive(c, n, rate, x) for (n, rate), c in waves.items()))
     return sympy.expand((primitive.subs(x, high) - primitive.subs(x, low)).rewrite(sympy.cos))
 
 
-def _wave(term: sympy.Expr, x: sympy.Symbol) -> tuple[sympy.Expr, int, sympy.Expr] | None:
-    """(c, n, r) if the term is c x^n e^(rx) with n = 0, 1, 2, ...; None if it is not."""
-    factor, rest = term.as_independent(x)
-    n, rate = 0, sympy.S.Zero
-    for part in sympy.Mul.make_args(rest):
-        base, power = part.as_base_exp()
-        if part.func is sympy.exp and part.args[0].coeff(x) * x == part.args[0]:
-            rate += part.args[0].coeff(x)
-        elif base == x and power.is_Integer and power > 0:
-            n += int(power)
-        elif part != 1:
-            return None
-    return factor, n, rate
+Waves = dict[tuple[int, sympy.Expr], sympy.Expr]
+"""(n, r) -> c: the sum of the terms c x^n e^(rx)."""
+
+
+def _waves(f: sympy.Expr, x: sympy.Symbol) -> Waves | None:
+    """f as a sum of terms c x^n e^(rx); None if it is none.
+
+    >>> x = sympy.Symbol("x", real=True)
+    >>> _waves(2 * x * sympy.cos(x)**2, x)
+    {(1, 2*I): 1/2, (1, 0): 1, (1, -2*I): 1/2}
+    >>> _waves(1 / sympy.cos(x), x) is None
+    True
+    """
+    if not f.has(x):
+        return {(0, sympy.S.Zero): f}
+    if f == x:
+        return {(1, sympy.S.Zero): sympy.S.One}
+    if f.func in (sympy.exp, sympy.sin, sympy.cos):
+        return _wave(f, x)
+    if f.is_Add or f.is_Mul:
+        parts = [_waves(part, x) for part in f.args]
+    elif f.is_Pow and f.exp.is_Integer and f.exp > 0:
+        parts = [_waves(f.base, x)] * int(f.exp)
+    else:
+        return None
+    return None if None in parts else reduce(_sum if f.is_Add else _product, parts)
+
+
+def _wave(f: sympy.Expr, x: sympy.Symbol) -> Waves | None:
+    """Of e^(kx + l), sin(kx + l) and cos(kx + l)."""
+    argument = sympy.expand(f.args[0])
+    rate, start = argument.coeff(x), argument.coeff(x, 0)
+    if sympy.expand(rate * x + start) != argument:
+        return None
+    if f.func is sympy.exp:
+        return {(0, rate): sympy.exp(start)}
+    up, down = sympy.exp(sympy.I * start) / 2, sympy.exp(-sympy.I * start) / 2
+    if f.func is sympy.sin:
+        up, down = -sympy.I * up, sympy.I * down
+    return {(0, sympy.I * rate): up, (0, -sympy.I * rate): down}
+
+
+def _sum(one: Waves, other: Waves) -> Waves:
+    return {key: one.get(key, 0) + other.get(key, 0) for key in {**one, **other}}
+
+
+def _product(one: Waves, other: Waves) -> Waves:
+    total: Waves = {}
+    for (n, rate), c in one.items():
+        for (k, further), d in other.items():
+            key = (n + k, sympy.expand(rate + further))
+            total[key] = sympy.expand(total.get(key, 0) + c * d)
+    return total
 
 
 def _primitive(factor: sympy.Expr, n: int, rate: sympy.Expr, x: sympy.Symbol) -> sympy.Expr:
@@ -91,16 +139,39 @@ def difference(left: sympy.Basic, right: sympy.Basic) -> sympy.Expr:
     """``left - right`` with everything that waits evaluated, reduced as far as SymPy can; 0 if they are equal.
 
     Of two tuples: the first difference of their entries that is not 0.
+
+    >>> x = sympy.Symbol("x")
+    >>> difference(1 / x - 1 / (x + 1), 1 / (x * (x + 1))), difference(1 / x - 1 / (x + 1), 1 / x)
+    (0, -1/(x + 1))
     """
     left, right = value(left), value(right)
     if isinstance(left, sympy.Tuple) and isinstance(right, sympy.Tuple) and len(left) == len(right):
         found = (difference(a, b) for a, b in zip(left, right, strict=True))
         return next((one for one in found if one != 0), sympy.Integer(0))
-    remainder = left - right
-    for reduce in (sympy.expand, sympy.simplify, sympy.expand_func, sympy.gammasimp):
+    remainder = sympy.expand(left - right)
+    if _is_rational(remainder):
+        letters = sorted(remainder.free_symbols, key=str)
+        return field([*letters, sympy.pi], sympy.QQ)[0].from_expr(remainder).as_expr()
+    for simpler in (sympy.simplify, sympy.expand_func, sympy.gammasimp):
         if remainder != 0:
-            remainder = reduce(remainder)
+            remainder = simpler(remainder)
     return remainder
+
+
+def _is_rational(f: sympy.Expr) -> bool:
+    """Whether f is a quotient of polynomials in its symbols and pi, with rational coefficients.
+
+    As pi is transcendental, it is 0 only if its numerator has no terms: nothing has to be tried.
+
+    >>> x = sympy.Symbol("x")
+    >>> _is_rational(sympy.pi * x / (x + 1)), _is_rational(sympy.sqrt(2) * x), _is_rational(2**x)
+    (True, False, False)
+    """
+    plain = (sympy.Add, sympy.Mul, sympy.Symbol, sympy.Rational)
+    return all(
+        isinstance(x, plain) or x is sympy.pi or (isinstance(x, sympy.Pow) and x.exp.is_Integer)
+        for x in sympy.preorder_traversal(f)
+    )
 
 
 def established(relation: Relational) -> bool:
@@ -117,7 +188,7 @@ def established(relation: Relational) -> bool:
 
 def _forms(difference: sympy.Expr) -> list[sympy.Expr]:
     """Ways to write a difference, of which one may show its sign."""
-    return [reduce(difference) for reduce in (lambda e: e, sympy.expand, sympy.factor, sympy.simplify)]
+    return [written(difference) for written in (lambda e: e, sympy.expand, sympy.factor, sympy.simplify)]
 
 
 def shown_in_text(shown: sympy.Basic) -> str:

@@ -8,14 +8,11 @@ point theta = 0.  One integral remains, J = <s^(2 alpha) S^2> with S = int_(pi/2
 """
 
 import sympy
-from sympy import QQ
-from sympy.polys.fields import field
 
 from asymptotics.expansions.half_swings.fourier_flow import fourier_flow
 from asymptotics.expansions.half_swings.symbolic import nested_integral_exact
 from asymptotics.expansions.moments.symbolic import moment
-from asymptotics.series import Series
-from derivations.steps import At, Coefficient, Derivation, Taylor, defined
+from derivations.steps import At, Coefficient, Derivation, Solution, Taylor, defined
 
 alpha, s = sympy.symbols("alpha s", positive=True)
 c = sympy.Symbol("c", real=True)
@@ -163,38 +160,60 @@ step(
     At(2 * a * line_2 + 2 * a**2 * line_1**2, {line_1: l_1, line_2: l_2}),
     3 * a**2 * S**2 + 2 * a * b * (1 - s ** (2 * alpha + 2)),
 )
-t_2 = t_2.doit()
-t_4 = half * sum(means.values())
 
-# From q to delta, and the flow.
-FIELD, _alpha, _pi, _M, _M2, _M3, _M4, _J = field("alpha,pi,M,M2,M3,M4,J", QQ)
-NAMES = {alpha: _alpha, sympy.pi: _pi, M: _M, M2: _M2, M3: _M3, M4: _M4, J: _J}
-SYMBOLS = dict(zip(FIELD.symbols, NAMES, strict=True))
-
-
-def element(f: sympy.Expr) -> object:
-    """An expression as an element of Q(alpha)(pi, moments, J)."""
-    plain = f.subs(m, sympy.pi * M / 2).subs({name: symbol for symbol, name in SYMBOLS.items()}, simultaneous=True)
-    return FIELD.from_expr(sympy.together(plain))
-
-
-def expression(x: object) -> sympy.Expr:
-    """Back to SymPy."""
-    return sympy.factor((FIELD.one * x).as_expr().subs(SYMBOLS, simultaneous=True))
+# From q to delta, and the flow.  Here the letter a stands for alpha - 1, so that what is solved for stays short.
+w, q, delta, lam_1, lam_2, lam_3 = sympy.symbols("a q delta lambda_1:4")
+L_1, L_2, u_1, u_3, w_2, w_4 = sympy.symbols("L_1 L_2 U_1 U_3 W_2 W_4")
+t = (half, *sympy.symbols("t_1:5"))
+found = {lam_1: half * M, lam_2: lam[2].subs(m, half * M), lam_3: lam[3].subs(m, half * M), w: a}
+log_r = {1: lam_1, 2: lam_2, 3: lam_3}
+start = {
+    1: sympy.Integer(1),
+    2: w * lam_1,
+    3: w * lam_2 + w**2 * lam_1**2 / 2,
+    4: w * lam_3 + w**2 * lam_1 * lam_2 + w**3 * lam_1**3 / 6,
+}
 
 
-weight = _alpha - 1
-minus_lambda = Series({(n,): -element(x) for n, x in lam.items()}, 1, ORDER)
-log_q = minus_lambda
-for _ in range(ORDER):
-    log_q = minus_lambda.compose(((log_q.truncate(ORDER - 1) * weight).exp().shift(0),))
-q_of_delta = (log_q.truncate(ORDER - 1) * weight).exp().shift(0)
-L = Series({(n,): -2 * element(lam[n]) for n in (1, 3)}, 1, ORDER).compose((q_of_delta,))
-T = Series({(0,): _pi, (2,): 2 * element(t_2), (4,): 2 * element(t_4)}, 1, ORDER).compose((q_of_delta,))
-reason = "By reversal L = lambda(-q) - lambda(q), T = t(q) + t(-q), delta = q exp(a lambda(q)): L_1"
-log_back, time_back = (defined(x, lambda n, f=f: expression(f[int(n)]), index=True) for x, f in (("L", L), ("T", T)))
-step(reason, log_back(1), -sympy.pi * M)
-step("and", log_back(2), a * sympy.pi**2 * M**2 / 2)
+def series(coefficients: dict[int, sympy.Expr], x: sympy.Symbol, last: int = ORDER) -> sympy.Expr:
+    """The sum of c x^n through x^last."""
+    return sympy.Add(*(c * x**n for n, c in coefficients.items() if n <= last))
+
+
+def order(n: int, coefficients: dict[int, sympy.Expr]) -> sympy.Expr:
+    """The coefficient of q^n in a series in delta, with delta = q exp(a lambda(q))."""
+    return Coefficient(At(series(coefficients, delta, n), {delta: series(start, q, n)}), q, n)
+
+
+def reversed_log(n: int) -> sympy.Expr:
+    """The coefficient of q^n in lambda(-q) - lambda(q)."""
+    return Coefficient(At(series(log_r, q, n), {q: -q}) - series(log_r, q, n), q, n)
+
+
+def reversed_time(n: int) -> sympy.Expr:
+    """The coefficient of q^n in t(-q) + t(q)."""
+    time = series(dict(enumerate(t)), q, n)
+    return Coefficient(At(time, {q: -q}) + time, q, n)
+
+
+step(
+    "At the turning point ln r = lambda(q) = lambda_1 q + ..., and delta = q exp(a lambda(q)), a = alpha - 1, begins",
+    Taylor(q * sympy.exp(w * series(log_r, q)), q, ORDER),
+    series(start, q),
+)
+step(
+    "By reversal L = lambda(-q) - lambda(q), T = t(q) + t(-q). In powers of delta, order q gives L_1",
+    At(Solution(order(1, {1: L_1}), reversed_log(1), L_1), {lam_1: found[lam_1]}),
+    -sympy.pi * M,
+)
+step(
+    "and order q^2 gives L_2",
+    At(
+        Solution(order(2, {1: L_1, 2: L_2}), reversed_log(2), L_2),
+        {L_1: -sympy.pi * M, lam_1: found[lam_1], w: a},
+    ),
+    a * sympy.pi**2 * M**2 / 2,
+)
 
 U_1, U_3 = -M, -alpha * (3 * alpha + 1) / (6 * (alpha + 1) ** 2) * M3
 W_2 = (alpha / (alpha + 1)) ** 2 * M2
@@ -204,66 +223,104 @@ rational = (
     / (2 * (alpha + 1) ** 4 * (2 * alpha + 1) * (3 * alpha + 1))
 )
 W_4 = rational * M4 + 3 * (alpha * a / (alpha + 1)) ** 2 * I_4
-W_4_in_J = W_4.subs(I_4, J - sympy.pi**2 * M**2 * M2 / 12)
 
 
-def over_half_swing(U: Series, f: Series) -> Series:
-    """int_0^pi f d psi along the flow: sum_j pi^(j+1)/(j+1)! D^j f with D = (alpha-1) delta U d/d delta."""
-    total, term, factor = Series({}, 1, ORDER), f, _pi
-    for j in range(ORDER + 1):
-        total = total + term * factor
-        term, factor = U * term.weighted((weight,)), factor * _pi / (j + 2)
-    return total
+def over_half_swing(f: sympy.Expr, last: int) -> sympy.Expr:
+    """int_0^pi f d psi = sum_j pi^(j+1)/(j+1)! D^j f through j = last, not yet differentiated."""
+    terms = [f]
+    for _ in range(last):
+        terms.append(w * delta * (u_1 * delta + u_3 * delta**3) * sympy.Derivative(terms[-1], delta))
+    return sympy.Add(*(sympy.pi ** (j + 1) / sympy.factorial(j + 1) * term for j, term in enumerate(terms)))
 
 
-U = Series({(1,): element(U_1), (3,): element(U_3)}, 1, ORDER)
-W = Series({(0,): FIELD.one, (2,): element(W_2), (4,): element(W_4_in_J)}, 1, ORDER)
-for name, there, here in (("L", log_back, over_half_swing(U, U)), ("T", time_back, over_half_swing(U, W))):
-    flowed = defined(f"{name}^flow", lambda n, f=here: expression(f[int(n)]), index=True)
-    for n in range(1, ORDER + 1):
-        step(
-            f"{name}_{n} from the flow U = {U_1} delta + ({U_3}) delta^3, W = 1 + ({W_2}) delta^2 + W_4 delta^4,"
-            " and from the half-swing",
-            flowed(n) - there(n),
-            0,
-        )
-
-
-def fourth_time(more: sympy.Expr) -> sympy.Expr:
-    """T_4 with W_4 + more in the place of W_4."""
-    return expression(over_half_swing(U, W + Series({(4,): FIELD.one * int(more)}, 1, ORDER))[4])
-
-
-T_4 = defined("T_4", fourth_time)
-reason = "and no other flow: T_n is pi W_n plus lower coefficients, so W_4 + x, T_4(x), adds to T_4 at x = 1"
-step(reason, T_4(1) - T_4(0), sympy.pi)
+L_of_flow = {
+    1: sympy.pi * u_1,
+    2: sympy.pi**2 * w * u_1**2 / 2,
+    3: sympy.pi * u_3 + sympy.pi**3 * w**2 * u_1**3 / 3,
+    4: 2 * sympy.pi**2 * w * u_1 * u_3 + sympy.pi**4 * w**3 * u_1**4 / 4,
+}
 step(
-    "Here I_4 = J - pi^2 M_(alpha+1)^2 M_(2alpha)/12 and W_4 is",
-    At(W_4_in_J, {J: I_4 + sympy.pi**2 * M**2 * M2 / 12}),
+    "L is the integral of U = U_1 delta + U_3 delta^3 over 0 < psi < pi along d delta/d psi = a delta U: with D = a"
+    " delta U d/d delta it is sum_j pi^(j+1)/(j+1)! D^j U, through delta^4",
+    Taylor(over_half_swing(u_1 * delta + u_3 * delta**3, 3), delta, ORDER),
+    series(L_of_flow, delta),
+)
+step(
+    "With delta = q exp(a lambda(q)) that is lambda(-q) - lambda(q). Order q has one solution, U_1",
+    At(Solution(order(1, L_of_flow), reversed_log(1), u_1), {lam_1: found[lam_1]}),
+    U_1,
+)
+step(
+    "order q^3 has one, U_3,",
+    At(Solution(order(3, L_of_flow), reversed_log(3), u_3), {u_1: U_1, **found}),
+    U_3,
+)
+first = -2 * lam_1 / sympy.pi
+third = (-2 * lam_3 + 2 * w * lam_1 * lam_2 - w**2 * lam_1**3 / 3) / sympy.pi
+step(
+    "and the orders q^2 and q^4, where lambda(-q) - lambda(q) has nothing, cancel, whatever the lambda_n are",
+    sympy.Tuple(At(order(2, L_of_flow), {u_1: first}), At(order(4, L_of_flow), {u_1: first, u_3: third})),
+    sympy.Tuple(0, 0),
+)
+T_of_flow = {
+    0: sympy.pi,
+    2: sympy.pi * w_2,
+    3: sympy.pi**2 * w * u_1 * w_2,
+    4: sympy.pi * w_4 + sympy.pi**3 * w**2 * u_1**2 * w_2,
+}
+step(
+    "T is the integral of W = 1 + W_2 delta^2 + W_4 delta^4 likewise, through delta^4",
+    Taylor(over_half_swing(1 + w_2 * delta**2 + w_4 * delta**4, 2), delta, ORDER),
+    series(T_of_flow, delta),
+)
+step(
+    "and t(q) + t(-q) in powers of q. Order q^2 has one solution, W_2",
+    At(Solution(order(2, T_of_flow), reversed_time(2), w_2), {t[2]: half * M2 * (alpha / (alpha + 1)) ** 2}),
+    W_2,
+)
+step(
+    "order q^3, where t(q) + t(-q) has nothing, cancels, whatever W_2 is",
+    At(order(3, T_of_flow), {u_1: first}),
+    sympy.Integer(0),
+)
+fourth = 2 * t[4] / sympy.pi - 2 * w * lam_2 * w_2
+step(
+    "and order q^4 has one solution, W_4,",
+    At(Solution(order(4, T_of_flow), reversed_time(4), w_4), {u_1: first}),
+    fourth,
+)
+step(
+    "where t_4 is pi/2 times the means of the four terms, with J = I_4 + pi^2 M_(alpha+1)^2 M_(2alpha)/12:",
+    At(
+        At(fourth, {t[4]: half * sympy.Add(*means.values()), w_2: W_2, lam_2: found[lam_2], w: a}),
+        {J: I_4 + sympy.pi**2 * M**2 * M2 / 12},
+    ),
     W_4,
 )
-e, u_1, u_3, w_2 = sympy.symbols("delta U_1 U_3 W_2")
 step(
     "p = -U/W: p_1 = M_(alpha+1), p_3 = -U_3 + U_1 W_2",
-    At(Coefficient(-(u_1 * e + u_3 * e**3) / (1 + w_2 * e**2), e, 3), {u_1: U_1, u_3: U_3, w_2: W_2}),
+    At(
+        Coefficient(-(u_1 * delta + u_3 * delta**3) / (1 + w_2 * delta**2), delta, 3),
+        {u_1: U_1, u_3: U_3, w_2: W_2},
+    ),
     alpha * (3 * alpha + 1) / (6 * (alpha + 1) ** 2) * M3 - (alpha / (alpha + 1)) ** 2 * M2 * M,
 )
 step(
     "Omega = 1/W - 1: Omega_2 = -W_2, Omega_4 = W_2^2 - W_4",
-    Coefficient(Taylor(1 / (1 + w_2 * e**2 + sympy.Symbol("W_4") * e**4), e, 4), e, 4),
-    w_2**2 - sympy.Symbol("W_4"),
+    Coefficient(Taylor(1 / (1 + w_2 * delta**2 + w_4 * delta**4), delta, 4), delta, 4),
+    w_2**2 - w_4,
 )
 cubic = fourier_flow((3,), 4)
 exact = {M4: moment(12), M3: moment(10), M2: moment(6), M: moment(4), alpha: 3}
 exact[I_4] = nested_integral_exact(3).to_sympy()
-for name, series, n, value in (("U", cubic.U, 3, U_3), ("W", cubic.W, 2, W_2), ("W", cubic.W, 4, W_4)):
+for name, computed, n, value in (("U", cubic.U, 3, U_3), ("W", cubic.W, 2, W_2), ("W", cubic.W, 4, W_4)):
     step(
         f"alpha = 3 by Fourier polynomials, which share nothing with the above: {name}_{n}",
         At(value, exact),
-        series[n].to_sympy(),
+        computed[n].to_sympy(),
     )
 step(
-    "I_4 is needed: without it W_4 at alpha = 3 is wrong, by",
-    At(rational * M4, exact) - cubic.W[4].to_sympy(),
-    sympy.Rational(3861, 81920),
+    "I_4 is needed: without it W_4 at alpha = 3 would be wrong, its term there being",
+    At(3 * (alpha * a / (alpha + 1)) ** 2 * I_4, exact),
+    -sympy.Rational(3861, 81920),
 )
