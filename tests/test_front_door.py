@@ -226,6 +226,12 @@ def test_numbers_are_handed_out_by_name():
         float(asy.expand("symbolic").p[1])
 
 
+def test_events_do_not_end_where_the_product_of_two_neighbours_is_below_the_doubles():
+    events = asy.motion({1: 1}).events(900)  # |x| falls to 1e-196; below 1e-162 a square is 0
+    for found in (events.turning, events.zeros):
+        assert np.allclose(np.diff(found), found[1] - found[0]) and 900 - found[-1] < found[1] - found[0]
+
+
 def test_reference_events_of_dry_friction():
     osc = asy.Oscillator({0: "0.14715"}, mass="3/2", stiffness=30, x0="1/5")
     events = asy.reference(osc).events(20)
