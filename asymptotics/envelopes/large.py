@@ -106,7 +106,7 @@ class SlowFlow:
         rest = [x for x in self.losses if x is not first]
         gap = min([arb(2), *(x.weight - first.weight for x in rest)], key=lambda x: float(x.mid()))
         # The time behind S goes like e^(w S), and the other losses and the well beside its parabola count there for a
-        # share of e^(-gap S): both together are less than 2^-(prec+8). Any S is right: a smaller one leaves a wider ball.
+        # share of e^(-gap S): both together are less than 2^-(prec+8). Any S is right: a smaller one widens the ball.
         S = self.s_0 + ((ctx.prec + 8) * arb(2).log() / (gap - first.weight)).upper()
         xi = (-S).exp()
         X = (first.weight * S).exp() / (-first.weight * first.epsilon * first.mean)
@@ -121,7 +121,7 @@ class SlowFlow:
         return head + X * self.well.theta_near_zero(near) / shape
 
     def _least(self) -> Loss:
-        """The loss of least weight, which rules the end; it is told in balls, as a double would take one for another."""
+        """The loss of least weight, which rules the end; told in balls, as a double would take one for another."""
         for loss in self.losses:
             if all(x is loss or x.weight > loss.weight for x in self.losses):
                 return loss
