@@ -257,3 +257,11 @@ def test_the_import_is_light_and_the_module_runs():
     command = [sys.executable, "-m", "asymptotics", "--version"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout.startswith(f"asymptotics {asy.__version__}")
+
+
+@pytest.mark.parametrize("digits", [4400, 10_000])
+def test_turning_points_of_an_oscillator_have_as_many_digits_as_those_of_a_law(digits):
+    found = asy.turning_points(asy.Oscillator({1: "1/10"}, mass=3), 2, digits=digits)
+    assert len(found.points[1].x) == digits + 3 and found.to_dataframe()["x [m]"][0] == 1  # -0. and the digits
+    with pytest.raises(asy.InputError, match="10001 is out of range"):
+        asy.turning_points(asy.Oscillator({1: "1/10"}, mass=3), 2, digits=10_001)
