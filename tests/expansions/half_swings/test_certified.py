@@ -12,6 +12,7 @@ from scipy.integrate import quad, solve_ivp
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.half_swings.certified import enclose, quarter_swing, tail_constants, truncated_sums
 from asymptotics.expansions.half_swings.certified_orders import bound_ring, indices, order_series, power_series_ring
+from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
 from asymptotics.expansions.half_swings.exact import exact_quarter_swing
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
@@ -274,3 +275,9 @@ def test_exact_engine_is_contained(alphas: tuple[int, ...], order: int) -> None:
                 truth = PiNumber.rational(0) + a[n]
                 assert_contains_narrowly(arb(b[n]), truth.ball())
                 assert not arb(b[n]).overlaps(truth.ball() + arb(10) ** -20)
+
+
+def test_roots_that_cancel_make_a_zero_by_theorem():
+    root = parse_real("sqrt(2)", "alpha")
+    assert certified_half_swing([root, 2 - root], 2).L[1, 1] == 0  # a_n = 0 and two losses
+    assert not certified_half_swing([root, Fraction(5, 2) - root], 2).L[1, 1].contains(0)
