@@ -226,6 +226,12 @@ def test_numbers_are_handed_out_by_name():
         float(asy.expand("symbolic").p[1])
 
 
+def test_events_do_not_end_where_the_product_of_two_neighbours_is_below_the_doubles():
+    events = asy.motion({1: 1}).events(900)  # |x| falls to 1e-196; below 1e-162 a square is 0
+    for found in (events.turning, events.zeros):
+        assert np.allclose(np.diff(found), found[1] - found[0]) and 900 - found[-1] < found[1] - found[0]
+
+
 def test_reference_events_of_dry_friction():
     osc = asy.Oscillator({0: "0.14715"}, mass="3/2", stiffness=30, x0="1/5")
     events = asy.reference(osc).events(20)
@@ -251,3 +257,11 @@ def test_the_import_is_light_and_the_module_runs():
     command = [sys.executable, "-m", "asymptotics", "--version"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout.startswith(f"asymptotics {asy.__version__}")
+
+
+@pytest.mark.parametrize("digits", [4400, 10_000])
+def test_turning_points_of_an_oscillator_have_as_many_digits_as_those_of_a_law(digits):
+    found = asy.turning_points(asy.Oscillator({1: "1/10"}, mass=3), 2, digits=digits)
+    assert len(found.points[1].x) == digits + 3 and found.to_dataframe()["x [m]"][0] == 1  # -0. and the digits
+    with pytest.raises(asy.InputError, match="10001 is out of range"):
+        asy.turning_points(asy.Oscillator({1: "1/10"}, mass=3), 2, digits=10_001)

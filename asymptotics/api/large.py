@@ -30,7 +30,7 @@ from asymptotics.api.slow_numbers import SlowNumbers
 from asymptotics.api.units import oscillator_of
 from asymptotics.envelopes.first_order import exact_kappa
 from asymptotics.envelopes.large import SlowFlow
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.law import Oscillator
 from asymptotics.motions.result import MotionSamples
@@ -38,6 +38,7 @@ from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
+from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
 from asymptotics.public import public
@@ -81,10 +82,11 @@ class SpringEnvelope(SlowNumbers, Drawn):
         found = cls(oscillator, notes=(*oscillator.notes, NOTE))
         try:
             # The start is 1 in its own unit; a start on the separatrix is not certainly inside and is refused with
-            # those beyond.
-            found._flow().well.xi(arb(1))
-        except InputError as outside:  # it speaks of x in units of x0
-            raise InputError("x0", f"{oscillator.x0} is not certainly inside the well", outside.accepted) from None
+            # those beyond.  A number of a thousand digits, the longest that is read, is told from it in 4096 bits.
+            at_growing_precision(lambda _: found._flow().well.xi(arb(1)), 1, 64, max_bits=1 << 12)
+        except (InputError, UndecidedError):  # they speak of x in units of x0
+            inside = "less than pi rad" if springs[0].family else "1 + c A^2 > 0"
+            raise InputError("x0", f"{oscillator.x0} is not certainly inside the well", inside) from None
         return found
 
     @public

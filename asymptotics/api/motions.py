@@ -356,8 +356,11 @@ def events_of(moving: _Sampled, until: Number, stop: float | None) -> Events:
 
 def _crossings(moving: _Sampled, grid: Array, values: Array, *, of_velocity: bool) -> Array:
     """Where ``values`` changes sign: the secant, then Newton steps kept inside the interval."""
-    # A start at rest has v = 0 on the first grid point and is no event, since events are in 0 < t.
-    i = np.nonzero(values[:-1] * values[1:] < 0)[0]
+    # Signs, since products of neighbours are 0 below 1e-162.  What is exactly 0 has no sign and is passed over: so is
+    # the first grid point of a start at rest, which is no event, since events are in 0 < t.
+    signed = np.nonzero(values)[0]
+    grid, values = grid[signed], values[signed]
+    i = np.nonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0)[0]
     low, high = grid[i], grid[i + 1]
     t = low - values[i] * (high - low) / (values[i + 1] - values[i])
     # The secant over a sixteenth of a half-swing is right to some hundredths of the cell, and each Newton step doubles

@@ -36,6 +36,8 @@ from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START
 _SPARE, _DOUBLINGS = 23, 3  # bits: six digits more than are shown, and eight times as many bits at most
 """The unit of length is a factor with an error of its own and may spoil the rounding of a point: six digits more decide
 all but one case in a million, a doubling the rest; a tie that no precision decides ends after the third."""
+_MOST = (MAX_DIGITS + 10) << _DOUBLINGS
+"""Digits of the route: ``MAX_DIGITS`` limits what is asked, not what is computed with."""
 
 
 def _letters(unit: str) -> dict[str, str]:
@@ -184,7 +186,7 @@ def turning_points(
     def attempt(bits: int) -> OscillatorTurningPoints | None:
         # Points that were done when the time was over are handed out in m and s, as the result would have been.
         with changed(in_si):
-            found = _computed(pure, count, int(bits / BITS_PER_DIGIT), start, times, route=route, **kick)
+            found = _computed(pure, count, int(bits / BITS_PER_DIGIT), start, times, route=route, most=_MOST, **kick)
         return in_si(found)
 
     # The route proves its own digits, so that ``attempt`` passes on bits as a number of digits: what is repeated is the

@@ -41,6 +41,7 @@ from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.integral import integral
+from asymptotics.numbers.precision import TooWideError
 from asymptotics.numbers.root import verified_root
 
 Laws = Sequence[tuple[ExactReal, arb]]
@@ -52,10 +53,9 @@ MAX_S = 600.0
 
 
 def time(laws: Laws, A: arb) -> arb:
-    """tau(A) for A in (0, 1].  InputError unless 0 < A certainly; A slightly above 1 by its radius is harmless."""
+    """tau(A) for A in (0, 1].  InputError for A <= 0; A slightly above 1 by its radius is harmless."""
     active = _active(laws)
-    if not A > 0:
-        raise InputError("amplitude", f"{A.str(5)} is not certainly positive", "0 < A <= 1, in units of x0")
+    _require_positive(A, "0 < A <= 1, in units of x0")
     if len(active) == 1:
         return _time_one(*active[0], A)
     if _has_companion(active):
@@ -118,8 +118,7 @@ def extinction_time(laws: Laws) -> arb | None:
 def phase(laws: Laws, strengths: Sequence[arb], A: arb) -> arb:
     """phi at the amplitude A in (0, 1], turning-point gauge; ``strengths`` are the eps_i that belong to ``laws``."""
     _active(laws)
-    if not A > 0:
-        raise InputError("amplitude", f"{A.str(5)} is not certainly positive", "0 < A <= 1: before the extinction")
+    _require_positive(A, "0 < A <= 1: before the extinction")
     active = [(a, k, e) for (a, k), e in zip(laws, strengths) if k > 0]
     if len(active) == 1:
         alpha, kappa, eps = active[0]
@@ -131,6 +130,14 @@ def phase(laws: Laws, strengths: Sequence[arb], A: arb) -> arb:
     # delta_i delta_j = eps_i eps_j e^(-(alpha_i + alpha_j - 2) r): exponents and coefficients of the numerator.
     pairs = [(a.ball() + b.ball() - 2, _w(a.ball(), b.ball()) * e * f) for a, _, e in active for b, _, f in active]
     return -_integral([(a, k) for a, k, _ in active], pairs, -A.log())
+
+
+def _require_positive(A: arb, accepted: str) -> None:
+    """InputError for A <= 0; TooWideError for a ball that may be positive, as next to the extinction."""
+    if A <= 0:
+        raise InputError("amplitude", f"{A.str(5)} is not positive", accepted)
+    if not A > 0:
+        raise TooWideError(f"the amplitude {A.str(5)} is not certainly positive")
 
 
 def _is_before(tau: arb, end: arb | None) -> bool | None:

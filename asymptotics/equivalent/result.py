@@ -4,7 +4,6 @@ Immutable; every number of the table is a decimal with its label, and the curve 
 """
 
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,7 @@ from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.digits import outward, spread
 from asymptotics.numbers.policy import Number, exact_number
+from asymptotics.numbers.rationals import decimal_fraction
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.inputs import csv_text
 from asymptotics.present.shown import Page, Rows
@@ -207,7 +207,8 @@ def _spread(name: str, cells: list[tuple[str | None, str | None]]) -> dict[str, 
     for i, (value, bound) in enumerate(cells):
         if value is not None and bound is not None:
             # Order N is known to within its bound, not to half a unit: the ends are made anew, rounded outward.
-            low, high = Fraction(value) - Fraction(bound), Fraction(value) + Fraction(bound)
+            middle, radius = decimal_fraction(value), decimal_fraction(bound)
+            low, high = middle - radius, middle + radius
             columns[f"{name}_low"][i], columns[f"{name}_high"][i] = outward(low, -1), outward(high, 1)
     return columns
 

@@ -11,7 +11,6 @@ and the amplitude is 1; units come back at the end: Delta E in k A^2, c_eq in sq
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import Any
 
 from flint import arb
@@ -29,7 +28,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, directed_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import at_growing_precision
-from asymptotics.numbers.rationals import bounds
+from asymptotics.numbers.rationals import bounds, decimal_fraction
 from asymptotics.present.shown import Page, Shown
 from asymptotics.terms import Term
 
@@ -244,5 +243,5 @@ def _within(ball: arb, digits: int) -> tuple[str, str]:
     middle, radius = (low + high) / 2, (high - low) / 2
     known = next((d for d in range(1, digits) if radius * 10 ** (d + 1) >= abs(middle)), digits)
     text = directed_decimal(middle, known + 1, -1)
-    far = max(abs(high - Fraction(text)), abs(Fraction(text) - low))
+    far = max(abs(high - decimal_fraction(text)), abs(decimal_fraction(text) - low))
     return text, directed_decimal(far, 2, 1)

@@ -19,6 +19,7 @@ from asymptotics.numbers.decimals import bits_for, decimal_of, rational_decimal
 from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.numbers.precision import at_growing_precision
+from asymptotics.numbers.rationals import decimal_fraction
 
 # 65536 bits are 19728 digits: a value that is not rounded by then is 0 or next to a tie, and UndecidedError says so.
 MAX_BITS, MAX_DIGITS = 1 << 16, 10_000
@@ -56,7 +57,7 @@ def half_unit(text: str, digits: int) -> str:
     >>> half_unit("0.0012300", 5), half_unit("0", 5)
     ('5.0e-8', '0')
     """
-    value = abs(Fraction(text))
+    value = abs(decimal_fraction(text))
     if not value:
         return "0"
     exponent = 0

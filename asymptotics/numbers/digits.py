@@ -17,11 +17,12 @@ import mpmath
 from flint import arb, fmpq
 
 from asymptotics.numbers.decimal_context import intervals
+from asymptotics.numbers.rationals import decimal_fraction
 
 
 def ends(text: str) -> tuple[Fraction, Fraction]:
     """Both ends of the interval of the numbers that round to these digits, exactly."""
-    value = Fraction(text)
+    value = decimal_fraction(text)
     # "0" is printed for the number 0 alone (``decimals``): it has no last digit, and no half unit to either side.
     if text == "0":
         return value, value

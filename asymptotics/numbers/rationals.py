@@ -7,9 +7,20 @@
 True
 """
 
+from decimal import Decimal
 from fractions import Fraction
 
 from flint import arb, fmpq, fmpz
+
+
+def decimal_fraction(text: str) -> Fraction:
+    """A decimal of any length, exactly: where Python reads an integer itself it stops at 4300 digits.
+
+    >>> decimal_fraction("-1.5e-3"), decimal_fraction("1" * 5000) % 100
+    (Fraction(-3, 2000), Fraction(11, 1))
+    """
+    # The constructor of Decimal keeps every digit, whatever the context of decimals is.
+    return Fraction(Decimal(text))
 
 
 def to_fmpq(q: Fraction | int) -> fmpq:

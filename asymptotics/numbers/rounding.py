@@ -22,8 +22,11 @@ all that lies there rounds alike, the rounding is proved, otherwise nothing is s
 from fractions import Fraction
 from math import ceil, floor, trunc
 
+from flint import fmpz
+
 from asymptotics.errors import require_choice
 from asymptotics.numbers.decimals import rational_decimal
+from asymptotics.numbers.rationals import decimal_fraction
 
 MODES = ("nearest", "down", "up", "floor", "ceil", "interval")
 
@@ -50,7 +53,7 @@ def rounded_decimal(text: str, digits: int, mode: str) -> str | None:
     """A correctly rounded decimal to fewer digits, or None if its digits do not decide that rounding."""
     if text == "0":
         return "0"
-    value, half = Fraction(text), half_unit(text)
+    value, half = decimal_fraction(text), half_unit(text)
     # Each mode is monotone: where both ends of what the digits allow round alike, so does the number between them.
     ends = {rounded_rational(end, digits, mode) for end in (value - half, value + half)}
     return ends.pop() if len(ends) == 1 else None
@@ -71,7 +74,8 @@ def _unit(q: Fraction, digits: int) -> Fraction:
     """The power of ten that is one unit of the last of ``digits`` significant digits of q."""
     # |q| > 10^(difference of the lengths - 1), so that this start is too small by one at least and the loop stops at
     # the first unit that leaves no more than ``digits`` digits.
-    exponent = len(str(abs(q.numerator))) - len(str(q.denominator)) - digits - 1
+    # Lengths by FLINT, since Python writes no integer of more than 4300 digits.
+    exponent = len(str(fmpz(abs(q.numerator)))) - len(str(fmpz(q.denominator))) - digits - 1
     unit = Fraction(10) ** exponent
     while abs(q) >= unit * 10**digits:
         unit *= 10

@@ -22,13 +22,15 @@ from typing import Any
 import mpmath
 import sympy
 from flint import arb
+from mpmath.libmp import from_rational, round_nearest
 from sympy import Expr
 
 from asymptotics.errors import InputError, shown
-from asymptotics.numbers.bridge import from_sympy
+from asymptotics.numbers.bridge import from_sympy, to_sympy
 from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.decimals import rational_decimal
 from asymptotics.numbers.digits import ball_of, interval_of, spread
+from asymptotics.numbers.rationals import decimal_fraction
 from asymptotics.present.shown import Page, Shown
 
 
@@ -65,7 +67,9 @@ class Coefficient(Shown):
     def mpf(self) -> Any:
         """The digits as an mpmath number of enough precision to hold them."""
         with workdps(len(self.text()) + 2):
-            return mpmath.mpf(self.text())
+            # As mpmath reads a text, but for the limit of Python: the quotient of two integers, rounded once.
+            q = decimal_fraction(self.text())
+            return mpmath.mp.make_mpf(from_rational(q.numerator, q.denominator, mpmath.mp.prec, round_nearest))
 
     def interval(self) -> Any:
         """An mpmath interval that contains the true value: the digits, half a unit in the last place either way."""
@@ -80,7 +84,8 @@ class Coefficient(Shown):
         if self.expression is not None:
             return self.expression
         # As many digits as are written: the mantissa without sign, point and the zeros in front.
-        return sympy.Float(self.text(), len(self.text().lstrip("-0.").replace(".", "").partition("e")[0]))
+        digits = len(self.text().lstrip("-0.").replace(".", "").partition("e")[0])
+        return sympy.Float(to_sympy(decimal_fraction(self.text())), digits)
 
     def fraction(self) -> Fraction:
         """The number as a Fraction; InputError where it is not known to be rational."""
@@ -135,4 +140,4 @@ def rounded(value: str, digits: int) -> str:
     >>> rounded("0.45765585810108791284", 6), rounded("-1.5e-30", 6), rounded("0", 3)
     ('0.457656', '-1.5e-30', '0')
     """
-    return rational_decimal(Fraction(value), digits) if len(value) > digits + 2 else value
+    return rational_decimal(decimal_fraction(value), digits) if len(value) > digits + 2 else value

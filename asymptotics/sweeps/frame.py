@@ -34,7 +34,7 @@ def columns(command: str, points: Sequence[Point], folder: Path) -> dict[str, li
         # A reason or a mark that happened to look like a number would lose its text.
         read = None if name in ("failed", "code") else numbers(cells)
         found[name] = cells if read is None else read
-        if read is not None and any("." in cell or "/" in cell or "s" in cell for cell in cells):
+        if read is not None and any("." in cell or "/" in cell or "sqrt" in cell for cell in cells):
             found[f"{name}_digits"] = cells
     return found
 

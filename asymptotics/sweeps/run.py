@@ -259,7 +259,7 @@ class _Driver:
             self.plan.release(job.shard)
 
     def _write(self, job: Job, outcome: PointOutcome) -> None:
-        # Want of memory or a disk is no property of the point: counted and told, and tried again by the next sweep.
+        # Want of memory, disk or time is no property of the point: counted and told, and tried again by the next sweep.
         if outcome.lasting:
             try:
                 job.shard.append(job.key, record_of(task_of(self.plan.command, job.point), outcome.record))

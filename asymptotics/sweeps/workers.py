@@ -25,7 +25,7 @@ from multiprocessing.process import BaseProcess
 from time import perf_counter
 from typing import Any
 
-from asymptotics.errors import InputError, UndecidedError
+from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.made_by import mark
 from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.shard import canonical
@@ -70,7 +70,10 @@ def _run(task: Task, point: Point) -> PointOutcome:
     try:
         # Written here, in the worker: a result that is no JSON fails as its point, not as the sweep.
         return PointOutcome(json.dumps({"result": task(point)}, ensure_ascii=False, separators=(",", ":")))
-    # The point is refused or undecided, by a message that names the reason; a time that was over is among these.
+    # A time that was over says more of the machine than of the point; any other limit is one of the point.
+    except LimitError as error:
+        return _failed(str(error), lasting=error.argument != "max_seconds")
+    # The point is refused or undecided, by a message that names the reason.
     except (InputError, UndecidedError) as error:
         return _failed(str(error))
     except (MemoryError, OSError) as error:  # of the machine, not of the point: worth another try some day

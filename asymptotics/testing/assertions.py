@@ -29,10 +29,11 @@ def assert_digits(value: Any, certified: str, digits: int, what: str = "value") 
     """``value`` (float, text, Fraction, Decimal, mpf) agrees with the certified decimal in ``digits`` digits.
 
     That is |value/certified - 1| <= 10^-digits, or value = 0 where the certified value is 0.  InputError if the
-    certified text has fewer significant digits than it would take to tell.
+    certified text has no two digits more: its own rounding, half a unit of its last digit, is then at most a twentieth
+    of what is allowed.
     """
-    if known_digits(certified) <= digits and Fraction(certified) != 0:
-        raise InputError("digits", f"{digits} digits cannot be told with {certified}", "fewer than it has")
+    if known_digits(certified) < digits + 2 and Fraction(certified) != 0:
+        raise InputError("digits", f"{digits} digits cannot be told with {certified}", "two fewer than it has")
     right = right_digits(value, certified)
     if right < digits:
         wanted = f"{digits} are wanted (certified: {certified})"

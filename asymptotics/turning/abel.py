@@ -43,6 +43,7 @@ from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.precision import TooWideError
 
 # A bound by Cauchy alone exceeds the truth by orders of magnitude; eight true coefficients first leave to it a part
 # (delta/rho)^8 smaller.  More cost coefficients of the map, fewer make a wider ball.
@@ -93,8 +94,10 @@ class AbelFunction:
 
     def advance(self, delta: arb, steps: int) -> arb:
         """The local strength ``steps`` half-swings after the ball ``delta``; ValueError outside (0, radius)."""
-        if not (delta > 0 and delta < self.rho):
+        if delta <= 0 or delta >= self.rho:
             raise ValueError(f"{delta.str(5)} is not in (0, {self.rho.str(5)})")
+        if not (delta > 0 and delta < self.rho):
+            raise TooWideError(f"{delta.str(5)} is not certainly in (0, {self.rho.str(5)})")
         # Psi(delta_n) - Psi(delta) - n is the sum of the defects along the orbit, a part of the sum over all of it.
         return self._solve(self.psi(delta) + steps + self.defects(self.psi, delta), delta)
 

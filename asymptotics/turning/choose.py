@@ -30,7 +30,7 @@ from asymptotics.turning.enclosing import require_soon
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.routes import ROUTES
-from asymptotics.turning.table import Progress, Request
+from asymptotics.turning.table import MAX_DIGITS, Progress, Request
 
 
 def turning_points(
@@ -44,22 +44,23 @@ def turning_points(
     v0: Number = 0,
     route: str | None = None,
     max_seconds: float = DEFAULT_SECONDS,
+    most: int = MAX_DIGITS,
     progress: Progress = lambda done: None,
 ) -> TurningPoints:
     """Turning points n = start ... start + count - 1 as far as they exist, for the strengths epsilon_i of ``law``.
 
     With springs or losses that depend on the place the start is at ``x0`` in the units of the strengths.  With ``v0``
     (dimensionless, as ``x0``) the start is in motion: n = 0 is the first turning point, see ``table``.  ``route``: the
-    name of one that serves, else the cheapest.  ``progress`` is called with the number of points finished.  Raises
-    InputError for a negative strength or a route that does not serve, LimitError for more work than the stated limits
-    or ``max_seconds``, UndecidedError where balls cannot tell how it goes on.
+    name of one that serves, else the cheapest.  ``progress`` is called with the number of points finished.  ``most``:
+    as in `Request.read`.  Raises InputError for a negative strength or a route that does not serve, LimitError for more
+    work than the stated limits or ``max_seconds``, UndecidedError where balls cannot tell how it goes on.
     """
 
     def finished(done: int) -> None:
         tick(f"turning point {done} of {count}")
         progress(done)
 
-    request = Request.read(law, count, digits, start=start, times=times, x0=x0, v0=v0)
+    request = Request.read(law, count, digits, start=start, times=times, x0=x0, v0=v0, most=most)
     with budget(max_seconds):
         require_soon(request)
         return choose(request, route).points(request, finished)

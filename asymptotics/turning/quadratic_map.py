@@ -23,16 +23,19 @@ from collections.abc import Iterator
 from flint import arb, fmpz
 
 from asymptotics.numbers.context import ctx
+from asymptotics.numbers.precision import TooWideError
 
 
 def next_amplitude(p: arb) -> arb:
     """F(p) for a ball p > 0, to the full working precision: 2|u_(n+1)| from p = 2|u_n|.
 
-    Raises ValueError if the ball reaches 0 or below.
+    Raises ValueError if the ball is at 0 or below, TooWideError if it reaches 0 only in part.
     """
     middle = p.mid()
-    if not p > 0:
+    if p <= 0:
         raise ValueError(f"the amplitude must be positive, not {p.str(5)}")
+    if not p > 0:
+        raise TooWideError(f"the amplitude {p.str(5)} is not certainly positive")
     # 0 < F' < 1 (derivation ``smith-contraction``): the image of the ball is no wider than the ball.
     return _at_exact_point(middle) + arb(0, p.rad())
 

@@ -52,12 +52,24 @@ class Request:
 
     @classmethod
     def read(
-        cls, law: Any, count: int, digits: int, *, start: int = 0, times: bool = False, x0: Number = 1, v0: Number = 0
+        cls,
+        law: Any,
+        count: int,
+        digits: int,
+        *,
+        start: int = 0,
+        times: bool = False,
+        x0: Number = 1,
+        v0: Number = 0,
+        most: int = MAX_DIGITS,
     ) -> "Request":
-        """The request, checked: InputError names the argument.  Powers of the velocity of strength 0 are left out."""
+        """The request, checked: InputError names the argument.  Powers of the velocity of strength 0 are left out.
+
+        ``most``: the most digits; a caller who has checked what was asked may want more of them to compute with.
+        """
         law = Law.read(law)
         law.require_dissipative("a sequence of turning points to rest")
-        require_counts(count, digits, start)
+        require_counts(count, digits, start, most)
         place, speed = exact_number(x0, "x0"), exact_number(v0, "v0")
         if law.is_pure:
             if speed.is_zero and place != 1:
@@ -99,10 +111,10 @@ class Request:
         return TurningPoints(alpha, epsilon, self.digits, points, method, ended, first)
 
 
-def require_counts(count: int, digits: int, start: int) -> None:
+def require_counts(count: int, digits: int, start: int, most: int = MAX_DIGITS) -> None:
     """InputError unless count, digits and start are integers in range: the same for every law."""
     require_integer(count, "count", 1, MAX_COUNT)
-    require_integer(digits, "digits", 1, MAX_DIGITS)
+    require_integer(digits, "digits", 1, most)
     require_integer(start, "start", 0, MAX_START)
 
 

@@ -3,6 +3,7 @@
 import json
 from fractions import Fraction
 
+import mpmath
 import pytest
 from flint import arb
 
@@ -55,6 +56,18 @@ def test_exact_values_and_a_tie():
     assert asy.S(0, "sqrt(1/2)").value == "0"
     assert asy.S(0, "1/2", digits=2).value == "-0.12"  # -1/8, and ties go to the even digit
     assert asy.S(0, "1/2", digits=3).value == "-0.125"
+
+
+def test_a_level_next_to_that_of_no_turning_point_is_told_by_more_bits(capsys):
+    u = "0.249999999999"
+    assert main(["smith", "t", "--u", u, "--w", "1/2", "--digits", "1"]) == 0
+    shown = capsys.readouterr().out
+    with mpmath.workdps(50):  # the mirrored point, from the turning point c down, where w^2 = r + 1/2 + 2 S e^(2 r)
+        low = -mpmath.mpf(u)
+        level = mpmath.exp(-2 * low) * (mpmath.mpf(1) / 2 - 2 * low - 1)  # 4 S = -2e-12 e^(1/2)
+        top = (-1 - mpmath.lambertw(level / mpmath.e, -1).real) / 2
+        time = mpmath.quad(lambda r: 1 / mpmath.sqrt(r + 0.5 + level * mpmath.exp(2 * r) / 2), [low, top - 5, top])
+    assert shown.split()[:2] == ["T", str(-round(float(time)))]
 
 
 def test_the_command_line_has_the_same(capsys):

@@ -21,6 +21,21 @@ def test_the_interval_holds_the_value_of_the_formula_and_not_its_neighbour():
     assert dry.number("extinction_time", digits=8).value == dry.extinction_time(digits=8)
 
 
+def test_there_is_a_phase_just_before_the_extinction():
+    slow, t = asy.envelope({"1/2": "1/10"}), "35.944207042067766223197674768409716346"
+    # A = (1 - kappa tau/2)^2 and phi = (2 w epsilon^2/kappa) (1 - 1/sqrt(A)), w = (1/4) M_1/(9/4), M_1 = 2/pi.
+    shrunk = 2 * 0.01 * (2 / mpmath.pi / 9) / mpmath.mpf(slow.kappas(digits=20)[0])
+    found = mpmath.mpf(slow.phase(t, digits=5)) * mpmath.sqrt(mpmath.mpf(slow.amplitude(t, digits=5)))
+    assert abs(found / -shrunk - 1) < 1e-4
+
+
+def test_a_start_within_a_million_millionth_of_the_top_is_inside_the_well():
+    nearly = "3.14159265358979323846"
+    assert asy.envelope(asy.Oscillator({2: "1/20"}, spring="pendulum", x0=nearly)).amplitude(0, digits=5) == "3.1416"
+    with pytest.raises(InputError, match="not certainly inside the well"):
+        asy.envelope(asy.Oscillator({2: "1/20"}, spring="pendulum", x0=nearly + "3"))
+
+
 def test_beside_a_spring_there_is_a_period():
     bob = asy.envelope(asy.Oscillator({2: "1/20"}, spring="pendulum", x0=3))
     truth = 4 * mpmath.ellipk(mpmath.sin(mpmath.mpf(3) / 2) ** 2)

@@ -97,8 +97,11 @@ ELSEWHERE: Names = {
         "test_a_ladder_of_precisions",
     ),
     **each("return_map.panels", "Panel.half_swing laid_out", "test_a_ladder_of_panels"),
-    **each("return_map.coordinate", "Coordinate.in_units",
-           "tests/return_map/test_panels.py::test_amplitudes_that_no_double_holds_have_panels"),  # fmt: skip
+    **each(
+        "return_map.coordinate",
+        "Coordinate.in_units",
+        "tests/return_map/test_panels.py::test_amplitudes_that_no_double_holds_have_panels",
+    ),  # fmt: skip
     **each(
         "flow.slow_manifold.slow_curve",
         "SlowCurve.a SlowCurve.place SlowCurve.clock FencedStrip.state solve caught",

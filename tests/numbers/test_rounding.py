@@ -55,3 +55,8 @@ def test_modes_have_names():
         require_mode(mode)
     with pytest.raises(InputError, match="'sideways' is unknown"):
         rounded_rational(Fraction(1), 3, "sideways")
+
+
+def test_numbers_longer_than_python_reads_are_rounded():
+    assert rounded_decimal("2.53e-17372", 2, "floor") == "2.5e-17372"
+    assert rounded_decimal("0." + 5000 * "3", 4500, "ceil") == "0." + 4499 * "3" + "4"

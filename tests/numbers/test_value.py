@@ -5,9 +5,11 @@ from fractions import Fraction
 import mpmath
 import pytest
 import sympy
+from flint import arb
 
 from asymptotics.errors import InputError
-from asymptotics.numbers.value import Coefficient, rounded
+from asymptotics.numbers.decimal_context import workdps
+from asymptotics.numbers.value import Coefficient, coefficient_columns, rounded
 
 
 @pytest.mark.parametrize(
@@ -67,3 +69,14 @@ def test_a_text_is_cut_down_only_when_it_is_longer():
     assert rounded("0.125", 3) == "0.125" and rounded("12345", 3) == "12345" and rounded("123456", 3) == "1.23e5"
     assert rounded("1234.5678", 4) == "1235"
     assert rounded("1.00049999999999999999999999", 4) == "1.000" and rounded("2.00050000000000000000001", 4) == "2.001"
+
+
+def test_five_thousand_digits_are_handed_out_in_every_form():
+    third = Coefficient("0." + 5000 * "3", None)
+    width = third.interval().delta
+    assert 0 < width < mpmath.mpf("1.01e-5000") and third.ball().contains(arb(1) / 3)
+    with workdps(5010):
+        assert abs(3 * third.mpf() - 1) < mpmath.mpf("1.01e-5000") and abs(3 * third.sympy() - 1) < sympy.Float(
+            "1e-4990"
+        )
+    assert coefficient_columns([third])["value"] == [1 / 3]

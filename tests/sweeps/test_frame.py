@@ -36,3 +36,10 @@ def test_the_picture_is_a_line_for_each_value_of_the_other_parameters(swept):
     assert "<img" in swept._repr_html_() and "grid" not in swept.to_dict()
     with pytest.raises(asy.InputError, match="argument y: there is no column of numbers 'exact'"):
         swept.picture(y="exact")
+
+
+def test_truth_values_have_no_digits_beside_them(tmp_path):
+    found = asy.sweep(lambda point: {"right": point["n"] == "1", "root": "sqrt(2)"}, "task", Grid({"n": ("1", "2")}),
+                      tmp_path / "store", workers=1).to_dataframe()  # fmt: skip
+    assert found["right"].tolist() == [True, False] and "right_digits" not in found
+    assert found["root_digits"].tolist() == ["sqrt(2)"] * 2

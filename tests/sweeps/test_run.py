@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 import tasks
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.sweeps import sweep
 from asymptotics.sweeps.export import records
 from asymptotics.sweeps.store import Store
@@ -85,6 +85,21 @@ def test_an_error_nobody_foresaw_is_the_record_of_its_point(log, folder):
     result = sweep(tasks.crashing, "square", tasks.grid(log, 9), folder, workers=1)
     assert (result.computed, result.failed) == (9, 1)
     assert result.failures[0]["reason"] == "RuntimeError: an error nobody foresaw"
+
+
+def test_a_time_that_was_over_is_tried_again_and_a_limit_is_kept(folder):
+    left = ["max_seconds", "digits"]
+
+    def task(point):
+        if point["n"] in left:
+            raise LimitError(point["n"], "60 s are over", "a larger limit")
+        return {"right": True}
+
+    points = [{"n": name} for name in left]
+    assert sweep(task, "task", points, folder, workers=1).failed == 2
+    left.clear()
+    again = sweep(task, "task", points, folder, workers=1)
+    assert (again.computed, again.reused, again.failed) == (1, 1, 1)
 
 
 def test_a_worker_killed_once_costs_nothing(log, folder):

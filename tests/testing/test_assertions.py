@@ -28,6 +28,10 @@ def test_zero_is_met_by_zero_only():
 def test_a_certified_value_with_too_few_digits_cannot_judge():
     with pytest.raises(InputError, match="cannot be told"):
         assert_digits("1.23", "1.23", 3)
+    # 1.000 may stand for 1.0005: one digit more is half of the tolerance, two are a twentieth.
+    with pytest.raises(InputError, match="two fewer"):
+        assert_digits("1.001", "1.000", 3)
+    assert_digits("1.001", "1.0000", 3)
     assert right_digits("1.23", "1.23") == float("inf")
 
 

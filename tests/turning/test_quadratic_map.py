@@ -6,6 +6,7 @@ from flint import arb, ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
+from asymptotics.errors import UndecidedError
 from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
 from asymptotics.turning.quadratic_series import map_series
 
@@ -61,8 +62,10 @@ def test_a_ball_is_mapped_to_a_ball_that_holds_all_images():
         wide = next_amplitude(arb(2, "0.01"))
         for p in ("1.99", "1.995", "2", "2.01"):
             assert wide.contains(next_amplitude(arb(p)).mid())
-    with pytest.raises(ValueError, match="positive"):
+    with pytest.raises(UndecidedError, match="positive"):
         next_amplitude(arb(0, 1))
+    with pytest.raises(ValueError, match="positive"):
+        next_amplitude(arb(0))
 
 
 def test_the_power_series_is_the_map():

@@ -167,13 +167,18 @@ def is_linear_friction(forces: Forces, n: Key) -> bool:
 
 
 def _weight(forces: Forces, n: Key) -> Fraction | None:
-    """a_n if all weights that occur are rational, else None: then a_n is irrational.
+    """a_n if it is found rational, else None.
 
-    A sum of rationals and of positive multiples of square roots is rational only if each root is.
+    Roots may cancel, as in sqrt(2) + (2 - sqrt(2)).  Where a partial sum needs two roots the rest is not looked at: a_n
+    may be rational then, and a zero that follows from it is left as a ball around 0.
     """
-    if any(k and not w.is_rational for w, k in zip(forces.weights, n, strict=True)):
-        return None
-    return sum((k * w.rational for w, k in zip(forces.weights, n, strict=True) if k), Fraction(0))
+    total = ExactReal(0)
+    for w, k in zip(forces.weights, n, strict=True):
+        try:
+            total += w * k
+        except InputError:
+            return None
+    return total.rational if total.is_rational else None
 
 
 def _with_dry_friction(alphas: Sequence[ExactReal], dry: int, order: int, max_seconds: float) -> tuple[Series, Series]:

@@ -31,6 +31,7 @@ from flint import acb, arb
 
 from asymptotics.errors import InputError
 from asymptotics.expansions.moments.certified import moment
+from asymptotics.numbers.precision import TooWideError
 
 
 @dataclass(frozen=True)
@@ -73,15 +74,13 @@ class Well:
         return cls("duffing", c)
 
     def xi(self, A: arb) -> arb:
-        """sqrt(2 V(A)) of a turning point A > 0; InputError unless A is certainly inside the well."""
+        """sqrt(2 V(A)) of a turning point A > 0; InputError outside the well, TooWideError where balls do not tell."""
         if self.kind == "pendulum":
             root = self.strength.sqrt()
-            # Beyond pi the pendulum turns over: decided in balls, and refused where they do not tell.
-            if not (A > 0 and root * A < arb.pi()):
-                raise InputError("x0", f"{A.str(5)} is not certainly inside the well", "less than pi rad")
+            # Beyond pi the pendulum turns over.
+            _require_inside(A, arb.pi() - root * A, "less than pi rad")
             return 2 * (root * A / 2).sin() / root
-        if not (A > 0 and 1 + self.strength * A * A > 0):
-            raise InputError("x0", f"{A.str(5)} is not certainly inside the well", "1 + c A^2 > 0")
+        _require_inside(A, 1 + self.strength * A * A, "1 + c A^2 > 0")
         return A * (1 + self.strength * A * A / 2).sqrt()
 
     def amplitude(self, xi: Any) -> Any:
@@ -180,3 +179,10 @@ def _hypergeometric(a: arb, b: arb, c: arb, z: Any, analytic: bool) -> Any:
     from scipy.special import hyp2f1  # noqa: PLC0415 (slow to load; balls do without)
 
     return hyp2f1(float(a.mid()), float(b.mid()), float(c.mid()), z)
+
+
+def _require_inside(A: arb, room: arb, accepted: str) -> None:
+    if A <= 0 or room <= 0:
+        raise InputError("x0", f"{A.str(5)} is not certainly inside the well", accepted)
+    if not (A > 0 and room > 0):
+        raise TooWideError(f"{A.str(5)} is not certainly inside the well")

@@ -89,7 +89,8 @@ class SpectralLine:
         # The third overtone and the slope of the amplitude move an extreme away from where the phase has it.
         for _ in range(_NEWTON):
             x, v, a = (self._sum(P, Q, times, order) for order in range(3))
-            inside = (outside == 0) & (np.abs(v) < _NEAR * self.omega * np.abs(x)) & (x * a < 0)
+            toward = np.sign(x) * np.sign(a) < 0
+            inside = (outside == 0) & (np.abs(v) < _NEAR * self.omega * np.abs(x)) & toward
             times = np.where(inside, times - np.divide(v, a, where=inside, out=np.zeros_like(v)), times)
         return np.arange(len(k)), times, np.where(inside, self._sum(P, Q, times, 0), values), inside
 

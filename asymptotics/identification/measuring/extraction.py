@@ -256,7 +256,7 @@ def _base_line(found: _Points, start: float) -> Array:
     side = len(weights) // 2
     middle, time = np.convolve(x, weights, mode="valid"), t[side:-side]
     # Only where all five alternate does their mean cancel the motion.
-    alternate = np.convolve(x[1:] * x[:-1] >= 0, np.ones(2 * side), mode="valid") < 0.5
+    alternate = np.convolve(np.sign(x[1:]) * np.sign(x[:-1]) >= 0, np.ones(2 * side), mode="valid") < 0.5
     if alternate.sum() < 3:
         return np.zeros(2)
     middle, time = middle[alternate], time[alternate]
@@ -285,7 +285,8 @@ def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
     last = first + int(hidden[0]) if len(hidden) else len(size)
     chosen = np.arange(first, last)
     # Signs alternate over an odd number of half-swings; where they do not, one was lost or invented.
-    same = np.flatnonzero((found.x[chosen][1:] * found.x[chosen][:-1] >= 0) != (_steps(found.t[chosen]) % 2 == 0))
+    side = np.sign(found.x[chosen])
+    same = np.flatnonzero((side[1:] * side[:-1] >= 0) != (_steps(found.t[chosen]) % 2 == 0))
     if len(same):
         chosen = chosen[: same[0] + 1]
         notes.append(f"from t = {found.t[chosen[-1]]:.6g} on, extremes do not alternate: left out")

@@ -27,27 +27,31 @@ is infinite.  The series never describes a whole half-swing.
 
 from flint import acb, arb, fmpq
 
+from asymptotics.numbers.precision import TooWideError
 from asymptotics.turning.quadratic_duration import elapsed
 from asymptotics.turning.quadratic_map import next_amplitude
 
 
 def first_constant(u: arb, w: arb) -> arb:
-    """S at (u, w); both branches have one value on a half-swing.  ValueError if the sign of w is undecided."""
+    """S at (u, w); both branches have one value on a half-swing.  TooWideError if the sign of w is undecided."""
     if w > 0:
         u = -u
     elif not w <= 0:
-        raise ValueError(f"the sign of w = {w.str(5)} is undecided")
+        raise TooWideError(f"the sign of w = {w.str(5)} is undecided")
     return (-2 * u).exp() * (w * w / 2 - u / 2 - arb(fmpq(1, 4)))
 
 
 def last_turning_point(u: arb, w: arb) -> arb:
     """|u_0| of the half-swing through (u, w): 1 + 2 u_0 = -W_(-1)(4 S / e).
 
-    Raises ValueError if S >= 0: then the motion comes from infinity and has no earlier turning point.
+    Raises ValueError if S >= 0: then the motion comes from infinity and has no earlier turning point.  TooWideError if
+    the ball of S does not tell.
     """
     level = 4 * first_constant(u, w)
-    if not level < 0:
+    if level >= 0:
         raise ValueError("S >= 0: no turning point precedes this point")
+    if not level < 0:
+        raise TooWideError(f"the sign of 4 S = {level.str(5)} is undecided")
     # S at the turning point, e^(-2u)(-u/2 - 1/4) = S, solved for u; the branch W_(-1) <= -1 is the one with u_0 >= 0.
     return (-((level / arb.const_e()).lambertw(-1)) - 1) / 2
 
@@ -56,8 +60,10 @@ def since_turning_point(u: arb, w: arb) -> arb:
     """omega times the time since the last turning point, from the point (u, w) with w != 0."""
     if w > 0:
         return since_turning_point(-u, -w)
+    if w == 0:
+        raise ValueError("w = 0: a point at rest is a turning point itself")
     if not w < 0:
-        raise ValueError(f"w = {w.str(5)} is not certainly nonzero: a point at rest is a turning point itself")
+        raise TooWideError(f"w = {w.str(5)} is not certainly nonzero: a point at rest is a turning point itself")
     p = 2 * last_turning_point(u, w)
     q = next_amplitude(p)
     # (1 - cos chi)/2, whose balls may leave [0, 1] by rounding next to a turning point.

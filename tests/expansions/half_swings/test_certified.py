@@ -17,6 +17,7 @@ from asymptotics.expansions.half_swings.certified import (
     terms_needed,
     truncated_sums,
 )
+from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
 from asymptotics.expansions.half_swings.exact import exact_quarter_swing
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
@@ -294,3 +295,9 @@ def test_the_tail_of_a_power_series_is_that_of_its_bound():
     for bits in (8, 12, 40):
         terms = terms_needed([{(1,): arb(1)}], 4, bits)
         assert enclose({(1,): arb(0)}, {(1,): arb(1)}, 4, terms)[(1,)].rad() < arb(2) ** (-bits - 3)
+
+
+def test_roots_that_cancel_make_a_zero_by_theorem():
+    root = parse_real("sqrt(2)", "alpha")
+    assert certified_half_swing([root, 2 - root], 2).L[1, 1] == 0  # a_n = 0 and two losses
+    assert not certified_half_swing([root, Fraction(5, 2) - root], 2).L[1, 1].contains(0)

@@ -4,6 +4,7 @@ import mpmath
 import pytest
 from flint import arb, ctx, fmpq
 
+from asymptotics.errors import UndecidedError
 from asymptotics.motions.invariants.certified import (
     absolute_radius,
     first_constant,
@@ -42,7 +43,7 @@ def test_time_to_a_turning_point_is_the_half_period():
 def test_states_without_a_turning_point_are_refused():
     with pytest.raises(ValueError, match="no turning point precedes"):
         last_turning_point(arb(0), arb(-2))
-    with pytest.raises(ValueError, match="undecided"):
+    with pytest.raises(UndecidedError, match="undecided"):
         first_constant(arb(0), arb(0, 1))
 
 
