@@ -221,8 +221,7 @@ class Envelope(SlowNumbers, Drawn):
             return times, self.amplitudes(times), self.phases(times)
         oscillator = self.oscillator
         epsilon_, omega, length = (
-            float(x.mid())
-            for x in (acting_term(oscillator).strength.ball(), oscillator.omega_0(), oscillator.length())
+            float(x.mid()) for x in (acting_term(oscillator).strength.ball(), oscillator.omega_0(), oscillator.length())
         )
         forms = (sympy.lambdify([tau, epsilon], e, "numpy", cse=True) for e in self.series(order).explicit)
         # 0 times the times gives a constant the shape of the array.
