@@ -164,12 +164,12 @@ def _undivided(
 
 def _unit(options: argparse.Namespace) -> str:
     """What x counts: metres, point 0 itself, radians, or the length in which the strengths are given."""
+    springs = options.spring or []
     if is_physical(options):
-        return "m"
+        return "rad" if PENDULUM in springs else "m"
     x0, v0 = _start(options)
     if not v0.is_zero:
         return "x0"
-    springs = options.spring or []
     if PENDULUM in springs:
         return "rad"
     # A,M:E is a loss |x|^M: its strength belongs to a length, as that of a spring does.
