@@ -43,7 +43,7 @@ def test_the_place_of_a_pendulum_is_told_in_radians_everywhere(capsys, tmp_path)
     law = "--law 2:1/10 --spring pendulum --mass 2"
     assert answer(capsys, f"turning-points {law} --count 1 --digits 5")["x_unit"] == "rad"
     assert run(capsys, f"solution {law} --order 1 --time 1 --digits 5 --csv {tmp_path}/x.csv --points 2")[0] == 0
-    with open(tmp_path / "x.csv") as file:
+    with (tmp_path / "x.csv").open() as file:
         assert next(csv.reader(file))[:4] == ["t [s]", "amplitude [rad]", "phase [rad]", "x [rad]"]
     curve = solution(Oscillator({2: "1/10"}, spring="pendulum"), order=1).plot(until=1)
     assert "(rad)" in curve.get_ylabel()
