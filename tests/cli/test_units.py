@@ -38,6 +38,16 @@ def test_turning_points_in_metres_and_seconds_are_the_dimensionless_ones_scaled(
         assert float(metres["t"]) == pytest.approx(float(relative["tau"]) / OMEGA, rel=1e-13)
 
 
+@pytest.mark.parametrize("place", ["1000", "-1000"])
+def test_the_routes_are_told_for_the_strength_at_the_start(capsys, place):
+    """From x0 = 1000 the law epsilon = 1/10 is that of strength 100 from 1."""
+    near, far, same = (
+        answer(capsys, f"turning-points --alpha 2 --count 100 --epsilon {e} --route help")["routes"]
+        for e in ("1/10", f"1/10 --x0 {place}", "100")
+    )
+    assert far == same != near
+
+
 def test_the_place_of_a_pendulum_is_told_in_radians_everywhere(capsys, tmp_path):
     """x_unit of the points, and the columns of the solution, as the motion and the envelope have them."""
     law = "--law 2:1/10 --spring pendulum --mass 2"
