@@ -56,8 +56,30 @@ class Group:
     ignored: tuple[str, ...] = ()
 
 
+BESIDES = {  # tests of other rooms that notice faults of a room
+    "motions/invariants": ("tests/api/test_constants.py",),
+    "envelopes": (
+        "tests/api/test_evaluated.py",
+        "tests/api/test_implicit.py",
+        "tests/api/test_proved_curve.py",
+        "tests/api/test_shown_solution.py",
+        "tests/api/test_slow_numbers.py",
+        "tests/api/test_solution.py",
+        "tests/api/test_started.py",
+    ),
+    "flow/linear_spring": (
+        "tests/flow/test_error_propagation_ratios.py",
+        "tests/return_map/test_half_swing_map.py",
+        "tests/return_map/test_sequence.py",
+    ),
+    "turning": ("tests/flow/linear_spring/test_near_critical.py",),
+    "comparison": ("tests/api/test_files.py",),
+}
+
+
 def _room(name: str, *ignored: str) -> Group:
-    return Group((f"asymptotics/{name}",), (f"tests/{name}", f"asymptotics/{name}"), ignored)
+    tests = (f"tests/{name}", *BESIDES.get(name, ()), f"asymptotics/{name}")
+    return Group((f"asymptotics/{name}",), tests, ignored)
 
 
 ROOMS = (

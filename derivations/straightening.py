@@ -71,7 +71,7 @@ in_xi = sympy.Integral(
 step(
     "with linear loss it loses int v dx, v = A cos theta (1 + c A^2 (1 + sin^2 theta)/2)^(1/2) at x = A sin theta;"
     " through c^2 that is the integral of x'(xi) v over xi = xi_A sin theta.  The half-swings themselves, to"
-    " the fifth order of the losses, are compared in tests/expansions/straightening/test_straightening.py",
+    " the fifth order of the losses, are compared in tests/expansions/straightening/test_wells.py",
     sympy.Integral(
         (A * cosine) ** 2 * Taylor(sympy.sqrt(1 + c * A**2 * (1 + sine**2) / 2), c, 2), (theta, 0, sympy.pi / 2)
     ),

@@ -16,7 +16,7 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 collect_ignore = ["notebook.py"]  # a program of `make docs`, whose libraries `make test` does not install
 
 FIRST = (  # what imports derivations, each of which is proved once in a process, or needs the report of the tests
-    "tests/derivations/", "tests/envelopes/test_derivations", "tests/expansions/multiple_scales/test_derivations",
+    "tests/derivations/", "tests/expansions/multiple_scales/test_derivations",
     "tests/envelopes/test_large", "tests/expansions/straightening/", "tests/paper_checks/test_every_statement",
     "tests/paper_checks/test_links", "tests/paper_checks/test_methods",
     "tests/paper_checks/test_report", "tests/paper_checks/test_font", "tests/paper_checks/test_browser",

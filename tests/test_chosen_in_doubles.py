@@ -10,12 +10,6 @@ import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-import pytest
-from flint import arb, ctx
-
-from asymptotics.flow.damping import Damping
-from asymptotics.numbers.exact import ExactReal, parse_real
-from asymptotics.numbers.extremes import greatest, least
 from tests.sources import nodes
 
 ROOT = Path(__file__).parents[1] / "asymptotics"
@@ -30,15 +24,19 @@ ROOMS = (
     "numbers",
     "return_map",
 )
+
+
 ROOMS += ("turning",)
+
+
 IN_DOUBLES = re.compile(r"float|_double|\.sizes|\.seconds|size_of|np\.")
-ANY_WILL_DO = {
-    "expansions/divergence/petal.py": "each petal has bounds of its own, proved: the smallest of a few",
-    "envelopes/large.py": "Newton's method starts at one of two places",
-    "limit_cycles/series.py": "the cycle nearest to a guess, which is a double itself",
-    "flow/slow_manifold/attraction.py": "Newton's method starts at one of several places",
-    "turning/abel.py": "each circle or polydisc has a bound of its own: the least of them is sought",
-    "turning/jump.py": "the cheaper of several routes",
+ANY_WILL_DO = {  # how many choices in the file, and why each of them may be wrong
+    "expansions/divergence/petal.py": (1, "each petal has bounds of its own, proved: the smallest of a few"),
+    "envelopes/large.py": (3, "where the tail begins, and where Newton's method starts: any place serves"),
+    "limit_cycles/series.py": (2, "the cycle nearest to a guess, which is a double itself"),
+    "flow/slow_manifold/attraction.py": (1, "Newton's method starts at one of several places"),
+    "turning/abel.py": (1, "each circle or polydisc has a bound of its own: the least of them is sought"),
+    "turning/jump.py": (1, "the cheaper of several routes"),
 }
 
 
@@ -53,13 +51,9 @@ def choices(parts: Iterable[ast.AST]) -> Iterator[str]:
 
 
 def test_no_double_chooses_what_counts_as_exact():
-    found = {
-        str(path.relative_to(ROOT))
-        for room in ROOMS
-        for path in (ROOT / room).rglob("*.py")
-        if any(True for _ in choices(nodes(path)))
-    }
-    assert found == set(ANY_WILL_DO)
+    paths = [path for room in ROOMS for path in (ROOT / room).rglob("*.py")]
+    found = {str(path.relative_to(ROOT)): sum(1 for _ in choices(nodes(path))) for path in paths}
+    assert {name: n for name, n in found.items() if n} == {name: n for name, (n, _) in ANY_WILL_DO.items()}
 
 
 def test_the_walk_finds_one():
@@ -68,23 +62,3 @@ def test_the_walk_finds_one():
 
     assert chosen("least = min(range(3), key=lambda i: damping.sizes[i][1])")
     assert chosen("w = max(weights, key=float)") and not chosen("w = max(alphas)")
-
-
-@pytest.mark.parametrize("apart", ["1e-17", "1e-19", "1e-40"])
-@pytest.mark.parametrize("at", ["1/2", "1", "3/2"])
-def test_the_least_exponent_is_the_least(at, apart):
-    here = parse_real(at, "alpha")
-    for sign in (1, -1):
-        there = here + sign * parse_real(apart, "d").rational
-        law = Damping.of([(arb(1), here), (arb(1), there)])
-        assert law.alphas[law.leading] == min(here, there)
-        assert law.sublinear is (min(here, there) < 1)
-
-
-def test_the_extremes_of_balls_hold_those_of_their_numbers():
-    with ctx.workprec(200):
-        near = [ExactReal(1).ball(), 1 + arb(10) ** -40]
-        assert greatest(near).contains(near[1].mid()) and greatest(near) > 1 and least(near[::-1]) == near[0]
-        wide = [arb(2, 1), arb(3, "0.5")]
-        assert all(greatest(wide).contains(x) for x in (arb("2.5"), arb("3.5"))) and greatest(wide) > 2
-        assert all(least(wide).contains(x) for x in (arb(1), arb(3)))

@@ -53,6 +53,7 @@ from asymptotics.numbers.rationals import bounds
 from asymptotics.series import Series
 from asymptotics.terms import Term
 
+# Pieces of u, which decide how sharp the integral is, and radii that are tried.
 _PIECES, _TRIES = 128, 60
 Rows = list[list[arb]]
 Degrees = dict[int, arb]
@@ -72,9 +73,12 @@ def explicit_bound(oscillator: Oscillator, order: int = 3, *, until: Number | No
     if not acting:
         return Reach("oo", "0", "proved")
     (term,) = acting
-    if term.velocity == 1:  # A_0 and Omega(epsilon) tau solve the truncated equations
+    # D = A_0^0 = 1: nothing is cut off in the explicit form, and the bound is that of the truncated equations.
+    if term.velocity == 1:
         found = uniform_bound(oscillator, order, until=until)
         return Reach(found.until or "oo", found.bound, "proved")
+    # Of order N + 1, so that the waveform goes through N + 2 and R begins with delta^(N+2), beyond what f_A and f_phi
+    # leave.
     waves = waveform_bounds((term.velocity,), order + 1)
     with ctx.workprec(BITS):
         omega = oscillator.omega_0()
@@ -85,6 +89,7 @@ def explicit_bound(oscillator: Oscillator, order: int = 3, *, until: Number | No
         if last is not None:
             stated = str(last)
         else:
+            # The time is rounded down and the bound up: both to the safe side.
             stated = "oo" if end is None else directed_decimal(min(bounds(end / omega)), 2, -1)
         return Reach(stated, directed_decimal(max(bounds(x * oscillator.length())), 2, 1), "proved")
 
@@ -149,6 +154,7 @@ class _ExplicitTheorem:
         last = self._last(until)
         pieces = self._pieces(last)
         largest = greatest(piece.delta for piece in pieces)
+        # The hypothesis of the waveform's bounds, on every piece.
         if not largest <= self._limit:
             reason = f"a local strength of {largest.str(3, radius=False)} is beyond the range of the theorem"
             raise LimitError("law", reason, f"at most {self._limit.str(2, radius=False)} at order {self.order}")
@@ -156,7 +162,9 @@ class _ExplicitTheorem:
         r = self.waves.residual
         beyond = r.power + len(r.coefficients)
         rows = [*((c, r.power + k) for k, c in enumerate(r.coefficients))]
+        # Cauchy's part as one more term c delta^J: c is taken at the largest delta, with which it grows.
         rows.append((r.beyond(largest, beyond) / largest**beyond, beyond))
+        # The integral over u by its largest values on the pieces: all that enters is a ball that holds its range there.
         left_over = sum((one.width * self._left_over(one, rows, rest) for one in pieces), arb(0)) / self.p[1]
         return left_over + greatest(self._omitted(one) for one in pieces), self._time(last)
 
@@ -178,6 +186,7 @@ class _ExplicitTheorem:
         """|f_A| and |f_phi|: the degrees N to J, and what is beyond."""
         found = []
         for series, beyond in zip(self._series(one.D), rest):
+            # Below epsilon^N the coefficients vanish identically; their balls are left out.
             late = sum((series[n] * self.strength**n for n in range(self.order, self._length)), arb(0))
             found.append(abs(late) + beyond)
         return found[0], found[1]
@@ -202,11 +211,13 @@ class _ExplicitTheorem:
 
     def _rest(self, D: arb) -> tuple[arb, arb]:
         """What f_A and f_phi have beyond epsilon^J, D being at most this: M x^(J+1)/(1 - x), x = epsilon/rho."""
+        # The largest radius tried on which |r - 1| <= 1/2: there ln r and the real powers of r are analytic in epsilon.
         rho = next((rho for rho in self._radii(D) if self._swing(rho, D) <= arb(1) / 2), arb(0))
         if not self.strength < rho:
             raise LimitError("law", "the explicit form is not bounded at this strength", "weaker damping")
         q, x, w = self._swing(rho, D), self.strength / rho, abs(self.w)
         slope, turn = (_absolute(rows, rho, D, sloped=True) for rows in (self.amplitude, self.phase))
+        # |r^(k w)| <= (1 + q)^(k w) for w > 0, and (1 - q)^(-k |w|) for w < 0.
         base = 1 + q if self.fades else 1 / (1 - q)
         p, Omega = (
             sum((abs(c) * (rho * D) ** (k - 1) * base ** (k * w) for k, c in rates.items()), arb(0))
@@ -220,6 +231,7 @@ class _ExplicitTheorem:
         return _absolute(self.amplitude, rho, D) - 1
 
     def _radii(self, D: arb) -> Iterator[arb]:
+        # Down to 4 (4/5)^59 = 10^-5 over D, in steps of a fifth; a finer list would find a radius up to a fifth larger.
         return (arb(4) / D * (arb(4) / 5) ** j for j in range(_TRIES))
 
     @property
@@ -234,6 +246,7 @@ class _ExplicitTheorem:
     def _pieces(self, last: arb) -> list[_Piece]:
         """[``last``, 1], equal parts of u down to 0 and of ln u else."""
         parts = [arb(k) / _PIECES for k in range(_PIECES + 1)]
+        # Where A_0 may fall by powers of ten, equal parts of ln u keep D narrow on each piece.
         cuts = parts if last.is_zero() else [last ** (1 - k) for k in parts]
         found = []
         for low, high in zip(cuts, cuts[1:]):
@@ -252,9 +265,11 @@ class _ExplicitTheorem:
             grown = 1 + self.w * self.p[1] * self.strength * until
             if not grown > 0:
                 raise LimitError("until", "A_0 has vanished before", "an earlier time")
+            # A_0 at the end, rounded down: a longer way has a larger integral.
             return arb((grown ** (-1 / self.w)).lower())
         if self.fades:
             return arb(0)
+        # D grows for alpha < 1: the largest D, three per cent apart, at which the theorem seems to hold.
         farthest = (self._limit / self.strength * (arb(97) / 100) ** j for j in range(1, _TRIES))
         D = next((D for D in farthest if D > 1 and self._holds(D)), arb(1))
         return arb((D ** (1 / self.w)).mid())

@@ -28,6 +28,7 @@ from asymptotics.numbers.integral import integral
 from asymptotics.numbers.root import verified_root
 from asymptotics.series import Series
 
+# Newton's method for a concave function takes a few dozen steps from 0; more say that it does not settle.
 _STEPS = 200
 
 
@@ -60,11 +61,13 @@ class TruncatedFlow:
         if n == 0:
             return arb(0), arb(0)
         s = self._enclosed(n * arb.pi())
+        # tau = psi - int Omega/p: the integral is small, so that n pi keeps all of its digits.
         return s, n * arb.pi() - self._integral(lambda deltas: acb(self.Omega.at(deltas)), s)
 
     def beyond(self, tau: arb) -> arb:
         """An s that is not reached before the time ``tau``."""
         s = self._near(self.time, tau)
+        # Newton's s may fall short of the time by its rounding; a little more is checked in balls, as tau grows with s.
         for widening in (1e-9, 1e-6, 1e-3):
             later = (s * (1 + arb(widening))).mid()
             if self.time(later) >= tau:
@@ -81,6 +84,8 @@ class TruncatedFlow:
         """A ball that holds the s at which psi is ``target``: psi changes on it by more than what is missing."""
         s = self._near(self.phase, target)
         miss = abs(self.phase(s) - target).upper()
+        # ds/dpsi is about p, so the root is about miss p away; the verification decides how much wider the ball must
+        # be.
         radii = ((widening * miss * self._p(s)).upper() for widening in (2, 8, 64))
         found = verified_root(s, miss, lambda near: self._p(near) / (1 + self.Omega.at(self._deltas(near))), radii)
         if found is None:
@@ -93,6 +98,8 @@ class TruncatedFlow:
         s = (target * p / (1 + target * p)).mid()
         for _ in range(_STEPS):
             value = f(s).mid()
+            # Newton's step for ln f: f'/f = 1/(p f) up to the factor 1 + Omega, which changes the speed of convergence
+            # alone.
             step = ((target / value).log() * value * self._p(s)).mid()
             s = (s + step).mid()
             if abs(step) <= arb(2) ** (-ctx.prec // 2) * s:
@@ -104,6 +111,7 @@ class TruncatedFlow:
 
     def _p(self, s: arb) -> arb:
         value = arb(self.p.at(self._deltas(s)))
+        # The derivative of the time by s is 1/p_N: the amplitude must fall all the way.
         if not value > 0:
             raise UndecidedError("the truncated amplitude equation may lose its sign")
         return value

@@ -29,6 +29,7 @@ from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Series
 
+# Of the widest radius that seems to have a majorant: the first that is proved is taken.
 _SHARES = ("0.9", "0.8", "0.6", "0.4", "0.2")
 _NEXT = {1: 8, 2: 6}
 """How many orders are computed before Cauchy's inequality takes over: sums have many coefficients (2 from three on)."""
@@ -46,6 +47,7 @@ class HalfSwingSeries:
 
     def at(self, delta: Sequence[arb]) -> arb:
         """A ball that holds L: the polynomial at these strengths, widened by the bound."""
+        # |delta| = sum |delta_i| for balls and for negative strengths: the remainder grows with it.
         size = sum((arb(d.abs_upper()) for d in delta), arb(0))
         value: arb = self.L.at(tuple(delta))
         return value + arb(0, self.rest(size))
@@ -59,6 +61,7 @@ def half_swing_series(alphas: tuple[ExactReal, ...], order: int) -> HalfSwingSer
     with ctx.workprec(BITS):
         if all(a.is_integer and a <= _EXACT for a in alphas):
             exact = exact_half_swing([int(a.rational) for a in alphas], last).L
+            # Rational combinations of powers of pi, rounded once.
             L = exact.map(lambda c: arb(0) + c.ball())
         else:
             L = half_swing(quarter_swing(alphas, last)).L

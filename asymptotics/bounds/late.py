@@ -33,6 +33,8 @@ from asymptotics.numbers.context import ctx
 from asymptotics.return_map.panels import Panels
 from asymptotics.return_map.sequence import Interpolated
 
+# A higher order is better at small strengths and has more coefficients, which sums multiply; where the three were
+# weighed is not recorded.  The theorem bounds the error at any of them.
 ORDERS = {1: 7, 2: 5}
 """The order K of the jump, by the number of laws; 3 for more than two."""
 
@@ -58,10 +60,14 @@ def late_turning(
     here = _led(sequence(led, first), first.n + lead)
     a, order = here.amplitude, ORDERS.get(len(damping.alphas), 3)
     with ctx.workprec(_as_long_as(tau)):
+        # The units of the theorem: A = 1 at the turning point from which it is applied, whose own error is ``start``.
         epsilons = [e * a ** (alpha - 1) for e, alpha in zip(damping.strengths, damping.exponents, strict=True)]
+        # Rounded up to whole blocks, so that neighbouring precisions share the coefficients.
         bits = max(BITS, -(-ctx.prec // BITS) * BITS)  # a phase as long as the time needs such coefficients
         bounds = turning_bounds(damping.alphas, order, epsilons, -(1 - here.amplitude_error / a).log(), bits)
         flow = TruncatedFlow.of(bounds.local, epsilons)
+        # One half-swing less than the estimate: the turning point that is found must come before the time, and
+        # ``states_from`` follows the rest.
         n = max(0, flow.half_swings(tau - here.time) - 1)
         s, time = flow.turning_point(n)
         amplitude = a * (arb(0, bounds.log_amplitude(n)) - s).exp()

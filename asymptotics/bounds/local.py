@@ -45,10 +45,13 @@ from asymptotics.numbers.extremes import greatest
 from asymptotics.numbers.rationals import bounds
 from asymptotics.series import Key, Series
 
+# Bounds are printed with two digits; what cancellation takes from the coefficients of the differences is in their
+# balls.
 BITS = 128
 NEXT = 8
 """Orders of the difference that are computed before Cauchy's inequality takes over; half of it from three laws on."""
 _PIECES = 256
+# Two digits are enough for coefficients that are only bounded; the rest of the precision is for what cancels.
 _COARSE = 24  # bits beside which the rest of a precision is a guard
 _GRID = 100
 
@@ -68,6 +71,8 @@ class Remainder:
 
     def constant(self, d: arb) -> arb:
         """C at |delta| = d; it grows with d."""
+        # What is known, term by term, and Cauchy's inequality beyond, so that the constant is nearly attained and a
+        # halved one fails (L5 of the shared notes).
         return (self.known(d) + self.beyond(d, self.power + len(self.coefficients)) / d**self.power).upper()
 
     def known(self, d: arb) -> arb:
@@ -76,6 +81,8 @@ class Remainder:
 
     def beyond(self, d: arb, first: int) -> arb:
         """Cauchy's bound of all terms from the degree ``first`` on: M x^first/(1 - x), x = d/radius."""
+        # sum_(|n|=k) |c_n| |delta^n| <= M (|delta|/rho)^k on a polydisc of equal radii (derivation
+        # ``expansion-bounds``).
         x = d / self.radius
         if not x < 1:
             raise UndecidedError("delta is outside the polydisc on which the expansion is bounded")
@@ -137,6 +144,8 @@ def local_bounds(alphas: Sequence[ExactReal], order: int, bits: int = BITS) -> L
 
 @lru_cache(maxsize=64)
 def _local_bounds(alphas: tuple[ExactReal, ...], order: int, bits: int) -> LocalBounds:
+    # p is odd and Omega even in the strengths (derivation ``parity-of-flow``): what order N lacks begins one degree
+    # later in one of the two.
     powers = (order + 2, order + 1) if order % 2 else (order + 1, order + 2)
     last = max(powers) + (NEXT if len(alphas) <= 2 else NEXT // 2)
     with ctx.workprec(bits):
@@ -149,7 +158,9 @@ def _local_bounds(alphas: tuple[ExactReal, ...], order: int, bits: int) -> Local
             Remainder(m, _sizes(f, m), M, rho)
             for f, m, (M, rho) in zip(differences, powers, _cauchy(balls, full, order), strict=True)
         ]
-        exact = len(alphas) == 1 and alphas[0].is_zero  # dry friction alone: L_N = L and T_N = T = pi
+        # Dry friction alone: the balls of the differences hold 0, which is the truth by the closed form; up to delta =
+        # 1/2 the mass turns again.
+        exact = len(alphas) == 1 and alphas[0].is_zero
         if exact:
             found = [Remainder(f.power, (arb(0),), arb(0), arb(1) / 2) for f in found]
         limit = Fraction(49, 100) if exact else _limit(found)
@@ -166,6 +177,8 @@ def _half_swing(alphas: tuple[ExactReal, ...], order: int, last: int) -> tuple[H
         half = half_swing(quarter_swing(alphas, last))
         return half, flow_of(half)
     flow = flow_of(half_swing(quarter_swing(alphas, order)))
+    # How many terms of the orbit's series some digits need, from a fit that is not recorded; where two digits are not
+    # reached half as many more are taken, three times.
     terms = int(last * (2.3 + 1.15 * max(float(a.ball()) for a in alphas)))
     for factor in (2, 3, 4):
         with ctx.workprec(_COARSE):
@@ -180,6 +193,7 @@ def _half_swing(alphas: tuple[ExactReal, ...], order: int, last: int) -> tuple[H
 def _sharp(f: Series, order: int) -> bool:
     """Whether the largest coefficients of each degree beyond the order have two digits."""
     parts = [[arb(c) for _, c in part] for part in f.parts[order + 1 :] if part]
+    # 2^-6 of the largest coefficient of the degree: what is added to a bound of two digits.
     return all(max(c.rad() for c in part) < max(arb(abs(c).upper()) for c in part) * arb(2) ** -6 for part in parts)
 
 
@@ -193,6 +207,8 @@ def truncated_flow(full: Flow, order: int, last: int | None = None) -> Flow:
 def _sizes(f: Series, power: int) -> tuple[arb, ...]:
     """max_n |c_n|/multinomial(n) for the degrees |n| = power, …; lower degrees vanish, which is checked."""
     for degree, part in enumerate(f.parts[:power]):
+        # Below degree a and b the difference vanishes identically; a ball that does not hold 0 would refute the
+        # expansion itself.
         if any(not arb(c).contains(0) for _, c in part):
             raise ArithmeticError(f"the expansion differs from the motion at degree {degree}: {part}")
     return sizes_from(f, power)
@@ -211,6 +227,8 @@ def multinomial(n: Key) -> int:
 def _cauchy(alphas: list[arb], full: Flow, order: int) -> list[tuple[arb, arb]]:
     """(M, rho) for the differences of L and of T, on one polydisc of equal radii."""
     widest_half = widest(alphas, [arb(1)] * len(alphas), whole=True)
+    # Nearly as large as the motion's own polydisc where the truncated equations allow it; a smaller one makes Cauchy's
+    # part larger.
     for share in (0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.03, 0.01):
         rho = arb((widest_half.radii[0] * arb(share)).mid())
         motion = majorant(alphas, [rho] * len(alphas), whole=True)
@@ -227,6 +245,7 @@ def flow_majorant(full: Flow, order: int, rho: arb, pieces: int = _PIECES) -> tu
 
     def rates(growth: arb) -> tuple[arb, arb]:
         v = tuple(rho * (k * growth).exp() for k in slopes)
+        # |Omega_N| <= Q, so that |1/(1 + Omega_N)| <= 1/(1 - Q); the caller needs Q < 1, which a negative room fails.
         room = 1 - Q.at(v) if Q.coefficients else arb(1)
         return P.at(v) / room, 1 / room - 1
 
@@ -243,6 +262,8 @@ def flow_majorant(full: Flow, order: int, rho: arb, pieces: int = _PIECES) -> tu
 def _upper_end(start: arb, h: arb, rates: Callable[[arb], tuple[arb, arb]]) -> arb | None:
     """A number g with start + h rate(g) <= g, so that G <= g on the piece; None if the simple candidates fail."""
     rate = rates(start)[0]
+    # Candidates for a number g with start + h rate(g) <= g: the rate grows with G, so G cannot reach g within the
+    # piece.
     for factor in ("1.001", "1.01", "1.1", "1.5"):
         end = arb((start + h * rate * arb(factor) + arb(10) ** -18).upper())
         slope = rates(end)[0]
@@ -262,6 +283,8 @@ def _limit(found: Sequence[Remainder]) -> Fraction:
     for k in range(1, _GRID):
         d = two_digits(radius * k / _GRID)
         at = arb(d.numerator) / d.denominator
+        # The range ends where the constant would be more than twice its largest term: a statement that is nearly the
+        # best, over a range that is stated.
         if not all(f.constant(at) <= 2 * f.largest_term(at) for f in found):
             break
         best = d

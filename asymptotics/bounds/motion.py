@@ -37,6 +37,8 @@ from asymptotics.numbers.policy import Number
 from asymptotics.numbers.rationals import bounds
 from asymptotics.return_map.panels import panels_of
 
+# Up to there half-swings are followed, some tens of microseconds each by interpolation; the jump costs the coefficients
+# of its order once.
 LATE = 20_000
 """Half-swings beyond which the motion is reached by a jump, where every exponent is at least 1."""
 _DIGITS = 15
@@ -55,6 +57,7 @@ def proved_bound(oscillator: Oscillator, x: str, t: Number, *, max_seconds: floa
     while True:
         low, high = bounds(enclosure(oscillator, moment, digits, max_seconds=max_seconds))
         farthest = max(abs(low - printed), abs(high - printed))
+        # The width of the enclosure is in the bound: below a hundredth it does not change two digits.
         if 100 * (high - low) <= farthest or digits > len(x) + 5:
             return directed_decimal(farthest, 2, 1)
         digits *= 2
@@ -85,8 +88,11 @@ def enclosure(oscillator: Oscillator, t: ExactReal, digits: int, *, max_seconds:
 
 def _jumped(oscillator: Oscillator, t: ExactReal, digits: int) -> arb:
     """By ``late``, after twenty half-swings for each digit."""
+    # 1/delta grows by a constant in each half-swing: after 20 digits of them delta is some 1/(20 digits), and the
+    # truncated equations of ``late`` lack its seventh power, or its fifth.
     law, lead = oscillator.dimensionless, 20 * digits
     with ctx.workprec(64):
+        # log2 of the time: the whole turns that the phase takes off its digits.
         turns = int(float((t.ball() * oscillator.omega_0()).log()) / 0.69) + 1
     bits = bits_for(digits, 40)
     with ctx.workprec(bits + 2 * turns):
@@ -111,8 +117,11 @@ def _by_energy(oscillator: Oscillator, t: ExactReal, max_seconds: float) -> arb:
         omega, speed = oscillator.omega_0(), oscillator.v0.ball()
         energy = oscillator.x0.ball() ** 2 + (speed / omega) ** 2
         latest = Fraction(float(t.ball().mid()))
+        # ln 4 = 1.39: how many factors of 4 lead back to the start.
         steps = int(float((t.ball() * omega + 1).log()) / 1.39)
     with suppress(LimitError), budget(max_seconds):
+        # From the earliest time on, each kept: the last one that is reached within the seconds bounds all later
+        # displacements, since friction only takes energy.
         for k in range(steps, 0, -1):
             found = reference_states(oscillator, (ExactReal(latest / 4**k),), _DIGITS, max_seconds=max_seconds)
             energy = found.x[0] ** 2 + (found.v[0] / omega) ** 2

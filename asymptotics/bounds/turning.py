@@ -70,15 +70,19 @@ class TurningBounds:
             plain = self._crude(n)
             if n is None or not (self.fading > 0 and self.g > 0):
                 return plain
+            # k delta of the true orbit, which is at least e^-((alpha-1) e) of the truncated one's (e, the crude bound).
             q = self.fading * (-self.slowest * plain).exp() / self.G
             a = self.local.amplitude.power
             ratio = self.widening * self.G / self.g * (1 + self.g * self.delta) / (1 / self.delta + self.G * n)
+            # Both are theorems; for few half-swings errors have not begun to fade and the plain one is smaller.
             return plain.min((self.start + self.C_A * ratio**q * self._sum(a - q, n)).upper())
 
     def time(self, n: int | None) -> arb:
         """A bound of |tau_n - tau_hat_n|; None as in ``log_amplitude``."""
         with ctx.workprec(BITS):
             e = self.fastest * self._crude(n)
+            # |T(delta) - T(delta_hat)| summed, with the crude bound of the amplitudes: they differ by a factor e^e at
+            # most.
             late = self.B * e * (2 * e).exp() * self._sum(arb(2), n)
             return (self.C_T * self._sum(arb(self.local.duration.power), n) + late).upper()
 
@@ -95,11 +99,13 @@ class TurningBounds:
         """A bound of the sum of |delta_hat_j|^m over j < n, over all j for None."""
         if n == 0:
             return arb(0)
+        # Where |delta| does not fall (a linear term) errors add up for ever.
         plain = arb.pos_inf() if n is None else arb((n * self.delta**m).upper())
         Y = 1 / self.delta
         if not (self.g > 0 and self.g / 2 < Y):
             return plain
         late = arb(0) if n is None else (Y + self.g * (n - arb(1) / 2)) ** (1 - m)
+        # Hermite and Hadamard: a convex summand is at most its mean over the unit interval about it.
         whole = ((Y - self.g / 2) ** (1 - m) - late) / ((m - 1) * self.g)
         return plain.min(whole.upper())
 
@@ -120,12 +126,14 @@ def turning_bounds(
         weights = [a.ball() - 1 for a in alphas]
         slowest, fastest = least(weights), greatest(weights)
         e = arb(0) if start is None else arb(start.upper())
+        # An uncertain start may have the larger strengths; all bounds are taken at those.
         total, swell = sum(epsilons, arb(0)), (fastest * e).exp()
         delta = arb((total * swell).upper())
         if not (delta > 0 and delta <= local.limit):
             reason = f"sum epsilon_i = {delta.str(3, radius=False)} is not in the range of the theorem"
             raise LimitError("epsilon", reason, f"0 < sum epsilon_i <= {float(local.delta_max):g} at order {order}")
         low, high = rates(local.flow.p.truncate(order), local.flow.Omega.truncate(order), delta)
+        # The truncated amplitude must fall: 1/|delta_hat| grows by g > 0, or the sums along the orbit mean nothing.
         if not (low > 0 and high > 0):
             raise LimitError("epsilon", f"order {order} may lose its sign at delta = {delta.str(3)}", "weaker damping")
         g, G = (slowest * arb.pi() * low).lower(), (fastest * arb.pi() * high).upper()
@@ -142,6 +150,8 @@ def rates(p: Series, Omega: Series, delta: arb) -> tuple[arb, arb]:
     first = [arb(c) for k, c in p.coefficients.items() if sum(k) == 1]
     rest = largest(Series({k: c for k, c in p.coefficients.items() if sum(k) > 1}, p.variables, p.order), delta) / delta
     swing = largest(Omega, delta)
+    # sum_i c_i delta_i is between the least and the largest c_i times |delta|; the higher degrees and Omega count
+    # against it with their absolute values.
     low = (reduce(arb.min, first) - rest) / (1 + swing)
     return arb(low.lower()), arb(((reduce(arb.max, first) + rest) / (1 - swing)).upper())
 
@@ -169,6 +179,7 @@ def _beyond(M: arb, rho: arb, order: int, delta: arb) -> arb:
     """The sum of k M x^k over k > order, x = delta/rho."""
     x = delta / rho
     J = order + 1
+    # x d/dx of the geometric series from x^J on.
     return M * x**J * (J - (J - 1) * x) / (1 - x) ** 2
 
 

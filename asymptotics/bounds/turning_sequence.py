@@ -92,15 +92,19 @@ class _Steps:
         """The next turning point, None where the local strengths of one of the two orbits leave the range."""
         deltas = [e * here.A**w for e, w in zip(self.epsilons, self.weights)]
         delta = arb(sum(deltas, arb(0)).upper())
+        # |A_n - A_hat_n|/A_hat_n < 1: otherwise the true amplitude is not known to be above 0.
         rest = here.amplitude / here.A
         if not rest < 1:
             return None
         wh = self.w * -(1 - rest).log()
+        # |delta| of the motion itself, which must lie in the range as well: all suprema were taken there.
         widest = (delta * wh.exp()).upper()
         if not widest <= self.local.limit:
             return None
         A = here.A * self._value(self.map.L, self.local.amplitude, deltas, delta).exp()
         tau = here.tau + self._value(self.map.T, self.local.duration, deltas, delta)
+        # Two motions never part: the error before does not grow, and the map's own error is added at the size of the
+        # new amplitude.
         amplitude = here.amplitude + A * self.local.amplitude(delta).expm1()
         time = here.time + self.local.duration(delta) + self.B * wh * widest**2
         bounds = (arb(b.upper()) for b in (amplitude, time, time * (1 + self.Omega)))

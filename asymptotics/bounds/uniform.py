@@ -50,6 +50,8 @@ from asymptotics.numbers.rationals import bounds
 from asymptotics.present.shown import Page, Shown
 
 MAX_ORDER = 12
+# Strengths looked at for a range, in per cent of the radius; pieces of the integral over s, by its largest values on
+# each, which decide how sharp it is.
 _GRID, _PIECES = 100, 128
 _COULOMB = Fraction(3, 10)
 """With dry friction the expansion holds the mass from its last half-swing on, which begins with delta > 1/3."""
@@ -126,6 +128,7 @@ class _UniformTheorem:
         A, d = self._start(moving=moving)
         deltas = tuple(e * A**w for e, w in zip(self.strengths, self.weights))
         flow = self._fastest(deltas)
+        # None is infinity: where all strengths fade the integrals over all s are finite.
         S = None if self.fades and until is None else self._reach(flow, d, until)
         pieces = self._pieces(deltas, S)
         r, largest = self.waves.residual, max(d for _, _, d in pieces)
@@ -134,20 +137,24 @@ class _UniformTheorem:
             *((c, r.power + k) for k, c in enumerate(r.coefficients)),
             (r.beyond(largest, last) / largest**last, last),
         ]
+        # 1/K: the infimum of p_N/(|delta| (1 + Omega_N)) over all strengths met.
         low, _ = rates(self.waves.p, self.waves.Omega, largest)
         if not low > 0:
             raise LimitError("law", f"the amplitude equation of order {self.order} may lose its sign", "weaker damping")
         left_over = sum((c * sum((u * x ** (k - 1) for _, u, x in pieces), arb(0)) for c, k in rows), arb(0)) / low
+        # From rest z~ and z_N begin at the same point, Z(0) = 1; in motion they differ by the terms that z~ has more.
         at_start = self._omitted(self.waves.sizes, d) if moving else arb(0)
         both = []
         for sizes in (self.waves.displacements, self.waves.velocities):
             printed = max(arb((u * self._omitted(sizes, x)).upper()) for u, _, x in pieces)
+            # |x| <= 1 by the energy and |x_N| by its terms: a bound in any case, and the smaller one counts.
             energy = 1 + A * sum((z * largest**k for k, z in enumerate(sizes[: self.order])), arb(0))
             both.append(arb((A * (at_start + left_over + printed)).min(energy).upper()))
         return both[0], both[1], None if S is None else flow.time(S)
 
     def _fastest(self, deltas: Sequence[arb]) -> TruncatedFlow:
         """A comes down no faster than with |p_k| for p_k and the largest strengths: times come out too small."""
+        # Absolute values: an upper bound of the rate at which A falls gives a lower bound of the time.
         p, Omega = (f.map(lambda c: arb(abs(arb(c)).upper())) for f in (self.waves.p, self.waves.Omega))
         return TruncatedFlow(p, Omega, tuple(self.weights), tuple(arb(d.upper()) for d in deltas))
 
@@ -165,6 +172,7 @@ class _UniformTheorem:
             cuts = [log.exp() for log in logs]
         found = []
         for k, (low, high) in enumerate(zip(cuts, cuts[1:])):
+            # Each delta_i at the end of the piece where it is largest, for alpha_i >= 1 the earlier one.
             ends = (logs[k + 1] if f else logs[k] for f in self.falling)
             sizes = (e * (w * end).exp() for e, w, end in zip(deltas, self.weights, ends))
             found.append((arb(high.upper()), high - low, arb(sum(sizes, arb(0)).upper())))
@@ -176,6 +184,8 @@ class _UniformTheorem:
         |Z| is in 1 +- q wherever A_0 is in 1/(1 +- q), so the solution there stays there.
         """
         q = arb(0)
+        # A_0 |Z| = 1: q is enlarged by a tenth until |Z| stays within 1 +- q for all A_0 in 1/(1 +- q), so that A_0 ->
+        # 1/|Z| takes this interval into itself.
         for _ in range(8):
             A = 1 / arb(1, q)
             d = arb(sum((e * A**w for e, w in zip(self.strengths, self.weights)), arb(0)).upper())
@@ -194,6 +204,7 @@ class _UniformTheorem:
         """S: how far the motion may have come at the time ``until``, or where |delta| may leave the range."""
         if self.fades and until is not None:
             return flow.beyond(until)
+        # The least exponent makes |delta| grow fastest: e^(|w| S) d = limit, rounded down.
         S = arb(((self.limit / d).log() / -least(self.weights)).lower())
         if until is None:
             return S
@@ -234,6 +245,7 @@ def displacement_bound(alphas: Sequence[ExactReal], order: int) -> Displacement 
     with ctx.workprec(BITS):
         grid = [two_digits(largest_strength(waves, fades=True) * k / _GRID) for k in range(1, _GRID)]
         constants = [_constant(waves, order, arb(d.numerator) / d.denominator) for d in grid]
+        # The constant grows with d; the range ends where it has doubled, a choice of what is useful to state.
         k = sum(1 for _ in takewhile(lambda c: c <= 2 * constants[0], constants)) - 1
         return Displacement(order, grid[k], constants[k])
 
@@ -258,6 +270,8 @@ def largest_strength(waves: WaveformBounds, *, fades: bool) -> Fraction:
             break
         at = arb(d.numerator) / d.denominator
         low, high = rates(waves.p, waves.Omega, at)
+        # p_N/(|delta| (1 + Omega_N)) between bounds within a factor of 3, and, where |delta| grows, Cauchy's part no
+        # larger than what is known: choices of a range on which the bound is not useless.
         if not high < 3 * low or (
             not fades and not r.beyond(at, r.power + len(r.coefficients)) <= at**r.power * r.known(at)
         ):

@@ -43,7 +43,10 @@ from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.series import Key, Series, accumulate, monomials, unit_key
 
+# Bounds of two digits on pieces a thousandth wide: rounding is far below the widths.
 BITS = 80
+# The hulls are as wide as the pieces: half as many make the bounds of the higher degrees wider, and with each order the
+# widths add up.  Where the numbers were weighed is not recorded; no bound rests on them.
 PIECES = {1: 1024, 2: 512}
 """Pieces of the quarter by the number of laws, 128 for more than two; for one law twice as many for each order from 5
 to 7."""
@@ -88,6 +91,8 @@ class _Pieces:
         h = arb.pi() / (2 * count)
         sines = [arb(0), *((h * k).sin() for k in range(1, count)), arb(1)]
         cosines = [arb(1), *((h * k).cos() for k in range(1, count)), arb(0)]
+        # psi cot psi falls on (0, pi/2) from 1 to 0 (derivation ``uniform-bound``): its hull on a piece is that of the
+        # ends, as for s, c and s^alpha, which are monotone too.
         psi_cot = [arb(1), *(h * k * cosines[k] / sines[k] for k in range(1, count)), arb(0)]
         return cls(count, *(_hulls(values) for values in (sines, cosines, psi_cot)))
 
@@ -105,6 +110,8 @@ class _Pieces:
         for value in f:
             left.append(total)
             total = total + h * value
+        # The mean over [0, psi] on the first piece is a mean of f there; on a later one it lies between the mean before
+        # and f, with the weight 1 - a/psi of f in [0, 1/(k+1)].
         means = [f[0]]
         for k in range(1, self.count):
             before = left[k] / (h * k)
@@ -154,6 +161,7 @@ class _Waveform:
             for k in dP:
                 P[k], _ = self.pieces.integrate(dP[k])
                 Q[k], mean = self.pieces.integrate(dQ[k])
+                # (c/s) Q = psi cot psi times the mean of Q': bounded near psi = 0, where Q and s vanish together.
                 g[k] = P[k] + self.pieces.psi_cot * mean
             self.P.append(P)
             self.Q.append(Q)
@@ -164,6 +172,7 @@ class _Waveform:
         """The parts of degree n of i (W - 1) Z - (U + U D) Z - i W F e^(-i psi)."""
         tick("the waveform of an expansion")
         U, W = flow.U.parts, flow.W.parts
+        # W F: W begins with 1.
         F: Part = dict(force.part(n))
         for j in range(1, n):
             accumulate(F, W[j], force.part(n - j).items())
@@ -192,9 +201,11 @@ class _Waveform:
             force, rows = _Force(self), [self._secular()]
             for n in range(self.order + 2, self.cut.order + 1):
                 dP, dQ = self._right_hand_sides(self.cut, force, n)
+                # Z has no degree n here, so that what the right-hand side makes of it is the residual.
                 rows.append(_size({k: _modulus(dP[k], dQ[k]) for k in dP}))
             M, rho = self._cauchy()
-            if len(self.alphas) == 1 and self.alphas[0].is_zero:  # dry friction alone: two orders are the whole motion
+            # Dry friction alone: Z of two orders is the whole motion, by the closed form.
+            if len(self.alphas) == 1 and self.alphas[0].is_zero:
                 M = arb(0)
             p, Omega = (f.truncate(self.order).without_constant() for f in (self.true.p, self.true.Omega))
             remainder = Remainder(self.order + 1, tuple(rows), M, rho)
@@ -211,6 +222,8 @@ class _Waveform:
         """(M, rho): |R - Z'| <= M for complex |delta_i| <= rho; |g - 1| <= 1/2 and 1 + Omega_N != 0 there."""
         one = arb(1)
         p, Omega = ((f.truncate(self.order)) for f in (self.true.p, self.true.Omega))
+        # Radii 3/(k + 2), the first on which |g - 1| <= 1/2 and |1 + Omega_N| >= 1/2: hypotheses of the bound, choices
+        # of the values.
         for k in range(1, 60):
             rho = one * 3 / (k + 2)
             deltas = (rho,) * len(self.alphas)
@@ -252,6 +265,7 @@ def _between(h: arb) -> arb:
 
 
 def _hulls(values: Sequence[arb]) -> Any:
+    # Of monotone functions alone: the union of the ends holds all values between.
     return np.array([a.union(b) for a, b in zip(values, values[1:])], dtype=object)
 
 

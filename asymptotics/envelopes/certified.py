@@ -58,7 +58,7 @@ def time(laws: Laws, A: arb) -> arb:
         raise InputError("amplitude", f"{A.str(5)} is not certainly positive", "0 < A <= 1, in units of x0")
     if len(active) == 1:
         return _time_one(*active[0], A)
-    if len(active) == 2:
+    if _has_companion(active):
         return _time_two(active[0], active[1], A)
     return _integral(active, [], -A.log())
 
@@ -100,12 +100,13 @@ def extinction_time(laws: Laws) -> arb | None:
         return None
     if len(active) == 1:
         return 1 / ((1 - alpha.ball()) * kappa)
-    if len(active) == 2:
+    if _has_companion(active):
         return _companion(active[0], active[1], arb(1))
     gap = active[1][0].ball() - alpha.ball()
-    # Chosen so that R <= sum (kappa_i/kappa) e^(-gap s) = 2^-(prec+2); R is made anew from the s that is taken, so that
-    # a poor choice costs width alone.
-    s = ((ctx.prec + 2) * arb(2).log() + sum((k for _, k in active[1:]), arb(0)).log() - kappa.log()) / gap
+    # Chosen so that the share R <= sum (kappa_i/kappa) e^(-gap s) of the rest, which goes like e^(-(1 - alpha) s), is
+    # below 2^-(prec+2); R is made anew from the s that is taken, so that a poor choice costs width alone.
+    far = gap + 1 - alpha.ball()
+    s = ((ctx.prec + 2) * arb(2).log() + sum((k for _, k in active[1:]), arb(0)).log() - kappa.log()) / far
     # The midpoint is an exact number, which the integral below wants, and which this comparison orders for certain.
     s = max(s.mid(), arb(1))
     rest = (-(1 - alpha.ball()) * s).exp() / ((1 - alpha.ball()) * kappa)
@@ -171,6 +172,14 @@ def _log_form(p: int, q: int, w: arb) -> arb:
     for n in range(low + q, p + 1, q):
         integral = y ** (n - q) / (n - q) - integral
     return p * integral / y**p
+
+
+def _has_companion(active: Laws) -> bool:
+    """Whether two laws have 2F1(1, b; b+1; z) with an index b, next to 1/(difference of the exponents), that is small.
+
+    Arb's series take as many steps as b is large: two exponents next to each other are left to the integral.
+    """
+    return len(active) == 2 and bool(active[1][0].ball() - active[0][0].ball() > arb(2) ** -16)
 
 
 def _active(laws: Laws) -> list[tuple[ExactReal, arb]]:

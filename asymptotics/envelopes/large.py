@@ -98,15 +98,17 @@ class SlowFlow:
     def extinction_time(self) -> arb | None:
         """tau at which the averaged amplitude reaches 0 (a loss of weight < 0); None if it never does.
 
-        TooWideError where the balls of two weights do not tell which is the least.
+        TooWideError where a ball does not tell whether a weight is < 0, or which of two is the least.
         """
+        if not all(x.weight < 0 or x.weight >= 0 for x in self.losses):
+            raise TooWideError("a weight is not told from 0")
         if not any(x.weight < 0 for x in self.losses):
             return None
         first = self._least()
         rest = [x for x in self.losses if x is not first]
         gap = min([arb(2), *(x.weight - first.weight for x in rest)], key=lambda x: float(x.mid()))
-        # The time behind S goes like e^(w S), and the other losses and the well beside its parabola count there for a
-        # share of e^(-gap S): both together are less than 2^-(prec+8). Any S is right: a smaller one leaves a wider ball.
+        # The time behind S goes like e^(w S), and the other losses and the well beside its parabola count there for
+        # a share of e^(-gap S): together less than 2^-(prec+8). Any S is right: a smaller one leaves a wider ball.
         S = self.s_0 + ((ctx.prec + 8) * arb(2).log() / (gap - first.weight)).upper()
         xi = (-S).exp()
         X = (first.weight * S).exp() / (-first.weight * first.epsilon * first.mean)
@@ -121,7 +123,7 @@ class SlowFlow:
         return head + X * self.well.theta_near_zero(near) / shape
 
     def _least(self) -> Loss:
-        """The loss of least weight, which rules the end; it is told in balls, as a double would take one for another."""
+        """The loss of least weight, which rules the end: told in balls, as a double would take one for another."""
         for loss in self.losses:
             if all(x is loss or x.weight > loss.weight for x in self.losses):
                 return loss

@@ -13,6 +13,8 @@ from flint import arb
 from asymptotics.errors import LimitError
 from asymptotics.numbers.context import ctx
 
+# 1/alpha and multiples of it are formed in doubles, which end at 1.8e308.  A smaller exponent is refused by name; no
+# bound rests on the value.
 _LEAST = 1e-300
 
 
@@ -26,6 +28,7 @@ def in_doubles(exponents: Iterable[arb]) -> tuple[float, ...]:
 
 def size_of(x: arb) -> float:
     """log2 |midpoint|, also far outside the range of doubles; -inf for 0."""
+    # The mantissa is a whole number of any length, whose logarithm Python takes without going through a double.
     mantissa, exponent = x.mid().man_exp()
     return log2(abs(int(mantissa))) + int(exponent) if mantissa != 0 else float("-inf")
 
@@ -36,6 +39,8 @@ def dyadic(size: float) -> arb:
     >>> dyadic(-1.0), dyadic(-2000.5) == 0
     (0.500000000000000, False)
     """
+    # The share of 2^size that a double holds is split off, so that the power of two may be of any size.  A factor of 53
+    # bits times a power of two is exact, at whatever precision it is used later.
     whole = int(size // 1)
     with ctx.workprec(53):
         return arb(2.0 ** (size - whole)) * arb((1, whole), 0)
@@ -43,5 +48,7 @@ def dyadic(size: float) -> arb:
 
 def upper(x: arb) -> arb:
     """An exact upper bound of |x|, short: errors are added in 53 bits."""
+    # Upwards, as every bound here enters sums and products with plus signs only.  53 bits lose 2^-53 of the bound for
+    # each operation, and keep additions as cheap as those of doubles.
     with ctx.workprec(53):
         return abs(x).upper()

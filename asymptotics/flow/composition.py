@@ -35,6 +35,7 @@ def keys_of(weights: Key, top: int) -> tuple[Key, ...]:
     >>> keys_of((2, 3), 5)
     ((0, 0), (1, 0), (0, 1), (2, 0))
     """
+    # By ascending weight the factors of a monomial come before it, so that a series can be found key by key.
     return tuple(n for n, left in sorted(below(weights, top), key=lambda found: -found[1]))
 
 
@@ -108,6 +109,8 @@ class Simplex:
 
     def product_from_1(self, A: list[arb], B: list[arb]) -> arb:
         """The sum over the pairs without A_0, for the next key."""
+        # B is one coefficient short of the key that is asked for, so its length is the number of that key; i = 0 would
+        # be A_0 times the coefficient of B that is still unknown.
         return sum((A[i] * B[j] for i, j in self._pairs[len(B)] if i), _NONE)
 
 
@@ -120,6 +123,7 @@ def _tables(weights: Key, top: int) -> tuple[list[list[int | None]], list[list[t
     pairs = []
     for key in keys:
         rests = ((i, tuple(map(int.__sub__, key, f))) for i, f in enumerate(keys))
+        # A part of a key below the top has a smaller weight and is a key as well: ``number`` holds every rest.
         pairs.append([(i, number[rest]) for i, rest in rests if min(rest) >= 0])
     return back, pairs
 
@@ -131,6 +135,7 @@ class ComposedSeries:
         self.grid, self.rate = grid, rate
         self.u = [start]
         self.power: dict[int, list[arb]] = {n: [start**n] for n in sorted(_chain(powers))} | {1: self.u}
+        # The coefficients of degree times r u, Euler's operator applied to the argument of the sine.
         self._drift = [_NONE]
         self.sine: list[arb] = []
         self.cosine: list[arb] = []
@@ -142,6 +147,8 @@ class ComposedSeries:
         """The next coefficient of u, and of everything made of it."""
         k = len(self.u)
         self.u.append(coefficient)
+        # Ascending n: u^n is the product of u^(n//2) and u^(n-n//2), which have their k-th coefficient already.  u
+        # itself, n = 1, got it above, and u^0 = 1 has none beyond the first.
         for n, series in self.power.items():
             if n == 0:
                 series.append(_NONE)
@@ -150,6 +157,8 @@ class ComposedSeries:
         if self.rate is not None:
             degree = self.grid.degree(k)
             self._drift.append(self.rate * coefficient * degree)
+            # Both products are formed before either result is appended: each takes the other series one coefficient
+            # short.
             sine = self.grid.product_from_1(self._drift, self.cosine) / degree
             cosine = -self.grid.product_from_1(self._drift, self.sine) / degree
             self.sine.append(sine)
@@ -169,5 +178,6 @@ def _chain(powers: Iterable[int]) -> set[int]:
         n = waiting.pop()
         if n not in found:
             found.add(n)
+            # Halving takes about 2 log2(n) powers for the largest one, as by repeated squaring.
             waiting += [n // 2, n - n // 2] if n > 1 else []
     return found

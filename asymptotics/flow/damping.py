@@ -1,5 +1,7 @@
 """The law in balls, on a half-swing: the speed w >= 0, the displacement y from the centre that dry friction shifts.
 
+N is nondecreasing, a monotone operator with the Coulomb term, so that the flow is nonexpansive (Brezis 1973).
+
     y' = -w,    w' = y - N(w),    N(w) = sum_i epsilon_i w^alpha_i over alpha_i > 0          (units: amplitude, tau)
 
 Strengths and exponents are enclosures at the precision current when the ``Damping`` is made; the doubles beside them
@@ -45,16 +47,22 @@ class Damping:
 
     @classmethod
     def of(cls, terms: list[tuple[arb, ExactReal]]) -> "Damping":
-        """From (epsilon_i, alpha_i), at the current precision; terms of strength exactly 0 are dropped.
+        """From (epsilon_i, alpha_i), at the current precision.
 
-        UndecidedError for a strength that is not told from 0.
+        Terms of strength exactly 0 are dropped, and those of one exponent are one term.  UndecidedError for a strength that is not told from 0.
         """
+        # A ball about 0 is neither a term nor none: without it the least exponent, and with it how the motion ends, is
+        # not known.  The caller raises the precision.
         if any(e.contains(0) and not e == 0 for e, _ in terms):
             raise UndecidedError("a strength is not told from 0 at this precision")
+        # Exponents are exact numbers >= 0, so the comparison decides: several terms of exponent 0 are one dry friction.
         friction = sum((e for e, a in terms if not a > 0), arb(0))
-        moving = [(e, a) for e, a in terms if a > 0 and e != 0]
-        strengths, alphas = (tuple(column) for column in zip(*moving)) if moving else ((), ())
-        return cls(friction, strengths, alphas, tuple(a.ball() for a in alphas))
+        # The series of the half-swing are filed by exponent: of two terms with one exponent they would keep one.
+        moving: dict[ExactReal, arb] = {}
+        for e, a in terms:
+            if a > 0 and e != 0:
+                moving[a] = moving[a] + e if a in moving else e
+        return cls(friction, tuple(moving.values()), tuple(moving), tuple(a.ball() for a in moving))
 
     @classmethod
     def of_law(cls, law: Law) -> "Damping":
@@ -85,6 +93,8 @@ class Damping:
     @cached_property
     def least_power(self) -> arb | None:
         """The least of 1 and every alpha_i, as of which N(w)/w^a is nondecreasing; None with dry friction."""
+        # With dry friction the displacement counts from a centre that moves from one half-swing to the next, and the
+        # derivation ``ratio-growth`` has u from X = 0.
         if self.grips:
             return None
         return self.exponents[self.leading] if self.sublinear else arb(1)
@@ -109,11 +119,13 @@ class Damping:
 
     def drag(self, _y: arb, w: arb) -> arb:
         """N(w) for w >= 0 (a ball: at its upper end)."""
+        # N is nondecreasing, so its value at the upper end bounds it on the whole ball.
         top = w.upper()
         return self.resistance(top) if top > 0 else arb(0)
 
     def slopes(self, _y: arb, _w: arb) -> tuple[arb, arb]:
         """G_u = 1, and G_w <= 0, which counts as 0."""
+        # -N'(w) is unbounded below at w = 0 where an exponent is below 1; only an upper bound of it is ever used.
         return arb(1), arb(0)
 
     def strongest(self, u: arb, w: arb) -> arb:
@@ -130,4 +142,6 @@ class Damping:
 
     def largest(self, _y: arb, _dy: arb, w: arb, dw: arb) -> arb:
         """A bound of |N| on the complex disc |W - w| <= dw < w."""
+        # dw < w keeps W in the right half-plane, where |W^alpha| = |W|^alpha <= (w + dw)^alpha (derivation
+        # ``taylor-residual``).
         return upper(self.resistance(w + dw))

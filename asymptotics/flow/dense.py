@@ -32,6 +32,7 @@ from asymptotics.flow.turning import TurningState, at_exact_place, at_rest
 from asymptotics.numbers.context import ctx
 
 State = tuple[arb, arb]
+# Distances are bounds of a few digits: the radius of a ball has 30 bits, and so few cost nothing.
 _LOW = 40
 
 
@@ -66,7 +67,9 @@ class _Wanted:
 
     def __init__(self, flow: CertifiedFlow, times: Sequence[arb]) -> None:
         self.flow = flow
-        self.queue = [(exact_sum(t.mid(), -t.rad()), upper(2 * t.rad())) for t in times]  # a late time has more bits
+        # The lower end of a time and its width are exact, so that every comparison of times below is decided.  A late
+        # time has more bits than the working precision, which would round it into another half-swing.
+        self.queue = [(exact_sum(t.mid(), -t.rad()), upper(2 * t.rad())) for t in times]
         self.found: list[State] = []
 
     @property
@@ -81,9 +84,13 @@ class _Wanted:
         """All times up to the end of a piece of the half-swing that begins at ``start``."""
         last = exact_sum(start, piece.end)
         while not self.done and self.following <= last:
+            # A trap is no reason to stop, as the motion goes on in it; beyond its well it has no certified course here.
             if piece.ended in (ESCAPES, ROTATES):
                 _refuse(piece.ended)
             low, width = self.queue[len(self.found)]
+            # The distance bounds both unit |u - u~| and |w - w~|, so the place has an error of 1/unit of it.  A time
+            # may lie before the start by the rounding of ``start``: an expansion bounds the rates on both sides of its
+            # turning point.
             place, w = piece.own(exact_sum(low, -start))
             u, w = self.flow.back(place) + arb(0, upper(piece.error / piece.unit)), w + arb(0, piece.error)
             du, dw = _moved(self.flow, u, w, width)
@@ -100,6 +107,8 @@ def _first(flow: CertifiedFlow, X: arb, V: arb, wanted: _Wanted) -> TurningState
         return at_exact_place(at_rest(X), flow.exact(0))
     side, u, w, given = start_in_motion(flow, X, V)
     for piece in half_swing_pieces(flow, u, w, given):
+        # Taken before the piece is looked at further: a time inside a last piece that is never completed still has its
+        # answer.
         wanted.take(piece, side, arb(0))
         if wanted.done:
             return at_rest(X)
@@ -116,6 +125,8 @@ def _refuse(what: str) -> NoReturn:
 
 def _swing(flow: CertifiedFlow, here: TurningState, wanted: _Wanted) -> TurningState:
     """The next turning point; the half-swing is laid out in pieces only if a time may fall into it."""
+    # The next turning point without pieces, if the next time asked for comes after it; a time within has to be reached
+    # along the motion itself.
     leap = flow.leap(here, wanted.following)
     if leap is not None:
         return leap
@@ -132,6 +143,8 @@ def _distance(flow: CertifiedFlow, here: TurningState) -> arb:
     """How far the true state is at most from the turning point ``here``, at the time ``here``."""
     unit, e = flow.unit(here.amplitude, arb(0)), here.time_error
     with ctx.workprec(_LOW):
+        # At the time ``here`` the truth is not quite at rest, as it turned within ``time_error`` of it; how far it
+        # moves in that time is part of the distance, and the unit of a place is ``unit`` of a speed.
         du, dw = _moved(flow, arb(here.amplitude, here.amplitude_error), arb(0), e)
         return upper(unit * (here.amplitude_error + du) + dw)
 
@@ -141,11 +154,16 @@ def _moved(flow: CertifiedFlow, u: arb, w: arb, width: arb) -> State:
     if width == 0:
         return arb(0), arb(0)
     with ctx.workprec(_LOW):
-        first = width * flow.force.strongest(u, abs(w).upper())  # a box of the state's size, not of the width's
+        # An a priori enclosure as for Picard's and Lindelof's theorem (Moore, Lohner): in a box of twice the size that
+        # the state suggests.  The force of both directions is counted, for times after and before the state.
+        first = width * flow.force.strongest(u, abs(w).upper())
         fastest, far = upper(2 * (abs(w) + first)), upper(2 * width * (abs(w) + first))
         for _ in range(40):
             dw = upper(width * flow.force.strongest(u + arb(0, far), fastest))
             du = upper(width * (abs(w).upper() + dw))
+            # As long as the motion is in the box it moves no farther than (du, dw), so it cannot leave it within
+            # ``width``.  If that is not within the box, a larger one is tried: each is twice what the last one asked
+            # for.
             if abs(w) + dw <= fastest and du <= far:
                 return du, dw
             fastest, far = upper(2 * (abs(w) + dw)), upper(2 * du)

@@ -36,6 +36,8 @@ from asymptotics.flow.balls import upper
 from asymptotics.flow.force import Force, HasSlopes
 from asymptotics.numbers.context import ctx
 
+# 40 bits for bounds of a few digits, beyond the 30 of a radius.  64 pieces for the sign of a force on one stretch:
+# halving finds six bits of a place where it changes, and nearer ones count as undecided.
 _LOW, _PIECES = 40, 64
 _ONE = arb(1)
 
@@ -47,6 +49,8 @@ class CarriedErrors:
     A distance given at the start has ``grown`` by that factor at most.
     """
 
+    # Both are kept, as they answer different questions: ``local`` says where the orbit from the midpoint turns, and the
+    # error given at its start is led on to the turning point by the sharper contractions at the end of this file.
     local: arb
     error: arb
     grown: arb = _ONE
@@ -70,7 +74,10 @@ def distance_growth(force: HasSlopes, unit: arb, u: arb, w: arb, duration: arb) 
     """The factor by which the distance of two motions in the box may grow in that time."""
     with ctx.workprec(_LOW):
         in_u, in_w = force.slopes(u, w)
+        # lambda grows with G_w and with |c|: on a box of states the upper ends of both bound it.
         half, c = (in_w / 2).upper(), abs((in_u - unit**2) / (2 * unit)).upper()
+        # For G_w = 0 the rate is |c| itself, without the rounding of a root.  For G_w < 0 the two terms of lambda
+        # nearly cancel under strong losses; c^2/(root - half) is the same number (last step of ``parting-with-gains``).
         root = (half**2 + c**2).sqrt() if half != 0 else c
         rate = c**2 / (root - half) if half < 0 else half + root
         return upper((duration * rate).exp())
@@ -84,11 +91,16 @@ def growth(force: HasSlopes, unit: arb, u: arb, w: arb, duration: arb, error: ar
     if force.nonexpansive:
         return _ONE
     with ctx.workprec(_LOW):
+        # The rate must hold wherever the two motions are, so a room for their distance comes first, four times the
+        # error at the start: a choice.  While they are within it the distance is at most factor times error; if that
+        # lies within the room, they never leave it, by continuity.
         room = upper(4 * error)
         for _ in range(8):
             factor = distance_growth(force, unit, u + arb(0, upper(room / unit)), w + arb(0, room), duration)
             if factor * error <= room:
                 return factor
+            # Twice what this room asks for: the next factor is larger, as the box is.  After eight rooms the motions
+            # part too fast to be worth following.
             room = upper(2 * factor * error)
     raise UndecidedError("two motions part too fast for the working precision")
 
@@ -101,13 +113,19 @@ def state_gap(force: Force, unit: arb, u: arb, w: arb, turn: arb, error: arb) ->
     if error == 0 or force.nonexpansive:
         return error
     with ctx.workprec(_LOW):
+        # Places differ by error/unit at most, and so does the place of either orbit from u.
         width = upper(error / unit)
         box = u + arb(0, upper(2 * width))
         force_there = upper(abs(force.restoring(box)) + force.drag(box, w + error))
+        # The difference of w^2/2 at equal places: |w_1 - w_2| (w_1 + w_2)/2 at this time, with |w_1 - w_2| <= error and
+        # both speeds at most w + error, and what the one farther back loses on the way to the place of the other.
         square = upper(error * (w + error) + width * force_there)
+        # So the one farther back does get there before it turns, and both are in motion.
         if not (w > 2 * error and (w - error) ** 2 / 2 > square):
             raise UndecidedError("the enclosure of a state is too wide for its turning point")
         gap = turning_gap(force, turn, square)
+        # s_0 < 0 from the box down to the farthest turning point: both brake all the way, the speed w + error above is
+        # the largest one, and both turn.
         if not points_forward(force, (turn - gap).lower(), box.upper()):
             raise UndecidedError("the force ahead of a turning point is undecided")
         return gap
@@ -122,8 +140,12 @@ def turning_gap(force: Force, turn: arb, square: arb, beyond: arb | None = None)
         return arb(0)
     with ctx.workprec(_LOW):
         near = arb(0) if beyond is None else beyond
+        # A room for the second turning point, from the force at the first: a choice, twice what would do if the force
+        # were constant.
         room = upper(2 * square / abs(force.restoring(turn)).lower()) if force.restoring(turn) < 0 else None
         if room is not None:
+            # The least force in that room (derivation ``wells-contract``): w^2/2 falls by at least ``brake`` for each
+            # unit of length, so less than ``room`` is needed.
             brake = -force.restoring(turn + arb(0, upper(near + room)))
             if brake > 0 and brake.lower() * room > square:
                 return upper(square / brake.lower())
@@ -139,6 +161,7 @@ def points_forward(force: Force, low: arb, high: arb) -> bool:
             pieces += 1
             if force.restoring(a.union(b)) < 0:
                 continue
+            # At one place the ball is narrow: if the sign fails there, no smaller piece will help.
             if pieces > _PIECES or not force.restoring(b) < 0:
                 return False
             middle = ((a + b) / 2).mid()
@@ -156,6 +179,8 @@ def turning_delay(force: Force, unit: arb, turn: arb, gap: arb, distance: arb) -
     if distance == 0:
         return arb(0)
     with ctx.workprec(_LOW):
+        # The second distance/unit is for the way that the motion still goes, checked below; the linear spring, y < 0,
+        # pulls harder the farther it goes, so its least force is met at once.
         around = turn + arb(0, upper(gap + (1 if force.nonexpansive else 2) * distance / unit))
         brake = (-force.restoring(around)).lower()
         inside = force.nonexpansive or distance * unit <= brake  # it moves at most distance^2/brake meanwhile
@@ -169,12 +194,18 @@ def contraction_by_energy(force: Force, p: arb, error: arb, duration: arb, turn:
 
     The motion from p itself turns within ``gap`` of ``turn``.
     """
+    # Beside the linear spring absolute errors do not grow (derivation ``motions-never-part``), and relative ones hardly
+    # (``ratio-growth``).  In any other well only squares of speeds at equal places draw together.
     if error == 0 or force.nonexpansive:
         return contraction_by_ratio(force, p, error, abs(turn) + arb(0, gap))
     with ctx.workprec(_LOW):
+        # The first end: when the motion from farther out passes the start of the other, its w^2/2 is at most error max
+        # s_0.
         steep = force.restoring(p + arb(0, error))
         square = upper(error * steep)
         if force.viscous > 0:
+            # Linear loss contracts at the rate epsilon, but only in the time that the faster motion spends where the
+            # other one is too: a lower bound of it.
             common = (duration - _outside(force, p, error, turn, gap, square)).lower()
             square = upper(square * (-force.viscous * common).exp()) if common > 0 else square
         return turning_gap(force, turn, square, gap)
@@ -187,7 +218,10 @@ def contraction_by_ratio(force: Force, p: arb, error: arb, q: arb) -> arb:
     """
     if error == 0 or force.least_power is None or not p > error:
         return error
+    # |ln p - ln p~| <= error/(p - error), as 1/p is the slope of ln p and p~ >= p - error.
     relative = upper(ratio_growth(force.least_power, p, error, q) * error / (p - error))
+    # Both are upper bounds, and either may be the smaller: far below the start, q << p, relative errors are better;
+    # under a strong law with an exponent below 1 the growth g is not.  Where g is inf, so is the second.
     return min(error, upper(q * relative.expm1()))
 
 
@@ -197,8 +231,10 @@ def ratio_growth(a: arb, p: arb, error: arb, q: arb) -> arb:
     >>> ratio_growth(arb(1) / 2, arb(1), arb(0), arb(1) / 4).str(5), ratio_growth(arb(1), arb(1), arb(0), arb(0))
     ('[3.3333 +/- ...]', 1.00000000000000)
     """
+    # All alpha_i >= 1: relative errors never grow (L1b of the shared notes, derivation ``motions-never-part``).
     if a == 1:
         return _ONE
+    # The smallest amplitude that any of these starts may end at; g grows with p/q, so it counts for all of them.
     nearest = (q - error).lower()
     if not nearest > 0:
         return arb("inf")
@@ -216,6 +252,8 @@ def _outside(force: Force, p: arb, error: arb, turn: arb, gap: arb, square: arb)
     slow, fast = force.restoring(box).lower(), force.restoring(box).upper()
     stopped = turn + arb(0, upper(gap + turning_gap(force, turn, square, gap)))
     brake = (-force.restoring(stopped)).lower()
+    # Within ``error`` of its start the motion reaches at most w^2/2 = error max s_0; if drag takes no more than half of
+    # min s_0 at that speed, the acceleration is at least the other half.
     if not (slow > 0 and brake > 0 and force.drag(box, (2 * error * fast).sqrt()) <= slow / 2):
         return arb("inf")
     return upper(2 * (error / slow).sqrt() + (2 * square).sqrt() / brake)

@@ -11,6 +11,8 @@ from typing import Protocol
 from flint import arb
 
 
+# Three protocols, from the one that asks least: a Taylor step needs no sign of anything, the distance of two motions
+# needs slopes, and turning points need a force that only loses energy (limit cycles stop at the second).
 class Smooth(Protocol):
     """What a Taylor step asks.  ``rate``: r of a pendulum, else None; ``linear``: 1 where G - u depends on w alone.
 

@@ -39,6 +39,8 @@ def start_in_motion(flow: CertifiedFlow, X: arb, V: arb) -> tuple[int, arb, arb,
         raise UndecidedError("the direction of the first motion is undecided")
     side = -1 if V > 0 else 1
     u, w = side * X.mid(), abs(V).mid()
+    # What the midpoints drop of the two balls, in the distance of the flow: unit |u - u~| + |w - w~| is no less than
+    # the root of their squares.
     return side, u, w, upper(upper(flow.unit(u, w) * X.rad()) + V.rad())
 
 
@@ -58,8 +60,11 @@ def turning_after_start(piece: ArrivedPiece, side: int, given: arb) -> TurningSt
 
     UndecidedError at its edge.
     """
+    # Time runs on its own orbit's clock: the truth turns within ``late`` of it, and the clock is a ball.
     late = upper(piece.late(given) + piece.clock.rad())
     here = TurningState(0, -side, -piece.turn, piece.clock.mid(), piece.gap(given), late)
+    # A start in motion may carry the mass beyond the top of its well and back to rest there; asked of every amplitude
+    # that the truth may have.
     left = piece.flow.leaves(arb(here.amplitude, here.amplitude_error))
     return here if left is None else left
 
@@ -69,10 +74,13 @@ def sequence(flow: CertifiedFlow, start: TurningState) -> Iterator[TurningState]
 
     UndecidedError where the enclosures cannot tell whether there is a next one.
     """
+    # Rational places replace their enclosures, so that an exact tie (dry friction that just holds) can be decided.
     here = at_exact_place(start, flow.exact(start.n))
     while True:
         if flow.endless:  # derivation ``no-overdamping``: there is a next one, whether or not anybody asks for it
             yield here
+        # Whether this turning point is the last one is known only when the next half-swing has been followed, so the
+        # point is held back until then, unless a theorem says that there is a next one.
         following = next_turning(flow, here)
         if isinstance(following, str):
             yield replace(here, ended=following)
@@ -90,6 +98,7 @@ def next_turning(flow: CertifiedFlow, here: TurningState) -> TurningState | str:
 
 def turning_by_pieces(flow: CertifiedFlow, here: TurningState) -> tuple[TurningState | str, int]:
     """The same by pieces, and how many they were."""
+    # Dry friction first: it may hold the mass at a place where a trap or the first piece would be undecided.
     if sticks(flow, here):
         return STICKS, 0
     ended = flow.ended(flow.place(arb(here.amplitude, here.amplitude_error)), arb(0))
@@ -114,7 +123,10 @@ def after_arrival(here: TurningState, piece: ArrivedPiece) -> TurningState:
     A motion that is late at one turning point is as late at the next one: the time's error only adds.
     """
     late = piece.late(given_at(piece.flow, here))
+    # Of either motion, so the shorter of the two: it is what linear loss has to contract in.
     duration = (piece.clock - late).lower()
+    # The orbit from the exact amplitude turns within ``miss``; the error of the amplitude itself is led on by
+    # contraction, which is sharper over a whole half-swing than the distances of its pieces.
     carried = contraction_by_energy(
         piece.flow.force, here.amplitude, here.amplitude_error, duration, piece.flow.place(piece.turn), piece.miss
     )
@@ -130,10 +142,15 @@ def sticks(flow: CertifiedFlow, here: TurningState) -> bool:
         return False
     if here.exact is not None:
         return here.exact[1]
+    # At least 64 bits: a short working precision must not make a clear case undecided.
     with ctx.workprec(max(64, ctx.prec)):
         margin = flow.force.restoring(flow.place(abs(arb(here.amplitude, here.amplitude_error))))
+        # The spring pulls no more than friction holds: at equality the mass stays, and only an exact place reaches
+        # that.
         if margin <= 0:
             return True
+        # With an amplitude <= 0 the mass stopped before the centre or at it, because s_0 <= 0 there; s_0 > 0 would
+        # contradict that, so such an enclosure says nothing.
         if margin > 0 and here.amplitude > 0:
             return False
     raise UndecidedError(f"whether dry friction holds the mass at turning point {here.n} is undecided")

@@ -75,8 +75,10 @@ class TaylorStep:
 
         UndecidedError where no disc is found on which w keeps its sign.
         """
+        # log2 of the residual that is aimed at: one unit in the last place of the scale of the motion.
         tolerance = size_of(scale) - ctx.prec
         with ctx.workprec(ctx.prec + GUARD):
+            # ``ctx.prec`` has the guard bits here; the degree is that of the precision asked for.
             us, ws = coefficients(force, u, w, order_for(ctx.prec - GUARD))
         with ctx.workprec(_LOW):
             radius, largest, length = _longest(force, us, ws, unit, tolerance)
@@ -89,6 +91,8 @@ class TaylorStep:
     @cached_property
     def residual(self) -> arb:
         """The integral of the residual at h = ``length`` < R = ``radius``."""
+        # The integral of the residual over 0 <= t <= h, in the distance of the flow: the two terms of the module's
+        # docstring, with 1/(1 - t/R) <= 1/(1 - h/R).  h < R by the choice of the length.
         with ctx.workprec(_LOW):
             h, n = self.length, len(self.ws) - 1
             share = h / self.radius
@@ -101,6 +105,8 @@ class TaylorStep:
         with ctx.workprec(_LOW):
             h, n = self.length, len(self.ws) - 1
             w = arb(self.ws[0].mid(), upper(sizes(self.ws)(h) + self.ws[0].rad()))
+            # U' = -W + w_n t^n: where W exceeds the last term U falls throughout, so that its ends enclose it.  The box
+            # of the true motion is made wider by its distance, in ``error_propagation.growth``.
             if not w.lower() > abs(self.ws[-1]) * h**n:
                 raise UndecidedError("the speed of a step may vanish")
             return self.us[0].union(self.state(h)[0]), w
@@ -117,18 +123,22 @@ class TaylorStep:
 
 def order_for(bits: int) -> int:
     """The degree at which full precision is reached near e^-1.65 of the radius."""
+    # 2^-bits = (h/R)^n at n = 0.42 bits makes h/R = 2^(-1/0.42) = e^-1.65; six terms more for the few bits of a sketch.
     return int(DEGREE_PER_BIT * bits) + 6
 
 
 def coefficients(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
     """Taylor coefficients of u and w about a state with w > 0, through t^order; at u = 0 on the side u < 0."""
+    # Two recurrences: products of whole powers go through w = 0, the logarithmic derivative divides by w_0.
     return (_of_whole_powers if force.entire else _of_real_powers)(force, u, w, order)
 
 
 def _of_whole_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
     """w^alpha by products: the speed may vanish."""
+    # The mass moves towards smaller u: from u = 0 on it is on the side u < 0.
     side, none = 1 if u > 0 else -1, arb(0)
     springs = force.restoring_powers(side)
+    # ``entire`` says that the exponents are small whole numbers, which a double holds exactly.
     losses = [(d, m, int(float(a))) for d, m, a in force.loss_powers(side)]
     curve = ComposedSeries(ExponentLine(()), force.rate, {n for _, n in springs} | {m for _, m, _ in losses}, u)
     speed = ComposedSeries(ExponentLine(()), None, {a for _, _, a in losses}, w)
@@ -159,6 +169,8 @@ def _of_real_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb
             slope += sum(map(mul, q, reversed(p)), none)
         curve.append(-ws[k] / (k + 1))
         ws.append(slope / (k + 1))
+        # w l = w' solved for the k-th coefficient of l, and then (k+1) p_(k+1) = alpha sum l_j p_(k-j), from p' = alpha
+        # l p.
         ratio.append((slope - sum(map(mul, islice(ws, 1, k + 1), reversed(ratio)), none)) * inverse)
         for a, p in growing:
             p.append(a * sum(map(mul, ratio, reversed(p)), none) / (k + 1))
@@ -168,12 +180,17 @@ def _of_real_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb
 def _longest(force: Smooth, us: list[arb], ws: list[arb], unit: arb, tolerance: float) -> tuple[arb, arb, float]:
     """R, M and log2 of the time for which the residual is near 2^tolerance, where it is longest: chosen in doubles."""
     n, best = len(ws) - 1, None
+    # The three terms of the residual, each made to be 2^tolerance: the last coefficients give ``cut``, M (h/R)^n the
+    # third time below.
     parts = [size_of(unit) + size_of(ws[-1]), size_of(us[-1]) if force.linear else -inf]
     cut = min((tolerance - size) / (n + 1) for size in parts)
     least = size_of(ws[1] - us[0] if force.linear else ws[1])  # no M is smaller than |F(u_0, w_0)|
     for radius, largest in discs(force, us, ws):
         edge = size_of(radius)
+        # h <= 2^-0.2 R = 0.87 R keeps 1/(1 - h/R) below 8, which the residual counts exactly.
         length = min(edge - 0.2, cut, (tolerance - size_of(largest)) / n + edge)
+        # Smaller discs have smaller M and shorter steps in the end: after the first that is no better the search stops.
+        # It also stops where the next disc could not be better even with the least possible M.
         if best is not None and length <= best[2]:
             break
         best = (radius, largest, length)
@@ -187,12 +204,15 @@ def _longest(force: Smooth, us: list[arb], ws: list[arb], unit: arb, tolerance: 
 def discs(force: Smooth, us: list[arb], ws: list[arb]) -> Iterator[tuple[arb, arb]]:
     """(R, M) for some R, descending, on which W keeps its sign certainly."""
     w, moving_u, moving_w = ws[0], None if force.linear else sizes(us), sizes(ws)
+    # Where the speed may vanish its size at the start says nothing; then the place is the scale.
     start = max(size_of(us[0]), size_of(w)) if force.entire else size_of(w)
     steepest = [(start - size_of(c)) / k for k, c in enumerate(moving_w.coeffs()) if c != 0]
+    # log2 of the radius at which the first term |w_k| t^k reaches the scale.
     widest = min(steepest, default=0.0)
     for share in _SHARES:
         radius = dyadic(widest) * arb(share)
         moved = upper(moving_w(radius))
+        # On the disc |W - w_0| <= moved < w_0, the hypothesis of ``largest``; whole powers are entire and need none.
         if force.entire or moved < w:
             du = arb(0) if moving_u is None else upper(moving_u(radius))
             yield radius, force.largest(us[0], du, w, moved)
@@ -200,4 +220,6 @@ def discs(force: Smooth, us: list[arb], ws: list[arb]) -> Iterator[tuple[arb, ar
 
 def sizes(series: "list[arb] | tuple[arb, ...]") -> arb_poly:
     """The polynomial sum_(k>=1) |c_k| t^k, by which a series moves at most."""
+    # For every complex |t| <= R the series moves by at most this polynomial at R, the hypothesis of Cauchy's
+    # inequality.
     return arb_poly([arb(0), *(abs(c).upper() for c in series[1:])])

@@ -18,7 +18,7 @@ from asymptotics.errors import LimitError
 from asymptotics.flow.balls import size_of
 from asymptotics.numbers.context import ctx
 
-_LONGEST = 2.0**24  # bits of a time
+_LONGEST = 2.0**24  # bits of a time: 2 megabytes, reached where w^alpha hardly depends on w
 _GUARD = 160  # bits more than the two times are apart: a further step, short or long, is added exactly as well
 
 
@@ -41,8 +41,10 @@ class NearRest(Protocol):
 
 def at_time(expansion: NearRest, s: arb) -> tuple[arb, arb]:
     """(place, speed) at the time s (a ball) from the turning point of an expansion, within its reach."""
+    # Any w with tau(w) known would do; the nearer tau(w) is to s, the less the motion moves in what is left.
     w = _speed_at(expansion, s.mid())
     place, tau = expansion.state(w)
+    # |s - tau| at the largest rates on both sides of the turning point, as s may lie on the other side of it.
     far, faster = expansion.moved(s - tau)
     return place + arb(0, far), w + arb(0, faster)
 
@@ -53,12 +55,16 @@ def _speed_at(expansion: NearRest, s: arb) -> arb:
     rest, _ = expansion.state(arb(0))
     w = min(expansion.reach, abs(s * expansion.acceleration(rest, arb(0))).mid())
     while known < full:
-        bits = min(full, max(30, 4 * known))
+        bits = min(full, max(30, 2 * known))
         with ctx.workprec(bits):
+            # Newton's method: the derivative of tau by w is 1/acceleration.  Three steps from a guess that is right to
+            # a few bits, then one for twice as many bits at a time.
             for _ in range(3 if known == 0 else 1):
                 place, tau = expansion.state(w)
                 step = (tau - s) * expansion.acceleration(place, w)
                 w = abs((w - step).mid())
+                # Beyond its reach the expansion has no bound; below 0 it has none either, and |w| is the mirrored
+                # state.
                 w = w if w < expansion.reach else expansion.reach
         known = bits if known else 20
     return w
@@ -70,6 +76,8 @@ def later(t: arb, length: arb) -> arb:
     LimitError where the sum would have too many bits.
     """
     apart = max(0.0, size_of(t) - size_of(length))
+    # A step 2^-(2^24) times as long as the time before it: the sum would fill megabytes.  It is met for exponents next
+    # to 0 alone.
     if apart > _LONGEST:
         reason = f"a step next to rest would last 2^{size_of(length):.3g}: an exponent is too near 0"
         raise LimitError("alpha", reason, "larger exponents, or another strength")
@@ -81,5 +89,6 @@ def exact_sum(a: arb, b: arb) -> arb:
     """a + b of two exact numbers of any signs and sizes, exactly."""
     if a == 0 or b == 0:
         return a if b == 0 else b
+    # The bits of both, and of the gap between them: the sum of two dyadic numbers is exact in so many.
     with ctx.workprec(a.bits() + b.bits() + int(abs(size_of(a) - size_of(b))) + 8):
         return a + b

@@ -56,6 +56,7 @@ limit is minutes, the second a separatrix; a motion beyond its well has no turni
 """
 ESCAPES, ROTATES = "escapes", "rotates"
 _BY_STEPS = "a creep by Taylor steps, as its slow curve is no short sum of powers yet"
+# Choices of when to try what: earlier costs a try in vain, later some steps more; no bound rests on them.
 _FAR = 2.0**-8  # of the start: a displacement where a falling speed that is lost in the error asks for more precision
 _CATCH = 4  # every so many pieces a strip about the slow curve is tried
 _NEAR = 10  # bits above the last one of the scale within which a place counts as the kink's
@@ -258,8 +259,11 @@ def half_swing_pieces(
     if closed is not None:
         yield closed
         return
+    # The orbit from the exact start has no error yet.  One unit of places serves the half-swing: distances are
+    # comparable.
     here, unit = FlowState(arb(0), u, w, CarriedErrors(arb(0), error)), flow.unit(u, w)
     scale, left = upper(unit * abs(u) + w), 0
+    # The powers of w have no Taylor series in the time at rest.  A creep from rest is caught first, and never expanded.
     if w == 0:
         yield from flow.along_slow_curve(here, _ended(flow, unit, here))
         first = _departure(flow, unit, here)
@@ -269,9 +273,11 @@ def half_swing_pieces(
     ended: str | None = None
     for count in range(pieces):
         tick(f"piece {count} of {'a half-swing' if ended in (None, ESCAPES, ROTATES) else _BY_STEPS}")
+        # The end first: next to it w is small and a Taylor step, which must keep w > 0 on its disc, would be short.
         if flow.turns_within(flow.place(here.u), here.w, here.errors.error):
             yield _arrival(flow, unit, here)
             return
+        # For the true state.  In a trap the motion goes on, for those who ask for a state at a time.
         ended = _ended(flow, unit, here)
         beside = (yield from flow.along_slow_curve(here, ended)) if count % _CATCH == 0 else None
         if beside is not None:
@@ -284,6 +290,7 @@ def half_swing_pieces(
         left += ended in (ESCAPES, ROTATES)
         if left > MAX_BEYOND:
             break
+        # From midpoints, whose distance from the enclosure is added: no ball is carried on, so nothing wraps.
         here = _at_a_kink(_after(step, *step.taylor.state(step.taylor.length)), step, scale)
     where = "the motion is too stiff, leaves its well or is too near a separatrix"
     reason = f"one half-swing takes more than {pieces} pieces: {where}"
@@ -298,8 +305,10 @@ def _ended(flow: CertifiedFlow, unit: arb, here: FlowState) -> str | None:
 def _require_room(flow: CertifiedFlow, unit: arb, here: FlowState, count: int, scale: arb) -> None:
     """UndecidedError where the place and the speed are lost in the errors, or a trap may be missed for ever."""
     error, place = here.errors.error, flow.place(here.u)
+    # No larger than four times its error, the state is not told from rest.  A choice: the bounds hold all the same.
     lost = upper(unit * abs(place) + here.w) < 4 * error
-    if flow.traps and here.w < 4 * error and unit * place > _FAR * scale:  # with a place > 0 it goes on slowing down
+    # Far from the centre and slower and slower: no further step will show whether the motion falls into the trap.
+    if flow.traps and here.w < 4 * error and unit * place > _FAR * scale:
         lost = lost or flow.force.drag(place, here.w) > flow.force.restoring(place)
     if lost or (flow.traps and count > MAX_FREE):
         where = f"after {count} pieces of a half-swing: too near a separatrix for the working precision"
@@ -315,6 +324,8 @@ def _after(piece: Piece, place: arb, w: arb) -> FlowState:
 def _at_a_kink(here: FlowState, step: Step, scale: arb) -> FlowState:
     """The state itself, or u = 0 if it is as near before a kink there as makes no difference."""
     start = step.taylor.us[0]
+    # A step is cut off 2^8 last places before u = 0; from a start that is itself tiny, half of its own bits count as
+    # near.  What the place is moved by enters the errors: too large a choice costs digits, and no truth.
     near = max(size_of(start) - ctx.prec / 2, size_of(scale) - ctx.prec + _NEAR)
     if step.flow.force.kinked and start > 0 and here.u > 0 and size_of(here.u) < near:
         return FlowState(here.t, arb(0), here.w, here.errors.plus(upper(step.unit * here.u)))
@@ -323,6 +334,7 @@ def _at_a_kink(here: FlowState, step: Step, scale: arb) -> FlowState:
 
 def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> DeparturePiece:
     place, force = flow.place(here.u), flow.force
+    # For the true start as well: s_0 > 0 is what makes the mass leave, and P_0 = s_0 divides in the expansion.
     if not force.restoring(place + arb(0, upper(here.errors.error / unit))) > 0:
         raise UndecidedError("whether dry friction holds the mass here is undecided")
     expansion = flow.expansion(place)
@@ -330,6 +342,8 @@ def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> DeparturePiec
     if force.kinked and not end > 0:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")
     factor = growth(force, unit, place.union(end), arb(0).union(expansion.reach), tau, here.errors.error)
+    # The piece ends at the exact time tau.mid(), up to which the speed ``reach`` is off by tau.rad() at the rate
+    # ``speed``.
     errors = here.errors.times(factor).plus(upper(tau.rad() * expansion.speed(unit)))
     return DeparturePiece(flow, unit, arb(0), tau.mid(), errors, None, expansion)
 
@@ -337,6 +351,7 @@ def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> DeparturePiec
 def _step(flow: CertifiedFlow, unit: arb, here: FlowState, scale: arb, ended: str | None) -> Step:
     """A Taylor step, with the growth of the distances along it."""
     taylor = _up_to_a_kink(flow.force, TaylorStep.at(flow.force, flow.place(here.u), here.w, unit, scale))
+    # D' <= lambda D + residual: at most (D + integral of the residual) e^(lambda h), so the residual comes first.
     errors = here.errors.plus(taylor.residual)
     if not flow.force.nonexpansive:
         errors = errors.times(growth(flow.force, unit, *taylor.box, taylor.length, errors.error))
@@ -348,11 +363,13 @@ def _up_to_a_kink(force: Force, step: TaylorStep) -> TaylorStep:
     u, w = step.us[0], step.ws[0]
     if not (force.kinked and u > 0) or step.state(step.length)[0] > 0:
         return step
+    # Newton's method for U(t) = 0, U' = -W: each round doubles the bits, and six more start it.
     t = (u / w).mid()
     for _ in range(6 + ctx.prec.bit_length()):
         t = min(t, step.length)
         place, speed = step.state(t)
         t = (t + place / speed).mid()
+    # Earlier by 2^8 last places, so that U > 0 can be proved there, in the check below.
     early = (t - (step.length + u / w) * arb(2) ** (-ctx.prec + 8)).mid()
     if not (early > 0 and early < step.length and step.state(early)[0] > 0):
         raise UndecidedError("the passage of a kink of the force is too near for the working precision")
@@ -362,6 +379,7 @@ def _up_to_a_kink(force: Force, step: TaylorStep) -> TaylorStep:
 def _arrival(flow: CertifiedFlow, unit: arb, here: FlowState) -> ArrivalPiece:
     """The last piece.  Two orbits that are some distance apart turn within the gap that the force allows."""
     start, w, force = flow.place(here.u), here.w, flow.force
+    # The orbit that ends at a guess of the turning point is followed from now on; its distance from the state is added.
     expansion = flow.arrive(start, w)
     turn, _ = expansion.state(arb(0))
     place, time = expansion.state(w)
@@ -369,6 +387,7 @@ def _arrival(flow: CertifiedFlow, unit: arb, here: FlowState) -> ArrivalPiece:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")
     at = flow.back(turn)
     begun = here.errors.plus(upper(upper(unit * (place - start)) + upper(unit * at.rad())))
+    # The time of the expansion is negative here, from w = 0 backwards: -time is how long the piece lasts.
     factor = growth(force, unit, turn.union(place), arb(0).union(w), -time, begun.error)
     clock = here.t - time
     errors = begun.times(factor).plus(upper(clock.rad() * expansion.speed(unit)))

@@ -42,6 +42,7 @@ class TurningState:
 
 def at_rest(X: arb) -> TurningState:
     """A start from rest at X != 0, at tau = 0."""
+    # The orbit that is followed starts at the midpoint; the radius is the error of the amplitude from the first.
     return TurningState(0, 1 if X > 0 else -1, abs(X).mid(), arb(0), X.rad(), arb(0))
 
 
@@ -53,6 +54,7 @@ def at_exact_place(here: TurningState, exact: tuple[Fraction, bool] | None) -> T
     if exact is None:
         return here
     place = arb(to_fmpq(exact[0]))
+    # Two routes to one number: an enclosure that misses the exact place is a fault of one of them, not of the input.
     if not here.x.overlaps(place):
         raise ArithmeticError(f"turning point {here.n} is enclosed away from {exact[0]}")
     amplitude = here.side * place

@@ -34,8 +34,12 @@ from asymptotics.numbers.value import Coefficient, number_of
 from asymptotics.present.shown import Page, Shown
 from asymptotics.terms import Term
 
+# Beyond it the jumps of a relaxation oscillation take more and more steps and digits (``half_cycle.MAX_STEPS``); a
+# limit of work, not of the theorem.
 MAX_MU = 20
 MIN_MU = ExactReal(Fraction(1, 10**100))  # below it the multiplier is told from 1 by more bits than a minute pays for
+# Doublings of the precision; Newton steps, each of which doubles the bits of the centre, from the 36 of the guess;
+# secants, each of which makes them 1.6 times as many.
 _DOUBLINGS = 3
 _NEWTON = 12
 _GUESSED = (80, 160, 320, 640)  # bits in which a half-turn of the guess is tried
@@ -95,11 +99,15 @@ def certified_limit_cycle(law: Law, mu: ExactReal, digits: int, near: float) -> 
     size = abs(mu)
     if mu.is_zero or size < MIN_MU or size > MAX_MU:
         raise InputError("mu", f"{mu} is out of range", f"a number from 1e-100 to {MAX_MU} in size, of either sign")
+    # A cycle that repels is followed backwards in time, where it attracts: errors then shrink along the orbit.  A wrong
+    # guess of the direction costs digits, or is refused.
     back = _repels(terms, float(mu.ball().mid()), near)
     toward = -mu if back else mu
     guess = _fixed_point(terms, toward, near)
 
     def attempt(bits: int) -> CertifiedCycle:
+        # 24 bits less than the working precision: what a half-turn of some hundred steps may lose.  A larger loss is
+        # seen by the interval step, which fails, and the precision grows.
         found = _interval_newton(terms, toward.ball(), guess, bits - 24)
         made = None if found is None else _rounded(str(mu), found, digits, back)
         if made is None:
@@ -114,6 +122,7 @@ def certified_limit_cycle(law: Law, mu: ExactReal, digits: int, near: float) -> 
 def _rounded(mu: str, found: tuple[arb, arb, HalfCycle], digits: int, back: bool) -> CertifiedCycle | None:
     """The numbers of the cycle in an interval of this radius, ``back``: in reversed time; None where undecided."""
     amplitude, radius, turn = found
+    # A whole period is two half-turns; backwards in time the multiplier is the inverse.
     multiplier = ((2 if back else -2) * turn.J).exp()
     values = (amplitude, 2 * turn.T, arb.pi() / turn.T, multiplier)
     a, period, frequency, shown = (decimal_of_ball(v, digits) for v in values)
@@ -139,6 +148,8 @@ def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) ->
         turn = half_cycle(terms, mu, a)
         if turn is None:
             return None
+        # F/F', with the derivative by Liouville's formula (derivation ``energy-contraction``): no second orbit is
+        # needed.
         step = (turn.q - a) / ((rest(a) / rest(turn.q)) * (-turn.J).exp() - 1)
         if not step.is_finite():  # a multiplier that is not told from 1
             return None
@@ -147,14 +158,19 @@ def _interval_newton(terms: tuple[Term, ...], mu: arb, guess: arb, good: int) ->
         a = (a - step).mid()
     else:  # the half-turn is that of the place before
         return None
+    # Eight times what the last step moved: wide enough to hold the fixed point although a is not it, and narrow enough
+    # for F' to keep away from 0.  A choice; the next lines prove.
     radius = 8 * (abs(step).upper() + arb(2) ** -good)
     interval = arb(a, radius.upper())
+    # q and J for every A of the interval: its radius is an error of the start, carried through the steps.
     wide = half_cycle(terms, mu, interval)
     if wide is None:
         return None
     slope = (rest(interval) / rest(wide.q)) * (-wide.J).exp() - 1
     if slope.contains(0):
         return None
+    # The interval Newton operator about the exact centre: if it maps into the interior, the interval holds exactly one
+    # fixed point, and so does the image.
     newton = a - (turn.q - a) / slope
     return (newton, radius, wide) if interval.contains_interior(newton) else None
 
@@ -180,9 +196,11 @@ def _fixed_point(terms: tuple[Term, ...], mu: ExactReal, near: float) -> arb:
                 return float(turn.q.mid()) - a
         raise UndecidedError(f"from A = {a:.6g} no next turning point was found")
 
+    # One per cent apart: the slope is of a function that a relaxation oscillation bends strongly.
     a, b = near, near * 1.01
     fa, fb = excess(a), excess(b)
     for _ in range(_SECANTS):
+        # Doubles can tell no more; Newton's method in balls goes on from there.
         if abs(b - a) < 1e-11 * abs(b) or fb == fa:
             break
         a, fa, b = b, fb, b - fb * (b - a) / (fb - fa)

@@ -1,5 +1,7 @@
 """The force of a polynomial oscillator on its half-swing: springs, losses and gains of whole powers, in balls.
 
+Where it gains energy the flow is not contracting; distances grow by the logarithmic norm (``flow.error_propagation``).
+
 x'' + x + sum_i e_i x^m_i x'^a_i = 0, with u = x and w = -x' from a turning point (A, 0) on:
 
     u' = -w,    w' = G(u, w) = u + sum_i d_i u^m_i w^a_i,    d_i = e_i (-1)^a_i.
@@ -36,6 +38,7 @@ class PolynomialForce:
         """Terms with whole powers, at the current precision; losses and gains are multiplied by ``mu``."""
         powers = ((t, int(t.velocity.rational)) for t in terms)
         strengths = ((t.strength.ball() * (mu if t.sign < 0 else 1), t.position, a) for t, a in powers)
+        # w = -x', so that w' = -x'' = x + sum e x^m (-w)^a.
         return cls(tuple((-e if a % 2 else e, m, a) for e, m, a in strengths))
 
     def restoring_powers(self, _side: int) -> list[tuple[arb, int]]:
@@ -48,6 +51,7 @@ class PolynomialForce:
 
     def largest(self, u: arb, du: arb, w: arb, dw: arb) -> arb:
         """A bound of |G| on the complex discs |U - u| <= du, |W - w| <= dw."""
+        # Polynomials: their absolute values at the largest |U| and |W| bound them on complex discs of any radius.
         far, fast = abs(u) + du, abs(w) + dw
         return upper(sum((abs(d) * _power(far, m) * _power(fast, a) for d, m, a in self.parts), far))
 

@@ -61,6 +61,7 @@ def half_cycle(terms: Sequence[Term], mu: arb, A: arb) -> HalfCycle | None:
     force = PolynomialForce.of(terms, mu)
     unit = _unit(force, A)
     far = _FAR * abs(A.mid())
+    # The orbit of the midpoint is followed; that of any other A of the ball starts at a distance of at most this.
     start = CarriedErrors(arb(0), upper(unit * A.rad()))
     here = _Here(arb(0), A.mid(), arb(0), start, arb(0))
     for k in range(MAX_STEPS):
@@ -70,6 +71,7 @@ def half_cycle(terms: Sequence[Term], mu: arb, A: arb) -> HalfCycle | None:
             return None
         step, ends = found
         here = _after(force, unit, here, step)
+        # A guess of the start from which the orbit goes off; no cycle passes there.
         if not (here.w < far and abs(here.u) < far):
             return None
         if ends:
@@ -80,6 +82,7 @@ def half_cycle(terms: Sequence[Term], mu: arb, A: arb) -> HalfCycle | None:
 def _unit(force: PolynomialForce, A: arb) -> arb:
     """A power of two near the root of the largest slope of G, the unit of the distance: a choice."""
     size = abs(A.mid())
+    # |G|/size at u = w = A in place of the largest slope: any unit gives a bound, a poor one a larger growth factor.
     return dyadic(round(size_of(force.largest(size, arb(0), size, arb(0)) / size) / 2))
 
 
@@ -88,14 +91,20 @@ def _step(force: PolynomialForce, unit: arb, here: _Here) -> tuple[TaylorStep, b
     scale = upper(unit * abs(here.u) + here.w)
     step = TaylorStep.at(force, here.u, here.w, unit, scale)
     for _ in range(_HALVINGS):
+        # The first step starts at w = 0 and leaves it; a later one that ends at w <= 0 is cut at the zero of its
+        # polynomial.
         end = None if here.w == 0 or step.state(step.length)[1] > 0 else _root(step)
         last = step if end is None else step.shortened(end)
         u, w = _box(unit, here, last)
+        # The growth is taken on a box ``_ROOM`` times wider than the errors: if it is no more than that, the truth
+        # stays in the box, by continuity, and the signs of G and w on it are those of the truth.
         pull, steady = force.at(u, w), distance_growth(force, unit, u, w, last.length) <= _ROOM
+        # On the last box G < 0: w falls through its one zero, and no other.
         if end is not None and steady and pull < 0:
             return last, True
         if end is None and steady and (pull > 0 if here.w == 0 else w > 0):
             return step, False
+        # A shorter step has a smaller box; the polynomials stay as they are.
         step = step.shortened((last.length / 2).mid())
     return None
 
@@ -125,10 +134,12 @@ def _box(unit: arb, here: _Here, step: TaylorStep) -> tuple[arb, arb]:
 def _after(force: PolynomialForce, unit: arb, here: _Here, step: TaylorStep) -> _Here:
     """The state after a step."""
     with ctx.workprec(_LOW):
+        # The residual first and then the growth, as along every piece of the flow.
         errors, box = here.errors.plus(step.residual), _box(unit, here, step)
         factor = distance_growth(force, unit, *box, step.length)
         mixed, twice = (abs(c) for c in force.bends(*box))
         errors = errors.times(factor)
+        # G_w differs by G_uw du + G_ww dw with |du| <= D/unit and |dw| <= D (mean value theorem on the box).
         parted = upper(step.length * (mixed / unit + twice) * errors.error)
     u, w = step.state(step.length)
     J = here.J - _integral(force, step) + arb(0, parted)
@@ -147,6 +158,7 @@ def _to_the_turn(force: PolynomialForce, unit: arb, end: _Here) -> HalfCycle | N
     """What is missing to w = 0: with |w| <= omega and a deceleration of at least g near the end, |dt| <= omega/g."""
     error = end.errors.error
     omega = upper(end.w + arb(0, error))
+    # A box for what is left of the way, at most a time of 1/4, in which w only goes on to 0: the next line checks it.
     u, w = end.u + arb(0, upper(error / unit + 4 * omega)), arb(0, 2 * omega)
     g = (-force.at(u, w)).lower()
     if not (g > 4 * omega and g > 0):  # then |dt| < 1/4 and the orbit stays in the box

@@ -160,6 +160,8 @@ def _ball_rows(law: Law, order: int, digits: int, near: float | None) -> tuple[R
         made = [{str(k): Coefficient(text, None) for k, text in row.items()} for row in texts]
         return made[0], made[1], made[2], made[3]
 
+    # The recurrence divides and cancels at each order: sixteen bits an order to begin with, and more if a coefficient
+    # is not rounded.
     bits = bits_for(digits, 16 * order + 64)
     return at_growing_precision(attempt, digits, bits, max_bits=32 * bits)
 

@@ -1,5 +1,7 @@
 """The limit cycle of x'' + x + mu sum_i E_i x^m_i x'^alpha_i = 0 as series in mu: rational for van der Pol, Rayleigh.
 
+The method of Lindstedt and Poincare: the frequency is expanded with the orbit, so that no secular term is left.
+
 The laws are polynomials (m_i even, alpha_i odd) of degrees d_i = m_i + alpha_i.  At mu = 0 every amplitude closes; the
 energy balance sum_i E_i <c^m_i s^(alpha_i+1)> A^(d_i-1) = 0, a polynomial in A^2, picks A_0.  With x = A_0 y, psi the
 phase and omega = d psi/d tau, order by order in mu
@@ -41,6 +43,7 @@ from asymptotics.numbers.bridge import to_fmpq
 from asymptotics.numbers.context import cached_property
 from asymptotics.terms import Term
 
+# A limit of work: the number of harmonics grows with the order, and the fractions with them.
 MAX_ORDER = 60
 
 
@@ -112,6 +115,7 @@ def balanced_square(terms: tuple[Term, ...], near: float | None = None) -> Any:
     found = _positive_roots(balance)
     if not found:
         raise InputError("law", "gains and losses balance at no amplitude: there is no limit cycle", "both signs")
+    # The nearest of the balances, in doubles: which cycle is meant, and not where it is.
     if near is not None:
         return min(found, key=lambda z: abs(float(arb(z).sqrt().mid()) - near))
     if len(found) > 1:
@@ -129,8 +133,10 @@ def _positive_roots(balance: fmpq_poly) -> list[Any]:
             roots: list[Any] = [-fmpq(factor[0], factor[1])]
         else:
             pairs: Any = factor.complex_roots()
+            # FLINT isolates the roots of an irreducible factor, the real ones with an imaginary part that is exactly 0.
             roots = [z.real for z, _ in pairs if z.imag.contains(0) and z.imag.is_exact()]
         positive = [z for z in roots if z > 0]
+        # Where the balance does not change its sign the first order does not decide whether there is a cycle.
         if positive and multiplicity > 1:
             raise UndecidedError("a double root of the energy balance: the cycle has no series in mu")
         found += positive
@@ -174,6 +180,7 @@ class _Solver:
         self.omega: list[Any] = [self.one]
         self.X = self._powers(self.y[0], max(t.position for t in terms))
         self.V = self._powers(self.poly([-half, half]), max(int(t.velocity.rational) for t in terms))
+        # ``order`` is one more than asked for: only there is the first harmonic of the order before fixed.
         for k in range(1, order + 1):
             tick(f"power {k} of {order} of mu")
             self._advance(k)
@@ -195,8 +202,10 @@ class _Solver:
             self.w.append(-2 * R[first])
             R = R + (self.w[k] * self.y[0]).left_shift(k * self.spread // 2)
         harmonics = [2 * i - h for i in range(h + 1)]
+        # y'' + y on the harmonic m is 1 - m^2; the first harmonic resonates, and what it asks for has been met above.
         values = [R[i] / (1 - m * m) if abs(m) != 1 else 0 * self.one for i, m in enumerate(harmonics)]
         if k % 2:
+            # y'(0) = 0: the phase counts from a turning point, which fixes the sine part of the first harmonic.
             b = sum((m * v for m, v in zip(harmonics, values)), start=0 * self.one) / 2
             values[first], values[first - 1] = -b, b
         self.y.append(self.poly(values))
@@ -241,6 +250,7 @@ class _Solver:
 
     def _enlarge(self, k: int, a: Any) -> None:
         """y_k += a y_0, in y and in all powers, whose degree 0 scales with it."""
+        # A_0 is the amplitude of y_0 by the energy balance; only later orders are corrected.
         if k < 1:
             return
         shift = k * self.spread // 2

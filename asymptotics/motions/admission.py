@@ -31,6 +31,7 @@ _FIRST = 6
 def local_strength(oscillator: Oscillator) -> arb:
     """The sum of the |delta_i| at the start; 0 for dry friction alone, whose series ends."""
     terms = oscillator.law.terms
+    # Dry friction alone: A falls by 2 eps_0 a half-swing exactly, at any strength.
     if all(t.degree == 0 for t in terms):
         return arb(0)
     sizes = [abs(e) / (_FIRST if t.family else 1) for t, e in zip(terms, oscillator.epsilons())]
@@ -40,6 +41,7 @@ def local_strength(oscillator: Oscillator) -> arb:
 def require_served(oscillator: Oscillator, order: int) -> None:
     """InputError by name for what the motion of this order does not know."""
     law = oscillator.law
+    # Powers of the velocity beside the linear spring: every start is in the well, and the waveform has no kink.
     if law.is_pure:
         return
     for t in law.losses:
@@ -75,6 +77,7 @@ def _require_well(oscillator: Oscillator) -> None:
         )
     if pendulum and len(law.springs) > 1:
         raise InputError("spring", "a pendulum beside another spring: its well is not known here", "the pendulum alone")
+    # V' > 0 up to the start: |x0| < pi for a pendulum, S < 1 otherwise (module's docstring).
     inside = oscillator.length() < arb.pi() if pendulum else -sum(softening, arb(0)) < 1
     if not inside:
         reason = f"from x0 = {oscillator.x0} the force need not point to the origin: the start may lie outside the well"

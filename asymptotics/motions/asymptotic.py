@@ -55,9 +55,13 @@ MAX_ORDER, MAX_DIGITS = 12, 300
 SMALL = 1
 """The sum of the |delta_i| at the start above which the series is not asked for an error."""
 METHOD = "asymptotic expansion"
+# Bits beyond the digits for what midpoints lose, which no ball records: 16 more for each order are added below.
 _GUARD = 64
+# Far beyond any unit, and well inside the doubles of the tables, their powers of the order included.
 _LARGEST = arb(10) ** 100
+# From there on neighbouring doubles are a radian or more apart.
 _NO_PHASE = 2.0**53
+# A limit of what is worth printing: amplitudes of 10^-86859 of the start.
 _FAINTEST = 200_000
 Array = Any
 
@@ -89,6 +93,7 @@ class AsymptoticMotion:
         _require_time(bool(moment < 0), str(moment))
         digits = exact_integer(digits, "digits", 1, MAX_DIGITS)
         with ctx.workprec(64):
+            # The size decides the precision, so it is found first, in few bits.
             size = (moment.ball() * self.oscillator.omega_0()).mid()
         if size > _LARGEST:
             raise LimitError("time", f"{moment} s is too many swings", "omega_0 t <= 1e100")
@@ -108,7 +113,9 @@ class AsymptoticMotion:
         latest = float(flat.max(initial=0.0))
         last, extinction = last_swing(self._doubles, latest), self._doubles.slow(latest).extinction
         if last is not None:
-            extinction = np.inf  # friction ends the motion, not the averaged law
+            # Friction ends the motion, and not the averaged law: what comes after the last half-swing is no fictitious
+            # time.
+            extinction = np.inf
         gone = flat >= extinction
         columns *= np.array([length, length * omega, length, 1.0])[:, None]
         columns[:, missing.ravel()] = np.nan
@@ -134,6 +141,7 @@ class AsymptoticMotion:
         last = last_swing(self._doubles, float(tau))
         if last is not None and float(tau) >= last.begin:
             return self._ended(tau, frame, start, last, digits)
+        # None: the averaged amplitude of a law with alpha < 1 has vanished before.
         state = frame.state(tau, start)
         if state is None:
             with ctx.workprec(120):
@@ -151,6 +159,8 @@ class AsymptoticMotion:
         z, begin, error = frame.target, arb(0), arb(0)
         if last.turn is not None:
             begin, state = frame.turning_point(last.turn, arb(last.begin), start)
+            # Twice, as in every estimate: how far expansion and arc differ, the error of the turning point, and the
+            # losses that the arc neglects.
             error = 2 * arb(last.doubt)
             z = acb(0) if state is None else acb(state.point(frame).real.mid(), 0)
             if state is not None:
@@ -169,7 +179,9 @@ class AsymptoticMotion:
         length, omega = oscillator.length(), oscillator.omega_0()
         delta = local_strength(oscillator)
         most = 1 + abs(values[0])  # |X| <= 1: friction only takes energy, and ``admission`` keeps the start in the well
-        if delta > SMALL:  # the terms of the series grow from the start: their differences say nothing
+        # Above 1 the terms of the series grow from the first on, and their differences say nothing: what the energy
+        # allows takes their place.
+        if delta > SMALL:
             estimate, notes = most, (*notes, f"delta = {float(delta):.3g} at the start is not small")
         elif not estimate < most:
             estimate = most
@@ -183,6 +195,7 @@ class AsymptoticMotion:
 
     def _estimate(self, tau: arb, frame: Frame, start: State, state: State) -> arb:
         """2 A (|change of ln A| + |change of psi| + |next terms of the waveform|), the change from N to N + 2."""
+        # Two orders more, since p has odd and Omega even degrees only: N + 1 alone would change one of them.
         finer = Frame.of(self.oscillator, self.order + 2, self.gauge)
         try:
             better = finer.state(tau, finer.start(None, start))
@@ -192,6 +205,7 @@ class AsymptoticMotion:
             return 2 * (-state.s).exp()
         with ctx.workprec(64):
             terms = finer.terms(better)
+        # The waveform's terms of degree N and N + 1, which order N leaves out.
         rest = sum((abs(z) for k, z in terms.items() if sum(k) >= self.order), arb(0))
         (s, psi), (s_next, psi_next) = state.turning_point(frame), better.turning_point(finer)
         return 2 * (-state.s).exp() * (abs(s - s_next) + abs(psi - psi_next) + rest)

@@ -20,6 +20,7 @@ from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.numbers.precision import at_growing_precision
 
+# 65536 bits are 19728 digits: a value that is not rounded by then is 0 or next to a tie, and UndecidedError says so.
 MAX_BITS, MAX_DIGITS = 1 << 16, 10_000
 Pair = tuple[arb | ExactReal, arb | ExactReal]
 

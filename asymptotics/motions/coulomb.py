@@ -69,6 +69,8 @@ class _DryMotion:
 
     def place(self, t: arb) -> tuple[arb, arb]:
         """(x, v) at a time before the stop."""
+        # A ball about a turning point holds two whole numbers; more bits tell them apart, unless the time is one
+        # exactly.
         turns = ((t - self.begin) * self.omega / arb.pi()).floor().unique_fmpz()
         if turns is None:
             raise UndecidedError("the half-swing of this time is undecided")
@@ -108,6 +110,7 @@ def coulomb_motion(oscillator: Oscillator, t: Number, digits: int = 30, *, stati
             raise UndecidedError("whether the mass has come to rest is undecided")
         return course.place(now)
 
+    # t = 0 is the start itself, exactly.
     if not moment > 0:
         return certified_point(lambda: (oscillator.x0, oscillator.v0), digits, METHOD)
     return certified_point(evaluate, digits, METHOD)
@@ -146,14 +149,18 @@ def _course(oscillator: Oscillator, hold: ExactReal) -> _DryMotion | None:
     h = hold.ball() / k.ball()
     if not (oscillator.v0 < 0 or oscillator.v0 > 0):
         sign = -1 if oscillator.x0 < 0 else 1
+        # Ties (r_n = h) are met by ordinary input such as x0 = 1, c = 1/5: exact numbers decide wherever they can.
         exact = _exact_count(oscillator, hold, abs(oscillator.x0))
         n, rest = (_count(abs(x0), c, h), None) if exact is None else exact
+        # n = 0: friction holds the mass where it is.
         return None if n == 0 else _DryMotion(sign, c, abs(x0) - c, arb(0), omega, n, rest)
     sign = -1 if oscillator.v0 > 0 else 1
     y, w = sign * x0 - c, abs(v0) / omega
     R = (y * y + w * w).sqrt()
     exact = _exact_count(oscillator, hold, _first_amplitude(oscillator, sign))
     n, rest = (_count(R - c, c, h), None) if exact is None else exact
+    # The arc began before t = 0, at theta = 0; the first turning point ends the half-swing that was joined in the
+    # middle.
     return _DryMotion(sign, c, R, -arb.atan2(w, y) / omega, omega, 1 + n, rest)
 
 

@@ -15,6 +15,7 @@ from asymptotics.motions.frame import Frame, Guess
 from asymptotics.motions.stopping import last_swing
 from asymptotics.motions.waveform import WaveformTable
 
+# Rows of the table for 4096 times fit into the cache; the value changes the speed alone.
 _CHUNK = 1 << 12
 FAR = 2.0
 """The amplitude at the start is the radius of the starting point up to O(delta): a factor e^2 is no correction."""
@@ -48,6 +49,7 @@ class Doubles:
         InputError if that does not converge, or far away: then the series does not describe the start.
         """
         target = complex(float(self.frame.target.real), float(self.frame.target.imag))
+        # At rest the start is a turning point, and in this gauge Z = 1 there.
         if target.imag == 0:
             return 0.0, 0.0 if target.real > 0 else float(np.pi)
         s, psi, step = 0.0, float(np.angle(target)), np.inf
@@ -55,9 +57,11 @@ class Doubles:
             for _ in range(500):
                 ratio = np.log(target / self._wave(s, psi))
                 step = max(abs(-ratio.real - s), abs(ratio.imag - psi))
+                # The logarithm knows the phase up to whole turns: the nearest one is taken.
                 s, psi = -ratio.real, psi + (ratio.imag - psi + np.pi) % (2 * np.pi) - np.pi
                 if step < 1e-15 or not abs(s) < FAR or not np.isfinite(psi):
                     break
+        # The iteration contracts by about delta a step; 1e-12 where the rounding of the table does not allow 1e-15.
         if not (step < 1e-12 and abs(s) < FAR):
             raise out_of_reach()
         return s, psi
@@ -70,6 +74,8 @@ class Doubles:
     def jacobian(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """Derivatives of (Re, Im) of -s + i psi + ln Z with respect to s and psi, by central differences."""
         s, psi = self.begin
+        # For central differences of a table that is good to 1e-13: eight digits or so, and Newton's method in balls
+        # needs few.
         h = 1e-5
         by_s = (np.log(self._wave(s + h, psi)) - np.log(self._wave(s - h, psi))) / (2 * h)
         by_psi = (np.log(self._wave(s, psi + h)) - np.log(self._wave(s, psi - h))) / (2 * h)
@@ -92,6 +98,7 @@ class Doubles:
         """The table of the slow flow, through ``tau_max`` at least; the last one is kept."""
         tau_max = max(tau_max, 1.0)
         if not self.reached or self.reached[-1][0] < tau_max:
+            # A table to a later time serves all earlier ones.
             self.reached[:] = [(tau_max, self.frame.law.table(self.start()[0], tau_max))]
         return self.reached[-1][1]
 
@@ -134,6 +141,7 @@ class Doubles:
         out = np.empty((4, tau.size))
         for low in range(0, tau.size, _CHUNK):
             part = tau[low : low + _CHUNK]
+            # Beyond its end, the extinction, the table has no value; those places are set to 0 below.
             s, phi = table.at(np.minimum(part, table.tau[-1]))
             here, psi = s, part + phi + psi_0
             if self.frame.back_argument.terms:

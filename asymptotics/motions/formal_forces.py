@@ -46,6 +46,7 @@ class FormalForces:
         """The next degree of P and Q."""
         n = len(self._g)
         self._g.append({k: P[k] + self._cot * Q[k] for k in P})
+        # g = 1 + O(delta): the power series of g^v by the recurrence n y_n = sum (v j - (n - j)) g_j y_(n-j).
         for v, power in self._velocity.items():
             power.append(power_part(self._g, power, self._exponents[v], n))
         for m, parts in self._position.items():  # rising: the halves of m are there before m

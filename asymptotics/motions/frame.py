@@ -70,6 +70,8 @@ class Frame:
     @classmethod
     def of(cls, oscillator: Oscillator, order: int, gauge: str) -> "Frame":
         """From the certified expansion through ``order``; only midpoints are used."""
+        # Certified coefficients, of which the midpoints are kept: the truncation is the error that counts, and it is
+        # estimated.
         expansion = _expansion(oscillator, order, gauge)
         epsilons = tuple(e.mid() for e in oscillator.epsilons())
 
@@ -78,6 +80,7 @@ class Frame:
 
         law = SlowLaw(sums(expansion.p, order), sums(expansion.Omega, order))
         there, back = expansion.gauge_map, expansion.gauge_map.inverse()
+        # To the degree of the waveform: c(delta) is multiplied with it.
         maps = [sums(f, order - 1) for m in (there, back) for f in (m.log_modulus, m.argument)]
         length, omega = oscillator.length(), oscillator.omega_0()
         target = acb(oscillator.x0.ball() / length, -oscillator.v0.ball() / (omega * length))
@@ -105,6 +108,7 @@ class Frame:
 
     def start(self, guess: Callable[[], Guess] | None, near: State | None = None) -> State:
         """(s, psi) at t = 0 in the gauge: A e^(i psi) Z = X_0 - i X'_0, by Newton's method from doubles."""
+        # At rest psi is 0 or pi and A = 1 in the turning-point gauge, exactly.
         if self.target.imag == 0:
             s, psi = arb(0), (arb(0) if self.target.real > 0 else arb.pi().mid())
         elif guess is not None:
@@ -118,7 +122,9 @@ class Frame:
         s, psi = (arb(x) for x in guess.begin)
         (a, b), (c, d) = guess.jacobian
         for i in range(ctx.prec // 16 + 8):
-            with ctx.workprec(min(ctx.prec, 90 + 28 * i)):  # what a step cannot gain need not be computed
+            # A step with a Jacobian of doubles gains about seven digits, 23 bits: what it cannot gain need not be
+            # computed.
+            with ctx.workprec(min(ctx.prec, 90 + 28 * i)):
                 miss = self._miss(s, psi)
             determinant = a * d - b * c
             s = (s + (d * miss.real - b * miss.imag) / determinant).mid()
@@ -143,6 +149,7 @@ class Frame:
     def _miss(self, s: arb, psi: arb) -> acb:
         """ln target - ln(A e^(i psi) Z) in the turning-point gauge."""
         none = ExponentialSum(())
+        # In the turning-point gauge, where the waveform is known: without the maps between the gauges.
         free = replace(self, modulus=none, argument=none, back_modulus=none, back_argument=none)
         value = self.target / State(s, psi).point(free)
         return acb(value.log().real.mid(), value.log().imag.mid())
@@ -158,6 +165,7 @@ class Frame:
             if state is None:
                 return tau, None
             miss = state.turning_point(self)[1] - turn * arb.pi()
+            # Newton's method first, then secants: the phase is nearly linear in the time.
             rate = 1 + self.law.Omega(state.s) if last is None else ((miss - last[1]) / (tau - last[0])).mid()
             last, tau = (tau, miss), (tau - miss / rate).mid()
             if abs(miss) < arb(2) ** (-ctx.prec // 2):

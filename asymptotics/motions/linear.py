@@ -46,6 +46,7 @@ def linear_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Motion
         now, x0, v0 = moment.ball(), oscillator.x0.ball(), oscillator.v0.ball()
         gamma = oscillator.law.terms[0].b.ball() / (2 * oscillator.mass.ball())
         stiffness = oscillator.stiffness.ball() / oscillator.mass.ball()
+        # cos and sinc of a root are entire in its square: either branch will do, also for a ball about 0.
         root = acb((stiffness - gamma**2) * now**2).sqrt()
         C, S, decay = root.cos().real, now * root.sinc().real, (-gamma * now).exp()
         x = decay * (x0 * C + (v0 + gamma * x0) * S)
@@ -57,10 +58,12 @@ def linear_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Motion
 
 def _require_printable(oscillator: Oscillator, t: ExactReal) -> None:
     """LimitError where the displacement is certainly too small to be written down."""
+    # So that a critical damping is told from its neighbours in most of what may be typed.
     with ctx.workprec(4096):
         gamma = oscillator.law.terms[0].b.ball() / (2 * oscillator.mass.ball())
         stiffness = oscillator.stiffness.ball() / oscillator.mass.ball()
         over = (gamma**2 - stiffness).nonnegative_part()
+        # The smaller rate gamma - (gamma^2 - k/m)^(1/2) of overdamping, without cancellation.
         slowest = stiffness / (gamma + over.sqrt()) if over > 0 else gamma
         halvings = slowest * t.ball() / arb.const_log2()
         if halvings > MAX_EXPONENT:

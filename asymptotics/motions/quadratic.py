@@ -30,6 +30,7 @@ from asymptotics.turning.quadratic_duration import duration, elapsed, node_count
 from asymptotics.turning.quadratic_map import next_amplitude
 
 METHOD = "exact: quadratic damping, Lambert W and quadrature, certified balls"
+# Limits of work: quadratures, one for each half-swing, and nodes of one of them.
 MAX_HALF_SWINGS = 20_000
 MAX_NODES = 600
 
@@ -57,6 +58,8 @@ def _is_feasible(oscillator: Oscillator, digits: int) -> bool:
     with ctx.workprec(64):
         gamma = oscillator.law.terms[0].b.ball() / oscillator.mass.ball()
         p = 2 * gamma * abs(oscillator.x0.ball())
+        # A small p asks for twice its bits in W and the quadrature, a large one for many nodes: other routes serve
+        # there.
         return bool(p < 1e9) and bool(p > 1e-3) and node_count(float(p.mid()) + 1, bits_for(digits, 48)) <= MAX_NODES
 
 
@@ -80,7 +83,9 @@ def _place(oscillator: Oscillator, t: arb) -> tuple[arb, arb]:
 def _angle(p: arb, q: arb, time: arb) -> arb:
     """The chi with elapsed(p, q, chi) = time, enclosed: Newton's method, bisection when it leaves its bracket."""
     low, high = arb(0), arb.pi().mid()
-    middle, tolerance = (high / 2).mid(), upper(arb(2) ** (-ctx.prec + 24) + 16 * time.rad())  # the slope is about 1
+    # elapsed has a slope of about 1 in chi: the place is known to the time's own radius and 24 bits less than the
+    # precision, an eighth of which Newton's method leaves.
+    middle, tolerance = (high / 2).mid(), upper(arb(2) ** (-ctx.prec + 24) + 16 * time.rad())
     for _ in range(200):
         tick("the place on the half-swing")
         miss = (elapsed(p, q, middle) - time).mid()
@@ -89,6 +94,7 @@ def _angle(p: arb, q: arb, time: arb) -> arb:
         low, high = (middle, high) if miss < 0 else (low, middle)
         guess = (middle - miss / _slope(p, q, middle)).mid()
         middle = guess if low < guess and guess < high else ((low + high) / 2).mid()
+    # elapsed increases with chi: certainly below at one end and certainly above at the other encloses the place.
     if not (elapsed(p, q, middle - tolerance) < time and elapsed(p, q, middle + tolerance) > time):
         raise UndecidedError("the place on the half-swing was not enclosed")
     return arb(middle, tolerance)

@@ -88,6 +88,7 @@ def reference_motion(
     require_integer(digits, "digits", 1, MAX_DIGITS)
     with budget(max_seconds):
         found = (route.state(oscillator, moment, digits, static) for route in ROUTES)
+        # The last route serves every law, so there is always one.
         return next(point for point in found if point is not None)
 
 
@@ -119,6 +120,7 @@ def reference_states(
     """
     oscillator.law.require_dissipative("reference motion to rest")
     with budget(max_seconds):
+        # What a motion next to critical damping loses is carried from the start on, rather than found by doubling.
         bits = bits_for(digits, 28) + _lost(oscillator, times)
 
         def attempt(bits: int) -> States:
@@ -171,17 +173,21 @@ def _tau(oscillator: Oscillator, t: ExactReal) -> float:
 
 def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> list[State]:
     """(x, v) in SI units at the times, in their order, at one precision."""
+    # The Taylor coefficients are computed with so many bits more: strengths must not be less sharp.
     with ctx.workprec(bits + GUARD):
         law = oscillator.dimensionless
         acting = Damping.of_law(law) if law.is_pure else WellForce.of(law.terms)
         omega, length = oscillator.omega_0(), oscillator.length()
         X, V = oscillator.x0.ball() / length, oscillator.v0.ball() / (omega * length)
+        # From rest X is exactly +-1, whatever root the unit of length has.
         if oscillator.v0.is_zero:
             X = arb(1 if oscillator.x0 > 0 else -1)
         taus = [t.ball() * omega for t in times]
+    # The flow takes times in ascending order; comparisons of midpoints are exact, and equal ones may stay in any order.
     order = sorted(range(len(times)), key=lambda i: _Ascending(taus[i].mid()))
     with ctx.workprec(bits):
         ascending = [taus[i] for i in order]
+        # At t = 0 the answer is the start, without the rounding of two units.
         start = oscillator.x0.ball(), oscillator.v0.ball()
 
     def scaled(found: Sequence[State]) -> dict[int, State]:

@@ -146,6 +146,7 @@ def _known_digits(x: str, error: str) -> int:
     size, unsure = abs(float(x)), float(error)
     if not size or not unsure:
         return 30
+    # Through the digit in which the error has its first one.
     return max(1, int(np.floor(np.log10(size)) - np.floor(np.log10(unsure))) + 1)
 
 

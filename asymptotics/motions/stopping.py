@@ -31,6 +31,8 @@ from flint import acb, arb
 from asymptotics.envelopes.slow_flow import SlowTable
 
 Array = Any
+# Three half-swings more of the table for each try: the stop may lie beyond the time asked for, and must be known to
+# tell an arc from a swing.
 _STEP, _TRIES = 10.0, 60
 
 
@@ -72,6 +74,7 @@ class LastSwing:
     def of(cls, begin: float, state: tuple[float, float], centre: float, turn: int | None = None) -> "LastSwing":
         """The arc from (X, X') at the time ``begin``."""
         side, radius, beta = arc(*state, centre)
+        # At rest within the reach of friction: the mass stays.
         if radius <= 0 or (not state[1] and abs(state[0]) <= centre):
             return cls(begin, begin, side, centre, 0.0, 0.0, state[0], turn)
         return cls(begin, begin + pi - beta, side, centre, radius, beta, side * (centre - radius), turn)
@@ -110,9 +113,11 @@ def last_swing(flow: FlowInDoubles, tau_max: float) -> LastSwing | None:
     for extra in range(_TRIES):
         path = _Path(flow, flow.slow(tau_max + extra * _STEP))
         begin, extinct = path.first(lambda s, _: reach - np.exp(-s)), bool(np.isfinite(path.table.extinction))
+        # A > eps_0 all the way: the spring still wins everywhere up to tau_max.
         if begin is None and not extinct:
-            return None  # the spring still wins everywhere up to tau_max
+            return None
         psi = path.at(path.table.tau[-1] if begin is None else begin)[1]
+        # The first turning point at or after the place where A = eps_0; 1e-9 is for the rounding of psi in the tables.
         turn = ceil(psi / pi - 1e-9)
         end = path.turn(turn)
         if end is not None:
@@ -126,6 +131,7 @@ def last_swing(flow: FlowInDoubles, tau_max: float) -> LastSwing | None:
 
 def _is_doubtful(frame: Any, hold: float, reach: float) -> bool:
     between = any(-1 < float(w) < 0 and e != 0 for e, w in zip(frame.epsilons, frame.flow.grading.weights))
+    # delta_0 = eps_0/A > 4 at the stop, or powers of A below 0: there expansion and arc are compared.
     return between or abs(hold) < reach / 4
 
 
@@ -138,6 +144,7 @@ def friction(frame: Any) -> float:
     if not springs or not eps_0:
         return eps_0
     balance = np.linspace(0.0, 1.0, 4097)
+    # By 4096 places: an estimate of where the mass stops, three digits of it.
     held = balance + sum(e * balance**p for e, p in springs) <= eps_0
     return float(balance[int(np.argmin(held))]) if not held.all() else 1.0
 

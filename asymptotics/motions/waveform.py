@@ -52,6 +52,8 @@ from asymptotics.series import Key, accumulate
 Parts = list[dict[Key, Any]]
 Ends = dict[int, tuple[dict[Key, Any], dict[Key, Any]]]
 _LN_PI = log(pi)
+# Cubic splines of 4096 pieces: an error of about (1/4096)^4 = 4e-15 times a fourth derivative, the 1e-13 that
+# ``WaveformTable`` states.
 _TABLE = 4096
 
 
@@ -85,11 +87,13 @@ def waveform_at(flow: Flow, forces: Forces, psi: arb, order: int) -> dict[Key, t
 
     ``flow`` is the flow of the turning-point gauge with ball coefficients, that of ``forces``.
     """
+    # Z_n is pi-periodic; the second half of the period by reversal.
     turns = int((psi / arb.pi()).floor().mid().str(40, radius=False).split(".")[0])
     chi = (psi - turns * arb.pi()).mid()
     mirrored = bool(chi > arb.pi() / 2)
     if mirrored:
         chi = (arb.pi() - chi).mid()
+    # Z_n(0) = 0 in this gauge, and ln psi does not exist there.
     if not chi > arb(2) ** -ctx.prec:
         return {k: (arb(0), arb(0)) for part in _keys(flow, order) for k in part}
     samples = _Samples.of(flow, forces, chi.log(), order, balls())
@@ -141,7 +145,8 @@ class WaveformTable:
             values *= d
         values += rows[:, 3]
         columns = values.T
-        for row in self.flips:  # (-1)^l P_n and -(-1)^l Q_n on the second half
+        # (-1)^l P_n and -(-1)^l Q_n on the second half, by reversal.
+        for row in self.flips:
             columns[row] *= side
         return columns
 
@@ -160,6 +165,8 @@ class _Samples:
     def of(cls, flow: Flow, forces: Forces, right: arb, order: int, arithmetic: Arithmetic) -> "_Samples":
         top = max(float(m.degree.ball().mid()) / m.order for m in forces.members) * order + 2
         m = ceil(arithmetic.bits * 0.42) + 4  # ln 2/ln 5.4 = 0.41, see "Quadrature"
+        # Down to psi = 2^-bits of the right end; half-widths by the singularity at psi = pi and by the largest power.
+        # Where the limit of 3 comes from is not recorded; wider panels would need more nodes.
         edges = _edges(float(right.mid()), arithmetic.bits * log(2), min(3.0, 0.3 * m / top))
         grid = _grid(right, edges, m, arithmetic)
         P, Q, ends = _solve(flow, forces, grid, order)
@@ -202,11 +209,14 @@ class _Grid:
         weighted = f * self.psi
         within = self.arithmetic.product(weighted * self.half, self.columns)
         sums = within[:, -1]
+        # Left of the first panel f psi falls like e^l or faster: its integral up to there is about its value, below the
+        # last bit.
         before = weighted[0, 0] + np.concatenate([sums[:1] * 0, np.cumsum(sums)])
         return within[:, :-1] + before[:-1, None], before[-1]
 
 
 def _grid(right: arb, edges: list[float], m: int, arithmetic: Arithmetic) -> _Grid:
+    # Doubles take the weights from balls as well: sums of alternating terms would cost them digits.
     bits = max(80, arithmetic.bits)
     nodes, rows = _integration(m, bits)
     number = np.frompyfunc(arithmetic.number, 1, 1)

@@ -65,6 +65,7 @@ def nodes(count: int) -> list[arb]:
 
 def cut(bound: arb, ellipse: arb, count: int) -> arb:
     """2 M R^-m (R + 1)/(R - 1) for M = ``bound``, R = ``ellipse``, m = ``count`` nodes."""
+    # |a_m| + 2 sum_(k>m) |a_k| with |a_k| <= 2 M R^-k: a geometric series.
     return upper(2 * bound * ellipse ** (-count) * (ellipse + 1) / (ellipse - 1))
 
 
@@ -74,16 +75,23 @@ def interpolant(values: Sequence[arb], bound: arb, ellipse: arb, tolerance: arb)
     The coefficients are computed at the current precision, which should exceed that of the values by a few bits.
     """
     m = len(values)
+    # Of the midpoints only: the radii of the values count once, as noise in the norm below, and not in every
+    # coefficient.
     terms = coefficients([v.mid() for v in values])
     left_out, degree = arb(0), m - 1
+    # From the last one down, while all that is left out together stays within the tolerance.
     while degree > 0 and not (further := upper(left_out + upper(terms[degree]))) > tolerance:
         left_out, degree = further, degree - 1
     kept = terms[: degree + 1]
+    # In powers of t, which Arb evaluates fast: the coefficients of T_n add up to at most (1 + 2^(1/2))^n = 2^(1.27 n),
+    # so that 2 n bits more keep the sums exact to the precision.
     with ctx.workprec(ctx.prec + 2 * degree):
         polynomial = sum((arb_poly(fmpz_poly.chebyshev_t(k)) * c.mid() for k, c in enumerate(kept)), arb_poly([]))
     rounded = [(c + 0).mid() for c in polynomial.coeffs()]
+    # |t| <= 1: rounding the coefficient of t^k counts with its own size.
     slack = sum((upper(c - r) for c, r in zip(polynomial.coeffs(), rounded, strict=True)), arb(0))
     with ctx.workprec(_BITS):
+        # e sqrt(2n + 1), n + 1 = m, by Parseval on the nodes and Cauchy and Schwarz.
         noise = reduce(arb.max, (v.rad() for v in values)) * arb(2 * m - 1).sqrt()
         error = upper(cut(bound, ellipse, m) + left_out + noise + slack + sum((c.rad() for c in kept), arb(0)))
     return Interpolant(arb_poly(rounded), error)

@@ -75,6 +75,7 @@ class Coordinate:
 
     def strengths(self, z: arb) -> list[arb]:
         """delta_i at a real ball z."""
+        # |e^(k z)| = e^(k Re z) is largest at one end or the other, by the sign of k.
         if self.root is None:
             return [e if k == 0 else e * (k * z).exp() for e, k in zip(self.epsilons, self.powers, strict=True)]
         return [e if k == 0 else e * z**k for e, k in zip(self.epsilons, self.powers, strict=True)]
@@ -93,6 +94,7 @@ class Coordinate:
 
         ``whole``: of the half-swing, else of the quarter-swing.
         """
+        # |z| <= centre + half axis needs a centre >= 0; then all powers k_i >= 0 are largest there.
         if self.root is not None and not centre >= 0:
             return None
         radii = [d.upper() for d in self.strengths(centre + half_axis)]
@@ -106,10 +108,13 @@ def _commensurable(alphas: Sequence[ExactReal]) -> tuple[ExactReal | None, list[
     """(g, k_i) with natural k_i, or None for g."""
     weights = [a - 1 for a in alphas]
     moving = [w for w in weights if not w.is_zero]
+    # Linear terms alone do not change with the amplitude.
     if not moving:
         return ExactReal(1), [0 for _ in weights]
+    # One weight beside 0, which may be irrational: z = A^g with k = 1.
     if all(w == moving[0] for w in moving):
         return moving[0], [0 if w.is_zero else 1 for w in weights]
+    # Weights of both signs would let some strength grow as z falls to 0; irrational ones have no common g in general.
     if len({w.sign for w in moving}) == 1 and all(w.is_rational for w in moving):
         fractions = [w.rational for w in weights]
         step = moving[0].sign * reduce(_common, (abs(f) for f in fractions if f))

@@ -51,9 +51,11 @@ def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: in
     (UndecidedError); the enclosures are those of p itself.
     """
     error = arb(0) if error is None else error
+    # Held at every amplitude within the error; a tie in between is for the departure to find undecided.
     if p + error <= damping.friction:
         return HalfSwingBalls(None, None, INTEGRATED, 0, arb(0), STICKS)
     flow = LinearSpring(damping)
+    # A trap that holds all of them, before anything is integrated.
     reason = flow.ended(p - damping.friction + arb(0, error), arb(0))
     if reason is not None:
         return HalfSwingBalls(None, None, INTEGRATED, 0, arb(0), reason)
@@ -67,6 +69,7 @@ def integrated(damping: Damping, p: arb, error: arb | None = None, *, pieces: in
 
 def of_arrival(p: arb, error: arb, piece: ArrivedPiece, count: int) -> HalfSwingBalls:
     """The half-swing whose last piece is known; ``error`` was the distance allowed at its start."""
+    # ``piece.error`` began with the error allowed for; what the pieces added is their own.
     tail = upper((piece.error - error) / p)
     route = CLOSED if isinstance(piece, LinearPiece) else INTEGRATED
     return HalfSwingBalls(arb(-piece.turn, piece.miss) / p, piece.time, route, count, tail)

@@ -30,6 +30,8 @@ from asymptotics.return_map.coordinate import Coordinate
 from asymptotics.return_map.panel_plan import verified, widest
 from asymptotics.return_map.quarters import quarter_swings
 
+# Bits more for the residual of the root equation, a difference of nearly equal numbers; secants end after a few rounds,
+# and the limit is for noise that goes on falling.
 _GUARD, _ROUNDS = 32, 60
 _ROOM = 1 + arb(2) ** -20  # for what midpoints drop
 _SHARE = 0.93  # of the reach in doubles: a node more costs less than a second majorant
@@ -69,6 +71,8 @@ class HalfSwings:
         UndecidedError, LimitError where quarter-swings do not serve.
         """
         with ctx.workprec(bits + _GUARD):
+            # z -> -z turns every delta_i = epsilon_i z^k_i, which is a quarter backwards in time: one interpolant on
+            # [-z, z] instead of two.
             odd = all(int(float(k)) % 2 for k in coordinate.powers)
             middle, half = (arb(0), last) if odd else (last / 2, last / 2)
             return cls._about(coordinate, middle, half, bits, odd)
@@ -80,6 +84,8 @@ class HalfSwings:
         UndecidedError, LimitError where quarter-swings do not serve.
         """
         with ctx.workprec(bits + _GUARD):
+            # The half-swing ends at z + L, |L| <= growth; the secants may look half as far again, and beyond the
+            # interval they would be refused.
             low = (first - growth * 3 / 2).mid()  # where the root is sought first
             return cls._about(coordinate, ((low + last) / 2).mid(), ((last - low) / 2 * _ROOM).mid(), bits, odd=False)
 
@@ -89,6 +95,7 @@ class HalfSwings:
         ellipse = verified(coordinate, middle, half, stretch, whole=False)
         size, excess = ellipse.majorant.growth, ellipse.majorant.excess
         count = ellipse.nodes_for(bits)
+        # An even count has no node at z = 0, where all strengths vanish and no law is left.
         places = [middle + half * t for t in nodes(count + count % 2 if odd else count)]
         if odd:
             laws = [(coordinate.damping(abs(z)), 1 if z > 0 else -1) for z in places]
@@ -100,6 +107,8 @@ class HalfSwings:
             Quarters(
                 middle,
                 1 / half,
+                # |R| <= G and |T_q - pi/2| <= excess on the whole ellipse: the constants of Cauchy's inequality (c = 0
+                # and c = pi/2).
                 interpolant([one.ln_r for one in part], size, ellipse.R, fine),
                 interpolant([one.duration for one in part], excess, ellipse.R, fine),
             )
@@ -114,6 +123,8 @@ class HalfSwings:
         t = self.forwards.place(z)
         before = self.forwards.R(t)
         L = self._near(z, before)
+        # The left-hand side grows at least at the rate 1, as R falls in every delta_i and alpha_i >= 1 (derivation
+        # ``quarter-swing-tail``): the root is no farther from the exact number L than the residual there.
         L += arb(0, upper(self._residual(z, before, L)))
         return L.exp(), self.forwards.duration(t) + self.backwards.duration(self._after(z, L))
 
@@ -126,10 +137,12 @@ class HalfSwings:
 
     def _near(self, z: arb, before: arb) -> arb:
         """The root nearly: a choice, by secants."""
+        # Both quarters lose nearly alike, L = 2 R; the slope is a little more than 1.
         L, slope, last = (2 * before).mid(), arb(1), None
         for _ in range(_ROUNDS):
             residual = self._residual(z, before, L).mid()
             if last is not None:
+                # No better than the last: the noise of the interpolants is reached.
                 if not abs(residual) < abs(last[1]):
                     break
                 slope = ((residual - last[1]) / (L - last[0])).mid()

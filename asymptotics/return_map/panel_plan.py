@@ -30,9 +30,13 @@ from asymptotics.return_map.coordinate import Coordinate
 
 MIN_STRETCH, MAX_STRETCH = 1.5, 1e6
 """Of the ellipse, (R + 1/R)/2: below, nodes are many and polynomials cancel; above, one node is enough."""
+# Half-swings of the path; what comes after them counts for a panel that ends at z = 0 without being looked at.
 _LOOK_AHEAD = 3000
 _RANGE = 990.0  # log2 of the largest |z| looked at
+# In the unit in which a half-swing by pieces costs 1.  Where 8 was measured is not recorded; it decides only from how
+# many half-swings on a panel is worth while.
 _AT_ONCE = 8  # half-swings by pieces: what quarter-swings cost, however few nodes there are
+# Half-swings before the panel are weighed against its nodes: 5 or 20 would wait a little longer or shorter for it.
 _LASTING = 10  # a node is kept for the next who asks, a half-swing before the panel is not
 _PARTS = tuple(2.0**-k for k in (0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768))
 _DENSE = 8  # starts looked at one by one; then ever fewer
@@ -72,12 +76,16 @@ class Ellipse:
 
     def nodes_for(self, bits: int) -> int:
         """How many nodes make both cuts less than 2^-bits."""
+        # The larger of the two bounds M serves both functions; in doubles, as a node more or less only moves the cut,
+        # which is bounded afterwards.
         size = max(float(self.ratio_bound), float(self.majorant.excess), 1e-300)
         return _nodes(bits, size, float(self.R))
 
 
 def verified(coordinate: Coordinate, middle: arb, half: arb, stretch: float, *, whole: bool = True) -> Ellipse:
     """The ellipse about a panel, made smaller until its majorant is proved to exist."""
+    # The semi-axis chosen in doubles, and shorter ones until the majorant is proved: R = a + (a^2 - 1)^(1/2) for the
+    # half axis a.  Near 1 the excess over 1 is halved.
     while stretch > 1:
         longer = arb(stretch)
         bound = coordinate.bounds(middle, arb((half * longer).upper()), whole=whole)
@@ -105,6 +113,7 @@ def _from_zero(coordinate: Coordinate, path: list[float], beyond: int, bits: int
     cheapest = inf
     for wait, size in enumerate(path):
         z = float(coordinate(arb(size)))
+        # The panel is [0, z], half width z/2; the ellipse may go as far as the reach, (reach - z/2)/(z/2).
         stretch = min(2 * reach / z - 1, MAX_STRETCH) if z > 0 else MAX_STRETCH
         if stretch > MIN_STRETCH:
             plan = PanelPlan(0.0, size, stretch, _count(bits, stretch), total - wait, wait)
@@ -119,11 +128,13 @@ def _from_zero(coordinate: Coordinate, path: list[float], beyond: int, bits: int
 def _between(coordinate: Coordinate, path: list[float], bits: int) -> PanelPlan | None:
     """From one of a few starts on the path to one of a few amplitudes below it: the one that saves most."""
     best, gain, start = None, 0, 0
+    # A start so late that fewer half-swings are left than the best plan saves cannot save more.
     while start < len(path) - gain - 4:
         for part in _PARTS:
             low = path[start] * part
             served = sum(size > low for size in path[start:])
             if served == len(path) - start:
+                # The last amplitude of the path, and what it may be off by.
                 low = 0.98 * path[-1]
             stretch = _stretch(coordinate, low, path[start])
             if stretch > MIN_STRETCH:
@@ -132,6 +143,7 @@ def _between(coordinate: Coordinate, path: list[float], bits: int) -> PanelPlan 
                     best, gain = plan, served - cost
             if stretch <= MIN_STRETCH or served == len(path) - start:
                 break
+        # Ever fewer starts: at least half of the amplitude farther down.
         start += max(1, start // _DENSE, sum(size > path[start] / 2 for size in path[start:]))
     return best
 
@@ -152,6 +164,7 @@ def _path(coordinate: Coordinate, size: float, count: int) -> Iterator[float]:
         try:
             for m, w in laws:
                 loss = pi * m * size**w
+                # The averaged law A' = -m A^(w+1) of one term solved over a half-swing: A^-w grows by w m pi.
                 size *= exp(-loss if w == 0 else -log1p(w * loss) / w)
         except (OverflowError, ValueError):  # too strong to go on; or friction stops the mass
             return
@@ -182,6 +195,7 @@ def widest(coordinate: Coordinate, middle: float, half: float, *, whole: bool = 
     if not half > 0:
         return 0.0
     if coordinate.root is not None:
+        # The polydisc is a disc about z = 0, so that what counts is how far the ellipse goes on the right.
         return min((reach_of(coordinate, whole=whole) - middle) / half, MAX_STRETCH)
     if _exists(coordinate, middle, half * MAX_STRETCH, whole):  # exponents next to 1: strengths that hardly change
         return MAX_STRETCH
@@ -204,6 +218,8 @@ def _exists(coordinate: Coordinate, middle: float, half_axis: float, whole: bool
         for sines, products in steps if whole else steps[:_STEPS]:
             strengths = [size * exp(slope * growth) for size, slope in zip(sizes, slopes)]
             room = 1 - sum(map(mul, strengths, products))
+            # 1 - C* so small, or a growth e^4, in doubles: the balls of 256 pieces would not prove it, or the bound
+            # would be useless.
             if not room > 0.02 or growth > 4:
                 return False
             growth += pi / 2 / _STEPS * sum(map(mul, strengths, sines)) / room
@@ -227,8 +243,10 @@ def _quarter(alphas: tuple[float, ...]) -> list[tuple[list[float], list[float]]]
 
 
 def _count(bits: int, stretch: float) -> int:
+    # 8 for the majorant on an ellipse near the edge, before it is known: three bits of a count.
     return _nodes(bits, 8.0, stretch + sqrt(stretch**2 - 1))
 
 
 def _nodes(bits: int, size: float, R: float) -> int:
+    # ``chebyshev.cut`` <= 2^-bits solved for m.
     return max(1, ceil((bits + log2(2 * size * (R + 1) / (R - 1))) / log2(R)))

@@ -35,11 +35,17 @@ from asymptotics.return_map.panel_plan import Ellipse, PanelPlan, planned, verif
 ROUTE = "Chebyshev interpolation in the amplitude"
 COLLOCATED = "quarter-swings by collocation"
 ONE = arb(1)
+# So that the amplitudes within the error of the first one lie inside; a thousandth more of the interval costs no node.
 _MARGIN = 2.0**-10  # a panel begins that much above the amplitude it is made for
+# Bits for the nodes and coefficients beyond the panel's, and of the panel beyond those asked for: a value read off it
+# must not be the weakest link.
 _GUARD, _SLACK = 32, 8
+# The averaged path may be wrong for strong laws; a plan whose time is over without its amplitude is replaced, at the
+# cost of a new plan.
 _AGAIN = 8  # half-swings after which a plan that does not come true is made anew
+# Below 2^-512 amplitudes are planned in units of 2^-512, below 2^-1024 in units of 2^-1024, and so on: in doubles,
+# whose range ends near 2^-1074. Half as many bits would plan as well, with more panels that end at a border.
 _SHRUNK = 512
-"""Below 2^-512 amplitudes are planned in units of 2^-512, below 2^-1024 in units of 2^-1024, and so on: in doubles."""
 
 
 @dataclass(frozen=True)
@@ -64,11 +70,14 @@ class Panel:
     def holds(self, p: arb, error: arb) -> bool:
         """Whether every amplitude within ``error`` of p lies in the panel."""
         nearest, farthest = (p - error) / self.unit, (p + error) / self.unit
+        # Comparisons of balls that must be certain; amplitude 0 has no half-swing.
         return bool(nearest >= self.low) and bool(nearest > 0) and bool(farthest <= self.high)
 
     def passage(self, p: arb, error: arb | None = None) -> HalfSwingBalls:
         """The half-swing from the exact amplitude p; the duration is that of all amplitudes within ``error``."""
         t = self._place(p)
+        # The ratio is that of p itself, as the error of the amplitude is led on by contraction
+        # (``sequence.following``); the duration must hold for the truth.
         wide = t if error is None or error == 0 else self._place(arb(p, error))
         return HalfSwingBalls(self.ratio(t), self.duration(wide), ROUTE, self.ratio.degree, self.ratio.error)
 
@@ -96,6 +105,7 @@ class Panels:
 
     def serving(self, p: arb, error: arb, remaining: int) -> Panel | None:
         """A panel for the amplitudes within ``error`` of p; a new one if ``remaining`` half-swings may repay it."""
+        # What has been laid out is free, whatever the plan says.
         for panel in self.made:
             if panel.holds(p, error):
                 return panel
@@ -171,6 +181,7 @@ def panels_of(law: Law, bits: int) -> Panels:
 def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int, unit: arb = ONE) -> Panel:
     """The panel of a plan, at ``bits`` bits, for amplitudes in that ``unit``; its nodes are integrated."""
     with ctx.workprec(bits + _GUARD):
+        # Doubles become exact ends here; all bounds from now on are about the interval between them.
         low, high = arb(plan.low), arb(plan.high * (1 + _MARGIN))
         first, last = _outwards(coordinate, low, high)
         middle, half = (first + last) / 2, (last - first) / 2
@@ -198,6 +209,8 @@ def _half_swings(
         from asymptotics.return_map.half_swings import HalfSwings  # noqa: PLC0415 (NumPy, only where it pays)
 
         try:
+            # All nodes at once by collocation, about five times cheaper than by pieces (``PanelPlan.work``); where the
+            # quarters need too many nodes or are not enclosed, pieces serve.
             swings = (
                 HalfSwings.up_to(coordinate, last, bits)
                 if coordinate.from_zero
@@ -218,6 +231,8 @@ def _half_swings(
 
 def _outwards(coordinate: Coordinate, low: arb, high: arb) -> tuple[arb, arb]:
     """Exact z that enclose the images of both amplitudes, ascending."""
+    # z falls with the amplitude where its root is below 0, so the ends are sorted; rounded outwards, the interval of z
+    # holds every amplitude of the panel.
     ends = [arb(0) if p == 0 else coordinate(p) for p in (low, high)]
     first, last = ends if ends[0] < ends[1] else reversed(ends)
     with ctx.workprec(53):
@@ -226,5 +241,6 @@ def _outwards(coordinate: Coordinate, low: arb, high: arb) -> tuple[arb, arb]:
 
 def _there(value: arb | None) -> arb:
     if value is None:
+        # The majorant proves that the motion reaches theta = pi there; an end would refute it.
         raise ArithmeticError("a half-swing inside the polydisc of the majorant has no end")
     return value

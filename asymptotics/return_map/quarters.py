@@ -57,13 +57,20 @@ from asymptotics.return_map.chebyshev import cut, nodes
 from asymptotics.return_map.quarters_in_doubles import Array, QuarterInDoubles, corrected
 from asymptotics.return_map.spectral import analysis, integrals, of_the_integral
 
+# A power of two more of the speed shortens the interval of z by ln 2, which saves a few nodes, and costs terms of the
+# expansion.
 HAND_OVERS = (2.0**-3, 2.0**-5, 2.0**-7, 2.0**-9)
 """Speeds, in units of the amplitude, up to which the local expansion serves: the first that takes few terms."""
+# Bits of the matrices beyond the answer's, and of the bounds.
 _WORK, _LOW = 24, 53
 _FEWEST = 30  # bits: fewer would not keep G near
+# 53 less a few that rounding in long sums takes; a smaller gain costs rounds, and a larger one would not be reached.
 _GAIN = 50  # bits that a correction in doubles brings
 _MOST = 500  # nodes: their matrices have 10^5 entries
+# Arcs of the upper half of the rim, ball by ball: more make M and N sharper.  Ellipses tried, each 4 per cent nearer to
+# R = 1: 12 of them go down to 0.6 of the planned excess.
 _ARCS, _TRIES = 64, 12
+# Far more than |g - G| ever is, 2^-30 at the least precision, and too little to change the slopes.
 _NEAR = 2.0**-20  # the distance from G within which the slopes are bounded
 
 Rows = list[list[arb]]
@@ -116,17 +123,22 @@ class Bundle:
         w, columns = _hand_over(laws), []
         for law, side in laws:
             tick("the start of a quarter-swing")
+            # Backwards in time the quarter is the mirrored end of a half-swing: y_0 = -1 - friction, tau <= 0 (P_0 <
+            # 0).
             y, tau = TurningExpansion.at(law, side - law.friction, w).state(w)
             u = side * (y + law.friction)
             if not u > 0:
                 raise UndecidedError("the local expansion does not reach the hand-over")
             r = (u * u + w * w).sqrt()
+            # h = -z_0/2 with tan(theta/2) = w/(r + u).
             columns.append((((r + u) / w).log() / 2, r.log(), side * tau))
         h, g0, times = (tuple(column) for column in zip(*columns))
+        # In polar coordinates about X = 0 dry friction is a term of exponent 0 like any other.
         rubs = any(law.friction != 0 for law, _ in laws)
         alphas = (*laws[0][0].exponents, *([arb(0)] if rubs else []))
         strengths = (tuple(side * e for e in (*law.strengths, *([law.friction] if rubs else []))) for law, side in laws)
         dh, dg = (largest(x.rad() for x in column) for column in (h, g0))
+        # Exact ends for the collocation; how far the true hand-over is from them is carried as dz and dg.
         exact_h, exact_g0 = (tuple(x.mid() for x in column) for column in (h, g0))
         return cls(alphas, tuple(strengths), exact_h, exact_g0, times, upper(2 * dh), dg)
 
@@ -171,7 +183,8 @@ class NodeGrid:
         """The nodes of all columns, ``count`` in each."""
         ends, places = [t - 1 for t in nodes(count)], []
         still = [i for i, a in enumerate(bundle.alphas) if a == 1]
-        moving = [(i, a) for i, a in enumerate(bundle.alphas) if i not in still]  # also where a ball cannot tell
+        # alpha = 1 exactly needs no exponential of g; a ball about 1 is treated as any other exponent.
+        moving = [(i, a) for i, a in enumerate(bundle.alphas) if i not in still]
         for h, strengths in zip(bundle.h, bundle.strengths):
             tick("the nodes of a quarter-swing")
             linear, column = sum((strengths[i] for i in still), arb(0)), []
@@ -194,6 +207,7 @@ class NodeGrid:
             for value, (_, hss, c, drag, drags) in zip(row, places):
                 for w, d in zip(weights, drags):
                     drag = drag + d * (w * value).exp()
+                # dg/dt = h dg/dz, with the sign in the denominator.
                 line.append(hss * drag / (c * drag - 1))
             found.append(line)
         return found
@@ -213,11 +227,14 @@ def found(grid: NodeGrid, bits: int) -> arb_mat:
     g = [[arb(float(x)) for x in row] for row in sketch.solved(m)]
     for k in range(1, 3 + bits // _GAIN):
         tick("quarter-swings by collocation")
+        # Iterative refinement: the residual g_0 + integral of f - g in balls, scaled up until a double holds it, the
+        # linear equation for the correction solved in doubles.
         unit, rates = arb(2) ** (-k * _GAIN), arb_mat(grid.rates(g)).mid()
         reached = (sums * (values * rates)).table()
         missing = doubles([(a + x - y) / unit for a, x, y in zip(g0, *rows)] for rows in zip(reached, g))
         _, slope = sketch.rates(doubles(g))
         change = corrected(slope, missing)
+        # One more correction of 50 bits reaches 2^-bits; it goes into f, as P is the polynomial through f.
         if np.max(np.abs(missing)) < 2.0 ** ((k + 1) * _GAIN - bits):
             return moved(rates.table(), slope * change, unit)
         g = moved(g, change, unit).table()
@@ -250,16 +267,21 @@ class Path:
         m, bundle, none = grid.count, grid.bundle, arb(0)
         b = (analysis(m, ctx.prec) * rates).table()
         degree, lacking, negligible = m - 1, arb(0), arb(2) ** (_WORK - ctx.prec)
+        # Dropped coefficients count in full, |T_k| <= 1, and so do the radii of the kept ones: P is an exact
+        # polynomial.
         while degree and not (more := upper(lacking + largest(b[degree]))) > negligible:
             lacking, degree = more, degree - 1
         kept = [[x.mid() for x in row] if k <= degree else [none] * len(row) for k, row in enumerate(b)]
         lacking += sum((largest(x.rad() for x in row) for row in b[: degree + 1]), none)
         grown = (integrals(m, ctx.prec) * arb_mat(kept)).table()
         *g, ends = [[a + x for a, x in zip(bundle.g0, row)] for row in grown]
+        # f along G itself, at the nodes: what P misses it by there is the only thing measured; the theorem does the
+        # rest.
         slopes = grid.rates(g)
         apart = largest(x - y for pair in zip(rates.table(), slopes) for x, y in zip(*pair))
         with ctx.workprec(_LOW):
             columns = [of_the_integral(list(column)) for column in zip(*kept[: degree + 1])]
+            # G(1) = gamma + the other coefficients, as T_k(1) = 1.
             centres = [end - sum(column, none) for end, column in zip(ends, columns)]
             loads = [
                 largest(e * ((alpha - 1) * gamma).exp() for e, gamma in zip(row, centres))
@@ -275,15 +297,21 @@ class Path:
 
     def on_ellipse(self, R: arb) -> tuple[arb, arb] | None:
         """(M, N): bounds of |f| and |d tau/dt| along G on the ellipse of parameter R; None where it may be singular."""
+        # The half axes; Im z reaches h b, and s is analytic where that is below pi/2.
         a, b = (R + 1 / R) / 2, (R - 1 / R) / 2
         h = reduce(arb.union, self.grid.bundle.h)
         if not h * b < arb.pi() / 2:
             return None
+        # |T_k| <= (R^k + R^-k)/2 on the ellipse.
         drags = self.drags((self.sizes(R) + self.sizes(1 / R)) / 2)
         kappa, fast, slow = arb(0), arb(0), arb(0)
+        # The upper half of the rim in balls; the lower one is its mirror image, as everything is real on the real line.
+        # By the maximum principle |c D| <= kappa inside as well, so that f has no pole there.
         for j in range(_ARCS):
             angle = arb(fmpq(2 * j + 1, 2 * _ARCS), fmpq(1, 2 * _ARCS))
             x, y = h * (a * arb.cos_pi(angle) - 1), h * b * arb.sin_pi(angle)
+            # |cosh z|^2 = 1/|s|^2; |c|^2 has sin^2 y in place of cos^2 y in its numerator (derivation
+            # ``quarter-collocation``).
             under = x.sinh() ** 2 + y.cos() ** 2
             if not under > 0:
                 return None
@@ -299,11 +327,14 @@ class Path:
         """With the largest ellipse up to R = ``rim`` on which M and N are proved."""
         bundle, m = self.grid.bundle, self.grid.count
         with ctx.workprec(_LOW):
+            # From the planned ellipse inwards: the first that is proved is the largest, and the cut is smallest on it.
             tried = ((R, self.on_ellipse(R)) for R in (1 + arb(rim - 1) * arb(0.96) ** k for k in range(_TRIES)))
             R, found = next(((R, bounds) for R, bounds in tried if bounds is not None), (arb(rim), None))
             if found is None:
                 raise UndecidedError("no ellipse about the quarter-swings is proved to be free of singularities")
             M, N = found
+            # On the real line, |T_k| <= 1, for all g within _NEAR of G: the Lipschitz constant K must hold wherever the
+            # truth may be, which the check of ``apart`` below closes.
             drags = self.drags(upper(self.sizes(arb(1)) + arb(_NEAR)))
             kappa = sum((d * peak(e) for d, e in zip(drags, bundle.alphas)), arb(0))
             if not kappa < 1:
@@ -312,8 +343,10 @@ class Path:
             K = h * sum((abs(a - 1) * d for a, d in zip(bundle.alphas, drags)), arb(0)) / (1 - kappa) ** 2
             begun = bundle.dg + bundle.dz * sum(drags, arb(0)) / (1 - kappa)
             eta = cut(M, R, m) + self.differs
+            # Gronwall's inequality over the length 2.
             apart = upper((2 * K).exp() * (begun + 2 * eta))
             late = upper(2 * cut(N, R, m) + 2 * K * apart + bundle.dz / (1 - kappa))
+        # So the truth never leaves the strip in which K was taken, by continuity.
         if not apart < _NEAR:
             raise UndecidedError("the quarter-swings are not enclosed")
         weights = arb_mat([integrals(m, ctx.prec).table()[m]]) * analysis(m, ctx.prec)

@@ -16,10 +16,13 @@ from asymptotics.errors import UndecidedError
 from asymptotics.numbers.context import lru_cache
 
 Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
+# Where 48 was fitted is not recorded; too few make a poor plan, which costs nodes or is refused.
 _FIRST = 48  # nodes of the trial
 _ROUNDS, _AGREED = 40, 1e-13
+# kappa near 1 makes M large and Gronwall's factor worse; 0.7 leaves 0.3 for 1 - kappa, and pieces serve beyond.
 _FULL = 0.7  # of 1: the most of |c D| that a plan allows
 _FLOOR = 1e-12  # coefficients below this part of the largest are rounding
+# R from 1.1 to 33, three per cent apart.
 _RIMS = np.exp(np.linspace(0.1, 3.5, 120))
 _ARCS = 48
 _ALONE = 250_000  # multiplications that one thread does
@@ -50,6 +53,8 @@ class QuarterInDoubles:
         with np.errstate(all="ignore"):
             for _ in range(_ROUNDS):
                 f, slope = self.rates(g)
+                # Newton's method: the linear integral equation for the change by its integrating factor, once, as the
+                # next step repeats it.
                 change = corrected(slope, self.g0 + _product(whole, f)[:-1] - g, 1)
                 g = g + change
                 if not np.all(np.isfinite(change)):
@@ -66,11 +71,13 @@ class QuarterInDoubles:
     def _planned(self, bits: int) -> tuple[int, float]:
         f, _ = self.rates(self.solved(_FIRST))
         b = np.max(np.abs(_product(integration(_FIRST)[1], f)), axis=1)
+        # The coefficients of the integral, as in ``spectral.of_the_integral``.
         grown = np.abs(b[:-2] - b[2:])[: _FIRST - 3] / (2 * np.arange(1, _FIRST - 2))
         best = (np.inf, 0.0)
         for rim in _RIMS:
             size = self._size_on(rim, _sum_on(grown, rim))
             if size is not None:
+                # ``chebyshev.cut`` for M + N, solved for m and minimised over R.
                 count = (bits + np.log2(4 * size / (rim - 1) + 1)) / np.log2(rim)
                 best = min(best, (count, float(rim)))
         if not best[0] < np.inf:
@@ -82,6 +89,7 @@ class QuarterInDoubles:
         phi = np.linspace(0, np.pi, _ARCS)
         t = (rim * np.exp(1j * phi) + np.exp(-1j * phi) / rim) / 2
         h = np.max(self.h)
+        # A little below pi/2, where s has its pole.
         if h * (rim - 1 / rim) / 2 > 1.5 or not np.isfinite(swell):
             return None
         z = h * (t - 1)
@@ -118,6 +126,7 @@ def _sum_on(sizes: Array, rim: float) -> float:
     if known < 4:
         return float(np.sum(sizes[:known] * rim ** k[:known]))
     fall = (sizes[known - 1] / sizes[known // 2]) ** (1 / (known - 1 - known // 2)) * rim
+    # The coefficients fall more slowly than R^-k: G is not seen to be bounded on that ellipse.
     if not fall < 0.98:
         return np.inf
     return float(np.sum(sizes[:known] * rim ** k[:known]) / 2 + sizes[known - 1] * rim**known * fall / (1 - fall))

@@ -36,6 +36,7 @@ class Interpolated(LinearSpring):
 
     def leap(self, here: TurningState, before: arb | None = None) -> TurningState | None:
         """By a panel, where as many half-swings as may follow repay it."""
+        # How many half-swings a panel would serve: those up to the last turning point wanted, or up to the next time.
         remaining = self.last - here.n if before is None else _whole_swings(before - here.time)
         if before is not None and remaining <= 0:
             return None
@@ -43,11 +44,13 @@ class Interpolated(LinearSpring):
         if panel is None:
             return None
         there = following(self.force, here, panel.passage(here.amplitude, here.amplitude_error))
+        # A turning point after the time asked for is of no use: the state in between has to be followed by pieces.
         return there if before is None or there.time < before else None
 
 
 def _whole_swings(time: arb) -> int:
     """About how many half-swings end before that time; it only decides how they are made."""
+    # A half-swing lasts pi or a little longer.
     return int(min(float(time) / 3.2, 1e9))
 
 
@@ -57,6 +60,8 @@ def following(damping: Damping, here: TurningState, found: HalfSwingBalls) -> Tu
     assert found.amplitude is not None and found.duration is not None
     q, time = here.amplitude * found.amplitude, here.time + found.duration
     amplitude, clock = q.mid(), time.mid()
+    # q is that of the exact amplitude; for all alpha_i >= 1 relative errors only add (L1b), otherwise ``ratio_growth``
+    # bounds them.
     carried = contraction_by_ratio(damping, here.amplitude, here.amplitude_error, q)
     error = upper(carried + q.rad()), upper(here.time_error + time.rad())
     return TurningState(here.n + 1, -here.side, amplitude, clock, *error)

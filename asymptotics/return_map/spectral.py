@@ -32,6 +32,7 @@ def integrals(m: int, bits: int) -> arb_mat:
     with ctx.workprec(bits):
         cosines = _cosines(m)
         shares = [arb(1) / (2 * k) for k in range(1, m + 1)]
+        # What makes each I_k vanish at -1: T_k(-1) = (-1)^k.
         starts = [arb(0), arb(1) / 4, *(arb((-1) ** k) / (k * k - 1) for k in range(2, m))]
         rows = []
         for j in range(m + 1):
@@ -52,5 +53,6 @@ def of_the_integral(b: list[arb]) -> list[arb]:
     >>> of_the_integral([arb(1), arb(0), arb(3)])
     [-0.500000000000000, 0, 0.500000000000000]
     """
+    # (b_(k-1) - b_(k+1))/(2k) with b_0 counted twice, the usual convention of a Chebyshev sum.
     padded = [2 * b[0], *b[1:], arb(0), arb(0)]
     return [(padded[k - 1] - padded[k + 1]) / (2 * k) for k in range(1, len(b) + 1)]

@@ -44,8 +44,11 @@ from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 
+# A bound by Cauchy alone exceeds the truth by orders of magnitude; eight true coefficients first leave to it a part
+# (delta/rho)^8 smaller.  More cost coefficients of the map, fewer make a wider ball.
 FOLLOWING = 8
 """How many coefficients of a defect are kept as they are."""
+# Radii to try, in units of the widest: near the edge the majorant grows, far inside rho^-J does.
 _SHARES = (0.5, 0.6, 0.7, 0.8, 0.9)
 
 
@@ -74,6 +77,8 @@ class Approximant:
     def falls_up_to(self, delta: arb) -> bool:
         """Whether sum_(k>=1) (2k-1) |c_k| delta^(2k) < c_0: then the value decreases on (0, delta]."""
         rest = sum(((2 * k - 1) * abs(c) * delta ** (2 * k) for k, c in enumerate(self.coefficients) if k), arb(0))
+        # delta^2 Psi' = -c_0 + that sum (derivation ``abel-defect``); it grows with delta, so one point decides for all
+        # below.
         return bool(rest < self.coefficients[0])
 
 
@@ -90,6 +95,7 @@ class AbelFunction:
         """The local strength ``steps`` half-swings after the ball ``delta``; ValueError outside (0, radius)."""
         if not (delta > 0 and delta < self.rho):
             raise ValueError(f"{delta.str(5)} is not in (0, {self.rho.str(5)})")
+        # Psi(delta_n) - Psi(delta) - n is the sum of the defects along the orbit, a part of the sum over all of it.
         return self._solve(self.psi(delta) + steps + self.defects(self.psi, delta), delta)
 
     def time_between(self, first: arb, last: arb) -> arb:
@@ -99,6 +105,7 @@ class AbelFunction:
     def defects(self, f: Approximant, delta: arb) -> arb:
         """The sum of all defects of f from the point ``delta`` on, as a ball around 0."""
         with ctx.workprec(BITS):
+            # Every term of both bounds grows with delta: the upper end serves for the ball.
             top = arb(delta.upper())
             m = 2 * len(f.coefficients)
             total = sum((c * self.power_sum(top, m + i) for i, c in enumerate(f.following)), arb(0))
@@ -110,6 +117,8 @@ class AbelFunction:
 
     def power_sum(self, delta: arb, m: int) -> arb:
         """A bound of sum_j delta_j^m along the orbit from ``delta``, m >= 2."""
+        # The convex summand at j is at most its mean over [j - 1/2, j + 1/2] (Hermite and Hadamard), so the sum is the
+        # integral from -1/2 on, which needs 1/delta > g/2.
         behind = 1 / delta - self.g / 2
         if not behind > 0:
             raise UndecidedError("delta is too large for the sum along the orbit")
@@ -117,9 +126,12 @@ class AbelFunction:
 
     def _solve(self, value: arb, start: arb) -> arb:
         """The only delta up to about ``start`` with Psi(delta) = value: Newton, then the mean value theorem."""
+        # Far out Psi is nearly c_0/delta; Newton's method doubles the bits from there.
         middle = (self.psi.coefficients[0] / value).mid()
         for _ in range(ctx.prec.bit_length() + 3):
             middle = (middle - (self.psi(middle) - value) / self.psi.slope(middle)).mid()
+        # A box for the root, a choice; interval Newton proves it: Psi is strictly decreasing on it, and if the mean
+        # value form lies in the box, so does the root.
         guess = middle * (1 + arb(0, arb(2) ** -10))
         if not (guess < self.rho and self.psi.falls_up_to(arb(guess.union(start).upper()))):
             raise UndecidedError("the truncated Abel function may not decrease here: use a later head or fewer terms")
@@ -143,6 +155,7 @@ def abel_function(alpha: ExactReal, terms: int) -> AbelFunction:
 def _abel_function(alpha: ExactReal, terms: int, bits: int) -> AbelFunction:
     with ctx.workprec(bits):
         order = 2 * terms + FOLLOWING
+        # The coefficients are the cost, and depend on alpha and the precision alone: kept for the next strength.
         half = half_swing(quarter_swing([alpha], order, max_seconds=inf))
         F = [half.F[0][k] for k in range(1, order + 1)]
         T = [half.T[k] for k in range(order)]
@@ -161,6 +174,7 @@ def of_coefficients(
     """From the coefficients of Psi and Theta, and those of their defects that follow (as many as are known)."""
     with ctx.workprec(BITS):
         g = (alpha.ball() - 1) * arb.pi() * moment(alpha.ball() + 1)
+        # J: the first power that is left to Cauchy's inequality.
         power = 2 * len(coefficients[0]) + len(following[0])
         bound = _circle(alpha, coefficients[0], power)
         drives = (arb(1), arb.pi() + bound.excess)
@@ -168,6 +182,7 @@ def of_coefficients(
             Approximant(tuple(c), tuple(abs(d).upper() for d in rest), (_on_circle(c, bound) + drive).upper())
             for c, rest, drive in zip(coefficients, following, drives, strict=True)
         )
+    # Rounded down: 1/delta_j >= 1/delta_0 + g j holds for any smaller gain.
     return AbelFunction(psi, theta, bound.radii[0], arb(g.lower()))
 
 
@@ -191,6 +206,7 @@ def least_beyond(found: Sequence[Majorant], power: int, bound: Callable[[Majoran
 def _on_circle(coefficients: Sequence[arb], bound: Majorant) -> arb:
     """A bound of |f(F) - f(delta)| on the circle for f = sum c_k delta^(2k-1)."""
     rho, high, low = bound.radii[0], bound.final(0), bound.inverse()
+    # The term c_0/delta takes a bound of |1/F|, all others one of |F|, both on |delta| = rho by the majorant.
     total = abs(coefficients[0]) * (low + 1 / rho)
     for k, c in enumerate(coefficients[1:], 1):
         total += abs(c) * (high ** (2 * k - 1) + rho ** (2 * k - 1))

@@ -46,6 +46,7 @@ from asymptotics.turning.abel import least_beyond, polydiscs
 FOLLOWING = 1
 """How many terms beyond those kept are in the bound as they are."""
 _SHARES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8)
+# Of Arb's rigorous quadrature: a limit of work, beyond which the integral is not finite and refused.
 _EVALUATIONS = 4000  # of the integrand, and as many for each 100 bits
 _STEPS = 60
 
@@ -88,6 +89,8 @@ class AbelFlow:
     def advance(self, x: arb, steps: int) -> tuple[arb, arb]:
         """(ln A, time) ``steps`` half-swings after ln A = x; UndecidedError where delta_1 is too large there."""
         psi, theta = self.defects(x)
+        # Integrals from exact points: the radii of both ends are added as |f| times the radius (mean value theorem),
+        # since an integral from a ball would count it at every node.
         here = arb(x.mid())
         blur = arb(0, x.rad()) * self.integrand(self.rates[:1], x)
         after = self._solve(here, steps + blur + arb(0, psi.total), arb(x.upper()))
@@ -100,10 +103,13 @@ class AbelFlow:
     def defects(self, x: arb) -> tuple[DefectBound, DefectBound]:
         """For Psi and Theta, from the ball x on."""
         with ctx.workprec(BITS):
+            # All bounds grow with each delta_i, and along the orbit they fall: the upper ends at the start serve for
+            # the whole orbit.
             top = [arb(d.upper()) for d in self.strengths(x)]
             bound = self._polydisc(top)
             after = self._following(top)
             beyond = self._on_circle(bound)
+            # The power that Schwarz' inequality gives, once the following terms are counted as they are.
             m = 2 * (self.K + FOLLOWING)
             behind = 1 / top[0] - self._gain() / 2
             if not behind > 0:
@@ -120,6 +126,7 @@ class AbelFlow:
         v = [_at(part, delta) for part in self.rates[: self.K]]
         g = _reciprocal([r / v[0] for r in v[1:]])
         if drive is not self.clock:
+            # K terms of 1/v, homogeneous degree by degree.
             return sum(g) / v[0]
         c = [_at(part, delta) for part in self.clock[: self.K]]
         return sum(c[i] * g[k - i] for k in range(self.K) for i in range(k + 1)) / v[0]
@@ -142,7 +149,9 @@ class AbelFlow:
         for i, (c, w, rho) in enumerate(zip(self._first(), self.weights, bound.radii, strict=True)):
             turn = w * G
             if i == 0:
+                # The first law carries the bound: b must be above 0, or the polydisc is of no use.
                 least = c * rho * (-turn).exp() * turn.cos() if turn < arb.pi() / 2 else arb(0)
+            # A law whose real part may change its sign on the circle is taken off with its whole size.
             elif not turn <= arb.pi() / 2:
                 least -= c * rho * turn.exp()
         return arb(least.lower())
@@ -154,8 +163,10 @@ class AbelFlow:
     def _on_circle(self, bound: Majorant) -> tuple[arb, arb]:
         """D of Psi and Theta on the circle, with the following terms."""
         b, G = self._least(bound), bound.growth
+        # |delta_i| on the way of a half-swing, |xi| <= G.
         wide = [rho * (w * G).exp() for rho, w in zip(bound.radii, self.weights, strict=True)]
         sizes = [_at(_sizes(part), wide) / b for part in self.rates[1:]]
+        # The majorant series 1/(1 - a(t)): with minus signs the recurrence of 1/(1 + ...) adds absolute values.
         g = _reciprocal([-s for s in sizes])
         clock = [_at(_sizes(part), wide) for part in self.clock]
         h = sum((clock[i] * g[k - i] for k in range(len(g)) for i in range(k + 1)), arb(0))
@@ -163,11 +174,15 @@ class AbelFlow:
 
     def _following(self, top: Sequence[arb]) -> tuple[arb, arb]:
         """sum over the following terms of |int| of their share of f and h, for every point of the orbit."""
+        # delta_i/delta_1 falls along the orbit: one ball from 0 to its present value holds it at every later point, and
+        # delta_1^(2k) is split off.
         shape = [arb(1), *(arb(0).union(d / top[0]) for d in top[1:])]
         v = [_at(part, shape) for part in self.rates]
         g = _reciprocal([r / v[0] for r in v[1:]])
         clock = [_at(part, shape) for part in self.clock]
         h = [sum((clock[i] * g[k - i] for i in range(k + 1)), arb(0)) for k in range(len(g))]
+        # 1 + g_1 + ... is then at least 1/2: the integrand has the sign of v_1 and at least half of the size of 1/v_1,
+        # which ``_solve`` uses.
         if not sum((abs(c) * top[0] ** (2 * k) for k, c in enumerate(g[: self.K]) if k), arb(0)) < arb(1) / 2:
             raise UndecidedError("the truncated Abel function may not decrease here: use a later head or fewer terms")
         psi, theta = (
@@ -183,9 +198,11 @@ class AbelFlow:
         """The only x below ``start`` with Psi(x) - Psi(start) = value: Newton in the midpoints, then the mean value."""
         w, goal = self.weights[0], value.mid()
         first = self.rates[0][-1][1] * self.epsilons[0]
+        # The first law alone: A^-w grows by -w v_1/A^w for each half-swing.
         x = ((1 / ((-w * start).exp() - goal * w * first)).log() / w).mid()
         reached, before = arb(0), start
         for _ in range(_STEPS):
+            # Step by step, so that each integral is short.
             reached, before = reached + self._integral(self.rates[:1], before, x), x
             step = ((reached - goal) / self.integrand(self.rates[:1], x)).mid()
             if abs(step) < arb(2) ** (8 - ctx.prec):
@@ -194,6 +211,8 @@ class AbelFlow:
         else:  # what was reached belongs to the place before
             raise UndecidedError("Newton's method along the slow flow does not settle: raise the precision")
         near = x + arb(0, arb(2) ** -10)
+        # |x - root| <= |Psi(x) - value|/min |f| and 1/|f| <= 2 |v_1|, in a box that must hold the root and lie below
+        # the start.
         error = abs((reached - value) * 2 * _at(self.rates[0], self.strengths(near))).upper()
         if not (error < near.rad() and near < top):
             raise UndecidedError("the enclosure of the turning point was not verified: raise the precision")

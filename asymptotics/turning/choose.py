@@ -70,6 +70,7 @@ def choose(request: Request, name: str | None = None) -> Route:
     if name is not None:
         return _named(request, name)
     costs = {i: seconds for i, (_, seconds) in enumerate(offers(request)) if seconds is not None}
+    # Equal costs: the order of ``ROUTES``, so that the choice does not depend on the machine.
     return ROUTES[min(costs, key=lambda i: (costs[i], i))]
 
 

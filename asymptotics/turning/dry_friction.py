@@ -21,6 +21,7 @@ def half_swings_until(first: ExactReal, reach: ExactReal, hold: ExactReal) -> in
     if not reach > 0:
         raise InputError("epsilon", f"{reach} never brings the mass to rest", "a positive number")
     excess = first - hold
+    # Doubling and bisection over whole numbers, with exact comparisons: the count may be 10^30.
     low, high = -1, 0
     while excess > 2 * high * reach:
         low, high = high, 2 * high + 1

@@ -50,11 +50,13 @@ def require_soon(request: Request) -> None:
 def _without_losses(request: Request) -> int:
     spare = _SPARE_IN_MOTION if request.in_motion else _SPARE
     swings = min(request.start, MANY) + request.count
+    # Errors of n half-swings add: log2(n) bits for the amplitudes, and as many for the times.
     return bits_for(request.digits, spare) + 2 * swings.bit_length()
 
 
 def damping_of(request: Request) -> Damping:
     """The forces of powers of the velocity, a little sharper than the current precision."""
+    # The Taylor coefficients are computed with so many bits more; the strengths must not be less sharp.
     with ctx.workprec(ctx.prec + GUARD):
         return Damping.of_law(request.law)
 
@@ -88,6 +90,7 @@ def enclosed(
     kept = Kept(request)
 
     def attempt(bits: int) -> TurningPoints:
+        # Made anew at each precision: strengths are balls of the precision at which they become balls.
         motion = orbit()
         first = motion.first()
         if isinstance(first, str):

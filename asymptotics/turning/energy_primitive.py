@@ -61,6 +61,7 @@ class PrimitiveWell:
         """int_low^high (V'(y) - eps_0) e^(-2 eps_2 y) dy; ``low`` may be negative, ``high`` >= 0."""
         if low >= 0:
             return self._primitive(high, 1) - self._primitive(low, 1)
+        # V' is odd, given by powers of |x|: the primitive is taken on either side of the centre by itself.
         return self._primitive(high, 1) - self._primitive(arb(0), 1) + self._other_side(-low)
 
     def _other_side(self, q: arb) -> arb:
@@ -69,6 +70,7 @@ class PrimitiveWell:
 
     def _primitive(self, x: arb, side: int) -> arb:
         """A primitive of (side V'(x) - eps_0) e^(-2 side eps_2 x), x >= 0."""
+        # Beyond the centre y = -z: V' and the exponent change their signs, eps_0 does not.
         k = 2 * side * self.drag
         r = self.force.rate
         powers = [(side * c, p) for c, p in self.force.springs] + [(-self.dry, 0)]
@@ -112,6 +114,7 @@ def _require_one_branch(law: Law) -> None:
 
 def _power_primitive(x: arb, p: int, k: arb) -> arb:
     """A primitive of x^p e^(-k x): -e^(-k x) sum_j p!/(p-j)! x^(p-j)/k^(j+1), or x^(p+1)/(p+1) at k = 0."""
+    # No drag, exactly; for a small one the division by k^(p+1) cancels, and the caller works with twice the bits.
     if k == 0:
         return x ** (p + 1) / (p + 1)
     total, factor = arb(0), 1 / k
@@ -126,11 +129,14 @@ def swings(well: PrimitiveWell, x: arb, bits: int) -> Iterator[tuple[arb, bool |
     side = 1 if x > 0 else -1
     a = side * x
     while True:
+        # At a < 0 the mass has stopped before the centre, on the side it came from; only its distance counts for what
+        # holds it.
         pull = abs(well.force.spring_force(a))
         stays = True if pull <= well.dry else False if pull > well.dry and a > 0 else None
         yield side * a, stays
         if stays is not False:
             return
+        # q(a) grows: the hull of the images of both ends holds the image of the ball.
         low, high = (_next(well, end, bits) for end in (a.lower(), a.upper()))
         if low is None or high is None:
             return
@@ -142,14 +148,18 @@ def _next(well: PrimitiveWell, a: arb, bits: int) -> arb | None:
     q = _guess(well, a)
     if q is None:
         return None
+    # 24 bits less than the target leaves the signs clear of rounding, as the work is computed with twice the bits; too
+    # small an eta leaves them undecided, too large a one costs digits.
     eta = abs(q) * arb(2) ** (24 - bits)
     inner, outer = well.work(-(q - eta), a), well.work(-(q + eta), a)
+    # The work falls through 0 once from x* on: a change of sign encloses the only zero.
     return arb(q, eta.upper()) if inner > 0 and outer < 0 else None
 
 
 def _guess(well: PrimitiveWell, a: arb) -> arb | None:
     """Bisection in doubles' width, then Newton's method on midpoints: a choice, not a claim."""
     low, high = _falling_from(well, a), a
+    # Forty halvings are right to 12 digits, and twelve steps of Newton's method lead from there to 10^4.
     for _ in range(40):
         middle = ((low + high) / 2).mid()
         low, high = (middle, high) if well.work(-middle, a).mid() > 0 else (low, middle)

@@ -34,6 +34,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.return_map.half_swing_map import INTEGRATED, integrated
 from asymptotics.terms import Term
 
+# A limit of work: stronger motions are stiff.
 MAX_DELTA = 1000
 _ENDS = {STICKS: "sticks there", CREEPS: "creeps from there on", OVERDAMPED: "is overdamped"}
 
@@ -52,6 +53,7 @@ def half_swing_result(alphas: Sequence[ExactReal], delta: Sequence[ExactReal], d
         _require_passing(delta)
 
     def evaluate(bits: int) -> HalfSwingValue:
+        # The linear spring alone: exact, and without a law to follow.
         if all(d.is_zero for d in delta):
             return HalfSwingValue(arb(0), arb(1), arb.pi(), CLOSED, 0, arb(0))
         balls = [d.ball() for d in delta]
@@ -82,11 +84,14 @@ def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digit
     _require_in_range(terms, delta)
 
     def evaluate(bits: int) -> HalfSwingValue:
+        # The Taylor coefficients are computed with so many bits more: the force should carry them.
         with ctx.workprec(bits + GUARD):
             force = WellForce.of(terms, [d.ball() for d in delta])
+        # An amplitude at the very edge, which balls cannot tell, is refused as well.
         if inside(force, arb(1)) is not True:
             raise InputError("delta", "the amplitude lies outside the well, where V' > 0 fails", "a smaller amplitude")
         found, pieces = turning_by_pieces(EvenWell(force), at_rest(arb(1)))
+        # A stop before the centre has an amplitude <= 0: ln(A'/A) does not exist there.
         if isinstance(found, str) or not found.amplitude > found.amplitude_error:
             how = _ENDS[found] if isinstance(found, str) else "stops before the centre"
             raise InputError("delta", f"no turning point follows: the motion {how}", "a smaller delta")
@@ -101,6 +106,7 @@ def half_swing_of_terms(terms: Sequence[Term], delta: Sequence[ExactReal], digit
 def _require_passing(delta: Sequence[ExactReal]) -> None:
     """Dry friction alone: A'/A = 1 - 2 delta, and from 1/2 on the mass stops at the centre or before it."""
     total = sum(delta, ExactReal(0))
+    # Exact numbers, because no ball tells delta = 1/2 from its neighbours.
     if total == ExactReal(1) / 2:
         reason = "A'/A = 0, T = pi: the mass stops at the centre, and ln(A'/A) does not exist"
         raise InputError("delta", reason, "below 1/2")

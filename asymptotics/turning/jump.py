@@ -38,7 +38,10 @@ from asymptotics.turning.table import Request
 
 HEAD = 300
 """Half-swings of the head of one law, and one more for each bit: delta is then so small that few terms will do."""
+# A limit of work: more terms are too dear, and a strength that needs them is refused as too large.
 MAX_TERMS = 40
+# Terms and the share of the reach that a plan for sums looks at: estimates, whose defect is bounded afterwards.  Where
+# they were fitted is not recorded.
 _MOST_TERMS, _REACH = 9, 0.4
 _NEAR, _WITHIN = 0.6, 0.5  # delta in units of the reach: where a jump may begin, and where a head ends at the latest
 _SPARE = 24  # bits that the steps of a head may lose, which a jump does not
@@ -73,9 +76,12 @@ def planned(alphas: Sequence[ExactReal], bits: int, start: int) -> FarPlan:
     """The cheapest plan for ``bits`` bits of the point ``start``; estimates that choose and claim nothing."""
     with ctx.workprec(64):
         least = min(a.ball() for a in alphas)
+        # By how much 1/delta_1 grows in a half-swing, at least.
         gain = float((least - 1) * arb.pi() * moment(least + 1))
     options = []
     for terms in range(2, _MOST_TERMS + 1):
+        # The sum of the defects, about (delta/reach)^(2K-1), counts against Psi = start: relative to it 2^-bits is
+        # wanted.
         delta = _REACH * 2.0 ** ((log2(start) + _SPARE - bits) / (2 * terms - 1))
         head = min(1 / (gain * delta), 1e30) if delta > 0 else 1e30
         order = 2 * (terms + FLOW_FOLLOWING) - 1
@@ -98,6 +104,7 @@ def head_of(alpha: ExactReal, bits: int) -> int:
 
 def head_end(lead: Iterable[TurningState], alpha: ExactReal, epsilon: arb, start: int, within: float) -> TurningState:
     """The first point of ``lead`` with delta = epsilon A^(alpha-1) < within; or ``start``, if it comes before."""
+    # delta decides in balls, not the number of half-swings that was planned.
     return next(p for p in lead if p.n >= start or _delta(alpha, epsilon, p) < within)
 
 
@@ -106,6 +113,7 @@ def jumped(alpha: ExactReal, epsilon: arb, here: TurningState, start: int) -> Tu
     delta, weight = _delta(alpha, epsilon, here), alpha.ball() - 1
     abel = _suited(alpha, delta)
     reached = abel.advance(delta, start - here.n)
+    # Through the ratio of the strengths: epsilon cancels, and the amplitude keeps its relative digits.
     log = _log(here) + (reached / delta).log() / weight
     return _arrived(here, start, log, here.tau + abel.time_between(delta, reached))
 
@@ -126,6 +134,7 @@ def _arrived(here: TurningState, n: int, log: arb, tau: arb) -> TurningState:
 
 def _suited(alpha: ExactReal, delta: arb) -> AbelFunction:
     """As many terms as make the defect as small as the precision; a float chooses, the bound decides."""
+    # A choice in doubles: (delta/reach)^(2K + FOLLOWING) = 2^-(precision + 16) solved for K.
     x = float(delta) / _reach(alpha)
     if not x < _NEAR:
         raise UndecidedError(f"delta = {float(delta):.3g} is still too large for the Abel function of alpha = {alpha}")
@@ -139,6 +148,7 @@ def _suited(alpha: ExactReal, delta: arb) -> AbelFunction:
 def _reach(alpha: ExactReal) -> float:
     """About the radius of the circle on which the defects are bounded."""
     with ctx.workprec(64):
+        # The middle of the shares of ``abel``.
         return 0.7 * float(widest([alpha.ball()], [arb(1)], whole=True).radii[0])
 
 

@@ -31,6 +31,7 @@ def _quadratic_abel(terms: int, bits: int) -> AbelFunction:
     with ctx.workprec(bits):
         psi = [_in_delta(c, k) for k, c in enumerate(abel_coefficients(terms))]
         theta = [arb.pi() * _in_delta(c, k) for k, c in enumerate(time_coefficients(terms))]
+        # No following coefficients: with any number of exact terms at hand Cauchy's inequality may begin at delta^(2K).
         return of_coefficients(ExactReal(Fraction(2)), (psi, theta), ([], []))
 
 

@@ -34,6 +34,7 @@ from flint import arb
 
 from asymptotics.numbers.context import ctx, lru_cache
 
+# Nearer to pi/2 = 1.5708 the strip is hardly wider, but 1/cos b, 14 at 1.5, grows beyond all bounds.
 _HEIGHT = 1.5  # b, below pi/2
 
 
@@ -44,6 +45,7 @@ def duration(p: arb, q: arb) -> arb:
     with ctx.workprec(_sampling_bits(t_end, nodes)):
         samples = _samples(t_end, p, nodes)
         strip, bound = _strip(t_end, p)
+        # Trefethen and Weideman, theorem 3.2, half of the period and the factor 1/2 of T included.
         error = arb.pi() * bound / ((strip * nodes).exp() - 1)
         value = arb.pi() * _sum(samples) / nodes + arb(0, error.upper())
     return +value
@@ -64,6 +66,7 @@ def elapsed(p: arb, q: arb, chi: arb) -> arb:
         strip, bound = _strip(t_end, p)
         weights = [chi + 2 * _sum([(k * x).cos() * (k * chi).sin() / k for k in range(1, m)]) for x in _midpoints(m)]
         growth = strip.exp()
+        # Dropped coefficients and aliases, in the formula of the module's docstring.
         error = 1 / (1 - 1 / growth) + 2 / ((growth - 1) * (1 - growth ** (-2 * m)))
         error *= arb.pi() * bound * growth**-m
         value = _sum([w * f for w, f in zip(weights, samples)]) / (2 * m) + arb(0, error.upper())
@@ -73,11 +76,14 @@ def elapsed(p: arb, q: arb, chi: arb) -> arb:
 def node_count(t_end: float, bits: int) -> int:
     """An even number of nodes that makes the error about 2^-bits; only a choice, the bound does not rely on it."""
     width = asinh(2 * _HEIGHT / t_end)
+    # e^-(a N) = 2^-bits with six units of the exponent for M; a double names the number, the bound is computed from it.
     return 2 * ceil((bits * log(2) + 6 + width) / width / 2)
 
 
 def _sampling_bits(t_end: arb, nodes: int) -> int:
     """The working precision plus what the differences in K lose when t* is small and next to t = t*."""
+    # K is a difference of nearly equal means over t* - t: next to t*, at chi = pi (1 - 1/nodes), it loses 2 log2(nodes)
+    # bits, and for small t* as many as 2 log2(1/t*).
     return ctx.prec + 20 + 2 * nodes.bit_length() + 2 * max(0, ceil(-log(float(t_end.mid()), 2)))
 
 

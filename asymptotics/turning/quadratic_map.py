@@ -33,6 +33,7 @@ def next_amplitude(p: arb) -> arb:
     middle = p.mid()
     if not p > 0:
         raise ValueError(f"the amplitude must be positive, not {p.str(5)}")
+    # 0 < F' < 1 (derivation ``smith-contraction``): the image of the ball is no wider than the ball.
     return _at_exact_point(middle) + arb(0, p.rad())
 
 

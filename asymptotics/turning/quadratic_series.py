@@ -26,6 +26,7 @@ def map_series(order: int) -> list[fmpq]:
     """
     with ctx.workcap(order + 1):
         sigma = _sigma()
+        # sigma(F) = -sigma(p) on the other branch: reversion of a power series over the rationals.
         return _coefficients(-sigma.reversion()(-sigma), order)
 
 
@@ -40,6 +41,8 @@ def half_period_series(order: int) -> list[fmpq]:
         x = sigma.reversion()
         speed = list(x.derivative() / (1 + x).sqrt())
         stretch = list((y / (1 - (-y).exp())).sqrt())
+        # Averages of sin^(2j) cos^(2k) over the half-turn: (2j-1)!! (2k-1)!!/(2j+2k)!!, so that a product of two series
+        # gives all of them; b's variable s^2 cos^2/2 brings the 2^-k.
         by_sine = fmpq_poly([c * _odd_factorial(j) for j, c in enumerate(speed[::2])])
         by_cosine = fmpq_poly([c * _odd_factorial(k) / 2**k for k, c in enumerate(stretch[: order // 2 + 1])])
         level = [c / _even_factorial(n) for n, c in enumerate(by_sine.mul_low(by_cosine, order // 2 + 1))]
@@ -74,6 +77,8 @@ def _solve(increment: list[fmpq], terms: int) -> list[fmpq]:
     for k in range(terms):
         grown = power - 1  # (F/p)^(2k-1) - 1 begins with p
         step = grown.right_shift(1) if k == 0 else grown.left_shift(2 * k - 1)
+        # The lowest power that is left, p^(2k), belongs to c_k; the odd ones must vanish by themselves, which the last
+        # lines check.
         c = rest[2 * k] / step[2 * k]
         solution.append(c)
         rest = (rest - c * step).truncate(2 * terms)

@@ -82,6 +82,7 @@ def proved_digits(value: Number, digits: int) -> str:
         return certified_decimal(value, digits)
     text = decimal_of_ball(value, digits)
     if text is None:
+        # What the next attempt needs beyond this one, told to whoever raises the precision.
         lacking = bits_for(digits, 8) - value.rel_accuracy_bits()
         raise TooWideError(TOO_WIDE, max(digits, _SPARE + max(0, lacking)))
     return text

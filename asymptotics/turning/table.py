@@ -63,6 +63,7 @@ class Request:
             if speed.is_zero and place != 1:
                 reason = f"{x0}: from rest the unit of length is |x0|, X(0) = 1"
                 raise InputError("x0", reason, "1, or a start with v0")
+            # Terms of strength 0 would keep a closed form from serving; one is left where all are 0.
             law = Law.from_terms([t for t in law.terms if t.strength.sign > 0] or [law.terms[0]])
         return cls(law, count, digits, start, times, place, speed)
 
@@ -122,6 +123,7 @@ class Kept(keeping):
         return self.tried[-1][0]
 
     def _table(self) -> TurningPoints | None:
+        # Each point was rounded when it was put there, so that the attempt of any precision may be shown.
         farthest = max(self.tried, key=lambda attempt: len(attempt[0]), default=None)
         if farthest is None or not farthest[0]:
             return None
@@ -164,6 +166,7 @@ def size(here: TurningState) -> arb:
 
 
 def _point(request: Request, here: TurningState, unit: TurningState | None) -> TurningPoint:
+    # Exact where it is known: no ball rounds a tie such as x = 1/8 to two digits.
     x: arb | ExactReal | Fraction = request.place if here.n == 0 else here.x if here.exact is None else here.exact[0]
     tau = here.tau
     if unit is not None:

@@ -122,3 +122,17 @@ def test_an_exponent_below_one_is_followed_however_late():
     for t in (early, late):
         found, fine = (enclosure(root, t, digits) for digits in (10, 20))
         assert found.contains(fine.mid()) and found.rad() < 1e-9
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_jump_from_an_uncertain_turning_point_holds_both_ends(side):
+    """A_0 = 1 +- e and tau_0 = +- e: the motions from both ends are inside, with what is left of e as the radius."""
+    e = arb(2) ** -10
+    with ctx.workprec(100):
+        damping = Damping.of([(arb(1) / 50, parse_real("2", "alpha"))])
+        found = late_turning(damping, TurningState(0, 1, arb(1), arb(0), e, e), arb(40), 1)
+        end = TurningState(0, 1, 1 + side * e, side * e, arb(0), arb(0))
+        true = next(islice(sequence(LinearSpring(damping), end), found.n, None))
+        apart, late = abs(found.amplitude - true.amplitude), abs(found.time - true.time)
+        assert found.amplitude_error / 4 < apart < found.amplitude_error
+        assert found.time_error / 4 < late < found.time_error

@@ -52,6 +52,9 @@ ATTAINED = [
 ]
 
 
+SLOW = [pytest.param(("1/2", "2"), marks=pytest.mark.slow), pytest.param(("3/2", "3"), marks=pytest.mark.slow)]
+
+
 @pytest.mark.parametrize(("alphas", "order", "part", "share_L", "share_T"), ATTAINED)
 def test_the_bounds_hold_and_half_of_them_would_not(alphas, order, part, share_L, share_T):
     bounds = local_bounds(reals(*alphas), order)
@@ -169,3 +172,13 @@ def test_the_end_of_a_piece_is_above_the_solution(steepness):
     truth = 0.1 if steepness == 0 else np.expm1(0.1 * steepness) / steepness
     assert (found is None) is (steepness > 4)
     assert found is None or truth <= float(found) < 1.5 * truth
+
+
+@pytest.mark.parametrize("alphas", [("1", "2"), *SLOW])
+def test_the_majorant_of_a_sum_is_nearly_attained(alphas):
+    bounds = local_bounds(reals(*alphas), 2)
+    rho = float(bounds.delta_max) / 2
+    growth, excess = flow_majorant(bounds.flow, 2, arb(rho))
+    L, T = truncated_swing(bounds, [-rho, -rho])
+    assert abs(L) < float(growth) < 1.2 * abs(L)
+    assert abs(T - np.pi) < float(excess)

@@ -3,10 +3,13 @@
 import json
 from fractions import Fraction
 from random import Random
+from types import SimpleNamespace
 
 import pytest
+from flint import arb
 
 import asymptotics as asy
+from asymptotics.bounds import motion
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError
@@ -14,6 +17,7 @@ from asymptotics.gauges import GAUGES
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import reference_motion
+from asymptotics.numbers.exact import ExactReal
 
 MOTIONS = [
     (Oscillator({"3/2": "1/10"}, mass="3/2", stiffness="30", x0="1/5"), "7", "turning-point"),
@@ -99,6 +103,8 @@ def random_case(seed):
 
 
 QUICK = (3, 7, 15, 20, 27, 31, 38, 65, 69, 85, 90, 105, 109, 160)
+
+
 SEEDS = [seed if seed in QUICK else pytest.param(seed, marks=pytest.mark.slow) for seed in range(200)]
 
 
@@ -116,3 +122,16 @@ def test_the_bound_covers_the_error_of_random_motions(seed):
     error = abs(Fraction(reference_motion(oscillator, time, 25, max_seconds=600).x) - Fraction(x))
     assert error <= bound, told
     assert bound <= error * Fraction(112, 100) + Fraction(1, 10**20), told
+
+
+def test_the_bound_of_a_motion_reaches_the_far_end_of_its_enclosure(monkeypatch):
+    monkeypatch.setattr(motion, "enclosure", lambda *_, **__: arb(1, "0.25"))
+    assert motion.proved_bound(Oscillator({2: "1/10"}), "1.1", "1") in ("0.35", "0.36")
+
+
+def test_the_energy_counts_the_speed(monkeypatch):
+    """m = 1, k = 4: at x = 3 and v = 8 the energy is that of x = 5."""
+    state = SimpleNamespace(x=[arb(3)], v=[arb(8)])
+    monkeypatch.setattr(motion, "reference_states", lambda *_, **__: state)
+    found = motion._by_energy(Oscillator({2: "1/10"}, stiffness=4), ExactReal(100), 20)
+    assert found.mid() == 0 and found.rad() >= 5 and found.rad() < arb("5.000001")

@@ -1,4 +1,4 @@
-"""The command ``motion``, and ``turning-points`` for any law, as a user types them."""
+"""The command ``motion``, as a user types it."""
 
 import json
 from fractions import Fraction
@@ -31,7 +31,7 @@ def test_the_contract(capsys):
     assert exact["amplitude"] is None and exact["phase"] is None and exact["order"] is None
     gap = abs(Fraction(data["x"]) - Fraction(exact["x"]))
     assert gap < 2 * Fraction(data["error"]) and gap > Fraction(exact["error"])
-    assert exact["x"] == "0.163853083446548520399362953734"  # tests/motion: two precisions, and order 5 within 1e-13
+    assert exact["x"] == "0.163853083446548520399362953734"  # tests/motions: two precisions, and order 5 within 1e-13
 
 
 def test_the_rows_of_dry_friction_know_the_static_force_beside_a_law_of_strength_0(capsys, tmp_path):
@@ -125,14 +125,3 @@ def test_bad_input_is_one_line_that_names_the_argument(capsys, line, argument):
     code, out, err = run(capsys, line)
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert argument in err
-
-
-def test_turning_points_of_any_law(capsys):
-    data = answer(capsys, "turning-points --law 0:1/20 --law 3/2:1/10 --count 20 --digits 12")
-    assert data["certified"] is True and data["ended"] == {"n": 7, "reason": "sticks"} and len(data["points"]) == 8
-    assert answer(capsys, "turning-points --alpha 0 --epsilon 3/10 --count 9")["ended"] == {"n": 2, "reason": "sticks"}
-    assert answer(capsys, "turning-points --alpha 1 --epsilon 3 --count 2")["ended"]["reason"] == "overdamped"
-    assert answer(capsys, "turning-points --alpha 1/2 --epsilon 1 --count 2")["ended"]["reason"] == "creeps"
-    timed = answer(capsys, "turning-points --alpha 3/2 --epsilon 1/10 --count 2 --digits 12 --times")
-    assert timed["points"][1] == {"n": 1, "x": "-0.870193291989", "tau": "3.14608217222"} and timed["ended"] is None
-    assert "the last" in run(capsys, "turning-points --alpha 1/2 --epsilon 1 --count 2")[1]

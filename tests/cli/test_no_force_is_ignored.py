@@ -8,7 +8,7 @@ import json
 import pytest
 
 import asymptotics as asy
-from asymptotics.cli.main import run
+from asymptotics.cli.main import main, run
 
 COMMANDS = {"expand", "half-swing", "turning-points", "motion", "envelope", "multiple-scales"}
 START = "--x0 1"
@@ -29,8 +29,6 @@ ASKED = {
     "multiple-scales-general": "--law 3/2:1/10 --order 2",
 }
 FORCES = {"spring": ["--spring", "3:1/10"], "soft": ["--spring", "3:-1/10"], "position": ["--law", "1,2:1/10"]}
-
-
 PLAIN = {}
 
 
@@ -132,3 +130,23 @@ def numbers(data):
     if isinstance(data, list):
         return [n for value in data for n in numbers(value)]
     return [data] if isinstance(data, str) and any(ch.isdigit() for ch in data) else []
+
+
+@pytest.mark.parametrize("line", [
+    "expand --alpha 2 --epsilon {} --order 2", "half-swing --alpha 2 --epsilon {} --order 2",
+    "half-swing --law 2:{} --order 2", "multiple-scales --alpha 3 --epsilon {} --order 2",
+    "multiple-scales --alpha symbolic --epsilon {}", "multiple-scales --law 1:{} --spring 3:1/9 --order 2",
+    "turning-points --alpha 2 --epsilon {} --count 3", "envelope --alpha 2 --epsilon {} --time 3",
+    "limit-cycle --law 1:-1 --law 1,2:{}",
+])  # fmt: skip
+def test_a_strength_has_an_effect(capsys, line):
+    answers = []
+    for strength in ("1/7", "1/11"):
+        assert main([*line.format(strength).split(), "--json"]) == 0
+        answers.append(json.loads(capsys.readouterr().out))
+    assert answers[0] != answers[1]
+
+
+def test_a_strength_that_nothing_asks_for_is_refused(capsys):
+    assert main(["half-swing", "--alpha", "2", "--epsilon", "1/7", "--delta", "1/5"]) == 2
+    assert "--epsilon" in capsys.readouterr().err

@@ -8,18 +8,21 @@ import sympy
 from flint import arb, ctx, fmpq
 from mpmath import mp
 
+import asymptotics as asy
 from asymptotics.envelopes import certified
 from asymptotics.envelopes.certified import F
 from asymptotics.envelopes.explicit import explicit_amplitude
 from asymptotics.envelopes.symbolic import tau as tau_symbol
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.moments.certified import moment
-from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.exact import ExactReal, parse_real
 
 SETS = [
     "0", "1", "3/2", "1/2", "sqrt(2)", "0 1", "0 2", "1 2", "1 3", "2 3", "0 1/2", "1/2 sqrt(2)", "sqrt(2) sqrt(3)",
     "0 1 2", "1/3 2/3 3", "1 2 3", "3/2 2 5/2",
 ]  # fmt: skip
+
+
 KAPPAS = ("1/10", "1/4", "1/7")
 
 
@@ -195,3 +198,25 @@ def test_an_interval_that_the_rate_leaves_is_not_claimed():
         assert found is None
         around = certified.amplitude(laws, arb(end, "1e-3"))
         assert around.contains(certified.amplitude(laws, end - arb("0.00099")).mid())
+
+
+def test_two_exponents_next_to_each_other_go_by_the_integral():
+    """2F1 with an index near 10^18 took more than a minute; both forms agree where both serve."""
+    near = asy.envelope(asy.Oscillator({"1/3": "1/10", "1000000000000000003/3000000000000000000": "1/10"}, x0="1/2"))
+    one = asy.envelope(asy.Oscillator({"1/3": "1/5"}, x0="1/2"))
+    for found, expected in (
+        (near.extinction_time(digits=16), one.extinction_time(digits=16)),
+        (near.time("1/8", digits=16), one.time("1/8", digits=16)),
+    ):
+        assert found == expected
+    with ctx.workprec(80):
+        laws = [(parse_real(a, "alpha"), arb(k) / 10) for a, k in (("1/3", 2), ("2/3", 1))]
+        both = certified._integral(laws, [], arb(1)), certified.time(laws, arb(-1).exp())
+        assert both[0].overlaps(both[1]) and both[0].rad() < 1e-20
+
+
+def test_an_inversion_that_fails_says_all_that_is_known(monkeypatch):
+    monkeypatch.setattr(certified, "_inverse", lambda *_: None)
+    laws = [(ExactReal(1), arb(1)), (ExactReal(2), arb(1))]
+    found = certified.amplitude(laws, arb(1))
+    assert found.contains(arb(0)) and found.contains(arb(1))

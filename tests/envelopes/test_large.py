@@ -12,13 +12,14 @@ from scipy.integrate import solve_ivp
 import asymptotics as asy
 from asymptotics.api.large import SpringEnvelope
 from asymptotics.cli.main import main
-from asymptotics.envelopes.large import SlowFlow, _Rate, _Turn
+from asymptotics.envelopes.large import SlowFlow, _power, _Rate, _Turn
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.moments.symbolic import mean
 from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.precision import TooWideError
 from asymptotics.terms import Term
 from tests.second_route.straightened import straighten
 
@@ -204,6 +205,36 @@ def test_the_extinction_of_the_averaged_amplitude():
     assert sampled.extinct == sampled.missing == 1 and sampled.x[1] == 0
     with pytest.raises(InputError, match="no phase"):
         found.phase(later)
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_the_end_is_ruled_by_the_least_exponent_that_no_double_tells(order):
+    """At 1e-12 rad a pendulum is linear to 25 digits: A' = -sum b_i M(alpha_i + 1) A^alpha_i, integrated to 40."""
+    near = ("1000000000000000003/3000000000000000000", "1/3")[::order]
+    osc = asy.Oscillator(dict.fromkeys(near, "1/10"), x0="1e-12", spring="pendulum")
+    with mpmath.workdps(40):
+        exact = [mpmath.mpf(1) / 3, mpmath.mpf(1) / 3 + mpmath.mpf(10) ** -18]
+        means = [mpmath.gamma(a / 2 + 1) / mpmath.sqrt(mpmath.pi) / mpmath.gamma((a + 3) / 2) for a in exact]
+        speed = lambda A: sum(M * A**a for M, a in zip(means, exact, strict=True)) / 10  # noqa: E731
+        end = mpmath.quad(lambda u: 3 * u**2 / speed(u**3), [0, mpmath.mpf(10) ** -4])
+        found = asy.envelope(osc).extinction_time(digits=22)
+        assert abs(mpmath.mpf(found) / end - 1) < mpmath.mpf(10) ** -21
+
+
+def test_an_end_that_no_double_sees():
+    """1 - 10^-20 is below 1: the amplitude ends, after 2 10^21, beside both springs and by the same law."""
+    law = {"0.99999999999999999999": "1/10"}
+    ends = [asy.envelope(asy.Oscillator(law, x0="1/2", spring=s)).extinction_time(digits=5) for s in ("pendulum", None)]
+    assert ends == ["2.0000e21", "2.0000e21"]
+
+
+def test_weights_that_are_not_told_apart_are_refused():
+    near = Loss(arb("0.1"), arb(1) / 3), Loss(arb("0.1"), arb(1) / 3 + arb(10) ** -30)
+    flow = SlowFlow(Well.pendulum(arb(1)), near, arb(1))
+    with pytest.raises(TooWideError, match="not told apart"):
+        flow.extinction_time()
+    with pytest.raises(TooWideError, match="certainly positive"):
+        _power(arb(0).union(arb(1)), arb(1), arb(0, 1e-9))
 
 
 def test_small_amplitudes_are_those_of_the_linear_spring():

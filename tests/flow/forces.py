@@ -1,11 +1,15 @@
 """The forces of the flow's tests: linear spring and others, each with what a bound may go wrong about."""
 
-from flint import ctx
+from dataclasses import dataclass
+from fractions import Fraction
+
+from flint import arb, ctx
 
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.force import Force
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.law import Law
+from asymptotics.numbers.exact import ExactReal, parse_real
 
 LINEAR = {
     "free": {2: "1e-300"},
@@ -38,5 +42,29 @@ def in_a_well(losses, spring=None, bits: int = 250) -> WellForce:
         return WellForce.of(Law(losses, spring=spring).terms)
 
 
+def damping_of(*pairs):
+    """From (exponent, strength) in texts, at 300 bits."""
+    with ctx.workprec(300):
+        return Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+
+
+def by_strength(*terms):
+    """From (strength, exponent) in texts, at the working precision."""
+    return Damping.of([(ExactReal(Fraction(e)).ball(), ExactReal(Fraction(a))) for e, a in terms])
+
+
+NOTHING = (("3", "1e-300"),)
+FREE = in_a_well({2: 0})
 WELLS = {name: in_a_well(*given) for name, given in OTHERS.items()}
 FORCES: dict[str, Force] = {name: beside_the_linear_spring(losses) for name, losses in LINEAR.items()} | WELLS
+
+
+@dataclass(frozen=True)
+class Steep:
+    """strongest = |u|^20 at the farthest place; rest = 0.3 - u."""
+
+    def strongest(self, u, _w):
+        return arb(abs(u).upper()) ** 20
+
+    def restoring(self, u):
+        return arb("0.3") - u

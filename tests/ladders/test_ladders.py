@@ -7,9 +7,11 @@ from flint import arb
 
 from asymptotics.errors import UndecidedError
 from tests.ladders.elementary import ELEMENTARY, NUMBERS
+from tests.ladders.elsewhere import ELSEWHERE
 from tests.ladders.machine import size
-from tests.ladders.register import BOUNDS, ELSEWHERE, NONE_NEEDED
+from tests.ladders.none_needed import NONE_NEEDED
 from tests.ladders.swings import SWINGS
+from tests.ladders.upper_bounds import BOUNDS
 from tests.ladders.walk import ROOT, returning_balls, trees
 from tests.ladders.wells import WELLS
 
@@ -25,7 +27,7 @@ def test_every_function_that_returns_a_ball_is_registered_once():
     climbed = {name for ladder in LADDERS for name in ladder.covers}
     registers = [climbed, set(BOUNDS), set(ELSEWHERE), set(NONE_NEEDED)]
     named = set().union(*registers)
-    assert not found - named, "functions that return balls need a ladder, or a line in tests/ladders/register.py"
+    assert not found - named, "functions that return balls need a ladder, or a line in a register of tests/ladders"
     assert not named - found, "names in tests/ladders that no longer return balls"
     assert sum(map(len, registers)) == len(named), "named twice"
 

@@ -17,61 +17,54 @@ ROOMS = {
     "motions", "numbers", "return_map", "turning",
 }  # fmt: skip
 
-WAVES, QUARTERS, SETTLING = (
-    f"tests/{name}.py"
-    for name in ("bounds/test_waveform", "return_map/test_quarters", "flow/slow_manifold/test_attraction")
-)
-
-LADDER, ENDS = (
-    "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it",
-    "tests/flow/wells/test_bounds.py",
-)
-CYCLES = "tests/limit_cycles/test_limit_cycles.py::test_the_half_turn_encloses_and_bites"
-LATE = "tests/bounds/test_late.py"
-
-PETAL = "tests/expansions/divergence/test_bounds.py"
 
 OWN = {
-    "bounds.explicit._ExplicitTheorem._pieces": (
-        "tests/bounds/test_explicit.py::test_on_each_piece_is_what_is_anywhere_on_it"
-    ),
-    "bounds.half_swing.HalfSwingSeries.at": (
-        "tests/bounds/test_half_swing_series.py::test_the_motion_is_within_the_bound_and_not_within_half_of_it"
-    ),
-    "bounds.motion._by_energy": f"{LATE}::test_what_is_out_of_range_falls_back_on_energy",
+    "bounds.explicit._ExplicitTheorem._pieces": "tests/bounds/test_explicit.py"
+    "::test_on_each_piece_is_what_is_anywhere_on_it",
+    "bounds.half_swing.HalfSwingSeries.at": "tests/bounds/test_half_swing.py"
+    "::test_the_motion_is_within_the_bound_and_not_within_half_of_it",
+    "bounds.motion._by_energy": "tests/bounds/test_late.py::test_what_is_out_of_range_falls_back_on_energy",
     "bounds.uniform._UniformTheorem._start": "tests/bounds/test_uniform.py::test_each_part_of_the_bound_counts",
-    "bounds.waveform._between": f"{WAVES}::test_the_pieces_are_hulls_of_their_functions",
-    "bounds.waveform._hulls": f"{WAVES}::test_the_pieces_are_hulls_of_their_functions",
-    "expansions.divergence.abel.later": f"{PETAL}::test_what_an_orbit_leaves_out_is_bounded",
-    "expansions.divergence.constants._solved": f"{PETAL}::test_a_tail_left_out_moves_the_constants",
-    "expansions.divergence.half_step.at": f"{PETAL}::test_a_half_swing_at_complex_strength_holds_smiths_map",
+    "bounds.waveform._between": "tests/bounds/test_waveform.py::test_the_pieces_are_hulls_of_their_functions",
+    "bounds.waveform._hulls": "tests/bounds/test_waveform.py::test_the_pieces_are_hulls_of_their_functions",
+    "expansions.divergence.abel.later": "tests/expansions/divergence/test_abel.py"
+    "::test_what_an_orbit_leaves_out_is_bounded",
+    "expansions.divergence.constants._solved": "tests/expansions/divergence/test_constants.py"
+    "::test_a_tail_left_out_moves_the_constants",
+    "expansions.divergence.half_step.at": "tests/expansions/divergence/test_half_step.py"
+    "::test_a_half_swing_at_complex_strength_holds_smiths_map",
     "flow.slow_manifold.strong_damping.strong_damping_strip": "tests/flow/slow_manifold/test_strong_damping.py"
     "::test_what_the_strip_leaves_open_is_in_the_error_after_it",
-    "equivalent.conservative_cycle._power": "tests/equivalent/test_orbit_damping.py"
+    "equivalent.conservative_cycle._power": "tests/equivalent/test_conservative_cycle.py"
     "::test_the_size_of_a_power_near_zero_is_attained",
     "envelopes.certified.amplitude": "tests/envelopes/test_certified.py::test_too_little_precision_is_an_enclosure",
-    "envelopes.certified.extinction_time": LADDER,
-    "envelopes.large.SlowFlow.extinction_time": LADDER,
+    "envelopes.certified.extinction_time": "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it",
+    "envelopes.large.SlowFlow.extinction_time": "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it",
     "envelopes.large._power": "tests/envelopes/test_large.py::test_the_extinction_of_the_averaged_amplitude",
-    "expansions.half_swings.symbolic._integrate": LADDER,
-    "limit_cycles.certified._interval_newton": CYCLES,
-    "motions.quadratic._angle": "tests/motions/test_exact.py::test_quadratic_motion_after_many_half_swings",
-    "numbers.decimals.decimal_of_ball": (
-        "tests/numbers/test_decimal_edges.py::test_a_ball_is_printed_when_both_exact_ends_round_alike_and_only_then"
-    ),
-    "numbers.rationals.bounds": "tests/numbers/test_bridge.py::test_bounds_enclose",
-    "return_map.half_swings.HalfSwings.__call__": f"{QUARTERS}::test_the_residual_of_a_half_swing_is_what_it_is_off_by",
-    "return_map.quarters.Bundle.of": f"{QUARTERS}::test_a_late_start_is_paid_for",
-    "return_map.quarters.Path.along": f"{QUARTERS}::test_coefficients_that_are_dropped_count",
-    "return_map.quarters.Path.enclosed": f"{QUARTERS}::test_the_error_is_made_of_its_parts",
-    "return_map.quarters.Path.on_ellipse": f"{QUARTERS}::test_the_bounds_on_the_ellipse",
-    "flow.slow_manifold.attraction.ForceCurve.clock": f"{SETTLING}"
+    "expansions.half_swings.symbolic._integrate": "tests/ladders/test_ladders.py"
+    "::test_every_rung_holds_what_is_above_it",
+    "limit_cycles.certified._interval_newton": "tests/limit_cycles/test_half_cycle.py"
+    "::test_the_half_turn_encloses_and_bites",
+    "motions.quadratic._angle": "tests/motions/test_quadratic.py::test_quadratic_motion_after_many_half_swings",
+    "numbers.decimals.decimal_of_ball": "tests/numbers/test_decimals.py"
+    "::test_a_ball_is_printed_when_both_exact_ends_round_alike_and_only_then",
+    "numbers.rationals.bounds": "tests/numbers/test_rationals.py::test_bounds_enclose",
+    "return_map.half_swings.HalfSwings.__call__": "tests/return_map/test_half_swings.py"
+    "::test_the_residual_of_a_half_swing_is_what_it_is_off_by",
+    "return_map.quarters.Bundle.of": "tests/return_map/test_quarters.py::test_a_late_start_is_paid_for",
+    "return_map.quarters.Path.along": "tests/return_map/test_quarters.py::test_coefficients_that_are_dropped_count",
+    "return_map.quarters.Path.enclosed": "tests/return_map/test_quarters.py::test_the_error_is_made_of_its_parts",
+    "return_map.quarters.Path.on_ellipse": "tests/return_map/test_quarters.py::test_the_bounds_on_the_ellipse",
+    "flow.slow_manifold.attraction.ForceCurve.clock": "tests/flow/slow_manifold/test_attraction.py"
     "::test_the_time_on_the_curves_is_the_integral_of_their_slope",
-    "flow.slow_manifold.attraction.attracted": f"{SETTLING}::test_the_wait_is_as_long_as_it_takes_or_longer",
-    "turning.jump._log": "tests/turning/test_jump_bounds.py::test_points_and_turning_points_keep_their_radii",
-    "flow.wells.trapping_regions._held": f"{ENDS}::test_creep_beside_springs_and_dry_friction",
-    "flow.turning.at_exact_place": "tests/numbers/test_exact_ties.py::test_a_place_that_is_known_lies_in_its_enclosure",
-    "flow.error_propagation.points_forward": f"{ENDS}::test_the_force_ahead_must_point_forward",
+    "flow.slow_manifold.attraction.attracted": "tests/flow/slow_manifold/test_attraction.py"
+    "::test_the_wait_is_as_long_as_it_takes_or_longer",
+    "turning.jump._log": "tests/turning/test_jump.py::test_points_and_turning_points_keep_their_radii",
+    "flow.wells.trapping_regions._held": "tests/flow/wells/test_trapping_regions.py"
+    "::test_creep_beside_springs_and_dry_friction",
+    "flow.turning.at_exact_place": "tests/flow/test_turning.py::test_a_place_that_is_known_lies_in_its_enclosure",
+    "flow.error_propagation.points_forward": "tests/flow/test_error_propagation.py"
+    "::test_the_force_ahead_must_point_forward",
 }
 """Functions that widen a ball, none of whose lines is on the list -> the test of their own, in which the truth is
 contained at few bits or the parts are evaluated again."""

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import mpmath
 import pytest
-from flint import arb
+from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -43,3 +43,23 @@ def test_what_is_not_certified_has_no_interval():
         proved_point(1, Fraction(1, 3), None, 4).number("tau")
     assert number_of(proved_point(1, Fraction(1, 3), None, 4), "x") == Coefficient("0.3333", None)
     assert spread("x", ["0.3"], certified=False) == {"x": [0.3], "x_low": [None], "x_high": [None], "x_digits": ["0.3"]}
+
+
+def test_balls_of_decimals_hold_everything_that_rounds_to_them():
+    assert ball_of("0.5").contains(ball_of("0.45")) is False
+    assert ball_of("1.50").overlaps(ball_of("1.505"))
+    assert not ball_of("1.50").overlaps(ball_of("1.5151"))
+    assert ball_of("0").is_exact()
+    assert float(ball_of("1.0e-5").rad()) == pytest.approx(5e-7, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("text", "middle", "half"),
+    [("0.25", fmpq(1, 4), fmpq(1, 200)), ("-1.5e3", fmpq(-1500), fmpq(50)), ("7", 7, fmpq(1, 2))],
+)
+def test_a_decimal_is_every_number_that_rounds_to_it(text, middle, half):
+    """Both ends of the interval are in the ball, and a number a thousandth farther out is not."""
+    ball = ball_of(text)
+    assert all(ball.contains(arb(middle + side * half)) for side in (-1, 0, 1))
+    assert not any(ball.contains(arb(middle + side * half * fmpq(1001, 1000))) for side in (-1, 1))
+    assert ball_of("0").is_zero()

@@ -5,7 +5,6 @@ from fractions import Fraction
 from random import Random
 
 import pytest
-from flint import arb
 from mpmath import mpf
 from numpy import cos, pi, sin, sqrt
 from numpy.polynomial.legendre import leggauss
@@ -14,7 +13,6 @@ import asymptotics as asy
 from asymptotics.api.turning_points import turning_points
 from asymptotics.envelopes.first_order import exact_kappa
 from asymptotics.errors import UndecidedError
-from asymptotics.flow.turning import TurningState, at_exact_place
 from asymptotics.flow.wells.rational_stops import rational_stops
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop, exact_turning_points
@@ -168,12 +166,3 @@ def test_a_stop_in_si_is_decided_as_without_units():
     assert found.ended == alone.ended == {"n": 1, "reason": "sticks"}
     assert Fraction(found.points[1].x) == Fraction(1, 4)
     assert abs(2 * mpf(found.points[1].t) - mpf(alone.points[1].t)) < 1e-18
-
-
-def test_a_place_that_is_known_lies_in_its_enclosure():
-    here = TurningState(1, -1, arb(1), arb(2), arb("1e-9"), arb(0))
-    assert at_exact_place(here, None) is here and at_exact_place(here, (Fraction(-1), True)).amplitude_error == 0
-    third = at_exact_place(TurningState(1, -1, arb(1) / 3, arb(2), arb("1e-9"), arb(0)), (Fraction(-1, 3), True))
-    assert (3 * third.x).contains(-1) and third.amplitude_error < 1e-15
-    with pytest.raises(ArithmeticError, match="turning point 1"):
-        at_exact_place(here, (Fraction(1), True))

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from asymptotics.errors import InputError
-from asymptotics.present.files import require_different, target_file, write_all
+from asymptotics.present.files import require_different, require_writable, target_file, write_all, write_atomically
 
 
 def names(folder: Path) -> list[str]:
@@ -150,3 +150,20 @@ def test_a_full_disk_leaves_everything_as_it_was(tmp_path, links, monkeypatch):
     assert "File too large" in done.stderr
     assert names(tmp_path) == ["a"]
     assert (tmp_path / "a").read_text() == "old"
+
+
+def test_a_failed_write_leaves_the_old_file(tmp_path):
+    target = tmp_path / "a.txt"
+    write_atomically(target, "old")
+    with pytest.raises(TypeError):
+        write_atomically(target, None)
+    assert target.read_text() == "old"
+    assert [p.name for p in tmp_path.iterdir()] == ["a.txt"]
+
+
+def test_a_folder_that_cannot_be_written_is_refused(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InputError, match="--report: cannot write"):
+        require_writable(tmp_path / "file" / "below", "--report")
+    require_writable(tmp_path / "a" / "b", "--report")
+    assert (tmp_path / "a" / "b").is_dir()

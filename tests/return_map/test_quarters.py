@@ -1,35 +1,27 @@
 """Quarter-swings by collocation: closed forms are contained at every precision, every bound is held to its constant."""
 
 from dataclasses import replace
-from fractions import Fraction
+from types import SimpleNamespace
 
 import mpmath
 import numpy as np
 import pytest
-from flint import arb, arb_mat, arb_poly, ctx, fmpz_poly
+from flint import arb, arb_mat, ctx, fmpq
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.damping import Damping
+from asymptotics.flow.linear_spring.expansion import TurningExpansion
 from asymptotics.numbers.exact import parse_real
-from asymptotics.return_map import half_swings, panels
-from asymptotics.return_map.chebyshev import cut, nodes
-from asymptotics.return_map.coordinate import Coordinate
-from asymptotics.return_map.half_swing_map import integrated
-from asymptotics.return_map.half_swings import HalfSwings
-from asymptotics.return_map.panel_plan import PanelPlan
-from asymptotics.return_map.quarters import Bundle, NodeGrid, Path, found, largest, peak, quarter_swings
-from asymptotics.return_map.quarters_in_doubles import QuarterInDoubles, corrected
-from asymptotics.return_map.spectral import analysis, integrals, of_the_integral
+from asymptotics.return_map import quarters
+from asymptotics.return_map.chebyshev import cut
+from asymptotics.return_map.quarters import HAND_OVERS, Bundle, NodeGrid, Path, found, largest, peak, quarter_swings
+from asymptotics.return_map.spectral import analysis
+from tests.flow.forces import by_strength
 
 
 def damping(*pairs):
     with ctx.workprec(400):
         return Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
-
-
-def coordinate(*pairs):
-    with ctx.workprec(300):
-        return Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
 
 
 def closed_form(alpha, delta):
@@ -74,15 +66,6 @@ def test_laws_with_other_exponents_are_refused_unless_their_terms_vanish(other):
     else:
         with pytest.raises(ValueError, match="different exponents"):
             quarter_swings(laws, 40)
-
-
-def test_a_strength_that_is_not_told_from_0_is_not_dropped():
-    """A ball about 0 is refused; sqrt(2) less its first digits, 9e-24, is no such ball at 53 bits."""
-    tiny, quadratic = parse_real("sqrt(2)", "e") - Fraction("1.41421356237309504880168"), parse_real("2", "a")
-    with ctx.workprec(53):
-        assert tiny.ball() > 0 and len(Damping.of([(tiny.ball(), quadratic)]).strengths) == 1
-        with pytest.raises(UndecidedError, match="not told from 0"):
-            Damping.of([(arb(0, 1e-20), quadratic)])
 
 
 # The bounds, each against an evaluation that shares nothing with it.
@@ -227,66 +210,10 @@ def test_coefficients_that_are_dropped_count():
     assert 10 < kept < 60 and 0 < sum(b[kept:]) <= min(float(path.differs), 2.0**-30) < sum(b[kept - 1 :])
 
 
-@pytest.mark.parametrize("m", [2, 3, 8])
-def test_the_matrices_of_integration(m):
-    """T_k has the coefficients e_k, and its integral from -1 is that of the polynomial."""
-    with ctx.workprec(80):
-        T = [arb_poly(fmpz_poly.chebyshev_t(k)) for k in range(m + 1)]
-        unit = analysis(m, 80) * arb_mat([[p(t) for p in T[:m]] for t in nodes(m)])
-        sums = integrals(m, 80)
-        for k in range(m):
-            whole = T[k].integral()
-            for j, t in enumerate([*nodes(m), arb(1)]):
-                assert (sums[j, k] - whole(t) + whole(arb(-1))).contains(0) and sums[j, k].rad() < 1e-20
-                assert j == m or ((unit[j, k] - int(j == k)).contains(0) and unit[j, k].rad() < 1e-20)
-        b = [arb(k + 1) for k in range(m)]
-        whole = sum((c * p for c, p in zip(b, T, strict=False)), arb_poly([])).integral()
-        again = sum((c * p for c, p in zip(of_the_integral(b), T[1:], strict=True)), arb_poly([]))
-        assert all((whole - again)[k].contains(0) for k in range(1, m + 1))
-
-
 def test_largest_is_an_upper_bound():
     with ctx.workprec(200):
         values = [arb(1) / 3, -(arb(2) / 3), arb(1) / 7 + arb(0, arb(1) / 10)]
         assert abs(values[1]) <= largest(values) and largest(values) < arb("0.6667")
-
-
-# Half-swings from quarters.
-
-
-@pytest.mark.parametrize("pairs", [(("5/2", "1/5"),), (("1", "1/20"), ("3", "1/4")), (("3/2", "1/10"), ("2", "1/10"))])
-def test_half_swings_contain_the_pieces(pairs):
-    law, place = coordinate(*pairs), arb("0.46875")
-    with ctx.workprec(110):
-        truth = integrated(law.damping(place), arb(1))
-    for bits in (10, 40, 70):
-        swings = HalfSwings.up_to(law, arb("0.5"), bits)
-        with ctx.workprec(bits + 20):
-            ratio, duration = swings(place)
-        assert ratio.contains(truth.amplitude) and duration.contains(truth.duration)
-        assert max(ratio.rad(), duration.rad()) < arb(2) ** (8 - bits)
-
-
-@pytest.mark.parametrize(
-    "pairs",
-    [
-        (("1.00000000000000000001", "1/2"), ("1.0000000001", "1/2")),
-        (("sqrt(3/2)", "1/20"), ("sqrt(2)", "1/10")),
-        (("3/2", "1/10"), ("1.50000000000000000001", "1/10"), ("sqrt(5)", "1/30")),
-    ],
-)
-def test_half_swings_over_a_stretch_of_ln_a_contain_the_pieces(pairs):
-    law, place = coordinate(*pairs), arb("-0.53125")
-    with ctx.workprec(110):
-        truth = integrated(law.damping(place), arb(1))
-    assert law.is_quartered and not law.from_zero
-    for bits in (10, 40, 70):
-        swings = HalfSwings.between(law, arb("-0.75"), arb("-0.5"), arb("1.875"), bits)
-        with ctx.workprec(bits + 20):
-            ratio, duration = swings(place)
-            assert swings.forwards.place(arb("-0.5")) <= 1 and swings.backwards.place(arb("-2.625")) >= -1
-        assert ratio.contains(truth.amplitude) and duration.contains(truth.duration)
-        assert max(ratio.rad(), duration.rad()) < arb(2) ** (8 - bits)
 
 
 def test_an_exponent_that_no_ball_tells_from_1_counts(bits=40):
@@ -303,45 +230,6 @@ def test_an_exponent_that_no_ball_tells_from_1_counts(bits=40):
     assert abs(back.ln_r - time / 4) < 1e-11
 
 
-def test_below_exponent_1_no_quarters_are_put_together():
-    """There the equation for the end need not grow with it."""
-    assert not coordinate(("0.9999999999", "1/2"), ("1.0000000001", "1/2")).is_quartered
-    assert not coordinate(("1/2", "1/10"), ("2", "1/10")).is_quartered
-
-
-def test_the_residual_of_a_half_swing_is_what_it_is_off_by(monkeypatch):
-    """The derivative of the equation is near 1: a guess off by e is paid for, and half of that is refuted."""
-    e, law, place = arb(2) ** -20, coordinate(("2", "1/100")), arb("0.5")
-    swings = HalfSwings.up_to(law, arb("0.5"), 40)
-    with ctx.workprec(60):
-        truth = swings(place)[0]
-        near = truth.log().mid()
-        monkeypatch.setattr(HalfSwings, "_near", lambda *given: near + e)
-        ratio, duration = swings(place)
-        missing = abs(ratio.mid() - truth)
-        assert missing <= ratio.rad() and ratio.rad() / 2 < missing and duration.rad() < e
-
-
-def test_an_amplitude_beyond_the_interval_is_refused():
-    swings = HalfSwings.up_to(coordinate(("2", "1/5")), arb("0.5"), 30)
-    with pytest.raises(UndecidedError, match="outside the interval"):
-        swings(arb("0.51"))
-
-
-def test_where_quarters_do_not_serve_the_pieces_do(monkeypatch):
-    def refused(laws, bits):
-        raise UndecidedError("no")
-
-    law, plan = coordinate(("2", "1/5")), PanelPlan(0.0, 0.25, 20.0, 0, 0, 0)
-    found = [panels.laid_out(law, plan, 40)]
-    monkeypatch.setattr(half_swings, "quarter_swings", refused)
-    found.append(panels.laid_out(law, plan, 40))
-    with ctx.workprec(40):
-        one, other = (panel.passage(arb("0.125")) for panel in found)
-    assert one.amplitude.overlaps(other.amplitude) and one.duration.overlaps(other.duration)
-    assert found[0].ratio.error != found[1].ratio.error
-
-
 @pytest.mark.parametrize("law", [(("3", "3"), -1), (("1000", "1/10"), 1), (("0", "2"), 1)])
 def test_what_is_out_of_reach_is_undecided(law):
     pair, side = law
@@ -349,23 +237,62 @@ def test_what_is_out_of_reach_is_undecided(law):
         quarter_swings([(damping(pair), side)], 60)
 
 
-def test_corrections_in_doubles_solve_their_equation():
-    """e = r + integral of (slope e) for random slopes, the integral by the matrices in balls."""
-    rng = np.random.default_rng(5)
-    slope, residual = rng.uniform(-0.5, 0.5, (30, 4)), rng.normal(size=(30, 4))
-    with ctx.workprec(60):
-        whole = np.array([[float(x.mid()) for x in row] for row in (integrals(30, 60) * analysis(30, 60)).table()[:-1]])
-    e = corrected(slope, residual, 12)
-    assert np.max(np.abs(residual + whole @ (slope * e) - e)) < 1e-10
+def test_a_hand_over_behind_the_centre_is_undecided(monkeypatch):
+    fake = SimpleNamespace(state=lambda _w: (arb("-0.1"), arb(1)))
+    monkeypatch.setattr(quarters, "TurningExpansion", SimpleNamespace(at=lambda *_: fake))
+    with ctx.workprec(60), pytest.raises(UndecidedError, match="hand-over"):
+        Bundle.of([(by_strength(("1/10", "2")), 1)])
 
 
-def test_the_sketch_refuses_what_blows_up():
-    strong = QuarterInDoubles(np.array([3.0]), np.array([[-9.0]]), np.array([1.5]), np.array([0.0]))
-    with pytest.raises(UndecidedError):
-        strong.planned(60)
+def test_a_hand_over_is_late_by_twice_what_half_of_its_place_is_off():
+    with ctx.workprec(40):
+        law, w = by_strength(("1/10", "2")), arb(HAND_OVERS[0])
+        y, _ = TurningExpansion.at(law, arb(1), w).state(w)
+        place = ((y * y + w * w).sqrt() + y) / w
+        assert Bundle.of([(law, 1)]).dz >= place.log().rad() > 0
 
 
-def test_an_ellipse_that_may_lie_on_the_other_side_of_zero_has_no_majorant():
-    falls = coordinate(("2", "1/10"))
-    assert falls.bounds(arb(0), arb("0.1")) is not None and falls.bounds(arb("-0.01"), arb("0.1")) is None
-    assert falls.is_quartered and not coordinate(("1", "1/10")).is_quartered
+def test_the_arcs_of_the_ellipse_leave_no_gap(monkeypatch):
+    """From the angle 0 to pi."""
+    path, arcs = path_of(LAWS[0], 40), []
+
+    class Recording:
+        pi, union, sin_pi = staticmethod(arb.pi), staticmethod(arb.union), staticmethod(arb.sin_pi)
+
+        def __call__(self, *given):
+            return arb(*given)
+
+        def cos_pi(self, angle):
+            arcs.append((angle.lower(), angle.upper()))
+            return angle.cos_pi()
+
+    monkeypatch.setattr(quarters, "arb", Recording())
+    with ctx.workprec(53):
+        path.on_ellipse(arb("1.5"))
+    assert arcs[0][0] <= 0 and arcs[-1][1] >= 1
+    assert all(high >= low for (_, high), (low, _) in zip(arcs, arcs[1:]))
+
+
+def test_the_load_on_the_ellipse_is_counted_whole():
+    """One law: |f| is at most h max |s^2 D|/(1 - kappa), where kappa is at least |c D| at a place of the rim."""
+    path, rim = path_of(LAWS[2], 40), arb("1.5")
+    with ctx.workprec(53):
+        fast, slow = path.on_ellipse(rim)
+        drags = path.drags((path.sizes(rim) + path.sizes(1 / rim)) / 2)
+        h, (a, b) = path.grid.bundle.h[0], ((rim + 1 / rim) / 2, (rim - 1 / rim) / 2)
+        load, slowest = arb(0), arb(0)
+        for k in range(257):
+            angle = arb(fmpq(k, 256))
+            x, y = h * (a * angle.cos_pi() - 1), h * b * angle.sin_pi()
+            under = x.sinh() ** 2 + y.cos() ** 2
+            drag = sum((d * under ** (-e / 2) for d, e in zip(drags, path.grid.bundle.alphas)), arb(0))
+            load = load.max(drag * ((x.sinh() ** 2 + y.sin() ** 2) / under).sqrt())
+            slowest = slowest.max(h / under.sqrt())
+        assert slow >= slowest / (1 - load) * arb("0.9999") and fast > 0
+
+
+def test_strengths_beyond_polar_coordinates_are_undecided(monkeypatch):
+    path = path_of(LAWS[2], 40)
+    monkeypatch.setattr(Path, "on_ellipse", lambda *_: (arb(1), arb(1)))
+    with pytest.raises(UndecidedError, match="too large for polar"):
+        replace(path, loads=tuple(1000 * load for load in path.loads)).enclosed(1.5)

@@ -3,6 +3,8 @@
 from itertools import islice
 from types import SimpleNamespace
 
+import mpmath
+import numpy as np
 import pytest
 from flint import arb, ctx
 
@@ -14,7 +16,7 @@ from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import at_rest
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning import abel, jump
-from asymptotics.turning.abel import Approximant, abel_function
+from asymptotics.turning.abel import AbelFunction, Approximant, abel_function
 from asymptotics.turning.jump import jumped
 from asymptotics.turning.quadratic_abel import quadratic_abel
 from tests.second_route.quarter_series import finite_quarter
@@ -30,6 +32,25 @@ def walk(alpha, start, steps):
     rows = list(islice(quarter.orbit([start], arb(0), arb(0)), steps + 1))
     x, e, _ = rows[steps]
     return start * (quarter.weights[0] * (x + arb(0, e))).exp(), sum((row[2] for row in rows[:steps]), arb(0))
+
+
+def image(delta):
+    """F(delta) of quadratic damping for complex delta, from p - ln(1+p) = -q - ln(1-q), followed from small ones."""
+
+    def equation(d, L):
+        p, q = 2 * d, 2 * d * mpmath.exp(L)
+        return mpmath.log(1 + p) - p - mpmath.log(1 - q) - q
+
+    L = mpmath.mpc(0)
+    for share in mpmath.linspace(0.05, 1, 20):
+        d = share * delta
+        start = L if L else -4 * d / 3
+        L = mpmath.findroot(lambda x, d=d: equation(d, x), start)
+    return delta * mpmath.exp(L)
+
+
+def value(f, delta):
+    return sum(float(c) * delta ** (2 * k - 1) for k, c in enumerate(f.coefficients))
 
 
 @pytest.mark.parametrize("alpha", ["3/2", "3", "sqrt(2)"])
@@ -161,3 +182,62 @@ def test_an_orbit_that_is_not_in_reach_is_refused():
             found.advance(arb(delta), 3)
     with pytest.raises(UndecidedError, match="too large for the sum"):
         found.power_sum(arb(10), 4)
+
+
+def test_the_defects_are_the_following_terms_and_cauchys_beyond():
+    """sum_i c_i S_(m+i) + D/(1 - x) S_M/r^M with S_m = (1/delta - g/2)^(1-m)/((m-1) g), in doubles."""
+    f = Approximant((arb(1), arb("0.1")), (arb("0.3"), arb(0), arb("0.2")), arb(5))
+    made = AbelFunction(f, f, arb("0.5"), arb("0.7"))
+    delta, g = 0.125, 0.7
+
+    def S(m):
+        return (1 / delta - g / 2) ** (1 - m) / ((m - 1) * g)
+
+    known, beyond = 0.3 * S(4) + 0.2 * S(6), 5 / (1 - delta / 0.5) * S(7) / 0.5**7
+    assert float(made.defects(f, arb(delta)).rad()) == pytest.approx(known + beyond, rel=1e-8, abs=0)
+    assert 0.2 * known < beyond < 5 * known  # both parts count
+
+
+@pytest.mark.parametrize(("alpha", "terms"), [("2", 2), ("3/2", 3)])
+def test_the_circle_of_a_defect(alpha, terms):
+    """|c_0| (1/|F| + 1/rho) + sum |c_k| (|F|^(2k-1) + rho^(2k-1)) and the drive; for alpha = 2 against F itself."""
+    with ctx.workprec(100):
+        made = abel_function(real(alpha), terms)
+        bound = majorant([real(alpha).ball()], [made.rho], whole=True)
+    rho, high, low = float(made.rho), float(bound.final(0)), float(bound.inverse())
+    for f, drive in ((made.psi, 1), (made.theta, np.pi + float(bound.excess))):
+        c = [abs(float(x)) for x in f.coefficients]
+        again = c[0] * (low + 1 / rho) + sum(
+            b * (high ** (2 * k - 1) + rho ** (2 * k - 1)) for k, b in enumerate(c) if k
+        )
+        assert float(f.D) == pytest.approx(again + drive, rel=1e-9, abs=0)
+    if alpha == "2":
+        points = [rho * mpmath.expj(t) for t in mpmath.linspace(0, mpmath.pi, 9)]
+        there, here = (max(abs(value(made.psi, z)) for z in zs) for zs in (map(image, points), points))
+        assert there + here + 1 < float(made.psi.D) < 1.5 * (there + here + 1)
+
+
+def test_a_wide_value_is_solved_at_both_of_its_ends():
+    """The slope is that of the whole interval, not that of its middle."""
+    with ctx.workprec(80):
+        made = abel_function(real("3"), 4)
+        start = arb("0.02").mid()
+        value, width = made.psi(start) + 50, arb(2) ** -4
+        wide = made._solve(value + arb(0, width), start)
+        for end in (value - width, value + width):
+            assert wide.contains(made._solve(end, start))
+        slope = abs(width / made.psi.slope(wide.mid()))
+        assert wide.rad() < slope * arb("1.01")
+        with pytest.raises(UndecidedError, match="not verified"):
+            made._solve(value + arb(0, 5), start)
+
+
+def test_a_function_that_may_rise_is_not_solved():
+    """c_0 = 1, c_1 = 4: 1/delta + 4 delta falls up to delta = 1/2 and no farther."""
+    f = Approximant((arb(1), arb(4)), (), arb(1))
+    made = AbelFunction(f, f, arb(1), arb("0.5"))
+    assert f.falls_up_to(arb("0.499")) and not f.falls_up_to(arb("0.501"))
+    with ctx.workprec(60):
+        assert made._solve(f(arb("0.25")), arb("0.25")).contains(arb("0.25"))
+        with pytest.raises(UndecidedError, match="may not decrease"):
+            made._solve(f(arb("0.25")), arb("0.75"))

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from itertools import islice, product
+from types import SimpleNamespace
 
 import mpmath
 import numpy as np
@@ -17,7 +18,7 @@ from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.return_map.panels import Panels
 from asymptotics.return_map.sequence import Interpolated
-from asymptotics.turning.abel_flow import abel_flow
+from asymptotics.turning.abel_flow import AbelFlow, DefectBound, abel_flow
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.jump import planned
 from asymptotics.turning.routes import abel_flow as by_flow
@@ -44,6 +45,17 @@ def orbits():
             points = list(islice(sequence(Interpolated(damping, Panels(law, 90), 2001), at_rest(arb(1))), 2001))
             found[alphas] = [(arb(p.amplitude, p.amplitude_error).log(), p.tau) for p in (points[0], points[2000])]
     return found
+
+
+def real(text):
+    return parse_real(text, "alpha")
+
+
+EXPONENTS = ("3/2", "3")
+
+
+def flow(delta, ratio, kept=2):
+    return abel_flow([real(a) for a in EXPONENTS], [arb(delta), arb(delta) * arb(ratio)], kept)
 
 
 @pytest.mark.parametrize("law", LAWS, ids=str)
@@ -203,3 +215,129 @@ def test_what_the_flow_does_not_cover_is_undecided(monkeypatch):
         monkeypatch.setattr(type(flow), "_least", lambda *_: arb(-1))
         with pytest.raises(UndecidedError, match="no circle"):
             flow._polydisc(flow.strengths(arb(-2)))
+
+
+def test_the_defects_of_a_flow_are_in_its_radii(monkeypatch):
+    """Psi off by a thousandth either way, Theta by a half: both are enclosed, and little more."""
+    with ctx.workprec(80):
+        made, start = flow("0.01", "0.1"), arb(-1)
+        psi, theta = arb(1) / 1000, arb(1) / 2
+        exact, time = made.advance(start, 100)
+        monkeypatch.setattr(AbelFlow, "defects", lambda *_: (DefectBound(psi, arb(0)), DefectBound(theta, arb(0))))
+        wide, long = made.advance(start, 100)
+        ends = [made._solve(start, 100 + side * psi, start) for side in (-1, 1)]
+        assert all(wide.contains(end) for end in ends)
+        assert (
+            abs(ends[1] - ends[0]) * arb("0.98") < wide.rad()
+        )  # f is at least half of 1/v_1, and nearly all of it here
+        assert wide.rad() < 3 * abs(ends[1] - ends[0])
+        moved = abs(made._integral(made.clock, ends[0].mid(), ends[1].mid()))
+        assert long.rad() >= theta + moved / 2 and long.rad() < theta + 3 * moved
+        assert wide.contains(exact.mid()) and long.contains(time.mid())
+
+
+def test_the_radius_of_the_start_is_carried():
+    with ctx.workprec(80):
+        made, start, width = flow("0.01", "0.1"), arb(-1), arb(2) ** -20
+        wide, time = made.advance(arb(start, width), 100)
+        for side in (-1, 1):
+            x, t = made.advance(start + side * width, 100)
+            assert wide.contains(x) and time.contains(t)
+        assert wide.rad() < 4 * width
+
+
+def test_the_bound_of_a_flow_is_the_next_term_and_the_circle():
+    """D S_m/rho^m and the integral of the following term, in doubles; D of both functions."""
+    with ctx.workprec(64):
+        made, x = flow("0.02", "0.05"), arb(0)
+        psi, theta = made.defects(x)
+        top = [float(d) for d in made.strengths(x)]
+        bound = made._polydisc([arb(d) for d in top])
+        D, least, G = made._on_circle(bound), float(made._least(bound)), float(bound.growth)
+        rho, gain, m = float(bound.radii[0]), float(made._gain()), 2 * (made.K + 1)
+        wide = [float(r) * np.exp(float(w) * G) for r, w in zip(bound.radii, made.weights)]
+    along = (1 / top[0] - gain / 2) ** (1 - m) / ((m - 1) * gain) / rho**m
+    assert float(psi.beyond) == pytest.approx(float(D[0]) * along, rel=1e-6, abs=0)
+    assert float(theta.beyond) == pytest.approx(float(D[1]) * along, rel=1e-6, abs=0)
+    v, clock = ([sum(abs(float(c)) * wide[0] ** k[0] * wide[1] ** k[1] for k, c in part) for part in parts]
+                for parts in (made.rates, made.clock))  # fmt: skip
+    a = [v[k] / least for k in (1, 2)]
+    g = [1, a[0], a[1] + a[0] ** 2]
+    h = sum(clock[i] * g[k - i] for k in range(3) for i in range(k + 1))
+    assert float(D[0]) == pytest.approx(1 + G * sum(g) / least, rel=1e-6, abs=0)
+    assert float(D[1]) == pytest.approx(np.pi + float(bound.excess) + G * h / least, rel=1e-6, abs=0)
+
+
+@pytest.mark.parametrize("ratio", ["0", "0.5", "2"])
+def test_the_following_term_is_bounded_on_the_whole_orbit(ratio):
+    """On the way down delta_2/delta_1 falls from its first value to 0: the integral of the term's size, in doubles."""
+    with ctx.workprec(64):
+        made = flow("0.02", ratio)
+        psi, _ = made._following([arb(d.upper()) for d in made.strengths(arb(0))])
+    v = [{key: float(c) for key, c in part} for part in made.rates]
+    w, e = [float(x) for x in made.weights], [0.02, 0.02 * float(ratio)]
+
+    def size(x):
+        d = [s * mpmath.exp(k * x) for s, k in zip(e, w)]
+        v1, v3, v5 = (sum(c * d[0] ** k[0] * d[1] ** k[1] for k, c in part.items()) for part in v)
+        return abs(((v3 / v1) ** 2 - v5 / v1) / v1)
+
+    truth = float(mpmath.quad(size, mpmath.linspace(-12, 0, 13)))
+    assert truth < float(psi) < (1.001 if ratio == "0" else 40) * truth
+
+
+def test_what_is_taken_off_the_real_part_on_the_circle():
+    """Arguments up to w_i G: the first term's least real part, less the others where theirs may be negative."""
+    made = flow("0.01", "0.1")
+    bound = SimpleNamespace(growth=arb("1.2"), radii=[arb("0.3"), arb("0.001")])
+    c = [float(x) for x in made._first()]
+    first, other = 0.5 * 1.2, 2 * 1.2
+    again = c[0] * 0.3 * np.exp(-first) * np.cos(first) - c[1] * 0.001 * np.exp(other)
+    assert float(made._least(bound)) == pytest.approx(again, rel=1e-9, abs=0)
+    assert c[1] * 0.001 * np.exp(other) > 0.02 * again
+    slow = SimpleNamespace(growth=arb("0.7"), radii=bound.radii)
+    first = 0.5 * 0.7
+    assert float(made._least(slow)) == pytest.approx(c[0] * 0.3 * np.exp(-first) * np.cos(first), rel=1e-9, abs=0)
+
+
+def test_a_wide_psi_is_solved_at_both_of_its_ends_or_not_at_all():
+    """Where the terms beyond the first take a part off, the step is larger than v_1 times the change of Psi."""
+    with ctx.workprec(80):
+        made = abel_flow([real(a) for a in EXPONENTS], [arb("0.1"), arb("0.1")], 2)
+        start, width = arb(0), arb(2) ** -12
+        wide = made._solve(start, arb(1) + arb(0, width), start)
+        ends = [made._solve(start, 1 + side * width, start) for side in (-1, 1)]
+        assert all(wide.contains(end) for end in ends)
+        assert wide.rad() / 2 < abs(ends[1] - ends[0]) / 2 * arb("1.2")
+        with pytest.raises(UndecidedError, match="not verified"):
+            made._solve(start, arb(1) + arb(0, 1), start)
+        with pytest.raises(UndecidedError, match="not verified"):
+            made._solve(start, arb(1), start - 1)
+
+
+def test_the_amplitude_equation_falls_up_to_half_of_its_first_term():
+    """sum |g_k| delta^(2k) < 1/2 at every point of the orbit: the edge, found by bisection, in doubles."""
+    made = flow("1", "0")
+    c = {k: float(dict(part)[(2 * k + 1, 0)]) for k, part in enumerate(made.rates)}
+    edge = (0.5 * abs(c[0] / c[1])) ** 0.5
+    with ctx.workprec(64):
+        assert made._following([arb(edge * 0.999), arb(0)])
+        with pytest.raises(UndecidedError, match="may not decrease"):
+            made._following([arb(edge * 1.001), arb(0)])
+
+
+def test_a_following_term_that_vanishes_at_the_start_counts_later():
+    """delta_1^5 - delta_1^4 delta_2 is 0 where both strengths are equal, and not on the way down."""
+    made = flow("0.02", "1")
+    v1, _, _ = made.rates
+    made = replace(made, rates=(v1, (((3, 0), arb(0)),), (((4, 1), arb(-1)), ((5, 0), arb(1)))))
+    with ctx.workprec(64):
+        psi, _ = made._following([arb(d.upper()) for d in made.strengths(arb(0))])
+    c = {key: float(x) for key, x in v1}
+
+    def size(x):
+        d, e = 0.02 * mpmath.exp(x / 2), 0.02 * mpmath.exp(2 * x)
+        return abs((d**5 - d**4 * e) / (c[(1, 0)] * d + c[(0, 1)] * e) ** 2)
+
+    truth = float(mpmath.quad(size, mpmath.linspace(-12, 0, 13)))
+    assert 0 < truth < float(psi) < 10 * truth

@@ -8,10 +8,9 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.law import Law
-from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.numbers.exact import parse_real
 from asymptotics.turning import enclosing
 from asymptotics.turning.choose import turning_points
-from asymptotics.turning.routes.dry import last_turning_point
 from tests.second_route.forced import quadratic_turning_points
 from tests.second_route.local_expansion import Damping, LocalExpansion
 from tests.second_route.orbit import orbit, trap
@@ -137,13 +136,6 @@ def test_dry_friction_sticks_where_the_force_is_at_most_the_friction():
     assert turning_points(law(("0", "1/5")), 3, 5, start=7).points == ()
     found, reason = turns(damping(("0", "3/10")), 9)
     assert reason == "sticks" and len(found) == 2 and gap(found[1][0], "-0.2") < 1e-20
-
-
-def test_the_last_turning_point_of_dry_friction_is_decided_exactly():
-    for n in (1, 2, 50):
-        edge = Fraction(1, 2 * n + 1)
-        assert last_turning_point(ExactReal(edge)) == n
-        assert last_turning_point(ExactReal(edge - Fraction(1, 10**30))) == n + 1
 
 
 def test_linear_damping_ends_at_two():

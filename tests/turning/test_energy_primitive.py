@@ -9,6 +9,7 @@ from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import parse_real
+from asymptotics.turning import energy_primitive
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.energy_primitive import PrimitiveWell, swings
 from asymptotics.turning.routes.stepping import METHOD
@@ -37,6 +38,11 @@ def integrated(law, force, x):
     run = solve_ivp(lambda t, y: [y[1], -force(y[0]) + drag * y[1] ** 2 + dry], (0, 40), [x, -1e-13], events=stop,
                     rtol=1e-12, atol=1e-14)  # fmt: skip
     return float(run.y[0, -1])
+
+
+def swing(well, x):
+    points = energy_primitive.swings(well, x, 80)
+    return [next(points)[0], next(points)[0]]
 
 
 @pytest.mark.parametrize(("law", "x0", "force"), LAWS.values(), ids=LAWS)
@@ -143,3 +149,23 @@ def test_a_force_that_may_hold_the_mass_leaves_it_open():
     well = PrimitiveWell.of(Law({0: "5/8"}, spring={3: 1}))
     assert [stays for _, stays in swings(well, arb("0.5", "0.05"), 60)] == [None]
     assert next(swings(well, arb("0.3"), 60))[1] is True and next(swings(well, arb("0.9"), 60))[1] is False
+
+
+def test_a_guess_that_is_off_is_refused(monkeypatch):
+    """Without the two signs beside it any number would be a turning point."""
+    with ctx.workprec(160):
+        well = energy_primitive.PrimitiveWell.of(Law({0: "1/20", 2: "1/7"}, spring={3: "1/3"}))
+        right = energy_primitive._next(well, arb(1), 80)
+        assert right is not None and right.rad() < abs(right) * arb(2) ** -50
+        for off in (-1, 1):
+            monkeypatch.setattr(energy_primitive, "_guess", lambda *_, off=off: right.mid() * (1 + off * arb(2) ** -40))
+            assert energy_primitive._next(well, arb(1), 80) is None
+
+
+def test_the_image_of_a_ball_is_the_hull_of_both_ends():
+    with ctx.workprec(160):
+        well = energy_primitive.PrimitiveWell.of(Law({2: "1/7"}, spring={3: "1/3"}))
+        wide, *ends = (
+            list(swing(well, x)) for x in (arb(1, arb(2) ** -20), arb(1) - arb(2) ** -20, arb(1) + arb(2) ** -20)
+        )
+        assert all(wide[1].contains(end[1]) for end in ends)

@@ -1,5 +1,7 @@
 """The motion next to a turning point, as an enclosure: y and tau in powers of the speed, so the branch point is gone.
 
+A generalized power series (exponents 2 n_0 + sum alpha_i n_i) with a tail by Cauchy's method of majorants.
+
 With w as the variable, P = y - N(w) and Q = 1/P (coefficients by exponent e),
 
     dy/dw = -w/P,    d tau/dw = 1/P,
@@ -39,8 +41,9 @@ from asymptotics.flow.linear_spring.majorant import majorant
 from asymptotics.flow.linear_spring.rows import Row, rows_below
 from asymptotics.numbers.context import ctx
 
+# Sums of at most about 3000 terms lose log2 of that many, 12 bits; the loss is in the balls anyhow.
 _SUMMED = 12  # bits more for sums of hundreds of terms
-_FAINTEST = 2.0**20  # log2 of the least reach, below 1
+_FAINTEST = 2.0**20  # -log2 of the least reach that is looked for
 _STEPS = 4  # delta^(1/alpha) is rounded up to a quarter of a power of two: plans are shared
 
 
@@ -70,10 +73,15 @@ class TurningExpansion:
         reach = dyadic(plan.omega + size_of(y0)) if w is None else w
         if plan.short:
             return cls._short(damping, y0, reach if w is not None else _slow_enough(damping, y0, reach), plan)
+        # The stretch may be large, and the majorant is verified at the stretched speed: a few more bits than a short
+        # working precision has.
         with ctx.workprec(max(ctx.prec, 64)):
             factor, bound = _stretched(damping, abs(y0), reach, plan)
         line = _on_a_line(damping, y0, plan) if plan.denominator else None
         rows = () if line else rows_below(damping.alphas, plan.weights, plan.top, ctx.prec + _SUMMED)
+        # y = P + N lacks the monomials z_i, which N has in P, and shares all others with P = P_0 (1 - r): its tail is
+        # at most that of P_0 r, the factor of the first term left out times R*.  For tau/w it is that of 1/P, R/(1-R)
+        # over |P_0|, as tau_(e+1) = Q_e/(e+1) is no larger.
         small = upper(factor * bound * abs(y0))
         slow = upper(factor * bound / (1 - bound) / abs(y0))
         return cls(damping, y0, reach, plan, line, rows, small, slow)
@@ -82,6 +90,8 @@ class TurningExpansion:
     def _short(cls, damping: Damping, y0: arb, reach: arb, plan: KeptTerms) -> "TurningExpansion":
         """The expansion of which the first term alone is kept; the rest is bounded by ``room``."""
         drop, slowest, fastest = room(damping, y0, reach)
+        # tau/w lies between 1/fastest and 1/slowest; the centre is 1/|y_0| with the sign of y_0, so the larger
+        # deviation is the tail.
         late = upper((1 / slowest - 1 / abs(y0)).max(1 / abs(y0) - 1 / fastest))
         return cls(damping, y0, reach, plan, (arb_poly([y0]), arb_poly([1 / y0])), (), drop, late)
 
@@ -92,6 +102,8 @@ class TurningExpansion:
 
     def speed(self, _unit: arb) -> arb:
         """A bound of |(y', w')| within the reach, on both sides of the turning point: |P| <= 2 |P_0| where r < 1."""
+        # Where the series converge r < 1 within the reach, so |P| = |P_0| |1 - r| < 2 |P_0|; the mirrored state beyond
+        # the turning point has friction on the other side, twice.  A short plan has no r: |P| <= |y| + N.
         fast = upper(self.damping.resistance(self.reach)) if self.plan.short else arb(0)
         return upper(2 * abs(self.y0) + 2 * self.damping.friction + self.reach + fast)
 
@@ -133,6 +145,9 @@ class TurningExpansion:
 def room(damping: Damping, y0: arb, w: arb) -> tuple[arb, arb, arb]:
     """(d, p, the largest |P|) of the last paragraph above, up to the speed w."""
     size, brake = arb(abs(y0).lower()), upper(damping.resistance(w))
+    # d = (9/8) w^2/(2 |y_0|): right at once where damping and d take off no more than 1/9 of |P_0|; otherwise d is
+    # doubled until d >= w^2/(2 p), the hypothesis of the module's docstring, or p is no longer above 0.  For y_0 > 0
+    # damping makes |P| smaller, for y_0 < 0 larger.
     drop = upper(9 * w * w / (16 * size))
     slowest = (size - drop - (brake if y0 > 0 else 0)).lower()
     while slowest > 0 and not drop >= w * w / (2 * slowest):
@@ -142,11 +157,14 @@ def room(damping: Damping, y0: arb, w: arb) -> tuple[arb, arb, arb]:
         raise UndecidedError(
             "the damping may stop the motion at once next to a turning point: weaker damping is served"
         )
+    # y moves towards 0 with growing w on either side, so |P| <= |y_0| + N.
     return drop, slowest, upper(abs(y0) + brake)
 
 
 def _slow_enough(damping: Damping, y0: arb, reach: arb) -> arb:
     """A reach at which the damping takes off at most 15/16 of the force, or one that is small beyond use: a choice."""
+    # 2^-0.1 = 0.933, about 15/16.  Only where y_0 > 0 can damping take the force away; the search is a bisection of
+    # log2 w, as the term epsilon w^alpha with a small alpha asks for very small speeds.
     most, low, high = size_of(y0) - 0.1, -_FAINTEST, size_of(reach)
 
     def fits(x: float) -> bool:
@@ -163,6 +181,8 @@ def _slow_enough(damping: Damping, y0: arb, reach: arb) -> arb:
 def plan_at(damping: Damping, y0: arb, w: arb | None = None) -> KeptTerms:
     """The plan for the turning point ``y0`` (and the speed ``w``) at the current precision."""
     size = size_of(y0)
+    # The room of a plan hangs on delta^(1/alpha), which an exponent below 1 magnifies: its deltas are rounded more
+    # finely.  Rounded up, a plan is no bolder than the true strengths allow.
     steps = _STEPS * max(1, ceil(1 / damping.least)) if damping.sizes else _STEPS
     deltas = tuple(ceil((e + (a - 1) * size) * steps) / steps for e, a in damping.sizes)
     rational = tuple(a.rational if a.is_rational else None for a in damping.alphas)
@@ -176,13 +196,18 @@ def _stretched(damping: Damping, size: arb, w: arb, plan: KeptTerms) -> tuple[ar
     a, b = w**2 / (2 * size**2), [t / size for t in damping.terms(w)]
     if plan.denominator:
         stretch = arb(plan.stretch[0])
+        # With w made 2^g times larger the monomial w^e grows by 2^(g e), and the first exponent left out is count/q.
         factor = two ** (-stretch * plan.count / plan.denominator)
         wider = sum((t * two ** (e * stretch) for t, e in zip(b, damping.exponents)), arb(0))
         room = majorant(a * two ** (2 * stretch), wider)
     else:
         stretches = [arb(g) for g in plan.stretch]
+        # 2^-G with the integer weights of ``kept_terms``, in units of 2^-16: a monomial is left out where sum n_i
+        # weights_i >= top.
         factor = two ** (-arb(plan.top) / (1 << 16))
         room = majorant(a * two ** stretches[0], sum((t * two**g for t, g in zip(b, stretches[1:])), arb(0)))
+    # The plan was made in doubles, and this is where it is verified: a plan that is too bold is refused, none is
+    # trusted.
     if room is None:
         raise UndecidedError("the majorant of the expansion at a turning point does not provably converge")
     return factor, room
@@ -191,12 +216,15 @@ def _stretched(damping: Damping, size: arb, w: arb, plan: KeptTerms) -> tuple[ar
 def _on_a_line(damping: Damping, y0: arb, plan: KeptTerms) -> tuple[arb_poly, arb_poly]:
     """y and tau/w in powers of w^(1/q); what no sum of 2q and the alpha_i q reaches is exactly 0."""
     q = plan.denominator
+    # alpha q is a whole number, as q is a common denominator.  Whoever makes a ``Damping`` has merged equal exponents
+    # (``Law`` does): two of them would meet in one key here.
     force = {int(a.rational * q): e for a, e in zip(damping.alphas, damping.strengths)}
     Q, y, reached = [1 / y0], [y0], sums_below(plan.count, (2 * q, *force))
     scale, none = -1 / y0, arb(0)
     places: list[int] = []  # of the coefficients of P, after the first, that are not 0
     P: list[arb] = []
     for k in range(1, plan.count):
+        # The recurrence of the module's docstring with e = k/q; products with coefficients that vanish are not formed.
         squared = k >= 2 * q and reached[k - 2 * q]
         y.append(-Q[k - 2 * q] * q / k if squared else none)
         if squared or k in force:

@@ -29,6 +29,7 @@ ROUTE = "closed form about the shifted centre"
 
 def is_linear(damping: Damping) -> bool:
     """Whether N(w) is epsilon w with epsilon certainly below 2, or 0."""
+    # Exponents are compared exactly; epsilon < 2 must hold for the whole ball, so that omega^2 is above 0.
     return all(not a < 1 and not a > 1 for a in damping.alphas) and bool(_total(damping) < 2)
 
 
@@ -49,6 +50,7 @@ class LinearSolution:
     def of(cls, damping: Damping, y: arb, w: arb) -> "LinearSolution":
         """The orbit from balls y and w >= 0 under a law that ``is_linear``, at the current precision."""
         decay = _total(damping) / 2
+        # 1 - epsilon^2/4 as a product: next to critical damping the difference of two squares would cancel.
         return cls(decay, ((1 - decay) * (1 + decay)).sqrt(), y, w)
 
     def state(self, t: arb) -> tuple[arb, arb]:
@@ -60,6 +62,8 @@ class LinearSolution:
 
     def turning(self) -> tuple[arb, arb]:
         """(t, y) at the first t > 0 with w = 0."""
+        # w = 0 exactly is the start itself, and the next zero of w is half a turn away.  For w > 0 the angle is in (0,
+        # pi), where atan2 has no cut.
         angle = arb.pi() if self.w == 0 else arb.atan2(self.omega * self.w, self.decay * self.w - self.y)
         t = angle / self.omega
         return t, self.state(t)[0]

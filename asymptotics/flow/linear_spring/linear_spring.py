@@ -94,10 +94,12 @@ class LinearSpring(CertifiedFlow):
     @cached_property
     def endless(self) -> bool:
         """Every alpha_i > 1, and no dry friction."""
+        # The hypothesis of the derivation ``no-overdamping``: N(w)/w tends to 0 with w.
         return self.force.friction == 0 and bool(self.force.alphas) and all(a > 1 for a in self.force.alphas)
 
     @cached_property
     def _stiff(self) -> bool:
+        # One exponent above 1, the case of ``strong_damping``; a linear law has its closed form.
         return not self.traps and len(self.force.alphas) == 1
 
     def unit(self, _u: arb, _w: arb) -> arb:
@@ -110,6 +112,7 @@ class LinearSpring(CertifiedFlow):
 
     def turns_within(self, place: arb, w: arb, error: arb) -> bool:
         """Whatever the true speed: it turns, or just did."""
+        # y + error < 0: every true place is on the side where w' <= y < 0.
         return bool(place + error < 0) and turns_within(self.force, place, w, error)
 
     def arrive(self, place: arb, w: arb) -> TurningExpansion:
@@ -125,10 +128,13 @@ class LinearSpring(CertifiedFlow):
         if not is_linear(self.force):
             return None
         y = self.place(u)
+        # Friction holds the mass where y <= 0.  The closed form has no trap to ask, as epsilon < 2.
         if w == 0 and not y > given:
             raise UndecidedError("whether dry friction holds the mass here is undecided")
         orbit = LinearSolution.of(self.force, y, w)
         time, there = orbit.turning()
+        # If the own orbit turned within the radius before the end of the piece, friction acts the wrong way for at most
+        # 2 radii at a difference of 2 friction in the acceleration.
         at, own = self.back(there), upper(4 * self.force.friction * time.rad())
         miss = upper(at.rad())
         return LinearPiece(self, _ONE, arb(0), time.mid(), CarriedErrors(miss, upper(given + own)), None,
@@ -137,6 +143,8 @@ class LinearSpring(CertifiedFlow):
     def along_slow_curve(self, here: FlowState, ended: str | None) -> Generator[Piece, None, FlowState | None]:
         """A creep for ever, where a strip holds it now or soon; or a strip about a slow curve that ends."""
         y, error = self.place(here.u), here.errors.error
+        # Strips for ever need the motion to be trapped already.  ``caught`` first, as its strip follows the slow curve
+        # to all digits; ``attracted`` where the speed is lost in the errors.  A creep that begins never returns here.
         if ended == CREEPS:
             strip = caught(self.force, y, here.w, error)
             if strip is not None:
@@ -146,6 +154,7 @@ class LinearSpring(CertifiedFlow):
                 end = later(here.t, found.wait)
                 yield ToSlowCurve(self, _ONE, here.t, end, _EXACT, CREEPS, found.y, found.w)
                 yield from self._creep(end, found.strip)
+        # A strip that ends: a stiff motion above 1, or exponents that are nearly equal.
         finite = self._for_a_while(y, here.w, error) if here.w != 0 else None
         if finite is None:
             return None
@@ -163,6 +172,7 @@ class LinearSpring(CertifiedFlow):
 
     def _creep(self, t: arb, strip: FencedStrip) -> Iterator[Piece]:
         """Longer and longer pieces without an end."""
+        # Doubling: a creep is asked for at times of any size, and log2(time) pieces lead there.
         length = arb(1)
         while True:
             yield Creep(self, _ONE, t, later(t, length), _EXACT, CREEPS, strip)

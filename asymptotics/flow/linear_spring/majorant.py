@@ -31,10 +31,14 @@ def majorant(a: arb, b: arb) -> arb | None:
     """The smaller of R and S at a, b >= 0 as an upper bound below 1; None where neither certainly converges."""
     found: list[arb] = []
     under = (1 - b) ** 2 - 4 * a  # the root of R
+    # The branch with R = 0 at z = 0, the smaller root: it is the majorant as long as the square root has not vanished
+    # on the way.
     if b < 1 and under > 0:
         found.append(((1 + b - under.sqrt()) / 2).upper())
     under = 1 - 2 * (a + b)  # the root of S
     if under > 0:
         found.append((1 - under.sqrt()).upper())
+    # r < 1 is what the geometric series of 1/(1 - r) needs.  Both are upper bounds coefficient by coefficient, so the
+    # smaller one may be taken.
     found = [bound for bound in found if bound < 1]
     return min(found, default=None)

@@ -29,8 +29,12 @@ from asymptotics.flow.linear_spring.linear import is_linear
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
 
+# 2.5 times pi: shorter half-swings lose at most 12 bits.
 _LONG = 8.0  # times below it need no care
+# Rough, and for the refusal of hopeless work alone; where they were measured is not recorded.  A wrong one refuses too
+# early or too late.
 _SECONDS, _PER_TIME, _BITS = 0.003, 6.0, 200  # of a Taylor step at so many bits; steps per unit of time
+# Where the value comes from is not recorded; it decides whether bits are carried from the start, and claims nothing.
 _NEAR_LINEAR = 1e-3  # alpha - 1
 _NEXT_TO_1, _TRAPPED = 1 / 64, 2.0  # |alpha - 1|, and the local strength above which a motion creeps
 _LOST = 1.45  # bits per unit of time, a little above 1/ln 2
@@ -40,6 +44,7 @@ _TINY, _LARGE = 1e-15, 700.0  # what doubles tell from 0, and whose exponential 
 
 def longest_half_swing(law: Law) -> float:
     """About the longest half-swing under such a law, 0 where it is short, in closed form, or there is none."""
+    # epsilon may be an exact number as near to 2 as 2 - 10^-500, and the time is pi over the root of what is left.
     with ctx.workprec(2000):
         damping = Damping.of_law(law)
         total = sum((e for e, a in zip(damping.strengths, damping.alphas) if not a < 1 and not a > 1), arb(0))
@@ -64,6 +69,7 @@ def _nearly_linear(damping: Damping) -> float:
     above, epsilon = (damping.alphas[0] - 1).ball(), damping.strengths[0]
     if not above < _NEAR_LINEAR:
         return 0.0
+    # The time for the angle pi at the strength 2 - 2 (alpha-1) t, and omega^2 at the initial strength.
     slow, gap = (9 * arb.pi() ** 2 / (8 * above)).root(3), 1 - epsilon**2 / 4
     if gap > 0:
         return float(slow.min(arb.pi() / gap.sqrt()))
@@ -87,6 +93,7 @@ def lost_until(law: Law, tau: float) -> int:
     if not longest_half_swing(law) > 0:
         return faded_bits(law, tau)
     total, above, _ = _next_to_1(law)
+    # The local strength epsilon w^(alpha-1) after the time tau, at the least.
     end = total * exp(-above * tau)  # w falls like e^-tau at the most
     rate = _rate(end) if end > _TRAPPED else inf
     return ceil(min(_LOST * tau, rate / log(2) * tau))
@@ -110,6 +117,7 @@ def fading(law: Law) -> tuple[float, float]:
 
 def _rate(strength: float) -> float:
     """(epsilon - sqrt(epsilon^2 - 4))/2."""
+    # (epsilon - sqrt(epsilon^2 - 4))/2 without cancellation: the slow eigenvalue of the overdamped linear equation.
     return 2 / (strength + sqrt(strength**2 - 4))
 
 
@@ -144,6 +152,8 @@ def faded_bits(law: Law, tau: float) -> int:
     part = min(tau, turning(law)) / _PARTS
     slowest, lost, s = (9 * pi**2 / (8 * below)) ** (1 / 3), 0.0, 0.0
     for i in range(_PARTS):
+        # The solution of d epsilon/dtau = h epsilon^2/2, at the middle of each of the 64 parts; ``turning`` ends where
+        # it reaches 2.
         epsilon = 1 / (1 / total - below * (i + 0.5) * part / 2)
         swing = min(pi / sqrt(max(1 - epsilon**2 / 4, _TINY)), slowest)
         s = epsilon * swing / 2
@@ -194,6 +204,7 @@ def require_brief(law: Law, swings: int, digits: int, bits: int) -> None:
 def _most(law: Law) -> float:
     """How many half-swings dry friction leaves at most, about."""
     friction = sum((float(t.strength.ball()) for t in law.terms if t.velocity.is_zero), 0.0)
+    # Each half-swing loses twice the friction, from an amplitude of 1.
     return 1 + 0.5 / friction if friction > 0 else inf
 
 
@@ -203,5 +214,7 @@ def most_swings(law: Law) -> float:
     >>> most_swings(Law({"1/2": "1/5"})), most_swings(Law({"3/2": "1/5"}))
     (13.0, inf)
     """
+    # A' = -M epsilon A^alpha ends at the time 1/((1 - alpha) M epsilon), M pi > 1 a half-swing; three more for what the
+    # average leaves out.
     slow = [(float(t.velocity.ball()), float(t.strength.ball())) for t in law.terms if t.velocity < 1]
     return min((3 + 1 / ((1 - a) * e) if (1 - a) * e > 0 else inf for a, e in slow), default=inf)

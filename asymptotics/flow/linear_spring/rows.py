@@ -26,6 +26,7 @@ from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 
 Row = tuple[Key, arb_poly, arb_poly]
+# A bit of precision more or less takes the same rows; between whole limbs arithmetic costs the same.
 _LIMB = 64
 
 
@@ -60,6 +61,8 @@ def lengths(weights: Key, top: int) -> Iterator[tuple[Key, int]]:
 
 @lru_cache(maxsize=32)
 def _grown(alphas: tuple[ExactReal, ...], bits: int) -> "_Rows":
+    # One growing table for a law's exponents and a precision, so that expansions at all strengths and all turning
+    # points add to it and read from it.
     return _Rows(alphas, bits)
 
 
@@ -89,8 +92,10 @@ class _Rows:
         with ctx.workprec(self.bits):
             weight = sum(map(mul, m, self.exponents), arb(0))
             for k in range(whole, length):
+                # e is the exponent of the monomial; only the constant term has none, where y = p = q = 1.
                 e, start = weight + 2 * k, not k and not any(m)
                 y.append(-q[k - 1] / e if k else arb(int(start)))
+                # p = y - N: N has the coefficient 1 at each z_i alone.
                 p.append(y[k] - 1 if not k and m in self.units else y[k])
                 q.append(arb(1) if start else -self._products(parts, k))
                 s.append(q[k] / (e + 1))

@@ -32,6 +32,8 @@ CREEPS, OVERDAMPED = "creeps", "overdamped"
 
 def may_trap(damping: Damping) -> bool:
     """Whether some term can hold the mass on one side at all: an exponent below 1, or a linear term of 2 or more."""
+    # Never for exponents above 1 (derivation ``no-overdamping``).  A ball about 2 counts as possible: asking costs
+    # little, and only ``trap`` proves.
     return any(a < 1 or (not a > 1 and not e < 2) for a, e in zip(damping.alphas, damping.strengths))
 
 
@@ -40,13 +42,17 @@ def trap(damping: Damping, y: arb, w: arb) -> str | None:
     if not y > 0:
         return None
     w = abs(w).upper()
+    # The energy falls, so no later speed of this half-swing exceeds it.
     fastest = (y**2 + w**2).sqrt().upper()
     for epsilon, alpha, a in zip(damping.strengths, damping.alphas, damping.exponents):
+        # Each term alone first: its trap does not depend on how fast the motion is, and adding terms keeps it.
         if alpha < 1 and (_creeps(damping, epsilon, a, y, w)):
             return CREEPS
         if alpha < 1 and _creeps(damping, _together(damping, alpha, a, fastest), a, y, w):
             return CREEPS
         linear = not alpha < 1 and not alpha > 1
+        # The wedge below the fast eigenvector: on its edge w = c y, c^2 - epsilon c + 1 = 0 with the larger root, the
+        # motion slides along.  At epsilon = 2, an exact number, c = 1, and what is below 0 under the root is rounding.
         if linear and epsilon >= 2 and w <= y * (epsilon + (epsilon**2 - 4).nonnegative_part().sqrt()) / 2:
             return OVERDAMPED
     return None
@@ -55,15 +61,22 @@ def trap(damping: Damping, y: arb, w: arb) -> str | None:
 def _together(damping: Damping, alpha: ExactReal, a: arb, fastest: arb) -> arb:
     """The strength of w^alpha that the terms of exponents up to alpha have at least, at speeds up to ``fastest``."""
     laws = zip(damping.strengths, damping.alphas, damping.exponents)
+    # b <= a, so that V^(b-a) w^a <= w^b while w <= V; a term of the same exponent keeps its strength without the
+    # rounding of V^0.
     return sum((e if other == alpha else e * fastest ** (b - a) for e, other, b in laws if not other > alpha), arb(0))
 
 
 def _creeps(damping: Damping, epsilon: arb, a: arb, y: arb, w: arb) -> bool:
     """Whether (y, w) is in the trap of one term, or falls into it; powers by their logarithms, for any alpha."""
+    # power = ln C^alpha = -ln(1 - alpha/2), in the notation of the module's docstring; ``low`` is the speed from which
+    # the motion falls in while y loses no more than alpha/4 of itself.
     power, ratio, low = -(-a / 2).log1p(), (y / epsilon).log(), a * y / (8 * (2 - a)).sqrt()
+    # alpha times the logarithm of the condition on y; it goes on holding as y falls.
     if not 2 * (power + ratio - a * y.log()) < a * (a**2 / (2 - a)).log():
         return False
     if w <= low or a * w.log() <= power + ratio:
         return True
-    lower = (low / 2).lower()  # y may lose half of itself until then
+    # From further up: down to the speed low/2, from which the motion falls in at any place >= y/2, it loses
+    # w^2/(N(low/2) - y) of its place, no more than y/2 if the last line holds.
+    lower = (low / 2).lower()
     return bool(w**2 <= y / 2 * (damping.resistance(lower) - y))

@@ -29,6 +29,7 @@ from asymptotics.flow.linear_spring.kept_terms import SMALL
 from asymptotics.flow.secant import through
 from asymptotics.numbers.context import ctx
 
+# The first guess, by the energy without losses, is right to a few bits whatever the precision.
 _ROUGH = 53
 _INNER = 0.9375  # of |y|, and more than the guess will differ from it
 
@@ -39,6 +40,8 @@ def arrive(damping: Damping, y: arb, w: arb) -> TurningExpansion:
     goal = y.mid()
     with ctx.workprec(_ROUGH):
         first = (goal - w * w / (2 * abs(goal))).mid()
+    # The theorem above bounds the error of any guess by the miss that is left, which ``flow.trajectory`` adds as a
+    # distance.
     return through(lambda y1: TurningExpansion.at(damping, y1, w), goal, w, first)
 
 
@@ -46,10 +49,14 @@ def turns_within(damping: Damping, y: arb, w: arb, error: arb) -> bool:
     """Whether the turning point ahead is near enough for its expansion: a choice, in doubles."""
     if not y < 0:
         return False
+    # log2 of (y^2 + w^2)^(1/2), by which the orbit without losses turns: between the larger of the two and half a bit
+    # more.
     size = (max(2 * size_of(y), 2 * size_of(w)) + 0.3) / 2  # by the energy
     if damping.sublinear:  # braking may end the motion long before; below 1 the reach shrinks with the amplitude
         size = size_of(y)
     near = bool(w < reach_at(damping, dyadic(size)))
+    # Exponents next to 0 get short plans, of one term: what it leaves out falls with w, so the later the better, until
+    # the speed is below the error of the state.
     small = damping.least < SMALL and (near or bool(w < error))
     if small and plan_at(damping, y * arb(_INNER), w).short:  # one term: as late as the error allows
         return bool(w < error)

@@ -1,5 +1,8 @@
 """How a creep begins while its speed is still lost in the errors: its attraction to the slow curve takes a short time.
 
+The attraction of a slow manifold (Fenichel 1979), proved here by two differential inequalities and a region that is
+positively invariant.
+
 For an exponent near 0 the speed of the creep, about (y/epsilon)^(1/alpha), is far below every error, and beside a
 second exponent near the first the slow curve is no short sum of powers (``slow_curve``).  But where w is small,
 so is
@@ -34,6 +37,7 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.slow_manifold.slow_curve import FencedStrip, solve
 from asymptotics.numbers.context import ctx
 
+# The hypothesis of the derivation ``settling``: kappa between 2 sigma and 1/8 must be a range.
 _SMALL = arb(1) / 16
 
 
@@ -67,8 +71,11 @@ class ForceCurve:
         w, rho = log_w.exp(), more / n
         whole = arb(0)
         for e, a in zip(self.damping.strengths, self.damping.exponents):
+            # For dy = N'(w) dw: the antiderivative of epsilon alpha w^(alpha-2); alpha = 1 exactly, or as a ball that
+            # is 1.
             whole += e * log_w if a == 1 else e * a * ((a - 1) * log_w).exp() / (a - 1)
         if self.h:
+            # Both ends of the bounds, as one ball: rho grows with w, from the least exponent at w = 0 on.
             tail = (1 / (1 - self.least)).union(1 / (1 - rho))
             whole -= self.h * w / n * (1 + tail)
         return whole, self.place(log_w)[1] / w
@@ -90,18 +97,25 @@ def attracted(damping: Damping, y: arb, w: arb, error: arb) -> Attracted | None:
         return None
     least = damping.exponents[damping.leading]
     above, below = (ForceCurve(damping, h, least) for h in (0, 2))
+    # A strip no wider than the last bit, and a place that falls by no more than its error and the last bit while the
+    # motion settles: choices that keep the digits; all conditions of the theorem are checked beside them.
     fine = arb(2) ** -ctx.prec
     allowed = upper(error + y * fine)
+    # y falls by less than ``allowed`` in the time to come, which is verified by fastest times wait.
     lowest = (y - error - allowed).lower()
     try:
         most = _most(above, (y + error).upper(), (w + error).upper())
         fastest, N, _, rho, sigma = _at(above, most)
+        # At the largest speed W, and so at all lower ones (rho and sigma grow with w): the hypotheses, with W above the
+        # slow speed of the highest place.
         if not (rho < 1 and sigma < fine and sigma < _SMALL and y + error < N):
             return None
+        # ln of the slow speed at the lowest place: m of the docstring, a lower bound at every place in between.
         slow = solve(above.place, lowest, most)
         wait = _wait(above, slow.lower(), most, y + error)
         if not fastest * wait < allowed:
             return None
+        # The fastest and the slowest state when the wait is over lie between the two curves at these heights.
         starts = solve(above.place, y + error, most), solve(below.place, lowest, most)
     except UndecidedError:  # too few bits here: a later state may do
         return None
@@ -113,13 +127,17 @@ def attracted(damping: Damping, y: arb, w: arb, error: arb) -> Attracted | None:
 
 def spread(sigma: arb) -> arb:
     """How far apart the two curves are in ln w at one height, at most, with sigma at the higher speed."""
+    # Derivation ``settling``; sigma at the higher speed is the larger one.
     return upper(2 * sigma / (1 - 4 * sigma))
 
 
 def _most(curve: ForceCurve, y: arb, w: arb) -> arb:
     """ln W: at least ln w, and above ln of the slow speed at y, which is sought from that of the strongest term on."""
     alone = [(y / e).log() / a for e, a in zip(curve.damping.strengths, curve.damping.exponents)]
+    # Newton's method from below: each term alone needs more speed for y than all together.
     slow = solve(curve.place, y, min(alone, key=lambda u: float(u.mid())))
+    # A factor e above the slow speed, so that states from below have room to overshoot to; the speed itself if that is
+    # larger.
     highest = (slow + 1).upper()
     return highest if w == 0 else highest.max(w.log()).upper()
 
@@ -132,7 +150,7 @@ def _at(curve: ForceCurve, log_w: arb) -> tuple[arb, arb, arb, arb, arb]:
 
 
 def _wait(curve: ForceCurve, slow: arb, most: arb, y: arb) -> arb:
-    """The two times of the module's docstring together; ``slow_curve``, ``most``: ln m, ln W."""
+    """The two times of the module's docstring together; ``slow``, ``most``: ln m, ln W."""
     _, _, n_slow, _, sigma = _at(curve, slow)
     m, _, n_m, _, _ = _at(curve, slow - 1)
     W, _, n, _, _ = _at(curve, most)

@@ -36,9 +36,13 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import at_growing_precision
 
+# Exponents farther apart have w^d small enough to be a power of its own; a strip is verified whatever the groups are.
 _NEAR = arb(1) / 4  # exponents of one group differ by less
+# Four bits for each power of t; and where all eta are tiny a stretch still ends, at a speed e^2048 times lower.
 _SHARE, _FARTHEST = 1 / 16, 1024.0  # eta times the reach, and the reach, at most
+# A choice: too small a number misses a strip and costs steps, too large a one costs series in vain.
 _OPEN = 4  # times the terms of the last order but one looked at: what later ones may add up to
+# So that Newton's method for the time stays where the barriers hold.
 _MARGIN = arb(1) / 64  # of ln w, at the end of a stretch
 _LN2, _DIGITS = log(2), log10(2)
 
@@ -181,7 +185,8 @@ def grouped(damping: Damping, together: list[list[int]], most: arb) -> Grouped:
     first = damping.alphas[together[0][0]]
     bases = [damping.alphas[group[0]] for group in together]
     beside = [[_apart(damping.alphas[i], base) for i in group] for group, base in zip(together, bases)]
-    widest = max(float(eta.mid()) for group in beside for eta in group)  # sizes only
+    # The reach is a choice, so a double may name it; the cut below is bounded with the exact eta.
+    widest = max(float(eta.mid()) for group in beside for eta in group)
     reach = arb(min(_FARTHEST, _SHARE / max(widest, _SHARE / _FARTHEST)))
     scale, degree = Scale((most - reach).mid(), reach), _degree(max(widest, 2.0**-900) * float(reach))
     sums = [
@@ -194,6 +199,8 @@ def grouped(damping: Damping, together: list[list[int]], most: arb) -> Grouped:
     keys = [(0,) * len(powers), *(unit(i, len(powers)) for i in range(1, len(powers)))]
     laws = Grouped(scale, most, epsilon, alpha, powers, {}, arb(0))
     parts = {key: _exponentials([(e / epsilon, eta) for e, eta in group], degree) for key, group in zip(keys, sums)}
+    # Lagrange's remainder of e^x after the power ``degree``, x = eta t <= eta, for each law: e^eta
+    # eta^(degree+1)/(degree+1)!, with eta already times the reach.
     lost = sum(
         (
             e / epsilon * laws.size(arb_poly([1]), key) * eta.exp() * eta ** (degree + 1) / arb(degree + 2).gamma()
@@ -229,6 +236,7 @@ def _short_enough(laws: Grouped, goal: arb, state: tuple[arb, arb]) -> tuple[dic
     if too_early(laws.epsilon, laws.alpha, laws.most):
         return None
     before, least, b = arb(1), 0, dict[Key, arb_poly]()
+    # The last order's terms are a cheap sign of how the series falls; the residual is formed only when they are small.
     for order in ORDERS:
         keys = lower_set(tuple(abs(float(d.mid())) for d in laws.powers), order)
         if keys is None:
@@ -237,6 +245,7 @@ def _short_enough(laws: Grouped, goal: arb, state: tuple[arb, arb]) -> tuple[dic
         last = upper(sum((laws.size(b[key], key) for key in keys if key[0] == order), arb(0)))
         if not last <= before or abs(laws.value(b, state[0]) - state[1]) > _OPEN * before + WIDEST * goal:
             return None
+        # A quarter of the drift alpha h for h = goal; ``_between`` makes h five times what is left.
         if last < goal / 8 and (left := residual(laws, b)) < goal * laws.alpha / 4:
             return b, left
         if _too_slow(size_of(last), (size_of(before) - size_of(last)) / (order - least), order, size_of(goal)):
@@ -279,6 +288,8 @@ def residual(laws: Grouped, b: dict[Key, arb_poly]) -> arb:
     for (i, c), (j, d) in product(A.items(), b.items()):
         key = tuple(map(add, i, j))
         whole = c * d
+        # The powers below ``length`` beside a key of B cancel, as B was solved for; the balls of the higher ones, and
+        # of all other keys, are the residual.
         kept = whole.right_shift(laws.length).left_shift(laws.length) if key in b else whole
         left[key] = left[key] + kept if key in left else kept
     return sum((laws.size(p, key) for key, p in left.items()), arb(0))
@@ -293,11 +304,14 @@ def _between(
     log_w, none = speed.log(), (0,) * len(laws.powers)
     size = laws.epsilon * (a * log_w).exp()
     theta = upper((damping.resistance(speed) - y - arb(0, error)) / size - laws.value(b, log_w)) + laws.lost
+    # A constant theta = +-h: the drift alpha h of A B must exceed what is left of it, with room for the products with h
+    # that ``one_way`` counts.
     h = upper(theta + 5 * (residual + 2 * laws.lost) / a)
     if not h < WIDEST * goal or not one_way(laws, b, residual, h):
         return None
     curves = []
     for sign in (-1, 1):
+        # y = epsilon w^alpha (1 + R - B - theta) as parts p(t) w^e; theta joins the constant key.
         parts = [(p * laws.epsilon, a + laws.exponent(key)) for key, p in laws.parts.items() if key != none]
         parts += [(-laws.epsilon * p, a + laws.exponent(key)) for key, p in b.items()]
         parts.append(((laws.parts[none] - sign * h) * laws.epsilon, a))
@@ -321,6 +335,7 @@ def one_way(laws: Grouped, b: dict[Key, arb_poly], residual: arb, h: arb) -> boo
     a, none = laws.alpha, (0,) * len(laws.powers)
     own = sum((laws.size(laws.slope(p, key), key) for key, p in b.items()), a * h)
     plain = sum((laws.size(p, key) for key, p in b.items()), h)
+    # A >= alpha - falls - own: what the first group and the others may take from alpha.
     falls = laws.size(
         laws.slope(laws.parts[none], none) - a, none
     )  # the slopes of R may be below 0 only by their tails
@@ -329,8 +344,10 @@ def one_way(laws: Grouped, b: dict[Key, arb_poly], residual: arb, h: arb) -> boo
         if key != none:
             slope = laws.slope(part, key)
             others += laws.size(slope, key)
+            # A law's slope is below 0 by no more than the rest exceeds its constant, which is above 0.
             falls += (laws.size(slope - slope[0], key) - abs(laws.size(arb_poly([slope[0]]), key))).nonnegative_part()
     most = a + falls + others + own
+    # What disturbs the drift alpha h of theta: the residual, A times what N lacks, and h times B.
     crossing = residual + most * laws.lost + a * h * (plain + laws.lost)
     return bool(crossing < a / 2 * h) and bool(falls + own < a / 2)
 
@@ -343,6 +360,7 @@ def _integral(polynomial: arb_poly, d: arb, scale: Scale) -> arb_poly:
     from 0 to t, over w^d, is at most e^(|d| r) |d q_n| r/(n+1), as w^d changes by e^(|d| r) at most in between.
     """
     p = polynomial.coeffs()
+    # Dividing by a small d loses bits; upwards each power is worth three bits at |d| r = 1/8, and fewer above.
     if abs(d) * scale.reach > 1 / arb(8):
         above, downwards = arb(0), list[arb]()
         for k in reversed(range(len(p))):
@@ -352,6 +370,7 @@ def _integral(polynomial: arb_poly, d: arb, scale: Scale) -> arb_poly:
     q, n = [arb(0)], len(p) + _more(abs(d) * scale.reach, len(p))
     for k in range(n):
         q.append(((p[k] if k < len(p) else arb(0)) - d * q[k]) * scale.reach / (k + 1))
+    # The remainder of the docstring, as a radius of the constant coefficient.
     q[0] = arb(0, upper((abs(d) * scale.reach).exp() * d * q[n] * scale.reach / (n + 1)))
     return arb_poly(q)
 

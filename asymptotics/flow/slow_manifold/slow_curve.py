@@ -32,9 +32,16 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.slow_manifold.slow_curve_series import Power, Truncated, summed, truncated
 from asymptotics.numbers.context import ctx
 
+# Ten bits of the height may be lost to the strip.  A smaller factor waits longer before a creep is caught, a larger one
+# loses more digits; what is lost is in the enclosure.
 WIDEST = 2**10  # how much wider a strip may be than what the error of the state means for its height
+# One per cent: the state itself must lie where the barriers are checked, with its error.
 INSIDE = arb(101) / 100  # the barriers are checked up to this multiple of w: the curves start beside the state
+# Newton steps for one root; from a guess that is right to a bit seven lead to 100 bits, and the rest is for poor
+# guesses.
 _NEWTON, _LN2 = 60, 0.6931471805599453
+# Orders that are tried, each about 4/3 of the last: the series diverges, so the first that is short enough is taken,
+# and the search ends where its terms grow.
 ORDERS = (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36, 48, 64, 85, 110, 140)
 
 
@@ -74,6 +81,8 @@ class SlowCurve:
 def _grown(d: arb, log_w: arb) -> arb:
     """An antiderivative of w^(d-1): w^d/d, or, where d may be 0, (w^d - 1)/d: ln w times a mean of 1 and w^d, which the
     ball of w^d holds."""
+    # Where the ball of d holds 0, neither formula is safe; (w^d - 1)/d is ln w times w^(s d) for some 0 <= s <= 1 (mean
+    # value theorem).
     power = (d * log_w).exp()
     return log_w * power if d.contains(0) else power / d
 
@@ -107,7 +116,10 @@ class FencedStrip:
     def state(self, elapsed: arb) -> tuple[arb, arb]:
         """Enclosures of (y, w) at the exact time ``elapsed`` after the entrance: the lower w the slower the motion, so
         y is at most what it is on the curve above, and at least what it is on the curve below."""
+        # Comparison of the two curves (differential inequality): between them y falls no slower than on the upper and
+        # no faster than on the lower one.
         slow, fast = (_after(curve, log_w, elapsed) for curve, log_w in zip((self.above, self.below), self.starts))
+        # Within the range of w where the barriers were verified; otherwise the motion might cross them.
         if not (self.holds(slow) and self.holds(fast)):
             raise UndecidedError("the time on the slow curve was not found below the place where it begins")
         y = self.above.place(slow)[0].union(self.below.place(fast)[0])
@@ -119,6 +131,8 @@ class FencedStrip:
 
     def _speed(self, log_w: arb) -> arb:
         """All speeds in the strip at the height of one of its curves at ``log_w``: d ln w/d theta = w^E/A."""
+        # theta goes from -h to h and d ln w/d theta = w^E/A; w^E inside the strip exceeds its value here by less than
+        # 11/10, which the next line verifies.
         blur = upper(self.share * (self.power * log_w).exp() * arb(11) / 10)
         if not (self.power * blur).exp() < arb(11) / 10:
             raise UndecidedError("the strip about the slow curve is too wide")
@@ -146,6 +160,8 @@ def solve(function: Callable[[arb], tuple[arb, arb]], value: arb, guess: arb) ->
         log_w = (log_w - step).mid()
         if upper(step) <= 2 * step.rad() + upper(log_w) * arb(2) ** (4 - ctx.prec):
             break
+    # Interval Newton: if m - f(m)/f'(box) lies in the interior of the box, every function of the family has exactly one
+    # zero there, in that interval.  Boxes 4 to 4^7 times the last step.
     for widening in range(1, 8):
         box = log_w + arb(0, 4**widening * upper(step))
         found = log_w - (function(log_w)[0] - value) / function(box)[1]
@@ -162,18 +178,25 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> FencedStrip | None:
     leading = damping.leading
     a, size, place, speed = damping.exponents[leading], damping.resistance(w), y + arb(0, error), w + arb(0, error)
     most = (INSIDE * speed).upper().log()
+    # What the error of the state and the last bit of y mean for B: dy over epsilon w^alpha, with dN = alpha N dw/w.
     goal = upper((error * (1 + a * size / w) + abs(y) * arb(2) ** -ctx.prec) / size)
     series = short_enough(damping, leading, most, goal)
     if series is None:
         return None
+    # theta of the state: what its N - y has beyond B, over w^E, in balls for all states within the error.
     E, log_w = series.cut, speed.log()
     lacking = (damping.resistance(speed) - place) / (series.epsilon * (a * log_w).exp()) - summed(series.b, log_w)
     theta = lacking * (-E * log_w).exp()
+    # Twice the state's own theta, so that it lies well inside, and more than what is neglected needs: the drift alpha h
+    # w^E has to exceed it, which ``one_way`` verifies.
     h = 2 * upper(theta) + 4 * upper(summed(series.neglected, most) * (-E * most).exp() / a)
+    # A choice (how many digits the strip may cost), and the theorem's hypothesis.
     if not h * (E * most).exp() < WIDEST * goal or not one_way(series, h, most):
         return None
     above, below = (SlowCurve(series.epsilon, a, series.others, (*series.b, (sign * h, E))) for sign in (-1, 1))
     try:
+        # The state lies between the curves, so it is no higher than the upper one at y + error and no lower than the
+        # lower one at y - error.
         starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
     except UndecidedError:  # too few bits here: a later state may do
         return None
@@ -184,6 +207,7 @@ def caught(damping: Damping, y: arb, w: arb, error: arb) -> FencedStrip | None:
 
 def short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Truncated | None:
     """The shortest series that neglects less than the goal for ln w <= most; None where its terms grow before."""
+    # Cheap, and nearly always the answer before a creep has slowed down: no series is formed then.
     if too_early(damping.strengths[leading], damping.exponents[leading], most):
         return None
     before = arb(1)
@@ -191,6 +215,7 @@ def short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Trunca
         series = truncated(damping, leading, order)
         if series is None or not (left := upper(summed(series.neglected, most))) <= before:
             return None
+        # A quarter of the drift of h = goal: with the factor 4 in h the barriers have room.
         if left < goal * series.alpha / 4:
             return series
         before = left
@@ -199,6 +224,8 @@ def short_enough(damping: Damping, leading: int, most: arb, goal: arb) -> Trunca
 
 def too_early(epsilon: arb, alpha: arb, most: arb) -> bool:
     """Whether the second term of B would not be below half the first: no series is short, a choice."""
+    # log2 of the ratio of the second term of B to the first, c_2/c_1 s with s = w^(2-2 alpha)/epsilon^2 and c_2/c_1 =
+    # (2 - alpha)/alpha^2, against 1/2.
     a = float(alpha.mid())
     return 2 * (1 - a) * float(most) / _LN2 - 2 * size_of(epsilon) + log2(max(abs(2 - a), 1e-9) / a**2) > -1
 
@@ -206,9 +233,14 @@ def too_early(epsilon: arb, alpha: arb, most: arb) -> bool:
 def one_way(series: Truncated, h: arb, most: arb) -> bool:
     """Whether for all ln w <= most the motion crosses the curves of theta = +-h as their drift +-alpha h w^E in A B
     says, and A > alpha/2: y and w fall together on them."""
+    # A B - w^(2-2 alpha)/epsilon^2 on a curve of theta = +-h is +-alpha h w^E and the rest, in absolute values: the
+    # neglected powers, and h w^E times A - alpha, B and itself.  If the rest is smaller at the largest w it is so at
+    # all lower ones, as its powers are no less than E (derivation ``slow-curve``).
     a, E, drift = series.alpha, series.cut, h * (series.cut * most).exp()
     others = summed([((a + d) * r, d) for r, d in series.others], most)
     own = summed([(abs((a + e) * b), e) for b, e in series.b], most)
     plain = summed([(abs(b), e) for b, e in series.b], most)
     residual = summed(series.neglected, most) + drift * (others + own + abs(a + E) * (plain + drift))
+    # The second part: A > alpha/2 > 0, so that y rises with w on either curve (the terms of the other laws in A are
+    # above 0).
     return bool(residual < a * drift) and bool(own + abs(a + E) * drift < a / 2)

@@ -1,5 +1,7 @@
 """The slow curve of a creeping motion as a sum of powers of the speed, cut off, and what the cut leaves.
 
+A formal (divergent) series of the slow manifold; what is left out is a residual of finitely many powers.
+
 With epsilon and alpha those of the least exponent alpha < 1, N(w) = epsilon w^alpha (1 + R) and R = sum_i r_i w^(d_i),
 d_i = alpha_i - alpha, over the other laws, the slow curve is y = N(w) - epsilon w^alpha B with
 
@@ -27,6 +29,8 @@ from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.extremes import least
 
+# The residual takes the product of each with each, 40,000 of them.  A series of more is refused, and the motion goes on
+# by steps.
 MOST = 200  # powers of a curve
 
 Power = tuple[arb, arb]  # coefficient and exponent
@@ -53,6 +57,7 @@ def summed(powers: tuple[Power, ...] | list[Power], log_w: arb) -> arb:
 
 def truncated(damping: Damping, leading: int, order: int) -> Truncated | None:
     """B to the power ``order`` of w^(2-2 alpha), at the current precision; None if that takes too many powers."""
+    # Exact keys for the cache: balls are equal if both their numbers are.
     strengths = tuple((e.mid().man_exp(), e.rad().man_exp()) for e in damping.strengths)
     return _truncated(damping.alphas, strengths, leading, order, ctx.prec)
 
@@ -65,6 +70,8 @@ def _truncated(
         a, e = [alpha.ball() for alpha in alphas], [arb(arb(mid), arb(rad)) for mid, rad in strengths]
         beside = [i for i in range(len(a)) if i != leading]
         steps = [2 - 2 * a[leading], *(a[i] - a[leading] for i in beside)]
+        # Which powers are kept is a choice in doubles; every other power that their product makes is counted as
+        # neglected below.
         keys = lower_set(tuple(abs(float(d.mid())) for d in steps), order)
         if keys is None:
             return None
@@ -75,9 +82,12 @@ def _truncated(
         left: dict[Key, arb] = {}
         for (i, c), (j, d) in product(A.items(), b.items()):
             key = tuple(map(add, i, j))
+            # The powers of the kept keys cancel exactly, as B solves for them; the others remain.
             if key not in b:
                 left[key] = left.get(key, arb(0)) + c * d
         powers = tuple((upper(c), sum(map(mul, steps, key), arb(0))) for key, c in left.items())
+        # E just below the least neglected power: all of them are then w^E times powers >= 0, which is the hypothesis of
+        # ``one_way``, also where their balls overlap.
         first = least(d.lower() for _, d in powers) if alphas[leading] < 1 else -least(-d for _, d in powers).lower()
         cut = first * (1 - arb(2) ** -40)
         return Truncated(
@@ -114,9 +124,11 @@ def unit(i: int, size: int) -> Key:
 
 def lower_set(steps: tuple[float, ...], order: int) -> list[Key] | None:
     """All keys with a factor w^(2-2 alpha) whose power is below the (order+1)-th of it, the small ones first."""
+    # Just below, so that the rounding of doubles does not let the (order+1)-th power in.
     top = steps[0] * (order + 1) * (1 - 1e-9)
     if order > 20 * MOST or any(order * top > 20 * MOST * d for d in steps[1:]):  # a step may be 0 at this precision
         return None
+    # How often each of the other steps fits below the top; a lower set, so that all parts of a key are keys.
     counts = [range(ceil(top / d)) for d in steps[1:]]
     found = [
         (k, *more)

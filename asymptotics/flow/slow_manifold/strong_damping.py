@@ -28,7 +28,10 @@ from asymptotics.flow.slow_manifold.slow_curve import WIDEST, FencedStrip, SlowC
 from asymptotics.flow.slow_manifold.slow_curve_series import Truncated, summed
 from asymptotics.numbers.context import ctx
 
+# A slide may end where B = 1/16, as no few terms are near for a larger one, or earlier, up to B = 2^-60, if the
+# precision asks for it.
 _NEAREST, _FARTHEST = 4, 60  # log2 of 1/B at the end of a slide
+# A slide over less than a factor e^(1/2) of the speed is left to Taylor steps.
 _LN2, _WORTH = log(2), 0.5  # a slide lets ln w fall by more
 
 
@@ -51,11 +54,15 @@ def strong_damping_strip(damping: Damping, y: arb, w: arb, error: arb) -> Strong
     a, size, log_w = damping.exponents[0], damping.resistance(w), w.log()
     goal = upper((error * (1 + a * size / w) + abs(y) * arb(2) ** -ctx.prec) / size)
     lacking = upper((damping.resistance(w + arb(0, error)) - y - arb(0, error)) / size)
+    # N - y is more than an eighth of N: the motion is still on its way to the slow curve.  A choice; the strip is
+    # verified below.
     if not lacking < arb(1) / 8:
         return None
     for end in _ends(damping, float(log_w.mid())):
         series = short_enough(damping, 0, end, goal)
         if series is not None:
+            # theta constant, E = 0: all powers of B and of what is left are negative, largest at the least w, so that
+            # ``one_way`` asks its inequality there (last lines of ``slow-curve``).
             return _between(replace(series, cut=arb(0)), (damping, y, w, error), end, goal)
     return None
 
@@ -65,6 +72,7 @@ def _ends(damping: Damping, start: float) -> list[arb]:
     (size, alpha), found = damping.sizes[0], []
     steep = float((damping.alphas[0] - 1).ball())
     for m in range(_NEAREST, _FARTHEST):
+        # B = w^(2-2 alpha)/(alpha epsilon^2) = 2^-m solved for ln w.
         end = (m - 2 * size - log2(alpha)) * _LN2 / (2 * steep)
         if end < start - _WORTH:
             found.append(arb(end))
@@ -85,6 +93,8 @@ def _between(series: Truncated, state: tuple[Damping, arb, arb, arb], end: arb, 
         starts = solve(above.place, y + error, w.log()), solve(below.place, y - error, w.log())
     except UndecidedError:  # too few bits here: a later state may do
         return None
+    # The motion is followed to a little above the place where the barriers end, for the time that the faster of the two
+    # curves takes.
     last = (end + arb(1) / 64).mid()
     times = [(curve.clock(at)[0] - curve.clock(last)[0]).lower() for curve, at in zip((above, below), starts)]
     length = times[0].min(times[1]).mid()

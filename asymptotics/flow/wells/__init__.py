@@ -1,5 +1,7 @@
 """One half-swing in any even well, at any strength, as an enclosure: springs, pendulum, losses that know the place.
 
+No nonexpansive flow here; the bounds are by the logarithmic norm along a piece, by comparison of orbits between turns.
+
     u' = -w,    w' = G(u, w) = s_0(u) - sum_i epsilon_i |u|^m_i w^alpha_i,
     s_0(u) = V'(u) - (the losses of exponent 0)
 

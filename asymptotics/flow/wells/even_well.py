@@ -62,6 +62,8 @@ class EvenWell(CertifiedFlow):
 
     def ended(self, place: arb, w: arb) -> str | None:
         """Whether it has left the well, or is trapped in it."""
+        # Leaving the well first: beyond it a trap means nothing.  Traps are asked for only where the force can have
+        # one.
         return beyond(self.force, place) or (trap(self.force, place, w) if self.traps else None)
 
     def exact(self, n: int) -> Stop | None:
@@ -79,5 +81,8 @@ class EvenWell(CertifiedFlow):
 def unit_for(force: WellForce, size: arb) -> arb:
     """A power of two near the frequency at the amplitude ``size``: a choice."""
     with ctx.workprec(_LOW):
+        # |lambda| = |G_u - unit^2|/(2 unit) (``flow.error_propagation``) is smallest where unit^2 is about the mean
+        # slope, half of the steepest met at nine places.  Another unit makes distances grow a little faster; each step
+        # proves its own factor.
         steepest = max((abs(force.slope(size * k / 8, arb(0))).upper() for k in range(9)), default=arb(1))
         return arb((1, round(size_of(steepest / 2) / 2)), 0)

@@ -1,5 +1,7 @@
 """The motion next to a turning point u_0, as an enclosure: u and tau in powers of the speed, with a majorant.
 
+A generalized power series (exponents 2 n_0 + sum alpha_i n_i), bounded by Cauchy's method of majorants.
+
 With w as the variable, P = G(u, w) = P_0 (1 - r), P_0 = s_0(u_0), and Q = 1/P (coefficients by exponent e),
 
     du/dw = -w/P,    d tau/dw = 1/P,
@@ -42,8 +44,14 @@ from asymptotics.flow.linear_spring.kept_terms import KeptTerms, Key, plan_for
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.numbers.context import ctx
 
+# Strengths and speeds are rounded up to a quarter of a power of two, so that plans are shared; 40 bits for what is a
+# choice.
 _STEPS, _LOW = 4, 40
+# A smaller share hands over at lower speeds, a larger one runs into the majorant's edge sooner.  Where 0.6 was fitted
+# is not recorded; a plan that is too bold is shrunk below, and none is trusted.
 _SHARE = 0.6  # of P_0 that the spring may change within the scale
+# Shares of the distance for which a plan is made, one after the other until one has a majorant; how many there are
+# decides how early an expansion is refused.
 _SHRINKING = (1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.03, 0.01)
 
 
@@ -73,10 +81,12 @@ class WellExpansion:
         UndecidedError where the mass might rest there, or the majorant does not provably converge.
         """
         brake = force.restoring(u0)
+        # P_0 divides in every coefficient; where its sign is open the mass might stay.
         if not (brake > 0 or brake < 0):
             raise UndecidedError("whether dry friction holds the mass here is undecided")
         plan, reach, (factor, H, R) = _planned(force, u0, brake, w)
         if plan.denominator:
+            # Rational exponents: one variable w^step; else monomials in w^2 and the w^alpha_i.
             step, grid, count = _line(force, plan)
             exponents = [arb(k * step.numerator) / step.denominator for k in range(count)]
             keys: tuple[Key, ...] = ()
@@ -84,6 +94,8 @@ class WellExpansion:
             grid, keys, step = Simplex(plan.weights, plan.top), keys_of(plan.weights, plan.top), Fraction(0)
             exponents = [sum((n * f.exponent for n, f in zip(k[1:], force.losses)), arb(2 * k[0])) for k in keys]
         u, slowness = _coefficients(force, u0, brake, grid, exponents)
+        # The tails of eta and of 1/P without its constant term, at the stretched speed, times the factor 2^-G by which
+        # all that is left out shrinks; tau_(e+1) = Q_e/(e+1) is no larger than Q_e.
         small, slow = upper(factor * H), upper(factor * R / (1 - R) / abs(brake))
         return cls(force, u0, brake, reach, step, keys, arb_poly(u), arb_poly(slowness), small, slow)
 
@@ -152,9 +164,12 @@ def _plan(force: WellForce, u0: arb, brake: arb, w: arb | None, shrink: float) -
     bits = ctx.prec
     with ctx.workprec(_LOW):
         size = abs(brake).mid()
+        # Within this distance the spring changes by _SHARE P_0, as a linear one of the stiffness K = _SHARE
+        # P_0/distance does; its unit of speed is P_0/K^(1/2).
         distance = (_distance(force, u0.mid(), size) * shrink).mid()
         scale = size_of((size * distance / _SHARE).sqrt())
         wide, unit = abs(u0).mid() + distance, dyadic(scale)
+        # delta_i of the linear plan: the loss at the unit speed and at the farthest place, over P_0.
         powers = (loss.strength * wide**loss.place * (loss.exponent * unit.log()).exp() for loss in force.losses)
         deltas = tuple(ceil(size_of(power / size) * _STEPS) / _STEPS for power in powers)
         rational = tuple(a.rational if a.is_rational else None for a in force.alphas)
@@ -166,6 +181,8 @@ def _plan(force: WellForce, u0: arb, brake: arb, w: arb | None, shrink: float) -
 def _distance(force: WellForce, u0: arb, size: arb) -> arb:
     """Where the spring has changed by a share of P_0; on one side of a kink."""
     high = size
+    # From the distance at which a spring of stiffness 1 would have changed by all of P_0; doubled and then bisected
+    # twelve times, three digits of a choice.
     while force.largest_change(u0, high) < _SHARE * size:
         high = 2 * high
     low = arb(0)
@@ -173,6 +190,7 @@ def _distance(force: WellForce, u0: arb, size: arb) -> arb:
         middle = ((low + high) / 2).mid()
         low, high = (middle, high) if force.largest_change(u0, middle) < _SHARE * size else (low, middle)
     found = high
+    # Beyond u = 0 the power series is not that of the force; the pieces check it, here the reach is kept off.
     return min(found, 0.9 * abs(u0)) if force.kinked else found
 
 
@@ -181,6 +199,8 @@ def _line(force: WellForce, plan: KeptTerms) -> tuple[Fraction, ExponentGrid, in
     q = plan.denominator
     places = [2 * q, *(int(a.rational * q) for a in force.alphas)]
     common = gcd(*places)
+    # The exponents are sums of 2q and the alpha_i q, so all are multiples of their common divisor; the count is rounded
+    # up.
     return Fraction(common, q), ExponentLine(tuple(p // common for p in places)), -(-plan.count // common)
 
 
@@ -193,15 +213,21 @@ def _majorant(force: WellForce, u0: arb, size: arb, w: arb, plan: KeptTerms) -> 
         factor = two ** (-stretch * count * step.numerator / step.denominator)
         wider = [2 * stretch, *(f.exponent * stretch for f in force.losses)]
     else:
+        # Integer weights in units of 2^-16 (``kept_terms``): left out is sum n_i weights_i >= top.
         factor, wider = two ** (-arb(plan.top) / (1 << 16)), [arb(g) for g in plan.stretch]
     a = w**2 * two ** wider[0] / (2 * size)
     z = [f.strength * (f.exponent * ln_w).exp() * two**g for f, g in zip(force.losses, wider[1:])]
 
+    # All absolute Taylor coefficients of G about u_0, at the distance H and the stretched speed: spring by
+    # ``largest_change``, losses with |u_0| + H.
     def R(H: arb) -> arb:
         drag = sum((c * (abs(u0) + H) ** f.place for c, f in zip(z, force.losses)), arb(0))
         return upper((force.largest_change(u0, H) + drag) / size)
 
     H = upper(a)
+    # H_(j+1) = a/(1 - R(H_j)) increases to the least fixed point; a per cent from it the number H is made five per cent
+    # larger, so that the inequality a/(1 - R(H)) <= H can hold with its rounding.  That last line is the hypothesis of
+    # the derivation ``wells-majorant``.
     for _ in range(40):
         moved = R(H)
         if not moved < 1:
@@ -224,12 +250,14 @@ def _coefficients(
     curve = ComposedSeries(grid, force.rate, {n for _, n in powers} | {m for _, m, _ in losses}, u0)
     P, Q, scale, none = [brake], [1 / brake], -1 / brake, arb(0)
     for k in range(1, len(exponents)):
+        # u_e = -Q_(e-2)/e: a factor z_0 = w^2 less; without one the coefficient is 0.
         before = grid.back(k, 0)
         curve.append(none if before is None else -Q[before] / exponents[k])
         total = curve.restoring(powers)
         for i, (c, m, _) in enumerate(losses, start=1):
             at = grid.back(k, i)
             if at is not None:
+                # A loss c u^m z_i adds the coefficient of u^m that has one z_i less.
                 total += c * curve.power[m][at]
         P.append(total)
         Q.append(scale * grid.product_from_1(P, Q))

@@ -61,10 +61,13 @@ class WellForce:
         rate, springs, grips, losses = None, [], [], []
         values = [t.strength.ball() for t in terms] if strengths is None else strengths
         for t, e in zip(terms, values, strict=True):
+            # A pendulum is a graded family of springs with one strength, r^2 = e; e = 0 is the linear spring.
             if t.family:
                 rate = None if e == 0 else e.sqrt()
             elif t.sign > 0 and not t.velocity.is_zero:
                 known = "springs C x|x|^(P-1) of the place, or a pendulum; expand takes every force"
+                # A spring like x v^2 is even in w and no loss: G would not be monotone in the speed, which
+                # ``wells-contract`` needs.
                 reason = f"{t.shape()} depends on the velocity: it is not enclosed at finite strength"
                 raise InputError("spring", reason, known)
             elif t.sign < 0 and t.strength.sign < 0:
@@ -81,6 +84,8 @@ class WellForce:
     @cached_property
     def kinked(self) -> bool:
         """Whether the force is not one analytic function on both sides of u = 0."""
+        # |u|^m is analytic at 0 for even m only, and u|u|^(p-1) for odd p only; dry friction itself (m = 0) is constant
+        # on a half-swing.
         odd = any(m % 2 for _, m in self.grips) or any(loss.place % 2 for loss in self.losses)
         return odd or any(p % 2 == 0 for _, p in self.springs)
 
@@ -124,6 +129,7 @@ class WellForce:
         """A ball with all slopes dG/du for u in a ball and speeds up to |w|, the kinks' one-sided slopes included."""
         total = arb(1) if self.rate is None else (self.rate * u).cos()
         total = sum((c * p * abs(u) ** (p - 1) for c, p in self.springs), total)
+        # A ball about 0 gives [-1, 1], with both one-sided slopes.
         side = u.sgn()
         total -= sum((e * m * abs(u) ** (m - 1) * side for e, m in self.grips if m), arb(0))
         top = abs(w).upper()
@@ -161,6 +167,8 @@ class WellForce:
         """sum_(k>=1) |s_0^(k)(u)|/k! reach^k term by term: how far s_0 goes within ``reach``, also for complex u."""
         size = abs(u)
         wide = size + reach
+        # (|u| + reach)^n - |u|^n has the absolute values of all Taylor coefficients of u^n but the first; for the sine
+        # cosh and sinh have (derivation ``wells-majorant``).
         total = sum((abs(c) * (wide**n - size**n) for c, n in self.restoring_powers(1)), arb(0))
         if self.rate is None:
             return upper(total + reach)
@@ -171,10 +179,12 @@ class WellForce:
 
     def largest(self, u: arb, du: arb, w: arb, dw: arb) -> arb:
         """A bound of |G| on the complex discs |U - u| <= du, |W - w| <= dw < w."""
+        # |W^alpha| <= (w + dw)^alpha in the right half-plane, dw < w.
         return upper(abs(self.restoring(u)) + self.largest_change(u, du) + self.drag(abs(u) + du, w + dw))
 
 
 def estimated_seconds(force: WellForce, swings: float, bits: int) -> float:
     """The expected time, good to a factor of about three for weak damping."""
+    # Exponents without a small common denominator make expansions of monomials, which cost more.
     apart = sum(not (a.is_rational and a.rational.denominator <= 20) for a in force.alphas)
     return well_seconds(swings, bits, len(force.losses) + len(force.springs), apart)

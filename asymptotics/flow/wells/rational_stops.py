@@ -25,6 +25,7 @@ from flint import fmpq, fmpq_poly
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.terms import Term
 
+# Limits of work only: beyond them the route in balls answers, and only exact ties stay undecided.
 _DEGREE, _MOST = 12, 40  # powers of a spring, and places, that are looked at
 
 Stop = tuple[Fraction, bool]  # the place, and whether dry friction holds the mass there
@@ -41,6 +42,7 @@ def rational_stops(terms: Sequence[Term], x0: ExactReal) -> tuple[Stop, ...]:
         return ()
     well, dry = found
     a, side = abs(x0.rational), 1 if x0.rational > 0 else -1
+    # V' + eps <= 2 eps: ``well`` has eps q in it.
     stops = [(x0.rational, _force(well, a) <= 2 * dry)]
     while len(stops) < _MOST and not stops[-1][1]:
         q = _following(well, a, dry)
@@ -68,6 +70,8 @@ def _energy(terms: Sequence[Term]) -> tuple[list[Fraction], Fraction] | None:
             signs.add(e.sign)
         else:
             dry += e.rational
+    # With springs of one sign V' is convex or concave from 0 on: where V'(a) > eps, V' crosses eps once between 0 and
+    # a, and the stop before the centre is unique.
     if len(signs) > 1 or not dry > 0:
         return None
     well[1] = dry
@@ -81,13 +85,17 @@ def _force(well: list[Fraction], x: Fraction) -> Fraction:
 
 def _following(well: list[Fraction], a: Fraction, dry: Fraction) -> Fraction | None:
     """The next turning distance where it is rational; below 0 for a stop before the centre."""
+    # V(a) - eps a: what is left for the other side of the centre, if it is above 0.
     energy = sum((c * a**n for n, c in enumerate(well)), Fraction(0)) - 2 * dry * a
     side = 1 if energy >= 0 else -1  # before the centre: V(z) - eps z for q = -z
     rows = [-energy, side * dry, *well[2:]]
     whole = fmpq_poly([fmpq(c.numerator, c.denominator) for c in rows]).numer()
+    # Factored over the rationals: a rational root is a linear factor, and any other root ends what is known exactly.
     for factor, _ in whole.factor()[1]:
         if factor.degree() == 1:
             root = Fraction(-int(factor[0]), int(factor[1]))
+            # V(q) + eps q increases, so there is one root beyond the centre; before it V(z) - eps z falls where V' <
+            # eps, and the motion stops on that branch.
             if 0 <= root <= a and (side > 0 or _force(well, root) < 2 * dry):
                 return side * root
     return None

@@ -30,11 +30,14 @@ from asymptotics.flow.wells.force import WellForce
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.precision import TooWideError
 
+# Twelve halvings of an interval everywhere, or far more about one place; what is not decided by then stays undecided.
 _PIECES, _LOW = 4096, 53
 
 
 def may_trap(force: WellForce) -> bool:
     """Whether some loss can hold the mass on one side at all: an exponent below 1, or a linear one of 2 or more."""
+    # Where the slope at u = 0 counts, which is 1, K >= 1 and epsilon^2 >= 4 K needs epsilon >= 2.  A smaller K, of a
+    # softening spring with dry friction, is not looked for: such a motion is not called overdamped.
     return any(f.place == 0 and f.alpha < 1 for f in force.losses) or not force.viscous < 2
 
 
@@ -43,10 +46,16 @@ def trap(force: WellForce, u: arb, w: arb) -> str | None:
     held = _held(force, u)
     if held is None or not u - held > 0:
         return None
+    # The slowest states are in the trap as well; a smaller y makes the wedge narrower, and the largest y is asked in
+    # the condition that bounds it.
     w, y = abs(w).upper(), (u - held).lower()
+    # s_0(u) <= K (u - u*) by the mean value theorem, K being the largest slope in between; it serves all of the way
+    # down to u*.
     chord = force.slope(held.union(u), arb(0))
     steepest = chord.upper()
-    if not steepest > 0 or (force.grips and not chord > 0):  # s_0 > 0 from u* on
+    # The lower boundary, w = 0, needs s_0 > 0 from u* on: with dry friction by a slope above 0, which also makes u* the
+    # only zero there; without it because V' > 0 on (0, u] inside a well.
+    if not steepest > 0 or (force.grips and not chord > 0):
         return None
     for f in force.losses:
         if f.place == 0 and f.alpha < 1 and _slow(f.strength, f.exponent, steepest, y, (u - held).upper(), w):
@@ -61,6 +70,8 @@ def trap(force: WellForce, u: arb, w: arb) -> str | None:
 def _critical(force: WellForce, epsilon: arb) -> bool:
     """epsilon = 2 exactly under a spring that only softens: K = 1."""
     softening = all(c < 0 for c, _ in force.springs) and not force.grips
+    # A spring below the linear one: K = 1 although the ball of the slope may exceed it by its rounding, and epsilon^2 =
+    # 4 K exactly.
     return bool(epsilon == 2) and softening and (force.rate is None or bool(force.rate > 0))
 
 
@@ -79,10 +90,12 @@ def _held(force: WellForce, u: arb) -> arb | None:
             low = middle
         else:
             break
+    # A zero lies between only if s_0 < 0 at the lower end; low = 0 has not been looked at yet.
     return low.union(high) if low > 0 or force.restoring(arb(0)) < 0 else None
 
 
 def _slow(epsilon: arb, a: arb, K: arb, y: arb, highest: arb, w: arb) -> bool:
+    # C of the module's docstring; the condition on y is asked at the highest place, from which on y falls.
     c = (2 / (2 - a)) ** (1 / a)
     inside = w == 0 or w**a <= c**a * K * y / epsilon
     return bool(inside) and bool(c**2 * highest ** (2 / a - 2) < a**2 / (2 - a) * epsilon ** (2 / a) * K ** (1 - 2 / a))
@@ -90,6 +103,7 @@ def _slow(epsilon: arb, a: arb, K: arb, y: arb, highest: arb, w: arb) -> bool:
 
 def beyond(force: WellForce, u: arb) -> str | None:
     """Why a motion that passes the place u < 0 has left its well, or None."""
+    # At u < 0 the force of a well points back, V' < 0: where it points outwards the top has been passed.
     return leaves(force) if u < 0 and force.spring_force(u) > 0 else None
 
 
@@ -102,6 +116,8 @@ def inside(force: WellForce, x: arb) -> bool | None:
     """Whether V' > 0 from 0 to all of |x|; False if V' <= 0 somewhere before any of it, None if undecided."""
     with ctx.workprec(max(ctx.prec, _LOW)):
         nearest, farthest = max(abs(x).lower(), arb(0)), abs(x).upper()
+        # The sure part of |x| is looked at first (the stack gives its last): a failure there is certain, beyond it only
+        # possible.
         stack, pieces = [(nearest, farthest), (arb(0), nearest)], 0
         while stack:
             low, high = stack.pop()
@@ -134,5 +150,6 @@ def outside(force: WellForce, shown: str) -> InputError:
 
 def _stiffness(force: WellForce, x: arb) -> arb:
     """V'(x)/x for a ball x >= 0."""
+    # V'(x)/x rather than V'(x), which vanishes at x = 0 and would leave that end undecided.
     linear = arb(1) if force.rate is None else (force.rate * x).sinc()
     return sum((c * x ** (p - 1) for c, p in force.springs), linear)

@@ -33,6 +33,8 @@ def arrive(force: WellForce, u: arb, w: arb) -> WellExpansion:
     with ctx.workprec(_LOW):
         first = without_loss(force, goal, (w * w / 2).mid())
     try:
+        # What the guess misses the state by is added as a distance in ``flow.trajectory``, and ``state_gap`` proves
+        # that the truth turns.
         return through(lambda u1: WellExpansion.at(force, u1, w), goal, w, goal if first is None else first)
     except LimitError as far:  # at the top of a well the place of a turning point is anywhere
         raise UndecidedError("the turning point ahead was not found: too near a separatrix") from far
@@ -49,6 +51,7 @@ def turns_within(force: WellForce, u: arb, w: arb) -> bool:
         reach = reach_at(force, turn)
     except LimitError:  # no plan is cheap enough there
         return False
+    # The series of a kinked force must not cross u = 0 on the way.
     smooth = not force.kinked or bool(turn * u > 0)
     return smooth and reach is not None and bool(w < reach) and points_forward(force, turn, u)
 
@@ -59,6 +62,7 @@ def without_loss(force: WellForce, u: arb, square: arb) -> arb | None:
     if not restoring < 0:
         return None
     turn = (u + square / restoring).mid()
+    # Dry friction that knows the place (m >= 1) is left out of the guess.
     held = sum((e for e, m in force.grips if m == 0), arb(0)).mid()
     for _ in range(_MOST):
         restoring = force.restoring(turn).mid()
@@ -69,6 +73,7 @@ def without_loss(force: WellForce, u: arb, square: arb) -> arb | None:
         turn = (turn + step).mid()
         if not turn < u:
             return None
+        # Three digits are enough for the secant method to start from.
         if abs(step) < (u - turn) * arb("0.001"):
             return turn
     return None

@@ -48,6 +48,7 @@ def last_turning_point(u: arb, w: arb) -> arb:
     level = 4 * first_constant(u, w)
     if not level < 0:
         raise ValueError("S >= 0: no turning point precedes this point")
+    # S at the turning point, e^(-2u)(-u/2 - 1/4) = S, solved for u; the branch W_(-1) <= -1 is the one with u_0 >= 0.
     return (-((level / arb.const_e()).lambertw(-1)) - 1) / 2
 
 
@@ -59,6 +60,7 @@ def since_turning_point(u: arb, w: arb) -> arb:
         raise ValueError(f"w = {w.str(5)} is not certainly nonzero: a point at rest is a turning point itself")
     p = 2 * last_turning_point(u, w)
     q = next_amplitude(p)
+    # (1 - cos chi)/2, whose balls may leave [0, 1] by rounding next to a turning point.
     versine = ((p - 2 * u) / (p + q)).nonnegative_part()
     return elapsed(p, q, 2 * versine.min(arb(1)).sqrt().asin())
 

@@ -58,6 +58,7 @@ def coefficients(n: int) -> Row:
     scale, values = _odd_double_factorial(n + first), {}
     for i, e in zip(range(first, n, 2), row):
         values[i] = Fraction(int(e), scale)
+        # (n+i+2)!! of the next entry: only (n+i)!! is divided by, not the common denominator of the row.
         scale *= n + i + 2
     return values
 
@@ -80,6 +81,7 @@ def coefficient(n: int, i: int) -> Fraction:
     if i < 0 or i >= n or (n - i) % 2 == 0:
         return Fraction(0)
     line = [(-1) ** j * _odd_double_factorial(2 * j - 1) for j in range((n - i + 1) // 2)]  # E_0^(2j+1)
+    # In place: line[j] holds E_(k-1) of the same diagonal before, ``below`` E_k of the diagonal before.
     for k in range(1, i + 1):
         below = 0
         for j in range(len(line)):

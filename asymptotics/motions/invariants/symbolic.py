@@ -62,6 +62,7 @@ class GeneratingFunction(Shown):
         """
         c, s = sympy.cos(THETA), sympy.sin(THETA)
         numerator = THETA * _expression(self.P, c) + s * _expression(self.R, c)
+        # From i = 2 on an expansion would hide the common denominator.
         return sympy.expand(numerator / s**self.i) if self.i < 2 else numerator / s**self.i
 
     @public
@@ -132,6 +133,7 @@ def _next(g: GeneratingFunction) -> GeneratingFunction:
     P = (2 * _C * _S2 * dP + 2 * (i - 1) * _C**2 * g.P).integral()
     right = 2 * _C * _S2 * (g.P + _C * g.R - _S2 * dR) - 2 * (i - 1) * _C**2 * _S2 * g.R - P
     R, constant = _solve(right)
+    # P_i has the parity of i, so that for odd i no constant can be left.
     if i % 2 and constant:
         raise ArithmeticError(f"P_{i} would lose its parity: the induction of smith-generating-functions fails")
     return GeneratingFunction(i, P + constant, R)

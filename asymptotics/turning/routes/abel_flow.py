@@ -42,6 +42,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
         plan, epsilons = planned(alphas, ctx.prec, request.start), [t.strength.ball() for t in laws]
 
         def far(lead: Iterator[TurningState]) -> TurningState:
+            # The plan guesses the length of the head; the strength decides where it ends.
             here = head_end(lead, alphas[0], epsilons[0], request.start, plan.delta)
             if here.n >= request.start:
                 return here

@@ -42,6 +42,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
         head = head_of(alpha, ctx.prec)
 
         def far(lead: Iterator[TurningState]) -> TurningState:
+            # A head of a fixed length, after which delta < 1/(g n) is proved (``head_of``).
             here = next(islice(lead, min(head, request.start), None))
             return jumped(alpha, epsilon.ball(), here, request.start)
 

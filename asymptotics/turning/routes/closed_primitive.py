@@ -53,7 +53,8 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
 
     def attempt(bits: int) -> TurningPoints:
         method = f"primitive of the energy equation in balls of {bits} bits"
-        with ctx.workprec(2 * bits):  # the primitive cancels as the amplitude falls
+        # As the amplitude falls the work on a half-swing is a difference of nearly equal primitives.
+        with ctx.workprec(2 * bits):
             made, ended = _rounded(request, bits, progress, kept.begin(lambda: method))
         return request.table(made, method, ended)
 
@@ -89,6 +90,7 @@ def _rounded(request: Request, bits: int, progress: Progress, made: list[Turning
 
 def _places(request: Request, well: PrimitiveWell, bits: int) -> Iterator[tuple[arb | ExactReal, bool | None]]:
     """The places as exact numbers as long as they are rational, in balls from the last one on."""
+    # Exact places first, with their ties; balls take over from the last of them.
     stops = rational_stops(request.law.terms, request.place)
     yield from ((ExactReal(place), stays) for place, stays in stops)
     if stops and stops[-1][1]:

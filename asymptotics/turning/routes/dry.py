@@ -57,6 +57,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     a = _first_amplitude(request)
     assert a is not None
     c, v0 = request.epsilon, request.speed
+    # s X = c + R cos theta at the start, theta in (0, pi): what is left to pi is the time to the turning point.
     y = (-1 if v0 > 0 else 1) * request.place - c
     tau = proved_digits(lambda: arb.pi() - arb.atan2(abs(v0.ball()), y.ball()), request.digits)
     first = {"amplitude": proved_digits(a, request.digits), "tau": tau}
@@ -88,6 +89,7 @@ def _first_amplitude(request: Request) -> ExactReal | None:
 
 
 def _place(epsilon: ExactReal, n: int, side: int) -> Number:
+    # A rational place is rounded exactly, ties included; a root is rounded from balls, and no tie is possible.
     if epsilon.is_rational:
         return Fraction(side * (-1) ** n) * (1 - 2 * n * epsilon.rational)
     return lambda: side * (-1) ** n * (1 - 2 * n * epsilon.ball())

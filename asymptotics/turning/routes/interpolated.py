@@ -31,6 +31,7 @@ def serves(request: Request) -> float | None:
     if not request.law.is_pure or panels_of(request.law, bits_of(request)).closed:
         return None
     steps, pieces = _worth(request)
+    # pieces = steps: no panel pays, and ``stepping`` is the same without panels.
     return swing_seconds(request, steps, pieces) if request.in_motion or 0 < pieces < steps else None
 
 

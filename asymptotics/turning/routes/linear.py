@@ -42,6 +42,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     oscillates = epsilon < 2
     with Kept(request) as kept:
         made = kept.begin(lambda: METHOD)
+        # epsilon < 2 is decided exactly; an overdamped motion has its start as the only turning point.
         for n in range(request.start, request.last + 1 if oscillates else min(request.last + 1, 1)):
             made.append(_point(epsilon, n, request.digits, request.times))
             progress(len(made))

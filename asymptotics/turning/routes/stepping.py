@@ -41,6 +41,8 @@ from asymptotics.turning.table import Progress, Request
 
 MAX_DIGITS, MAX_LAST = 1000, 100_000
 METHOD = "half-swing by half-swing in the well, local expansions and Taylor steps in balls"
+# Bits beyond the digits to begin with, and how often they are doubled: fewer make a second attempt likely, more make
+# the first one slower.
 _SPARE, _DOUBLINGS = 36, 3
 
 
@@ -95,6 +97,7 @@ def _in_well(request: Request, progress: Progress) -> TurningPoints:
         with ctx.workprec(ctx.prec + GUARD):
             force = WellForce.of(request.law.terms)
         require_inside(force, request.place.ball(), "the start")
+        # Rational stops are those from rest at x0.
         well = EvenWell(force, () if request.in_motion else rational_stops(request.law.terms, request.place))
 
         def first() -> TurningState | str:

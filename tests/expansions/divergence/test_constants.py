@@ -12,7 +12,7 @@ import asymptotics as asy
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.divergence import result
 from asymptotics.expansions.divergence.abel import at, odd_series
-from asymptotics.expansions.divergence.constants import effort, rough_petal, stokes_balls
+from asymptotics.expansions.divergence.constants import _solved, effort, rough_petal, stokes_balls
 from asymptotics.expansions.divergence.germ import germ
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import certified_decimal
@@ -26,6 +26,9 @@ def alpha(text):
 @cache
 def constants(text, count=1, digits=12):
     return stokes_balls(alpha(text), count, digits)
+
+
+DRAG = parse_real("2", "alpha")
 
 
 @pytest.mark.parametrize("text", ["2", "4", pytest.param("3/2", marks=pytest.mark.slow)])
@@ -188,3 +191,26 @@ def test_neighbouring_zeros_are_about_one_apart_in_1_over_eta():
     above, below = ([1 / (float(x) - 1) for x, _ in ZEROS[i : i + 3]] for i in (0, 3))
     gaps = [abs(b - a) for row in (above, below) for a, b in zip(row, row[1:], strict=False)]
     assert all(0.93 < gap < 1.07 for gap in gaps) and not all(0.99 < gap < 1.01 for gap in gaps)
+
+
+def test_a_tail_left_out_moves_the_constants():
+    """D = sum c_k q^k with the largest c_k that the petal allows: enclosed, and not without the tail."""
+    _, p = rough_petal(DRAG)
+    with ctx.workprec(200):
+        heights = [p.Y_0 + arb(k) / 4 + 1 for k in range(3)]
+        c = [2 * p.s * (2 * arb.pi() * k * p.Y_0).exp() * arb("0.99") for k in range(1, 60)]
+        q = [(-2 * arb.pi() * v).exp() for v in heights]
+        rows = [(x, sum(a * x**k for k, a in enumerate(c, 1)).mid(), v) for x, v in zip(q, heights, strict=True)]
+        found = _solved(p, rows, p.s)
+        assert all(ball.contains(value.mid()) for ball, value in zip(found, c, strict=False))
+        without = _solved(p, rows, arb(0))
+        assert not any(ball.contains(value.mid()) for ball, value in zip(without, c, strict=False))
+
+
+def test_one_height_gives_the_constant_up_to_its_tail(law):
+    _, p = law
+    with ctx.workprec(100):
+        v = p.Y_0 + 2
+        q = (-2 * arb.pi() * v).exp()
+        radius = float(_solved(p, [(q.mid(), arb(0), v)], p.s)[0].rad())
+        assert radius / float(p.tail(p.s, 1, v) / q) == pytest.approx(1, rel=1e-6)

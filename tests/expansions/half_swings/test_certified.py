@@ -10,8 +10,13 @@ from flint import arb, ctx, fmpq
 from scipy.integrate import quad, solve_ivp
 
 from asymptotics.errors import InputError, LimitError
-from asymptotics.expansions.half_swings.certified import enclose, quarter_swing, tail_constants, truncated_sums
-from asymptotics.expansions.half_swings.certified_orders import bound_ring, indices, order_series, power_series_ring
+from asymptotics.expansions.half_swings.certified import (
+    enclose,
+    quarter_swing,
+    tail_constants,
+    terms_needed,
+    truncated_sums,
+)
 from asymptotics.expansions.half_swings.exact import exact_quarter_swing
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
@@ -39,6 +44,10 @@ def series_in(values: list[Fraction]) -> Series:
 def assert_contains_narrowly(ball: arb, value: arb, bits: int = 100) -> None:
     assert ball.overlaps(value)
     assert ball.rad() < arb(2) ** -bits * max(1, abs(ball).upper())
+
+
+def real(text):
+    return parse_real(text, "alpha")
 
 
 def test_dry_friction_is_contained() -> None:
@@ -228,22 +237,6 @@ def test_a_missing_tail_bound_is_detected() -> None:
                     assert not any(n) or not naive[n].overlaps(right[n])  # the planted fault is seen
 
 
-@pytest.mark.parametrize("alphas", [[fmpq(1, 2)], [fmpq(2)], [fmpq(0), fmpq(7, 3)]])
-def test_every_coefficient_obeys_its_bound(alphas: list[fmpq]) -> None:
-    """|y_n,j| <= |y_n| ϱ^(−j) for each ϱ, and the bound is no wild overestimate at j = 0 and ϱ = 1."""
-    with ctx.workprec(200):
-        forces = Forces.losses([ExactReal(Fraction(int(a.p), int(a.q))) for a in alphas])
-        orders = indices(len(alphas), 4)
-        y = order_series(power_series_ring(forces, 40), orders)
-        for radius in (1, 2, 3, 4):
-            bound = order_series(bound_ring(forces, radius), orders)
-            for n, f in y.items():
-                assert all(
-                    abs(c) * arb(radius) ** j <= bound[n] * (1 + arb(2) ** -150) for j, c in enumerate(f.coeffs())
-                )
-                assert radius > 1 or bound[n] < 10 ** (2 * sum(n))
-
-
 @pytest.mark.parametrize("arguments", [([], 3), (["-1"], 3), (["2"], 0)])
 def test_bad_input_is_refused_by_name(arguments: tuple[list[str], int]) -> None:
     texts, order = arguments
@@ -274,3 +267,30 @@ def test_exact_engine_is_contained(alphas: tuple[int, ...], order: int) -> None:
                 truth = PiNumber.rational(0) + a[n]
                 assert_contains_narrowly(arb(b[n]), truth.ball())
                 assert not arb(b[n]).overlaps(truth.ball() + arb(10) ** -20)
+
+
+@pytest.mark.parametrize("exponent", ["1/2", "3/2", "3"])
+def test_the_bounds_of_the_first_order_are_attained_on_the_circle(exponent):
+    """At theta = i pi, |t| = 4: g = pi sinh pi, c = cosh pi, y_1 = (sinh pi/pi)^alpha and
+    e^(-i theta) c = (1 + e^(2 pi))/2; the factors of the moments by hand, each of them attained there."""
+    a, pi = real(exponent).ball(), arb.pi()
+    R, T, *K = tail_constants(Forces.losses([real(exponent)]), 2, 4, True)
+    scale, y, last = (pi / 2) ** a, (pi.sinh() / pi) ** a, (1 + (2 * pi).exp()) / 2
+    d, w = pi.cosh() * y, pi * pi.exp() * y / (a + 1)
+    known = [(R[(1,)], scale * pi * pi.sinh() * y), (T[(1,)], scale * pi / 2 * pi.cosh() * y)]
+    known += [(K[2 * k][(0,)], (pi / 2) ** (k + 1) * last) for k in range(3)]
+    known += [(K[0][(1,)], scale * pi / 2 * last * (d + w))]
+    known += [(K[2][(1,)], scale * (pi / 2) ** 2 * last * (d + w + d / (a + 1)))]
+    for bound, value in known:
+        assert value * (1 - arb(1e-12)) < bound < value * (1 + arb(1e-12))
+
+
+def test_the_tail_of_a_power_series_is_that_of_its_bound():
+    """Sum over k >= K of B r^-k/(2 k) at most, nearly attained by coefficients that are all as large as their bound."""
+    for radius, terms in ((2, 50), (3, 20), (4, 9)):
+        cut = enclose({(1,): arb(0)}, {(1,): arb(7)}, radius, terms)[(1,)].rad()
+        whole = sum((7 * arb(radius) ** -k / (2 * k) for k in range(terms, 40 * terms)), arb(0))
+        assert whole < cut < whole * arb("1.1")
+    for bits in (8, 12, 40):
+        terms = terms_needed([{(1,): arb(1)}], 4, bits)
+        assert enclose({(1,): arb(0)}, {(1,): arb(1)}, 4, terms)[(1,)].rad() < arb(2) ** (-bits - 3)

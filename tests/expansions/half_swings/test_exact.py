@@ -8,11 +8,9 @@ from asymptotics.expansions.half_swings.exact import (
     exact_quarter_swing,
     odd_half_swing,
 )
-from asymptotics.expansions.half_swings.fourier_flow import fourier_flow
 from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.expansions.half_swings.pi_ring import PI
 from asymptotics.expansions.half_swings.quarter import half_swing
-from asymptotics.gauges import GAUGES
 from paper_checks.report.verification import numerical_half_swing
 
 
@@ -97,19 +95,3 @@ def test_ball_pipeline_contains_the_exact_one():
         exact = half_swing(quarter)
         for n in range(1, 7):
             assert half.L[n].overlaps(exact.L[n].ball()) and half.L[n].rad() < arb(10) ** -40
-
-
-@pytest.mark.parametrize("alphas", [(3,), (1, 3), (5,)])
-@pytest.mark.parametrize("gauge", ["averaging", "no-first-harmonic"])
-def test_a_gauge_is_what_its_bracket_says(alphas, gauge):
-    """In its own gauge the mean that defines it is 1 through every order, and in no other."""
-    for own in GAUGES:
-        bracket = fourier_flow(alphas, 4, own).bracket(gauge)
-        assert (bracket.coefficients == {(0,) * len(alphas): 1}) == (own == gauge)
-
-
-@pytest.mark.parametrize("alphas", [(2,), (0,), (1, 2), (-1,)])
-def test_the_fourier_route_refuses_what_is_not_odd(alphas):
-    # It would otherwise return U = delta/2 for alpha = 2, where -4/(3 pi) delta is right.
-    with pytest.raises(InputError, match="odd integers|negative"):
-        fourier_flow(alphas, 2)

@@ -9,10 +9,13 @@ from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.half_swings.symbolic import (
     I_4,
+    RADIUS,
+    _integrate,
     _product,
     _sinc_power,
     alpha,
     cauchy_bounds,
+    field_half_swing,
     nested_integral,
     nested_integral_definition,
     nested_integral_exact,
@@ -94,3 +97,30 @@ def test_definition_and_refusal():
         nested_integral(arb(-1))
     with pytest.raises(InputError):
         nested_integral_exact(-1)
+
+
+@pytest.mark.parametrize("terms", [1, 2, 5])
+def test_the_tail_of_an_integral_is_needed(terms):
+    """y_j = R^(-2 j) attains Cauchy's bound with B = 1; for a large power of theta the bound is nearly attained."""
+    y, e = [arb(RADIUS) ** (-2 * j) for j in range(400)], arb(60)
+    with ctx.workprec(200):
+        value, found = _integrate(y, e, arb(1)), _integrate(y[:terms], e, arb(1))
+        assert found.contains(value.mid())
+        assert not (found.mid() + arb(0, found.rad() / 2)).overlaps(value)
+        assert _integrate(y[:terms], e, arb(2)).rad() > found.rad() * arb("1.99")
+
+
+@pytest.mark.parametrize("n", [1])
+def test_the_integral_that_defines_i_4_is_i_4(n):
+    shown = nested_integral_definition().subs(alpha, n).doit()
+    with mpmath.workdps(20):
+        assert (
+            abs(mpmath.mpmathify(shown.evalf(20)) - mpmath.mpf(nested_integral_exact(n).ball().str(20, radius=False)))
+            < 1e-15
+        )
+
+
+def test_the_symbolic_half_swing_is_what_it_was_computed_to_be():
+    cached, anew = field_half_swing(), field_half_swing.__wrapped__()
+    assert [cached.T[k] for k in range(5)] == [anew.T[k] for k in range(5)]
+    assert [cached.L[k] for k in range(5)] == [anew.L[k] for k in range(5)]

@@ -22,6 +22,7 @@ from asymptotics.return_map.panels import Panels
 from asymptotics.return_map.sequence import Interpolated
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.half_swing import half_swing_result
+from tests.flow.forces import by_strength, damping_of
 
 LAWS = [(("0", "1/50"), ("1", "1/5")), (("1", "1"),), (("0", "1/7"),), (("0", "1/50"), ("1", "1.5"))]
 STARTS = [("1", "0"), ("0.75", "0.25"), ("-0.25", "0.5"), ("0", "1"), ("0.5", "0.001")]
@@ -133,3 +134,31 @@ def test_states_between_half_swings_that_are_interpolated(law):
     for low, high in zip(*found, strict=True):
         for small, large in zip(low, high, strict=True):
             assert small.contains(large) and small.rad() < arb(2) ** -18
+
+
+def test_the_closed_form_keeps_its_radii():
+    """Of the place at which it turns, and of the friction whose sign is wrong while its time is uncertain."""
+    with ctx.workprec(20):
+        law = damping_of(("0", "1/7"), ("1", "1/3"))
+        (swing,) = half_swing_pieces(LinearSpring(law), arb(1), arb(0))
+        time, y = swing.orbit.turning()
+        assert swing.miss >= (y + law.friction).rad() > 0
+        assert swing.error >= 4 * law.friction * time.rad() * (1 - arb(2) ** -10) > 0
+        assert swing.gap(swing.miss) >= 2 * swing.miss
+
+
+def test_a_closed_half_swing_begins_farther_than_its_error():
+    spring = LinearSpring(by_strength(("1/2", "1")))
+    with ctx.workprec(60):
+        assert spring.closed(arb("0.01"), arb(0), arb("0.001")) is not None
+        with pytest.raises(UndecidedError, match="holds the mass here"):
+            spring.closed(arb("0.01"), arb(0), arb("0.02"))
+
+
+def test_a_closed_half_swing_counts_the_friction_after_its_end():
+    with ctx.workprec(30):
+        law = by_strength(("1/2", "1"), ("1/10", "0"))
+        found = LinearSpring(law).closed(arb(1), arb(0), arb(2) ** -10)
+        assert found.errors.error >= arb(2) ** -10 + 4 * law.friction * found.clock.rad() * arb("0.999")
+        alone = LinearSpring(law).closed(arb(1), arb(0), arb(0))
+        assert alone.errors.error >= 4 * law.friction * alone.clock.rad() * arb("0.999") > 0

@@ -2,6 +2,7 @@
 
 import tracemalloc
 from fractions import Fraction
+from itertools import islice
 
 import pytest
 from flint import arb, ctx
@@ -9,7 +10,7 @@ from flint import arb, ctx
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
-from asymptotics.flow.sequence import sequence
+from asymptotics.flow.sequence import first_from, sequence
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.trajectory import ArrivalPiece, half_swing_pieces
 from asymptotics.flow.turning import at_rest
@@ -20,6 +21,7 @@ from asymptotics.return_map.sequence import Interpolated
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.quadratic_duration import duration
 from asymptotics.turning.quadratic_map import next_amplitude
+from tests.flow.forces import by_strength, damping_of
 
 LAWS = [
     (("2", "1"),),
@@ -150,3 +152,20 @@ def test_a_long_sequence_loses_nothing_and_memory_stays_flat(pairs):
     low, high = ends
     assert low.ended is None and low.x.contains(high.x) and low.tau.contains(high.tau)
     assert low.amplitude_error < low.amplitude * arb(10) ** -30 and low.time_error < arb(10) ** -27
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_start_in_motion_and_its_mirror_image(side):
+    law, state = damping_of(("3/2", "1/5")), (arb("0.25"), arb("0.5"))
+    with ctx.workprec(80):
+        first, other = first_from(LinearSpring(law), *state), first_from(LinearSpring(law), *(side * x for x in state))
+        assert first.side == 1 and other.side == side and first.n == other.n == 0
+        for a, b in zip(*(islice(sequence(LinearSpring(law), here), 3) for here in (first, other)), strict=True):
+            assert (b.n, b.side) == (a.n, side * a.side)
+            for name in ("amplitude", "amplitude_error", "time", "time_error"):
+                assert getattr(a, name).mid() == getattr(b, name).mid()
+
+
+def test_at_the_exponent_1_a_next_turning_point_is_not_promised():
+    assert LinearSpring(by_strength(("1/2", "3/2"))).endless and not LinearSpring(by_strength(("3", "1"))).endless
+    assert not LinearSpring(by_strength(("3", "1"), ("1/2", "3/2"))).endless

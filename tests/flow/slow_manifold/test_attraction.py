@@ -15,6 +15,7 @@ from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import ExactReal
+from tests.flow.forces import by_strength
 
 
 def damping(*terms):
@@ -45,7 +46,7 @@ def test_a_ladder_of_precisions(terms):
 
 @pytest.mark.parametrize("terms", LAWS, ids=str)
 @pytest.mark.parametrize("speed", ["0", "1e-12"])
-def test_taylor_steps_pass_through_the_settling_into_the_strip(terms, speed, monkeypatch):
+def test_taylor_steps_pass_through_the_attraction_into_the_strip(terms, speed, monkeypatch):
     """In a time so short that y does not move: the strip holds the speed that is reached."""
     place = arb("0.1").mid()
     with ctx.workprec(100):
@@ -195,3 +196,10 @@ def test_each_part_of_the_wait_counts():
         parts = 8 * W / n_slow, arb(8) / 3 * W / n * abs((16 * sigma).log())
         fall = m / n_m + W / n * (1 + n * y / (W * m)).log()
         assert _wait(curve, slow, most, y) > (parts[0] + parts[1] + fall) * arb("0.999")
+
+
+def test_no_attraction_beside_a_force_that_grows_faster_than_the_speed():
+    """w n'/n is near 3 where the cubic loss is all: the region of the slow curve asks for less than 1."""
+    with ctx.workprec(60):
+        assert attracted(by_strength(("1/1000", "1/2"), ("1e35", "3")), arb("0.1"), arb(0), arb(0)) is None
+        assert attracted(by_strength(("1", "1/1000")), arb("0.1"), arb(0), arb(0)) is not None

@@ -17,6 +17,7 @@ from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import parse_real
+from tests.flow.forces import by_strength
 
 LAWS = [
     {"1/2": "1"},
@@ -277,3 +278,18 @@ def test_a_power_that_may_be_a_logarithm_holds_both(log_w):
     found = _grown(arb(0, e), log_w)
     assert found.contains(log_w) and found.rad() < 2 * e * log_w**2
     assert all(found.contains(((d * log_w).exp() - 1) / d) for d in (e, -e, e / 2, -e / 2))
+
+
+def test_newton_claims_no_root_where_there_is_none():
+    """x^2 + 1 has none, and no box about any x holds its own Newton step."""
+    with ctx.workprec(60), pytest.raises(UndecidedError):
+        solve(lambda x: (x * x + 1, 2 * x), arb(0), arb("0.7"))
+
+
+def test_a_strip_that_begins_where_its_curves_were_not_checked_is_none():
+    """The speed is known to a thirtieth: so wide a strip begins at a speed more than 1 % above it."""
+    with ctx.workprec(60):
+        law, y = by_strength(("1", "1/2")), arb(2) ** -10
+        w = (y * y).mid()
+        y = (law.resistance(w) * (1 - 2 * w * w / law.resistance(w) ** 2)).mid()
+        assert caught(law, y, w, (w / 30).mid()) is None and caught(law, y, w, (w / 10**6).mid()) is not None

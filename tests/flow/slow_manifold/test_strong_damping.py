@@ -21,6 +21,7 @@ from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import parse_real
 from asymptotics.turning.choose import turning_points
+from tests.flow.forces import by_strength
 
 
 def damping(alpha, epsilon):
@@ -50,7 +51,7 @@ def entered(alpha, epsilon, bits, error=None):
 
 
 @pytest.mark.parametrize(("alpha", "epsilon"), [("3/2", "100"), ("2", "300"), ("sqrt(3)", "200")])
-def test_the_slide_ends_where_steps_do(alpha, epsilon, monkeypatch):
+def test_the_strip_ends_where_steps_do(alpha, epsilon, monkeypatch):
     """At 70 bits with a slide, at 140 by Taylor steps alone: place and time are held."""
     q, time, count, slides = turned(alpha, epsilon, 70)
     monkeypatch.setattr(linear_spring, "strong_damping_strip", lambda *_: None)
@@ -129,7 +130,7 @@ def test_the_strip_holds_every_state_that_enters():
         assert (y - e) - slide.below.place((w + e).log())[0] > height / 3
 
 
-def test_a_slide_begins_at_every_height_of_the_state():
+def test_a_strip_begins_at_every_height_of_the_state():
     law, y, w, slide = entered("3/2", "1e4", 120, arb("1e-9"))
     with ctx.workprec(120):
         found, speeds = slide.state(arb(0))
@@ -141,7 +142,7 @@ def test_a_slide_begins_at_every_height_of_the_state():
         assert apart <= blur and float(blur / apart) < 4
 
 
-def test_a_slide_ends():
+def test_a_strip_ends():
     _, _, _, slide = entered("3/2", "1e4", 80)
     with ctx.workprec(80):
         assert slide.state(slide.length)[1] > 0
@@ -161,3 +162,11 @@ def test_what_the_strip_leaves_open_is_in_the_error_after_it():
         i = next(i for i, piece in enumerate(pieces) if isinstance(piece, Creep))
         y, w = pieces[i].own(pieces[i].end)
         assert pieces[i + 1].error >= y.rad() + w.rad() > 0
+
+
+def test_no_strip_below_the_exponent_1():
+    with ctx.workprec(60):
+        for alpha, held in (("1/2", False), ("3/2", True)):
+            law, w = by_strength(("1e6", alpha)), arb("0.001" if alpha == "1/2" else 1).mid()
+            found = strong_damping_strip(law, law.resistance(w).mid(), w, w * arb("1e-9"))
+            assert (found is not None) is held

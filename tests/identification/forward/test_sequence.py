@@ -1,5 +1,7 @@
 """The whole sequence of turning points at once: where Newton's iteration fails, what the steps one by one say."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,8 @@ from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.sequence import turning_sequence
 from asymptotics.identification.forward.stepped import stepped_swings
 from asymptotics.identification.forward.swing import HalfSwingModel
+from asymptotics.law import Law
+from asymptotics.turning.choose import turning_points
 
 LAW = np.array([-0.05, 0.0003, 0.02])
 """ln(amplitude), dry friction, quadratic drag."""
@@ -33,6 +37,9 @@ def one_by_one(swing, law):
 
 def swings():
     return [PendulumHalfSwing((loss(0.0), loss(2.0)), 0.7), HalfSwingModel((loss(0.0), loss(2.0)))]
+
+
+LAWS = [[("1/10", "3/2")], [("1/25", "0"), ("1/20", "1")], [("1/10", "1"), ("1/10", "2")]]
 
 
 @pytest.mark.parametrize("swing", swings())
@@ -79,3 +86,29 @@ def test_the_steps_in_theta_agree_with_the_series(elements):
     assert np.abs(values - series.values).max() < 3e-8
     assert np.abs(by_amplitude - series.by_amplitude).max() < 3e-8
     assert np.abs(by_strength - series.by_parameter).max() < 3e-7
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_turning_points_and_times_are_those_of_the_certified_program(law):
+    swings = 8
+    table = turning_points(Law({a: e for e, a in law}), swings + 1, 14, times=True)
+    swing = HalfSwingModel([loss(float(Fraction(a))) for _, a in law])
+    found = turning_sequence(swing, swings, np.array([0.0, *(float(Fraction(e)) for e, _ in law)]))
+    assert np.abs(np.exp(found.a) - [abs(float(p.x)) for p in table.points]).max() < 1e-10
+    assert np.abs(found.tau - [float(p.tau) for p in table.points]).max() < 1e-10
+
+
+def test_the_derivatives_of_the_sequence_are_exact():
+    swing, p = HalfSwingModel((loss(1), loss(2), spring(3))), np.array([0.0, 0.01, 0.02, 0.02])
+    found, h = turning_sequence(swing, 60, p), 1e-6
+    for i in range(4):
+        e = np.eye(4)[i] * h
+        up, down = turning_sequence(swing, 60, p + e), turning_sequence(swing, 60, p - e)
+        for name in ("a", "tau", "passage", "log_speed"):
+            slope = (getattr(up, name) - getattr(down, name)) / (2 * h)
+            assert np.abs(slope - getattr(found, "d_" + name)[i]).max() < 1e-6 * (1 + np.abs(slope).max()), name
+
+
+def test_motion_that_sticks_has_no_next_turning_point():
+    with pytest.raises(TooStrongError):
+        turning_sequence(HalfSwingModel((loss(0),)), 6, np.array([0.0, 0.1]))  # from 1 by 0.2: five swings

@@ -1,0 +1,38 @@
+"""The command solution."""
+
+import json
+
+import pytest
+import sympy
+
+import asymptotics as asy
+from asymptotics.api.solution import epsilon, tau
+from asymptotics.cli.main import main
+
+
+def test_the_command_has_the_keys_of_the_contract(capsys, tmp_path):
+    line = ["solution", "--alpha", "2", "--epsilon", "1/10", "--order", "3", "--time", "50", "--bound", "--json"]
+    line += ["--csv", str(tmp_path / "x.csv"), "--plot", str(tmp_path / "x.svg"), "--points", "20"]
+    assert main(line) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["certified"] is False and found["order"] == 3 and found["valid_until"] == "oo"
+    names = {"tau": tau, "epsilon": epsilon}
+    values = {tau: sympy.Integer(50), epsilon: sympy.Rational(1, 10)}
+    for name in ("amplitude", "phase", "x"):
+        form = sympy.sympify(found[name], locals=names)
+        assert abs(form.subs(values).evalf(25) - sympy.Float(found[f"{name}_value"], 25)) < 1e-20
+        assert form.subs({tau: 0}).subs(epsilon, sympy.Rational(1, 7)) == {"amplitude": 1, "phase": 0, "x": 1}[name]
+    true = float(asy.reference({2: "1/10"}).at("50", digits=20).x)
+    assert abs(true - float(found["x_value"])) <= float(found["bound"]) < 1e-5
+    rows = (tmp_path / "x.csv").read_text().splitlines()
+    assert rows[0].startswith("tau,amplitude,phase,x") and len(rows) == 22
+    assert float(rows[-1].split(",")[3]) == pytest.approx(float(found["x_value"]), abs=1e-12)
+    assert (tmp_path / "x.svg").read_text().startswith("<?xml")
+
+
+@pytest.mark.slow
+def test_the_command_answers_at_order_nine(capsys):
+    assert main(["solution", "--alpha", "5/2", "--epsilon", "1/10", "--order", "9", "--time", "7", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    low = asy.solution({"5/2": "1/10"}, order=8).at(7, digits=20).x
+    assert 0 < abs(float(found["x_value"]) - float(low)) < 1e-8

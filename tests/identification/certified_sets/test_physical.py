@@ -1,0 +1,47 @@
+"""The box of physical strengths holds the truth, and its tests bite."""
+
+import numpy as np
+from flint import ctx
+
+from asymptotics.identification.certified_sets import physical
+from asymptotics.identification.certified_sets.certified_ratio import CertifiedRatio
+from asymptotics.identification.certified_sets.physical import physical_box
+from asymptotics.identification.certified_sets.table_rows import rows_of
+from asymptotics.identification.fitting.printed import DecrementModel, Decrements
+from asymptotics.identification.forward.candidates import read_candidate
+from asymptotics.terms import Term
+
+
+def losses(law):
+    """Terms of strength 1 from a candidate such as 1+1,2:."""
+    return tuple(Term(1, a, m) for a, m in read_candidate(law).losses)
+
+
+def printed(law, strengths, digits, rows=12):
+    a = np.round(np.linspace(1.0, 0.3, rows), 4)
+    model = DecrementModel(read_candidate(law).swing(), Decrements(a, a))
+    D = model.predict(np.array(strengths, dtype=float))[0]  # the reference amplitude is 1
+    return Decrements(a, np.round(D, digits), np.full(rows, 0.5 * 10.0**-digits))
+
+
+def test_the_physical_box_holds_the_truth_and_its_tests_bite():
+    terms, table = losses("1+2"), printed("1+2", [0.01, 0.03], 3)
+    with ctx.workprec(80):
+        ratio = CertifiedRatio.of(terms)
+        low, high = physical_box(terms, ratio, rows_of(ratio, table))
+        assert (low <= [0.01, 0.03]).all()
+        assert (high >= [0.01, 0.03]).all()
+        assert (high - low < 0.02).all()
+        # half a unit of the last digit more in one row, and the box is empty
+        wrong = Decrements(table.amplitude, table.decrement + 3e-3 * (np.arange(12) == 5), table.resolution)
+        assert physical_box(terms, ratio, rows_of(ratio, wrong)) == "none"
+
+
+def test_a_last_box_that_is_dismissed_in_the_last_round_leaves_none(monkeypatch):
+    terms, table = losses("1+2"), printed("1+2", [0.01, 0.03], 3)
+    wrong = Decrements(table.amplitude, table.decrement + 3e-3 * (np.arange(12) == 5), table.resolution)
+    monkeypatch.setattr(physical, "MAX_BOXES", 1)
+    with ctx.workprec(80):
+        ratio = CertifiedRatio.of(terms)
+        assert physical_box(terms, ratio, rows_of(ratio, wrong)) == "none"
+        assert isinstance(physical_box(terms, ratio, rows_of(ratio, table)), tuple)

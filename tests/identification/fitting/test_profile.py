@@ -1,0 +1,30 @@
+"""Profile intervals against those of MINOS."""
+
+import numpy as np
+import pytest
+from iminuit import Minuit
+
+from asymptotics.identification.fitting.profile import profile_interval, quantile
+from asymptotics.identification.forward.candidates import read_candidate
+from asymptotics.identification.judging.comparison import fit_law, strength
+from asymptotics.identification.synthetic import observed
+
+
+def test_profile_intervals_are_those_of_minos():
+    seen = observed("1+2", [0.01, 0.02], 60, 5e-3, seed=2)
+    fit = fit_law(read_candidate("1+2"), seen).fit
+    sigma = fit.model.scale_vector(fit.scales)
+
+    def chi2(theta):
+        return float((((fit.model.data - fit.model.predict(np.array(theta))[0]) / sigma) ** 2).sum())
+
+    minuit = Minuit(chi2, fit.theta)
+    minuit.errordef = quantile(fit, 0.95, "x") ** 2
+    minuit.migrad()
+    minuit.minos()
+    for i in (0, 1):
+        mine = profile_interval(fit, strength(fit_law(read_candidate("1+2"), seen).candidate, i, seen.reference))
+        scale = seen.reference ** -fit.model.swing.elements[i].weight
+        errors = minuit.merrors[1 + i]
+        assert mine.low - mine.estimate == pytest.approx(errors.lower * scale, rel=0.02)
+        assert mine.high - mine.estimate == pytest.approx(errors.upper * scale, rel=0.02)

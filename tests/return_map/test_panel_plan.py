@@ -1,0 +1,130 @@
+"""The plan of a panel: in doubles what the majorant says in balls, and no larger than what is verified."""
+
+from types import SimpleNamespace
+
+import mpmath
+import numpy as np
+import pytest
+from flint import arb, ctx
+from scipy.integrate import solve_ivp
+
+from asymptotics.expansions.moments.certified import moment
+from asymptotics.flow.damping import Damping
+from asymptotics.law import Law
+from asymptotics.numbers.exact import parse_real
+from asymptotics.return_map import panel_plan
+from asymptotics.return_map.chebyshev import cut
+from asymptotics.return_map.coordinate import Coordinate
+from asymptotics.return_map.half_swing_map import integrated
+from asymptotics.return_map.panel_plan import planned, verified
+from asymptotics.return_map.panels import Panels
+from tests.return_map.test_panels import LAWS
+
+
+def coordinate(pairs):
+    with ctx.workprec(300):
+        return Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+
+
+def by_pieces(pairs, p, bits):
+    with ctx.workprec(bits + 40):
+        law = Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+    with ctx.workprec(bits):
+        return integrated(law, p)
+
+
+def complex_half_swing(c, z):
+    """(L, T) at a complex z by an ordinary integrator."""
+    laws = [
+        (float(e) * (np.exp(float(k) * z) if c.root is None else z ** float(k)), float(a))
+        for e, k, a in zip(c.epsilons, c.powers, c.exponents, strict=True)
+    ]
+
+    def slope(t, state):
+        s, co = np.sin(t), np.cos(t)
+        load = sum(d * np.exp((a - 1) * state[0]) * s**a for d, a in laws)
+        return [-load * s / (1 - load * co), 1 / (1 - load * co)]
+
+    return solve_ivp(slope, (0, np.pi), [0j, 0j], rtol=1e-8, atol=1e-9).y[:, -1]
+
+
+@pytest.mark.parametrize(("pairs", "middle", "half"), [(LAWS[1][0], 0.5, 1.0), (LAWS[4][0], -1.0, 1.2)])
+def test_the_half_swing_at_complex_strengths_obeys_the_bounds(pairs, middle, half):
+    """|q/p - 1| and |T - pi| on the ellipse by an ordinary integrator in complex numbers: below, and not far below."""
+    c = coordinate(pairs)
+    ellipse = verified(c, arb(middle), arb(half), 1.0001)
+    largest = [0.0, 0.0]
+    for angle in np.linspace(0, 2 * np.pi, 13):
+        L, T = complex_half_swing(c, middle + half * (np.cos(angle) + 0.3j * np.sin(angle)))
+        largest = [max(pair) for pair in zip(largest, (abs(np.exp(L) - 1), abs(T - np.pi)), strict=True)]
+    for seen, bound in zip(largest, (ellipse.ratio_bound, ellipse.majorant.excess), strict=True):
+        assert seen <= float(bound) <= 40 * seen
+
+
+def test_no_panel_is_planned_where_no_ellipse_is_wide_enough():
+    assert planned(coordinate((("1", "1999/1000"), ("2", "1/10"))), 1.0, 200, 190) is None
+
+
+def test_an_ellipse_that_reaches_too_far_is_made_smaller():
+    c = coordinate((("2", "1/5"),))
+    assert c.bounds(arb(1), arb(5)) is None and c.bounds(arb(-1), arb("0.1")) is None
+    found = verified(c, arb("0.5"), arb("0.5"), 100.0)
+    assert found.R > 5 and found.R < 12
+    assert mpmath.almosteq(float(found.R + 1 / found.R) / 2 * 0.5 + 0.5, float(found.majorant.radii[0]) * 5, 1e-9)
+
+
+def test_a_plan_saves_half_swings_or_is_none():
+    c = coordinate((("1", "1/20"), ("2", "1/5")))
+    short, long = planned(c, 1.0, 12, 120), planned(c, 1.0, 1000, 120)
+    assert short is None and long is not None and long.nodes + long.wait < 100
+    more = planned(c, 1.0, 1000, 400)
+    assert more is not None and more.nodes > 2 * long.nodes
+    half = coordinate((("1/2", "1/100"),))
+    for count in (10, 60):  # all of them on one panel, the last amplitude included
+        path = list(panel_plan._path(half, 1.0, count))
+        plan = planned(half, 1.0, count, count)
+        assert plan.served == count == len(path) and path[-1] * 0.95 < plan.low < path[-1] < path[0] == plan.high
+    strong = planned(coordinate((("1", "3"),)), 1.0, 1000, 120)
+    assert strong is None
+
+
+@pytest.mark.parametrize("case", [0, 1, 2, 3, 6])
+def test_the_reach_in_doubles_is_that_of_the_majorant(case):
+    c = coordinate(LAWS[case][0])
+    reach = panel_plan.reach_of(c)
+    assert c.bounds(arb(0), arb(0.95 * reach)) is not None and c.bounds(arb(0), arb(1.05 * reach)) is None
+
+
+@pytest.mark.parametrize("case", [4, 5])
+def test_the_stretch_in_doubles_is_that_of_the_majorant(case):
+    pairs, low, high, _ = LAWS[case]
+    c = coordinate(pairs)
+    first, last = sorted(float(c(arb(p))) for p in (low, high))
+    axis = panel_plan._stretch(c, low, high) * (last - first) / 2
+    middle = arb((first + last) / 2)
+    assert c.bounds(middle, arb(0.94 * axis)) is not None and c.bounds(middle, arb(1.06 * axis)) is None
+
+
+@pytest.mark.parametrize(("growth", "excess"), [("0.5", "1e-6"), ("1e-9", "0.25"), ("1e-30", "1e-30")])
+def test_the_nodes_are_the_fewest_for_both_cuts(growth, excess):
+    ellipse = panel_plan.Ellipse(arb(3), SimpleNamespace(growth=arb(growth), excess=arb(excess)))
+    count, fine = ellipse.nodes_for(50), arb(2) ** -50
+    largest = ellipse.ratio_bound.max(arb(excess))
+    assert cut(largest, ellipse.R, count) <= fine and (count == 1 or cut(largest, ellipse.R, count - 1) > fine)
+
+
+@pytest.mark.parametrize("p", ["0", "1/2", "3", "17/2"])
+def test_the_moment_in_doubles(p):
+    power = parse_real(p, "p").ball()
+    assert panel_plan._moment(float(power)) == pytest.approx(float(moment(power)), rel=1e-12)
+
+
+def test_strong_drag_fades_as_the_averaged_law_says():
+    """25 x'^3 takes 7/8 in the first half-swing, not all but 10^-13: the panel begins where its amplitudes are."""
+    path = list(panel_plan._path(coordinate((("3", "25"),)), 1.0, 40))
+    assert path[1:] == pytest.approx([(1 + 2 * n * np.pi * 25 * 3 / 8) ** -0.5 for n in range(1, 40)], rel=1e-12)
+    made = Panels(Law({3: 25}), 60)
+    p, n = arb(1), 0
+    while made.serving(p, arb(0), 500 - n) is None and n < 9:
+        p, n = (p * by_pieces((("3", "25"),), p, 60).amplitude).mid(), n + 1
+    assert n < 9 and made.made[0].high > 0.05
