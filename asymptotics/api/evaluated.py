@@ -20,19 +20,22 @@ from flint import arb
 from sympy import Expr, Symbol
 
 from asymptotics.envelopes.slow_time import epsilon
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
+from asymptotics.law import Oscillator
+from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimal_context import workdps
-from asymptotics.numbers.decimals import bits_for
+from asymptotics.numbers.decimals import bits_for, certified_decimal
+from asymptotics.numbers.exact import ExactReal
 
 Function = Callable[..., Any]
 delta = Symbol("delta", positive=True)
 tau = Symbol("tau", nonnegative=True)
 chi = Symbol("chi", real=True)
 # 16384 times in a piece are 128 KB in each array of doubles: a matter of speed alone.  64 bits beyond the digits are
-# room for what cancels in a waveform; no claim rests on them.
-_CHUNK, _GUARD = 1 << 14, 64
+# room for what cancels in a waveform; no claim rests on them.  Turns of 2000 decimals are a matter of time alone.
+_CHUNK, _GUARD, _MOST_TURNS = 1 << 14, 64, 2000
 
 
 def functions(s: Any, strength: Any) -> tuple[Function, Function, Function]:
@@ -96,29 +99,56 @@ def _shape(s: Any) -> Function:
 
 def numbers(s: Any, number: Expr, digits: int) -> tuple[Any, Any, Any]:
     """A, phi and x at tau = ``number`` as mpmath numbers of about that many digits."""
-    # Fifteen decimals more than are shown, for what cancels in A, phi and the waveform; not proved to suffice (a phase
-    # of 10^15 takes them all), and ``certified`` is False.
-    made, dps = s.refined(digits), digits + 15
-    value: dict[Any, Any] = {tau: number, epsilon: made.strength}
-    for letter, e in made.letters.items():
-        # In their order: epsilon_0 is a formula in a_0, which has its value by then.
-        value[letter] = sympy.N(e.subs(value), dps)
     # 1/D = 1 - (1-alpha) p_1 epsilon tau is positive until A_0 vanishes; beyond, the root of a negative number would
     # give complex digits without a word.
-    if made.alpha < 1 and not made.begun(1 / made.leading[1]).subs(value).evalf(30) > 0:
-        end = made.begun(1 / ((1 - made.alpha) * made.p_1 * epsilon)).subs(value).evalf(6)
+    rough = _values(s, number, 45)
+    if s.alpha < 1 and not s.begun(1 / s.leading[1]).subs(rough).evalf(30) > 0:
+        end = s.begun(1 / ((1 - s.alpha) * s.p_1 * epsilon)).subs(rough).evalf(6)
         raise InputError("time", f"A_0 has vanished at tau = {end}", "an earlier time")
+    # Fifteen decimals more than are shown, for what cancels in A, phi and the waveform, and those that the turns of the
+    # phase take; not proved to suffice, and ``certified`` is False.
+    turns = digits_of_turns(number, s.phase.subs(rough))
+    made, dps = s.refined(digits + turns), digits + turns + 15
+    value = _values(made, number, dps)
     with workdps(dps):
         size, lag = (mpmath.mpf(sympy.N(e.subs(value), dps)) for e in (made.amplitude, made.phase))
         turned = mpmath.mpf(sympy.N(number, dps)) + lag
         swings = mpmath.floor(turned / mpmath.pi)
         psi = turned - swings * mpmath.pi
-        local = mpmath.mpf(sympy.N(made.strength, dps)) * size ** mpmath.mpf(sympy.N(made.alpha - 1, dps))
+        local = mpmath.mpf(sympy.N(value[epsilon], dps)) * size ** mpmath.mpf(sympy.N(made.alpha - 1, dps))
         side = 1 - 2 * (int(swings) % 2)  # a power of -1 would pass through a double
         if made.is_closed:
             return size, lag, side * size * sympy.lambdify([chi, delta], made.shape(chi), "mpmath")(psi, local)
         shape = mpmath.cos(psi) + sum(local**n * x for n, x in _open_waves(made, psi, digits).items())
         return size, lag, side * size * shape
+
+
+def _values(s: Any, number: Expr, dps: int) -> dict[Any, Any]:
+    """The values of tau, epsilon and the letters of the start."""
+    value: dict[Any, Any] = {tau: number, epsilon: strength_of(s._given(), dps)}
+    for letter, e in s.letters.items():
+        # In their order: epsilon_0 is a formula in a_0, which has its value by then.
+        value[letter] = sympy.N(e.subs(value), dps)
+    return value
+
+
+def strength_of(oscillator: Oscillator, digits: int) -> Expr:
+    """The dimensionless strength of the one law: exact, or with that many digits where it is a product of roots."""
+    (term,) = oscillator.dimensionless.terms
+    # A product of several roots (mass, stiffness and x0 to fractional powers) is no one exact number here.
+    if isinstance(term.strength, ExactReal):
+        return to_sympy(term.strength)
+    return sympy.Float(certified_decimal(term.strength.ball, digits), digits)
+
+
+def digits_of_turns(*sizes: Any) -> int:
+    """The decimals in front of the point of a phase that is the sum of these; LimitError for very many."""
+    # What is left of a phase without its turns stands behind the point.  Three bits are less than a decimal.
+    values = (mpmath.mpf(sympy.N(x, 15)) for x in sizes)
+    found = max(int(mpmath.mag(x)) // 3 + 1 if x else 0 for x in values)
+    if found > _MOST_TURNS:
+        raise LimitError("time", "the phase has too many turns", f"at most 1e{_MOST_TURNS // 2}")
+    return max(0, found)
 
 
 def _open_waves(s: Any, psi: Any, digits: int) -> dict[int, Any]:

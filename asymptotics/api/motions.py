@@ -231,8 +231,9 @@ class Reference(Drawn):
 
     @property
     def _is_dry(self) -> bool:
-        acting = [t for t in self.oscillator.law.terms if not t.b.is_zero]
-        return len(acting) == 1 and acting[0].is_power_of_velocity and acting[0].velocity.is_zero
+        law = self.oscillator.law
+        acting = [t for t in law.terms if not t.b.is_zero]
+        return law.is_pure and len(acting) == 1 and acting[0].velocity.is_zero
 
     def _heading(self) -> str:
         return f"{self.oscillator}: reference"

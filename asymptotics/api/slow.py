@@ -101,10 +101,7 @@ class Envelope(SlowNumbers, Drawn):
         # has it as its first term, so that there is no second.
         if self.averaging != MEAN:
             raise InputError("averaging", f"{self.averaging} has no higher orders", MEAN)
-        terms = [t for t in self.oscillator.law.terms if not t.b.is_zero]
-        if len(terms) != 1:
-            raise InputError("law", f"{len(terms)} laws have no single strength delta", "one law")
-        return envelope_series(terms[0].velocity, N, D)
+        return envelope_series(acting_term(self.oscillator).velocity, N, D)
 
     @public
     def kappas(self, *, digits: int = 30, max_seconds: Number = 60) -> tuple[str, ...]:
@@ -224,7 +221,7 @@ class Envelope(SlowNumbers, Drawn):
             return times, self.amplitudes(times), self.phases(times)
         oscillator = self.oscillator
         epsilon_, omega, length = (
-            float(x.mid()) for x in (oscillator.epsilons()[0], oscillator.omega_0(), oscillator.length())
+            float(x.mid()) for x in (acting_term(oscillator).strength.ball(), oscillator.omega_0(), oscillator.length())
         )
         forms = (sympy.lambdify([tau, epsilon], e, "numpy", cse=True) for e in self.series(order).explicit)
         # 0 times the times gives a constant the shape of the array.
@@ -288,6 +285,14 @@ class Envelope(SlowNumbers, Drawn):
         if form is None:
             return r"\frac{dA}{d\tau} = -\sum_{i} \kappa_{i} A^{\alpha_{i}}"
         return rf"A/A(0) = {sympy.latex(form.expression)}"
+
+
+def acting_term(oscillator: Oscillator) -> Term:
+    """The one term whose strength is not 0, without units; InputError where there is none, or more than one."""
+    terms = [t for t in oscillator.dimensionless.terms if not t.strength.is_zero]
+    if len(terms) != 1:
+        raise InputError("law", f"{len(terms)} laws have no single strength delta", "one law")
+    return terms[0]
 
 
 @public

@@ -41,7 +41,7 @@ from flint import fmpq
 from sympy import Add, Eq, Expr, Function, Integer, Integral, Piecewise, Pow, Symbol, cos, exp, floor, pi
 
 from asymptotics.api.definitions import definitions_of
-from asymptotics.api.evaluated import chi, delta, functions, numbers, tau
+from asymptotics.api.evaluated import chi, delta, digits_of_turns, functions, numbers, strength_of, tau
 from asymptotics.api.hierarchy import multiple_scales
 from asymptotics.api.implicit import ImplicitSolution, implicit_solution
 from asymptotics.api.proved_curve import ProvedCurve
@@ -89,9 +89,8 @@ A_0, A, a_0, epsilon_0 = sympy.symbols("A_0 A a_0 epsilon_0", positive=True)
 phi_0 = Symbol("phi_0", real=True)
 kappa, m, k, b, x_0, t = sympy.symbols("kappa m k b x_0 t", positive=True)
 Array = Any
-# Bits beyond those of the digits: time and length are handed on with thirty decimals more (100 bits), and their balls
-# must be narrower still.
-_GUARD = 128
+# Bits beyond those of the decimals in which time and length are handed on: their balls must be narrower still.
+_GUARD = 28
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -203,8 +202,8 @@ class Solution(ProvedCurve):
 
     @property
     def strength(self) -> Expr:
-        """The number epsilon; InputError where none was given."""
-        return _strength(self._given())
+        """The number epsilon, exact or to 40 digits; InputError where none was given."""
+        return strength_of(self._given(), 40)
 
     def functions(self, strength: Any = None) -> tuple[Any, Any, Any]:
         """(A, phi, x) as NumPy functions of tau and epsilon, or of tau alone with a ``strength``; x(0) = 1."""
@@ -252,10 +251,14 @@ class Solution(ProvedCurve):
         """The same at a time t of an oscillator with this law, in its units: A and x in m, phi in rad."""
         # The oscillator's numbers are balls of FLINT and the formulas mpmath's: both precisions are set for what is
         # shared.
-        with ctx.workprec(bits_for(digits, _GUARD)), workdps(digits + 30):
+        with ctx.workprec(64):
+            rough = time_of(time).ball() * oscillator.omega_0()
+            # Thirty decimals more than are shown, and those of the turns of the phase.
+            known = digits + 30 + digits_of_turns(sympy.Float(rough.str(15, radius=False), 15))
+        with ctx.workprec(bits_for(known, _GUARD)), workdps(known):
             scaled, length = time_of(time).ball() * oscillator.omega_0(), oscillator.length()
-            size, lag, x = numbers(self, sympy.Float(scaled.str(digits + 30, radius=False), digits + 30), digits)
-            unit = mpmath.mpf(length.str(digits + 30, radius=False))
+            size, lag, x = numbers(self, sympy.Float(scaled.str(known, radius=False), known), digits)
+            unit = mpmath.mpf(length.str(known, radius=False))
             # The formulas are of a start at rest at +1; a start in motion has its side in phi(0) already.
             turned = -x if oscillator.x0 < 0 and oscillator.v0.is_zero else x
             return _rounded(size * unit, lag, turned * unit, digits)
@@ -382,15 +385,6 @@ def _closed_wave(scales: MultipleScales, n: int) -> Expr | None:
     """x_n(psi), or None where it is an open integral."""
     found = scales.orders[n].solution
     return None if found is None or found.rhs.has(Integral) else found.rhs.subs(a, 1)
-
-
-def _strength(oscillator: Oscillator) -> Expr:
-    """The dimensionless strength as an exact number, or as one of 400 digits where it is a product of roots."""
-    # A product of several roots (mass, stiffness and x0 to fractional powers) has no exact form here.
-    (term,) = oscillator.dimensionless.terms
-    if isinstance(term.strength, ExactReal):
-        return to_sympy(term.strength)
-    return sympy.Float(oscillator.epsilons()[0].str(40, radius=False), 40)
 
 
 def _rounded(size: Any, lag: Any, x: Any, digits: int) -> SolutionPoint:

@@ -46,6 +46,6 @@ class SolutionCurve(Drawn):
         # Options of our own are taken out first: what is left in ``style`` goes to Matplotlib's line.
         until = time_of_curve(self._given(), style.pop("until", None))
         t, A, _, x = self.columns(np.linspace(0.0, until, POINTS))
-        axes_of_motion(axes, si=self.si, unit="m")
+        axes_of_motion(axes, si=self.si, unit=self._given().unit)
         axes.plot(t, x, **{"label": "x", **style})
         envelope_lines(axes, t, A)

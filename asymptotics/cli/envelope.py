@@ -23,7 +23,7 @@ import sympy
 from numpy.typing import NDArray
 
 from asymptotics.api.large import SpringEnvelope
-from asymptotics.api.slow import MAX_DIGITS, Envelope, envelope
+from asymptotics.api.slow import MAX_DIGITS, Envelope, acting_term, envelope
 from asymptotics.api.slow_series import MAX_ORDER, EnvelopeSeries
 from asymptotics.api.slowness import SlowPart
 from asymptotics.cli.answer import Answer, add_common, read_digits
@@ -142,7 +142,8 @@ def _of_order(series: EnvelopeSeries, given: Given, time: ExactReal | None, digi
         # Four bits a digit are more than log2(10), and 128 bits are thirty digits more with room: the decimals handed
         # to SymPy are right to their last digit but the formula is truncated, so that nothing here is certified.
         with ctx.workprec(4 * digits + 128):
-            values = {tau: (time.ball() * oscillator.omega_0()).mid(), epsilon: oscillator.epsilons()[0].mid()}
+            strength = acting_term(oscillator).strength.ball()
+            values = {tau: (time.ball() * oscillator.omega_0()).mid(), epsilon: strength.mid()}
             numbers = {s: sympy.Float(v.str(digits + 30, radius=False), digits + 30) for s, v in values.items()}
             length = sympy.Float(oscillator.length().mid().str(digits + 30, radius=False), digits + 30)
         _require_before_extinction(series, numbers)
@@ -225,8 +226,7 @@ def _text(data: dict[str, Any], given: Given, series: EnvelopeSeries | None) -> 
     lines += [f"{name:10} {data[name]}{given.unit(unit)}" for name, unit in units.items() if data[name] is not None]
     claim = "certified: true (for the averaged law)"
     if series is not None:
-        epsilon = given.oscillator.dimensionless.terms[0].strength
-        lines.append(f"epsilon    {epsilon}")
+        lines.append(f"epsilon    {acting_term(given.oscillator).strength}")
         claim = f"certified: false (order {series.order}, explicit in the slow time, error O(epsilon**{series.order}))"
     return "\n".join([*lines, claim, *data["notes"], *data["files"]])
 

@@ -22,6 +22,7 @@ from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.motions.result import MotionSamples
+from asymptotics.motions.state_route import alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 
@@ -68,7 +69,7 @@ def _reference(
     seconds = estimated_seconds(oscillator, time, _REFERENCE_DIGITS)
     require_affordable(seconds, _MAX_SECONDS, "--time", f"a reference motion through {time} s", " for files")
     # Each time by its closed form, so that what is done so far is a list of rows.
-    if oscillator.law.is_pure and oscillator.law.integer_alphas == (0,):  # exact, with sticking
+    if alone(oscillator, 0) is not None:  # exact, with sticking
         made: list[tuple[float, float]] = []
         with keeping(lambda: made or None):
             for t in times:

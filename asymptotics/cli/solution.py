@@ -126,7 +126,9 @@ def _values(found: Found, given: Given, time: ExactReal, digits: int, bound: boo
 
 
 def _table(found: Found, given: Given, time: ExactReal, points: int) -> str:
-    header = ["t [s]", "amplitude [m]", "phase [rad]", "x [m]"] if given.si else ["tau", "amplitude", "phase", "x"]
+    header, unit = ["tau", "amplitude", "phase", "x"], given.oscillator.unit
+    if given.si:
+        header = ["t [s]", f"amplitude [{unit}]", "phase [rad]", f"x [{unit}]"]
     t = np.linspace(0.0, float(time.ball().mid()), points + 1)
     rows = zip(*found.columns(t))
     return csv_text(header, [[repr(float(c)) for c in row] for row in rows])

@@ -126,7 +126,10 @@ def _routes(options: argparse.Namespace, count: int, digits: int, start: int) ->
         law, kick = dimensionless(read_oscillator(options).oscillator)
     else:
         (x0, v0), law = _start(options), read_law(options, "epsilon")
-        kick = {} if law.is_pure and v0.is_zero else {"x0": x0, "v0": v0}
+        kick = {"x0": x0, "v0": v0}
+        if law.is_pure and v0.is_zero:
+            # As it is computed: from 1, with strengths epsilon_i x0^(alpha_i-1).
+            law, kick = dimensionless(Oscillator(law, x0=x0))
     offered = offers(Request.read(law, count, digits, start=start, times=options.times, **kick))
     rows = [(r.name, "no" if s is None else f"{s:.2g}", r.domain, r.way) for r, s in offered]
     head = ("route", "seconds", "serves", "by")
@@ -164,12 +167,12 @@ def _undivided(
 
 def _unit(options: argparse.Namespace) -> str:
     """What x counts: metres, point 0 itself, radians, or the length in which the strengths are given."""
+    springs = options.spring or []
     if is_physical(options):
-        return "m"
+        return "rad" if PENDULUM in springs else "m"
     x0, v0 = _start(options)
     if not v0.is_zero:
         return "x0"
-    springs = options.spring or []
     if PENDULUM in springs:
         return "rad"
     # A,M:E is a loss |x|^M: its strength belongs to a length, as that of a spring does.

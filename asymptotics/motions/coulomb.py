@@ -95,6 +95,7 @@ def coulomb_motion(oscillator: Oscillator, t: Number, digits: int = 30, *, stati
     InputError for another law, b < 0, a static force below b, or t < 0.
     """
     moment = time_of(t)
+    oscillator = require_alone(oscillator, 0, "dry friction")
     hold = _hold(oscillator, static)
 
     def evaluate() -> Pair:
@@ -117,6 +118,7 @@ def coulomb_motion(oscillator: Oscillator, t: Number, digits: int = 30, *, stati
 
 def coulomb_stop(oscillator: Oscillator, digits: int = 30, *, static: Number | None = None) -> Stop:
     """Where and when the mass sticks for good, all digits correctly rounded; InputError as in `coulomb_motion`."""
+    oscillator = require_alone(oscillator, 0, "dry friction")
     hold = _hold(oscillator, static)
     found: list[int] = []
 
@@ -133,7 +135,6 @@ def coulomb_stop(oscillator: Oscillator, digits: int = 30, *, static: Number | N
 
 
 def _hold(oscillator: Oscillator, static: Number | None) -> ExactReal:
-    require_alone(oscillator, 0, "dry friction")
     b = oscillator.law.terms[0].b
     force = b if static is None else exact_number(static, "static")
     if force < b:

@@ -41,7 +41,7 @@ def quadratic_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Mot
     InputError for another law, v0 != 0 or t < 0; LimitError for more than ``MAX_HALF_SWINGS``.
     """
     moment = time_of(t)
-    require_alone(oscillator, 2, "quadratic damping")
+    oscillator = require_alone(oscillator, 2, "quadratic damping")
     if oscillator.v0 < 0 or oscillator.v0 > 0:
         raise InputError("v0", f"{oscillator.v0}: the certified motion starts at a turning point", "0")
     with ctx.workprec(64):

@@ -37,9 +37,11 @@ def alone(oscillator: Oscillator, alpha: int) -> Oscillator | None:
     return oscillator.with_law(PhysicalLaw.from_terms(acting or law.terms[:1], law.notes))
 
 
-def require_alone(oscillator: Oscillator, alpha: int, name: str) -> None:
-    """InputError unless the law is one term b x'|x'|^(alpha-1) with b > 0."""
-    oscillator.law.require_pure("the exact solution")
-    terms = oscillator.law.terms
+def require_alone(oscillator: Oscillator, alpha: int, name: str) -> Oscillator:
+    """The oscillator under its one term b x'|x'|^(alpha-1) with b > 0; InputError where another one acts."""
+    law = oscillator.law
+    law.require_pure("the exact solution")
+    terms = tuple(t for t in law.terms if not t.b.is_zero)
     if len(terms) != 1 or terms[0].velocity != alpha or not terms[0].b > 0:
-        raise InputError("law", f"{oscillator.law} is not {name} alone", f"one term, alpha = {alpha} and b > 0")
+        raise InputError("law", f"{law} is not {name} alone", f"one term, alpha = {alpha} and b > 0")
+    return oscillator.with_law(PhysicalLaw.from_terms(terms, law.notes))

@@ -1,5 +1,7 @@
 """A solution in numbers: every form beside every other, at any digits and any time."""
 
+from fractions import Fraction
+
 import mpmath
 import numpy as np
 import pytest
@@ -36,6 +38,36 @@ def test_digits_beyond_those_that_are_shown_are_right():
     for x, y in zip(short, long):
         assert abs(mpmath.mpf(x) - mpmath.mpf(y)) < mpmath.mpf(10) ** -39
     assert asy.solution("5/2", order=4).to_dict()["x"].count("x_3(") == 1
+
+
+def test_a_strength_that_is_a_product_of_roots_has_the_digits_asked_for():
+    """epsilon = b sqrt(k/m)^alpha x0^(alpha-1)/k, to 40 digits as it is shown and to more inside."""
+    osc = asy.Oscillator({"3/2": "1/10"}, mass=2, stiffness="sqrt(3)", x0="1/5")
+    found = asy.solution(osc, order=2)
+    with mpmath.workdps(90):
+        k, omega = mpmath.sqrt(3), mpmath.sqrt(mpmath.sqrt(3) / 2)
+        right = (k / 2) ** mpmath.mpf("0.75") * mpmath.sqrt(mpmath.mpf(1) / 5) / k / 10
+        assert str(found.strength) == mpmath.nstr(right, 40)
+        exact = asy.solution({"3/2": Fraction(mpmath.nstr(right, 85))}, order=2)
+    assert found.at(7, digits=60) == exact.at(7, digits=60)
+    # The same x in metres: tau = omega_0 t, in units of x0 = 1/5.
+    metres = float(found.at_time(osc, 7, 60).x)
+    assert metres == pytest.approx(float(exact.at(str(7 * omega), digits=20).x) / 5, rel=1e-12)
+
+
+@pytest.mark.parametrize("time", [10**20, 10**60])
+def test_the_turns_of_a_late_phase_take_no_digits(time):
+    """As many digits are right as are asked for, with and without units."""
+    osc = asy.Oscillator({2: "1/10"})
+    found = asy.solution(osc, order=2)
+    long = found.at(time, digits=60)
+    with mpmath.workdps(100):
+        for short in (found.at(time, digits=20), found.at_time(osc, time, 20)):
+            for x, y in zip(short, long):
+                assert abs(mpmath.mpf(x) / mpmath.mpf(y) - 1) < 1e-18
+        # Far beyond: x = A cos psi with delta below 1e-18.
+        psi = time + mpmath.mpf(long.phase)
+        assert abs(mpmath.mpf(long.x) / (mpmath.mpf(long.amplitude) * mpmath.cos(psi)) - 1) < 1e-15
 
 
 def test_a_time_of_very_many_swings_is_no_fault():

@@ -61,6 +61,19 @@ def test_the_envelope_of_lancaster_13(capsys):
     assert (code, out.splitlines()[0]) == (0, "A/A(0) = (kappa_1*tau/2 + 1)**(-2)")
 
 
+def test_a_law_of_strength_0_is_not_the_one_whose_order_is_asked_for(capsys, tmp_path):
+    """A, phi, epsilon and the rows of --csv are those of the law that acts, wherever the other one stands."""
+    alone = answer(capsys, "envelope --alpha 2 --epsilon 1/10 --time 10 --order 3")
+    rows = []
+    for i, law in enumerate(("--law 2:1/10", "--law 0:0 --law 2:1/10", "--law 2:1/10 --law 3:0")):
+        found = answer(capsys, f"envelope {law} --time 10 --order 3")
+        assert (found["amplitude"], found["phase"]) == (alone["amplitude"], alone["phase"])
+        line = f"envelope {law} --time 10 --order 3 --csv {tmp_path}/{i}.csv"
+        assert "epsilon    1/10" in run(capsys, line)[1]
+        rows.append((tmp_path / f"{i}.csv").read_text().splitlines()[1:99])
+    assert rows[0] == rows[1] == rows[2]
+
+
 def test_the_envelope_of_sums_extinction_and_certified_digits_at_irrational_exponents(capsys):
     dry = answer(capsys, "envelope --law 0:0.01 --law 2:0.3 --time 40 --digits 8")
     assert (dry["family"], dry["extinction"], dry["amplitude"]) == ("tangent", "47.445892", "0.048125088")

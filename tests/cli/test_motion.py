@@ -34,6 +34,13 @@ def test_the_contract(capsys):
     assert exact["x"] == "0.163853083446548520399362953734"  # tests/motions: two precisions, and order 5 within 1e-13
 
 
+def test_the_rows_of_dry_friction_know_the_static_force_beside_a_law_of_strength_0(capsys, tmp_path):
+    line = f"motion --law 0:1/10 --law 2:0 --static 2/5 --time 30 --reference --csv {tmp_path}/a.csv --points 2"
+    found = answer(capsys, line)
+    last = (tmp_path / "a.csv").read_text().splitlines()[-1].split(",")
+    assert (found["x"], last[1]) == ("-0.400000000000000000000000000000", "-0.4")
+
+
 def test_sums_of_laws_and_one_law_agree(capsys):
     one = answer(capsys, "motion --law 2:1/10 --x0 1 --time 3")
     two = answer(capsys, "motion --alpha 2 --damping 1/10 --x0 1 --time 3")

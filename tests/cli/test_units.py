@@ -7,7 +7,9 @@ import re
 
 import pytest
 
+from asymptotics.api.solution import solution
 from asymptotics.cli.main import main
+from asymptotics.law import Oscillator
 from asymptotics.made_by import mark
 
 SI = "--alpha 2 --damping 1/10 --mass 3/2 --stiffness 30"
@@ -34,6 +36,27 @@ def test_turning_points_in_metres_and_seconds_are_the_dimensionless_ones_scaled(
     for metres, relative in zip(si["points"], bare["points"], strict=True):
         assert float(metres["x"]) == pytest.approx(-float(relative["x"]) / 5, rel=1e-13)
         assert float(metres["t"]) == pytest.approx(float(relative["tau"]) / OMEGA, rel=1e-13)
+
+
+@pytest.mark.parametrize("place", ["1000", "-1000"])
+def test_the_routes_are_told_for_the_strength_at_the_start(capsys, place):
+    """From x0 = 1000 the law epsilon = 1/10 is that of strength 100 from 1."""
+    near, far, same = (
+        answer(capsys, f"turning-points --alpha 2 --count 100 --epsilon {e} --route help")["routes"]
+        for e in ("1/10", f"1/10 --x0 {place}", "100")
+    )
+    assert far == same != near
+
+
+def test_the_place_of_a_pendulum_is_told_in_radians_everywhere(capsys, tmp_path):
+    """x_unit of the points, and the columns of the solution, as the motion and the envelope have them."""
+    law = "--law 2:1/10 --spring pendulum --mass 2"
+    assert answer(capsys, f"turning-points {law} --count 1 --digits 5")["x_unit"] == "rad"
+    assert run(capsys, f"solution {law} --order 1 --time 1 --digits 5 --csv {tmp_path}/x.csv --points 2")[0] == 0
+    with (tmp_path / "x.csv").open() as file:
+        assert next(csv.reader(file))[:4] == ["t [s]", "amplitude [rad]", "phase [rad]", "x [rad]"]
+    curve = solution(Oscillator({2: "1/10"}, spring="pendulum"), order=1).plot(until=1)
+    assert "(rad)" in curve.get_ylabel()
 
 
 def test_a_motion_with_epsilon_has_no_units_and_is_the_one_in_si_scaled(capsys):
