@@ -282,3 +282,12 @@ def test_the_table_of_an_unknown_exponent_names_it(tmp_path, capsys):
     assert law["alphas"] == ["free"]
     assert law["intervals"] == "certified set"
     assert float(law["alpha"]["low"]) <= 1.5 <= float(law["alpha"]["high"])
+
+
+def test_a_narrow_box_is_covered_by_its_centre_and_radius_exactly():
+    random = np.random.default_rng(5)
+    low = random.uniform(0.0, 1.0, 2000)
+    high = low + low * 10.0 ** random.uniform(-16.0, 0.0, 2000)
+    for c, r, one, two in zip(*physical._covering(low, high), low, high, strict=True):
+        assert Fraction(c) - Fraction(r) <= Fraction(one)
+        assert Fraction(two) <= Fraction(c) + Fraction(r)
