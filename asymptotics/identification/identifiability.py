@@ -16,7 +16,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from asymptotics.identification.fitting.least_squares import Model
+from asymptotics.identification.fitting.least_squares import Directions, Model
 from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.quadrature import TooStrongError
@@ -29,16 +29,17 @@ MOST_SWINGS = 4000
 
 
 def standard_errors(law: str, strengths: Sequence[float], *, swings: int, noise: float) -> Array:
-    """The smallest standard errors of the strengths (x0 = 1) from turning points 0 ... ``swings`` with this noise."""
+    """The smallest standard errors of the strengths (x0 = 1) from turning points 0 ... ``swings`` with this noise.
+
+    Infinite where the turning points do not tell a strength from the others.
+    """
     candidate = read_candidate(law)
     # The signs of turning points alone: the design has no data, and the information does not depend on them.
     n = np.arange(swings + 1)
     model = Model(candidate.swing(), Observations.of(n, np.where(n % 2, -1.0, 1.0)))
     theta = np.array([0.0, *strengths, *([0.0] if model.offset else [])])
-    J = model.predict(theta)[1] / noise
-    size = np.linalg.norm(J, axis=0)
-    covariance = np.linalg.pinv((J / size).T @ (J / size), rcond=1e-14) / np.outer(size, size)
-    return np.asarray(np.sqrt(np.diag(covariance))[model.law])
+    found = Directions.of(model.predict(theta)[1] / noise)
+    return np.array([found.standard_error(along) for along in np.eye(model.size)[model.law]])
 
 
 def swings_needed(law: str, strengths: Sequence[float], *, term: int, noise: float) -> int | None:

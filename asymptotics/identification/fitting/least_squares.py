@@ -36,6 +36,9 @@ _MODEL_SHARE = 3e-3
 """The last degree of a summed series, as a share of the noise: what is neglected is smaller still."""
 _WILD = 300.0
 """The largest |ln omega_0| of a step of the search: e^300 is still a double, and belongs to no clock."""
+_UNSEEN = 1e-10
+"""Directions whose effect on the data is below this share of the largest are not seen: the derivatives are right to
+about 1e-12."""
 _FLOOR = 1e-9
 """Residuals below this share of the first amplitude (or of 1/omega_0) are the arithmetic's, not the data's."""
 
@@ -173,6 +176,54 @@ class Model:
 
 
 @dataclass(frozen=True)
+class Directions:
+    """Singular values and vectors of derivatives whose columns, of length ``size``, are brought to one length.
+
+    Not the eigenvalues of J^T J: those would be lost below 1e-16, the squares of singular values of 1e-8.
+
+    >>> two = Directions.of(np.array([[1.0, 1.0, 0.0], [1.0, 1.0, 1.0]]))                # the first two columns are one
+    >>> [round(two.standard_error(np.array(g)), 6) for g in ([1.0, 0, 0], [1.0, 1.0, 0], [0, 0, 1.0])]
+    [inf, 1.0, 1.414214]
+    """
+
+    size: Array
+    left: Array
+    values: Array
+    right: Array
+
+    @classmethod
+    def of(cls, J: Array) -> "Directions":
+        """Of as many directions as there are parameters, also where there are fewer data."""
+        size = np.linalg.norm(J, axis=0)
+        size[size == 0] = 1.0
+        rows = np.zeros((max(J.shape[1] - len(J), 0), J.shape[1]))
+        # Columns of one length: strengths, logarithms and times have different units, and the singular values compare
+        # them.
+        return cls(size, *np.linalg.svd(np.vstack([J / size, rows]), full_matrices=False))
+
+    @property
+    def seen(self) -> Array:
+        """Which directions the data see."""
+        return np.asarray(self.values > _UNSEEN * self.values[0])
+
+    @property
+    def covariance(self) -> Array:
+        """(J^T J)^(-1), a direction that is not seen having the largest variance of those that could be."""
+        vectors = self.right.T / self._floored / self.size[:, None]
+        return np.asarray(vectors @ vectors.T)
+
+    def standard_error(self, gradient: Array) -> float:
+        """That of a function of the parameters; infinite if most of it is what the data do not see."""
+        parts = self.right @ (gradient / self.size) / self._floored
+        seen, unseen = np.linalg.norm(parts[self.seen]), np.linalg.norm(parts[~self.seen])
+        return float(np.hypot(seen, unseen)) if unseen <= seen else float("inf")
+
+    @property
+    def _floored(self) -> Array:
+        return np.maximum(self.values, _UNSEEN * self.values[0])
+
+
+@dataclass(frozen=True)
 class Fit:
     """The best parameters, with everything that intervals and criteria need."""
 
@@ -208,12 +259,14 @@ class Fit:
         return {**dict.fromkeys(KINDS, float(self.freedom)), **left}
 
     @cached_property
+    def directions(self) -> "Directions":
+        """The directions of the weighted problem."""
+        return Directions.of(self.slopes / self.model.scale_vector(self.scales)[:, None])
+
+    @cached_property
     def covariance(self) -> Array:
-        """(J^T J)^(-1) of the weighted problem."""
-        J = self.slopes / self.model.scale_vector(self.scales)[:, None]
-        # Columns of one length: strengths, logarithms and times have different units, and pinv compares them.
-        size = np.linalg.norm(J, axis=0) + 1e-300
-        return np.asarray(np.linalg.pinv((J / size).T @ (J / size), rcond=1e-13) / np.outer(size, size))
+        """(J^T J)^(-1) of the weighted problem; very large along directions that the data do not see."""
+        return self.directions.covariance
 
     @property
     def freedom(self) -> int:
@@ -288,12 +341,11 @@ def likely_scales(model: Model, theta: Array, scales: dict[str, float]) -> dict[
 
 
 def _left_over(model: Model, slopes: Array, scales: dict[str, float]) -> dict[str, float]:
-    J = slopes / model.scale_vector(scales)[:, None]
-    J = J / (np.linalg.norm(J, axis=0) + 1e-300)
-    inverse = np.linalg.pinv(J.T @ J, rcond=1e-13)
+    found = Directions.of(slopes / model.scale_vector(scales)[:, None])
+    hat = found.left[:, found.seen]
     return {
         # N_g minus the trace of the hat matrix over the group: the parameters shared out between the kinds.
-        kind: group.stop - group.start - float(np.sum(inverse * (J[group].T @ J[group])))
+        kind: group.stop - group.start - float(np.sum(hat[group] ** 2))
         for kind, group in zip(model.kinds, model.groups)
     }
 

@@ -1,6 +1,7 @@
 """Profiles against MINOS, textbook estimators against the exact map, pictures, and what swings can tell."""
 
 import re
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import numpy as np
@@ -10,7 +11,7 @@ from iminuit import Minuit
 import asymptotics as asy
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError
-from asymptotics.identification.fitting.profile import profile_interval, quantile
+from asymptotics.identification.fitting.profile import coordinate, profile_interval, quantile, wald_interval
 from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.identification.identifiability import standard_errors, swings_needed
 from asymptotics.identification.judging.comparison import fit_law, strength
@@ -64,6 +65,25 @@ def test_the_scatter_of_estimates_is_the_fisher_bound():
         found.append(fit.theta[fit.model.law])
     ratio = np.std(found, axis=0) / bound
     assert ((ratio > 0.75) & (ratio < 1.3)).all()
+
+
+def test_strengths_that_the_data_hardly_see_have_long_intervals_and_refute_nothing():
+    # 30 swings lose a twentieth of the amplitude: four losses can hardly be told apart, and the true one is 0.001 alone
+    law = asy.identify(observed("1", [1e-3], 30, 1e-6, seed=1), laws=["1", "0+1+2+3"]).law("0+1+2+3").law
+    assert law.verdict == "consistent"
+    assert all(e.contains(true) for e, true in zip(law.epsilon, [0.0, 1e-3, 0.0, 0.0], strict=True))
+    assert all(e.high - e.low > 0.05 for e in law.epsilon)
+
+
+def test_strengths_that_the_data_do_not_see_have_no_limit():
+    # two turning points and three parameters; two losses of one exponent
+    assert np.isinf(standard_errors("1+2", [0.01, 0.02], swings=1, noise=1e-6)).all()
+    fit = fit_law(read_candidate("1+2"), observed("1+2", [0.01, 0.02], 30, 1e-4)).fit
+    slopes = fit.slopes.copy()
+    slopes[:, 2] = slopes[:, 1]
+    blind = replace(fit, slopes=slopes)
+    for i, seen in ((1, False), (2, False), (3, True)):
+        assert (wald_interval(blind, coordinate(i)).low is not None) is seen
 
 
 def test_more_noise_needs_more_swings():
