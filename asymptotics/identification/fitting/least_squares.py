@@ -27,6 +27,7 @@ from asymptotics.identification.measuring.observations import Observations
 from asymptotics.numbers.context import cached_property
 from asymptotics.records.units import UNITS
 
+Flags = np.ndarray[tuple[int], np.dtype[np.bool_]]
 KINDS = ("x", "t", "passage")
 """Turning points, turning times, passages."""
 _ROUNDS, _STEPS = 5, 40
@@ -202,7 +203,7 @@ class Directions:
         return cls(size, *np.linalg.svd(np.vstack([J / size, rows]), full_matrices=False))
 
     @property
-    def seen(self) -> Array:
+    def seen(self) -> Flags:
         """Which directions the data see."""
         return np.asarray(self.values > _UNSEEN * self.values[0])
 
@@ -220,7 +221,7 @@ class Directions:
 
     @property
     def _floored(self) -> Array:
-        return np.maximum(self.values, _UNSEEN * self.values[0])
+        return np.asarray(np.maximum(self.values, _UNSEEN * self.values[0]))
 
 
 @dataclass(frozen=True)

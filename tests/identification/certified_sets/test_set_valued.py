@@ -291,3 +291,11 @@ def test_a_narrow_box_is_covered_by_its_centre_and_radius_exactly():
     for c, r, one, two in zip(*physical._covering(low, high), low, high, strict=True):
         assert Fraction(c) - Fraction(r) <= Fraction(one)
         assert Fraction(two) <= Fraction(c) + Fraction(r)
+
+
+def test_a_law_that_is_consistent_by_a_smaller_one_alone_allows_its_further_term_without_limit():
+    # five losses have no certified set of their own
+    table = {"amplitude": [1.0, 0.8, 0.6], "decrement": [0.1, 0.06, 0.04], "resolution": [0.005] * 3}
+    answer = asy.identify(table, laws=["0+1+2+3", "0+1+2+3+4"])
+    assert answer.law("0+1+2+3+4").law.verdict == "consistent"
+    assert [(a.term, a.largest) for a in answer.verdict.allowed] == [("4", None)]
