@@ -13,6 +13,7 @@ from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.identification.fitting.profile import coordinate, profile_interval, quantile, wald_interval
 from asymptotics.identification.forward.candidates import read_candidate
+from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.identifiability import standard_errors, swings_needed
 from asymptotics.identification.judging.comparison import fit_law, strength
 from asymptotics.identification.synthetic import exact, observed
@@ -90,6 +91,26 @@ def test_more_noise_needs_more_swings():
     needed = [swings_needed("1+2", [0.002, 0.02], term=0, noise=noise) for noise in (3e-4, 1e-3, 3e-3)]
     assert needed == sorted(needed)
     assert needed[0] < needed[-1]
+
+
+@pytest.mark.parametrize(
+    ("law", "strengths", "term", "noise"),
+    [
+        ("0+1", [0.04, 0.02], 1, 0.012),  # the motion ends after the 10 swings that are enough
+        ("0+1", [0.04, 0.02], 1, 0.1),  # and before those that would be
+        ("1", [0.04], 0, 1e-3),
+        ("1+2", [0.01, 0.02], 1, 1e-5),
+    ],
+)
+def test_the_least_number_of_swings_is_the_first_that_is_enough(law, strengths, term, noise):
+    def enough(swings):
+        try:
+            return strengths[term] > 3.24 * standard_errors(law, strengths, swings=swings, noise=noise)[term]
+        except TooStrongError:
+            return False
+
+    first = next((n for n in range(1, 20) if enough(n)), None)
+    assert swings_needed(law, strengths, term=term, noise=noise) == first
 
 
 def test_random_effects_cover_runs_that_differ():
