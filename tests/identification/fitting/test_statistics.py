@@ -210,3 +210,15 @@ def test_the_errors_of_the_theory_page(law, strengths, name, alone, sprung):
     for text, given, expected in ((law, strengths, alone), (law + "+s3", [*strengths, 8 / 300], sprung)):
         found = ESTIMATORS[name][1](sign * np.exp(exact(text, given, 12).a))
         assert 100 * (found / np.array(strengths) - 1) == pytest.approx(expected, abs=0.006)
+
+
+def test_pictures_have_the_quantile_of_the_intervals():
+    # ten turning points leave so few freedoms that 1.96 would be far too short
+    answer = asy.identify(observed("1", [0.05], 8, 1e-3, seed=4), laws=["1"], bootstrap=False)
+    fit = answer.law("1").law.fit
+    t = quantile(fit, 0.95, "x")
+    assert t > 2.3
+    slopes = fit.model.amplitudes(fit.theta)[1]
+    gradient = np.zeros(fit.model.size)
+    gradient[: fit.model.after] = slopes[:, 0] - slopes[:, 1]
+    assert decrement_band(fit)[2][0] == pytest.approx(t * fit.directions.standard_error(gradient), rel=1e-9)
