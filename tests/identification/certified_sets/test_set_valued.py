@@ -12,7 +12,7 @@ from asymptotics.cli.main import main
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.quarter import half_swing
-from asymptotics.identification.certified_sets import physical
+from asymptotics.identification.certified_sets import free_exponent, physical, set_valued
 from asymptotics.identification.certified_sets.central_point import chebyshev_point
 from asymptotics.identification.certified_sets.certified_ratio import CertifiedRatio, followed
 from asymptotics.identification.certified_sets.free_exponent import exponents_that_fit
@@ -299,3 +299,22 @@ def test_a_law_that_is_consistent_by_a_smaller_one_alone_allows_its_further_term
     answer = asy.identify(table, laws=["0+1+2+3", "0+1+2+3+4"])
     assert answer.law("0+1+2+3+4").law.verdict == "consistent"
     assert [(a.term, a.largest) for a in answer.verdict.allowed] == [("4", None)]
+
+
+@pytest.mark.parametrize("reference", [1.0, 0.37])
+def test_the_strength_beside_a_free_exponent_is_the_one_that_is_proved(monkeypatch, reference):
+    asked = []
+    meets = free_exponent._Strips.meets
+    monkeypatch.setattr(free_exponent._Strips, "meets", lambda *a: asked.append(a[1:]) or meets(*a))
+    a = np.array([1.0, 0.7, 0.4]) * reference
+    found = exponents_that_fit(Decrements(a, 0.1 * a**2, np.full(3, 5e-4)))
+    assert found.verdict == "consistent"
+    assert asked == [(found.epsilon.estimate, found.alpha.estimate)]
+
+
+def test_a_point_that_lies_outside_the_searched_box_is_no_estimate_within_it(monkeypatch):
+    table = printed("1", [0.02], 3)
+    point, box = np.array([0.02]), (np.array([0.03]), np.array([0.04]))
+    monkeypatch.setattr(set_valued, "_smallest_box", lambda *a: box)
+    found = strengths_that_fit(losses("1"), table, point)
+    assert found.verdict == "consistent" and found.epsilon[0].contains(0.02)
