@@ -16,7 +16,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from asymptotics.identification.fitting.least_squares import Directions, Model
+from asymptotics.identification.fitting.directions import Directions
+from asymptotics.identification.fitting.least_squares import Model
 from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.quadrature import TooStrongError

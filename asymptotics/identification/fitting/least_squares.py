@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from asymptotics.budget import tick
+from asymptotics.identification.fitting.directions import Directions
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.pendulum import PendulumHalfSwing, angle, well
 from asymptotics.identification.forward.quadrature import TooStrongError
@@ -27,7 +28,6 @@ from asymptotics.identification.measuring.observations import Observations
 from asymptotics.numbers.context import cached_property
 from asymptotics.records.units import UNITS
 
-Flags = np.ndarray[tuple[int], np.dtype[np.bool_]]
 KINDS = ("x", "t", "passage")
 """Turning points, turning times, passages."""
 _ROUNDS, _STEPS = 5, 40
@@ -37,9 +37,6 @@ _MODEL_SHARE = 3e-3
 """The last degree of a summed series, as a share of the noise: what is neglected is smaller still."""
 _WILD = 300.0
 """The largest |ln omega_0| of a step of the search: e^300 is still a double, and belongs to no clock."""
-_UNSEEN = 1e-10
-"""Directions whose effect on the data is below this share of the largest are not seen: the derivatives are right to
-about 1e-12."""
 _FLOOR = 1e-9
 """Residuals below this share of the first amplitude (or of 1/omega_0) are the arithmetic's, not the data's."""
 
@@ -177,54 +174,6 @@ class Model:
 
 
 @dataclass(frozen=True)
-class Directions:
-    """Singular values and vectors of derivatives whose columns, of length ``size``, are brought to one length.
-
-    Not the eigenvalues of J^T J: those would be lost below 1e-16, the squares of singular values of 1e-8.
-
-    >>> two = Directions.of(np.array([[1.0, 1.0, 0.0], [1.0, 1.0, 1.0]]))                # the first two columns are one
-    >>> [round(two.standard_error(np.array(g)), 6) for g in ([1.0, 0, 0], [1.0, 1.0, 0], [0, 0, 1.0])]
-    [inf, 1.0, 1.414214]
-    """
-
-    size: Array
-    left: Array
-    values: Array
-    right: Array
-
-    @classmethod
-    def of(cls, J: Array) -> "Directions":
-        """Of as many directions as there are parameters, also where there are fewer data."""
-        size = np.linalg.norm(J, axis=0)
-        size[size == 0] = 1.0
-        rows = np.zeros((max(J.shape[1] - len(J), 0), J.shape[1]))
-        # Columns of one length: strengths, logarithms and times have different units, and the singular values compare
-        # them.
-        return cls(size, *np.linalg.svd(np.vstack([J / size, rows]), full_matrices=False))
-
-    @property
-    def seen(self) -> Flags:
-        """Which directions the data see."""
-        return np.asarray(self.values > _UNSEEN * self.values[0])
-
-    @property
-    def covariance(self) -> Array:
-        """(J^T J)^(-1), a direction that is not seen having the largest variance of those that could be."""
-        vectors = self.right.T / self._floored / self.size[:, None]
-        return np.asarray(vectors @ vectors.T)
-
-    def standard_error(self, gradient: Array) -> float:
-        """That of a function of the parameters; infinite if most of it is what the data do not see."""
-        parts = self.right @ (gradient / self.size) / self._floored
-        seen, unseen = np.linalg.norm(parts[self.seen]), np.linalg.norm(parts[~self.seen])
-        return float(np.hypot(seen, unseen)) if unseen <= seen else float("inf")
-
-    @property
-    def _floored(self) -> Array:
-        return np.asarray(np.maximum(self.values, _UNSEEN * self.values[0]))
-
-
-@dataclass(frozen=True)
 class Fit:
     """The best parameters, with everything that intervals and criteria need."""
 
@@ -260,7 +209,7 @@ class Fit:
         return {**dict.fromkeys(KINDS, float(self.freedom)), **left}
 
     @cached_property
-    def directions(self) -> "Directions":
+    def directions(self) -> Directions:
         """The directions of the weighted problem."""
         return Directions.of(self.slopes / self.model.scale_vector(self.scales)[:, None])
 
