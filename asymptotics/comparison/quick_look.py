@@ -70,11 +70,26 @@ def look_of(errors: Errors, shift: Any | None, lost: float) -> Look:
     found = defects_of(errors, shift)
     drift = _drift(errors, shift)
     kind, reason = _judged(errors, found, drift)
-    return Look(kind, reason, f"{found.damping:.2e}", None if drift is None else f"{drift:.2e}")
+    return Look(kind, reason, f"{found.damping:.2e}", None if drift is None else f"{drift.share:.2e}")
 
 
-def _judged(errors: Errors, found: Defects, drift: float | None) -> tuple[str, str]:
-    d, late = found.damping, drift is not None and abs(drift) > WRONG_FREQUENCY
+@dataclass(frozen=True)
+class _Drift:
+    """The largest error of a time as a ``share``: of what damping ``adds`` to all periods, or else of the time."""
+
+    share: float
+    adds: bool
+
+    @property
+    def late(self) -> bool:
+        return abs(self.share) > (WRONG_FREQUENCY if self.adds else _SMALL)
+
+    def __str__(self) -> str:
+        return f"{abs(self.share):.0%} of what damping adds to the periods" if self.adds else f"{abs(self.share):.2%}"
+
+
+def _judged(errors: Errors, found: Defects, drift: _Drift | None) -> tuple[str, str]:
+    d, late = found.damping, drift is not None and drift.late
     # In this order: noise first, for it has defects of any kind; then what no loss can do; then laws; what is left is
     # an integrator's.
     if errors.jumps > _NOISE or (errors.advance is None and found.one_sign < _NOISE):
@@ -95,8 +110,7 @@ def _judged(errors: Errors, found: Defects, drift: float | None) -> tuple[str, s
     if abs(d) > WRONG_DAMPING and not (late and (found.quickness or 0.0) > 0.5):
         return "undecided", f"the damping given is {_more(d)} than that of the law, but not as in another law"
     if late:
-        share = f"{abs(drift or 0.0):.0%} of what damping adds to the periods"
-        return "phase drift", f"amplitudes are right, but times are off by {share}"
+        return "phase drift", f"amplitudes are right, but times are off by {drift}"
     return "truncation", "damping and frequency are right; the errors are those of steps or orders"
 
 
@@ -117,12 +131,13 @@ def _like_a_law(errors: Errors, found: Defects) -> tuple[str, str]:
     return "wrong law", reason + (_exponent(errors) or ", throughout")
 
 
-def _drift(errors: Errors, shift: Any | None) -> float | None:
-    """The largest error of a time as a share of what damping adds to all periods; without damping, of the time."""
+def _drift(errors: Errors, shift: Any | None) -> _Drift | None:
     if errors.advance is None or shift is None:
         return None
-    whole = shift[-1] if abs(shift[-1]) > 1e-12 else WRONG_FREQUENCY / _SMALL * errors.tau[-1]
-    return float(-errors.advance[np.argmax(abs(errors.advance))] / whole)
+    # Dry friction adds nothing to the periods: then there is no share of it.
+    adds = abs(shift[-1]) > 1e-12
+    whole = shift[-1] if adds else errors.tau[-1]
+    return _Drift(float(-errors.advance[np.argmax(abs(errors.advance))] / whole), adds)
 
 
 def _more(share: float) -> str:

@@ -12,10 +12,11 @@ standard errors.
 16
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from asymptotics.identification.fitting.directions import Directions
 from asymptotics.identification.fitting.least_squares import Model
 from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.identification.forward.coefficients import Array
@@ -26,36 +27,50 @@ SIGNIFICANT = 1.96 + 1.28
 """Quantiles of the normal distribution: two-sided 95 %, and one-sided 90 % for the power."""
 MOST_SWINGS = 4000
 """A limit of the search, in time; longer decays are hardly ever recorded."""
+_FEW = 7
+"""Swings with 8 turning points, the fewest beside which an offset is fitted (``least_squares.Model``)."""
 
 
 def standard_errors(law: str, strengths: Sequence[float], *, swings: int, noise: float) -> Array:
-    """The smallest standard errors of the strengths (x0 = 1) from turning points 0 ... ``swings`` with this noise."""
+    """The smallest standard errors of the strengths (x0 = 1) from turning points 0 ... ``swings`` with this noise.
+
+    Infinite where the turning points do not tell a strength from the others.
+    """
     candidate = read_candidate(law)
     # The signs of turning points alone: the design has no data, and the information does not depend on them.
     n = np.arange(swings + 1)
     model = Model(candidate.swing(), Observations.of(n, np.where(n % 2, -1.0, 1.0)))
     theta = np.array([0.0, *strengths, *([0.0] if model.offset else [])])
-    J = model.predict(theta)[1] / noise
-    size = np.linalg.norm(J, axis=0)
-    covariance = np.linalg.pinv((J / size).T @ (J / size), rcond=1e-14) / np.outer(size, size)
-    return np.asarray(np.sqrt(np.diag(covariance))[model.law])
+    found = Directions.of(model.predict(theta)[1] / noise)
+    return np.array([found.standard_error(along) for along in np.eye(model.size)[model.law]])
 
 
 def swings_needed(law: str, strengths: Sequence[float], *, term: int, noise: float) -> int | None:
     """The least number of swings that show that ``term`` is needed; None if no number up to the limit does."""
 
-    def enough(swings: int) -> bool:
+    def error(swings: int) -> float | None:
         try:
-            return bool(
-                strengths[term] > SIGNIFICANT * standard_errors(law, strengths, swings=swings, noise=noise)[term]
-            )
+            return float(standard_errors(law, strengths, swings=swings, noise=noise)[term])
         except TooStrongError:
             # The motion ends before so many swings: no more of them can be had.
-            return False
+            return None
 
-    # Doubled until it is enough, then halved in between; a number at which the motion has ended counts as not enough.
-    low, high = 4, 8
+    def enough(swings: int) -> bool:
+        found = error(swings)
+        return found is not None and strengths[term] > SIGNIFICANT * found
+
+    # Up to here one by one: an offset that is a parameter from 8 turning points on may ask for more of them.
+    for few in range(1, _FEW + 1):
+        if enough(few):
+            return few
+    # From there on each swing adds to what is known: doubled until it is enough, then halved in between.
+    low, high = _FEW, 2 * _FEW
     while not enough(high):
+        if error(high) is None:
+            high = _last(low, high, error)
+            if not enough(high):
+                return None
+            break
         low, high = high, 2 * high
         if high > MOST_SWINGS:
             return None
@@ -63,3 +78,11 @@ def swings_needed(law: str, strengths: Sequence[float], *, term: int, noise: flo
         middle = (low + high) // 2
         low, high = (low, middle) if enough(middle) else (middle, high)
     return high
+
+
+def _last(low: int, high: int, error: Callable[[int], float | None]) -> int:
+    """The last swing before the motion ends, which is at ``low`` or later and before ``high``."""
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if error(middle) is None else (middle, high)
+    return low

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.identification.fitting.printed import Decrements
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.measuring.extraction import observations_of_record
@@ -21,12 +21,16 @@ from asymptotics.records.table import RecordTable, read_table
 
 LEAST_POINTS = 4
 """First amplitude and a strength leave two data of four: fewer turning points tell no law from another."""
+MAX_SWINGS = 1_000_000
+"""Half-swings from the first to the last turning point: every one is computed for every law, in half a minute each."""
 Run = Observations | Decrements
 
 
 def load(source: Any, kind: str | None = None, unit: str = "", how: How | None = None) -> list[Run]:
     """The runs of a source, one if its clock never starts again; InputError for what cannot be used."""
     if isinstance(source, Observations | Decrements):
+        if isinstance(source, Observations):
+            _require_few(source.last, source.name or "n")
         return [source]
     table = read_table(source, kind, unit, how)
     if table.kind in ("record", "velocity", "acceleration"):
@@ -117,6 +121,7 @@ def _turning_points(table: RecordTable) -> Observations:
     n, x = table.columns["n"], table.columns["x"]
     _require_points(x, rows, notes[1:])
     require_increasing(n, "n", rows)
+    _require_few(n[-1] - n[0], rows.where(len(n) - 1, "n"))
     if tau is not None:
         require_increasing(tau, "tau", rows)
     seen = Observations.of(n.astype(int), x, () if tau is None else tau, unit=table.unit, name=name, notes=notes)
@@ -126,6 +131,13 @@ def _turning_points(table: RecordTable) -> Observations:
         reason = f"{rows.where(wrong[0], 'x')}: the signs do not alternate with n"
         raise InputError("FILE", reason, "x_n with alternating signs, or amplitudes of one sign")
     return seen
+
+
+def _require_few(swings: float, where: str) -> None:
+    # A law of one loss asks for half a kilobyte for each half-swing, one of four for three times as much.
+    if swings > MAX_SWINGS:
+        reason = f"{where}: {swings:.3g} half-swings, computed for each law in about {swings * 5e-7:.3g} GB"
+        raise LimitError("FILE", reason, f"at most {MAX_SWINGS} half-swings from the first to the last")
 
 
 def _require_points(x: Array, rows: RowPlaces, notes: tuple[str, ...]) -> None:

@@ -136,13 +136,15 @@ def _given(names: Sequence[str], columns: str) -> dict[str, int]:
 
 
 def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
+    meant = [quantity(n) for n in names]
+    # x alone, which two kinds have, leaves the kind to the other columns, where they say it.
+    if set(given) == {"x"} and "time" in meant and "n" not in meant:
+        return "record"
     if given:
-        # The first kind to which all that is said belongs: x, which two kinds have, is that of turning points unless t
-        # is said as well.
+        # The first kind to which all that is said belongs: x is that of turning points unless t is said as well.
         for kind in ("decrement", "turning-points", "velocity", "acceleration", "record"):
             if set(given) <= {*COLUMNS[kind], *OPTIONAL[kind]} and COLUMNS[kind][1] in given:
                 return kind
-    meant = [quantity(n) for n in names]
     if len(names) > 1:
         if {"amplitude", "decrement"} <= set(meant):
             return "decrement"

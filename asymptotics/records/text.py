@@ -15,13 +15,35 @@ from typing import IO, Any
 from asymptotics.errors import InputError, LimitError
 
 MAX_BYTES = 2_000_000_000
-"""Of a file as it lies, and of a member of a zip archive by what the archive states: minutes of reading.  A gzip stream
-states no size, and is limited by the time alone."""
+"""Of a file as it lies, of a member of a zip archive by what the archive states, and of what a gzip stream, which
+states no size, has given: minutes of reading."""
 _HEAD = 1 << 16
 """Bytes that show the encoding."""
 _BINARY = {*range(8), *range(14, 27)}
 """Control characters that stand in no text; white space, the escape sign and the separators from 28 on may."""
 _MARKS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
+
+
+class _Limited(gzip.GzipFile):
+    """A gzip stream that gives at most ``MAX_BYTES``."""
+
+    def __init__(self, name: str, raw: IO[bytes]) -> None:
+        super().__init__(fileobj=raw, mode="rb")
+        self.called = name
+
+    def read(self, size: int | None = -1) -> bytes:
+        """As of any stream; LimitError beyond the limit."""
+        return self._limited(super().read(MAX_BYTES + 1 if size is None or size < 0 else size))
+
+    def read1(self, size: int = -1) -> bytes:
+        """As of any stream; LimitError beyond the limit."""
+        return self._limited(super().read1(size))
+
+    def _limited(self, data: bytes) -> bytes:
+        if self.tell() > MAX_BYTES:
+            reason = f"{self.called} unpacks to more than {MAX_BYTES} bytes"
+            raise LimitError("FILE", reason, f"at most {MAX_BYTES} bytes")
+        return data
 
 
 @contextmanager
@@ -38,7 +60,7 @@ def unpacked(source: Path | bytes, name: str) -> Iterator[IO[bytes]]:
             raw.seek(0)
             # By the first bytes, for names lie: gzip, and zip but for the formats that are archives themselves.
             if first[:2] == b"\x1f\x8b":
-                with gzip.open(raw) as stream:
+                with _Limited(name, raw) as stream:
                     yield stream  # type: ignore[misc]
             elif first == b"PK\x03\x04" and not name.lower().endswith((".xlsx", ".npz", ".ods")):
                 with zipfile.ZipFile(raw) as archive, archive.open(_one_member(archive, name)) as stream:

@@ -74,3 +74,13 @@ def test_a_noisy_table_of_turning_points_is_undecided():
     T, A = battery.truth(((2.0,), (0.1,)), battery.FINE)[2]
     noisy = A * (1 + 1e-2 * np.random.default_rng(1).standard_normal(len(A)))
     assert look_of(of_turning_points(np.arange(len(A)), noisy, A), None, 13.0).kind == "undecided"
+
+
+@pytest.mark.parametrize(("share", "kind"), [(0.5, "phase drift"), (1e-3, "phase drift"), (1e-5, "truncation")])
+def test_wrong_times_beside_dry_friction_are_told_as_a_share_of_the_time(share, kind):
+    ns = np.arange(8)
+    size = 1 - 0.1 * ns
+    errors = of_turning_points(ns, size * (1 + 1e-7 * ns), size, np.pi * ns * (1 + share), np.pi * ns)
+    look = look_of(errors, errors.tau - np.pi * ns, 5.0)
+    assert (look.kind, float(look.frequency)) == (kind, pytest.approx(share, rel=1e-2))
+    assert kind == "truncation" or look.reason.endswith(f"off by {share:.2%}")

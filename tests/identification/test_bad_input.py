@@ -8,7 +8,8 @@ import pytest
 
 import asymptotics as asy
 from asymptotics.cli.main import main
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, LimitError
+from asymptotics.identification.measuring.observations import Observations
 
 POINTS = "\n".join(f"{n},{(-0.9) ** n:.6f}" for n in range(12))
 
@@ -186,3 +187,10 @@ def test_a_record_of_one_row_is_refused_by_its_count(tmp_path):
     file.write_text("t,x\n0,0")
     with pytest.raises(asy.InputError, match="1 rows with numbers"):
         asy.identify(file, laws=["1"], bootstrap=False)
+
+
+def test_more_half_swings_than_can_be_computed_are_refused_at_once():
+    n = np.array([0, 10**6, 3 * 10**8, 10**9])
+    for data in ({"n": n, "x": [1.0, 0.9, 0.5, 0.2]}, Observations.of(n, [1.0, 0.9, 0.5, 0.2])):
+        with pytest.raises(LimitError, match=r"1e\+09 half-swings, .* about 500 GB"):
+            asy.identify(data)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import asymptotics as asy
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.records.sources import How
 from asymptotics.records.table import read_table
 
@@ -258,3 +258,22 @@ def test_a_labview_file_whose_header_has_no_step_of_time_is_refused(tmp_path):
         (tmp_path / "a.lvm").write_text(fault)
         with pytest.raises(InputError, match="no rows of two numbers"):
             read_table(tmp_path / "a.lvm")
+
+
+def test_x_alone_leaves_the_kind_to_the_other_columns(tmp_path):
+    rows = "\n".join(f"{t:.6f},{x:.6f},{2 * x:.6f}" for t, x in zip(T, X))
+    (tmp_path / "a.csv").write_text(f"t,x,y\n{rows}")
+    found = read_table(tmp_path / "a.csv", how=How(columns="x=3"))
+    assert found.kind == "record" and found.columns["x"] == pytest.approx(2 * X, abs=2e-6)
+    (tmp_path / "b.csv").write_text("n,t,x\n" + "\n".join(f"{n},{3 * n},{(-0.9) ** n}" for n in range(9)))
+    assert read_table(tmp_path / "b.csv", how=How(columns="x=3")).kind == "turning-points"
+
+
+def test_what_a_gzip_stream_gives_is_limited(tmp_path, monkeypatch):
+    text = LAYOUTS["Vernier"][0].encode()
+    (tmp_path / "a.csv.gz").write_bytes(gzip.compress(text))
+    monkeypatch.setattr("asymptotics.records.text.MAX_BYTES", len(text))
+    check(read_table(tmp_path / "a.csv.gz"), 1e-6)
+    monkeypatch.setattr("asymptotics.records.text.MAX_BYTES", len(text) - 1)
+    with pytest.raises(LimitError, match="unpacks to more than"):
+        read_table(tmp_path / "a.csv.gz")

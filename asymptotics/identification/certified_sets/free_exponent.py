@@ -74,8 +74,10 @@ def exponents_that_fit(table: Decrements) -> ExponentSet:
         if any(level < 0 for _, level in strips.upper):
             return ExponentSet("refuted", reason="the amplitude grows, and no strength >= 0 does that")
         least, theta = chebyshev_point(_FREE, table)
-        # In doubles the point meets every row; only what balls confirm is claimed. least < 1 merely saves the trial.
-        point = theta if least < 1 and strips.meets(*theta) else None
+        # In doubles the point meets every row; only what balls confirm is claimed, of the very strength that is told.
+        # least < 1 merely saves the trial.
+        strength = float(theta[0] * table.reference ** (1 - theta[1]))
+        point = theta if least < 1 and strips.meets(strength, float(theta[1])) else None
         # Strips from below, then from above towards what is left: the exponents between hold every solution.
         low = strips.excluded(0.0, MAX_FREE_ALPHA, None if point is None else float(point[1]))
         if low >= MAX_FREE_ALPHA:
@@ -87,7 +89,6 @@ def exponents_that_fit(table: Decrements) -> ExponentSet:
         middle = None if ends is None else Interval(ends[0], (ends[0] + ends[1]) / 2, ends[1])
         said = "neither a point nor its absence could be proved" + (f"; {reach}" if reach else "")
         return ExponentSet("undetermined", Interval(low, (low + high) / 2, high), middle, said)
-    strength = float(theta[0] * table.reference ** (1 - theta[1]))
     epsilon = Interval(None, strength, None) if ends is None else Interval(ends[0], strength, ends[1])
     return ExponentSet("consistent", Interval(low, float(theta[1]), high), epsilon, reach)
 
@@ -99,7 +100,6 @@ class _Strips:
     lower: tuple[tuple[arb, arb], ...]
     upper: tuple[tuple[arb, arb], ...]
     unit: arb
-    reference: arb
     swing: HalfSwingModel
 
     @classmethod
@@ -117,13 +117,12 @@ class _Strips:
         # Doubles choose strengths and rows only: seven digits are more than a choice needs, and the series reaches
         # farther.
         swing.tolerance = 1e-7
-        return cls(lower, upper, unit, exact(table.reference), swing)
+        return cls(lower, upper, unit, swing)
 
     def meets(self, strength: float, alpha: float) -> bool:
-        """Whether the strength at the largest mean amplitude and the exponent are proved to meet every row."""
+        """Whether the strength (for x0 = 1 unit of the file) and the exponent are proved to meet every row."""
         power = ExactReal(Fraction(alpha))
-        # epsilon A_ref^(alpha - 1) is given; that of the unit is its multiple by (unit/A_ref)^(alpha - 1).
-        e = arb(strength) * ((power.ball() - 1) * (self.unit / self.reference).log()).exp()
+        e = arb(strength) * ((power.ball() - 1) * self.unit.log()).exp()
         rows = [*((1, row) for row in self.lower), *((-1, row) for row in self.upper)]
         return all(self._shows(sign, row, e, power, miss=False) for sign, row in rows)
 

@@ -105,7 +105,7 @@ def _is_beyond(ratio: CertifiedRatio, rows: Sequence[RatioInequality], corner: A
 
 def _shrunk(ratio: CertifiedRatio, rows: Sequence[RatioInequality], low: Array, high: Array) -> Box | None:
     """The part of the box that may hold a solution, or None if no part does."""
-    centre, radius = (low + high) / 2, (high - low) / 2 * (1 + 1e-12)
+    centre, radius = _covering(low, high)
     try:
         M, b = linear(ratio, rows, centre, radius)
     except UndecidedError:
@@ -118,6 +118,13 @@ def _shrunk(ratio: CertifiedRatio, rows: Sequence[RatioInequality], low: Array, 
     # it.
     outward = np.nextafter(centre + below, -np.inf), np.nextafter(centre + above, np.inf)
     return np.maximum(low, outward[0]), np.minimum(high, outward[1])
+
+
+def _covering(low: Array, high: Array) -> Box:
+    """(centre, radius) with centre - radius <= low and high <= centre + radius, as exact sums of these doubles."""
+    centre, radius = (low + high) / 2, (high - low) / 2
+    # The centre is wrong by 1.2e-16 of itself: in a narrow box far more than any share of its radius.
+    return centre, radius + 1e-15 * (np.abs(centre) + radius)
 
 
 def _halved(low: Array, high: Array, size: Array) -> list[Box]:

@@ -88,8 +88,9 @@ def strengths_that_fit(losses: tuple[Term, ...], table: Decrements, known: Array
         try:
             reach = _searched(ratio, rows)
             box = _smallest_box(ratio, rows, reach)
-            # A box that touches the end of what was searched, to a millionth, may go on behind it.
-            if box is None or (np.maximum(-box[0], box[1]) > reach * (1 - 1e-6)).any():
+            # A box that touches the end of what was searched, to a millionth, may go on behind it; the set does where
+            # its point lies there.
+            if box is None or (np.maximum(-box[0], box[1]) > reach * (1 - 1e-6)).any() or _is_outside(point, box):
                 return _beyond(losses, ratio, rows, reach, box, point, known is not None)
             # Only then can the strengths >= 0 be empty: a point >= 0 that meets every row disproves it without a
             # search.
@@ -99,6 +100,10 @@ def strengths_that_fit(losses: tuple[Term, ...], table: Decrements, known: Array
             # What could not be bounded says nothing against a point that is proved.
             return StrengthSet("undetermined", (), str(error)) if point is None else _open(point, str(error))
     return _found(point, box, "")
+
+
+def _is_outside(point: Array | None, box: Box) -> bool:
+    return point is not None and bool(((point < box[0]) | (point > box[1])).any())
 
 
 def proved_point(

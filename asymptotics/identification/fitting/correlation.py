@@ -66,7 +66,6 @@ def replicas(fit: Fit, count: int = REPLICAS, seed: int = 1) -> Array:
     starts = generator.integers(0, swings, size=(count, swings // length + 1))
     # The blocks go round, so that a swing near an end is drawn as often as any other.
     order = ((starts[:, :, None] + np.arange(length)) % swings).reshape(count, -1)[:, :swings]
-    sigma = fit.model.scale_vector(fit.scales)
     drawn = np.empty((count, len(fit.residuals)))
     for group in fit.model.groups:
         r = fit.weighted[group]
@@ -74,17 +73,16 @@ def replicas(fit: Fit, count: int = REPLICAS, seed: int = 1) -> Array:
         # matters in short records alone.
         r = (r - r.mean()) * np.sqrt(len(r) / max(len(r) - 2.0, 1.0))
         drawn[:, group] = r[order[:, : len(r)] % len(r)]
-    J = fit.slopes / sigma[:, None]
-    size = np.linalg.norm(J, axis=0) + 1e-300
-    J = J / size
-    change = product(drawn, J) @ np.linalg.pinv(J.T @ J, rcond=1e-13)
-    return np.asarray(fit.theta + change / size)
+    # The least-squares solution of each replica; what no data see does not change.
+    found = fit.directions
+    along = product(drawn, found.left[: len(fit.residuals), found.seen]) / found.values[found.seen]
+    return np.asarray(fit.theta + along @ found.right[found.seen] / found.size)
 
 
 def stretch(fit: Fit, g: Function, drawn: Array) -> float:
     """By how much the interval of g must be longer than for white residuals; never shorter."""
     gradient = g(fit.theta)[1]
-    error = float(np.sqrt(max(float(gradient @ fit.covariance @ gradient), 0.0)))
+    error = fit.directions.standard_error(gradient)
     spread = float(np.std((drawn - fit.theta) @ gradient))
     # Neighbours that alternate would shorten the interval; that is not believed.
     return max(1.0, spread / error) if error > 0 else 1.0

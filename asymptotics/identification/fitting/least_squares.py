@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from asymptotics.budget import tick
+from asymptotics.identification.fitting.directions import Directions
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.pendulum import PendulumHalfSwing, angle, well
 from asymptotics.identification.forward.quadrature import TooStrongError
@@ -208,12 +209,14 @@ class Fit:
         return {**dict.fromkeys(KINDS, float(self.freedom)), **left}
 
     @cached_property
+    def directions(self) -> Directions:
+        """The directions of the weighted problem."""
+        return Directions.of(self.slopes / self.model.scale_vector(self.scales)[:, None])
+
+    @cached_property
     def covariance(self) -> Array:
-        """(J^T J)^(-1) of the weighted problem."""
-        J = self.slopes / self.model.scale_vector(self.scales)[:, None]
-        # Columns of one length: strengths, logarithms and times have different units, and pinv compares them.
-        size = np.linalg.norm(J, axis=0) + 1e-300
-        return np.asarray(np.linalg.pinv((J / size).T @ (J / size), rcond=1e-13) / np.outer(size, size))
+        """(J^T J)^(-1) of the weighted problem; very large along directions that the data do not see."""
+        return self.directions.covariance
 
     @property
     def freedom(self) -> int:
@@ -288,12 +291,11 @@ def likely_scales(model: Model, theta: Array, scales: dict[str, float]) -> dict[
 
 
 def _left_over(model: Model, slopes: Array, scales: dict[str, float]) -> dict[str, float]:
-    J = slopes / model.scale_vector(scales)[:, None]
-    J = J / (np.linalg.norm(J, axis=0) + 1e-300)
-    inverse = np.linalg.pinv(J.T @ J, rcond=1e-13)
+    found = Directions.of(slopes / model.scale_vector(scales)[:, None])
+    hat = found.left[:, found.seen]
     return {
         # N_g minus the trace of the hat matrix over the group: the parameters shared out between the kinds.
-        kind: group.stop - group.start - float(np.sum(inverse * (J[group].T @ J[group])))
+        kind: group.stop - group.start - float(np.sum(hat[group] ** 2))
         for kind, group in zip(model.kinds, model.groups)
     }
 

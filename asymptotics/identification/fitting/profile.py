@@ -95,14 +95,14 @@ def quantile(fit: Fit, level: float, kind: str) -> float:
 def wald_interval(fit: Fit, g: Function, level: float = 0.95, kind: str = "x") -> Interval:
     """The interval from the curvature alone: g plus or minus t standard errors."""
     value, gradient = g(fit.theta)
-    reach = quantile(fit, level, kind) * _standard_error(fit, gradient)
+    reach = quantile(fit, level, kind) * fit.directions.standard_error(gradient)
     return Interval(value - reach, value, value + reach) if np.isfinite(reach) else Interval(None, value, None)
 
 
 def profile_interval(fit: Fit, g: Function, level: float = 0.95, kind: str = "x") -> Interval:
     """The interval of g by profile likelihood; an end is None if the profile never rises high enough."""
     value, gradient = g(fit.theta)
-    error = _standard_error(fit, gradient)
+    error = fit.directions.standard_error(gradient)
     if not (np.isfinite(error) and error > 0):
         return Interval(None, value, None)
     t = quantile(fit, level, kind)
@@ -113,7 +113,7 @@ def profile_interval(fit: Fit, g: Function, level: float = 0.95, kind: str = "x"
 def profile_curve(fit: Fit, g: Function, count: int = 21, reach: float = 3.0) -> tuple[Array, Array]:
     """(values of g, S_prof - S_min) over ``reach`` standard errors on both sides; shorter where the model ends."""
     value, gradient = g(fit.theta)
-    error = _standard_error(fit, gradient)
+    error = fit.directions.standard_error(gradient)
     # From the estimate outwards, each point beginning where the last one ended.
     points = [(value, 0.0)]
     for sign in (-1, 1):
@@ -175,7 +175,3 @@ def _minimum_at(fit: Fit, g: Function, start: Array, target: float, error: float
     predicted, _ = fit.model.predict(theta)
     r = (fit.model.data - predicted) / fit.model.scale_vector(fit.scales)
     return theta, g(theta)[0], float(r @ r) - fit.chi2
-
-
-def _standard_error(fit: Fit, gradient: Array) -> float:
-    return float(np.sqrt(max(float(gradient @ fit.covariance @ gradient), 0.0)))

@@ -78,9 +78,11 @@ def _instead_of_sine(chosen: LawFit, laws: Sequence[LawFit]) -> tuple[Allowance,
 
 
 def _allowance(chosen: LawFit, law: LawFit, term: Element, first: float | None) -> Allowance:
-    place = law.candidate.elements.index(term)
-    name, ends = law.strengths[place]
-    if ends.low is None or ends.high is None:
+    candidate, strengths = law.candidate, dict(law.strengths)
+    name = (*candidate.alphas, *(f"s{p}" for p in candidate.springs))[candidate.elements.index(term)]
+    ends = strengths.get(name)
+    # A law that is consistent by the point of a smaller one alone has no intervals.
+    if ends is None or ends.low is None or ends.high is None:
         return Allowance(name, None)
     if term.kind == "spring":
         return Allowance(name, max(abs(ends.low), abs(ends.high)))

@@ -12,7 +12,7 @@ import numpy as np
 
 from asymptotics.errors import InputError
 from asymptotics.identification.fitting.least_squares import Fit
-from asymptotics.identification.fitting.profile import profile_curve
+from asymptotics.identification.fitting.profile import profile_curve, quantile
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.judging.comparison import LawFit
 from asymptotics.identification.judging.grades import percent
@@ -70,9 +70,10 @@ def decrement_band(fit: Fit) -> tuple[Array, Array, Array]:
     size, by_law = model.amplitudes(fit.theta)
     slopes = np.zeros((model.size, len(size) - 1))
     slopes[: model.after] = by_law[:, :-1] - by_law[:, 1:]
-    # The delta method: the band is that of a decrement at each place by itself, 1.96 standard errors either way.
+    # The delta method: the band is that of a decrement at each place by itself, as many standard errors either way as
+    # intervals reach.
     spread = np.sqrt(np.maximum(np.einsum("in,ij,jn->n", slopes, fit.covariance, slopes), 0.0))
-    return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], 1.96 * spread
+    return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], quantile(fit, 0.95, "x") * spread
 
 
 def draw_decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
@@ -129,8 +130,8 @@ def _profile(axes: Any, law: LawFit) -> None:
         values, rise = profile_curve(fit, law.functions[i], count=13)
         estimate = law.epsilon[i].estimate
         axes.plot((values - estimate) / (abs(estimate) or 1.0), rise, label=f"strength of {name}")
-    # The 95 % of chi-squared with one degree of freedom.
-    axes.axhline(3.84, color="0.5", lw=0.6)
+    # Where the intervals end: 3.84, the 95 % of chi-squared, if the noise is known.
+    axes.axhline(quantile(fit, 0.95, "x") ** 2, color="0.5", lw=0.6)
     axes.locator_params(axis="x", nbins=4)
     axes.set(xlabel="relative change of the strength", ylabel="rise of chi squared")
     head(axes, [f"profiles of {law.candidate}"])

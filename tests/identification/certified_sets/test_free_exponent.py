@@ -9,6 +9,7 @@ from flint import ctx
 from scipy.optimize import brentq
 
 from asymptotics.cli.main import main
+from asymptotics.identification.certified_sets import free_exponent
 from asymptotics.identification.certified_sets.central_point import chebyshev_point
 from asymptotics.identification.certified_sets.certified_ratio import BITS
 from asymptotics.identification.certified_sets.free_exponent import _Strips, exponents_that_fit
@@ -71,3 +72,14 @@ def test_the_table_of_an_unknown_exponent_names_it(tmp_path, capsys):
     assert law["alphas"] == ["free"]
     assert law["intervals"] == "certified set"
     assert float(law["alpha"]["low"]) <= 1.5 <= float(law["alpha"]["high"])
+
+
+@pytest.mark.parametrize("reference", [1.0, 0.37])
+def test_the_strength_beside_a_free_exponent_is_the_one_that_is_proved(monkeypatch, reference):
+    asked = []
+    meets = free_exponent._Strips.meets
+    monkeypatch.setattr(free_exponent._Strips, "meets", lambda *a: asked.append(a[1:]) or meets(*a))
+    a = np.array([1.0, 0.7, 0.4]) * reference
+    found = exponents_that_fit(Decrements(a, 0.1 * a**2, np.full(3, 5e-4)))
+    assert found.verdict == "consistent"
+    assert asked == [(found.epsilon.estimate, found.alpha.estimate)]

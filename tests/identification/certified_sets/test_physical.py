@@ -1,5 +1,7 @@
 """The box of physical strengths holds the truth, and its tests bite."""
 
+from fractions import Fraction
+
 import numpy as np
 from flint import ctx
 
@@ -45,3 +47,12 @@ def test_a_last_box_that_is_dismissed_in_the_last_round_leaves_none(monkeypatch)
         ratio = CertifiedRatio.of(terms)
         assert physical_box(terms, ratio, rows_of(ratio, wrong)) == "none"
         assert isinstance(physical_box(terms, ratio, rows_of(ratio, table)), tuple)
+
+
+def test_a_narrow_box_is_covered_by_its_centre_and_radius_exactly():
+    random = np.random.default_rng(5)
+    low = random.uniform(0.0, 1.0, 2000)
+    high = low + low * 10.0 ** random.uniform(-16.0, 0.0, 2000)
+    for c, r, one, two in zip(*physical._covering(low, high), low, high, strict=True):
+        assert Fraction(c) - Fraction(r) <= Fraction(one)
+        assert Fraction(two) <= Fraction(c) + Fraction(r)

@@ -8,6 +8,7 @@ from flint import ctx
 
 import asymptotics as asy
 from asymptotics.cli.main import main
+from asymptotics.identification.certified_sets import set_valued
 from asymptotics.identification.certified_sets.certified_ratio import BITS, CertifiedRatio
 from asymptotics.identification.certified_sets.set_valued import _beyond, strengths_that_fit
 from asymptotics.identification.certified_sets.table_rows import meets, rows_of
@@ -163,3 +164,19 @@ def test_a_negative_point_is_no_estimate_of_strengths_that_are_not_negative():
         assert answer.verdict == "consistent" and (answer.point == point).all()
         assert all(e.low is None or e.low <= e.estimate <= e.high for e in answer.epsilon)
     assert found[1].epsilon[0].low is not None
+
+
+def test_a_law_that_is_consistent_by_a_smaller_one_alone_allows_its_further_term_without_limit():
+    # five losses have no certified set of their own
+    table = {"amplitude": [1.0, 0.8, 0.6], "decrement": [0.1, 0.06, 0.04], "resolution": [0.005] * 3}
+    answer = asy.identify(table, laws=["0+1+2+3", "0+1+2+3+4"])
+    assert answer.law("0+1+2+3+4").law.verdict == "consistent"
+    assert [(a.term, a.largest) for a in answer.verdict.allowed] == [("4", None)]
+
+
+def test_a_point_that_lies_outside_the_searched_box_is_no_estimate_within_it(monkeypatch):
+    table = printed("1", [0.02], 3)
+    point, box = np.array([0.02]), (np.array([0.03]), np.array([0.04]))
+    monkeypatch.setattr(set_valued, "_smallest_box", lambda *a: box)
+    found = strengths_that_fit(losses("1"), table, point)
+    assert found.verdict == "consistent" and found.epsilon[0].contains(0.02)

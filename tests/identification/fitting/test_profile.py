@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from iminuit import Minuit
 
+import asymptotics as asy
 from asymptotics.identification.fitting.profile import profile_interval, quantile
 from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.identification.judging.comparison import fit_law, strength
@@ -28,3 +29,11 @@ def test_profile_intervals_are_those_of_minos():
         errors = minuit.merrors[1 + i]
         assert mine.low - mine.estimate == pytest.approx(errors.lower * scale, rel=0.02)
         assert mine.high - mine.estimate == pytest.approx(errors.upper * scale, rel=0.02)
+
+
+def test_strengths_that_the_data_hardly_see_have_long_intervals_and_refute_nothing():
+    # 30 swings lose a twentieth of the amplitude: four losses can hardly be told apart, and the true one is 0.001 alone
+    law = asy.identify(observed("1", [1e-3], 30, 1e-6, seed=1), laws=["1", "0+1+2+3"]).law("0+1+2+3").law
+    assert law.verdict == "consistent"
+    assert all(e.contains(true) for e, true in zip(law.epsilon, [0.0, 1e-3, 0.0, 0.0], strict=True))
+    assert all(e.high - e.low > 0.05 for e in law.epsilon)

@@ -2,12 +2,16 @@
 
 import json
 import re
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
 import asymptotics as asy
-from asymptotics.identification.telling.in_words import equivalent_ratio, half_life, in_words
+from asymptotics.identification.forward.coefficients import loss
+from asymptotics.identification.forward.pendulum import PendulumHalfSwing, angle
+from asymptotics.identification.forward.sequence import turning_sequence
+from asymptotics.identification.telling.in_words import equivalent_ratio, half_life, in_words, pendulum_ratios
 
 
 @pytest.fixture(scope="module")
@@ -37,6 +41,28 @@ def test_the_ratio_and_the_half_life_are_the_certified_ones(key, alpha, m):
     zeta = equivalent_ratio([(alpha, m, 0.1)])
     assert float(zeta(0.5)) == pytest.approx(float(row.zeta), rel=1e-9)
     assert half_life(zeta, 0.5) == pytest.approx(float(row.half_life), rel=1e-4)
+
+
+@pytest.mark.parametrize(("key", "alpha"), [(0, 0.0), (1, 1.0), ("3/2", 1.5)])
+@pytest.mark.parametrize("amplitude", [Fraction(1, 2), Fraction(13, 5)])
+def test_beside_a_pendulum_the_ratio_and_the_half_life_are_the_certified_ones(key, alpha, amplitude):
+    row = asy.damping({key: "1/50"}, str(amplitude), spring="pendulum", motion=False, digits=8).rows[0].first
+    degree = np.pi / 180
+    for unit, epsilon in ((1.0, 0.02), (degree, 0.02 * degree ** (alpha - 1))):
+        zeta, rate = pendulum_ratios([(alpha, 0, epsilon)], unit)
+        A = float(amplitude) / unit
+        assert float(zeta(A)) == pytest.approx(float(row.zeta), rel=1e-6)
+        assert half_life(rate, A) == pytest.approx(float(row.half_life), rel=1e-4)
+
+
+def test_a_pendulum_is_told_by_its_own_formula():
+    # the linear spring's says 50 at the first amplitude
+    swing = PendulumHalfSwing([loss(1.0)], 2.6)
+    run = turning_sequence(swing, 19, np.array([0.0, 0.02]))
+    size, _ = angle(2 * np.sin(1.3) * np.exp(run.a), 1.0)
+    record = {"n": np.arange(20), "x": size, "tau": run.tau}
+    answer = asy.identify(record, laws=["1+pendulum"], unit="rad", bootstrap=False)
+    assert answer.in_words.startswith("Q = 41.2 at 2.6 rad")
 
 
 def test_nothing_is_said_where_nothing_is_known():
