@@ -122,6 +122,7 @@ def _computed(
 
 def _routes(options: argparse.Namespace, count: int, digits: int, start: int) -> Answer:
     """All routes, and what each would cost for this request; none is taken."""
+    kick: dict[str, Any]
     if is_physical(options):
         law, kick = dimensionless(read_oscillator(options).oscillator)
     else:

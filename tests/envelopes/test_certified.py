@@ -16,6 +16,7 @@ from asymptotics.envelopes.symbolic import tau as tau_symbol
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.numbers.precision import TooWideError
 
 SETS = [
     "0", "1", "3/2", "1/2", "sqrt(2)", "0 1", "0 2", "1 2", "1 3", "2 3", "0 1/2", "1/2 sqrt(2)", "sqrt(2) sqrt(3)",
@@ -220,3 +221,11 @@ def test_an_inversion_that_fails_says_all_that_is_known(monkeypatch):
     laws = [(ExactReal(1), arb(1)), (ExactReal(2), arb(1))]
     found = certified.amplitude(laws, arb(1))
     assert found.contains(arb(0)) and found.contains(arb(1))
+
+
+def test_an_amplitude_that_may_be_positive_is_too_wide_and_one_that_is_not_is_refused():
+    laws = [(ExactReal(2), arb(1))]
+    with pytest.raises(TooWideError, match="not certainly positive"):
+        certified.time(laws, arb(1, 1))
+    with pytest.raises(InputError, match="is not positive"):
+        certified.time(laws, arb(0))

@@ -170,3 +170,10 @@ def test_the_precision_is_doubled_until_the_rounding_is_decided():
 
     assert certified_decimal(nearly_a_tie, 1) == "0.3"
     assert len(seen) > 2  # 10^-200 beside 1/4 takes more than 660 bits
+
+
+def test_a_ball_about_0_is_asked_again_however_small_its_middle():
+    """Its middle alone would be refused by its magnitude."""
+    assert decimal_of_ball(arb(2) ** -192359348 + arb(0, 22), 5) is None
+    with pytest.raises(LimitError, match="magnitude"):
+        decimal_of_ball(arb(2) ** -192359348, 5)

@@ -15,6 +15,7 @@ from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.turning import at_rest
 from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.precision import TooWideError
 from asymptotics.turning import abel, jump
 from asymptotics.turning.abel import AbelFunction, Approximant, abel_function
 from asymptotics.turning.jump import jumped
@@ -180,6 +181,9 @@ def test_an_orbit_that_is_not_in_reach_is_refused():
     for delta in ("-0.01", "100"):
         with pytest.raises(ValueError, match="is not in"):
             found.advance(arb(delta), 3)
+    for undecided in (arb(0, 1e-9), found.rho + arb(0, 1e-9)):
+        with pytest.raises(TooWideError, match="not certainly in"):
+            found.advance(undecided, 3)
     with pytest.raises(UndecidedError, match="too large for the sum"):
         found.power_sum(arb(10), 4)
 

@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from asymptotics.errors import UndecidedError
+from asymptotics.numbers.precision import TooWideError
 from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
 from asymptotics.turning.quadratic_series import map_series
 
@@ -75,3 +76,8 @@ def test_the_power_series_is_the_map():
         total = sum((arb(c) * p**k for k, c in enumerate(map_series(20))), arb(0))
         assert abs(total - next_amplitude(p)) < p**20
         assert not abs(total - next_amplitude(p)) < p**25
+
+
+def test_an_amplitude_that_may_be_positive_is_too_wide():
+    with pytest.raises(TooWideError, match="not certainly positive"):
+        next_amplitude(arb(0, 1e-9))

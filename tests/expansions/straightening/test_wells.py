@@ -9,6 +9,7 @@ from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.straightening.wells import Loss, Well
+from asymptotics.numbers.precision import TooWideError
 from asymptotics.terms import Term
 from tests.second_route.straightened import coordinate, slope, straighten
 
@@ -71,3 +72,10 @@ def test_a_place_that_is_not_certainly_in_the_well_has_no_coordinate(well, place
     assert well.xi(arb("0.5")) > 0
     with pytest.raises(InputError, match="not certainly inside"):
         well.xi(arb(place))
+
+
+@pytest.mark.parametrize("A", [arb(0, 1e-9), arb(1, 1e-9)])
+def test_a_place_that_may_be_in_the_well_is_too_wide(A):
+    """x - x^3 has its tops at -1 and 1: a ball about 0, and one about a top."""
+    with pytest.raises(TooWideError, match="not certainly inside"):
+        Well.duffing(arb(-1)).xi(A)

@@ -14,6 +14,7 @@ from asymptotics.motions.invariants.certified import (
     since_turning_point,
 )
 from asymptotics.motions.invariants.exact import coefficients
+from asymptotics.numbers.precision import TooWideError
 
 
 def _integrate(u0: float, tau: float) -> tuple[float, float]:
@@ -73,3 +74,12 @@ def test_the_radii_start_at_one_and_decrease():
     assert all(rho < R and R < 1 for R, rho in radii)
     with ctx.workprec(150):
         assert absolute_radius(arb("1e-6")) > 0.99999
+
+
+def test_a_sign_that_a_ball_does_not_tell_is_too_wide():
+    near = arb(0, 1e-9)
+    for asked in (lambda: first_constant(arb(1), near), lambda: since_turning_point(arb(1), near)):
+        with pytest.raises(TooWideError, match="w = "):
+            asked()
+    with pytest.raises(TooWideError, match="4 S"):  # w^2 = u + 1/2 is the curve S = 0
+        last_turning_point(arb(1) / 4, -(arb(3) / 4 + near).sqrt())
