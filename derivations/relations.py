@@ -39,16 +39,21 @@ def value(shown: sympy.Basic) -> sympy.Basic:
 
 def _integrated(integral: sympy.Integral) -> sympy.Expr:
     """The integral of c x^p from 0, p > -1, or of a sum of c x^n e^(ikx), such as a polynomial in sin x and cos x; any
-    other as it is.
+    other as it is, but none of a quotient with x in the denominator and a sine or cosine.
 
     SymPy finds these by trial, in seconds, and how many depends on the hash seed; here the second is
-    int x^n e^(rx) = e^(rx) sum_j (-1)^j n!/(n-j)! x^(n-j)/r^(j+1).
+    int x^n e^(rx) = e^(rx) sum_j (-1)^j n!/(n-j)! x^(n-j)/r^(j+1).  After a quotient it may search until it has filled
+    the memory.
 
     >>> x = sympy.Symbol("x", real=True)
     >>> _integrated(sympy.Integral(x * sympy.sin(x)**2, (x, 0, sympy.pi)))
     pi**2/4
     >>> _integrated(sympy.Integral(sympy.exp(x**2), (x, 0, 1)))
     Integral(exp(x**2), (x, 0, 1))
+    >>> _integrated(sympy.Integral(1 / (x + sympy.sin(x)), (x, 1, 2)))
+    Traceback (most recent call last):
+        ...
+    NotImplementedError: no primitive is looked for: Integral(1/(x + sin(x)), (x, 1, 2))
     """
     f, *limits = integral.args
     if len(limits) != 1 or len(limits[0]) != 3:
@@ -57,7 +62,12 @@ def _integrated(integral: sympy.Integral) -> sympy.Expr:
     factor, power = sympy.powsimp(sympy.expand_power_base(f)).as_coeff_exponent(x)
     if low == 0 and not factor.has(x) and (power + 1).is_positive:
         return factor * high ** (power + 1) / (power + 1)
-    if not f.has(sympy.sin, sympy.cos) or (waves := _waves(f, x) or _waves(sympy.expand(f), x)) is None:
+    if not f.has(sympy.sin, sympy.cos):
+        return integral
+    if (waves := _waves(f, x) or _waves(sympy.expand(f), x)) is None:
+        quotient = any(power.exp.is_negative and power.has(x) for power in f.atoms(sympy.Pow))
+        if quotient and any(wave.has(x) for wave in f.atoms(sympy.sin, sympy.cos)):
+            raise NotImplementedError(f"no primitive is looked for: {integral}")
         return integral
     primitive = sympy.Add(*(_primitive(c, n, rate, x) for (n, rate), c in waves.items()))
     return sympy.expand((primitive.subs(x, high) - primitive.subs(x, low)).rewrite(sympy.cos))
