@@ -103,9 +103,19 @@ def solve_reversal(target: sympy.Expr) -> sympy.Expr:
 
 
 F = solve_reversal(-quarter(delta))
+
+
+def mapped(x: sympy.Expr) -> sympy.Expr:
+    """F(x) = f_1 x + ... + f_5 x^5, truncated."""
+    total = sympy.Integer(0)
+    for n in range(ORDER, 0, -1):
+        total = truncated((total + F.coeff(delta, n)) * x)
+    return total
+
+
 reason = "Both quarters end at the same passage: Q(-F) = -Q(delta), so F = -Q^(-1)(-Q(delta))"
 Q = defined("Q", quarter)
-F_of = defined("F", lambda x: sum(F.coeff(delta, n) * x**n for n in range(1, ORDER + 1)))
+F_of = defined("F", mapped)
 step(reason, Q(-F_of(delta)), -quarter(delta))
 step("F begins", Taylor(F_of(delta), delta, 3), delta + 2 * q[2] * delta**2 + 4 * q[2] ** 2 * delta**3)
 step("F is reversible for any Q: F(-F(-delta)) = delta", Taylor(F_of(-F_of(-delta)), delta, ORDER), delta)

@@ -107,8 +107,10 @@ for a, b in ((1, 2), (0, 3), (2, 3), (1, 4)):
     S_a, S_b = (sympy.Integral(sympy.sin(u) ** (p + 1), (u, sympy.pi / 2, theta)) for p in (a, b))
     sine, cosine = sympy.sin(theta), sympy.cos(theta)
     first = -(a - 1) * S_b * sine**a * cosine - (b - 1) * S_a * sine**b * cosine
+    M_ab = sympy.Integral(sine ** (a + b), (theta, 0, sympy.pi)) / sympy.pi
     step(
-        f"alpha = {a}, {b}: the mean of the q_x q_y term of d tau/d theta is 2 x y/((x+1)(y+1)) M_(x+y){cited}",
+        f"alpha = {a}, {b}: the mean of the q_x q_y term of d tau/d theta is"
+        f" {'2 x y/((x+1)(y+1)) M_(x+y)' if a else 'nothing, as x is 0'}{cited}",
         2 / sympy.pi * sympy.Integral(first + 2 * sine ** (a + b) * cosine**2, (theta, 0, sympy.pi / 2)),
-        At(weight, {x: a, y: b}) * sympy.Integral(sine ** (a + b), (theta, 0, sympy.pi)) / sympy.pi,
+        At(weight, {x: a, y: b}) * M_ab if a else 0,
     )
