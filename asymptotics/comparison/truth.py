@@ -9,7 +9,6 @@ Whether they are certified is what the routes themselves say: one value that is 
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -55,14 +54,18 @@ def at_turning_points(
     """x, tau, t and amplitude at turning points; the units of ``oscillator`` if ``si``."""
     if not si:
         return _at_turning_points(oscillator, numbers, digits, wanted, _unchanged)
+    reason = None
     for guard in _GUARDS:
         # A decimal stands for all numbers that round to it: in SI its rounding may be undecided, and more digits are
         # asked for.
-        with suppress(UndecidedError), ctx.workprec(bits_for(digits + guard, 32)):
-            # The precision is set before x0 and omega_0 become balls.
-            units = _Units(oscillator.x0.ball(), oscillator.omega_0(), digits, ctx.prec)
-            return _at_turning_points(oscillator, numbers, digits + guard, wanted, units.changed)
-    raise UndecidedError(f"a value in SI is too near to a tie of {digits} digits")
+        try:
+            with ctx.workprec(bits_for(digits + guard, 32)):
+                # The precision is set before x0 and omega_0 become balls.
+                units = _Units(oscillator.x0.ball(), oscillator.omega_0(), digits, ctx.prec)
+                return _at_turning_points(oscillator, numbers, digits + guard, wanted, units.changed)
+        except UndecidedError as undecided:
+            reason = undecided
+    raise UndecidedError(f"a value in SI is not decided to {digits} digits: {reason}")
 
 
 def _at_turning_points(

@@ -32,6 +32,7 @@ moves at most D sup g there (at a first exit it would have moved h; equality is 
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import inf
 
 from flint import acb, arb, fmpq
 
@@ -276,15 +277,30 @@ def _inverse(laws: Laws, tau: arb) -> arb | None:
     # Doubles give the place to look at; the distance of tau at that place, and the root about it, are found in balls.
     guess = NumericEnvelope.of([(float(a.ball().mid()), float(k.mid())) for a, k in laws])
     start = float(guess.log_decay(float(tau.mid())))
+    # The start is right to 50 bits or so, and each step of Newton's method doubles that: 50 * 2^(b-4) > prec for b the
+    # length of prec in bits. One step less makes the ball wide, and not wrong.
+    steps = max(ctx.prec.bit_length() - 4, 2)
+    if not 0 <= start <= MAX_S:
+        start, steps = _log_decay_near_the_end(laws, tau), steps + 4
     if not 0 <= start <= MAX_S:
         raise LimitError("time", f"the amplitude at {tau.str(5)} is below e^-600", "an earlier time")
     s, target = arb(start), tau.mid()
-    # The start is right to 50 bits or so, and each step of Newton's method doubles that: 50 * 2^(b-4) > prec for b the
-    # length of prec in bits. One step less makes the ball wide, and not wrong.
-    for _ in range(max(ctx.prec.bit_length() - 4, 2)):
+    for _ in range(steps):
         s = (s + (target - time(laws, (-s).exp())) * _rate(laws, s)).mid()
     distance = abs(tau - time(laws, (-s).exp())).upper()
     # With half = k distance g(s) and g growing by e^(c half) at most, the inversion wants c distance g <= ln(k)/k: k =
     # 2 is within 6 per cent of the best, k = e, so that a second radius would seldom help.
     half = (2 * distance * _rate(laws, s)).upper()  # g changes at most exponentially: where this fails, more does too
     return verified_root(s, distance, lambda near: _rate(laws, near), [half])
+
+
+def _log_decay_near_the_end(laws: Laws, tau: arb) -> float:
+    """About -ln A where doubles take tau for the end: e^(-w s)/(w kappa) is left of it, by the least exponent 1 - w.
+
+    Infinite where there is no end, or none that is certainly later.
+    """
+    (alpha, kappa), end = laws[0], extinction_time(laws)
+    if end is None or not end > tau:
+        return inf
+    w = 1 - alpha.ball()
+    return float((-(w * kappa * (end - tau)).log() / w).mid())

@@ -229,3 +229,14 @@ def test_an_amplitude_that_may_be_positive_is_too_wide_and_one_that_is_not_is_re
         certified.time(laws, arb(1, 1))
     with pytest.raises(InputError, match="is not positive"):
         certified.time(laws, arb(0))
+
+
+def test_an_amplitude_next_to_the_end_is_found_where_doubles_take_it_for_the_end():
+    """e^-w s/(w kappa) is left: 1/2 beside 2, five of forty digits before the end."""
+    slow = asy.envelope({"1/2": "1/10", "2": "1/10"})
+    end = slow.extinction_time(digits=40)
+    near = end[:-5]
+    left = mpmath.mpf(10) ** (3 - len(near)) * mpmath.mpf(f"0.{end[-5:]}")
+    expected = (mpmath.mpf(slow.kappas(digits=20)[0]) / 2 * left) ** 2
+    found = mpmath.mpf(slow.amplitude(near, digits=5))
+    assert found < 1e-60 and abs(found / expected - 1) < 1e-4

@@ -96,7 +96,8 @@ def plan_for(
             return short
     if best is None:
         shown = ", ".join(f"{a:.6g}" for a in alphas)
-        reason = f"the majorant of the expansion at a turning point needs more than {MAX_KEYS} terms for ({shown})"
+        limits = f"{MAX_KEYS} terms ({MAX_LINE} where its exponents lie on a line)"
+        reason = f"the majorant of the expansion at a turning point needs more than {limits} for ({shown})"
         raise LimitError("alpha", reason, "weaker damping or larger exponents")
     return best
 
