@@ -74,7 +74,11 @@ class Panel:
         return bool(nearest >= self.low) and bool(nearest > 0) and bool(farthest <= self.high)
 
     def half_swing(self, p: arb, error: arb | None = None) -> HalfSwingBalls:
-        """The half-swing from the exact amplitude p; the duration is that of all amplitudes within ``error``."""
+        """The half-swing from the exact amplitude p.
+
+        Its ball of durations holds that of every amplitude within ``error`` of p: what an error of the amplitude does
+        to the ratio is led on by contraction (``sequence.following``), what it does to the time is not.
+        """
         t = self._place(p)
         # The ratio is that of p itself, as the error of the amplitude is led on by contraction
         # (``sequence.following``); the duration must hold for the truth.
