@@ -55,8 +55,11 @@ def _whole_swings(time: arb) -> int:
 
 
 def following(damping: Damping, here: TurningState, found: HalfSwingBalls) -> TurningState:
-    """The next turning point: midpoints, and errors by contraction; the duration found is that of all amplitudes within
-    the error of this one."""
+    """The next turning point: exact midpoints, and the errors of this one led on with what the balls found add.
+
+    The error of the amplitude is led on by contraction; the duration that was found holds that of every amplitude
+    within the error of this one.
+    """
     assert found.amplitude is not None and found.duration is not None
     q, time = here.amplitude * found.amplitude, here.time + found.duration
     amplitude, clock = q.mid(), time.mid()
