@@ -22,7 +22,7 @@ for i, noise in enumerate(noises):
         needed[i, j] = swings_needed("1+2", strengths, term=0, noise=noise) or np.nan
 
 figure, axes = plt.subplots()
-levels = [5, 10, 20, 40, 80, 160, 320]
+levels = [3, 5, 10, 20, 40, 80, 160, 320]
 picture = axes.contourf(shares, noises, needed, levels=levels, norm=LogNorm(levels[0], levels[-1]))
 axes.set(xscale="log", yscale="log")
 axes.grid(visible=False)
