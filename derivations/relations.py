@@ -166,9 +166,12 @@ def _is_rational(f: sympy.Expr) -> bool:
     >>> x = sympy.Symbol("x")
     >>> _is_rational(sympy.pi * x / (x + 1)), _is_rational(sympy.sqrt(2) * x), _is_rational(2**x)
     (True, False, False)
+    >>> D_0, D_1 = sympy.symbols("D_0 D_1", commutative=False)
+    >>> _is_rational(D_0 * D_1), difference(D_0 * D_1, D_1 * D_0) == 0
+    (False, False)
     """
     plain = (sympy.Add, sympy.Mul, sympy.Symbol, sympy.Rational)
-    return all(
+    return bool(f.is_commutative) and all(
         isinstance(x, plain) or x is sympy.pi or (isinstance(x, sympy.Pow) and x.exp.is_Integer)
         for x in sympy.preorder_traversal(f)
     )

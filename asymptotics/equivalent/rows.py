@@ -3,6 +3,7 @@
 The oscillator is taken with its start at rest at that amplitude, so that its dimensionless strengths are the local ones
 and the amplitude is 1; units come back at the end: Delta E in k A^2, c_eq in sqrt(k m), times in 1/omega_0.
 
+>>> from fractions import Fraction
 >>> drag = Oscillator({2: "1/10"}, mass="3/2", stiffness=30)
 >>> row = row_at(drag, ExactReal(Fraction(1, 5)), 8, 3)
 >>> row.first.zeta, row.motion.zeta, row.expanded.zeta, row.expanded.bounds["zeta"]
