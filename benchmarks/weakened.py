@@ -48,6 +48,11 @@ class Weakened:
     equivalent: str = ""
 
     @property
+    def key(self) -> str:
+        """What tells it from every other."""
+        return f"{self.file}: {self.line} -> {self.weaker}"
+
+    @property
     def room(self) -> str:
         """The directory below ``asymptotics``."""
         return Path(self.file).parts[1].removesuffix(".py")
@@ -65,6 +70,7 @@ class Answered:
     test: str = ""
     equivalent: str = ""
 
+    key = property(lambda self: self.site.key)
     file = property(lambda self: self.site.file)
     bound = property(lambda self: f"{self.site.kind} in {self.site.function}")
     line = property(lambda self: self.site.text)
@@ -130,16 +136,15 @@ def outcomes_of(chosen: Sequence[Weakened | Answered], processes: int) -> list[s
     written = dict(json.loads(line) for line in journal.read_text().splitlines()) if journal.exists() else {}
 
     def outcome(w: Weakened | Answered) -> str:
-        key = f"{w.file}: {w.bound}: {w.line} -> {w.weaker}"
-        if key in written:
-            return written[key]
+        if w.key in written:
+            return written[w.key]
         folder = folders.get()
         try:
             found = outcome_of(w, folder)
         finally:
             folders.put(folder)
         with journal.open("a") as file:  # one short line: written at once
-            file.write(json.dumps([key, found]) + "\n")
+            file.write(json.dumps([w.key, found]) + "\n")
         return found
 
     with ThreadPoolExecutor(processes) as pool:

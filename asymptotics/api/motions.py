@@ -31,6 +31,7 @@ from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.motions.result import MotionPoint, MotionSamples
+from asymptotics.motions.state_route import alone
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
@@ -231,9 +232,7 @@ class Reference(Drawn):
 
     @property
     def _is_dry(self) -> bool:
-        law = self.oscillator.law
-        acting = [t for t in law.terms if not t.b.is_zero]
-        return law.is_pure and len(acting) == 1 and acting[0].velocity.is_zero
+        return alone(self.oscillator, 0) is not None
 
     def _heading(self) -> str:
         return f"{self.oscillator}: reference"

@@ -19,6 +19,7 @@ from asymptotics.cut_short import changed
 from asymptotics.errors import InputError, require_flag
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.motions.coulomb import exact_turning_points
+from asymptotics.motions.state_route import alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, bits_for, decimal_of, decimal_of_ball
 from asymptotics.numbers.digits import ball_of, spread
@@ -244,11 +245,10 @@ def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[O
 
 def _exact_places(oscillator: Oscillator) -> Callable[[int], ExactReal | None]:
     """n -> x_n in m where it is known exactly: all of them under dry friction alone, else the start at rest."""
-    acting = [t for t in oscillator.law.terms if not t.b.is_zero]
     # x_n = (-1)^n (r_0 - 2 n b/k) until it sticks: rational arithmetic if the oscillator's numbers are rational.
-    if oscillator.law.is_pure and len(acting) == 1 and acting[0].velocity.is_zero:
-        found = exact_turning_points(oscillator.with_law(Law.from_terms(acting)))
-        if found is not None:
-            return found
+    dry = alone(oscillator, 0)
+    found = None if dry is None else exact_turning_points(dry)
+    if found is not None:
+        return found
     start = oscillator.x0 if oscillator.v0.is_zero else None
     return lambda n: start if n == 0 else None

@@ -26,22 +26,24 @@ class StateRoute:
 
 
 def alone(oscillator: Oscillator, alpha: int) -> Oscillator | None:
-    """The oscillator under the one term that acts, if it is the power ``alpha`` of the velocity; else None.
+    """The oscillator under the one term that acts, if it is the power ``alpha`` of the velocity, with b > 0; else None.
 
     Without a term that acts alpha is 1: no damping is linear damping of strength 0.
     """
     law = oscillator.law
-    acting = tuple(t for t in law.terms if t.strength.sign > 0)
+    acting = tuple(t for t in law.terms if not t.b.is_zero)
     if not law.is_pure or len(acting) > 1 or (acting[0].velocity if acting else 1) != alpha:
+        return None
+    if acting and not acting[0].b > 0:
         return None
     return oscillator.with_law(PhysicalLaw.from_terms(acting or law.terms[:1], law.notes))
 
 
 def require_alone(oscillator: Oscillator, alpha: int, name: str) -> Oscillator:
-    """The oscillator under its one term b x'|x'|^(alpha-1) with b > 0; InputError where another one acts."""
+    """The same; InputError where another term acts, or none of that power, alpha = 0 or 2."""
     law = oscillator.law
     law.require_pure("the exact solution")
-    terms = tuple(t for t in law.terms if not t.b.is_zero)
-    if len(terms) != 1 or terms[0].velocity != alpha or not terms[0].b > 0:
+    found = alone(oscillator, alpha)
+    if found is None:
         raise InputError("law", f"{law} is not {name} alone", f"one term, alpha = {alpha} and b > 0")
-    return oscillator.with_law(PhysicalLaw.from_terms(terms, law.notes))
+    return found

@@ -147,7 +147,7 @@ class Panels:
     def pieces(self, remaining: int) -> int:
         """About how many half-swings by pieces ``remaining`` of them from X = 1 are worth, nodes included.
 
-        None where they have a closed form.
+        0 where they have a closed form.
         """
         if self.closed:
             return 0

@@ -11,6 +11,7 @@ import pytest
 import asymptotics as asy
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError
+from tests.cli.answers import run
 
 OSC = asy.Oscillator({1: "1/10", 2: "1/5"}, mass="3/2", stiffness=30, x0="1/5")
 
@@ -97,12 +98,6 @@ BAD = {
     "--alpha symbolic --digits 5": "--digits",
     "--alpha 2 --epsilon 1 --gauge x": "gauge",
 }
-
-
-def run(capsys, line):
-    status = main(line.split())
-    out, err = capsys.readouterr()
-    return status, out, err
 
 
 def test_the_command_answers_and_refuses(capsys, tmp_path):

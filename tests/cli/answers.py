@@ -16,5 +16,5 @@ def run(capsys, line: str) -> tuple[int, str, str]:
 
 def answer(capsys, line: str) -> dict:
     code, out, err = run(capsys, line + " --json")
-    assert code == 0, err
+    assert (code, err) == (0, "")
     return json.loads(out)

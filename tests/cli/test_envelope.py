@@ -9,19 +9,7 @@ import sympy
 
 import asymptotics as asy
 from asymptotics.cli.main import main
-
-
-def run(capsys, line: str) -> tuple[int, str, str]:
-    code = main(line.split())
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
-
-
-def answer(capsys, line: str) -> dict:
-    code, out, err = run(capsys, line + " --json")
-    assert code == 0, err
-    return json.loads(out)
-
+from tests.cli.answers import answer, run
 
 PAIRS = (
     ("0:1/20", "2:3/10"), ("0:1/10", "sqrt(3):1/10"), ("2:1/5", "3:2"), ("3:1/5", "1:1/10"), ("0:0", "3/2:1/5"),

@@ -1,15 +1,9 @@
 """The one reader of forces: the grammar of --law and --spring, keys in the order given, and what is refused by name."""
 
-import json
-
 import pytest
 
 from asymptotics.cli.main import main
-
-
-def answer(capsys, line):
-    assert main([*line.split(), "--json"]) == 0
-    return json.loads(capsys.readouterr().out)
+from tests.cli.answers import answer
 
 
 def test_losses_come_first_then_springs_in_the_order_given(capsys):

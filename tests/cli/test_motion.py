@@ -1,25 +1,12 @@
 """The command ``motion``, as a user types it."""
 
-import json
 from fractions import Fraction
 
 import pytest
 
-from asymptotics.cli.main import main
+from tests.cli.answers import answer, run
 
 DRAG = "--alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5"
-
-
-def run(capsys, line):
-    code = main(line.split())
-    out, err = capsys.readouterr()
-    return code, out, err
-
-
-def answer(capsys, line):
-    code, out, err = run(capsys, line + " --json")
-    assert (code, err) == (0, "")
-    return json.loads(out)
 
 
 def test_the_contract(capsys):

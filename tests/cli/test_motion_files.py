@@ -5,13 +5,7 @@ import math
 
 import pytest
 
-from asymptotics.cli.main import main
-
-
-def run(capsys, line: str) -> tuple[int, str, str]:
-    code = main(line.split())
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
+from tests.cli.answers import run
 
 
 def test_motion_draws_and_tabulates_the_reference(capsys, tmp_path):

@@ -1,24 +1,9 @@
 """The command multiple-scales, and bad input to it, envelope, motion and smith."""
 
-import json
-
 import pytest
 import sympy
 
-from asymptotics.cli.main import main
-
-
-def run(capsys, line: str) -> tuple[int, str, str]:
-    code = main(line.split())
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
-
-
-def answer(capsys, line: str) -> dict:
-    code, out, err = run(capsys, line + " --json")
-    assert code == 0, err
-    return json.loads(out)
-
+from tests.cli.answers import answer, run
 
 BAD = [
     ("envelope --alpha 2 --epsilon 1/5 --mass 2", "--epsilon"),

@@ -5,18 +5,7 @@ import json
 import pytest
 
 from asymptotics.cli.main import main
-
-
-def run(capsys, line):
-    code = main(line.split())
-    out, err = capsys.readouterr()
-    return code, out, err
-
-
-def answer(capsys, line):
-    code, out, err = run(capsys, line + " --json")
-    assert (code, err) == (0, "")
-    return json.loads(out)
+from tests.cli.answers import answer, run
 
 
 @pytest.mark.parametrize(

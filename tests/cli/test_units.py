@@ -1,32 +1,19 @@
 """SI units in motion, expand and turning-points, and the files of the last two, as a user types them."""
 
 import csv
-import json
 import math
 import re
 
 import pytest
 
 from asymptotics.api.solution import solution
-from asymptotics.cli.main import main
 from asymptotics.law import Oscillator
 from asymptotics.made_by import mark
+from tests.cli.answers import answer, run
 
 SI = "--alpha 2 --damping 1/10 --mass 3/2 --stiffness 30"
 EPSILON = "--alpha 2 --epsilon 1/75"  # b omega_0^2 x0/k of SI with x0 = 1/5: (1/10) 20 (1/5)/30
 OMEGA = math.sqrt(20)
-
-
-def run(capsys, line: str) -> tuple[int, str, str]:
-    code = main(line.split())
-    out, err = capsys.readouterr()
-    return code, out, err
-
-
-def answer(capsys, line: str) -> dict:
-    code, out, err = run(capsys, line + " --json")
-    assert (code, err) == (0, "")
-    return json.loads(out)
 
 
 def test_turning_points_in_metres_and_seconds_are_the_dimensionless_ones_scaled(capsys):

@@ -2,33 +2,32 @@
 
 import numpy as np
 import pytest
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.numbers.exact import parse_real
-from asymptotics.return_map.coordinate import Coordinate
-from tests.return_map.test_panels import LAWS
-
-
-def coordinate_of(*pairs):
-    with ctx.workprec(300):
-        return Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
-
-
-def coordinate(pairs):
-    with ctx.workprec(300):
-        return Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+from tests.return_map.laws import LAWS, coordinate
 
 
 def test_below_exponent_1_no_quarters_are_put_together():
     """There the equation for the end need not grow with it."""
-    assert not coordinate_of(("0.9999999999", "1/2"), ("1.0000000001", "1/2")).is_quartered
-    assert not coordinate_of(("1/2", "1/10"), ("2", "1/10")).is_quartered
+    assert not coordinate(
+        (
+            ("0.9999999999", "1/2"),
+            ("1.0000000001", "1/2"),
+        )
+    ).is_quartered
+    assert not coordinate(
+        (
+            ("1/2", "1/10"),
+            ("2", "1/10"),
+        )
+    ).is_quartered
 
 
 def test_an_ellipse_that_may_lie_on_the_other_side_of_zero_has_no_majorant():
-    falls = coordinate_of(("2", "1/10"))
+    falls = coordinate((("2", "1/10"),))
     assert falls.bounds(arb(0), arb("0.1")) is not None and falls.bounds(arb("-0.01"), arb("0.1")) is None
-    assert falls.is_quartered and not coordinate_of(("1", "1/10")).is_quartered
+    assert falls.is_quartered and not coordinate((("1", "1/10"),)).is_quartered
 
 
 @pytest.mark.parametrize(

@@ -4,20 +4,14 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
-from asymptotics.numbers.exact import parse_real
-from asymptotics.return_map.coordinate import Coordinate
 from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.return_map.half_swings import HalfSwings
-
-
-def coordinate_of(*pairs):
-    with ctx.workprec(300):
-        return Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+from tests.return_map.laws import coordinate
 
 
 @pytest.mark.parametrize("pairs", [(("5/2", "1/5"),), (("1", "1/20"), ("3", "1/4")), (("3/2", "1/10"), ("2", "1/10"))])
 def test_half_swings_contain_the_pieces(pairs):
-    law, place = coordinate_of(*pairs), arb("0.46875")
+    law, place = coordinate(pairs), arb("0.46875")
     with ctx.workprec(110):
         truth = integrated(law.damping(place), arb(1))
     for bits in (10, 40, 70):
@@ -37,7 +31,7 @@ def test_half_swings_contain_the_pieces(pairs):
     ],
 )
 def test_half_swings_over_a_stretch_of_ln_a_contain_the_pieces(pairs):
-    law, place = coordinate_of(*pairs), arb("-0.53125")
+    law, place = coordinate(pairs), arb("-0.53125")
     with ctx.workprec(110):
         truth = integrated(law.damping(place), arb(1))
     assert law.is_quartered and not law.from_zero
@@ -52,7 +46,7 @@ def test_half_swings_over_a_stretch_of_ln_a_contain_the_pieces(pairs):
 
 def test_the_residual_of_a_half_swing_is_what_it_is_off_by(monkeypatch):
     """The derivative of the equation is near 1: a guess off by e is paid for, and half of that is refuted."""
-    e, law, place = arb(2) ** -20, coordinate_of(("2", "1/100")), arb("0.5")
+    e, law, place = arb(2) ** -20, coordinate((("2", "1/100"),)), arb("0.5")
     swings = HalfSwings.up_to(law, arb("0.5"), 40)
     with ctx.workprec(60):
         truth = swings(place)[0]
@@ -64,6 +58,6 @@ def test_the_residual_of_a_half_swing_is_what_it_is_off_by(monkeypatch):
 
 
 def test_an_amplitude_beyond_the_interval_is_refused():
-    swings = HalfSwings.up_to(coordinate_of(("2", "1/5")), arb("0.5"), 30)
+    swings = HalfSwings.up_to(coordinate((("2", "1/5"),)), arb("0.5"), 30)
     with pytest.raises(UndecidedError, match="outside the interval"):
         swings(arb("0.51"))

@@ -5,32 +5,17 @@ from types import SimpleNamespace
 import mpmath
 import numpy as np
 import pytest
-from flint import arb, ctx
+from flint import arb
 from scipy.integrate import solve_ivp
 
 from asymptotics.expansions.moments.certified import moment
-from asymptotics.flow.damping import Damping
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.return_map import panel_plan
 from asymptotics.return_map.chebyshev import cut
-from asymptotics.return_map.coordinate import Coordinate
-from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.return_map.panel_plan import planned, verified
 from asymptotics.return_map.panels import Panels
-from tests.return_map.test_panels import LAWS
-
-
-def coordinate(pairs):
-    with ctx.workprec(300):
-        return Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
-
-
-def by_pieces(pairs, p, bits):
-    with ctx.workprec(bits + 40):
-        law = Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
-    with ctx.workprec(bits):
-        return integrated(law, p)
+from tests.return_map.laws import LAWS, by_pieces, coordinate
 
 
 def complex_half_swing(c, z):

@@ -9,41 +9,11 @@ from flint import arb, ctx
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.law import Law
-from asymptotics.numbers.exact import parse_real
 from asymptotics.return_map import half_swings, panels
-from asymptotics.return_map.coordinate import Coordinate
 from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.return_map.panel_plan import PanelPlan, planned, verified
 from asymptotics.return_map.panels import Panel, Panels, laid_out
-
-
-def coordinate(pairs):
-    with ctx.workprec(300):
-        return Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
-
-
-def by_pieces(pairs, p, bits):
-    with ctx.workprec(bits + 40):
-        law = Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
-    with ctx.workprec(bits):
-        return integrated(law, p)
-
-
-LAWS = [
-    ((("3/2", "1/5"),), 0.0, 0.75, 3.0),
-    ((("1", "1/20"), ("2", "1/5")), 0.0, 0.5, 4.0),
-    ((("2", "1/10"), ("3", "1/30")), 0.0, 0.5, 3.0),
-    ((("1/2", "1/100"),), 0.25, 1.0, 8.0),
-    ((("0", "1/500"), ("1", "1/50"), ("2", "1/10")), 0.25, 0.5, 2.5),
-    ((("sqrt(2)", "1/20"), ("2", "1/20")), 0.25, 0.5, 3.0),
-    ((("0", "1/1000"),), 0.5, 1.0, 8.0),
-    ((("1", "1/7"),), 0.0, 1.0, 1e6),
-]
-
-
-def coordinate_of(*pairs):
-    with ctx.workprec(300):
-        return Coordinate.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
+from tests.return_map.laws import LAWS, by_pieces, coordinate
 
 
 @pytest.mark.parametrize(("pairs", "low", "high", "stretch"), LAWS, ids=str)
@@ -173,7 +143,7 @@ def test_where_quarters_do_not_serve_the_pieces_do(monkeypatch):
     def refused(laws, bits):
         raise UndecidedError("no")
 
-    law, plan = coordinate_of(("2", "1/5")), PanelPlan(0.0, 0.25, 20.0, 0, 0, 0)
+    law, plan = coordinate((("2", "1/5"),)), PanelPlan(0.0, 0.25, 20.0, 0, 0, 0)
     found = [panels.laid_out(law, plan, 40)]
     monkeypatch.setattr(half_swings, "quarter_swings", refused)
     found.append(panels.laid_out(law, plan, 40))

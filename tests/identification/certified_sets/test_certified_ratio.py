@@ -13,10 +13,10 @@ from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.flow.damping import Damping
 from asymptotics.identification.certified_sets import certified_ratio as module
 from asymptotics.identification.certified_sets.certified_ratio import BITS, CertifiedRatio, followed
-from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.terms import Term
+from tests.identification.certified_sets.printed_tables import losses
 
 # Losses (alpha, m), their strengths, and how far Y is above the largest |L| on its circle.
 CASES = [
@@ -44,11 +44,6 @@ def best_circle(ratio, delta):
         if q > 1.05:
             found.append((Y * q ** (-ratio.order - 1) / (1 - 1 / q), Y, q))
     return min(found)
-
-
-def losses(law):
-    """Terms of strength 1 from a candidate such as 1+1,2:."""
-    return tuple(Term(1, a, m) for a, m in read_candidate(law).losses)
 
 
 @pytest.mark.parametrize(("losses", "delta", "slack"), CASES)

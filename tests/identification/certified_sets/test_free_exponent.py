@@ -13,15 +13,9 @@ from asymptotics.identification.certified_sets import free_exponent
 from asymptotics.identification.certified_sets.central_point import chebyshev_point
 from asymptotics.identification.certified_sets.certified_ratio import BITS
 from asymptotics.identification.certified_sets.free_exponent import _Strips, exponents_that_fit
-from asymptotics.identification.fitting.printed import DecrementModel, Decrements
+from asymptotics.identification.fitting.printed import Decrements
 from asymptotics.identification.forward.candidates import read_candidate
-
-
-def printed(law, strengths, digits, rows=12):
-    a = np.round(np.linspace(1.0, 0.3, rows), 4)
-    model = DecrementModel(read_candidate(law).swing(), Decrements(a, a))
-    D = model.predict(np.array(strengths, dtype=float))[0]  # the reference amplitude is 1
-    return Decrements(a, np.round(D, digits), np.full(rows, 0.5 * 10.0**-digits))
+from tests.identification.certified_sets.printed_tables import printed
 
 
 @pytest.mark.parametrize("size", [1.0, 3.0])

@@ -9,21 +9,8 @@ from asymptotics.identification.certified_sets import physical
 from asymptotics.identification.certified_sets.certified_ratio import CertifiedRatio
 from asymptotics.identification.certified_sets.physical import physical_box
 from asymptotics.identification.certified_sets.table_rows import rows_of
-from asymptotics.identification.fitting.printed import DecrementModel, Decrements
-from asymptotics.identification.forward.candidates import read_candidate
-from asymptotics.terms import Term
-
-
-def losses(law):
-    """Terms of strength 1 from a candidate such as 1+1,2:."""
-    return tuple(Term(1, a, m) for a, m in read_candidate(law).losses)
-
-
-def printed(law, strengths, digits, rows=12):
-    a = np.round(np.linspace(1.0, 0.3, rows), 4)
-    model = DecrementModel(read_candidate(law).swing(), Decrements(a, a))
-    D = model.predict(np.array(strengths, dtype=float))[0]  # the reference amplitude is 1
-    return Decrements(a, np.round(D, digits), np.full(rows, 0.5 * 10.0**-digits))
+from asymptotics.identification.fitting.printed import Decrements
+from tests.identification.certified_sets.printed_tables import losses, printed
 
 
 def test_the_physical_box_holds_the_truth_and_its_tests_bite():

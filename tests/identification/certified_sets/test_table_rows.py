@@ -8,16 +8,11 @@ from asymptotics.identification.certified_sets.physical import physical_box
 from asymptotics.identification.certified_sets.set_valued import strengths_that_fit
 from asymptotics.identification.certified_sets.table_rows import RatioInequality, linear, meets, rows_of
 from asymptotics.identification.fitting.printed import Decrements
-from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.terms import Term
+from tests.identification.certified_sets.printed_tables import losses
 
 CUBE = CertifiedRatio((arb(0),), (arb(0),), {(1,): arb("-1e-9"), (3,): arb(-1)}, 200)
 """-L = x^3 and a little x."""
-
-
-def losses(law):
-    """Terms of strength 1 from a candidate such as 1+1,2:."""
-    return tuple(Term(1, a, m) for a, m in read_candidate(law).losses)
 
 
 def test_a_linear_row_holds_on_the_whole_box():
