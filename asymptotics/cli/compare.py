@@ -118,6 +118,11 @@ def _asked(options: argparse.Namespace, digits: int | None) -> tuple[Callable[[]
 def _with_its_inputs(options: argparse.Namespace, path: Path, *, series: bool) -> argparse.Namespace:
     """The options, with the oscillator that the file's own header says; coefficients have their exponents alone."""
     inputs = stated_inputs(path)
+    if "static" in inputs:
+        reason = (
+            f"it is a motion with --static={inputs['static']}, and its law alone does not hold the mass where it turns"
+        )
+        raise InputError("FILE", reason, "a motion without --static")
     special = next((name for name in ("spring", "v0") if inputs.get(name, "0") != "0"), None)
     # Points and coefficients of such an oscillator depend on more than INPUTS: they need the request itself.
     if special and not is_motion(path):

@@ -17,7 +17,7 @@ from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.present.drawn import Drawn, pictured
 from asymptotics.present.figures import DPI, MAX_DPI, MIN_DPI, SIZE
 from asymptotics.present.files import require_different, target_file, write_all
-from asymptotics.present.inputs import INPUTS, with_inputs, with_words
+from asymptotics.present.inputs import MOVED_BY, with_inputs, with_words
 
 PICTURES = (".svg", ".png", ".pdf")
 # A thousand rows draw a smooth curve of some twenty periods; the limit is a refusal.
@@ -103,7 +103,7 @@ def write_files(
         contents[files["--csv"]] = (
             with_words(table, words)
             if words
-            else with_inputs(table, {name: getattr(options, name, None) for name in INPUTS})
+            else with_inputs(table, {name: getattr(options, name, None) for name in MOVED_BY})
         )
     write_all(contents, " and ".join(files))
     return [str(path) for path in files.values()]

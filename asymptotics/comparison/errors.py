@@ -61,7 +61,8 @@ def of_motion(tau: Any, given: Any, x: Any, v: Any, turning: tuple[Any, Any]) ->
     found, missed, whole = [], 0.0, 0.0
     for n, (time, size) in enumerate(zip(times, sizes)):
         near = _near(tau, time)
-        if len(near) < _SAMPLES:
+        # A motion that ends at 0 under dry friction has no amplitude there to be wrong by.
+        if len(near) < _SAMPLES or size == 0:
             continue
         columns = np.stack([x[near], v[near]], axis=1)
         wrong = (given - x)[near]

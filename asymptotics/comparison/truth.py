@@ -129,7 +129,7 @@ def at_times(
 
         with changed(so_far, otherwise=made.done):
             states = reference_states(moved, [exact[i] for i in left], digits + guard)
-        made.method = made.method or f"half-swing by half-swing, balls of {states.bits} bits"
+        made.methods = made.methods or {f"half-swing by half-swing, balls of {states.bits} bits": None}
         for i, x, v in zip(left, states.x, states.v):
             made.add(i, x, v)
         # Balls good to 10^-digits of the first amplitude: near a zero they have fewer digits of the value, and only
@@ -148,7 +148,8 @@ class _Moments:
     """What is ``wanted`` of x and v at the times that are done, by their places."""
 
     def __init__(self, wanted: tuple[str, ...], digits: int) -> None:
-        self.digits, self.method, self.certified = digits, "", True
+        self.digits, self.certified = digits, True
+        self.methods: dict[str, None] = {}  # each once, in the order of their use
         self.texts: dict[str, dict[int, str]] = {name: {} for name in wanted}
         self.speeds: dict[int, float] = {}
 
@@ -166,7 +167,8 @@ class _Moments:
         """From a motion at one time, which says itself whether it is certified."""
         for name, column in self.texts.items():
             column[place] = point.x if name == "x" else point.v
-        self.certified, self.method = self.certified and point.certified, f"{self.method}; {point.method}"
+        self.certified = self.certified and point.certified
+        self.methods[point.method] = None
 
     def places(self) -> set[int]:
         """Where every column has its value."""
@@ -181,7 +183,7 @@ class _Moments:
     def truth(self, places: Sequence[int]) -> Truth:
         """The rows at these places."""
         columns: dict[str, list[str | None]] = {name: [c[i] for i in places] for name, c in self.texts.items()}
-        method = self.method or "half-swing by half-swing"
+        method = "; ".join(self.methods) or "half-swing by half-swing"
         speeds = tuple(self.speeds[i] for i in places)
         return Truth(columns, self.certified, method, speeds=speeds, places=tuple(places))
 

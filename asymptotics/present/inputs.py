@@ -17,6 +17,8 @@ from asymptotics.made_by import mark
 
 INPUTS = ("alpha", "epsilon", "law", "spring", "damping", "mass", "stiffness", "x0", "v0")
 """The options that make an oscillator."""
+MOVED_BY = (*INPUTS, "static")
+"""Those that make a motion: a static friction belongs to no oscillator, and holds the mass where it turns."""
 # Characters of a first line that are read: a header is shorter, and a file without line ends must not fill the memory.
 _LONG = 100_000
 
@@ -81,7 +83,7 @@ def stated_words(path: Path) -> list[str]:
 
 
 def stated_inputs(path: Path) -> dict[str, str | list[str]]:
-    """The options of the oscillator that the header of a file says; empty where it says none.
+    """The options of the motion that the header of a file says; empty where it says none.
 
     >>> import tempfile
     >>> path = Path(tempfile.mkdtemp()) / "points.csv"
@@ -92,7 +94,7 @@ def stated_inputs(path: Path) -> dict[str, str | list[str]]:
     inputs: dict[str, str | list[str]] = {}
     for name, equals, value in (word.removeprefix("--").partition("=") for word in stated_words(path)):
         # One word from outside the list, and the header is that of a request or of another program: none of it is used.
-        if not equals or name not in INPUTS:
+        if not equals or name not in MOVED_BY:
             return {}
         if name in ("law", "spring"):
             inputs[name] = [*inputs.get(name, []), value]
