@@ -13,6 +13,7 @@ True
 """
 
 import re
+from functools import cache
 
 from latex2mathml.converter import convert
 
@@ -61,6 +62,7 @@ def _brackets(formula: str) -> str:
     return _LARGE.sub(bracket, formula)
 
 
+@cache
 def to_mathml(latex: str, *, display: bool = False) -> str:
     """The formula as a MathML element."""
     formula = str(convert(latex.replace("---", "\N{EM DASH}"), display="block" if display else "inline"))

@@ -2,6 +2,8 @@
 
 import re
 import shlex
+import unicodedata
+from calendar import month_name
 from importlib import import_module
 from pathlib import Path
 
@@ -71,6 +73,26 @@ def test_no_document_outside_the_repository_is_cited():
         for path in [*(ROOT / folder).rglob("*.py"), *(ROOT / folder).rglob("*.md"), *(ROOT / folder).rglob("*.j2")]:
             found = re.findall(r"\b(?:DESIGN|CERTIFY|SPRINGS|KERNELS|PEERS)(?: §?\d|\.md)", path.read_text())
             assert not found, f"{path.relative_to(ROOT)} cites {found[0]}"
+
+
+def cited(text):
+    """(name, year) of each work that a comment or a docstring cites as "Moore 1966" or "Moore, 1966"."""
+    flowing = unicodedata.normalize("NFD", re.sub(r"\s*\n\s*#?\s*", " ", text))
+    found = re.findall(r"\b([A-Z][a-z]+)(?:'s)?,? \(?((?:18|19|20)\d\d)\b", flowing)
+    return {(name, year) for name, year in found if name not in month_name}
+
+
+def test_every_work_that_the_sources_cite_stands_in_the_bibliography():
+    page = unicodedata.normalize("NFD", (ROOT / "docs/bibliography.md").read_text())
+    entries = ["".join(c for c in entry if not unicodedata.combining(c)) for entry in page.split("\n\n")]
+    for folder in ("asymptotics", "derivations", "paper_checks", "benchmarks"):
+        for path in sorted((ROOT / folder).rglob("*.py")):
+            for name, year in cited(path.read_text()):
+                assert any(name in entry and year in entry for entry in entries), (path.name, name, year)
+    assert cited("as in\n# Moore 1966, and Wilks's theorem (1938), (Walter, 1998)") == {
+        ("Moore", "1966"),
+        ("Walter", "1998"),
+    }
 
 
 def test_mathml_is_an_element():

@@ -52,8 +52,20 @@ def render(
     ``size`` in inches, ``dpi`` for PNG; ``title`` stands in the file.  InputError for another format, a size or a
     resolution out of range, and where matplotlib, an extra, is not installed.
     """
-    if not isinstance(kind, str) or kind not in _WITHOUT:
-        raise InputError("kind", f"{shown(kind)} is no format of a picture", _FORMATS)
+    return renderings(draw, (kind,), size=size, dpi=dpi, title=title)[0]
+
+
+def renderings(
+    draw: Callable[[Any], Any], kinds: tuple[str, ...], *, size: Any = SIZE, dpi: Any = DPI, title: str = ""
+) -> list[bytes]:
+    """The picture in each of the formats, drawn once: see ``render``.
+
+    >>> [found[:4] for found in renderings(lambda axes: axes.plot([0, 1]), ("png", "pdf"))]
+    [b'\x89PNG', b'%PDF']
+    """
+    for kind in kinds:
+        if not isinstance(kind, str) or kind not in _WITHOUT:
+            raise InputError("kind", f"{shown(kind)} is no format of a picture", _FORMATS)
     wide, high = _size(size)
     if isinstance(dpi, bool) or not isinstance(dpi, int) or not MIN_DPI <= dpi <= MAX_DPI:
         raise InputError("dpi", f"{shown(dpi)} is no resolution", f"an integer from {MIN_DPI} to {MAX_DPI}")
@@ -61,9 +73,12 @@ def render(
         # Not by pyplot, which would keep the figure, and open a window where there is one.
         figure = _matplotlib("matplotlib.figure").Figure(figsize=(wide, high), layout="constrained")
         draw(figure.subplots())
-        buffer = io.BytesIO()
-        metadata = {**_WITHOUT[kind], **({"Title": title} if title else {})}
-        figure.savefig(buffer, format=kind, dpi=dpi, metadata=metadata)
+        return [_saved(figure, kind, dpi, title) for kind in kinds]
+
+
+def _saved(figure: Any, kind: str, dpi: int, title: str) -> bytes:
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format=kind, dpi=dpi, metadata={**_WITHOUT[kind], **({"Title": title} if title else {})})
     return buffer.getvalue()
 
 

@@ -14,12 +14,16 @@ AssertionError: the error has order 2.00, not 3: 0.0012, 0.0003, 7.5e-05 at 1/50
 """
 
 from collections.abc import Callable, Sequence
+from decimal import Decimal
 from fractions import Fraction
 from math import isfinite, log2, log10
 from typing import Any
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
+from asymptotics.numbers.rationals import decimal_fraction
 
+MAX_POWER = 100_000
+"""Of ten, in a number that is read: further ones would take longer to write out than anybody waits."""
 # Small enough that the next order changes the slope by some hundredths, large enough that a double still sees the error
 # of a fourth order (10^-9): neither is needed with other strengths or more digits.
 STRENGTHS = (Fraction(1, 50), Fraction(1, 100), Fraction(1, 200))
@@ -32,7 +36,7 @@ def assert_digits(value: Any, certified: str, digits: int, what: str = "value") 
     certified text has no two digits more: its own rounding, half a unit of its last digit, is then at most a twentieth
     of what is allowed.
     """
-    if known_digits(certified) < digits + 2 and Fraction(certified) != 0:
+    if known_digits(certified) < digits + 2 and exactly(certified) != 0:
         raise InputError("digits", f"{digits} digits cannot be told with {certified}", "two fewer than it has")
     right = right_digits(value, certified)
     if right < digits:
@@ -47,9 +51,8 @@ def right_digits(value: Any, certified: str) -> float:
     (2.0, -inf, 3.9999565683801923)
     """
     try:
-        # By way of text: a float is taken for the shortest decimal that means it, as everywhere (``numbers.policy``).
-        given, truth = Fraction(str(value)), Fraction(certified)
-    except (ValueError, ZeroDivisionError):  # nan, inf, text that is no number
+        given, truth = exactly(value), exactly(certified)
+    except ValueError:
         return float("-inf")
     if given == truth:
         return float("inf")
@@ -58,6 +61,25 @@ def right_digits(value: Any, certified: str) -> float:
     error = abs(given / truth - 1)
     # Logarithms of the integers: the fraction as a double would be 0 below 10^-308.
     return log10(error.denominator) - log10(error.numerator)
+
+
+def exactly(value: Any) -> Fraction:
+    """What a float, text, Fraction, Decimal or mpf says, with digits of any number; ValueError for nan, infinities,
+    text that is no number, and powers of ten beyond 10^100000.
+
+    >>> exactly(0.1), exactly("1/3"), exactly("0." + "3" * 5000).denominator == 10**5000
+    (Fraction(1, 10), Fraction(1, 3), True)
+    """
+    if type(value) in (int, Fraction):
+        return Fraction(value)
+    try:
+        # By way of text: a float is taken for the shortest decimal that means it, as everywhere (``numbers.policy``).
+        number, slash, below = str(value).partition("/")
+        if abs(Decimal(number).adjusted()) > MAX_POWER or (slash and not below.isdigit()):
+            raise ValueError("out of range, or no number below the line")
+        return decimal_fraction(number) / decimal_fraction(below or "1")
+    except (ArithmeticError, ValueError) as error:
+        raise ValueError(f"{shown(value)} is not a finite number") from error
 
 
 def known_digits(certified: str) -> int:

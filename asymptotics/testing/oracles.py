@@ -16,7 +16,7 @@ from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.public import public
-from asymptotics.testing.assertions import assert_digits
+from asymptotics.testing.assertions import assert_digits, exactly
 from asymptotics.turning.choose import turning_points
 
 # The certified value is rounded to six digits more, so that its own rounding moves a comparison by 10^-6 of what is
@@ -74,7 +74,7 @@ def check_motion(
         truth = reference_motion(oscillator, moment, digits + GUARD)
         if not truth.certified:
             raise UndecidedError(f"no certified motion of {oscillator}: {truth.method}")
-        error = abs(_fraction(value) - Fraction(truth.x)) / length
+        error = abs(_fraction(value) - exactly(truth.x)) / length
         if error > Fraction(1, 10**digits):
             raise AssertionError(f"x({moment} s) = {value} is wrong by {float(error):.1e} of x0, certified: {truth.x}")
 
@@ -111,6 +111,6 @@ def check_coefficients(
 
 def _fraction(value: Any) -> Fraction:
     try:
-        return Fraction(str(value))
-    except (ValueError, ZeroDivisionError):
+        return exactly(value)
+    except ValueError:
         raise InputError("mine", f"{value!r} is not a finite number", "floats, text, fractions") from None

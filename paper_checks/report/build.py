@@ -13,7 +13,7 @@ from asymptotics import __version__
 from asymptotics.made_by import made_by
 from asymptotics.papers.search import Searched, plain, words_for_pages
 from asymptotics.papers.statement import PaperStatement
-from asymptotics.present.figures import render
+from asymptotics.present.figures import renderings
 from asymptotics.present.files import write_all
 from asymptotics.tables.cells import Formula
 from asymptotics.tables.registry import build
@@ -201,8 +201,9 @@ def _pictures(key: str) -> dict[str, tuple[str, Callable[[Any], Any]]]:
 def _figures(entries: list[Entry], progress: Progress) -> Iterator[tuple[str, bytes | str]]:
     for key in _papers(entries):
         for name, (_, draw) in _pictures(key).items():
-            yield f"{key}-{name}.svg", render(draw).decode()
-            yield f"{key}-{name}.png", render(draw, kind="png")
+            svg, png = renderings(draw, ("svg", "png"))
+            yield f"{key}-{name}.svg", svg.decode()
+            yield f"{key}-{name}.png", png
             progress(f"{key} {name}")
     yield "engine-validity.svg", validity_picture()
     yield "engine-regimes.svg", regimes_picture()

@@ -5,10 +5,11 @@ from itertools import islice
 import pytest
 from flint import arb, ctx
 
+from asymptotics.bounds import motion
 from asymptotics.bounds.flow import TruncatedFlow
 from asymptotics.bounds.late import late_state, late_turning
 from asymptotics.bounds.local import local_bounds
-from asymptotics.bounds.motion import LATE, _by_energy, enclosure
+from asymptotics.bounds.motion import _by_energy, enclosure
 from asymptotics.bounds.turning import turning_bounds
 from asymptotics.errors import LimitError
 from asymptotics.flow.damping import Damping
@@ -115,11 +116,13 @@ def test_a_time_of_forty_places_is_reached_by_the_jump():
     assert found.contains(fine.mid()) and found.rad() < 1e-4 * abs(found) and fine.rad() < 1e-6 * abs(fine)
 
 
-def test_an_exponent_below_one_is_followed_however_late():
-    """The jump is for exponents from 1 on, and refuses others: sqrt(|v|) after 20,053 half-swings, from two sides."""
-    root, early, late = Oscillator({"1/2": "1e-6"}), ExactReal(62_000), ExactReal(63_000)
-    assert not early.ball() > LATE * arb.pi() and late.ball() > LATE * arb.pi()
-    for t in (early, late):
+@pytest.mark.parametrize("late", [200, pytest.param(motion.LATE, marks=pytest.mark.slow)])
+def test_an_exponent_below_one_is_followed_however_late(late, monkeypatch):
+    """The jump is for exponents from 1 on, and refuses others: sqrt(|v|) past its beginning, from two sides."""
+    monkeypatch.setattr(motion, "LATE", late)
+    root, times = Oscillator({"1/2": "1e-6"}), (ExactReal(3 * late), ExactReal(33 * late // 10))
+    assert [bool(t.ball() > late * arb.pi()) for t in times] == [False, True]
+    for t in times:
         found, fine = (enclosure(root, t, digits) for digits in (10, 20))
         assert found.contains(fine.mid()) and found.rad() < 1e-9
 

@@ -157,12 +157,13 @@ def faults(parts, *, caches=True):
                 found.append(f"sets {ast.unparse(node)}")
             if node.attr in CHANGES and ast.unparse(node.value) != "ctx":
                 found.append(f"calls {ast.unparse(node)}")
-            if ast.unparse(node) == "flint.ctx" or caches and ast.unparse(node) in {f"functools.{n}" for n in CACHES}:
+            of = getattr(node.value, "id", None)
+            if (of, node.attr) == ("flint", "ctx") or caches and of == "functools" and node.attr in CACHES:
                 found.append(ast.unparse(node))
         if isinstance(node, ast.With) and any("ctx.work" in ast.unparse(i.context_expr) for i in node.items):
             inner = [n for statement in node.body for n in ast.walk(statement)]
             found += ["hands out a value from inside" for n in inner if isinstance(n, ast.Yield | ast.YieldFrom)]
-        if isinstance(node, ast.Call) and ast.unparse(node.func) == "setattr":
+        if isinstance(node, ast.Call) and getattr(node.func, "id", None) == "setattr":
             found += ["setattr" for a in node.args[1:2] if getattr(a, "value", None) in SETS]
     return found
 

@@ -19,6 +19,14 @@ def test_what_is_no_approximation_has_no_digits(value):
         assert_digits(value, "1.0000", 1)
 
 
+def test_numbers_of_any_length_are_read_and_none_that_nobody_could_write_out():
+    third = "0." + "3" * 6000
+    assert right_digits(third[:5002], third) == pytest.approx(5000, abs=1)
+    assert right_digits(Fraction(10**5000, 3 * 10**5000 + 1), third) == pytest.approx(5000, abs=1)
+    assert right_digits("1e999999999", "1.000") == right_digits("1/0", "1.000") == float("-inf")
+    assert right_digits("1/0.5", "2.000") == float("-inf")
+
+
 def test_zero_is_met_by_zero_only():
     assert_digits(0, "0", 10)
     with pytest.raises(AssertionError):

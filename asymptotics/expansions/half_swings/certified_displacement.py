@@ -82,7 +82,7 @@ class DisplacementSeries:
         # less and less, so that the rest is below a geometric series with the first quotient.
         q = small * ((first + 2) / first) ** j
         if not q < 1:
-            raise UndecidedError(f"the course of a swing is a series in t, and {t.str(5)} is not below {RADIUS}")
+            raise UndecidedError(f"the displacement is a series in t, and {t.str(5)} is not below {RADIUS}")
         return abs(self.suprema[key] * first**j * small**self.terms / (1 - q))
 
 
