@@ -117,18 +117,25 @@ def _ring(number: int, frame: FrameType | None) -> None:
     A door must not be left half-open: nothing rings while one is opened or closed (who waits there ticks itself), nor
     while the collector runs, which would swallow the error and print it.
     """
-    # _ringing: the tick of one alarm is not interrupted by the next.
-    if _ringing or _collected or is_lost(frame):
+    # _ringing: neither the look at the stack nor the tick of one alarm is interrupted by the next; on a slow machine
+    # alarms inside alarms would fill the stack.
+    if _ringing or _collected:
         return
-    while frame is not None:
-        if frame.f_code in _OPENING:
-            return
-        frame = frame.f_back
-    _ringing.append(True)
     try:
-        tick()
+        _ringing.append(True)
+        if not is_lost(frame) and not _opens(frame):
+            tick()
     except LimitError:
         _rung.append(True)
         raise
     finally:
         _ringing.clear()
+
+
+def _opens(frame: FrameType | None) -> bool:
+    """Whether a door, or a time limit, is being opened or closed there."""
+    while frame is not None:
+        if frame.f_code in _OPENING:
+            return True
+        frame = frame.f_back
+    return False

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from hypothesis import settings
+from xdist.scheduler import LoadScopeScheduling
 
 settings.register_profile("dev", max_examples=40, deadline=None)
 settings.register_profile("ci", max_examples=80, deadline=None, derandomize=True, database=None, print_blob=True)
@@ -34,7 +35,7 @@ SLOW = 5400
 
 
 def pytest_collection_modifyitems(items):
-    """The first tests together, for pytest-xdist gives them to one worker; a slow one has a longer limit.
+    """The first tests before all others; a slow one has a longer limit.
 
     ``thorough.txt`` names dear cases, for ``make test-thorough``: found redundant by ``benchmarks.suite_costs``, or, as
     those of now, chosen by hand from the durations of a run, where others of their kind stay.
@@ -46,6 +47,21 @@ def pytest_collection_modifyitems(items):
         if item.get_closest_marker("slow"):
             item.add_marker(pytest.mark.timeout(SLOW))
     items.sort(key=lambda item: (item.nodeid not in LONGEST, not item.nodeid.startswith(FIRST)))
+
+
+class ByFile(LoadScopeScheduling):
+    """What a file needs is made in one worker, and what is proved once in a process in that of the first tests."""
+
+    def _split_scope(self, nodeid):
+        return "first" if nodeid.startswith(FIRST) else nodeid.split("::")[0]
+
+
+def pytest_xdist_make_scheduler(config, log):
+    """Instead of pytest-xdist's own ``load``, in the order above."""
+    if config.getvalue("dist") == "load":
+        config.option.loadscopereorder = False
+        return ByFile(config, log)
+    return None
 
 
 def pytest_collection_finish(session):

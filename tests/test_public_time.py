@@ -6,6 +6,7 @@ import signal
 import sys
 import threading
 import time
+import traceback
 from itertools import count
 from time import monotonic
 
@@ -208,6 +209,25 @@ def test_the_alarm_does_not_leave_the_door_half_open(monkeypatch):
                 with alone:
                     pass
         assert (alone.lock.locked(), alone.owner, alone.depth) == (False, 0, 0)
+
+
+def test_an_alarm_that_comes_before_the_last_one_is_done_does_nothing(monkeypatch):
+    """As on a machine so slow that a look at the stack takes longer than from one alarm to the next."""
+    looks = []
+
+    def slow_look(frame):
+        looks.append(sum(1 for _ in traceback.walk_stack(frame)))
+        end = monotonic() + 1e-3
+        while monotonic() < end:
+            pass
+        return False
+
+    monkeypatch.setattr(public, "PERIOD", 1e-4)
+    monkeypatch.setattr(public, "is_lost", slow_look)
+    with pytest.raises(LimitError), public.limited(0.03):
+        while True:
+            pass
+    assert len(looks) > 5 and max(looks) < min(looks) + 10
 
 
 def test_the_alarm_waits_until_the_collector_is_done(monkeypatch):
