@@ -55,7 +55,7 @@ def raced(jobs, seconds=1.0):
 
 def test_exact_series_in_threads(racing):
     jobs = [lambda n=n, f=f: f(n) for n in (3, 9, 14) for f in (map_series, half_period_series, abel_coefficients)]
-    assert raced(jobs, 2) == []
+    assert raced(jobs) == []
     assert (flint_ctx.prec, flint_ctx.cap) == (53, 10)
 
 
@@ -69,7 +69,7 @@ def test_public_calls_in_threads(racing):
         lambda: float(osc.omega_0().mid()), lambda: str(osc) + repr(osc.dimensionless), lambda: slow.slow("1/50"),
         lambda: asy.expand(2, order=2).Omega[2].interval(), lambda: asy.expand(2, order=2).Omega[2].mpf(),
     ]  # fmt: skip
-    assert raced(jobs, 2) == []
+    assert raced(jobs) == []
 
 
 def test_intervals_and_decimals_of_mpmath_are_set_back():

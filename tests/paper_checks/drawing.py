@@ -9,15 +9,12 @@ import re
 import shutil
 import subprocess
 import warnings
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
 from matplotlib import image
 from selenium import webdriver
-
-with warnings.catch_warnings():
-    warnings.simplefilter("ignore", DeprecationWarning)  # of importlib.resources, which it asks for its font
-    import ziamath
 
 SIZE, WIDTH, HEIGHT, COLUMNS = 40, 300, 160, 4
 FLAGS = (
@@ -68,7 +65,14 @@ class Camera:
 def reference(mathml):
     """The formula as paths: the layout is ziamath's, and no browser has a say in which glyphs there are."""
     plain = re.sub(r"(?<=>)-(?=</mo>)|&#x0002D;", "\u2212", mathml)
-    return ziamath.Math(plain, size=SIZE).svg()
+    return typesetter().Math(plain, size=SIZE).svg()
+
+
+def typesetter():
+    """ziamath: a second to load, in the one process of `make test` that draws."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # of importlib.resources, which it asks for its font
+        return import_module("ziamath")
 
 
 def sheet(cells, css):

@@ -7,12 +7,11 @@ import sys
 import time
 from contextlib import contextmanager
 from functools import partial
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 import tasks
-
-pytest.importorskip("distributed", reason="the extra cluster is not installed")
 
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError
@@ -21,6 +20,7 @@ from asymptotics.sweeps.export import records
 from asymptotics.sweeps.store import Store
 from asymptotics.sweeps.workers import dask_executor
 
+pytestmark = pytest.mark.skipif(find_spec("distributed") is None, reason="the extra cluster is not installed")
 ENVIRONMENT = {**os.environ, "PYTHONPATH": str(Path(__file__).parent), "DASK_DISTRIBUTED__ADMIN__LOG_LENGTH": "0"}
 
 

@@ -31,7 +31,7 @@ def test_the_tail_of_a_displacement_is_attained_and_half_of_it_would_not_do(tau)
 
 
 def test_a_displacement_beyond_its_circle_is_refused():
-    with pytest.raises(UndecidedError, match="course"):
+    with pytest.raises(UndecidedError, match="displacement"):
         geometric(4).slopes((1,), arb(3), 1)
 
 

@@ -192,11 +192,11 @@ def test_sparse_noisy_deep_decays_are_not_called_slower_than_they_are(alpha, str
     )
     assert abs(found.y[0][-60:]).max() == pytest.approx(0.15, abs=0.01)
     intervals = []
-    for seed in range(100, 108):
+    for seed in range(100, 104):
         x = found.y[0] + noise * np.random.default_rng(seed).standard_normal(len(t))
         intervals.append(asy.identify({"t": t, "x": x}, laws=[str(alpha)]).law(str(alpha)).law.epsilon[0])
     assert abs(np.mean([i.estimate for i in intervals]) / strength - 1) < 0.5 * noise
-    assert sum(i.contains(strength) for i in intervals) >= 6
+    assert sum(i.contains(strength) for i in intervals) >= 3
 
 
 def test_the_first_swings_of_a_deep_pendulum_are_where_they_are():
