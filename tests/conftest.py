@@ -1,6 +1,8 @@
 """Hypothesis profiles: dev (default), ci (deterministic), nightly (HYPOTHESIS_PROFILE selects)."""
 
+import atexit
 import gc
+import linecache
 import os
 import signal
 from pathlib import Path
@@ -71,5 +73,20 @@ def pytest_collection_finish(session):
     gc.set_threshold(20_000, 20, 20)
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item):
+    """The debugger that stands by for each doctest looks at all files whose lines were read: there are none."""
+    if isinstance(item, pytest.DoctestItem):
+        linecache.clearcache()
+
+
+def pytest_sessionfinish():
+    """What is left is searched once, not at each of the collections by which pytest ends."""
+    gc.collect()
+    gc.freeze()
+
+
+if "PYTEST_XDIST_WORKER" in os.environ:  # all has been said: to free a gigabyte, object by object, takes seconds
+    atexit.register(os._exit, 0)
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as in a background job: what the tests start would inherit it
     signal.signal(signal.SIGINT, signal.default_int_handler)

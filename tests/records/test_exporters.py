@@ -7,6 +7,7 @@ import gzip
 import io
 import struct
 import zipfile
+from itertools import product
 
 import numpy as np
 import pytest
@@ -129,9 +130,15 @@ def check(table, tolerance=2e-3):
     assert table.notes[0].startswith("time: ")
 
 
+WRITTEN = [("utf-8", "\n"), ("utf-16", "\r\n")]
+ENCODINGS = ("utf-8", "utf-8-sig", "utf-16", "latin-1")
+WRITTEN += [
+    pytest.param(*pair, marks=pytest.mark.slow) for pair in product(ENCODINGS, ("\n", "\r\n")) if pair not in WRITTEN
+]
+
+
 @pytest.mark.parametrize("name", LAYOUTS)
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
-@pytest.mark.parametrize("ends", ["\n", "\r\n"])
+@pytest.mark.parametrize(("encoding", "ends"), WRITTEN)
 def test_the_layouts_of_exporters_are_read_in_every_encoding(name, encoding, ends, tmp_path):
     text, unit, options = LAYOUTS[name]
     path = tmp_path / "record.txt"
