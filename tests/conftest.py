@@ -58,6 +58,7 @@ class ByFile(LoadScopeScheduling):
         return "first" if nodeid.startswith(FIRST) else nodeid.split("::")[0]
 
 
+@pytest.hookimpl(optionalhook=True)  # not without pytest-xdist
 def pytest_xdist_make_scheduler(config, log):
     """Instead of pytest-xdist's own ``load``, in the order above."""
     if config.getvalue("dist") == "load":
