@@ -203,7 +203,7 @@ def test_who_waits_for_another_thread_asks_for_the_time():
 def test_the_alarm_does_not_leave_the_door_half_open(monkeypatch):
     """Ten thousand rings a second while the door is opened and closed: it is free, or ours, each time."""
     monkeypatch.setattr(public, "PERIOD", 1e-4)
-    for _ in range(300):
+    for _ in range(100):
         with pytest.raises(LimitError), public.limited(0.001):
             while True:
                 with alone:
