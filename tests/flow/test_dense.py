@@ -23,7 +23,8 @@ class Falling:
 def test_an_uncertain_time_moves_a_state_where_the_force_is_largest():
     flow = SimpleNamespace(force=Steep())
     du, dw = dense._moved(flow, arb(1), arb("0.8"), arb("0.01"))
-    assert du >= arb("0.008") and dw >= arb("0.01") * (1 + arb("0.008")) ** 20
+    # The force counts wherever the state may move, which half of the first box would leave out.
+    assert du >= arb("0.008") and dw >= arb("0.01") * (1 + du) ** 20
 
 
 def test_the_distance_of_a_turning_point_counts_the_force_at_its_farther_place():
