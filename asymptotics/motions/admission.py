@@ -10,8 +10,8 @@ reversal of time, and losses only lead inwards.  sin x points to the origin for 
 (``stopping``).
 
 *Kinks.*  With |x|^m, m odd, or x|x|^(p-1), p even, the waveform is good to O(delta^(m+2)) where X changes its sign
-(``formal_forces``), which is order N of the motion for N <= m + 2.  The estimate reads the orders N + 1 and N + 2: with
-N <= m + 1 the first is right, and of the second, which is wrong by as much as it adds, only the size is used.
+(``formal_forces``), which is order N of the motion for N <= m + 2.  The estimate reads its terms of degree N and N + 1:
+with N <= m + 1 the first is right, and of the second, which is wrong by as much as it adds, only the size is used.
 
 >>> require_served(Oscillator({2: "1/10"}, spring={3: "-3/2"}), 3)
 Traceback (most recent call last):
