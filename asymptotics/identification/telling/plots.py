@@ -64,8 +64,11 @@ def _decay(axes: Any, law: LawFit, unit: str) -> None:
     head(axes, [f"decay and envelope of {law.candidate}"])
 
 
-def decrement_band(fit: Fit) -> tuple[Array, Array, Array]:
-    """(mean amplitude, decrement, half-width of its 95 % band) of a law at the measured turning points."""
+def decrement_band(fit: Fit, inflation: float = 1.0) -> tuple[Array, Array, Array]:
+    """(mean amplitude, decrement, half-width of its 95 % band) of a law at the measured turning points.
+
+    ``inflation``: by how much correlated residuals stretch the intervals of the law, and the band with them.
+    """
     model = fit.model
     size, by_law = model.amplitudes(fit.theta)
     slopes = np.zeros((model.size, len(size) - 1))
@@ -73,7 +76,7 @@ def decrement_band(fit: Fit) -> tuple[Array, Array, Array]:
     # The delta method: the band is that of a decrement at each place by itself, as many standard errors either way as
     # intervals reach.
     spread = np.sqrt(np.maximum(np.einsum("in,ij,jn->n", slopes, fit.covariance, slopes), 0.0))
-    return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], quantile(fit, 0.95, "x") * spread
+    return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], inflation * quantile(fit, 0.95, "x") * spread
 
 
 def draw_decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
@@ -85,7 +88,7 @@ def draw_decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
     mean, decrement = ((size[1:] + size[:-1]) / 2)[next_], (size[:-1] - size[1:])[next_]
     axes.plot(mean, decrement, "o", markersize=3, color="0.5", label="measured")
     for i, law in enumerate(laws):
-        amplitude, value, band = decrement_band(_fit_of(law))
+        amplitude, value, band = decrement_band(_fit_of(law), law.inflation)
         shape = {"linestyle": "-" if i == 0 else "--", "zorder": 3 - 0.1 * i}  # rivals do not hide the best law
         axes.plot(amplitude, value, color=f"C{i}", label=str(law.candidate), **shape)
         axes.fill_between(amplitude, value - band, value + band, color=f"C{i}", alpha=0.25, lw=0)
@@ -128,10 +131,14 @@ def _profile(axes: Any, law: LawFit) -> None:
     fit = _fit_of(law)
     for i, name in enumerate(law.candidate.alphas):
         values, rise = profile_curve(fit, law.functions[i], count=13)
-        estimate = law.epsilon[i].estimate
-        axes.plot((values - estimate) / (abs(estimate) or 1.0), rise, label=f"strength of {name}")
-    # Where the intervals end: 3.84, the 95 % of chi-squared, if the noise is known.
-    axes.axhline(quantile(fit, 0.95, "x") ** 2, color="0.5", lw=0.6)
+        found, level = law.epsilon[i], quantile(fit, 0.95, "x") ** 2
+        scale = abs(found.estimate) or 1.0
+        axes.plot((values - found.estimate) / scale, rise, color=f"C{i}", label=f"strength of {name}")
+        # The ends of the interval as it is printed: off the curve where correlated residuals stretch it.
+        ends = [(end - found.estimate) / scale for end in (found.low, found.high) if end is not None]
+        axes.plot(ends, [level] * len(ends), "|", color=f"C{i}", markersize=9)
+        # Where intervals of white residuals end: 3.84, the 95 % of chi-squared, if the noise is known.
+        axes.axhline(level, color="0.5", lw=0.6)
     axes.locator_params(axis="x", nbins=4)
     axes.set(xlabel="relative change of the strength", ylabel="rise of chi squared")
     head(axes, [f"profiles of {law.candidate}"])

@@ -1,5 +1,8 @@
 """The picture of an identification."""
 
+from dataclasses import replace
+
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
@@ -7,7 +10,7 @@ import asymptotics as asy
 from asymptotics.errors import InputError
 from asymptotics.identification.fitting.profile import quantile
 from asymptotics.identification.synthetic import observed
-from asymptotics.identification.telling.plots import decrement_band
+from asymptotics.identification.telling.plots import _profile, decrement_band, draw_decrements
 
 
 def test_the_picture_is_drawn():
@@ -31,3 +34,22 @@ def test_pictures_have_the_quantile_of_the_intervals():
     gradient = np.zeros(fit.model.size)
     gradient[: fit.model.after] = slopes[:, 0] - slopes[:, 1]
     assert decrement_band(fit)[2][0] == pytest.approx(t * fit.directions.standard_error(gradient), rel=1e-9)
+
+
+def test_pictures_have_intervals_as_long_as_those_that_are_printed():
+    """Residuals that remember stretch the intervals: three times, in a band and at the ends of a profile."""
+    law = asy.identify(observed("1", [0.05], 20, 1e-3, seed=4), laws=["1"], bootstrap=False).law("1").law
+    longer = replace(law, stretches=(3.0,), epsilon=(law.epsilon[0].stretched(3.0),))
+    heights, ends = [], []
+    for each in (law, longer):
+        figure, (band, profile) = plt.subplots(1, 2)
+        draw_decrements(band, [each], "")
+        _profile(profile, each)
+        (outline,) = band.collections[0].get_paths()
+        x, y = outline.vertices.T
+        heights.append(np.ptp(y[x == np.median(x)]))
+        (marks,) = [line.get_xdata() for line in profile.lines if line.get_marker() == "|"]
+        ends.append(np.array(marks))
+        plt.close(figure)
+    assert heights[1] == pytest.approx(3 * heights[0], rel=1e-6)
+    assert ends[1] == pytest.approx(3 * ends[0], rel=1e-6) and ends[0][0] < 0 < ends[0][1]
