@@ -361,3 +361,17 @@ LawLike = Law | Oscillator | Mapping[Any, Any] | Sequence[Any] | Number
 """A law, an oscillator, a mapping exponent -> strength; an exponent or several where no strength is needed."""
 SpringLike = Mapping[Any, Any] | str
 """A mapping power -> strength, or "pendulum"."""
+
+
+def of_unit_start(law: Law, *, x0: Number = 1, v0: Number = 0) -> Oscillator:
+    """With m = k = 1, from the circle x0^2 + v0^2 = 1: in these units b is epsilon, whatever that is made of.
+
+    >>> heavy = Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+    >>> of_unit_start(heavy.dimensionless).epsilons()[0].str(10, radius=False)
+    '0.01409828351'
+    """
+    # Past ``__init__``, which refuses strengths whose units have been taken off: here they mean what they say.
+    found, physical = Oscillator({0: 1}, x0=x0, v0=v0), PhysicalLaw.from_terms(law.terms, law.notes)
+    object.__setattr__(found, "law", physical)
+    object.__setattr__(found, "notes", physical.notes)
+    return found

@@ -85,6 +85,9 @@ class Units:
 
         The strength of a named spring counts the square of the unit of length, so k and m do not enter it.
         """
+        # Made dimensionless already: of ``law.of_unit_start``, where b is epsilon.
+        if isinstance(term.strength, Scaled):
+            return term
         b = term.b * self.stiffness if term.family else term.b
         return replace(term, strength=self.scale(b, term.velocity, term.weight))
 

@@ -33,7 +33,7 @@ from asymptotics.expansions.moments.symbolic import moment
 from asymptotics.expansions.multiple_scales.orders import a
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.law import Oscillator
+from asymptotics.law import Oscillator, of_unit_start
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.bridge import to_sympy
@@ -176,7 +176,7 @@ def _dimensionless(given: Oscillator) -> Oscillator:
     # left to say, and at rest x0 < 0 is the mirror image of x0 > 0, since every force is odd under (x, v) -> (-x, -v).
     law = given.dimensionless
     if given.v0.is_zero:
-        return Oscillator(law)
+        return of_unit_start(law)
     numbers = (given.mass, given.stiffness, given.x0, given.v0)
     # x0/radius and its speed are square roots of rationals if all four numbers are rational; a root under the root has
     # no place in ExactReal, and a rounded start would not be the one whose bound is asked for.
@@ -186,4 +186,4 @@ def _dimensionless(given: Oscillator) -> Oscillator:
     radius = x0**2 + m * v0**2 / k
     # ExactReal(+-1, q) is +-sqrt(q), exactly.
     place, speed = ((1 if n > 0 else -1, square / radius) for n, square in ((x0, x0**2), (v0, m * v0**2 / k)))
-    return Oscillator(law, x0=ExactReal(*place) if x0 else 0, v0=ExactReal(*speed))
+    return of_unit_start(law, x0=ExactReal(*place) if x0 else 0, v0=ExactReal(*speed))

@@ -67,7 +67,7 @@ from asymptotics.expansions.multiple_scales.orders import a, psi
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.law import Law, LawLike, Oscillator
+from asymptotics.law import Law, LawLike, Oscillator, of_unit_start
 from asymptotics.motions.certify import time_of
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property, ctx
@@ -269,13 +269,13 @@ class Solution(ProvedCurve):
             raise InputError("v0", "a bound in units of the radius of the start is not served", "at_time, proved_bound")
         # The bound is of the printed decimal, so that its rounding is inside: an enclosure of the true motion beside
         # it, whatever way the decimal was found.
-        dimensionless = Oscillator(self._given().dimensionless)
+        dimensionless = of_unit_start(self._given().dimensionless)
         return proved_bound(dimensionless, self.at(time, digits=digits).x, time)
 
     def _theorem(self) -> Theorem:
         if self.start is not None:
             raise InputError("v0", "for a start in motion no bound for all times is proved", "v0 = 0, proved_bound")
-        oscillator = Oscillator(self._given().dimensionless)
+        oscillator = of_unit_start(self._given().dimensionless)
         return lambda until: explicit_bound(oscillator, self.order, until=until)
 
     def latex(self, *, standalone: bool = False) -> str:

@@ -46,13 +46,13 @@ def require_served(oscillator: Oscillator, order: int) -> None:
     if law.is_pure:
         return
     for t in law.losses:
-        if t.degree.is_zero and not t.b.is_zero:
+        if t.degree.is_zero and not t.strength.is_zero:
             reason = (
                 "dry friction beside a spring or a position-dependent loss: where it stops the mass is not known here"
             )
             raise InputError("law", reason, "alpha > 0 with them, or alpha = 0 with the linear spring")
     for t in law.terms:
-        if is_kinked(t) and not t.b.is_zero and order > t.position + 1:
+        if is_kinked(t) and not t.strength.is_zero and order > t.position + 1:
             reason = f"{t.shape()} has a kink at x = 0, which no waveform of order {order} describes"
             raise InputError("order", reason, f"1 to {t.position + 1} with this force")
     _require_well(oscillator)
@@ -72,7 +72,7 @@ def _require_well(oscillator: Oscillator) -> None:
     if not oscillator.v0.is_zero:
         reason = "beside a spring that softens, how far a start with a velocity goes is not known here"
         raise InputError("v0", reason, "v0 = 0, or springs with strengths >= 0")
-    if any(t.b.sign < 0 and not t.velocity.is_zero for t in law.springs):
+    if any(t.strength.sign < 0 and not t.velocity.is_zero for t in law.springs):
         raise InputError(
             "spring", "one that softens with the velocity: its well is not known here", "C >= 0 with |x'|^Q"
         )

@@ -12,6 +12,7 @@ from asymptotics.law import Oscillator, PhysicalLaw
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
+from asymptotics.terms import Scaled
 
 
 @dataclass(frozen=True)
@@ -31,10 +32,11 @@ def alone(oscillator: Oscillator, alpha: int) -> Oscillator | None:
     Without a term that acts alpha is 1: no damping is linear damping of strength 0.
     """
     law = oscillator.law
-    acting = tuple(t for t in law.terms if not t.b.is_zero)
+    acting = tuple(t for t in law.terms if not t.strength.is_zero)
     if not law.is_pure or len(acting) > 1 or (acting[0].velocity if acting else 1) != alpha:
         return None
-    if acting and not acting[0].b > 0:
+    # A strength that is a product of roots has no place in the exact solutions; integration takes it.
+    if acting and (isinstance(acting[0].strength, Scaled) or not acting[0].strength > 0):
         return None
     return oscillator.with_law(PhysicalLaw.from_terms(acting or law.terms[:1], law.notes))
 

@@ -34,6 +34,31 @@ def test_until_when_a_sum_is_proved_within_a_size(law, size, kind):
             assert abs(float(point.x) - float(moving.at(str(time), digits=15).x)) <= float(Fraction(size))
 
 
+HEAVY = {"mass": "3/2", "stiffness": 30, "x0": "1/5"}
+
+
+@pytest.mark.parametrize(
+    ("law", "start"),
+    [
+        ({"3/2": "1/10"}, {}),
+        ({"3/2": "1/10", 2: "1/10"}, {}),
+        ({"3/2": "1/10", 2: "1/10"}, {"v0": "1/2"}),
+        ({1: "1/10"}, {"mass": "sqrt(2)", "stiffness": 3}),
+    ],
+)
+def test_strengths_that_are_products_of_roots_are_served_like_all_others(law, start):
+    """In SI epsilon = b omega_0^alpha l^(alpha-1)/k is such a product: every method refused it by accident."""
+    heavy = asy.Oscillator(law, **{**HEAVY, **start})
+    found, moving = asy.solution(heavy, order=2), asy.reference(heavy)
+    omega, length = (float(ball.mid()) for ball in (heavy.omega_0(), heavy.length()))
+    gap = abs(float(found.at(9, digits=12).x) - float(moving.at(str(Fraction(9 / omega)), digits=15).x) / length)
+    proved = found.proved()
+    assert proved.label == "proved" and 0 < gap <= float(proved.size) < 1e-3
+    assert float(found.sample([9.0])[2][0]) == pytest.approx(float(found.at(9).x), abs=1e-9)
+    if found.start is None and len(law) == 1:
+        assert gap <= float(found.bound(9, digits=12)) <= float(proved.size)
+
+
 def test_a_proved_time_needs_a_size():
     with pytest.raises(InputError, match="within"):
         asy.solution(FADING, order=2).proved_until(0)
