@@ -81,13 +81,17 @@ def pytest_runtest_setup(item):
         linecache.clearcache()
 
 
+def pytest_configure(config):
+    """A worker that is done has said all: to free a gigabyte, object by object, takes seconds."""
+    if hasattr(config, "workerinput"):  # not a pytest that a test starts, whose exit code counts
+        atexit.register(os._exit, 0)
+
+
 def pytest_sessionfinish():
     """What is left is searched once, not at each of the collections by which pytest ends."""
     gc.collect()
     gc.freeze()
 
 
-if "PYTEST_XDIST_WORKER" in os.environ:  # all has been said: to free a gigabyte, object by object, takes seconds
-    atexit.register(os._exit, 0)
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as in a background job: what the tests start would inherit it
     signal.signal(signal.SIGINT, signal.default_int_handler)
