@@ -60,6 +60,9 @@ def renderings(
 ) -> list[bytes]:
     """The picture in each of the formats, drawn once: see ``render``.
 
+    The second is laid out from where the first one left it, so that it may differ from a picture made alone, by less
+    than a pixel.
+
     >>> [found[:4] for found in renderings(lambda axes: axes.plot([0, 1]), ("png", "pdf"))]
     [b'\x89PNG', b'%PDF']
     """

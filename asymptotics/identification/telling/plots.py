@@ -136,7 +136,8 @@ def _profile(axes: Any, law: LawFit) -> None:
         axes.plot((values - found.estimate) / scale, rise, color=f"C{i}", label=f"strength of {name}")
         # The ends of the interval as it is printed: off the curve where correlated residuals stretch it.
         ends = [(end - found.estimate) / scale for end in (found.low, found.high) if end is not None]
-        axes.plot(ends, [level] * len(ends), "|", color=f"C{i}", markersize=9)
+        label = "95 % interval" if i == 0 else None
+        axes.plot(ends, [level] * len(ends), "|", color=f"C{i}", markersize=9, label=label)
         # Where intervals of white residuals end: 3.84, the 95 % of chi-squared, if the noise is known.
         axes.axhline(level, color="0.5", lw=0.6)
     axes.locator_params(axis="x", nbins=4)
