@@ -47,23 +47,21 @@ def mean_part(m: int) -> sympy.Expr:
 
 
 def primitive(h: sympy.Expr) -> sympy.Expr:
-    """int_0^psi of a polynomial in psi, sin psi, cos psi: powers of psi by parts."""
-    total, s, c = sympy.S.Zero, sympy.Symbol("s"), sympy.Symbol("c")
-    work = reduced(h)
+    """int_0^psi of a polynomial in psi, sin psi, cos psi: psi^n u' = (psi^n u)' - n psi^(n-1) u, from the highest n."""
+    total, work, s, c = sympy.S.Zero, reduced(h), sympy.Symbol("s"), sympy.Symbol("c")
     while work != 0:
-        poly = sympy.Poly(work.subs({sin(psi): s, cos(psi): c}), psi, s, c)
-        (n, odd, m), q = max(poly.terms())
-        inner = -(cos(psi) ** (m + 1)) / (m + 1) if odd else mean_part(m)
-        if odd or m:  # psi^n u' = (psi^n u)' - n psi^(n-1) u
-            secular = inner.coeff(psi, 1) if not odd else sympy.S.Zero
-            waves = sympy.expand(inner - secular * psi)
-            total += q * (psi**n * waves + secular * psi ** (n + 1) / (n + 1))
-            work -= q * psi**n * sin(psi) ** odd * cos(psi) ** m
-            work -= q * n * psi ** (n - 1) * waves if n else 0
-        else:
-            total += q * psi ** (n + 1) / (n + 1)
-            work -= q * psi**n
-        work = reduced(work)
+        terms = sympy.Poly(work.subs({sin(psi): s, cos(psi): c}), psi, s, c).terms()
+        n = max(terms)[0][0]
+        secular = waves = work = sympy.S.Zero
+        for (k, odd, m), q in terms:
+            if k < n:
+                work += q * psi**k * sin(psi) ** odd * cos(psi) ** m
+                continue
+            inner = sympy.expand(-(cos(psi) ** (m + 1)) / (m + 1) if odd else mean_part(m))
+            secular += q * inner.coeff(psi, 1)
+            waves += q * (inner - inner.coeff(psi, 1) * psi)
+        total += psi**n * waves + secular * psi ** (n + 1) / (n + 1)
+        work = reduced(work - n * psi ** (n - 1) * waves)
     total = reduced(total)
     return sympy.expand(total - total.subs(psi, 0))
 

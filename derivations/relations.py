@@ -13,11 +13,17 @@ import sympy
 from sympy.core.relational import Relational
 from sympy.polys.fields import field
 
+from derivations.waiting import is_rational
+
 SIGNS = {"==": ("=", "="), "!=": ("!=", r"\neq")}
 SIGNS |= {"<": ("<", "<"), "<=": ("<=", r"\leq"), ">": (">", ">"), ">=": (">=", r"\geq")}
 
+WAVES = (sympy.sin, sympy.cos, sympy.tan, sympy.cot)
+FACTORIALS = (sympy.gamma, sympy.factorial, sympy.RisingFactorial, sympy.binomial)
+
 latex = lru_cache(maxsize=None)(sympy.latex)
-"""In LaTeX; a line is written when it is checked, and again wherever it is shown."""
+text = lru_cache(maxsize=None)(str)
+"""In LaTeX and in plain text; a line is written when it is checked, and again wherever it is shown."""
 
 
 def value(shown: sympy.Basic) -> sympy.Basic:
@@ -33,6 +39,8 @@ def value(shown: sympy.Basic) -> sympy.Basic:
     (0, pi)
     """
     outer = (sympy.Integral, sympy.Sum, sympy.Limit)
+    if not shown.has(*outer):
+        return shown.doit()
     ready = shown.replace(lambda e: isinstance(e, outer), lambda e: e.func(e.args[0].doit(), *e.args[1:]))
     return ready.replace(lambda e: isinstance(e, sympy.Integral), _integrated).doit()
 
@@ -143,38 +151,69 @@ def difference(left: sympy.Basic, right: sympy.Basic) -> sympy.Expr:
     >>> x = sympy.Symbol("x")
     >>> difference(1 / x - 1 / (x + 1), 1 / (x * (x + 1))), difference(1 / x - 1 / (x + 1), 1 / x)
     (0, -1/(x + 1))
+    >>> D_0, D_1 = sympy.symbols("D_0 D_1", commutative=False)
+    >>> difference(D_0 * D_1, D_1 * D_0) == 0
+    False
     """
     left, right = value(left), value(right)
     if isinstance(left, sympy.Tuple) and isinstance(right, sympy.Tuple) and len(left) == len(right):
         found = (difference(a, b) for a, b in zip(left, right, strict=True))
         return next((one for one in found if one != 0), sympy.Integer(0))
     remainder = sympy.expand(left - right)
-    if _is_rational(remainder):
-        letters = sorted(remainder.free_symbols, key=str)
-        return field([*letters, sympy.pi], sympy.QQ)[0].from_expr(remainder).as_expr()
-    for simpler in (sympy.simplify, sympy.expand_func, sympy.gammasimp):
-        if remainder != 0:
-            remainder = simpler(remainder)
+    ways = [sympy.simplify, sympy.expand_func, sympy.gammasimp]
+    if remainder.has(*FACTORIALS):  # what is left of their quotients is rational, as a rule
+        ways = [sympy.expand_func, sympy.gammasimp, *ways]
+    if remainder.is_commutative and _is_zero(_with_letters(remainder)):
+        return sympy.Integer(0)
+    for simpler in ways:
+        if is_rational(remainder):
+            return _normal(remainder)
+        remainder = simpler(remainder)
     return remainder
 
 
-def _is_rational(f: sympy.Expr) -> bool:
-    """Whether f is a quotient of polynomials in its symbols and pi, with rational coefficients.
+def _normal(f: sympy.Expr) -> sympy.Expr:
+    """A quotient of polynomials in its symbols and pi, reduced: it is 0 only if it is written as 0."""
+    letters = sorted(f.free_symbols, key=str)
+    return field([*letters, sympy.pi], sympy.QQ)[0].from_expr(f).as_expr()
 
-    As pi is transcendental, it is 0 only if its numerator has no terms: nothing has to be tried.
 
-    >>> x = sympy.Symbol("x")
-    >>> _is_rational(sympy.pi * x / (x + 1)), _is_rational(sympy.sqrt(2) * x), _is_rational(2**x)
-    (True, False, False)
-    >>> D_0, D_1 = sympy.symbols("D_0 D_1", commutative=False)
-    >>> _is_rational(D_0 * D_1), difference(D_0 * D_1, D_1 * D_0) == 0
-    (False, False)
+def _is_zero(f: sympy.Expr) -> bool:
+    """Whether a quotient of polynomials is 0; False of anything else, and of what has a denominator that is 0."""
+    try:
+        return is_rational(f) and _normal(f) == 0
+    except ZeroDivisionError:
+        return False
+
+
+def _with_letters(f: sympy.Expr) -> sympy.Expr:
+    """A letter for each function and each other power, sines and cosines by the tangent of the half angle: where that
+    is 0 for all values of the letters, so is f.
+
+    >>> u, a = sympy.symbols("u a")
+    >>> one = sympy.cos(u)**2 + sympy.sin(u)**2
+    >>> [_is_zero(_with_letters(f)) for f in (sympy.cot(u) * sympy.tan(u) - one, one - 2, 1 / (one - 1))]
+    [True, False, False]
+    >>> _with_letters(u**a * sympy.exp(u) - 2)
+    _X1*_X2 - 2
     """
-    plain = (sympy.Add, sympy.Mul, sympy.Symbol, sympy.Rational)
-    return bool(f.is_commutative) and all(
-        isinstance(x, plain) or x is sympy.pi or (isinstance(x, sympy.Pow) and x.exp.is_Integer)
-        for x in sympy.preorder_traversal(f)
-    )
+    letters: dict[sympy.Expr, sympy.Symbol] = {}
+
+    def letter(e: sympy.Expr) -> sympy.Symbol:
+        return letters.setdefault(e, sympy.Dummy(f"X{len(letters) + 1}"))
+
+    def plain(e: sympy.Expr) -> sympy.Expr:
+        if e.is_Add or e.is_Mul or (e.is_Pow and e.exp.is_Integer):
+            return e.func(*map(plain, e.args))
+        if e.is_Rational or e.is_Symbol or e is sympy.pi:
+            return e
+        if e.func not in WAVES:
+            return letter(e)
+        t = letter(e.args[0])
+        sine, cosine = 2 * t / (1 + t**2), (1 - t**2) / (1 + t**2)
+        return {sympy.sin: sine, sympy.cos: cosine, sympy.tan: sine / cosine, sympy.cot: cosine / sine}[e.func]
+
+    return plain(f)
 
 
 def established(relation: Relational) -> bool:
@@ -196,7 +235,7 @@ def _forms(difference: sympy.Expr) -> list[sympy.Expr]:
 
 def shown_in_text(shown: sympy.Basic) -> str:
     """Relations in plain text."""
-    return _shown(shown, 0, str, ",  ")
+    return _shown(shown, 0, text, ",  ")
 
 
 def shown_in_latex(shown: sympy.Basic) -> str:

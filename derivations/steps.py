@@ -40,7 +40,7 @@ from dataclasses import dataclass, field
 
 import sympy
 
-from derivations.relations import difference, established, latex, shown_in_latex, shown_in_text
+from derivations.relations import difference, established, latex, shown_in_latex, shown_in_text, text
 from derivations.waiting import At, Coefficient, Solution, Taylor, defined, exact, is_name, named
 
 __all__ = ["At", "Coefficient", "Derivation", "Solution", "Step", "Taylor", "defined", "difference", "named"]
@@ -71,7 +71,7 @@ class Step:
         """The line in plain text."""
         if self.right is None:
             return shown_in_text(self.left)
-        return f"{self.left} {':=' if self.kind == 'definition' else '='} {self.right}"
+        return f"{text(self.left)} {':=' if self.kind == 'definition' else '='} {text(self.right)}"
 
 
 @dataclass
@@ -88,7 +88,7 @@ class Derivation:
         left, right = exact(left), exact(right)
         if (remainder := difference(left, right)) != 0:
             raise AssertionError(f"{self._where(reason)}: the two sides differ by {remainder}")
-        if str(left) == str(right) or latex(left) == latex(right):
+        if text(left) == text(right) or latex(left) == latex(right):
             raise AssertionError(f"{self._where(reason)}: both sides are printed as {left}")
         if is_name(left) or is_name(right):
             raise AssertionError(f"{self._where(reason)}: {left} = {right} says what a name stands for: `defines`")
@@ -145,8 +145,8 @@ class Derivation:
             {
                 "reason": s.reason,
                 "kind": s.kind,
-                "left": s.text() if s.right is None else str(s.left),
-                "right": None if s.right is None else str(s.right),
+                "left": s.text() if s.right is None else text(s.left),
+                "right": None if s.right is None else text(s.right),
                 "latex": s.latex(),
                 "proves": list(s.proves),
             }

@@ -15,9 +15,11 @@
 """
 
 from collections.abc import Callable, Mapping
+from math import inf
 from typing import Any
 
 import sympy
+from sympy.polys.rings import ring
 from sympy.printing.printer import Printer
 
 
@@ -33,6 +35,28 @@ def exact(value: sympy.Basic | int) -> sympy.Basic:
     if isinstance(value, float) or value.has(sympy.Float):
         raise AssertionError(f"{value} has a double in it: nothing exact is decided with it")
     return value
+
+
+def is_rational(f: sympy.Expr, least: float = -inf) -> bool:
+    """Whether f is a quotient of polynomials in its symbols and pi, with rational coefficients.
+
+    As pi is transcendental, it is 0 only if its numerator has no terms: nothing has to be tried.  No power of a symbol
+    or a sum is below ``least``: with 0 it is a polynomial.
+
+    >>> x = sympy.Symbol("x")
+    >>> is_rational(sympy.pi * x / (x + 1)), is_rational(sympy.sqrt(2) * x), is_rational(2**x)
+    (True, False, False)
+    >>> is_rational((x + 1)**2, least=0), is_rational(x / sympy.pi, least=0)
+    (True, False)
+    >>> D_0, D_1 = sympy.symbols("D_0 D_1", commutative=False)
+    >>> is_rational(D_0 * D_1)
+    False
+    """
+    plain = (sympy.Add, sympy.Mul, sympy.Symbol, sympy.Rational)
+    return bool(f.is_commutative) and all(
+        isinstance(x, plain) or x is sympy.pi or (isinstance(x, sympy.Pow) and x.exp.is_Integer and x.exp >= least)
+        for x in sympy.preorder_traversal(f)
+    )
 
 
 class At(sympy.Expr):
@@ -79,7 +103,10 @@ class Taylor(sympy.Expr):
     def doit(self, **hints: Any) -> sympy.Expr:
         """The polynomial (with negative powers if f has a pole)."""
         f, x, n = self.args
-        f = sympy.expand(f.doit(**hints))
+        f = f.doit(**hints)
+        if is_rational(f, least=0):
+            return _polynomial(f, x, int(n))
+        f = sympy.expand(f)
         terms = sympy.Add.make_args(f)
         if any(term.as_coeff_exponent(x)[0].has(x) for term in terms):
             # With a pole SymPy counts its terms from the leading one: ask for enough, then cut.
@@ -89,6 +116,18 @@ class Taylor(sympy.Expr):
     def _latex(self, printer: Printer) -> str:
         f, x, n = self.args
         return rf"\left[{printer.doprint(f)}\right]_{{\le {printer.doprint(x)}^{{{n}}}}}"
+
+
+def _polynomial(f: sympy.Expr, x: sympy.Symbol, n: int) -> sympy.Expr:
+    """A polynomial through x^n, multiplied out in a ring, which takes a tenth of the time of ``expand``.
+
+    >>> x, a = sympy.symbols("x a")
+    >>> _polynomial((a + sympy.pi * x)**3, x, 1)
+    a**3 + 3*pi*a**2*x
+    """
+    letters = sorted((f.free_symbols | {sympy.pi}) - {x}, key=str)
+    whole = ring([x, *letters], sympy.QQ)[0]
+    return whole.from_dict({powers: c for powers, c in whole.from_expr(f).items() if powers[0] <= n}).as_expr()
 
 
 class Coefficient(sympy.Expr):

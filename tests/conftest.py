@@ -23,7 +23,15 @@ FIRST = (  # what imports derivations, each of which is proved once in a process
     "tests/envelopes/test_large", "tests/expansions/straightening/", "tests/paper_checks/test_every_statement",
     "tests/paper_checks/test_links", "tests/paper_checks/test_methods",
     "tests/paper_checks/test_report", "tests/paper_checks/test_font", "tests/paper_checks/test_browser",
+    "tests/paper_checks/test_play",
     "tests/test_readme",
+)  # fmt: skip
+
+
+WALKS = (  # over the syntax trees of all sources, which a process parses once
+    "tests/test_structure", "tests/test_safety", "tests/test_iterations", "tests/test_reached",
+    "tests/test_chosen_in_doubles", "tests/numbers/test_context", "tests/numbers/test_one_loop",
+    "tests/paper_checks/test_three_valued",
 )  # fmt: skip
 
 
@@ -55,7 +63,9 @@ class ByFile(LoadScopeScheduling):
     """What a file needs is made in one worker, and what is proved once in a process in that of the first tests."""
 
     def _split_scope(self, nodeid):
-        return "first" if nodeid.startswith(FIRST) else nodeid.split("::")[0]
+        if nodeid.startswith(FIRST):
+            return "first"
+        return "walks" if nodeid.startswith(WALKS) else nodeid.split("::")[0]
 
 
 @pytest.hookimpl(optionalhook=True)  # not without pytest-xdist

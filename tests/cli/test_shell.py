@@ -176,11 +176,29 @@ def _alive(group: int) -> bool:
     return str(group) in found
 
 
-@pytest.mark.parametrize("number", [pytest.param(signal.SIGINT, marks=pytest.mark.slow), signal.SIGKILL])
-def test_the_workers_of_the_checks_do_not_outlive_them(number):
+POOL = """
+import time
+from paper_checks.runner import worker_pool
+with worker_pool() as pool:
+    for at_work in [pool.submit(time.sleep, 60) for _ in range(4)]:
+        at_work.result()
+"""
+WHOLE = ["-m", "paper_checks", "smith2012"]
+
+
+@pytest.mark.parametrize(
+    ("words", "number"),
+    [
+        (["-c", POOL], signal.SIGKILL),
+        pytest.param(WHOLE, signal.SIGKILL, marks=pytest.mark.slow),
+        pytest.param(WHOLE, signal.SIGINT, marks=pytest.mark.slow),
+    ],
+    ids=["pool killed", "checks killed", "checks interrupted"],
+)
+def test_the_workers_of_the_checks_do_not_outlive_them(words, number):
     """Ctrl-C in a terminal reaches the whole group; SIGKILL the program alone, whose workers have to notice."""
     with subprocess.Popen(
-        [sys.executable, "-m", "paper_checks", "smith2012"],
+        [sys.executable, *words],
         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=ROOT, start_new_session=True,
     ) as process:  # fmt: skip
         assert process.stderr is not None

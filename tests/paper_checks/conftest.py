@@ -5,11 +5,17 @@ Its page on the engine has tables and pictures of every kind, with fewer laws th
 
 import fcntl
 import os
+import sys
+from functools import partial
+from pathlib import Path
 
 import pytest
 
+from asymptotics.present.figures import renderings
 from paper_checks.registry import Entry, expected_outcomes, load
-from paper_checks.report import engine, validity_map, write_report
+from paper_checks.report import build, engine, validity_map, write_report
+
+sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 
 
 def recorded_entries() -> list[Entry]:
@@ -26,6 +32,7 @@ def few_laws():
         patch.setattr(validity_map, "EPSILONS", ("1/100", "1/5", "1"))
         patch.setattr(validity_map, "ALPHAS", ("1/2", "2"))
         patch.setattr(validity_map, "ORDERS", (1,))
+        patch.setattr(build, "renderings", partial(renderings, dpi=40))
         yield
 
 
@@ -42,3 +49,13 @@ def report(tmp_path_factory, few_laws):
             write_report(folder, recorded_entries())
             (shared / "report.done").touch()
     return folder
+
+
+@pytest.fixture(scope="session")
+def browser(tmp_path_factory):
+    """One Chromium for all tests that read a page."""
+    from drawing import start  # noqa: PLC0415 (selenium: only for those)
+
+    driver = start("chromium", tmp_path_factory.mktemp("profile"))
+    yield driver
+    driver.quit()

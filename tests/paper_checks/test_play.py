@@ -17,7 +17,7 @@ from paper_checks.report.play import PRESETS, play_page
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 
-from drawing import missing, start
+from drawing import missing
 
 pytestmark = pytest.mark.skipif(bool(missing("chromium")), reason="needs Debian's chromium and chromium-driver")
 
@@ -46,13 +46,6 @@ MISSES = (
     ("3 * a + 1) / (6", "3 * a + 1.0001) / (6"),
     ("Q: 2 * Math.PI / (1 - (x / amplitude) ** 2)", "Q: 2 * Math.PI / (1 - (x / amplitude))"),
 )
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory):
-    driver = start("chromium", tmp_path_factory.mktemp("profile"))
-    yield driver
-    driver.quit()
 
 
 @pytest.fixture(scope="module")
