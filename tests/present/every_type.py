@@ -66,7 +66,7 @@ SAMPLES = {
     "comparison.run.Comparison": "compared",
     "comparison.run.ComparedValue": "compared.rows[1]",
     "expansions.divergence.result.StokesConstants": "asy.stokes(2, digits=8)",
-    "expansions.divergence.truncation.BestOrder": "asy.expand(2, order=1).best_order('1/4')",
+    "expansions.divergence.truncation.BestOrder": "asy.expand(3, order=1).best_order('1/5')",
     "envelopes.explicit.ClosedForm": "asy.envelope(osc).formula",
     "equivalent.conversions.Conversion": "asy.damping(asy.Oscillator({1: 1}, mass=2), 1, digits=6).conversions()[0]",
     "identification.found_law.DampingLaw": "table_law",
