@@ -64,5 +64,6 @@ def test_what_has_no_best_order():
         asy.expand(2).best_order(-1)
     with pytest.raises(LimitError, match="delta"):
         asy.expand(2).best_order("1/1000")
-    with pytest.raises(UndecidedError, match="circle in which"):
-        asy.expand(2).best_order(2)
+    for delta in (2, "2/5"):  # outside at once, or after some half-swings
+        with pytest.raises(UndecidedError, match="circle in which"):
+            asy.expand(2).best_order(delta)
