@@ -187,13 +187,16 @@ def _is_zero(f: sympy.Expr) -> bool:
 
 
 def _with_letters(f: sympy.Expr) -> sympy.Expr:
-    """A letter for each function and each other power, sines and cosines by the tangent of the half angle: where that
-    is 0 for all values of the letters, so is f.
+    """A letter for each function and each other power, which stands for its value, sines and cosines by the tangent of
+    the half angle: where that is 0 for all values of the letters, so is f.
 
     >>> u, a = sympy.symbols("u a")
     >>> one = sympy.cos(u)**2 + sympy.sin(u)**2
     >>> [_is_zero(_with_letters(f)) for f in (sympy.cot(u) * sympy.tan(u) - one, one - 2, 1 / (one - 1))]
     [True, False, False]
+    >>> h = sympy.exp(u)
+    >>> _is_zero(_with_letters(sympy.sin(h) - 2 * h / (1 + h**2)))
+    False
     >>> _with_letters(u**a * sympy.exp(u) - 2)
     _X1*_X2 - 2
     """
@@ -205,11 +208,11 @@ def _with_letters(f: sympy.Expr) -> sympy.Expr:
     def plain(e: sympy.Expr) -> sympy.Expr:
         if e.is_Add or e.is_Mul or (e.is_Pow and e.exp.is_Integer):
             return e.func(*map(plain, e.args))
-        if e.is_Rational or e.is_Symbol or e is sympy.pi:
+        if e.is_Number or e.is_Symbol or e in (sympy.pi, sympy.zoo):  # infinities stay: they have no letter
             return e
         if e.func not in WAVES:
             return letter(e)
-        t = letter(e.args[0])
+        t = letter(sympy.tan(e.args[0] / 2))
         sine, cosine = 2 * t / (1 + t**2), (1 - t**2) / (1 + t**2)
         return {sympy.sin: sine, sympy.cos: cosine, sympy.tan: sine / cosine, sympy.cot: cosine / sine}[e.func]
 
