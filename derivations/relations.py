@@ -7,9 +7,12 @@
 'x >= 0,  x != pi'
 """
 
+from collections.abc import Callable
 from functools import lru_cache, reduce
+from itertools import count
 
 import sympy
+from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.polys.fields import field
 
@@ -21,8 +24,14 @@ SIGNS |= {"<": ("<", "<"), "<=": ("<=", r"\leq"), ">": (">", ">"), ">=": (">=", 
 WAVES = (sympy.sin, sympy.cos, sympy.tan, sympy.cot)
 FACTORIALS = (sympy.gamma, sympy.factorial, sympy.RisingFactorial, sympy.binomial)
 
-latex = lru_cache(maxsize=None)(sympy.latex)
-text = lru_cache(maxsize=None)(str)
+
+def _kept(write: Callable[[sympy.Basic], str]) -> Callable[[sympy.Basic], str]:
+    """``write``, once for each expression; not where two are equal that are written with different letters."""
+    kept = lru_cache(maxsize=None)(write)
+    return lambda shown: write(shown) if shown.has(sympy.Subs, sympy.Lambda) else kept(shown)
+
+
+latex, text = _kept(sympy.latex), _kept(str)
 """In LaTeX and in plain text; a line is written when it is checked, and again wherever it is shown."""
 
 
@@ -160,12 +169,12 @@ def difference(left: sympy.Basic, right: sympy.Basic) -> sympy.Expr:
         found = (difference(a, b) for a, b in zip(left, right, strict=True))
         return next((one for one in found if one != 0), sympy.Integer(0))
     remainder = sympy.expand(left - right)
-    ways = [sympy.simplify, sympy.expand_func, sympy.gammasimp]
-    if remainder.has(*FACTORIALS):  # what is left of their quotients is rational, as a rule
-        ways = [sympy.expand_func, sympy.gammasimp, *ways]
     if remainder.is_commutative and _is_zero(_with_letters(remainder)):
         return sympy.Integer(0)
-    for simpler in ways:
+    # What is left of quotients of gammas is rational, as a rule; where it is not, the usual way is the longer one.
+    if remainder.has(*FACTORIALS) and is_rational(quick := sympy.gammasimp(sympy.expand_func(remainder))):
+        return _normal(quick)
+    for simpler in (sympy.simplify, sympy.expand_func, sympy.gammasimp):
         if is_rational(remainder):
             return _normal(remainder)
         remainder = simpler(remainder)
@@ -227,8 +236,27 @@ def established(relation: Relational) -> bool:
         return left == right if sympy.oo in (abs(left), abs(right)) else difference(left, right) == 0
     if isinstance(relation, sympy.Ne):
         rest = difference(left, right)
-        return rest.is_zero is False if rest.is_number else rest != 0
+        return rest.is_zero is False if rest.is_number else rest != 0 and _differs(rest)
     return any(relation.func(form, 0) is sympy.true for form in _forms(left - right))
+
+
+def _differs(rest: sympy.Expr) -> bool:
+    """Whether a difference that SymPy does not reduce to 0 is none at a point, within 20 digits; a function that may be
+    any and its slope have any values there.
+
+    >>> x, k = sympy.symbols("x k")
+    >>> f = sympy.Function("f")
+    >>> _differs(sympy.rf(x, k) - sympy.gamma(x + k) / sympy.gamma(x)), _differs(x - k), _differs(f(x) - f(x).diff(x))
+    (False, True, True)
+    """
+    number = count()
+    for kind in (sympy.Derivative, AppliedUndef, sympy.Symbol):
+        places = {x: (next(number), x.is_integer) for x in sorted(rest.atoms(kind), key=str)}
+        rest = rest.xreplace(
+            {x: sympy.Integer(3 + n) if whole else sympy.Rational(31 + 7 * n, 53) for x, (n, whole) in places.items()}
+        )
+    size = abs(sympy.N(rest, 30))
+    return bool(size.is_comparable and size > sympy.Rational(1, 10**20))
 
 
 def _forms(difference: sympy.Expr) -> list[sympy.Expr]:
