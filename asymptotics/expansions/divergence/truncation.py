@@ -100,9 +100,9 @@ def best_truncation(alpha: ExactReal, delta: ExactReal) -> BestOrder:
     with ctx.workprec(ROUGH_BITS):
         # A double: where to stop is measured and never claimed.
         z = float(abs(rough.c) / delta.ball())
-    far = UndecidedError(f"delta = {delta} is outside the circle in which half-swings are enclosed: a smaller one")
+    far = f"delta = {delta} is outside the circle in which half-swings are enclosed: a smaller one"
     if not delta.ball() < rough.half.radii[0]:
-        raise far
+        raise UndecidedError(far)
     index = 2 * pi * z
     if index > MAX_INDEX:
         raise LimitError(
@@ -121,7 +121,7 @@ def best_truncation(alpha: ExactReal, delta: ExactReal) -> BestOrder:
         try:
             exact = _text(at(g, p, series, acb(g.c / place))[0].real)
         except UndecidedError:  # one of the half-swings from there on
-            raise far from None
+            raise UndecidedError(far) from None
         sizes = [_text(x) for x in constants]
         start, terms = _text(g.c / place), _terms(series[0], place)
     with workdps(int(bits / 3.3)):
