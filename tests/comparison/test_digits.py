@@ -18,6 +18,11 @@ def test_right_digits_are_those_of_the_relative_error(value, digits, sign):
     assert right_digits(-off, value, 30) == "0.00"
 
 
+def test_a_value_on_the_tie_has_its_last_digit_right_and_one_beyond_has_not():
+    told = [marked("1.2350", Fraction(value)) for value in ("1.2345", "1.2344999999999999999999")]
+    assert told == ["1.235[0]", "1.23[50]"]  # a double cannot tell them apart: integers decide
+
+
 @given(st.decimals("-1e6", "1e6", allow_nan=False, places=8), st.integers(0, 7))
 def test_what_is_not_marked_is_right(value, place):
     if not value:

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from asymptotics.comparison.errors import of_motion, of_turning_points
-from asymptotics.comparison.quick_look import look_of
+from asymptotics.comparison.errors import Errors, of_motion, of_turning_points
+from asymptotics.comparison.quick_look import _exponent, look_of
 from tests.comparison import battery
 
 DOCS = Path(__file__).parents[2] / "docs" / "tables.md"
@@ -84,3 +84,9 @@ def test_wrong_times_beside_dry_friction_are_told_as_a_share_of_the_time(share, 
     look = look_of(errors, errors.tau - np.pi * ns, 5.0)
     assert (look.kind, float(look.frequency)) == (kind, pytest.approx(share, rel=1e-2))
     assert kind == "truncation" or look.reason.endswith(f"off by {share:.2%}")
+
+
+def test_the_exponent_is_that_of_the_given_amplitudes_not_of_the_true_ones():
+    tau = np.linspace(0, 40, 14)
+    true, given = np.exp(-tau / 100), 1 / (1 + tau / 10)  # A' = -A/100, A' = -A^2/10
+    assert _exponent(Errors(tau, true, np.log(given / true), None)).endswith("as if alpha were 2.00")
