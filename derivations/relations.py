@@ -26,7 +26,12 @@ FACTORIALS = (sympy.gamma, sympy.factorial, sympy.RisingFactorial, sympy.binomia
 
 
 def _kept(write: Callable[[sympy.Basic], str]) -> Callable[[sympy.Basic], str]:
-    """``write``, once for each expression; not where two are equal that are written with different letters."""
+    """``write``, once for each expression; not where two are equal that are written with different letters.
+
+    >>> x, y, f = *sympy.symbols("x y"), sympy.Function("f")
+    >>> [text(sympy.Subs(f(z).diff(z), z, 0)) for z in (x, y)]
+    ['Subs(Derivative(f(x), x), x, 0)', 'Subs(Derivative(f(y), y), y, 0)']
+    """
     kept = lru_cache(maxsize=None)(write)
     return lambda shown: write(shown) if shown.has(sympy.Subs, sympy.Lambda) else kept(shown)
 
@@ -161,8 +166,12 @@ def difference(left: sympy.Basic, right: sympy.Basic) -> sympy.Expr:
     >>> difference(1 / x - 1 / (x + 1), 1 / (x * (x + 1))), difference(1 / x - 1 / (x + 1), 1 / x)
     (0, -1/(x + 1))
     >>> D_0, D_1 = sympy.symbols("D_0 D_1", commutative=False)
-    >>> difference(D_0 * D_1, D_1 * D_0) == 0
-    False
+    >>> A, B = (sympy.Function(name, commutative=False)(x) for name in "AB")
+    >>> difference(D_0 * D_1, D_1 * D_0) == 0, difference(A * B, B * A) == 0
+    (False, False)
+    >>> n = sympy.Symbol("n", integer=True)
+    >>> difference(sympy.rf(x, n), sympy.gamma(x + n) / sympy.gamma(x))  # not by gammas alone
+    0
     """
     left, right = value(left), value(right)
     if isinstance(left, sympy.Tuple) and isinstance(right, sympy.Tuple) and len(left) == len(right):
@@ -203,7 +212,7 @@ def _with_letters(f: sympy.Expr) -> sympy.Expr:
     >>> one = sympy.cos(u)**2 + sympy.sin(u)**2
     >>> [_is_zero(_with_letters(f)) for f in (sympy.cot(u) * sympy.tan(u) - one, one - 2, 1 / (one - 1))]
     [True, False, False]
-    >>> h = sympy.exp(u)
+    >>> h = sympy.log(u)
     >>> _is_zero(_with_letters(sympy.sin(h) - 2 * h / (1 + h**2)))
     False
     >>> _with_letters(u**a * sympy.exp(u) - 2)
@@ -230,7 +239,14 @@ def _with_letters(f: sympy.Expr) -> sympy.Expr:
 
 def established(relation: Relational) -> bool:
     """Whether the relation holds for all values that its symbols' assumptions allow; ``!=`` of two functions says that
-    they are not the same function."""
+    they are not the same function.
+
+    >>> x, k = sympy.symbols("x k")
+    >>> root = sympy.sqrt(x + 2 * sympy.sqrt(x - 1))
+    >>> told = [sympy.Ne(left, right, evaluate=False) for left, right in ((root, sympy.sqrt(x - 1) + 1), (root, x))]
+    >>> [established(relation) for relation in told], difference(root, sympy.sqrt(x - 1) + 1) == 0
+    ([False, True], False)
+    """
     left, right = (value(side) for side in relation.args)
     if isinstance(relation, sympy.Eq):
         return left == right if sympy.oo in (abs(left), abs(right)) else difference(left, right) == 0
