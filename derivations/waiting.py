@@ -1,8 +1,10 @@
-"""Expressions that wait: they print as they were written and have their value on ``doit()``, like Derivative.
+r"""Expressions that wait: they print as they were written and have their value on ``doit()``, like Derivative.
 
 >>> x = sympy.Symbol("x")
 >>> At(x**2 + x, {x: 2}), At(x**2 + x, {x: 2}).doit()
 (Subs(x**2 + x, x, 2), 6)
+>>> print(sympy.latex(3 * At(x**2 + x, {x: 2})))
+3 \left. \left(x^{2} + x\right) \right|_{x = 2}
 >>> Taylor(sympy.exp(x), x, 2), Taylor(sympy.exp(x), x, 2).doit()
 (Taylor(exp(x), x, 2), x**2/2 + x + 1)
 >>> Coefficient(1/(1 - x), x, 5).doit()
@@ -83,7 +85,9 @@ class At(sympy.Expr):
     def _latex(self, printer: Printer) -> str:
         f, old, new = self.args
         places = r",\ ".join(f"{printer.doprint(a)} = {printer.doprint(b)}" for a, b in zip(old, new, strict=True))
-        return rf"\left. {printer.doprint(f)} \right|_{{{places}}}"
+        written = printer.doprint(f)
+        shown = rf"\left({written}\right)" if f.is_Add else written  # or the bar would stand for its last term
+        return rf"\left. {shown} \right|_{{{places}}}"
 
     def _sympystr(self, printer: Printer) -> str:
         f, old, new = self.args
