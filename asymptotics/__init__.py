@@ -24,19 +24,22 @@ if TYPE_CHECKING:
     from asymptotics.api.constants import S, T, radii
     from asymptotics.api.damping import damping
     from asymptotics.api.damping_law import damping_law
-    from asymptotics.api.divergence import stokes
     from asymptotics.api.files import compare, derive
     from asymptotics.api.hierarchy import any_start, map_of_gauges, multiple_scales
-    from asymptotics.api.lookups import C, G, f, moment, table, table_names
-    from asymptotics.api.maps import half_swing, limit_cycle
+    from asymptotics.api.lookups import C, G, f, table, table_names
+    from asymptotics.api.maps import half_swing
     from asymptotics.api.motions import Events, Motion, Reference, motion, reference
     from asymptotics.api.pictures import plot
     from asymptotics.api.slow import Envelope, envelope
     from asymptotics.api.solution import solution
-    from asymptotics.api.turning_points import OscillatorTurningPoints, turning_points
     from asymptotics.api.waves import waveforms
+    from asymptotics.ask.questions.limit_cycle import limit_cycle
+    from asymptotics.ask.questions.moment import moment
+    from asymptotics.ask.questions.stokes import stokes
+    from asymptotics.ask.questions.turning_points import turning_points
     from asymptotics.bounds.remainder import remainder
     from asymptotics.cli.swept import sweep_command
+    from asymptotics.curves.turning_points import OscillatorTurningPoints
     from asymptotics.equivalent.result import EquivalentDamping
     from asymptotics.errors import InputError, LimitError, UndecidedError
     from asymptotics.expansions.equations.build import expand
@@ -59,17 +62,20 @@ _HOMES = {
     "api.constants": ("S", "T", "radii"),
     "api.damping": ("damping",),
     "api.damping_law": ("damping_law",),
-    "api.divergence": ("stokes",),
+    "ask.questions.stokes": ("stokes",),
     "api.files": ("compare", "derive"),
     "api.hierarchy": ("any_start", "map_of_gauges", "multiple_scales"),
-    "api.lookups": ("C", "G", "f", "moment", "table", "table_names"),
-    "api.maps": ("half_swing", "limit_cycle"),
+    "api.lookups": ("C", "G", "f", "table", "table_names"),
+    "ask.questions.moment": ("moment",),
+    "api.maps": ("half_swing",),
+    "ask.questions.limit_cycle": ("limit_cycle",),
     "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
     "api.pictures": ("plot",),
     "api.slow": ("Envelope", "envelope"),
     "api.solution": ("solution",),
     "api.waves": ("waveforms",),
-    "api.turning_points": ("OscillatorTurningPoints", "turning_points"),
+    "ask.questions.turning_points": ("turning_points",),
+    "curves.turning_points": ("OscillatorTurningPoints",),
     "bounds.remainder": ("remainder",),
     "cli.swept": ("sweep_command",),
     "expansions.equations.build": ("expand",),

@@ -6,7 +6,6 @@ import signal
 import subprocess
 import sys
 import threading
-from importlib import import_module
 from itertools import count
 
 import pytest
@@ -15,6 +14,7 @@ from asymptotics import budget as module
 from asymptotics import public
 from asymptotics.budget import budget, require_seconds, seconds_left, tick
 from asymptotics.cli import clock
+from asymptotics.cli.commands import module_of
 from asymptotics.cli.main import COMMANDS, main
 from asymptotics.errors import LimitError
 
@@ -61,7 +61,7 @@ def test_every_command_that_may_take_long_has_a_budget():
     without = {"derive", "papers", "sweep"}  # quick look-ups; a sweep is resumed, and each point has its own budget
     for command in set(COMMANDS) - {"derive"}:
         parser = argparse.ArgumentParser()
-        import_module("asymptotics.cli." + command.replace("-", "_")).configure(parser)
+        module_of(command).configure(parser)
         assert ("--max-seconds" in parser.format_help()) == (command not in without), command
 
 

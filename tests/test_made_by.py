@@ -8,13 +8,13 @@ import re
 import subprocess
 import sys
 import zipfile
-from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 import asymptotics as asy
 import asymptotics.made_by as module
+from asymptotics.cli.commands import module_of
 from asymptotics.cli.main import COMMANDS, main
 from asymptotics.made_by import LIBRARIES, code, commit, made_by, mark, versions
 from asymptotics.sweeps import Grid, sweep
@@ -50,8 +50,8 @@ MORE = [("table", "output", end) for end in (".csv", ".json", ".tex")] + [("swee
 
 def options_of(command):
     parser = argparse.ArgumentParser()
-    import_module("asymptotics.cli." + command.replace("-", "_")).configure(parser)
-    return {flag[2:] for flag in parser._option_string_actions if flag.startswith("--")}
+    module_of(command).configure(parser)
+    return {o[2:] for a in parser._actions if a.help != argparse.SUPPRESS for o in a.option_strings}
 
 
 WRITTEN = [(c, kind, end) for c in COMMANDS for kind, end in KINDS.items() if kind in options_of(c)] + MORE

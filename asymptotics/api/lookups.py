@@ -1,7 +1,5 @@
-"""Single results by name: the moments, the reference tables, and Smith's machinery for quadratic damping.
+"""Single results by name: the reference tables, and Smith's machinery for quadratic damping.
 
->>> print(moment("5/2", digits=12), moment(3).exact)
-0.457655858101 4/(3*pi)
 >>> f(3)                                                   # f_3(w) = sum_i C_i^3 w^i
 {0: Fraction(-1, 3), 2: Fraction(8, 15)}
 >>> C(31, 10)
@@ -16,16 +14,11 @@ from typing import Any
 
 from asymptotics.api.units import law_of
 from asymptotics.errors import InputError, shown
-from asymptotics.expansions.moments.certified import moment as moment_ball
-from asymptotics.expansions.moments.symbolic import moment as moment_expression
 from asymptotics.law import LawLike
 from asymptotics.motions.invariants.exact import coefficient, coefficients
 from asymptotics.motions.invariants.symbolic import GeneratingFunction, generating_function
-from asymptotics.numbers.bridge import from_sympy, to_sympy
-from asymptotics.numbers.decimals import certified_decimal, rational_decimal
-from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
+from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.numbers.rounding import MODES
-from asymptotics.numbers.value import Coefficient
 from asymptotics.public import public
 from asymptotics.tables import registry
 from asymptotics.tables.inputs import MAX_ROWS, Inputs
@@ -33,25 +26,6 @@ from asymptotics.tables.table import Table
 
 # Sizes of answers that still come at once and can be read; they refuse, and nothing that is answered rests on them.
 MAX_P, MAX_DIGITS, MAX_ROW, MAX_N, MAX_G = 10_000, 10_000, 5_000, 10_000, 100
-
-
-@public
-def moment(p: Number, *, digits: int = 30, max_seconds: Number = 60) -> Coefficient:
-    """M_p = <|sin|^p> = Gamma((p+1)/2)/(sqrt(pi) Gamma(p/2+1)), p > -1: certified digits and closed form.
-
-    InputError for p <= -1, where the average diverges, and for what is not an exact number.
-    """
-    number, D = exact_number(p, "p"), exact_integer(digits, "digits", 1, MAX_DIGITS)
-    # |sin|^p is integrable at the zeros of the sine for p > -1 alone.
-    if not number > -1 or number > MAX_P:
-        reason = "the average diverges" if not number > -1 else "is out of range"
-        raise InputError("p", f"{number}: {reason}", f"a real number above -1, at most {MAX_P}")
-    # M_p is rational for even p, a rational over pi for odd p; a rational may be a tie, which only exact rounding
-    # tells.
-    expression = moment_expression(to_sympy(number))
-    if expression.is_Rational:  # even p: exactly known, ties included
-        return Coefficient(rational_decimal(from_sympy(expression), D), expression, float_notes(p=p))
-    return Coefficient(certified_decimal(lambda: moment_ball(number.ball()), D), expression, float_notes(p=p))
 
 
 @public

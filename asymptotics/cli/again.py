@@ -6,13 +6,13 @@ The words of the header reach nothing but the parser of a command from a fixed l
 import argparse
 import csv
 import tempfile
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from asymptotics.cli.again_envelope import compared_envelope
 from asymptotics.cli.again_law import compared_law
 from asymptotics.cli.again_swept import compared_sweep, is_certified, swept_names
+from asymptotics.cli.commands import module_of
 from asymptotics.cli.requests import stated_request
 from asymptotics.cli.swept import typed_options
 from asymptotics.comparison.cells import Cells, compared_cells, longest_of
@@ -28,7 +28,7 @@ _KEYS = ("part", "series", "k", "quantity", "n", "i")
 _APART = frozenset(("remark", "bound of zeta", "low", "high"))
 # What the commands themselves accept for --digits (``envelope``: beside a spring); _MOST is that of the others.  A file
 # of longer values is compared in as many digits as can be had.
-_HIGHEST = {"damping": 100, "stokes": 100, "limit-cycle": 200, "envelope": 200}
+_HIGHEST = {"damping": 100, "envelope": 200}
 _MOST = 1000
 _SERIES = "order "
 
@@ -59,12 +59,12 @@ def compare_again(path: Path, digits: int | None) -> Comparison:
     wanted = digits or max(LEAST_DIGITS, GUARD + longest_of([(n, cells[:-1]) for n, cells in rows]))
     if words[0] == "sweep":
         command, names = swept_names(words, header)
-        wanted = min(wanted, _HIGHEST.get(command, _MOST))
+        wanted = min(wanted, _most_digits(command))
         return compared_sweep(command, names, header, rows, wanted)
     command, point = stated_request(words)
     if command == "damping-law":
         return compared_law(point, header, rows)
-    wanted = min(wanted, _HIGHEST.get(command, _MOST))
+    wanted = min(wanted, _most_digits(command))
     if command == "envelope":
         return compared_envelope(point, header, rows, wanted)
     # The commands below compute their whole answer first, and compare it afterwards.
@@ -86,6 +86,12 @@ def _read(path: Path) -> tuple[list[str], list[str], list[tuple[int, list[str]]]
     rows, head = rows_of_file(path)
     header = [name.split(" [")[0] if name.startswith("code [") else name for name in head or []]
     return stated_words(path), header, rows if header else []
+
+
+def _most_digits(command: str) -> int:
+    """The highest --digits of a command."""
+    asked = getattr(module_of(command), "question", None)
+    return _HIGHEST.get(command, _MOST) if asked is None else int(asked["digits"].kind.schema["maximum"])
 
 
 def _of_command(command: str, point: Point, digits: int) -> Cells:
@@ -113,7 +119,7 @@ def _of_command(command: str, point: Point, digits: int) -> Cells:
 
 
 def _answered(command: str, options: argparse.Namespace) -> dict[str, Any]:
-    data: dict[str, Any] = import_module("asymptotics.cli." + command.replace("-", "_")).run(options).data
+    data: dict[str, Any] = module_of(command).run(options).data
     return data
 
 

@@ -10,8 +10,10 @@ True
 """
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NoReturn
+
+from asymptotics.ask.registry import QUESTIONS, loaded
 
 # The options that nearly every command has; a test holds each command to have them, or a reason below.
 COMMON = ("csv", "digits", "gauge", "json", "latex", "plot", "points", "quiet")
@@ -42,13 +44,6 @@ MISSING: dict[str, dict[str, str]] = {
         "latex": "the answer is a verdict in words; `--csv` has all candidate laws",
         "points": _OWN_GRID,
     },
-    "limit-cycle": {"gauge": _OBSERVED, "points": "there is no curve"},
-    "moment": {
-        "csv": "it is one number; `table moments --csv` has many",
-        "gauge": "an average has no gauge",
-        "plot": "it is one number",
-        "points": "it is one number; `table moments --rows` has many",
-    },
     "motion": {"latex": "the answer is numbers at one time; `expand --latex` has the equations"},
     "multiple-scales": dict.fromkeys(("csv", "plot", "points"), _FORMULAS),
     "papers": {
@@ -62,10 +57,6 @@ MISSING: dict[str, dict[str, str]] = {
         "points": "there is no curve",
     },
     "solution": {"gauge": "the solution is in the turning-point gauge: A is the turning amplitude"},
-    "stokes": {
-        "gauge": "the constants are the same in every gauge",
-        "points": "`--count` says how many",
-    },
     "sweep": {
         **dict.fromkeys(("csv", "latex", "plot"), "`--export FILE.csv`, .json or .parquet writes the points"),
         "digits": "it is an option of COMMAND, and stands behind it",
@@ -76,13 +67,17 @@ MISSING: dict[str, dict[str, str]] = {
         "gauge": "a table says in its title which gauge it is in",
         "points": "`--rows` says how many",
     },
-    "turning-points": {"gauge": _OBSERVED, "points": "`--count` says how many"},
 }
+
+
+def lacks(command: str) -> Mapping[str, str]:
+    """The common options that a command does not have, and why."""
+    return loaded(command).offers.lacks if command in QUESTIONS else MISSING.get(command, {})
 
 
 def missing(command: str, option: str) -> str | None:
     """Why ``command`` has no --``option``; None if it has it."""
-    return MISSING.get(command, {}).get(option)
+    return lacks(command).get(option)
 
 
 def add_missing(parser: argparse.ArgumentParser, command: str) -> None:
@@ -91,10 +86,10 @@ def add_missing(parser: argparse.ArgumentParser, command: str) -> None:
         # As it would be read where it exists: a flag takes no word, the others take one, lest it be read as something
         # else.
         count: Any = 0 if option in _FLAGS else "?"
-        parser.add_argument(f"--{option}", action=_Refuse, nargs=count, const=reason, help=argparse.SUPPRESS)
+        parser.add_argument(f"--{option}", action=Refuse, nargs=count, const=reason, help=argparse.SUPPRESS)
 
 
-class _Refuse(argparse.Action):
+class Refuse(argparse.Action):
     """An option that makes no sense here; ``const`` is the reason."""
 
     def __call__(

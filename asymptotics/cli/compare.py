@@ -22,11 +22,11 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+from asymptotics.ask.forces import add_forces
+from asymptotics.ask.moving import PHYSICAL, add_physical, add_start, read_oscillator
 from asymptotics.cli.again import asked_again, compare_again, is_motion, told_request
 from asymptotics.cli.answer import Answer, add_common, shortened
 from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
-from asymptotics.cli.forces import add_forces
-from asymptotics.cli.quantities import PHYSICAL, add_physical, add_start, read_oscillator
 from asymptotics.cli.table import table_inputs
 from asymptotics.comparison.order import told_order
 from asymptotics.comparison.run import MAX_DIGITS, ComparedValue, Comparison, compare_file

@@ -11,9 +11,10 @@ True
 """
 
 import argparse
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from importlib import import_module
 
+from asymptotics.cli.commands import module_of, summary_of
 from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES
 
@@ -21,20 +22,20 @@ SHELLS = ("bash", "zsh", "fish")
 _FILES = ("FILE", "DIR")
 
 
-def script(shell: str, commands: Mapping[str, str]) -> str:
+def script(shell: str, commands: Iterable[str]) -> str:
     """The script for a shell; InputError for one that is not known."""
     if shell not in SHELLS:
         raise InputError("--completion", f"no shell {shell[:20]!r}", ", ".join(SHELLS))
     parsers = {name: _parser(name) for name in commands}
     if shell == "fish":
-        return "\n".join(_fish(commands, parsers))
+        return "\n".join(_fish(parsers))
     head = ["autoload -U +X bashcompinit && bashcompinit"] if shell == "zsh" else []
     return "\n".join([*head, *_bash(parsers)])
 
 
 def _parser(command: str) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog=command)
-    import_module("asymptotics.cli." + command.replace("-", "_")).configure(parser)
+    module_of(command).configure(parser)
     return parser
 
 
@@ -93,9 +94,9 @@ def _bash(parsers: Mapping[str, argparse.ArgumentParser]) -> Iterator[str]:
     yield "complete -o default -F _asymptotics asymptotics"
 
 
-def _fish(commands: Mapping[str, str], parsers: Mapping[str, argparse.ArgumentParser]) -> Iterator[str]:
-    for name, summary in commands.items():
-        yield f"complete -c asymptotics -f -n __fish_use_subcommand -a {name} -d {_quoted(summary)}"
+def _fish(parsers: Mapping[str, argparse.ArgumentParser]) -> Iterator[str]:
+    for name in parsers:
+        yield f"complete -c asymptotics -f -n __fish_use_subcommand -a {name} -d {_quoted(summary_of(name))}"
     for name, parser in parsers.items():
         where = f"complete -c asymptotics -n '__fish_seen_subcommand_from {name}'"
         if _words(name, parser):

@@ -19,11 +19,11 @@ from typing import Any
 
 from asymptotics.api.damping import MAX_DIGITS, MAX_ORDER, damping
 from asymptotics.api.damping_law import damping_law
+from asymptotics.ask.forces import add_forces, read_law
+from asymptotics.ask.moving import add_physical, read_oscillator
+from asymptotics.ask.rows import asked_besides
 from asymptotics.cli.answer import Answer, add_common, shortened
 from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
-from asymptotics.cli.forces import add_forces, read_law
-from asymptotics.cli.quantities import add_physical, read_oscillator
-from asymptotics.cli.rows import asked_besides
 from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import QUANTITIES
 from asymptotics.errors import InputError

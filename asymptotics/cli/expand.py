@@ -27,11 +27,11 @@ import argparse
 
 import sympy
 
+from asymptotics.ask.forces import GivenTerms, add_forces, read_terms
+from asymptotics.ask.moving import PHYSICAL, add_physical, is_physical, read_oscillator
+from asymptotics.ask.rows import local_strengths, order_of, row_text, rows_csv
 from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
 from asymptotics.cli.files import add_csv, read_files, write_files
-from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
-from asymptotics.cli.quantities import PHYSICAL, add_physical, is_physical, read_oscillator
-from asymptotics.cli.rows import local_strengths, order_of, row_text, rows_csv
 from asymptotics.errors import InputError
 from asymptotics.expansions.equations.build import expand
 from asymptotics.expansions.equations.result import Equations

@@ -88,7 +88,10 @@ def read_points(options: argparse.Namespace) -> int:
 
 
 def write_files(
-    files: dict[str, Path], makers: Makers, options: argparse.Namespace | None = None, command: str = ""
+    files: dict[str, Path],
+    makers: Makers,
+    options: argparse.Namespace | None = None,
+    command: Any = "",
 ) -> list[str]:
     """Make all contents, then write them; a maker gets the kind of its file (csv, or that of the picture).
 
@@ -99,7 +102,7 @@ def write_files(
     contents = {path: makers[argument](_kind(path, argument)) for argument, path in files.items()}
     table = contents.get(files["--csv"]) if "--csv" in files and options is not None else None
     if isinstance(table, str):
-        words = request_words(command, options) if command and options is not None else []
+        words = [] if not command or options is None else request_words(command, options)
         contents[files["--csv"]] = (
             with_words(table, words)
             if words

@@ -20,11 +20,8 @@ from pathlib import Path
 
 import sympy
 
-from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
-from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER
-from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
-from asymptotics.cli.forces import GivenTerms, add_forces, read_terms
-from asymptotics.cli.rows import (
+from asymptotics.ask.forces import GivenTerms, add_forces, read_terms
+from asymptotics.ask.rows import (
     asked_besides,
     deltas_latex,
     local_strengths,
@@ -34,6 +31,9 @@ from asymptotics.cli.rows import (
     rows_latex,
     strengths_given,
 )
+from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds
+from asymptotics.cli.expand import MAX_DIGITS, MAX_ORDER
+from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.symbolic import symbolic_half_swing
 from asymptotics.expansions.normal_form.closed_forms import MAX_SYMBOLIC_ORDER

@@ -6,6 +6,7 @@ for an answer, 1 for a failed check or an undecided computation, 2 for a bad val
 """
 
 import argparse
+import json
 import re
 import sys
 from collections.abc import Mapping, Sequence
@@ -14,32 +15,13 @@ from importlib import import_module
 from types import MappingProxyType
 from typing import Any, NoReturn
 
+from asymptotics.ask.registry import loaded
+from asymptotics.cli.commands import COMMANDS, MODULES, module_of, summary_of
 from asymptotics.cli.common import add_missing
 from asymptotics.cli.gate import typed, words
 from asymptotics.cli.groups import group_options, lacking
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import MAX_ACCEPTED, InputError, LimitError, UndecidedError, printable
-
-COMMANDS = {
-    "compare": "your own values beside certified ones: right digits, and what the errors look like",
-    "damping": "zeta, Q, decrement, energy loss, c_eq and half-life of a law at amplitudes",
-    "derive": "the derivations, each displayed step asserted",
-    "envelope": "the first-order envelope and phase: formula, certified numbers, curve",
-    "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
-    "half-swing": "the map from one turning point to the next, its duration and its flow, as series",
-    "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
-    "limit-cycle": "limit cycles: amplitude, frequency, multiplier in powers of mu; certified at a number",
-    "moment": "the averages of |sin|^p",
-    "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
-    "multiple-scales": "the classical derivation, order by order, in text or LaTeX",
-    "papers": "the statements of the three papers with their verdicts: list, look up, search",
-    "solution": "A(t), phi(t), x(t) of any order as functions: formulas, LaTeX, numbers, curve",
-    "smith": "Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly",
-    "stokes": "why the series diverge: the Stokes constants of the half-swing, certified",
-    "sweep": "any of these commands at many points, resumable, from one core to a cluster",
-    "table": "reference tables with provenance",
-    "turning-points": "turning points and times, to any number of certified digits",
-}
 
 
 class Parser(argparse.ArgumentParser):
@@ -89,6 +71,15 @@ class _Version(argparse.Action):
         parser.exit()
 
 
+class _Schema(argparse.Action):
+    """The request of a command as JSON Schema."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *rest: Any) -> NoReturn:
+        """Print it and leave."""
+        parser._print_message(json.dumps(loaded(parser.prog.split()[-1]).schema(), indent=2), sys.stdout)
+        parser.exit()
+
+
 class _Completion(argparse.Action):
     """The script that a shell reads to complete our words."""
 
@@ -124,18 +115,20 @@ def run(argv: list[str] | None = None) -> int:
     # Two parsers: the first reads one word, so that only the module of that command is loaded, and its options are
     # unknown here.
     name = top.parse_args(arguments[: 2 if arguments[0] == "--completion" else 1]).command
-    module = import_module("asymptotics.cli." + name.replace("-", "_"))  # only this command's libraries are loaded
+    module = module_of(name)
     parser = Parser(prog=f"asymptotics {name}", description=module.__doc__, allow_abbrev=False, formatter_class=_Raw)
     module.configure(parser)
     # After the command's own options: what it lacks is declared last, hidden, and grouped with nothing.
-    add_missing(parser, name)
-    group_options(parser)
+    if name in MODULES:
+        add_missing(parser, name)
+        group_options(parser)
+    parser.add_argument("--schema", action=_Schema, nargs=0, help="the request as JSON Schema")
     options = parser.parse_args(arguments[1:])
     try:
         typed(options)
         return _shown(name, module, options)
     except InputError as error:
-        complain(f"asymptotics {name}: {as_option(error, options, _written(parser))}")
+        complain(f"asymptotics {name}: {as_option(error, options, _written(parser), _feeds(module))}")
         return 2
     except ValueError as error:
         # Python's limit on the digits of an int (4300) is met where a fraction is printed: an answer too long to be
@@ -148,6 +141,11 @@ def run(argv: list[str] | None = None) -> int:
     except UndecidedError as error:
         complain(f"asymptotics {name}: undecided: {printable(str(error), MAX_ACCEPTED)}")
         return 1
+
+
+def _feeds(module: Any) -> Mapping[str, tuple[str, ...]]:
+    """The options that may have set a parameter of the library."""
+    return _OPTIONS | module.question.feeds() if hasattr(module, "question") else _OPTIONS
 
 
 def _require_known(top: Parser, name: str) -> None:
@@ -185,7 +183,10 @@ def _written(parser: argparse.ArgumentParser) -> dict[str, str]:
 
 
 def as_option(
-    error: InputError, options: argparse.Namespace, written: Mapping[str, str] = MappingProxyType({})
+    error: InputError,
+    options: argparse.Namespace,
+    written: Mapping[str, str] = MappingProxyType({}),
+    feeds: Mapping[str, tuple[str, ...]] = MappingProxyType({}),
 ) -> InputError:
     """The same error with the library's name of a parameter turned into the option that set it.
 
@@ -197,7 +198,7 @@ def as_option(
     >>> as_option(InputError("table", "is gone", "a file"), argparse.Namespace(table="a"), {"table": "--from"}).argument
     '--from'
     """
-    names = [name.replace("-", "_") for name in _OPTIONS.get(error.argument, (error.argument,))]
+    names = [name.replace("-", "_") for name in (feeds or _OPTIONS).get(error.argument, (error.argument,))]
     # Of several options that feed one parameter the one that was typed is meant; without any, the first that exists.
     given = [name for name in names if getattr(options, name, None) not in (None, False)]
     known = given or [name for name in names if hasattr(options, name)]
@@ -222,7 +223,7 @@ _OPTIONS = {  # a parameter of the library: the options that may have set it
 
 def _description() -> str:
     width = max(map(len, COMMANDS)) + 2
-    lines = [f"  {name:{width}}{summary}" for name, summary in COMMANDS.items()]
+    lines = [f"  {name:{width}}{summary_of(name)}" for name in COMMANDS]
     title = "Certified asymptotics for m x'' + k x + sum b_i x'|x'|^(alpha_i - 1) = 0."
     return "\n".join([title, "", "commands:", *lines, "", "`asymptotics COMMAND --help` explains each."])
 

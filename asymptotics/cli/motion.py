@@ -24,12 +24,12 @@ import argparse
 from typing import Any
 
 from asymptotics.api.motions import Motion, Reference
+from asymptotics.ask.moving import OVERLAY, Given, add_oscillator, overlaid, read_oscillator
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.cli.answer import Answer, add_common, read_digits, read_max_seconds, shortened
 from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, read_points, write_files
 from asymptotics.cli.motion_files import csv_of, reference_is_near
-from asymptotics.cli.quantities import OVERLAY, Given, add_oscillator, overlaid, read_oscillator
 from asymptotics.cut_short import changed
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.expansions.divergence.truncation import BestOrder

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.cli.quantities import Given
+from asymptotics.ask.moving import Given
 from asymptotics.costs import require_affordable
 from asymptotics.cut_short import changed, keeping
 from asymptotics.law import Oscillator

@@ -37,9 +37,9 @@ from asymptotics.api.hierarchy import (
     ordered,
     symbolic_multiple_scales,
 )
+from asymptotics.ask.forces import add_forces, read_terms
+from asymptotics.ask.rows import strengths_given
 from asymptotics.cli.answer import Answer, add_common, add_digits, read_digits
-from asymptotics.cli.forces import add_forces, read_terms
-from asymptotics.cli.rows import strengths_given
 from asymptotics.errors import InputError
 from asymptotics.expansions.multiple_scales.orders import Order
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales

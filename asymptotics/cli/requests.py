@@ -2,9 +2,9 @@
 
 A fixed list of commands, each with a fixed list of options: nothing that reads or writes a file is among them.
 
->>> request_words("stokes", argparse.Namespace(alpha="2", count="2", digits=None, csv="out.csv"))
+>>> request_words(loaded("stokes"), argparse.Namespace(alpha="2", count="2", digits=None, csv="out.csv"))
 ['stokes', '--alpha=2', '--count=2']
->>> request_words("turning-points", argparse.Namespace(alpha="2", spring=None, v0=None))
+>>> request_words("expand", argparse.Namespace(alpha="2", spring=None, v0=None))
 []
 >>> stated_request(["stokes", "--alpha=2", "--count=2"])
 ('stokes', {'alpha': '2', 'count': '2'})
@@ -16,7 +16,9 @@ asymptotics.errors.InputError: argument FILE: its header says '--csv=/etc/motd' 
 
 import argparse
 from collections.abc import Sequence
+from typing import Any
 
+from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.errors import InputError, shown
 from asymptotics.present.inputs import INPUTS, option_words
 
@@ -26,17 +28,17 @@ REQUESTS = {
     "envelope": (*INPUTS, "time", "points", "order", "squaring"),
     "expand": (*INPUTS, "order", "gauge", "exact", "digits"),
     "half-swing": (*INPUTS, "order", "exact", "delta", "digits"),
-    "limit-cycle": (*INPUTS, "order", "mu", "near", "digits"),
     "smith": ("what", "n", "i"),
-    "stokes": ("alpha", "count", "digits"),
-    "turning-points": (*INPUTS, "count", "start", "times", "digits"),
 }
 _PLACED, _FLAGS = "what", ("times", "exact", "squaring")
 _FROM_REST = ("expand", "half-swing", "turning-points")  # the oscillator says it all, beside the linear spring
 
 
-def request_words(command: str, options: argparse.Namespace) -> list[str]:
+def request_words(command: Any, options: argparse.Namespace) -> list[str]:
     """The command and what it was asked for; nothing where the oscillator says enough."""
+    if not isinstance(command, str):  # a question
+        words: list[str] = command.words(options)
+        return words
     given = {name: getattr(options, name, None) for name in REQUESTS[command]}
     special = any(given.get(name) for name in ("spring", "v0", "delta"))
     # The header has the options of the oscillator then (``present.inputs``), which ``compare`` reads as its own.
@@ -49,25 +51,35 @@ def request_words(command: str, options: argparse.Namespace) -> list[str]:
 def stated_request(words: Sequence[str]) -> tuple[str, dict[str, str]]:
     """The command and its options, by name, from the words of a header; InputError, by name, for any other word."""
     command, *rest = words
-    if command not in REQUESTS:
+    if command not in REQUESTS and command not in QUESTIONS:
         raise InputError("FILE", f"its header names no command that is asked again: {shown(command)}", _accepted())
-    known, point = REQUESTS[command], dict[str, str]()
+    known, flags, repeated_ones = _known(command)
+    point = dict[str, str]()
     for word in rest:
         name, equals, value = word.removeprefix("--").partition("=")
         # A header is foreign text: one word without an option's name where the command has a place for it, and
         # otherwise options of the list, flags without and all others with a value.  Anything else is refused.
         if not word.startswith("--") and _PLACED in known and "" not in point:
             point[""] = word
-        elif not word.startswith("--") or name not in known or name == _PLACED or bool(equals) == (name in _FLAGS):
+        elif not word.startswith("--") or name not in known or name == _PLACED or bool(equals) == (name in flags):
             accepted = ", ".join(f"--{each}" for each in known if each != _PLACED)
             raise InputError("FILE", f"its header says {shown(word)} of {command}, which is not asked again", accepted)
         else:
             # A mapping has each key once: repeated options are numbered, law.1, law.2, as the axes of a sweep are.
             repeated = sum(key.partition(".")[0] == name for key in point)
-            if repeated and name not in ("law", "spring"):
+            if repeated and name not in repeated_ones:
                 raise InputError("FILE", f"its header says --{name} twice", "each option once")
-            point[f"{name}.{repeated + 1}" if name in ("law", "spring") else name] = value
+            point[f"{name}.{repeated + 1}" if name in repeated_ones else name] = value
     return command, point
+
+
+def _known(command: str) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
+    """The options of a command that a header may have, those without a value, and those that may be repeated."""
+    if command in REQUESTS:
+        return REQUESTS[command], _FLAGS, ("law", "spring")
+    options = [o for a in loaded(command).asked for o in a.options]
+    names = tuple(_PLACED if o.place else o.name for o in options)
+    return names, tuple(o.name for o in options if not o.letter), tuple(o.name for o in options if o.repeated)
 
 
 def _accepted() -> str:

@@ -11,11 +11,11 @@ import re
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from functools import lru_cache, partial
-from importlib import import_module
 from pathlib import Path
 from typing import Any, NoReturn
 
 from asymptotics.cli.answer import read_max_seconds
+from asymptotics.cli.commands import module_of
 from asymptotics.errors import InputError, UndecidedError, require_choice
 from asymptotics.numbers.context import alone
 from asymptotics.numbers.exact import parse_real
@@ -45,7 +45,7 @@ class _Parser(argparse.ArgumentParser):
 @lru_cache
 def _command(name: str) -> tuple[Any, argparse.ArgumentParser, dict[str, argparse.Action]]:
     """The module of a command, its parser, and its options by name."""
-    module = import_module("asymptotics.cli." + name.replace("-", "_"))  # only this command's libraries are loaded
+    module = module_of(name)
     parser = _Parser(prog=name, allow_abbrev=False, add_help=False)
     module.configure(parser)
     actions = {flag[2:]: action for flag, action in parser._option_string_actions.items() if flag.startswith("--")}
@@ -83,13 +83,21 @@ def takes_no_value(command: str, name: str) -> bool:
     return action.nargs == 0
 
 
+def takes_words(command: str, name: str) -> bool:
+    """Whether the values of an option are words."""
+    asked = getattr(_command(command)[0], "question", None)
+    if asked is None:
+        return name in _NAMED
+    return any(a.kind.words and o.name == name for a in asked.asked for o in a.options)
+
+
 def _axis(command: str, name: str, text: str) -> tuple[str, ...]:
     if name and takes_no_value(command, name):
         return ("",)
     # The colon of a force is not that of a range: the powers are cut off first.
     if name in ("law", "spring"):
         return _forces(command, name, text)
-    if name in ("", *_NAMED) or text == "symbolic":
+    if name == "" or takes_words(command, name) or text == "symbolic":
         words = tuple(text.split(","))
         for word in words:
             if not _WORD.match(word):

@@ -12,9 +12,9 @@ zero), up (away from zero), floor, ceil, interval (both ends).  Every file carri
 import argparse
 from pathlib import Path
 
+from asymptotics.ask.forces import read_law
 from asymptotics.cli.answer import Answer, add_common, read_digits, shortened
 from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
-from asymptotics.cli.forces import read_law
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.numbers.rounding import MODES, require_mode

@@ -29,6 +29,7 @@ from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_rational, par
 Number = str | int | float | Fraction | Decimal | ExactReal | sympy.Expr | numbers.Integral
 # Eleven days: nothing rests on it.
 _MAX_SECONDS = 10**6
+_TOO_LONG = 10**40  # to be told in a message of one line
 _MAX_DIGITS = 1000  # as for text: reading a number must not exhaust the machine
 _TOO_LARGE = 10**_MAX_DIGITS
 
@@ -103,11 +104,13 @@ def exact_integer(value: Any, argument: str, low: int, high: int) -> int:
     try:
         number = exact_number(value, argument)
     except InputError as error:
-        raise InputError(argument, error.reason, accepted) from None
+        raise InputError(argument, error.reason.replace("an exact number", "an integer"), accepted) from None
     if not number.is_integer:
-        raise InputError(argument, f"{number} is not an integer", accepted)
+        written = shown(value) if isinstance(value, str) else str(number)
+        raise InputError(argument, f"{written} is not an integer", accepted)
     if not low <= number <= high:
-        raise InputError(argument, f"{number} is out of range", accepted)
+        told = str(number) if abs(number) < _TOO_LONG else f"an integer of {len(str(abs(number)))} digits"
+        raise InputError(argument, f"{told} is out of range", accepted)
     return int(number.rational)
 
 

@@ -1,7 +1,7 @@
 """The options that all commands share: each command has one or says why not, and the docs have the same table."""
 
+import argparse
 import csv
-import importlib
 import json
 import subprocess
 import sys
@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from asymptotics.cli.common import COMMON, MISSING, missing
+from asymptotics.cli.commands import module_of
+from asymptotics.cli.common import COMMON, lacks, missing
 from asymptotics.cli.main import COMMANDS, Parser, main
 from asymptotics.made_by import mark
 
@@ -18,19 +19,19 @@ PAGE = Path(__file__).parents[2] / "docs/command_line.md"
 
 
 def options_of(command: str) -> set[str]:
-    module = importlib.import_module("asymptotics.cli." + command.replace("-", "_"))
+    module = module_of(command)
     parser = Parser(prog=command)
     module.configure(parser)
-    return {flag[2:] for flag in parser._option_string_actions}
+    return {o[2:] for a in parser._actions if a.help != argparse.SUPPRESS for o in a.option_strings}
 
 
 @pytest.mark.parametrize("command", sorted(COMMANDS))
 def test_each_common_option_is_there_or_says_why_not(command, capsys):
     has = options_of(command) & set(COMMON)
-    assert has | set(MISSING.get(command, {})) == set(COMMON)
-    assert not has & set(MISSING.get(command, {}))
+    assert has | set(lacks(command)) == set(COMMON)
+    assert not has & set(lacks(command))
     assert {"json", "quiet"} <= has
-    for option in MISSING.get(command, {}):
+    for option in lacks(command):
         assert main([command, f"--{option}"]) == 2
         out, err = capsys.readouterr()
         assert (out, err.count("\n")) == ("", 1)
@@ -40,7 +41,7 @@ def test_each_common_option_is_there_or_says_why_not(command, capsys):
 def test_the_docs_have_the_table_and_the_reasons():
     page = PAGE.read_text(encoding="utf-8")
     for command in COMMANDS:
-        absent = MISSING.get(command, {})
+        absent = lacks(command)
         row = " | ".join("–" if option in absent else "yes" for option in SHOWN)
         assert f"| `{command}` | {row} |" in page, command
         for reason in absent.values():
@@ -105,13 +106,13 @@ CORE = """
 import sys
 sys.modules.update(dict.fromkeys(("matplotlib", "cycler", "pandas", "pyarrow", "iminuit"), None))  # extras
 from asymptotics.cli.main import COMMANDS, main
-from importlib import import_module
 codes = [main(line.split()) for line in (
     "envelope --alpha 3/2 --epsilon 1/10 --time 3 --digits 5", "turning-points --alpha 2 --epsilon 1 --count 2",
     "expand --alpha 3/2 --order 2 --digits 5")]
 assert codes == [0] * 3 and not [name for name in sys.modules if name.startswith("scipy")]
+from asymptotics.cli.commands import module_of
 for name in COMMANDS:
-    import_module("asymptotics.cli." + name.replace("-", "_"))
+    module_of(name)
 sys.exit(main(["turning-points", *"--alpha 2 --epsilon 1 --count 2 --plot".split(), sys.argv[1]]))
 """
 

@@ -3,17 +3,17 @@
 import argparse
 import shutil
 import subprocess
-from importlib import import_module
 
 import pytest
 
+from asymptotics.cli.commands import module_of
 from asymptotics.cli.completion import SHELLS
 from asymptotics.cli.main import COMMANDS, main
 
 
 def parser_of(command):
     parser = argparse.ArgumentParser(prog=command)
-    import_module("asymptotics.cli." + command.replace("-", "_")).configure(parser)
+    module_of(command).configure(parser)
     return parser
 
 

@@ -1,16 +1,16 @@
 """Files that are not there are named by their option."""
 
 import argparse
-from importlib import import_module
 
 import pytest
 
+from asymptotics.cli.commands import module_of
 from asymptotics.cli.main import COMMANDS, main
 
 
 def parser_of(command):
     parser = argparse.ArgumentParser(prog=command)
-    import_module("asymptotics.cli." + command.replace("-", "_")).configure(parser)
+    module_of(command).configure(parser)
     return parser
 
 

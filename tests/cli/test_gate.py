@@ -5,12 +5,13 @@ import os
 import random
 import subprocess
 import sys
-from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 from asymptotics.cli import main as module
+from asymptotics.cli.asked import Command
+from asymptotics.cli.commands import module_of
 from asymptotics.cli.gate import typed, words
 from asymptotics.cli.main import COMMANDS, main
 from asymptotics.errors import InputError
@@ -26,7 +27,7 @@ SLOW = set(TOKENS[2:])
 
 def options_of(command):
     parser = argparse.ArgumentParser(add_help=False)
-    import_module("asymptotics.cli." + command.replace("-", "_")).configure(parser)
+    module_of(command).configure(parser)
     return {flag: action for flag, action in parser._option_string_actions.items() if flag.startswith("--")}
 
 
@@ -109,10 +110,10 @@ def test_words_that_are_no_text_are_refused(capsys):
 
 
 def test_a_fault_of_the_program_has_an_exit_code_of_its_own(monkeypatch, capsys):
-    def broken(options):
+    def broken(self, options):
         raise ZeroDivisionError("a fault\nof ours \x1b[31m" + "!" * 5000)
 
-    monkeypatch.setattr(import_module("asymptotics.cli.moment"), "run", broken)
+    monkeypatch.setattr(Command, "run", broken)
     monkeypatch.setattr(sys, "argv", ["asymptotics", "moment", "--p", "1\n"])
     monkeypatch.delenv("ASYMPTOTICS_TRACEBACK", raising=False)
     assert main(["moment", "--p", "1"]) == 70
@@ -129,15 +130,15 @@ def test_a_fault_of_the_program_has_an_exit_code_of_its_own(monkeypatch, capsys)
 
 
 def test_memory_that_is_not_there_is_one_line(monkeypatch, capsys):
-    def hungry(options):
+    def hungry(self, options):
         raise MemoryError
 
-    monkeypatch.setattr(import_module("asymptotics.cli.moment"), "run", hungry)
+    monkeypatch.setattr(Command, "run", hungry)
     assert judged(["moment", "--p", "1"], capsys) == 2
 
 
 def test_an_integer_that_is_too_long_for_text_is_refused(monkeypatch, capsys):
-    monkeypatch.setattr(import_module("asymptotics.cli.moment"), "run", lambda options: str(10**5000))
+    monkeypatch.setattr(Command, "run", lambda self, options: str(10**5000))
     assert judged(["moment", "--p", "1"], capsys) == 2
 
 

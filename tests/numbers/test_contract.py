@@ -79,14 +79,14 @@ ORDERS = {
     "api motion": lambda n: asymptotics.motion(AIR, order=n),
     "api multiple_scales": lambda n: asymptotics.multiple_scales(3, order=n),
     "api half_swing": lambda n: asymptotics.half_swing(2, order=n),
-    "api limit_cycle": lambda n: asymptotics.limit_cycle({1: -1, (1, 2): 1}, order=n),
 }
 COUNTS = {
     "turning_points": lambda n: turning_points(LAW, n, 5),
     "api turning_points": lambda n: asymptotics.turning_points(LAW, n),
     "coefficients": coefficients,
 }
-STARTS = {
+STARTS = {  # 0 is one of them
+    "api limit_cycle": lambda n: asymptotics.limit_cycle({1: -1, (1, 2): 1}, order=n),
     "turning_points": lambda n: turning_points(LAW, 1, 5, start=n),
     "api turning_points": lambda n: asymptotics.turning_points(LAW, 1, start=n),
     "generating_function": generating_function,
@@ -118,7 +118,7 @@ INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.turning.energy_primitive", "asymptotics.turning.routes", "asymptotics.turning.result",
     "asymptotics.turning.half_swing",
     "asymptotics.limit_cycles", "asymptotics.bounds", "asymptotics.api.evaluated", "asymptotics.api.started",
-    "asymptotics.expansions.multiple_scales.rates",
+    "asymptotics.expansions.multiple_scales.rates", "asymptotics.curves", "asymptotics.ask.rows",
 }  # fmt: skip
 
 

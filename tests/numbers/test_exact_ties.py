@@ -10,7 +10,7 @@ from numpy import cos, pi, sin, sqrt
 from numpy.polynomial.legendre import leggauss
 
 import asymptotics as asy
-from asymptotics.api.turning_points import turning_points
+from asymptotics.ask.questions.turning_points import turning_points
 from asymptotics.envelopes.first_order import exact_kappa
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.wells.rational_stops import rational_stops

@@ -1,11 +1,9 @@
-"""Turning points of a law (in units of x0) or of an oscillator (in metres and seconds).
+"""Turning points in units: those of an oscillator in metres (a pendulum in rad) and seconds.
 
 >>> osc = Oscillator({2: "1/10"}, mass="3/2", stiffness=30, x0="1/5")
->>> found = turning_points(osc, 3, digits=12, times=True)
+>>> found = turning_points_in_units(osc, 3, digits=12, times=True)
 >>> found.points[1].x, found.points[1].t, found.unit
 ('-0.196506443629', '0.702501924734', 'm')
->>> turning_points({2: 1}, 2, digits=12).points[1].x            # a law alone: units of x0
-'-0.410719686061'
 """
 
 from collections.abc import Callable
@@ -14,25 +12,22 @@ from typing import Any
 
 from flint import arb
 
-from asymptotics.api.units import law_of
 from asymptotics.cut_short import changed
-from asymptotics.errors import InputError, require_flag
-from asymptotics.law import Law, LawLike, Oscillator
+from asymptotics.errors import InputError
+from asymptotics.law import Law, Oscillator
 from asymptotics.motions.coulomb import exact_turning_points
 from asymptotics.motions.state_route import alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, bits_for, decimal_of, decimal_of_ball
 from asymptotics.numbers.digits import ball_of, spread
 from asymptotics.numbers.exact import ExactReal, square_root
-from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.value import Coefficient, number_of
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows, Shown
-from asymptotics.public import public
 from asymptotics.turning import choose
 from asymptotics.turning.result import TurningPoints, draw_sizes
-from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START
+from asymptotics.turning.table import MAX_DIGITS
 
 _SPARE, _DOUBLINGS = 23, 3  # bits: six digits more than are shown, and eight times as many bits at most
 """The unit of length is a factor with an error of its own and may spoil the rounding of a point: six digits more decide
@@ -148,46 +143,31 @@ class OscillatorTurningPoints(Rows, Drawn):
         return rf"\begin{{array}}{{{columns}}} {head} \\ {rows} \end{{array}}"
 
 
-@public
-def turning_points(
-    law: LawLike,
-    count: int = 10,
+def turning_points_in_units(
+    oscillator: Oscillator,
+    count: int,
     *,
     digits: int = 30,
     start: int = 0,
     times: bool = False,
     route: str | None = None,
-    max_seconds: Number = 60,
-) -> TurningPoints | OscillatorTurningPoints:
-    """Turning points n = start ... start + count - 1, as far as they exist.
+) -> OscillatorTurningPoints:
+    """Turning points of an oscillator in m and s: solved without units, and carried back.
 
-    A law or mapping (epsilons) starts at rest and is answered in units of x0 and tau; an oscillator in m and s, and
-    with v0 != 0 its n = 0 is the first turning point after the start, where t counts from.  ``route``: the name
-    of a route to take instead of the cheapest one.  InputError for anti-damping, values out of range and a route that
-    does not serve, LimitError with the estimate, UndecidedError.  ``asymptotics.cut_short.done(error)`` hands over
-    the points that were done when the time was over, or at Ctrl-C.
+    With v0 != 0 n = 0 is the first turning point after the start, where t counts from.  An error that cuts the work
+    short carries the points that were done, in m and s.
     """
-    sizes = (
-        exact_integer(count, "count", 1, MAX_COUNT),
-        exact_integer(digits, "digits", 1, MAX_DIGITS),
-        exact_integer(start, "start", 0, MAX_START),
-    )
-    require_flag(times, "times")
-    # Without units nothing has to be multiplied: the digits of the route are those that are shown.
-    if not isinstance(law, Oscillator):
-        return _computed(law_of(law), *sizes, times, route=route)
     # An oscillator is solved without units, where powers of the velocity have strengths alone, and carried back.
-    count, digits, start = sizes
-    pure, kick = dimensionless(law)
+    pure, kick = dimensionless(oscillator)
 
     def in_si(found: TurningPoints) -> OscillatorTurningPoints | None:
-        points = _in_si(law, found, digits)
-        return None if points is None else OscillatorTurningPoints(law, digits, points, found)
+        points = _in_si(oscillator, found, digits)
+        return None if points is None else OscillatorTurningPoints(oscillator, digits, points, found)
 
     def attempt(bits: int) -> OscillatorTurningPoints | None:
         # Points that were done when the time was over are handed out in m and s, as the result would have been.
         with changed(in_si):
-            found = _computed(pure, count, int(bits / BITS_PER_DIGIT), start, times, route=route, most=_MOST, **kick)
+            found = with_notes(pure, count, int(bits / BITS_PER_DIGIT), start, times, route=route, most=_MOST, **kick)
         return in_si(found)
 
     # The route proves its own digits, so that ``attempt`` passes on bits as a number of digits: what is repeated is the
@@ -196,7 +176,24 @@ def turning_points(
     return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
 
 
-def _computed(law: Law, count: int, digits: int, start: int, times: bool, **rest: Any) -> TurningPoints:
+def without_units(oscillator: Oscillator, count: int, **rest: Any) -> TurningPoints:
+    """From rest at another place than 1, m = k = 1, powers of the velocity alone: as in m and s, but without units."""
+    strengths = ",".join(str(t.strength) for t in oscillator.law.terms)
+
+    def bare(found: OscillatorTurningPoints) -> TurningPoints:
+        inner = found.dimensionless
+        # m = k = 1: seconds are tau, and metres the unit in which the strengths were given.
+        points = tuple(replace(q, x=p.x, tau=p.t) for p, q in zip(found.points, inner.points, strict=True))
+        return replace(inner, epsilon=strengths, digits=found.digits, points=points)
+
+    with changed(bare):
+        found = turning_points_in_units(oscillator, count, **rest)
+    return bare(found)
+
+
+def with_notes(law: Law, count: int, digits: int, start: int, times: bool, **rest: Any) -> TurningPoints:
+    """The points, with the notes of the law; also those that were done when the time was over."""
+
     def noted(found: TurningPoints) -> TurningPoints:
         return replace(found, notes=law.notes)
 

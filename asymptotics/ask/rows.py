@@ -14,7 +14,7 @@ import argparse
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from asymptotics.cli.forces import GivenTerms
+from asymptotics.ask.forces import GivenTerms
 from asymptotics.expansions.normal_form.results import Coefficient, Row
 from asymptotics.expansions.normal_form.show import SHOWN_DIGITS, sum_latex
 from asymptotics.present.inputs import csv_text

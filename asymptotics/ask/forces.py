@@ -36,11 +36,12 @@ _SPRING_FORMS = f"P:C or P,Q:C, such as 3:-1/6 for x^3, or {PENDULUM}"
 class GivenTerms:
     """The terms of a sum, all different, losses before springs, in the order given; ``notes`` says what was merged.
 
-    Strengths that were left out are 1.
+    Strengths that were left out are 1; ``known``: whether all of them were given, and none was merged.
     """
 
     terms: tuple[Term, ...]
     notes: tuple[str, ...] = ()
+    known: bool = False
 
     @property
     def shown(self) -> str | list[str]:
@@ -101,7 +102,12 @@ def read_terms(options: argparse.Namespace) -> GivenTerms:
         else:
             terms.append(t)
     _require_few(len(terms))
-    return GivenTerms(tuple(terms), tuple(dict.fromkeys(notes)))
+    return GivenTerms(tuple(terms), tuple(dict.fromkeys(notes)), not notes and _strengths_given(options))
+
+
+def _strengths_given(options: argparse.Namespace) -> bool:
+    texts = [*(options.law or []), *(getattr(options, "spring", None) or [])]
+    return options.epsilon is not None or bool(texts) and all(":" in text for text in texts)
 
 
 def _require_few(count: int) -> None:

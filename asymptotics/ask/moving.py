@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from asymptotics.cli.forces import add_forces, read_law
+from asymptotics.ask.forces import add_forces, read_law
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
@@ -32,6 +32,19 @@ class Given:
 
     oscillator: Oscillator
     si: bool
+
+    @property
+    def x_unit(self) -> str:
+        """What x counts: m or rad, the start itself (x0), or the length in which the strengths are given."""
+        law, pendulum = self.oscillator.law, any(t.family for t in self.oscillator.law.terms)
+        if self.si:
+            return "rad" if pendulum else "m"
+        if not self.oscillator.v0.is_zero:
+            return "x0"
+        if pendulum:
+            return "rad"
+        # A loss |x|^M and a spring have strengths that belong to a length.
+        return "x0" if law.is_pure and self.oscillator.x0 == 1 else "strengths"
 
     def unit(self, name: str) -> str:
         """The unit of a quantity with a blank before it, or nothing; m is that of x, rad for a pendulum."""

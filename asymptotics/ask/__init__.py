@@ -1,0 +1,1 @@
+"""What can be asked: the kinds of values, the question, what an answer offers; one file a question in ``questions``."""

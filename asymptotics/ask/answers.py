@@ -1,0 +1,97 @@
+"""What an answer offers, declared once: text, JSON, LaTeX, table, picture; what it lacks is refused with the reason.
+
+``Offers`` stands in the declaration of a question.  Each part is a function of the result and of the ``Request``,
+which has the values that were read and the options as they were typed.  A part without a function is what the result
+itself says: ``str``, ``to_dict``, ``latex``, ``to_csv``, ``plot``.
+"""
+
+import argparse
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from asymptotics.ask.kinds import Option
+from asymptotics.present.drawn import KINDS
+from asymptotics.present.figures import DPI, SIZE
+
+MAX_POINTS, DEFAULT_POINTS = 100_000, 1000
+"""A thousand rows draw a smooth curve of some twenty periods; the limit is a refusal."""
+# What every question offers or says why not: the options that mean the same everywhere.
+COMMON = ("csv", "digits", "gauge", "json", "latex", "plot", "points", "quiet")
+FLAGS = ("latex", "json", "quiet")
+
+
+@dataclass(frozen=True)
+class Request:
+    """What was asked in the shell: the values that were read, and the options as they were typed."""
+
+    values: Mapping[str, Any]
+    options: argparse.Namespace
+
+    def __getitem__(self, name: str) -> Any:
+        """A value, by the name of its parameter."""
+        return self.values[name]
+
+    def typed(self, name: str) -> Any:
+        """An option as it was typed; None where it was not given, or there is none."""
+        found = getattr(self.options, name, None)
+        return None if found is False else found
+
+
+Part = Callable[[Any, Request], Any]
+
+
+@dataclass(frozen=True)
+class Offers:
+    """The parts of an answer.
+
+    ``latex``, ``table``, ``picture``: the help of --latex, --csv, --plot, empty where there is none; ``curve``:
+    --points chooses the rows; ``overlay``: the help of --overlay.  ``from_rest``: beside the linear spring the
+    oscillator in the header of a file says the whole request.  ``always_files``: JSON lists the files even where there
+    are none; ``own_latex``: the data say the LaTeX themselves, or never.  ``missing``: (rows done, what is missing)
+    when the work was cut short.  ``lacks``: a common option that means nothing here -> why.
+    """
+
+    latex: str = ""
+    table: str = ""
+    picture: str = ""
+    curve: bool = False
+    overlay: str = ""
+    from_rest: bool = False
+    always_files: bool = False
+    own_latex: bool = False
+    data: Part = lambda found, _: found.to_dict()
+    text: Part = lambda found, _: str(found)
+    as_latex: Part = lambda found, _: found.latex()
+    as_csv: Part = lambda found, _: found.to_csv()
+    drawn: Part = lambda found, _: [found]
+    style: Part = lambda found, _: {}
+    failed: Part = lambda found, _: False
+    missing: Callable[[Any, Request], tuple[int, str]] | None = None
+    lacks: Mapping[str, str] = field(default_factory=dict)
+
+    def options(self) -> tuple[Option, ...]:
+        """The options of the shell that these parts make."""
+        found = []
+        if self.latex:
+            found.append(Option("latex", "", self.latex, "output"))
+        if self.picture:
+            wide, high = SIZE
+            suffixes = f"{', '.join(k[1:].upper() for k in KINDS[:-1])} or {KINDS[-1][1:].upper()}"
+            found += [
+                Option("plot", "FILE", f"{self.picture}: {suffixes}", "output"),
+                Option("size", "WxH", f"the size of the picture in inches (default {wide:g}x{high:g})", "output"),
+                Option("dpi", "DPI", f"its resolution, for PNG (default {DPI})", "output"),
+            ]
+        if self.overlay:
+            found.append(Option("overlay", "LAW", self.overlay, "output", repeated=True))
+        if self.table:
+            found.append(Option("csv", "FILE", f"{self.table}, as a table of columns", "output"))
+        if self.curve:
+            text = f"the table has POINTS + 1 rows (1 to {MAX_POINTS}; default {DEFAULT_POINTS})"
+            found.append(Option("points", "POINTS", text, "output"))
+        return (
+            *found,
+            Option("json", "", "print JSON (numbers are strings, never floats)", "output"),
+            Option("quiet", "", "no progress on stderr", "output"),
+        )

@@ -1,0 +1,128 @@
+"""Kinds of values: how one parameter of a question is read, of a text or of a Python object, and how it is told.
+
+A parameter of a question is annotated with its kind, ``count: Annotated[int, whole(1, 100, "K")]``.  One reader serves
+the shell, Python, the header of a file and the axes of a sweep; its errors name the argument as the asker wrote it.
+
+>>> REAL.read("3/2", "--alpha"), whole(1, 9).read(4.0, "count")
+(ExactReal('3/2'), 4)
+>>> whole(1, 9).read("x", "--count")
+Traceback (most recent call last):
+    ...
+asymptotics.errors.InputError: argument --count: 'x' is not an integer (accepted: an integer from 1 to 9)
+>>> choice("nearest", "down").read("up", "rounding")
+Traceback (most recent call last):
+    ...
+asymptotics.errors.InputError: argument rounding: 'up' is unknown (accepted: nearest, down)
+"""
+
+import argparse
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from asymptotics.errors import InputError, require_choice, require_flag, shown
+from asymptotics.numbers.exact import REAL_FORMS
+from asymptotics.numbers.policy import exact_integer, exact_number, exact_seconds
+
+COMPUTED = "what to compute"
+
+
+@dataclass(frozen=True)
+class Option:
+    """One option of the shell: its name without dashes, the letter of its value (none: a flag), its help.
+
+    ``repeated``: it may be given again, ``several``: it takes one word or more, ``place``: it stands without its name.
+    """
+
+    name: str
+    letter: str
+    help: str
+    group: str = COMPUTED
+    repeated: bool = False
+    several: bool = False
+    place: bool = False
+    needed: bool = False
+    dest: str = ""
+
+    @property
+    def key(self) -> str:
+        """The name under which the parsed value is kept."""
+        return self.dest or self.name.replace("-", "_")
+
+    def add_to(self, parser: Any) -> None:
+        """Declare it; every value stays a text."""
+        more: dict[str, Any] = {"help": self.help}
+        if self.place:
+            count = "+" if self.several and self.needed else "*" if self.several else None if self.needed else "?"
+            parser.add_argument(self.key, metavar=self.letter, nargs=count, **more)
+            return
+        if not self.letter:
+            parser.add_argument(f"--{self.name}", dest=self.key, action="store_true", **more)
+            return
+        more |= {"action": "append"} if self.repeated else {"nargs": "+"} if self.several else {}
+        parser.add_argument(f"--{self.name}", dest=self.key, metavar=self.letter, required=self.needed, **more)
+
+
+@dataclass(frozen=True)
+class Kind:
+    """How a value is read; ``schema`` is what JSON Schema says of it.
+
+    ``option``: what the shell calls it, where that is not the parameter's name.  ``needed``: the shell demands it,
+    though Python has a default.  ``words``: its values are words and no numbers, also on the axes of a sweep.
+    ``options`` and ``assemble``: a kind that several options make (a law, a start); ``feeds`` says which of them may
+    have set a parameter of the library, so that an error can name the one that was typed.
+    """
+
+    letter: str
+    read: Callable[[Any, str], Any]
+    told: str = ""
+    schema: Mapping[str, Any] = field(default_factory=lambda: {"type": "string"})
+    group: str = COMPUTED
+    option: str = ""
+    needed: bool = False
+    words: bool = False
+    place: bool = False
+    several: bool = False
+    default: str = ""
+    options: tuple[Option, ...] = ()
+    assemble: Callable[[argparse.Namespace], Any] | None = None
+    feeds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+
+    def called(self, **changes: Any) -> "Kind":
+        """The same kind under another option, in another group, or needed."""
+        return replace(self, **changes)
+
+
+REAL = Kind("A", exact_number, schema={"type": "string", "description": REAL_FORMS})
+FLAG = Kind("", require_flag, schema={"type": "boolean"})
+SECONDS = Kind(
+    "S", exact_seconds, schema={"type": "string"}, group="limits", option="max-seconds", default="60"
+)  # read where the time begins
+
+
+def whole(low: int, high: int, letter: str = "N") -> Kind:
+    """An integer from ``low`` to ``high``."""
+    schema = {"type": "integer", "minimum": low, "maximum": high}
+    return Kind(letter, lambda value, name: exact_integer(value, name, low, high), f", {low} to {high}", schema)
+
+
+def digits(high: int, default: str = "") -> Kind:
+    """Significant digits; ``default``: what the help says of a default that is no number."""
+    return replace(whole(1, high, "D"), told=f" (1 to {high}", group="output", default=default)
+
+
+def choice(*words: str, letter: str = "NAME") -> Kind:
+    """One of some words."""
+    return Kind(
+        letter, lambda value, name: require_choice(value, name, words), f": {', '.join(words)}",
+        {"enum": list(words)}, words=True,
+    )  # fmt: skip
+
+
+def _text(value: Any, name: str) -> str:
+    if not isinstance(value, str):
+        raise InputError(name, f"{shown(value)} is no text", "a text")
+    return value
+
+
+TEXT = Kind("NAME", _text, words=True)

@@ -1,0 +1,103 @@
+"""The kinds that several options make: terms without strengths, a law, and what moves (a law with units and start).
+
+>>> TERMS.read({3: "1/2"}, "law").names, TERMS.read("3/2", "law").known
+(["x'^3"], False)
+>>> str(MOVES.read({2: "1/10"}, "law").oscillator.law), MOVES.read({2: "1/10"}, "law").si
+("1/10 x'|x'|", False)
+"""
+
+import argparse
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+from asymptotics.api.units import law_of, oscillator_of
+from asymptotics.ask.forces import GivenTerms, read_law, read_terms
+from asymptotics.ask.kinds import Kind, Option
+from asymptotics.ask.moving import QUANTITIES, Given, read_oscillator
+from asymptotics.expansions.equations.given import terms_of
+from asymptotics.law import Law, Oscillator
+from asymptotics.numbers.exact import REAL_FORMS
+
+SYMBOLIC = "symbolic"
+LAW_FEEDS: Mapping[str, tuple[str, ...]] = MappingProxyType({  # a parameter of the library: options that may set it
+    "alpha": ("law", "alpha"), "alphas": ("law", "alpha"), "law": ("law", "alpha"),
+    "b": ("law", "damping", "epsilon"), "epsilon": ("law", "epsilon", "damping"), "spring": ("spring",),
+    "amplitude": ("amplitude", "x0"), "x0": ("x0",), "v0": ("v0",), "mass": ("mass",), "stiffness": ("stiffness",),
+})  # fmt: skip
+
+
+def law_options(
+    meaning: str = "its strength: what delta is at the amplitude A", *, springs: bool = True
+) -> tuple[Option, ...]:
+    """--alpha, --epsilon, --law and (unless there are no ``springs``) --spring."""
+    spring = "a spring c x|x|^(P-1) beside the linear one, repeated; P,Q:C has |x'|^Q as well; pendulum: sin x for x"
+    return (
+        Option("alpha", "A", f"the exponent of the damping law, A >= 0: {REAL_FORMS}", "the law"),
+        Option("epsilon", "E", meaning, "the law"),
+        Option(
+            "law", "A[,M]:E", "one term of a sum, repeated: its exponent and its strength; A,M:E has the factor |x|^M",
+            "the law", repeated=True,
+        ),
+        *([Option("spring", "P[,Q]:C", spring, "the law", repeated=True)] if springs else []),
+    )  # fmt: skip
+
+
+def unit_options() -> tuple[Option, ...]:
+    """--damping, --mass, --stiffness: each of them makes everything SI."""
+    return (
+        Option("damping", "B", "b in N (s/m)^alpha: SI units", "the law"),
+        *(
+            Option(name, letter, f"{text} (default {default}): SI units", "the law")
+            for name, (letter, default, text) in QUANTITIES.items()
+            if name in ("mass", "stiffness")
+        ),
+    )
+
+
+def start_options(*names: str) -> tuple[Option, ...]:
+    """--x0 and --v0."""
+    return tuple(
+        Option(name, letter, f"{text} (default {default})", "the start")
+        for name, (letter, default, text) in QUANTITIES.items()
+        if name in names
+    )
+
+
+def _terms(value: Any, _name: str) -> GivenTerms:
+    terms, _, _, notes = terms_of(value, None)
+    return GivenTerms(terms, notes, known=isinstance(value, Mapping | Law | Oscillator))
+
+
+def _terms_of_options(options: argparse.Namespace) -> GivenTerms | str:
+    return SYMBOLIC if options.alpha == SYMBOLIC else read_terms(options)
+
+
+TERMS = Kind("LAW", _terms, options=law_options(), assemble=_terms_of_options, feeds=LAW_FEEDS, group="the law")
+"""Terms whose strengths may be left out; ``SYMBOLIC`` for a symbol in the place of the exponent."""
+
+
+def law_with_strengths(meaning: str, *, negative: bool = False, springs: bool = True) -> Kind:
+    """A law with its strengths; ``negative``: gains are laws too."""
+    return Kind(
+        "LAW", lambda value, _: law_of(value), options=law_options(meaning, springs=springs), feeds=LAW_FEEDS,
+        assemble=lambda options: read_law(options, "epsilon", negative=negative), group="the law",
+    )  # fmt: skip
+
+
+def _moving(value: Any, _name: str) -> Given:
+    return Given(oscillator_of(value), isinstance(value, Oscillator))
+
+
+def moving(
+    meaning: str = "b omega_0^alpha x0^(alpha-1)/k: no units",
+    *,
+    springs: bool = True,
+    start: tuple[str, ...] = ("x0", "v0"),
+) -> Kind:
+    """What moves, and from where: a law, with units where --damping, --mass or --stiffness is given, and its start."""
+    options = (*law_options(meaning, springs=springs), *unit_options(), *start_options(*start))
+    return Kind("LAW", _moving, options=options, assemble=read_oscillator, feeds=LAW_FEEDS, group="the law")
+
+
+MOVES = moving()

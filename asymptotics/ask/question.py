@@ -1,0 +1,224 @@
+"""A question: a typed function, declared once, from which shell, Python, sweeps, headers and the schema follow.
+
+    @question(Offers(table="k, c_k, d_k"), swept=True)
+    def stokes(alpha: Annotated[Number, REAL], *, count: Annotated[int, whole(1, 9, "K")] = 1, ...) -> StokesConstants:
+        \"\"\"What it is, in a line.  (Then what the page of --help says, examples of the shell among it.)
+
+        Parameters
+        ----------
+        alpha
+            the exponent
+        \"\"\"
+
+The annotations are the kinds of the parameters (``kinds``), the lines under Parameters the help of the options, the
+text before them the page of --help.  What is called is the function itself, its values read by their kinds in the
+order in which they are declared: no value is used that was not read, in the shell and in Python.
+"""
+
+import argparse
+import functools
+import inspect
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, is_dataclass, replace
+from typing import Any, ParamSpec, TypeVar, cast, get_type_hints
+
+from asymptotics.ask.answers import FLAGS, Offers
+from asymptotics.ask.kinds import SECONDS, Kind, Option
+from asymptotics.errors import InputError
+from asymptotics.numbers.policy import float_notes
+from asymptotics.public import public, public_beside_others
+
+P = ParamSpec("P")
+T = TypeVar("T")
+GROUPS = ("the law", "the start", "the data", "what to compute", "output", "limits")
+_PARAMETERS = "Parameters\n----------\n"
+_HELP = re.compile(r"^(\w+)\n((?:    .*\n?)+)", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Asked:
+    """One parameter of a question."""
+
+    name: str
+    kind: Kind
+    default: Any
+    help: str
+
+    @property
+    def required(self) -> bool:
+        """Whether the shell demands it."""
+        return self.default is inspect.Parameter.empty or self.kind.needed
+
+    @property
+    def option(self) -> Option:
+        """The one option of the shell that sets it."""
+        kind, told = self.kind, self.help + self.kind.told
+        default = kind.default or ("" if self.default in (None, False, inspect.Parameter.empty, "") else self.default)
+        if told.count("(") > told.count(")"):
+            told += f"; default {default})" if default != "" else ")"
+        elif default != "" and not kind.needed:
+            told += f" (default {default})"
+        name = kind.option or self.name.replace("_", "-")
+        return Option(
+            name, kind.letter, told, kind.group, several=kind.several, place=kind.place, needed=self.required,
+            dest=self.name,
+        )  # fmt: skip
+
+    @property
+    def options(self) -> tuple[Option, ...]:
+        """All options that set it."""
+        return self.kind.options or (self.option,)
+
+
+@dataclass(frozen=True)
+class Question:
+    """A declared question; ``name`` is that of its command."""
+
+    name: str
+    function: Callable[..., Any]
+    asked: tuple[Asked, ...]
+    offers: Offers
+    page: str
+    swept: bool
+
+    def __getitem__(self, name: str) -> Asked:
+        """A parameter by its name."""
+        return next(a for a in self.asked if a.name == name)
+
+    @property
+    def options(self) -> tuple[Option, ...]:
+        """Every option of the command, in the order of its help."""
+        return tuple(o for a in self.asked for o in a.options) + self.offers.options()
+
+    def add_to(self, parser: argparse.ArgumentParser, refuse: type[argparse.Action] | None = None) -> None:
+        """Declare the options under their headings, then those that mean nothing here, hidden, each with its reason."""
+        options = self.options
+        for option in (o for o in options if o.place):
+            option.add_to(parser)
+        for title in GROUPS:
+            group = parser.add_argument_group(title)
+            for option in (o for o in options if o.group == title and not o.place):
+                option.add_to(group)
+        if refuse is not None:
+            for name, reason in self.offers.lacks.items():
+                count: Any = 0 if name in FLAGS else "?"
+                parser.add_argument(f"--{name}", action=refuse, nargs=count, const=reason, help=argparse.SUPPRESS)
+
+    def read(self, given: Mapping[str, Any], spelled: Callable[[str], str] = str) -> dict[str, Any]:
+        """The values of texts or of objects, by one reader, in the declared order; ``spelled`` names the argument."""
+        made = {}
+        for a in self.asked:
+            value = given.get(a.name, a.default)
+            if a.kind.assemble is not None and isinstance(given.get(OPTIONS), argparse.Namespace):
+                made[a.name] = a.kind.assemble(given[OPTIONS])
+            elif value is inspect.Parameter.empty:
+                raise InputError(spelled(a.name), "is missing", a.help)
+            elif value is a.default:
+                made[a.name] = value
+            else:
+                made[a.name] = a.kind.read(value, spelled(a.name))
+        return made
+
+    def of_options(self, options: argparse.Namespace) -> dict[str, Any]:
+        """The values of parsed options."""
+        known = {a.name: getattr(options, a.name, None) for a in self.asked if not a.kind.options}
+        given = {name: value for name, value in known.items() if value not in (None, False)}
+        return self.read({**given, OPTIONS: options}, lambda name: f"--{self[name].option.name}")
+
+    def words(self, options: argparse.Namespace) -> list[str]:
+        """The request as the header of a file says it: the command, and the options that were given.
+
+        Nothing where the oscillator says it all, which the header has then (``present.inputs``).
+        """
+        special = any(getattr(options, name, None) for name in ("spring", "v0", "delta"))
+        if self.offers.from_rest and not special:
+            return []
+        told = [self.name]
+        for option in (o for a in self.asked for o in a.options if a.kind is not SECONDS):
+            value = getattr(options, option.key, None)
+            each = value if isinstance(value, list) else [] if value is None or value is False else [value]
+            lead = "" if option.place else f"--{option.name}"
+            told += [v if option.place else lead if v is True else f"{lead}={v}" for v in each]
+        return told
+
+    def schema(self) -> dict[str, Any]:
+        """What JSON Schema says of a request."""
+        properties: dict[str, Any] = {}
+        for a in self.asked:
+            for o in a.options:
+                one: Mapping[str, Any] = a.kind.schema if not a.kind.options else {"type": "string"}
+                listed = o.repeated or o.several
+                properties[o.name] = {"description": o.help, **({"type": "array", "items": one} if listed else one)}
+                if not a.kind.options and isinstance(a.default, int | str) and a.default not in ("", False):
+                    properties[o.name]["default"] = a.default if one.get("type") == "integer" else str(a.default)
+        needed = [o.name for a in self.asked for o in a.options if o.needed]
+        return {
+            "$schema": "https://json-schema.org/draft/2020-12/schema", "title": self.name,
+            "description": self.page.partition("\n")[0], "type": "object", "properties": properties,
+            "required": needed, "additionalProperties": False,
+        }  # fmt: skip
+
+    def feeds(self) -> dict[str, tuple[str, ...]]:
+        """A parameter of the library -> the options that may have set it."""
+        own = {a.name: (a.name,) for a in self.asked if not a.kind.options}
+        return own | {name: keys for a in self.asked for name, keys in a.kind.feeds.items()}
+
+
+OPTIONS = "the options of the shell"  # no name of a parameter
+
+
+def question(
+    offers: Offers, *, name: str = "", swept: bool = False, alone: bool = True
+) -> Callable[[Callable[P, T]], Callable[P, T]]:
+    """Declare a question: the public call that reads its values and has its time, with the ``Question`` beside it.
+
+    ``swept``: it answers one set of values with one record.  ``alone``: whether it computes in balls itself.
+    """
+
+    def declared(function: Callable[P, T]) -> Callable[P, T]:
+        made, compute = _question(function, offers, name, swept), cast("Any", function)
+        signature = inspect.signature(function)
+
+        @functools.wraps(function)
+        def ask(*args: Any, **rest: Any) -> Any:
+            bound = signature.bind(*args, **rest)
+            bound.apply_defaults()
+            given = bound.arguments
+            values = made.read(given)
+            rest = {n: v for n, v in given.items() if n not in values}
+            return noted(compute(**values, **rest), _floats(made, given))
+
+        called: Any = ask
+        called.__kwdefaults__ = compute.__kwdefaults__
+        timed: Any = (public if alone else public_beside_others)(called)
+        plain = get_type_hints(function)
+        kept = [p.replace(annotation=plain.get(n, p.annotation)) for n, p in signature.parameters.items()]
+        timed.__signature__ = signature.replace(parameters=kept)
+        timed.__question__ = made
+        return cast("Callable[P, T]", timed)
+
+    return declared
+
+
+def _question(function: Callable[..., Any], offers: Offers, name: str, swept: bool) -> Question:
+    hints, doc = get_type_hints(function, include_extras=True), inspect.getdoc(function) or ""
+    page, _, rest = doc.partition(_PARAMETERS)
+    told = {n: " ".join(text.split()) for n, text in _HELP.findall(rest.partition("\n\n")[0] + "\n")}
+    asked = tuple(
+        Asked(n, hints[n].__metadata__[0], p.default, told.get(n, ""))
+        for n, p in inspect.signature(function).parameters.items()
+        if hasattr(hints.get(n), "__metadata__")
+    )
+    return Question(name or function.__name__.replace("_", "-"), function, asked, offers, page.rstrip(), swept)
+
+
+def _floats(made: Question, given: Mapping[str, Any]) -> tuple[str, ...]:
+    return float_notes(**{a.name: given[a.name] for a in made.asked if not a.kind.options})
+
+
+def noted(found: Any, notes: tuple[str, ...]) -> Any:
+    """The result with the notes of what was read besides its own, where it has any."""
+    if not notes or not is_dataclass(found) or not hasattr(found, "notes"):
+        return found
+    return replace(cast("Any", found), notes=tuple(dict.fromkeys((*notes, *found.notes))))

@@ -1,0 +1,213 @@
+"""Turning points and times, to any number of certified digits."""
+
+from dataclasses import dataclass
+from typing import Annotated, Any, cast
+
+from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.kinds import FLAG, SECONDS, TEXT, digits, whole
+from asymptotics.ask.laws import MOVES
+from asymptotics.ask.moving import Given
+from asymptotics.ask.question import question
+from asymptotics.curves.turning_points import (
+    OscillatorTurningPoints,
+    dimensionless,
+    turning_points_in_units,
+    with_notes,
+    without_units,
+)
+from asymptotics.errors import LimitError
+from asymptotics.law import Law, LawLike, Oscillator
+from asymptotics.numbers.policy import Number
+from asymptotics.present.inputs import csv_text
+from asymptotics.turning import table
+from asymptotics.turning.choose import offers
+from asymptotics.turning.result import TurningPoints
+from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START
+
+Found = TurningPoints | OscillatorTurningPoints
+
+
+@dataclass(frozen=True)
+class Routes:
+    """All routes for a request: name, seconds that it would take (or no), what it serves, and by what."""
+
+    rows: tuple[tuple[str, str, str, str], ...]
+    HEAD = ("name", "seconds", "serves", "by")
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready."""
+        return {"routes": [dict(zip(self.HEAD, row)) for row in self.rows]}
+
+    def __str__(self) -> str:
+        return _columns([("route", *self.HEAD[1:]), *self.rows], str.ljust)
+
+
+def _columns(rows: list[tuple[str, ...]], align: Any) -> str:
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return "\n".join("  ".join(align(cell, width) for cell, width in zip(row, widths)).rstrip() for row in rows)
+
+
+_HEADS = {"x0": "", "rad": "x [rad]", "strengths": "x [units of the strengths]"}
+_ENDS = {
+    "sticks": "sticks there", "creeps": "creeps from there on", "overdamped": "is overdamped",
+    "rotates": "goes over the top and rotates", "escapes": "leaves its well and escapes",
+}  # fmt: skip
+
+
+def _text(found: Any, request: Request) -> str:
+    if not isinstance(found, TurningPoints):
+        return str(found)
+    unit = cast("Given", request["law"]).x_unit
+    rows = [(str(p.n), p.x) + (() if p.tau is None else (p.tau,)) for p in found.points]
+    if _HEADS[unit] and rows:
+        rows.insert(0, ("n", _HEADS[unit], "tau")[: len(rows[0])])
+    lines = [_columns(rows, str.rjust)] if rows else []
+    if found.first is not None:
+        lines.append("turning point 0 has the amplitude {amplitude}, at tau = {tau}".format_map(found.first))
+    if found.ended is not None:
+        last, reason = found.ended["n"], found.ended["reason"]
+        where = f"turning point {last} is the last" if last >= 0 else "there is no turning point"
+        where += " in the well" if reason in ("rotates", "escapes") else ""
+        lines.append(f"ended: {where}: the motion {_ENDS[reason]}")
+    return "\n".join([*lines, f"certified: {str(found.certified).lower()} ({found.method})"])
+
+
+def _data(found: Any, request: Request) -> dict[str, Any]:
+    data: dict[str, Any] = found.to_dict()
+    if isinstance(found, Routes):
+        return data
+    moving = cast("Given", request["law"])
+    return data | {"units": "SI" if moving.si else None, "x_unit": moving.x_unit}
+
+
+def _csv(found: Found, request: Request) -> str:
+    if isinstance(found, OscillatorTurningPoints):
+        return csv_text(["n", f"x [{found.unit}]", "t [s]"], [(p.n, p.x, p.t) for p in found.points])
+    head = _HEADS[cast("Given", request["law"]).x_unit] or "x"
+    return csv_text(["n", head, "tau"], [(p.n, p.x, p.tau) for p in found.points])
+
+
+def _missing(found: Found, request: Request) -> tuple[int, str]:
+    first, last = found.points[-1].n + 1, request["start"] + request["count"] - 1
+    return len(found.points), f"n = {first} ... {last}"
+
+
+@question(
+    Offers(
+        latex="print the table as LaTeX",
+        picture="|x_n| against n",
+        table="n, x and the times",
+        from_rest=True,
+        always_files=True,
+        own_latex=True,
+        data=_data,
+        text=_text,
+        as_latex=lambda found, _: found._formula(),
+        as_csv=_csv,
+        missing=_missing,
+        lacks={"gauge": "what is observed is the same in every gauge", "points": "`--count` says how many"},
+    ),
+    swept=True,
+)
+def turning_points(
+    law: Annotated[LawLike | Oscillator, MOVES],
+    count: Annotated[int, whole(1, MAX_COUNT).called(needed=True)] = 10,
+    *,
+    digits: Annotated[int, digits(MAX_DIGITS)] = 30,
+    start: Annotated[int, whole(0, MAX_START)] = 0,
+    times: Annotated[bool, FLAG] = False,
+    route: Annotated[str | None, TEXT] = None,
+    max_seconds: Annotated[Number, SECONDS] = 60,
+) -> Found:
+    """Turning points x_n (with their sign) and their times, for any alpha >= 0, and sums of laws.
+
+      asymptotics turning-points --alpha 2 --epsilon 1 --count 6 --digits 60 --times
+      asymptotics turning-points --alpha 2 --epsilon 1/3 --count 1 --start 1000000000 --digits 50
+      asymptotics turning-points --law 0:1/20 --law 3/2:1/10 --count 10
+      asymptotics turning-points --law 0:1/50 --law 2:1/10 --count 30 --digits 300 --route help
+      asymptotics turning-points --law 2:1/10 --spring pendulum --x0 2.967 --count 10
+      asymptotics turning-points --alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5 --count 10 --times
+
+    X'' + X + sum_i epsilon_i X'|X'|^(alpha_i-1) = 0 starts from rest at X(0) = 1, which is turning point 0: x is in
+    units of x0, and tau = omega_0 t.  With --damping, --mass or --stiffness (an Oscillator) everything is in SI, x in
+    m, t in s; without them --x0 and --v0 start the same equation elsewhere.  All digits are proved, for any powers of
+    the velocity, whole powers of the place in springs and losses, and the pendulum.  `ended` tells the last turning
+    point there is, and why: sticks, creeps, overdamped, rotates or escapes.
+
+    With --x0 the motion starts at X(0) = x0 (beside a spring: inside the well) and x is not divided by it: it is in the
+    units in which the strengths are given, rad for a pendulum, and point 0 is x0 itself.  A header above the points
+    says so, and `x_unit` in JSON: "x0", "m", "rad" or "strengths".  With --v0 (an oscillator with v0 != 0) n = 0 is
+    the first turning point after the start, where the time counts from, and without units x counts in its amplitude,
+    which is told below.
+
+    The cheapest route is taken; --route NAME takes another one, and --route help lists them with what each would cost.
+
+    Parameters
+    ----------
+    law
+        a law or mapping exponent -> strength (epsilon) from rest, or an oscillator
+    count
+        how many points
+    digits
+        significant digits, correctly rounded
+    start
+        the first point
+    times
+        the times as well
+    route
+        the route to take instead of the cheapest; help lists them
+    max_seconds
+        the time the request may take, in seconds
+
+    Raises
+    ------
+    InputError
+        for anti-damping, values out of range and a route that does not serve
+    LimitError
+        with the estimate; ``asymptotics.cut_short.done(error)`` hands over the points that were done
+    UndecidedError
+        where balls cannot tell how it goes on
+
+    Examples
+    --------
+    >>> turning_points({2: 1}, 2, digits=12).points[1].x                    # a law alone: units of x0
+    '-0.410719686061'
+    >>> found = turning_points(Oscillator({2: "1/10"}, mass="3/2", stiffness=30, x0="1/5"), 2, digits=12, times=True)
+    >>> found.points[1].x, found.points[1].t, found.unit
+    ('-0.196506443629', '0.702501924734', 'm')
+    """
+    moving = cast("Given", law)
+    if route == "help":
+        return cast("Found", _routes(moving, count, digits, start, times))
+    try:
+        return _points(moving, count, digits=digits, start=start, times=times, route=route)
+    except LimitError as error:
+        if error.argument == "time":  # the integrator speaks of its own argument
+            raise LimitError("epsilon", error.reason, "weaker damping") from error
+        raise
+
+
+def _points(moving: Given, count: int, **rest: Any) -> Found:
+    oscillator = moving.oscillator
+    if moving.si:
+        return turning_points_in_units(oscillator, count, **rest)
+    # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths epsilon_i x0^(alpha_i-1),
+    # and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
+    if oscillator.law.is_pure and oscillator.v0.is_zero and oscillator.x0 != 1:
+        return without_units(oscillator, count, **rest)
+    law, kick = _bare(oscillator)
+    return with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick)
+
+
+def _bare(oscillator: Oscillator) -> tuple[Law, dict[str, Any]]:
+    """The law, and the start, of an oscillator whose strengths have no units."""
+    return Law.from_terms(oscillator.law.terms, oscillator.law.notes), {"x0": oscillator.x0, "v0": oscillator.v0}
+
+
+def _routes(moving: Given, count: int, digits: int, start: int, times: bool) -> Routes:
+    """All routes, and what each would cost for this request; none is taken."""
+    # As it is computed: from 1, with strengths epsilon_i x0^(alpha_i-1), unless springs or a speed forbid it.
+    pure = moving.oscillator.law.is_pure and moving.oscillator.v0.is_zero
+    law, kick = dimensionless(moving.oscillator) if moving.si or pure else _bare(moving.oscillator)
+    offered = offers(table.Request.read(law, count, digits, start=start, times=times, **kick))
+    return Routes(tuple((r.name, "no" if s is None else f"{s:.2g}", r.domain, r.way) for r, s in offered))

@@ -1,0 +1,68 @@
+"""A question as a command of the shell: its options declared, its answer made of the parts that it offers."""
+
+import argparse
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.question import Question
+from asymptotics.cli.answer import Answer, shortened
+from asymptotics.cli.common import Refuse
+from asymptotics.cli.files import Makers, picture_maker, read_files, write_files
+
+
+@dataclass(frozen=True)
+class Command:
+    """What the shell asks of a command: ``configure``, ``run`` and ``cut_short``."""
+
+    question: Question
+
+    @property
+    def __doc__(self) -> str:  # type: ignore[override]
+        return self.question.page
+
+    def configure(self, parser: argparse.ArgumentParser) -> None:
+        """Declare the options."""
+        self.question.add_to(parser, Refuse)
+
+    def run(self, options: argparse.Namespace) -> Answer:
+        """Read the request, refuse its files before the work, compute, write the files and tell the answer."""
+        files = read_files(options)
+        request = Request(self.question.of_options(options), options)
+        return self._shown(request, files, self.question.function(**request.values))
+
+    def cut_short(self, options: argparse.Namespace, found: Any) -> Answer | None:
+        """The same with the rows that were done when the time was over."""
+        if self.question.offers.missing is None:
+            return None
+        request = Request(self.question.of_options(options), options)
+        done, missing = self.question.offers.missing(found, request)
+        return shortened(self._shown(request, read_files(options), found), done, missing)
+
+    def _shown(self, request: Request, files: dict[str, Path], found: Any) -> Answer:
+        offers, options = self.question.offers, request.options
+        makers: Makers = {"--csv": lambda _: offers.as_csv(found, request)}
+        if offers.picture:
+            style = offers.style(found, request)
+            makers["--plot"] = picture_maker(options, lambda: offers.drawn(found, request), **style)
+        written = write_files(files, makers, options, self.question)
+        latex = offers.as_latex(found, request) if offers.latex and options.latex else ""
+        data = _data(offers, found, request, latex, written)
+        text = latex if offers.latex and options.latex else offers.text(found, request)
+        shown = [text] if _alone(offers, options) else [text, *written]
+        return Answer(data, "\n".join(shown), options.json, bool(offers.failed(found, request)))
+
+
+def _alone(offers: Offers, options: argparse.Namespace) -> bool:
+    """LaTeX stands alone, unless the files are part of every answer."""
+    return bool(offers.latex) and options.latex and not offers.always_files
+
+
+def _data(offers: Offers, found: Any, request: Request, latex: str, written: list[str]) -> dict[str, Any]:
+    data = dict(offers.data(found, request))
+    if latex and not offers.own_latex:
+        data["latex"] = latex
+    if written or offers.always_files:
+        data["files"] = written
+    return data

@@ -1,0 +1,36 @@
+"""The commands: the questions, and the modules that are no question (yet); only what is asked for is loaded."""
+
+from importlib import import_module
+from typing import Any
+
+from asymptotics.ask.registry import QUESTIONS, loaded, summary
+
+MODULES = {
+    "compare": "your own values beside certified ones: right digits, and what the errors look like",
+    "damping": "zeta, Q, decrement, energy loss, c_eq and half-life of a law at amplitudes",
+    "derive": "the derivations, each displayed step asserted",
+    "envelope": "the first-order envelope and phase: formula, certified numbers, curve",
+    "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
+    "half-swing": "the map from one turning point to the next, its duration and its flow, as series",
+    "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
+    "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
+    "multiple-scales": "the classical derivation, order by order, in text or LaTeX",
+    "papers": "the statements of the three papers with their verdicts: list, look up, search",
+    "solution": "A(t), phi(t), x(t) of any order as functions: formulas, LaTeX, numbers, curve",
+    "smith": "Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly",
+    "sweep": "any of these commands at many points, resumable, from one core to a cluster",
+    "table": "reference tables with provenance",
+}
+COMMANDS = tuple(sorted((*MODULES, *QUESTIONS)))
+
+
+def module_of(name: str) -> Any:
+    """What serves a command: its question as a command, or its module."""
+    if name in QUESTIONS:
+        return import_module("asymptotics.cli.asked").Command(loaded(name))
+    return import_module("asymptotics.cli." + name.replace("-", "_"))
+
+
+def summary_of(name: str) -> str:
+    """What a command is for, in a line."""
+    return MODULES.get(name) or summary(name)
