@@ -27,12 +27,12 @@ if TYPE_CHECKING:
     from asymptotics.api.files import compare, derive
     from asymptotics.api.hierarchy import any_start, map_of_gauges, multiple_scales
     from asymptotics.api.lookups import C, G, f, table, table_names
-    from asymptotics.api.maps import half_swing
     from asymptotics.api.motions import Events, Motion, Reference, motion, reference
     from asymptotics.api.pictures import plot
     from asymptotics.api.slow import Envelope, envelope
     from asymptotics.api.solution import solution
     from asymptotics.api.waves import waveforms
+    from asymptotics.ask.questions.half_swing import half_swing
     from asymptotics.ask.questions.limit_cycle import limit_cycle
     from asymptotics.ask.questions.moment import moment
     from asymptotics.ask.questions.stokes import stokes
@@ -67,7 +67,7 @@ _HOMES = {
     "api.hierarchy": ("any_start", "map_of_gauges", "multiple_scales"),
     "api.lookups": ("C", "G", "f", "table", "table_names"),
     "ask.questions.moment": ("moment",),
-    "api.maps": ("half_swing",),
+    "ask.questions.half_swing": ("half_swing",),
     "ask.questions.limit_cycle": ("limit_cycle",),
     "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
     "api.pictures": ("plot",),

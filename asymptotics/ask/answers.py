@@ -49,7 +49,8 @@ class Offers:
     --points chooses the rows; ``overlay``: the help of --overlay.  ``from_rest``: beside the linear spring the
     oscillator in the header of a file says the whole request.  ``always_files``: JSON lists the files even where there
     are none; ``own_latex``: the data say the LaTeX themselves, or never.  ``missing``: (rows done, what is missing)
-    when the work was cut short.  ``lacks``: a common option that means nothing here -> why.
+    when the work was cut short.  ``typed``: refuses
+    options that were typed and would have no effect.  ``lacks``: a common option that means nothing here -> why.
     """
 
     latex: str = ""
@@ -66,6 +67,7 @@ class Offers:
     as_csv: Part = lambda found, _: found.to_csv()
     drawn: Part = lambda found, _: [found]
     style: Part = lambda found, _: {}
+    typed: Callable[[Request], None] = lambda _: None
     failed: Part = lambda found, _: False
     missing: Callable[[Any, Request], tuple[int, str]] | None = None
     lacks: Mapping[str, str] = field(default_factory=dict)

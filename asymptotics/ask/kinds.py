@@ -69,12 +69,13 @@ class Kind:
 
     ``option``: what the shell calls it, where that is not the parameter's name.  ``needed``: the shell demands it,
     though Python has a default.  ``words``: its values are words and no numbers, also on the axes of a sweep.
+    ``beside``: other parameters of the Python call that its reader takes, such as the springs of a law.
     ``options`` and ``assemble``: a kind that several options make (a law, a start); ``feeds`` says which of them may
     have set a parameter of the library, so that an error can name the one that was typed.
     """
 
     letter: str
-    read: Callable[[Any, str], Any]
+    read: Callable[..., Any]
     told: str = ""
     schema: Mapping[str, Any] = field(default_factory=lambda: {"type": "string"})
     group: str = COMPUTED
@@ -84,6 +85,7 @@ class Kind:
     place: bool = False
     several: bool = False
     default: str = ""
+    beside: tuple[str, ...] = ()
     options: tuple[Option, ...] = ()
     assemble: Callable[[argparse.Namespace], Any] | None = None
     feeds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -95,6 +97,15 @@ class Kind:
 
 REAL = Kind("A", exact_number, schema={"type": "string", "description": REAL_FORMS})
 FLAG = Kind("", require_flag, schema={"type": "boolean"})
+
+
+def _reals(value: Any, name: str) -> tuple[Any, ...]:
+    given = value.split(",") if isinstance(value, str) else value if isinstance(value, list | tuple) else [value]
+    return tuple(exact_number(part, name) for part in given)
+
+
+REALS = Kind("D", _reals, schema={"type": "string", "description": f"one or several, with commas: {REAL_FORMS}"})
+"""A number, or several: a list, or a text with commas."""
 SECONDS = Kind(
     "S", exact_seconds, schema={"type": "string"}, group="limits", option="max-seconds", default="60"
 )  # read where the time begins

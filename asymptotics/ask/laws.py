@@ -64,9 +64,11 @@ def start_options(*names: str) -> tuple[Option, ...]:
     )
 
 
-def _terms(value: Any, _name: str) -> GivenTerms:
-    terms, _, _, notes = terms_of(value, None)
-    return GivenTerms(terms, notes, known=isinstance(value, Mapping | Law | Oscillator))
+def _terms(value: Any, _name: str, spring: Any = None) -> GivenTerms | str:
+    if isinstance(value, str) and value.strip() == SYMBOLIC and spring is None:
+        return SYMBOLIC
+    terms, strengths, _, notes = terms_of(value, spring)
+    return GivenTerms(terms, notes, known=strengths is not None)
 
 
 def _terms_of_options(options: argparse.Namespace) -> GivenTerms | str:
@@ -77,10 +79,14 @@ TERMS = Kind("LAW", _terms, options=law_options(), assemble=_terms_of_options, f
 """Terms whose strengths may be left out; ``SYMBOLIC`` for a symbol in the place of the exponent."""
 
 
+def _law(value: Any, _name: str, spring: Any = None) -> Law:
+    return law_of(value) if spring is None else Law(law_of(value), spring)
+
+
 def law_with_strengths(meaning: str, *, negative: bool = False, springs: bool = True) -> Kind:
     """A law with its strengths; ``negative``: gains are laws too."""
     return Kind(
-        "LAW", lambda value, _: law_of(value), options=law_options(meaning, springs=springs), feeds=LAW_FEEDS,
+        "LAW", _law, beside=("spring",), options=law_options(meaning, springs=springs), feeds=LAW_FEEDS,
         assemble=lambda options: read_law(options, "epsilon", negative=negative), group="the law",
     )  # fmt: skip
 

@@ -117,7 +117,8 @@ class Question:
             elif value is a.default:
                 made[a.name] = value
             else:
-                made[a.name] = a.kind.read(value, spelled(a.name))
+                beside = {name: given[name] for name in a.kind.beside if name in given}
+                made[a.name] = a.kind.read(value, spelled(a.name), **beside)
         return made
 
     def of_options(self, options: argparse.Namespace) -> dict[str, Any]:
@@ -214,7 +215,9 @@ def _question(function: Callable[..., Any], offers: Offers, name: str, swept: bo
 
 
 def _floats(made: Question, given: Mapping[str, Any]) -> tuple[str, ...]:
-    return float_notes(**{a.name: given[a.name] for a in made.asked if not a.kind.options})
+    values = {a.name: given[a.name] for a in made.asked if not a.kind.options}
+    several = {name: v if isinstance(v, list | tuple) else [v] for name, v in values.items()}
+    return tuple(note for name, each in several.items() for v in each for note in float_notes(**{name: v}))
 
 
 def noted(found: Any, notes: tuple[str, ...]) -> Any:

@@ -21,7 +21,7 @@ from asymptotics.present.inputs import csv_text
 
 __all__ = [
     "Coefficient", "deltas_latex", "local_strengths", "order_of", "row_text", "rows_csv", "rows_latex",
-    "strengths_given", "asked_besides",
+    "asked_besides",
 ]  # fmt: skip
 
 
@@ -62,17 +62,9 @@ def order_of(given: GivenTerms) -> list[str]:
     return [] if plain else [f"indices count {'; '.join(names)}"]
 
 
-def strengths_given(given: GivenTerms, options: argparse.Namespace) -> bool:
-    """Whether every force came with its strength, and none was merged."""
-    texts = [*(options.law or []), *(options.spring or [])]
-    # Strengths left out are read as 1, and merged ones have a sum that nobody typed: a letter is shown for both.
-    known = options.epsilon is not None or all(":" in text for text in texts) and bool(texts)
-    return known and not given.notes
-
-
-def local_strengths(given: GivenTerms, options: argparse.Namespace) -> list[tuple[str, str, str]]:
+def local_strengths(given: GivenTerms) -> list[tuple[str, str, str]]:
     """(name, force, value) of each delta = epsilon A^(alpha-1); the letter epsilon where no strength was given."""
-    known, deltas = strengths_given(given, options), []
+    known, deltas = given.known, []
     for i, term in enumerate(given.terms, start=1):
         mark = "" if len(given.terms) == 1 else f"_{i}"
         # A pendulum has no strength of its own: its variable is A^2 in rad^2.

@@ -30,6 +30,7 @@ class Command:
         """Read the request, refuse its files before the work, compute, write the files and tell the answer."""
         files = read_files(options)
         request = Request(self.question.of_options(options), options)
+        self.question.offers.typed(request)
         return self._shown(request, files, self.question.function(**request.values))
 
     def cut_short(self, options: argparse.Namespace, found: Any) -> Answer | None:

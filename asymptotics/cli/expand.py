@@ -182,7 +182,7 @@ def _deltas(found: Equations, given: GivenTerms, options: argparse.Namespace) ->
         marks = [""] if len(given.terms) == 1 else [f"_{i}" for i in range(1, len(given.terms) + 1)]
         texts = found.strengths.texts()
         return [(f"delta{mark}", t.shape(), text) for mark, t, text in zip(marks, given.terms, texts)]
-    return local_strengths(given, options)
+    return local_strengths(given)
 
 
 def _sum(name: str, row: Row, deltas: list[str]) -> str:

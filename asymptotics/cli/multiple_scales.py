@@ -38,7 +38,6 @@ from asymptotics.api.hierarchy import (
     symbolic_multiple_scales,
 )
 from asymptotics.ask.forces import add_forces, read_terms
-from asymptotics.ask.rows import strengths_given
 from asymptotics.cli.answer import Answer, add_common, add_digits, read_digits
 from asymptotics.errors import InputError
 from asymptotics.expansions.multiple_scales.orders import Order
@@ -130,7 +129,7 @@ def _strengths(options: argparse.Namespace, found: MultipleScales) -> dict[str, 
     if options.symbolic:
         return {} if options.epsilon is None else {"epsilon": str(parse_real(options.epsilon, "--epsilon"))}
     given = read_terms(options)
-    if not strengths_given(given, options):
+    if not given.known:
         return {}
     told: dict[str, str] = {}
     for letter, sign in (("epsilon", -1), ("c", 1)):

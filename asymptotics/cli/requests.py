@@ -27,7 +27,6 @@ REQUESTS = {
     "damping-law": ("A", "zeta", "Q", "decrement", "resolution", "laws", "spring", "mass", "stiffness"),  # --from
     "envelope": (*INPUTS, "time", "points", "order", "squaring"),
     "expand": (*INPUTS, "order", "gauge", "exact", "digits"),
-    "half-swing": (*INPUTS, "order", "exact", "delta", "digits"),
     "smith": ("what", "n", "i"),
 }
 _PLACED, _FLAGS = "what", ("times", "exact", "squaring")

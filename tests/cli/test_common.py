@@ -71,7 +71,7 @@ def test_series_as_latex_and_as_a_table(capsys, tmp_path):
     head, ratio = target.read_text().splitlines()[:2]
     low, high = map(float, ratio.split(",")[2:4])
     assert (head, ratio[:14]) == (
-        "quantity,value,low,high,code [half-swing --alpha=3/2 --order=4 --delta=1/5 --digits=6]",
+        "quantity,value,low,high,code [half-swing --alpha=3/2 --digits=6 --delta=1/5]",
         "A'/A,0.763337,",
     )
     assert low <= 0.7633373962099577 <= high < low + 1e-9

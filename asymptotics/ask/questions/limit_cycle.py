@@ -123,10 +123,9 @@ def limit_cycle(
     >>> limit_cycle({1: -1, (1, 2): 1}, mu=1, spring={3: "1/2"}, digits=12).at.amplitude
     '1.95363409607'
     """
-    # mu multiplies the losses alone, so that springs must not be read as part of what grows with it.
-    made = cast("Law", law) if spring is None else Law(cast("Law", law), spring)
     if near is not None and not exact_number(near, "near") > 0:
         raise InputError("near", f"{near} is not positive", "an amplitude > 0")
     # ``near`` only chooses among cycles that are then proved: a double is enough.
     place = None if near is None else exact_double(near, "near")
-    return of_law(made, order, digits, mu if mu is None else exact_number(mu, "mu"), place)
+    # mu multiplies the losses alone: ``of_law`` does not read springs as part of what grows with it.
+    return of_law(cast("Law", law), order, digits, mu if mu is None else exact_number(mu, "mu"), place)
