@@ -120,7 +120,7 @@ LATE = {  # what a function loads only when it is asked, and why: none of them d
     "asymptotics/cli/commands.py": "what a question needs, where one is asked: a list of commands needs none of it",
     "asymptotics/cli/completion.py": "names of tables and papers, where a shell asks for them",
     "asymptotics/cli/entry.py": "everything, inside the shell that answers interrupts",
-    "asymptotics/cli/expand.py": "NumPy, which expand does not need",
+    "asymptotics/ask/questions/expand.py": "NumPy, which expand does not need",
     "asymptotics/cli/main.py": "SymPy, which --help, --version and --completion do not need",
     "asymptotics/cli/multiple_scales.py": "NumPy and splines, where values of waveforms are asked for",
     "asymptotics/cli/smith.py": "SymPy, which f and c do not need",

@@ -48,7 +48,8 @@ class Offers:
     ``latex``, ``table``, ``picture``: the help of --latex, --csv, --plot, empty where there is none; ``curve``:
     --points chooses the rows; ``overlay``: the help of --overlay.  ``from_rest``: beside the linear spring the
     oscillator in the header of a file says the whole request.  ``always_files``: JSON lists the files even where there
-    are none; ``own_latex``: the data say the LaTeX themselves, or never.  ``missing``: (rows done, what is missing)
+    are none; ``own_latex``: the data say the LaTeX themselves, or never.  ``besides``:
+    text that stands below, LaTeX or not.  ``missing``: (rows done, what is missing)
     when the work was cut short.  ``typed``: refuses
     options that were typed and would have no effect.  ``lacks``: a common option that means nothing here -> why.
     """
@@ -69,6 +70,7 @@ class Offers:
     style: Part = lambda found, _: {}
     typed: Callable[[Request], None] = lambda _: None
     failed: Part = lambda found, _: False
+    besides: Part = lambda found, _: ""
     missing: Callable[[Any, Request], tuple[int, str]] | None = None
     lacks: Mapping[str, str] = field(default_factory=dict)
 

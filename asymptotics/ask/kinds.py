@@ -122,10 +122,16 @@ def digits(high: int, default: str = "") -> Kind:
     return replace(whole(1, high, "D"), told=f" (1 to {high}", group="output", default=default)
 
 
-def choice(*words: str, letter: str = "NAME") -> Kind:
-    """One of some words."""
+def choice(*words: str, letter: str = "NAME", of: str = "") -> Kind:
+    """One of some words; ``of``: what they are, for the message about another one."""
+
+    def read(value: Any, name: str) -> str:
+        if of and isinstance(value, str) and value not in words:
+            raise InputError(name, f"no {of} {value!r}", ", ".join(words))
+        return require_choice(value, name, words)
+
     return Kind(
-        letter, lambda value, name: require_choice(value, name, words), f": {', '.join(words)}",
+        letter, read, f": {', '.join(words)}",
         {"enum": list(words)}, words=True,
     )  # fmt: skip
 

@@ -8,16 +8,18 @@
 
 import argparse
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
 from asymptotics.api.units import law_of, oscillator_of
 from asymptotics.ask.forces import GivenTerms, read_law, read_terms
 from asymptotics.ask.kinds import Kind, Option
-from asymptotics.ask.moving import QUANTITIES, Given, read_oscillator
+from asymptotics.ask.moving import QUANTITIES, Given, is_physical, read_oscillator
 from asymptotics.expansions.equations.given import terms_of
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import REAL_FORMS
+from asymptotics.terms import Term
 
 SYMBOLIC = "symbolic"
 LAW_FEEDS: Mapping[str, tuple[str, ...]] = MappingProxyType({  # a parameter of the library: options that may set it
@@ -77,6 +79,33 @@ def _terms_of_options(options: argparse.Namespace) -> GivenTerms | str:
 
 TERMS = Kind("LAW", _terms, options=law_options(), assemble=_terms_of_options, feeds=LAW_FEEDS, group="the law")
 """Terms whose strengths may be left out; ``SYMBOLIC`` for a symbol in the place of the exponent."""
+
+
+@dataclass(frozen=True)
+class TermsInUnits:
+    """Terms, or ``SYMBOLIC`` with its springs; and the oscillator, where units were given."""
+
+    terms: GivenTerms | str
+    oscillator: Oscillator | None = None
+    springs: tuple[Term, ...] = ()
+
+
+def _in_units(value: Any, name: str, spring: Any = None) -> TermsInUnits:
+    return TermsInUnits(_terms(value, name, spring), value if isinstance(value, Oscillator) else None)
+
+
+def _in_units_of_options(options: argparse.Namespace) -> TermsInUnits:
+    if options.alpha == SYMBOLIC:
+        # The reader of terms would take the word for a number: what is left for it are the springs.
+        rest = argparse.Namespace(**{**vars(options), "alpha": None, "law": None, "epsilon": None})
+        return TermsInUnits(SYMBOLIC, None, read_terms(rest).terms if options.spring else ())
+    return TermsInUnits(read_terms(options), read_oscillator(options).oscillator if is_physical(options) else None)
+
+
+TERMS_IN_UNITS = replace(
+    TERMS, read=_in_units, assemble=_in_units_of_options, options=(*law_options(), *unit_options())
+)
+"""Terms whose strengths may be left out; in SI with --damping, --mass or --stiffness."""
 
 
 def _law(value: Any, _name: str, spring: Any = None) -> Law:

@@ -52,6 +52,7 @@ class Command:
         data = _data(offers, found, request, latex, written)
         text = latex if offers.latex and options.latex else offers.text(found, request)
         shown = [text] if _alone(offers, options) else [text, *written]
+        shown += [more] if (more := offers.besides(found, request)) else []
         return Answer(data, "\n".join(shown), options.json, bool(offers.failed(found, request)))
 
 

@@ -10,7 +10,6 @@ MODULES = {
     "damping": "zeta, Q, decrement, energy loss, c_eq and half-life of a law at amplitudes",
     "derive": "the derivations, each displayed step asserted",
     "envelope": "the first-order envelope and phase: formula, certified numbers, curve",
-    "expand": "the amplitude and phase equations to any order, for any exponent or sum of laws",
     "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
     "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
     "multiple-scales": "the classical derivation, order by order, in text or LaTeX",

@@ -36,7 +36,6 @@ MISSING: dict[str, dict[str, str]] = {
         "gauge": "a derivation says itself which gauge it is in",
     },
     "envelope": {"gauge": "the first order is the same in every gauge; `--order` is in the turning-point gauge"},
-    "expand": {"plot": "equations are no curve; `motion` and `envelope` draw", "points": "there is no curve"},
     "identify": {
         "digits": "intervals carry as many digits as the data decide",
         "gauge": _OBSERVED,
