@@ -123,7 +123,7 @@ LATE = {  # what a function loads only when it is asked, and why: none of them d
     "asymptotics/ask/questions/expand.py": "NumPy, which expand does not need",
     "asymptotics/cli/main.py": "SymPy, which --help, --version and --completion do not need",
     "asymptotics/cli/multiple_scales.py": "NumPy and splines, where values of waveforms are asked for",
-    "asymptotics/cli/smith.py": "SymPy, which f and c do not need",
+    "asymptotics/ask/questions/smith.py": "SymPy, which f and c do not need",
     "asymptotics/cli/standard_tables.py": "everything, inside the shell that answers interrupts",
     "asymptotics/expansions/equations/result.py": "NumPy, which printing does not need",
     "asymptotics/identification/identify.py": "the expansions in balls, most of a second, for printed decrements",
@@ -285,7 +285,9 @@ def test_one_place_for_the_version():
 
 def test_the_command_line_starts_without_heavy_libraries():
     heavy = "{'sympy', 'matplotlib', 'scipy', 'numpy'}"
-    code = f"import sys, asymptotics.cli.main, asymptotics.cli.smith; print(sorted({heavy} & set(sys.modules)))"
+    code = (
+        f"import sys, asymptotics.cli.main, asymptotics.ask.questions.smith; print(sorted({heavy} & set(sys.modules)))"
+    )
     output = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert output.strip() == "[]"
 

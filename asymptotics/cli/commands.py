@@ -15,7 +15,6 @@ MODULES = {
     "multiple-scales": "the classical derivation, order by order, in text or LaTeX",
     "papers": "the statements of the three papers with their verdicts: list, look up, search",
     "solution": "A(t), phi(t), x(t) of any order as functions: formulas, LaTeX, numbers, curve",
-    "smith": "Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly",
     "sweep": "any of these commands at many points, resumable, from one core to a cluster",
     "table": "reference tables with provenance",
 }

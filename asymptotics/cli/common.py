@@ -49,11 +49,6 @@ MISSING: dict[str, dict[str, str]] = {
         "digits": "each statement says how many digits its check has",
         "gauge": "each statement says itself what it is about",
     },
-    "smith": {
-        "gauge": "constants of the motion have no gauge",
-        "plot": "coefficients are no curve",
-        "points": "there is no curve",
-    },
     "solution": {"gauge": "the solution is in the turning-point gauge: A is the turning amplitude"},
     "sweep": {
         **dict.fromkeys(("csv", "latex", "plot"), "`--export FILE.csv`, .json or .parquet writes the points"),

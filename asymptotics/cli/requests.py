@@ -26,7 +26,6 @@ REQUESTS = {
     "damping": (*INPUTS, "amplitudes", "unit", "order", "digits"),
     "damping-law": ("A", "zeta", "Q", "decrement", "resolution", "laws", "spring", "mass", "stiffness"),  # --from
     "envelope": (*INPUTS, "time", "points", "order", "squaring"),
-    "smith": ("what", "n", "i"),
 }
 _PLACED, _FLAGS = "what", ("times", "exact", "squaring")
 _FROM_REST = ("expand", "half-swing", "turning-points")  # the oscillator says it all, beside the linear spring

@@ -4,6 +4,7 @@ Accepted: text (``"3/2"``, ``"0.1"``, ``"sqrt(2)"``), int, Fraction, Decimal, Sy
 NumPy integers, FLINT integers and rationals, ``ExactReal``.  A float is read as its shortest decimal, because 0.1 is
 what was typed and 3602879701896397/2^55 is not; whoever reads one says so in the notes of the result (``float_notes``).
 
+>>> import sympy
 >>> [str(exact_number(x, "alpha")) for x in ("3/2", Decimal("1.5"), 1.5, sympy.Rational(3, 2), Fraction(3, 2), 2)]
 ['3/2', '3/2', '3/2', '3/2', '3/2', '2']
 >>> exact_number(2 * sympy.sqrt(3), "alpha"), float_notes(alpha=0.1, b="0.1")
@@ -16,17 +17,22 @@ asymptotics.errors.InputError: argument alpha: nan is not a finite number (accep
 
 import math
 import numbers
+import sys
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import sympy
 from flint import fmpq, fmpz
 
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_rational, parse_real
 
-Number = str | int | float | Fraction | Decimal | ExactReal | sympy.Expr | numbers.Integral
+if TYPE_CHECKING:
+    import sympy
+
+    Number = str | int | float | Fraction | Decimal | ExactReal | sympy.Expr | numbers.Integral
+else:  # whoever has a SymPy number has loaded SymPy, which takes a quarter of a second
+    Number = str | int | float | Fraction | Decimal | ExactReal | numbers.Integral
 # Eleven days: nothing rests on it.
 _MAX_SECONDS = 10**6
 _TOO_LONG = 10**40  # to be told in a message of one line
@@ -84,7 +90,7 @@ def _read(value: Any, argument: str) -> ExactReal:
         return _sized(Fraction(int(q.p), int(q.q)), argument)
     if isinstance(value, numbers.Rational):  # int, Fraction, SymPy and NumPy integers
         return _sized(Fraction(int(value.numerator), int(value.denominator)), argument)
-    if isinstance(value, sympy.Expr):
+    if "sympy" in sys.modules and isinstance(value, sys.modules["sympy"].Expr):
         return _from_sympy(value, argument)
     if isinstance(value, numbers.Real):  # float, numpy.float64, numpy.float32
         if not math.isfinite(value):
@@ -153,7 +159,7 @@ def _decimal(value: Decimal, argument: str) -> Fraction:
     return Fraction(value)
 
 
-def _from_sympy(value: sympy.Expr, argument: str) -> ExactReal:
+def _from_sympy(value: "sympy.Expr", argument: str) -> ExactReal:
     """A SymPy rational, or a rational times a square root plus a rational."""
     if value.is_Float:
         if not value.is_finite:

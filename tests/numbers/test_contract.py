@@ -119,6 +119,7 @@ INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.turning.half_swing",
     "asymptotics.limit_cycles", "asymptotics.bounds", "asymptotics.api.evaluated", "asymptotics.api.started",
     "asymptotics.expansions.multiple_scales.rates", "asymptotics.curves", "asymptotics.ask.rows",
+    "asymptotics.ask.questions.expand", "asymptotics.ask.questions.smith",
 }  # fmt: skip
 
 
