@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from asymptotics.api.constants import S, T, radii
     from asymptotics.api.damping import damping
     from asymptotics.api.damping_law import damping_law
-    from asymptotics.api.files import compare, derive
+    from asymptotics.api.files import compare
     from asymptotics.api.hierarchy import any_start, map_of_gauges, multiple_scales
     from asymptotics.api.lookups import C, G, f, table, table_names
     from asymptotics.api.motions import Events, Motion, Reference, motion, reference
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from asymptotics.api.slow import Envelope, envelope
     from asymptotics.api.solution import solution
     from asymptotics.api.waves import waveforms
+    from asymptotics.ask.questions.derive import derive
     from asymptotics.ask.questions.half_swing import half_swing
     from asymptotics.ask.questions.limit_cycle import limit_cycle
     from asymptotics.ask.questions.moment import moment
@@ -63,7 +64,8 @@ _HOMES = {
     "api.damping": ("damping",),
     "api.damping_law": ("damping_law",),
     "ask.questions.stokes": ("stokes",),
-    "api.files": ("compare", "derive"),
+    "api.files": ("compare",),
+    "ask.questions.derive": ("derive",),
     "api.hierarchy": ("any_start", "map_of_gauges", "multiple_scales"),
     "api.lookups": ("C", "G", "f", "table", "table_names"),
     "ask.questions.moment": ("moment",),

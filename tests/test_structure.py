@@ -131,8 +131,7 @@ LATE = {  # what a function loads only when it is asked, and why: none of them d
     "asymptotics/return_map/panels.py": "NumPy, where collocation pays",
 }
 PARTS = {  # by name, where they are installed: the commands and functions that show derivations and checks
-    "asymptotics/api/files.py",
-    "asymptotics/cli/derive.py",
+    "asymptotics/ask/questions/derive.py",
     "asymptotics/papers/checked.py",
 }
 

@@ -1,13 +1,10 @@
-"""Data in, verdicts out: one's own values beside certified ones, and the derivations.  Right digits are counted as
+"""One's own values beside certified ones.  Right digits are counted as
 -log10 of the relative error, against values of which every digit is proved.
 
 ``identify`` and ``sweep`` are owned by their rooms (``identification``, ``sweeps``).
 """
 
 from collections.abc import Mapping, Sequence
-from difflib import get_close_matches
-from importlib import import_module
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +15,7 @@ from asymptotics.comparison.tabled import compare_table, series_table
 from asymptotics.errors import InputError, shown
 from asymptotics.law import LawLike, Oscillator
 from asymptotics.numbers.policy import Number, exact_integer
-from asymptotics.public import public, public_beside_others
+from asymptotics.public import public
 
 MAX_DIGITS = 1000
 
@@ -71,24 +68,3 @@ def _source(file: Any) -> Path | Mapping[str, Any]:
         found: dict[str, Any] = file.to_dict("list")
         return found
     raise InputError("file", f"a {type(file).__name__} is no file name", "a path, a mapping of columns, a data frame")
-
-
-@public_beside_others
-def derive(name: str | None = None, *, max_seconds: Number = 60) -> Any:
-    """A derivation by name, run as it is loaded (each displayed step asserted); without a name the list of names.
-
-    InputError where only this package was installed, without the folder ``derivations`` of its wheel.
-
-    >>> derive("abel-petal").title
-    '...'
-    """
-    # Looked for without being imported: each derivation proves itself while it loads, which takes its time.
-    if find_spec("derivations") is None:
-        raise InputError("name", "the derivations are not installed", "all of a wheel: pip install . in a clone")
-    names: list[str] = import_module("derivations.__main__").names()
-    if name is None:
-        return names
-    if not isinstance(name, str) or name not in names:
-        near = get_close_matches(name, names, n=3) if isinstance(name, str) else []
-        raise InputError("name", f"no derivation {shown(name)}", f"such as {', '.join(near or names[:3])}")
-    return import_module("derivations." + name.replace("-", "_")).derivation

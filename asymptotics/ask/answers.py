@@ -43,15 +43,23 @@ Part = Callable[[Any, Request], Any]
 
 @dataclass(frozen=True)
 class Offers:
-    """The parts of an answer.
+    """The parts of an answer; each function takes the result and the ``Request``.
 
-    ``latex``, ``table``, ``picture``: the help of --latex, --csv, --plot, empty where there is none; ``curve``:
-    --points chooses the rows; ``overlay``: the help of --overlay.  ``from_rest``: beside the linear spring the
-    oscillator in the header of a file says the whole request.  ``always_files``: JSON lists the files even where there
-    are none; ``own_latex``: the data say the LaTeX themselves, or never.  ``besides``:
-    text that stands below, LaTeX or not.  ``missing``: (rows done, what is missing)
-    when the work was cut short.  ``typed``: refuses
-    options that were typed and would have no effect.  ``lacks``: a common option that means nothing here -> why.
+    ======================  ==========================================================================================
+    latex, table, picture   the help of --latex, --csv, --plot; empty where there is none
+    curve, overlay          --points chooses the rows; the help of --overlay
+    from_rest               the oscillator in the header of a file says the whole request, beside the linear spring
+    always_files            JSON lists the files even where there are none, and they stand below LaTeX too
+    own_latex               the data say the LaTeX themselves, or never
+    data, text, as_latex,   what is shown; without a function what the result says: to_dict, str, latex, to_csv,
+    as_csv, drawn, style    itself on the axes, with these options
+    besides                 text that stands below, LaTeX or not
+    typed                   refuses options that were typed and would have no effect
+    failed                  whether a check has failed (exit code 1)
+    of_shell                what the shell calls in the place of the function, with its values
+    missing                 (rows done, what is missing) of what was done when the work was cut short
+    lacks                   a common option that means nothing here -> why
+    ======================  ==========================================================================================
     """
 
     latex: str = ""
@@ -71,6 +79,7 @@ class Offers:
     typed: Callable[[Request], None] = lambda _: None
     failed: Part = lambda found, _: False
     besides: Part = lambda found, _: ""
+    of_shell: Callable[..., Any] | None = None
     missing: Callable[[Any, Request], tuple[int, str]] | None = None
     lacks: Mapping[str, str] = field(default_factory=dict)
 

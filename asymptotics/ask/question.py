@@ -125,7 +125,12 @@ class Question:
         """The values of parsed options."""
         known = {a.name: getattr(options, a.name, None) for a in self.asked if not a.kind.options}
         given = {name: value for name, value in known.items() if value not in (None, False)}
-        return self.read({**given, OPTIONS: options}, lambda name: f"--{self[name].option.name}")
+        return self.read({**given, OPTIONS: options}, self.spelled)
+
+    def spelled(self, name: str) -> str:
+        """A parameter as the shell calls it."""
+        option = self[name].option
+        return option.letter if option.place else f"--{option.name}"
 
     def words(self, options: argparse.Namespace) -> list[str]:
         """The request as the header of a file says it: the command, and the options that were given.

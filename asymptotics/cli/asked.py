@@ -31,7 +31,8 @@ class Command:
         files = read_files(options)
         request = Request(self.question.of_options(options), options)
         self.question.offers.typed(request)
-        return self._shown(request, files, self.question.function(**request.values))
+        compute = self.question.offers.of_shell or self.question.function
+        return self._shown(request, files, compute(**request.values))
 
     def cut_short(self, options: argparse.Namespace, found: Any) -> Answer | None:
         """The same with the rows that were done when the time was over."""

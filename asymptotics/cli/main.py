@@ -178,7 +178,7 @@ def _answer(module: Any, options: argparse.Namespace) -> Any:
 
 def _written(parser: argparse.ArgumentParser) -> dict[str, str]:
     """What each option is called on the command line, where that is not the name it is kept under."""
-    called = {a.dest: a.option_strings[-1] for a in parser._actions if a.option_strings}
+    called = {a.dest: a.option_strings[-1] if a.option_strings else str(a.metavar) for a in parser._actions}
     return {dest: option for dest, option in called.items() if option != f"--{dest.replace('_', '-')}"}
 
 
