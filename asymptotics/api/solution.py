@@ -73,7 +73,7 @@ from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.decimals import bits_for
-from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.present.shown import Page
 from asymptotics.public import public
@@ -245,7 +245,7 @@ class Solution(ProvedCurve):
         """x_1, ..., x_(N-1) as numbers: certified at a phase, arrays, integrals by name; InputError for a symbol."""
         if not self.alpha.is_number:
             raise InputError("alpha", "a symbolic exponent has no numbers", "an exponent that is a number")
-        return waveforms(str(self.alpha), order=max(1, self.order - 1))
+        return waveforms(self.alpha, order=max(1, self.order - 1))
 
     def at_time(self, oscillator: Oscillator, time: Number, digits: int) -> SolutionPoint:
         """The same at a time t of an oscillator with this law, in its units: A and x in m, phi in rad."""
@@ -376,7 +376,7 @@ def _slow(scales: MultipleScales, alpha: Expr, order: int, digits: int) -> tuple
     exact = slow_time(alpha, *(Series(row, 1, order).truncate(closed) for row in (p, Omega)))
     if not numbers:
         return expressions(exact)
-    decimals = certified_slow_time(parse_real(str(alpha), "alpha"), order, digits, above=closed - 1)
+    decimals = certified_slow_time(exact_number(alpha, "alpha"), order, digits, above=closed - 1)
     relative, phase = (e + rest for e, rest in zip(expressions(exact), decimals))
     return relative, phase
 

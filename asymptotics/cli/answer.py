@@ -54,8 +54,7 @@ def add_digits(parser: argparse.ArgumentParser, high: int, default: str = f"{DEF
 
 def read_digits(options: argparse.Namespace, high: int) -> int:
     """The value of --digits; InputError outside 1 ... ``high``."""
-    text = str(DEFAULT_DIGITS) if options.digits is None else options.digits
-    return parse_integer(text, "--digits", 1, high)
+    return DEFAULT_DIGITS if options.digits is None else parse_integer(options.digits, "--digits", 1, high)
 
 
 def add_max_seconds(parser: argparse.ArgumentParser) -> None:

@@ -34,7 +34,10 @@ from asymptotics.present.shown import Page, Shown
 _NUMBER = r"[+-]?(?:\d{1,400}(?:\.\d{0,400})?|\.\d{1,400})(?:[eE][+-]?\d{1,3})?(?:/\d{1,400})?"
 _RATIONAL = re.compile(_NUMBER + r"\Z", re.ASCII)
 _PRINTED = re.compile(_NUMBER.replace(r"\d{1,3})?(?:/", r"\d{1,5})?(?:/") + r"\Z", re.ASCII)
-_ROOT = re.compile(rf"(?P<sign>[+-]?)sqrt\((?P<radicand>{_NUMBER})\)\Z", re.ASCII)
+# A root as it is typed, sqrt(2), and as a number with one is written: 2/3*sqrt(2) - 1.
+_ROOT = re.compile(
+    rf"(?P<factor>[+-]?|{_NUMBER}\*)sqrt\((?P<radicand>{_NUMBER})\)(?: (?P<offset>[+-] {_NUMBER[5:]}))?\Z", re.ASCII
+)
 _INTEGER = re.compile(r"[+-]?\d{1,40}\Z", re.ASCII)
 
 # A limit of memory: such a power of a fraction has a hundred thousand times its digits.
@@ -343,14 +346,27 @@ def _fraction(text: str, argument: str, accepted: str, form: re.Pattern[str]) ->
 
 
 def parse_real(text: str, argument: str) -> ExactReal:
-    """Read a rational or ``sqrt(rational)`` exactly; InputError names ``argument`` otherwise."""
+    """Read a rational, ``sqrt(rational)`` or the text of an ``ExactReal`` exactly; InputError names ``argument``.
+
+    >>> x = ExactReal(Fraction(2, 3), 2, -1)
+    >>> str(x), parse_real(str(x), "x") == x
+    ('2/3*sqrt(2) - 1', True)
+    """
     root = _ROOT.match(text.strip()) if len(text) <= 1000 else None
     if not root:
         return ExactReal(parse_rational(text, argument, REAL_FORMS))
-    radicand = parse_rational(root["radicand"], argument, REAL_FORMS)
+    # A sign alone stands for the factor of that sign.
+    factor, radicand, offset = (
+        parse_rational(part, argument, REAL_FORMS)
+        for part in (
+            root["factor"][:-1] if root["factor"].endswith("*") else root["factor"] + "1",
+            root["radicand"],
+            (root["offset"] or "0").replace(" ", ""),
+        )
+    )
     if radicand < 0:
         raise InputError(argument, f"{_shown(text)} is not real", REAL_FORMS)
-    return -square_root(radicand) if root["sign"] == "-" else square_root(radicand)
+    return ExactReal(factor, radicand, offset)
 
 
 def require_integer(value: object, argument: str, low: int, high: int) -> int:
