@@ -45,16 +45,16 @@ from asymptotics.present.shown import Page
 u, a_0 = Symbol("u", positive=True), Symbol("a_0", positive=True)
 
 
-@dataclass(frozen=True, repr=False, eq=False)
+@dataclass(frozen=True, repr=False)
 class ImplicitSolution(ProvedCurve):
     """tau(A) and phi(A) with A in units of the start, through ``order``, and the motion by the numeric inverse."""
 
     order: int
-    scales: MultipleScales
+    scales: MultipleScales = field(hash=False)
     oscillator: Oscillator
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...] = field(default=(), compare=False)
     start: tuple[Expr, Expr] | None = None
-    si: bool = True
+    si: bool = field(default=True, compare=False)
 
     @property
     def loss(self) -> Expr:

@@ -32,6 +32,7 @@ from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.motions.result import MotionPoint, MotionSamples
 from asymptotics.motions.state_route import alone
+from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
@@ -52,7 +53,7 @@ _PER_HALF_SWING = 16
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Events(Rows):
+class Events(Alike, Rows):
     """Times in s up to ``until``: turning points with their x, passages through 0 with their v, and the stop if any.
 
     Doubles, heuristic: found on a grid of 16 points a half-swing and refined by Newton's method.
@@ -89,15 +90,15 @@ class _Sampled(Protocol):
     def sample(self, t: ArrayLike) -> MotionSamples: ...
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, repr=False)
 class Motion(Drawn):
     """The asymptotic motion at ``order`` in ``gauge``: formal, with an error estimate at each time."""
 
     oscillator: Oscillator
     order: int
     gauge: str
-    notes: tuple[str, ...] = field(default=())
-    si: bool = True
+    notes: tuple[str, ...] = field(default=(), compare=False)
+    si: bool = field(default=True, compare=False)
 
     @public
     def at(self, t: Number, *, digits: int | None = None, max_seconds: Number = 60) -> MotionPoint:
@@ -181,14 +182,14 @@ class Motion(Drawn):
         return f"Motion({self.oscillator}, order {self.order}, gauge {self.gauge}, formal)"
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, repr=False)
 class Reference(Drawn):
     """The motion without expansion: exact solutions where there are any, else certified or high-precision steps."""
 
     oscillator: Oscillator
     static: Number | None = None
-    notes: tuple[str, ...] = field(default=())
-    si: bool = True
+    notes: tuple[str, ...] = field(default=(), compare=False)
+    si: bool = field(default=True, compare=False)
 
     @public
     def at(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> MotionPoint:

@@ -93,7 +93,7 @@ Array = Any
 _GUARD = 28
 
 
-@dataclass(frozen=True, repr=False, eq=False)
+@dataclass(frozen=True, repr=False)
 class Solution(ProvedCurve):
     """A(tau), phi(tau), x(tau) of one law through ``order``; ``waves``: x_1, ..., x_(N-1), None if open.
 
@@ -108,11 +108,11 @@ class Solution(ProvedCurve):
     relative: Expr
     slow_phase: Expr
     waves: tuple[Expr | None, ...]
-    scales: MultipleScales
+    scales: MultipleScales = field(hash=False)
     oscillator: Oscillator | None
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...] = field(default=(), compare=False)
     start: tuple[Expr, Expr] | None = None
-    si: bool = True
+    si: bool = field(default=True, compare=False)
 
     @cached_property
     def leading(self) -> tuple[Expr, Expr]:

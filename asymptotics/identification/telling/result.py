@@ -15,6 +15,7 @@ from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.telling.in_words import equivalent, in_words
 from asymptotics.identification.telling.plots import draw_decrements, draw_panels, shown_laws
 from asymptotics.identification.telling.verdicts import Verdict
+from asymptotics.numbers.alike import Alike
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows, plain
 
@@ -49,8 +50,8 @@ class RecordUnits:
         return name, Interval(low, epsilon.estimate * factor, high)
 
 
-@dataclass(frozen=True, repr=False)
-class LawAnswer(Rows):
+@dataclass(frozen=True, repr=False, eq=False)
+class LawAnswer(Alike, Rows):
     """A candidate law for one run, as it is reported."""
 
     law: LawFit
@@ -142,8 +143,8 @@ class LawAnswer(Rows):
         return str(law.candidate), verdict, excess, held, strengths
 
 
-@dataclass(frozen=True, repr=False)
-class Identification(Rows, Drawn):
+@dataclass(frozen=True, repr=False, eq=False)
+class Identification(Alike, Rows, Drawn):
     """The answer for one or several runs.
 
     ``verdict``: one of four, in words; ``laws``: the candidates, best first; ``runs``: the data; ``textbook``: the
