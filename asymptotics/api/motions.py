@@ -19,7 +19,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from asymptotics.api.units import oscillator_of
+from asymptotics.api.units import oscillator_of, require_oscillator
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.budget import seconds_left
@@ -99,6 +99,12 @@ class Motion(Drawn):
     gauge: str
     notes: tuple[str, ...] = field(default=(), compare=False)
     si: bool = field(default=True, compare=False)
+
+    def __post_init__(self) -> None:
+        require_oscillator(self.oscillator)
+        object.__setattr__(self, "order", exact_integer(self.order, "order", 1, MAX_ORDER))
+        # Made once for its refusals; ``_motion`` makes its own when it is first asked.
+        AsymptoticMotion.of(self.oscillator, self.order, self.gauge)
 
     @public
     def at(self, t: Number, *, digits: int | None = None, max_seconds: Number = 60) -> MotionPoint:
@@ -190,6 +196,11 @@ class Reference(Drawn):
     static: Number | None = None
     notes: tuple[str, ...] = field(default=(), compare=False)
     si: bool = field(default=True, compare=False)
+
+    def __post_init__(self) -> None:
+        require_oscillator(self.oscillator).law.require_dissipative("reference motion to rest")
+        static = None if self.static is None else exact_number(self.static, "static")
+        object.__setattr__(self, "static", static)
 
     @public
     def at(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> MotionPoint:
@@ -288,19 +299,14 @@ def motion(law: LawLike, *, order: int = 3, gauge: str = TURNING_POINT, max_seco
     InputError for an unknown gauge, an order out of range, or anti-damping, at once.
     """
     oscillator = oscillator_of(law)
-    N = exact_integer(order, "order", 1, MAX_ORDER)
-    # Made once for its refusals; the motion makes its own when it is first asked.
-    AsymptoticMotion.of(oscillator, N, gauge)
-    return Motion(oscillator, N, gauge, oscillator.notes, isinstance(law, Oscillator))
+    return Motion(oscillator, order, gauge, oscillator.notes, isinstance(law, Oscillator))
 
 
 @public
 def reference(law: LawLike, *, static: Number | None = None, max_seconds: Number = 60) -> Reference:
     """The reference motion of an oscillator (SI) or of a law alone; ``static``: a static friction force in N."""
     oscillator = oscillator_of(law)
-    oscillator.law.require_dissipative("reference motion to rest")
-    force = None if static is None else exact_number(static, "static")
-    return Reference(oscillator, force, oscillator.notes, isinstance(law, Oscillator))
+    return Reference(oscillator, static, oscillator.notes, isinstance(law, Oscillator))
 
 
 def time_of_curve(oscillator: Oscillator, until: Any) -> float:
