@@ -123,7 +123,7 @@ class _Sum(Shown):
     def require_dissipative(self, purpose: str) -> None:
         """InputError by name if a loss is negative (anti-damping): the formal series exist, ``purpose`` does not.
 
-        >>> Law({2: -1}).require_dissipative("a sequence of turning points to rest")
+        >>> Law({2: -1}).require_dissipative("sequence of turning points to rest")
         Traceback (most recent call last):
             ...
         asymptotics.errors.InputError: argument b: -1 is negative: anti-damping has no ... (accepted: b >= 0)

@@ -318,7 +318,8 @@ def parse_printed(text: str, argument: str) -> Fraction:
 def _fraction(text: str, argument: str, accepted: str, form: re.Pattern[str]) -> Fraction:
     stripped = text.strip()
     if len(stripped) > 1000 or not form.match(stripped):
-        raise InputError(argument, f"{_shown(text)} is not an exact number", accepted)
+        comma = ": it has a comma, and decimals have a point" if "," in stripped else ""
+        raise InputError(argument, f"{_shown(text)} is not an exact number{comma}", accepted)
     number, _, denominator = stripped.partition("/")
     if denominator and not int(denominator):
         raise InputError(argument, f"{_shown(text)} has a zero denominator", accepted)
