@@ -305,10 +305,12 @@ def _require_balls(**values: Any) -> None:
 
 
 def _terms(given: Any) -> list[Term]:
-    terms = list(given) if isinstance(given, Iterable) else [given]
-    for t in terms:
+    terms = []
+    # Looked at one by one: what is endless, or longer than the memory, ends at what is no term.
+    for t in given if isinstance(given, Iterable) else [given]:
         if not isinstance(t, Term):
             raise InputError("terms", f"{shown(t)} is no term", "terms")
+        terms.append(t)
     return terms
 
 
