@@ -28,7 +28,7 @@ def test_a_refusal_says_what_is_meant(name):
     assert not re.search(r"did you mean Lambert|no a ", str(caught.value))
 
 
-@pytest.mark.parametrize("command", ["expand", "turning-points", "solution", "envelope"])
+@pytest.mark.parametrize("command", ["expand", "solution", "envelope"])
 def test_help_offers_no_negative_number_where_none_is_accepted(command, capsys):
     assert main([command, "--help"]) == 0
     (said,) = re.findall(r"A >= 0: ([^\n]*(?:\n {10,}[^-\n][^\n]*)*)", capsys.readouterr().out)
