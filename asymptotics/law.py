@@ -123,7 +123,7 @@ class _Sum(Shown):
     def require_dissipative(self, purpose: str) -> None:
         """InputError by name if a loss is negative (anti-damping): the formal series exist, ``purpose`` does not.
 
-        >>> Law({2: -1}).require_dissipative("a sequence of turning points to rest")
+        >>> Law({2: -1}).require_dissipative("sequence of turning points to rest")
         Traceback (most recent call last):
             ...
         asymptotics.errors.InputError: argument b: -1 is negative: anti-damping has no ... (accepted: b >= 0)
@@ -305,10 +305,12 @@ def _require_balls(**values: Any) -> None:
 
 
 def _terms(given: Any) -> list[Term]:
-    terms = list(given) if isinstance(given, Iterable) else [given]
-    for t in terms:
+    terms = []
+    # Looked at one by one: what is endless, or longer than the memory, ends at what is no term.
+    for t in given if isinstance(given, Iterable) else [given]:
         if not isinstance(t, Term):
             raise InputError("terms", f"{shown(t)} is no term", "terms")
+        terms.append(t)
     return terms
 
 

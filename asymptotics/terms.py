@@ -26,8 +26,9 @@ from flint import arb
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import inside
-from asymptotics.numbers.exact import REAL_FORMS, ExactReal, exact_power
+from asymptotics.numbers.exact import REAL_FORMS, ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
+from asymptotics.numbers.powers import exact_power
 from asymptotics.present.shown import Page, Shown
 
 # A limit of size, for exact algebras and integrals grow with the powers; no bound rests on it.

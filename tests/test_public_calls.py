@@ -18,6 +18,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
+from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -25,6 +26,10 @@ import asymptotics as asy
 from asymptotics.errors import MAX_ACCEPTED, MAX_REASON
 
 OSC = asy.Oscillator(asy.Law({"3/2": "1/10"}), mass="3/2", stiffness=30, x0="1/5")
+
+
+DECAY = {"n": list(range(12)), "x": [(-0.9) ** n for n in range(12)]}
+FAR = range(10**18)  # more numbers than there is memory for
 
 
 class Unprintable:
@@ -70,14 +75,16 @@ NO_NUMBERS = {
     "timedelta64": np.timedelta64(1, "s"), "not a time": np.timedelta64("NaT"), "timedelta": timedelta(1),
     "huge exponent": {10**400: 1}, "huge spring": {(10**400, 1): 1}, "lying number": Lying(),
     "function": lambda *_: 0, "type": int, "slice": slice(1),
-    "dots": ..., "range": range(2), "law": asy.Law({2: 1}), "SI law": OSC.law, "oscillator": OSC,
+    "dots": ..., "range": range(2), "far range": FAR,
+    "far view": np.broadcast_to(1.0, 10**18), "law": asy.Law({2: 1}), "SI law": OSC.law, "oscillator": OSC,
     "equations": asy.expand(2, order=1), "coefficient": asy.moment(2),
 }  # fmt: skip
 HOSTILE = NUMBERS | NO_NUMBERS
 FEW = NO_NUMBERS | {name: NUMBERS[name] for name in ("float", "int64", "-1", "big")}
 KINDS = (  # one of each kind, for `make test`; all of them are walked by `make test-thorough`
     "float", "-1", "nan", "None", "True", "1j", "x", "surrogate", "huge", "Decimal huge", "sympy Float", "array",
-    "dict", "nan dict", "unprintable", "mpmath interval", "huge exponent", "lying number", "oscillator", "coefficient",
+    "dict", "nan dict", "unprintable", "far range",
+    "far view", "mpmath interval", "huge exponent", "lying number", "oscillator", "coefficient",
 )  # fmt: skip
 WALKED = pytest.mark.parametrize(
     "kinds", [KINDS, pytest.param(tuple(HOSTILE), marks=pytest.mark.slow)], ids=["few", "all"]
@@ -125,9 +132,15 @@ def public_results():
 
 
 METHODS = {
+    "shape": {"phase": sympy.Symbol("p")}, "begun": {"found": sympy.Symbol("epsilon")},
+    "law": {"text": "1", "name": "1"},
+    "at_time": {"oscillator": OSC, "time": 1, "digits": 8}, "refined": {"digits": 8}, "physical": {"i": 0},
+    "balls": {"psi": [1]}, "integral": {"n": 1}, "uniform_bound": {"until": 2}, "__getitem__": {"place": 0, "key": 1},
+    "period": {"amplitude": 1, "t": 1}, "proved_until": {"within": "1/10"}, "functions": {"strength": "1/10"},
     "number": {"name": "amplitude", "at": 1},
     "best_order": {"delta": 2}, "columns": {"t": [0.0, 1.0]},
-    "__call__": {"A": 0.5, "epsilon": "1/10"}, "amplitude": {"t": 1}, "amplitudes": {"t": [1.0]}, "at": {"t": 1},
+    "__call__": {"A": 0.5, "epsilon": "1/10"}, "amplitude": {"t": 1}, "amplitudes": {"t": [1.0]},
+    "at": {"t": 1, "time": 1, "psi": 1},
     "bound": {"t": 1}, "commutator": {"i": 0, "j": 1}, "compare": {"other": asy.expand("3/2"), "epsilon": "1/10"},
     "delta": {"tau": 1, "delta_0": "1/10"}, "events": {"until": 2}, "extinction_time": {"delta_0": "1/10"},
     "from_terms": {"terms": OSC.law.terms}, "get": {"key": 1},
@@ -135,11 +148,12 @@ METHODS = {
     "phase": {"t": 1, "delta": "1/20", "delta_0": "1/10"}, "phases": {"t": [1.0]},
     "plus": {"other": OSC.law.terms[0]}, "read": {"value": {2: 1}}, "require_pure": {"purpose": "x"},
     "require_dissipative": {"purpose": "x"}, "rhs": {"t": 0.0, "y": [1.0, 0.0]},
-    "sample": {"t": [0.0, 1.0], "A": [0.5]},
+    "sample": {"t": [0.0, 1.0], "times": [0.0, 1.0], "psi": [0.0, 1.0], "A": [0.5]},
     "series": {"order": 3}, "slow": {"eta": "1/50"}, "slow_derivative": {"n": 1, "f": sympy.Symbol("a")},
     "sol": {"t": 1.0}, "time": {"amplitude": "1/10", "delta": "1/20", "delta_0": "1/10"}, "with_law": {"law": {2: 1}},
 }  # fmt: skip
 WORDS = {"purpose", "notes"}  # texts of our own, for messages
+INNER = {"enclosed"}  # of balls
 BALLS = {"delta", "deltas", "to_si", "scaled_at"}
 
 
@@ -199,12 +213,12 @@ def test_methods_of_public_results_answer_or_refuse(kinds):
     few = {kind: FEW[kind] for kind in kinds if kind in FEW}
     failed, walked = [], set()
     for thing in public_results():
-        for name in (n for n in dir(thing) if n == "__call__" or not n.startswith("_")):
+        for name in (n for n in dir(thing) if n in ("__call__", "__getitem__") or not n.startswith("_")):
             try:
                 method = getattr(thing, name)
             except asy.InputError:  # a property that this result does not have
                 continue
-            if not (inspect.isroutine(method) or name == "__call__") or name in {*BALLS, "bound", "noted"}:
+            if not (inspect.isroutine(method) or name == "__call__") or name in {*BALLS, *INNER, "bound", "noted"}:
                 continue
             usual = {k: v for k, v in METHODS.get(name, {}).items() if k in inspect.signature(method).parameters}
             if isinstance(thing, asy.Equations) and thing.oscillator is not None:
@@ -256,6 +270,116 @@ def test_identify_answers_or_refuses(kinds):
             except Exception as error:  # noqa: BLE001
                 failed.append(f"identify({parameter}={label}): {type(error).__name__}: {error}")
     assert failed == []
+
+
+def gated():
+    """(name, method, its usual arguments) of results whose other methods take long, or are walked above."""
+    explicit, implicit = asy.solution({2: "1/10"}), asy.solution({0: "1/50", 2: "1/10"}, order=2)
+    found, times = asy.identify(DECAY, laws=["1"], bootstrap=False), [0.0, 1.0]
+    table = asy.damping_law({"A": [1, 0.9, 0.8], "zeta": [0.01, 0.009, 0.008]}, laws=["1"])
+    given = {"oscillator": asy.Oscillator({2: "1/10"}), "time": 1, "digits": 8}
+    return [
+        ("columns", explicit.columns, {"t": times}), ("sample", explicit.sample, {"times": times}),
+        ("functions", explicit.functions, {"strength": "1/10"}),
+        ("x", lambda tau, strength: explicit.functions()[2](tau, strength), {"tau": 1, "strength": 0.1}),
+        ("shape", explicit.shape, {"phase": sympy.Symbol("p")}),
+        ("at_time", explicit.at_time, given), ("in_units", explicit.in_units, {"units": "SI"}),
+        ("refined", explicit.refined, {"digits": 8}), ("latex", explicit.latex, {"standalone": True}),
+        ("implicit columns", implicit.columns, {"t": times}), ("implicit sample", implicit.sample, {"times": times}),
+        ("implicit at_time", implicit.at_time, given), ("implicit latex", implicit.latex, {"standalone": True}),
+        ("law", found.law, {"text": "1"}), ("table", found.table, {"count": 3}),
+        ("physical", found.best.physical, {"i": 0}),
+        ("damping law", table.law, {"name": "1"}), ("waves", asy.waveforms(2, order=2).sample, {"psi": times}),
+        ("points", asy.turning_points({2: 1}, 2, digits=9).__getitem__, {"place": 0}),
+        ("SI points", asy.turning_points(OSC, 2, digits=9).__getitem__, {"place": 0}),
+    ]  # fmt: skip
+
+
+@WALKED
+def test_the_gate_serves_methods_too(kinds):
+    few = {kind: HOSTILE[kind] for kind in kinds}
+    with np.errstate(all="ignore"):
+        failed = [fault for name, method, usual in gated() for fault in walk(name, method, usual, few)]
+    assert failed == []
+
+
+def test_constructors_of_results_check_what_they_are_given():
+    usual = {
+        asy.Motion: {"oscillator": OSC, "order": 2, "gauge": "turning-point"},
+        asy.Reference: {"oscillator": OSC, "static": None}, asy.Envelope: {"oscillator": OSC, "averaging": "mean"},
+    }  # fmt: skip
+    failed = []
+    for made, arguments in usual.items():
+        for name in arguments:
+            for label, value in HOSTILE.items():
+                try:
+                    refused_or_answered(lambda m=made, a={**arguments, name: value}: m(**a))
+                except Exception as error:  # noqa: BLE001
+                    failed.append(f"{made.__name__}({name}={label}): {type(error).__name__}: {error}")
+    assert failed == []
+
+
+def square(point):
+    return {"y": point["x"]}
+
+
+@pytest.mark.parametrize("name", ["sweep", "sweep_command"])
+def test_sweeps_answer_or_refuse(name, tmp_path):
+    usual = {
+        "sweep": {"task": square, "command": "square", "points": [{"x": "1"}], "folder": tmp_path / "a", "workers": 1},
+        "sweep_command": {"command": "moment", "options": {"p": "1"}, "folder": tmp_path / "b", "workers": 1},
+    }[name]  # fmt: skip
+    failed = []
+    for parameter in {*usual, "progress"} & {*inspect.signature(getattr(asy, name)).parameters}:
+        for label, value in HOSTILE.items():
+            if parameter in ("task", "progress") and callable(value) or parameter == "folder":
+                continue  # what a function does is its own; names of folders are tried elsewhere
+            if parameter == "workers" and label in ("None", "int64", "uint8", "tiny", "-0.0"):
+                continue  # a pool of processes
+            try:
+                refused_or_answered(lambda p=parameter, v=value: getattr(asy, name)(**{**usual, p: v}))
+            except Exception as error:  # noqa: BLE001
+                failed.append(f"{name}({parameter}={label}): {type(error).__name__}: {error!s:.80}")
+    bad = [{"p": math.nan}, {"p": [Unprintable()]}, {1: "2"}, {"p": []}, [{}], [{"p": 10**5000}], [{"p": None}]]
+    for hostile in bad:
+        if name == "sweep_command":
+            refused_or_answered(lambda value=hostile: asy.sweep_command("moment", value, tmp_path / "c", workers=1))
+    assert failed == []
+
+
+def test_balls_are_not_read_as_their_middle():
+    ball = arb(1, 2)
+    for call in (asy.solution({2: "1/10"}).columns, asy.solution({2: "1/10"}).sample, asy.motion({2: "1/10"}).sample,
+                 asy.envelope({2: "1/10"}).columns, asy.waveforms(2, order=2).sample):  # fmt: skip
+        with pytest.raises(asy.InputError, match="arb is not an exact number"):
+            call(ball)
+
+
+def test_points_are_a_sequence():
+    for found in (asy.turning_points({2: 1}, 3, digits=9), asy.turning_points(OSC, 3, digits=9)):
+        assert len(found) == 3 and [*found] == [*found.points] and found[-1] is found.points[2]
+        assert found[1:] == found.points[1:] and found.points[1] in found and bool(found)
+        for bad in (3, -4, "x", None, 1.0):
+            with pytest.raises(asy.InputError, match="argument place"):
+                found[bad]
+
+
+def test_arithmetic_of_coefficients_encloses():
+    quarter, third = asy.Coefficient("0.25000", None), asy.Coefficient("0.33333", None)
+    q, t = Fraction(1, 4), Fraction(1, 3)
+    for found, true in (
+        (quarter + third, q + t), (quarter - third, q - t), (quarter * third, q * t), (quarter / third, q / t),
+        (1 - third, 1 - t), (2 / third, 2 / t), (-third, -t), (third * "3/2", t * Fraction(3, 2)),
+        (third + 0.1, t + q * 2 / 5),
+    ):  # fmt: skip
+        low, high = (mpmath.mpf(end) for end in found._mpi_)
+        with mpmath.workdps(40):
+            value = mpmath.mpf(true.numerator) / true.denominator
+            assert low < value < high and high - low < 1e-3
+            assert not low < value + mpmath.mpf("1e-2") < high  # near miss
+    for bad in (lambda: third / 0, lambda: third * 1j, lambda: third + None, lambda: 1 / asy.Coefficient("0", None)):
+        with pytest.raises(asy.InputError):
+            bad()
 
 
 @settings(max_examples=60, deadline=None)

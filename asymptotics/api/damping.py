@@ -14,6 +14,7 @@ A**(alpha - 1)*epsilon*gamma(alpha/2 + 1)/(sqrt(pi)*gamma(alpha/2 + 3/2))
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import islice
 from typing import Any
 
 from asymptotics.api.units import law_of
@@ -122,13 +123,17 @@ def _amplitudes(given: Any, oscillator: Oscillator) -> tuple[list[ExactReal], tu
     try:
         # A text and an exact number are one amplitude, though a text has a length; an array without dimensions has the
         # method and refuses it, hence the TypeError below.
-        values = [given] if isinstance(given, str | ExactReal) or not hasattr(given, "__len__") else list(given)
+        values = (
+            [given]
+            if isinstance(given, str | ExactReal) or not hasattr(given, "__len__")
+            else [*islice(given, MAX_AMPLITUDES + 1)]
+        )
     except TypeError:
         values = [given]
     if not values:
         raise InputError("amplitudes", "there is none", "a number > 0 or a list of them")
     if len(values) > MAX_AMPLITUDES:
-        raise LimitError("amplitudes", f"{len(values)} are too many", f"at most {MAX_AMPLITUDES}")
+        raise LimitError("amplitudes", "they are too many", f"at most {MAX_AMPLITUDES}")
     numbers = [exact_number(a, "amplitudes") for a in values]
     for a in numbers:
         if not a > 0:

@@ -23,6 +23,7 @@ from asymptotics.envelopes.slow_time import epsilon
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.law import Oscillator
+from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimal_context import workdps
@@ -46,13 +47,14 @@ def functions(s: Any, strength: Any) -> tuple[Function, Function, Function]:
     amplitude, phase = (sympy.lambdify(names, e, "numpy", cse=True) for e in (s.amplitude, s.phase))
 
     def both(times: Any, eps: Any) -> tuple[Any, Any]:
-        times, values = np.asarray(times, dtype=float), begun(eps)
+        times, eps = real_array(times, "tau"), real_array(eps, "epsilon")
+        values = begun(eps)
         # A formula without tau (phi = 0, say) is one number to NumPy: adding 0 times gives it the shape, and keeps NaN.
         return amplitude(times, eps, *values) + 0.0 * times, phase(times, eps, *values) + 0.0 * times
 
     def x(times: Any, eps: Any) -> Any:
         size, lag = both(times, eps)
-        turned = np.asarray(times, dtype=float) + lag
+        turned = real_array(times, "tau") + lag
         # The half-swing and the phase within it, as in ``Solution.x``: (-1)^swings without a power of a negative base.
         swings = np.floor(turned / np.pi)
         sign = 1.0 - 2.0 * np.mod(swings, 2.0)
@@ -164,11 +166,20 @@ def _at(f: Function, strength: float, times: Any) -> Any:
     return f(times, strength)
 
 
+def _one(strength: Any) -> float:
+    """One strength for all times."""
+    found = real_array(strength, "epsilon")
+    if found.ndim:
+        raise InputError("epsilon", f"an array of shape {found.shape} is no strength", "one number")
+    return float(found)
+
+
 def _in_chunks(f: Function) -> Function:
     """The same function, evaluated in pieces that stay in the cache of the processor."""
 
     def chunked(times: Any, *rest: Any) -> Any:
-        flat = np.asarray(times, dtype=float)
+        flat = real_array(times, "tau")
+        rest = tuple(_one(value) for value in rest)
         found = np.empty(flat.size)
         for i in range(0, flat.size, _CHUNK):
             found[i : i + _CHUNK] = f(flat.ravel()[i : i + _CHUNK], *rest)

@@ -22,13 +22,15 @@ import sympy
 from sympy import Expr, Integer, Integral, Symbol, latex
 
 from asymptotics.api.hierarchy import multiple_scales, ordered
+from asymptotics.api.motions import times_of
 from asymptotics.api.proved_curve import ProvedCurve
 from asymptotics.api.shown_solution import SolutionPoint, document, proved_lines
 from asymptotics.api.started import start_in_motion
+from asymptotics.api.units import require_oscillator
 from asymptotics.bounds.reach import Theorem, uniform_theorem
 from asymptotics.envelopes.hypergeometric import time_of_amplitude
 from asymptotics.envelopes.symbolic import amplitude_symbol
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, require_flag
 from asymptotics.expansions.moments.symbolic import moment
 from asymptotics.expansions.multiple_scales.orders import a
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
@@ -45,16 +47,16 @@ from asymptotics.present.shown import Page
 u, a_0 = Symbol("u", positive=True), Symbol("a_0", positive=True)
 
 
-@dataclass(frozen=True, repr=False, eq=False)
+@dataclass(frozen=True, repr=False)
 class ImplicitSolution(ProvedCurve):
     """tau(A) and phi(A) with A in units of the start, through ``order``, and the motion by the numeric inverse."""
 
     order: int
-    scales: MultipleScales
+    scales: MultipleScales = field(hash=False)
     oscillator: Oscillator
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...] = field(default=(), compare=False)
     start: tuple[Expr, Expr] | None = None
-    si: bool = True
+    si: bool = field(default=True, compare=False)
 
     @property
     def loss(self) -> Expr:
@@ -101,12 +103,13 @@ class ImplicitSolution(ProvedCurve):
 
     def at_time(self, oscillator: Oscillator, time: Number, digits: int) -> SolutionPoint:
         """A, phi and x at a time t of the oscillator, in its units."""
+        require_oscillator(oscillator)
         found = AsymptoticMotion.of(oscillator, self.order, TURNING_POINT).at(time, digits)
         return SolutionPoint(found.amplitude or "0", found.phase or "0", found.x)
 
     def sample(self, times: Any) -> tuple[Any, Any, Any]:
         """(A, phi, x) at an array of tau, in doubles."""
-        found = self._motion.sample(times)
+        found = self._motion.sample(times_of(times))
         return found.amplitude, found.phase, found.x
 
     # The bound of the truncated equations holds here as it is: tau(A) and phi(A) solve them exactly, by quadrature.
@@ -128,6 +131,7 @@ class ImplicitSolution(ProvedCurve):
 
     def latex(self, *, standalone: bool = False) -> str:
         """The formulas as LaTeX: a fragment, or a document that compiles with pdflatex."""
+        require_flag(standalone, "standalone")
         rows = [
             rf"\tau(A) = {latex(self.time_of_amplitude)}",
             rf"\varphi(A) = {latex(self.phase_of_amplitude)}" + (r" + \varphi_{0}" if self.start else ""),

@@ -17,6 +17,7 @@ from asymptotics.errors import InputError, shown
 from asymptotics.law import LawLike
 from asymptotics.motions.invariants.exact import coefficient, coefficients
 from asymptotics.motions.invariants.symbolic import GeneratingFunction, generating_function
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.numbers.rounding import MODES
 from asymptotics.public import public
@@ -63,10 +64,10 @@ def table_inputs(alpha: Any, epsilon: Any, law: Any, rows: Any = None) -> Inputs
     return Inputs.of(exponents, None if law is None else law_of(law), strengths, count)
 
 
-def _listed(given: Any, name: str) -> tuple[str, ...]:
-    """One number or several, as text."""
+def _listed(given: Any, name: str) -> tuple[ExactReal, ...]:
+    """One number or several."""
     several = given if isinstance(given, list | tuple) else () if given is None else (given,)
-    return tuple(str(exact_number(value, name)) for value in several)
+    return tuple(exact_number(value, name) for value in several)
 
 
 @public

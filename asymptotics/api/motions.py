@@ -19,7 +19,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from asymptotics.api.units import oscillator_of
+from asymptotics.api.units import oscillator_of, require_oscillator
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.budget import seconds_left
@@ -32,6 +32,7 @@ from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.motions.result import MotionPoint, MotionSamples
 from asymptotics.motions.state_route import alone
+from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
@@ -52,7 +53,7 @@ _PER_HALF_SWING = 16
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Events(Rows):
+class Events(Alike, Rows):
     """Times in s up to ``until``: turning points with their x, passages through 0 with their v, and the stop if any.
 
     Doubles, heuristic: found on a grid of 16 points a half-swing and refined by Newton's method.
@@ -89,15 +90,21 @@ class _Sampled(Protocol):
     def sample(self, t: ArrayLike) -> MotionSamples: ...
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, repr=False)
 class Motion(Drawn):
     """The asymptotic motion at ``order`` in ``gauge``: formal, with an error estimate at each time."""
 
     oscillator: Oscillator
     order: int
     gauge: str
-    notes: tuple[str, ...] = field(default=())
-    si: bool = True
+    notes: tuple[str, ...] = field(default=(), compare=False)
+    si: bool = field(default=True, compare=False)
+
+    def __post_init__(self) -> None:
+        require_oscillator(self.oscillator)
+        object.__setattr__(self, "order", exact_integer(self.order, "order", 1, MAX_ORDER))
+        # Made once for its refusals; ``_motion`` makes its own when it is first asked.
+        AsymptoticMotion.of(self.oscillator, self.order, self.gauge)
 
     @public
     def at(self, t: Number, *, digits: int | None = None, max_seconds: Number = 60) -> MotionPoint:
@@ -181,14 +188,19 @@ class Motion(Drawn):
         return f"Motion({self.oscillator}, order {self.order}, gauge {self.gauge}, formal)"
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, repr=False)
 class Reference(Drawn):
     """The motion without expansion: exact solutions where there are any, else certified or high-precision steps."""
 
     oscillator: Oscillator
     static: Number | None = None
-    notes: tuple[str, ...] = field(default=())
-    si: bool = True
+    notes: tuple[str, ...] = field(default=(), compare=False)
+    si: bool = field(default=True, compare=False)
+
+    def __post_init__(self) -> None:
+        require_oscillator(self.oscillator).law.require_dissipative("reference motion to rest")
+        static = None if self.static is None else exact_number(self.static, "static")
+        object.__setattr__(self, "static", static)
 
     @public
     def at(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> MotionPoint:
@@ -287,19 +299,14 @@ def motion(law: LawLike, *, order: int = 3, gauge: str = TURNING_POINT, max_seco
     InputError for an unknown gauge, an order out of range, or anti-damping, at once.
     """
     oscillator = oscillator_of(law)
-    N = exact_integer(order, "order", 1, MAX_ORDER)
-    # Made once for its refusals; the motion makes its own when it is first asked.
-    AsymptoticMotion.of(oscillator, N, gauge)
-    return Motion(oscillator, N, gauge, oscillator.notes, isinstance(law, Oscillator))
+    return Motion(oscillator, order, gauge, oscillator.notes, isinstance(law, Oscillator))
 
 
 @public
 def reference(law: LawLike, *, static: Number | None = None, max_seconds: Number = 60) -> Reference:
     """The reference motion of an oscillator (SI) or of a law alone; ``static``: a static friction force in N."""
     oscillator = oscillator_of(law)
-    oscillator.law.require_dissipative("reference motion to rest")
-    force = None if static is None else exact_number(static, "static")
-    return Reference(oscillator, force, oscillator.notes, isinstance(law, Oscillator))
+    return Reference(oscillator, static, oscillator.notes, isinstance(law, Oscillator))
 
 
 def time_of_curve(oscillator: Oscillator, until: Any) -> float:

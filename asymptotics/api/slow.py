@@ -24,7 +24,7 @@ from asymptotics.api.slow_numbers import SlowNumbers
 from asymptotics.api.slow_series import MAX_ORDER as MAX_SERIES_ORDER
 from asymptotics.api.slow_series import EnvelopeSeries, envelope_series
 from asymptotics.api.slowness import SlowPart, slow_part
-from asymptotics.api.units import oscillator_of
+from asymptotics.api.units import oscillator_of, require_oscillator
 from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
 from asymptotics.envelopes.first_order import FirstOrderEnvelope, exact_kappa
 from asymptotics.envelopes.hypergeometric import time_of_amplitude
@@ -59,6 +59,11 @@ class Envelope(SlowNumbers, Drawn):
     averaging: str
     notes: tuple[str, ...] = field(default=(), compare=False)
     si: bool = field(default=True, compare=False)
+
+    def __post_init__(self) -> None:
+        require_oscillator(self.oscillator).law.require_pure("the first-order envelope")
+        # Made once for its refusals: an envelope that exists can be asked.
+        FirstOrderEnvelope(self.oscillator, self.averaging)
 
     @public
     def amplitude(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
@@ -312,7 +317,4 @@ def envelope(law: LawLike, *, averaging: str = MEAN, max_seconds: Number = 60) -
         if averaging != MEAN:
             raise InputError("averaging", f"{averaging!r:.40} knows the linear spring", MEAN)
         return replace(SpringEnvelope.of(oscillator), si=isinstance(law, Oscillator))
-    oscillator.law.require_pure("the first-order envelope")
-    # Made once for its refusals: an envelope that exists can be asked.
-    FirstOrderEnvelope(oscillator, averaging)
     return Envelope(oscillator, averaging, oscillator.notes, isinstance(law, Oscillator))

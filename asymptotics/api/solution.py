@@ -35,7 +35,6 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import mpmath
-import numpy as np
 import sympy
 from flint import fmpq
 from sympy import Add, Eq, Expr, Function, Integer, Integral, Piecewise, Pow, Symbol, cos, exp, floor, pi
@@ -44,10 +43,11 @@ from asymptotics.api.definitions import definitions_of
 from asymptotics.api.evaluated import chi, delta, digits_of_turns, functions, numbers, strength_of, tau
 from asymptotics.api.hierarchy import multiple_scales
 from asymptotics.api.implicit import ImplicitSolution, implicit_solution
+from asymptotics.api.motions import times_of
 from asymptotics.api.proved_curve import ProvedCurve
 from asymptotics.api.shown_solution import SolutionPoint, document, latex_lines, text_of, text_of_x, x_by_name
 from asymptotics.api.started import DIGITS, start_in_motion
-from asymptotics.api.units import oscillator_of
+from asymptotics.api.units import oscillator_of, require_oscillator
 from asymptotics.api.waves import Waveforms, waveforms
 from asymptotics.bounds.explicit import explicit_bound
 from asymptotics.bounds.motion import proved_bound
@@ -61,7 +61,7 @@ from asymptotics.envelopes.slow_time import (
     leading_amplitude,
     slow_time,
 )
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, require_choice, require_flag
 from asymptotics.expansions.half_swings.symbolic import alpha as symbolic_alpha
 from asymptotics.expansions.multiple_scales.orders import a, psi
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
@@ -69,12 +69,12 @@ from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Law, LawLike, Oscillator, of_unit_start
 from asymptotics.motions.certify import time_of
-from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.bridge import expression, to_sympy
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.decimals import bits_for
-from asymptotics.numbers.exact import ExactReal, parse_real
-from asymptotics.numbers.policy import Number, exact_integer, exact_number
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import Number, exact_double, exact_integer, exact_number
 from asymptotics.present.shown import Page
 from asymptotics.public import public
 from asymptotics.series import Key, Series
@@ -82,6 +82,8 @@ from asymptotics.terms import Term
 
 # Limits of what is offered: 12 is the order through which open hierarchies go, 300 digits what ``motion`` serves too.
 MAX_ORDER, MAX_DIGITS = 12, 300
+# With the turns of a phase, of which ``evaluated`` takes so many decimals at most.
+MAX_REFINED = 3000
 CLOSED_ORDER = 4
 """Through which a symbolic exponent has its rates written out; beyond, p_k and Omega_k stand by name."""
 UNITS = ("epsilon", "kappa", "SI")
@@ -93,7 +95,7 @@ Array = Any
 _GUARD = 28
 
 
-@dataclass(frozen=True, repr=False, eq=False)
+@dataclass(frozen=True, repr=False)
 class Solution(ProvedCurve):
     """A(tau), phi(tau), x(tau) of one law through ``order``; ``waves``: x_1, ..., x_(N-1), None if open.
 
@@ -108,11 +110,11 @@ class Solution(ProvedCurve):
     relative: Expr
     slow_phase: Expr
     waves: tuple[Expr | None, ...]
-    scales: MultipleScales
+    scales: MultipleScales = field(hash=False)
     oscillator: Oscillator | None
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...] = field(default=(), compare=False)
     start: tuple[Expr, Expr] | None = None
-    si: bool = True
+    si: bool = field(default=True, compare=False)
 
     @cached_property
     def leading(self) -> tuple[Expr, Expr]:
@@ -167,6 +169,7 @@ class Solution(ProvedCurve):
 
     def shape(self, phase: Expr) -> Expr:
         """cos psi + sum delta^k x_k(psi) with ``delta``, at a phase in (0, pi)."""
+        phase = expression(phase, "phase")
         # An open waveform stands as an undefined function of its name, which ``definitions`` explains.
         waves = ((n, Function(f"x_{n}")(psi) if w is None else w) for n, w in enumerate(self.waves, start=1))
         return cos(phase) + Add(*[delta**n * w.subs(psi, phase) for n, w in waves])
@@ -183,8 +186,7 @@ class Solution(ProvedCurve):
 
     def in_units(self, units: str = "epsilon") -> tuple[Expr, Expr]:
         """(A, phi) in tau and epsilon, in tau and Lancaster's kappa = M_(alpha+1) epsilon, or in t, m, k, b, x_0."""
-        if units not in UNITS:
-            raise InputError("units", f"{units!r:.40} is unknown", ", ".join(UNITS))
+        require_choice(units, "units", UNITS)
         if units == "epsilon":
             return self.amplitude, self.phase
         if units == "kappa":
@@ -207,12 +209,13 @@ class Solution(ProvedCurve):
 
     def functions(self, strength: Any = None) -> tuple[Any, Any, Any]:
         """(A, phi, x) as NumPy functions of tau and epsilon, or of tau alone with a ``strength``; x(0) = 1."""
-        return functions(self, strength)
+        return functions(self, None if strength is None else exact_double(strength, "strength"))
 
     def sample(self, times: Any) -> tuple[Array, Array, Array]:
         """(A, phi, x) at an array of tau, in doubles and units of x_0; InputError without a strength."""
-        value = float(self.strength)
-        return tuple(f(np.asarray(times, dtype=float)) for f in self.functions(value))
+        A, phi, x = functions(self, float(self.strength))
+        given = times_of(times)
+        return A(given), phi(given), x(given)
 
     def at(self, time: Number, *, digits: Any = 30) -> SolutionPoint:
         """A, phi and x at one tau >= 0 to ``digits`` digits, by mpmath; not certified.
@@ -225,6 +228,7 @@ class Solution(ProvedCurve):
     def refined(self, digits: int) -> "Solution":
         """The same with rates and start to that many digits where they do not all close: closed ones of high order are
         long products of gamma functions, slow to evaluate."""
+        digits = exact_integer(digits, "digits", 1, MAX_REFINED)
         if self.is_exact:
             return self
         # Fifteen digits more than are shown, as ``evaluated.numbers`` works with, and never fewer than the form at hand
@@ -245,10 +249,12 @@ class Solution(ProvedCurve):
         """x_1, ..., x_(N-1) as numbers: certified at a phase, arrays, integrals by name; InputError for a symbol."""
         if not self.alpha.is_number:
             raise InputError("alpha", "a symbolic exponent has no numbers", "an exponent that is a number")
-        return waveforms(str(self.alpha), order=max(1, self.order - 1))
+        return waveforms(self.alpha, order=max(1, self.order - 1))
 
     def at_time(self, oscillator: Oscillator, time: Number, digits: int) -> SolutionPoint:
         """The same at a time t of an oscillator with this law, in its units: A and x in m, phi in rad."""
+        require_oscillator(oscillator)
+        digits = exact_integer(digits, "digits", 1, MAX_DIGITS)
         # The oscillator's numbers are balls of FLINT and the formulas mpmath's: both precisions are set for what is
         # shared.
         with ctx.workprec(64):
@@ -280,6 +286,7 @@ class Solution(ProvedCurve):
 
     def latex(self, *, standalone: bool = False) -> str:
         """The formulas as LaTeX: a fragment, or a document that compiles with pdflatex."""
+        require_flag(standalone, "standalone")
         body = "\n".join(rf"\[ {line} \]" for line in latex_lines(self))
         return document(body) if standalone else body
 
@@ -376,7 +383,7 @@ def _slow(scales: MultipleScales, alpha: Expr, order: int, digits: int) -> tuple
     exact = slow_time(alpha, *(Series(row, 1, order).truncate(closed) for row in (p, Omega)))
     if not numbers:
         return expressions(exact)
-    decimals = certified_slow_time(parse_real(str(alpha), "alpha"), order, digits, above=closed - 1)
+    decimals = certified_slow_time(exact_number(alpha, "alpha"), order, digits, above=closed - 1)
     relative, phase = (e + rest for e, rest in zip(expressions(exact), decimals))
     return relative, phase
 

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.api.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve
+from asymptotics.api.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve, times_of
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.present.drawn import Drawn
@@ -27,7 +27,7 @@ class SolutionCurve(Drawn):
         """Arrays t, A, phi, x at times in s (tau for a law alone), in doubles and the units of the oscillator."""
         oscillator = self._given()
         omega, length = float(oscillator.omega_0().mid()), float(oscillator.length().mid())
-        times = np.asarray(t, dtype=float)
+        times = times_of(t)
         # ``sample`` knows tau and the unit of the start; at rest it starts at +1, so that x0 < 0 is told by a sign
         # here.
         A, phi, x = self.sample(times * omega)

@@ -10,6 +10,7 @@ asymptotics.errors.InputError: argument law: its strengths are b in SI, and epsi
 
 from typing import Any
 
+from asymptotics.errors import InputError, shown
 from asymptotics.law import Law, Oscillator
 
 
@@ -19,6 +20,13 @@ def oscillator_of(value: Any, spring: Any = None) -> Oscillator:
         return value
     # m = k = x0 = 1 makes b and epsilon the same number, so that a law without units loses nothing on the way.
     return Oscillator(law_of(value), spring=spring)
+
+
+def require_oscillator(value: Any) -> Oscillator:
+    """``value`` if it is an oscillator; InputError otherwise."""
+    if not isinstance(value, Oscillator):
+        raise InputError("oscillator", f"{shown(value)} is no oscillator", "an Oscillator")
+    return value
 
 
 def law_of(value: Any) -> Law:

@@ -88,6 +88,8 @@ class Waveforms(Shown):
     def sample(self, psi: ArrayLike, *, max_seconds: Number = 60) -> dict[Label, Any]:
         """x_k at an array of phases in doubles, to about 1e-13: an array of the same shape for each k."""
         phases = real_array(psi, "psi")
+        if not np.all(np.isfinite(phases)):
+            raise InputError("psi", "a phase is not finite", "phases in rad")
         # X(psi + pi) = -X(psi) brings every phase to the one half-swing that is tabulated.
         turns = np.floor(phases / np.pi)
         chi, side = (phases - np.pi * turns).ravel(), 1.0 - 2.0 * np.mod(turns, 2.0)

@@ -32,6 +32,10 @@ _LAW_FORMS = "A:E or A,M:E, such as 3/2:0.1 or 1,2:0.1 for |x|^2 x'"
 _SPRING_FORMS = f"P:C or P,Q:C, such as 3:-1/6 for x^3, or {PENDULUM}"
 
 
+FORMS_FROM_0 = REAL_FORMS.replace("-", "", 1)
+"""The forms of a number that is not negative."""
+
+
 @dataclass(frozen=True)
 class GivenTerms:
     """The terms of a sum, all different, losses before springs, in the order given; ``notes`` says what was merged.
@@ -69,7 +73,7 @@ def add_forces(
 ) -> None:
     """The options --alpha, --``strength``, --law and (if the command knows them) --spring."""
     meaning = meaning or "its strength: what delta is at the amplitude A"
-    parser.add_argument("--alpha", metavar="A", help=f"the exponent of the damping law, A >= 0: {REAL_FORMS}")
+    parser.add_argument("--alpha", metavar="A", help=f"the exponent of the damping law, A >= 0: {FORMS_FROM_0}")
     parser.add_argument(f"--{strength}", metavar=letter, help=meaning)
     text = f"one term of a sum, repeated: its exponent and its strength; A,M:{letter} has the factor |x|^M"
     parser.add_argument("--law", action="append", metavar=f"A[,M]:{letter}", help=text)

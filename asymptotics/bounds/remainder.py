@@ -13,6 +13,7 @@ from asymptotics.bounds.uniform import Displacement, displacement_bound
 from asymptotics.errors import InputError
 from asymptotics.expansions.equations.given import terms_of
 from asymptotics.law import LawLike
+from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.present.shown import Shown
 from asymptotics.public import public
@@ -20,8 +21,8 @@ from asymptotics.public import public
 MAX_ORDER = 12
 
 
-@dataclass(frozen=True, repr=False)
-class ExpansionBounds(Shown):
+@dataclass(frozen=True, repr=False, eq=False)
+class ExpansionBounds(Alike, Shown):
     """``half_swing``: of ln(A'/A) and of the time; ``displacement``: of x, None where an exponent is below 1."""
 
     half_swing: LocalBounds

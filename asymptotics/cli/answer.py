@@ -54,8 +54,7 @@ def add_digits(parser: argparse.ArgumentParser, high: int, default: str = f"{DEF
 
 def read_digits(options: argparse.Namespace, high: int) -> int:
     """The value of --digits; InputError outside 1 ... ``high``."""
-    text = str(DEFAULT_DIGITS) if options.digits is None else options.digits
-    return parse_integer(text, "--digits", 1, high)
+    return DEFAULT_DIGITS if options.digits is None else parse_integer(options.digits, "--digits", 1, high)
 
 
 def add_max_seconds(parser: argparse.ArgumentParser) -> None:
@@ -74,8 +73,9 @@ def add_common(parser: argparse.ArgumentParser, high: int = 0, default: str = f"
 
 def read_max_seconds(options: argparse.Namespace) -> float:
     """The value of --max-seconds; InputError outside (0, 10^6]."""
-    text = f"{DEFAULT_SECONDS:g}" if options.max_seconds is None else options.max_seconds
-    seconds = parse_rational(text, "--max-seconds")
+    if options.max_seconds is None:
+        return DEFAULT_SECONDS
+    seconds = parse_rational(options.max_seconds, "--max-seconds")
     # Eleven days at most, a refusal of slips: the time of a request is a number of seconds, not a way to do without.
     if not 0 < seconds <= 10**6:
         raise InputError("--max-seconds", f"{seconds} is out of range", "a number of seconds > 0, at most 1000000")

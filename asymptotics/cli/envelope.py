@@ -14,7 +14,6 @@ Units are SI when --damping, --mass or --stiffness is given; otherwise there are
 
 import argparse
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 import mpmath
@@ -34,6 +33,7 @@ from asymptotics.envelopes.symbolic import MEAN, SQUARING, tau
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import time_of
+from asymptotics.numbers.bridge import from_sympy
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
 from asymptotics.present.inputs import csv_text
@@ -157,7 +157,7 @@ def _of_order(series: EnvelopeSeries, given: Given, time: ExactReal | None, digi
 def _require_before_extinction(series: EnvelopeSeries, numbers: dict[sympy.Symbol, sympy.Float]) -> None:
     # Beyond the extinction of the truncated series 1 + (alpha-1) p_1 epsilon tau is negative, and its power complex.
     if series.alpha < 1:
-        end = series.extinction_time(ExactReal(Fraction(str(numbers[epsilon]))))
+        end = series.extinction_time(ExactReal(from_sympy(sympy.Rational(numbers[epsilon]))))
         if not float(numbers[tau]) < end:
             raise InputError("--time", f"the averaged amplitude is extinct from tau = {end:.6g} on", "an earlier time")
 

@@ -84,7 +84,7 @@ def read_files(options: argparse.Namespace, pictures: tuple[str, ...] = PICTURES
 
 def read_points(options: argparse.Namespace) -> int:
     """How many intervals the table has."""
-    return parse_integer(str(DEFAULT_POINTS) if options.points is None else options.points, "--points", 1, MAX_POINTS)
+    return DEFAULT_POINTS if options.points is None else parse_integer(options.points, "--points", 1, MAX_POINTS)
 
 
 def write_files(

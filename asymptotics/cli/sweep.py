@@ -24,11 +24,10 @@ from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.sweeps.export import export, require_format
 from asymptotics.sweeps.grid import MAX_POINTS, Grid, Point, too_large
-from asymptotics.sweeps.run import SweepResult, sweep
+from asymptotics.sweeps.run import MAX_WORKERS, SweepResult, sweep
 from asymptotics.sweeps.workers import dask_executor
 
 # Processes of one machine or slots of one scheduler; a refusal of slips.
-MAX_WORKERS = 1024
 
 
 def configure(parser: argparse.ArgumentParser) -> None:

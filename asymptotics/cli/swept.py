@@ -16,13 +16,13 @@ from typing import Any, NoReturn
 
 from asymptotics.cli.answer import read_max_seconds
 from asymptotics.cli.commands import module_of
-from asymptotics.errors import InputError, UndecidedError, require_choice
+from asymptotics.errors import InputError, UndecidedError, require_choice, shown
 from asymptotics.numbers.context import alone
 from asymptotics.numbers.exact import parse_real
-from asymptotics.numbers.policy import Number
+from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.public import limited, public_beside_others
 from asymptotics.sweeps.grid import Grid, Point, values
-from asymptotics.sweeps.run import SweepResult, sweep
+from asymptotics.sweeps.run import MAX_WORKERS, SweepResult, sweep
 
 # The commands that answer one set of option values with one record.
 SWEPT = ("turning-points", "half-swing", "expand", "moment", "motion", "smith", "envelope", "limit-cycle", "stokes")
@@ -171,11 +171,28 @@ def sweep_command(
     in ... s, store ...
     """
     require_choice(command, "command", SWEPT)
+    points: Grid | list[Point]
     if isinstance(options, Mapping):
-        texts = [(n, [v] if isinstance(v, str | int) else v) for n, v in options.items()]
-        points: Grid | list[Point] = Grid(read_axes(command, [f"--{n}={text}" for n, each in texts for text in each]))
+        texts = [(_named(n), v if isinstance(v, list | tuple) else [v]) for n, v in options.items()]
+        points = Grid(read_axes(command, [f"--{n}={_text(n, v)}" for n, each in texts for v in each]))
+    elif isinstance(options, list | tuple) and all(isinstance(row, Mapping) for row in options):
+        points = [point_options(command, {_named(n): _text(n, v) for n, v in row.items()}) for row in options]
     else:
-        points = [point_options(command, row) for row in options]
+        raise InputError("options", f"{shown(options)} is neither", "a mapping of options, or a list of points")
+    if not points:
+        raise InputError("options", "there is no point", "at least one")
+    count = None if workers is None else exact_integer(workers, "workers", 1, MAX_WORKERS)
     # An option that no point could use is refused before anything is computed or a store is made.
     typed_options(command, points[0])
-    return sweep(partial(run_point, command), command, points, folder, workers=workers, executor=executor)
+    return sweep(partial(run_point, command), command, points, folder, workers=count, executor=executor)
+
+
+def _named(name: Any) -> str:
+    if not isinstance(name, str):
+        raise InputError("options", f"{shown(name)} is no name of an option", "a text such as 'alpha'")
+    return name
+
+
+def _text(name: str, value: Any) -> str:
+    """A value as it would be typed: a text as it is, any other number as the exact one that it is."""
+    return value if isinstance(value, str) else str(exact_number(value, name))

@@ -26,7 +26,7 @@ from asymptotics.numbers.value import Coefficient, number_of
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows, Shown
 from asymptotics.turning import choose
-from asymptotics.turning.result import TurningPoints, draw_sizes
+from asymptotics.turning.result import Sequenced, TurningPoints, draw_sizes
 from asymptotics.turning.table import MAX_DIGITS
 
 _SPARE, _DOUBLINGS = 23, 3  # bits: six digits more than are shown, and eight times as many bits at most
@@ -69,7 +69,7 @@ class OscillatorTurningPoint(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class OscillatorTurningPoints(Rows, Drawn):
+class OscillatorTurningPoints(Sequenced, Rows, Drawn):
     """Turning points in SI units; ``dimensionless`` is the result they come from, and says how they were obtained."""
 
     oscillator: Oscillator

@@ -6,6 +6,7 @@ Estimates in doubles (``inverse_damping``); what the first order neglects is mea
 from dataclasses import dataclass, field
 from typing import Any
 
+from asymptotics.errors import require_choice
 from asymptotics.identification.inverse_damping import DampingCandidate, Problem, Strength
 from asymptotics.present.shown import Page, Rows
 
@@ -37,8 +38,9 @@ class DampingLaw(Rows):
         return self.laws[0]
 
     def law(self, name: str) -> DampingCandidate:
-        """A candidate by its name such as ``1+2``; KeyError if it is not there."""
-        return {c.name: c for c in self.laws}[name]
+        """A candidate by its name such as ``1+2``; InputError if it is not there."""
+        named = {c.name: c for c in self.laws}
+        return named[require_choice(name, "name", named)]
 
     @property
     def verdict(self) -> str:

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.value import Coefficient, number_of, rounded
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.inputs import csv_text
@@ -73,7 +74,7 @@ class MotionPoint(Shown):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class MotionSamples(Rows, Drawn):
+class MotionSamples(Alike, Rows, Drawn):
     """The motion at many times, doubles; all arrays have the shape of ``t``.  SI units, or none where ``si`` is False.
 
     ``missing`` counts the times that are NaN (their places hold NaN); ``extinct`` counts those beyond the fictitious

@@ -15,14 +15,20 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.errors import InputError, shown
+from asymptotics.errors import InputError, LimitError, shown
 from asymptotics.numbers.policy import exact_number
 
 _ACCEPTED = "a number, or an array of numbers"
+# What is made of an array has several of its size: beyond, the memory of a usual machine ends without a word.
+MAX_SIZE = 50_000_000
 
 
 def real_array(value: Any, argument: str) -> Any:
-    """``value`` as an array of doubles of the same shape; InputError names ``argument`` for what is none."""
+    """``value`` as an array of doubles of the same shape; InputError names ``argument`` for what is none.
+
+    LimitError for more than ``MAX_SIZE`` numbers, before they are made.
+    """
+    _require_size(value, argument)
     try:
         given = np.asarray(value)
     except (TypeError, ValueError):  # rows of different lengths
@@ -38,6 +44,18 @@ def real_array(value: Any, argument: str) -> Any:
     # text of all of [0, "1/2"], and 0.1 is read as it was typed.
     cells = [value] if not given.ndim else list(value) if given.ndim == 1 else given.ravel().tolist()
     return np.array([_double(cell, argument) for cell in cells]).reshape(given.shape)
+
+
+def _require_size(value: Any, argument: str) -> None:
+    """A range or a view holds more numbers than there is memory for: its size is asked before it is read."""
+    try:
+        size = int(value.size) if isinstance(value, np.ndarray) else len(value)
+    except OverflowError:  # a range of more than 2^63 numbers has no length in Python
+        size = MAX_SIZE + 1
+    except Exception:  # a number has no length; a foreign object may fail in any way
+        return
+    if size > MAX_SIZE:
+        raise LimitError(argument, "it has too many numbers", f"at most {MAX_SIZE} at once")
 
 
 def _double(cell: Any, argument: str) -> float:

@@ -16,11 +16,13 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import reduce
 from operator import add, mul
+from typing import Any
 
 import sympy
 from flint import arb, fmpq, fmpz
 from sympy.core.sympify import converter
 
+from asymptotics.errors import InputError, shown
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.rationals import bounds, to_fmpq, to_fraction
 
@@ -28,7 +30,7 @@ from asymptotics.numbers.rationals import bounds, to_fmpq, to_fraction
 converter[fmpz] = lambda n: sympy.Integer(int(n))
 converter[fmpq] = lambda q: sympy.Rational(int(q.p), int(q.q))
 
-__all__ = ["bounds", "closed_form_ball", "from_sympy", "to_fmpq", "to_fraction", "to_sympy"]
+__all__ = ["bounds", "closed_form_ball", "expression", "from_sympy", "to_fmpq", "to_fraction", "to_sympy"]
 
 
 def to_sympy(q: Fraction | fmpq | ExactReal | int) -> sympy.Expr:
@@ -42,6 +44,19 @@ def to_sympy(q: Fraction | fmpq | ExactReal | int) -> sympy.Expr:
     if isinstance(q, fmpq):
         return sympy.Rational(int(q.p), int(q.q))
     return sympy.Rational(q.numerator, q.denominator)
+
+
+def expression(value: Any, argument: str) -> sympy.Expr:
+    """``value`` if it is an expression of SymPy; InputError otherwise: no text is read as one.
+
+    >>> expression("x", "phase")
+    Traceback (most recent call last):
+        ...
+    asymptotics.errors.InputError: argument phase: 'x' is no expression (accepted: an expression of SymPy)
+    """
+    if not isinstance(value, sympy.Expr):
+        raise InputError(argument, f"{shown(value)} is no expression", "an expression of SymPy")
+    return value
 
 
 def from_sympy(q: sympy.Rational) -> Fraction:

@@ -34,7 +34,10 @@ from asymptotics.present.shown import Page, Shown
 _NUMBER = r"[+-]?(?:\d{1,400}(?:\.\d{0,400})?|\.\d{1,400})(?:[eE][+-]?\d{1,3})?(?:/\d{1,400})?"
 _RATIONAL = re.compile(_NUMBER + r"\Z", re.ASCII)
 _PRINTED = re.compile(_NUMBER.replace(r"\d{1,3})?(?:/", r"\d{1,5})?(?:/") + r"\Z", re.ASCII)
-_ROOT = re.compile(rf"(?P<sign>[+-]?)sqrt\((?P<radicand>{_NUMBER})\)\Z", re.ASCII)
+# A root as it is typed, sqrt(2), and as a number with one is written: 2/3*sqrt(2) - 1.
+_ROOT = re.compile(
+    rf"(?P<factor>[+-]?|{_NUMBER}\*)sqrt\((?P<radicand>{_NUMBER})\)(?: (?P<offset>[+-] {_NUMBER[5:]}))?\Z", re.ASCII
+)
 _INTEGER = re.compile(r"[+-]?\d{1,40}\Z", re.ASCII)
 
 # A limit of memory: such a power of a fraction has a hundred thousand times its digits.
@@ -298,24 +301,6 @@ def square_root(q: Fraction) -> ExactReal:
     return ExactReal(Fraction(1), q)
 
 
-def exact_power(base: ExactReal, exponent: ExactReal) -> ExactReal | None:
-    """base^exponent for base > 0 when it is a rational multiple of one root, else None (not known to be one).
-
-    >>> half = ExactReal(Fraction(1, 2))
-    >>> exact_power(ExactReal(Fraction(8)), half), exact_power(half, half / 2)
-    (ExactReal('sqrt(8)'), None)
-    """
-    if base == 1 or exponent.is_zero:
-        return ExactReal(Fraction(1))
-    # Beyond 1000 an exact power has too many digits to be worth it: None, and the caller goes on with a ball.
-    if exponent.is_integer and abs(exponent.rational) <= 1000:
-        return base ** int(exponent.rational)
-    twice = exponent * 2
-    if base.is_rational and twice.is_integer and abs(twice.rational) <= 1000:
-        return square_root(base.rational ** int(twice.rational))
-    return None
-
-
 def parse_rational(text: str, argument: str, accepted: str = RATIONAL_FORMS) -> Fraction:
     """Read an integer, a fraction or a decimal (with exponent) exactly; InputError names ``argument`` otherwise."""
     return _fraction(text, argument, accepted, _RATIONAL)
@@ -333,7 +318,8 @@ def parse_printed(text: str, argument: str) -> Fraction:
 def _fraction(text: str, argument: str, accepted: str, form: re.Pattern[str]) -> Fraction:
     stripped = text.strip()
     if len(stripped) > 1000 or not form.match(stripped):
-        raise InputError(argument, f"{_shown(text)} is not an exact number", accepted)
+        comma = ": it has a comma, and decimals have a point" if "," in stripped else ""
+        raise InputError(argument, f"{_shown(text)} is not an exact number{comma}", accepted)
     number, _, denominator = stripped.partition("/")
     if denominator and not int(denominator):
         raise InputError(argument, f"{_shown(text)} has a zero denominator", accepted)
@@ -343,14 +329,27 @@ def _fraction(text: str, argument: str, accepted: str, form: re.Pattern[str]) ->
 
 
 def parse_real(text: str, argument: str) -> ExactReal:
-    """Read a rational or ``sqrt(rational)`` exactly; InputError names ``argument`` otherwise."""
+    """Read a rational, ``sqrt(rational)`` or the text of an ``ExactReal`` exactly; InputError names ``argument``.
+
+    >>> x = ExactReal(Fraction(2, 3), 2, -1)
+    >>> str(x), parse_real(str(x), "x") == x
+    ('2/3*sqrt(2) - 1', True)
+    """
     root = _ROOT.match(text.strip()) if len(text) <= 1000 else None
     if not root:
         return ExactReal(parse_rational(text, argument, REAL_FORMS))
-    radicand = parse_rational(root["radicand"], argument, REAL_FORMS)
+    # A sign alone stands for the factor of that sign.
+    factor, radicand, offset = (
+        parse_rational(part, argument, REAL_FORMS)
+        for part in (
+            root["factor"][:-1] if root["factor"].endswith("*") else root["factor"] + "1",
+            root["radicand"],
+            (root["offset"] or "0").replace(" ", ""),
+        )
+    )
     if radicand < 0:
         raise InputError(argument, f"{_shown(text)} is not real", REAL_FORMS)
-    return -square_root(radicand) if root["sign"] == "-" else square_root(radicand)
+    return ExactReal(factor, radicand, offset)
 
 
 def require_integer(value: object, argument: str, low: int, high: int) -> int:

@@ -14,9 +14,10 @@ Traceback (most recent call last):
 asymptotics.errors.InputError: argument coefficient: 4/(3*pi) is not rational (accepted: a rational number)
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from operator import add, mul, sub
 from typing import Any
 
 import mpmath
@@ -27,9 +28,10 @@ from sympy import Expr
 
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.bridge import from_sympy, to_sympy
-from asymptotics.numbers.decimal_context import workdps
+from asymptotics.numbers.decimal_context import intervals, workdps
 from asymptotics.numbers.decimals import rational_decimal
 from asymptotics.numbers.digits import ball_of, interval_of, spread
+from asymptotics.numbers.policy import exact_number
 from asymptotics.numbers.rationals import decimal_fraction
 from asymptotics.present.shown import Page, Shown
 
@@ -93,6 +95,44 @@ class Coefficient(Shown):
             raise InputError("coefficient", f"{self.exact or self.value} is not rational", "a rational number")
         return from_sympy(self.expression)
 
+    def _combined(self, other: Any, operation: Callable[[Any, Any], Any]) -> Any:
+        """An mpmath interval that contains the true result; a number beside it is read by the number policy."""
+        digits = len(self.text())
+        if isinstance(other, Coefficient):
+            digits = max(digits, len(other.text()))
+        # Four bits are more than a decimal: what the digits leave is the width, and not the arithmetic.
+        with intervals(4 * digits + 32):
+            return operation(self.interval(), other.interval() if isinstance(other, Coefficient) else _interval(other))
+
+    def __add__(self, other: Any) -> Any:
+        """Sums, differences, products and quotients are mpmath intervals: no digit of theirs is claimed.
+
+        >>> found = 1 - 3 * Coefficient("0.3333", None)
+        >>> found.a < 0 < found.b, found.b < 0.0003
+        (True, True)
+        """
+        return self._combined(other, add)
+
+    def __sub__(self, other: Any) -> Any:
+        return self._combined(other, sub)
+
+    def __mul__(self, other: Any) -> Any:
+        return self._combined(other, mul)
+
+    def __truediv__(self, other: Any) -> Any:
+        return self._combined(other, _quotient)
+
+    def __rsub__(self, other: Any) -> Any:
+        return self._combined(other, lambda a, b: b - a)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self._combined(other, lambda a, b: _quotient(b, a))
+
+    def __neg__(self) -> Any:
+        return 0 - self
+
+    __radd__, __rmul__ = __add__, __mul__
+
     def __float__(self) -> float:
         return float(self.text())
 
@@ -110,6 +150,23 @@ class Coefficient(Shown):
 
     def _formula(self) -> str:
         return str(self.value if self.expression is None else sympy.latex(self.expression))
+
+
+def _interval(value: Any) -> Any:
+    """An exact number as an mpmath interval at the precision in force."""
+    number = exact_number(value, "operand")
+    q, r, b = (_of_fraction(part) for part in (number.coefficient, number.radicand, number.offset))
+    return q * mpmath.iv.sqrt(r) + b
+
+
+def _of_fraction(q: Fraction) -> Any:
+    return mpmath.iv.mpf(q.numerator) / q.denominator
+
+
+def _quotient(a: Any, b: Any) -> Any:
+    if 0 in b:
+        raise InputError("divisor", "it may be 0", "a number that its digits tell from 0")
+    return a / b
 
 
 def number_of(found: Any, name: str) -> Coefficient:

@@ -89,7 +89,11 @@ def paper(id: str) -> PaperStatement:  # noqa: A002 (the papers' own word)
     if not isinstance(id, str):
         raise InputError("id", "is not text", "an id such as smith2012:43")
     if id not in _all():
-        raise InputError("id", f"no statement {id[:MAX_QUERY]!r}", _suggestion(id[:MAX_QUERY]))
+        wanted = id[:MAX_QUERY]
+        # What is no id may be words of a statement: the ids of those that have them are ids, the words are none.
+        held = [*ranked(_searched(), wanted.strip())][:3] if wanted.strip() else []
+        accepted = f"an id, such as {', '.join(held)}" if held else _suggestion(wanted)
+        raise InputError("id", f"no statement has the id {wanted!r}" if held else f"no statement {wanted!r}", accepted)
     return _all()[id]
 
 

@@ -20,7 +20,7 @@ tried again one at a time, and given up after the second death.
 import os
 import time
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from contextlib import AbstractContextManager, ExitStack, nullcontext
 from dataclasses import dataclass, field
@@ -28,9 +28,9 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.made_by import mark
-from asymptotics.numbers.policy import Number
+from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public_beside_others
@@ -46,7 +46,9 @@ from asymptotics.sweeps.workers import Crew, OtherCodeError, PointOutcome, Task,
 _BATCH_SECONDS = 0.25
 _SLOT_SECONDS = 2e-3  # a scheduler needs about a millisecond for a task: batches grow with the slots it has to feed
 # For points of microseconds: a batch stays a small message.
+MAX_WORKERS = 1024
 _MAX_BATCH = 500
+_LOOKED_AT = 1000  # points whose type is asked before a store is made
 _PAUSE = 0.2  # seconds between two looks at a shard that another driver holds
 _DRAWN = 2000  # points of a sweep that a notebook draws by itself
 _DEATHS = 2  # lonely deaths of a worker before its point is given up
@@ -121,6 +123,8 @@ def sweep(
     """
     start = time.perf_counter()
     folder = _folder(folder)
+    _require_readable(task, command, points, progress)
+    workers = None if workers is None else exact_integer(workers, "workers", 1, MAX_WORKERS)
     require_usable(folder)
     # A finished sweep can be read from a folder of somebody else's, or from an archive.
     if folder.is_dir() and any(folder.iterdir()) and not os.access(folder / "shards", os.W_OK):
@@ -157,6 +161,20 @@ def _result(plan: SweepPlan, computed: int, start: float) -> SweepResult:
     return SweepResult(
         len(points), plan.reused, computed, plan.failures.count, failures, seconds, where, plan.command, points
     )
+
+
+def _require_readable(task: Any, command: Any, points: Any, progress: Any) -> None:
+    """InputError, before a store is made, for what is no task, name, list of points or report."""
+    for name, value in (("task", task), ("progress", progress)):
+        if not callable(value):
+            raise InputError(name, f"{shown(value)} is no function", "a function")
+    if not isinstance(command, str) or not command.isprintable():
+        raise InputError("command", f"{shown(command)} is no name", "a text that can be printed")
+    if not isinstance(points, Sequence) or isinstance(points, str | bytes):
+        raise InputError("points", f"{shown(points)} is no list of points", "a sequence of mappings")
+    # Not all of a grid, which may have millions: what is wrong is so from the start, as a rule.
+    if not all(isinstance(point, Mapping) for point in islice(points, _LOOKED_AT)):
+        raise InputError("points", "one of them is no mapping", "mappings from a name to a value")
 
 
 def _folder(given: Any) -> Path:

@@ -13,6 +13,7 @@ from typing import Any
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.numbers.policy import Number, exact_number
 
 # Refusals: a table is made in memory and read by people.  MAX_CELLS is for tables whose rows grow with their number.
 MAX_ROWS, MAX_ALPHA, MAX_CELLS = 100_000, 1000, 1_000_000
@@ -32,14 +33,18 @@ class Inputs:
 
     @classmethod
     def of(
-        cls, alphas: Sequence[str] = (), law: Law | None = None, epsilons: Sequence[str] = (), rows: int | None = None
+        cls,
+        alphas: Sequence[Number] = (),
+        law: Law | None = None,
+        epsilons: Sequence[Number] = (),
+        rows: int | None = None,
     ) -> "Inputs":
-        """From text; InputError for exponents outside [0, 1000], strengths <= 0 and rows outside [1, 10^5]."""
-        exponents = tuple(parse_real(text, "alpha") for text in alphas)
+        """From numbers; InputError for exponents outside [0, 1000], strengths <= 0 and rows outside [1, 10^5]."""
+        exponents = tuple(exact_number(a, "alpha") for a in alphas)
         for a in exponents:
             if a < 0 or a > MAX_ALPHA:
                 raise InputError("alpha", f"{a} is out of range", f"exponents from 0 to {MAX_ALPHA}")
-        strengths = tuple(parse_real(text, "epsilon") for text in epsilons)
+        strengths = tuple(exact_number(e, "epsilon") for e in epsilons)
         for e in strengths:
             if not e > 0:
                 raise InputError("epsilon", f"{e} is not positive", "strengths > 0")

@@ -8,6 +8,7 @@
 """
 
 from dataclasses import asdict
+from difflib import get_close_matches
 from typing import Any
 
 from asymptotics.cut_short import changed
@@ -86,7 +87,9 @@ def _columns(recipe: Recipe, rows: tuple[tuple[str, ...], ...]) -> tuple[tuple[s
 
 def _recipe(name: str) -> Recipe:
     if name not in RECIPES:
-        raise InputError("NAME", f"no table {name[:60]!r}", ", ".join(RECIPES))
+        near = get_close_matches(name[:60], RECIPES, n=1)
+        meant = f"; did you mean {near[0]}?" if near else ""
+        raise InputError("NAME", f"no table {name[:60]!r}{meant}", ", ".join(RECIPES))
     return RECIPES[name]
 
 

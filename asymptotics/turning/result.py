@@ -7,14 +7,14 @@ True
 False
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 from flint import arb
 
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.digits import spread
 from asymptotics.numbers.exact import ExactReal
@@ -88,8 +88,38 @@ def proved_digits(value: Number, digits: int) -> str:
     return text
 
 
+class Sequenced:
+    """A result with ``points`` as a sequence of them: its length, its points one by one, a point or a slice by place.
+
+    >>> third = proved_point(1, Fraction(1, 3), None, 4)
+    >>> found = TurningPoints("0", "1/3", 4, (third,), "by hand")
+    >>> len(found), [p.x for p in found], found[-1] == third, bool(found[1:])
+    (1, ['0.3333'], True, False)
+    """
+
+    points: Any
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self.points)
+
+    def __getitem__(self, place: int | slice) -> Any:
+        """The point at that place, not that of that number n; InputError where there is none."""
+        try:
+            return self.points[place]
+        except (TypeError, ValueError, IndexError):
+            accepted = f"an integer from {-len(self)} to {len(self) - 1}, or a slice"
+            raise InputError("place", f"{shown(place)} is no place of a point", accepted) from None
+
+    def __bool__(self) -> bool:
+        # A result is one also where no point is left of it.
+        return True
+
+
 @dataclass(frozen=True, repr=False)
-class TurningPoints(Rows, Drawn):
+class TurningPoints(Sequenced, Rows, Drawn):
     """Consecutive turning points; all digits are correctly rounded if ``certified``, which every point must be.
 
     ``ended``: the number of the last turning point there is and why, or None; ``method``: the route, in words.

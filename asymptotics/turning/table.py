@@ -68,7 +68,7 @@ class Request:
         ``most``: the most digits; a caller who has checked what was asked may want more of them to compute with.
         """
         law = Law.read(law)
-        law.require_dissipative("a sequence of turning points to rest")
+        law.require_dissipative("sequence of turning points to rest")
         require_counts(count, digits, start, most)
         place, speed = exact_number(x0, "x0"), exact_number(v0, "v0")
         if law.is_pure:

@@ -36,3 +36,10 @@ def test_the_command_answers_at_order_nine(capsys):
     found = json.loads(capsys.readouterr().out)
     low = asy.solution({"5/2": "1/10"}, order=8).at(7, digits=20).x
     assert 0 < abs(float(found["x_value"]) - float(low)) < 1e-8
+
+
+@pytest.mark.parametrize("alpha", ["sqrt(3/2)", "sqrt(1/2)", "sqrt(8)"])
+def test_an_exponent_that_sympy_writes_another_way_is_served(alpha, capsys):
+    # SymPy has sqrt(6)/2, sqrt(2)/2 and 2*sqrt(2), which no option takes.
+    assert main(["solution", "--alpha", alpha, "--epsilon", "1/10", "--order", "4", "--time", "1"]) == 0
+    assert "not an exact number" not in capsys.readouterr().err

@@ -18,10 +18,19 @@ def test_decimals_are_read_exactly(d):
     assert parse_rational(str(d), "--x") == Fraction(d)
 
 
+@given(st.fractions(), st.fractions(min_value=0), st.fractions())
+def test_a_number_is_read_back_from_its_text(a: Fraction, r: Fraction, b: Fraction):
+    x = ExactReal(a, r, b)
+    again = parse_real(str(x), "--x")
+    assert again == x and str(again) == str(x)
+
+
 @pytest.mark.parametrize(
     "text",
     ["", "nan", "inf", "abc", "1e999999", "0x10", "1_000", "1/0", "١", "1//2", "1e", "--1", "1 2", "__import__('os')",
-     "sqrt(-2)", "sqrt(1/0)", "sqrt()", "sqrt(2", "sqrt(sqrt(2))", "2*sqrt(2)", "1" * 2000, "9**9**9", "x.__class__"],
+     "sqrt(-2)", "sqrt(1/0)", "sqrt()", "sqrt(2", "sqrt(sqrt(2))", "2*sqrt(2)*3", "sqrt(2) -1",
+     "sqrt(2) - ", "sqrt(2) - -1", "sqrt(2)-1e",
+     "+-sqrt(2)", "*sqrt(2)", "1/0*sqrt(2)", "1" * 2000, "9**9**9", "x.__class__"],
 )  # fmt: skip
 def test_what_is_not_a_number_is_refused_by_name(text: str):
     with pytest.raises(InputError) as caught:

@@ -11,8 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from asymptotics.errors import InputError
-from asymptotics.numbers.exact import ExactReal, exact_power
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
+from asymptotics.numbers.powers import exact_power
 
 HALVES = ["3/2", "1.5", " 15e-1 ", 1.5, np.float64(1.5), np.float32(1.5), Fraction(3, 2), Decimal("1.50"), fmpq(3, 2),
           sympy.Rational(3, 2), ExactReal(Fraction(3, 2)), ExactReal(3, Fraction(1, 4))]  # fmt: skip

@@ -74,7 +74,7 @@ class MultipleScales(Shown):
     symbols: tuple[Expr, ...]
     orders: tuple[Order, ...]
     start: InitialConditions
-    kernel: OddHierarchy | TurningHierarchy | None = None
+    kernel: OddHierarchy | TurningHierarchy | None = field(default=None, compare=False)  # ``orders`` shows it
     notes: tuple[str, ...] = field(default=(), compare=False)
     losses: tuple[Expr, ...] = field(default=(), compare=False)
 

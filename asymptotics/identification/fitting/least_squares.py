@@ -12,7 +12,7 @@ which needs no outside estimate of the noise, and AICc and BIC follow with one p
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from asymptotics.identification.forward.sequence import TurningSequence, turning
 from asymptotics.identification.forward.swing import MAX_FREE_ALPHA, TOLERANCE, HalfSwingModel
 from asymptotics.identification.measuring.criteria import aicc, bic
 from asymptotics.identification.measuring.observations import Observations
+from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.context import cached_property
 from asymptotics.records.units import UNITS
 
@@ -173,11 +174,11 @@ class Model:
         return max(self.seen.floor, _FLOOR) * (self.seen.reference if kind == "x" else float(np.exp(-theta[-2])))
 
 
-@dataclass(frozen=True)
-class Fit:
+@dataclass(frozen=True, eq=False)
+class Fit(Alike):
     """The best parameters, with everything that intervals and criteria need."""
 
-    model: Model
+    model: Model = field(compare=False)  # ``theta`` and what was fitted tell it
     theta: Array
     residuals: Array
     slopes: Array

@@ -22,10 +22,11 @@ from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.swing import HalfSwingModel
 from asymptotics.identification.measuring.observations import Observations
+from asymptotics.numbers.alike import Alike
 
 
-@dataclass(frozen=True)
-class Decrements:
+@dataclass(frozen=True, eq=False)
+class Decrements(Alike):
     """Mean amplitudes and decrements of half-swings; ``resolution``: half a unit of the last printed digit."""
 
     amplitude: Array

@@ -19,6 +19,7 @@ from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.judging.contradiction import Contradiction, further_parameters
 from asymptotics.identification.judging.grades import Unexplained, grade_of, in_words
 from asymptotics.identification.measuring.observations import Observations
+from asymptotics.numbers.alike import Alike
 
 _ALWAYS, _MARGIN, _WORSE = 6, 50.0, 1e-3
 """The best six of the first look are always fitted, for a coarse look may misjudge them; further laws up to 50 of AICc
@@ -32,8 +33,8 @@ _SHARE = 0.2
 UNTRIED = "not tried to its end: the time was over"
 
 
-@dataclass(frozen=True)
-class LawFit:
+@dataclass(frozen=True, eq=False)
+class LawFit(Alike):
     """A candidate with its fit; ``reason`` says why there is none, or why the law is judged as it is.
 
     ``apart``: of several runs, the strengths that differ by more than their errors.

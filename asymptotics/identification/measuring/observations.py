@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asymptotics.identification.forward.coefficients import Array
+from asymptotics.numbers.alike import Alike
 
 Indices = NDArray[np.intp]
 
 
-@dataclass(frozen=True)
-class Samples:
+@dataclass(frozen=True, eq=False)
+class Samples(Alike):
     """The motion as it was sampled, or a ``derivative`` of it; ``noise`` about a smooth line, with its degrees of
     ``freedom``, and its ``memory``, the correlation of neighbours."""
 
@@ -30,8 +31,8 @@ class Samples:
     derivative: int = 0
 
 
-@dataclass(frozen=True)
-class Observations:
+@dataclass(frozen=True, eq=False)
+class Observations(Alike):
     """Turning points of one run, numbered from 0; gaps in ``n`` are allowed.
 
     ``x``: signed positions, in the unit of the file; ``t``: turning times (empty: none); ``passage_n``,

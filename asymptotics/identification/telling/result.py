@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from asymptotics.errors import require_choice
 from asymptotics.identification.fitting.printed import Decrements
 from asymptotics.identification.fitting.profile import Interval
 from asymptotics.identification.forward.candidates import FREE
@@ -15,6 +16,8 @@ from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.telling.in_words import equivalent, in_words
 from asymptotics.identification.telling.plots import draw_decrements, draw_panels, shown_laws
 from asymptotics.identification.telling.verdicts import Verdict
+from asymptotics.numbers.alike import Alike
+from asymptotics.numbers.policy import exact_integer
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows, plain
 
@@ -49,8 +52,8 @@ class RecordUnits:
         return name, Interval(low, epsilon.estimate * factor, high)
 
 
-@dataclass(frozen=True, repr=False)
-class LawAnswer(Rows):
+@dataclass(frozen=True, repr=False, eq=False)
+class LawAnswer(Alike, Rows):
     """A candidate law for one run, as it is reported."""
 
     law: LawFit
@@ -89,6 +92,7 @@ class LawAnswer(Rows):
 
     def physical(self, i: int) -> tuple[str, Interval] | None:
         """b_i or b_i/m in SI, if the units are known and the exponent is given."""
+        i = exact_integer(i, "i", 0, len(self.law.epsilon) - 1)
         element = self.law.candidate.elements[i]
         # The unit of b would depend on the exponent that was found.
         if self.law.candidate.losses[i][0] == FREE:
@@ -142,8 +146,8 @@ class LawAnswer(Rows):
         return str(law.candidate), verdict, excess, held, strengths
 
 
-@dataclass(frozen=True, repr=False)
-class Identification(Rows, Drawn):
+@dataclass(frozen=True, repr=False, eq=False)
+class Identification(Alike, Rows, Drawn):
     """The answer for one or several runs.
 
     ``verdict``: one of four, in words; ``laws``: the candidates, best first; ``runs``: the data; ``textbook``: the
@@ -181,11 +185,9 @@ class Identification(Rows, Drawn):
         return rows | {"half_life": _number(found["half_life"]), "half_life_unit": found["half_life_unit"]}
 
     def law(self, text: str) -> LawAnswer:
-        """The answer for one candidate, by its name such as ``1+2`` or ``free+s3``; KeyError if it is not there."""
-        for answer in self.laws:
-            if str(answer.law.candidate) == text:
-                return answer
-        raise KeyError(text)
+        """The answer for one candidate, by its name such as ``1+2`` or ``free+s3``; InputError if it is not there."""
+        named = {str(answer.law.candidate): answer for answer in self.laws}
+        return named[require_choice(text, "text", named)]
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: numbers are strings."""
@@ -208,6 +210,7 @@ class Identification(Rows, Drawn):
 
     def table(self, count: int = 12) -> str:
         """The first laws as a table of text."""
+        count = exact_integer(count, "count", 1, 10_000)  # more than are ever tried
         rows: list[tuple[str, ...]] = [("law", "verdict", "dAICc", "held-out", "strengths [interval]")]
         rows += [answer.row() for answer in self.laws[:count]]
         widths = [max(len(row[i]) for row in rows) for i in range(4)]
