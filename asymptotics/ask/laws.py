@@ -12,13 +12,12 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
-from asymptotics.api.units import law_of, oscillator_of
-from asymptotics.ask.forces import GivenTerms, read_law, read_terms
+from asymptotics.api.units import law_of
+from asymptotics.ask.forces import FORMS_FROM_0, GivenTerms, read_law, read_terms
 from asymptotics.ask.kinds import Kind, Option
 from asymptotics.ask.moving import QUANTITIES, Given, is_physical, read_oscillator
 from asymptotics.expansions.equations.given import terms_of
 from asymptotics.law import Law, Oscillator
-from asymptotics.numbers.exact import REAL_FORMS
 from asymptotics.terms import Term
 
 SYMBOLIC = "symbolic"
@@ -35,7 +34,7 @@ def law_options(
     """--alpha, --epsilon, --law and (unless there are no ``springs``) --spring."""
     spring = "a spring c x|x|^(P-1) beside the linear one, repeated; P,Q:C has |x'|^Q as well; pendulum: sin x for x"
     return (
-        Option("alpha", "A", f"the exponent of the damping law, A >= 0: {REAL_FORMS}", "the law"),
+        Option("alpha", "A", f"the exponent of the damping law, A >= 0: {FORMS_FROM_0}", "the law"),
         Option("epsilon", "E", meaning, "the law"),
         Option(
             "law", "A[,M]:E", "one term of a sum, repeated: its exponent and its strength; A,M:E has the factor |x|^M",
@@ -121,7 +120,8 @@ def law_with_strengths(meaning: str, *, negative: bool = False, springs: bool = 
 
 
 def _moving(value: Any, _name: str) -> Given:
-    return Given(oscillator_of(value), isinstance(value, Oscillator))
+    si = isinstance(value, Oscillator)
+    return Given(value if si else Oscillator.of_epsilons(law_of(value)), si)
 
 
 def moving(
