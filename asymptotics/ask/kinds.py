@@ -31,7 +31,8 @@ COMPUTED = "what to compute"
 class Option:
     """One option of the shell: its name without dashes, the letter of its value (none: a flag), its help.
 
-    ``repeated``: it may be given again, ``several``: it takes one word or more, ``place``: it stands without its name.
+    ``repeated``: it may be given again, ``several``: it takes one word or more, ``place``: it stands without its name;
+    ``words``: the values that there are, for the completion of a shell.
     """
 
     name: str
@@ -43,6 +44,7 @@ class Option:
     place: bool = False
     needed: bool = False
     dest: str = ""
+    words: tuple[str, ...] = ()
 
     @property
     def key(self) -> str:
@@ -54,13 +56,15 @@ class Option:
         more: dict[str, Any] = {"help": self.help}
         if self.place:
             count = "+" if self.several and self.needed else "*" if self.several else None if self.needed else "?"
-            parser.add_argument(self.key, metavar=self.letter, nargs=count, **more)
+            parser.add_argument(self.key, metavar=self.letter, nargs=count, **more).words = self.words
             return
         if not self.letter:
             parser.add_argument(f"--{self.name}", dest=self.key, action="store_true", **more)
             return
         more |= {"action": "append"} if self.repeated else {"nargs": "+"} if self.several else {}
-        parser.add_argument(f"--{self.name}", dest=self.key, metavar=self.letter, required=self.needed, **more)
+        parser.add_argument(
+            f"--{self.name}", dest=self.key, metavar=self.letter, required=self.needed, **more
+        ).words = self.words
 
 
 @dataclass(frozen=True)

@@ -62,7 +62,7 @@ class Asked:
         name = kind.option or self.name.replace("_", "-")
         return Option(
             name, kind.letter, told, kind.group, several=kind.several, place=kind.place, needed=self.required,
-            dest=self.name,
+            dest=self.name, words=tuple(kind.schema.get("enum", ())),
         )  # fmt: skip
 
     @property

@@ -12,7 +12,6 @@ MODULES = {
     "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
     "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
     "multiple-scales": "the classical derivation, order by order, in text or LaTeX",
-    "papers": "the statements of the three papers with their verdicts: list, look up, search",
     "solution": "A(t), phi(t), x(t) of any order as functions: formulas, LaTeX, numbers, curve",
     "sweep": "any of these commands at many points, resumable, from one core to a cluster",
     "table": "reference tables with provenance",

@@ -40,11 +40,6 @@ MISSING: dict[str, dict[str, str]] = {
     },
     "motion": {"latex": "the answer is numbers at one time; `expand --latex` has the equations"},
     "multiple-scales": dict.fromkeys(("csv", "plot", "points"), _FORMULAS),
-    "papers": {
-        **dict.fromkeys(("csv", "plot", "points"), "statements are text; `--json` has them all"),
-        "digits": "each statement says how many digits its check has",
-        "gauge": "each statement says itself what it is about",
-    },
     "solution": {"gauge": "the solution is in the turning-point gauge: A is the turning amplitude"},
     "sweep": {
         **dict.fromkeys(("csv", "latex", "plot"), "`--export FILE.csv`, .json or .parquet writes the points"),

@@ -47,8 +47,9 @@ def _options(parser: argparse.ArgumentParser) -> Iterator[tuple[str, argparse.Ac
 
 
 def _values(action: argparse.Action) -> str:
-    if action.choices is not None:
-        return " ".join(map(str, action.choices))
+    words = action.choices or getattr(action, "words", ())
+    if words:
+        return " ".join(map(str, words))
     # --gauge takes any text, refused with the list of gauges: argparse knows no choices of it.
     if action.dest == "gauge":
         return " ".join(GAUGES)
@@ -59,7 +60,8 @@ def _values(action: argparse.Action) -> str:
 
 def _words(command: str, parser: argparse.ArgumentParser) -> list[str]:
     """What may stand where no option is: names of tables, of papers, choices."""
-    found = [str(c) for a in parser._actions if not a.option_strings and a.choices is not None for c in a.choices]
+    places = [a for a in parser._actions if not a.option_strings]
+    found = [str(c) for a in places for c in a.choices or getattr(a, "words", None) or ()]
     if command == "table":
         found += import_module("asymptotics.tables.registry").names()
     if command == "papers":
