@@ -167,7 +167,10 @@ def test_amplitudes_and_checks_that_are_done(capsys, monkeypatch):
 @pytest.mark.parametrize("count", [2, 3, 5, 9])
 def test_points_of_an_inner_swing_are_no_rows_of_damping(count, capsys, monkeypatch):
     stop_at(monkeypatch, "asymptotics.turning.routes.quadratic.proved_point", count, OVER)
-    assert main("damping --alpha 2 --epsilon 1/10 --amplitudes 1,1/2,1/4 --digits 5 --json".split()) == 2
+    assert (
+        main(["damping", "--alpha", "2", "--epsilon", "1/10", "--amplitudes", "1,1/2,1/4", "--digits", "5", "--json"])
+        == 2
+    )
     told = capsys.readouterr()
     assert "60 s are over" in told.err and "fault" not in told.err
     rows = json.loads(told.out)["rows"] if told.out else []

@@ -10,7 +10,7 @@ from difflib import get_close_matches
 from importlib import import_module
 from importlib.util import find_spec
 
-from asymptotics.cli.answer import Answer, add_json
+from asymptotics.cli.answer import Answer, add_common
 from asymptotics.errors import InputError
 
 
@@ -18,7 +18,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("name", nargs="?", metavar="NAME", help="a derivation; without it, the list")
     parser.add_argument("--latex", action="store_true", help="print LaTeX instead of text")
-    add_json(parser)
+    add_common(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:

@@ -19,7 +19,7 @@ _OBJECTS = 50_000
 def main(argv: list[str] | None = None) -> int:
     """The console script ``asymptotics``; returns the exit code."""
     gc.set_threshold(_OBJECTS)
-    return run_guarded("asymptotics", lambda: int(import_module("asymptotics.cli.main").run(argv)))
+    return run_guarded("asymptotics", lambda: int(import_module("asymptotics.cli.main").run(argv)), last=argv is None)
 
 
 if __name__ == "__main__":
