@@ -170,7 +170,7 @@ def _shown(name: str, module: Any, options: argparse.Namespace) -> int:
 
 
 def _answer(module: Any, options: argparse.Namespace) -> Any:
-    if getattr(options, "max_seconds", None) is None:  # a look-up, which has no time, or a part with a time of its own
+    if not (module.takes_time(options) if hasattr(module, "takes_time") else "max_seconds" in options):
         return module.run(options)
     with import_module("asymptotics.cli.clock").timed(options):  # loaded only here: --help and --version stay instant
         return module.run(options)

@@ -10,11 +10,10 @@ asymptotics papers smith2012:43 --check      run its check again
 import argparse
 import textwrap
 from collections import Counter
-from importlib import import_module
 from typing import Any
 
-from asymptotics.budget import DEFAULT_SECONDS, tick
-from asymptotics.cli.answer import Answer, add_json, shortened
+from asymptotics.budget import tick
+from asymptotics.cli.answer import Answer, add_common, shortened
 from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError
 from asymptotics.papers.lookup import SHORTFALLS, VERDICTS, find, has_verdict, papers, statements
@@ -30,9 +29,12 @@ def configure(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--latex", action="store_true", help="print the formulas alone, as LaTeX")
     parser.add_argument("--check", action="store_true", help="run the checks again")
-    text = f"the time the checks may take together (default {DEFAULT_SECONDS:g})"
-    parser.add_argument("--max-seconds", metavar="S", help=text)
-    add_json(parser)
+    add_common(parser)
+
+
+def takes_time(options: argparse.Namespace) -> bool:
+    """Only what is checked: a look-up loads nothing that computes, a clock for it included."""
+    return bool(options.check)
 
 
 def run(options: argparse.Namespace) -> Answer:
@@ -43,9 +45,7 @@ def run(options: argparse.Namespace) -> Answer:
     chosen = tuple(s for s in chosen if has_verdict(s, options.verdict))
     data: dict[str, object] = {"query": query, "entries": [s.to_dict() for s in chosen]}
     if options.check:
-        return _checked(chosen, data, options)
-    if options.max_seconds is not None:
-        raise InputError("--max-seconds", "a look-up takes no time", "--check with it")
+        return _checked(chosen, data, options.json)
     if options.latex:
         return Answer(data, "\n".join(s.corrected or s.latex for s in chosen), options.json)
     if not query and options.verdict is None:
@@ -104,16 +104,14 @@ def _in_full(s: PaperStatement) -> str:
     return "\n".join(lines)
 
 
-def _checked(chosen: tuple[PaperStatement, ...], data: dict[str, object], options: argparse.Namespace) -> Answer:
+def _checked(chosen: tuple[PaperStatement, ...], data: dict[str, object], as_json: bool) -> Answer:
     results: dict[str, Any] = {}
-    options.max_seconds = options.max_seconds or f"{DEFAULT_SECONDS:g}"
-    clock = import_module("asymptotics.cli.clock")  # heavy, as the checks are, and a look-up needs neither
     # Some checks take long: those that are done are told when the time is over.
-    with keeping(lambda: (chosen, data, results) if results else None), clock.timed(options):
+    with keeping(lambda: (chosen, data, results) if results else None):
         for s in chosen:
             tick(f"the check of {s.id}")
             results[s.id] = s.check()
-    return _examined(data, results, options.json)
+    return _examined(data, results, as_json)
 
 
 def cut_short(
