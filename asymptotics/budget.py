@@ -72,6 +72,20 @@ def require_seconds(estimate: float, work: str) -> None:
     """LimitError at once when an estimate is more than twice what is left: no use in starting."""
     current = _current.get()
     # Estimates are good to a factor of about three (``costs``): what may just fit is tried, and the ticks stop it.
-    if current is not None and estimate > 2 * seconds_left():
-        reason = f"{work} would take about {estimate:.0f} s, more than the {current.seconds:g} s allowed"
+    left = seconds_left()
+    if current is not None and estimate > 2 * left:
+        # What is left where much of it is gone: the first number is above the second in the words too.
+        there = f"{current.seconds:g} s allowed"
+        if left < 0.9 * current.seconds:
+            there = f"{seconds_told(max(left, 0))} s left of {current.seconds:g}"
+        reason = f"{work} would take about {seconds_told(estimate)} s, more than the {there}"
         raise LimitError("max_seconds", reason, _ACCEPTED)
+
+
+def seconds_told(seconds: float) -> str:
+    """Seconds in words, never 0 for a part of one.
+
+    >>> seconds_told(0.3), seconds_told(14.1), seconds_told(7200)
+    ('0.3', '14', '7200')
+    """
+    return f"{seconds:.0f}" if seconds >= 10 else f"{seconds:.2g}"

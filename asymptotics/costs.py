@@ -18,6 +18,7 @@ asymptotics.errors.LimitError: argument order: order 300 would take about 7200 s
 from collections.abc import Iterable
 from math import comb, log2
 
+from asymptotics.budget import seconds_told
 from asymptotics.errors import LimitError
 
 # What all of these numbers decide: which route is offered first, and whether a request is refused before it begins.  No
@@ -137,5 +138,5 @@ def primitive_seconds(swings: float, bits: int) -> float:
 def require_affordable(seconds: float, limit: float, argument: str, work: str, accepted: str = "") -> None:
     """LimitError with the estimate when it is above ``limit``."""
     if seconds > limit:
-        reason = f"{work} would take about {seconds:.0f} s"
-        raise LimitError(argument, reason, f"work of at most {limit:.0f} s{accepted}")
+        reason = f"{work} would take about {seconds_told(seconds)} s"
+        raise LimitError(argument, reason, f"work of at most {seconds_told(limit)} s{accepted}")

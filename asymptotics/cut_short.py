@@ -9,6 +9,12 @@
 ...     done(stop)
 ('row 1',)
 >>> try:
+...     with keeping(lambda: None), keeping(lambda: "rows of a step on the way"):
+...         raise KeyboardInterrupt
+... except KeyboardInterrupt as stop:
+...     done(stop) is None
+True
+>>> try:
 ...     with changed(lambda found: found + ("and its unit",)), keeping(lambda: tuple(rows)):
 ...         try:
 ...             raise KeyboardInterrupt
@@ -74,7 +80,7 @@ def _maker(error: BaseException | None) -> Callable[[], Any] | None:
 
 
 class keeping(AbstractContextManager[Any]):  # noqa: N801 (used as a context manager, as ``suppress`` is)
-    """``with keeping(rows):`` an error from inside carries ``rows()``, unless it carries rows already."""
+    """``with keeping(rows):`` an error from inside carries ``rows()``: what an inner call has kept are no rows here."""
 
     def __init__(self, rows: Callable[[], Any]) -> None:
         self.rows = rows
@@ -82,7 +88,7 @@ class keeping(AbstractContextManager[Any]):  # noqa: N801 (used as a context man
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        if error is not None and _maker(error) is None:
+        if error is not None:
             # An error of C or with slots takes no attribute: then nothing is handed over, and the error itself goes on.
             with suppress(AttributeError, TypeError):
                 setattr(error, _NAME, self.rows)

@@ -30,7 +30,7 @@ BENCHMARKS = {
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command: 0, or 2 for a bad name, size or folder."""
-    return run_guarded("benchmarks", lambda: _run(argv))
+    return run_guarded("benchmarks", lambda: _run(argv), last=argv is None)
 
 
 def _run(argv: list[str] | None) -> int:

@@ -139,7 +139,7 @@ class Score:
 
 def main(argv: list[str] | None = None) -> int:
     """Run the groups; 0 if every score is at least ``WANTED``, else 1."""
-    return run_guarded("mutants", lambda: _run(argv))
+    return run_guarded("mutants", lambda: _run(argv), last=argv is None)
 
 
 def _run(argv: list[str] | None) -> int:

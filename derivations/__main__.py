@@ -18,7 +18,7 @@ def names() -> list[str]:
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; 0 if every step was asserted, 1 if one failed, 2 for an unknown name."""
-    return run_guarded("derivations", lambda: _run(argv))
+    return run_guarded("derivations", lambda: _run(argv), last=argv is None)
 
 
 def _run(argv: list[str] | None) -> int:

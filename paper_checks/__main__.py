@@ -8,7 +8,7 @@ from asymptotics.cli.shell import run_guarded
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; returns the exit code."""
-    return run_guarded("paper_checks", lambda: int(import_module("paper_checks.command").run(argv)))
+    return run_guarded("paper_checks", lambda: int(import_module("paper_checks.command").run(argv)), last=argv is None)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from asymptotics.budget import budget, require_seconds, seconds_left, tick
 from asymptotics.cli import clock
 from asymptotics.cli.commands import module_of
 from asymptotics.cli.main import COMMANDS, main
+from asymptotics.costs import require_affordable
 from asymptotics.errors import LimitError
 
 # Commands that may take long; the numbers are not used elsewhere in the tests, so that no cache answers.
@@ -58,8 +59,8 @@ def test_the_work_of_every_command_asks_for_the_time(line, ticking, capsys):
 
 
 def test_every_command_that_may_take_long_has_a_budget():
-    without = {"derive", "papers", "sweep"}  # quick look-ups; a sweep is resumed, and each point has its own budget
-    for command in set(COMMANDS) - {"derive"}:
+    without = {"sweep"}  # it is resumed, and each point has its own budget
+    for command in COMMANDS:
         parser = argparse.ArgumentParser()
         module_of(command).configure(parser)
         assert ("--max-seconds" in parser.format_help()) == (command not in without), command
@@ -97,6 +98,20 @@ def test_an_estimate_of_twice_what_is_left_is_not_started(monkeypatch):
         require_seconds(14, "just possible")
         with pytest.raises(LimitError, match="too much would take about 14 s, more than the 7 s allowed"):
             require_seconds(14.1, "too much")
+
+
+def test_an_estimate_is_above_what_is_left_in_the_words_too(monkeypatch):
+    now = [100.0]
+    monkeypatch.setattr(module, "monotonic", lambda: now[0])
+    with budget(0.5):
+        now[0] += 0.4
+        with pytest.raises(LimitError, match=r"would take about 0.3 s, more than the 0.1 s left of 0.5 \("):
+            require_seconds(0.3, "it")
+        now[0] += 1
+        with pytest.raises(LimitError, match=r"would take about 0.02 s, more than the 0 s left of 0.5 \("):
+            require_seconds(0.02, "it")
+    with pytest.raises(LimitError, match=r"would take about 0.4 s \(accepted: work of at most 0.2 s\)"):
+        require_affordable(0.4, 0.2, "order", "it")
 
 
 def _options(seconds):

@@ -164,6 +164,33 @@ def test_amplitudes_and_checks_that_are_done(capsys, monkeypatch):
     assert len(found["outcomes"]) == 1 and "checks, " in found["missing"]
 
 
+@pytest.mark.parametrize("count", [2, 3, 5, 9])
+def test_points_of_an_inner_swing_are_no_rows_of_damping(count, capsys, monkeypatch):
+    stop_at(monkeypatch, "asymptotics.turning.routes.quadratic.proved_point", count, OVER)
+    assert (
+        main(["damping", "--alpha", "2", "--epsilon", "1/10", "--amplitudes", "1,1/2,1/4", "--digits", "5", "--json"])
+        == 2
+    )
+    told = capsys.readouterr()
+    assert "60 s are over" in told.err and "fault" not in told.err
+    rows = json.loads(told.out)["rows"] if told.out else []
+    assert [row["amplitude"] for row in rows] == ["1", "1/2", "1/4"][: len(rows)] and len(rows) == (count - 1) // 3
+
+
+def test_what_a_picture_has_computed_is_no_row_of_the_answer(capsys, monkeypatch, tmp_path):
+    """Whatever is drawn may ask for turning points of its own, as the curve of ``damping`` may."""
+
+    def drawn(*_, **__):
+        stop_at(monkeypatch, "asymptotics.turning.routes.quadratic.proved_point", 3, OVER)
+        return asy.turning_points({2: "1/7"}, 5)
+
+    monkeypatch.setattr("asymptotics.cli.files.pictured", drawn)
+    for line in ("damping --alpha 2 --epsilon 1/10", "turning-points --alpha 2 --epsilon 1 --count 2"):
+        assert main([*line.split(), "--plot", str(tmp_path / "picture.svg")]) == 2
+        told = capsys.readouterr()
+        assert told.out == "" and "60 s are over" in told.err and "fault" not in told.err
+
+
 def test_python_has_them_from_the_error(monkeypatch):
     stop_at(monkeypatch, "asymptotics.turning.table.proved_point", 3, KeyboardInterrupt)
     with pytest.raises(KeyboardInterrupt) as stop:

@@ -24,6 +24,7 @@ from asymptotics.ask.moving import add_physical, read_oscillator
 from asymptotics.ask.rows import asked_besides
 from asymptotics.cli.answer import Answer, add_common, shortened
 from asymptotics.cli.files import Makers, add_csv, add_plot, picture_maker, read_files, write_files
+from asymptotics.cut_short import changed
 from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import QUANTITIES
 from asymptotics.errors import InputError
@@ -125,7 +126,8 @@ def _inverse(options: argparse.Namespace, files: dict[str, Path]) -> Answer:
             raise InputError(f"--{name}", "cannot be combined with --from", "the table, --laws, --resolution, --spring")
     if "--plot" in files:
         raise InputError("--plot", "cannot be combined with --from", "--csv, or asymptotics damping of the law found")
-    found = law_behind(path, options, resolution=options.resolution, laws=options.laws)
+    with changed(lambda _: None):  # what is done on the way to a law is no row of amplitudes
+        found = law_behind(path, options, resolution=options.resolution, laws=options.laws)
     text = with_words(csv_text(LAW_HEAD, law_rows(found)), _law_words(found, options))
     written = write_files(files, {"--csv": lambda _: text})
     return Answer(

@@ -1,14 +1,14 @@
 """What every program of the project does about interrupts and about output that cannot be written.
 
-============================  ==========================================================
-Ctrl-C, SIGTERM, at any time  one line on stderr, exit code 130 or 143
+============================  =================================================================
+Ctrl-C, SIGTERM, at any time  one line on stderr, exit code 130 or 143; after the answer, nothing
 stdout closed, ``| head``     silence: who closes the output does not want it
 ``> /dev/full``, a full disk  one line on stderr, exit code 2
 a letter that the terminal's
 encoding does not have        its escape, never a UnicodeEncodeError
 memory that is not there      one line on stderr, exit code 2
 a fault of the program        two lines that say how to report it, exit code 70
-============================  ==========================================================
+============================  =================================================================
 
 >>> run_guarded("program", lambda: 1)
 1
@@ -77,23 +77,30 @@ class Interrupts:
                 if signal.getsignal(number) is usual:
                     signal.signal(number, self)
 
-    def remove(self) -> None:
-        """As it was before ``install``."""
+    def remove(self, *, last: bool) -> None:
+        """As it was before ``install``; at the ``last`` nothing is left to interrupt, and no signal is answered.
+
+        While it ends, the interpreter gives signals back to the system, whose answer is death without a word, after the
+        answer was printed; one that is ignored it leaves alone.
+        """
         with suppress(ValueError):
             for number, usual in _USUAL.items():
                 if signal.getsignal(number) is self:
-                    signal.signal(number, usual)
+                    signal.signal(number, signal.SIG_IGN if last else usual)
 
 
-def run_guarded(name: str, body: Callable[[], int]) -> int:
-    """Run ``body`` and return its exit code; interrupts and lost output as in the table of the module."""
+def run_guarded(name: str, body: Callable[[], int], *, last: bool = False) -> int:
+    """Run ``body`` and return its exit code; interrupts and lost output as in the table of the module.
+
+    ``last``: the process ends with it, as that of a program which was started with its own arguments.
+    """
     # Twice guarded: the child answers for the work, this process for the child and for interrupts while it waits.
     if is_little():
-        return _guarded(name, lambda: in_child(lambda: _guarded(name, body), complain, name, REFUSED))
-    return _guarded(name, body)
+        return _guarded(name, lambda: in_child(lambda: _guarded(name, body, True), complain, name, REFUSED), last)
+    return _guarded(name, body, last)
 
 
-def _guarded(name: str, body: Callable[[], int]) -> int:
+def _guarded(name: str, body: Callable[[], int], last: bool) -> int:
     interrupts = Interrupts()
     interrupts.install()
     try:
@@ -114,7 +121,7 @@ def _guarded(name: str, body: Callable[[], int]) -> int:
         # cleaning.
         return 128 + (interrupts.seen or signal.SIGINT)
     finally:
-        interrupts.remove()
+        interrupts.remove(last=last)
 
 
 def _finished(name: str, body: Callable[[], int]) -> int:

@@ -10,7 +10,7 @@ from asymptotics.errors import InputError
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; 0, or 2 for a folder that cannot be written."""
-    return run_guarded("tables", lambda: _run(argv))
+    return run_guarded("tables", lambda: _run(argv), last=argv is None)
 
 
 def _run(argv: list[str] | None) -> int:

@@ -32,9 +32,9 @@ class Stated:
 
 def stated(path: Path) -> Stated | None:
     """What the lines that start with # say; None where they say nothing, or the file cannot be read."""
-    if not path.is_file():
-        return None
     try:
+        if not path.is_file():
+            return None
         with path.open(encoding="utf-8-sig") as stream:
             lines = [line[2:].strip() for line in islice(stream, _LINES) if line.startswith("# ") and len(line) < _LONG]
     except (OSError, ValueError):

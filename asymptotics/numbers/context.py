@@ -54,9 +54,10 @@ class _Alone:
         if self.owner != me:
             while not self.lock.acquire(timeout=_PATIENCE):
                 tick("the wait for another thread, which computes")
-            self.owner = me
-            # The values before the outermost setting: where a child of this process goes back to.
+            # The values before the outermost setting: where a child of this process goes back to. Before the owner is
+            # known, so that whoever sees one sees his values too.
             self.usual = [getattr(owner, name) for owner, name in self.guarded]
+            self.owner = me
         self.depth += 1
 
     def __exit__(self, *_: object) -> None:
@@ -67,10 +68,14 @@ class _Alone:
 
     def forked(self) -> None:
         """In the child: the thread that forked goes on where it was; a lock that another one held is lost with it."""
-        if self.lock.locked() and self.owner != get_ident():
+        if self.owner == get_ident():
+            return
+        if self.owner:
             for (owner, name), value in zip(self.guarded, self.usual):
                 setattr(owner, name, value)
-            self.free()
+        # Whatever ``locked`` says: another thread may have taken the lock and not have come to say so, or to be its
+        # owner, when this process was forked; it is not here to give it back.
+        self.free()
 
 
 alone = _Alone()

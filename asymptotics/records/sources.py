@@ -75,13 +75,21 @@ def opened(source: Any, how: How) -> Source:
         str(path).encode()
     except UnicodeEncodeError as error:
         raise InputError("FILE", f"{str(path)!r} is no file name", "a file of data") from error
-    if path.suffix.lower() in SHEETS + FRAMES and path.is_file():
+    if path.suffix.lower() in SHEETS + FRAMES and _is_file(path):
         if path.suffix.lower() in FRAMES:
             return _of_frame(frame_of(path), path.name, how)
         return _of_text("\n".join(sheet_lines(path, how.sheet)).encode(), path.stem + path.suffix + " (sheet)", how)
     if "\0" in str(path):
         raise InputError("FILE", f"{str(path)!r} is no file name", "a file of data")
     return _of_text(path, path.name, how)
+
+
+def _is_file(path: Path) -> bool:
+    """Whether it is one; of a name that is too long for the system the reading says what is wrong with it."""
+    try:
+        return path.is_file()
+    except OSError:
+        return False
 
 
 def _pandas() -> Any:

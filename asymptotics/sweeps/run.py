@@ -34,6 +34,7 @@ from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public_beside_others
+from asymptotics.sweeps.callers import caller_mark
 from asymptotics.sweeps.frame import columns, draw
 from asymptotics.sweeps.grid import Point
 from asymptotics.sweeps.plan import Job, SweepPlan, finished
@@ -84,7 +85,7 @@ class SweepResult(Rows, Drawn):
         return columns(self.command, self.grid, Path(self.store))
 
     def _heading(self) -> str:
-        return f"{self.command} at {self.points} points"
+        return f"{self.command.partition(' [')[0]} at {self.points} points"
 
     def _curve(self, axes: Any, **style: Any) -> None:
         draw(axes, self.grid, self._table(), style)
@@ -109,19 +110,24 @@ def sweep(
     executor: Executor | None = None,
     crew: OpenCrew | None = None,
     progress: Progress = lambda done, total: None,
+    version: str | None = None,
     max_seconds: Number | None = None,
 ) -> SweepResult:
     """Compute ``task`` at every point that the store in ``folder`` does not hold yet.
 
     ``task`` takes a point and returns JSON-ready data; with a pool it must be a function of a module.  Its results are
-    filed under ``command``.  Any ``executor`` of concurrent.futures may be given, and is left open; otherwise there are
-    ``workers`` processes (default: one for each core; 1: this process), or the ``crew`` that is opened, and opened
-    again when it breaks.  ``progress`` is called with the numbers of points done and asked for.
+    filed under ``command`` and the code of the task (``callers``), or its ``version`` where one is given ("": under
+    ``command`` alone): a task that was corrected is computed again.  Any ``executor`` of concurrent.futures may be
+    given, and is left open; otherwise there are ``workers`` processes (default: one for each core; 1: this process), or
+    the ``crew`` that is opened, and opened again when it breaks.  ``progress`` is called with the numbers of points
+    done and asked for.
     A store that can only be read serves a sweep of which it holds every point.
     Raises InputError for an unusable store (one of other code among them), a worker of other code, or a full disk;
     everything finished is then in the store.
     """
     start = time.perf_counter()
+    own = caller_mark(task, version)
+    command = f"{command} [{own}]" if own else command
     folder = _folder(folder)
     _require_readable(task, command, points, progress)
     workers = None if workers is None else exact_integer(workers, "workers", 1, MAX_WORKERS)

@@ -9,11 +9,13 @@ been written: its point is computed again.  A line is in the file or it is not, 
 The lock (``flock``) belongs to the open file: the system releases it when a process ends, however it ends.
 """
 
-import fcntl
 import hashlib
 import json
 import os
+import re
+import stat
 from collections.abc import Iterator, Mapping
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -80,18 +82,43 @@ def _checksum(key: str, record: str) -> str:
     return hashlib.sha256(f"{key} {record}".encode()).hexdigest()
 
 
+def believed(line: bytes) -> tuple[str, str] | None:
+    """(key, record) of a line that proves itself and stands under the key of its task, else None."""
+    found = verified(line)
+    if found is None:
+        return None
+    key, record = found
+    # The task stands at the end as the text that its key was made of; a parameter may have this name too.
+    tasks = (record[m.end() : -1] for m in re.finditer(',"task":', record))
+    return found if any(hashlib.sha256(task.encode()).hexdigest() == key for task in tasks) else None
+
+
 def lines(path: Path) -> Iterator[tuple[int, str, str]]:
     """(offset, key, record) of every line of a shard that proves itself; nothing if there is no file."""
     if not path.exists():
         return
     # Counted over all lines, torn ones included: it is the place in the file, from which one record is read again.
     offset = 0
-    with path.open("rb") as stream:
+    with os.fdopen(_opened(path, os.O_RDONLY), "rb") as stream:
         for line in stream:
-            found = verified(line)
+            found = believed(line)
             if found is not None:
                 yield offset, *found
             offset += len(line)
+
+
+def _opened(path: Path, how: int) -> int:
+    """The handle of a shard, which is a file of its own: nothing is written through a link, no pipe is waited for."""
+    # Where a system has no such flag it has no such files, or the link is met by the question below it.
+    flags = how | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+    try:
+        handle = os.open(path, flags | getattr(os, "O_BINARY", 0), 0o644)
+    except OSError as error:
+        raise InputError("store", f"cannot open {path.name}: {error.strerror}", "a store of plain files") from error
+    if path.is_symlink() or not stat.S_ISREG(os.fstat(handle).st_mode):
+        os.close(handle)
+        raise InputError("store", f"{path.name} is no plain file", "a store of plain files")
+    return handle
 
 
 class LockedShard:
@@ -106,22 +133,27 @@ class LockedShard:
         with path.open("rb") as stream:
             for line in stream:
                 size += len(line)
-                found = verified(line)
+                found = believed(line)
                 if found is not None:
                     self._note(*found)
         self._end = size
         # A file that does not end with a line end was cut by a kill: the next record begins on a line of its own, and
         # the torn one stays what it is, a line that does not prove itself.
-        self._torn = bool(size) and os.pread(handle, 1, size - 1) != b"\n"
+        self._torn = bool(size) and self._last_byte() != b"\n"
 
     @classmethod
     def take(cls, path: Path) -> "LockedShard | None":
         """Lock the shard at ``path``, which is created; None while another process has it."""
         # A lock belongs to the open file: a worker that inherited it would hold the lock after this process has ended.
-        handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
+        handle = _opened(path, os.O_RDWR | os.O_CREAT)
         try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            locks = import_module("fcntl")  # not on every system, and without it the other commands go on
+            locks.flock(handle, locks.LOCK_EX | locks.LOCK_NB)
             return cls(handle, path)
+        except ModuleNotFoundError as error:
+            os.close(handle)
+            accepted = "a system with fcntl: Linux, macOS, or Linux in Windows (WSL)"
+            raise InputError("store", "this system has no such locks of files as a store needs", accepted) from error
         except BlockingIOError:
             os.close(handle)
             return None
@@ -137,12 +169,17 @@ class LockedShard:
             while done < len(data):
                 # At its place, not at the end of the file: what a failed write has left behind is overwritten.  A write
                 # may be short.
-                done += os.pwrite(self._handle, data[done:], self._end + done)
+                os.lseek(self._handle, self._end + done, os.SEEK_SET)
+                done += os.write(self._handle, data[done:])
         except OSError:
             os.ftruncate(self._handle, self._end)
             raise
         self._end, self._torn = self._end + len(data), False
         self._note(key, record)
+
+    def _last_byte(self) -> bytes:
+        os.lseek(self._handle, -1, os.SEEK_END)
+        return os.read(self._handle, 1)
 
     def _note(self, key: str, record: str) -> None:
         self.keys.add(key)

@@ -78,8 +78,9 @@ def _run(task: Task, point: Point) -> PointOutcome:
         return _failed(str(error))
     except (MemoryError, OSError) as error:  # of the machine, not of the point: worth another try some day
         return _failed(f"{type(error).__name__}: {error}", lasting=False)
-    except Exception as error:  # noqa: BLE001  (one point must not end a sweep of millions)
-        return _failed(f"{type(error).__name__}: {error}")
+    # One point must not end a sweep of millions; a fault of the task is no property of the point either.
+    except Exception as error:  # noqa: BLE001
+        return _failed(f"{type(error).__name__}: {error}", lasting=False)
 
 
 def _failed(reason: str, *, lasting: bool = True) -> PointOutcome:

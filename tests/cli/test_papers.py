@@ -22,6 +22,20 @@ def test_command(capsys):
     assert "e^{2u_1}" in capsys.readouterr().out
 
 
+def test_the_checks_have_a_time(capsys, monkeypatch):
+    main(["papers", "smith2012:48", "--check"])  # the runner is loaded
+    capsys.readouterr()
+
+    def endless(_):
+        while True:
+            pass
+
+    monkeypatch.setattr("paper_checks.runner.examine", endless)
+    assert main(["papers", "smith2012", "--check", "--max-seconds", "1/4"]) == 2
+    told = capsys.readouterr()
+    assert told.out == "" and "--max-seconds: 0.25 s are over at the check of smith2012:" in told.err
+
+
 def test_looking_up_loads_no_heavy_library():
     probe = (
         "import sys; from asymptotics.cli.main import main; main(['papers', 'smith2012:43']);"

@@ -115,6 +115,32 @@ def test_a_signal_while_the_libraries_load_is_one_line(name, number):
     assert code == 128 + number
 
 
+AT_THE_END = """
+import atexit, os, sys
+
+class Late:
+    kill, pid = os.kill, os.getpid()
+
+    def __del__(self):
+        self.kill(self.pid, {number})
+
+sys.late = Late()  # goes when the interpreter has given the signals back
+atexit.register(os.kill, os.getpid(), {number})
+"""
+
+
+@pytest.mark.parametrize("name", first(ANSWERING))
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_after_the_answer_changes_nothing(name, number, tmp_path):
+    (tmp_path / "sitecustomize.py").write_text(AT_THE_END.format(number=int(number)))
+    words = ["-m", "asymptotics.cli.entry", "smith", "f", "--n", "3"] if name == "asymptotics" else ANSWERING[name]
+    done = subprocess.run(
+        [sys.executable, *words], capture_output=True, text=True, check=False, cwd=ROOT,
+        env={**os.environ, "PYTHONPATH": str(tmp_path)},
+    )  # fmt: skip
+    assert (done.returncode, without_progress(done.stderr)) == (0, "") and done.stdout
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_inside_exec_keeps_its_exit_code(tmp_path, number):
     """An exact KeyboardInterrupt through ``exec`` ends ``python -m`` by SIGINT, whatever the program returns."""

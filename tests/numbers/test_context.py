@@ -5,6 +5,7 @@ import os
 import sys
 import threading
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import mpmath
@@ -12,6 +13,7 @@ import pytest
 from flint import ctx as flint_ctx
 
 import asymptotics as asy
+from asymptotics.budget import budget
 from asymptotics.numbers.context import alone, ctx
 from asymptotics.numbers.decimal_context import intervals, workdps
 from asymptotics.turning.quadratic_series import abel_coefficients, half_period_series, map_series
@@ -125,6 +127,54 @@ def test_a_fork_while_another_thread_is_inside_is_no_deadlock():
     assert held(child) == 0
     with alone:  # and the thread that forks goes on where it was
         assert child() == 0
+
+
+class TakenUnseen:
+    """The lock of a child that was forked when another thread had taken it and had not come to say so."""
+
+    def locked(self):
+        return False
+
+    def acquire(self, timeout):
+        return False
+
+
+def test_a_lock_that_was_taken_and_does_not_say_so_is_freed_in_the_child():
+    door = type(alone)()
+    door.lock = TakenUnseen()
+    door.forked()
+    with budget(5), door:
+        assert door.owner == threading.get_ident()
+        door.forked()  # the thread that forked is inside, and stays there
+        assert door.depth == 1 and door.owner
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork on this system")
+@pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
+def test_children_forked_beside_computing_threads_compute(racing):
+    over = threading.Event()
+
+    def compute():
+        while not over.is_set():
+            asy.moment("5/2", digits=20)
+
+    threads = [threading.Thread(target=compute, daemon=True) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    try:
+        children = []
+        for _ in range(20):
+            pid = os.fork()
+            if not pid:
+                with suppress(BaseException), budget(10):
+                    os._exit(0 if asy.moment(2).value[:3] == "0.5" else 1)
+                os._exit(2)
+            children.append(pid)
+        assert [os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) for pid in children] == [0] * 20
+    finally:
+        over.set()
+        for thread in threads:
+            thread.join(60)
 
 
 def test_nobody_is_let_in_while_another_thread_is_inside():

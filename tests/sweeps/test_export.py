@@ -5,9 +5,9 @@ import os
 
 import pytest
 import tasks
+from tasks import sweep
 
 from asymptotics.errors import InputError
-from asymptotics.sweeps import sweep
 from asymptotics.sweeps.export import export, read_rows
 from asymptotics.sweeps.shard import LockedShard
 

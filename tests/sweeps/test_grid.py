@@ -1,9 +1,10 @@
 """Ranges and grids: what is none, what is too large, and a million points."""
 
 import pytest
+from tasks import sweep
 
 from asymptotics.errors import InputError
-from asymptotics.sweeps import Grid, sweep, values
+from asymptotics.sweeps import Grid, values
 
 
 @pytest.mark.parametrize("text", ["1:2", "1:2:0", "2:1:1/2", "1:2:3/10", "a", "", "1,,2", "1:2:1:1", "0:1:nan", "1_0"])

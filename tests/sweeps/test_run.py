@@ -13,9 +13,9 @@ from pathlib import Path
 
 import pytest
 import tasks
+from tasks import sweep
 
 from asymptotics.errors import InputError, LimitError
-from asymptotics.sweeps import sweep
 from asymptotics.sweeps.export import records
 from asymptotics.sweeps.store import Store
 

@@ -1,13 +1,16 @@
 """Shards that were damaged or torn: nothing wrong is read back."""
 
+import os
 import random
 
+import pytest
 import tasks
 from hypothesis import given
 from hypothesis import strategies as st
+from tasks import sweep
 
-from asymptotics.sweeps import sweep
-from asymptotics.sweeps.shard import LockedShard, verified, written
+from asymptotics.errors import InputError
+from asymptotics.sweeps.shard import LockedShard, believed, content_key, lines, record_of, verified, written
 from tests.sweeps.test_run import stored
 
 LAST = 60
@@ -55,12 +58,41 @@ def test_a_line_proves_itself(record, data):
 
 def test_a_torn_line_does_not_spoil_the_next_one(tmp_path):
     path = tmp_path / "00.points"
-    path.write_bytes(written("1" * 64, "{}") + written("2" * 64, "{}")[:50])
+    one, two, three = ({"command": "c", "n": n} for n in "123")
+    line = lambda task: written(content_key(task), record_of(task, '{"result":1}'))  # noqa: E731
+    path.write_bytes(line(one) + line(two)[:50])
     shard = LockedShard.take(path)
     assert LockedShard.take(path) is None  # the lock holds
-    assert shard.keys == {"1" * 64}
-    shard.append("3" * 64, "{}")
+    assert shard.keys == {content_key(one)}
+    shard.append(content_key(three), record_of(three, '{"result":3}'))
     shard.close()
     shard = LockedShard.take(path)
-    assert shard.keys == {"1" * 64, "3" * 64}
+    assert shard.keys == {content_key(one), content_key(three)}
     shard.close()
+
+
+def test_a_record_under_the_key_of_another_task_is_not_believed(tmp_path):
+    """Failed before: a line with a new checksum proved itself, whatever it said of which point it was."""
+    one, two = ({"command": "c", "point": {"n": n, "task": "x"}} for n in "12")
+    right = written(content_key(one), record_of(one, '{"result":1}'))
+    wrong = written(content_key(two), record_of(one, '{"result":1}'))
+    assert verified(wrong) is not None
+    assert believed(wrong) is None and believed(right) == verified(right)
+    path = tmp_path / "00.points"
+    path.write_bytes(wrong + right)
+    assert [key for _, key, _ in lines(path)] == [content_key(one)]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names on this system")
+def test_a_shard_that_is_a_link_or_a_pipe_is_refused(tmp_path):
+    """Failed before: what the link led to was written to, and the pipe was waited for."""
+    target, link, pipe = (tmp_path / name for name in ("target", "00.points", "01.points"))
+    target.write_text("mine")
+    link.symlink_to(target)
+    os.mkfifo(pipe)
+    for path in (link, pipe):
+        with pytest.raises(InputError, match="store of plain files"):
+            LockedShard.take(path)
+        with pytest.raises(InputError, match="store of plain files"):
+            list(lines(path))
+    assert target.read_text() == "mine"

@@ -2,9 +2,9 @@
 
 import pytest
 import tasks
+from tasks import sweep
 
 from asymptotics.errors import InputError
-from asymptotics.sweeps import sweep
 
 FOREIGN = [None, "", "{}", '{"format": "other"}', '{"format": "asymptotics-sweep/1", "version": "0.0.0"}', "[]"]
 

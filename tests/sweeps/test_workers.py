@@ -12,10 +12,11 @@ from pathlib import Path
 
 import pytest
 import tasks
+from tasks import sweep
 
 from asymptotics.cli.main import main
 from asymptotics.errors import InputError
-from asymptotics.sweeps import sweep, workers
+from asymptotics.sweeps import workers
 from asymptotics.sweeps.export import records
 from asymptotics.sweeps.store import Store
 from asymptotics.sweeps.workers import dask_executor

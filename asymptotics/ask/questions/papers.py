@@ -9,6 +9,7 @@ from typing import Annotated, Any
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, SECONDS, Kind, choice
 from asymptotics.ask.question import question
+from asymptotics.budget import tick
 from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.policy import Number
@@ -199,5 +200,6 @@ def _outcomes(query: str, chosen: tuple[PaperStatement, ...]) -> dict[str, Any]:
     # Some checks take long: those that are done are told when the time is over.
     with keeping(lambda: Looked(query, chosen, results) if results else None):
         for s in chosen:
+            tick(f"the check of {s.id}")
             results[s.id] = s.check()
     return results
