@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from asymptotics.api.damping_law import damping_law
     from asymptotics.api.files import compare
     from asymptotics.api.hierarchy import any_start, map_of_gauges, multiple_scales
-    from asymptotics.api.lookups import C, G, f, table, table_names
+    from asymptotics.api.lookups import C, G, f, table_names
     from asymptotics.api.motions import Events, Motion, Reference, motion, reference
     from asymptotics.api.pictures import plot
     from asymptotics.api.slow import Envelope, envelope
@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from asymptotics.ask.questions.limit_cycle import limit_cycle
     from asymptotics.ask.questions.moment import moment
     from asymptotics.ask.questions.stokes import stokes
+    from asymptotics.ask.questions.table import table
     from asymptotics.ask.questions.turning_points import turning_points
     from asymptotics.bounds.remainder import remainder
     from asymptotics.cli.swept import sweep_command
@@ -67,7 +68,8 @@ _HOMES = {
     "api.files": ("compare",),
     "ask.questions.derive": ("derive",),
     "api.hierarchy": ("any_start", "map_of_gauges", "multiple_scales"),
-    "api.lookups": ("C", "G", "f", "table", "table_names"),
+    "api.lookups": ("C", "G", "f", "table_names"),
+    "ask.questions.table": ("table",),
     "ask.questions.moment": ("moment",),
     "ask.questions.half_swing": ("half_swing",),
     "ask.questions.limit_cycle": ("limit_cycle",),

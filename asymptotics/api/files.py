@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from asymptotics.api.lookups import table_inputs
 from asymptotics.api.units import oscillator_of
 from asymptotics.comparison.run import Comparison, compare_file
 from asymptotics.comparison.tabled import compare_table, series_table
@@ -16,6 +15,7 @@ from asymptotics.errors import InputError, shown
 from asymptotics.law import LawLike, Oscillator
 from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.public import public
+from asymptotics.tables.inputs import Inputs
 
 MAX_DIGITS = 1000
 
@@ -49,7 +49,7 @@ def compare(
     if table is not None:
         if not isinstance(table, str):
             raise InputError("table", f"{shown(table)} is no name", "a name of table_names()")
-        return compare_table(source, table, table_inputs(alpha, epsilon, law), columns=columns, digits=wanted)
+        return compare_table(source, table, Inputs.read(alpha, epsilon, law), columns=columns, digits=wanted)
     for name, value in (("alpha", alpha), ("epsilon", epsilon)):
         if value is not None:
             raise InputError(name, "there is no table", f"{name} with table, or the law")

@@ -57,6 +57,8 @@ class Offers:
     typed                   refuses options that were typed and would have no effect
     failed                  whether a check has failed (exit code 1)
     of_shell                what the shell calls in the place of the function, with its values
+    more, instead           options of the shell alone; (data, text) in the place of an answer, without computing
+    show                    an own way to show and write: refuses before the work, then makes (data, text) of the result
     missing                 (rows done, what is missing) of what was done when the work was cut short
     lacks                   a common option that means nothing here -> why
     ======================  ==========================================================================================
@@ -80,6 +82,9 @@ class Offers:
     failed: Part = lambda found, _: False
     besides: Part = lambda found, _: ""
     of_shell: Callable[..., Any] | None = None
+    more: tuple[Option, ...] = ()
+    instead: Callable[[Request], tuple[dict[str, Any], str] | None] = lambda _: None
+    show: Callable[[Request], Callable[[Any], tuple[dict[str, Any], str]]] | None = None
     missing: Callable[[Any, Request], tuple[int, str]] | None = None
     lacks: Mapping[str, str] = field(default_factory=dict)
 
@@ -104,6 +109,7 @@ class Offers:
             text = f"the table has POINTS + 1 rows (1 to {MAX_POINTS}; default {DEFAULT_POINTS})"
             found.append(Option("points", "POINTS", text, "output"))
         return (
+            *self.more,
             *found,
             Option("json", "", "print JSON (numbers are strings, never floats)", "output"),
             Option("quiet", "", "no progress on stderr", "output"),

@@ -1,6 +1,7 @@
 """A question as a command of the shell: its options declared, its answer made of the parts that it offers."""
 
 import argparse
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -28,19 +29,37 @@ class Command:
 
     def run(self, options: argparse.Namespace) -> Answer:
         """Read the request, refuse its files before the work, compute, write the files and tell the answer."""
-        files = read_files(options)
-        request = Request(self.question.of_options(options), options)
-        self.question.offers.typed(request)
+        request, show = self._prepared(options)
+        if (instead := self.question.offers.instead(request)) is not None:
+            return Answer(*instead, options.json)
         compute = self.question.offers.of_shell or self.question.function
-        return self._shown(request, files, compute(**request.values))
+        return show(compute(**request.values))
 
     def cut_short(self, options: argparse.Namespace, found: Any) -> Answer | None:
         """The same with the rows that were done when the time was over."""
         if self.question.offers.missing is None:
             return None
-        request = Request(self.question.of_options(options), options)
+        request, show = self._prepared(options)
         done, missing = self.question.offers.missing(found, request)
-        return shortened(self._shown(request, read_files(options), found), done, missing)
+        return shortened(show(found), done, missing)
+
+    def _prepared(self, options: argparse.Namespace) -> tuple[Request, Callable[[Any], Answer]]:
+        """What was asked, with all that can be refused before the work, and how the result is shown."""
+        offers = self.question.offers
+        own = options if offers.show is None else argparse.Namespace(plot=getattr(options, "plot", None))
+        files = read_files(own)
+        request = Request(self.question.of_options(options), options)
+        offers.typed(request)
+        if offers.show is None:
+            return request, lambda found: self._shown(request, files, found)
+        show = offers.show(request)
+
+        def shown(found: Any) -> Answer:
+            data, text = show(found)
+            pictures = write_files(files, {"--plot": picture_maker(options, lambda: [found])})
+            return Answer(data, "\n".join([text, *pictures]), options.json, bool(offers.failed(found, request)))
+
+        return request, shown
 
     def _shown(self, request: Request, files: dict[str, Path], found: Any) -> Answer:
         offers, options = self.question.offers, request.options

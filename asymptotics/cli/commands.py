@@ -14,7 +14,6 @@ MODULES = {
     "multiple-scales": "the classical derivation, order by order, in text or LaTeX",
     "solution": "A(t), phi(t), x(t) of any order as functions: formulas, LaTeX, numbers, curve",
     "sweep": "any of these commands at many points, resumable, from one core to a cluster",
-    "table": "reference tables with provenance",
 }
 COMMANDS = tuple(sorted((*MODULES, *QUESTIONS)))
 

@@ -47,10 +47,6 @@ MISSING: dict[str, dict[str, str]] = {
         "gauge": "it is an option of COMMAND, and stands behind it",
         "points": "a range start:stop:step says how many",
     },
-    "table": {
-        "gauge": "a table says in its title which gauge it is in",
-        "points": "`--rows` says how many",
-    },
 }
 
 

@@ -22,20 +22,21 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from asymptotics.ask.forces import add_forces
+from asymptotics.ask.forces import add_forces, read_law
 from asymptotics.ask.moving import PHYSICAL, add_physical, add_start, read_oscillator
 from asymptotics.cli.again import asked_again, compare_again, is_motion, told_request
 from asymptotics.cli.answer import Answer, add_common, shortened
 from asymptotics.cli.files import add_csv, add_plot, picture_maker, read_files, write_files
-from asymptotics.cli.table import table_inputs
 from asymptotics.comparison.order import told_order
 from asymptotics.comparison.run import MAX_DIGITS, ComparedValue, Comparison, compare_file
 from asymptotics.comparison.stated import stated
 from asymptotics.comparison.tabled import compare_table, series_table
 from asymptotics.errors import InputError
+from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.present.files import require_different
 from asymptotics.present.inputs import stated_inputs
+from asymptotics.sweeps.grid import values
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.registry import names
 
@@ -89,7 +90,7 @@ def _asked(options: argparse.Namespace, digits: int | None) -> tuple[Callable[[]
     # the command says itself goes before what the file says.
     if options.table is None and head is not None and head.table in names() and not _said(options):
         law = list(head.law) or None
-        inputs = table_inputs(None, None, law, None) if law else Inputs.of(head.alphas, None, head.epsilons)
+        inputs = Inputs.read(None, None, _sum(law)) if law else Inputs.of(head.alphas, None, head.epsilons)
         make = partial(compare_table, path, head.table, replace(inputs, rows=head.rows))
         return partial(make, columns=options.columns, digits=digits), f"{head.table}, with the inputs of its head"
     if options.table is None and not _said(options) and asked_again(path):
@@ -111,8 +112,18 @@ def _asked(options: argparse.Namespace, digits: int | None) -> tuple[Callable[[]
             raise InputError(f"--{option}", "a table has its own units", "no such option with a table")
     if options.table is None and not (options.alpha or options.law):
         raise InputError("--alpha", "is missing: coefficients alone do not say of which law", "--alpha A, or --law A:E")
-    inputs = table_inputs(options.alpha, options.epsilon, options.law, None)
+    if options.law and (options.alpha is not None or options.epsilon is not None):
+        raise InputError("--law", "it stands next to --alpha or --epsilon", "one or the other")
+    inputs = Inputs.read(
+        None if options.alpha is None else values(options.alpha, "--alpha"),
+        None if options.epsilon is None else values(options.epsilon, "--epsilon"),
+        _sum(options.law) if options.law else None,
+    )
     return partial(compare_table, path, name, inputs, columns=options.columns, digits=digits), name
+
+
+def _sum(laws: list[str]) -> Law:
+    return read_law(argparse.Namespace(alpha=None, epsilon=None, law=laws), "epsilon")
 
 
 def _with_its_inputs(options: argparse.Namespace, path: Path, *, series: bool) -> argparse.Namespace:

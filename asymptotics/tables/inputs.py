@@ -11,7 +11,7 @@ from itertools import product
 from typing import Any
 
 from asymptotics.errors import InputError, LimitError
-from asymptotics.law import Law
+from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.numbers.policy import Number, exact_number
 
@@ -54,6 +54,12 @@ class Inputs:
             raise InputError("rows", f"{rows} is out of range", f"an integer from 1 to {MAX_ROWS}")
         return cls(exponents, law, strengths, rows)
 
+    @classmethod
+    def read(cls, alpha: Any = None, epsilon: Any = None, law: Any = None, rows: int | None = None) -> "Inputs":
+        """From numbers or lists of them, and one law, mapping or oscillator; InputError by name."""
+        made = law.dimensionless if isinstance(law, Oscillator) else None if law is None else Law.read(law)
+        return cls.of(_several(alpha), made, _several(epsilon), rows)
+
     def alphas_or(self, default: Sequence[str]) -> tuple[ExactReal, ...]:
         """The exponents asked for, or the default ones."""
         if self.law is not None:
@@ -95,3 +101,8 @@ class Inputs:
 def label(law: Law) -> str:
     """A law as the command line writes it: 0:1/10,1:1/10."""
     return ",".join(f"{t.velocity}:{t.strength}" for t in law.terms)
+
+
+def _several(given: Any) -> Sequence[Any]:
+    """One number or several."""
+    return given if isinstance(given, list | tuple) else () if given is None else (given,)
