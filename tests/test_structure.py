@@ -122,7 +122,7 @@ LATE = {  # what a function loads only when it is asked, and why: none of them d
     "asymptotics/cli/entry.py": "everything, inside the shell that answers interrupts",
     "asymptotics/ask/questions/expand.py": "NumPy, which expand does not need",
     "asymptotics/cli/main.py": "SymPy, which --help, --version and --completion do not need",
-    "asymptotics/cli/multiple_scales.py": "NumPy and splines, where values of waveforms are asked for",
+    "asymptotics/ask/questions/multiple_scales.py": "NumPy and splines, where values of waveforms are asked for",
     "asymptotics/ask/questions/smith.py": "SymPy, which f and c do not need",
     "asymptotics/cli/standard_tables.py": "everything, inside the shell that answers interrupts",
     "asymptotics/expansions/equations/result.py": "NumPy, which printing does not need",

@@ -18,6 +18,7 @@ from asymptotics.ask.kinds import Kind, Option
 from asymptotics.ask.moving import QUANTITIES, Given, is_physical, read_oscillator
 from asymptotics.expansions.equations.given import terms_of
 from asymptotics.law import Law, Oscillator
+from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.terms import Term
 
 SYMBOLIC = "symbolic"
@@ -82,11 +83,12 @@ TERMS = Kind("LAW", _terms, options=law_options(), assemble=_terms_of_options, f
 
 @dataclass(frozen=True)
 class TermsInUnits:
-    """Terms, or ``SYMBOLIC`` with its springs; and the oscillator, where units were given."""
+    """Terms, or ``SYMBOLIC`` with its springs and its strength; and the oscillator, where units were given."""
 
     terms: GivenTerms | str
     oscillator: Oscillator | None = None
     springs: tuple[Term, ...] = ()
+    epsilon: ExactReal | None = None
 
 
 def _in_units(value: Any, name: str, spring: Any = None) -> TermsInUnits:
@@ -97,7 +99,8 @@ def _in_units_of_options(options: argparse.Namespace) -> TermsInUnits:
     if options.alpha == SYMBOLIC:
         # The reader of terms would take the word for a number: what is left for it are the springs.
         rest = argparse.Namespace(**{**vars(options), "alpha": None, "law": None, "epsilon": None})
-        return TermsInUnits(SYMBOLIC, None, read_terms(rest).terms if options.spring else ())
+        epsilon = None if options.epsilon is None else parse_real(options.epsilon, "--epsilon")
+        return TermsInUnits(SYMBOLIC, None, read_terms(rest).terms if options.spring else (), epsilon)
     return TermsInUnits(read_terms(options), read_oscillator(options).oscillator if is_physical(options) else None)
 
 

@@ -84,7 +84,7 @@ def add_start(parser: argparse.ArgumentParser, *, velocity: bool = True) -> None
 
 def is_physical(options: argparse.Namespace) -> bool:
     """Whether the command is in SI: whether --damping, --mass or --stiffness was given."""
-    return any(getattr(options, name) is not None for name in PHYSICAL)
+    return any(getattr(options, name, None) is not None for name in PHYSICAL)
 
 
 def read_oscillator(

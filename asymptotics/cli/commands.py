@@ -11,7 +11,6 @@ MODULES = {
     "envelope": "the first-order envelope and phase: formula, certified numbers, curve",
     "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
     "motion": "x(t) and v(t) at a chosen order, or exact and high-precision reference motion",
-    "multiple-scales": "the classical derivation, order by order, in text or LaTeX",
     "solution": "A(t), phi(t), x(t) of any order as functions: formulas, LaTeX, numbers, curve",
     "sweep": "any of these commands at many points, resumable, from one core to a cluster",
 }

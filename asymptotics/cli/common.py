@@ -39,7 +39,6 @@ MISSING: dict[str, dict[str, str]] = {
         "points": _OWN_GRID,
     },
     "motion": {"latex": "the answer is numbers at one time; `expand --latex` has the equations"},
-    "multiple-scales": dict.fromkeys(("csv", "plot", "points"), _FORMULAS),
     "solution": {"gauge": "the solution is in the turning-point gauge: A is the turning amplitude"},
     "sweep": {
         **dict.fromkeys(("csv", "latex", "plot"), "`--export FILE.csv`, .json or .parquet writes the points"),
