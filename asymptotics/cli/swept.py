@@ -77,7 +77,11 @@ def read_axes(command: str, arguments: list[str]) -> dict[str, tuple[str, ...]]:
 
 def takes_no_value(command: str, name: str) -> bool:
     """Whether an option is a flag; InputError for one that cannot be swept."""
-    action = _command(command)[2].get(name)
+    module, _, actions = _command(command)
+    action, asked = actions.get(name), getattr(module, "question", None)
+    # What writes a file or shapes what is printed is no parameter of the question.
+    if asked is not None and name and name not in {o.name for a in asked.asked for o in a.options}:
+        action = None
     if action is None or name in EXCLUDED:
         raise InputError(f"--{name}", "it cannot be swept", f"the options of asymptotics {command} that are numbers")
     return action.nargs == 0
