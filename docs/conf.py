@@ -43,6 +43,7 @@ sphinx_gallery_conf = {
     "examples_dirs": "gallery",
     "gallery_dirs": "auto_gallery",
     "filename_pattern": "plot_",
+    "capture_repr": ("_repr_html_",),  # the repr of a legend is no answer
     "download_all_examples": False,
     "show_memory": False,
     "show_signature": False,

@@ -32,6 +32,15 @@ for (const box of document.querySelectorAll('article *')) {
 }
 for (const formula of document.querySelectorAll('math'))
   if (formula.textContent.includes(String.fromCharCode(92))) found.push(`a formula reads ${formula.textContent}`);
+const words = document.querySelector('article');
+if (words) {
+  const told = words.cloneNode(true);
+  for (const code of told.querySelectorAll('pre, code, math')) code.remove();
+  const stray = told.textContent.match(/<[\\w.]+ object at 0x|\\\\(alpha|tau|epsilon|frac)/);
+  if (stray) found.push(`the page says ${stray[0]}`);
+}
+for (const output of document.querySelectorAll('.sphx-glr-script-out'))
+  if (output.textContent.includes(' object at 0x')) found.push(`an output is ${output.textContent.slice(0, 60)}`);
 return found.slice(0, 3);
 """
 FONT = """
@@ -42,6 +51,9 @@ return [...document.fonts].some((f) => family.includes(f.family.replaceAll('"', 
 """
 SPOILT = '<html><body><article><div style="width:3000px">wide</div></article></body></html>'
 RAW = "<html><body><article><math><mo>\\langle</mo></math></article></body></html>"
+STRAY = "<div class='sphx-glr-script-out'>&lt;a.Legend object at 0x7f&gt;</div>"
+OUTPUT = f"<html><body><article>{STRAY}</article></body></html>"
+CARD = "<html><body><article><p>Creep below \\alpha = 1</p></article></body></html>"
 CLIPPED = SPOILT.replace("width:3000px", "width:9em;overflow:hidden").replace("wide", '<p style="width:99em">x</p>')
 
 
@@ -57,7 +69,7 @@ def look(folder: Path) -> int:
                     "Emulation.setDeviceMetricsOverride",
                     {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False},
                 )
-                for spoilt in (SPOILT, CLIPPED, RAW):
+                for spoilt in (SPOILT, CLIPPED, RAW, OUTPUT, CARD):
                     made = Path(profile, "spoilt.html")
                     made.write_text(spoilt, encoding="utf-8")
                     browser.get(made.as_uri())
