@@ -103,10 +103,10 @@ def test_beside_a_linear_spring_the_turning_points_keep_their_ratio():
     with ctx.workprec(60):
         law = Damping.of_law(LAW)
         p, e, q = arb(1), arb(2) ** -10, arb("0.5")
-        assert q * e / p <= contraction_by_energy(law, p, e, arb(3), -q, arb(0)) < q * e * arb("1.01")
+        assert q * e / p <= contraction_by_energy(law, p, e, arb(3), arb(0), -q, arb(0)) < q * e * arb("1.01")
         assert q * e / p <= contraction_by_ratio(law, p, e, q) < q * e * arb("1.01")
         assert (
-            q * e / p <= contraction_by_energy(law, p, e, arb(3), -q / 2, q / 2) < q * e * arb("1.01")
+            q * e / p <= contraction_by_energy(law, p, e, arb(3), arb(0), -q / 2, q / 2) < q * e * arb("1.01")
         )  # q at the far end
 
 
