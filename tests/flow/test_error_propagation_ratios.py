@@ -114,3 +114,9 @@ def test_an_error_as_large_as_the_start_has_no_ratio():
     """Nothing is known of p - e <= 0: the distance is that of a nonexpansive flow."""
     law = Damping.of_law(LAW)
     assert [contraction_by_ratio(law, arb(1), arb(error), arb(1)) for error in (1, 2)] == [1, 2]
+
+
+def test_a_start_that_may_turn_at_zero_has_no_bound_of_its_growth():
+    """inf, not a number that is none: whoever compares it with another bound takes the other."""
+    assert ratio_growth(arb(1) / 2, arb(1), arb("0.25"), arb("0.125")) == arb("inf")
+    assert ratio_growth(arb(1) / 2, arb(1), arb("0.125"), arb("0.25")).is_finite()
