@@ -110,6 +110,18 @@ def test_beside_a_linear_spring_the_turning_points_keep_their_ratio():
         )  # q at the far end
 
 
+@pytest.mark.parametrize(
+    ("law", "error", "q"), [({2: 1}, "0.5", "0.01"), ({2: 1}, "0.25", "0.01"), ({"1/2": "1/10"}, "0.001", "0.25")]
+)
+def test_the_distance_of_two_starts_is_the_largest_of_their_logarithms(law, error, q):
+    """error/(p - error) times the growth: the slope of ln p is steepest at the nearest start."""
+    force, error, q = Damping.of_law(Law(law)), arb(error), arb(q)
+    growth = ratio_growth(force.least_power, arb(1), error, q)
+    again = q * (growth * error / (1 - error)).expm1()
+    found = contraction_by_ratio(force, arb(1), error, q)
+    assert again * arb("0.99999") <= found <= again * arb("1.00001") and found < error
+
+
 def test_an_error_as_large_as_the_start_has_no_ratio():
     """Nothing is known of p - e <= 0: the distance is that of a nonexpansive flow."""
     law = Damping.of_law(LAW)

@@ -29,7 +29,7 @@ from asymptotics.records.units import GRAVITY
 
 def law(text, verdict="consistent", fit=None, **more):
     """What these steps ask of a judged law."""
-    known = dict(candidate=read(text), verdict=verdict, fit=fit, reason="", inflation=1.0, criterion=1.0)
+    known = {"candidate": read(text), "verdict": verdict, "fit": fit, "reason": "", "inflation": 1.0, "criterion": 1.0}
     return SimpleNamespace(**(known | more))
 
 

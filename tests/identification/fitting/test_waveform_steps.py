@@ -1,4 +1,4 @@
-"""The motion within a half-swing, node by node: its speed is the slope of the place, its acceleration that of the law."""
+"""A half-swing node by node: the speed is the slope of the place, the acceleration that of the law."""
 
 import numpy as np
 import pytest

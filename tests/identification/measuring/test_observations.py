@@ -14,10 +14,10 @@ STRETCH = [4, 5, 6]
 
 def beat(**changed):
     n = np.arange(8)
-    given = dict(
-        t=n + 0.1, passage_n=n[:-1], passage_t=n[:-1] + 0.6, sigma_x=0.01 + n, sigma_t=0.02 + n,
-        sigma_passage=0.03 + n[:-1], unit="cm", name="beat", notes=("before",), floor=1e-7,
-    )  # fmt: skip
+    given = {
+        "t": n + 0.1, "passage_n": n[:-1], "passage_t": n[:-1] + 0.6, "sigma_x": 0.01 + n, "sigma_t": 0.02 + n,
+        "sigma_passage": 0.03 + n[:-1], "unit": "cm", "name": "beat", "notes": ("before",), "floor": 1e-7,
+    }  # fmt: skip
     return Observations.of(n, X, **(given | changed))
 
 
