@@ -4,15 +4,19 @@ import numpy as np
 import pytest
 from flint import ctx
 
+from asymptotics.identification.certified_sets import free_exponent
 from asymptotics.identification.certified_sets.certified_ratio import BITS
 from asymptotics.identification.certified_sets.free_exponent import _Strips
 from asymptotics.identification.fitting.printed import Decrements
+from asymptotics.identification.forward.swing import MAX_FREE_ALPHA
+
+TABLE = Decrements(np.array([1.0, 0.7]), np.array([0.1, 0.05]), np.array([5e-3, 5e-3]))
 
 
 @pytest.fixture(scope="module")
 def strips():
     with ctx.workprec(BITS):
-        return _Strips.of(Decrements(np.array([1.0, 0.7]), np.array([0.1, 0.05]), np.array([5e-3, 5e-3])))
+        return _Strips.of(TABLE)
 
 
 def test_a_table_has_a_row_for_each_side_of_each_value(strips):
@@ -85,3 +89,54 @@ def test_what_is_excluded_is_a_chain_of_proved_strips(strips, monkeypatch, start
         assert not any(low <= goal <= high for low, high in chain)
     last = (min if end > start else max)(border, end) if goal is None or border != 9.0 else goal
     assert abs(reached - last) < 0.05
+
+
+@pytest.mark.parametrize(
+    ("meets", "low", "high", "ends", "verdict"),
+    [
+        (True, 1.0, 2.0, (0.04, 0.06), "consistent"),
+        (True, 1.0, 2.0, None, "consistent"),
+        (False, 1.0, 2.0, (0.04, 0.06), "undetermined"),
+        (False, 1.0, 2.0, None, "undetermined"),
+        (False, MAX_FREE_ALPHA, 0.0, None, "refuted"),
+    ],
+)
+@pytest.mark.parametrize("least", [0.5, 1.5])
+def test_the_answer_for_an_exponent_follows_from_its_proofs(monkeypatch, meets, low, high, ends, verdict, least):
+    """A point is claimed of what balls confirm only; an interval where both ends are proved."""
+    found_low = iter([low, high])
+    monkeypatch.setattr(free_exponent, "chebyshev_point", lambda *_: (least, np.array([0.05, 1.5])))
+    monkeypatch.setattr(_Strips, "meets", lambda *_: meets)
+    monkeypatch.setattr(_Strips, "excluded", lambda *_: next(found_low))
+    monkeypatch.setattr(_Strips, "strengths", lambda *_: ends)
+    found = free_exponent.exponents_that_fit(TABLE)
+    if verdict == "consistent" and least > 1:
+        verdict = "undetermined"
+    assert found.verdict == verdict
+    if verdict == "refuted":
+        assert found.alpha is found.epsilon is None
+        return
+    middle = 1.5
+    assert (found.alpha.low, found.alpha.estimate, found.alpha.high) == (1.0, middle, 2.0)
+    if verdict == "consistent":
+        wanted = (None, None) if ends is None else ends
+        assert (found.epsilon.low, found.epsilon.estimate, found.epsilon.high) == (wanted[0], 0.05, wanted[1])
+    else:
+        assert (found.epsilon is None) == (ends is None) and found.reason.startswith("neither a point nor its absence")
+        assert ends is None or (found.epsilon.low, found.epsilon.estimate, found.epsilon.high) == (0.04, 0.05, 0.06)
+
+
+def test_what_reaches_the_largest_exponent_says_how_far_was_searched(monkeypatch):
+    for high, said in ((MAX_FREE_ALPHA, f"searched with 0 <= alpha <= {MAX_FREE_ALPHA:g}"), (2.0, "")):
+        ends = iter([1.0, high])
+        monkeypatch.setattr(_Strips, "excluded", lambda *_, ends=ends: next(ends))
+        monkeypatch.setattr(_Strips, "meets", lambda *_: True)
+        monkeypatch.setattr(free_exponent, "chebyshev_point", lambda *_: (0.5, np.array([0.05, 1.5])))
+        monkeypatch.setattr(_Strips, "strengths", lambda *_: None)
+        assert free_exponent.exponents_that_fit(TABLE).reason == said
+
+
+def test_an_amplitude_that_grows_refutes_every_exponent():
+    growing = Decrements(np.array([1.0, 0.7]), np.array([0.1, -0.05]), np.array([5e-3, 5e-3]))
+    found = free_exponent.exponents_that_fit(growing)
+    assert found.verdict == "refuted" and "grows" in found.reason
