@@ -70,3 +70,32 @@ def test_what_the_first_order_lacks_is_told_and_more_than_the_resolution_is_a_wa
     )
     assert "differs from it by at most 1 %" in str(fine) and "more than the resolution" not in str(fine)
     assert "by at most 3 %" in str(coarse) and "more than the resolution (2 %): the strengths are off" in str(coarse)
+
+
+def test_every_entry_of_the_json_and_every_row_of_the_table():
+    found = law(candidate("1+2", low=0.0), candidate("3", "refuted"), si=True)
+    told = found.to_dict()
+    assert told["laws"][0] == {
+        "law": "1+2", "grade": "consistent", "told": "consistent", "left": "0.123", "p_value": "0.5",
+        "chi_squared": "1", "criterion": "1", "unneeded": ["2"],
+        "strengths": [
+            {"alpha": "1", "low": "0.01", "estimate": "0.03", "high": "0.05"},
+            {"alpha": "2", "low": "0.0", "estimate": "0.04", "high": "0.06"},
+        ],
+    }  # fmt: skip
+    assert {k: told[k] for k in ("quantity", "points", "amplitudes", "si", "certified", "neglected", "notes")} == {
+        "quantity": "zeta", "points": 8, "amplitudes": ["0.1", "0.8"], "si": True, "certified": False,
+        "neglected": "0.01", "notes": [],
+    }  # fmt: skip
+    assert told["verdict"] == found.verdict and [entry["law"] for entry in told["laws"]] == ["1+2", "3"]
+    assert found._table() == {
+        "law": ["1+2", "1+2", "3"], "grade": ["consistent", "consistent", "refuted"], "alpha": ["1", "2", "3"],
+        "strength": [0.03, 0.04, 0.05], "strength_low": [0.01, 0.0, 0.01], "strength_high": [0.05, 0.06, 0.07],
+    }  # fmt: skip
+    page = found._page()
+    assert (page.title, page.head) == (found.verdict, ("law", "grade", "strengths [95 %]"))
+    assert page.rows == (
+        ("1+2", "consistent", "b_1 = 0.03 [0.01, 0.05] N s/m, b_2 = 0.04 [0, 0.06] N (s/m)^2"),
+        ("3", "refuted", "b_3 = 0.05 [0.01, 0.07] N (s/m)^3"),
+    )
+    assert found.law("3") is found.laws[1] and found.best is found.laws[0]

@@ -1,9 +1,11 @@
 """A half-swing node by node: the speed is the slope of the place, the acceleration that of the law."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
-from asymptotics.identification.fitting.waveform import _STEP, _between, _nodes
+from asymptotics.identification.fitting.waveform import _STEP, WaveformModel, _between, _nodes
 from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.swing import HalfSwingModel
@@ -99,3 +101,32 @@ def test_between_the_nodes_a_polynomial_of_degree_five_is_met_with_all_its_deriv
         assert found[column] == pytest.approx(true, rel=1e-9, abs=1e-9)
     true = [polynomials[s][0].deriv(order + 1)(t) for s, t in zip(n, since, strict=True)]
     assert following == pytest.approx(true, rel=1e-9, abs=1e-9)
+
+
+def test_the_fit_of_the_motion_begins_with_that_of_its_turning_points():
+    """(ln A, law, [rest], ln omega, t_0) becomes (ln A, law, rest, drift, ln omega, t_0)."""
+    model = SimpleNamespace(size=7, after=3)
+    for given, rest in (([0.1, 0.2, 0.3, 1.0, 2.0], 0.0), ([0.1, 0.2, 0.3, 0.5, 1.0, 2.0], 0.5)):
+        assert WaveformModel.start(model, np.array(given)).tolist() == [0.1, 0.2, 0.3, rest, 0.0, 1.0, 2.0]
+    whole = np.arange(7.0)
+    assert WaveformModel.start(model, whole) is whole
+
+
+def test_innovations_are_white_and_of_one_size():
+    """Of an AR(1) process in continuous time, at uneven times: what is left of each after its memory of the last."""
+    memory, count = 0.6, 4000
+    rng = np.random.default_rng(5)
+    gaps = rng.choice([1.0, 2.0, 0.5], count - 1)
+    rho = memory**gaps
+    x = [rng.standard_normal()]
+    for r in rho:
+        x.append(r * x[-1] + np.sqrt(1 - r * r) * rng.standard_normal())
+    model = SimpleNamespace(samples=SimpleNamespace(memory=memory), _rho=rho)
+    values = np.array(x)
+    left = WaveformModel._white(model, values)
+    assert len(left) == count and np.std(left) == pytest.approx(np.sqrt(1 - memory**2), rel=0.04)
+    assert abs(np.corrcoef(left[1:], left[:-1])[0, 1]) < 0.04 < np.corrcoef(values[1:], values[:-1])[0, 1]
+    both = WaveformModel._white(model, np.column_stack([values, 2 * values]))
+    assert both == pytest.approx(np.column_stack([left, 2 * left]))
+    model.samples.memory = 0
+    assert WaveformModel._white(model, values) is values
