@@ -7,13 +7,20 @@
     guard    if c: return None, False or raise    c never holds; of "c or d" each part is dropped by itself
     premise  c and d; all(c for …)                each part that compares is dropped by itself
 
-A guard that refuses a request (``InputError``, ``LimitError``) bounds nothing, and a bound that is all of a radius is
-that radius; of two that plant the same text the first counts.  A text or a set has no bounds.  Modules that use no
-balls have no sites, nor those that ``docs/maintainers/arithmetics.md`` calls heuristic: nothing is claimed there.
+A guard gives up by nan or inf as well.  Where "c and d" gives up (``if c and d: raise``), a part that is dropped gives
+up more often: stricter, not weaker, and no premise; that it never gives up is the guard.  A guard that refuses a
+request (``InputError``, ``LimitError``) bounds nothing, and a bound that is all of a radius is that radius; of two that
+plant the same text the first counts.  A text or a set has no bounds.  Modules that use no balls have no sites, nor
+those that ``docs/maintainers/arithmetics.md`` calls heuristic: nothing is claimed there.
 
 >>> text = "from flint import arb\\ndef f(x, r):\\n    return arb(x, r).upper()\\n"
 >>> [(site.kind, site.weaker) for site in sites_of(text, "f.py")]
 [('upper', '(arb(x, r).upper() / 2)'), ('radius', 'arb(x, (r) / 2)')]
+>>> text = "from flint import arb\\ndef f(x, y):\\n    if {}:\\n        return arb('inf')\\n    return x\\n"
+>>> for test in ("x > 0 and y > 0", "not (x > 0 and y > 0)"):
+...     print([(site.kind, site.text) for site in sites_of(text.format(test), "f.py")])
+[('guard', 'x > 0 and y > 0')]
+[('guard', 'not (x > 0 and y > 0)'), ('premise', 'x > 0'), ('premise', 'y > 0')]
 """
 
 import ast
@@ -132,8 +139,13 @@ def _functions(body: list[ast.stmt], prefix: str) -> Iterator[tuple[str, ast.Fun
 
 def _weakened(function: ast.FunctionDef) -> Found:
     """(kind, node, text -> weaker text) of each site, outer ones first."""
-    whole = {id(radius) for node in ast.walk(function) if (radius := _radius(node)) is not None}
-    for node in ast.walk(function):
+    nodes = list(ast.walk(function))
+    whole = {id(radius) for node in nodes if (radius := _radius(node)) is not None}
+    refusals = [node.test for node in nodes if isinstance(node, ast.If) and _refuses(node.body[0])]
+    stricter = {id(node) for test in refusals for node in _required(test)}
+    for node in nodes:
+        if id(node) in stricter:
+            continue
         if isinstance(node, ast.Call):
             yield from (found for found in _call(node) if id(node) not in whole)
         elif isinstance(node, ast.BoolOp) and isinstance(node.op, ast.And):
@@ -180,9 +192,30 @@ def _call(node: ast.Call) -> Found:
         yield "union", node, lambda text: f"({first})"
 
 
+def _required(test: ast.expr, holds: bool = True) -> Iterator[ast.expr]:
+    """Each "c and d" and "all(…)" whose truth, or with ``holds`` False whose untruth, makes ``test`` true."""
+    if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
+        yield from _required(test.operand, not holds)
+    elif isinstance(test, ast.BoolOp):
+        yield from ([test] if holds and isinstance(test.op, ast.And) else [])
+        yield from (node for part in test.values for node in _required(part, holds))
+    elif isinstance(test, ast.Call) and _name(test) in ("all", "any", "bool") and test.args:
+        yield from ([test] if holds and _name(test) == "all" else [])
+        inner = test.args[0]
+        yield from _required(inner.elt if isinstance(inner, ast.GeneratorExp) else inner, holds)
+
+
+def _refuses(statement: ast.stmt) -> bool:
+    """Whether it gives up or refuses a request."""
+    return isinstance(statement, ast.Raise) or _gives_up(statement)
+
+
 def _gives_up(statement: ast.stmt) -> bool:
     if isinstance(statement, ast.Return):
-        return isinstance(statement.value, ast.Constant) and statement.value.value in (None, False)
+        value = statement.value
+        if isinstance(value, ast.Call) and _name(value) in ("arb", "acb"):
+            value = value.args[0] if len(value.args) == 1 else value
+        return isinstance(value, ast.Constant) and value.value in (None, False, "nan", "inf")
     if isinstance(statement, ast.Raise) and isinstance(statement.exc, ast.Call):
         return ast.unparse(statement.exc.func) not in REFUSALS
     return False

@@ -94,6 +94,7 @@ ROOMS = (
     "bounds",
     "limit_cycles",
     "comparison",
+    "identification",
 )
 GROUPS = {
     "numbers": _room("numbers", "tests/numbers/test_contract.py"),  # it inspects signatures, which mutmut hides

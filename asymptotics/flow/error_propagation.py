@@ -189,8 +189,8 @@ def turning_delay(force: Force, unit: arb, turn: arb, gap: arb, distance: arb) -
     raise UndecidedError("the enclosure of a turning point reaches the place of rest: raise the precision")
 
 
-def contraction_by_energy(force: Force, p: arb, error: arb, duration: arb, turn: arb, gap: arb) -> arb:
-    """How far apart two motions turn that start from rest within ``error`` of p, each after at least ``duration``.
+def contraction_by_energy(force: Force, p: arb, error: arb, clock: arb, late: arb, turn: arb, gap: arb) -> arb:
+    """How far apart two motions turn that start from rest within ``error`` of p, each within ``late`` of ``clock``.
 
     The motion from p itself turns within ``gap`` of ``turn``.
     """
@@ -205,8 +205,8 @@ def contraction_by_energy(force: Force, p: arb, error: arb, duration: arb, turn:
         square = upper(error * steep)
         if force.viscous > 0:
             # Linear loss contracts at the rate epsilon, but only in the time that the faster motion spends where the
-            # other one is too: a lower bound of it.
-            common = (duration - _outside(force, p, error, turn, gap, square)).lower()
+            # other one is too: a lower bound of it.  It may be either, so the shorter of the two durations counts.
+            common = (clock - late - _outside(force, p, error, turn, gap, square)).lower()
             square = upper(square * (-force.viscous * common).exp()) if common > 0 else square
         return turning_gap(force, turn, square, gap)
 

@@ -16,7 +16,8 @@ from flint import arb
 class Smooth(Protocol):
     """What a Taylor step asks.  ``rate``: r of a pendulum, else None; ``linear``: 1 where G - u depends on w alone.
 
-    ``entire``: whether every exponent of the speed is a whole number, so that the speed may vanish on a step.
+    ``entire``: whether G is one polynomial in the speed on both sides of w = 0, so that it may vanish on a step; then
+    every exponent of the speed is a whole number, which a step asks for again.
     """
 
     @property

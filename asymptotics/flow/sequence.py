@@ -123,13 +123,10 @@ def after_arrival(here: TurningState, piece: ArrivedPiece) -> TurningState:
     A motion that is late at one turning point is as late at the next one: the time's error only adds.
     """
     late = piece.late(given_at(piece.flow, here))
-    # Of either motion, so the shorter of the two: it is what linear loss has to contract in.
-    duration = (piece.clock - late).lower()
     # The orbit from the exact amplitude turns within ``miss``; the error of the amplitude itself is led on by
     # contraction, which is sharper over a whole half-swing than the distances of its pieces.
-    carried = contraction_by_energy(
-        piece.flow.force, here.amplitude, here.amplitude_error, duration, piece.flow.place(piece.turn), piece.miss
-    )
+    start, turn = (here.amplitude, here.amplitude_error), piece.flow.place(piece.turn)
+    carried = contraction_by_energy(piece.flow.force, *start, piece.clock, late, turn, piece.miss)
     clock = here.time + piece.clock
     error = upper(upper(here.time_error + clock.rad()) + late)
     there = TurningState(here.n + 1, -here.side, -piece.turn, clock.mid(), upper(carried + piece.miss), error)

@@ -138,8 +138,7 @@ def _of_whole_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[ar
     # The mass moves towards smaller u: from u = 0 on it is on the side u < 0.
     side, none = 1 if u > 0 else -1, arb(0)
     springs = force.restoring_powers(side)
-    # ``entire`` says that the exponents are small whole numbers, which a double holds exactly.
-    losses = [(d, m, int(float(a))) for d, m, a in force.loss_powers(side)]
+    losses = [(d, m, _whole(a)) for d, m, a in force.loss_powers(side)]
     curve = ComposedSeries(ExponentLine(()), force.rate, {n for _, n in springs} | {m for _, m, _ in losses}, u)
     speed = ComposedSeries(ExponentLine(()), None, {a for _, _, a in losses}, w)
     for k in range(order):
@@ -149,6 +148,14 @@ def _of_whole_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[ar
         curve.append(-speed.u[k] / (k + 1))
         speed.append(slope / (k + 1))
     return curve.u, speed.u
+
+
+def _whole(exponent: arb) -> int:
+    """The exponent of a force that says it is ``entire``."""
+    found = exponent.unique_fmpz()
+    if found is None or found < 0:
+        raise ArithmeticError(f"w^{exponent.str(5)} is not entire: no step may go through w = 0")
+    return int(found)
 
 
 def _of_real_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:

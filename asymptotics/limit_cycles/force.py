@@ -35,8 +35,12 @@ class PolynomialForce:
 
     @classmethod
     def of(cls, terms: Sequence[Term], mu: arb) -> "PolynomialForce":
-        """Terms with whole powers, at the current precision; losses and gains are multiplied by ``mu``."""
-        powers = ((t, int(t.velocity.rational)) for t in terms)
+        """Terms that are x^m x'^a, at the current precision; losses and gains are multiplied by ``mu``.
+
+        ArithmeticError for others: |x|^m x'|x'|^(a-1) is a polynomial for even m and odd a only, x|x|^(p-1) |x'|^q for
+        odd p and even q.
+        """
+        powers = [(t, _whole(t)) for t in terms]
         strengths = ((t.strength.ball() * (mu if t.sign < 0 else 1), t.position, a) for t, a in powers)
         # w = -x', so that w' = -x'' = x + sum e x^m (-w)^a.
         return cls(tuple((-e if a % 2 else e, m, a) for e, m, a in strengths))
@@ -69,6 +73,14 @@ class PolynomialForce:
         mixed = (d * m * a * _power(u, m - 1) * _power(w, a - 1) for d, m, a in self.parts if m and a)
         twice = (d * a * (a - 1) * _power(u, m) * _power(w, a - 2) for d, m, a in self.parts if a > 1)
         return sum(mixed, arb(0)), sum(twice, arb(0))
+
+
+def _whole(t: Term) -> int:
+    """The power of x' of a term that is a polynomial in x and x'."""
+    loss = t.sign < 0
+    if not t.velocity.is_integer or int(t.velocity.rational) % 2 != loss or t.position % 2 == loss or t.family:
+        raise ArithmeticError(f"{t.shape()} is no polynomial in x and x': its flow is not entire")
+    return int(t.velocity.rational)
 
 
 def _power(x: arb, n: int) -> arb:

@@ -39,7 +39,7 @@ def test_the_time_outside_counts_both_ends_of_the_error():
 def test_turning_points_draw_together_at_most_as_the_bound_says(name):
     force, p, e = FORCES[name], arb(1), arb(2) ** -30
     one, other = orbit(force, p), orbit(force, p + e)
-    bound = contraction_by_energy(force, p, e, one.clock.lower(), one.turn, arb(0))
+    bound = contraction_by_energy(force, p, e, one.clock, arb(0), one.turn, arb(0))
     with ctx.workprec(160):
         truth = abs(other.turn - one.turn)
         assert truth <= bound and bound < 3 * e
@@ -50,7 +50,7 @@ def test_turning_points_draw_together_at_most_as_the_bound_says(name):
 def test_viscous_loss_draws_them_together_and_the_bound_knows_how_fast():
     force, e = in_a_well({1: "1/2"}, "pendulum"), arb(2) ** -40
     one, other = orbit(force, 2), orbit(force, 2 + e)
-    bound = contraction_by_energy(force, arb(2), e, one.clock.lower(), one.turn, arb(0))
+    bound = contraction_by_energy(force, arb(2), e, one.clock, arb(0), one.turn, arb(0))
     with ctx.workprec(160):
         truth = abs(other.turn - one.turn)
         assert truth <= bound and bound / 2 < truth and truth < e / 2
@@ -62,7 +62,7 @@ def test_contraction_counts_the_force_at_the_farther_start(p, e, monkeypatch):
     monkeypatch.setattr(error_propagation, "turning_gap", lambda _force, _turn, square, _beyond: square)
     p, e = arb(p), arb(e)
     truth = p.cos() - (p + e).cos()
-    square = contraction_by_energy(TOP, p, e, arb(3), -p, arb(0))
+    square = contraction_by_energy(TOP, p, e, arb(3), arb(0), -p, arb(0))
     assert e * p.sin() < truth <= square < truth * arb("1.3")
 
 
@@ -70,9 +70,22 @@ def test_viscous_contraction_leaves_out_the_first_fall_and_the_last_stop(monkeyp
     """The time that the factor counts is shorter by at least the free fall through e, and not by much more."""
     monkeypatch.setattr(error_propagation, "turning_gap", lambda _force, _turn, square, _beyond=None: square)
     force, e, duration = in_a_well({1: "1/2"}), arb(2) ** -12, arb(3)
-    square = contraction_by_energy(force, arb(1), e, duration, -arb("0.45"), arb(0))
+    square = contraction_by_energy(force, arb(1), e, duration, arb(0), -arb("0.45"), arb(0))
     common = -(square / (e * (1 + e))).log() * 2
     assert duration - 12 * (2 * e).sqrt() < common < duration - (2 * e).sqrt()
+
+
+def test_viscous_contraction_counts_the_shorter_of_the_two_durations():
+    """Whichever motion the later one is, and whatever the clock's own radius leaves open."""
+    force, e, late = in_a_well({1: "1/2"}), arb(2) ** -12, arb("0.25")
+
+    def bound(clock, late):
+        return contraction_by_energy(force, arb(1), e, clock, late, -arb("0.45"), arb(0))
+
+    shorter = bound(arb(3) - late, arb(0)) * arb("0.9999")
+    assert bound(arb(3), late) >= shorter and bound(arb(3, late), arb(0)) >= shorter
+    assert bound(arb(3), arb(0)) < shorter
+    assert bound(arb(3), arb(9)) == bound(arb(0), arb(0))  # no time that is certain: nothing contracts
 
 
 def test_viscous_contraction_counts_only_the_time_that_both_spend():
@@ -82,11 +95,11 @@ def test_viscous_contraction_counts_only_the_time_that_both_spend():
         rate, omega = arb(1) / 4, (1 - arb(1) / 16).sqrt()
         duration, q = arb.pi() / omega, (-rate * arb.pi() / omega).exp()
         for e in (arb(2) ** -6, arb(2) ** -20):
-            bound = contraction_by_energy(force, arb(1), e, duration.lower(), -q.mid(), q.rad())
+            bound = contraction_by_energy(force, arb(1), e, duration, arb(0), -q.mid(), q.rad())
             assert q * e <= bound
         assert bound < q * e * arb("1.3")
         assert contraction_by_energy(
-            force, arb(1), arb(2) ** -6, duration.lower(), -q.mid(), q.rad()
+            force, arb(1), arb(2) ** -6, duration, arb(0), -q.mid(), q.rad()
         ) > bound * 2**14 * arb("1.02")
 
 

@@ -103,14 +103,32 @@ def test_beside_a_linear_spring_the_turning_points_keep_their_ratio():
     with ctx.workprec(60):
         law = Damping.of_law(LAW)
         p, e, q = arb(1), arb(2) ** -10, arb("0.5")
-        assert q * e / p <= contraction_by_energy(law, p, e, arb(3), -q, arb(0)) < q * e * arb("1.01")
+        assert q * e / p <= contraction_by_energy(law, p, e, arb(3), arb(0), -q, arb(0)) < q * e * arb("1.01")
         assert q * e / p <= contraction_by_ratio(law, p, e, q) < q * e * arb("1.01")
         assert (
-            q * e / p <= contraction_by_energy(law, p, e, arb(3), -q / 2, q / 2) < q * e * arb("1.01")
+            q * e / p <= contraction_by_energy(law, p, e, arb(3), arb(0), -q / 2, q / 2) < q * e * arb("1.01")
         )  # q at the far end
+
+
+@pytest.mark.parametrize(
+    ("law", "error", "q"), [({2: 1}, "0.5", "0.01"), ({2: 1}, "0.25", "0.01"), ({"1/2": "1/10"}, "0.001", "0.25")]
+)
+def test_the_distance_of_two_starts_is_the_largest_of_their_logarithms(law, error, q):
+    """error/(p - error) times the growth: the slope of ln p is steepest at the nearest start."""
+    force, error, q = Damping.of_law(Law(law)), arb(error), arb(q)
+    growth = ratio_growth(force.least_power, arb(1), error, q)
+    again = q * (growth * error / (1 - error)).expm1()
+    found = contraction_by_ratio(force, arb(1), error, q)
+    assert again * arb("0.99999") <= found <= again * arb("1.00001") and found < error
 
 
 def test_an_error_as_large_as_the_start_has_no_ratio():
     """Nothing is known of p - e <= 0: the distance is that of a nonexpansive flow."""
     law = Damping.of_law(LAW)
     assert [contraction_by_ratio(law, arb(1), arb(error), arb(1)) for error in (1, 2)] == [1, 2]
+
+
+def test_a_start_that_may_turn_at_zero_has_no_bound_of_its_growth():
+    """inf, not a number that is none: whoever compares it with another bound takes the other."""
+    assert ratio_growth(arb(1) / 2, arb(1), arb("0.25"), arb("0.125")) == arb("inf")
+    assert ratio_growth(arb(1) / 2, arb(1), arb("0.125"), arb("0.25")).is_finite()

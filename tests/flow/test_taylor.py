@@ -149,3 +149,20 @@ def test_every_kind_of_force_is_there():
     assert {force.linear for force in FORCES.values()} == {0, 1} and len(OTHERS) > 4
     assert any(n for name in OTHERS for _, n, _ in FORCES[name].loss_powers(1))
     assert log2(len(FORCES)) > 3
+
+
+@pytest.mark.parametrize("exponent", ["1.5", "-1"])
+def test_a_force_that_says_it_is_entire_has_whole_powers(exponent):
+    """A step through w = 0 takes w^alpha by products: no other exponent may be cut down to one."""
+
+    class Claims:
+        rate, linear, entire = None, 1, True
+
+        def restoring_powers(self, _side):
+            return []
+
+        def loss_powers(self, _side):
+            return [(arb(-1), 0, arb(exponent))]
+
+    with pytest.raises(ArithmeticError, match="not entire"):
+        coefficients(Claims(), arb(1), arb(1), 4)

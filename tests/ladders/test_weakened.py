@@ -76,6 +76,7 @@ NO_BOUND = {
     "identification.certified_sets.set_valued._searched": "boxes of doubles, searched; table_rows claims",
     "motions.formal_forces.FormalForces.__init__": "a union of sets",
     "motions.reference._within": "asks whether a radius is small enough",
+    "numbers.alike.key": "a ball as a key: which results are equal",
     "numbers.pickling._make_arb": "the same ball, read and written",
     "numbers.pickling._reduce_arb": "the same ball, read and written",
     "flow.slow_manifold.slow_curve_series.truncated": "balls as a key of a cache",

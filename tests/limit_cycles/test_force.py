@@ -1,5 +1,6 @@
 """The force of a limit cycle on a disc."""
 
+import pytest
 from flint import arb
 
 from asymptotics.law import Law
@@ -13,3 +14,10 @@ def test_the_force_on_a_disc_is_bounded_and_attained():
     bound = field.largest(arb(1), arb("0.5"), arb(2), arb("0.25"))
     attained = field.at(arb("1.5"), arb("2.25"))
     assert abs(attained) <= bound and bound < attained * arb("1.000001")
+
+
+@pytest.mark.parametrize("law", [{2: 1}, {"3/2": 1}, {(1, 1): 1}], ids=str)
+def test_a_loss_that_is_no_polynomial_has_no_force_of_whole_powers(law):
+    """x'|x'| = -w^2, not w^2: with plain powers the mass would gain what it loses."""
+    with pytest.raises(ArithmeticError, match="no polynomial"):
+        PolynomialForce.of(Law(law).terms, arb(1))

@@ -154,6 +154,28 @@ def test_the_error_is_made_of_its_parts(law):
     assert quarter.ln_r.contains(sharp.ln_r) and quarter.duration.contains(sharp.duration)
 
 
+@pytest.mark.parametrize("law", LAWS, ids=str)
+def test_a_hand_over_that_is_off_enters_by_its_own_rates(law):
+    """(start + 2 eta) e^(2K) and dz/(1 - kappa) more of the time, the start dg + dz sum drag_i/(1 - kappa)."""
+    rim, dz, dg = 1.6, 2.0**-26, 2.0**-27
+    exact = path_of(law, 40)
+    bundle = replace(exact.grid.bundle, dz=arb(dz), dg=arb(dg))
+    off = replace(exact, grid=replace(exact.grid, bundle=bundle))
+    (quarter,), (sharp,) = off.enclosed(rim), exact.enclosed(rim)
+    with ctx.workprec(53):
+        drags = [float(d) for d in exact.drags((exact.sizes(arb(1)) + arb(2) ** -20).upper())]
+    alphas = [float(a.mid()) for a in bundle.alphas]
+    kappa = sum(d * float(peak(arb(a)).mid()) for d, a in zip(drags, alphas, strict=True))
+    assert 0.01 < kappa < 0.9
+    slope = float(bundle.h[0].mid()) * sum(abs(a - 1) * d for d, a in zip(drags, alphas, strict=True))
+    K = slope / (1 - kappa) ** 2
+    start = dg + dz * sum(drags) / (1 - kappa)
+    apart = float(quarter.ln_r.rad()) - float(sharp.ln_r.rad())
+    assert apart == pytest.approx(np.exp(2 * K) * start, rel=1e-5)
+    late = float(quarter.duration.rad()) - float(sharp.duration.rad())
+    assert late == pytest.approx(2 * K * apart + dz / (1 - kappa), rel=1e-5)
+
+
 def test_the_drags_are_those_on_the_orbit():
     """max |delta e^((alpha-1) g)| over a backward orbit, where g grows from 0 to ln r: at most a tenth more."""
     path = path_of(((("3/2", "1/5"),), -1), 40)

@@ -96,3 +96,48 @@ def test_a_shard_that_is_a_link_or_a_pipe_is_refused(tmp_path):
         with pytest.raises(InputError, match="store of plain files"):
             list(lines(path))
     assert target.read_text() == "mine"
+
+
+def filed(count):
+    """Points of a task with their keys."""
+    tasks_of = [{"command": "c", "point": {"n": str(n), "task": "x"}} for n in range(count)]
+    return [(content_key(task), record_of(task, '{"result":1}')) for task in tasks_of]
+
+
+@pytest.mark.parametrize("most", [1, 7, 100])
+def test_a_write_that_is_short_goes_on_where_it_stopped(tmp_path, monkeypatch, most):
+    path, write, left = tmp_path / "00.points", os.write, iter(range(2000))
+
+    def short(handle, data):
+        next(left)  # a loop that does not go on ends as well
+        return write(handle, data[:most])
+
+    monkeypatch.setattr(os, "write", short)
+    shard, points = LockedShard.take(path), filed(2)
+    for point in points:
+        shard.append(*point)
+    monkeypatch.undo()
+    shard.close()
+    assert path.read_bytes() == b"".join(written(*point) for point in points)
+    assert [(key, record) for _, key, record in lines(path)] == points
+
+
+def test_a_write_that_fails_leaves_the_file_as_it_was(tmp_path, monkeypatch):
+    path, write, (one, two) = tmp_path / "00.points", os.write, filed(2)
+    shard = LockedShard.take(path)
+    shard.append(*one)
+    before = path.read_bytes()
+
+    def full(handle, data):
+        if path.stat().st_size > len(before):
+            raise OSError(28, "no space left")
+        return write(handle, data[:10])
+
+    monkeypatch.setattr(os, "write", full)
+    with pytest.raises(OSError, match="no space"):
+        shard.append(*two)
+    monkeypatch.undo()
+    assert path.read_bytes() == before and shard.keys == {one[0]}
+    shard.append(*two)
+    assert [key for _, key, _ in lines(path)] == [one[0], two[0]]
+    shard.close()

@@ -188,7 +188,8 @@ def grouped(damping: Damping, together: list[list[int]], most: arb) -> Grouped:
     # The reach is a choice, so a double may name it; the cut below is bounded with the exact eta.
     widest = max(float(eta.mid()) for group in beside for eta in group)
     reach = arb(min(_FARTHEST, _SHARE / max(widest, _SHARE / _FARTHEST)))
-    scale, degree = Scale((most - reach).mid(), reach), _degree(max(widest, 2.0**-900) * float(reach))
+    # Rounded up, so that t <= 1 up to ln w = most whatever the precision: all sums are bounded on |t| <= 1.
+    scale, degree = Scale((most - reach).upper(), reach), _degree(max(widest, 2.0**-900) * float(reach))
     sums = [
         [(damping.strengths[i] * (eta * scale.centre).exp(), eta * reach) for i, eta in zip(group, etas)]
         for group, etas in zip(together, beside)

@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 
+import mpmath
 import pytest
 from flint import arb, arb_poly, ctx, fmpq
 
@@ -11,6 +12,7 @@ from asymptotics.expansions.half_swings.certified_orders import (
     integrate_series,
     order_series,
     power_series_ring,
+    sine_ratio_power,
 )
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.numbers.exact import ExactReal, parse_real
@@ -49,3 +51,15 @@ def test_every_coefficient_obeys_its_bound(alphas: list[fmpq]) -> None:
                     abs(c) * arb(radius) ** j <= bound[n] * (1 + arb(2) ** -150) for j, c in enumerate(f.coeffs())
                 )
                 assert radius > 1 or bound[n] < 10 ** (2 * sum(n))
+
+
+@pytest.mark.parametrize("alpha", ["1/2", "1", "7/3"])
+@pytest.mark.parametrize("terms", [1, 2, 5])
+def test_a_power_of_the_sine_has_the_coefficients_of_its_logarithm(alpha, terms):
+    """(sin theta/theta)^alpha in t = (2 theta/pi)^2, by mpmath: as many as were asked for, and each of them."""
+    a, theta = mpmath.mpf(Fraction(alpha).numerator) / Fraction(alpha).denominator, mpmath.pi / 2
+    with mpmath.workdps(40):
+        wanted = mpmath.taylor(lambda t: mpmath.sinc(theta * mpmath.sqrt(t)) ** a if t else mpmath.mpf(1), 0, 6)
+    found = sine_ratio_power(real(alpha).ball(), terms).coeffs()
+    assert len(found) == terms
+    assert [float(c.mid()) for c in found] == pytest.approx([float(mpmath.re(c)) for c in wanted[:terms]], rel=1e-8)

@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.half_swings.forces import Forces
+from asymptotics.expansions.straightening import wells
 from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.numbers.precision import TooWideError
 from asymptotics.terms import Term
@@ -79,3 +80,12 @@ def test_a_place_that_may_be_in_the_well_is_too_wide(A):
     """x - x^3 has its tops at -1 and 1: a ball about 0, and one about a top."""
     with pytest.raises(TooWideError, match="not certainly inside"):
         Well.duffing(arb(-1)).xi(A)
+
+
+def test_the_integrator_is_told_where_a_ball_may_meet_the_cut():
+    """2F1 jumps across [1, infinity): a finite value there would be integrated as if it were analytic."""
+    half, across = arb(1) / 2, acb(arb(2, 0.25), arb(0, 0.25))
+    beside = across + acb(0, 1)
+    assert not wells._hypergeometric(half, half, arb(1), across, True).is_finite()
+    assert wells._hypergeometric(half, half, arb(1), across, False).is_finite()
+    assert wells._hypergeometric(half, half, arb(1), beside, True).is_finite()

@@ -1,7 +1,7 @@
 """A creep that settles beside N: against Taylor steps at many bits, an integrator, and with the region made smaller."""
 
 from fractions import Fraction
-from math import exp, log
+from math import exp, log, log1p
 
 import pytest
 from flint import arb, ctx
@@ -86,6 +86,23 @@ def test_the_wait_is_as_long_as_it_takes_or_longer(terms):
         top = float(found.w.upper().log())
         end = solve_ivp(slope, (0, 1), [place, top], "Radau", events=outside, rtol=1e-7, atol=1e-12, first_step=1e-18)
         assert len(end.t_events[0]) and float(found.wait) / 1e4 < end.t_events[0][0] < float(found.wait)
+
+
+@pytest.mark.parametrize("slow", [-10.0, -7.0, -5.0])
+def test_the_wait_is_the_sum_of_its_two_times(slow):
+    """8 W/n(m) + (8/3) (W/n(W)) |ln 16 sigma(m)|, and m_1/n(m_1) + (W/n(W)) ln(1 + n(W) y/(W m_1)), m_1 = m/e."""
+    law, most, y = damping(("1/4", "1/2"), ("3/4", "1/3")), -3.0, 0.1
+
+    def n(u):
+        return exp(u / 4) / 8 + exp(3 * u / 4) / 4
+
+    m, W, m_1 = exp(slow), exp(most), exp(slow - 1)
+    parts = [
+        8 * W / n(slow), 8 / 3 * W / n(most) * abs(log(16 * (m / n(slow)) ** 2)),
+        m_1 / n(slow - 1), W / n(most) * log1p(n(most) * y / (W * m_1)),
+    ]  # fmt: skip
+    found = float(_wait(ForceCurve(law, 0, law.exponents[0]), arb(slow), arb(most), arb(y)))
+    assert found == pytest.approx(sum(parts), rel=1e-9) and min(parts) > 1e-6 * sum(parts)
 
 
 def test_the_region_is_left_if_it_is_narrower_or_sigma_larger():

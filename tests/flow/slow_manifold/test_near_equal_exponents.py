@@ -162,6 +162,17 @@ def test_the_motion_crosses_the_barriers_inwards_on_all_the_stretch(law):
                 assert rate.mid() > 0 or rate.contains(0)
 
 
+@pytest.mark.parametrize("bits", [20, 30, 53, 90])
+def test_no_speed_of_a_stretch_lies_beyond_the_one_on_which_its_sums_are_bounded(bits):
+    """t <= 1 up to ln w = most, exactly: a centre rounded to the nearest lets every other stretch exceed it."""
+    with ctx.workprec(bits):
+        damping = Damping.of(of(("1/2", "1"), ("0.51", "1"))())
+        stretches = [(grouped(damping, groups(damping), most).scale, most) for k in range(16) if (most := arb(k).exp())]
+    with ctx.workprec(400):
+        tops = [(most.upper() - scale.centre) / scale.reach for scale, most in stretches]
+        assert all(arb(1) - arb(2) ** (4 - bits) * 2**20 < top <= 1 for top in tops)
+
+
 @pytest.mark.parametrize("law", LAWS[1:4])
 def test_a_barrier_within_what_is_left_is_not_proved(law):
     with ctx.workprec(120):
