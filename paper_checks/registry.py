@@ -58,6 +58,7 @@ SECTIONS = {
         "section_3_amplitude",
         "section_3_table",
         "section_4_validity",
+        "section_4_conditions",
         "section_5_figures",
         "section_6_two_laws",
         "section_7_late_times",
