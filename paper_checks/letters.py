@@ -39,7 +39,7 @@ def frozen(check: Callable[[Any], Outcome], form: Any) -> dict[str, Any]:
     found = {}
     for symbol in sorted(_symbols(form), key=str):
         for value in dict.fromkeys([*still[str(symbol)], *USUAL]) if str(symbol) in still else ():
-            other = _replaced(form, {symbol: sympy.sympify(value)})
+            other = _replaced(form, {symbol: sympy.S.Zero + value})
             if other != form and _outcome(check, other) == Outcome.CONFIRMED:
                 found[str(symbol)] = value
                 break

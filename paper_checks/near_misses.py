@@ -35,6 +35,7 @@ WORDS = {
     "lelas2024:claim.one-integral": "the trick needs two integrals as well, in place of one",
     "lelas2024:claim.amplitude-cancels": "the amplitude cancels for n = 0 and n = 1, in place of n = 1 alone",
     "lelas2024:claim.conditions-and-x0": "the conditions of n = 0, 1 and 2 contain x0, in place of n = 0 and 2",
+    "lelas2024:claim.equal-amplitudes": "one f for both motions whatever their amplitudes, in place of equal ones",
     "lelas2024:claim.force-without-sign": "usable for v > 0 and v = 0, in place of v > 0 and v < 0",
     "smith2012:claim.number-of-constants": "two constants without the time, in place of one",
     "smith2012:claim.inversion": "four states with the same S and T, in place of two",

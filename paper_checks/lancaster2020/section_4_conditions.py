@@ -9,8 +9,22 @@ from flint import arb
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.context import ctx
 from paper_checks.evidence import sampled
-from paper_checks.identities import all_confirmed, below, limit_is
-from paper_checks.lancaster2020.model import EPSILON, alpha, b, k, kappa, mean, omega0, strength, x0, zero
+from paper_checks.identities import all_confirmed, below, limit_is, vanishes
+from paper_checks.lancaster2020.model import (
+    EPSILON,
+    alpha,
+    b,
+    c,
+    exact_rate_expanded,
+    k,
+    kappa,
+    mean,
+    omega0,
+    s,
+    strength,
+    x0,
+    zero,
+)
 from paper_checks.registry import Shortfall, statement
 from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
@@ -21,13 +35,22 @@ K, T, p, z = sympy.symbols("K T p z", positive=True)
     id="lancaster2020:claim.leading-order", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     title="The results are correct to leading order in kappa, which is proportional to b", printed=1, near_miss=2,
     latex=r"\text{the asymptotic results are formally correct only to leading order in } \kappa \propto b",
-    conditions="none", methods=("d ln kappa/d ln b", "expansion of the exact envelope"), derivation="symbolic-alpha",
+    conditions="none", derivation="symbolic-alpha",
+    methods=("d ln kappa/d ln b", "exact rate of the envelope expanded to second order, its means over a half-swing"),
     note="d ln A/d tau = -(p_1 delta + p_3 delta^3 + ...), d psi/d tau = 1 + Omega_2 delta^2 + ...: the rate has no"
     " second-order term, so (13) is better than that for the amplitude at the turning points. Form: the power of b.",
 )
 def leading_order(form: int) -> Outcome:
-    """b d ln kappa/db."""
-    return zero(b * sympy.diff(sympy.log(kappa(alpha)), b) - form)
+    """b d ln kappa/db; the exact rate begins with epsilon s^(alpha+1), whose mean is kappa, and then has no mean."""
+    first, second = exact_rate_expanded()
+    whole = s ** (2 * alpha + 2) / (2 * alpha + 2)  # of the second term, with ds = c dtheta: 0 at both ends
+    return all_confirmed(
+        zero(b * sympy.diff(sympy.log(kappa(alpha)), b) - form),
+        zero(first - s ** (alpha + 1)),
+        zero(kappa(alpha) - mean(alpha) * EPSILON),
+        zero(second - sympy.diff(whole, s) * c),
+        vanishes(whole.subs(s, 0)),
+    )
 
 
 @statement(

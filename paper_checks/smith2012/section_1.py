@@ -306,13 +306,13 @@ def integrability(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:14", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
-    extent="sampled: 1 points",
+    extent="exact, one example",
     title="The first constant of the motion", latex=r"S(x, v) = S(x_0, v_0)", printed=ENERGY,
     conditions="along the motion", near_miss=M * (v**2 - omega**2 * x**2) / 2, methods=("on the harmonic oscillator",),
 )
 @statement(
     id="smith2012:15", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
-    extent="sampled: 1 points",
+    extent="exact, one example",
     title="The second constant of the motion", latex=r"T(x, v; t) = T(x_0, v_0; t_0)", printed=CLOCK,
     near_miss=omega * t + atan(omega * x / v), methods=("on the harmonic oscillator",), conditions="along the motion",
 )
@@ -329,7 +329,7 @@ SOLVED = sympy.sqrt(2 * S_value / M) / omega * sympy.sin(omega * t - T_value)
 
 @statement(
     id="smith2012:16", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
-    extent="sampled: 1 points",
+    extent="exact, one example",
     title="The motion from the two constants", printed=SOLVED, near_miss=SOLVED * omega,
     latex=r"x = x\left(S(x_0, v_0), T(x_0, v_0; t_0); t\right)", conditions="v eliminated",
     methods=("on the harmonic oscillator: equation of motion, value of S",),

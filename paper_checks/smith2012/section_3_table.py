@@ -34,7 +34,11 @@ from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 BITS = 300
 exp = sympy.exp
 S_even, S_odd = sympy.symbols("S_2n S_2n+1")
-GARBLED = " In the last member the supplied text has n for u ('e^{-2n_{2n}}'): read as u, a garbled transcription."
+
+
+def garbled(seen: str) -> str:
+    """What a note says of a letter that the supplied text has got wrong."""
+    return f" In the last member the supplied text has n for u ('{seen}'): read as u, a garbled transcription."
 
 
 def integration_constants(length: int) -> list[arb]:
@@ -56,7 +60,8 @@ def members(prefactor: sympy.Expr, left: sympy.Expr, right: sympy.Expr, sign: in
     r" = -\frac{1}{4}e^{-2u_{2n}}(2u_{2n}+1)",
     variables="u_1 stands for u_{2n+1}, u_0 for u_{2n}", printed=members(sympy.Integer(1), u1, u0, 1),
     corrected=members(-QUARTER, u1, u0, 1), near_miss=members(QUARTER, u1, u0, 1),
-    conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + GARBLED, derivation="smith-turning-points",
+    conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + garbled("e^{-2n_{2n}}"),
+    derivation="smith-turning-points",
 )
 def falling_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """Both members are S^- at their turning points."""
@@ -71,7 +76,8 @@ def falling_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     r" = \frac{1}{4}e^{2u_{2n+1}}(2u_{2n+1}-1)",
     variables="u_2 stands for u_{2n+2}, u_1 for u_{2n+1}", printed=members(sympy.Integer(1), u2, u1, -1),
     corrected=members(QUARTER, u2, u1, -1), near_miss=members(-QUARTER, u2, u1, -1),
-    conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + GARBLED, derivation="smith-turning-points",
+    conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + garbled("e^{2n_{2n+1}}"),
+    derivation="smith-turning-points",
 )
 def rising_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """Both members are S^+ at their turning points."""
