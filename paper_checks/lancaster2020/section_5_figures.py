@@ -47,7 +47,7 @@ g, mu = sympy.symbols("g mu", positive=True)
     printed=("0.19", THREE_HALVES, "0.4043", "0.4260"), near_miss=("0.19", THREE_HALVES, "0.4043", "0.4261"),
     conditions="0.4043 <= b omega_0^{3/2} x_0^{1/2}/k <= 0.4260",
     methods=("kappa = M_(5/2) epsilon at both ends of the range, balls",),
-    note="kappa is less than half of epsilon here: M_(5/2) = 0.4576. Form as for claim.kappa-fig1.",
+    note="kappa is less than half of epsilon here: M_(5/2) = 0.4577. Form as for claim.kappa-fig1.",
 )
 def range_of_strength(form: tuple[str, sympy.Expr, str, str]) -> Outcome:
     """kappa rounds to the printed number at both ends, and one unit of the last figure further out it does not."""
@@ -168,7 +168,7 @@ def short_times(form: sympy.Expr) -> Outcome:
     latex=r"\text{the approximation is quite robust, even for modest } \kappa", printed=-2, near_miss=-1,
     conditions="kappa = 0.19, that is epsilon = 0.4152",
     methods=("exact turning points, half-swing by half-swing, n = 1 ... 9",),
-    note="Regenerated. At the turning points the amplitude is right to 0.03 %; what is left is the phase, a lag that"
+    note="Regenerated. At the turning points the amplitude is right to 0.02 %; what is left is the phase, a lag that"
     " tends to about 0.28. Form: the exponent of the bracket.",
 )
 @statement(

@@ -200,7 +200,7 @@ def closed_form(form: sympy.Expr | None) -> Outcome:
 @statement(
     id="lelas2024:50", kind=Kind.NUMBER, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED, digits=2,
     title="The condition (33) in numbers", latex=r"\mu \ll 0.58", printed="0.58", near_miss="0.57",
-    conditions="none", methods=("(33) by balls",), note="0.57663...",
+    conditions="none", methods=("(33) by balls",), note="0.57664...",
 )
 def threshold(printed: str) -> Outcome:
     """sqrt(2) k x0/(m g)."""
