@@ -13,6 +13,7 @@ SIGN_OF_X = "x -> -x has the same S, and the same T, which (28) determines up to
 EVEN = "(-1)^n = 1, since n is even"
 ANY_PAIR = "the claim is true of that pair of different exponents too"
 SIXTH = "one unit of the sixth decimal: the constants of Table I are rounded, some of them wrongly, in that place"
+FURTHER = "the further terms vanish, since C_(i-1)^m = 0 for m < i"
 SHIFT = "-pi/2 is the other sign of the claim, and 3 pi/2 the same angle"
 
 EQUIVALENT: dict[str, dict[str, str]] = {
@@ -41,15 +42,13 @@ EQUIVALENT: dict[str, dict[str, str]] = {
         "3: 0: minus 1": "the term n = 0 has the factor n = 0", "3: 0: zero": "the term n = 0 has the factor n = 0",
     },
     "smith2012:62b": {
-        "0: drop i": "the further terms vanish, since C_(i-1)^m = 0 for m < i",
+        "0: drop i": FURTHER, "0: without -i/2": FURTHER,
+        "1: minus -1": "(-1)^(k-1) = (-1)^(k+1)", "1: minus k": "(-1)^(1-k) = (-1)^(k+1)",
         "1: square k at 0": "k^2 is even with k",
     },
     "smith2012:65": {"1: number 1/2": EVEN},
     "smith2012:66": {"1: number 1/2": EVEN},
     "smith2012:67": {"1: number 1/2": EVEN},
-    "smith2012:claim.arctan-argument": {
-        **dict.fromkeys(FACTOR, "a factor moves neither zeros nor poles"),
-    },
     "smith2012:claim.discontinuity": {"minus 1": "any multiple of S_1 but S_1 itself leaves a jump"},
     "smith2012:fig2": {"0: sign": "-0 = 0", "1: digit 7": SIXTH},
     "smith2012:fig3": {"0: sign": "-0 = 0", "?: digit 7": SIXTH},

@@ -238,13 +238,14 @@ def _all_read(latex: str, key: str, reading: Reading, symbols: dict[str, sympy.S
 
 
 class _Letters(dict[str, sympy.Symbol]):
-    """Known letters, and every other as a letter of its own."""
+    """Known letters, and every other as a letter of its own: v is not the v of a form that is printed as v_1."""
 
     def __contains__(self, name: object) -> bool:
         return True
 
     def __missing__(self, name: str) -> sympy.Symbol:
-        self[name] = _letter_of(name)
+        taken = any(str(symbol) == name for symbol in self.values())
+        self[name] = _letter_of(f"{name} in print" if taken else name)
         return self[name]
 
 

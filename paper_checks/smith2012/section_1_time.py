@@ -33,8 +33,8 @@ z = sympy.Symbol("z", positive=True)
     near_miss=omega**2 * t + That, conditions="none", methods=("(17) differentiated",), note="Form: T.",
 )
 def separated(form: sympy.Expr) -> Outcome:
-    """dT/dt is omega."""
-    return same(diff(form, t), omega)
+    """dT/dt is omega, and what is left at t = 0 is a function of x and v alone."""
+    return all_confirmed(same(diff(form, t), omega), same(form.subs(t, 0), That))
 
 
 @statement(

@@ -155,11 +155,12 @@ def last_term_vanishes(form: int) -> Outcome:
     methods=("zeros of numerator and denominator", "the acceleration is monotone in u, see claim.maximum-velocity"),
 )
 def argument_of_arctan(form: sympy.Expr) -> Outcome:
-    """The numerator vanishes at v = 0, the denominator changes sign where gamma v^2 = omega^2 x."""
+    """omega v over the acceleration; the numerator vanishes at v = 0, the denominator changes sign where that does."""
     numerator, denominator = sympy.fraction(sympy.together(form))
     zero = {x: gamma * v**2 / omega**2}
     crossing, slope = denominator.subs(zero), sympy.diff(denominator, x).subs(zero)
-    return all_confirmed(vanishes(numerator.subs(v, 0)), vanishes(crossing), decided(slope.is_nonzero))
+    places = all_confirmed(vanishes(numerator.subs(v, 0)), vanishes(crossing), decided(slope.is_nonzero))
+    return all_confirmed(places, same(form * FALLING_FORCE, omega * v))
 
 
 @statement(

@@ -149,6 +149,17 @@ def test_what_is_not_known_is_said(latex):
         read(latex, {"x": sympy.Symbol("x")})
 
 
+@pytest.mark.parametrize(
+    ("key", "printed", "without"),
+    [("lelas2024:22", "v_1", "v"), ("lelas2024:23", "v_2", "v"), ("lelas2024:34", "v_1", "v"),
+     ("lelas2024:35", "v_2", "v"), ("lelas2024:22", "v_1", "v_2"), ("smith2012:72", "E_n", "E")],
+)  # fmt: skip
+def test_an_index_that_is_lost_is_noticed(key, printed, without):
+    entry = ENTRIES[key]
+    assert tie(entry.latex, entry.printed, key) == Tie.WHOLE
+    assert tie(entry.latex.replace(printed, without), entry.printed, key) != Tie.WHOLE
+
+
 def test_corrected_formulas_differ_from_the_printed_ones():
     for entry in NUMBERED:
         if entry.verdict in (Printed.MISPRINT, Printed.PARTLY):
