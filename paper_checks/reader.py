@@ -68,7 +68,7 @@ def tie(latex: str, form: Any, key: str = "") -> Tie:
     wanted = _expressions(form, reading.parts)
     if not wanted and isinstance(form, int | sympy.Rational if reading.unit else sympy.Rational):
         wanted = [sympy.Rational(form)]
-    texts = _texts(form)
+    texts = _texts(tuple(form[i] for i in reading.parts) if reading.parts and isinstance(form, tuple) else form)
     if not wanted and not texts:
         return Tie.NONE
     if not all(re.search(rf"(?<![\d.]){re.escape(text)}(?![\d.])", latex) for text in texts):
