@@ -11,6 +11,7 @@ BOUNDED = "a factor below 4, at the exponents tried, in front of what must be la
 MULTIPLE = "any multiple of a constant of the motion is one"
 SIGN_OF_X = "x -> -x has the same S, and the same T, which (28) determines up to pi"
 EVEN = "(-1)^n = 1, since n is even"
+TWO_MORE = "the exponent of -1 changes by an even number, since n is even"
 ANY_PAIR = "the claim is true of that pair of different exponents too"
 SIXTH = "one unit of the sixth decimal: the constants of Table I are rounded, some of them wrongly, in that place"
 FURTHER = "the further terms vanish, since C_(i-1)^m = 0 for m < i"
@@ -32,6 +33,9 @@ EQUIVALENT: dict[str, dict[str, str]] = {
         "2: sign": SHIFT, "2: number 1/2": SHIFT, "?: twice": "any two amplitudes", "?: 11/10": "any two amplitudes",
     },
     "lelas2024:claim.equal-initial-energies": {"?: ?: sign": "the energy is even in x and in v"},
+    "lelas2024:claim.two-rates-contradict": dict.fromkeys(
+        ("sign", "twice", "number 1/2"), "the mean over any number of quarter periods"
+    ),
     "lelas2024:claim.not-analytically-solvable": dict.fromkeys(FACTOR, MULTIPLE),
     "lelas2024:claim.same-decay": {"0: sign": "started the other way the second motion is its own mirror image"},
     "smith2012:16": {"sign": SIGN_OF_X},
@@ -46,9 +50,9 @@ EQUIVALENT: dict[str, dict[str, str]] = {
         "1: minus -1": "(-1)^(k-1) = (-1)^(k+1)", "1: minus k": "(-1)^(1-k) = (-1)^(k+1)",
         "1: square k at 0": "k^2 is even with k",
     },
-    "smith2012:65": {"1: number 1/2": EVEN},
-    "smith2012:66": {"1: number 1/2": EVEN},
-    "smith2012:67": {"1: number 1/2": EVEN},
+    "smith2012:65": {"1: number 1/2": EVEN, "1: minus *": TWO_MORE},
+    "smith2012:66": {"1: number 1/2": EVEN, "1: minus *": TWO_MORE, "1: without -2": TWO_MORE},
+    "smith2012:67": {"1: number 1/2": EVEN, "1: minus *": TWO_MORE},
     "smith2012:claim.discontinuity": {"minus 1": "any multiple of S_1 but S_1 itself leaves a jump"},
     "smith2012:fig2": {"0: sign": "-0 = 0", "1: digit 7": SIXTH},
     "smith2012:fig3": {"0: sign": "-0 = 0", "?: digit 7": SIXTH},

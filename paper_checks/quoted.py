@@ -208,6 +208,8 @@ _STARTS = {**_among("0.01", "smith2012.section_4_motion", "AMPLITUDES"),
 _PANELS = {**_among("0.01", "lelas2024.section_5", "PANELS"), **_among("0.03", "lelas2024.section_5", "PANELS")}
 
 COMPUTED: dict[str, dict[str, Value]] = {
+    "lancaster2020:claim.slow-timescale": {"0.53": lambda: exp(-2 * pi / 10)},
+    "lancaster2020:claim.fig1-short-times": {"0.066": lambda: FIG_1},
     "lancaster2020:claim.valid-for-any-b": {"20 %": lambda: 0.2, "6 %": lambda: 0.06},
     "lancaster2020:claim.large-b-agreement": {
         "0.2 %": lambda: max(_worst(a, "1") for a in ("3/2", "2", "3")),

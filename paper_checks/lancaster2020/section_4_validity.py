@@ -42,6 +42,7 @@ def weak_not_slow(form: int) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.long-or-short", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="For alpha != 1 the approximation works best at either long or short times",
     latex=r"\alpha > 1: \text{long times}; \quad \alpha < 1: \text{short times}", printed=(-1, 0, 1),
     near_miss=(1, 0, -1),

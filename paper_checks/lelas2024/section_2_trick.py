@@ -88,24 +88,21 @@ def viscous_rate(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 @statement(
     id="lelas2024:claim.two-rates-contradict", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
     shortfall=Shortfall.CONDITION,
-    title="One function f obeys both (18) and (19)", printed=1, corrected=2, near_miss=3,
+    title="One function f obeys both (18) and (19)", printed=sympy.Integer(0), corrected=sympy.pi / 2,
+    near_miss=sympy.pi / 3,
     latex=r"\frac{df}{dt} = -\frac{b}{m}f\sin^2(\omega_0t) \text{ and } \frac{df}{dt} = -\frac{b}{m}f\cos^2(\omega_0t)",
     corrected_latex=r"\left\langle\sin^2\right\rangle = \left\langle\cos^2\right\rangle = \frac{1}{2}",
     conditions="in the mean over a quarter period or a multiple of it", methods=("values and quarter-period means",),
     derivation="lelas-viscous",
     note="Taken together the two say sin^2 = cos^2, false except at isolated instants: each is wrong by as much as the"
     " rate itself, since the f' dropped from the velocities is of the order kept in (15). The sum is right because the"
-    " means agree, so the trick is an average after all. Form: where they agree: 1 at all times, 2 in the"
-    " mean over a quarter period, 3 in the mean over an eighth.",
+    " means agree, so the trick is an average after all. Form: the phase over which the mean is taken from a"
+    " turning point on, 0 at an instant.",
 )
-def two_rates(where: int) -> Outcome:
-    """sin^2 - cos^2 vanishes identically (1), or its integral over the stated part of a period does (2, 3)."""
+def two_rates(form: sympy.Expr) -> Outcome:
+    """sin^2 - cos^2 vanishes identically (0), or its integral from 0 to the stated phase does."""
     difference = sympy.sin(theta) ** 2 - sympy.cos(theta) ** 2
-    if where not in (1, 2, 3):
-        return Outcome.REFUTED
-    if where == 1:
-        return vanishes(difference)
-    return vanishes(sympy.integrate(difference, (theta, 0, sympy.pi / (2 * (where - 1)))))
+    return vanishes(difference if form == 0 else sympy.integrate(difference, (theta, 0, form)))
 
 
 @statement(

@@ -45,22 +45,23 @@ def gradient(scalar: sympy.Expr, letters: tuple[sympy.Symbol, ...]) -> tuple[sym
     return tuple(diff(scalar, letter) for letter in letters)
 
 
+MOTION = sympy.Function("x")(t)
+RATE = sympy.diff(MOTION, t)
+
+
 @statement(
     id="smith2012:1a", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
-    title="A derivative becomes a variable of its own", latex=r"\frac{dx^i}{dt} = y^i", printed=1, near_miss=2,
-    conditions="none",
-    methods=("order of the derivative of x = e^{omega t}",), note="Form: the order of the derivative that y is.",
+    title="A derivative becomes a variable of its own", latex=r"\frac{dx^i}{dt} = y^i", printed=RATE,
+    near_miss=omega * MOTION, conditions="none", methods=("differentiated, for any motion",), note="Form: y.",
 )
 @statement(
     id="smith2012:1b", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="Its own derivative is the second one", latex=r"\frac{d^2x^i}{dt^2} = \frac{dy^i}{dt}", printed=1,
-    near_miss=2,
-    conditions="none", methods=("(1a) differentiated",), note="Form: the order of the derivative of x that y must be.",
+    title="Its own derivative is the second one", latex=r"\frac{d^2x^i}{dt^2} = \frac{dy^i}{dt}", printed=RATE,
+    near_miss=RATE + omega**2 * t * MOTION, conditions="none", methods=("(1a) differentiated",), note="Form: y.",
 )
-def first_order_system(order: int) -> Outcome:
-    """x'' = y' for the y of that order, on x = sin(omega t)."""
-    motion = sympy.sin(omega * t)
-    return same(diff(motion, t, 2), diff(diff(motion, t, order), t))
+def first_order_system(form: sympy.Expr) -> Outcome:
+    """y = x', and x'' = y', for any motion x(t)."""
+    return all_confirmed(same(form, diff(MOTION, t)), same(diff(MOTION, t, 2), diff(form, t)))
 
 
 CONSTANCY = diff(S_general, t) + dot(gradient(S_general, QS), DOTS)
@@ -132,12 +133,12 @@ def newton(sign: int) -> Outcome:
 
 @statement(
     id="smith2012:4a", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
-    title="The first half of the expanded system", latex=r"v^i = \dot{x}^i", printed=1, near_miss=2,
-    conditions="none", methods=("as for (1a)",), note="Form: the order of the derivative.",
+    title="The first half of the expanded system", latex=r"v^i = \dot{x}^i", printed=RATE, near_miss=omega * MOTION,
+    conditions="none", methods=("as for (1a)",), note="Form: v.",
 )
-def velocity(order: int) -> Outcome:
+def velocity(form: sympy.Expr) -> Outcome:
     """As (1a)."""
-    return first_order_system(order)
+    return first_order_system(form)
 
 
 @statement(

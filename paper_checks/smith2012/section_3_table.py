@@ -101,7 +101,7 @@ def all_cycles(sign: int) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr]:
     r" \frac{u}{2} - \frac{1}{4}\right) + \hat{S}_{2n+1}, & (2n+1)\pi \le \theta < (2n+2)\pi \end{cases}",
     printed=all_cycles(1), near_miss=all_cycles(-1), methods=("constant along the motion", "continuous at each u_n"),
     conditions="S_n from the matching at the turning points, S_0 = 0; theta clockwise",
-    note="The supplied text shows its number once as (52b); (52a) prints two equations in one block.",
+    slip="The supplied text shows its number once as (52b), and has two equations in the block of (52a).",
 )
 def constant_over_all_cycles(form: tuple[sympy.Expr, sympy.Expr, sympy.Expr]) -> Outcome:
     """The lines are constant along the motion and agree at u_1 and u_2, S_0 = 0 with S_(n+1) - S_n the jump of S^-+."""

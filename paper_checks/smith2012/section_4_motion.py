@@ -17,7 +17,7 @@ from mpmath import cos, exp, expm1, lambertw, log, mpf, pi, quad, sin, sqrt
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimal_context import workdps
 from paper_checks.evidence import mark, sampled
-from paper_checks.identities import all_confirmed, below, decided, not_of_order, same, vanishes
+from paper_checks.identities import all_confirmed, below, decided, limit_is, not_of_order, same, vanishes
 from paper_checks.registry import Shortfall, statement
 from paper_checks.smith2012.model import FALLING_FORCE, Z_OF_STATE, gamma, invariant, n, omega, orbit, u0, v, x
 from paper_checks.smith2012.section_3_table import integration_constants
@@ -136,14 +136,13 @@ def harmonic_limit(form: sympy.Expr) -> Outcome:
     id="smith2012:claim.last-term-vanishes", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     paraphrase=True, title="The last term of (69) vanishes at the turning points", conditions="x != 0 there",
     latex=r"\frac{2}{3}\frac{\omega\gamma v^3}{[\omega^2v^2 + (\gamma v^2-\omega^2 x)^2]} = 0 \text{ at } v = 0",
-    printed=3, near_miss=2, methods=("expansion at v = 0",), note="Form: the order of the zero.",
+    printed=THIRD, near_miss=2 * gamma * v / (3 * omega), methods=("limit of the term over v^3 at v = 0",),
+    note="The zero is of the third order. Near miss: the square (gamma v^2 - omega^2 x)^2 left out below.",
 )
-def last_term_vanishes(form: int) -> Outcome:
-    """The term divided by v^form is finite and not zero at v = 0."""
-    if form < 1:
-        return Outcome.REFUTED
-    leading = sympy.limit(THIRD / v**form, v, 0)
-    return decided(leading.is_finite, leading.is_nonzero)
+def last_term_vanishes(form: sympy.Expr) -> Outcome:
+    """The term of (69), divided by v^3, has at v = 0 what its numerator has over (omega^2 x)^2."""
+    third_order = limit_is(form / v**3, v, sympy.Integer(0), 2 * omega * gamma / (3 * (omega**2 * x) ** 2), "+")
+    return all_confirmed(third_order, same(form, THIRD))
 
 
 @statement(

@@ -164,7 +164,7 @@ def general_order(sign: int) -> tuple[sympy.Expr, sympy.Expr]:
     printed=general_order(1), near_miss=general_order(-1), conditions="n >= 3 (n >= 2 with f_0 anything finite)",
     methods=("coefficients of z^{n-1} in (58), n = 3 ... 12, each linear in n",),
     derivation="smith-time-series", line=7,
-    note="The second line is w^{n-1} times the first, not equal to it: both vanish.",
+    slip="The second line is w^{n-1} times the first, not equal to it: both vanish.",
 )
 def general_recurrence(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """First line: minus the coefficient of z^(n-1) in (58); second line: w^(n-1) times the first."""
