@@ -42,7 +42,7 @@ WORDS = {
     "smith2012:claim.opposite-parity": "the coefficients with n - i even, in place of odd",
     "smith2012:claim.induction-start": "the induction starts at n = 3, in place of 2",
     "smith2012:claim.not-identifiable": "the sums are elementary up to i = 2 and no further, in place of for every i",
-    "smith2012:fig6": "the exponential meets u at the ends of the cycles 0 and 2, in place of 0 and 1",
+    "smith2012:fig6": "the exponential meets u when the exact first cycle ends, in place of omega t = 2 pi",
     "smith2012:fig7": "the exponential meets u at the ends of the cycles 0 and 2, in place of 0 and 1",
     "smith2012:claim.slower-than-exponential": "the decay is faster than the exponential (sign -1), in place of slower",
 }
