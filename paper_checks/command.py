@@ -15,7 +15,7 @@ from asymptotics.made_by import made_by
 from asymptotics.present.files import require_writable, write_atomically
 from paper_checks import reader
 from paper_checks.data import DATA, written
-from paper_checks.details import in_words
+from paper_checks.details import CHANGED, in_words
 from paper_checks.registry import PAPERS, Entry, Statement, load
 from paper_checks.runner import examine_all, worker_pool
 
@@ -52,7 +52,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--id", metavar="ID", help="one statement, e.g. smith2012:62b")
     parser.add_argument("--json", action="store_true", help="print the entries as JSON")
     parser.add_argument("--markdown", action="store_true", help="print the summary table of the README")
-    parser.add_argument("--compared", action="store_true", help="write the ledger of formulas compared by hand")
+    parser.add_argument("--compared", action="store_true", help="write the ledger of what was compared by hand")
     parser.add_argument("--data", action="store_true", help="write the statements for the installed package, no check")
     parser.add_argument("--report", metavar="DIR", help="write the report into this folder")
     return parser
@@ -116,6 +116,6 @@ def _print(results: list[Entry], *, as_json: bool, in_full: bool) -> None:
         return
     for result in results:
         if not result.agrees:
-            emit(f"DISAGREES {result.statement.id}: {dict(result.outcomes)}")
+            emit(f"DISAGREES {result.statement.id}: {dict(result.outcomes) if result.compared else CHANGED}")
     counts = Counter(str(result.printed) for result in results)
     emit(f"{len(results)} statements: " + ", ".join(f"{count} {name}" for name, count in counts.most_common()))

@@ -5,6 +5,8 @@ import textwrap
 
 from paper_checks.registry import Entry, Statement
 
+CHANGED = "what is printed or its forms are not those that were compared: compare them, then --compared"
+
 
 def in_words(entry: Entry) -> str:
     """The whole entry as text for a terminal."""
@@ -13,6 +15,7 @@ def in_words(entry: Entry) -> str:
     rows = [
         ("in our words" if s.paraphrase else "as printed", s.latex),
         ("verdict", f"{entry.printed} ({s.kind}, {entry.evidence})"),
+        ("changed", None if entry.compared else CHANGED),
         ("partly", s.shortfall),
         ("slip", s.slip),
         ("what is true", s.corrected_latex),

@@ -49,7 +49,8 @@ LETTERS: dict[str, dict[str, Dimension]] = {
         rate="omega omega_0 gamma", speed="v v_0 r", acceleration="g", force="f", stiffness="k",
     ) | {"c": (sympy.S.One, sympy.S.Zero, sympy.Integer(-3)), "c'": (sympy.S.One, -sympy.S.One, sympy.Integer(-3))},
     "lelas2024": _letters(
-        number="eps f mu n s sigma sine tau", mass="m", length="A_0 B_0 x x_0", time="t", rate="fdot omega_0 omega_d",
+        number="eps f mu n phi_0 s sigma sine tau", mass="m", length="A_0 B_0 x x_0", time="t",
+        rate="fdot omega_0 omega_d",
         speed="v v_0 V", acceleration="g", force="F_d", stiffness="k", drag="b", density="C",
     ),
     "smith2012": _letters(

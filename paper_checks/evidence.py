@@ -15,6 +15,11 @@ A check that looks at some members of an infinite family (values of an exponent,
 (<Evidence.CERTIFIED: 'certified'>, 'sampled: 2 points')
 >>> Marks([Evidence.PROVED], 3).weakest
 <Evidence.MEASURED: 'measured'>
+
+An exact computation on one example of a general statement says so, and so does what was found by reading:
+
+>>> Marks([Evidence.PROVED], 1).extent, Marks(read_off=True).weakest, Marks(read_off=True).extent
+('exact, one example', <Evidence.MEASURED: 'measured'>, 'read off the text')
 """
 
 from collections.abc import Iterable, Iterator
@@ -25,6 +30,7 @@ from typing import TypeVar
 
 from paper_checks.verdict import Evidence
 
+ONE_EXAMPLE, READ_OFF = "exact, one example", "read off the text"
 STRENGTH = (Evidence.MEASURED, Evidence.CERTIFIED, Evidence.PROVED)
 Point = TypeVar("Point")
 
@@ -42,21 +48,26 @@ class Difference:
 
 @dataclass
 class Marks:
-    """The sorts of evidence that were used, at how many sample points, and what was told apart."""
+    """The sorts of evidence that were used, at how many sample points, what was told apart, and what was read."""
 
     evidence: list[Evidence] = field(default_factory=list)
     points: int = 0
     differences: list[Difference] = field(default_factory=list)
+    read_off: bool = False
 
     @property
     def weakest(self) -> Evidence:
         """The weakest evidence; PROVED for exact comparisons alone, which at sample points are a measurement."""
         found = next((evidence for evidence in STRENGTH if evidence in self.evidence), Evidence.PROVED)
-        return Evidence.MEASURED if self.points and found == Evidence.PROVED else found
+        return Evidence.MEASURED if (self.points or self.read_off) and found == Evidence.PROVED else found
 
     @property
     def extent(self) -> str:
         """How far the evidence reaches; empty if as far as the statement."""
+        if self.read_off:
+            return READ_OFF
+        if self.points == 1 and set(self.evidence) <= {Evidence.PROVED}:
+            return ONE_EXAMPLE
         return f"sampled: {self.points} points" if self.points else ""
 
 
@@ -83,6 +94,14 @@ def sampled(points: Iterable[Point]) -> tuple[Point, ...]:
     if marks is not None:
         marks.points += len(found)
     return found
+
+
+def read_off(printed: Point) -> Point:
+    """What the paper says in its own words or signs: found by reading, not by computing."""
+    marks = _marks.get()
+    if marks is not None:
+        marks.read_off = True
+    return printed
 
 
 @contextmanager

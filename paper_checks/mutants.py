@@ -1,8 +1,8 @@
 """Every form mutated automatically: a check that confirms a mutant confirms a falsehood, or the mutant says the same.
 
-A mutant differs from the confirmed form of its statement in one place: its sign, a factor 2 or 11/10, one exponent, one
-number, one digit, one index or bound, one symbol dropped, doubled or squared, a unit as a factor (a mass, a rate, ...);
-or it is NaN, 0, or empty.
+A mutant differs from the confirmed form of its statement in one place: its sign, a factor 2 or 11/10, one term, one
+exponent, one number, one digit, one index or bound, one symbol dropped, doubled or squared, a unit as a factor (a mass,
+a rate, ...); or it is NaN, 0, or empty.
 
 >>> import sympy
 >>> x = sympy.Symbol("x")
@@ -13,6 +13,7 @@ or it is NaN, 0, or empty.
 """
 
 from collections.abc import Iterator
+from contextlib import suppress
 from fractions import Fraction
 from typing import Any
 
@@ -138,9 +139,25 @@ def _changed(form: sympy.Expr) -> Iterator[Mutant]:
             exponents.add(node.exp)
             for change in (1, -1):
                 yield f"exponent of {node}", form.xreplace({node: node.base ** (node.exp + change)})
+    yield from _terms_changed(form)
     yield from _symbols_changed(form)
     for number in sorted(form.atoms(sympy.Rational) - exponents - {sympy.S.NegativeOne}, key=sympy.default_sort_key):
         yield f"number {number}", form.xreplace({number: number + 1})
+
+
+def _terms_changed(form: sympy.Expr) -> Iterator[Mutant]:
+    """Each term of each sum dropped, and with the other sign.
+
+    >>> x, y = sympy.symbols("x y")
+    >>> [str(mutant) for _, mutant in _terms_changed(2 * x + y)]
+    ['y', '-2*x + y', '2*x', '2*x - y']
+    """
+    for node in sympy.preorder_traversal(form):
+        if isinstance(node, sympy.Add):
+            for term in node.args:
+                for name, other in (("without", node - term), ("minus", node - 2 * term)):
+                    with suppress(ValueError):  # no argument of a function that stands around it
+                        yield f"{name} {term}", form.xreplace({node: other})
 
 
 def _symbols_changed(form: sympy.Expr) -> Iterator[Mutant]:

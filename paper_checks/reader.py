@@ -10,10 +10,11 @@ r"""The printed LaTeX tied to the form: a small reader for the formulas of the p
 
 A formula is *read in part* if each expression of the form is identically one of its members, read; ``readings`` says
 which letters stand for what.  It is *wholly read* if moreover nothing is left over: ``members`` says what stands beside
-the form.  What the reader does not know (sums over components, forms that are a sign or an interval) has been compared
-by hand, twice, and is listed in ``compared.json``.  For every numbered equation, read or not, that ledger
-has a digest of LaTeX and form, written by ``python -m paper_checks --compared`` after the comparison: a change of
-either fails the test until they are compared again.
+the form.  What the reader does not know (sums over components, forms that are a sign or an interval, words) has been
+compared by hand, twice, and is listed in ``compared.json``.  For every statement, read or not, that ledger has a digest
+of all that is printed (LaTeX, title, conditions, notes, methods) and of the forms, written by ``python -m paper_checks
+--compared`` after the comparison: until they are compared again, a change of any of them fails the test, and the run
+of the check reports the statement as open.  The numbers in notes are computed as well, in ``quoted``.
 """
 
 import hashlib
@@ -24,6 +25,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -64,9 +66,9 @@ def tie(latex: str, form: Any, key: str = "") -> Tie:
     """
     reading = _of(READINGS, key, Reading())
     wanted = _expressions(form, reading.parts)
-    if not wanted and isinstance(form, int | sympy.Number if reading.unit else sympy.Number):
+    if not wanted and isinstance(form, int | sympy.Rational if reading.unit else sympy.Rational):
         wanted = [sympy.Rational(form)]
-    texts = _texts(form)
+    texts = _texts(tuple(form[i] for i in reading.parts) if reading.parts and isinstance(form, tuple) else form)
     if not wanted and not texts:
         return Tie.NONE
     if not all(re.search(rf"(?<![\d.]){re.escape(text)}(?![\d.])", latex) for text in texts):
@@ -236,13 +238,14 @@ def _all_read(latex: str, key: str, reading: Reading, symbols: dict[str, sympy.S
 
 
 class _Letters(dict[str, sympy.Symbol]):
-    """Known letters, and every other as a letter of its own."""
+    """Known letters, and every other as a letter of its own: v is not the v of a form that is printed as v_1."""
 
     def __contains__(self, name: object) -> bool:
         return True
 
     def __missing__(self, name: str) -> sympy.Symbol:
-        self[name] = _letter_of(name)
+        taken = any(str(symbol) == name for symbol in self.values())
+        self[name] = _letter_of(f"{name} in print" if taken else name)
         return self[name]
 
 
@@ -265,24 +268,51 @@ def how_read(entry: Statement) -> Tie:
 
 
 def digest(entry: Statement) -> str:
-    """What was compared by hand: the two formulas and the two forms."""
-    forms = [inspect.getsource(f) if inspect.isfunction(f) else str(f) for f in (entry.printed, entry.corrected)]
-    return hashlib.sha256("\n".join([entry.latex, str(entry.corrected_latex), *forms]).encode()).hexdigest()[:16]
+    """What was compared by hand: all that is shown of a statement, and its forms."""
+    forms = (_said(form) for form in (entry.printed, entry.corrected, entry.near_miss))
+    said = (
+        entry.latex,
+        str(entry.corrected_latex),
+        entry.title,
+        entry.conditions,
+        entry.note,
+        entry.slip,
+        *entry.methods,
+    )
+    return hashlib.sha256("\n".join([*said, *forms]).encode()).hexdigest()[:16]
+
+
+def _said(form: Any) -> str:
+    return inspect.getsource(form) if inspect.isfunction(form) else str(form)
 
 
 BY_HAND = "compared by hand"
 SORTS = (Tie.WHOLE, Tie.PART, BY_HAND)
 
 
+@cache
 def ledger() -> dict[str, dict[str, str]]:
     """The digests of what was compared: WHOLE and PART for what the reader ties, BY_HAND for the rest."""
     return dict(json.loads(LEDGER.read_text(encoding="utf-8")))
 
 
+def compared(entry: Statement) -> bool:
+    """Whether a statement stands as it was when LaTeX, text and forms were compared; one of no paper has not been.
+
+    >>> from dataclasses import replace
+    >>> from paper_checks.registry import load
+    >>> tau = load("lelas2024")["lelas2024:value.tau-a"]
+    >>> compared(tau), compared(replace(tau, latex=tau.latex.replace("12.9", "12.8")))
+    (True, False)
+    """
+    known = {key: found for sort in ledger().values() for key, found in sort.items()}
+    return known.get(entry.id, digest(entry)) == digest(entry)
+
+
 def written(entries: Iterable[Statement]) -> str:
-    """The ledger for the numbered equations."""
+    """The ledger for the statements."""
     known: dict[str, dict[str, str]] = {str(sort): {} for sort in SORTS}
-    for entry in filter(numbered, entries):
+    for entry in entries:
         sort = how_read(entry)
         known[str(sort) if sort in SORTS else BY_HAND][entry.id] = digest(entry)
     return json.dumps(known, indent=1) + "\n"

@@ -3,7 +3,8 @@ r"""How the formulas of the papers are read: what stands for a letter of the for
 A form often holds a part of its equation only, or writes a letter for |sin omega_0 t|.  A ``Reading`` says so, in
 LaTeX: ``letters`` are replacements, made from left to right before anything is read; ``unit`` divides what has been
 read; ``parts`` names the places of a form that the formula prints, where the others are premises of the check; with
-``hats`` an S of the form is the paper's S with a hat, with ``differentials`` dx and dv stand in the form.  A
+``hats`` an S of the form is the paper's S with a hat, with ``differentials`` dx and dv stand in the form; ``names`` are
+(letter of the form, what it is called in print), its index included.  A
 replacement by ``\int`` marks a factor: what stands beside it and what does not are then two expressions.
 """
 
@@ -24,11 +25,13 @@ class Reading:
     parts: tuple[int, ...] = ()
     hats: bool = False
     differentials: bool = False
+    names: Letters = ()
 
     def name(self, symbol: sympy.Symbol) -> str:
         """What a letter of the code is called in print."""
         name = str(symbol)
-        return "hat" + name if self.hats and name.startswith("S") else SAME.get(name, name)
+        printed = dict(self.names) | ({name: "hat" + name} if self.hats and name.startswith("S") else {})
+        return printed.get(name, SAME.get(name, name))
 
 
 PAPERS: dict[str, Letters] = {
@@ -42,7 +45,7 @@ PAPERS: dict[str, Letters] = {
 
 THETA = (r"\omega_0 t", r"\theta")
 SECOND, FIRST, TIME = Reading(parts=(1,)), Reading(parts=(0,)), (r"\omega_0 t", "T")
-PAIR_1, PAIR_2 = Reading(((r"v_1", "v"),)), Reading(((r"v_2", "v"),))
+PAIR_1, PAIR_2 = Reading(names=(("v", "v_1"),)), Reading(names=(("v", "v_2"),))
 FORCE = ((r"f(x, v)", "F"), (r"f^2(x, v)", "F^2"), (r"\frac{df}{dv}", "F_v "),
          (r"\frac{\partial f}{\partial x}", "f_x"),
          (r"\frac{\partial f}{\partial v}", "f_v"), (r"\frac{dx}{dv}", r"\dxdv"),
@@ -72,6 +75,11 @@ READINGS: dict[str, Reading] = {
                                  (r"\abs{\sin^{\alpha'+1}(\omega_0 t)}", r"s^{\alpha'+1}"))),
     "lancaster2020:20": Reading(unit="-t"),
     "lancaster2020:21": Reading(((r"\lambda", r"\frac{x_0}{c+c'x_0}"),)),
+    **dict.fromkeys((f"lelas2024:value.{name}-{panel}" for name in ("tau", "tau-tilde", "tau-exact") for panel in "ab"),
+                    Reading(((r"\,\mathrm{s}", ""),), parts=(0,))),
+    **dict.fromkeys((f"lelas2024:value.rest-{panel}" for panel in "ab"), Reading((("x_0", ""), ("+", "")), parts=(0,))),
+    **dict.fromkeys((f"lancaster2020:claim.kappa-fig{n}" for n in (1, 2)),
+                    Reading(((r"\quad (", r"\qquad ("),), parts=(0,))),
     "lelas2024:2": FIRST, "lelas2024:3": FIRST, "lelas2024:5": FIRST,
     "lelas2024:10": SECOND, "lelas2024:11": SECOND, "lelas2024:16": SECOND, "lelas2024:17": SECOND,
     "lelas2024:18": SECOND, "lelas2024:19": SECOND, "lelas2024:28": SECOND, "lelas2024:29": SECOND,
@@ -96,7 +104,7 @@ READINGS: dict[str, Reading] = {
     "smith2012:57": Reading(((r"f_n\left(\frac{\gamma v}{\omega}\right)\left(", "= ("), (r"\right)^n", ")"))),
     "smith2012:58": Reading(TERMS, unit=r"\omega"),
     "smith2012:60h": Reading(((r"\sum_{i=0}^{n-1}", "= n-1 ="),)),
-    "smith2012:61": Reading(((r"\sum_{n=i+1}^{\infty}", "= i+1 ="),)),
+    "smith2012:61": Reading(((r"\sum_{n=i+1}^{\infty}", "= i+1 ="),), parts=(0,)),
     "smith2012:71": Reading((("x_n(0)", "X_n"), (r"x([n-1]\pi/\omega)", "[n-1]"), (r"x(n\pi/\omega)", "n"))),
     "smith2012:19": Reading(PLACE), "smith2012:25": Reading(unit="m"), "smith2012:35": Reading(unit="m"),
     "smith2012:32": FIRST, "smith2012:33": FIRST,

@@ -15,6 +15,7 @@ from contextlib import contextmanager
 from multiprocessing.connection import wait
 
 from paper_checks.evidence import Difference, Marks, recorded
+from paper_checks.reader import compared
 from paper_checks.registry import Entry, Statement, forms, load
 from paper_checks.verdict import Outcome
 
@@ -34,13 +35,14 @@ def examine(entry: Statement) -> Entry:
     usual = [d for found in confirmed for d in found.differences]
     apart = [d for d in marks["near miss"].differences if d not in usual] if "near miss" in marks else []
     used = confirmed[-1] if confirmed else Marks()
-    return Entry(entry, outcomes, time.perf_counter() - start, used, apart[-1] if apart else None)
+    seconds = time.perf_counter() - start
+    return Entry(entry, outcomes, seconds, used, apart[-1] if apart else None, compared(entry))
 
 
-def _examine_id(paper: str, key: str) -> tuple[dict[str, Outcome], float, Marks | None, Difference | None]:
+def _examine_id(paper: str, key: str) -> tuple[dict[str, Outcome], float, Marks | None, Difference | None, bool]:
     """In a worker: statements travel as ids, their checks are found again in the registry."""
     result = examine(load(paper)[key])
-    return result.outcomes, result.seconds, result.marks, result.apart
+    return result.outcomes, result.seconds, result.marks, result.apart, result.compared
 
 
 def examine_all(

@@ -135,6 +135,6 @@ def _curves(axes: Any, run: Run, names: list[str]) -> None:
 
 FIGURES: dict[str, tuple[str, Callable[[Any], None]]] = {
     "fig1": ("Dry friction, κ = 0.042: the mass stops at x = −0.056 x₀, the approximation goes on", dry_friction),
-    "fig2": ("α = 3/2, κ = 0.19: amplitude right to 0.03 %, the phase corrected in second order", three_halves),
+    "fig2": ("α = 3/2, κ = 0.19: amplitude right to 0.02 %, the phase corrected in second order", three_halves),
     "fig3": ("Viscous and quadratic drag, b = ω₀x₀b′ = mω₀/10: (21) and its long-time limit (22)", two_laws),
 }

@@ -35,6 +35,7 @@ from paper_checks.verdict import Evidence, Outcome
 b, k, m, x0, omega0, t, alpha = sympy.symbols("b k m x_0 omega_0 t alpha", positive=True)
 b2, alpha2 = sympy.symbols("b' alpha'", positive=True)  # the second damping term
 x, v, A = sympy.symbols("x v A", positive=True)
+s, c = sympy.symbols("s c", positive=True)  # |sin| and cos of the phase
 SI = {k: m * omega0**2}
 
 BITS = 64
@@ -64,6 +65,19 @@ def amplitude(a: sympy.Expr) -> sympy.Expr:
     """A(t) as printed in (13)."""
     rate = b * (2 * omega0) ** (a + 1) * t / (sympy.pi * k * x0 ** (1 - a)) * euler_beta(a / 2 + 1, a / 2 + 1)
     return x0 * (1 + (a - 1) * rate) ** (-1 / (a - 1))
+
+
+def exact_rate_expanded() -> tuple[sympy.Expr, sympy.Expr]:
+    """The first two coefficients in rho of -d ln r/dtheta = rho s^(alpha+1)/(1 - rho s^alpha c) on a half-swing, exact.
+
+    x = r cos theta, x' = -r sin theta, rho = epsilon r^(alpha-1), s and c the sine and the cosine.
+
+    >>> exact_rate_expanded()[0]
+    s**(alpha + 1)
+    """
+    rho = sympy.Symbol("rho", positive=True)
+    rate = rho * s ** (alpha + 1) / (1 - rho * s**alpha * c)
+    return rate.diff(rho).subs(rho, 0), sympy.powsimp(rate.diff(rho, 2).subs(rho, 0) / 2)
 
 
 def strength(e: sympy.Expr, a: sympy.Expr = alpha) -> sympy.Expr:

@@ -149,6 +149,24 @@ def slow_dissipation(form: sympy.Expr) -> Outcome:
 
 
 @statement(
+    id="lancaster2020:claim.slow-timescale", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    shortfall=Shortfall.CONSEQUENCE,
+    title="Slow dissipation means slow against the period (below (5))",
+    paraphrase=True,
+    latex=r"\dot{A} \ll \omega_0 A \text{ means that } \frac{A}{|\dot{A}|} \text{ is large against the period } T_0",
+    corrected_latex=r"|\dot{A}| \ll \omega_0 A \text{ means that } \frac{A}{|\dot{A}|} \text{ is large against }"
+    r"\frac{1}{\omega_0} = \frac{T_0}{2\pi}",
+    printed=2 * sympy.pi / omega0, corrected=1 / omega0, near_miss=sympy.pi / omega0,
+    conditions="slow against the period asks 2 pi |A'| << omega_0 A", methods=("time A/|A'| at |A'| = omega_0 A",),
+    note="Off by 2 pi, which matters for 'much': at |A'| = omega_0 A/10 the amplitude falls to 0.53 in one period. The"
+    " bound of lelas2024:claim.slight-decrease has the same factor. Form: the time that A/|A'| is compared with.",
+)
+def slow_timescale(form: sympy.Expr) -> Outcome:
+    """A/|A'| where the two sides of the condition are equal."""
+    return same(form, (a / r).subs(r, omega0 * a))
+
+
+@statement(
     id="lancaster2020:6", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="1",
     extent="sampled: 2 points",
     title="The energy in the limit of slow dissipation", latex=r"E \simeq \frac{1}{2}kA^2(t)",

@@ -80,12 +80,14 @@ def denominator(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.linear-recovered", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="Negligible quadratic damping", latex=r"\omega_0 x_0b' \ll b: \quad A(t) \to x_0e^{-\frac{bt}{2m}}",
     printed=(x0, 0), near_miss=(x0 / 2, 0),
     conditions="none", methods=("limit of (22)",), note="Form: A e^{bt/2m}, and the limit of rho.",
 )
 @statement(
     id="lancaster2020:claim.strong-quadratic", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="Dominant quadratic damping",
     latex=r"\omega_0 x_0b' \gg b: \quad A(t) \to \frac{3b\pi}{8b'\omega_0}e^{-\frac{bt}{2m}}",
     printed=(3 * sympy.pi * x0 / (8 * rho), sympy.oo), near_miss=(8 * x0 / (3 * sympy.pi * rho), sympy.oo),

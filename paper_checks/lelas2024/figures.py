@@ -34,7 +34,7 @@ def friction(axes: Any, *, mu: Fraction) -> None:
     stop, place = swings * pi / OMEGA, float(rest(mu)) * X0
     t = np.linspace(0, 1.1 * stop, 1500)
     axes.plot(*_until_zero(t, 1 - eps * OMEGA * t / sqrt(2)), color=OURS, label="(47), squaring trick")
-    axes.plot(*_until_zero(t, 1 - 2 * eps * OMEGA * t / pi), color=AVERAGED, label="(48), averaging")
+    axes.plot(*_until_zero(t, 1 - 2 * eps * OMEGA * t / pi), "-.", color=AVERAGED, label="(48), averaging")
     axes.plot(t, X0 * _friction_motion(OMEGA * t, eps, swings), "--", color=EXACT, label="exact, (49)", linewidth=1.2)
     axes.plot([stop], [place], "o", color=STOP, markersize=5, label=f"rest: {stop:.2f} s, ${place / X0:+.3f}\\,x_0$")
     axes.set_ylim(-0.2, 0.3)
@@ -58,7 +58,7 @@ def air(axes: Any, *, drag: Fraction) -> None:
     t = np.linspace(0, LONGEST, 1500)
     axes.plot(t, X0 * np.cos(OMEGA * t) / (1 + eps * OMEGA * t / sqrt(8)), color=OURS, label="(51), squaring trick")
     averaged = X0 * np.cos(OMEGA * t) / (1 + 4 * eps * OMEGA * t / (3 * pi))
-    axes.plot(t, averaged, color=AVERAGED, label="(52), averaging")
+    axes.plot(t, averaged, "-.", color=AVERAGED, label="(52), averaging")
     time, place = _air_motion(air_strength(drag))
     shown = time <= OMEGA * LONGEST
     axes.plot(time[shown] / OMEGA, X0 * place[shown], "--", color=EXACT, label="exact, by quadrature", linewidth=1.2)

@@ -2,6 +2,7 @@
 
 import sympy
 
+from paper_checks.evidence import read_off
 from paper_checks.identities import all_confirmed, decided, same, vanishes
 from paper_checks.lelas2024.model import b, m, t, x0
 from paper_checks.registry import statement
@@ -37,7 +38,8 @@ HEADINGS = ("I", "II", "III", "IV", "V", "VI", "VII")  # Introduction ... Discus
 
 
 @statement(
-    id="lelas2024:claim.number-of-sections", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    id="lelas2024:claim.number-of-sections", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.MEASURED,
+    extent="read off the text",
     title="How many sections the paper has", latex=r"\text{This paper is organized into six sections}",
     corrected_latex=r"\text{This paper is organized into seven sections}", printed=6, corrected=7, near_miss=8,
     conditions="the acknowledgments not counted", methods=("the numbered headings",),
@@ -45,4 +47,4 @@ HEADINGS = ("I", "II", "III", "IV", "V", "VI", "VII")  # Introduction ... Discus
 )
 def number_of_sections(form: int) -> Outcome:
     """The numbered headings before the acknowledgments."""
-    return decided(form == len(HEADINGS))
+    return decided(form == len(read_off(HEADINGS)))

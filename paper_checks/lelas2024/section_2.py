@@ -350,7 +350,7 @@ def assumed_velocity(form: tuple[sympy.Expr, str]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.initial-amplitude", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="f(0) = 1", latex=r"f(0) = 1", printed=sympy.Integer(1), near_miss=sympy.Integer(2),
+    title="f(0) = 1", latex=r"f(0) = 1", printed=sympy.Integer(1), near_miss=sympy.sqrt(1 + (b / (2 * m * w0)) ** 2),
     conditions="none", methods=("(8) and (13) at t = 0",),
     note="The exact velocity of the assumed x_1 is x_0 f'(0) at t = 0, not 0: the initial condition v_1(0) = 0 is met"
     " by (12) and only to first order by (8).",

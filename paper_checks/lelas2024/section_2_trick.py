@@ -3,14 +3,17 @@
 The velocities of the two pairs are -omega_0 x_0 f sin and omega_0 x_0 f cos.  Each law has the power -P(|v|).
 """
 
+from typing import Any
+
 import sympy
 
-from paper_checks.identities import all_confirmed, decided, same, vanishes
+from paper_checks.identities import all_confirmed, decided, opposite, same, vanishes
 from paper_checks.lelas2024.model import A0, B0, b, f, k, m, slope, t, theta, w0, x0
 from paper_checks.lelas2024.section_2 import ENERGY, V1, V2, X1, X2, along, v, x
 from paper_checks.registry import Shortfall, statement
 from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
+weight = sympy.Symbol("W", positive=True)
 sin, cos = sympy.sin(w0 * t), sympy.cos(w0 * t)
 ENERGY_OF_F = m * w0**2 * x0**2 * f**2 / 2
 RATE_OF_ENERGY = m * w0**2 * x0**2 * f * slope
@@ -85,24 +88,21 @@ def viscous_rate(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 @statement(
     id="lelas2024:claim.two-rates-contradict", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
     shortfall=Shortfall.CONDITION,
-    title="One function f obeys both (18) and (19)", printed=1, corrected=2, near_miss=3,
+    title="One function f obeys both (18) and (19)", printed=sympy.Integer(0), corrected=sympy.pi / 2,
+    near_miss=sympy.pi / 3,
     latex=r"\frac{df}{dt} = -\frac{b}{m}f\sin^2(\omega_0t) \text{ and } \frac{df}{dt} = -\frac{b}{m}f\cos^2(\omega_0t)",
     corrected_latex=r"\left\langle\sin^2\right\rangle = \left\langle\cos^2\right\rangle = \frac{1}{2}",
     conditions="in the mean over a quarter period or a multiple of it", methods=("values and quarter-period means",),
     derivation="lelas-viscous",
     note="Taken together the two say sin^2 = cos^2, false except at isolated instants: each is wrong by as much as the"
     " rate itself, since the f' dropped from the velocities is of the order kept in (15). The sum is right because the"
-    " means agree, so the trick is an average after all. Form: where they agree: 1 at all times, 2 in the"
-    " mean over a quarter period, 3 in the mean over an eighth.",
+    " means agree, so the trick is an average after all. Form: the phase over which the mean is taken from a"
+    " turning point on, 0 at an instant.",
 )
-def two_rates(where: int) -> Outcome:
-    """sin^2 - cos^2 vanishes identically (1), or its integral over the stated part of a period does (2, 3)."""
+def two_rates(form: sympy.Expr) -> Outcome:
+    """sin^2 - cos^2 vanishes identically (0), or its integral from 0 to the stated phase does."""
     difference = sympy.sin(theta) ** 2 - sympy.cos(theta) ** 2
-    if where not in (1, 2, 3):
-        return Outcome.REFUTED
-    if where == 1:
-        return vanishes(difference)
-    return vanishes(sympy.integrate(difference, (theta, 0, sympy.pi / (2 * (where - 1)))))
+    return vanishes(difference if form == 0 else sympy.integrate(difference, (theta, 0, form)))
 
 
 @statement(
@@ -199,27 +199,45 @@ def trick_fails(form: tuple[int, ...]) -> Outcome:
     methods=("the sum of the two equations is free of t",),
     note="Necessary too: sin^2(a) + sin^2(a + d) = 1 - cos(d) cos(2a + d), constant only for cos d = 0.",
 )
+def procedure_works(form: tuple[sympy.Expr, ...]) -> Outcome:
+    """The sum of sin^2(theta + phase) over both pairs, n = 1, must not depend on theta; the amplitudes are positive."""
+    first, second, shift = form
+    positive = decided(first.is_positive, second.is_positive)  # an amplitude is; a sign is a phase
+    total = sympy.sin(theta) ** 2 + sympy.sin(theta + shift) ** 2
+    return all_confirmed(positive, vanishes(sympy.diff(sympy.expand_trig(total), theta)))
+
+
 @statement(
     id="lelas2024:claim.equal-amplitudes", premises=(3, 4),
-    kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="For friction and air the trick also needs equal amplitudes", conditions="n = 0, 2; the two equations added",
+    kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED, shortfall=Shortfall.CONSEQUENCE,
+    title="For friction and air the trick also needs equal amplitudes", conditions="n = 0, 2",
     latex=r"n = 0, 2: \text{ our procedure works only if } A_0 = B_0 \text{ and } \beta_0 - \phi_0 = \pm\pi/2",
-    printed=(A0, A0, sympy.pi / 2, 0, 2), near_miss=(A0, 2 * A0, sympy.pi / 2, 0, 2),
-    methods=("the sum of the two equations, raised to 2/(n+1), is free of t",),
-    note="Weights (A_0^2, B_0^2 for n = 0) would again make a constant of unequal amplitudes, but one f for both would"
-    " then be wrong, since the rate depends on the amplitude.",
+    corrected_latex=r"n = 0, 2: \text{ the addition closes for any } A_0, B_0 \text{, each equation over its power of"
+    r" the amplitude; one } f \text{ for both needs } A_0 = B_0",
+    printed=("equal", "equal", sympy.pi / 2, 0, 2), corrected=("any", "equal", sympy.pi / 2, 0, 2),
+    near_miss=("any", "any", sympy.pi / 2, 0, 2),
+    methods=("the weighted sum of the two equations, raised to 2/(n+1), is free of t", "the two slow rates compared"),
+    note="The conclusion is true, but does not follow from A_0 standing in (54): divided by A_0^(n-1) and B_0^(n-1),"
+    " the two equations add up to a constant for any two amplitudes. What fails is the f that both are given: its rate"
+    " goes with A^(n-1). Form: which amplitudes the addition allows, and which one f for both.",
 )
-def procedure_works(form: tuple[sympy.Expr, ...]) -> Outcome:
-    """r = f^n A^(n-1) |sin(theta + phase)|^(n+1) for each pair; the sum of the r^(2/(n+1)) must not depend on theta."""
-    first, second, shift, *powers = form
-    positive = decided(first.is_positive, second.is_positive)  # an amplitude is; a sign is a phase
-    if positive != Outcome.CONFIRMED:
-        return positive
-    outcomes = []
-    for n in powers or (1,):
-        weights = [amplitude ** sympy.Rational(2 * (n - 1), n + 1) for amplitude in (first, second)]
-        total = weights[0] * sympy.sin(theta) ** 2 + weights[1] * sympy.sin(theta + shift) ** 2
-        outcomes.append(vanishes(sympy.diff(sympy.expand_trig(total), theta)))
-    return all_confirmed(*outcomes)
+def amplitudes_needed(form: tuple[Any, ...]) -> Outcome:
+    """f' = -c A^(n-1) f^n |sin(theta + phase)|^(n+1): to the power 2/(n+1) one weight makes the sum constant."""
+    addition, common, shift, *powers = form
+    if {addition, common} - {"equal", "any"}:
+        return Outcome.REFUTED
+    found = []
+    for n in powers:
+        power = sympy.Rational(2 * (n - 1), n + 1)
+        total = A0**power * sympy.sin(theta) ** 2 + weight * B0**power * sympy.sin(theta + shift) ** 2
+        rate = sympy.diff(sympy.expand_trig(total), theta)
+        closes = vanishes(rate.subs(weight, sympy.solve(rate.subs(theta, 1), weight)[0]))
+        found += [_allowed(addition, closes), _allowed(common, vanishes(A0 ** (n - 1) - B0 ** (n - 1)))]
+    return all_confirmed(*found)
+
+
+def _allowed(said: str, whatever: Outcome) -> Outcome:
+    """Whether "any" or "equal" is right, where ``whatever`` says if it works for unequal amplitudes."""
+    return whatever if said == "any" else opposite(whatever)
 
 

@@ -169,7 +169,8 @@ def turning_error(factor: sympy.Expr) -> Callable[[mpf], mpf]:
     latex=r"\int_0^tf^{-2}(t')df(t') = -\frac{C\omega_0x_0}{2^{\frac{3}{2}}m}\int_0^tdt'",
     printed=(-2, -STRENGTH / SLOW), near_miss=(2, -STRENGTH / SLOW),
     conditions="none", methods=("(43) divided by f^2",),
-    note="The limits of the left integral belong to t', those of f are 1 and f(t). Form: the power of f under the left"
+    slip="The limits of the left integral belong to t'; those of f are 1 and f(t).",
+    note="Form: the power of f under the left"
     " integral and the factor on the right.",
 )
 def separated(form: tuple[int, sympy.Expr]) -> Outcome:

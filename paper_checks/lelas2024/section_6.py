@@ -14,6 +14,7 @@ from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.context import ctx
 from asymptotics.turning.quadratic_duration import duration
 from asymptotics.turning.quadratic_map import amplitudes
+from paper_checks.evidence import read_off
 from paper_checks.identities import all_confirmed, below, decided, opposite, rounds_to, same, vanishes
 from paper_checks.lelas2024.model import FRICTION, C, air_error, f, has_order, m, t, v, w0, x, x0
 from paper_checks.lelas2024.section_2 import X1
@@ -112,17 +113,20 @@ CAPTIONS = {1: {"mu"}, 2: {"C"}}  # the parameter that distinguishes the panels
 
 
 @statement(
-    id="lelas2024:claim.figure-of-section-6", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
-    title="The figure whose two panels section VI describes", printed=1, corrected=2, near_miss=3,
+    id="lelas2024:claim.figure-of-section-6", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.MEASURED,
+    extent="read off the text",
+    title="The figure whose two panels section VI describes", printed=(1, "C"), corrected=(2, "C"), near_miss=(2, "mu"),
     latex=r"\text{In both Fig. 1(a) and (b), we use the same values of } m, k, x_0 \text{ and } g",
     corrected_latex=r"\text{In both Fig. 2(a) and (b), we use the same values of } m, k, x_0 \text{ and } g",
     conditions="none", methods=("the panels differ in C, by the captions",),
     note="The sentence before speaks of Fig. 2, the one after of C in Fig. 2(a) and (b); the link leads to Fig. 1, so a"
-    " slip of the paper, taken over from section V. Form: the number of the figure.",
+    " slip of the paper, taken over from section V. Form: the number of the figure, and what distinguishes its"
+    " panels.",
 )
-def figure_of_section(figure: int) -> Outcome:
+def figure_of_section(form: tuple[int, str]) -> Outcome:
     """Section VI varies C between the panels."""
-    return decided(CAPTIONS.get(figure) == {"C"})
+    figure, parameter = form
+    return decided(read_off(CAPTIONS).get(figure) == {parameter} == {"C"})
 
 
 @statement(

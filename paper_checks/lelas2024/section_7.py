@@ -3,14 +3,38 @@
 import sympy
 
 from paper_checks.identities import all_confirmed, decided, same
-from paper_checks.lelas2024.model import A0, b, f, g, k, m, s, v, w0, x0
-from paper_checks.lelas2024.section_2 import opposes, speed
+from paper_checks.lelas2024.model import (
+    A0,
+    air_error,
+    b,
+    coulomb,
+    f,
+    g,
+    has_order,
+    k,
+    m,
+    mu,
+    s,
+    slow_error,
+    t,
+    v,
+    viscous,
+    w0,
+    x0,
+)
+from paper_checks.lelas2024.section_2 import EXPONENTIAL, opposes, speed
+from paper_checks.lelas2024.section_5 import AVERAGED_LINE
+from paper_checks.lelas2024.section_6 import AVERAGED as AVERAGED_IN_AIR
+from paper_checks.lelas2024.section_6 import PHASES
 from paper_checks.registry import Shortfall, statement
 from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 
 n = sympy.Symbol("n", integer=True, nonnegative=True)
 sine = sympy.Symbol("sine", real=True)
 POWERS = (0, 1, 2)
+phi0 = sympy.Symbol("phi_0", real=True)
+GENERAL = A0 * f * sympy.cos(w0 * t + phi0)
+AVERAGED_HYPERBOLA = AVERAGED_IN_AIR / (x0 * sympy.cos(w0 * t))
 
 
 @statement(
@@ -26,6 +50,31 @@ POWERS = (0, 1, 2)
 def force_powers(form: sympy.Expr) -> Outcome:
     """Each force opposes the velocity, with size |v|^n."""
     return all_confirmed(*(opposes(form.subs(n, power), speed**power) for power in POWERS))
+
+
+@statement(
+    id="lelas2024:claim.general-forms", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
+    extent="sampled: 6 points", order="1",
+    title="The general forms of displacement and velocity for all three forces (before (54))",
+    latex=r"x(t) = A_0f(t)\cos(\omega_0t + \phi_0), \quad v(t) = -\omega_0A_0f(t)\sin(\omega_0t + \phi_0)",
+    printed=(GENERAL, -w0 * A0 * f * sympy.sin(w0 * t + phi0)),
+    near_miss=(GENERAL * f, -w0 * A0 * f**2 * sympy.sin(w0 * t + phi0)),
+    conditions="weak damping, with the f of each law that averaging gives: e^{-bt/2m}, that of (48) and that of (52);"
+    " with the paper's own (32) and (45) the error does not vanish",
+    methods=("derivative with f held", "largest error against the exact motion, three laws at two strengths each",),
+    note="A_0 and phi_0 from the start, here x_0 and 0.",
+)
+def general_forms(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
+    """The velocity is the derivative with f held; the error of the displacement falls like the strength."""
+    place, velocity = form
+    held = same(velocity, sympy.diff(place, t))
+    mine = place.subs({A0: x0, phi0: 0})
+    errors = (
+        slow_error(mine.subs(f, EXPONENTIAL), b, viscous),
+        slow_error(mine.subs(f, AVERAGED_LINE), mu, coulomb),
+        air_error(mine.subs(f, AVERAGED_HYPERBOLA), PHASES),
+    )
+    return all_confirmed(held, *(has_order(1, error) for error in errors))
 
 
 @statement(

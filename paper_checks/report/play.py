@@ -75,7 +75,8 @@ def _control(name: str, text: str) -> Markup:
         lowest, highest, step = "5", "200", "1"
     slider = f'<input type="range" id="{name}-slider" min="{lowest}" max="{highest}" step="{step}" aria-label="{text}">'
     box = f'<input type="text" inputmode="decimal" id="{name}" autocomplete="off">'
-    return Markup(f'<label for="{name}"><span>{text}</span>{slider}{box}</label>\n')
+    wrong = f'<span class="wrong" id="{name}-wrong" role="alert"></span>'
+    return Markup(f'<label for="{name}"><span>{text}</span>{slider}{box}{wrong}</label>\n')
 
 
 def _text(name: str) -> str:

@@ -20,7 +20,8 @@ function draw(id, lines, dots, axes) {
   const all = [...lines, ...dots].flatMap(line => line.points.filter(good));
   const xs = scale(all.map(p => p[0]), axes.logX, EDGE.left, WIDTH - EDGE.right, axes.tight);
   const ys = scale(all.map(p => p[1]), axes.logY, HEIGHT - EDGE.bottom, EDGE.top, false);
-  frame(svg, xs, ys, axes);
+  if (all.length) frame(svg, xs, ys, axes);
+  else node(svg, "text", { x: WIDTH / 2, y: HEIGHT / 2, "text-anchor": "middle" }, axes.empty);
   for (const { points, kind } of lines) {
     let path = "", pen = "M";
     for (const point of points) {
@@ -40,7 +41,8 @@ function draw(id, lines, dots, axes) {
 function scale(values, logarithmic, from, to, tight) {
   const by = logarithmic ? Math.log10 : value => value, shown = values.map(by);
   let low = shown.reduce((a, b) => Math.min(a, b), Infinity), high = shown.reduce((a, b) => Math.max(a, b), -Infinity);
-  if (!(high > low)) { low -= 1; high += 1; }
+  const middle = (low + high) / 2, least = 1e-6 * Math.abs(middle); // less than that is rounding
+  if (!(high - low > least)) { [low, high] = [middle - Math.abs(middle || 1) / 2, middle + Math.abs(middle || 1) / 2]; }
   const margin = tight ? 0 : 0.04 * (high - low);
   low -= margin; high += margin;
   const toPixel = value => from + (by(value) - low) / (high - low) * (to - from);
@@ -60,6 +62,7 @@ function powers(low, high) { // 1, 2, 5 of each decade, or powers of ten alone
   const inside = found.filter(v => Math.log10(v) >= low && Math.log10(v) <= high);
   const tens = inside.filter(v => /^(1|0\.0*1|10*)$/.test(String(v)) || Math.abs(Math.log10(v) % 1) < 1e-9);
   const kept = inside.length <= 9 ? inside : tens;
+  if (kept.length < 3) return round(Math.pow(10, low), Math.pow(10, high)).filter(v => v > 0);
   return kept.length <= 7 ? kept : kept.filter((_, i) => i % Math.ceil(kept.length / 6) === 0);
 }
 
@@ -101,11 +104,11 @@ function drawEnvelope({ whole, times, curves }) {
     { title: "Amplitude against time", x: "time t", y: "amplitude", tight: true });
 }
 
-function drawSeen({ seen, one, whole }, name, y, x, logY) {
+function drawSeen({ seen, one, whole, given, x0 }, name, y, x, logY) {
   const line = way => ({ points: seen.map(s => [s.A, s[way][name]]), kind: way });
-  const lines = ["truth", "lancaster", "lelas"].map(line), p = whole.points.map(q => Math.abs(q.x));
+  const lines = ["truth", "lancaster", "lelas"].map(line), p = whole.points.map(q => Math.abs(q.x)).filter(a => !rests(given, a, x0));
   if (one) lines.push(line("third"));
   const own = p.slice(2).map((a, i) => [p[i], name === "Q" ? 2 * Math.PI / (1 - (a / p[i]) ** 2) : Math.log(p[i] / a)]);
   draw("plot-" + name, lines, [{ points: own.filter(([A]) => A >= seen[0].A), kind: "truth" }],
-    { title: `${name} against amplitude`, x, y, logX: true, logY });
+    { title: `${name} against amplitude`, x, y, logX: true, logY, empty: "No full swing: it creeps or stops before." });
 }

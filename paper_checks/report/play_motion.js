@@ -39,11 +39,12 @@ function step(rate, y, h, scale) {
 
 const grown = (h, error) => h * (error < 1e9 ? Math.min(4, Math.max(0.2, 0.9 * Math.pow(error + 1e-12, -0.2))) : 0.2);
 
+const dry = laws => laws.reduce((sum, law) => sum + (law.alpha === 0 ? law.epsilon : 0), 0); // holds a mass at rest
+
 // From the turning point at x to the next one, or to the time `most`: [t, x, v] of every step, and how it ends.
 function halfSwing(laws, x, most) {
-  const dry = laws.reduce((sum, law) => sum + (law.alpha === 0 ? law.epsilon : 0), 0);
   const path = [[0, x, 0]], side = -Math.sign(x);
-  if (Math.abs(x) <= dry || x === 0) return { path, ends: "sticks" };
+  if (Math.abs(x) <= dry(laws) || x === 0) return { path, ends: "sticks" };
   const loss = speed => {
     let sum = 0;
     for (const { alpha, epsilon } of laws) sum += alpha ? epsilon * Math.pow(speed, alpha) : epsilon;
@@ -99,12 +100,16 @@ function motion(laws, x0, until) {
 // Q = 2 pi V(A_n)/(V(A_n) - V(A_(n+2))), V = A^2/2; null where there is no second turning point.
 const LONGEST = 20; // who has not turned by then creeps
 
+// Where a mass comes to rest is no amplitude of a swing: friction holds it, or it is at 0 as far as doubles can tell.
+const rests = (laws, x, start) => Math.abs(x) <= Math.max(dry(laws), 1e-7 * start);
+
 function swing(laws, amplitude) {
   let x = amplitude;
   for (let n = 0; n < 2; n++) {
     const { path, ends } = halfSwing(laws, x, LONGEST);
     if (ends !== "turns") return null;
     x = path[path.length - 1][1];
+    if (rests(laws, x, amplitude)) return null;
   }
   return { decrement: Math.log(amplitude / Math.abs(x)), Q: 2 * Math.PI / (1 - (x / amplitude) ** 2) };
 }

@@ -8,14 +8,22 @@ const SECOND = "1"; // the exponent of the second law when it is switched on
 const state = { ...START };
 const element = id => document.getElementById(id);
 
-// Decimals are kept as they are typed: the command lines carry them exactly.
-function accept(name, text) {
-  const value = Number(text), [low, high] = LIMITS[name];
-  if (/^\d*\.?\d+$/.test(text) && value >= low && value <= high) state[name] = text;
+// Decimals and fractions are kept as they are typed: the command lines carry them exactly.
+const number = text => text.split("/").map(Number).reduce((top, bottom) => top / bottom);
+
+// What is typed is judged as a whole, at Enter or on leaving the field: what cannot be drawn is said, in red, at the field.
+function accept(name, typed) {
+  const text = typed.trim().replace(",", ".").replace(/\.$/, ""), [low, high] = LIMITS[name];
+  const read = /^(\d*\.?\d+|\d+\/[1-9]\d*)$/.test(text), good = read && number(text) >= low && number(text) <= high;
+  if (good) state[name] = text;
+  wrong[name] = good ? null : typed;
+  return good;
 }
 
+const wrong = {}; // what has been typed and cannot be drawn, by its field
+
 const laws = () => [["alpha", "epsilon"], ["alpha2", "epsilon2"]].filter(([a]) => state[a] !== "")
-  .map(([a, e]) => ({ alpha: Number(state[a]), epsilon: Number(state[e]) }));
+  .map(([a, e]) => ({ alpha: number(state[a]), epsilon: number(state[e]) }));
 
 // Two laws of one exponent are one law.
 function merged(given) {
@@ -34,10 +42,10 @@ function commands() {
   };
 }
 
-const COUNT = 7, SAMPLES = 240, AMPLITUDES = 17;
+const COUNT = 7, SAMPLES = 240, AMPLITUDES = 33;
 
 function compute() {
-  const given = merged(laws()), x0 = Number(state.x0), time = Number(state.time), one = given.length === 1 ? given[0] : null;
+  const given = merged(laws()), x0 = number(state.x0), time = number(state.time), one = given.length === 1 ? given[0] : null;
   const whole = motion(given, x0, time), times = Array.from({ length: SAMPLES + 1 }, (_, i) => time * i / SAMPLES);
   const at = points => ({
     lancaster: envelope(given, x0, points, moment),
@@ -51,7 +59,10 @@ function compute() {
 
 // Decrement and Q of the full swing from one amplitude: integrated, and as each envelope has them, a period later.
 function observed(given, one, A) {
-  const later = mean => both(Math.log(A / envelope(given, A, [2 * Math.PI], mean)[0]));
+  const later = mean => { // an envelope that has gone by then has no second amplitude
+    const end = envelope(given, A, [2 * Math.PI], mean)[0];
+    return both(end > 0 ? Math.log(A / end) : NaN);
+  };
   return { A, truth: swing(given, A) || both(NaN), lancaster: later(moment), lelas: later(squared),
     third: both(one ? thirdDecrement(one, A) : NaN) };
 }
@@ -80,9 +91,9 @@ function equation() {
   const parts = ["x″ + x"];
   for (const [a, e] of [["alpha", "epsilon"], ["alpha2", "epsilon2"]]) {
     if (state[a] === "") continue;
-    const power = document.createElement("sup"), less = Number(state[a]) - 1;
+    const power = document.createElement("sup"), less = number(state[a]) - 1;
     power.textContent = less === 1 ? "" : minus(short(less));
-    parts.push(` + ${state[e]} x′`, ...(less === 0 ? [] : ["|x′|", power]));
+    parts.push(` + ${state[e]} ` + (less === -1 ? "sgn x′" : "x′"), ...(less === 0 || less === -1 ? [] : ["|x′|", power]));
   }
   return [...parts, ` = 0,   x(0) = ${state.x0},   x′(0) = 0`];
 }
@@ -140,8 +151,12 @@ function place(name) {
     element("second-law").hidden = state.alpha2 === "";
     if (state.alpha2 === "") return;
   }
-  if (document.activeElement !== box) box.value = state[name];
-  const value = Number(state[name]);
+  const typed = wrong[name] ?? null; // null: nothing is wrong
+  const bad = typed === null ? "" : `${typed.trim() || "nothing"} cannot be drawn: ${low} … ${high}; drawn is ${state[name]}`;
+  box.value = typed ?? state[name];
+  box.setAttribute("aria-invalid", String(bad !== ""));
+  element(name + "-wrong").textContent = bad;
+  const value = number(state[name]);
   slider.value = LOGARITHMIC[name] ? 1000 * Math.log(value / low) / Math.log(high / low) : value;
 }
 
@@ -153,12 +168,11 @@ function slid(name, raw) {
 function listen() {
   for (const name of Object.keys(LIMITS)) {
     element(name + "-slider").addEventListener("input", event => { slid(name, event.target.value); show(); });
-    element(name).addEventListener("input", event => { accept(name, event.target.value.trim()); show(); });
-    element(name).addEventListener("blur", () => place(name));
+    element(name).addEventListener("change", event => { accept(name, event.target.value); show(); });
   }
   element("second").addEventListener("change", event => { state.alpha2 = event.target.checked ? SECOND : ""; show(); });
   for (const button of document.querySelectorAll("button.preset")) {
-    button.addEventListener("click", () => { Object.assign(state, START); read(button.dataset.state); show(); });
+    button.addEventListener("click", () => { fresh(); read(button.dataset.state); show(); });
   }
   for (const button of document.querySelectorAll("button.copy")) {
     button.addEventListener("click", () => {
@@ -166,7 +180,12 @@ function listen() {
       button.textContent = "copied";
     });
   }
-  window.addEventListener("hashchange", () => { Object.assign(state, START); read(location.hash.slice(1)); show(); });
+  window.addEventListener("hashchange", () => { fresh(); read(location.hash.slice(1)); show(); });
+}
+
+function fresh() {
+  Object.assign(state, START);
+  for (const name of Object.keys(wrong)) wrong[name] = null;
 }
 
 function read(text) {

@@ -9,6 +9,8 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
+from paper_checks.evidence import ONE_EXAMPLE, READ_OFF
+
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "eps": "ε", "kappa": "κ", "lambda": "λ",
     "mu": "μ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω", "theta": "θ",
@@ -73,9 +75,10 @@ def evidence(entry: dict[str, Any]) -> str:
         "measured": "Measured numerically, not proved",
         "none": "No evidence",
     }
-    parts = [kinds[entry["evidence"]]]
-    if entry["extent"]:
-        parts.append(entry["extent"])
+    if entry["extent"] in (ONE_EXAMPLE, READ_OFF):  # neither is a measurement, and neither a proof
+        parts = [entry["extent"].capitalize()]
+    else:
+        parts = [kinds[entry["evidence"]], *filter(None, [entry["extent"]])]
     if entry["order"]:
         zero = entry["order"] == "0"
         how = f", {entry['order_by']}" if entry["order_by"] else ""

@@ -67,7 +67,7 @@ def constants_at_one_value(axes: Any) -> None:
     """Fig. 1: S^- and S^+ over a half-cycle each, at the same value: the arcs do not meet on the u axis."""
     _, half = half_cycles()[0]
     axes.plot(half.u, half.w, label=r"$\hat S^-$, $w<0$")
-    axes.plot(-half.u, -half.w, label=r"$\hat S^+$, $w>0$")
+    axes.plot(-half.u, -half.w, "--", label=r"$\hat S^+$, $w>0$")
     axes.plot([half.u[0], half.u[-1], -half.u[0], -half.u[-1]], [0] * 4, "o", color=GREY, markersize=4)
     _phase_axes(axes)
     axes.set_xlim(-1.15, 1.15)
@@ -80,8 +80,8 @@ def closed_curve(axes: Any) -> None:
     axes.plot(half.u, half.w, label="falling half, the motion")
     axes.plot(half.u[::-1], -half.w[::-1], "--", label="mirror image in time")
     _phase_axes(axes)
-    axes.set_ylim(-0.8, 1.0)
-    axes.legend(loc="upper right")
+    axes.set_ylim(-0.75, 0.75)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=2)
 
 
 def exponential_envelope(axes: Any) -> None:
@@ -120,8 +120,9 @@ def three_oscillators(axes: Any) -> None:
 
 def one_cycle(axes: Any) -> None:
     """Fig. 2: one full cycle in phase space, the first constant made continuous at the turning point."""
-    for name, (_, half) in zip((r"$\hat S^-$, $w<0$", r"$\hat S^+ + \hat S_1$, $w>0$"), half_cycles()[:2]):
-        axes.plot(half.u, half.w, label=name)
+    names = (r"$\hat S^-$, $w<0$", r"$\hat S^+ + \hat S_1$, $w>0$")
+    for name, style, (_, half) in zip(names, ("-", "--"), half_cycles()[:2]):
+        axes.plot(half.u, half.w, style, label=name)
     _phase_axes(axes)
     axes.legend(loc="upper right")
 
@@ -163,6 +164,7 @@ def _phase_axes(axes: Any) -> None:
     axes.set_xlabel(r"$u = \gamma x$")
     axes.set_ylabel(r"$w = \gamma v/\omega$")
     axes.set_xlim(-0.7, 1.15)
+    axes.set_aspect("equal")  # a circle is a circle
 
 
 FIGURES: dict[str, tuple[str, Callable[[Any], None]]] = {

@@ -45,22 +45,23 @@ def gradient(scalar: sympy.Expr, letters: tuple[sympy.Symbol, ...]) -> tuple[sym
     return tuple(diff(scalar, letter) for letter in letters)
 
 
+MOTION = sympy.Function("x")(t)
+RATE = sympy.diff(MOTION, t)
+
+
 @statement(
     id="smith2012:1a", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
-    title="A derivative becomes a variable of its own", latex=r"\frac{dx^i}{dt} = y^i", printed=1, near_miss=2,
-    conditions="none",
-    methods=("order of the derivative of x = e^{omega t}",), note="Form: the order of the derivative that y is.",
+    title="A derivative becomes a variable of its own", latex=r"\frac{dx^i}{dt} = y^i", printed=RATE,
+    near_miss=omega * MOTION, conditions="none", methods=("differentiated, for any motion",), note="Form: y.",
 )
 @statement(
     id="smith2012:1b", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
-    title="Its own derivative is the second one", latex=r"\frac{d^2x^i}{dt^2} = \frac{dy^i}{dt}", printed=1,
-    near_miss=2,
-    conditions="none", methods=("(1a) differentiated",), note="Form: the order of the derivative of x that y must be.",
+    title="Its own derivative is the second one", latex=r"\frac{d^2x^i}{dt^2} = \frac{dy^i}{dt}", printed=RATE,
+    near_miss=RATE + omega**2 * t * MOTION, conditions="none", methods=("(1a) differentiated",), note="Form: y.",
 )
-def first_order_system(order: int) -> Outcome:
-    """x'' = y' for the y of that order, on x = sin(omega t)."""
-    motion = sympy.sin(omega * t)
-    return same(diff(motion, t, 2), diff(diff(motion, t, order), t))
+def first_order_system(form: sympy.Expr) -> Outcome:
+    """y = x', and x'' = y', for any motion x(t)."""
+    return all_confirmed(same(form, diff(MOTION, t)), same(diff(MOTION, t, 2), diff(form, t)))
 
 
 CONSTANCY = diff(S_general, t) + dot(gradient(S_general, QS), DOTS)
@@ -132,12 +133,12 @@ def newton(sign: int) -> Outcome:
 
 @statement(
     id="smith2012:4a", kind=Kind.DEFINITION, verdict=Printed.DEFINITION, evidence=Evidence.PROVED,
-    title="The first half of the expanded system", latex=r"v^i = \dot{x}^i", printed=1, near_miss=2,
-    conditions="none", methods=("as for (1a)",), note="Form: the order of the derivative.",
+    title="The first half of the expanded system", latex=r"v^i = \dot{x}^i", printed=RATE, near_miss=omega * MOTION,
+    conditions="none", methods=("as for (1a)",), note="Form: v.",
 )
-def velocity(order: int) -> Outcome:
+def velocity(form: sympy.Expr) -> Outcome:
     """As (1a)."""
-    return first_order_system(order)
+    return first_order_system(form)
 
 
 @statement(
@@ -306,13 +307,13 @@ def integrability(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:14", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
-    extent="sampled: 1 points",
+    extent="exact, one example",
     title="The first constant of the motion", latex=r"S(x, v) = S(x_0, v_0)", printed=ENERGY,
     conditions="along the motion", near_miss=M * (v**2 - omega**2 * x**2) / 2, methods=("on the harmonic oscillator",),
 )
 @statement(
     id="smith2012:15", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
-    extent="sampled: 1 points",
+    extent="exact, one example",
     title="The second constant of the motion", latex=r"T(x, v; t) = T(x_0, v_0; t_0)", printed=CLOCK,
     near_miss=omega * t + atan(omega * x / v), methods=("on the harmonic oscillator",), conditions="along the motion",
 )
@@ -329,7 +330,7 @@ SOLVED = sympy.sqrt(2 * S_value / M) / omega * sympy.sin(omega * t - T_value)
 
 @statement(
     id="smith2012:16", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
-    extent="sampled: 1 points",
+    extent="exact, one example",
     title="The motion from the two constants", printed=SOLVED, near_miss=SOLVED * omega,
     latex=r"x = x\left(S(x_0, v_0), T(x_0, v_0; t_0); t\right)", conditions="v eliminated",
     methods=("on the harmonic oscillator: equation of motion, value of S",),

@@ -33,8 +33,8 @@ z = sympy.Symbol("z", positive=True)
     near_miss=omega**2 * t + That, conditions="none", methods=("(17) differentiated",), note="Form: T.",
 )
 def separated(form: sympy.Expr) -> Outcome:
-    """dT/dt is omega."""
-    return same(diff(form, t), omega)
+    """dT/dt is omega, and what is left at t = 0 is a function of x and v alone."""
+    return all_confirmed(same(diff(form, t), omega), same(form.subs(t, 0), That))
 
 
 @statement(
@@ -109,7 +109,7 @@ def series(sign: int, scale: sympy.Expr) -> sympy.Expr:
 
 @statement(
     id="smith2012:21", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
-    extent="sampled: 1 points",
+    extent="exact, one example",
     title="The infinite series in 1/v", printed=series(-1, 1 / omega), near_miss=series(1, 1 / omega),
     latex=r"t - t_0 = \sum_{n=0}^{\infty}F_n(x, v)\left(\frac{1}{v}\right)^n\Big|_{x_0}^x",
     conditions="where it converges; v != 0",
@@ -148,7 +148,7 @@ def factor_of_hat(factor: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:22", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
-    extent="sampled: 1 points",
+    extent="exact, one example",
     title="The second constant from the series", printed=-1, near_miss=1,
     latex=r"T(x, v; t) = \omega t - \hat{T}(x, v) = \omega t_0 - \hat{T}(x_0, v_0)",
     conditions="T-hat is omega times the series (21)", methods=("harmonic oscillator",), note="Form: its sign.",

@@ -123,6 +123,7 @@ def iterations(form: sympy.Expr) -> Outcome:
 )
 @statement(
     id="smith2012:claim.never-overdamped", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    paraphrase=True,
     title="The quadratically damped oscillator is never critically damped or overdamped",
     latex=r"e^{-2u_0}(2u_0+1) = 1 \text{ has no solution for } u_0 > 0",
     printed=sympy.Integer(1), near_miss=HALF, conditions="u_0 > 0",
@@ -185,7 +186,7 @@ def constant_and_acceleration(form: sympy.Expr) -> Outcome:
     conditions="u_0 > 0, first half-swing", latex=r"\ddot{x}(x_f) = 0 \text{ is the point of maximum velocity}",
     printed=u0 - log(2 * u0 + 1) / 2, near_miss=u0 - log(2 * u0 + 1),
     methods=("the acceleration is monotone in u",), derivation="smith-turning-points",
-    note="The speed is meant: the velocity itself has a minimum there.",
+    slip="The speed is meant: the velocity itself has a minimum there.",
 )
 def point_of_zero_acceleration(form: sympy.Expr) -> Outcome:
     """S(u_f, sqrt u_f) = S(u_0, 0); w^2 - u = 1/2 + 2 S e^(2u) decreases in u since S < 0, so it is the only one."""

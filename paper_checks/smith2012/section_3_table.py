@@ -34,7 +34,11 @@ from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 BITS = 300
 exp = sympy.exp
 S_even, S_odd = sympy.symbols("S_2n S_2n+1")
-GARBLED = " In the last member the supplied text has n for u ('e^{-2n_{2n}}'): read as u, a garbled transcription."
+
+
+def garbled(seen: str) -> str:
+    """What a note says of a letter that the supplied text has got wrong."""
+    return f" In the last member the supplied text has n for u ('{seen}'): read as u, a garbled transcription."
 
 
 def integration_constants(length: int) -> list[arb]:
@@ -56,7 +60,8 @@ def members(prefactor: sympy.Expr, left: sympy.Expr, right: sympy.Expr, sign: in
     r" = -\frac{1}{4}e^{-2u_{2n}}(2u_{2n}+1)",
     variables="u_1 stands for u_{2n+1}, u_0 for u_{2n}", printed=members(sympy.Integer(1), u1, u0, 1),
     corrected=members(-QUARTER, u1, u0, 1), near_miss=members(QUARTER, u1, u0, 1),
-    conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + GARBLED, derivation="smith-turning-points",
+    conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + garbled("e^{-2n_{2n}}"),
+    derivation="smith-turning-points",
 )
 def falling_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """Both members are S^- at their turning points."""
@@ -71,7 +76,8 @@ def falling_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     r" = \frac{1}{4}e^{2u_{2n+1}}(2u_{2n+1}-1)",
     variables="u_2 stands for u_{2n+2}, u_1 for u_{2n+1}", printed=members(sympy.Integer(1), u2, u1, -1),
     corrected=members(QUARTER, u2, u1, -1), near_miss=members(-QUARTER, u2, u1, -1),
-    conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + GARBLED, derivation="smith-turning-points",
+    conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + garbled("e^{2n_{2n+1}}"),
+    derivation="smith-turning-points",
 )
 def rising_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """Both members are S^+ at their turning points."""
@@ -95,7 +101,7 @@ def all_cycles(sign: int) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr]:
     r" \frac{u}{2} - \frac{1}{4}\right) + \hat{S}_{2n+1}, & (2n+1)\pi \le \theta < (2n+2)\pi \end{cases}",
     printed=all_cycles(1), near_miss=all_cycles(-1), methods=("constant along the motion", "continuous at each u_n"),
     conditions="S_n from the matching at the turning points, S_0 = 0; theta clockwise",
-    note="The supplied text shows its number once as (52b); (52a) prints two equations in one block.",
+    slip="The supplied text shows its number once as (52b), and has two equations in the block of (52a).",
 )
 def constant_over_all_cycles(form: tuple[sympy.Expr, sympy.Expr, sympy.Expr]) -> Outcome:
     """The lines are constant along the motion and agree at u_1 and u_2, S_0 = 0 with S_(n+1) - S_n the jump of S^-+."""

@@ -14,10 +14,11 @@ from collections.abc import Callable
 import sympy
 from mpmath import cos, exp, expm1, lambertw, log, mpf, pi, quad, sin, sqrt
 
+from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimal_context import workdps
 from paper_checks.evidence import mark, sampled
-from paper_checks.identities import all_confirmed, below, decided, not_of_order, same, vanishes
+from paper_checks.identities import all_confirmed, below, decided, limit_is, not_of_order, same, vanishes
 from paper_checks.registry import Shortfall, statement
 from paper_checks.smith2012.model import FALLING_FORCE, Z_OF_STATE, gamma, invariant, n, omega, orbit, u0, v, x
 from paper_checks.smith2012.section_3_table import integration_constants
@@ -136,14 +137,13 @@ def harmonic_limit(form: sympy.Expr) -> Outcome:
     id="smith2012:claim.last-term-vanishes", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
     paraphrase=True, title="The last term of (69) vanishes at the turning points", conditions="x != 0 there",
     latex=r"\frac{2}{3}\frac{\omega\gamma v^3}{[\omega^2v^2 + (\gamma v^2-\omega^2 x)^2]} = 0 \text{ at } v = 0",
-    printed=3, near_miss=2, methods=("expansion at v = 0",), note="Form: the order of the zero.",
+    printed=THIRD, near_miss=2 * gamma * v / (3 * omega), methods=("limit of the term over v^3 at v = 0",),
+    note="The zero is of the third order. Near miss: the square (gamma v^2 - omega^2 x)^2 left out below.",
 )
-def last_term_vanishes(form: int) -> Outcome:
-    """The term divided by v^form is finite and not zero at v = 0."""
-    if form < 1:
-        return Outcome.REFUTED
-    leading = sympy.limit(THIRD / v**form, v, 0)
-    return decided(leading.is_finite, leading.is_nonzero)
+def last_term_vanishes(form: sympy.Expr) -> Outcome:
+    """The term of (69), divided by v^3, has at v = 0 what its numerator has over (omega^2 x)^2."""
+    third_order = limit_is(form / v**3, v, sympy.Integer(0), 2 * omega * gamma / (3 * (omega**2 * x) ** 2), "+")
+    return all_confirmed(third_order, same(form, THIRD))
 
 
 @statement(
@@ -155,11 +155,12 @@ def last_term_vanishes(form: int) -> Outcome:
     methods=("zeros of numerator and denominator", "the acceleration is monotone in u, see claim.maximum-velocity"),
 )
 def argument_of_arctan(form: sympy.Expr) -> Outcome:
-    """The numerator vanishes at v = 0, the denominator changes sign where gamma v^2 = omega^2 x."""
+    """omega v over the acceleration; the numerator vanishes at v = 0, the denominator changes sign where that does."""
     numerator, denominator = sympy.fraction(sympy.together(form))
     zero = {x: gamma * v**2 / omega**2}
     crossing, slope = denominator.subs(zero), sympy.diff(denominator, x).subs(zero)
-    return all_confirmed(vanishes(numerator.subs(v, 0)), vanishes(crossing), decided(slope.is_nonzero))
+    places = all_confirmed(vanishes(numerator.subs(v, 0)), vanishes(crossing), decided(slope.is_nonzero))
+    return all_confirmed(places, same(form * FALLING_FORCE, omega * v))
 
 
 @statement(
@@ -303,15 +304,33 @@ def three_cycles(form: sympy.Expr) -> Outcome:
     id="smith2012:fig6", kind=Kind.FIGURE, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
     title="An exponential through u at the beginning and end of the first period",
     latex=r"\text{Fig. 6. The exponential envelope for Fig. 5 has been set to intersect } u(t) \text{ at the beginning"
-    r" and at the end of the first period}", printed=(0, 1), near_miss=(0, 2), conditions="u_0 = 1",
-    methods=("regenerated: maxima u_{2k} by balls",), note="Form: the cycles at whose ends the two agree.",
+    r" and at the end of the first period}", printed=(0, 1, 2 * sympy.pi), near_miss=(0, 1, sympy.Rational(6581, 1000)),
+    conditions="u_0 = 1; in the time of Fig. 5, to first order",
+    methods=("regenerated: maxima u_{2k} by balls, at the times of (69)",),
+    note="Form: the cycles at whose ends the two agree, and omega t of a cycle. Near miss: the exact first cycle, in"
+    " which the exponential would meet the curve of Fig. 5 elsewhere.",
 )
+def exponential_in_time(form: tuple[int, int, sympy.Expr]) -> Outcome:
+    """e^(-decay omega t) through the start and the maximum at two half-cycles of (69), each of them pi (0 at v = 0)."""
+    *cycles, length = form
+    half_cycle = sympy.pi + (sympy.atan(Z_OF_STATE) + THIRD).subs(v, 0)
+    with ctx.workprec(300):
+        maxima = orbit(7)[::2]
+        decay = (maxima[0] / maxima[1]).log() / closed_form_ball(2 * half_cycle)
+        times = [k * closed_form_ball(length) for k in range(4)]
+        curve = [maxima[0] * (-decay * time).exp() for time in times]
+        mark(Evidence.CERTIFIED)
+        agree = [k for k, (top, value) in enumerate(zip(maxima, curve)) if (top - value).contains(0)]
+    return decided(agree == cycles)
+
+
 @statement(
     id="smith2012:fig7", kind=Kind.FIGURE, verdict=Printed.HOLDS, evidence=Evidence.CERTIFIED,
     title="Phase space: quadratic damping, linear damping, no damping", printed=(0, 1), near_miss=(0, 2),
     latex=r"\text{Fig. 7. Three full cycles in phase space ... superimposed on the viscously damped oscillator}",
     conditions="u_0 = 1", methods=("regenerated: maxima u_{2k} by balls",),
-    note="The circle u^2 + w^2 = u_0^2 is the outer curve, since d(u^2 + w^2)/dtau = -2|w|^3. Form as for Fig. 6.",
+    note="The circle u^2 + w^2 = u_0^2 is the outer curve, since d(u^2 + w^2)/dtau = -2|w|^3. Form: the cycles at whose"
+    " ends the exponential of Fig. 6 agrees.",
 )
 def exponential_through(form: tuple[int, int]) -> Outcome:
     """The exponential u_0 (u_2/u_0)^k meets the maxima u_(2k), k = 0 ... 3, at the k of the form and nowhere else."""

@@ -152,7 +152,7 @@ BY_PARTS = "integration by parts: differentiated along the motion"
     near_miss=(sympy.Integer(0), omega * dv / (gamma * v**2 + omega**2 * x)),
     conditions="v < 0, and the acceleration does not vanish in between", methods=(BY_PARTS,),
     derivation="smith-time-series",
-    note="The text introduces the chain by (24a); this first line is (23), and it is (56b) that is (24a).",
+    slip="The text introduces the chain by (24a); this first line is (23), and it is (56b) that is (24a).",
 )
 @statement(
     id="smith2012:56b", kind=Kind.IDENTITY, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,

@@ -35,6 +35,7 @@ from paper_checks.verdict import Evidence, Kind, Outcome, Printed
 f, df = sympy.Function("f"), sympy.Function("df")  # f(n) is f_n(w), df(n) its derivative
 C = sympy.Function("C")  # C(n, i) is C_i^n
 ROWS = 24
+W_OF_STATE = gamma * v / omega
 
 
 def time_series_of_motion(start: Fraction, order: int) -> tuple[list[Fraction], list[Fraction]]:
@@ -163,7 +164,7 @@ def general_order(sign: int) -> tuple[sympy.Expr, sympy.Expr]:
     printed=general_order(1), near_miss=general_order(-1), conditions="n >= 3 (n >= 2 with f_0 anything finite)",
     methods=("coefficients of z^{n-1} in (58), n = 3 ... 12, each linear in n",),
     derivation="smith-time-series", line=7,
-    note="The second line is w^{n-1} times the first, not equal to it: both vanish.",
+    slip="The second line is w^{n-1} times the first, not equal to it: both vanish.",
 )
 def general_recurrence(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """First line: minus the coefficient of z^(n-1) in (58); second line: w^(n-1) times the first."""
@@ -244,20 +245,28 @@ def degree(form: tuple[sympy.Expr | int, sympy.Expr]) -> Outcome:
 
 @statement(
     id="smith2012:61", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.MEASURED,
-    extent=f"sampled: {ROWS} points",
+    extent=f"sampled: {ROWS + 8} points",
     title="The double series, summed over n first",
     latex=r"T(x,v;t) = \omega t - \sum_{i=0}^{\infty}\left(\frac{\gamma v}{\omega}\right)^i\sum_{n=i+1}^{\infty}C_i^n"
-    r"\left(\frac{\omega v}{\gamma v^2-\omega^2 x}\right)^n", printed=i + 1, near_miss=i + 2,
+    r"\left(\frac{\omega v}{\gamma v^2-\omega^2 x}\right)^n",
+    printed=(i + 1, W_OF_STATE**i, Z_OF_STATE**n), near_miss=(i + 2, W_OF_STATE**i, Z_OF_STATE**n),
     conditions="formal power series; as a sum of numbers, absolute convergence of the double series",
     methods=(f"index sets compared, n <= {ROWS}",),
     note="It converges absolutely exactly for |z| < 2|w|/(-1 - W_{-1}(-e^(-1-2w^2))) (motions.invariants.certified."
-    "absolute_radius), which is below 1: never near the point of greatest speed. Form: the first n of the inner sum.",
+    "absolute_radius), which is below 1: never near the point of greatest speed. Form: the first n of the inner sum,"
+    " and the powers of both variables.",
     derivation="smith-time-series",
 )
-def rearranged(form: sympy.Expr) -> Outcome:
-    """The pairs (n, i) of both orders of summation carry the same nonzero coefficients, the first one included."""
+def rearranged(form: tuple[sympy.Expr, sympy.Expr, sympy.Expr]) -> Outcome:
+    """The pairs (n, i) of both orders of summation carry the same nonzero coefficients, the first one included.
+
+    The powers are those of (57), where a coefficient C_i^n stands with (gamma v/omega)^i in f_n, and f_n with z^n.
+    """
+    least, inner, outer = form
     by_rows = {(number, j) for number in range(1, ROWS) for j, c in enumerate(polynomial_row(number)) if c}
-    columns = [(j, int(form.subs(i, j))) for j in sampled(range(ROWS))]
+    columns = [(j, int(least.subs(i, j))) for j in sampled(range(ROWS))]
     by_columns = {(number, j) for j, first in columns for number in range(first, ROWS) if coefficient(number, j)}
-    sharp = all(coefficient(int(form.subs(i, j)), j) for j in range(ROWS))
-    return decided(by_rows == by_columns and sharp)
+    sharp = all(coefficient(int(least.subs(i, j)), j) for j in range(ROWS))
+    powers = [same(inner.subs(i, j), W_OF_STATE**j) for j in sampled(range(4))]
+    powers += [same(outer.subs(n, number), Z_OF_STATE**number) for number in sampled(range(4))]
+    return all_confirmed(decided(by_rows == by_columns and sharp), *powers)

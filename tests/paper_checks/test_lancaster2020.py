@@ -28,6 +28,7 @@ NOT_HOLDING = {  # found by hand from the paper's own equations, see the notes o
     "claim.never-strictly-zero": "partly",
     "claim.phase-at-start": "partly",
     "claim.slow-dissipation": "transcription",
+    "claim.slow-timescale": "partly",
     "claim.energy-derivative": "transcription",
     "claim.weak-equals-slow": "transcription",
     "claim.valid-for-any-b": "partly",

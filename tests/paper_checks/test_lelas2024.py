@@ -22,6 +22,7 @@ NOT_HOLDING = {  # found by hand from the paper's own equations and numbers, see
     "claim.slope-small": "transcription",
     "claim.dropping-the-slope": "partly",
     "claim.amplitude-not-negative": "partly",
+    "claim.equal-amplitudes": "partly",
     "claim.two-rates-contradict": "partly",
     "claim.integrated-rate": "transcription",
     "claim.slope-of-line": "transcription",

@@ -33,6 +33,7 @@ TOOLS = {  # names of what runs, and the functions that are it
     "order": r".*\.(measured_order|order_of|_mean_speed)|.*weakly_damped\.<locals>\.largest",
     "dimension": r".*\.(dimension|drag_constant|slow_dissipation)",
     "polynomials": r".*\.same_polynomial",
+    "exact rate": r".*\.exact_rate_expanded",
 }
 NEEDS = {  # a word in the methods, and the tools one of which must have run
     r"differentiat|derivative|chain rule|product rule|rate along|gradient": ("derivative", "polynomials"),
@@ -51,6 +52,7 @@ NEEDS = {  # a word in the methods, and the tools one of which must have run
     r"rows to": ("rows",),
     r"Euler steps": ("Euler steps",),
     r"^dimension": ("dimension",),
+    r"exact (rate of the )?envelope": ("exact rate",),
 }
 SAID = {  # what ran, and the words one of which must stand in the methods
     "order": r"error|exact motion|quadrature|Euler",

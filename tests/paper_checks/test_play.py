@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 
 from asymptotics.cli.main import main
 from asymptotics.expansions.normal_form.coefficients import expansion_coefficients
@@ -165,11 +166,67 @@ def test_sliders_buttons_and_the_second_law_redraw_the_page(browser, page):
     for button, (_, state) in zip(browser.find_elements(By.CSS_SELECTOR, "button.preset"), PRESETS):
         button.click()
         assert state.split("&")[0] in browser.current_url
-    box = browser.find_element(By.ID, "epsilon")
-    box.clear()
-    box.send_keys("7<script>")  # out of range and no number: the last good value stays
-    assert re.search(r"--law 3:1 ", browser.find_element(By.ID, "command-motion").text)
     assert browser.get_log("browser") == []
+
+
+@pytest.mark.parametrize("leave", [Keys.ENTER, Keys.TAB])
+@pytest.mark.parametrize(("field", "typed", "drawn"), [
+    ("alpha", "1,5", "--law 1.5:0.2 "), ("alpha", "3/2", "--law 3/2:0.2 "), ("alpha", "12", None),
+    ("epsilon", "100", None), ("epsilon", "7<script>", None), ("epsilon", "1/8", "--law 2:1/8 "), ("time", "", None),
+    ("x0", "0,7", "--x0 0.7 "), ("alpha", "1/0", None), ("alpha", "-1", None), ("alpha", " 0.5 ", "--law 0.5:0.2 "),
+])  # fmt: skip
+def test_what_is_typed_is_drawn_or_said_to_be_wrong(browser, page, field, typed, drawn, leave):
+    shown(browser, page, "alpha=2&epsilon=0.2")
+    box, before = browser.find_element(By.ID, field), browser.find_element(By.ID, "x-truth").text
+    box.clear()
+    for letter in typed:  # nothing is judged before the whole is there
+        box.send_keys(letter)
+        assert browser.find_element(By.ID, "x-truth").text == before
+    box.send_keys(leave)
+    command, said = (browser.find_element(By.ID, name).text for name in ("command-motion", f"{field}-wrong"))
+    if drawn is None:
+        low, high = {"alpha": ("0", "5"), "epsilon": ("0.001", "1"), "time": ("5", "200")}[field]
+        assert "--law 2:0.2 " in command and browser.find_element(By.ID, "x-truth").text == before
+        assert f"{low} … {high}" in said and typed.strip() in said
+        assert box.get_attribute("aria-invalid") == "true"
+        red = [
+            int(v)
+            for v in re.findall(r"\d+", browser.find_element(By.ID, f"{field}-wrong").value_of_css_property("color"))
+        ]
+        assert red[0] > 2 * max(red[1:3])
+    else:
+        assert drawn in command and said == "" and box.get_attribute("aria-invalid") == "false"
+        assert browser.find_element(By.ID, "x-truth").text != before
+
+
+@pytest.mark.parametrize(
+    "state", [state for _, state in PRESETS] + ["alpha=0.75&epsilon=0.8", "alpha=0.5&epsilon=0.83709"]
+)
+def test_the_pictures_of_a_preset_have_ticks_and_no_spikes(browser, page, state):
+    shown(browser, page, state)
+    for name in ("motion", "envelope", "decrement", "Q"):
+        anchors = browser.execute_script(
+            f"return [...document.querySelectorAll('#plot-{name} svg text')].map(t => t.getAttribute('text-anchor'))"
+        )
+        if anchors == ["middle"]:
+            assert name in ("decrement", "Q") and "No full swing" in browser.find_element(By.ID, f"plot-{name}").text
+            continue
+        assert anchors.count("middle") - 1 >= 2 and anchors.count("end") >= 2, (name, anchors)
+    dots = browser.execute_script(
+        "return [...document.querySelectorAll('#plot-decrement circle')].map(c => +c.getAttribute('cy'))"
+    )
+    steps = [b - a for a, b in zip(dots, dots[1:])]
+    assert all(step < 1e-6 for step in steps) or all(step > -1e-6 for step in steps)  # Lambda is monotone in A
+    turns = browser.execute_script(
+        "const m = motion(merged(laws()), number(state.x0), number(state.time));"
+        "return m.points.map((p, i) => i > 1 && !rests(merged(laws()), p.x, number(state.x0)))"
+    )
+    assert len(dots) == sum(turns)
+
+
+def test_dry_friction_is_written_with_the_sign(browser, page):
+    shown(browser, page, "alpha=0&epsilon=0.03")
+    assert "0.03 sgn x′ = 0" in browser.find_element(By.ID, "equation").text
 
 
 @pytest.mark.parametrize("width", [390, 1400])

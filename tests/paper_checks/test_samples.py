@@ -8,6 +8,7 @@ import pytest
 
 from paper_checks.evidence import Marks, mark, recorded, sampled
 from paper_checks.registry import load
+from paper_checks.report.words import evidence
 from paper_checks.verdict import Evidence
 
 PROVED = {
@@ -36,7 +37,6 @@ EXHAUSTED = {  # what is looped over, and why there are no other cases
     "range(form[0])": "the orders below the stated one",
     "(ENERGY, CLOCK)": "the two constants of one motion",
     "POWERS": "the three laws of the paper, n = 0, 1, 2",
-    "powers or (1,)": "the powers that the statement names",
     "(Z_OF_STATE, THIRD)": "the two terms of the formula",
     "PANELS": "the two panels of the figure",
     "VS": "the components of the velocity",
@@ -102,3 +102,16 @@ def test_a_sample_is_no_proof():
     assert Marks([Evidence.CERTIFIED], 3).weakest == Evidence.CERTIFIED
     assert (Marks([Evidence.PROVED]).weakest, Marks([Evidence.PROVED]).extent) == (Evidence.PROVED, "")
     assert Marks().weakest == Evidence.PROVED
+
+
+def test_one_exact_example_and_what_is_read_off_are_neither_measured_nor_proved():
+    one, read = "exact, one example", "read off the text"
+    found = {key: entry.extent for key, entry in load().items() if entry.extent in (one, read)}
+    assert [key for key in found if found[key] == one] == [f"smith2012:{n}" for n in (14, 15, 16, 21, 22)]
+    assert [key.partition(".")[2] for key in found if found[key] == read] == [
+        "number-of-sections", "force-of-47", "figure-of-section-6",
+    ]  # fmt: skip
+    assert not any("1 points" in entry.extent for entry in load().values())
+    for extent in (one, read):
+        shown = evidence({"evidence": "measured", "extent": extent, "order": None, "digits": None})
+        assert shown == f"{extent.capitalize()}."
