@@ -89,6 +89,8 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("lancaster_energy", "root = x_0 * growth ** (-1 / mu)", "root = x_0 * growth ** (1 / mu)"),
     ("lancaster_average", "beta = gamma(alpha / 2 + 1) ** 2", "beta = gamma(alpha / 2 + 1)"),
     ("lancaster_average", "sin(theta) ** (n + 1), (theta", "sin(theta) ** (n + 2), (theta"),
+    ("creep_arrival", "arrival = alpha / nu * e", "arrival = alpha * e"),
+    ("creep_arrival", "nu * p_1 * (tau - T_c)", "nu * p_1 * (tau + T_c)"),
     ("lancaster_linear_limit", "kappa * tau) ** (-1 / mu)", "kappa * tau) ** (1 / mu)"),
     ("lancaster_linear_limit", "-(epsilon**2) / 8", "-(epsilon**2) / 4"),
     ("lelas_viscous", "solution = sympy.exp(-b * t / (2 * m))", "solution = sympy.exp(-b * t / m)"),
