@@ -1,4 +1,7 @@
-"""``python -m derivations [NAME] [--latex]``: run a derivation and print it; without a name, list them."""
+"""``python -m derivations [NAME] [--latex]``: run a derivation and print it; without a name, list them.
+
+``--latex`` prints a document that compiles by itself; without a name, one with all derivations.
+"""
 
 import sys
 from importlib import import_module
@@ -6,14 +9,22 @@ from pathlib import Path
 
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import InputError
+from derivations.document import document
+from derivations.steps import Derivation
 
-NOT_DERIVATIONS = {"__init__", "__main__", "relations", "steps", "waiting"}
+NOT_DERIVATIONS = {"__init__", "__main__", "breaking", "document", "pieces", "relations", "steps", "waiting", "words"}
 
 
 def names() -> list[str]:
     """The names of all derivations: the modules of this package, with hyphens."""
     stems = {path.stem for path in Path(__file__).parent.glob("*.py")}
     return sorted(stem.replace("_", "-") for stem in stems - NOT_DERIVATIONS)
+
+
+def derivation(name: str) -> Derivation:
+    """Run a derivation; AssertionError if a step fails."""
+    found: Derivation = import_module("derivations." + name.replace("-", "_")).derivation
+    return found
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -28,19 +39,19 @@ def _run(argv: list[str] | None) -> int:
     parser.add_argument("name", nargs="?", help="a derivation; without it, the list")
     parser.add_argument("--latex", action="store_true", help="print LaTeX instead of text")
     options = parser.parse_args(argv)
-    if options.name is None:
+    if options.name is None and not options.latex:
         emit("\n".join(names()))
         return 0
-    if options.name not in names():
+    if options.name is not None and options.name not in names():
         error = InputError("name", f"no derivation {options.name!r}", "a name that the command without one lists")
         complain(f"derivations: {error}")
         return 2
     try:
-        derivation = import_module("derivations." + options.name.replace("-", "_")).derivation
+        found = [derivation(name) for name in ([options.name] if options.name else names())]
     except AssertionError as failure:
         complain(f"failed: {failure}")
         return 1
-    emit(derivation.latex() if options.latex else derivation.text())
+    emit(document(found) if options.latex else found[0].text())
     return 0
 
 

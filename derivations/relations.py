@@ -15,8 +15,10 @@ import sympy
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.polys.fields import field
+from sympy.printing.latex import LatexPrinter
 
 from derivations.waiting import is_rational
+from derivations.words import formula
 
 SIGNS = {"==": ("=", "="), "!=": ("!=", r"\neq")}
 SIGNS |= {"<": ("<", "<"), "<=": ("<=", r"\leq"), ">": (">", ">"), ">=": (">=", r"\geq")}
@@ -36,7 +38,27 @@ def _kept(write: Callable[[sympy.Basic], str]) -> Callable[[sympy.Basic], str]:
     return lambda shown: write(shown) if shown.has(sympy.Subs, sympy.Lambda) else kept(shown)
 
 
-latex, text = _kept(sympy.latex), _kept(str)
+class _Latex(LatexPrinter):
+    r"""SymPy's, but a name with brackets, such as M_(alpha+1), is read as mathematics in plain characters, and a
+    product of which the derivative is taken stands in brackets.
+
+    >>> print(_Latex().doprint(sympy.Symbol("M_(3+1)", positive=True)**2))
+    M_{3+1}^{2}
+    >>> x = sympy.Symbol("x")
+    >>> print(_Latex().doprint(sympy.Derivative(x * sympy.exp(x), x)), _Latex().doprint(sympy.Derivative(x**2, x)))
+    \frac{d}{d x} \left(x e^{x}\right) \frac{d}{d x} x^{2}
+    """
+
+    def _print_Symbol(self, expr: sympy.Symbol, style: str = "plain") -> str:
+        return formula(expr.name) if "(" in expr.name else super()._print_Symbol(expr, style)
+
+    def _print_Derivative(self, expr: sympy.Derivative) -> str:
+        shown, product = super()._print_Derivative(expr), self._print(expr.expr)
+        bare = expr.expr.is_Mul and not product.startswith(r"\frac") and shown.endswith(product)
+        return rf"{shown.removesuffix(product)}\left({product}\right)" if bare else shown
+
+
+latex, text = _kept(lambda shown: _Latex().doprint(shown)), _kept(str)
 """In LaTeX and in plain text; a line is written when it is checked, and again wherever it is shown."""
 
 

@@ -43,6 +43,7 @@ from typing import Any, SupportsIndex
 
 import sympy
 
+from derivations.document import document
 from derivations.relations import difference, established, latex, shown_in_latex, shown_in_text, text
 from derivations.waiting import At, Coefficient, Solution, Taylor, defined, exact, is_name, named
 
@@ -176,8 +177,5 @@ class Derivation:
         return "\n".join(lines)
 
     def latex(self) -> str:
-        """The derivation as a LaTeX section."""
-        lines = [rf"\section*{{{self.title}}}", rf"\emph{{{self.source}}}"]
-        for step in self.steps:
-            lines += [step.reason, rf"\[ {step.latex()} \]"]
-        return "\n".join(lines)
+        """The derivation as a LaTeX document that stands alone."""
+        return document([self])

@@ -5,6 +5,10 @@ r"""Expressions that wait: they print as they were written and have their value 
 (Subs(x**2 + x, x, 2), 6)
 >>> print(sympy.latex(3 * At(x**2 + x, {x: 2})))
 3 \left. \left(x^{2} + x\right) \right|_{x = 2}
+>>> print(sympy.latex(-At(-x / 2, {x: 2})), sympy.latex(At(2 * x, {x: 2})), sympy.latex(At(x / 2, {x: 2})), sep="\n")
+- \left. \left(- \frac{x}{2}\right) \right|_{x = 2}
+\left. \left(2 x\right) \right|_{x = 2}
+\left. \frac{x}{2} \right|_{x = 2}
 >>> Taylor(sympy.exp(x), x, 2), Taylor(sympy.exp(x), x, 2).doit()
 (Taylor(exp(x), x, 2), x**2/2 + x + 1)
 >>> Coefficient(1/(1 - x), x, 5).doit()
@@ -84,9 +88,12 @@ class At(sympy.Expr):
 
     def _latex(self, printer: Printer) -> str:
         f, old, new = self.args
-        places = r",\ ".join(f"{printer.doprint(a)} = {printer.doprint(b)}" for a, b in zip(old, new, strict=True))
+        pairs = [(printer.doprint(a), printer.doprint(b)) for a, b in zip(old, new, strict=True)]
+        places = r",\ ".join(f"{a} = {b}" for a, b in pairs if a != b)  # not n = n, the one whole, the other any
         written = printer.doprint(f)
-        shown = rf"\left({written}\right)" if f.is_Add else written  # or the bar would stand for its last term
+        # Or the bar would stand for its last term or factor, and a sign before it would be doubled.
+        several = f.is_Add or (f.is_Mul and not written.startswith(r"\frac"))
+        shown = rf"\left({written}\right)" if several or written.startswith("-") else written
         return rf"\left. {shown} \right|_{{{places}}}"
 
     def _sympystr(self, printer: Printer) -> str:
