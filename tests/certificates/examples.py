@@ -1,0 +1,44 @@
+"""Certificates that several tests attack, made once each: what they are of, in the words of the library."""
+
+import copy
+from functools import cache
+
+from asymptotics.api.turning_points import turning_points
+from asymptotics.certificates.of_results import of_states, of_turning_points
+from asymptotics.law import Oscillator
+from asymptotics.motions.reference import reference_motion
+
+OSCILLATORS = {
+    "quadratic": Oscillator({2: "1/10"}),
+    "three halves": Oscillator({"3/2": "1/5"}),
+    "sum": Oscillator({1: "1/20", 2: "1/10"}),
+    "friction": Oscillator({0: "1/10", 2: "1/10"}),
+    "strong": Oscillator({2: 3}),
+    "root": Oscillator({"1/2": "1/10"}),
+    "units": Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="-1/5"),
+    "in motion": Oscillator({2: "1/10"}, x0="1/2", v0="-1/3"),
+    "seventh": Oscillator({"1/7": "1/10"}),
+    "near one": Oscillator({"1001/1000": "1/10"}),
+}
+
+
+@cache
+def _turning(name, count, digits):
+    oscillator = OSCILLATORS[name]
+    return of_turning_points(oscillator, turning_points(oscillator, count, digits=digits, times=True))
+
+
+@cache
+def _state(name, times, digits):
+    oscillator = OSCILLATORS[name]
+    return of_states(oscillator, [(t, reference_motion(oscillator, t, digits)) for t in times], digits)
+
+
+def turning(name, count=3, digits=12):
+    """The content of a certificate of turning points, to be changed at will."""
+    return copy.deepcopy(_turning(name, count, digits).to_dict())
+
+
+def state(name, *times, digits=12):
+    """The same of states at times."""
+    return copy.deepcopy(_state(name, times, digits).to_dict())
