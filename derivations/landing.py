@@ -69,6 +69,11 @@ asserts(
     "so at that rest sqrt(k) |x| <= sqrt(k) y_T + E, by the inequality of Cauchy for (sqrt(k) y_T, 0) and what is off,",
     sympy.Le((sympy.sqrt(k) * y * b + 0 * v) ** 2, k * y**2 * (b**2 + v**2), evaluate=False),
 )
+step(
+    "Before the centre, at y_T = -y, g > 0 asks for k (y + E/sqrt(k)) < H: then y_T is a rest as well, and y is below",
+    Solution(H - k * (y + E / sympy.sqrt(k)), 0, y),
+    H / k - E / sympy.sqrt(k),
+)
 asserts(
     "The time alone does not tell how near: with E/g and the speed E the mass could move farther than E/sqrt(k)",
     sympy.Gt(At(E**2 / g, {g: sympy.sqrt(k) * E / 2}), E / sympy.sqrt(k), evaluate=False),

@@ -20,8 +20,8 @@ Turning points.  With E < V_low the true speed has the sign of y', but for the t
 in which y moves by D = S E^2 V_high/(2 V_low^2) at most.  There |y| > D + E/sqrt(k) is asked for at the rest: x keeps
 its sign, and x' is 0 once at most, as x'' has the sign of -x there (for k|x| <= H the mass would stay, but it moves
 later).  And it is 0: arriving at the end T of y, the mass is slowed down by g = k (|y(T)| - E/sqrt(k)) + H at least
-until it rests (|y(T)| counts negative before the centre).  Its energy falls, so that it rests within E/sqrt(k) of y(T).
-If k|x| <= H there, it stays.
+until it rests (|y(T)| counts negative before the centre): within E/sqrt(k) of y(T), as its energy falls, or before the
+centre as y(T) is a motion at rest itself.  If k|x| <= H there, it stays.
 """
 
 import json
@@ -173,7 +173,7 @@ def follow(c: Any) -> tuple[list[Any], dict[Fraction, Any], bool]:
     shapes = [shaped(p, law, bits // 3 + 50) for p in listed(c["pieces"], 0, PIECES)]
     ends = sum(a.numerator + a.denominator for a, _ in law) * bits // 8
     work = sum(ends + len(P) * (40 + sum(map(len, Ws))) for _, _, P, Ws in shapes) * (bits + 600) // 600
-    need(work <= WORK, f"the work would take {work // 4_000_000} s")
+    need(work <= WORK, f"the work would take {work // 2_500_000} s")
     resting, E, T = v == 0, Fraction(0), Fraction(0)
     turned, states, stays = [(x, E, T, T)] if resting else [], {T: (x, v, E, E)}, resting and k * abs(x) <= H
     for i, shape in enumerate(shapes):

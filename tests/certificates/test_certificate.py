@@ -1,5 +1,6 @@
 """What is printed has a certificate that the checker accepts; what has none is refused by name."""
 
+import ast
 import json
 import subprocess
 import sys
@@ -127,5 +128,6 @@ def test_the_file_is_checked_by_the_page_alone(tmp_path):
 def test_the_checker_is_one_short_page_of_the_standard_library():
     text = CHECKER.read_text()
     assert len(text.splitlines()) <= 250
+    ast.parse(text, feature_version=(3, 9))
     imported = [line for line in text.splitlines() if line.startswith(("import ", "from "))]
     assert {line.split()[1] for line in imported} == {"json", "re", "sys", "fractions", "math", "typing"}
