@@ -52,6 +52,7 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "papers",
     "tables",
     "testing",
+    "certificates",
     "sweeps",
     "records",
     "comparison",

@@ -11,6 +11,7 @@ import numpy as np
 from picture_faults import faults
 
 import asymptotics as asy
+from asymptotics.certificates.of_results import of_turning_points
 from asymptotics.identification.identifiability import swings_needed
 from asymptotics.present.drawn import head
 from asymptotics.present.figures import render
@@ -156,9 +157,20 @@ def identifiability(axes):
     axes.set(xlabel="noise / first amplitude", ylabel="half-swings needed")
 
 
+def certificates(axes):
+    """The size of a certificate of one half-swing, by the digits it proves."""
+    digits = (5, 10, 20, 30, 40, 50)
+    for law in ({2: "1/10"}, {"3/2": "1/5"}, {0: "1/50", 2: "1/10"}):
+        oscillator = asy.Oscillator(law)
+        tables = [asy.turning_points(oscillator, 2, digits=d, times=True) for d in digits]
+        sizes = [len(of_turning_points(oscillator, table).to_json()) / 1000 for table in tables]
+        axes.plot(digits, sizes, "o-", markersize=4, label=str(oscillator.law))
+    axes.set(xlabel="digits", ylabel="size (kB)")
+
+
 FIGURES = (
     half_swing, gauges, springs, closed_forms, slow_flow, multiple_scales, equivalent_damping, finite_strength,
-    error_bounds, large_orders, why_the_series_diverge, identifiability,
+    error_bounds, certificates, large_orders, why_the_series_diverge, identifiability,
 )  # fmt: skip
 
 

@@ -1,0 +1,133 @@
+"""What is printed has a certificate that the checker accepts; what has none is refused by name."""
+
+import ast
+import json
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from asymptotics.api.turning_points import turning_points
+from asymptotics.certificates.certificate import certificate
+from asymptotics.certificates.claims import turning_claim
+from asymptotics.certificates.of_results import of_states, of_turning_points
+from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.law import Law, Oscillator
+from asymptotics.motions.reference import reference_motion
+from asymptotics.testing import check_certificate
+from asymptotics.turning.choose import turning_points as dimensionless
+from tests.certificates import examples
+
+CHECKER = Path(check_certificate.__file__)
+
+
+@pytest.mark.parametrize("name", examples.OSCILLATORS)
+def test_turning_points_with_times(name):
+    content = examples.turning(name)
+    said = check_certificate.check(content)
+    numbers = [claim["number"] for claim in content["claims"]]
+    assert [line.split(":")[0] for line in said] == [f"turning point {n}" for n in numbers]
+    assert max(numbers) == 2
+
+
+@pytest.mark.parametrize("name", examples.OSCILLATORS)
+def test_states(name):
+    assert len(check_certificate.check(examples.state(name, "1/3", "1", "10"))) == 3
+
+
+def test_the_stop_and_the_motion_after_it():
+    content = examples.turning("friction", count=40)
+    assert check_certificate.check(content)[-1].endswith(": it stays")
+    assert check_certificate.check(examples.state("friction", "1000"))[0].endswith(" v = 0 exactly")
+
+
+def test_rest_from_the_start():
+    stuck = Oscillator({0: 2})
+    assert of_turning_points(stuck, turning_points(stuck, 3, digits=5)).proved[-1] == "turning point 0: it stays"
+
+
+def test_creep_and_overdamped_motions_are_served():
+    for law in ({1: 3}, {"1/2": 1}, {2: 50}):
+        slow = Oscillator(law)
+        assert of_states(slow, [("10", reference_motion(slow, "10", 15))], 15).proved
+
+
+@pytest.mark.parametrize("digits", [40, 100])
+def test_many_digits(digits):
+    table = dimensionless(Law({"3/2": "1/10"}), 2, digits, times=True)
+    assert f"x = {table.points[1].x}" in of_turning_points(Law({"3/2": "1/10"}), table).proved[1]
+
+
+def test_a_time_right_beside_a_turning_point():
+    drag = Oscillator({2: "1/10"})
+    times = ["157/50", "3.1450000001", "3.1469"]
+    assert of_states(drag, [(t, reference_motion(drag, t, 20)) for t in times], 20).proved
+
+
+@pytest.mark.parametrize(
+    ("oscillator", "reason"),
+    [
+        (Oscillator({2: "1/10"}, spring={3: "1/10"}), "motions may part"),
+        (Oscillator({(1, 2): "1/10"}), "motions may part"),
+        (Oscillator({"sqrt(2)": "1/10"}), "exponent sqrt"),
+        (Oscillator({"1251/1250": "1/10"}), "too long"),
+        (Oscillator({2: "sqrt(2)"}), "strength sqrt"),
+        (Oscillator({2: 1}, mass="sqrt(2)"), "mass sqrt"),
+        (Oscillator({2: 1}, x0="sqrt(2)"), "x0 sqrt"),
+        (Oscillator({0: "1/10"}), "no exact place"),
+    ],
+)
+def test_what_has_none_is_refused_by_name(oscillator, reason):
+    table = turning_points(oscillator, 6, digits=8)
+    with pytest.raises(InputError, match=reason):
+        of_turning_points(oscillator, table)
+
+
+def test_other_refusals():
+    drag = Oscillator({2: "1/10"})
+    with pytest.raises(InputError, match="estimate"):
+        of_states(drag, [("7", replace(reference_motion(drag, "7", 5), certified=False))], 5)
+    with pytest.raises(InputError, match="not rational"):
+        of_states(drag, [("sqrt(2)", reference_motion(drag, "sqrt(2)", 5))], 5)
+    with pytest.raises(InputError, match="amplitude"):
+        law = Law({2: "1/10"})
+        of_turning_points(law, dimensionless(law, 2, 5, x0="3/5", v0="4/5"))
+    far = dimensionless(Law({2: "1/10"}), 1, 5, start=1001)
+    with pytest.raises(InputError, match="count"):
+        of_turning_points(Law({2: "1/10"}), far)
+    with pytest.raises(InputError, match="digits"):
+        of_turning_points(Law({2: "1/10"}), dimensionless(Law({2: "1/10"}), 1, 101))
+    with pytest.raises(LimitError):
+        of_turning_points(law, dimensionless(law, 300, 50, times=True), max_seconds=0.2)
+
+
+def test_a_false_digit_gets_no_certificate():
+    drag = Oscillator({2: "1/10"})
+    point = turning_points(drag, 2, digits=12, times=True).points[1]
+    claim = turning_claim(point, 12)
+    assert certificate(drag, [claim]).proved
+    last = "12345678900"[int(claim["x"][-1])]
+    with pytest.raises(UndecidedError, match="the checker refuses: x"):
+        certificate(drag, [{**claim, "x": claim["x"][:-1] + last}])
+
+
+def test_the_file_is_checked_by_the_page_alone(tmp_path):
+    drag = Oscillator({"3/2": "1/5"})
+    made = of_turning_points(drag, turning_points(drag, 6, digits=20, times=True))
+    made.save(tmp_path / "a.json")
+    assert json.loads((tmp_path / "a.json").read_text()) == made.to_dict()
+    ran = subprocess.run(
+        [sys.executable, "-I", "-S", CHECKER, tmp_path / "a.json"], capture_output=True, text=True, cwd=tmp_path
+    )
+    assert (ran.returncode, ran.stderr) == (0, "")
+    assert ran.stdout.splitlines() == ["accepted", *made.proved]
+
+
+def test_the_checker_is_one_short_page_of_the_standard_library():
+    text = CHECKER.read_text()
+    assert len(text.splitlines()) <= 250
+    ast.parse(text, feature_version=(3, 9))
+    imported = [line for line in text.splitlines() if line.startswith(("import ", "from "))]
+    assert {line.split()[1] for line in imported} == {"json", "re", "sys", "fractions", "math", "typing"}
