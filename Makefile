@@ -8,7 +8,7 @@ RUN = $(VENV)/bin/python -m
 # Tests start hundreds of interpreters: where the machine forbids bytecode, each would compile all modules again.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: reproduce test test-thorough matrix lint docs tables benchmarks mutants weakened wheel clean
+.PHONY: reproduce test test-thorough matrix lint docs tables benchmarks locks mutants weakened wheel clean
 
 reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
@@ -52,9 +52,18 @@ docs: $(VENV)/.docs
 wheel: $(VENV)/.reproduce
 	$(RUN) tests.wheel build/dist
 
-# Ratios beside the peers, as a page of the docs; they live in an environment of their own, and what cannot be installed is said to be missing.
-benchmarks: $(VENV)/.test .peers/.ready
-	$(RUN) benchmarks --report docs
+# Ratios beside the peers, as a page of the docs; the peers have an environment of their own, and one that is missing is an error.
+# QUICK=1: smaller sizes, a minute or so. PEERS=none: ours alone.
+PEERS ?= .peers
+benchmarks: $(VENV)/.test $(filter-out none/.ready,$(PEERS)/.ready)
+	$(RUN) benchmarks --report docs $(if $(QUICK),--quick) $(if $(filter none,$(PEERS)),--no-peers)
+
+# Every lock, installed in fresh environments; weekly, as a lock may rot without a change here.
+locks:
+	rm -rf build/locks
+	$(MAKE) --no-print-directory VENV=build/locks/docs build/locks/docs/.docs
+	$(MAKE) --no-print-directory VENV=build/locks/mutants PEERS=build/locks/peers build/locks/mutants/.mutants build/locks/peers/.ready
+	@for each in docs mutants peers; do build/locks/$$each/bin/python -m pip check --disable-pip-version-check || exit 1; done
 
 # A sample of planted faults in each group of modules, and how many the tests notice; SAMPLE=500 for a longer look.
 SAMPLE ?= 60
@@ -90,9 +99,10 @@ $(VENV)/.docs: requirements/docs.txt $(VENV)/.test
 	$(PIP) --require-hashes --only-binary :all: -r requirements/docs.txt
 	touch $@
 
-.peers/.ready: requirements/peers.txt
-	$(PYTHON) -m venv --clear .peers
-	.peers/bin/python -m pip install --disable-pip-version-check --quiet --require-hashes --only-binary :all: -r $< || echo "no peers: only our own times are measured"
+$(PEERS)/.ready: requirements/peers.txt
+	@echo "Creating the environment of the peers in $(PEERS) (once) ..."
+	$(PYTHON) -m venv --clear $(PEERS)
+	$(PEERS)/bin/python -m pip install --disable-pip-version-check --quiet --require-hashes --only-binary :all: -r $<
 	touch $@
 
 $(VENV)/.mutants: requirements/mutants.txt $(VENV)/.test

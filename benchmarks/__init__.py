@@ -9,6 +9,7 @@
 ``integrators``             1000 turning points beside heyoka, SciPy and mpmath, and their right digits
 ``hypergeometric``          2F1(1, a; a+1; z): balls beside mpmath and PARI
 ``comparing``               ``compare`` of 10^5 values beside certified ones
+``fits``                    the law of a record: ``identify`` beside lmfit
 ``promises``                what is promised in a stated time, and the time it takes
 ``start_up``                seconds and memory of a process that imports, starts, answers
 ``peers``                   asks a peer in the environment ``.peers``
@@ -16,6 +17,6 @@
 ``mutants``                 planted faults, and how many the tests notice
 ==========================  =============================================================================
 
-Seconds depend on the machine, ratios much less; nothing here is asserted.  A tool that is not installed is listed as
-"not installed".
+Seconds depend on the machine, ratios much less; nothing here is asserted.  A peer
+that is missing is an error (``--no-peers`` measures ours alone); Maxima is listed as "not installed" where it is.
 """

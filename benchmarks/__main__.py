@@ -1,13 +1,19 @@
-"""``python -m benchmarks [NAME] [--json | --report FOLDER]``: run one benchmark or all, and print tables of ratios."""
+"""``python -m benchmarks [NAME] [--json | --report FOLDER]``: run one benchmark or all, and print tables of ratios.
+
+A peer that is wanted and missing is an error before anything is measured; ``--no-peers`` measures ours alone.
+"""
 
 import json
 import sys
+from collections.abc import Mapping
+from contextlib import nullcontext
 from importlib import import_module
 from pathlib import Path
 from time import perf_counter
 
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import InputError
+from benchmarks import peers
 
 BENCHMARKS = {
     "smith-rows": "smith_rows",
@@ -23,9 +29,18 @@ BENCHMARKS = {
     "multiple-scales": "multiple_scales",
     "start-up": "start_up",
     "promises": "promises",
+    "fits": "fits",
     "identified": "identified",
 }
-"""The name of each benchmark, and its module: a function ``run`` that takes a size."""
+"""The name of each benchmark, and its module: a function ``run`` that takes a size, and the ``PEERS`` that it asks."""
+WHOLE = {"identified": 12}
+"""Sizes of a run of all benchmarks that are not the stated ones: one record of each class."""
+QUICK = {
+    "smith-rows": 200, "cubic-damping": 1, "cost-against-order": 16, "costs": 10, "turning-points": 300,
+    "certified-orbits": 20, "integrators": 100, "certified-motion": 400, "hypergeometric": 300, "comparing": 10_000,
+    "multiple-scales": 1, "start-up": 1, "promises": 4, "fits": 200, "identified": 2,
+}  # fmt: skip
+"""Sizes of ``--quick``."""
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -37,6 +52,8 @@ def _run(argv: list[str] | None) -> int:
     parser = import_module("asymptotics.cli.main").Parser(prog="python -m benchmarks", description=__doc__)
     parser.add_argument("name", nargs="?", help=", ".join(BENCHMARKS) + "; without it, all of them")
     parser.add_argument("--size", type=int, help="largest row, order or number of points (default: the stated one)")
+    parser.add_argument("--quick", action="store_true", help="smaller sizes, all benchmarks in a minute")
+    parser.add_argument("--no-peers", action="store_true", help="measure ours alone; else a missing peer is an error")
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.add_argument("--report", metavar="FOLDER", help="write JSON, Markdown and a picture there as well")
     parser.add_argument("--store", metavar="FILE", help="of identified: its records one by one; goes on where it was")
@@ -45,27 +62,34 @@ def _run(argv: list[str] | None) -> int:
         more = {} if options.store is None else {"store": Path(options.store)}
         if more and options.name != "identified":
             raise InputError("--store", "it keeps the records of one benchmark", "identified --store FILE")
-        emit(_answer(options.name, options.size, options.report, as_json=options.json, **more))
+        if options.size is not None and options.quick:
+            raise InputError("--size", "--quick has sizes of its own", "one of the two")
+        if options.size is not None and options.size < 1:
+            raise InputError("--size", f"{options.size} is too small", "an integer >= 1")
+        given = dict.fromkeys(BENCHMARKS, options.size) if options.size else {} if options.name else WHOLE
+        sizes = QUICK if options.quick else given
+        with peers.none() if options.no_peers else nullcontext():
+            emit(_answer(options.name, sizes, options.report, as_json=options.json, **more))
     except InputError as error:
         complain(f"benchmarks: {error}")
         return 2
     return 0
 
 
-def _answer(name: str | None, size: int | None, folder: str | None, *, as_json: bool, **more: Path) -> str:
-    """The tables as text, after writing the report if it is wanted."""
+def _answer(name: str | None, sizes: Mapping[str, int], folder: str | None, *, as_json: bool, **more: Path) -> str:
+    """The tables as text, after writing the report if it is wanted; what has no size takes the stated one."""
     if name is not None and name not in BENCHMARKS:
         raise InputError("name", f"no benchmark {name!r}", ", ".join(BENCHMARKS))
-    if size is not None and size < 1:
-        raise InputError("--size", f"{size} is too small", "an integer >= 1")
     if folder is not None:  # refused before anything is measured
         import_module("asymptotics.present.files").require_writable(Path(folder), "--report")
     names = [name] if name else list(BENCHMARKS)
     modules = {key: import_module(f"benchmarks.{BENCHMARKS[key]}") for key in names}  # loaded inside the shell
+    wanted = {peer: None for module in modules.values() for peer in getattr(module, "PEERS", ())}
+    peers.require(list(wanted))
     tables = {}
     for key, module in modules.items():
         start = perf_counter()
-        tables[key] = module.run(*(() if size is None else (size,)), **more)
+        tables[key] = module.run(*((sizes[key],) if key in sizes else ()), **more)
         if sys.stderr is not None:  # print would take None for stdout
             print(f"{key}: {perf_counter() - start:.0f} s", file=sys.stderr, flush=True)
     if folder is not None:

@@ -18,6 +18,7 @@ from benchmarks.peers import ask
 from benchmarks.table import Table, best_time, with_ratios
 
 q = Symbol("q")
+PEERS = ("oscilate",)
 TIMEOUT = 30
 
 OSCILATE = """

@@ -13,6 +13,7 @@ from asymptotics.numbers.context import ctx
 from benchmarks.peers import ask
 from benchmarks.table import Table, best_time, seconds_text
 
+PEERS = ("mpmath", "gmpy2", "cypari")
 MPMATH = """
 import mpmath
 mpmath.mp.dps = digits

@@ -16,6 +16,7 @@ import numpy as np
 from benchmarks.peers import ask
 from benchmarks.table import Table, with_ratios
 
+PEERS = ("oscilate", "asymptotic")
 ROOT = Path(__file__).parents[1]
 MEASURE = """
 import json, os, subprocess, sys

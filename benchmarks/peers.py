@@ -13,12 +13,19 @@ the peer's process and counts processor time, so that neither side pays for star
 import json
 import shutil
 import subprocess
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from math import inf, nan
 from pathlib import Path
 from typing import Any
 
+from asymptotics.errors import InputError
+
 PYTHON = Path(__file__).parents[1] / ".peers" / "bin" / "python"
+"""The environment that is asked; ``none`` leaves it out."""
 TIMEOUT = 60
+_NOWHERE = Path("no peers")
+_WAYS = "`make benchmarks`, which installs them, or --no-peers"
 CLOCK = """
 import json, sys
 from time import process_time
@@ -63,3 +70,35 @@ for name in names:
 """
     found = ask(code, python=python, names=list(names))
     return {name: str(found[name]) for name in names if name in found}
+
+
+def require(names: Sequence[str]) -> None:
+    """InputError, which names each peer that cannot be imported, and why, unless the environment is left out.
+
+    >>> with none():
+    ...     require(["no_such_peer"])
+    """
+    if PYTHON == _NOWHERE:
+        return
+    if shutil.which(str(PYTHON)) is None:
+        raise InputError("--no-peers", f"the peers ({', '.join(names)}) have no environment", _WAYS)
+    failed = [f"{name}: {why}" for name in names if (why := _unusable(name)) is not None]
+    if failed:
+        raise InputError("--no-peers", "missing peers; " + "; ".join(failed), _WAYS)
+
+
+def _unusable(name: str) -> str | None:
+    """The last line of what is said when a peer is imported, None if it is there."""
+    run = subprocess.run([str(PYTHON), "-c", f"import {name}"], capture_output=True, text=True, check=False)
+    return None if run.returncode == 0 else (run.stderr.strip().splitlines() or ["no message"])[-1]
+
+
+@contextmanager
+def none() -> Iterator[None]:
+    """Within it no peer is wanted, and none is asked."""
+    global PYTHON
+    before, PYTHON = PYTHON, _NOWHERE
+    try:
+        yield
+    finally:
+        PYTHON = before

@@ -15,7 +15,7 @@ from benchmarks.peers import versions
 from benchmarks.table import Table
 
 OURS = ("numpy", "scipy", "sympy", "mpmath", "python-flint")
-PEERS = ("heyoka", "oscilate", "gmpy2", "cypari", "scipy", "mpmath", "sympy")
+PEERS = ("heyoka", "oscilate", "asymptotic", "gmpy2", "cypari", "lmfit", "scipy", "mpmath", "sympy")
 
 
 def write(folder: Path, tables: dict[str, Table], lessons: dict[str, str] | None = None) -> None:

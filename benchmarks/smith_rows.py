@@ -37,7 +37,8 @@ def rational_rows(last: int, number: Callable[[int, int], Any]) -> list[Any]:
     return row
 
 
-PEERS = {
+PEERS = ("gmpy2", "cypari")
+NUMBERS = {
     "gmpy2.mpq": "import gmpy2; number = gmpy2.mpq",
     "PARI": "from cypari import pari; number = lambda p, q: pari(p) / q",
 }
@@ -64,6 +65,6 @@ def run(size: int = 400) -> Table:
         for number in (Fraction, sympy.Rational):
             once = best_time(partial(rational_rows, n, number), 3 if n <= ONCE_ABOVE else 1)
             timings.append((f"n = {n}, {number.__module__.split('.')[0]}.{number.__name__}", once))
-        timings += [(f"n = {n}, {name}", peer_seconds(n, setup)) for name, setup in PEERS.items()]
+        timings += [(f"n = {n}, {name}", peer_seconds(n, setup)) for name, setup in NUMBERS.items()]
         rows.extend(with_ratios(timings))
     return Table("Smith's coefficients, all rows up to n", ("what", "seconds", "ratio"), tuple(rows))

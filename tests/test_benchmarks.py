@@ -2,6 +2,9 @@
 
 import doctest
 import json
+import os
+import re
+import subprocess
 import sys
 from fractions import Fraction
 from importlib import import_module
@@ -9,10 +12,11 @@ from pathlib import Path
 
 import pytest
 
+from asymptotics.errors import InputError
 from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.motions.invariants.exact import coefficients
 from benchmarks import cubic_damping, peers
-from benchmarks.__main__ import BENCHMARKS, main
+from benchmarks.__main__ import BENCHMARKS, QUICK, WHOLE, main
 from benchmarks.cubic_damping import expand_by_hand, process_seconds
 from benchmarks.report import write
 from benchmarks.smith_rows import rational_rows
@@ -23,16 +27,15 @@ TINY = {
     "smith-rows": 16, "cubic-damping": 2, "cost-against-order": 4, "turning-points": 5,
     "certified-orbits": 20, "integrators": 2, "certified-motion": 20, "hypergeometric": 20, "start-up": 1,
     "comparing": 200, "promises": 2, "multiple-scales": 1, "costs": 2,
-    "identified": 1,
+    "identified": 1, "fits": 100,
 }  # fmt: skip
 MODULES = sorted(path.stem for path in (Path(__file__).parents[1] / "benchmarks").glob("*.py"))
 
 
 @pytest.mark.parametrize("name", BENCHMARKS)
 def test_runs_and_returns_rows(name, capsys, monkeypatch):
-    monkeypatch.setattr(peers, "PYTHON", "no/peers/here")  # and without the peers, which have their own make target
     monkeypatch.setattr(cubic_damping, "TIMEOUT", 0.01)
-    assert main([name, "--size", str(TINY[name]), "--json"]) == 0
+    assert main([name, "--size", str(TINY[name]), "--json", "--no-peers"]) == 0  # they have their own make target
     table = json.loads(capsys.readouterr().out)[name]
     assert table["rows"]
     assert all(len(row) == len(table["columns"]) and all(isinstance(x, str) for x in row) for row in table["rows"])
@@ -63,6 +66,39 @@ def test_examples_in_docstrings(module):
     assert doctest.testmod(import_module(name), optionflags=doctest.NORMALIZE_WHITESPACE).failed == 0
 
 
+def test_a_peer_that_is_wanted_and_missing_ends_the_run(capsys, monkeypatch):
+    """Found before anything is measured, with what Python says of it: nothing is called a result without the peers."""
+    monkeypatch.setattr(peers, "PYTHON", Path("no/peers/here"))
+    assert main(["hypergeometric", "--size", "5"]) == 2
+    said = capsys.readouterr()
+    assert not said.out
+    assert "mpmath, gmpy2, cypari" in said.err
+    monkeypatch.setattr(peers, "PYTHON", Path(sys.executable))
+    peers.require(["mpmath"])
+    with pytest.raises(InputError, match="no_such_peer: ModuleNotFoundError"):
+        peers.require(["mpmath", "no_such_peer"])
+    assert main(["turning-points", "--size", "3"]) == 0  # asks none
+    assert main(["hypergeometric", "--size", "5", "--no-peers"]) == 0
+    assert "not installed" in capsys.readouterr().out
+    assert Path(sys.executable) == peers.PYTHON
+
+
+def test_the_peers_that_are_asked_are_those_of_the_lock():
+    """Each module that asks a peer names it, and the lock installs these and no others."""
+    asking = {name: import_module(f"benchmarks.{name}") for name in BENCHMARKS.values()}
+    for name, module in asking.items():
+        assert hasattr(module, "ask") == hasattr(module, "PEERS"), name
+    lines = (Path(__file__).parents[1] / "requirements/peers.in").read_text().splitlines()
+    locked = {re.split("[<>=]", line)[0] for line in lines if not line.startswith("#")}
+    assert {peer for module in asking.values() for peer in getattr(module, "PEERS", ())} == locked
+
+
+def test_every_benchmark_has_a_quick_size(capsys):
+    assert set(QUICK) == set(TINY) == set(BENCHMARKS) > set(WHOLE)
+    assert main(["turning-points", "--quick", "--size", "9"]) == 2
+    assert "argument --size" in capsys.readouterr().err
+
+
 def test_what_is_compared_is_the_same_result():
     assert {i: c for i, c in enumerate(rational_rows(20, Fraction)) if c} == coefficients(20)
     ours = exact_expansion((3,), 5, "no-first-harmonic")
@@ -87,3 +123,17 @@ def test_a_tool_that_fails_or_hangs_gets_no_time():
 def test_wrong_digits_are_counted():
     assert wrong_digits(["0.12345"], ["0.12345"]) == 0
     assert wrong_digits(["0.12399"], ["0.12345"]) >= 1
+
+
+def test_peers_that_cannot_be_installed_stop_make(tmp_path):
+    """A pip that fails leaves no stamp behind, so that the next run does not take the peers for installed."""
+    peers_there, maker = tmp_path / "peers", tmp_path / "python"
+    venv = 'mkdir -p "$4/bin" && printf "#!/bin/sh\\nexit $FAILS\\n" > "$4/bin/python" && chmod +x "$4/bin/python"'
+    maker.write_text(f"#!/bin/sh\n{venv}\n")
+    maker.chmod(0o755)
+    command = ["make", f"PYTHON={maker}", f"PEERS={peers_there}", f"{peers_there}/.ready"]
+    for fails, stamped in (("1", False), ("0", True)):
+        run = subprocess.run(
+            command, cwd=Path(__file__).parents[1], env=os.environ | {"FAILS": fails}, capture_output=True, check=False
+        )
+        assert (run.returncode == 0, (peers_there / ".ready").exists()) == (stamped, stamped)

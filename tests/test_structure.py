@@ -239,10 +239,14 @@ def _locks() -> dict[str, set[str]]:
         for wanted in extras[name]
     }
     test = {*used, *groups["dev"]} - core
-    return {"reproduce": core, "test": test, "docs": set(extras["docs"]), "mutants": set(groups["mutants"])}
+    # The peers are no part of the project: which they are, the benchmarks say (``test_benchmarks``).
+    lines = (ROOT / "requirements/peers.in").read_text().splitlines()
+    peers = {line for line in lines if line and not line.startswith("#")}
+    mutants = set(groups["mutants"])
+    return {"reproduce": core, "test": test, "docs": set(extras["docs"]), "mutants": mutants, "peers": peers}
 
 
-@pytest.mark.parametrize("name", ["reproduce", "test", "docs", "mutants"])
+@pytest.mark.parametrize("name", ["reproduce", "test", "docs", "mutants", "peers"])
 def test_the_lock_is_compiled_from_the_project_and_names_no_host(name: str):
     wanted = _locks()[name]
     lines = (ROOT / f"requirements/{name}.in").read_text().splitlines()

@@ -134,7 +134,8 @@ def at_times(
             made.add(i, x, v)
         # Balls good to 10^-digits of the first amplitude: near a zero they have fewer digits of the value, and only
         # those places are asked again.
-        left = [i for i in left if i not in made.places()]
+        placed = made.places()
+        left = [i for i in left if i not in placed]
         if not left:
             break
     # The last resort, one time after the other, at whatever precision it takes.
