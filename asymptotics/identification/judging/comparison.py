@@ -1,7 +1,7 @@
-"""One law against one run: its fit, the intervals of its strengths, and how it predicts swings it has not seen."""
+"""All candidates fitted to one run, and how one of them predicts swings it has not seen."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -10,14 +10,13 @@ from asymptotics.budget import tick
 from asymptotics.identification.fitting.in_time import ALL, Time
 from asymptotics.identification.fitting.least_squares import Fit, Model, Noise, fit
 from asymptotics.identification.fitting.printed import DecrementModel, Decrements, decrement_start
-from asymptotics.identification.fitting.profile import Function, Interval, coordinate, profile_interval, wald_interval
 from asymptotics.identification.fitting.starting import starting_values
 from asymptotics.identification.fitting.waveform import WaveformModel
 from asymptotics.identification.forward.candidates import Candidate
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.quadrature import TooStrongError
-from asymptotics.identification.judging.contradiction import Contradiction, further_parameters
-from asymptotics.identification.judging.grades import Unexplained, grade_of, in_words
+from asymptotics.identification.judging.contradiction import further_parameters
+from asymptotics.identification.judging.laws import Fitted
 from asymptotics.identification.measuring.observations import Observations
 
 _ALWAYS, _MARGIN, _WORSE = 6, 50.0, 1e-3
@@ -32,99 +31,9 @@ _SHARE = 0.2
 UNTRIED = "not tried to its end: the time was over"
 
 
-@dataclass(frozen=True)
-class LawFit:
-    """A candidate with its fit; ``reason`` says why there is none, or why the law is judged as it is.
-
-    ``apart``: of several runs, the strengths that differ by more than their errors.
-    """
-
-    candidate: Candidate
-    fit: Fit | None
-    verdict: str = "undetermined"
-    reason: str = ""
-    excess: float = float("inf")
-    epsilon: tuple[Interval, ...] = ()
-    springs: tuple[Interval, ...] = ()
-    alpha: Interval | None = None
-    profiled: bool = False
-    held_out: float | None = None
-    total: float | None = None
-    against: Contradiction = Contradiction()
-    misfit: str = ""
-    residuals: str = ""
-    stretches: tuple[float, ...] = ()
-    left: float = 1.0
-    unneeded: tuple[str, ...] = ()
-    unexplained: Unexplained | None = None
-    apart: tuple[str, ...] = ()
-
-    @property
-    def grade(self) -> str:
-        """consistent (at the noise level), adequate (contradicted, but it leaves little of the loss), refuted, or
-        undetermined."""
-        left = self.unexplained
-        return self.verdict if left is None or self.negative else grade_of(self.verdict, left.share)
-
-    @property
-    def graded(self) -> str:
-        """The grade in words."""
-        return self.grade if self.unexplained is None else in_words(self.grade, self.unexplained.share)
-
-    @property
-    def criterion(self) -> float:
-        """AICc (of several runs: their sum); infinite without a fit."""
-        if self.total is not None:
-            return self.total
-        return float("inf") if self.fit is None else self.fit.aicc
-
-    @property
-    def usable(self) -> bool:
-        """Whether there is a fit with data to spare."""
-        return self.fit is not None and bool(np.isfinite(self.fit.aicc))
-
-    def judged_as(self, verdict: str, reason: str) -> "LawFit":
-        """The same law, judged."""
-        return replace(self, verdict=verdict, reason=reason)
-
-    @property
-    def terms(self) -> int:
-        """How many terms the law has."""
-        return len(self.candidate.elements)
-
-    @property
-    def parameters(self) -> int:
-        """How many numbers the law has: strengths, and the exponent if it is free."""
-        return self.terms + self.candidate.free
-
-    @property
-    def strengths(self) -> list[tuple[str, Interval]]:
-        """All strengths with the names of their terms."""
-        springs = [f"s{p}" for p in self.candidate.springs]
-        return [*zip(self.candidate.alphas, self.epsilon), *zip(springs, self.springs)]
-
-    @property
-    def functions(self) -> list[Function]:
-        """The strengths, and the exponent if it is free, as functions of the parameter vector of the fit."""
-        assert self.fit is not None
-        reference, first = self.fit.model.reference, self.fit.model.law.start
-        found = [strength(self.candidate, i, reference, first) for i in range(self.terms)]
-        return [*found, coordinate(first + self.terms)] if self.candidate.free else found
-
-    @property
-    def inflation(self) -> float:
-        """By how much correlated residuals stretch its intervals at most."""
-        return max(self.stretches, default=1.0)
-
-    @property
-    def negative(self) -> tuple[str, ...]:
-        """The losses whose estimate is negative: unphysical, but not clipped."""
-        return tuple(a for a, e in zip(self.candidate.alphas, self.epsilon) if e.estimate < 0)
-
-
 def fit_laws(
     candidates: Sequence[Candidate], seen: Observations, noise: Noise | None = None, time: Time = ALL
-) -> list[LawFit]:
+) -> list[Fitted]:
     """All candidates, from few parameters to many, each with a share of the time: a coarse fit, by the series alone,
     then the full one of each that could have support.
 
@@ -132,7 +41,7 @@ def fit_laws(
     residuals.  A law that fits worse than one it contains has missed its optimum and starts again from there.  What
     the time does not suffice for has no fit, and says so.
     """
-    fits = [LawFit(c, None, reason=UNTRIED) for c in candidates]
+    fits = [Fitted(c, None, reason=UNTRIED) for c in candidates]
     half, points, look, first = time.part(0.5), seen, noise, first_of_families(candidates)  # half for the first look
     if seen.samples is not None:
         points, look = (
@@ -143,7 +52,7 @@ def fit_laws(
     for i in sorted(range(len(fits)), key=lambda i: (candidates[i] not in first, fits[i].parameters)):
         far = _beyond_hope(candidates[i], fits, first)
         if far:
-            fits[i] = LawFit(candidates[i], None, verdict="refuted", reason=far)
+            fits[i] = Fitted(candidates[i], None, far=True, reason=far)
             continue
         tick(f"the first look at the law {candidates[i]}")
         fits[i] = half.within(_SHARE, partial(fit_law, candidates[i], points, look, coarse=True), fits[i])
@@ -151,27 +60,27 @@ def fit_laws(
     margin = _margin(fits)
     for rank, i in enumerate(order):
         rough = fits[i]
-        if rough.verdict == "refuted":  # beyond hope already
+        if rough.far:  # beyond hope already
             continue
         if rank < _ALWAYS or rough.criterion < least + margin or not _is_good(rough.fit):
             tick(f"the law {candidates[i]}; the best at the first look: {candidates[order[0]]}")
             work = partial(fit_law, candidates[i], seen, noise, start=None if rough.fit is None else rough.fit.theta)
-            kept = rough if _is_good(rough.fit) and points is seen else LawFit(candidates[i], None, reason=UNTRIED)
+            kept = rough if _is_good(rough.fit) and points is seen else Fitted(candidates[i], None, reason=UNTRIED)
             fits[i] = time.within(_SHARE, work, kept)
             least = min(least, (fits[i] if points is seen else rough).criterion)
         elif points is not seen:
             reason = f"far from the data at the first look (AICc {rough.criterion - least:.3g} above the best)"
-            fits[i] = LawFit(candidates[i], None, verdict="refuted", reason=reason)
+            fits[i] = Fitted(candidates[i], None, far=True, reason=reason)
     fits = _nested(_reconsidered(fits, seen, noise, time), seen, noise, time)
     return fits
 
 
-def _reconsidered(fits: Sequence[LawFit], seen: Observations, noise: Noise | None, time: Time) -> list[LawFit]:
+def _reconsidered(fits: Sequence[Fitted], seen: Observations, noise: Noise | None, time: Time) -> list[Fitted]:
     """The same fits, with those that the first look left out although a law that contains them hardly needs its
     further terms: their strengths are 0 within ``_MARGIN`` of chi-squared."""
     found = list(fits)
     for i in sorted(range(len(found)), key=lambda i: -found[i].parameters):
-        if found[i].fit is not None or found[i].verdict != "refuted":
+        if not found[i].far:
             continue
         least = min((law.criterion for law in found), default=float("inf"))
         near = [law for law in found if law.usable and law.criterion < least + _MARGIN]
@@ -179,12 +88,12 @@ def _reconsidered(fits: Sequence[LawFit], seen: Observations, noise: Noise | Non
             if law.fit is not None and found[i].candidate.is_within(law.candidate) and _dispensable(law, found[i]):
                 start = _embedded(law.fit, law.candidate, found[i].candidate)
                 work = partial(fit_law, found[i].candidate, seen, noise, start=start)
-                found[i] = time.within(_SHARE, work, LawFit(found[i].candidate, None, reason=UNTRIED))
+                found[i] = time.within(_SHARE, work, Fitted(found[i].candidate, None, reason=UNTRIED))
                 break
     return found
 
 
-def _dispensable(larger: LawFit, law: LawFit) -> bool:
+def _dispensable(larger: Fitted, law: Fitted) -> bool:
     assert larger.fit is not None
     first = larger.fit.model.law.start
     further = [first + k for k, e in enumerate(larger.candidate.elements) if e not in law.candidate.elements]
@@ -192,7 +101,7 @@ def _dispensable(larger: LawFit, law: LawFit) -> bool:
     return float(strengths @ np.linalg.pinv(covariance) @ strengths) < _MARGIN  # Wald's chi-squared of 0
 
 
-def _margin(fits: Sequence[LawFit]) -> float:
+def _margin(fits: Sequence[Fitted]) -> float:
     """How far from the best a law is far: farther where the best itself leaves more than the noise that is stated."""
     best = min((law for law in fits if law.fit is not None), key=lambda law: law.criterion, default=None)
     if best is None or best.fit is None or not best.fit.known:
@@ -216,7 +125,7 @@ def first_of_families(candidates: Sequence[Candidate]) -> dict[Candidate, list[C
     return found
 
 
-def _beyond_hope(candidate: Candidate, fits: Sequence[LawFit], first: Mapping[Candidate, Sequence[Candidate]]) -> str:
+def _beyond_hope(candidate: Candidate, fits: Sequence[Fitted], first: Mapping[Candidate, Sequence[Candidate]]) -> str:
     """Why a law needs no look: the one that contains it is far from the data, and no worse than what it contains."""
     if candidate in first:
         return ""
@@ -228,34 +137,30 @@ def _beyond_hope(candidate: Candidate, fits: Sequence[LawFit], first: Mapping[Ca
             continue
         # A law that contains another fits at least as well; where it does not, the minimiser failed, and nothing
         # follows.
-        trusted = all(_likelihood(head) >= _likelihood(looked[c]) - _WORSE for c in inside if c in looked)
-        if trusted and -2 * _likelihood(head) > least + _FAR * _margin(fits):
+        trusted = all(head.likelihood >= looked[c].likelihood - _WORSE for c in inside if c in looked)
+        if trusted and -2 * head.likelihood > least + _FAR * _margin(fits):
             # The deviance of the largest law is below that of each law inside it, and so below the AICc of each.
-            beyond = -2 * _likelihood(head) - least
+            beyond = -2 * head.likelihood - least
             return (
                 f"far from the data at the first look: so is {largest}, which contains it ({beyond:.3g} above the best)"
             )
     return ""
 
 
-def _nested(fits: Sequence[LawFit], seen: Observations, noise: Noise | None, time: Time) -> list[LawFit]:
+def _nested(fits: Sequence[Fitted], seen: Observations, noise: Noise | None, time: Time) -> list[Fitted]:
     """The same fits, none worse than that of a law it contains."""
     found = list(fits)
     for i in sorted(range(len(found)), key=lambda i: found[i].parameters):
-        if found[i].reason == UNTRIED or found[i].verdict == "refuted":
+        if found[i].reason == UNTRIED or found[i].far:
             continue
         inside = [law for law in found if law.usable and further_parameters(law.candidate, found[i].candidate) == 0]
-        best = max((law for law in inside if law.fit), key=_likelihood, default=found[i])
-        if best.fit is not None and _likelihood(best) > _likelihood(found[i]) + _WORSE:
+        best = max((law for law in inside if law.fit), key=lambda law: law.likelihood, default=found[i])
+        if best.fit is not None and best.likelihood > found[i].likelihood + _WORSE:
             start, coarse = _embedded(best.fit, best.candidate, found[i].candidate), best.fit.model.swing.coarse
             work = partial(fit_law, found[i].candidate, seen, noise, coarse=coarse, start=start)
-            missed = LawFit(found[i].candidate, None, reason=UNTRIED)
-            found[i] = max(found[i], time.within(_SHARE, work, missed), key=_likelihood)
+            missed = Fitted(found[i].candidate, None, reason=UNTRIED)
+            found[i] = max(found[i], time.within(_SHARE, work, missed), key=lambda law: law.likelihood)
     return found
-
-
-def _likelihood(law: LawFit) -> float:
-    return -float("inf") if law.fit is None else law.fit.log_likelihood
 
 
 def _embedded(fit: Fit, law: Candidate, larger: Candidate) -> Array:
@@ -286,35 +191,35 @@ def fit_law(
     *,
     coarse: bool = False,
     start: Array | None = None,
-) -> LawFit:
+) -> Fitted:
     """The fit of one candidate; without one if the data are too few or the motion of the law ends too early."""
     if seen.samples is not None:
         return _fit_motion(candidate, seen, noise, start)
     model = Model(candidate.swing(coarse), seen, pendulum=candidate.pendulum)
     # Two data to spare: AICc divides by what is left.
     if len(model.data) < model.size + 2:
-        return LawFit(candidate, None, reason=f"{len(model.data)} data for {model.size} unknowns")
+        return Fitted(candidate, None, reason=f"{len(model.data)} data for {model.size} unknowns")
     try:
         found = fit(model, starting_values(model) if start is None else start, noise)
     except (TooStrongError, np.linalg.LinAlgError) as error:
-        return LawFit(candidate, None, reason=f"no fit: {error}")
+        return Fitted(candidate, None, reason=f"no fit: {error}")
     if not np.isfinite(found.aicc):
-        return LawFit(candidate, found, reason=f"{len(model.data)} data for {model.size} unknowns")
-    return LawFit(candidate, found)
+        return Fitted(candidate, found, reason=f"{len(model.data)} data for {model.size} unknowns")
+    return Fitted(candidate, found)
 
 
-def _fit_motion(candidate: Candidate, seen: Observations, noise: Noise | None, start: Array | None) -> LawFit:
+def _fit_motion(candidate: Candidate, seen: Observations, noise: Noise | None, start: Array | None) -> Fitted:
     """The fit to all samples, from where the turning points alone lead."""
     model = WaveformModel(candidate.swing(), seen, candidate.pendulum)
     if len(model.data) < model.size + 4:
-        return LawFit(candidate, None, reason=f"{len(model.data)} samples for {model.size} unknowns")
+        return Fitted(candidate, None, reason=f"{len(model.data)} samples for {model.size} unknowns")
     try:
         if start is None:
             first = Model(candidate.swing(), replace(seen, samples=None), pendulum=candidate.pendulum)
             start = fit(first, starting_values(first)).theta
-        return LawFit(candidate, _fit_from(model, model.start(start), noise))
+        return Fitted(candidate, _fit_from(model, model.start(start), noise))
     except (TooStrongError, np.linalg.LinAlgError) as error:
-        return LawFit(candidate, None, reason=f"no fit: {error}")
+        return Fitted(candidate, None, reason=f"no fit: {error}")
 
 
 def _fit_from(model: WaveformModel, start: Array, noise: Noise | None) -> Fit:
@@ -328,56 +233,18 @@ def _fit_from(model: WaveformModel, start: Array, noise: Noise | None) -> Fit:
     return fit(model, start, noise)
 
 
-def fit_decrements(candidate: Candidate, table: Decrements, noise: Noise | None = None) -> LawFit:
+def fit_decrements(candidate: Candidate, table: Decrements, noise: Noise | None = None) -> Fitted:
     """The fit of one candidate to printed decrements."""
     model = DecrementModel(candidate.swing(), table)
     if len(model.data) < model.size + 1:
-        return LawFit(candidate, None, reason=f"{len(model.data)} data for {model.size} unknowns")
+        return Fitted(candidate, None, reason=f"{len(model.data)} data for {model.size} unknowns")
     try:
-        return LawFit(candidate, fit(model, decrement_start(model), noise))
+        return Fitted(candidate, fit(model, decrement_start(model), noise))
     except (TooStrongError, np.linalg.LinAlgError) as error:
-        return LawFit(candidate, None, reason=f"no fit: {error}")
+        return Fitted(candidate, None, reason=f"no fit: {error}")
 
 
-def strength(candidate: Candidate, index: int, reference: float, first: int = 1) -> Function:
-    """epsilon_i = s_i A_ref^(-w_i) as a function of the parameter vector, for x0 = 1 unit of the file.
-
-    ``first``: where the law begins in the vector.
-    """
-    if not (candidate.free and index == 0):
-        return coordinate(first + index, reference ** -candidate.elements[index].weight)
-    place = first + len(candidate.elements)
-
-    def g(theta: Array) -> tuple[float, Array]:
-        factor = reference ** (1 - theta[place])
-        gradient = np.zeros(len(theta))
-        gradient[first], gradient[place] = factor, -np.log(reference) * factor * theta[first]
-        return float(theta[first] * factor), gradient
-
-    return g
-
-
-def with_intervals(law: LawFit, *, profiled: bool) -> LawFit:
-    """The law with the intervals of its strengths and exponent, by profile likelihood or by curvature."""
-    fit = law.fit
-    assert fit is not None
-    losses, terms = len(law.candidate.losses), law.terms
-    # Springs are seen in the times, best in the passages: Student's t has the freedom of those.
-    clock = next((k for k in ("passage", "t") if k in fit.model.kinds), "x")
-    interval = profile_interval if profiled else wald_interval
-    kinds = ["x"] * losses + [clock] * len(law.candidate.springs) + ["x"] * law.candidate.free
-    ends = [interval(fit, g, kind=kind) for g, kind in zip(law.functions, kinds, strict=True)]
-    if law.stretches:
-        ends = [e.stretched(by) for e, by in zip(ends, law.stretches, strict=True)]
-    alpha = _within_range(ends[terms]) if law.candidate.free else None
-    return replace(law, epsilon=tuple(ends[:losses]), springs=tuple(ends[losses:terms]), alpha=alpha, profiled=profiled)
-
-
-def _within_range(alpha: Interval) -> Interval:
-    return Interval(0.0 if alpha.low is None else max(alpha.low, 0.0), alpha.estimate, alpha.high)
-
-
-def predicted_error(law: LawFit, seen: Observations, share: float = 2 / 3) -> float | None:
+def predicted_error(law: Fitted, seen: Observations, share: float = 2 / 3) -> float | None:
     """Fit the first ``share`` of the swings, predict the amplitudes of the rest: rms error over the noise.
 
     None if the first part does not determine the law.

@@ -48,7 +48,7 @@ def test_without_time_for_profiles_the_curvature_gives_the_intervals():
     fits = fit_laws([read_candidate("1")], SEEN)
     levels = room._levels(fits, None)
     (rough,), (fine,) = judged(fits, levels, time=Time.of(-1.0)), judged(fits, levels)
-    assert (rough.profiled, fine.profiled) == (False, True)
+    assert (rough.intervals.profiled, fine.intervals.profiled) == (False, True)
     assert rough.epsilon[0].low == pytest.approx(fine.epsilon[0].low, rel=0.01)
 
 

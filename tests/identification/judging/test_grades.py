@@ -20,7 +20,7 @@ def test_a_law_that_lacks_a_small_term_is_adequate_and_one_that_lacks_much_refut
     linear, quadratic = answer.law("1").law, answer.law("2").law
     assert (linear.verdict, linear.grade, quadratic.grade) == ("refuted", "adequate", "refuted")
     # 2 carries at most 8.5 % of the loss at the first amplitude, and linear loss takes its mean over
-    assert 0.01 < linear.unexplained.share < 0.085 < 0.3 < quadratic.unexplained.share
+    assert 0.01 < linear.evidence.unexplained.share < 0.085 < 0.3 < quadratic.evidence.unexplained.share
     assert answer.verdict.kind == "none fits" and "1 is adequate to " in answer.verdict.text
     assert answer.to_dict()["laws"][0]["grade"] == "adequate"
 
