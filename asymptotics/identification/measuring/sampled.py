@@ -11,7 +11,8 @@ import numpy as np
 
 from asymptotics.errors import InputError
 from asymptotics.identification.forward.coefficients import Array
-from asymptotics.identification.measuring.demodulation import SpectralLine, demodulated, dominant_period
+from asymptotics.identification.measuring.demodulation import SpectralLine, demodulated
+from asymptotics.identification.measuring.main_frequency import dominant_period
 from asymptotics.identification.measuring.observations import Observations, Samples
 
 MAX_SAMPLES, ENOUGH = 20_000, 6_000
