@@ -24,15 +24,17 @@ from asymptotics.identification.fitting.profile import coordinate, wald_interval
 from asymptotics.identification.forward.candidates import Candidate, default_candidates, read_candidate
 from asymptotics.identification.judging.adequacy import Levels, noise_levels
 from asymptotics.identification.judging.amplitudes import relieved, spring_bound, widened
-from asymptotics.identification.judging.comparison import UNTRIED, fit_decrements, fit_laws, predicted_error
+from asymptotics.identification.judging.comparison import fit_laws
 from asymptotics.identification.judging.judgement import judged, minimal, relabelled
 from asymptotics.identification.judging.laws import Fitted, Judged
+from asymptotics.identification.judging.prediction import predicted_error
+from asymptotics.identification.judging.single_fits import fit_decrements
 from asymptotics.identification.measuring.defects import is_constant, is_growing
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.sources import LEAST_POINTS, load
 from asymptotics.identification.telling.result import Identification, LawAnswer, RecordUnits, sorted_laws
 from asymptotics.identification.telling.runs import common, verdict_of_runs
-from asymptotics.identification.telling.verdicts import Verdict, verdict_of
+from asymptotics.identification.telling.verdicts import verdict_of
 from asymptotics.identification.textbook import textbook_estimates
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import Number, exact_double
@@ -187,17 +189,15 @@ def _one_run(
     laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap, time=time)
     if bound is not None:
         laws = relabelled([widened(law, bound) for law in laws], growing)
-    # A share of the time for the advice, which fits again; where it is not enough, the verdict without it.
-    verdict = _in_time(
-        laws, time.within(0.4, partial(verdict_of, laws, seen, growing), verdict_of(laws, None, growing))
-    )
+    # The advice fits again; where the time is not enough, the verdict is the same without it.
+    verdict = time.within(partial(verdict_of, laws, seen, growing), verdict_of(laws, seen, growing, advice=False))
     notes += [*_untried(laws), *_lengths(laws), *_memory(laws)]
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
     # Each held-out error is a fit more: for the laws of the verdict only.
     chosen = {law.candidate for law in minimal(laws)[:4]}
     laws = [
-        law.with_evidence(held_out=time.within(0.2, partial(predicted_error, law.fitted, seen), None))
+        law.with_evidence(held_out=time.within(partial(predicted_error, law.fitted, seen), None))
         if law.candidate in chosen
         else law
         for law in laws
@@ -206,14 +206,14 @@ def _one_run(
     odd = [law for law in laws if law.negative and law.verdict == "consistent" and not law.unneeded and not growing]
     notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative: unphysical" for law in odd[:3]]
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
-    textbook: dict[str, Any] = time.within(0.5, lambda: textbook_estimates(seen), {})
+    textbook: dict[str, Any] = time.within(lambda: textbook_estimates(seen), {})
     return Identification(verdict, answers, (run,), textbook, tuple(notes), units)
 
 
 def _untried(laws: Sequence[Judged]) -> list[str]:
     """What the time did not suffice for."""
-    left = [str(law.candidate) for law in laws if law.reason == UNTRIED]
-    return [f"the time was over before {len(left)} of {len(laws)} laws were tried: {'; '.join(left)}"] if left else []
+    left = [str(law.candidate) for law in laws if law.untried]
+    return [f"the time was over before {len(left)} of {len(laws)} laws were judged: {'; '.join(left)}"] if left else []
 
 
 def _lengths(laws: Sequence[Judged]) -> list[str]:
@@ -229,13 +229,6 @@ def _lengths(laws: Sequence[Judged]) -> list[str]:
     )
     said = f"length g/omega_0^2 = {middle:.5g} m [{short:.5g}, {long:.5g}] where g = {GRAVITY} m/s^2"
     return [f"{best.candidate}: omega_0 = {np.exp(ends.estimate):.6g} rad/s, {said}"]
-
-
-def _in_time(laws: Sequence[Judged], verdict: Verdict) -> Verdict:
-    """The verdict, which says how many laws it does not know."""
-    left = sum(law.reason == UNTRIED for law in laws)
-    said = f"{verdict.text} (the time was over: {left} of {len(laws)} laws are not tried)"
-    return replace(verdict, text=said) if left else verdict
 
 
 def _levels(fits: Sequence[Fitted], noise: Noise | None) -> Levels:

@@ -15,8 +15,8 @@ from asymptotics.identification.forward.candidates import Candidate
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.swing import HalfSwingModel
-from asymptotics.identification.judging.comparison import fit_law
 from asymptotics.identification.judging.laws import Fitted, Judged, strength
+from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.measuring.observations import Observations
 
 ASSUMED_DRIFT = 0.01

@@ -10,20 +10,24 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
+import numpy as np
+
 from asymptotics.budget import tick
 from asymptotics.identification.fitting.correlation import is_correlated, replicas, stretch
 from asymptotics.identification.fitting.in_time import ALL, Time
+from asymptotics.identification.fitting.least_squares import Fit
 from asymptotics.identification.fitting.profile import Interval, profile_interval, wald_interval
 from asymptotics.identification.judging.adequacy import Levels, adequate
 from asymptotics.identification.judging.contradiction import REFUTED, Contradiction, contradiction, further_parameters
 from asymptotics.identification.judging.grades import unexplained
-from asymptotics.identification.judging.laws import Evidence, Fitted, Intervals, Judged
+from asymptotics.identification.judging.laws import UNTRIED, Evidence, Fitted, Intervals, Judged
 
-_SHARE = 0.3
-"""Of the time that is left, what the profiles of one law may take."""
 _PROFILED = FEW = 8
 """So many candidates get profile likelihoods all, whether the data support them or not: a matter of time, and of the
 shape of their intervals, which by curvature are symmetric."""
+_BEYOND = 1.5
+"""By how much the first amplitude of a fit may exceed the data: it may lie up to half a swing before the first of them.
+A choice."""
 _DISFAVOURED = 1e-2
 """A law with more parameters, not refuted but less probable than this beside a simpler one, is not its rival.  A choice
 between the level of an interval and that of a refutation; such a law is named beside the verdict."""
@@ -49,7 +53,8 @@ def judged(
     for candidate in matter:
         tick(f"the intervals of the law {candidate}")
         law = profiled[candidate]
-        profiled[candidate] = time.within(_SHARE, partial(_profiled, law), law)
+        cut_off = replace(law, fitted=replace(law.fitted, reason=UNTRIED))
+        profiled[candidate] = time.within(partial(_profiled, law), cut_off)
     # A profile may hold 0, or exclude it, where the curvature did not: the verdicts are made again.
     return relabelled([profiled[law.candidate] for law in rough], growing)
 
@@ -64,8 +69,24 @@ def _measured(law: Fitted, levels: Levels, bootstrap: bool) -> Judged:
         # One set of draws for all strengths of the law.
         drawn = replicas(law.fit)
         stretches = tuple(stretch(law.fit, g, drawn) for g in law.functions)
-    evidence = Evidence(residuals=said, misfit="" if good else said, unexplained=unexplained(law.fit))
+    evidence = Evidence(
+        residuals=said, misfit="" if good else said, unexplained=unexplained(law.fit), outside=outside(law.fit)
+    )
     return Judged(law, _intervals(law, stretches, profiled=False), evidence)
+
+
+def outside(fit: Fit) -> str:
+    """That a fit has amplitudes which no datum reaches, in words: it has found another motion, and is no result."""
+    model, seen = fit.model, fit.model.seen
+    if not model.alternating:
+        return ""
+    samples = seen.samples if seen.samples is not None and seen.samples.derivative == 0 else None
+    # About a base line that may be inclined no sample is farther away than their range.
+    largest = float(np.abs(seen.x - fit.rest).max() if samples is None else np.ptp(samples.x))
+    size = float(model.amplitudes(fit.theta)[0][seen.n].max())
+    return (
+        "" if size <= _BEYOND * largest else f"its first amplitude, {size:.3g}, is far outside the data ({largest:.3g})"
+    )
 
 
 def _intervals(law: Fitted, stretches: tuple[float, ...], *, profiled: bool) -> Intervals:
@@ -90,9 +111,13 @@ def _within_range(alpha: Interval) -> Interval:
 
 def worst(law: Judged, others: Sequence[Judged], growing: bool = False) -> Contradiction:
     """The physically admissible law that contradicts ``law`` most: a loss that feeds a decay refutes nothing."""
-    rivals = (other for other in others if other.candidate != law.candidate and (growing or not other.negative))
+    rivals = (other for other in others if other.candidate != law.candidate and _admissible(other, growing))
     found = (against(law, other) for other in rivals)
     return min(found, key=lambda c: c.p, default=Contradiction())
+
+
+def _admissible(law: Judged, growing: bool) -> bool:
+    return (growing or not law.negative) and not law.evidence.outside
 
 
 def against(law: Judged, other: Judged) -> Contradiction:
@@ -113,6 +138,8 @@ def labelled(law: Judged, growing: bool) -> Judged:
     """The law with its verdict and the reason for it."""
     if not law.usable:
         return law
+    if law.untried:
+        return law.judged_as("undetermined", UNTRIED)
     # In this order: what other laws say, what the residuals say, what physics says, what the data leave open.
     if law.evidence.against.p < REFUTED:
         return law.judged_as("refuted", str(law.evidence.against))
@@ -121,6 +148,8 @@ def labelled(law: Judged, growing: bool) -> Judged:
     negative = [a for a, e in zip(law.candidate.alphas, law.epsilon) if is_negative(e)]
     if negative and not growing:
         return law.judged_as("refuted", f"unphysical: the strength of {', '.join(negative)} is negative")
+    if law.evidence.outside:
+        return law.judged_as("undetermined", law.evidence.outside)
     if all(e.low is None and e.high is None for e in law.epsilon):
         return law.judged_as("undetermined", "the data set no limit to its strengths")
     return law.judged_as("consistent", "")
@@ -166,19 +195,23 @@ def _holds_exponent(larger: Judged, smaller: Judged) -> bool:
 
 
 def minimal(laws: Sequence[Judged]) -> list[Judged]:
-    """The consistent laws that contain no other consistent law, best first."""
+    """The consistent laws that contain no other consistent law, the best physical one first."""
     consistent = [law for law in laws if law.verdict == "consistent"]
     kept = [law for law in consistent if not any(contains(law, other) for other in consistent)]
-    return sorted(kept, key=lambda law: law.criterion)
+    return sorted(kept, key=lambda law: (bool(law.negative), law.criterion))
 
 
 def rivals(laws: Sequence[Judged]) -> tuple[list[Judged], list[Judged]]:
-    """The minimal laws that compete, and those with more parameters that a simpler one makes improbable."""
+    """The minimal laws that compete, and those that do not: with more parameters than a simpler one that makes them
+    improbable; or with a negative loss beside a physical law, for with none below 0 they are a law inside them, which
+    is not consistent."""
     chosen = minimal(laws)
+    physical = any(not law.negative for law in chosen)
     beaten = [
         law
         for law in chosen
-        if any(other.parameters < law.parameters and against(law, other).p < _DISFAVOURED for other in chosen)
+        if (physical and law.negative)
+        or any(other.parameters < law.parameters and against(law, other).p < _DISFAVOURED for other in chosen)
     ]
     return [law for law in chosen if law not in beaten], beaten
 

@@ -16,6 +16,8 @@ from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.judging.contradiction import Contradiction
 from asymptotics.identification.judging.grades import Unexplained, grade_of, in_words
 
+UNTRIED = "not judged: the time was over"
+
 
 @dataclass(frozen=True)
 class Fitted:
@@ -84,13 +86,15 @@ class Intervals:
 @dataclass(frozen=True)
 class Evidence:
     """What speaks about a law: its residuals in words, and again as ``misfit`` where they are no noise; the law that
-    speaks ``against`` it most; what it leaves of the loss; its error of prediction (``held_out``)."""
+    speaks ``against`` it most; what it leaves of the loss; its error of prediction (``held_out``); that its amplitudes
+    lie far ``outside`` the data."""
 
     residuals: str = ""
     misfit: str = ""
     against: Contradiction = Contradiction()
     unexplained: Unexplained | None = None
     held_out: float | None = None
+    outside: str = ""
 
 
 @dataclass(frozen=True)
@@ -177,6 +181,11 @@ class Judged:
         undetermined."""
         left = self.evidence.unexplained
         return self.verdict if left is None or self.negative else grade_of(self.verdict, left.share)
+
+    @property
+    def untried(self) -> bool:
+        """Whether the time was over before it was judged."""
+        return self.fitted.reason == UNTRIED
 
     @property
     def graded(self) -> str:

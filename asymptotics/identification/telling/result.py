@@ -63,6 +63,7 @@ class LawAnswer(Rows):
         found: dict[str, Any] = {
             "alphas": list(candidate.alphas),
             "springs": [str(p) for p in candidate.springs],
+            "pendulum": candidate.pendulum,
             "verdict": law.verdict,
             "grade": law.grade,
             "unexplained": None if law.evidence.unexplained is None else _number(law.evidence.unexplained.share),
@@ -146,6 +147,7 @@ class LawAnswer(Rows):
         excess = f"{law.excess:.1f}" if np.isfinite(law.excess) else "-"
         held = "-" if law.evidence.held_out is None else f"{law.evidence.held_out:.2f}"
         verdict = law.graded + (f", {' and '.join(law.unneeded)} not needed" if law.unneeded else "")
+        verdict += ", unphysical" if law.negative else ""
         return str(law.candidate), verdict, excess, held, strengths
 
 
@@ -203,6 +205,7 @@ class Identification(Rows, Drawn):
             "equivalent": self._equivalent_texts(),
             "not_excluded": [term.to_dict() for term in self.verdict.allowed],
             "laws": [law.to_dict() for law in self.laws],
+            "untried": [str(law.law.candidate) for law in self.laws if law.law.untried],
             "data": [_data(run) for run in self.runs],
             "textbook": self.textbook,
             "unit": self.units.unit or None,
@@ -285,9 +288,11 @@ def _shown(interval: Interval) -> str:
 
 
 def sorted_laws(laws: Sequence[Judged]) -> list[Judged]:
-    """The laws of the verdict (consistent, no term too many) first, then by the criterion; laws without one last."""
+    """The laws of the verdict (consistent, no term too many) first, of these the physical ones, then by the criterion;
+    laws without one last."""
 
-    def place(law: Judged) -> tuple[bool, float, int]:
-        return law.verdict != "consistent" or bool(law.unneeded), law.criterion, len(law.candidate.losses)
+    def place(law: Judged) -> tuple[bool, bool, float, int]:
+        chosen = law.verdict == "consistent" and not law.unneeded
+        return not chosen, chosen and bool(law.negative), law.criterion, len(law.candidate.losses)
 
     return sorted(laws, key=place)

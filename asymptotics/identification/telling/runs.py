@@ -24,7 +24,7 @@ from asymptotics.identification.judging.allowance import WEAK, allowances, told
 from asymptotics.identification.judging.contradiction import REFUTED, Contradiction
 from asymptotics.identification.judging.judgement import against, commented, is_negative, minimal
 from asymptotics.identification.judging.laws import Fitted, Intervals, Judged
-from asymptotics.identification.telling.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict
+from asymptotics.identification.telling.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNDECIDED, UNTOLD, Verdict
 
 _ALIKE = 0.05
 """The p-value of Cochran's Q from which on the strengths of the runs are one: the customary level, by which one pair in
@@ -125,13 +125,19 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[Judged], first: floa
     chosen = minimal(laws)
     names = "; ".join(str(law.candidate) for law in chosen[:6])
     best = f"; best: {names}" if names else ""
+    cut = sum(v.kind == UNDECIDED for v in runs)
+    if cut:
+        text = f"{UNDECIDED}: the time was over before all laws were judged in {cut} of {len(runs)} runs{best}"
+        return Verdict(UNDECIDED, text, "more time (max_seconds), or fewer candidates (laws)")
     inadequate = sum(v.kind == NONE for v in runs)
     if inadequate:
         text = f"{NONE} at the noise level in {inadequate} of {len(runs)} runs (model inadequate){best}"
         return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
     if len(chosen) == 1:
         return _one_law(chosen[0], laws, len(runs), first)
-    if not chosen or len(chosen) > MANY:
+    if not chosen:
+        return Verdict(NONE, f"{NONE}: no law is consistent with all {len(runs)} runs together")
+    if len(chosen) > MANY:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}")
     return Verdict(SEVERAL, f"{SEVERAL} with {len(runs)} runs: {names}")
 

@@ -8,15 +8,16 @@ import numpy as np
 from asymptotics.identification.fitting.least_squares import Noise
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.judging.allowance import WEAK, Allowance, allowances, told
-from asymptotics.identification.judging.comparison import fit_law
 from asymptotics.identification.judging.contradiction import REFUTED
 from asymptotics.identification.judging.grades import percent
-from asymptotics.identification.judging.judgement import rivals
+from asymptotics.identification.judging.judgement import minimal, rivals
 from asymptotics.identification.judging.laws import Judged
+from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.present.shown import Page, Shown
 
-IDENTIFIED, SEVERAL, NONE, UNTOLD = "identified", "several laws are consistent", "none fits", "too short or too noisy"
+IDENTIFIED, SEVERAL, NONE = "identified", "several laws are consistent", "none fits"
+UNTOLD, UNDECIDED = "too short or too noisy", "undecided"
 MANY = 3
 """With more consistent laws than this the list tells nothing but that the data are too few.  A choice of words."""
 _DIFFERENT = 12.0
@@ -26,7 +27,7 @@ would be REFUTED.  It enters the advice of ``what_would_tell`` alone."""
 
 @dataclass(frozen=True, repr=False)
 class Verdict(Shown):
-    """``kind`` is one of the four; ``text`` says it in words; ``telling`` says what would tell more.
+    """``kind`` is one of the five; ``text`` says it in words; ``telling`` says what would tell more.
 
     ``allowed``: how strong each further term may still be beside the one law of the verdict.
     """
@@ -40,13 +41,26 @@ class Verdict(Shown):
         return Page(self.text, (self.telling, *map(str, self.allowed)))
 
 
-def verdict_of(laws: Sequence[Judged], seen: Observations | None, growing: bool = False) -> Verdict:
-    """The verdict for one run; without observations (printed decrements) nothing is said of further turning points."""
-    found = _verdict_of(laws, seen, growing)
+def verdict_of(
+    laws: Sequence[Judged], seen: Observations | None, growing: bool = False, advice: bool = True
+) -> Verdict:
+    """The verdict for one run; ``advice``: whether it is said which further data would tell more (never for printed
+    decrements, which are no observations)."""
+    found = undecided(laws) or _verdict_of(laws, seen, growing, advice)
     return replace(found, text=f"the amplitude grows, this is no decay; {found.text}") if growing else found
 
 
-def _verdict_of(laws: Sequence[Judged], seen: Observations | None, growing: bool) -> Verdict:
+def undecided(laws: Sequence[Judged]) -> Verdict | None:
+    """The verdict where the time was over before all laws were judged: none of them is identified."""
+    left = sum(law.untried for law in laws)
+    if not left:
+        return None
+    names = "; ".join(named(law) for law in minimal(laws)[:6]) or "none"
+    text = f"{UNDECIDED}: the time was over before {left} of {len(laws)} laws were judged; consistent so far: {names}"
+    return Verdict(UNDECIDED, text, "more time (max_seconds), or fewer candidates (laws)")
+
+
+def _verdict_of(laws: Sequence[Judged], seen: Observations | None, growing: bool, advice: bool) -> Verdict:
     fitted = [law for law in laws if law.usable]
     if not fitted:
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data determine no candidate law")
@@ -67,15 +81,20 @@ def _verdict_of(laws: Sequence[Judged], seen: Observations | None, growing: bool
     if all(e.contains(0.0) for law in chosen for e in law.epsilon):
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")
     if len(chosen) == 1:
-        return _one_law(chosen[0], best, beaten, laws, seen)
-    telling = "" if seen is None else what_would_tell(chosen[0], chosen[1], seen)
+        return _one_law(chosen[0], best, beaten, laws, seen, advice)
+    telling = what_would_tell(chosen[0], chosen[1], seen) if advice and seen is not None else ""
     if len(chosen) > MANY:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}", telling)
     return Verdict(SEVERAL, f"{SEVERAL}: {names}", telling)
 
 
 def _one_law(
-    law: Judged, best: Judged, beaten: Sequence[Judged], laws: Sequence[Judged], seen: Observations | None
+    law: Judged,
+    best: Judged,
+    beaten: Sequence[Judged],
+    laws: Sequence[Judged],
+    seen: Observations | None,
+    advice: bool,
 ) -> Verdict:
     """One law, with what is not excluded beside it; several, if a further term may carry over a fifth of the loss."""
     allowed = allowances(law, laws, None if seen is None else seen.reference)
@@ -90,7 +109,7 @@ def _one_law(
             and (other.candidate.springs, other.candidate.pendulum) == (law.candidate.springs, law.candidate.pendulum)
         )
         text = f"{SEVERAL}: {named(law)} is the smallest, but a further term may carry over a fifth of the loss{said}"
-        return Verdict(SEVERAL, text, what_would_tell(larger, law, seen), allowed)
+        return Verdict(SEVERAL, text, what_would_tell(larger, law, seen) if advice else "", allowed)
     text = f"{IDENTIFIED}: {named(law)}, among the laws tried{_beside(law, best, beaten)}{said}"
     return Verdict(IDENTIFIED, text, "", allowed)
 

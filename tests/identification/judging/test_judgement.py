@@ -6,9 +6,9 @@ import pytest
 import asymptotics as asy
 from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.identification.judging.adequacy import adequate, strongest_line
-from asymptotics.identification.judging.comparison import fit_law
 from asymptotics.identification.judging.contradiction import REFUTED, contradiction, further_parameters
 from asymptotics.identification.judging.judgement import against
+from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.synthetic import exact, observed
 
