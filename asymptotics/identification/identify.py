@@ -24,14 +24,17 @@ from asymptotics.identification.fitting.profile import coordinate, wald_interval
 from asymptotics.identification.forward.candidates import Candidate, default_candidates, read_candidate
 from asymptotics.identification.judging.adequacy import Levels, noise_levels
 from asymptotics.identification.judging.amplitudes import relieved, spring_bound, widened
-from asymptotics.identification.judging.comparison import UNTRIED, LawFit, fit_decrements, fit_laws, predicted_error
+from asymptotics.identification.judging.comparison import fit_laws
 from asymptotics.identification.judging.judgement import judged, minimal, relabelled
+from asymptotics.identification.judging.laws import Fitted, Judged
+from asymptotics.identification.judging.prediction import predicted_error
+from asymptotics.identification.judging.single_fits import fit_decrements
 from asymptotics.identification.measuring.defects import is_constant, is_growing
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.sources import LEAST_POINTS, load
 from asymptotics.identification.telling.result import Identification, LawAnswer, RecordUnits, sorted_laws
 from asymptotics.identification.telling.runs import common, verdict_of_runs
-from asymptotics.identification.telling.verdicts import Verdict, verdict_of
+from asymptotics.identification.telling.verdicts import verdict_of
 from asymptotics.identification.textbook import textbook_estimates
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import Number, exact_double
@@ -169,7 +172,7 @@ def _one_run(
         notes.append(f"{reason}: only laws of one term are compared")
         # One amplitude is one number: only laws of one strength can be compared, and none of them told apart.
         simple = [c for c in candidates if len(c.elements) == 1 and not c.free]
-        fits = [LawFit(c, None, reason=reason) for c in candidates if c not in simple]
+        fits = [Fitted(c, None, reason) for c in candidates if c not in simple]
         candidates = simple
     fits = fit_laws(candidates, seen, noise, time) + fits
     if not seen.has_times:
@@ -186,17 +189,15 @@ def _one_run(
     laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap, time=time)
     if bound is not None:
         laws = relabelled([widened(law, bound) for law in laws], growing)
-    # A share of the time for the advice, which fits again; where it is not enough, the verdict without it.
-    verdict = _in_time(
-        laws, time.within(0.4, partial(verdict_of, laws, seen, growing), verdict_of(laws, None, growing))
-    )
+    # The advice fits again; where the time is not enough, the verdict is the same without it.
+    verdict = time.within(partial(verdict_of, laws, seen, growing), verdict_of(laws, seen, growing, advice=False))
     notes += [*_untried(laws), *_lengths(laws), *_memory(laws)]
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
     # Each held-out error is a fit more: for the laws of the verdict only.
     chosen = {law.candidate for law in minimal(laws)[:4]}
     laws = [
-        replace(law, held_out=time.within(0.2, partial(predicted_error, law, seen), None))
+        law.with_evidence(held_out=time.within(partial(predicted_error, law.fitted, seen), None))
         if law.candidate in chosen
         else law
         for law in laws
@@ -205,17 +206,17 @@ def _one_run(
     odd = [law for law in laws if law.negative and law.verdict == "consistent" and not law.unneeded and not growing]
     notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative: unphysical" for law in odd[:3]]
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
-    textbook: dict[str, Any] = time.within(0.5, lambda: textbook_estimates(seen), {})
+    textbook: dict[str, Any] = time.within(lambda: textbook_estimates(seen), {})
     return Identification(verdict, answers, (run,), textbook, tuple(notes), units)
 
 
-def _untried(laws: Sequence[LawFit]) -> list[str]:
+def _untried(laws: Sequence[Judged]) -> list[str]:
     """What the time did not suffice for."""
-    left = [str(law.candidate) for law in laws if law.reason == UNTRIED]
-    return [f"the time was over before {len(left)} of {len(laws)} laws were tried: {'; '.join(left)}"] if left else []
+    left = [str(law.candidate) for law in laws if law.untried]
+    return [f"the time was over before {len(left)} of {len(laws)} laws were judged: {'; '.join(left)}"] if left else []
 
 
-def _lengths(laws: Sequence[LawFit]) -> list[str]:
+def _lengths(laws: Sequence[Judged]) -> list[str]:
     """The length of the simple pendulum in the best consistent law with one."""
     best = next((law for law in sorted_laws(laws) if law.candidate.pendulum and law.verdict == "consistent"), None)
     if best is None or best.fit is None:
@@ -230,19 +231,12 @@ def _lengths(laws: Sequence[LawFit]) -> list[str]:
     return [f"{best.candidate}: omega_0 = {np.exp(ends.estimate):.6g} rad/s, {said}"]
 
 
-def _in_time(laws: Sequence[LawFit], verdict: Verdict) -> Verdict:
-    """The verdict, which says how many laws it does not know."""
-    left = sum(law.reason == UNTRIED for law in laws)
-    said = f"{verdict.text} (the time was over: {left} of {len(laws)} laws are not tried)"
-    return replace(verdict, text=said) if left else verdict
-
-
-def _levels(fits: Sequence[LawFit], noise: Noise | None) -> Levels:
+def _levels(fits: Sequence[Fitted], noise: Noise | None) -> Levels:
     model = next((law.fit.model for law in fits if law.fit is not None), None)
     return {} if model is None else noise_levels(model, noise)
 
 
-def _memory(laws: Sequence[LawFit]) -> list[str]:
+def _memory(laws: Sequence[Judged]) -> list[str]:
     """What correlated residuals of the consistent laws do to their intervals."""
     standing = [law for law in laws if law.verdict == "consistent" and law.inflation > 1]
     if not standing:
@@ -283,7 +277,7 @@ def _together(answers: Sequence[Identification], units: RecordUnits) -> Identifi
     return Identification(verdict, shown, runs, {}, tuple(notes), units, per_run=tuple(answers))
 
 
-def _measured(units: RecordUnits, laws: Sequence[LawFit]) -> RecordUnits:
+def _measured(units: RecordUnits, laws: Sequence[Judged]) -> RecordUnits:
     """omega_0 from the times of the best law, if it is not given."""
     best = min(laws, key=lambda law: law.criterion)
     if units.omega_0 is None and best.fit is not None and best.fit.model.seen.has_times:

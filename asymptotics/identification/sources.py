@@ -94,10 +94,18 @@ def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[s
     notes = (*notes, *lines)
     if _order(run) == 0:
         seen = observations_of_record(t, x, unit=run.unit, rows=rows)
-        return replace(seen, notes=(*notes, *seen.notes))
+        return replace(seen, notes=(*notes, *seen.notes, *_tail(t, seen)))
     if len(t) < LEAST_SAMPLES or not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
     return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
+
+
+def _tail(t: Array, seen: Observations) -> list[str]:
+    """What of the end of the record is not used, where it is more than a period."""
+    used = float((seen.t if seen.samples is None else seen.samples.t)[-1])
+    period = 2 * float(np.median(np.diff(seen.t) / np.diff(seen.n)))
+    beyond = (float(t[-1]) - used) / period
+    return [f"the last {beyond:.2g} periods, after t = {used:.6g}, are not used"] if beyond > 1 else []
 
 
 def require_increasing(values: Array, column: str, rows: RowPlaces) -> None:

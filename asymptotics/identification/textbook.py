@@ -26,7 +26,7 @@ from asymptotics.identification.forward.candidates import Candidate, read_candid
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.sequence import turning_sequence
-from asymptotics.identification.judging.comparison import fit_law
+from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.measuring.observations import Observations
 
 Estimator = Callable[[Array], Array]

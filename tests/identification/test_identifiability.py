@@ -9,7 +9,7 @@ from asymptotics.identification.fitting.profile import coordinate, wald_interval
 from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.identifiability import standard_errors, swings_needed
-from asymptotics.identification.judging.comparison import fit_law
+from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.synthetic import observed
 
 

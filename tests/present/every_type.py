@@ -20,7 +20,7 @@ PARTS = {  # what stands inside a result and is no answer of its own
     "terms.Scaled": "a strength, printed as text",
     "terms.Units": "the units of Scaled",
     "expansions.equations.strengths.Strengths": "how an equation prints its strengths",
-    "identification.judging.comparison.LawFit": "the fit behind LawAnswer",
+    "identification.judging.laws.Judged": "the judged law behind LawAnswer",
     "identification.measuring.observations.Observations": "the data as they were read",
     "identification.fitting.printed.Decrements": "the data as they were read",
     "identification.telling.result.RecordUnits": "the units of the data",

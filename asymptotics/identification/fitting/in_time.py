@@ -1,12 +1,12 @@
-"""Work that has a share of the time: what is not finished in it is left, and what is known stays known.
+"""Work with an end: what is not finished by then is left, and said to be; no verdict is made of what was cut off.
 
 >>> from asymptotics.budget import tick
 >>> def endless():
 ...     while True:
 ...         tick()
->>> Time.of(0.02).within(0.5, endless, "not finished")
+>>> Time.of(0.02).within(endless, "not finished")
 'not finished'
->>> ALL.within(0.5, lambda: "no limit", "not finished")
+>>> ALL.within(lambda: "no limit", "not finished")
 'no limit'
 """
 
@@ -42,12 +42,8 @@ class Time:
         left = seconds_left()
         return cls.of(share * max(left - max(_RESERVE * left, min(_LEAST, left / 2)), 0.0)) if left < inf else cls()
 
-    def part(self, share: float) -> "Time":
-        """This share of what is left."""
-        return Time.of(share * (self.deadline - monotonic())) if self.deadline < inf else self
-
-    def within(self, share: float, work: Callable[[], T], otherwise: T) -> T:
-        """What ``work`` gives in this share of what is left; ``otherwise`` where that is not enough.
+    def within(self, work: Callable[[], T], otherwise: T) -> T:
+        """What ``work`` gives in what is left; ``otherwise`` where that is not enough.
 
         Only inside is the time shorter than the caller's: who stands between two pieces of work is not stopped.
         """
@@ -57,7 +53,7 @@ class Time:
         if left <= 0:
             return otherwise
         try:
-            with budget(share * left):
+            with budget(left):
                 # Raises at once where the caller's own time is over, before work begins.
                 tick()
                 return work()

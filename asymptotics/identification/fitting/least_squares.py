@@ -38,6 +38,8 @@ _MODEL_SHARE = 3e-3
 """The last degree of a summed series, as a share of the noise: what is neglected is smaller still."""
 _WILD = 300.0
 """The largest |ln omega_0| of a step of the search: e^300 is still a double, and belongs to no clock."""
+_NEARLY = 1e-10
+"""Of a large chi-squared, which belongs to a law that is far away: N/2 times this is lost of the log-likelihood."""
 _FLOOR = 1e-9
 """Residuals below this share of the first amplitude (or of 1/omega_0) are the arithmetic's, not the data's."""
 
@@ -334,9 +336,8 @@ def minimise(
         except TooStrongError:
             new_cost = np.inf
         if new_cost <= cost:
-            # In units of the noise: 1e-7 of chi-squared is far below the 3.84 that moves an interval; 1e-14 is
-            # rounding.
-            done = cost - new_cost <= 1e-7 * min(cost, 1.0) + 1e-14 * cost
+            # In units of the noise: 1e-7 of chi-squared is far below the 3.84 that moves an interval.
+            done = cost - new_cost <= 1e-7 * min(cost, 1.0) + _NEARLY * cost
             theta, r, J, cost, damping = trial, new_r, new_J, new_cost, damping / 10
             if done:
                 return theta, True

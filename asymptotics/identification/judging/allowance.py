@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from asymptotics.identification.forward.coefficients import Element, swing_coefficients
-from asymptotics.identification.judging.comparison import LawFit
+from asymptotics.identification.judging.laws import Judged
 from asymptotics.present.shown import Shown
 
 WEAK = 0.2
@@ -49,7 +49,7 @@ def told(allowed: Sequence[Allowance], how: str = "95 %") -> str:
     return f"; not excluded beside it ({how}{shares}): {', '.join(map(str, allowed))}"
 
 
-def allowances(chosen: LawFit, laws: Sequence[LawFit], first: float | None) -> tuple[Allowance, ...]:
+def allowances(chosen: Judged, laws: Sequence[Judged], first: float | None) -> tuple[Allowance, ...]:
     """One for each term that stands alone beside ``chosen`` in a consistent law; ``first``: the first amplitude."""
     found = []
     for law in laws:
@@ -61,7 +61,7 @@ def allowances(chosen: LawFit, laws: Sequence[LawFit], first: float | None) -> t
     return (*found, *_instead_of_sine(chosen, laws))
 
 
-def _instead_of_sine(chosen: LawFit, laws: Sequence[LawFit]) -> tuple[Allowance, ...]:
+def _instead_of_sine(chosen: Judged, laws: Sequence[Judged]) -> tuple[Allowance, ...]:
     """By what the spring of a pendulum may deviate: the coefficients of the smallest consistent spring in its place."""
     alike = [
         law
@@ -77,7 +77,7 @@ def _instead_of_sine(chosen: LawFit, laws: Sequence[LawFit]) -> tuple[Allowance,
     return tuple(replace(a, term=f"{a.term} in place of sin x") for a in found)
 
 
-def _allowance(chosen: LawFit, law: LawFit, term: Element, first: float | None) -> Allowance:
+def _allowance(chosen: Judged, law: Judged, term: Element, first: float | None) -> Allowance:
     candidate, strengths = law.candidate, dict(law.strengths)
     name = (*candidate.alphas, *(f"s{p}" for p in candidate.springs))[candidate.elements.index(term)]
     ends = strengths.get(name)

@@ -15,7 +15,8 @@ from asymptotics.identification.forward.candidates import Candidate
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.forward.swing import HalfSwingModel
-from asymptotics.identification.judging.comparison import LawFit, fit_law, strength
+from asymptotics.identification.judging.laws import Fitted, Judged, strength
+from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.measuring.observations import Observations
 
 ASSUMED_DRIFT = 0.01
@@ -36,7 +37,7 @@ def spring_bound(seen: Observations) -> tuple[float, str]:
     return 8 / 3 * ASSUMED_DRIFT, f"no times: a drift of {ASSUMED_DRIFT:g} of the frequency is assumed"
 
 
-def relieved(law: LawFit, bound: float) -> LawFit:
+def relieved(law: Fitted, bound: float) -> Fitted:
     """The law with the share of its sum of squares that a cubic spring of at most this size would leave.
 
     In between, the sum of squares is a parabola in the spring: three values give its least.
@@ -55,7 +56,7 @@ def relieved(law: LawFit, bound: float) -> LawFit:
     return replace(law, left=min(least / middle, 1.0) if middle > 0 else 1.0)
 
 
-def widened(law: LawFit, bound: float) -> LawFit:
+def widened(law: Judged, bound: float) -> Judged:
     """The intervals, longer by what a cubic spring of either sign and of this size would move the estimates."""
     if law.fit is None or not law.epsilon:
         return law
@@ -68,10 +69,11 @@ def widened(law: LawFit, bound: float) -> LawFit:
     # shift.
     shifts = np.stack(known) - at_zero
     below, above = -np.minimum(shifts.min(axis=0), 0), np.maximum(shifts.max(axis=0), 0)
-    return replace(law, epsilon=tuple(e.widened(float(b), float(a)) for e, b, a in zip(law.epsilon, below, above)))
+    moved_ends = tuple(e.widened(float(b), float(a)) for e, b, a in zip(law.epsilon, below, above))
+    return replace(law, intervals=replace(law.intervals, epsilon=moved_ends))
 
 
-def _with_spring(law: LawFit, gamma: float) -> tuple[Array, float] | None:
+def _with_spring(law: Fitted | Judged, gamma: float) -> tuple[Array, float] | None:
     """The strengths refitted with a cubic spring held at c A_ref^2 = gamma, and the weighted sum of squares."""
     assert law.fit is not None
     old, candidate = law.fit.model, law.candidate

@@ -1,398 +1,116 @@
-"""One law against one run: its fit, the intervals of its strengths, and how it predicts swings it has not seen."""
+"""All candidates fitted to one run: each to the data themselves, or contained in a law that was, and is far from them.
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+A law has at most the likelihood of a law that contains it.  So where a larger law is fitted and far from the best, all
+laws inside it are refuted by the same fit; all others are fitted.  What the time does not suffice for has no fit and
+says so (``UNTRIED``): it is not judged.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from asymptotics.budget import tick
 from asymptotics.identification.fitting.in_time import ALL, Time
-from asymptotics.identification.fitting.least_squares import Fit, Model, Noise, fit
-from asymptotics.identification.fitting.printed import DecrementModel, Decrements, decrement_start
-from asymptotics.identification.fitting.profile import Function, Interval, coordinate, profile_interval, wald_interval
-from asymptotics.identification.fitting.starting import starting_values
-from asymptotics.identification.fitting.waveform import WaveformModel
+from asymptotics.identification.fitting.least_squares import Fit, Noise
 from asymptotics.identification.forward.candidates import Candidate
 from asymptotics.identification.forward.coefficients import Array
-from asymptotics.identification.forward.quadrature import TooStrongError
-from asymptotics.identification.judging.contradiction import Contradiction, further_parameters
-from asymptotics.identification.judging.grades import Unexplained, grade_of, in_words
+from asymptotics.identification.judging.contradiction import further_parameters
+from asymptotics.identification.judging.laws import UNTRIED, Fitted
+from asymptotics.identification.judging.single_fits import embedded, fit_law
 from asymptotics.identification.measuring.observations import Observations
-from asymptotics.numbers.alike import Alike
 
-_ALWAYS, _MARGIN, _WORSE = 6, 50.0, 1e-3
-"""The best six of the first look are always fitted, for a coarse look may misjudge them; further laws up to 50 of AICc
-above the best, for e^-25 is no rival; log-likelihoods are alike within 1e-3, by which two runs of the minimiser may
-differ.  These are choices, not measurements: they decide which law is tried to its end, never its verdict."""
-_MANY, _FAR, _WEAKER = 6, 10.0, 3
-"""So many laws of one spring are worth a look at the largest first; so many margins from the best are far; so often a
-start is weakened by 0.8.  Choices, as those above."""
-_SHARE = 0.2
-"""Of the time that is left, what one fit may take."""
-UNTRIED = "not tried to its end: the time was over"
-
-
-@dataclass(frozen=True, eq=False)
-class LawFit(Alike):
-    """A candidate with its fit; ``reason`` says why there is none, or why the law is judged as it is.
-
-    ``apart``: of several runs, the strengths that differ by more than their errors.
-    """
-
-    candidate: Candidate
-    fit: Fit | None
-    verdict: str = "undetermined"
-    reason: str = ""
-    excess: float = float("inf")
-    epsilon: tuple[Interval, ...] = ()
-    springs: tuple[Interval, ...] = ()
-    alpha: Interval | None = None
-    profiled: bool = False
-    held_out: float | None = None
-    total: float | None = None
-    against: Contradiction = Contradiction()
-    misfit: str = ""
-    residuals: str = ""
-    stretches: tuple[float, ...] = ()
-    left: float = 1.0
-    unneeded: tuple[str, ...] = ()
-    unexplained: Unexplained | None = None
-    apart: tuple[str, ...] = ()
-
-    @property
-    def grade(self) -> str:
-        """consistent (at the noise level), adequate (contradicted, but it leaves little of the loss), refuted, or
-        undetermined."""
-        left = self.unexplained
-        return self.verdict if left is None or self.negative else grade_of(self.verdict, left.share)
-
-    @property
-    def graded(self) -> str:
-        """The grade in words."""
-        return self.grade if self.unexplained is None else in_words(self.grade, self.unexplained.share)
-
-    @property
-    def criterion(self) -> float:
-        """AICc (of several runs: their sum); infinite without a fit."""
-        if self.total is not None:
-            return self.total
-        return float("inf") if self.fit is None else self.fit.aicc
-
-    @property
-    def usable(self) -> bool:
-        """Whether there is a fit with data to spare."""
-        return self.fit is not None and bool(np.isfinite(self.fit.aicc))
-
-    def judged_as(self, verdict: str, reason: str) -> "LawFit":
-        """The same law, judged."""
-        return replace(self, verdict=verdict, reason=reason)
-
-    @property
-    def terms(self) -> int:
-        """How many terms the law has."""
-        return len(self.candidate.elements)
-
-    @property
-    def parameters(self) -> int:
-        """How many numbers the law has: strengths, and the exponent if it is free."""
-        return self.terms + self.candidate.free
-
-    @property
-    def strengths(self) -> list[tuple[str, Interval]]:
-        """All strengths with the names of their terms."""
-        springs = [f"s{p}" for p in self.candidate.springs]
-        return [*zip(self.candidate.alphas, self.epsilon), *zip(springs, self.springs)]
-
-    @property
-    def functions(self) -> list[Function]:
-        """The strengths, and the exponent if it is free, as functions of the parameter vector of the fit."""
-        assert self.fit is not None
-        reference, first = self.fit.model.reference, self.fit.model.law.start
-        found = [strength(self.candidate, i, reference, first) for i in range(self.terms)]
-        return [*found, coordinate(first + self.terms)] if self.candidate.free else found
-
-    @property
-    def inflation(self) -> float:
-        """By how much correlated residuals stretch its intervals at most."""
-        return max(self.stretches, default=1.0)
-
-    @property
-    def negative(self) -> tuple[str, ...]:
-        """The losses whose estimate is negative: unphysical, but not clipped."""
-        return tuple(a for a, e in zip(self.candidate.alphas, self.epsilon) if e.estimate < 0)
+_MARGIN, _WORSE, _MANY = 50.0, 1e-3, 6
+"""AICc above the best, beyond which a law is no rival (e^-25); log-likelihoods are alike within 1e-3, by which two runs
+of the minimiser may differ; a spring with so many laws has its largest fitted first.  Choices: they decide which laws a
+larger one speaks for, never what is said of a law that is fitted."""
 
 
 def fit_laws(
     candidates: Sequence[Candidate], seen: Observations, noise: Noise | None = None, time: Time = ALL
-) -> list[LawFit]:
-    """All candidates, from few parameters to many, each with a share of the time: a coarse fit, by the series alone,
-    then the full one of each that could have support.
-
-    A coarse fit is left as it is only if it is far from the best and what its series neglects is small beside its
-    residuals.  A law that fits worse than one it contains has missed its optimum and starts again from there.  What
-    the time does not suffice for has no fit, and says so.
-    """
-    fits = [LawFit(c, None, reason=UNTRIED) for c in candidates]
-    half, points, look, first = time.part(0.5), seen, noise, first_of_families(candidates)  # half for the first look
-    if seen.samples is not None:
-        points, look = (
-            replace(seen, samples=None),
-            # Of samples the turning points are made up: their stated errors weigh the first look.
-            Noise(*(float(np.sqrt(np.mean(s**2))) for s in (seen.sigma_x, seen.sigma_t))),
-        )
-    for i in sorted(range(len(fits)), key=lambda i: (candidates[i] not in first, fits[i].parameters)):
-        far = _beyond_hope(candidates[i], fits, first)
-        if far:
-            fits[i] = LawFit(candidates[i], None, verdict="refuted", reason=far)
+) -> list[Fitted]:
+    """All candidates: the largest law of each spring first, then from few terms to many."""
+    heads = heads_of(candidates)
+    found = {c: Fitted(c, None, UNTRIED) for c in candidates}
+    for candidate in sorted(candidates, key=lambda c: (c not in heads, len(c.elements) + c.free)):
+        law = found[candidate]
+        tick(f"the law {candidate}, {sum(f.reason != UNTRIED for f in found.values()) + 1} of {len(found)}")
+        said = _spoken_for(candidate, found)
+        if said:
+            found[candidate] = Fitted(candidate, None, said, far=True)
             continue
-        tick(f"the first look at the law {candidates[i]}")
-        fits[i] = half.within(_SHARE, partial(fit_law, candidates[i], points, look, coarse=True), fits[i])
-    order, least = sorted(range(len(fits)), key=lambda i: fits[i].criterion), float("inf")
-    margin = _margin(fits)
-    for rank, i in enumerate(order):
-        rough = fits[i]
-        if rough.verdict == "refuted":  # beyond hope already
+        found[candidate] = time.within(partial(_fitted, candidate, found, seen, noise), law)
+    return _nested(list(found.values()), seen, noise, time)
+
+
+def heads_of(candidates: Sequence[Candidate]) -> list[Candidate]:
+    """Of each spring (and the pendulum) with many laws the one that contains the most."""
+    families: dict[tuple[tuple[int, ...], bool], list[Candidate]] = {}
+    for candidate in candidates:
+        families.setdefault((candidate.springs, candidate.pendulum), []).append(candidate)
+    largest = [(max(family, key=lambda c: len(c.losses)), family) for family in families.values()]
+    return [head for head, family in largest if sum(c.is_within(head) for c in family) >= _MANY]
+
+
+def _fitted(candidate: Candidate, found: dict[Candidate, Fitted], seen: Observations, noise: Noise | None) -> Fitted:
+    """The fit, begun where the smallest law that contains it leads; by itself where there is none, or this fails."""
+    larger = [law for law in found.values() if law.usable and candidate.is_within(law.candidate)]
+    for law in sorted(larger, key=lambda law: law.parameters)[:1]:
+        if law.fit is not None and len(candidate.elements) > 1:
+            near = fit_law(candidate, seen, noise, start=_without(law.fit, law.candidate, candidate))
+            if near.fit is not None and near.fit.converged:
+                return near
+    return fit_law(candidate, seen, noise)
+
+
+def _without(fit: Fit, larger: Candidate, law: Candidate) -> Array:
+    """Where the parabola of the larger law has its minimum with its further strengths at 0, as a vector of ``law``."""
+    first = fit.model.law.start
+    further = [first + k for k, e in enumerate(larger.elements) if e not in law.elements]
+    covariance = fit.covariance
+    pull = covariance[:, further] @ np.linalg.pinv(covariance[np.ix_(further, further)]) @ fit.theta[further]
+    moved = replace(fit, theta=fit.theta - pull)
+    return embedded(moved, larger, law)
+
+
+def _spoken_for(candidate: Candidate, found: dict[Candidate, Fitted]) -> str:
+    """Why a law needs no fit: one that contains it is fitted, far from the best, and no worse than what it contains."""
+    least = min((law.criterion for law in found.values()), default=float("inf"))
+    for law in found.values():
+        if law.fit is None or not law.fit.converged or not candidate.is_within(law.candidate):
             continue
-        if rank < _ALWAYS or rough.criterion < least + margin or not _is_good(rough.fit):
-            tick(f"the law {candidates[i]}; the best at the first look: {candidates[order[0]]}")
-            work = partial(fit_law, candidates[i], seen, noise, start=None if rough.fit is None else rough.fit.theta)
-            kept = rough if _is_good(rough.fit) and points is seen else LawFit(candidates[i], None, reason=UNTRIED)
-            fits[i] = time.within(_SHARE, work, kept)
-            least = min(least, (fits[i] if points is seen else rough).criterion)
-        elif points is not seen:
-            reason = f"far from the data at the first look (AICc {rough.criterion - least:.3g} above the best)"
-            fits[i] = LawFit(candidates[i], None, verdict="refuted", reason=reason)
-    fits = _nested(_reconsidered(fits, seen, noise, time), seen, noise, time)
-    return fits
+        beyond = -2 * law.likelihood - least
+        if beyond > _margin(found.values()) and _is_trusted(law, found):
+            return f"{law.candidate}, which contains it, is fitted and {beyond:.3g} of AICc above the best"
+    return ""
 
 
-def _reconsidered(fits: Sequence[LawFit], seen: Observations, noise: Noise | None, time: Time) -> list[LawFit]:
-    """The same fits, with those that the first look left out although a law that contains them hardly needs its
-    further terms: their strengths are 0 within ``_MARGIN`` of chi-squared."""
-    found = list(fits)
-    for i in sorted(range(len(found)), key=lambda i: -found[i].parameters):
-        if found[i].fit is not None or found[i].verdict != "refuted":
-            continue
-        least = min((law.criterion for law in found), default=float("inf"))
-        near = [law for law in found if law.usable and law.criterion < least + _MARGIN]
-        for law in near:
-            if law.fit is not None and found[i].candidate.is_within(law.candidate) and _dispensable(law, found[i]):
-                start = _embedded(law.fit, law.candidate, found[i].candidate)
-                work = partial(fit_law, found[i].candidate, seen, noise, start=start)
-                found[i] = time.within(_SHARE, work, LawFit(found[i].candidate, None, reason=UNTRIED))
-                break
-    return found
+def _is_trusted(law: Fitted, found: dict[Candidate, Fitted]) -> bool:
+    """A law fits at least as well as those it contains: where it does not, the minimiser failed."""
+    inside = (other for other in found.values() if other.fit is not None and other.candidate.is_within(law.candidate))
+    return all(law.likelihood >= other.likelihood - _WORSE for other in inside)
 
 
-def _dispensable(larger: LawFit, law: LawFit) -> bool:
-    assert larger.fit is not None
-    first = larger.fit.model.law.start
-    further = [first + k for k, e in enumerate(larger.candidate.elements) if e not in law.candidate.elements]
-    strengths, covariance = larger.fit.theta[further], larger.fit.covariance[np.ix_(further, further)]
-    return float(strengths @ np.linalg.pinv(covariance) @ strengths) < _MARGIN  # Wald's chi-squared of 0
-
-
-def _margin(fits: Sequence[LawFit]) -> float:
+def _margin(laws: Iterable[Fitted]) -> float:
     """How far from the best a law is far: farther where the best itself leaves more than the noise that is stated."""
-    best = min((law for law in fits if law.fit is not None), key=lambda law: law.criterion, default=None)
+    best = min((law for law in laws if law.fit is not None), key=lambda law: law.criterion, default=None)
     if best is None or best.fit is None or not best.fit.known:
         return _MARGIN
     return _MARGIN * max(best.fit.chi2 / max(best.fit.freedom, 1), 1.0)
 
 
-def first_of_families(candidates: Sequence[Candidate]) -> dict[Candidate, list[Candidate]]:
-    """The law of a spring (or the pendulum) that contains the others with it, where they are many, with those; and
-    the smallest ones, which show whether the fit of the largest can be trusted."""
-    families: dict[tuple[tuple[int, ...], bool], list[Candidate]] = {}
-    for candidate in candidates:
-        families.setdefault((candidate.springs, candidate.pendulum), []).append(candidate)
-    found: dict[Candidate, list[Candidate]] = {}
-    for family in families.values():
-        largest = max(family, key=lambda c: len(c.losses))
-        inside = [c for c in family if c.is_within(largest)]
-        if len(inside) >= _MANY:
-            found[largest] = inside
-            found |= {c: [] for c in inside if len(c.losses) == 1}
-    return found
-
-
-def _beyond_hope(candidate: Candidate, fits: Sequence[LawFit], first: Mapping[Candidate, Sequence[Candidate]]) -> str:
-    """Why a law needs no look: the one that contains it is far from the data, and no worse than what it contains."""
-    if candidate in first:
-        return ""
-    looked = {law.candidate: law for law in fits if law.fit is not None and law.candidate in first}
-    least = min((law.criterion for law in looked.values()), default=float("inf"))
-    for largest, inside in first.items():
-        head = looked.get(largest)
-        if head is None or candidate not in inside or not _is_good(head.fit):
-            continue
-        # A law that contains another fits at least as well; where it does not, the minimiser failed, and nothing
-        # follows.
-        trusted = all(_likelihood(head) >= _likelihood(looked[c]) - _WORSE for c in inside if c in looked)
-        if trusted and -2 * _likelihood(head) > least + _FAR * _margin(fits):
-            # The deviance of the largest law is below that of each law inside it, and so below the AICc of each.
-            beyond = -2 * _likelihood(head) - least
-            return (
-                f"far from the data at the first look: so is {largest}, which contains it ({beyond:.3g} above the best)"
-            )
-    return ""
-
-
-def _nested(fits: Sequence[LawFit], seen: Observations, noise: Noise | None, time: Time) -> list[LawFit]:
+def _nested(fits: Sequence[Fitted], seen: Observations, noise: Noise | None, time: Time) -> list[Fitted]:
     """The same fits, none worse than that of a law it contains."""
     found = list(fits)
     for i in sorted(range(len(found)), key=lambda i: found[i].parameters):
-        if found[i].reason == UNTRIED or found[i].verdict == "refuted":
+        if found[i].reason == UNTRIED or found[i].far:
             continue
         inside = [law for law in found if law.usable and further_parameters(law.candidate, found[i].candidate) == 0]
-        best = max((law for law in inside if law.fit), key=_likelihood, default=found[i])
-        if best.fit is not None and _likelihood(best) > _likelihood(found[i]) + _WORSE:
-            start, coarse = _embedded(best.fit, best.candidate, found[i].candidate), best.fit.model.swing.coarse
-            work = partial(fit_law, found[i].candidate, seen, noise, coarse=coarse, start=start)
-            missed = LawFit(found[i].candidate, None, reason=UNTRIED)
-            found[i] = max(found[i], time.within(_SHARE, work, missed), key=_likelihood)
+        best = max((law for law in inside if law.fit), key=lambda law: law.likelihood, default=found[i])
+        if best.fit is not None and best.likelihood > found[i].likelihood + _WORSE:
+            start = embedded(best.fit, best.candidate, found[i].candidate)
+            work = partial(fit_law, found[i].candidate, seen, noise, start=start)
+            missed = Fitted(found[i].candidate, None, UNTRIED)
+            found[i] = max(found[i], time.within(work, missed), key=lambda law: law.likelihood)
     return found
-
-
-def _likelihood(law: LawFit) -> float:
-    return -float("inf") if law.fit is None else law.fit.log_likelihood
-
-
-def _embedded(fit: Fit, law: Candidate, larger: Candidate) -> Array:
-    """The parameter vector of ``larger`` at which it is the fitted ``law``."""
-    strengths = dict(zip(law.elements, fit.theta[1:]))
-    first = [strengths.get(e, 0.0) for e in larger.elements]
-    rest = fit.theta[1 + len(law.elements) :]
-    if larger.free and not law.free:
-        first[0] = fit.theta[1]
-        first.append(law.elements[0].velocity)
-    elif law.free and not larger.free:  # the exponent leaves the vector
-        first[0] = fit.theta[1]
-        rest = rest[1:]
-    return np.concatenate([fit.theta[:1], first, rest])
-
-
-def _is_good(found: Fit | None) -> bool:
-    """Whether what the series of a coarse fit neglects is small beside the residuals it leaves."""
-    if found is None:
-        return False
-    return found.model.neglected(found.theta) < found.scales["x"] / found.model.seen.reference
-
-
-def fit_law(
-    candidate: Candidate,
-    seen: Observations,
-    noise: Noise | None = None,
-    *,
-    coarse: bool = False,
-    start: Array | None = None,
-) -> LawFit:
-    """The fit of one candidate; without one if the data are too few or the motion of the law ends too early."""
-    if seen.samples is not None:
-        return _fit_motion(candidate, seen, noise, start)
-    model = Model(candidate.swing(coarse), seen, pendulum=candidate.pendulum)
-    # Two data to spare: AICc divides by what is left.
-    if len(model.data) < model.size + 2:
-        return LawFit(candidate, None, reason=f"{len(model.data)} data for {model.size} unknowns")
-    try:
-        found = fit(model, starting_values(model) if start is None else start, noise)
-    except (TooStrongError, np.linalg.LinAlgError) as error:
-        return LawFit(candidate, None, reason=f"no fit: {error}")
-    if not np.isfinite(found.aicc):
-        return LawFit(candidate, found, reason=f"{len(model.data)} data for {model.size} unknowns")
-    return LawFit(candidate, found)
-
-
-def _fit_motion(candidate: Candidate, seen: Observations, noise: Noise | None, start: Array | None) -> LawFit:
-    """The fit to all samples, from where the turning points alone lead."""
-    model = WaveformModel(candidate.swing(), seen, candidate.pendulum)
-    if len(model.data) < model.size + 4:
-        return LawFit(candidate, None, reason=f"{len(model.data)} samples for {model.size} unknowns")
-    try:
-        if start is None:
-            first = Model(candidate.swing(), replace(seen, samples=None), pendulum=candidate.pendulum)
-            start = fit(first, starting_values(first)).theta
-        return LawFit(candidate, _fit_from(model, model.start(start), noise))
-    except (TooStrongError, np.linalg.LinAlgError) as error:
-        return LawFit(candidate, None, reason=f"no fit: {error}")
-
-
-def _fit_from(model: WaveformModel, start: Array, noise: Noise | None) -> Fit:
-    """The fit; from weaker strengths where the motion of the start ends before the record does."""
-    for _ in range(_WEAKER):
-        try:
-            return fit(model, start, noise)
-        except TooStrongError:
-            start = np.concatenate([start[:1], 0.8 * start[1 : 1 + len(model.swing.elements)],
-                                    start[1 + len(model.swing.elements) :]])  # fmt: skip
-    return fit(model, start, noise)
-
-
-def fit_decrements(candidate: Candidate, table: Decrements, noise: Noise | None = None) -> LawFit:
-    """The fit of one candidate to printed decrements."""
-    model = DecrementModel(candidate.swing(), table)
-    if len(model.data) < model.size + 1:
-        return LawFit(candidate, None, reason=f"{len(model.data)} data for {model.size} unknowns")
-    try:
-        return LawFit(candidate, fit(model, decrement_start(model), noise))
-    except (TooStrongError, np.linalg.LinAlgError) as error:
-        return LawFit(candidate, None, reason=f"no fit: {error}")
-
-
-def strength(candidate: Candidate, index: int, reference: float, first: int = 1) -> Function:
-    """epsilon_i = s_i A_ref^(-w_i) as a function of the parameter vector, for x0 = 1 unit of the file.
-
-    ``first``: where the law begins in the vector.
-    """
-    if not (candidate.free and index == 0):
-        return coordinate(first + index, reference ** -candidate.elements[index].weight)
-    place = first + len(candidate.elements)
-
-    def g(theta: Array) -> tuple[float, Array]:
-        factor = reference ** (1 - theta[place])
-        gradient = np.zeros(len(theta))
-        gradient[first], gradient[place] = factor, -np.log(reference) * factor * theta[first]
-        return float(theta[first] * factor), gradient
-
-    return g
-
-
-def with_intervals(law: LawFit, *, profiled: bool) -> LawFit:
-    """The law with the intervals of its strengths and exponent, by profile likelihood or by curvature."""
-    fit = law.fit
-    assert fit is not None
-    losses, terms = len(law.candidate.losses), law.terms
-    # Springs are seen in the times, best in the passages: Student's t has the freedom of those.
-    clock = next((k for k in ("passage", "t") if k in fit.model.kinds), "x")
-    interval = profile_interval if profiled else wald_interval
-    kinds = ["x"] * losses + [clock] * len(law.candidate.springs) + ["x"] * law.candidate.free
-    ends = [interval(fit, g, kind=kind) for g, kind in zip(law.functions, kinds, strict=True)]
-    if law.stretches:
-        ends = [e.stretched(by) for e, by in zip(ends, law.stretches, strict=True)]
-    alpha = _within_range(ends[terms]) if law.candidate.free else None
-    return replace(law, epsilon=tuple(ends[:losses]), springs=tuple(ends[losses:terms]), alpha=alpha, profiled=profiled)
-
-
-def _within_range(alpha: Interval) -> Interval:
-    return Interval(0.0 if alpha.low is None else max(alpha.low, 0.0), alpha.estimate, alpha.high)
-
-
-def predicted_error(law: LawFit, seen: Observations, share: float = 2 / 3) -> float | None:
-    """Fit the first ``share`` of the swings, predict the amplitudes of the rest: rms error over the noise.
-
-    None if the first part does not determine the law.
-    """
-    if law.fit is None or seen.samples is not None:
-        return None
-    early = seen.up_to(int(share * seen.last))
-    first = fit_law(law.candidate, early)
-    if first.fit is None:
-        return None
-    model = Model(first.fit.model.swing, seen, first.fit.model.offset, law.candidate.pendulum)
-    late = np.flatnonzero(seen.n > early.last)  # what the fit has not seen
-    try:
-        predicted, _ = model.predict(first.fit.theta)
-    except TooStrongError:
-        return None
-    return float(np.sqrt(np.mean((seen.x - predicted[: len(seen.x)])[late] ** 2)) / law.fit.scales["x"])

@@ -21,12 +21,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asymptotics.identification.forward.coefficients import Array
+from asymptotics.identification.measuring.main_frequency import main_frequency
 from asymptotics.identification.measuring.observations import Indices
 
-_DEGREES, _MOST, _EACH, _DENSE, _DIRECT = 12, 32, 30, 8.0, 1500
+_DEGREES, _MOST, _EACH, _DENSE = 12, 32, 30, 8.0
 """Degree 12 for every record, and up to 32 where there are 30 samples for each coefficient, so that noise stays noise;
-the third overtone is fitted from 8 samples a period on, of which it has a third; up to 1500 samples the frequency is
-sought in them as they lie, beyond by the fast transform, for the cost of the first is their square."""
+the third overtone is fitted from 8 samples a period on, of which it has a third."""
+_A_PERIOD, _FEWEST = 1.0, 6
+"""A polynomial of degree d turns d/2 times in the record: with one turn for a period it would be the motion itself, and
+the phase of the line would mean nothing.  Half of that, which keeps its third overtone apart too; and in short records
+degree 6, which a strong decay needs."""
+_FARTHEST, _CHIRP, _LOUD = 0.15, 0.1, 0.1
+"""By how much the mean drift of the phase may correct the frequency: a bin of the record, at most a share of the
+frequency, and its chirp; the drift is that of the amplitudes above a tenth of the largest, for in a tail the
+polynomials follow whatever is there."""
 _DEPENDENT = 1e-9
 """Columns that are so much smaller beside the others are no longer independent of them in doubles."""
 _NEWTON, _NEAR, _PARTS = 3, 0.3, 5
@@ -34,9 +42,9 @@ _NEWTON, _NEAR, _PARTS = 3, 0.3, 5
 omega |x|; and terms of the integration by parts, each smaller by the slowness of the modulation."""
 _SPECTRAL = 60
 """Samples below which a spectrum has too few bins to tell its colour from chance."""
-_OVER, _FINE, _MARGIN = 4, 40, 0.15
-"""Trials of the frequency in the width of a line, so that none is missed between two; places of the phase in a period;
-and by how much of a half-swing the phase at the start may be off before the turning point next to it is missed."""
+_FINE, _MARGIN = 40, 0.15
+"""Places of the phase in a period; and by how much of a half-swing the phase at the start may be off before the turning
+point next to it is missed."""
 
 
 Flags = NDArray[np.bool_]
@@ -125,45 +133,31 @@ class SpectralLine:
 
 def demodulated(t: Array, x: Array, period: float | None = None) -> SpectralLine:
     """The line of a record; ``period`` where it is known."""
-    omega = 2 * np.pi / period if period else _frequency(t, x)
+    first = omega = 2 * np.pi / period if period else main_frequency(t, x)
+    # Half a bin and the chirp of a strong spring: what lies beyond is no correction, but the noise of a tail.
+    reach = min(2 * np.pi / (t[-1] - t[0]), _FARTHEST * first) + _CHIRP * first
     # The frequency of the spectrum is off by up to half a bin: the mean drift of the phase corrects it, until it is
     # less than 0.3 rad over the record, which the modulation takes up.
     for _ in range(3):
         line = _line(t, x, omega)
         grid = np.linspace(t[0], t[-1], 400)
         size, phase = line.at(grid)
-        drift = float(np.polynomial.Polynomial.fit(grid, phase - omega * grid, 1, w=size).convert().coef[1])
-        if abs(drift) * (t[-1] - t[0]) < 0.3:
+        loud = _loud(size)
+        grid, size, phase = grid[loud], size[loud], phase[loud] - omega * grid[loud]
+        drift = float(np.polynomial.Polynomial.fit(grid, phase, 1, w=size).convert().coef[1])
+        if abs(drift) * (grid[-1] - grid[0]) < 0.3 or abs(omega + drift - first) > reach:
             break
         omega += drift
     return line
 
 
-def _frequency(t: Array, x: Array) -> float:
-    """Of the strongest line: of few samples, however they lie, from 1.5 periods in the record to half as many periods
-    as samples; of many, by the fast transform."""
-    if len(t) > _DIRECT:
-        return 2 * np.pi / dominant_period(t, x)
-    span = t[-1] - t[0]
-    # Fewer than 1.5 periods are no oscillation, more than half as many as samples are an alias (Nyquist).
-    low, high = 2 * np.pi * 1.5 / span, np.pi * (len(t) - 1) / span
-    trials = np.linspace(low, high, int(_OVER * (high - low) * span / (2 * np.pi)) + 2)
-    even = x - np.polynomial.Polynomial.fit(t, x, 1)(t)
-    return float(trials[np.argmax(np.abs(np.exp(-1j * trials[:, None] * (t - t[0])) @ even))])
-
-
-def dominant_period(t: Array, x: Array) -> float:
-    """The period of the strongest line of the spectrum, from the record resampled evenly."""
-    # Resampled at least as finely as the record; 2^17 bins are enough for any number of periods that is read.
-    count = int(min(2**17, max(256, 2 ** int(np.log2(len(t)) + 1))))
-    grid = np.linspace(t[0], t[-1], count)
-    even = np.interp(grid, t, x)
-    even = even - np.polynomial.Polynomial.fit(grid, even, 1)(grid)
-    power = np.abs(np.fft.rfft(even * np.hanning(count)))
-    # The line at 0 and its side lobe under the window.
-    power[:2] = 0
-    k = int(np.argmax(power))
-    return float((t[-1] - t[0]) * count / (count - 1) / k)
+def _loud(size: Array) -> slice:
+    """About the largest amplitude, as far as the phase is that of the motion; at least a twentieth of the record."""
+    top = int(np.argmax(size))
+    low = np.flatnonzero(size < _LOUD * size[top])
+    first, last = (low[low < top].max(initial=-1) + 1, low[low > top].min(initial=len(size)))
+    least = len(size) // 20
+    return slice(min(first, max(top - least, 0)), max(last, min(top + least, len(size))))
 
 
 def _line(t: Array, x: Array, omega: float) -> SpectralLine:
@@ -175,6 +169,7 @@ def _line(t: Array, x: Array, omega: float) -> SpectralLine:
     each = waves.shape[1]
     # A third of the samples, and four of them at least, stay for the noise.
     most = max((len(t) - max(4, len(t) // 3) - 2) // each - 1, 0)
+    most = min(most, max(_FEWEST, int(_A_PERIOD * omega * (t[-1] - t[0]) / (2 * np.pi))))
     V = np.polynomial.chebyshev.chebvander(u, min(max(_DEGREES, min(_MOST, len(t) // (_EACH * each))), most))
     modulated = (V[:, :, None] * waves[:, None, :]).reshape(len(t), -1)
     # Nested columns: the first k of Q span the first k of all of them, so that one factorisation serves each degree.

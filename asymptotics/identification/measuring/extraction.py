@@ -23,7 +23,7 @@ import numpy as np
 from asymptotics.errors import InputError
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.measuring.defects import shape_notes, usable
-from asymptotics.identification.measuring.demodulation import dominant_period
+from asymptotics.identification.measuring.main_frequency import dominant_period
 from asymptotics.identification.measuring.observations import Indices, Observations, Samples
 from asymptotics.identification.measuring.quiet_times import quiet_times
 from asymptotics.identification.measuring.sampled import MAX_SAMPLES, observations_of_motion

@@ -11,7 +11,8 @@ import numpy as np
 
 from asymptotics.errors import InputError
 from asymptotics.identification.forward.coefficients import Array
-from asymptotics.identification.measuring.demodulation import SpectralLine, demodulated, dominant_period
+from asymptotics.identification.measuring.demodulation import SpectralLine, demodulated
+from asymptotics.identification.measuring.main_frequency import dominant_period
 from asymptotics.identification.measuring.observations import Observations, Samples
 
 MAX_SAMPLES, ENOUGH = 20_000, 6_000
@@ -28,6 +29,9 @@ _HIDDEN, _LOUD = 1.5, 0.5
 _TRUE, _GUESSED = 3e-4, 0.05
 """What the line itself may be off, as a share of an extreme: inside the record, and beyond its ends, where it is
 continued by polynomials; they only weigh the first look at a law, and the samples decide."""
+_RELEASED, _EARLY = 0.1, 0.02
+"""A record that begins within this share of a half-swing before a turning point begins there; so far before it its
+polynomial is continued, the samples before that are left out.  Choices."""
 _WORDS = ("the motion", "the velocity", "the acceleration")
 
 
@@ -52,6 +56,11 @@ def observations_of_motion(
         line = demodulated(t, x, 2 * np.pi / line.omega)
     _require_line(line, t, name)
     n, times, values, inside = line.turning_points(derivative)
+    late = _begins_late(times, float(t[0]))
+    if late:
+        n, times, values, inside = n[:-1], times[1:], values[1:], inside[1:]
+        kept = t >= times[0] - _EARLY * (times[1] - times[0])
+        t, x = t[kept], x[kept]
     per_period = 2 * np.pi / line.omega / float(np.median(np.diff(t)))
     said = f"all {len(t)} samples of {_WORDS[derivative]} fitted ({per_period:.3g} a period); noise {line.noise:.3g}"
     said += f", neighbours correlated by {line.memory:.2f}: allowed for" if line.memory else ""
@@ -62,6 +71,14 @@ def observations_of_motion(
     late = error / np.abs(values) / line.omega
     seen = Observations.of(n, values, times, sigma_x=error, sigma_t=late, unit=unit, name=name, notes=(*notes, said))
     return replace(seen, x=values, samples=samples)
+
+
+def _begins_late(times: Array, start: float) -> bool:
+    """Whether the turning point before the first sample is only feigned: the record begins at the next one, or nearly.
+
+    Before a release there was none, and a strong law need not have had one.
+    """
+    return len(times) > 4 and times[0] < start and times[1] - start < _RELEASED * (times[2] - times[1])
 
 
 def _thinning(t: Array, period: float) -> int:

@@ -20,6 +20,7 @@ import numpy as np
 
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.measuring.demodulation import SpectralLine, demodulated
+from asymptotics.identification.measuring.main_frequency import dominant_period
 
 _LEAST, _PER_PERIOD, _MOST = 200, 12.0, 6_000
 """Samples in all and in a period, below which overtones appear at other places; and as many as the fit is given."""
@@ -57,7 +58,7 @@ def _peak(t: Array, x: Array) -> tuple[float, float] | None:
     if len(t) < _LEAST:
         return None
     span, step = float(t[-1] - t[0]), float(np.median(np.diff(t)))
-    # As in ``demodulation.dominant_period``.
+    # As in ``main_frequency``.
     count = int(min(2 ** int(np.log2(len(t)) + 1), 2**17))
     grid = np.linspace(t[0], t[-1], count)
     even = np.interp(grid, t, x)
@@ -65,8 +66,9 @@ def _peak(t: Array, x: Array) -> tuple[float, float] | None:
     power = np.abs(np.fft.rfft(even * np.hanning(count)))
     power[:2] = 0
     bin_width = 2 * np.pi * (count - 1) / count / span
-    main = int(np.argmax(power))
-    omega = main * bin_width
+    # Not the highest line: a second mode that dies later may be that.
+    omega = 2 * np.pi / dominant_period(t, x)
+    main = round(omega / bin_width)
     # Below five periods in the record every other line stands within the width of the motion's.
     if main < 5 or 2 * np.pi / omega / step < _PER_PERIOD:
         return None

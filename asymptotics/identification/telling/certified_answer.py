@@ -10,9 +10,9 @@ from asymptotics.identification.fitting.printed import Decrements
 from asymptotics.identification.forward.candidates import Candidate
 from asymptotics.identification.forward.coefficients import Array
 from asymptotics.identification.judging.allowance import allowances, told
-from asymptotics.identification.judging.comparison import LawFit
 from asymptotics.identification.judging.contradiction import further_parameters
 from asymptotics.identification.judging.judgement import commented, contains, minimal
+from asymptotics.identification.judging.laws import Fitted, Intervals, Judged
 from asymptotics.identification.telling.result import Identification, LawAnswer, RecordUnits
 from asymptotics.identification.telling.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict, named
 from asymptotics.numbers.exact import parse_real
@@ -45,23 +45,25 @@ def certified(table: Decrements, candidates: Sequence[Candidate], units: RecordU
         verdict = Verdict(UNTOLD, f"{UNTOLD} to tell: undetermined for {', '.join(open_laws)}")
     else:
         verdict = Verdict(NONE, f"{NONE}: no candidate law meets every printed value (proved in the searched box)")
-    order = sorted(laws, key=lambda law: (("consistent", "undetermined", "refuted").index(law.verdict), law.terms))
+    grades = ("consistent", "undetermined", "refuted")
+    order = sorted(laws, key=lambda law: (grades.index(law.verdict), law.fitted.terms))
     # Derivation ignored-spring: at the order epsilon c a spring is the loss of exponent alpha + p - 1.
     notes = (*table.notes, "decrements cannot tell a nonlinear spring from loss: the sets hold for linear springs")
     answers = tuple(LawAnswer(law, units, certified=bool(law.epsilon)) for law in order)
     return Identification(verdict, answers, (table,), {}, notes, units)
 
 
-def _sets(candidates: Sequence[Candidate], table: Decrements) -> list[LawFit]:
+def _sets(candidates: Sequence[Candidate], table: Decrements) -> list[Judged]:
     """The certified set of each law, smaller laws first: a point that meets every row is one of each larger law."""
-    laws: dict[Candidate, LawFit] = {}
+    laws: dict[Candidate, Judged] = {}
     points: dict[Candidate, Array] = {}
     for candidate in sorted(candidates, key=lambda c: len(c.losses) + c.free):
         inside = [c for c, law in laws.items() if law.verdict == "consistent" and _holds(candidate, c)]
         known = [_embedded(c, points[c], candidate) for c in inside if c in points]
         # A point of a smaller law, with further strengths 0; a negative one would spare no search.
         found = _set(candidate, table, next((p for p in known if (p >= 0).all()), None))
-        law = LawFit(candidate, None, found.verdict, found.reason, epsilon=found.epsilon, alpha=found.alpha)
+        intervals = Intervals(found.epsilon, alpha=found.alpha)
+        law = Judged(Fitted(candidate, None), intervals, verdict=found.verdict, reason=found.reason)
         # What contains a consistent law is consistent by the same point, also where its own set stayed open.
         laws[candidate] = law.judged_as("consistent", "") if inside and found.verdict != "consistent" else law
         if found.point is not None and not candidate.free:

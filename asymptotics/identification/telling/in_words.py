@@ -18,7 +18,7 @@ import numpy as np
 from scipy.special import ellipk
 
 from asymptotics.identification.forward.candidates import FREE
-from asymptotics.identification.judging.comparison import LawFit
+from asymptotics.identification.judging.laws import Judged
 
 _POINTS = 401
 """Of the trapezoidal rule over ln 2, for a smooth integrand: an error of about 1e-6, where three digits are told."""
@@ -76,7 +76,7 @@ def half_life(falling: Ratio, amplitude: float) -> float:
     return float(np.trapezoid(1 / rate, s)) if (rate > 0).all() else np.inf
 
 
-def equivalent(law: LawFit, omega_0: float | None) -> dict[str, Any] | None:
+def equivalent(law: Judged, omega_0: float | None) -> dict[str, Any] | None:
     """Amplitudes, Q there, the half-life at the first; None beside springs but that of a pendulum, without a
     fit, and for printed tables."""
     losses, fit = _losses(law), law.fit
@@ -106,7 +106,7 @@ def in_words(found: dict[str, Any] | None, unit: str) -> str:
     return f"Q = {told}{life} (first order, of the first law)"
 
 
-def _losses(law: LawFit) -> list[tuple[float, int, float]] | None:
+def _losses(law: Judged) -> list[tuple[float, int, float]] | None:
     """(alpha, m, epsilon) of each loss; None beside springs, or where the exponent is not known."""
     candidate = law.candidate
     if candidate.springs or len(law.epsilon) != len(candidate.losses):

@@ -14,21 +14,21 @@ from asymptotics.errors import InputError
 from asymptotics.identification.fitting.least_squares import Fit
 from asymptotics.identification.fitting.profile import profile_curve, quantile
 from asymptotics.identification.forward.coefficients import Array
-from asymptotics.identification.judging.comparison import LawFit
 from asymptotics.identification.judging.grades import percent
+from asymptotics.identification.judging.laws import Judged
 from asymptotics.present.drawn import head
 
 _SHOWN = 3
 """So many curves with their bands can be told apart in one panel."""
 
 
-def shown_laws(answer: Any) -> list[LawFit]:
+def shown_laws(answer: Any) -> list[Judged]:
     """The laws of the verdict that are drawn; InputError for several runs or printed decrements (no sequence)."""
     laws = [found.law for found in answer.laws if found.law.fit is not None and found.law.fit.model.alternating]
     if answer.per_run or not laws:
         raise InputError("plot", "there is no single run of turning points to draw", "one record or turning points")
     # Those of the verdict alone have a held-out error.
-    consistent = [law for law in laws if law.verdict == "consistent" and law.held_out is not None]
+    consistent = [law for law in laws if law.verdict == "consistent" and law.evidence.held_out is not None]
     return (consistent or laws)[:_SHOWN]
 
 
@@ -47,12 +47,12 @@ def draw_panels(answer: Any, axes: Any) -> None:
     _profile(profile, shown[0])
 
 
-def _fit_of(law: LawFit) -> Fit:
+def _fit_of(law: Judged) -> Fit:
     assert law.fit is not None
     return law.fit
 
 
-def _decay(axes: Any, law: LawFit, unit: str) -> None:
+def _decay(axes: Any, law: Judged, unit: str) -> None:
     fit = _fit_of(law)
     model, seen = fit.model, fit.model.seen
     size, centre = model.amplitudes(fit.theta)[0], fit.rest
@@ -79,7 +79,7 @@ def decrement_band(fit: Fit, inflation: float = 1.0) -> tuple[Array, Array, Arra
     return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], inflation * quantile(fit, 0.95, "x") * spread
 
 
-def draw_decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
+def draw_decrements(axes: Any, laws: list[Judged], unit: str) -> None:
     """What was measured, and the decrement of each law with the band of its 95 % region."""
     fit = _fit_of(laws[0])
     seen = fit.model.seen
@@ -98,9 +98,9 @@ def draw_decrements(axes: Any, laws: list[LawFit], unit: str) -> None:
     head(axes, ["decrement against amplitude"])
 
 
-def _draw_left(axes: Any, law: LawFit) -> None:
+def _draw_left(axes: Any, law: Judged) -> None:
     """What the law leaves of the loss: the measured loss, smoothed, where it is not that of the law."""
-    left = law.unexplained
+    left = law.evidence.unexplained
     if left is None or law.verdict == "consistent" or not left.share > 0:
         return
     amplitude, value, _ = decrement_band(_fit_of(law))
@@ -110,7 +110,7 @@ def _draw_left(axes: Any, law: LawFit) -> None:
     axes.fill_between(left.amplitudes, drawn, drawn * (1 + left.ratio), color="C3", alpha=0.4, lw=0, label=label)
 
 
-def _residuals(axes: Any, law: LawFit) -> None:
+def _residuals(axes: Any, law: Judged) -> None:
     fit = _fit_of(law)
     samples = fit.model.seen.samples
     if samples is not None:
@@ -127,10 +127,10 @@ def _residuals(axes: Any, law: LawFit) -> None:
     head(axes, [f"residuals of {law.candidate}"])
 
 
-def _profile(axes: Any, law: LawFit) -> None:
+def _profile(axes: Any, law: Judged) -> None:
     fit = _fit_of(law)
     for i, name in enumerate(law.candidate.alphas):
-        values, rise = profile_curve(fit, law.functions[i], count=13)
+        values, rise = profile_curve(fit, law.fitted.functions[i], count=13)
         found, level = law.epsilon[i], quantile(fit, 0.95, "x") ** 2
         scale = abs(found.estimate) or 1.0
         axes.plot((values - found.estimate) / scale, rise, color=f"C{i}", label=f"strength of {name}")

@@ -11,7 +11,7 @@ from asymptotics.errors import require_choice
 from asymptotics.identification.fitting.printed import Decrements
 from asymptotics.identification.fitting.profile import Interval
 from asymptotics.identification.forward.candidates import FREE
-from asymptotics.identification.judging.comparison import LawFit
+from asymptotics.identification.judging.laws import Judged
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.telling.in_words import equivalent, in_words
 from asymptotics.identification.telling.plots import draw_decrements, draw_panels, shown_laws
@@ -56,7 +56,7 @@ class RecordUnits:
 class LawAnswer(Alike, Rows):
     """A candidate law for one run, as it is reported."""
 
-    law: LawFit
+    law: Judged
     units: RecordUnits = field(default_factory=RecordUnits)
     certified: bool = False
 
@@ -66,9 +66,10 @@ class LawAnswer(Alike, Rows):
         found: dict[str, Any] = {
             "alphas": list(candidate.alphas),
             "springs": [str(p) for p in candidate.springs],
+            "pendulum": candidate.pendulum,
             "verdict": law.verdict,
             "grade": law.grade,
-            "unexplained": None if law.unexplained is None else _number(law.unexplained.share),
+            "unexplained": None if law.evidence.unexplained is None else _number(law.evidence.unexplained.share),
             "reason": law.reason or None,
             "epsilon": [e.to_dict() for e in law.epsilon],
             "spring_strengths": [e.to_dict() for e in law.springs],
@@ -76,11 +77,11 @@ class LawAnswer(Alike, Rows):
             "criterion": _number(law.criterion),
             "criterion_difference": _number(law.excess),
             "unneeded": list(law.unneeded),
-            "p_value": _number(law.against.p),
+            "p_value": _number(law.evidence.against.p),
             "bic": None if law.fit is None else _number(law.fit.bic),
-            "intervals": "certified set" if self.certified else "profile likelihood" if law.profiled else "curvature",
+            "intervals": self._how(),
             "unphysical": list(law.negative),
-            "held_out_error": None if law.held_out is None else _number(law.held_out),
+            "held_out_error": None if law.evidence.held_out is None else _number(law.evidence.held_out),
             "formula": candidate.formula(),
         }
         if law.fit is not None:
@@ -89,6 +90,12 @@ class LawAnswer(Alike, Rows):
         if any(p is not None for p in physical):
             found["physical"] = [None if p is None else {"quantity": p[0], **p[1].to_dict()} for p in physical]
         return found
+
+    def _how(self) -> str:
+        """By what its intervals were found."""
+        return (
+            "certified set" if self.certified else "profile likelihood" if self.law.intervals.profiled else "curvature"
+        )
 
     def physical(self, i: int) -> tuple[str, Interval] | None:
         """b_i or b_i/m in SI, if the units are known and the exponent is given."""
@@ -106,7 +113,7 @@ class LawAnswer(Alike, Rows):
         named += [(f"epsilon {name}", e) for name, e in zip(candidate.alphas, law.epsilon)]
         named += [(f"spring {p}", e) for p, e in zip(candidate.springs, law.springs)]
         head = {"law": str(candidate), "verdict": law.verdict}
-        rest = {"dAICc": float(law.excess), "held_out_error": law.held_out}
+        rest = {"dAICc": float(law.excess), "held_out_error": law.evidence.held_out}
         return [
             {**head, "parameter": name, "estimate": e.estimate, "low": e.low, "high": e.high, **rest}
             for name, e in named
@@ -116,9 +123,10 @@ class LawAnswer(Alike, Rows):
         rows = tuple(
             (r["parameter"], f"{r['estimate']:.6g}", _end(r["low"]), _end(r["high"])) for r in self.strengths()
         )
-        kind = "certified set" if self.certified else "profile likelihood" if self.law.profiled else "curvature"
         title = f"law {self.law.candidate}: {self.law.verdict}"
-        return Page(title, (self.law.reason or "", f"intervals: {kind}"), ("", "estimate", "at least", "at most"), rows)
+        return Page(
+            title, (self.law.reason or "", f"intervals: {self._how()}"), ("", "estimate", "at least", "at most"), rows
+        )
 
     def _table(self) -> dict[str, list[Any]]:
         rows = self.strengths()
@@ -141,8 +149,9 @@ class LawAnswer(Alike, Rows):
         named = [f"{name}: {text}" for name, text in zip(names, found)] if len(found) > 1 else found
         strengths = "  ".join(([] if law.alpha is None else [f"alpha {_shown(law.alpha)}"]) + named)
         excess = f"{law.excess:.1f}" if np.isfinite(law.excess) else "-"
-        held = "-" if law.held_out is None else f"{law.held_out:.2f}"
+        held = "-" if law.evidence.held_out is None else f"{law.evidence.held_out:.2f}"
         verdict = law.graded + (f", {' and '.join(law.unneeded)} not needed" if law.unneeded else "")
+        verdict += ", unphysical" if law.negative else ""
         return str(law.candidate), verdict, excess, held, strengths
 
 
@@ -198,6 +207,7 @@ class Identification(Alike, Rows, Drawn):
             "equivalent": self._equivalent_texts(),
             "not_excluded": [term.to_dict() for term in self.verdict.allowed],
             "laws": [law.to_dict() for law in self.laws],
+            "untried": [str(law.law.candidate) for law in self.laws if law.law.untried],
             "data": [_data(run) for run in self.runs],
             "textbook": self.textbook,
             "unit": self.units.unit or None,
@@ -280,10 +290,12 @@ def _shown(interval: Interval) -> str:
     return f"{interval.estimate:.{digits}g} [{ends[0]}, {ends[1]}]"
 
 
-def sorted_laws(laws: Sequence[LawFit]) -> list[LawFit]:
-    """The laws of the verdict (consistent, no term too many) first, then by the criterion; laws without one last."""
+def sorted_laws(laws: Sequence[Judged]) -> list[Judged]:
+    """The laws of the verdict (consistent, no term too many) first, of these the physical ones, then by the criterion;
+    laws without one last."""
 
-    def place(law: LawFit) -> tuple[bool, float, int]:
-        return law.verdict != "consistent" or bool(law.unneeded), law.criterion, len(law.candidate.losses)
+    def place(law: Judged) -> tuple[bool, bool, float, int]:
+        chosen = law.verdict == "consistent" and not law.unneeded
+        return not chosen, chosen and bool(law.negative), law.criterion, len(law.candidate.losses)
 
     return sorted(laws, key=place)

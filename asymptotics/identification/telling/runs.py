@@ -21,10 +21,10 @@ from scipy.special import chdtrc, ndtri, stdtrit
 
 from asymptotics.identification.fitting.profile import Interval
 from asymptotics.identification.judging.allowance import WEAK, allowances, told
-from asymptotics.identification.judging.comparison import LawFit
 from asymptotics.identification.judging.contradiction import REFUTED, Contradiction
 from asymptotics.identification.judging.judgement import against, commented, is_negative, minimal
-from asymptotics.identification.telling.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict
+from asymptotics.identification.judging.laws import Fitted, Intervals, Judged
+from asymptotics.identification.telling.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNDECIDED, UNTOLD, Verdict
 
 _ALIKE = 0.05
 """The p-value of Cochran's Q from which on the strengths of the runs are one: the customary level, by which one pair in
@@ -53,27 +53,28 @@ def mean_of_runs(estimates: Sequence[float], errors: Sequence[float], level: flo
     return Interval(mean - reach, mean, mean + reach), float(np.sqrt(between))
 
 
-def common(per_run: Sequence[Sequence[LawFit]]) -> list[LawFit]:
-    """One LawFit for each candidate: the criteria added, the strengths averaged, the verdict of all runs together."""
+def common(per_run: Sequence[Sequence[Judged]]) -> list[Judged]:
+    """One Judged for each candidate: the criteria added, the strengths averaged, the verdict of all runs together."""
     found = [_common(laws) for laws in zip(*per_run, strict=True)]
     least = min((law.criterion for law in found), default=float("inf"))
     return commented([_judged(i, found, least, per_run) for i in range(len(found))])
 
 
-def _common(laws: Sequence[LawFit]) -> LawFit:
+def _common(laws: Sequence[Judged]) -> Judged:
     total = float(sum(law.criterion for law in laws))
     first = laws[0]
     # The sum of the criteria is that of the runs together, for their data are independent; one run without a fit has
     # none.
     if not np.isfinite(total):
-        return LawFit(first.candidate, None, reason="not every run determines it")
+        return Judged(Fitted(first.candidate, None), reason="not every run determines it")
     epsilon = [_mean([law.epsilon[i] for law in laws]) for i in range(len(first.epsilon))]
     springs = [_mean([law.springs[i] for law in laws]) for i in range(len(first.springs))]
     exponents = [law.alpha for law in laws if law.alpha is not None]
     alpha = _mean(exponents)[0] if exponents else None
-    found = LawFit(first.candidate, None, epsilon=_ends(epsilon), springs=_ends(springs), alpha=alpha, total=total)
+    found = Judged(Fitted(first.candidate, None), Intervals(_ends(epsilon), _ends(springs), alpha), total=total)
     scatter = zip(found.strengths, (*epsilon, *springs), strict=True)
-    return replace(found, apart=tuple(name for (name, _), (_, between) in scatter if between > 0))
+    apart = tuple(name for (name, _), (_, between) in scatter if between > 0)
+    return replace(found, intervals=replace(found.intervals, apart=apart))
 
 
 def _ends(means: Sequence[tuple[Interval, float]]) -> tuple[Interval, ...]:
@@ -88,17 +89,18 @@ def _mean(intervals: Sequence[Interval]) -> tuple[Interval, float]:
     return mean_of_runs([i.estimate for i in intervals], errors)
 
 
-def _judged(place: int, laws: Sequence[LawFit], least: float, per_run: Sequence[Sequence[LawFit]]) -> LawFit:
+def _judged(place: int, laws: Sequence[Judged], least: float, per_run: Sequence[Sequence[Judged]]) -> Judged:
     law = laws[place]
     if not np.isfinite(law.criterion):
         return law
     # As for one run: a loss that feeds a decay refutes nothing.
     rivals = [i for i, other in enumerate(laws) if i != place and not other.negative]
     found = [_combined([against(run[place], run[i]) for run in per_run]) for i in rivals]
-    law = replace(law, excess=law.criterion - least, against=min(found, key=lambda c: c.p, default=Contradiction()))
-    if law.against.p < REFUTED:
-        return law.judged_as("refuted", f"{law.against}, in all runs together")
-    misfits = sum(bool(run[place].misfit) for run in per_run)
+    law = replace(law, excess=law.criterion - least)
+    law = law.with_evidence(against=min(found, key=lambda c: c.p, default=Contradiction()))
+    if law.evidence.against.p < REFUTED:
+        return law.judged_as("refuted", f"{law.evidence.against}, in all runs together")
+    misfits = sum(bool(run[place].evidence.misfit) for run in per_run)
     if misfits:
         return law.judged_as("refuted", f"its residuals are not independent noise in {misfits} of {len(per_run)} runs")
     negative = [a for a, e in zip(law.candidate.alphas, law.epsilon) if is_negative(e)]
@@ -115,7 +117,7 @@ def _combined(found: Sequence[Contradiction]) -> Contradiction:
     return Contradiction(found[0].by, sum(c.ratio for c in found), sum(c.terms for c in found), p)
 
 
-def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[LawFit], first: float | None = None) -> Verdict:
+def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[Judged], first: float | None = None) -> Verdict:
     """One verdict for all runs, from their common laws: no better than that of the runs, if a run fits no law.
 
     ``first``: the first amplitude, at which the shares of further terms are told.
@@ -123,18 +125,24 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[LawFit], first: floa
     chosen = minimal(laws)
     names = "; ".join(str(law.candidate) for law in chosen[:6])
     best = f"; best: {names}" if names else ""
+    cut = sum(v.kind == UNDECIDED for v in runs)
+    if cut:
+        text = f"{UNDECIDED}: the time was over before all laws were judged in {cut} of {len(runs)} runs{best}"
+        return Verdict(UNDECIDED, text, "more time (max_seconds), or fewer candidates (laws)")
     inadequate = sum(v.kind == NONE for v in runs)
     if inadequate:
         text = f"{NONE} at the noise level in {inadequate} of {len(runs)} runs (model inadequate){best}"
         return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
     if len(chosen) == 1:
         return _one_law(chosen[0], laws, len(runs), first)
-    if not chosen or len(chosen) > MANY:
+    if not chosen:
+        return Verdict(NONE, f"{NONE}: no law is consistent with all {len(runs)} runs together")
+    if len(chosen) > MANY:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}")
     return Verdict(SEVERAL, f"{SEVERAL} with {len(runs)} runs: {names}")
 
 
-def _one_law(law: LawFit, laws: Sequence[LawFit], runs: int, first: float | None) -> Verdict:
+def _one_law(law: Judged, laws: Sequence[Judged], runs: int, first: float | None) -> Verdict:
     """Identified, unless a further term may carry a large part of the loss; strengths that differ are told."""
     allowed = allowances(law, laws, first)
     said, apart = told(allowed), _apart(law)
@@ -147,9 +155,9 @@ def _one_law(law: LawFit, laws: Sequence[LawFit], runs: int, first: float | None
     return Verdict(IDENTIFIED, text, "", allowed)
 
 
-def _apart(law: LawFit) -> str:
+def _apart(law: Judged) -> str:
     """That the strengths of the runs differ, in words."""
-    if not law.apart:
+    if not law.intervals.apart:
         return ""
-    said = f"; but the strength of {', '.join(law.apart)} differs from run to run by more than its errors"
+    said = f"; but the strength of {', '.join(law.intervals.apart)} differs from run to run by more than its errors"
     return f"{said}: the interval is that of the mean"

@@ -8,14 +8,16 @@ import numpy as np
 from asymptotics.identification.fitting.least_squares import Noise
 from asymptotics.identification.forward.quadrature import TooStrongError
 from asymptotics.identification.judging.allowance import WEAK, Allowance, allowances, told
-from asymptotics.identification.judging.comparison import LawFit, fit_law
 from asymptotics.identification.judging.contradiction import REFUTED
 from asymptotics.identification.judging.grades import percent
-from asymptotics.identification.judging.judgement import rivals
+from asymptotics.identification.judging.judgement import minimal, rivals
+from asymptotics.identification.judging.laws import Judged
+from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.present.shown import Page, Shown
 
-IDENTIFIED, SEVERAL, NONE, UNTOLD = "identified", "several laws are consistent", "none fits", "too short or too noisy"
+IDENTIFIED, SEVERAL, NONE = "identified", "several laws are consistent", "none fits"
+UNTOLD, UNDECIDED = "too short or too noisy", "undecided"
 MANY = 3
 """With more consistent laws than this the list tells nothing but that the data are too few.  A choice of words."""
 _DIFFERENT = 12.0
@@ -25,7 +27,7 @@ would be REFUTED.  It enters the advice of ``what_would_tell`` alone."""
 
 @dataclass(frozen=True, repr=False)
 class Verdict(Shown):
-    """``kind`` is one of the four; ``text`` says it in words; ``telling`` says what would tell more.
+    """``kind`` is one of the five; ``text`` says it in words; ``telling`` says what would tell more.
 
     ``allowed``: how strong each further term may still be beside the one law of the verdict.
     """
@@ -39,13 +41,26 @@ class Verdict(Shown):
         return Page(self.text, (self.telling, *map(str, self.allowed)))
 
 
-def verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool = False) -> Verdict:
-    """The verdict for one run; without observations (printed decrements) nothing is said of further turning points."""
-    found = _verdict_of(laws, seen, growing)
+def verdict_of(
+    laws: Sequence[Judged], seen: Observations | None, growing: bool = False, advice: bool = True
+) -> Verdict:
+    """The verdict for one run; ``advice``: whether it is said which further data would tell more (never for printed
+    decrements, which are no observations)."""
+    found = undecided(laws) or _verdict_of(laws, seen, growing, advice)
     return replace(found, text=f"the amplitude grows, this is no decay; {found.text}") if growing else found
 
 
-def _verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool) -> Verdict:
+def undecided(laws: Sequence[Judged]) -> Verdict | None:
+    """The verdict where the time was over before all laws were judged: none of them is identified."""
+    left = sum(law.untried for law in laws)
+    if not left:
+        return None
+    names = "; ".join(named(law) for law in minimal(laws)[:6]) or "none"
+    text = f"{UNDECIDED}: the time was over before {left} of {len(laws)} laws were judged; consistent so far: {names}"
+    return Verdict(UNDECIDED, text, "more time (max_seconds), or fewer candidates (laws)")
+
+
+def _verdict_of(laws: Sequence[Judged], seen: Observations | None, growing: bool, advice: bool) -> Verdict:
     fitted = [law for law in laws if law.usable]
     if not fitted:
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data determine no candidate law")
@@ -66,15 +81,20 @@ def _verdict_of(laws: Sequence[LawFit], seen: Observations | None, growing: bool
     if all(e.contains(0.0) for law in chosen for e in law.epsilon):
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")
     if len(chosen) == 1:
-        return _one_law(chosen[0], best, beaten, laws, seen)
-    telling = "" if seen is None else what_would_tell(chosen[0], chosen[1], seen)
+        return _one_law(chosen[0], best, beaten, laws, seen, advice)
+    telling = what_would_tell(chosen[0], chosen[1], seen) if advice and seen is not None else ""
     if len(chosen) > MANY:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}", telling)
     return Verdict(SEVERAL, f"{SEVERAL}: {names}", telling)
 
 
 def _one_law(
-    law: LawFit, best: LawFit, beaten: Sequence[LawFit], laws: Sequence[LawFit], seen: Observations | None
+    law: Judged,
+    best: Judged,
+    beaten: Sequence[Judged],
+    laws: Sequence[Judged],
+    seen: Observations | None,
+    advice: bool,
 ) -> Verdict:
     """One law, with what is not excluded beside it; several, if a further term may carry over a fifth of the loss."""
     allowed = allowances(law, laws, None if seen is None else seen.reference)
@@ -89,41 +109,41 @@ def _one_law(
             and (other.candidate.springs, other.candidate.pendulum) == (law.candidate.springs, law.candidate.pendulum)
         )
         text = f"{SEVERAL}: {named(law)} is the smallest, but a further term may carry over a fifth of the loss{said}"
-        return Verdict(SEVERAL, text, what_would_tell(larger, law, seen), allowed)
+        return Verdict(SEVERAL, text, what_would_tell(larger, law, seen) if advice else "", allowed)
     text = f"{IDENTIFIED}: {named(law)}, among the laws tried{_beside(law, best, beaten)}{said}"
     return Verdict(IDENTIFIED, text, "", allowed)
 
 
-def _is_imitation(law: LawFit) -> bool:
+def _is_imitation(law: Judged) -> bool:
     """Whether the interval of some loss lies below 0: a law that is no candidate may be imitated by such a sum."""
     return any(e.high is not None and e.high < 0 for e in law.epsilon)
 
 
-def _nothing_fits(fitted: Sequence[LawFit], best: LawFit) -> Verdict:
+def _nothing_fits(fitted: Sequence[Judged], best: Judged) -> Verdict:
     near = _nearest(fitted, best)
-    if any(law.negative and not law.misfit and law.against.p >= REFUTED for law in fitted):
+    if any(law.negative and not law.evidence.misfit and law.evidence.against.p >= REFUTED for law in fitted):
         text = f"{NONE}: the laws with support need a negative loss; the best is {best.candidate}{near}"
         return Verdict(NONE, text, "a loss that depends on position such as 1,2: (|x|^2 x'), or a free exponent")
     why = "model inadequate, or noise that is not independent from swing to swing"
-    text = f"{NONE} at the noise level ({why}); the best is {best.candidate}: {best.residuals}{near}"
+    text = f"{NONE} at the noise level ({why}); the best is {best.candidate}: {best.evidence.residuals}{near}"
     return Verdict(NONE, text, "the residuals against n show what is missing: a term, a second mode, the base")
 
 
-def _nearest(fitted: Sequence[LawFit], best: LawFit) -> str:
+def _nearest(fitted: Sequence[Judged], best: Judged) -> str:
     """The law of fewest terms that is adequate, or how much of the loss the best one leaves open."""
     adequate = [law for law in fitted if law.grade == "adequate"]
     for law in sorted(adequate, key=lambda law: (law.parameters, law.criterion))[:1]:
-        left = law.unexplained
+        left = law.evidence.unexplained
         if left is not None:
             low, high = left.ends
             where = f"at amplitudes {low:.3g} to {high:.3g}"
             return f"; {named(law)} is adequate to {percent(left.share)} of the loss {where}"
-    if best.unexplained is None:
+    if best.evidence.unexplained is None:
         return ""
-    return f"; {named(best)} leaves {percent(best.unexplained.share)} of the loss open"
+    return f"; {named(best)} leaves {percent(best.evidence.unexplained.share)} of the loss open"
 
 
-def named(law: LawFit) -> str:
+def named(law: Judged) -> str:
     """A law, with its exponent if that was found."""
     if law.alpha is not None:
         low, high = (f"{v:.4g}" if v is not None else "?" for v in (law.alpha.low, law.alpha.high))
@@ -131,7 +151,7 @@ def named(law: LawFit) -> str:
     return str(law.candidate)
 
 
-def _beside(law: LawFit, best: LawFit, beaten: Sequence[LawFit]) -> str:
+def _beside(law: Judged, best: Judged, beaten: Sequence[Judged]) -> str:
     gain = law.criterion - best.criterion
     # A difference of 4 is the least that is customarily called considerable (Burnham and Anderson 2002).
     said = f" (with more terms, {best.candidate}, AICc falls by {gain:.2g})" if gain > 4 else ""
@@ -140,7 +160,7 @@ def _beside(law: LawFit, best: LawFit, beaten: Sequence[LawFit]) -> str:
     return said
 
 
-def what_would_tell(one: LawFit, other: LawFit, seen: Observations) -> str:
+def what_would_tell(one: Judged, other: Judged, seen: Observations) -> str:
     """How many turning points, or how little noise, would separate two consistent laws if the first is true."""
     if one.fit is None or other.fit is None or seen.samples is not None:
         return ""
@@ -162,7 +182,7 @@ def what_would_tell(one: LawFit, other: LawFit, seen: Observations) -> str:
     return f"to tell {one.candidate} from {other.candidate}: noise {less:.2g} times the present one; swings do not help"
 
 
-def separation(one: LawFit, other: LawFit, seen: Observations, last: int, noise: Noise) -> float | None:
+def separation(one: Judged, other: Judged, seen: Observations, last: int, noise: Noise) -> float | None:
     """The chi-squared of the best ``other`` for noiseless data of ``one`` up to turning point ``last``."""
     assert one.fit is not None
     assert other.fit is not None

@@ -9,8 +9,9 @@ from asymptotics.identification import identify as room
 from asymptotics.identification.fitting.in_time import ALL, Time
 from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.identification.judging import comparison
-from asymptotics.identification.judging.comparison import UNTRIED, fit_laws
+from asymptotics.identification.judging.comparison import fit_laws
 from asymptotics.identification.judging.judgement import judged
+from asymptotics.identification.judging.laws import UNTRIED
 from asymptotics.identification.synthetic import observed
 
 LAWS = ["1", "2", "1+2", "0+1"]
@@ -31,9 +32,11 @@ def test_laws_are_tried_from_cheap_to_dear_and_the_rest_is_told(monkeypatch):
     monkeypatch.setattr(Time, "but_for_the_answer", classmethod(lambda cls, share: cls.of(60.0)))
     answer = asy.identify(SEEN, laws=["1+2", "0+1", "2", "1"], bootstrap=False)
     assert tried[:2] == ["2", "1"]
-    assert "the time was over: 2 of 4 laws are not tried" in answer.verdict.text
-    assert any("before 2 of 4 laws were tried" in note for note in answer.notes)
-    assert sum(law.law.reason == UNTRIED for law in answer.laws) == 2
+    # None is identified while others are not judged.
+    assert answer.verdict.kind == "undecided"
+    assert "the time was over before 2 of 4 laws were judged" in answer.verdict.text
+    assert any("before 2 of 4 laws were judged" in note for note in answer.notes)
+    assert sum(law.law.untried for law in answer.laws) == len(answer.to_dict()["untried"]) == 2
 
 
 def test_without_time_left_nothing_is_fitted_and_nothing_raised():
@@ -48,7 +51,8 @@ def test_without_time_for_profiles_the_curvature_gives_the_intervals():
     fits = fit_laws([read_candidate("1")], SEEN)
     levels = room._levels(fits, None)
     (rough,), (fine,) = judged(fits, levels, time=Time.of(-1.0)), judged(fits, levels)
-    assert (rough.profiled, fine.profiled) == (False, True)
+    assert (rough.intervals.profiled, fine.intervals.profiled) == (False, True)
+    assert (rough.verdict, fine.verdict) == ("undetermined", "consistent")
     assert rough.epsilon[0].low == pytest.approx(fine.epsilon[0].low, rel=0.01)
 
 

@@ -7,7 +7,8 @@ from iminuit import Minuit
 import asymptotics as asy
 from asymptotics.identification.fitting.profile import profile_interval, quantile
 from asymptotics.identification.forward.candidates import read_candidate
-from asymptotics.identification.judging.comparison import fit_law, strength
+from asymptotics.identification.judging.laws import strength
+from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.synthetic import observed
 
 

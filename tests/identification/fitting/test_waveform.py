@@ -8,7 +8,7 @@ import asymptotics as asy
 from asymptotics.errors import InputError
 from asymptotics.identification.fitting.least_squares import likely_scales
 from asymptotics.identification.forward.candidates import read_candidate
-from asymptotics.identification.judging.comparison import fit_law
+from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.measuring.sampled import observations_of_motion
 
 LAWS = ["1", "2", "1+2", "0+1"]

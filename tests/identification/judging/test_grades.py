@@ -10,7 +10,7 @@ from asymptotics.identification.forward.candidates import default_candidates, re
 from asymptotics.identification.forward.coefficients import loss
 from asymptotics.identification.forward.quadrature import integrated_swings
 from asymptotics.identification.forward.stepped import stepped_swings
-from asymptotics.identification.judging.comparison import first_of_families
+from asymptotics.identification.judging.comparison import heads_of
 from asymptotics.identification.judging.grades import open_share
 from asymptotics.identification.synthetic import observed
 
@@ -20,7 +20,7 @@ def test_a_law_that_lacks_a_small_term_is_adequate_and_one_that_lacks_much_refut
     linear, quadratic = answer.law("1").law, answer.law("2").law
     assert (linear.verdict, linear.grade, quadratic.grade) == ("refuted", "adequate", "refuted")
     # 2 carries at most 8.5 % of the loss at the first amplitude, and linear loss takes its mean over
-    assert 0.01 < linear.unexplained.share < 0.085 < 0.3 < quadratic.unexplained.share
+    assert 0.01 < linear.evidence.unexplained.share < 0.085 < 0.3 < quadratic.evidence.unexplained.share
     assert answer.verdict.kind == "none fits" and "1 is adequate to " in answer.verdict.text
     assert answer.to_dict()["laws"][0]["grade"] == "adequate"
 
@@ -48,11 +48,10 @@ def test_a_token_means_the_same_in_law_and_laws(capsys):
         read_candidate("1,2:0.1")
 
 
-def test_families_are_looked_at_from_their_largest_law():
-    first = first_of_families(default_candidates(True, angles=True))
-    largest = [str(c) for c, inside in first.items() if inside]
-    assert largest == ["0+1+2+3", "0+1+2+3+s3", "0+1+2+3+s3+s5", "0+1+2+3+pendulum"]
-    assert first_of_families([read_candidate(t) for t in ("1", "2", "1+2")]) == {}
+def test_the_largest_law_of_each_spring_is_fitted_first():
+    heads = [str(c) for c in heads_of(default_candidates(True, angles=True))]
+    assert heads == ["0+1+2+3", "0+1+2+3+s3", "0+1+2+3+s3+s5", "0+1+2+3+pendulum"]
+    assert heads_of([read_candidate(t) for t in ("1", "2", "1+2")]) == []
 
 
 def test_steps_are_the_quadrature_for_whole_exponents():

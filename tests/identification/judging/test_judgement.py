@@ -6,9 +6,9 @@ import pytest
 import asymptotics as asy
 from asymptotics.identification.forward.candidates import read_candidate
 from asymptotics.identification.judging.adequacy import adequate, strongest_line
-from asymptotics.identification.judging.comparison import fit_law
 from asymptotics.identification.judging.contradiction import REFUTED, contradiction, further_parameters
 from asymptotics.identification.judging.judgement import against
+from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.synthetic import exact, observed
 
@@ -27,7 +27,7 @@ def test_a_term_that_is_not_needed_does_not_refute_the_law():
     assert "a free exponent" in answer.law("free").law.reason
     wrong = [e.law for e in answer.laws if e.law.terms == 1 and str(e.law.candidate) in "023"]
     assert {law.verdict for law in wrong} == {"refuted"}
-    assert all(law.against.p < REFUTED and "explains the data better" in law.reason for law in wrong)
+    assert all(law.evidence.against.p < REFUTED and "explains the data better" in law.reason for law in wrong)
 
 
 @pytest.mark.parametrize(("law", "strengths", "swings"), [("2", [1.5], 14), ("1+2", [0.3, 0.5], 10)])
@@ -128,9 +128,9 @@ def test_a_law_with_a_negative_loss_refutes_no_other():
     seen = observed("1+2", [0.05, -0.02], 30, noise_x=1e-4, seed=3)
     answer = asy.identify(seen, laws=["1", "1+2"], bootstrap=False)
     assert answer.law("1+2").law.negative == ("2",)
-    assert answer.law("1").law.against.by is None
+    assert answer.law("1").law.evidence.against.by is None
     physical = observed("1+2", [0.03, 0.02], 30, noise_x=1e-4, seed=3)
-    assert asy.identify(physical, laws=["1", "1+2"], bootstrap=False).law("1").law.against.p < 1e-3
+    assert asy.identify(physical, laws=["1", "1+2"], bootstrap=False).law("1").law.evidence.against.p < 1e-3
 
 
 def test_one_outlying_swing_refutes_no_law():

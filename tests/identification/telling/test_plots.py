@@ -39,7 +39,8 @@ def test_pictures_have_the_quantile_of_the_intervals():
 def test_pictures_have_intervals_as_long_as_those_that_are_printed():
     """Residuals that remember stretch the intervals: three times, in a band and at the ends of a profile."""
     law = asy.identify(observed("1", [0.05], 20, 1e-3, seed=4), laws=["1"], bootstrap=False).law("1").law
-    longer = replace(law, stretches=(3.0,), epsilon=(law.epsilon[0].stretched(3.0),))
+    ends = replace(law.intervals, stretches=(3.0,), epsilon=(law.epsilon[0].stretched(3.0),))
+    longer = replace(law, intervals=ends)
     heights, ends = [], []
     for each in (law, longer):
         figure, (band, profile) = plt.subplots(1, 2)
