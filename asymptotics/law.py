@@ -209,22 +209,6 @@ class Oscillator(Shown):
         for name, value in {"law": physical, **values, "notes": physical.notes + float_notes(**given)}.items():
             object.__setattr__(self, name, value)
 
-    @classmethod
-    def of_epsilons(cls, law: Law) -> "Oscillator":
-        """m = k = x0 = 1 from rest, where b and epsilon are one number: also those of an oscillator in other units."""
-        made = object.__new__(cls)
-        one, zero = ExactReal(1), ExactReal(0)
-        fields = {
-            "law": PhysicalLaw.from_terms(law.terms, law.notes),
-            "mass": one,
-            "stiffness": one,
-            "x0": one,
-            "v0": zero,
-        }
-        for name, value in {**fields, "notes": law.notes}.items():
-            object.__setattr__(made, name, value)
-        return made
-
     def with_law(self, law: Mapping[Any, Any] | _Sum) -> "Oscillator":
         """The same mass, spring and start under another law."""
         return Oscillator(law, mass=self.mass, stiffness=self.stiffness, x0=self.x0, v0=self.v0)

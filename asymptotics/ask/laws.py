@@ -17,7 +17,7 @@ from asymptotics.ask.forces import FORMS_FROM_0, GivenTerms, read_law, read_term
 from asymptotics.ask.kinds import Kind, Option
 from asymptotics.ask.moving import QUANTITIES, Given, is_physical, read_oscillator
 from asymptotics.expansions.equations.given import terms_of
-from asymptotics.law import Law, Oscillator
+from asymptotics.law import Law, Oscillator, of_unit_start
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.terms import Term
 
@@ -124,7 +124,7 @@ def law_with_strengths(meaning: str, *, negative: bool = False, springs: bool = 
 
 def _moving(value: Any, _name: str) -> Given:
     si = isinstance(value, Oscillator)
-    return Given(value if si else Oscillator.of_epsilons(law_of(value)), si)
+    return Given(value if si else of_unit_start(law_of(value)), si)
 
 
 def moving(

@@ -26,12 +26,6 @@ from asymptotics.numbers.exact import require_integer
 from asymptotics.numbers.policy import Number
 
 MAX_COUNT, MAX_DIGITS = 1000, 100
-HELP = (
-    "also write FILE, a certificate of what is printed: python check_certificate.py FILE proves every digit of it with"
-    " nothing but Python (a half-swing of 20 digits takes 4 to 15 kB, 20 of them 1 s to make and 0.3 s to check;"
-    " up to 100 digits and 1000 half-swings)"
-)
-"""What ``--certificate FILE`` says of itself."""
 
 
 class Table(Protocol):

@@ -6,11 +6,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import asymptotics
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.question import Question
 from asymptotics.cli.answer import Answer, shortened
 from asymptotics.cli.common import Refuse
 from asymptotics.cli.files import Makers, picture_maker, read_files, write_files
+
+CHECKER = Path(asymptotics.__file__).parent / "testing" / "check_certificate.py"
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,11 @@ class Command:
         if offers.picture:
             style = offers.style(found, request)
             makers["--plot"] = picture_maker(options, lambda: offers.drawn(found, request), **style)
+        if offers.certificate is not None and "--certificate" in files:
+            made = offers.certificate(found, request)
+            makers["--certificate"] = lambda _: f"{made.to_json()}\n"
+            files = files | {"checker": files["--certificate"].with_name(CHECKER.name)}
+            makers["checker"] = lambda _: CHECKER.read_text(encoding="utf-8")
         written = write_files(files, makers, options, self.question)
         latex = offers.as_latex(found, request) if offers.latex and options.latex else ""
         data = _data(offers, found, request, latex, written)

@@ -78,7 +78,7 @@ def read_files(options: argparse.Namespace, pictures: tuple[str, ...] = PICTURES
 
     ``pictures``: the suffixes that --plot may have.
     """
-    named = {f"--{name}": getattr(options, name, None) for name in ("plot", "csv", "html")}
+    named = {f"--{name}": getattr(options, name, None) for name in ("plot", "csv", "html", "certificate")}
     found = {argument: _file(name, argument, pictures) for argument, name in named.items() if name is not None}
     require_different(dict(found))
     if getattr(options, "points", None) is not None:
@@ -127,4 +127,6 @@ def _file(name: str, argument: str, pictures: tuple[str, ...]) -> Path:
         raise InputError(argument, f"{name!r} has no suffix of a picture", " or ".join(pictures))
     if argument == "--html" and Path(name).suffix.lower() not in (".html", ".htm"):
         raise InputError(argument, f"{name!r} has no suffix of a page", ".html")
+    if argument == "--certificate" and Path(name).suffix.lower() != ".json":
+        raise InputError(argument, f"{name!r} has no suffix of a certificate", ".json")
     return target_file(name, argument)

@@ -8,6 +8,7 @@ from asymptotics.ask.kinds import FLAG, SECONDS, TEXT, digits, whole
 from asymptotics.ask.laws import MOVES
 from asymptotics.ask.moving import Given
 from asymptotics.ask.question import question
+from asymptotics.certificates.of_results import of_turning_points
 from asymptotics.curves.turning_points import (
     OscillatorTurningPoints,
     dimensionless,
@@ -15,7 +16,7 @@ from asymptotics.curves.turning_points import (
     with_notes,
     without_units,
 )
-from asymptotics.errors import LimitError
+from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.numbers.policy import Number
 from asymptotics.present.inputs import csv_text
@@ -92,6 +93,13 @@ def _missing(found: Found, request: Request) -> tuple[int, str]:
     return len(found.points), f"n = {first} ... {last}"
 
 
+def _certificate(found: Any, request: Request) -> Any:
+    if isinstance(found, Routes):
+        raise InputError("--certificate", "a list of routes has no digits", "a certificate of turning points")
+    moving = cast("Given", request["law"])
+    return of_turning_points(moving.oscillator, found)
+
+
 @question(
     Offers(
         latex="print the table as LaTeX",
@@ -104,6 +112,7 @@ def _missing(found: Found, request: Request) -> tuple[int, str]:
         text=_text,
         as_latex=lambda found, _: found._formula(),
         as_csv=_csv,
+        certificate=_certificate,
         missing=_missing,
         lacks={"gauge": "what is observed is the same in every gauge", "points": "`--count` says how many"},
     ),
