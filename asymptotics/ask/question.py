@@ -165,6 +165,14 @@ class Question:
             "required": needed, "additionalProperties": False,
         }  # fmt: skip
 
+    def in_python(self, error: InputError) -> InputError:
+        """The same error with the shell's name of an argument (FILE, --count) turned into that of the parameter."""
+        called = {self.spelled(a.name): a.name for a in self.asked if not a.kind.options}
+        if error.argument not in called:
+            return error
+        same = type(error)(called[error.argument], error.reason, error.accepted)
+        return same.with_traceback(error.__traceback__)
+
     def feeds(self) -> dict[str, tuple[str, ...]]:
         """A parameter of the library -> the options that may have set it."""
         own = {a.name: (a.name,) for a in self.asked if not a.kind.options}
@@ -193,7 +201,10 @@ def question(
             given = bound.arguments
             values = made.read(given)
             rest = {n: v for n, v in given.items() if n not in values}
-            return noted(compute(**values, **rest), _floats(made, given))
+            try:
+                return noted(compute(**values, **rest), _floats(made, given))
+            except InputError as error:
+                raise made.in_python(error) from error
 
         called: Any = ask
         called.__kwdefaults__ = compute.__kwdefaults__

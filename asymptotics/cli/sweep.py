@@ -133,6 +133,7 @@ def _text(result: SweepResult, own: argparse.Namespace) -> str:
         lines.append(f"  failed: {where}: {failure['reason']}")
     if result.failed > len(result.failures):
         lines.append(f"  ... and {result.failed - len(result.failures)} more")
+    lines += result.notes
     if own.export is not None:
         lines.append(f"written: {own.export}")
     return "\n".join(lines)

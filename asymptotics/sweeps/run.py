@@ -62,7 +62,8 @@ OpenCrew = Callable[[], AbstractContextManager[Crew]]
 class SweepResult(Rows, Drawn):
     """What a sweep did: ``points`` asked for, ``reused`` from the store, ``computed`` now, ``failed`` of both.
 
-    ``failures`` has the parameters and the reason of the first twenty.  ``to_dataframe()`` reads all results from the
+    ``failures`` has the parameters and the reason of the first twenty, ``notes`` what was mended
+    in the store.  ``to_dataframe()`` reads all results from the
     store, ``plot(x=, y=)`` draws one column against another.
     """
 
@@ -73,13 +74,16 @@ class SweepResult(Rows, Drawn):
     failures: tuple[dict[str, Any], ...]
     seconds: str
     store: str
+    notes: tuple[str, ...] = field(default=(), compare=False)
     command: str = field(default="", compare=False)
     grid: Sequence[Point] = field(default=(), compare=False, repr=False)
 
     def _page(self) -> Page:
         title = f"{self.points} points: {self.computed} computed, {self.reused} from the store, {self.failed} failed"
         rows = tuple((str(f["point"]), f["reason"]) for f in self.failures)
-        return Page(title, (f"in {self.seconds} s, store {self.store}",), ("point", "reason") if rows else (), rows)
+        return Page(
+            title, (f"in {self.seconds} s, store {self.store}", *self.notes), ("point", "reason") if rows else (), rows
+        )
 
     def _table(self) -> dict[str, list[Any]]:
         return columns(self.command, self.grid, Path(self.store))
@@ -96,7 +100,8 @@ class SweepResult(Rows, Drawn):
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready."""
         names = ("points", "reused", "computed", "failed", "failures", "seconds", "store")
-        return {name: getattr(self, name) for name in names} | {"failures": list(self.failures)}
+        data = {name: getattr(self, name) for name in names} | {"failures": list(self.failures)}
+        return data | ({"notes": list(self.notes)} if self.notes else {})
 
 
 @public_beside_others
@@ -164,8 +169,9 @@ def _result(plan: SweepPlan, computed: int, start: float) -> SweepResult:
     failures = tuple({"point": point, "reason": reason} for _, point, reason in plan.failures.first)
     seconds = f"{time.perf_counter() - start:.3f}"
     where, points = str(plan.store.folder), plan.points
+    notes = ("store.json was lost, and is written again from the shards",) if plan.store.rebuilt else ()
     return SweepResult(
-        len(points), plan.reused, computed, plan.failures.count, failures, seconds, where, plan.command, points
+        len(points), plan.reused, computed, plan.failures.count, failures, seconds, where, notes, plan.command, points
     )
 
 

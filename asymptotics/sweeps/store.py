@@ -28,15 +28,19 @@ ACCEPTED = "a new or empty folder, or one that a sweep of this code has made"
 class Store:
     """A store on disk; ``create`` makes the folder if there is none.
 
-    InputError for a folder that is not a store, is unreadable, or holds results of other code or libraries.
+    ``rebuilt``: a lost store.json was written again, for the shards hold points of this code; each of them proves
+    itself, and is found by a key that names its code.  InputError for a folder that is not a store, is unreadable, or
+    holds results of other code or libraries.
     """
 
     def __init__(self, folder: Path, *, create: bool = False) -> None:
-        self.folder = folder
+        self.folder, self.rebuilt = folder, False
         about = folder / "store.json"
         try:
+            self.rebuilt = create and not about.exists() and _holds_points_of_this_code(folder)
             # Only a folder that is new or empty becomes a store: nobody's other files get shards put among them.
-            if create and not about.exists() and not (folder.exists() and any(folder.iterdir())):
+            new = create and not about.exists() and not (folder.exists() and any(folder.iterdir()))
+            if new or self.rebuilt:
                 require_writable(folder / "shards", "store")
                 write_atomically(
                     about, json.dumps({"format": FORMAT, "version": __version__, "made_by": made_by()}) + "\n"
@@ -87,10 +91,20 @@ def _difference(found: Any) -> str | None:
     return ", ".join(changed) or None
 
 
+def _holds_points_of_this_code(folder: Path) -> bool:
+    """Whether there is a shard with a record of a task of this code, and nothing beside the shards."""
+    shards = folder / "shards"
+    if not shards.is_dir() or {path.name for path in folder.iterdir()} != {"shards"}:
+        return False
+    records = (record for path in sorted(shards.glob("[0-9a-f]*.points")) for _, _, record in lines(path))
+    return any(json.loads(record)["task"].get("code") == mark() for record in records)
+
+
 def require_usable(folder: Path) -> None:
     """InputError for a folder that ``Store(folder, create=True)`` would refuse for what is in it; writes nothing."""
     try:
-        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        used = folder.exists() and (not folder.is_dir() or any(folder.iterdir()))
+        if used and not (folder.is_dir() and _holds_points_of_this_code(folder)):
             Store(folder)
     except OSError as error:
         raise InputError("store", f"{folder} is not a store: {error.strerror}", ACCEPTED) from error
