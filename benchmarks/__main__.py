@@ -24,6 +24,7 @@ BENCHMARKS = {
     "start-up": "start_up",
     "promises": "promises",
     "identified": "identified",
+    "certificates": "certificates",
 }
 """The name of each benchmark, and its module: a function ``run`` that takes a size."""
 
