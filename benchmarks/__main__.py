@@ -31,6 +31,7 @@ BENCHMARKS = {
     "promises": "promises",
     "fits": "fits",
     "identified": "identified",
+    "certificates": "certificates",
 }
 """The name of each benchmark, and its module: a function ``run`` that takes a size, and the ``PEERS`` that it asks."""
 WHOLE = {"identified": 12}

@@ -19,7 +19,7 @@ from typing import Any
 from asymptotics.budget import DEFAULT_SECONDS, budget
 from asymptotics.certificates.claims import Claim, error_allowed, exact_time, last_number
 from asymptotics.certificates.equation import Equation
-from asymptotics.certificates.known import Known, known_turning_points
+from asymptotics.certificates.known import Known, known_before, known_turning_points
 from asymptotics.certificates.layout import Landing, Plan, swing
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
@@ -90,11 +90,17 @@ def _require_bounds_enough(equation: Equation, claims: Sequence[Claim]) -> None:
 
 def _known(oscillator: Oscillator, equation: Equation, claims: Sequence[Claim], allowed: float) -> Known:
     """The turning points that the claims need, to so many digits that nothing is lost by them."""
-    moments = [exact_time(claim) for claim in claims if claim["kind"] == "state"]
-    turns = max(moments, default=Fraction(0)) * Fraction(float(equation.stiffness) ** 0.5)
+    last = max((exact_time(claim) for claim in claims if claim["kind"] == "state"), default=Fraction(0))
+    turns = float(last) * float(equation.stiffness) ** 0.5
+    number = last_number(claims)
+    digits = int(-allowed / _LOG2_10) + 12 + len(str(int(turns) + number + 1))
     # No half-swing is shorter than pi.
-    count = max(last_number(claims) + 1, int(turns / 3) + 1)
-    return known_turning_points(oscillator, count, int(-allowed / _LOG2_10) + 12 + len(str(int(turns) + count)))
+    count = int(turns / 3) + 1
+    return (
+        known_before(oscillator, last, count, digits)
+        if count > number
+        else known_turning_points(oscillator, number + 1, digits)
+    )
 
 
 def _content(

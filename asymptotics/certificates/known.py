@@ -7,11 +7,13 @@
 """
 
 from dataclasses import dataclass
+from fractions import Fraction
 
 from flint import arb
 
 from asymptotics.budget import seconds_left
 from asymptotics.certificates.layout import Landing, landing
+from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
@@ -28,9 +30,28 @@ class Known:
     sticks: int | None
 
 
+def known_before(oscillator: Oscillator, t: Fraction, count: int, digits: int) -> Known:
+    """At most so many, up to the first one after the time t, as far as they are found: the next one may be far off."""
+    try:
+        return known_turning_points(oscillator, count, digits)
+    except (LimitError, UndecidedError):
+        with ctx.workprec(bits_for(digits, 64)):
+            start = landing(arb(0), oscillator.x0.ball(), 1)
+        known = Known((start,) if oscillator.v0.is_zero else (), None)
+    # One more each time, until the time is passed or the next one is refused.
+    for more in range(1, count + 1):
+        if known.points and known.points[-1].time > t:
+            break
+        try:
+            known = known_turning_points(oscillator, more, digits)
+        except (LimitError, UndecidedError):
+            break
+    return known
+
+
 def known_turning_points(oscillator: Oscillator, count: int, digits: int) -> Known:
     """At most so many, with times since the start, in the units of the oscillator."""
-    (x0, v0), seconds = _start(oscillator), min(seconds_left(), 1e9)
+    (x0, v0), seconds = _start(oscillator), min(seconds_left(), 1e9) / 3
     law = oscillator.dimensionless
     found = turning_points(law, count, digits, times=True, x0=x0, v0=v0, max_seconds=seconds)
     bits = bits_for(digits, 64)

@@ -84,9 +84,10 @@ def swing(
 
 
 def _short(size: float, most: Fraction) -> Fraction:
-    """A number of few bits below ``size``, or ``most`` where that is not much more."""
-    if most <= 1.3 * size:
+    """A number of few bits up to ``size``, or ``most`` where it is no larger; no small remainder is left."""
+    if most <= size:
         return most
+    size = min(size, 0.7 * float(most))
     bits = 8 - int(log2(size))
     return Fraction(int(size * 2.0**bits), 2**bits) if bits >= 0 else Fraction(int(size))
 

@@ -60,6 +60,8 @@ def of_turning_points(
     if getattr(table, "first", None) is not None:
         reason = "a start in motion has places in units of an amplitude that is itself computed"
         raise InputError("certificate", reason, "the same as an Oscillator, whose places are in m")
+    if not table.points:
+        raise InputError("certificate", "there is no turning point", "a motion that turns, or its states at times")
     claims = [turning_claim(p, table.digits) for p in table.points]
     if table.ended is not None and table.ended["reason"] == "sticks":
         claims.append(rest_claim(table.ended["n"]))

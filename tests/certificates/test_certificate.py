@@ -43,6 +43,11 @@ def test_the_stop_and_the_motion_after_it():
     assert check_certificate.check(examples.state("friction", "1000"))[0].endswith(" v = 0 exactly")
 
 
+def test_a_state_a_little_beyond_the_longest_piece():
+    friction = Oscillator({0: "1/10"}, x0=0, v0=1)
+    assert of_states(friction, [("10", reference_motion(friction, "10", 26))], 26).proved
+
+
 def test_rest_from_the_start():
     stuck = Oscillator({0: 2})
     assert of_turning_points(stuck, turning_points(stuck, 3, digits=5)).proved[-1] == "turning point 0: it stays"
@@ -101,6 +106,23 @@ def test_other_refusals():
         of_turning_points(Law({2: "1/10"}), dimensionless(Law({2: "1/10"}), 1, 101))
     with pytest.raises(LimitError):
         of_turning_points(law, dimensionless(law, 300, 50, times=True), max_seconds=0.2)
+
+
+def test_a_motion_that_never_turns_has_states_alone():
+    creeping = Oscillator({"1/7": "5/3"}, x0=2, v0="-1/3")
+    with pytest.raises(InputError, match="no turning point"):
+        of_turning_points(creeping, turning_points(creeping, 2, digits=2))
+
+
+def test_a_next_turning_point_that_is_far_off_is_not_waited_for():
+    near_critical = Oscillator({"1001/1000": 10})
+    assert of_states(near_critical, [("1", reference_motion(near_critical, "1", 9))], 9).proved
+
+
+def test_a_series_of_thousands_of_terms_is_refused_at_once():
+    flat = Oscillator({"1/1000": "1/10"})
+    with pytest.raises(LimitError, match="terms"):
+        of_turning_points(flat, turning_points(flat, 2, digits=15), max_seconds=10)
 
 
 def test_a_false_digit_gets_no_certificate():
