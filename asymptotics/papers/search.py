@@ -25,8 +25,8 @@ ROMAN = {"i": "1", "ii": "2", "iii": "3", "iv": "4", "v": "5"}
 AUTHORS = {"lancaster": "lancaster2020", "lelas": "lelas2024", "smith": "smith2012"}
 YEARS = ("2012", "2020", "2024")
 IDLE = ("a", "al", "an", "and", "are", "at", "be", "by", "do", "does", "eq", "eqn", "eqs", "equation", "et", "for",
-        "formula", "how", "in", "is", "it", "no", "of", "on", "that", "the", "this", "to", "what", "when", "where", "which",
-        "with")  # fmt: skip
+        "formula", "how", "in", "is", "it", "no", "of", "on", "that", "the", "this", "to", "what", "when", "where",
+        "which", "with")  # fmt: skip
 MARKS = r"\\(hat|dot|ddot|tilde|bar|text|mathrm|left|right|quad|qquad)\b"
 # These statements say in formulas what is asked for in words.
 SAID = {  # what a reader calls it, beside what the statement says: by the beginning of an id
