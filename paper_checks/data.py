@@ -1,12 +1,14 @@
 """The statements as data for the installed package: ``python -m paper_checks --data`` writes it."""
 
+import ast
 import inspect
 import json
 from pathlib import Path
 from typing import Any
 
+from derivations.__main__ import names as derivation_names
 from paper_checks.near_misses import WORDS
-from paper_checks.registry import PAPERS, Statement, load
+from paper_checks.registry import IDENTIFIERS, PAPERS, Statement, load
 
 ROOT = Path(__file__).parents[1]
 DATA = ROOT / "asymptotics" / "papers" / "data.json"
@@ -15,8 +17,40 @@ DATA = ROOT / "asymptotics" / "papers" / "data.json"
 def written() -> str:
     """The contents of the file, from the registry as it is."""
     references = {key: reference for key, (reference, *_) in PAPERS.items()}
-    return json.dumps({"papers": references, "statements": [record(s) for s in load().values()]}, indent=1,
-                      ensure_ascii=False) + "\n"  # fmt: skip
+    known = {
+        "papers": references,
+        "identifiers": IDENTIFIERS,
+        "statements": [record(s) for s in load().values()],
+        "derivations": derivation_records(),
+    }
+    return json.dumps(known, indent=1, ensure_ascii=False) + "\n"
+
+
+def derivation_records() -> list[dict[str, Any]]:
+    """The derivations without running them: by paper in the order of its statements, then those beyond the papers."""
+    cited: dict[str, list[str]] = {}
+    for s in load().values():
+        if s.derivation is not None:
+            cited.setdefault(s.derivation, []).append(s.id)
+    names = [*cited, *(name for name in derivation_names() if name not in cited)]
+    return [_derivation_record(name, cited.get(name, [])) for name in sorted(names, key=lambda n: _place(n, cited))]
+
+
+def _place(name: str, cited: dict[str, list[str]]) -> tuple[int, int, str]:
+    """The place of the first statement that cites it; what no statement cites comes last, by name."""
+    order = list(load())
+    return (0, order.index(cited[name][0]), "") if name in cited else (1, 0, name)
+
+
+def _derivation_record(name: str, ids: list[str]) -> dict[str, Any]:
+    """Name, title and source as they stand in the file, with the statements that cite it."""
+    path = ROOT / "derivations" / (name.replace("-", "_") + ".py")
+    calls = (node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Call))
+    call = next(node for node in calls if getattr(node.func, "id", "") == "Derivation")
+    given = [ast.literal_eval(node) for node in call.args] + [ast.literal_eval(k.value) for k in call.keywords]
+    section = inspect.unwrap(load()[ids[0]].check).__module__.rpartition(".")[2] if ids else ""
+    paper = ids[0].partition(":")[0] if ids else ""
+    return {"name": name, "title": given[1], "source": given[2], "paper": paper, "section": section, "statements": ids}
 
 
 def record(s: Statement) -> dict[str, Any]:

@@ -51,6 +51,19 @@ PAPERS = {
     "lelas2024": ("K. Lelas, Decay of amplitude of a harmonic oscillator with weak nonlinear damping (2024)", ()),
     "smith2012": ("B. R. Smith, Jr., The quadratically damped oscillator, Am. J. Phys. 80, 816 (2012)", ()),
 }
+IDENTIFIERS = {  # as in CITATION.cff, which a test compares
+    "lancaster2020": {"doi": "10.48550/arXiv.1811.02953", "arxiv": "1811.02953"},
+    "lelas2024": {"doi": "10.48550/arXiv.2411.15588", "arxiv": "2411.15588"},
+    "smith2012": {"doi": "10.1119/1.4729440", "arxiv": ""},
+}
+FOLLOW_UPS = (  # later papers of the authors: arXiv number, title, and the statements on which they bear
+    ("2502.07458", "K. Lelas and R. Pezer, The amplitude decay of a harmonic oscillator damped simultaneously by weak"
+     " linear and nonlinear damping forces (2025)", ("lancaster2020:20", "lelas2024:54")),
+    ("2512.23590", "New approach to approximate analytical solutions of a harmonic oscillator with weak to moderate"
+     " nonlinear damping: Part I (2025)", ("lelas2024:49", "lelas2024:52", "smith2012:43")),
+    ("2602.19725", "R. Pezer and K. Lelas, Damped harmonic oscillator revisited: a new approach to energy decay in the"
+     " case of Coulomb, Stokes, and Newton damping (2026)", ("lelas2024:7", "lelas2024:claim.energy-decreases")),
+)  # fmt: skip
 SECTIONS = {
     "lancaster2020": (
         "section_1_linear",

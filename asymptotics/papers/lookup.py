@@ -27,20 +27,21 @@ MAX_QUERY = 200
 
 
 @cache
-def _data() -> dict[str, object]:
+def stored() -> dict[str, object]:
+    """What ``data.json`` holds: papers, statements, derivations."""
     return dict(json.loads(files("asymptotics.papers").joinpath("data.json").read_text(encoding="utf-8")))
 
 
 @cache
 def _all() -> dict[str, PaperStatement]:
-    records = _data()["statements"]
+    records = stored()["statements"]
     assert isinstance(records, list)
     return {r["id"]: PaperStatement(**{**r, "methods": tuple(r["methods"])}) for r in records}
 
 
 def papers() -> dict[str, str]:
     """The keys of the papers with their references."""
-    references = _data()["papers"]
+    references = stored()["papers"]
     assert isinstance(references, dict)
     return dict(references)
 

@@ -24,16 +24,55 @@ GREEK = dict(zip(
 ROMAN = {"i": "1", "ii": "2", "iii": "3", "iv": "4", "v": "5"}
 AUTHORS = {"lancaster": "lancaster2020", "lelas": "lelas2024", "smith": "smith2012"}
 YEARS = ("2012", "2020", "2024")
-IDLE = ("a", "al", "an", "and", "at", "by", "eq", "eqn", "eqs", "equation", "et", "for", "formula", "in", "is", "no",
-        "of", "on", "the", "to", "what", "with")  # fmt: skip
+IDLE = ("a", "al", "an", "and", "are", "at", "be", "by", "do", "does", "eq", "eqn", "eqs", "equation", "et", "for",
+        "formula", "how", "in", "is", "it", "no", "of", "on", "that", "the", "this", "to", "what", "when", "where",
+        "which", "with")  # fmt: skip
 MARKS = r"\\(hat|dot|ddot|tilde|bar|text|mathrm|left|right|quad|qquad)\b"
 # These statements say in formulas what is asked for in words.
 SAID = {  # what a reader calls it, beside what the statement says: by the beginning of an id
-    "lancaster2020:13": "envelope amplitude decay",
+    "lancaster2020:13": "envelope amplitude decay averaging equivalent linearisation krylov bogoliubov",
+    "lancaster2020:12": "averaging mean beta function",
+    "lancaster2020:3": "underdamped damped viscous linear",
+    "lancaster2020:2": "underdamped damped viscous linear",
     "lancaster2020:table1.": "envelope amplitude decay",
-    "lelas2024:32": "envelope amplitude decay alpha=0",
-    "lelas2024:45": "envelope amplitude decay alpha=2",
-    "smith2012:43": "lambert turning point",
+    "lancaster2020:table1.alpha0": "coulomb constant friction",
+    "lancaster2020:table1.alpha2": "quadratic drag air newton",
+    "lancaster2020:table1.alpha3": "cubic",
+    "lancaster2020:20": "two laws together combined mixed damping",
+    "lancaster2020:21": "two laws combined mixed viscous quadratic drag",
+    "lancaster2020:fn22": "hypergeometric 2f1 closed form two laws",
+    "lancaster2020:fig1": "block mass stop stops rest stick sticks coulomb",
+    "lancaster2020:claim.friction-overwhelms": "block mass stop stops rest stick sticks coulomb",
+    "lancaster2020:claim.no-overdamping": "overdamping critical damping overdamped",
+    "lelas2024:32": "envelope amplitude decay alpha=0 coulomb constant friction",
+    "lelas2024:45": "envelope amplitude decay alpha=2 quadratic drag air newton",
+    "lelas2024:48": "coulomb friction averaging",
+    "lelas2024:49": "exact motion block stop stops rest stick sticks coulomb half-swing",
+    "lelas2024:52": "quadratic drag air averaging amplitude",
+    "lelas2024:value.rest-": "block stop stops rest stick sticks place",
+    "lelas2024:value.tau-exact-": "block stop stops rest time",
+    "lelas2024:claim.stop-time-": "block stop stops time",
+    "smith2012:43": "lambert turning point recurrence map quadratic drag amplitude",
+    "smith2012:46c": "maximum speed velocity",
+    "smith2012:55": "period duration quadratic drag oscillator exact",
+    "smith2012:59": "recurrence recursion",
+    "smith2012:59d": "recurrence recursion general",
+    "smith2012:62a": "recurrence coefficients",
+    "smith2012:62b": "closed form recurrence sum coefficients solution",
+    "smith2012:67": "closed form coefficients",
+    "smith2012:70": "period amplitude quadratic drag",
+    "smith2012:72": "curve fig5 corrected",
+    "smith2012:claim.not-identifiable": "generating function sum elementary closed form",
+    "smith2012:claim.never-overdamped": "overdamping critical damping overdamped",
+}
+ASKED = {  # the verdict, and in which words it is asked for
+    "misprint": "misprint misprints erratum errata typo typos wrong slip error mistake",
+    "transcription": "transcription garbled slip",
+    "partly": "partly",
+    "refuted": "refuted false wrong",
+    "open": "open unsolved undecided",
+    "holds": "holds",
+    "definition": "definition definitions",
 }
 NAMED = {"dry friction": "alpha=0", "sliding friction": "alpha=0", "linear damping": "alpha=1", "viscous": "alpha=1",
          "quadratic damping": "alpha=2", "air resistance": "alpha=2", "cubic damping": "alpha=3"}  # fmt: skip
@@ -74,8 +113,9 @@ class Searched:
     def of(cls, s: PaperStatement) -> "Searched":
         """What is searched of a statement."""
         title, notes = plain(s.title), plain(" ".join((s.note, s.conditions, *s.methods)))
-        said = [words for start, words in SAID.items() if s.id == start or start[-1] == "." and s.id.startswith(start)]
+        said = [words for start, words in SAID.items() if s.id == start or start[-1] in ".-" and s.id.startswith(start)]
         said += [words for name, words in NAMED.items() if name in title]
+        said.append(ASKED[s.printed])
         return cls(s.id, title, " ".join(said), plain(f"{s.latex} {s.corrected or ''}"), notes)
 
     def marks(self, word: str) -> int:
@@ -98,7 +138,7 @@ class Searched:
 
 
 def ranked(entries: Iterable[Searched], query: str) -> list[str]:
-    """The ids that answer a query, best first; those with every word, else those with most of them."""
+    """The ids that answer a query, best first; those with every word, else those with as many of them as any has."""
     named, words = reduced(query)
     chosen = [e for e in entries if not named or e.id.partition(":")[0] in named]
     if not words:
@@ -106,15 +146,15 @@ def ranked(entries: Iterable[Searched], query: str) -> list[str]:
     found: list[tuple[int, int, str]] = []
     for place, entry in enumerate(chosen):
         marks = [entry.marks(word) for word in words]
-        # At least half of the words; 1000 is more than all marks together may be below it (100 a word), so that whoever
-        # has every word stands first.
-        if all(marks) or len(words) > 1 and 2 * sum(map(bool, marks)) >= len(words):
-            found.append((-sum(marks) - 1000 * all(marks), place, entry.id))
+        # 1000 is more than all marks of a word together (100), so that whoever has more of the words stands first.
+        if any(marks):
+            found.append((-sum(marks) - 1000 * sum(map(bool, marks)), place, entry.id))
     found.sort()
-    complete = [key for key in found if key[0] <= -1000]
+    most = max((-key[0] // 1000 for key in found), default=0)
+    fullest = [key for key in found if -key[0] // 1000 == most]
     # Every word is the number itself: then nothing that only mentions it is shown.
-    exact = [key for key in complete if key[0] <= -1000 - 100 * len(words)]
-    return [key for *_, key in exact or complete or found]
+    exact = [key for key in fullest if -key[0] >= 1100 * len(words)]
+    return [key for *_, key in exact or fullest]
 
 
 def words_for_pages() -> Mapping[str, object]:

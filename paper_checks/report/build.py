@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
+from shutil import which
 from typing import Any
 
 import jinja2
@@ -19,14 +20,16 @@ from asymptotics.tables.cells import Formula
 from asymptotics.tables.registry import build
 from paper_checks.data import record, source
 from paper_checks.mathml import to_mathml, whole
-from paper_checks.registry import PAPERS, Entry, Shortfall
+from paper_checks.registry import FOLLOW_UPS, IDENTIFIERS, PAPERS, Entry, Shortfall
 from paper_checks.report import pages
 from paper_checks.report.difference import marked
 from paper_checks.report.engine import engine_data, regimes_picture, stokes_picture, validity_picture
 from paper_checks.report.font import font_face
+from paper_checks.report.linked import linked
 from paper_checks.report.play import play_page
-from paper_checks.report.tex import tex
-from paper_checks.report.words import OUTCOMES, evidence, inline
+from paper_checks.report.sheets import ENGINE, sheet_files, tabular
+from paper_checks.report.tex import said, tex
+from paper_checks.report.words import LEGEND, OUTCOMES, a_kind, counted, evidence, inline, plain_note
 from paper_checks.verdict import Printed
 
 Progress = Callable[[str], None]
@@ -40,7 +43,7 @@ HEADS = {  # columns as the papers write them
     "alpha": r"\alpha", "A": "A(t)", "half_cycle": "n", "S_hat": r"\hat{S}_{n-1}", "u": "u_{n-1}", "i": "i",
     "c_i": "c_i",
 }  # fmt: skip
-BESIDE_PLAY = (("The papers, checked", "index.html"), ("Documentation", "../docs/index.html"))
+BESIDE_PLAY = (("The papers, checked", "index.html"),)
 PAGES = ("index.html", "errata.html", "derivations.html", "engine.html")
 FOLDER = Path(__file__).parent
 MEASURED = FOLDER.parents[1] / "docs" / "benchmarks.svg"
@@ -67,7 +70,9 @@ def _contents(entries: list[Entry], progress: Progress) -> dict[str, bytes | str
     contents: dict[str, bytes | str] = dict(_figures(entries, progress))
     data = report_data(entries)
     contents["report.json"] = json.dumps(data, indent=1, ensure_ascii=False)
+    contents["registry.jsonld"] = json.dumps(linked([e.statement for e in entries]), indent=1, ensure_ascii=False)
     contents["report.tex"] = _template("report.tex.j2").render(data)
+    contents |= sheet_files(_template, data)
     made = _pages(data, {e.statement.id: e for e in entries})
     contents["style.css"] = (FOLDER / "style.css").read_text(encoding="utf-8") + font_face(made.values())
     return contents | made | ({"benchmarks.svg": MEASURED.read_bytes()} if MEASURED.exists() else {})
@@ -81,6 +86,8 @@ def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
     name, title = HARMLESS
     shown["errata"].append({"name": name, "title": title, "entries": [e for e in cards if e["slip"]]})
     shown["measured"] = MEASURED.exists()
+    shown["pdf"] = which(ENGINE) is not None
+    shown["legend"] = LEGEND
     made = {name: _template(f"{name}.j2").render(shown, derivations=pages.derivations()) for name in PAGES}
     made["play.html"] = play_page(BESIDE_PLAY)
     made |= {f"{p['key']}.html": _template("paper.html.j2").render(shown, paper=p) for p in papers}
@@ -151,6 +158,12 @@ def _paper(key: str, entries: list[Entry]) -> dict[str, Any]:
         "key": key,
         "name": key[:-4].capitalize() + " " + key[-4:],
         "reference": PAPERS[key][0],
+        **IDENTIFIERS[key],
+        "follow_ups": [
+            {"arxiv": number, "title": title, "on": on}
+            for number, title, ids in FOLLOW_UPS
+            if (on := [i for i in ids if i.startswith(key)])
+        ],
         "summary": dict(Counter(str(e.printed) for e in entries)),
         "sections": pages.sections(key),
         "entries": [e.to_dict() for e in entries],
@@ -172,15 +185,16 @@ def _table(name: str, entries: list[Entry]) -> dict[str, Any]:
         form = forms.get(f"{name.replace('.', ':', 1)}.alpha{str(plain_row[0]).replace('/', '-')}")
         if form is not None:
             row[-1] = form
+    heads = [HEADS.get(column, rf"\text{{{column.replace('_', ' ')}}}") for column in table.columns]
     return {
         "table": name,
         "title": table.title,
         "columns": list(table.columns),
         "rows": [[str(cell) for cell in row] for row in table.rows],
         "provenance": table.source,
-        "heads": [HEADS.get(column, rf"\text{{{column.replace('_', ' ')}}}") for column in table.columns],
+        "heads": heads,
         "typeset": typeset,
-        "tabular": table.to_latex(),
+        "tabular": tabular(heads, typeset),
     }
 
 
@@ -221,5 +235,6 @@ def _template(name: str) -> jinja2.Template:
     environment.filters["inline_mathml"] = to_mathml
     environment.filters["mathml"] = lambda latex: to_mathml(latex, display=True)
     environment.filters["tex"] = tex
+    environment.filters |= {"said": said, "counted": counted, "a_kind": a_kind, "note": plain_note}
     environment.filters["signs"] = inline
     return environment.get_template(name)

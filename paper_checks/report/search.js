@@ -36,12 +36,13 @@ function ranked(query) {
   if (!words.length) return named.length ? chosen : [];
   const hits = [];
   for (const entry of chosen) {
-    const each = words.map(word => marks(entry, word)), fit = each.filter(Boolean).length, all = fit === words.length;
-    if (all || (words.length > 1 && 2 * fit >= words.length)) hits.push([each.reduce((a, b) => a + b, all ? 1000 : 0), entry]);
+    const each = words.map(word => marks(entry, word)), fit = each.filter(Boolean).length;
+    if (fit) hits.push([each.reduce((a, b) => a + b, 1000 * fit), entry]);
   }
   hits.sort((a, b) => b[0] - a[0]);
-  const complete = hits.filter(hit => hit[0] >= 1000), exact = complete.filter(hit => hit[0] >= 1000 + 100 * words.length);
-  return (exact.length ? exact : complete.length ? complete : hits).map(hit => hit[1]);
+  const most = hits.length ? Math.floor(hits[0][0] / 1000) : 0, fullest = hits.filter(hit => Math.floor(hit[0] / 1000) === most);
+  const exact = fullest.filter(hit => hit[0] >= 1100 * words.length);
+  return (exact.length ? exact : fullest).map(hit => hit[1]);
 }
 
 function search() {

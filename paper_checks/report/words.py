@@ -38,6 +38,45 @@ OUTCOMES = {
 }
 
 
+LEGEND = (  # the verdicts: the word, one and several of them, and what they mean
+    ("holds", "holds", "hold", "true as printed, under its stated premises"),
+    ("misprint", "misprint", "misprints", "the printed form is false; the corrected one, beside it, is true"),
+    ("transcription", "transcription slip", "transcription slips",
+     "the text at hand has lost or changed signs; what is meant is true"),
+    ("partly", "partly true", "partly true",
+     "true under a condition that is omitted, or not where it is said to be, or true without following"),
+    ("refuted", "refuted", "refuted", "the claim is false; the contrary is proved"),
+    ("open", "open", "open", "neither proved nor refuted here; why is said"),
+    ("definition", "definition", "definitions", "it fixes a name and claims nothing"),
+)  # fmt: skip
+_KINDS = {"identity": "an equation", "approximation": "an approximation", "number": "a number", "figure": "a figure",
+          "claim": "a claim in the text", "definition": "a definition"}  # fmt: skip
+
+
+def counted(verdict: str, count: int) -> str:
+    """How many statements have a verdict, in words.
+
+    >>> counted("holds", 1), counted("holds", 258), counted("definition", 28), counted("partly", 40)
+    ('1 holds', '258 hold', '28 definitions', '40 partly true')
+    """
+    one, several = next((one, several) for name, one, several, _ in LEGEND if name == verdict)
+    return f"{count} {one if count == 1 else several}"
+
+
+def a_kind(kind: str) -> str:
+    """What sort of statement it is, in words."""
+    return _KINDS[kind]
+
+
+def plain_note(note: str) -> str:
+    """A note for a reader: what its last sentence calls the form is what the check is given.
+
+    >>> plain_note("True for alpha = 1. Form: the exponent."), plain_note("Form as for fig2.")
+    ('True for alpha = 1. What the check is given: the exponent.', 'What the check is given: as for fig2.')
+    """
+    return re.sub(r"\bForm(?::| (?=as for))", "What the check is given:", note).replace("given:as", "given: as")
+
+
 def typeset(text: str) -> str:
     """ASCII mathematics in printed signs: Greek letters, relations, simple indices and powers, a true minus."""
     for plain, sign in SIGNS:

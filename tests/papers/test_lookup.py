@@ -61,6 +61,37 @@ def test_the_words_of_a_referee_find_the_entry_first(query, first):
     assert find(query)[0].id == first
 
 
+@pytest.mark.parametrize(
+    ("query", "among"),
+    [
+        ("hypergeometric", "lancaster2020:fn22"),
+        ("closed form of the recurrence", "smith2012:62b"),
+        ("quadratic drag amplitude", "lelas2024:45"),
+        ("where does the block stop", "lelas2024:value.rest-a"),
+        ("when does the mass stick", "lancaster2020:fig1"),
+        ("misprint", "smith2012:72"),
+        ("typo", "lelas2024:10"),
+        ("errata Smith", "smith2012:54"),
+        ("refuted", "smith2012:claim.not-identifiable"),
+        ("open", "lancaster2020:claim.fn20-speed"),
+        ("generating function", "smith2012:claim.not-identifiable"),
+        ("Coulomb friction envelope", "lelas2024:32"),
+        ("equivalent linearisation", "lancaster2020:13"),
+        ("exact period of the quadratic oscillator", "smith2012:55"),
+        ("overdamping", "lancaster2020:claim.no-overdamping"),
+        ("two laws together", "lancaster2020:20"),
+        ("misprint of the zeppelin", "smith2012:72"),
+    ],
+)
+def test_the_words_people_use_find_an_entry_among_the_first(query, among):
+    assert among in [s.id for s in find(query)][:30]
+
+
+def test_a_partial_match_is_shown_instead_of_nothing_and_a_full_one_alone():
+    assert find("Lambert zeppelin") == find("Lambert")
+    assert {s.printed for s in find("misprint")} == {"misprint"}
+
+
 @pytest.mark.parametrize(("greek", "latin"), [("\u03b1", "alpha"), ("\u03c9", "omega"), ("\u03b3", "gamma")])
 def test_greek_and_latin_letters_find_the_same(greek, latin):
     assert find(greek) == find(latin)
