@@ -88,6 +88,8 @@ def _script(tokens: list[str], place: int, kind: str) -> tuple[str, int]:
     if tokens[place] in ("+", "-", "−") and place + 1 < len(tokens) and tokens[place + 1].isalnum():
         sign, place = tokens[place], place + 1
     inside, place = sign + _sign(tokens[place]), place + 1
+    while kind == "^" and tokens[place : place + 1] == ["'"]:
+        inside, place = inside + "'", place + 1
     if kind == "^" and tokens[place : place + 1] == ["_"]:
         index, place = _script(tokens, place + 1, "_")
         inside += f"_{{{index}}}"

@@ -43,6 +43,7 @@ def lexed(latex):
             found.append(f"{piece} in a formula")
         elif not piece.isascii():
             found.append(piece)
+    found += re.findall(r"\^\{(?:[^{}]|\{[^{}]*\})*\} *(?:_\{[^{}]*\} *)?['^]", latex)  # raised twice
     return found + [f"{one} is not closed" for one in opened]
 
 
@@ -105,7 +106,7 @@ def test_what_does_not_compile_or_is_too_wide_is_noticed(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "bad", ["a_1", "50 %", "$a", r"\[ a", "a}", r"\begin{align*} a", "é", r"\alpha", r"\[ a & b \]"]
+    "bad", ["a_1", "50 %", "$a", r"\[ a", "a}", r"\begin{align*} a", "é", r"\alpha", r"\[ a & b \]", "$a^{b}'$"]
 )
 def test_the_lexer_notices(bad):
     assert lexed(bad)
@@ -129,6 +130,7 @@ def test_a_wide_display_is_broken_at_every_level(latex):
 
 def test_formulas_in_plain_characters():
     assert formula("w^alpha_1/w^alpha") == r"w^{\alpha_{1}}/w^{\alpha}"
+    assert formula("b' v^alpha' w'") == r"b' v^{\alpha'} w'"
     assert formula("sum_(n>=3) b_n") == r"\sum_{n \ge 3} b_{n}"
     assert worded("a term a w, a = 2, over D_3 a and (x = 1)") == "a term a $w$, $a = 2$, over $D_{3} a$ and $(x = 1)$"
     assert worded("half-swings of asymptotics.flow, 50 %") == (
