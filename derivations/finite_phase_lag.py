@@ -1,6 +1,6 @@
 """The uniform phase phi(tau) for any exponent, line by line, and why the total lag is finite for alpha > 1.
 
->>> print(derivation.steps[8].text())
+>>> print(derivation.steps[9].text())
 Subs(w_2*(-epsilon + x)/(mu*p_1), x, epsilon/(epsilon*mu*p_1*tau + 1)) = -epsilon**2*tau*w_2/(epsilon*mu*p_1*tau + 1)
 """
 
@@ -42,7 +42,13 @@ step(
     y ** (-1 / mu),
 )
 step(
-    "The phase, dphi/dtau = -w_2 delta^2, by elimination of the time: dphi/ddelta is constant",
+    "The phase phi = psi - tau: a turn has dtau/dpsi = W = 1 + w_2 delta^2 + ..., even in delta, with"
+    " w_2 of multiple-scales-turning. dphi/dtau = 1/W - 1; over delta^2, for small delta",
+    Limit((1 / (1 + w_2 * x**2) - 1) / x**2, x, 0),
+    -w_2,
+)
+step(
+    "To this order dphi/dtau = -w_2 delta^2, and by elimination of the time dphi/ddelta is constant",
     At(Derivative(phi, tau) / Derivative(delta, tau), {Derivative(phi, tau): -w_2 * delta**2} | slowing),
     w_2 / (mu * p_1),
 )

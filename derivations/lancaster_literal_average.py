@@ -1,7 +1,7 @@
 """What Lancaster's (8) gives with the constant phase of (4)-(6), averaged literally: (alpha+1)/(2 alpha) of the rate.
 
 >>> print(derivation.steps[-1].text())
-Limit(q(alpha), alpha, oo, dir='-') = 1/2
+Limit(alpha*(q(alpha) - 1/2), alpha, oo, dir='-') = 1/2
 """
 
 import sympy
@@ -63,7 +63,7 @@ part = defined("q", lambda alpha: (alpha + 1) / (2 * alpha))
 step("The literal mean is right for alpha = 1,", part(1), 1)
 step("three quarters for alpha = 2,", part(2), Rational(3, 4))
 step(
-    "one half of it for large alpha; for alpha = 0 there is none, as 1/s has no mean",
-    Limit(part(alpha), alpha, oo),
+    "and tends to one half for large alpha, as 1/2 + 1/(2 alpha); for alpha = 0 there is none, as 1/s has no mean",
+    Limit(alpha * (part(alpha) - Rational(1, 2)), alpha, oo),
     Rational(1, 2),
 )

@@ -41,11 +41,23 @@ step(
     At(y - e * w ** (1 + beta), {w: 0}),
     y,
 )
+s, T, w_c = sympy.symbols("s T w_c", positive=True)
+path = sympy.Function("y")
 step(
-    "So if y > 0 for ever: y falls, so it has a limit; w = -y' is integrable and w' is bounded, hence w -> 0; then"
-    " w' -> lim y, which must be 0.  From some time on w < w_c with c = 1, that is N(w) <= w and w' >= y - w",
+    "So if y > 0 for ever: y falls from y_0, so it has a limit; the integral of w = -y' up to any T is y_0 - y(T),",
+    sympy.Integral(-sympy.Derivative(path(s), s), (s, 0, T)),
+    path(0) - path(T),
+)
+step(
+    "bounded by y_0, and w' is bounded: hence w -> 0; and then w' tends to lim y, which must be 0,",
     sympy.Limit(y - e * w ** (1 + beta), w, 0),
     y,
+)
+step(
+    "or w would grow.  From some time on w = s w_c, s < 1, where with c = 1 e = w_c^(-beta): e w^beta < 1,"
+    " so N(w) <= w and w' >= y - w",
+    At(e * w**beta, {e: w_c**-beta, w: s * w_c}),
+    s**beta,
 )
 y_rate, w_rate = sympy.symbols("y' w'", real=True)
 polar = {y: R * sympy.cos(theta), w: R * sympy.sin(theta)}
@@ -56,9 +68,9 @@ step(
     1 - c * sympy.sin(2 * theta) / 2,
 )
 step(
-    "With c = 1 theta' >= 1/2: the largest value of sin(2 theta)/2 is 1/2",
-    At(sympy.maximum(c * sympy.sin(2 * theta) / 2, theta, sympy.Interval(0, sympy.pi / 2)), {c: 1}),
-    sympy.Rational(1, 2),
+    "With c = 1 theta' >= 1/2: 1 - sin(2 theta)/2 exceeds 1/2 by half a square, (1 - sin(2 theta))/2, that is",
+    At(1 - c * sympy.sin(2 * theta) / 2, {c: 1}) - sympy.Rational(1, 2),
+    (sympy.cos(theta) - sympy.sin(theta)) ** 2 / 2,
 )
 step(
     "so theta reaches pi/2, where y = 0, after a time of at most pi: a contradiction.  The mass passes y = 0",

@@ -93,12 +93,13 @@ step(
     At(n - 2 * k, {k: (n - i + 1) / 2}),
     i - 1,
 )
-below = sympy.symbols("c_1:5")  # C_{i-1}^{n+1-2k}, k = 1 ... 4
-step("so at n = i + 1 the sum has its first term alone", At(recurrence, {D: 0, B: below[0]}), t(1, n) * below[0])
+c_1, c_next = sympy.symbols("c_1 c_{k+1}")  # C_{i-1}^{n+1-2k} for k = 1 and for k + 1
+step("so at n = i + 1 the sum has its first term alone", At(recurrence, {D: 0, B: c_1}), t(1, n) * c_1)
 step(
-    "and from n - 2 to n it gains one: (62a) with the sum for C_i^{n-2}, c_k = C_{i-1}^{n+1-2k}, here of three terms",
-    At(recurrence, {B: below[0], D: sum(t(j, n - 2) * below[j] for j in (1, 2, 3))}),
-    sum(t(j, n) * below[j - 1] for j in (1, 2, 3, 4)),
+    "and from n - 2 to n it gains one: (62a) is linear in C_i^{n-2}, and of its sum, c_k = C_{i-1}^{n+1-2k}, the term"
+    " t_k(n-2) c_{k+1}, whatever k, becomes the term k + 1 of the sum for n, after the first, which is new:",
+    At(recurrence, {B: c_1, D: t(k, n - 2) * c_next}),
+    t(1, n) * c_1 + t(k + 1, n) * c_next,
     proves=("smith2012:62b",),
 )
 step(
