@@ -2,8 +2,8 @@
 
 In a half-swing ln A falls by a sum of powers of A (from 1/A to A^2; which of them, by AICc), and Q = pi/2 over this
 fall, at the first amplitude, the last and the geometric mean of both, with 95 % intervals of the regression.  No law of
-motion enters, and no spring: it is told for every record that swings, whatever the verdict is.  What the choice of the
-powers adds to the error is not in the intervals.
+motion enters, and no spring: it is told for every record that swings, whatever the verdict is.  The intervals are those
+of all choices of powers whose AICc is near that of the best.
 
 >>> n = np.arange(30)
 >>> found = envelope(Observations.of(n, (-1.0) ** n * np.exp(-0.05 * n), 0.5 * n))
@@ -28,10 +28,11 @@ from asymptotics.identification.measuring.criteria import aicc
 from asymptotics.identification.measuring.observations import Indices, Observations
 
 Ends = dict[str, float]
-Decline = Callable[[float], tuple[float, float]]
-_POWERS, _LEAST, _GRID = (-1, 0, 1, 2), 5, 101
-"""Of A, in the fall of ln A by the losses of exponents 0 to 3; turning points below which there is no error; and places
-between an amplitude and half of it."""
+Decline = Callable[[float], Ends]
+_INVERTED = {"low": "high", "estimate": "estimate", "high": "low"}
+_POWERS, _LEAST, _GRID, _NEAR = (-1, 0, 1, 2), 5, 101, 4.0
+"""Of A, in the fall of ln A by the losses of exponents 0 to 3; turning points below which there is no error; places
+between an amplitude and half of it; and the AICc above the best up to which a choice of powers is believed too."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,7 @@ def envelope(seen: Observations) -> Envelope | None:
     if decline is None:
         return None
     ends = np.array([size[0], np.sqrt(size[0] * size[-1]), size[-1]])
-    quality = tuple(_quality(float(a), *decline(float(a))) for a in ends)
+    quality = tuple(_quality(float(a), decline(float(a))) for a in ends)
     period = _period(n, seen.t[inside]) if seen.has_times else None
     return Envelope(period, quality, None if period is None else _half_life(decline, size, period))
 
@@ -77,26 +78,44 @@ def _decline(n: Indices, size: Array, stated: float) -> Decline | None:
     sums = {k: -np.concatenate([[0.0], np.cumsum(gap * middle**k)]) for k in _POWERS}
     sets = [c for count in range(1, len(_POWERS) + 1) for c in combinations(_POWERS, count)]
     weight = size / size[0]  # the errors of the amplitudes are alike, those of their logarithms are not
-    best = None
+    found = []
     for powers in sets:
         V = np.stack([np.ones(len(size)), *(sums[k] for k in powers)], axis=1) * weight[:, None]
         y = weight * np.log(size)
         c, freedom = np.linalg.lstsq(V, y, rcond=None)[0], len(size) - V.shape[1]
         rss = max(float(((y - V @ c) ** 2).sum()), 1e-24)
         value = aicc(len(y) * log(rss / len(y)), V.shape[1] + 1, len(y))
-        if np.isfinite(value) and (best is None or value < best[0]):
+        if np.isfinite(value):
             # What is told of the amplitudes elsewhere counts where it is more than the scatter, as for a smooth line.
             noise = max(rss / freedom, (stated / size[0]) ** 2)
-            best = value, powers, c[1:], (np.linalg.pinv(V.T @ V) * noise)[1:, 1:], float(stdtrit(freedom, 0.975))
-    if best is None:
+            covariance = (np.linalg.pinv(V.T @ V) * noise)[1:, 1:] * float(stdtrit(freedom, 0.975)) ** 2
+            found.append((value, _Fall(powers, c[1:], covariance)))
+    if not found:
         return None
-    _, chosen, c, covariance, reach = best
+    least = min(value for value, _ in found)
+    near = [fall for value, fall in sorted(found, key=lambda pair: pair[0]) if value < least + _NEAR]
 
-    def decline(amplitude: float) -> tuple[float, float]:
-        by = np.array([(amplitude / size[0]) ** k for k in chosen])
-        return float(by @ c), reach * float(np.sqrt(by @ covariance @ by))
+    def decline(amplitude: float) -> Ends:
+        each = [fall.at(amplitude / size[0]) for fall in near]
+        return {
+            "low": min(value - error for value, error in each), "estimate": each[0][0],
+            "high": max(value + error for value, error in each),
+        }  # fmt: skip
 
     return decline
+
+
+@dataclass(frozen=True)
+class _Fall:
+    """The fall of ln A in a half-swing as a sum of powers; ``covariance``: times the square of the quantile."""
+
+    powers: tuple[int, ...]
+    coefficients: Array
+    covariance: Array
+
+    def at(self, amplitude: float) -> tuple[float, float]:
+        by = np.array([amplitude**k for k in self.powers])
+        return float(by @ self.coefficients), float(np.sqrt(by @ self.covariance @ by))
 
 
 def _covered(seen: Observations) -> Array:
@@ -104,11 +123,10 @@ def _covered(seen: Observations) -> Array:
     return np.asarray((seen.t >= seen.samples.t[0] - 1e-9) & (seen.t <= seen.samples.t[-1]))
 
 
-def _quality(amplitude: float, slope: float, error: float) -> Ends:
-    """Q = pi/(2 slope); without a limit where the slope may be 0."""
-    low, high = slope - error, slope + error
-    ends = {"low": pi / 2 / high if high > 0 else inf, "estimate": pi / 2 / slope if slope > 0 else inf}
-    return {"amplitude": amplitude, **ends, "high": pi / 2 / low if low > 0 else inf}
+def _quality(amplitude: float, fall: Ends) -> Ends:
+    """Q = pi/2 over the fall; without a limit where that may be 0."""
+    ends = {name: pi / 2 / fall[by] if fall[by] > 0 else inf for name, by in _INVERTED.items()}
+    return {"amplitude": amplitude, **ends}
 
 
 def _period(n: Array, t: Array) -> Ends:
@@ -122,9 +140,10 @@ def _period(n: Array, t: Array) -> Ends:
 def _half_life(decline: Decline, size: Array, period: Ends) -> Ends | None:
     """The time in which ln A falls by ln 2; below the last amplitude as there."""
     grid = np.linspace(log(size[0] / 2), log(size[0]), _GRID)
-    found = np.array([decline(max(float(np.exp(s)), float(size.min()))) for s in grid])
+    found = [decline(max(float(np.exp(s)), float(size.min()))) for s in grid]
     ends = {}
-    for name, rate in (("low", found.sum(axis=1)), ("estimate", found[:, 0]), ("high", found[:, 0] - found[:, 1])):
+    for name, by in _INVERTED.items():
+        rate = np.array([fall[by] for fall in found])
         ends[name] = float(np.trapezoid(1 / rate, grid)) * period["estimate"] / 2 if (rate > 0).all() else inf
     return ends
 
