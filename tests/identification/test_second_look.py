@@ -93,7 +93,7 @@ def test_amplitudes_outside_the_data_are_no_result():
     fit = asy.identify({"t": t, "x": x}, laws=["1"]).law("1").law.fit
     assert judgement.outside(fit) == ""
 
-    wild = replace(fit, theta=fit.theta + np.array([1.2, *[0] * (len(fit.theta) - 1)]))
+    wild = replace(fit, theta=fit.theta + np.array([2.0, *[0] * (len(fit.theta) - 1)]))
     assert "far outside the data" in judgement.outside(wild)
 
 
