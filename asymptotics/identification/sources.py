@@ -8,7 +8,9 @@ import numpy as np
 from asymptotics.errors import InputError, LimitError
 from asymptotics.identification.fitting.printed import Decrements
 from asymptotics.identification.forward.coefficients import Array
+from asymptotics.identification.measuring.at_rest import moving
 from asymptotics.identification.measuring.extraction import observations_of_record
+from asymptotics.identification.measuring.main_frequency import dominant_period
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.measuring.sampled import LEAST_SAMPLES, observations_of_motion
 from asymptotics.identification.measuring.second_mode import without_second_modes
@@ -90,11 +92,14 @@ def _order(run: RecordTable) -> int:
 
 def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...]) -> Observations:
     # Within each release: a line has its own phase and size in each of them.
+    whole = t
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)
     if _order(run) == 0:
+        swinging = moving(t, x, dominant_period(t, x)) if len(t) >= LEAST_SAMPLES else slice(None)
+        rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
         seen = observations_of_record(t, x, unit=run.unit, rows=rows)
-        return replace(seen, notes=(*notes, *seen.notes, *_tail(t, seen)))
+        return replace(seen, notes=(*notes, *seen.notes, *_tail(whole, seen)))
     if len(t) < LEAST_SAMPLES or not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
     return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))

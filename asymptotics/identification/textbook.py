@@ -54,8 +54,10 @@ def feeny_liang(x: Array) -> Array:
     """(epsilon_0, epsilon_1): dry friction and linear damping from the signed extremes, least squares."""
     sums = x[1:] + x[:-1]
     # Successive sums of extremes have the ratio -q of linear damping, whatever the friction is; beyond (0, 1] it is
-    # noise.
-    q = float(np.clip(-(sums[1:] @ sums[:-1]) / (sums[:-1] @ sums[:-1]), 1e-9, 1.0))
+    # noise, and the estimator has no value.
+    q = float(-(sums[1:] @ sums[:-1]) / (sums[:-1] @ sums[:-1]))
+    if not 0 < q <= 1:
+        return np.full(2, np.nan)
     side = np.sign(x[:-1])
     shift = float(np.mean((x[1:] + q * x[:-1]) * side)) / (1 + q)
     lag = -np.log(q) / np.pi  # (epsilon/2)/sqrt(1 - epsilon^2/4)
@@ -95,6 +97,8 @@ def textbook_estimates(seen: Observations) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for name, (law, estimator) in ESTIMATORS.items():
         estimate = estimator(seen.x)
+        if not np.isfinite(estimate).all():
+            continue
         error = systematic_error(read_candidate(law), estimator, seen)
         found[name] = {
             "alphas": law.split("+"),

@@ -23,8 +23,8 @@ from asymptotics.identification.judging.grades import unexplained
 from asymptotics.identification.judging.laws import UNTRIED, Evidence, Fitted, Intervals, Judged
 
 _PROFILED = FEW = 8
-"""So many candidates get profile likelihoods all, whether the data support them or not: a matter of time, and of the
-shape of their intervals, which by curvature are symmetric."""
+"""So many candidates get profile likelihoods all, whether the data support them or not; of more, the laws of the
+verdict: a matter of work, and of the shape of their intervals, which by curvature are symmetric."""
 _BEYOND = 1.5
 """By how much the first amplitude of a fit may exceed the data: it may lie up to half a swing before the first of them.
 A choice."""
@@ -44,11 +44,9 @@ def judged(
     # First intervals and signs, for only a law without a negative loss may refute another.
     found = [law.with_evidence(against=worst(law, found, growing)) for law in found]
     rough = [labelled(law, growing) for law in found]
-    standing = sorted((law for law in rough if law.verdict == "consistent"), key=lambda law: law.criterion)
-    best = sorted((law for law in rough if law.usable), key=lambda law: law.criterion)[:1]
-    # The laws of the verdict, the best of all, then the others that stand.
-    order = rough if len(rough) <= FEW else [*minimal(rough), *best, *standing]
-    matter = list(dict.fromkeys(law.candidate for law in order if law.usable))[:_PROFILED]
+    # The laws of the verdict; where few are asked for, all of them.
+    order = rough if len(rough) <= FEW else minimal(rough)
+    matter = [law.candidate for law in order if law.usable][:_PROFILED]
     profiled = {law.candidate: law for law in rough}
     for candidate in matter:
         tick(f"the intervals of the law {candidate}")

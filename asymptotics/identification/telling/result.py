@@ -13,9 +13,10 @@ from asymptotics.identification.fitting.profile import Interval
 from asymptotics.identification.forward.candidates import FREE
 from asymptotics.identification.judging.laws import Judged
 from asymptotics.identification.measuring.observations import Observations
+from asymptotics.identification.telling.envelope import envelope
 from asymptotics.identification.telling.in_words import equivalent, in_words
 from asymptotics.identification.telling.plots import draw_decrements, draw_panels, shown_laws
-from asymptotics.identification.telling.verdicts import Verdict
+from asymptotics.identification.telling.verdicts import IDENTIFIED, Verdict
 from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.policy import exact_integer
 from asymptotics.present.drawn import Drawn
@@ -193,6 +194,12 @@ class Identification(Alike, Rows, Drawn):
         rows = {name: [_number(x) for x in found[name]] for name in ("amplitudes", "Q", "zeta")}
         return rows | {"half_life": _number(found["half_life"]), "half_life_unit": found["half_life_unit"]}
 
+    def _envelope(self) -> dict[str, Any] | None:
+        """Period, Q(A) and half-life before any law, as JSON; of several runs, the first."""
+        run = self.runs[0]
+        found = envelope(run) if isinstance(run, Observations) else None
+        return None if found is None else found.to_dict(self.verdict.kind == IDENTIFIED)
+
     def law(self, text: str) -> LawAnswer:
         """The answer for one candidate, by its name such as ``1+2`` or ``free+s3``; InputError if it is not there."""
         named = {str(answer.law.candidate): answer for answer in self.laws}
@@ -205,6 +212,7 @@ class Identification(Alike, Rows, Drawn):
             "verdict_kind": self.verdict.kind,
             "telling": self.verdict.telling or None,
             "equivalent": self._equivalent_texts(),
+            "envelope": self._envelope(),
             "not_excluded": [term.to_dict() for term in self.verdict.allowed],
             "laws": [law.to_dict() for law in self.laws],
             "untried": [str(law.law.candidate) for law in self.laws if law.law.untried],

@@ -140,7 +140,8 @@ def _nearest(fitted: Sequence[Judged], best: Judged) -> str:
             return f"; {named(law)} is adequate to {percent(left.share)} of the loss {where}"
     if best.evidence.unexplained is None:
         return ""
-    return f"; {named(best)} leaves {percent(best.evidence.unexplained.share)} of the loss open"
+    share = best.evidence.unexplained.share
+    return f"; {named(best)} misses {percent(share) if share < 1 else 'more than all'} of the loss"
 
 
 def named(law: Judged) -> str:
