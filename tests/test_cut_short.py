@@ -224,7 +224,7 @@ def test_a_signal_keeps_what_is_done():
 MOTIONS = {  # which call of what is cut: behind those of the value itself
     "--alpha 3/2 --epsilon 1/10": ("asymptotics.flow.dense._swing", 10, OVER),
     "--law 3/2:1/10 --spring 3:1/5": ("asymptotics.flow.dense._swing", 10, KeyboardInterrupt),
-    "--alpha 0 --epsilon 1/100": ("asymptotics.cli.motion_files.reference_motion", 6, OVER),
+    "--alpha 0 --epsilon 1/100": ("asymptotics.api.motion_table.reference_motion", 6, OVER),
 }
 
 

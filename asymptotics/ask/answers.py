@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from asymptotics.ask.kinds import Option
+from asymptotics.numbers.exact import parse_integer
 from asymptotics.present.drawn import KINDS
 from asymptotics.present.figures import DPI, SIZE
 
@@ -42,6 +43,21 @@ class Request:
         found = getattr(self.options, name, None)
         return None if found is False else found
 
+    @property
+    def has_files(self) -> bool:
+        """Whether a picture or a table of a curve is asked for."""
+        return any(self.typed(name) is not None for name in ("plot", "csv"))
+
+    @property
+    def points(self) -> int:
+        """How many intervals the table of a curve has."""
+        return read_points(self.options)
+
+
+def read_points(options: argparse.Namespace) -> int:
+    """The value of --points; InputError outside 1 ... ``MAX_POINTS``."""
+    return DEFAULT_POINTS if options.points is None else parse_integer(options.points, "--points", 1, MAX_POINTS)
+
 
 Part = Callable[[Any, Request], Any]
 
@@ -54,6 +70,7 @@ class Offers:
     latex, table, picture   the help of --latex, --csv, --plot; empty where there is none
     curve, overlay          --points chooses the rows; the help of --overlay
     from_rest               the oscillator in the header of a file says the whole request, beside the linear spring
+    oscillator_alone        it says all that such a file can be held against, springs and starts too
     always_files            JSON lists the files even where there are none, and they stand below LaTeX too
     own_latex               the data say the LaTeX themselves, or never
     data, text, as_latex,   what is shown; without a function what the result says: to_dict, str, latex, to_csv,
@@ -66,6 +83,8 @@ class Offers:
     show                    an own way to show and write: refuses before the work, then makes (data, text) of the result
     certificate             what --certificate writes: something with to_json() (certificates.of_results)
     missing                 (rows done, what is missing) of what was done when the work was cut short
+    rows_done               (text, rows, what is missing) of the table, of the rows that were done when making it was
+                            cut short; None of what is no such row
     lacks                   a common option that means nothing here -> why
     ======================  ==========================================================================================
     """
@@ -76,6 +95,7 @@ class Offers:
     curve: bool = False
     overlay: str = ""
     from_rest: bool = False
+    oscillator_alone: bool = False
     always_files: bool = False
     own_latex: bool = False
     data: Part = lambda found, _: found.to_dict()
@@ -93,6 +113,7 @@ class Offers:
     show: Callable[[Request], Callable[[Any], tuple[dict[str, Any], str]]] | None = None
     certificate: Part | None = None
     missing: Callable[[Any, Request], tuple[int, str]] | None = None
+    rows_done: Callable[[Any, Request], tuple[str, int, str] | None] | None = None
     lacks: Mapping[str, str] = field(default_factory=dict)
 
     def options(self) -> tuple[Option, ...]:

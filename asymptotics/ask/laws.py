@@ -15,7 +15,7 @@ from typing import Any
 from asymptotics.api.units import law_of
 from asymptotics.ask.forces import FORMS_FROM_0, GivenTerms, read_law, read_terms
 from asymptotics.ask.kinds import Kind, Option
-from asymptotics.ask.moving import QUANTITIES, Given, is_physical, read_oscillator
+from asymptotics.ask.moving import QUANTITIES, Given, is_physical, read_moving, read_oscillator
 from asymptotics.expansions.equations.given import terms_of
 from asymptotics.law import Law, Oscillator, of_unit_start
 from asymptotics.numbers.exact import ExactReal, parse_real
@@ -139,3 +139,5 @@ def moving(
 
 
 MOVES = moving()
+MOVES_OR_RESTS = replace(MOVES, assemble=read_moving)
+"""The same, or in the shell what rests: x0 = 0 and v0 = 0."""

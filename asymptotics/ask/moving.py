@@ -7,12 +7,14 @@ equation is X'' + X + sum_i E_i X'|X'|^(A_i-1) = 0 as it is typed, and starts at
 
 import argparse
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from asymptotics.ask.forces import add_forces, read_law
+from asymptotics.ask.kinds import Kind
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
+from asymptotics.motions.certify import time_of
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.present.drawn import Drawn
 
@@ -24,14 +26,20 @@ QUANTITIES = {
     "x0": ("X", "1", "the displacement at t = 0, in m beside SI units"),
     "v0": ("V", "0", "the velocity at t = 0, in m/s beside SI units"),
 }
+TIME = Kind("T", time_of)
+"""A time >= 0, in s or without a unit."""
 
 
 @dataclass(frozen=True)
 class Given:
-    """An oscillator, and whether what it does is told in SI units."""
+    """An oscillator, and whether what it does is told in SI units.
+
+    ``rests``: x0 = 0 and v0 = 0, of which no oscillator can be made: the start of this one stands in.
+    """
 
     oscillator: Oscillator
     si: bool
+    rests: bool = False
 
     @property
     def x_unit(self) -> str:
@@ -108,6 +116,20 @@ def read_oscillator(
     numbers: dict[str, Any] = {name: parse_real(getattr(options, name), f"--{name}") for name in given}
     oscillator = Oscillator(law, **numbers)
     return Given(_with_epsilon(oscillator) if named and si else oscillator, si)
+
+
+def read_moving(options: argparse.Namespace) -> Given:
+    """The same, or what rests: x0 = 0 and v0 = 0 has an answer, though no unit of length."""
+    if not _rests(options):
+        return read_oscillator(options)
+    # Another start stands in, so that every other option is still read and refused as usual.
+    return replace(read_oscillator(argparse.Namespace(**{**vars(options), "x0": "1"})), rests=True)
+
+
+def _rests(options: argparse.Namespace) -> bool:
+    starts = {name: getattr(options, name) for name in ("x0", "v0")}
+    zero = {name for name, text in starts.items() if text is not None and parse_real(text, f"--{name}").is_zero}
+    return "x0" in zero and ("v0" in zero or options.v0 is None)
 
 
 def overlaid(

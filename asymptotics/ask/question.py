@@ -138,7 +138,7 @@ class Question:
         Nothing where the oscillator says it all, which the header has then (``present.inputs``).
         """
         special = any(getattr(options, name, None) for name in ("spring", "v0", "delta"))
-        if self.offers.from_rest and not special:
+        if self.offers.oscillator_alone or (self.offers.from_rest and not special):
             return []
         told = [self.name]
         for option in (o for a in self.asked for o in a.options if a.kind is not SECONDS):

@@ -12,6 +12,7 @@ from asymptotics.ask.question import Question
 from asymptotics.cli.answer import Answer, shortened
 from asymptotics.cli.common import Refuse
 from asymptotics.cli.files import Makers, picture_maker, read_files, write_files
+from asymptotics.cut_short import changed
 
 CHECKER = Path(asymptotics.__file__).parent / "testing" / "check_certificate.py"
 
@@ -40,6 +41,8 @@ class Command:
 
     def cut_short(self, options: argparse.Namespace, found: Any) -> Answer | None:
         """The same with the rows that were done when the time was over."""
+        if isinstance(found, Answer):
+            return found
         if self.question.offers.missing is None:
             return None
         request, show = self._prepared(options)
@@ -68,14 +71,30 @@ class Command:
         offers, options = self.question.offers, request.options
         makers: Makers = {"--csv": lambda _: offers.as_csv(found, request)}
         if offers.picture:
-            style = offers.style(found, request)
+            style = offers.style(found, request) if options.plot else {}
             makers["--plot"] = picture_maker(options, lambda: offers.drawn(found, request), **style)
         if offers.certificate is not None and "--certificate" in files:
             made = offers.certificate(found, request)
             makers["--certificate"] = lambda _: f"{made.to_json()}\n"
             files = files | {"checker": files["--certificate"].with_name(CHECKER.name)}
             makers["checker"] = lambda _: CHECKER.read_text(encoding="utf-8")
-        written = write_files(files, makers, options, self.question)
+        with changed(lambda rows: self._with_rows(request, files, found, rows)):
+            written = write_files(files, makers, options, self.question)
+        return self._answer(request, found, written)
+
+    def _with_rows(self, request: Request, files: dict[str, Path], found: Any, rows: Any) -> Answer | None:
+        """The answer with the rows of its table that were done when the time was over; half a picture is none."""
+        made = self.question.offers.rows_done
+        done = None if made is None else made(rows, request)
+        if done is None:
+            return None
+        table, count, missing = done
+        file = {"--csv": files["--csv"]}
+        written = write_files(file, {"--csv": lambda _: table}, request.options, self.question)
+        return shortened(self._answer(request, found, written), count, f"{missing} in {written[0]}")
+
+    def _answer(self, request: Request, found: Any, written: list[str]) -> Answer:
+        offers, options = self.question.offers, request.options
         latex = offers.as_latex(found, request) if offers.latex and options.latex else ""
         data = _data(offers, found, request, latex, written)
         text = latex if offers.latex and options.latex else offers.text(found, request)

@@ -38,7 +38,6 @@ MISSING: dict[str, dict[str, str]] = {
         "latex": "the answer is a verdict in words; `--csv` has all candidate laws",
         "points": _OWN_GRID,
     },
-    "motion": {"latex": "the answer is numbers at one time; `expand --latex` has the equations"},
     "solution": {"gauge": "the solution is in the turning-point gauge: A is the turning amplitude"},
     "sweep": {
         **dict.fromkeys(("csv", "latex", "plot"), "`--export FILE.csv`, .json or .parquet writes the points"),

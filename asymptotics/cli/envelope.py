@@ -25,9 +25,10 @@ from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.slow import MAX_DIGITS, Envelope, acting_term, envelope
 from asymptotics.api.slow_series import MAX_ORDER, EnvelopeSeries
 from asymptotics.api.slowness import SlowPart
+from asymptotics.ask.answers import read_points
 from asymptotics.ask.moving import OVERLAY, Given, add_oscillator, overlaid, read_oscillator
 from asymptotics.cli.answer import Answer, add_common, read_digits
-from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, read_points, write_files
+from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, write_files
 from asymptotics.envelopes.slow_time import epsilon
 from asymptotics.envelopes.symbolic import MEAN, SQUARING, tau
 from asymptotics.errors import InputError

@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from asymptotics.ask.answers import DEFAULT_POINTS, MAX_POINTS, read_points
 from asymptotics.cli.requests import request_words
 from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
@@ -21,8 +22,6 @@ from asymptotics.present.files import require_different, target_file, write_all
 from asymptotics.present.inputs import MOVED_BY, with_inputs, with_words
 
 PICTURES = (".svg", ".png", ".pdf")
-# A thousand rows draw a smooth curve of some twenty periods; the limit is a refusal.
-MAX_POINTS, DEFAULT_POINTS = 100_000, 1000
 Makers = dict[str, Callable[[str], str | bytes]]
 
 
@@ -86,11 +85,6 @@ def read_files(options: argparse.Namespace, pictures: tuple[str, ...] = PICTURES
             raise InputError("--points", "there is no table to give rows to", "--points with --csv")
         read_points(options)
     return found
-
-
-def read_points(options: argparse.Namespace) -> int:
-    """How many intervals the table has."""
-    return DEFAULT_POINTS if options.points is None else parse_integer(options.points, "--points", 1, MAX_POINTS)
 
 
 def write_files(

@@ -4,8 +4,6 @@ A fixed list of commands, each with a fixed list of options: nothing that reads 
 
 >>> request_words(loaded("stokes"), argparse.Namespace(alpha="2", count="2", digits=None, csv="out.csv"))
 ['stokes', '--alpha=2', '--count=2']
->>> request_words("expand", argparse.Namespace(alpha="2", spring=None, v0=None))
-[]
 >>> stated_request(["stokes", "--alpha=2", "--count=2"])
 ('stokes', {'alpha': '2', 'count': '2'})
 >>> stated_request(["stokes", "--csv=/etc/motd"])
@@ -48,7 +46,7 @@ def request_words(command: Any, options: argparse.Namespace) -> list[str]:
 def stated_request(words: Sequence[str]) -> tuple[str, dict[str, str]]:
     """The command and its options, by name, from the words of a header; InputError, by name, for any other word."""
     command, *rest = words
-    if command not in REQUESTS and command not in QUESTIONS:
+    if command not in REQUESTS and not _is_asked_again(command):
         raise InputError("FILE", f"its header names no command that is asked again: {shown(command)}", _accepted())
     known, flags, repeated_ones = _known(command)
     point = dict[str, str]()
@@ -68,6 +66,11 @@ def stated_request(words: Sequence[str]) -> tuple[str, dict[str, str]]:
                 raise InputError("FILE", f"its header says --{name} twice", "each option once")
             point[f"{name}.{repeated + 1}" if name in repeated_ones else name] = value
     return command, point
+
+
+def _is_asked_again(command: str) -> bool:
+    """Whether it is a question whose header is its request."""
+    return command in QUESTIONS and bool((offers := loaded(command).offers).table) and not offers.oscillator_alone
 
 
 def _known(command: str) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:

@@ -26,11 +26,12 @@ import numpy as np
 
 from asymptotics.api.implicit import ImplicitSolution
 from asymptotics.api.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
+from asymptotics.ask.answers import read_points
 from asymptotics.ask.forces import read_alpha
 from asymptotics.ask.moving import OVERLAY, Given, add_oscillator, is_physical, overlaid, read_oscillator
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.cli.answer import Answer, add_common, read_digits
-from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, read_points, write_files
+from asymptotics.cli.files import Makers, add_files, picture_maker, read_files, write_files
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import time_of

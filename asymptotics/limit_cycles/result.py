@@ -9,12 +9,13 @@
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 import sympy
 from flint import arb, fmpq
 
+from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.pi_decimals import exact_coefficient
 from asymptotics.expansions.half_swings.pi_ring import PI
 from asymptotics.expansions.normal_form.results import Coefficient, Row, row_to_dict
@@ -38,7 +39,7 @@ _POINTS = 401
 class LimitCycle(Rows, Drawn):
     """Series in mu through ``order``: turning amplitude, frequency, multiplier of a period and its logarithm.
 
-    Amplitude and frequency are even in mu, the logarithm is odd; ``at`` is what was proved at a number mu.
+    Amplitude and frequency are even in mu, the logarithm is odd; ``at_mu`` is what was proved at a number mu.
     """
 
     law: Law
@@ -48,21 +49,26 @@ class LimitCycle(Rows, Drawn):
     frequency: Row
     log_multiplier: Row
     multiplier: Row
-    at: CertifiedCycle | None = None
+    at_mu: CertifiedCycle | None = None
+
+    @property
+    def at(self) -> NoReturn:
+        """InputError: the former name of ``at_mu``; of every other result ``at`` is a method."""
+        raise InputError("at", "a limit cycle has no such field", ".at_mu, the certified cycle at the number mu")
 
     def to_dict(self) -> dict[str, Any]:
         """The result as a JSON-ready mapping: numbers are strings."""
         names = ("amplitude", "frequency", "multiplier", "log_multiplier")
         head = {"law": str(self.law), "order": self.order, "arithmetic": self.arithmetic}
         rows = {name: row_to_dict(getattr(self, name)) for name in names}
-        return {**head, **rows, "at": None if self.at is None else self.at.to_dict()}
+        return {**head, **rows, "at": None if self.at_mu is None else self.at_mu.to_dict()}
 
     def _named(self) -> list[tuple[str, str, Coefficient]]:
         names = ("amplitude", "frequency", "multiplier", "log_multiplier")
         return [(name, key, c) for name in names for key, c in getattr(self, name).items()]
 
     def _page(self) -> Page:
-        proved = () if self.at is None else (self.at._page().title + " (certified)",)
+        proved = () if self.at_mu is None else (self.at_mu._page().title + " (certified)",)
         worth = f"{self.arithmetic} coefficients of powers of mu, through order {self.order}; no bound on the remainder"
         rows = tuple((name, key, c, c.exact or "") for name, key, c in self._named() if not c.is_zero)
         lines = (*proved, worth) if rows else proved
@@ -72,7 +78,7 @@ class LimitCycle(Rows, Drawn):
     def _curve(self, axes: Any, **style: Any) -> None:
         """Amplitude (over that at mu = 0) and frequency against mu, the certified cycle as points."""
         rows = {"amplitude": self.amplitude, "frequency": self.frequency}
-        last = style.pop("until", None) or (1.0 if self.at is None else 1.2 * abs(float(Fraction(self.at.mu))))
+        last = style.pop("until", None) or (1.0 if self.at_mu is None else 1.2 * abs(float(Fraction(self.at_mu.mu))))
         mu = np.linspace(0.0, float(last), _POINTS)
         for name, row in rows.items():
             start = float(row["0"].text()) if row else 1.0
@@ -80,9 +86,9 @@ class LimitCycle(Rows, Drawn):
             if row:
                 value = sum((float(c.text()) * mu ** int(key) for key, c in row.items()), 0.0 * mu)
                 axes.plot(mu, value / scale, **{"label": told, **(style if name == "amplitude" else {})})
-            if self.at is not None:
+            if self.at_mu is not None:
                 color = axes.lines[-1].get_color() if row else None
-                point = [abs(float(Fraction(self.at.mu)))], [float(getattr(self.at, name)) / scale]
+                point = [abs(float(Fraction(self.at_mu.mu)))], [float(getattr(self.at_mu, name)) / scale]
                 axes.plot(*point, "o", color=color, label=f"{told}, certified")
         axes.set(xlabel=r"$\mu$", ylabel="series through order " + str(self.order) if self.amplitude else "certified")
 
@@ -95,8 +101,8 @@ class LimitCycle(Rows, Drawn):
         return columns | coefficient_columns([c for _, _, c in named])
 
     def _formula(self) -> str:
-        if not self.amplitude and self.at is not None:
-            return self.at._formula()
+        if not self.amplitude and self.at_mu is not None:
+            return self.at_mu._formula()
         a, w = (_latex(row) for row in (self.amplitude, self.frequency))
         return rf"A = {a},\quad \omega = {w}"
 

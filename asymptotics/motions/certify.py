@@ -26,11 +26,11 @@ MAX_BITS, MAX_DIGITS = 1 << 16, 10_000
 Pair = tuple[arb | ExactReal, arb | ExactReal]
 
 
-def time_of(t: Number) -> ExactReal:
+def time_of(t: Number, name: str = "time") -> ExactReal:
     """A time as an exact number; InputError for t < 0: the state is given at t = 0, and friction cannot be undone."""
-    moment = exact_number(t, "time")
+    moment = exact_number(t, name)
     if moment < 0:
-        raise InputError("time", f"{moment} is before the start, where the state is given", "a time >= 0 in seconds")
+        raise InputError(name, f"{moment} is before the start, where the state is given", "a time >= 0 in seconds")
     return moment
 
 

@@ -21,7 +21,7 @@ for order in (2, 4, 8, 12):
         values = sum(float(c) * mu ** int(k) for k, c in row.items() if int(k) <= order)
         axes.plot(mu, values, label=rf"through $\mu^{{{order}}}$")
 numbers = ["0.4", "0.8", "1.2", "1.6"]
-cycles = [asy.limit_cycle(LAW, order=2, mu=m, digits=15).at for m in numbers]
+cycles = [asy.limit_cycle(LAW, order=2, mu=m, digits=15).at_mu for m in numbers]
 left.plot([float(m) for m in numbers], [float(c.amplitude) for c in cycles], "k.", label="certified")
 right.plot([float(m) for m in numbers], [float(c.frequency) for c in cycles], "k.", label="certified")
 left.set(xlabel=r"$\mu$", ylabel="turning amplitude", ylim=(1.998, 2.03))

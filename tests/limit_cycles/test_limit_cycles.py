@@ -17,7 +17,7 @@ from asymptotics.numbers.exact import ExactReal
 @pytest.mark.parametrize("spring", [{3: "1/2"}, {3: "-1/10"}, {5: "1/20", (1, 2): "1/4"}])
 def test_springs_beside_the_laws_at_a_number(spring):
     """The cycle by an integrator; F' = (f(A)/f(q)) e^(-J) - 1 against a difference of half-turns, A/q for f is off."""
-    found = limit_cycle(Law({1: -1, (1, 2): 1}, spring=spring), 4, 12, ExactReal(Fraction(1, 2))).at
+    found = limit_cycle(Law({1: -1, (1, 2): 1}, spring=spring), 4, 12, ExactReal(Fraction(1, 2))).at_mu
     forces = [(float(t.strength.ball()), t.position, int(t.velocity.rational)) for t in Law({}, spring).terms]
 
     def field(_, y):
@@ -41,7 +41,7 @@ def test_one_of_several_cycles_by_its_amplitude():
     for near, square, stable in ((0.5, 5 - 17**0.5, False), (4, 5 + 17**0.5, True)):
         found = limit_cycle(law, 2, 15, ExactReal(Fraction(1, 100)), near)
         assert float(found.amplitude["0"].value) == pytest.approx(square**0.5, abs=1e-13)
-        assert found.at.stable is stable
+        assert found.at_mu.stable is stable
 
 
 @pytest.mark.parametrize(
@@ -57,3 +57,13 @@ def test_irrational_amplitudes_are_certified():
     more = limit_cycle(Law({1: -1, (1, 2): 1, (1, 4): "1/7"}), 4, 30)
     assert found.arithmetic == "certified"
     assert all(more.frequency[k].value[:15] == c.value[:15] for k, c in found.frequency.items())
+
+
+def test_the_cycle_at_a_number_is_at_mu_and_the_old_name_says_so():
+    """``at`` is a method of every other result; in JSON the key stays."""
+    law = Law({1: -1, (1, 2): 1})
+    found, alone = limit_cycle(law, 2, 8, ExactReal(1)), limit_cycle(law, 2, 8)
+    assert found.to_dict()["at"] == found.at_mu.to_dict() and alone.at_mu is None and alone.to_dict()["at"] is None
+    for each in (found, alone):
+        with pytest.raises(InputError, match=r"argument at: .*\.at_mu"):
+            _ = each.at

@@ -90,7 +90,7 @@ SAMPLES = {
     "law.Law": "asy.Law({0: '1/50', 2: '1/10'})",
     "law.Oscillator": "osc",
     "law.PhysicalLaw": "osc.law",
-    "limit_cycles.certified.CertifiedCycle": "cycle.at",
+    "limit_cycles.certified.CertifiedCycle": "cycle.at_mu",
     "limit_cycles.result.LimitCycle": "cycle",
     "motions.result.MotionPoint": "motion.at(7)",
     "motions.result.MotionSamples": "motion.sample([0.0, 1.0, 2.0])",

@@ -85,6 +85,18 @@ def test_pages_start_with_the_verdict_and_say_what_it_is_worth(made):
         assert all(len(row) == len(page.head) for row in page.rows), name
 
 
+def test_at_is_a_method_wherever_it_is(made):
+    """One word, one meaning: ``.at(t)`` is a call; a result without it has no such attribute, or refuses it by name."""
+    asked = {}
+    for name, found in made.items():
+        try:
+            asked[name] = getattr(found, "at", None)
+        except InputError:
+            continue
+    assert sum(each is not None for each in asked.values()) > 3
+    assert [name for name, each in asked.items() if each is not None and not callable(each)] == []
+
+
 def undefined(formula, own):
     """The letters of a formula that nothing defines."""
     return letters(formula) - set(MEANINGS) - set(own)

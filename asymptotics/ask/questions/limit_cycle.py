@@ -23,16 +23,16 @@ def _latex(found: LimitCycle, request: Request) -> str:
     """The series, and the numbers at mu."""
     rows = {"A": found.amplitude, r"\omega": found.frequency, r"\log\rho": found.log_multiplier}
     series = rows_latex({name: row for name, row in rows.items() if row}, (r"\mu",), request["digits"])
-    if found.at is None:
+    if found.at_mu is None:
         return series
-    numbers = [rf"{letter}({found.at.mu}) = {getattr(found.at, name)}" for name, letter in _NUMBERS.items()]
+    numbers = [rf"{letter}({found.at_mu.mu}) = {getattr(found.at_mu, name)}" for name, letter in _NUMBERS.items()]
     return " \\\\\n".join([*([series] if series else []), *numbers])
 
 
 def _table(found: LimitCycle) -> str:
     """The coefficients as CSV, or (beside springs) the numbers at mu."""
-    if found.at is not None and not found.amplitude:
-        return csv_text(["quantity", "value"], [(name, getattr(found.at, name)) for name in _NUMBERS])
+    if found.at_mu is not None and not found.amplitude:
+        return csv_text(["quantity", "value"], [(name, getattr(found.at_mu, name)) for name in _NUMBERS])
     names = ("amplitude", "frequency", "multiplier", "log_multiplier")
     return rows_csv({name: getattr(found, name) for name in names})
 
@@ -45,12 +45,12 @@ def _text(found: LimitCycle) -> str:
         lines = [f"x'' + x{springs} + mu ({losses[3:]}) = 0".replace("+ -", "- ")]
     lines += [*row_text("A", found.amplitude), *row_text("omega", found.frequency)]
     lines += row_text("log multiplier", found.log_multiplier)
-    if found.at is not None:
+    if found.at_mu is not None:
         # ``stable`` is None where the ball of the multiplier holds 1: neither is proved.
         names = ("amplitude", "period", "frequency", "multiplier")
-        kind = {True: "stable", False: "unstable", None: "stability undecided"}[found.at.stable]
-        lines += [f"at mu = {found.at.mu}: certified, {kind}"]
-        lines += [f"{name:10}  {getattr(found.at, name)}" for name in names]
+        kind = {True: "stable", False: "unstable", None: "stability undecided"}[found.at_mu.stable]
+        lines += [f"at mu = {found.at_mu.mu}: certified, {kind}"]
+        lines += [f"{name:10}  {getattr(found.at_mu, name)}" for name in names]
     return "\n".join(lines)
 
 
@@ -120,7 +120,7 @@ def limit_cycle(
     >>> van_der_pol = limit_cycle({1: -1, (1, 2): 1}, order=4)
     >>> van_der_pol.amplitude["2"].exact, van_der_pol.frequency["2"].exact
     ('1/96', '-1/16')
-    >>> limit_cycle({1: -1, (1, 2): 1}, mu=1, spring={3: "1/2"}, digits=12).at.amplitude
+    >>> limit_cycle({1: -1, (1, 2): 1}, mu=1, spring={3: "1/2"}, digits=12).at_mu.amplitude
     '1.95363409607'
     """
     if near is not None and not exact_number(near, "near") > 0:

@@ -1,25 +1,24 @@
-"""The files of the command ``motion``: a table of the motion; what can be drawn.
+"""A motion as a table from 0 to T; and whether the reference is near enough to be drawn beside it.
 
->>> from asymptotics.law import Law
 >>> from fractions import Fraction
->>> drag = Given(Oscillator(Law({"3/2": "1/10"})), si=True)
->>> csv_of(drag, ExactReal(Fraction(1)), 3, "turning-point").splitlines()[:2]
+>>> from asymptotics.api.motions import motion
+>>> from asymptotics.law import Oscillator
+>>> drag = motion(Oscillator({"3/2": "1/10"}))
+>>> motion_table(drag, ExactReal(Fraction(1)), 2).to_csv().splitlines()[:2]
 ['t [s],x [m],v [m/s],amplitude [m],phase [rad],code', '0.0,1.0,-0.0,1.0,0.0,sha256:...']
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from itertools import takewhile
 from typing import Any
 
 import numpy as np
 
-from asymptotics.ask.moving import Given
+from asymptotics.api.motions import Motion, Reference
 from asymptotics.costs import require_affordable
 from asymptotics.cut_short import changed, keeping
 from asymptotics.law import Oscillator
-from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.motions.result import MotionSamples
 from asymptotics.motions.state_route import alone
@@ -27,32 +26,27 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 
 # 14 digits of the reference are right in a double to all but its last place or two; more would not be seen.
-_ROWS, _REFERENCE_DIGITS = 1000, 14
-# Of the estimate, which is good to a factor of three: beyond, a file is refused and an error curve left out.
+_REFERENCE_DIGITS = 14
+# Of the estimate, which is good to a factor of three: beyond, a table is refused and an error curve left out.
 _MAX_SECONDS = 60.0
 
 
-def csv_of(
-    given: Given,
-    time: ExactReal,
-    order: int | None,
-    gauge: str,
-    static: str | None = None,
-    points: int = _ROWS,
-) -> str:
-    """t, x, v, amplitude, phase at points + 1 times from 0 to ``time``; without ``order`` t, x, v of the reference."""
-    if order is None:
-        times = [time * Fraction(i, points) for i in range(points + 1)]
+def motion_table(moving: Motion | Reference, until: ExactReal, points: int) -> MotionSamples:
+    """The motion at ``points`` + 1 times from 0 to ``until``; an error that cuts a reference short carries its rows.
 
-        def samples(found: Sequence[tuple[float, float]]) -> MotionSamples:
-            t = np.array([_float(t) for t in times[: len(found)]])
-            x, v = (np.array(column) for column in zip(*found))
-            return MotionSamples(t, x, v, None, None, None, None, 0, 0, None, (), given.si, given.oscillator.unit)
+    LimitError for a reference that would take more than a minute.
+    """
+    if isinstance(moving, Motion):
+        return moving.sample(np.linspace(0.0, _float(until), points + 1))
+    times = [until * Fraction(i, points) for i in range(points + 1)]
 
-        with changed(samples):
-            return samples(_reference(given.oscillator, times, static)).to_csv()
-    found = AsymptoticMotion.of(given.oscillator, order, gauge).sample(np.linspace(0.0, _float(time), points + 1))
-    return replace(found, si=given.si).to_csv()
+    def samples(found: Sequence[tuple[float, float]]) -> MotionSamples:
+        t = np.array([_float(t) for t in times[: len(found)]])
+        x, v = (np.array(column) for column in zip(*found))
+        return MotionSamples(t, x, v, None, None, None, None, 0, 0, None, (), moving.si, moving.oscillator.unit)
+
+    with changed(samples):
+        return samples(_states(moving, times))
 
 
 def reference_is_near(oscillator: Oscillator, time: ExactReal) -> bool:
@@ -61,19 +55,17 @@ def reference_is_near(oscillator: Oscillator, time: ExactReal) -> bool:
     return oscillator.law.is_pure and estimated_seconds(oscillator, time, _REFERENCE_DIGITS) < _MAX_SECONDS
 
 
-def _reference(
-    oscillator: Oscillator, times: Sequence[ExactReal], static: str | None = None
-) -> list[tuple[float, float]]:
+def _states(moving: Reference, times: Sequence[ExactReal]) -> list[tuple[float, float]]:
     """(x, v) of the reference motion at ascending times, in doubles; those found before an error are handed over."""
-    time = times[-1]
-    seconds = estimated_seconds(oscillator, time, _REFERENCE_DIGITS)
-    require_affordable(seconds, _MAX_SECONDS, "--time", f"a reference motion through {time} s", " for files")
+    oscillator, last = moving.oscillator, times[-1]
+    seconds = estimated_seconds(oscillator, last, _REFERENCE_DIGITS)
+    require_affordable(seconds, _MAX_SECONDS, "time", f"a reference motion through {last} s", " for files")
     # Each time by its closed form, so that what is done so far is a list of rows.
     if alone(oscillator, 0) is not None:  # exact, with sticking
         made: list[tuple[float, float]] = []
         with keeping(lambda: made or None):
             for t in times:
-                point = reference_motion(oscillator, t, _REFERENCE_DIGITS, static=static)
+                point = reference_motion(oscillator, t, _REFERENCE_DIGITS, static=moving.static)
                 made.append((float(Fraction(point.x)), float(Fraction(point.v))))
         return made
     with changed(_unbroken):
