@@ -1,5 +1,7 @@
 """The command ``motion``, as a user types it."""
 
+import subprocess
+import sys
 from fractions import Fraction
 
 import pytest
@@ -112,3 +114,15 @@ def test_bad_input_is_one_line_that_names_the_argument(capsys, line, argument):
     code, out, err = run(capsys, line)
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert argument in err
+
+
+def test_a_reference_has_a_certificate_and_an_estimate_has_none(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    line = "motion --law 0:1/50 --law 2:1/10 --v0 1 --time 5/2 --digits 12"
+    assert run(capsys, f"{line} --reference --certificate x.json")[0] == 0
+    check = [sys.executable, "-I", "check_certificate.py", "x.json"]
+    told = subprocess.run(check, capture_output=True, text=True, check=True).stdout
+    assert told.startswith("accepted") and "t = 5/2: x = -0.132661303702" in told
+    for more, reason in (("--order 2", "estimate"), ("--reference --static 1/5", "static")):
+        code, _, err = run(capsys, f"motion --alpha 0 --epsilon 1/10 --time 3 {more} --certificate y.json")
+        assert (code, reason in err, err.count("\n")) == (2, True, 1)

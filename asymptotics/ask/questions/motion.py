@@ -12,6 +12,7 @@ from asymptotics.ask.moving import OVERLAY, TIME, Given, overlaid
 from asymptotics.ask.question import question
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
+from asymptotics.certificates.of_results import of_states
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.expansions.divergence.truncation import BestOrder
 from asymptotics.expansions.equations.build import expand
@@ -111,6 +112,15 @@ def _typed(request: Request) -> None:
         raise InputError("--time", "0 leaves nothing to draw or to tabulate", "a time > 0 with --plot or --csv")
 
 
+def _certificate(found: MotionAtTime, request: Request) -> Any:
+    """Of x and v at the time, with as many digits as were asked for."""
+    if not request["reference"] or request["static"] is not None:
+        reason = "an expansion has an estimate" if not request["reference"] else "static friction is another equation"
+        raise InputError("--certificate", reason, "--certificate with --reference alone")
+    digits = 30 if request["digits"] is None else request["digits"]
+    return of_states(_given(request).oscillator, [(request["time"], found.point)], digits)
+
+
 @question(
     Offers(
         picture="waveform, envelope and error curve from 0 to T",
@@ -125,6 +135,7 @@ def _typed(request: Request) -> None:
         drawn=_drawn,
         style=_style,
         typed=_typed,
+        certificate=_certificate,
         rows_done=_rows_done,
         lacks={"latex": "the answer is numbers at one time; `expand --latex` has the equations"},
     ),
