@@ -32,6 +32,7 @@ myst_heading_anchors = 3
 html_theme = "furo"
 html_static_path = ["_static"]
 html_css_files = ["pages.css"]
+html_search_scorer = "_static/scorer.js"
 html_title = "power-law-oscillator"
 html_math_renderer = "offline_mathml"
 html_show_sphinx = False
