@@ -8,7 +8,7 @@ RUN = $(VENV)/bin/python -m
 # Tests start hundreds of interpreters: where the machine forbids bytecode, each would compile all modules again.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: reproduce test test-thorough matrix lint docs tables benchmarks mutants weakened wheel clean
+.PHONY: reproduce test test-thorough matrix lint docs tables benchmarks mutants weakened proofs wheel clean
 
 reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
@@ -64,6 +64,15 @@ mutants: $(VENV)/.mutants
 # Each bound of benchmarks/weakened_bounds.json is halved or dropped, and its test must fail; PART=flow/wells/ for some of them.
 weakened: $(VENV)/.test
 	$(RUN) benchmarks.weakened $(PART)
+
+# The two lemmas behind a certificate, and one of its instances, compiled by Coq, with the axioms they rest on: Debian has all it takes.
+COQC ?= coqc
+proofs:
+	@command -v $(COQC) >/dev/null || { echo "$(COQC) is not installed: no proof was compiled (Debian: coq libcoq-coquelicot libcoq-interval)"; exit 0; }; \
+	rm -rf build/coq && mkdir -p build/coq && cp derivations/coq/*.v build/coq && cd build/coq && \
+	for file in $$(cat ../../derivations/coq/order.txt); do \
+	    echo "$$file"; $(COQC) -w none $$file || exit 1; \
+	done
 
 # Each environment is the one before it and what its lock adds; a change of pyproject.toml alone installs the package anew.
 $(VENV)/.lock: requirements/reproduce.txt

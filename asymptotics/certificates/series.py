@@ -21,9 +21,12 @@ from flint import arb
 
 from asymptotics.budget import tick
 from asymptotics.certificates.equation import Equation
+from asymptotics.errors import LimitError
 from asymptotics.numbers.rationals import to_fmpq
 
 Powers = dict[int, arb]
+MOST = 1200
+"""Terms of a series: a second for each law with a power of its own."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +76,11 @@ def _grown(
     stiffness = arb(to_fmpq(equation.stiffness))
     v: Powers = {} if m else {0: sign * y[1]}
     powers: list[Powers] = [{} for _ in equation.terms]
-    for k in _generated(steps, q * degree - 2 * q):
+    orders = _generated(steps, q * degree - 2 * q)
+    if len(orders) > MOST:
+        reason = f"next to rest the motion is a series in s^(1/{q}) of {len(orders)} terms"
+        raise LimitError("certificate", reason, f"{MOST} terms: exponents of smaller denominators, or fewer digits")
+    for k in orders:
         tick("a series of the certificate")
         force = stiffness * y[k] if k in y else arb(0)
         for (a, _), shift, e, w in zip(equation.terms, shifts, strengths, powers):

@@ -119,6 +119,12 @@ def test_a_next_turning_point_that_is_far_off_is_not_waited_for():
     assert of_states(near_critical, [("1", reference_motion(near_critical, "1", 9))], 9).proved
 
 
+def test_a_series_of_thousands_of_terms_is_refused_at_once():
+    flat = Oscillator({"1/1000": "1/10"})
+    with pytest.raises(LimitError, match="terms"):
+        of_turning_points(flat, turning_points(flat, 2, digits=15), max_seconds=10)
+
+
 def test_a_false_digit_gets_no_certificate():
     drag = Oscillator({2: "1/10"})
     point = turning_points(drag, 2, digits=12, times=True).points[1]
