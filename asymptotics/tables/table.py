@@ -70,7 +70,8 @@ class Table(Rows, Drawn):
 
     def validate(self, digits: int = 60) -> Validation:
         """The table recomputed by mpmath alone, beside ours; InputError where mpmath has no route of its own."""
-        return validate(self, digits)
+        nearest = self.origin.get("inputs", {}).get("rounding", "nearest") == "nearest"
+        return validate(self.name, self.columns, self.rows, digits, nearest=nearest)
 
     def to_json(self) -> str:
         """The table as the text of a JSON file."""

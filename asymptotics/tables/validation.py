@@ -18,13 +18,13 @@ smith2012.table1   2 |u_(n+1)| = 1 + W_0(-y e^(-y)), y = 1 + 2 |u_n|, and Newton
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import mpmath
 
 from asymptotics.errors import InputError
-
-if TYPE_CHECKING:
-    from asymptotics.tables.table import Table
+from asymptotics.numbers.decimal_context import workdps
+from asymptotics.numbers.exact import require_integer
 
 GUARD = 30
 """Digits beyond those asked for: an iteration of Table I loses about two a step, and has its own besides."""
@@ -62,25 +62,25 @@ class Validation:
         return {"by": f"mpmath {self.version}", "digits": self.digits, "equal": self.equal, "values": pairs}
 
 
-def validate(table: "Table", digits: int = 60) -> Validation:
-    """Recompute a table by mpmath to ``digits`` digits, or to those of the table if it has more.
+def validate(
+    name: str, columns: tuple[str, ...], rows: tuple[tuple[str, ...], ...], digits: int = 60, *, nearest: bool = True
+) -> Validation:
+    """Recompute a table to ``digits`` digits, or to those that it has; ``nearest``: how its numbers are rounded.
 
-    InputError for a table that mpmath alone does not give.
+    InputError for a table that mpmath alone does not give, and for digits outside [1, 1000].
     """
-    if table.name not in ROUTES:
-        raise InputError("name", f"{table.name} is not recomputed by mpmath alone", ", ".join(ROUTES))
-    mpmath = import_module("mpmath")  # of no use to a table that is only printed
-    longest = max((len(_digits(c)) for row in table.rows for c in row), default=0)
-    digits = max(digits, longest)
-    nearest = table.origin.get("inputs", {}).get("rounding", "nearest") == "nearest"
+    require_integer(digits, "digits", 1, 1000)
+    if name not in ROUTES:
+        raise InputError("name", f"{name} is not recomputed by mpmath alone", ", ".join(ROUTES))
+    digits = max(digits, *(len(_digits(cell)) for row in rows for cell in row))
     pairs = []
-    with mpmath.workdps(digits + GUARD + 3 * len(table.rows)):
-        rows = [dict(zip(table.columns, row)) for row in table.rows]
-        for number, (row, values) in enumerate(zip(rows, ROUTES[table.name](mpmath, rows), strict=True), 1):
+    with workdps(digits + GUARD + 3 * len(rows)):
+        given = [dict(zip(columns, row)) for row in rows]
+        for number, (row, values) in enumerate(zip(given, ROUTES[name](given), strict=True), 1):
             for column, value in values.items():
                 shown = mpmath.nstr(value, digits, strip_zeros=False)
-                pairs.append((number, column, row[column], shown, _same(mpmath, row[column], value, nearest)))
-    return Validation(table.name, digits, mpmath.__version__, tuple(pairs))
+                pairs.append((number, column, row[column], shown, _same(row[column], value, nearest)))
+    return Validation(name, digits, mpmath.__version__, tuple(pairs))
 
 
 def _digits(cell: str) -> str:
@@ -88,7 +88,7 @@ def _digits(cell: str) -> str:
     return "".join(c for c in cell.split("e")[0] if c.isdigit()).lstrip("0")
 
 
-def _same(mpmath: Any, cell: str, value: Any, nearest: bool) -> bool:
+def _same(cell: str, value: Any, nearest: bool) -> bool:
     """Whether the value is within half a unit of the last place of a decimal, or a whole one, or in an interval."""
     slack = mpmath.mpf(10) ** (8 - mpmath.mp.dps)  # what mpmath itself may have lost, far below a unit
     if cell.startswith("["):
@@ -104,53 +104,51 @@ Row = dict[str, str]
 Values = Iterator[dict[str, Any]]
 
 
-def _number(mpmath: Any, text: str) -> Any:
+def _number(text: str) -> Any:
     """An exact real as it is written: 3/2, 0.1, sqrt(2)."""
     if text.startswith("sqrt("):
-        return mpmath.sqrt(_number(mpmath, text[5:-1]))
+        return mpmath.sqrt(_number(text[5:-1]))
     exact = Fraction(text)
     return mpmath.mpf(exact.numerator) / exact.denominator
 
 
-def _moment(mpmath: Any, p: Any) -> Any:
+def _moment(p: Any) -> Any:
     return mpmath.gamma((p + 1) / 2) / (mpmath.sqrt(mpmath.pi) * mpmath.gamma(p / 2 + 1))
 
 
-def _by_alpha(values: Callable[..., dict[str, Any]]) -> Callable[[Any, list[Row]], Values]:
-    """A route that takes mpmath, alpha and the row."""
-    return lambda mpmath, rows: (values(mpmath, _number(mpmath, row["alpha"]), row) for row in rows)
+def _by_alpha(values: Callable[..., dict[str, Any]]) -> Callable[[list[Row]], Values]:
+    """A route that takes alpha and the row."""
+    return lambda rows: (values(_number(row["alpha"]), row) for row in rows)
 
 
-def _moments(mpmath: Any, a: Any, _row: Row) -> dict[str, Any]:
+def _moments(a: Any, _row: Row) -> dict[str, Any]:
     orders = {"M_(alpha+1)": a + 1, "M_(2 alpha)": 2 * a, "M_(3 alpha+1)": 3 * a + 1}
-    return {column: _moment(mpmath, p) for column, p in orders.items()}
+    return {column: _moment(p) for column, p in orders.items()}
 
 
-def _ratio(mpmath: Any, a: Any, _row: Row) -> dict[str, Any]:
-    return {"ratio": 2 ** (-(a + 1) / 2) / _moment(mpmath, a + 1)}
+def _ratio(a: Any, _row: Row) -> dict[str, Any]:
+    return {"ratio": 2 ** (-(a + 1) / 2) / _moment(a + 1)}
 
 
-def _lag(mpmath: Any, a: Any, row: Row) -> dict[str, Any]:
-    w_2 = (a / (a + 1)) ** 2 * _moment(mpmath, 2 * a)
-    return {"lag": w_2 * _number(mpmath, row["epsilon"]) / ((a - 1) * _moment(mpmath, a + 1))}
+def _lag(a: Any, row: Row) -> dict[str, Any]:
+    w_2 = (a / (a + 1)) ** 2 * _moment(2 * a)
+    return {"lag": w_2 * _number(row["epsilon"]) / ((a - 1) * _moment(a + 1))}
 
 
-def _extinction(mpmath: Any, a: Any, row: Row) -> dict[str, Any]:
-    return {"tau_e": 1 / ((1 - a) * _moment(mpmath, a + 1) * _number(mpmath, row["epsilon"]))}
+def _extinction(a: Any, row: Row) -> dict[str, Any]:
+    return {"tau_e": 1 / ((1 - a) * _moment(a + 1) * _number(row["epsilon"]))}
 
 
-def _two_laws(mpmath: Any, rows: list[Row]) -> Values:
+def _two_laws(rows: list[Row]) -> Values:
     """The integral of dA/(kappa A^alpha + kappa' A^beta) from A to 1, at the two ends of its primitive."""
     for row in rows:
-        pairs = sorted([_number(mpmath, x) for x in term.split(":")] for term in row["law"].split(","))
-        (a, kappa), (b, other) = ((x, e * _moment(mpmath, x + 1)) for x, e in pairs)
-        end = _number(mpmath, row["A"])
-        yield {
-            "tau": _primitive(mpmath, a, kappa, b, other, mpmath.mpf(1)) - _primitive(mpmath, a, kappa, b, other, end)
-        }
+        pairs = sorted([_number(x) for x in term.split(":")] for term in row["law"].split(","))
+        (a, kappa), (b, other) = ((x, e * _moment(x + 1)) for x, e in pairs)
+        end = _number(row["A"])
+        yield {"tau": _primitive(a, kappa, b, other, mpmath.mpf(1)) - _primitive(a, kappa, b, other, end)}
 
 
-def _primitive(mpmath: Any, a: Any, kappa: Any, b: Any, other: Any, A: Any) -> Any:
+def _primitive(a: Any, kappa: Any, b: Any, other: Any, A: Any) -> Any:
     """By 2F1; by logarithms at alpha = 1; from the other end, B = 1/A, where its third parameter is 0, -1, ..."""
     gap = b - a
     if a == 1:
@@ -161,19 +159,19 @@ def _primitive(mpmath: Any, a: Any, kappa: Any, b: Any, other: Any, A: Any) -> A
     return A ** (1 - a) / (kappa * (1 - a)) * mpmath.hyp2f1(1, index, index + 1, -other / kappa * A**gap)
 
 
-def _smith(mpmath: Any, rows: list[Row]) -> Values:
+def _smith(rows: list[Row]) -> Values:
     """Each sequence from its u_0, by Lambert's W; Newton's method on (43) begins at its double and must agree."""
     for row in rows:
         if row["half_cycle"] == "1":
-            size = start = _number(mpmath, row.get("u_0", "1"))
+            size = start = _number(row.get("u_0", "1"))
         else:
-            size = _next(mpmath, size)
+            size = _next(size)
         level = mpmath.exp(-2 * size) * (size / 2 + mpmath.mpf(1) / 4)
         first = mpmath.exp(-2 * start) * (start / 2 + mpmath.mpf(1) / 4)
         yield {"S_hat": level - first, "u": size if int(row["half_cycle"]) % 2 else -size}
 
 
-def _next(mpmath: Any, size: Any) -> Any:
+def _next(size: Any) -> Any:
     y = 1 + 2 * size
     found = (1 + mpmath.lambertw(-y * mpmath.exp(-y)).real) / 2
     level = y * mpmath.exp(-y)  # (43): (1 - r) e^(r - 1) = y e^(-y), r = 2 |u_(n+1)|
@@ -183,7 +181,7 @@ def _next(mpmath: Any, size: Any) -> Any:
     return found
 
 
-ROUTES: dict[str, Callable[[Any, list[Row]], Values]] = {
+ROUTES: dict[str, Callable[[list[Row]], Values]] = {
     "moments": _by_alpha(_moments),
     "lelas-ratios": _by_alpha(_ratio),
     "phase-lags": _by_alpha(_lag),

@@ -8,7 +8,7 @@ from asymptotics.errors import InputError
 from asymptotics.law import Law
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.registry import build
-from asymptotics.tables.validation import ROUTES, validate
+from asymptotics.tables.validation import ROUTES
 
 REFERENCE = ("smith2012.table1", "two-law-times")
 
@@ -57,5 +57,7 @@ def test_json_and_what_has_no_route():
     first = data["values"][0]
     assert (first["row"], first["column"], first["ours"]) == (1, "lag", "0.11834")
     assert first["mpmath"].startswith("0.11833887925798851570") or first["mpmath"].startswith("0.1183388792579885157")
+    with pytest.raises(InputError, match="digits"):
+        build("phase-lags", 5).validate(0)
     with pytest.raises(InputError, match="not recomputed by mpmath alone"):
-        validate(build("stokes.constants", 5))
+        replace(build("moments", 5), name="stokes.constants").validate()
