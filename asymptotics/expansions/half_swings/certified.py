@@ -36,9 +36,10 @@ from math import comb, log2
 from flint import arb
 
 from asymptotics.budget import require_seconds
-from asymptotics.costs import require_affordable, series_seconds
+from asymptotics.costs import node_seconds, require_affordable, series_seconds
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.certified_moments import Orders, duration_orders, moment_bounds, moment_orders
+from asymptotics.expansions.half_swings.certified_nodes import only_law, quarter_orders
 from asymptotics.expansions.half_swings.certified_orders import (
     bound_ring,
     dot,
@@ -79,6 +80,11 @@ def quarter_swing(
     """
     forces = Forces.read(given, order)
     _check(order, radius)
+    alpha = None if moments or terms or guard or radius != RADIUS else only_law(forces, order)
+    if alpha is not None:
+        _check_nodes(order, max_seconds)
+        R, T_q = (Series(c, 1, order) for c in quarter_orders(alpha, order))
+        return QuarterSwing(forces.ball_grading(), R, T_q, ())
     products = _products(forces, order, moments)
     # First of all with an estimate, for the bounds are work too: log2(4) = 2 bits a term tell how many there will be.
     _check_work(products, terms or ctx.prec // 2, ctx.prec, max_seconds)  # the bounds themselves cost scalar products
@@ -158,6 +164,15 @@ def _check(order: int, radius: int) -> None:
     require_integer(order, "order", 1, MAX_ORDER)
     if radius not in (2, 3, 4):
         raise InputError("radius", f"{radius} is not a radius of proved analyticity", "2, 3 or 4")
+
+
+def _check_nodes(order: int, max_seconds: float) -> None:
+    """The same for one law at nodes, of which there are about as many as a third of the bits and of five an order."""
+    bits = ctx.prec + 5 * order
+    seconds = node_seconds(order, bits // 3 + order, bits)
+    told = f"the quarter-swing through order {order} at {bits} bits"
+    require_affordable(seconds, max_seconds, "order", told, ": a lower order, fewer digits, or a higher limit")
+    require_seconds(seconds, told)
 
 
 def _products(forces: Forces, order: int, moments: bool) -> int:

@@ -33,9 +33,10 @@ from dataclasses import dataclass
 from math import ceil, inf, log
 from operator import mul
 
-from flint import arb, arb_mat, arb_series, fmpq
+from flint import arb, arb_series
 
 from asymptotics.budget import tick
+from asymptotics.expansions.half_swings.node_transform import NodeTransform
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 
@@ -47,17 +48,19 @@ ELLIPSES = ("5.5", "4", "3")
 """The parameters rho that are tried: the widest has the fastest error, the narrower ones the smaller bounds."""
 
 
-def node_quarter(alpha: ExactReal, order: int, bits: int, small: float) -> tuple[list[arb], list[arb]]:
-    """R_n and T_n for n = 0 … ``order``, good to 2^-``bits`` or so at |delta| = ``small``; alpha > 0, not 1."""
-    with ctx.workprec(BOUND_BITS):
-        ellipses = [_Ellipse.of(alpha.ball(), arb(rho), order, arb(small)) for rho in ELLIPSES]
-    # Doubles choose among three theorems, each of which holds.
-    ellipse, right = min(ellipses, key=lambda e: e.nodes(bits)), bits
-    ends, durations = _at_nodes(alpha, order, right, small, ellipse)
+def node_quarter(
+    alpha: ExactReal, order: int, bits: int, small: float, foreseen: int = 0
+) -> tuple[list[arb], list[arb]]:
+    """R_n and T_n for n = 0 … ``order``, good to 2^-``bits`` or so at |delta| = ``small``; alpha > 0, not 1.
+
+    ``foreseen``: the `lost_bits` to begin with, which spares a second pass.
+    """
+    ellipse, right = _suited(alpha, order, bits, foreseen, small), bits + foreseen
+    ends, durations = _at_nodes(alpha, order, right, small, ellipse, ellipse.nodes(bits, foreseen))
     lost = _lost(bits, [*ends, *durations])
     if lost >= SPARE:  # small exponents alone: the radii grow by some bits an order
-        right = bits + lost
-        ends, durations = _at_nodes(alpha, order, right, small, ellipse)
+        right += lost
+        ends, durations = _at_nodes(alpha, order, right, small, ellipse, ellipse.nodes(bits, foreseen + lost))
     with ctx.workprec(right + GUARD), ctx.workcap(order + 1):
         # P = e^(eta R) at v = 1/2, as a series in x = delta/small.
         scales, log_P = [arb(small) ** n for n in range(order + 1)], arb_series(ends, order + 1).log()
@@ -65,11 +68,25 @@ def node_quarter(alpha: ExactReal, order: int, bits: int, small: float) -> tuple
         return R, [t / scale for t, scale in zip(durations, scales, strict=True)]
 
 
+def lost_bits(alpha: ExactReal, order: int, bits: int, small: float) -> int:
+    """By how many bits the widest ball of a first pass is wider than 2^-``bits``."""
+    ellipse = _suited(alpha, order, bits, 0, small)
+    ends, durations = _at_nodes(alpha, order, bits, small, ellipse, ellipse.nodes(bits))
+    return _lost(bits, [*ends, *durations])
+
+
+def _suited(alpha: ExactReal, order: int, bits: int, foreseen: int, small: float) -> "_Ellipse":
+    with ctx.workprec(BOUND_BITS):
+        ellipses = [_Ellipse.of(alpha.ball(), arb(rho), order, arb(small)) for rho in ELLIPSES]
+    # Doubles choose among three theorems, each of which holds.
+    return min(ellipses, key=lambda e: e.nodes(bits, foreseen))
+
+
 def _at_nodes(
-    alpha: ExactReal, order: int, bits: int, small: float, ellipse: "_Ellipse"
+    alpha: ExactReal, order: int, bits: int, small: float, ellipse: "_Ellipse", nodes: int
 ) -> tuple[list[arb], list[arb]]:
     with ctx.workprec(bits + GUARD):
-        return _Orders(alpha.ball(), arb(small), ellipse, ellipse.nodes(bits)).through(order)
+        return _Orders(alpha.ball(), arb(small), ellipse, nodes).through(order)
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,9 +111,13 @@ class _Ellipse:
             p.append(slope * C[-1] / (n * alpha / 2 + 1))
         return cls(rho, tuple(C), tuple(near * cosine * x for x in y))
 
-    def nodes(self, bits: int) -> int:
-        """How many nodes make all errors less than 2^-``bits``, in floats: the choice moves the error only."""
-        largest = max(float((1 + x).log()) for x in (*self.C, *self.rates))
+    def nodes(self, bits: int, lost: int = 0) -> int:
+        """How many nodes make all errors less than 2^-``bits``, in floats: the choice moves the error only.
+
+        ``lost``: the bits by which an error of the first order grows until the last one; a later one grows less.
+        """
+        shares = [lost * (1 - n / len(self.C)) * log(2) for n in range(len(self.C))]
+        largest = max(s + float((1 + x).log()) for part in (self.C, self.rates) for s, x in zip(shares, part))
         # Six nodes more than the estimate of doubles; what they leave is ``gap``, an upper bound.
         return int((bits * log(2) + largest) / log(float(self.rho))) + 6
 
@@ -111,11 +132,8 @@ class _Orders:
 
     def __init__(self, alpha: arb, small: arb, ellipse: _Ellipse, nodes: int) -> None:
         self.alpha, self.ellipse, self.nodes = alpha, ellipse, nodes
-        # T_k at the node i is cos(k (2i + 1) pi/(2K)): one table of 4K cosines has all of them.
-        table = [arb.cos_pi_fmpq(fmpq(j, 2 * nodes)) for j in range(4 * nodes)]
-        self.values = arb_mat([[table[k * (2 * i + 1) % (4 * nodes)] for k in range(nodes)] for i in range(nodes)])
-        self.means = self.values.transpose()
-        self.v = [(1 + table[2 * i + 1]) / 4 for i in range(nodes)]
+        self.transform = NodeTransform(nodes)
+        self.v = [(1 + x) / 4 for x in self.transform.places]
         self.cosine = [1 - 2 * v for v in self.v]
         self.force = [small * (2 * (1 - v)) ** (alpha / 2) for v in self.v]
         self.weights = [c / (1 - v).sqrt() for c, v in zip(self.cosine, self.v, strict=True)]
@@ -136,11 +154,11 @@ class _Orders:
                 for row, value in zip(all_y, y, strict=True):
                     row.append(value)
                 C = [sum(map(mul, a, reversed(b)), arb(0)) for a, b in zip(all_p, all_y, strict=True)]
-                means = (self.means * arb_mat(self.nodes, 1, C)).entries()
+                means = [x for (x,) in self.transform.sums([[x] for x in C])]
                 h, error = self.integral(means, n * self.alpha / 2 + 1, self.ellipse.C[n])
                 # 2 v <= 1: this is at least 2 |eta| v times the error of H f, at the nodes and at the end.
                 around = arb(0, (abs(eta) * error).upper())
-                there = (self.values * arb_mat(self.nodes, 1, h)).entries()
+                there = self.transform.values(h)
                 p = [-2 * eta * v * x + around for v, x in zip(self.v, there, strict=True)]
                 for row, value in zip(all_p, p, strict=True):
                     row.append(value)
@@ -149,9 +167,9 @@ class _Orders:
 
     def durations(self, all_y: Sequence[Sequence[arb]]) -> list[arb]:
         """tau_n at v = 1/2 from the y_n at the nodes, n = 1, 2, …."""
-        rates = arb_mat([[w * x for x in row] for w, row in zip(self.weights, all_y, strict=True)])
+        rates = [[w * x for x in row] for w, row in zip(self.weights, all_y, strict=True)]
         found = []
-        for n, means in enumerate((self.means * rates).transpose().table(), 1):
+        for n, means in enumerate(zip(*self.transform.sums(rates)), 1):
             tick("the durations of the quarter swing")
             h, error = self.integral(means, (n * self.alpha + 1) / 2, self.ellipse.rates[n])
             # T_k(1) = 1: at v = 1/2, x = 1, the sum of the coefficients

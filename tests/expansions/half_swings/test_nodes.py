@@ -39,13 +39,13 @@ def test_the_nodes_agree_with_the_polynomials_to_high_order():
 @pytest.mark.parametrize("count", [4, 7])
 def test_few_nodes_err_by_what_they_say(monkeypatch, count):
     """Their error is inside, is not nothing, and is left out where the bound is: the first order, nearly attained."""
-    monkeypatch.setattr(_Ellipse, "nodes", lambda self, bits: count)
+    monkeypatch.setattr(_Ellipse, "nodes", lambda self, bits, lost=0: count)
     law = parse_real("3/2", "alpha")
     few = node_quarter(law, 6, 100, 0.3)
     monkeypatch.undo()
     for coarse, fine in zip(few, node_quarter(law, 6, 100, 0.3), strict=True):
         assert all(x.contains(y.mid()) for x, y in zip(coarse[1:], fine[1:], strict=True))
-    monkeypatch.setattr(_Ellipse, "nodes", lambda self, bits: count)
+    monkeypatch.setattr(_Ellipse, "nodes", lambda self, bits, lost=0: count)
     monkeypatch.setattr(_Ellipse, "gap", lambda self, nodes, bound: arb(0))
     without = node_quarter(law, 6, 100, 0.3)
     monkeypatch.undo()
