@@ -8,7 +8,7 @@
 >>> choose(["t", "x", "theta"], None, None, "two.csv")
 Traceback (most recent call last):
     ...
-asymptotics.errors.InputError: argument FILE: two.csv: x may be any of 'x', 'theta' (accepted: --columns t=1,x=2 ...
+asymptotics.records.columns.SeveralError: argument FILE: two.csv: x may be any of 'x', 'theta' (accepted: --columns ...
 """
 
 import re
@@ -39,9 +39,18 @@ _WORDS = {
     "amplitude": "amplitude",
     "decrement": "decrement",
     "resolution": "resolution",
+    "uncertainty": "uncertainty uncertainties error err xerr yerr terr sigma std stddev unsicherheit fehler",
 }
 _MEANING = {word: quantity for quantity, words in _WORDS.items() for word in words.split()}
 _LAST = ("velocity", "acceleration", "time")  # "angular velocity": the word that decides
+
+
+class SeveralError(InputError):
+    """Several columns may be one quantity: ``column`` of the contract, and the places ``found``."""
+
+    def __init__(self, column: str, found: Sequence[int], reason: str, accepted: str) -> None:
+        super().__init__("FILE", reason, accepted)
+        self.column, self.found = column, tuple(found)
 
 
 @dataclass(frozen=True)
@@ -70,6 +79,9 @@ def quantity(name: str) -> str:
     # A name that is one word of the list as a whole, such as x_value, is cut into no others.
     if label.lower().strip() in _MEANING:
         return _MEANING[label.lower().strip()]
+    # "uncertainty t (s)" is no time.
+    if "uncertainty" in found:
+        return "uncertainty"
     for decisive in _LAST:
         # A unit of length or speed overrules the word time, as in "time average (m)".
         if decisive in found and not (decisive == "time" and by_unit not in ("", "time")):
@@ -180,7 +192,7 @@ def _place_of(column: str, names: Sequence[str], used: list[int], kind: str, fil
     found = [i for i in free if quantity(names[i]) == meant]
     # No column says what is wanted: any that does not say something else may be meant.
     if not found and column in _MEASURED:
-        other = {"time", "n", *_MEASURED.values()} - {_MEASURED[column]}
+        other = {"time", "n", "uncertainty", *_MEASURED.values()} - {_MEASURED[column]}
         found = [i for i in free if quantity(names[i]) not in other]
     # One of two columns is taken, so that the other has to be x.
     if column == "x" and not found and len(free) == 1 and len(names) == 2:
@@ -192,7 +204,9 @@ def _place_of(column: str, names: Sequence[str], used: list[int], kind: str, fil
     if found:
         listed = ", ".join(repr(names[i][:30]) for i in found[:8])
         example = ",".join(f"{c}={i + 1}" for c, i in zip(COLUMNS[kind], _example(column, names, used, found, kind)))
-        raise InputError("FILE", f"{file}: {column} may be any of {listed}", f"--columns {example} (places from 1)")
+        raise SeveralError(
+            column, found, f"{file}: {column} may be any of {listed}", f"--columns {example} (places from 1)"
+        )
     reason = f"{file} has no column {column} among {', '.join(names)[:100]}"
     raise InputError("FILE", reason, f"columns {accepted(kind)}, or --columns to say which is what")
 

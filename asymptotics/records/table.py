@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 from asymptotics.errors import InputError, require_choice
 from asymptotics.records.body import Unread
 from asymptotics.records.cells import MARKS
-from asymptotics.records.columns import KINDS, Choice, choose
+from asymptotics.records.columns import KINDS, Choice, SeveralError, choose, quantity
+from asymptotics.records.main_axis import carrying
 from asymptotics.records.rows import RowPlaces
 from asymptotics.records.sources import How, Source, opened
 from asymptotics.records.units import GRAVITY, SECONDS, UNITS, seconds, standard, suffix, unit_of
@@ -73,7 +74,7 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
         raise InputError(
             "FILE", f"{given.name}: two columns have one name", "columns with different names, or --columns"
         )
-    choice = choose(_ordered(given, kind, how), how.columns, kind, given.name)
+    choice = _chosen(given, kind, how)
     body = given.read(sorted(set(choice.places.values())))
     columns = {name: body.columns[place] for name, place in choice.places.items()}
     rows = RowPlaces(given.name, body.lines)
@@ -81,6 +82,23 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     # In this order: a row that cannot be read is told with its text, a mark as it stands in the file, and units come
     # last.
     return _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit, time)
+
+
+def _chosen(given: Source, kind: str | None, how: How) -> Choice:
+    """The columns; of several of one quantity and unit the one that carries the oscillation, if it is one."""
+    names = _ordered(given, kind, how)
+    try:
+        return choose(names, how.columns, kind, given.name)
+    except SeveralError as several:
+        alike = len({(quantity(names[i]), suffix(names[i])) for i in several.found}) == 1
+        measured = several.column in ("x", "v", "a") and alike and how.columns is None
+        place = carrying(given.read(several.found).columns) if measured else None
+        if place is None:
+            raise InputError("FILE", several.reason, several.accepted) from None
+        choice = choose(names, f"{several.column}={place + 1}", kind, given.name)
+        listed = ", ".join(repr(names[i][:30]) for i in several.found)
+        said = f"of {listed} it carries the oscillation (nine tenths of the line): --columns overrules"
+        return replace(choice, note=f"{choice.note}; {said}")
 
 
 def units_said(unit: str) -> tuple[str, str]:

@@ -14,12 +14,16 @@ import numpy as np
 
 from asymptotics.identification.forward.coefficients import Array
 
-_SCATTER, _PERIODS = 1.3, 1.0
-"""A scatter above this times the noise is motion (an amplitude of 1.2 of the noise); a shorter rest may be chance."""
+_SCATTER, _PERIODS, _A_PERIOD = 1.3, 1.0, 8
+"""A scatter above this times the noise is motion (an amplitude of 1.2 of the noise); a shorter rest may be chance; and
+samples of a period, of which a motion scatters twice as much as its neighbours differ."""
 
 
 def moving(t: Array, x: Array, period: float) -> slice:
     """The samples before the rest, all where there is none."""
+    # Of few samples a period neighbours differ as much as the motion is large.
+    if len(t) < 2 or period < _A_PERIOD * (t[-1] - t[0]) / (len(t) - 1):
+        return slice(None)
     # Sums from the end: the scatter of each tail about its own mean.
     back = x[::-1] - x[-1]
     count = np.arange(1, len(x) + 1)
