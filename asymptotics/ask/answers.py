@@ -49,6 +49,11 @@ class Request:
         return any(self.typed(name) is not None for name in ("plot", "csv"))
 
     @property
+    def has_latex(self) -> bool:
+        """Whether LaTeX is printed instead of text; ``fragment``: its formulas alone."""
+        return any(self.typed(name) is not None for name in ("latex", "fragment"))
+
+    @property
     def points(self) -> int:
         """How many intervals the table of a curve has."""
         return read_points(self.options)

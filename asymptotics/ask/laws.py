@@ -13,12 +13,14 @@ from types import MappingProxyType
 from typing import Any
 
 from asymptotics.api.units import law_of
-from asymptotics.ask.forces import FORMS_FROM_0, GivenTerms, read_law, read_terms
+from asymptotics.ask.forces import FORMS_FROM_0, GivenTerms, read_alpha, read_law, read_terms
 from asymptotics.ask.kinds import Kind, Option
 from asymptotics.ask.moving import QUANTITIES, Given, is_physical, read_moving, read_oscillator
+from asymptotics.errors import InputError
 from asymptotics.expansions.equations.given import terms_of
 from asymptotics.law import Law, Oscillator, of_unit_start
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.numbers.policy import exact_number
 from asymptotics.terms import Term
 
 SYMBOLIC = "symbolic"
@@ -141,3 +143,26 @@ def moving(
 MOVES = moving()
 MOVES_OR_RESTS = replace(MOVES, assemble=read_moving)
 """The same, or in the shell what rests: x0 = 0 and v0 = 0."""
+
+
+def _moving_or_formulas(value: Any, name: str) -> Given | ExactReal | str:
+    if isinstance(value, Law | Oscillator | Mapping):
+        return _moving(value, name)
+    return SYMBOLIC if isinstance(value, str) and value.strip() == SYMBOLIC else exact_number(value, "alpha")
+
+
+def _moving_or_formulas_of_options(options: argparse.Namespace) -> Given | ExactReal | str:
+    # One exponent without any number is the symbolic case; a sum without strengths has no explicit solution to show.
+    alone = options.alpha is not None and options.law is None and options.spring is None
+    if alone and options.epsilon is None and not is_physical(options):
+        for name in ("x0", "v0"):
+            if getattr(options, name) is not None:
+                raise InputError(f"--{name}", "formulas alone have no start in numbers", "--epsilon E with it")
+        return SYMBOLIC if options.alpha == SYMBOLIC else read_alpha(options.alpha, "--alpha")
+    if alone and options.alpha == SYMBOLIC:
+        raise InputError("--alpha", "a symbolic exponent has no numbers", "--alpha symbolic alone")
+    return read_oscillator(options, "epsilon")
+
+
+MOVES_OR_FORMULAS = replace(MOVES, read=_moving_or_formulas, assemble=_moving_or_formulas_of_options)
+"""The same, or an exponent alone, or ``SYMBOLIC``, of which there are formulas and no numbers."""

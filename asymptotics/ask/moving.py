@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from asymptotics.ask.answers import Request
 from asymptotics.ask.forces import add_forces, read_law
 from asymptotics.ask.kinds import Kind
 from asymptotics.errors import InputError
@@ -130,6 +131,12 @@ def _rests(options: argparse.Namespace) -> bool:
     starts = {name: getattr(options, name) for name in ("x0", "v0")}
     zero = {name for name, text in starts.items() if text is not None and parse_real(text, f"--{name}").is_zero}
     return "x0" in zero and ("v0" in zero or options.v0 is None)
+
+
+def require_stretch(request: Request) -> None:
+    """InputError for a picture or a table of a curve without a time > 0 at which it ends."""
+    if request.has_files and (request["time"] is None or not request["time"] > 0):
+        raise InputError("--time", "there is no stretch of time to draw", "a time > 0 with --plot or --csv")
 
 
 def overlaid(

@@ -95,17 +95,14 @@ class Command:
 
     def _answer(self, request: Request, found: Any, written: list[str]) -> Answer:
         offers, options = self.question.offers, request.options
-        latex = offers.as_latex(found, request) if offers.latex and options.latex else ""
+        wanted = bool(offers.latex) and request.has_latex
+        latex = offers.as_latex(found, request) if wanted else ""
         data = _data(offers, found, request, latex, written)
-        text = latex if offers.latex and options.latex else offers.text(found, request)
-        shown = [text] if _alone(offers, options) else [text, *written]
+        # LaTeX stands alone, unless the files are part of every answer.
+        text = latex if wanted else offers.text(found, request)
+        shown = [text] if wanted and not offers.always_files else [text, *written]
         shown += [more] if (more := offers.besides(found, request)) else []
         return Answer(data, "\n".join(shown), options.json, bool(offers.failed(found, request)))
-
-
-def _alone(offers: Offers, options: argparse.Namespace) -> bool:
-    """LaTeX stands alone, unless the files are part of every answer."""
-    return bool(offers.latex) and options.latex and not offers.always_files
 
 
 def _data(offers: Offers, found: Any, request: Request, latex: str, written: list[str]) -> dict[str, Any]:

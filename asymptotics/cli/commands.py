@@ -10,7 +10,6 @@ MODULES = {
     "damping": "zeta, Q, decrement, energy loss, c_eq and half-life of a law at amplitudes",
     "envelope": "the first-order envelope and phase: formula, certified numbers, curve",
     "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
-    "solution": "A(t), phi(t), x(t) of any order as functions: formulas, LaTeX, numbers, curve",
     "sweep": "any of these commands at many points, resumable, from one core to a cluster",
 }
 COMMANDS = tuple(sorted((*MODULES, *QUESTIONS)))

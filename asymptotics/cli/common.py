@@ -19,7 +19,6 @@ from asymptotics.ask.registry import QUESTIONS, loaded
 COMMON = ("csv", "digits", "gauge", "json", "latex", "plot", "points", "quiet")
 _FLAGS = ("latex", "json", "quiet")
 
-_FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to draw"
 _OBSERVED = "what is observed is the same in every gauge"
 _ONE_GAUGE = "U, V, W are in the turning-point gauge, L, F, T the same in all; `expand --gauge` has the others"
 _OWN_GRID = "the points are those of FILE"
@@ -38,7 +37,6 @@ MISSING: dict[str, dict[str, str]] = {
         "latex": "the answer is a verdict in words; `--csv` has all candidate laws",
         "points": _OWN_GRID,
     },
-    "solution": {"gauge": "the solution is in the turning-point gauge: A is the turning amplitude"},
     "sweep": {
         **dict.fromkeys(("csv", "latex", "plot"), "`--export FILE.csv`, .json or .parquet writes the points"),
         "digits": "it is an option of COMMAND, and stands behind it",

@@ -7,6 +7,7 @@ import sympy
 
 import asymptotics as asy
 from asymptotics.api.solution import epsilon, tau
+from asymptotics.ask.questions.solution import solution_at
 from asymptotics.cli.main import main
 
 
@@ -43,3 +44,31 @@ def test_an_exponent_that_sympy_writes_another_way_is_served(alpha, capsys):
     # SymPy has sqrt(6)/2, sqrt(2)/2 and 2*sqrt(2), which no option takes.
     assert main(["solution", "--alpha", alpha, "--epsilon", "1/10", "--order", "4", "--time", "1"]) == 0
     assert "not an exact number" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("start", [["--x0", "3"], ["--v0", "1"], ["--x0", "word"]])
+def test_a_start_beside_formulas_alone_is_refused(start, capsys):
+    """It was neither read nor used."""
+    assert main(["solution", "--alpha", "2", *start]) == 2
+    out, err = capsys.readouterr()
+    assert out == "" and err.startswith(f"asymptotics solution: argument {start[0]}: formulas alone have no start")
+    assert main(["solution", "--alpha", "2"]) == 0
+
+
+def test_the_question_in_python_and_what_it_refuses():
+    found = solution_at({2: "1/10"}, 50, bound=True)
+    assert found.point == asy.solution({2: "1/10"}).at(50) and found.bound == asy.solution({2: "1/10"}).bound(50)
+    assert solution_at("symbolic", order=1).time is None and solution_at("symbolic", order=1).values == {}
+    for wrong in ({"law": "2", "time": 1}, {"law": {2: 1}, "bound": True}, {"law": {2: 1}, "time": -1}):
+        with pytest.raises(asy.InputError):
+            solution_at(**wrong)
+
+
+def test_a_fragment_is_the_middle_of_the_document(capsys):
+    line = ["solution", "--alpha", "2", "--epsilon", "1/10", "--order", "2"]
+    texts = {}
+    for words in ((), ("--latex",), ("--fragment",), ("--latex", "--fragment")):
+        assert main([*line, *words]) == 0
+        texts[words] = capsys.readouterr().out
+    assert texts[("--fragment",)] == texts["--latex", "--fragment"] != texts[()]
+    assert texts[("--fragment",)].strip() in texts[("--latex",)] and "documentclass" not in texts[("--fragment",)]
