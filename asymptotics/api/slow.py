@@ -18,6 +18,7 @@ import sympy
 from flint import arb
 from numpy.typing import ArrayLike
 
+from asymptotics.api.envelope_order import acting_term, amplitude_and_phase, require_rest
 from asymptotics.api.large import SpringEnvelope
 from asymptotics.api.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve, times_of
 from asymptotics.api.slow_numbers import SlowNumbers
@@ -34,6 +35,7 @@ from asymptotics.envelopes.symbolic import MEAN, AveragedLaw, averaged_law, tau
 from asymptotics.errors import InputError
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
+from asymptotics.motions.certify import time_of
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
@@ -107,6 +109,16 @@ class Envelope(SlowNumbers, Drawn):
         if self.averaging != MEAN:
             raise InputError("averaging", f"{self.averaging} has no higher orders", MEAN)
         return envelope_series(acting_term(self.oscillator).velocity, N, D)
+
+    @public
+    def at_order(self, t: Number, order: int = 4, *, digits: int = 30, max_seconds: Number = 60) -> tuple[str, str]:
+        """A and phi at a time (s), of ``order``, explicit in the slow time: one law from rest; formal, not certified.
+
+        >>> envelope({2: "1/10"}).at_order(7, 3, digits=9)
+        ('0.770941859', '-0.00899449816')
+        """
+        series = self.series(order, digits=digits)
+        return amplitude_and_phase(series, self.oscillator, time_of(t), exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
     def kappas(self, *, digits: int = 30, max_seconds: Number = 60) -> tuple[str, ...]:
@@ -225,6 +237,7 @@ class Envelope(SlowNumbers, Drawn):
         if order is None:
             return times, self.amplitudes(times), self.phases(times)
         oscillator = self.oscillator
+        require_rest(oscillator)
         epsilon_, omega, length = (
             float(x.mid()) for x in (acting_term(oscillator).strength.ball(), oscillator.omega_0(), oscillator.length())
         )
@@ -290,14 +303,6 @@ class Envelope(SlowNumbers, Drawn):
         if form is None:
             return r"\frac{dA}{d\tau} = -\sum_{i} \kappa_{i} A^{\alpha_{i}}"
         return rf"A/A(0) = {sympy.latex(form.expression)}"
-
-
-def acting_term(oscillator: Oscillator) -> Term:
-    """The one term whose strength is not 0, without units; InputError where there is none, or more than one."""
-    terms = [t for t in oscillator.dimensionless.terms if not t.strength.is_zero]
-    if len(terms) != 1:
-        raise InputError("law", f"{len(terms)} laws have no single strength delta", "one law")
-    return terms[0]
 
 
 @public

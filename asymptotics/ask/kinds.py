@@ -75,7 +75,8 @@ class Kind:
     though Python has a default.  ``words``: its values are words and no numbers, also on the axes of a sweep.
     ``beside``: other parameters of the Python call that its reader takes, such as the springs of a law.
     ``options`` and ``assemble``: a kind that several options make (a law, a start); ``feeds`` says which of them may
-    have set a parameter of the library, so that an error can name the one that was typed.
+    have set a parameter of the library, so that an error can name the one that was typed.  ``in_header``: the header of
+    a file says it; no, where the table does not depend on it.
     """
 
     letter: str
@@ -93,6 +94,7 @@ class Kind:
     options: tuple[Option, ...] = ()
     assemble: Callable[[argparse.Namespace], Any] | None = None
     feeds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    in_header: bool = True
 
     def called(self, **changes: Any) -> "Kind":
         """The same kind under another option, in another group, or needed."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from asymptotics.ask.answers import Request
-from asymptotics.ask.forces import add_forces, read_law
+from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import Kind
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
@@ -64,14 +64,6 @@ class Given:
         return name.replace("m", self.oscillator.unit) if name in ("m", "m/s") else name
 
 
-def add_oscillator(parser: argparse.ArgumentParser, *, springs: bool = False) -> None:
-    """The options of the law (--damping or --epsilon), and mass, stiffness, x0, v0."""
-    add_forces(parser, "damping", "B", "b in N (s/m)^alpha: SI units", springs=springs)
-    parser.add_argument("--epsilon", metavar="E", help="b omega_0^alpha x0^(alpha-1)/k instead: no units")
-    _add_constants(parser)
-    add_start(parser)
-
-
 def add_physical(parser: argparse.ArgumentParser) -> None:
     """The options that turn a command without units into one in SI: --damping, --mass, --stiffness."""
     parser.add_argument("--damping", metavar="B", help="b in N (s/m)^alpha: SI units")
@@ -84,11 +76,10 @@ def _add_constants(parser: argparse.ArgumentParser) -> None:
         parser.add_argument(f"--{name}", metavar=letter, help=f"{text} (default {default}): SI units")
 
 
-def add_start(parser: argparse.ArgumentParser, *, velocity: bool = True) -> None:
-    """The options of the start: --x0 and (unless a command begins at rest) --v0."""
-    for name in ("x0", "v0") if velocity else ("x0",):
-        letter, default, text = QUANTITIES[name]
-        parser.add_argument(f"--{name}", metavar=letter, help=f"{text} (default {default})")
+def add_start(parser: argparse.ArgumentParser) -> None:
+    """The option of a start at rest: --x0."""
+    letter, default, text = QUANTITIES["x0"]
+    parser.add_argument("--x0", metavar=letter, help=f"{text} (default {default})")
 
 
 def is_physical(options: argparse.Namespace) -> bool:

@@ -141,12 +141,20 @@ class Question:
         if self.offers.oscillator_alone or (self.offers.from_rest and not special):
             return []
         told = [self.name]
-        for option in (o for a in self.asked for o in a.options if a.kind is not SECONDS):
+        for option in self.header_options:
             value = getattr(options, option.key, None)
             each = value if isinstance(value, list) else [] if value is None or value is False else [value]
             lead = "" if option.place else f"--{option.name}"
             told += [v if option.place else lead if v is True else f"{lead}={v}" for v in each]
         return told
+
+    @property
+    def header_options(self) -> tuple[Option, ...]:
+        """The options that the header of a file may have; of a curve also the points, behind the time they divide."""
+        own = [o for a in self.asked for o in a.options if a.kind is not SECONDS and a.kind.in_header]
+        points = [o for o in self.offers.options() if o.name == "points"]
+        place = [o.name for o in own].index("time") + 1 if points else len(own)
+        return (*own[:place], *points, *own[place:])
 
     def schema(self) -> dict[str, Any]:
         """What JSON Schema says of a request."""

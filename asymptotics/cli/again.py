@@ -26,9 +26,9 @@ from asymptotics.sweeps.grid import Point
 
 _KEYS = ("part", "series", "k", "quantity", "n", "i")
 _APART = frozenset(("remark", "bound of zeta", "low", "high"))
-# What the commands themselves accept for --digits (``envelope``: beside a spring); _MOST is that of the others.  A file
+# What the commands themselves accept for --digits; _MOST is that of the others.  A file
 # of longer values is compared in as many digits as can be had.
-_HIGHEST = {"damping": 100, "envelope": 200}
+_HIGHEST = {"damping": 100}
 _MOST = 1000
 _SERIES = "order "
 

@@ -9,6 +9,11 @@
 
 from importlib import import_module
 
+from asymptotics.api.envelope_table import certified_row, table_head, table_times
+from asymptotics.api.large import MAX_DIGITS as MAX_SPRING_DIGITS
+from asymptotics.api.large import SpringEnvelope
+from asymptotics.ask.answers import read_points
+from asymptotics.ask.registry import loaded
 from asymptotics.cli.swept import typed_options
 from asymptotics.comparison.cells import Cells, cells_so_far, compared_cells
 from asymptotics.comparison.run import Comparison
@@ -26,10 +31,15 @@ def compared_envelope(request: Point, header: list[str], rows: list[tuple[int, l
     """
     if "order" in request:
         raise InputError("FILE", "no route certifies an envelope of higher order: formal series", "the first order")
-    command = import_module("asymptotics.cli.envelope")
     options = typed_options("envelope", request)
-    found, time = command.asked(options)
-    names, times = command.table_head(found), command.table_times(time, options)
+    asked = loaded("envelope").of_options(options)
+    time = asked["time"]
+    if time is None or not time > 0:
+        raise InputError("--time", "there is no stretch of time", "a time > 0")
+    found = import_module("asymptotics.ask.questions.envelope").curve_of(asked["law"], asked["squaring"])
+    if isinstance(found, SpringEnvelope):
+        digits = min(digits, MAX_SPRING_DIGITS)
+    names, times = table_head(found), table_times(time, read_points(options))
     made = list[tuple[str, ...]]()
 
     def right() -> Cells:
@@ -43,5 +53,5 @@ def compared_envelope(request: Point, header: list[str], rows: list[tuple[int, l
         for t in times:
             # At the shortest decimal of the double, which is what the file has in its first column and what a reader of
             # it means.
-            made.append((repr(float(t)), *command.certified_at(found, repr(float(t)), digits), ""))
+            made.append((repr(float(t)), *certified_row(found, repr(float(t)), digits), ""))
     return compared_cells(rows, header, right(), digits)

@@ -10,7 +10,7 @@ from asymptotics.budget import DEFAULT_SECONDS
 from asymptotics.cli.shell import emit
 from asymptotics.errors import InputError
 from asymptotics.made_by import made_by
-from asymptotics.numbers.exact import parse_integer, parse_rational
+from asymptotics.numbers.exact import parse_rational
 
 DEFAULT_DIGITS = 30
 
@@ -50,11 +50,6 @@ def add_digits(parser: argparse.ArgumentParser, high: int, default: str = f"{DEF
     """The option --digits, an integer from 1 to ``high``."""
     text = f"significant digits, correctly rounded (1 to {high}; default {default}); certified: whether that is proved"
     parser.add_argument("--digits", metavar="D", help=text)
-
-
-def read_digits(options: argparse.Namespace, high: int) -> int:
-    """The value of --digits; InputError outside 1 ... ``high``."""
-    return DEFAULT_DIGITS if options.digits is None else parse_integer(options.digits, "--digits", 1, high)
 
 
 def add_max_seconds(parser: argparse.ArgumentParser) -> None:

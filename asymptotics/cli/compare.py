@@ -49,7 +49,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", metavar="FILE", help="a CSV file of values")
     add_forces(parser, "epsilon", "E", "its dimensionless strength, b omega_0^alpha x0^(alpha-1) / k", springs=False)
     add_physical(parser)
-    add_start(parser, velocity=False)
+    add_start(parser)
     parser.add_argument("--table", metavar="NAME", help="compare with this table instead (asymptotics table --list)")
     parser.add_argument("--columns", metavar="LIST", help="n,x,tau or n=index,x=pos: which column is what")
     parser.add_argument("--digits", metavar="D", help="digits of the certified values (default: four more than yours)")

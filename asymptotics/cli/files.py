@@ -1,7 +1,7 @@
 """The options --csv, --plot and --points: files refused before the work, written all together or not at all.
 
 >>> parser = argparse.ArgumentParser()
->>> add_files(parser, "the motion from 0 to T")
+>>> add_plot(parser, "the motion from 0 to T")
 >>> read_files(parser.parse_args([]))
 {}
 """
@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from asymptotics.ask.answers import DEFAULT_POINTS, MAX_POINTS, read_points
+from asymptotics.ask.answers import read_points
 from asymptotics.cli.requests import request_words
 from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
@@ -25,22 +25,12 @@ PICTURES = (".svg", ".png", ".pdf")
 Makers = dict[str, Callable[[str], str | bytes]]
 
 
-def add_files(parser: argparse.ArgumentParser, what: str, columns: str = "", *, overlay: str = "") -> None:
-    """The options --plot, --csv and --points, of a curve."""
-    add_plot(parser, what, overlay=overlay)
-    add_csv(parser, columns or what)
-    text = f"the table has POINTS + 1 rows (1 to {MAX_POINTS}; default {DEFAULT_POINTS})"
-    parser.add_argument("--points", metavar="POINTS", help=text)
-
-
-def add_plot(parser: argparse.ArgumentParser, what: str, *, overlay: str = "") -> None:
-    """The options --plot, --size and --dpi; ``overlay``: what --overlay adds to the picture."""
+def add_plot(parser: argparse.ArgumentParser, what: str) -> None:
+    """The options --plot, --size and --dpi."""
     parser.add_argument("--plot", metavar="FILE", help=f"{what}: SVG, PNG or PDF")
     wide, high = SIZE
     parser.add_argument("--size", metavar="WxH", help=f"the size of the picture in inches (default {wide:g}x{high:g})")
     parser.add_argument("--dpi", metavar="DPI", help=f"its resolution, for PNG (default {DPI})")
-    if overlay:
-        parser.add_argument("--overlay", metavar="LAW", action="append", help=overlay)
 
 
 def picture_maker(

@@ -217,7 +217,6 @@ _OPTIONS = {  # a parameter of the library: the options that may have set it
     "epsilon": ("law", "epsilon", "damping"),
     "amplitude": ("amplitude", "x0"),
     "omega_0": ("omega0",),
-    "eta": ("slow",),
 }
 
 

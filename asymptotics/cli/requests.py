@@ -23,10 +23,8 @@ from asymptotics.present.inputs import INPUTS, option_words
 REQUESTS = {
     "damping": (*INPUTS, "amplitudes", "unit", "order", "digits"),
     "damping-law": ("A", "zeta", "Q", "decrement", "resolution", "laws", "spring", "mass", "stiffness"),  # --from
-    "envelope": (*INPUTS, "time", "points", "order", "squaring"),
 }
-_PLACED, _FLAGS = "what", ("times", "exact", "squaring")
-_FROM_REST = ("expand", "half-swing", "turning-points")  # the oscillator says it all, beside the linear spring
+_PLACED = "what"
 
 
 def request_words(command: Any, options: argparse.Namespace) -> list[str]:
@@ -35,12 +33,7 @@ def request_words(command: Any, options: argparse.Namespace) -> list[str]:
         words: list[str] = command.words(options)
         return words
     given = {name: getattr(options, name, None) for name in REQUESTS[command]}
-    special = any(given.get(name) for name in ("spring", "v0", "delta"))
-    # The header has the options of the oscillator then (``present.inputs``), which ``compare`` reads as its own.
-    if command in _FROM_REST and not special:
-        return []
-    placed = given.pop(_PLACED, None)
-    return [command, *([placed] if placed else []), *option_words(given)]
+    return [command, *option_words(given)]
 
 
 def stated_request(words: Sequence[str]) -> tuple[str, dict[str, str]]:
@@ -76,8 +69,8 @@ def _is_asked_again(command: str) -> bool:
 def _known(command: str) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
     """The options of a command that a header may have, those without a value, and those that may be repeated."""
     if command in REQUESTS:
-        return REQUESTS[command], _FLAGS, ("law", "spring")
-    options = [o for a in loaded(command).asked for o in a.options]
+        return REQUESTS[command], (), ("law", "spring")
+    options = loaded(command).header_options
     names = tuple(_PLACED if o.place else o.name for o in options)
     return names, tuple(o.name for o in options if not o.letter), tuple(o.name for o in options if o.repeated)
 

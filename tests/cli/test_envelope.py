@@ -8,6 +8,7 @@ import pytest
 import sympy
 
 import asymptotics as asy
+from asymptotics.ask.questions.envelope import envelope_at
 from asymptotics.cli.main import main
 from tests.cli.answers import answer, run
 
@@ -176,3 +177,42 @@ def test_the_files_of_the_envelope(capsys, tmp_path, monkeypatch):
     assert float(rows[-1][1]) == pytest.approx(float(last["amplitude"]), abs=1e-12)
     assert float(rows[-1][2]) == pytest.approx(float(last["phase"]), abs=1e-9)
     assert (folder / "e.svg").read_text().startswith("<?xml")
+
+
+def test_the_numbers_of_an_order_in_python_are_those_of_the_solution():
+    """Another route: ``solution`` has x of that order; A and phi of both are the same functions."""
+    osc = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+    for order in (1, 3):
+        A, phi = asy.envelope(osc).at_order(7, order, digits=12)
+        point = asy.solution(osc, order=order).at_time(osc, 7, 12)
+        assert (A, phi) == (point.amplitude, point.phase)
+        t, many, phases = asy.envelope(osc).columns([7.0], order=order)
+        assert many[0] == pytest.approx(float(A), rel=1e-12) and phases[0] == pytest.approx(float(phi), rel=1e-9)
+    found = envelope_at(osc, 7, order=3, digits=12)
+    assert (found.amplitude, found.phase) == (A, phi) and found.to_dict()["certified"] is False
+    assert asy.envelope(osc).at_order(7, 3, digits=12) != asy.envelope(osc).at_order(7, 1, digits=12)
+
+
+def test_a_start_in_motion_has_no_order_in_python_either():
+    """Its columns were those of a start from rest, without a word."""
+    moving = asy.envelope(asy.Oscillator({2: "1/10"}, v0=1))
+    for ask in (lambda: moving.columns([1.0], order=3), lambda: moving.at_order(1, 3)):
+        with pytest.raises(asy.InputError, match="argument order: it starts at rest"):
+            ask()
+    with pytest.raises(asy.InputError, match="argument time"):
+        asy.envelope({"1/2": "1/10"}).at_order(10**6, 2)
+
+
+def test_the_header_says_what_the_table_depends_on(capsys, tmp_path):
+    """Neither --digits nor --slow: the table is doubles."""
+    target = tmp_path / "e.csv"
+    line = f"envelope --alpha 2 --epsilon 1/10 --time 3 --points 2 --digits 5 --slow 1/50 --csv {target}"
+    assert run(capsys, line)[0] == 0
+    assert target.read_text().splitlines()[0].endswith("code [envelope --alpha=2 --epsilon=1/10 --time=3 --points=2]")
+    assert run(capsys, f"compare {target}")[0] == 0
+    target.write_text(target.read_text().replace("--points=2", "--points=2 --slow=1/50"))
+    code, _, err = run(capsys, f"compare {target}")
+    assert code == 2 and "'--slow=1/50' of envelope, which is not asked again" in err
+    target.write_text(target.read_text().replace("[envelope", "[motion"))
+    code, _, err = run(capsys, f"compare {target}")
+    assert code == 2 and "names no command that is asked again" in err
