@@ -6,6 +6,8 @@ from fractions import Fraction
 
 import pytest
 
+import asymptotics as asy
+from asymptotics.ask.questions.motion import motion_at
 from tests.cli.answers import answer, run
 
 DRAG = "--alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5"
@@ -126,3 +128,19 @@ def test_a_reference_has_a_certificate_and_an_estimate_has_none(capsys, tmp_path
     for more, reason in (("--order 2", "estimate"), ("--reference --static 1/5", "static")):
         code, _, err = run(capsys, f"motion --alpha 0 --epsilon 1/10 --time 3 {more} --certificate y.json")
         assert (code, reason in err, err.count("\n")) == (2, True, 1)
+
+
+def test_the_question_in_python_says_what_the_objects_say():
+    osc = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+    found = motion_at(osc, 7, order=2, digits=9, bound=True)
+    assert found.point == asy.motion(osc, order=2).at(7, digits=9)
+    assert found.bound == asy.motion(osc, order=2).bound(7, digits=9)
+    assert found.uniform_bound == asy.motion(osc, order=2).uniform_bound()
+    truth = motion_at(osc, 7, reference=True, digits=9)
+    assert truth.point == asy.reference(osc).at(7, digits=9) and truth.curve == asy.reference(osc)
+    for wrong in ({"order": 2}, {"gauge": "averaging"}, {"bound": True}, {"best_order": "1/5"}):
+        with pytest.raises(asy.InputError):
+            motion_at(osc, 7, reference=True, **wrong)
+    for wrong in ({"static": 1}, {"digits": 301}, {"order": 13}, {"gauge": "none"}):
+        with pytest.raises(asy.InputError):
+            motion_at(osc, 7, **wrong)

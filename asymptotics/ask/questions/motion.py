@@ -217,7 +217,7 @@ def motion_at(
     >>> found.point.x, found.bound
     ('0.16385309', '6.6e-9')
     >>> motion_at({2: "1/10"}, 7, reference=True, digits=12).point.x
-    '0.600457178264'
+    '0.600474773860'
     """
     given = cast("Given", law)
     if reference:
