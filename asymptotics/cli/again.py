@@ -25,10 +25,10 @@ from asymptotics.sweeps.exported import SUFFIXES, read_exported
 from asymptotics.sweeps.grid import Point
 
 _KEYS = ("part", "series", "k", "quantity", "n", "i")
-_APART = frozenset(("remark", "bound of zeta", "low", "high"))
+_APART = frozenset(("remark", "bound of zeta log", "low", "high"))
 # What the commands themselves accept for --digits (``envelope``: beside a spring); _MOST is that of the others.  A file
 # of longer values is compared in as many digits as can be had.
-_HIGHEST = {"damping": 100, "envelope": 200}
+_HIGHEST = {"envelope": 200}
 _MOST = 1000
 _SERIES = "order "
 

@@ -7,7 +7,6 @@ from asymptotics.ask.registry import QUESTIONS, loaded, summary
 
 MODULES = {
     "compare": "your own values beside certified ones: right digits, and what the errors look like",
-    "damping": "zeta, Q, decrement, energy loss, c_eq and half-life of a law at amplitudes",
     "envelope": "the first-order envelope and phase: formula, certified numbers, curve",
     "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
     "solution": "A(t), phi(t), x(t) of any order as functions: formulas, LaTeX, numbers, curve",

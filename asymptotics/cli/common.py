@@ -30,7 +30,6 @@ MISSING: dict[str, dict[str, str]] = {
         "latex": "the rows are text; `--csv` writes them",
         "points": _OWN_GRID,
     },
-    "damping": {"gauge": _OBSERVED, "points": "`--amplitudes` says which"},
     "envelope": {"gauge": "the first order is the same in every gauge; `--order` is in the turning-point gauge"},
     "identify": {
         "digits": "intervals carry as many digits as the data decide",
