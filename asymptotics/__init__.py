@@ -22,8 +22,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from asymptotics import testing
     from asymptotics.api.constants import S, T, radii
-    from asymptotics.api.damping import damping
-    from asymptotics.api.damping_law import damping_law
     from asymptotics.api.files import compare
     from asymptotics.api.hierarchy import any_start, map_of_gauges, multiple_scales
     from asymptotics.api.lookups import C, G, f, table_names
@@ -32,6 +30,7 @@ if TYPE_CHECKING:
     from asymptotics.api.slow import Envelope, envelope
     from asymptotics.api.solution import solution
     from asymptotics.api.waves import waveforms
+    from asymptotics.ask.questions.damping import damping, damping_law
     from asymptotics.ask.questions.derive import derive
     from asymptotics.ask.questions.half_swing import half_swing
     from asymptotics.ask.questions.limit_cycle import limit_cycle
@@ -62,8 +61,7 @@ __version__ = "0.1.0"
 # The same names once more: a type checker reads the imports above, Python this table.
 _HOMES = {
     "api.constants": ("S", "T", "radii"),
-    "api.damping": ("damping",),
-    "api.damping_law": ("damping_law",),
+    "ask.questions.damping": ("damping", "damping_law"),
     "ask.questions.stokes": ("stokes",),
     "api.files": ("compare",),
     "ask.questions.derive": ("derive",),

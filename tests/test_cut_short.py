@@ -151,7 +151,7 @@ def test_the_rows_of_earlier_laws_are_kept_where_the_next_has_none(capsys, monke
 
 
 def test_amplitudes_and_checks_that_are_done(capsys, monkeypatch):
-    stop_at(monkeypatch, "asymptotics.api.damping.row_at", 2, OVER)
+    stop_at(monkeypatch, "asymptotics.equivalent.at_amplitudes.row_at", 2, OVER)
     line = "damping --alpha 2 --epsilon 1/10 --amplitudes 1,1/2,1/4 --digits 5 --json"
     assert main(line.split()) == 2
     found = json.loads(capsys.readouterr().out)

@@ -90,6 +90,7 @@ class Offers:
     missing                 (rows done, what is missing) of what was done when the work was cut short
     rows_done               (text, rows, what is missing) of the table, of the rows that were done when making it was
                             cut short; None of what is no such row
+    inverse                 another ``Question``, asked in the place of this one where its first option is given
     lacks                   a common option that means nothing here -> why
     ======================  ==========================================================================================
     """
@@ -119,6 +120,7 @@ class Offers:
     certificate: Part | None = None
     missing: Callable[[Any, Request], tuple[int, str]] | None = None
     rows_done: Callable[[Any, Request], tuple[str, int, str] | None] | None = None
+    inverse: Any = None
     lacks: Mapping[str, str] = field(default_factory=dict)
 
     def options(self) -> tuple[Option, ...]:

@@ -89,7 +89,16 @@ class Question:
     @property
     def options(self) -> tuple[Option, ...]:
         """Every option of the command, in the order of its help."""
-        return tuple(o for a in self.asked for o in a.options) + self.offers.options()
+        own = tuple(o for a in self.asked for o in a.options)
+        known = {o.key for o in own}
+        other = () if self.offers.inverse is None else self.offers.inverse.asked
+        more = [replace(o, needed=False) for a in other for o in a.options if o.key not in known]
+        return (*own, *more, *self.offers.options())
+
+    def asked_by(self, options: argparse.Namespace) -> "Question":
+        """The question that these options ask: this one, or the other one of the command."""
+        other: Question | None = self.offers.inverse
+        return self if other is None or getattr(options, other.asked[0].name) is None else other
 
     def add_to(self, parser: argparse.ArgumentParser, refuse: type[argparse.Action] | None = None) -> None:
         """Declare the options under their headings, then those that mean nothing here, hidden, each with its reason."""
@@ -240,6 +249,7 @@ def _question(function: Callable[..., Any], offers: Offers, name: str, swept: bo
 
 def _floats(made: Question, given: Mapping[str, Any]) -> tuple[str, ...]:
     values = {a.name: given[a.name] for a in made.asked if not a.kind.options}
+    values = {name: v.tolist() if hasattr(v, "tolist") else v for name, v in values.items()}  # an array, a NumPy number
     several = {name: v if isinstance(v, list | tuple) else [v] for name, v in values.items()}
     return tuple(note for name, each in several.items() for v in each for note in float_notes(**{name: v}))
 

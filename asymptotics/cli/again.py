@@ -25,10 +25,7 @@ from asymptotics.sweeps.exported import SUFFIXES, read_exported
 from asymptotics.sweeps.grid import Point
 
 _KEYS = ("part", "series", "k", "quantity", "n", "i")
-_APART = frozenset(("remark", "bound of zeta", "low", "high"))
-# What the commands themselves accept for --digits; _MOST is that of the others.  A file
-# of longer values is compared in as many digits as can be had.
-_HIGHEST = {"damping": 100}
+_APART = frozenset(("remark", "bound of zeta log", "low", "high"))
 _MOST = 1000
 _SERIES = "order "
 
@@ -91,7 +88,7 @@ def _read(path: Path) -> tuple[list[str], list[str], list[tuple[int, list[str]]]
 def _most_digits(command: str) -> int:
     """The highest --digits of a command."""
     asked = getattr(module_of(command), "question", None)
-    return _HIGHEST.get(command, _MOST) if asked is None else int(asked["digits"].kind.schema["maximum"])
+    return _MOST if asked is None else int(asked["digits"].kind.schema["maximum"])
 
 
 def _of_command(command: str, point: Point, digits: int) -> Cells:

@@ -27,11 +27,13 @@ _DIGITS = 17
 
 def compared_law(request: Point, header: list[str], rows: list[tuple[int, list[str]]]) -> Comparison:
     """Strengths, intervals and grades beside those of the request; InputError for a table that cannot be used."""
-    command = import_module("asymptotics.cli.damping")
+    command = import_module("asymptotics.ask.questions.damping")
     table = {name: _numbers(request[name]) for name in _COLUMNS if name in request}
     given = {n: v for n, v in request.items() if n.partition(".")[0] in ("spring", "mass", "stiffness")}
+    options = typed_options("damping", given)
+    springs = command.damping_law.__question__["spring"].kind.assemble(options)
     laws = request["laws"].split(",") if "laws" in request else None
-    found = command.law_behind(table, typed_options("damping", given), laws=laws)
+    found = command.damping_law(table, laws=laws, spring=springs, mass=options.mass, stiffness=options.stiffness)
     right = tuple((*map(str, row), "") for row in command.law_rows(found))
     method = "the table in the header fitted again, in doubles"
     cells = Cells((*command.LAW_HEAD, "code"), right, ("law", "alpha"), frozenset({"code"}), method=method)

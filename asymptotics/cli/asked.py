@@ -33,6 +33,8 @@ class Command:
 
     def run(self, options: argparse.Namespace) -> Answer:
         """Read the request, refuse its files before the work, compute, write the files and tell the answer."""
+        if (other := self.question.asked_by(options)) is not self.question:
+            return Command(other).run(options)
         request, show = self._prepared(options)
         if (instead := self.question.offers.instead(request)) is not None:
             return Answer(*instead, options.json)
@@ -43,7 +45,7 @@ class Command:
         """The same with the rows that were done when the time was over."""
         if isinstance(found, Answer):
             return found
-        if self.question.offers.missing is None:
+        if self.question.offers.missing is None or self.question.asked_by(options) is not self.question:
             return None
         request, show = self._prepared(options)
         done, missing = self.question.offers.missing(found, request)

@@ -7,7 +7,6 @@ from asymptotics.ask.registry import QUESTIONS, loaded, summary
 
 MODULES = {
     "compare": "your own values beside certified ones: right digits, and what the errors look like",
-    "damping": "zeta, Q, decrement, energy loss, c_eq and half-life of a law at amplitudes",
     "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
     "sweep": "any of these commands at many points, resumable, from one core to a cluster",
 }

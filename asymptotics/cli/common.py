@@ -29,7 +29,6 @@ MISSING: dict[str, dict[str, str]] = {
         "latex": "the rows are text; `--csv` writes them",
         "points": _OWN_GRID,
     },
-    "damping": {"gauge": _OBSERVED, "points": "`--amplitudes` says which"},
     "identify": {
         "digits": "intervals carry as many digits as the data decide",
         "gauge": _OBSERVED,

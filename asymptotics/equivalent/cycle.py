@@ -3,7 +3,7 @@
 From the turning points A_0, A_1, A_2 (``turning``, certified at any strength)
 
     decrement = ln(A_0/A_2),   Delta E = V(A_0) - V(A_2),   Q = 2 pi E/Delta E,
-    zeta = decrement/sqrt(4 pi^2 + decrement^2)          (so that viscous damping has zeta = b/(2 sqrt(k m)) exactly).
+    zeta_log = decrement/sqrt(4 pi^2 + decrement^2)      (for viscous damping b/(2 sqrt(k m)) exactly).
 
 *Order N.*  L = ln(A'/A) of a half-swing is cut after delta^N, with the bound of what it lacks
 (``bounds.half_swing``).  Two half-swings are taken one after the other with these errors inside, so the ball holds the
@@ -43,7 +43,7 @@ class FullSwing:
     share: arb
 
     @property
-    def zeta(self) -> arb:
+    def zeta_log(self) -> arb:
         """The damping ratio decrement/sqrt(4 pi^2 + decrement^2)."""
         return self.decrement / ((2 * arb.pi()) ** 2 + self.decrement**2).sqrt()
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from sympy import Expr
 
 from asymptotics.equivalent.conversions import Conversion, conversions
-from asymptotics.equivalent.rows import QUANTITIES, DampingRow, Measure, cycle_of
+from asymptotics.equivalent.rows import DRAWN, OF_MOTION, QUANTITIES, DampingRow, Measure, cycle_of
 from asymptotics.errors import InputError, require_choice
 from asymptotics.law import Oscillator
 from asymptotics.numbers.arrays import real_array
@@ -29,8 +29,8 @@ UNITS = {"amplitude": "m", "energy_loss": "J", "c_eq": "N s/m", "half_life": "s"
 ANGULAR = {**UNITS, "amplitude": "rad", "c_eq": "N m s"}
 """Of a pendulum, whose m is a moment of inertia and whose k is m g l."""
 LETTERS = {
-    "zeta": r"\zeta", "Q": "Q", "decrement": r"\Lambda", "energy_loss": r"\Delta E", "c_eq": r"c_{\mathrm{eq}}",
-    "half_life": r"t_{1/2}",
+    "zeta": r"\zeta", "zeta_log": r"\zeta_{\log}", "Q": "Q", "decrement": r"\Lambda", "energy_loss": r"\Delta E",
+    "c_eq": r"c_{\mathrm{eq}}", "half_life": r"t_{1/2}",
 }  # fmt: skip
 PARTS = {"first": "first order", "motion": "the motion itself", "expanded": "order N"}
 # Of the curve alone: its points, their bits, and the ratio of the amplitudes from which the axes are logarithmic.
@@ -41,6 +41,7 @@ _CURVE, _LOW, _WIDE = 60, 53, 8
 class EquivalentDamping(Rows, Drawn):
     """zeta, Q, decrement, energy loss, c_eq and half-life at turning amplitudes A (m, or rad for a pendulum).
 
+    ``zeta`` = Delta E/(4 pi E) is of first order; the motion has ``zeta_log`` = d/sqrt(4 pi^2 + d^2), d its decrement.
     ``formulas``: of first order in A, b, m, k (epsilon without units); ``rows``: the numbers, a row an amplitude, each
     with the ``first`` order (one cycle without loss), the ``motion`` itself (one full swing from rest at A) and, if
     asked for, ``expanded``: order N with the proved bound of each number.  ``oscillator`` is None for a symbolic
@@ -60,11 +61,11 @@ class EquivalentDamping(Rows, Drawn):
     @property
     def certified(self) -> bool:
         """Whether all numbers of the table are proved."""
-        return all(m.certified for row in self.rows for m in row.parts.values() if not m.reason or m.zeta)
+        return all(m.certified for row in self.rows for m in row.parts.values() if not m.reason or m.Q)
 
     def header(self) -> list[str]:
         """The columns of the table, with their units."""
-        return ["part", *(self._named(name) for name in ("amplitude", *QUANTITIES)), "bound of zeta", "remark"]
+        return ["part", *(self._named(name) for name in ("amplitude", *QUANTITIES)), "bound of zeta log", "remark"]
 
     def table(self) -> list[list[str]]:
         """The rows of the table as text: first order, then the motion, then order N."""
@@ -74,7 +75,8 @@ class EquivalentDamping(Rows, Drawn):
                 found = row.parts.get(part)
                 if found is not None:
                     values = [getattr(found, name) or "" for name in QUANTITIES]
-                    rows.append([self._part(part), row.amplitude, *values, found.bounds.get("zeta", ""), found.reason])
+                    bound = found.bounds.get("zeta_log", "")
+                    rows.append([self._part(part), row.amplitude, *values, bound, found.reason])
         return rows
 
     def to_csv(self) -> str:
@@ -87,20 +89,21 @@ class EquivalentDamping(Rows, Drawn):
         oscillator = self._numbers()
         amplitudes = real_array(A, "A")
         rows = [_doubles(oscillator, a * self.size) for a in np.ravel(amplitudes)]
-        names = [name for name in QUANTITIES if name != "half_life"]
-        return {name: np.reshape([row[i] for row in rows], amplitudes.shape) for i, name in enumerate(names)}
+        return {name: np.reshape([row[i] for row in rows], amplitudes.shape) for i, name in enumerate(DRAWN)}
 
     def _curve(self, axes: Any, quantity: str = "Q", **style: Any) -> None:
         """A quantity against A: first order as a line, the motion as points."""
-        require_choice(quantity, "quantity", [name for name in QUANTITIES if name != "half_life"])
+        require_choice(quantity, "quantity", DRAWN)
         ends = sorted(float(exact_number(row.amplitude, "A").ball().mid()) for row in self.rows)
         low, high = (ends[0], ends[-1]) if ends[-1] > ends[0] else (ends[0] / 10, ends[0])
         A = np.geomspace(low, high, _CURVE)
         axes.plot(A, self.sample(A)[quantity], **{"label": "first order", **style})
-        points = [(r.amplitude, getattr(r.motion, quantity)) for r in self.rows if r.motion is not None]
+        name = OF_MOTION.get(quantity, quantity)
+        points = [(r.amplitude, getattr(r.motion, name)) for r in self.rows if r.motion is not None]
         told = [(float(exact_number(a, "A").ball().mid()), float(v)) for a, v in points if v]
         if told:
-            axes.plot(*zip(*told), "o", markersize=4, label="the motion, one full swing")
+            label = "the motion, one full swing" + ("" if name == quantity else f": {name.replace('_', ' ')}")
+            axes.plot(*zip(*told), "o", markersize=4, label=label)
         if high > _WIDE * low:
             axes.set(xscale="log", yscale="log")
         axes.set(xlabel=self._named("amplitude"), ylabel=self._named(quantity))
@@ -143,14 +146,14 @@ class EquivalentDamping(Rows, Drawn):
         names = [n for n in QUANTITIES if any(getattr(m, n) for _, m in told)]
         head = [self._named("amplitude"), *map(self._named, names)]
         rows = [
-            [a, *(_shown(m, n) for n in names)] if m.zeta else [a, m.reason, *[""] * (len(names) - 1)][: len(head)]
+            [a, *(_shown(m, n) for n in names)] if m.Q else [a, m.reason, *[""] * (len(names) - 1)][: len(head)]
             for a, m in told
         ]
         if not names:
             return [f"  {a}  {m.reason}" for a, m in told]
         widths = [max(len(r[i]) for r in (head, *rows) if i != 1 or r[1:] != [""]) for i in range(len(head))]
         lines = ["  " + "  ".join(c.ljust(w) for c, w in zip(row, widths)).rstrip() for row in (head, *rows)]
-        return [*lines, *dict.fromkeys(f"  {m.reason}" for _, m in told if m.zeta and m.reason)]
+        return [*lines, *dict.fromkeys(f"  {m.reason}" for _, m in told if m.Q and m.reason)]
 
     def _page(self) -> Page:
         """The value first: Q at the amplitudes; then the formulas and the table."""
@@ -177,8 +180,8 @@ class EquivalentDamping(Rows, Drawn):
     def _letters(self) -> dict[str, str]:
         return {
             "A": "turning amplitude", "a": "the amplitude integrated over", "E": "energy V(A)", "k": "stiffness",
-            "x": "the place integrated over", r"\zeta": "equivalent damping ratio", r"\Lambda": "decrement of a swing",
-            r"\Delta": "what a cycle takes", "F": "hypergeometric function",
+            "x": "the place integrated over", r"\zeta": "equivalent damping ratio Delta E/(4 pi E)",
+            r"\Lambda": "decrement of a swing", r"\Delta": "what a cycle takes", "F": "hypergeometric function",
         }  # fmt: skip
 
     def _part(self, part: str) -> str:

@@ -6,7 +6,7 @@ and the amplitude is 1; units come back at the end: Delta E in k A^2, c_eq in sq
 >>> from fractions import Fraction
 >>> drag = Oscillator({2: "1/10"}, mass="3/2", stiffness=30)
 >>> row = row_at(drag, ExactReal(Fraction(1, 5)), 8, 3)
->>> row.first.zeta, row.motion.zeta, row.expanded.zeta, row.expanded.bounds["zeta"]
+>>> row.first.zeta, row.motion.zeta_log, row.expanded.zeta_log, row.expanded.bounds["zeta_log"]
 ('0.0056588424', '0.0055606444', '0.00556065', '2.3e-8')
 """
 
@@ -33,7 +33,11 @@ from asymptotics.numbers.rationals import bounds, decimal_fraction
 from asymptotics.present.shown import Page, Shown
 from asymptotics.terms import Term
 
-QUANTITIES = ("zeta", "Q", "decrement", "energy_loss", "c_eq", "half_life")
+QUANTITIES = ("zeta", "zeta_log", "Q", "decrement", "energy_loss", "c_eq", "half_life")
+# The half-life is a time of first order only: there is no curve of the motion beside it.
+DRAWN = ("zeta", "Q", "decrement", "energy_loss", "c_eq")
+OF_MOTION = {"zeta": "zeta_log"}
+"""What stands of the motion itself beside a quantity of first order, where it has a definition of its own."""
 # The first precision and the last: digits that are not decided by then are refused, never guessed.
 _GUARD, _DOUBLINGS = 24, 4
 _NO_HALF_LIFE = "half-life: known beside the linear spring, one x^3 or the pendulum, for losses >= 0"
@@ -43,6 +47,8 @@ _NO_HALF_LIFE = "half-life: known beside the linear spring, one x^3 or the pendu
 class Measure(Shown):
     """The quantities at one amplitude as decimals, None for what is not there, and how they were found.
 
+    ``zeta`` = Delta E/(4 pi E) is of first order; of the motion and its series ``zeta_log`` =
+    decrement/sqrt(4 pi^2 + decrement^2), which is b/(2 sqrt(k m)) exactly for viscous damping.
     ``bounds``: of order N, how far each may be from the motion's, rounded up; ``reason``: why there is nothing.
     ``certified``: the digits are proved (with ``bounds``: proved within them).
     """
@@ -53,6 +59,7 @@ class Measure(Shown):
     energy_loss: str | None = None
     c_eq: str | None = None
     half_life: str | None = None
+    zeta_log: str | None = None
     route: str = ""
     reason: str = ""
     bounds: dict[str, str] = field(default_factory=dict)
@@ -139,8 +146,8 @@ def _first(local: Oscillator, digits: int) -> Measure:
         number(lambda o: o.lost * _units(local)[0]),
         number(lambda o: o.coefficient * _units(local)[1]),
         half,
-        "one cycle without loss",
-        "" if half is not None else _NO_HALF_LIFE,
+        route="one cycle without loss",
+        reason="" if half is not None else _NO_HALF_LIFE,
         certified=True,
     )
 
@@ -188,10 +195,10 @@ def _values(swing: FullSwing, local: Oscillator) -> dict[str, arb]:
     """The quantities of a full swing; c_eq beside the linear spring alone."""
     energy, viscous, _ = _units(local)
     start = cycle_of(local).energy
-    found = {"zeta": swing.zeta, "Q": swing.quality, "decrement": swing.decrement}
+    found = {"zeta_log": swing.zeta_log, "Q": swing.quality, "decrement": swing.decrement}
     found["energy_loss"] = swing.share * start * energy
     if not any(not t.strength.is_zero for t in local.law.springs):
-        found["c_eq"] = 2 * swing.zeta * viscous
+        found["c_eq"] = 2 * swing.zeta_log * viscous
     return found
 
 

@@ -29,7 +29,35 @@ def test_units_come_from_the_oscillator():
 def test_the_first_order_is_the_limit_of_the_motion():
     weak = asy.damping({2: "1/1000000"}, 1, digits=10).rows[0]
     for name in ("zeta", "Q", "decrement", "energy_loss", "c_eq"):
-        assert float(getattr(weak.first, name)) == pytest.approx(float(getattr(weak.motion, name)), rel=1e-4)
+        motion = getattr(weak.motion, "zeta_log" if name == "zeta" else name)
+        assert float(getattr(weak.first, name)) == pytest.approx(float(motion), rel=1e-4)
+
+
+def test_each_damping_ratio_has_a_symbol_of_its_own():
+    """Failed before: zeta was Delta E/(4 pi E) in one part of the table, and of the decrement in the other."""
+    found = asy.damping(OSC, "1/5", digits=12, order=2)
+    (row,), pi = found.rows, np.pi
+    assert float(row.first.zeta) == pytest.approx(1 / (2 * float(row.first.Q)), rel=1e-10) and not row.first.zeta_log
+    for part in (row.motion, row.expanded):
+        d, near = float(part.decrement), 1e-10 if part is row.motion else 1e-2
+        assert float(part.zeta_log) == pytest.approx(d / np.sqrt(4 * pi**2 + d**2), rel=near) and part.zeta is None
+        assert abs(float(part.zeta_log) * 2 * float(part.Q) - 1) > 0.05  # the other definition is another number
+    head, first, motion, _ = csv.reader(io.StringIO(found.to_csv()))
+    assert [bool(cell) for cell in first[2:4] + motion[2:4]] == [True, False, False, True], head
+    assert found.to_dict()["rows"][0]["motion"]["zeta"] is None
+    assert b"the motion, one full swing: zeta log" in found.picture(quantity="zeta")
+
+
+def test_the_start_is_the_largest_amplitude_where_none_is_given(capsys):
+    """Failed before: damping had no --x0."""
+    line = "damping --alpha 2 --epsilon 1/10 --x0 3 --digits 6 --json"
+    found = json.loads(run(capsys, line)[1])
+    assert [row["amplitude"] for row in found["rows"]] == ["3", "3/2", "3/4", "3/8"]
+    given = json.loads(run(capsys, line.replace("--x0 3", "--amplitudes 3,3/2,3/4,3/8"))[1])
+    assert found["rows"] == given["rows"]
+    si = "damping --alpha 2 --damping 1/10 --mass 2 --stiffness 3 --x0 1/5 --digits 6 --json"
+    same = asy.damping(asy.Oscillator({2: "1/10"}, mass=2, stiffness=3, x0="1/5"), digits=6).to_dict()["rows"]
+    assert json.loads(run(capsys, si)[1])["rows"] == same
 
 
 def test_the_half_life_beside_the_pendulum_is_that_of_the_envelope():
@@ -43,9 +71,11 @@ def test_the_table_says_what_it_is_in_every_format():
     rows = list(csv.reader(io.StringIO(found.to_csv())))
     assert rows[0][1] == "amplitude [m]" and len(rows) == 7 and rows[0][-1] == "code"
     frame = found.to_dataframe()
-    assert frame["zeta"].tolist() == pytest.approx([float(row[2]) for row in rows[1:]])
+    for name, place in (("zeta", 2), ("zeta log", 3)):
+        column = [float(row[place] or "nan") for row in rows[1:]]
+        assert frame[name].tolist() == pytest.approx(column, nan_ok=True) and not np.isnan(column).all()
     data = json.loads(json.dumps(found.to_dict()))
-    assert data["rows"][0]["expanded"]["bounds"]["zeta"] and data["certified"] is True
+    assert data["rows"][0]["expanded"]["bounds"]["zeta_log"] and data["certified"] is True
     assert (
         data["units"]["energy_loss"] == "J"
         and "\\zeta" in found.latex()
@@ -88,7 +118,7 @@ def test_what_is_refused_is_named(args, options, said):
 
 def test_anti_damping_has_a_first_order_and_no_motion():
     row = asy.damping({1: -1, (1, 2): 1}, ["1/2"]).rows[0]
-    assert float(row.first.zeta) < 0 and row.motion.zeta is None and "anti-damping" in row.motion.reason
+    assert float(row.first.zeta) < 0 and row.motion.zeta_log is None and "anti-damping" in row.motion.reason
     assert row.first.half_life is None
 
 

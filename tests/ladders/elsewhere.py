@@ -45,7 +45,7 @@ ELSEWHERE: Names = {
     ),
     **each(
         "equivalent.cycle",
-        "full_swing FullSwing.zeta FullSwing.quality",
+        "full_swing FullSwing.zeta_log FullSwing.quality",
         "test_the_certified_swing_is_that_of_an_integrator",
     ),
     **each(

@@ -2,7 +2,8 @@
 least squares with strengths >= 0 and profile intervals (``identification.inverse_damping``).
 
 >>> A = ["0.1", "0.2", "0.4", "0.8"]
->>> found = damping_law({"A": A, "zeta": [0.0120, 0.0141, 0.0178, 0.0261]}, resolution="0.0002")
+>>> zeta = [0.0120, 0.0141, 0.0178, 0.0261]
+>>> found = law_of_table({"A": A, "zeta": zeta}, resolution=exact_number("0.0002", "resolution"))
 >>> print(found.verdict)
 viscous drag and drag in v^2: consistent; epsilon_1 = ...; the table cannot tell dry friction below ... from none
 >>> found.law("2").grade
@@ -15,14 +16,14 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.equivalent.rows import row_at
+from asymptotics.equivalent.rows import OF_MOTION, row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.identification.found_law import DampingLaw
 from asymptotics.identification.inverse_damping import QUANTITIES, DampingCandidate, Problem, fitted, weighted
 from asymptotics.law import Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
-from asymptotics.numbers.policy import Number, exact_number
-from asymptotics.public import public
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import exact_number
 from asymptotics.records.sources import How, Source, opened
 from asymptotics.records.units import ANGLES, UNITS, suffix
 from asymptotics.terms import terms_of
@@ -41,24 +42,18 @@ NAMES = {
 }
 
 
-@public
-def damping_law(
+def law_of_table(
     table: Any,
     *,
-    resolution: Number | None = None,
+    resolution: ExactReal | None = None,
     laws: str | Sequence[str] | None = None,
     spring: SpringLike | None = None,
-    mass: Number | None = None,
-    stiffness: Number | None = None,
-    max_seconds: Number = 60,
+    mass: ExactReal | None = None,
+    stiffness: ExactReal | None = None,
 ) -> DampingLaw:
-    """The damping law behind amplitudes and zeta, Q or decrement (ln(A_n/A_(n+2))): candidates with grades, intervals.
+    """The candidates with grades and intervals, of a file, a data frame or a mapping of columns.
 
-    ``table``: a file, a data frame or a mapping with a column A (amplitude, m or rad, or as its header says: A [deg],
-    A [mm]), one of zeta, Q, decrement, and perhaps resolution (the standard deviation of each); or give ``resolution``,
-    one number for all.  ``laws``: the candidates, such as ["1", "1+2"].  With ``mass`` and ``stiffness`` strengths are
-    b in SI, else epsilon; ``spring`` as for ``Law``.  First order; what it neglects is measured on the best law.
-    InputError by name, LimitError after ``max_seconds``.  Source: derivation ``equivalent-damping``.
+    InputError by name for what cannot be used.
     """
     columns, quantity, notes = _read(table)
     given = _positive(columns["amplitude"], "A")
@@ -67,7 +62,7 @@ def damping_law(
     if resolution is not None:
         if known is not None:
             raise InputError("resolution", "the table has a column of that name", "one of the two")
-        known = np.full(len(given), float(exact_number(resolution, "resolution").ball().mid()))
+        known = np.full(len(given), float(resolution.ball().mid()))
     spread = None if known is None else _positive(known, "resolution")
     if (mass is None) != (stiffness is None):
         raise InputError("mass" if mass is None else "stiffness", "is missing", "both, or neither")
@@ -181,7 +176,8 @@ def _neglected(problem: Problem, best: DampingCandidate, ends: tuple[float, floa
         # The largest local strength, and with it what the first order leaves out, is at one of the ends: a sum of
         # powers of A is convex in ln A.
         first = getattr(row.first, problem.quantity)
-        motion = None if row.motion is None else getattr(row.motion, problem.quantity)
+        name = OF_MOTION.get(problem.quantity, problem.quantity)
+        motion = None if row.motion is None else getattr(row.motion, name)
         if motion is None:
             return None
         off.append(abs(float(motion) / float(first) - 1))

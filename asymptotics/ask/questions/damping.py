@@ -1,0 +1,339 @@
+"""zeta, Q, decrement, energy loss, c_eq and half-life of a law at amplitudes."""
+
+import argparse
+from collections.abc import Sequence
+from itertools import islice
+from pathlib import Path
+from typing import Annotated, Any, cast
+
+from asymptotics.api.units import law_of
+from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.forces import read_law
+from asymptotics.ask.kinds import COMPUTED, REAL, SECONDS, Kind, Option, digits, whole
+from asymptotics.ask.laws import LAW_FEEDS, SYMBOLIC, law_options, start_options, unit_options
+from asymptotics.ask.moving import Given, read_oscillator
+from asymptotics.ask.question import question
+from asymptotics.cut_short import changed
+from asymptotics.equivalent.at_amplitudes import damping_at
+from asymptotics.equivalent.result import EquivalentDamping
+from asymptotics.equivalent.rows import DRAWN
+from asymptotics.equivalent.symbolic import symbolic_exponent
+from asymptotics.errors import InputError, LimitError, require_flag
+from asymptotics.identification.damping_table import law_of_table
+from asymptotics.identification.found_law import DampingLaw
+from asymptotics.law import PENDULUM, LawLike, Oscillator, SpringLike
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import Number, exact_number
+from asymptotics.present.inputs import csv_text, option_words, with_words
+
+# 100 digits leave thirty of the 130 that pi has in the units of angles; 12 is the order of the bounds
+# (``bounds.uniform``), and a thousand certified swings are the work of minutes.  Refusals.
+MAX_DIGITS, MAX_ORDER, MAX_AMPLITUDES = 100, 12, 1000
+
+
+def _losing(value: Any, _name: str, spring: Any = None) -> Given | str:
+    """An oscillator in SI, the same of epsilons, or SYMBOLIC."""
+    if isinstance(value, str) and value == SYMBOLIC:
+        if spring is not None:
+            raise InputError("law", "a symbolic exponent has formulas only", "no amplitudes, order or spring beside it")
+        return SYMBOLIC
+    if isinstance(value, Oscillator):
+        if spring is not None:
+            raise InputError("spring", "it belongs to the oscillator", "Oscillator(..., spring=)")
+        return Given(value, si=True)
+    return Given(Oscillator(law_of(value), spring=spring), si=False)
+
+
+def _losing_of_options(options: argparse.Namespace) -> Given | str:
+    if options.alpha == SYMBOLIC:
+        return SYMBOLIC
+    return read_oscillator(options, "epsilon")
+
+
+LOSING = Kind(
+    "LAW", _losing, beside=("spring",), assemble=_losing_of_options, feeds=LAW_FEEDS, group="the law",
+    options=(*law_options("its strength at A = 1, where m = k = 1"), *unit_options(), *start_options("x0")),
+)  # fmt: skip
+
+
+def _amplitudes(value: Any, name: str) -> tuple[ExactReal, ...]:
+    """One amplitude > 0 or several: a text with commas, a list, an array."""
+    given = value.split(",") if isinstance(value, str) else value
+    try:
+        # An exact number is one amplitude, though it may have a length; an array without dimensions has the method and
+        # refuses it, hence the TypeError below.
+        one = isinstance(given, ExactReal) or not hasattr(given, "__len__")
+        values = [given] if one else [*islice(given, MAX_AMPLITUDES + 1)]
+    except TypeError:
+        values = [given]
+    if not values:
+        raise InputError(name, "there is none", "a number > 0 or a list of them")
+    if len(values) > MAX_AMPLITUDES:
+        raise LimitError(name, "they are too many", f"at most {MAX_AMPLITUDES}")
+    numbers = tuple(exact_number(a, name) for a in values)
+    for a in numbers:
+        if not a > 0:
+            raise InputError(name, f"{a} is not positive", "amplitudes > 0")
+    return numbers
+
+
+AMPLITUDES = Kind("A,A,...", _amplitudes, group="the data")
+TABLE = Kind("FILE", lambda table, _: table, option="from", group="the data")
+UNIT = Kind("U", lambda unit, _: unit, words=True, group="the data")
+LAWS = Kind("LAW", lambda laws, _: laws, words=True, several=True)
+_SPRING = next(o for o in law_options() if o.name == "spring")
+
+
+def _springs_of_options(options: argparse.Namespace) -> Any:
+    """The springs as a mapping, or the pendulum's name."""
+    if options.spring is None:
+        return None
+    # The reader of laws wants a loss: one is put in, and only the springs are taken out again.
+    terms = read_law(argparse.Namespace(**{**vars(options), "law": ["1:1"], "alpha": None}), "epsilon").springs
+    if any(t.family for t in terms):
+        return PENDULUM
+    return {(t.position, t.velocity): t.strength for t in terms}
+
+
+SPRINGS = Kind("SPRING", lambda spring, _: spring, options=(_SPRING,), assemble=_springs_of_options, group="the law")
+
+
+LAW_HEAD = ("law", "grade", "alpha", "low", "strength", "high")
+
+
+def law_rows(found: DampingLaw) -> list[tuple[Any, ...]]:
+    """A row for each strength of each law."""
+    return [(c.name, c.told(), s.alpha, s.low, s.estimate, s.high) for c in found.laws for s in c.strengths]
+
+
+def _law_csv(found: DampingLaw, request: Request) -> str:
+    """The strengths, and in the header the request with the numbers of the table in the place of its file."""
+    laws = ",".join("+".join(alphas) for alphas in found.problem.candidates)
+    table = {name: ",".join(map(repr, column)) for name, column in found.table.items()}
+    given = {name: request.typed(name) for name in ("spring", "mass", "stiffness")}
+    words = ["damping-law", *option_words({**table, "laws": laws, **given})]
+    return with_words(csv_text(LAW_HEAD, law_rows(found)), words)
+
+
+_NOT_OF_A_TABLE = (  # the law is what is looked for, so that nothing may say it beforehand
+    "alpha", "law", "epsilon", "damping", "x0", "amplitudes", "unit", "order", "digits", "latex", "conversions",
+    "quantity", "size", "dpi",
+)  # fmt: skip
+
+
+def _require_a_table_alone(request: Request) -> None:
+    path = Path(request["table"])
+    try:  # first: of a file that is not there no combination matters
+        path.stat()
+    except OSError as error:
+        raise InputError("--from", f"cannot read {path.name[:80]}: {error.strerror}", "a file of data") from None
+    for name in _NOT_OF_A_TABLE:
+        if request.typed(name):
+            raise InputError(f"--{name}", "cannot be combined with --from", "the table, --laws, --resolution, --spring")
+    if request.typed("plot"):
+        raise InputError("--plot", "cannot be combined with --from", "--csv, or asymptotics damping of the law found")
+
+
+@question(Offers(as_csv=_law_csv, typed=_require_a_table_alone))
+def damping_law(
+    table: Annotated[Any, TABLE],
+    *,
+    resolution: Annotated[Number | None, REAL.called(letter="S", group="the data")] = None,
+    laws: Annotated[str | Sequence[str] | None, LAWS] = None,
+    spring: Annotated[SpringLike | None, SPRINGS] = None,
+    mass: Annotated[Number | None, REAL.called(letter="M", group="the law")] = None,
+    stiffness: Annotated[Number | None, REAL.called(letter="K", group="the law")] = None,
+    max_seconds: Annotated[Number, SECONDS] = 60,
+) -> DampingLaw:
+    """The damping law behind amplitudes and zeta, Q or decrement (ln(A_n/A_(n+2))): candidates with grades, intervals.
+
+    Strengths are b in SI with ``mass`` and ``stiffness``, else epsilon.  First order; what it neglects is measured on
+    the best law.
+
+    Parameters
+    ----------
+    table
+        columns A, zeta (Q, decrement), resolution: the law
+    resolution
+        with --from: the standard deviation of each value
+    laws
+        with --from: candidate laws, exponents: 1 1+2 0+2 ...
+    spring
+        as for ``Law``
+    mass
+        in kg
+    stiffness
+        in N/m
+    max_seconds
+        the time the request may take, in seconds
+
+    Raises
+    ------
+    InputError
+        by name, for a table without a column A or with two of zeta, Q, decrement, and for values that are not positive
+    LimitError
+        after ``max_seconds``
+
+    Notes
+    -----
+    ``table`` is a file, a data frame or a mapping with a column A (amplitude, m or rad, or as its header says: A [deg],
+    A [mm]), one of zeta, Q, decrement, and perhaps resolution (the standard deviation of each).  Source: derivation
+    ``equivalent-damping``.
+
+    Examples
+    --------
+    >>> found = damping_law({"A": [0.1, 0.2, 0.4, 0.8], "zeta": [0.0120, 0.0141, 0.0178, 0.0261]}, resolution="0.0002")
+    >>> found.laws[0].name, found.law("2").grade
+    ('1+2', 'refuted')
+    """
+    with changed(lambda _: None):  # what is done on the way to a law is no row of amplitudes
+        return law_of_table(
+            table,
+            resolution=cast("ExactReal | None", resolution),
+            laws=laws,
+            spring=spring,
+            mass=cast("ExactReal | None", mass),
+            stiffness=cast("ExactReal | None", stiffness),
+        )
+
+
+def _require_together(request: Request) -> None:
+    """What was typed and would have no effect is refused."""
+    for name in ("resolution", "laws"):
+        if request.typed(name) is not None:
+            raise InputError(f"--{name}", "there is no table", "--from FILE with it")
+    quantity = request.typed("quantity")
+    if quantity is not None and request.typed("plot") is None:
+        raise InputError("--quantity", "there is no picture to draw it in", "--plot FILE with --quantity")
+    if quantity is not None and quantity not in DRAWN:
+        raise InputError("--quantity", f"{quantity[:40]!r} is unknown", ", ".join(DRAWN))
+    if request["law"] == SYMBOLIC:
+        _require_formulas_alone(request)
+    elif request["law"].si and request["amplitudes"] is None and request.typed("x0") is None:
+        raise InputError("--amplitudes", "is missing", "turning amplitudes in m (rad of a pendulum), such as 0.2,0.1")
+
+
+def _require_formulas_alone(request: Request) -> None:
+    names = ("law", "spring", "epsilon", "damping", "mass", "stiffness", "x0", "amplitudes", "order", "digits", "unit")
+    for name in names:
+        if request.typed(name) is not None:
+            raise InputError(f"--{name}", "cannot be combined with --alpha symbolic", "formulas of one law")
+    if request.typed("csv") is not None or request.typed("plot") is not None:
+        raise InputError("--csv", "cannot be combined with --alpha symbolic", "formulas of one law")
+
+
+def _named(found: EquivalentDamping, request: Request) -> tuple[Any, ...]:
+    return found.conversions() if request.typed("conversions") else ()
+
+
+def _data(found: EquivalentDamping, request: Request) -> dict[str, Any]:
+    named = _named(found, request)
+    return {**found.to_dict(), **({"conversions": [c.to_dict() for c in named]} if named else {})}
+
+
+def _missing(found: EquivalentDamping, request: Request) -> tuple[int, str]:
+    texts = request.typed("amplitudes")
+    asked = [] if texts is None else texts.split(",")[len(found.rows) :]
+    return len(found.rows), f"amplitudes {','.join(asked)}" if asked else "the smaller amplitudes"
+
+
+@question(
+    Offers(
+        latex="print the formulas as LaTeX",
+        picture="the curve against the amplitude",
+        table="all numbers, a row for each amplitude and order",
+        more=(
+            Option(
+                "conversions", "",
+                "b under the names of ITTC, IMO, OpenFAST, OrcaFlex and of dampers; needs SI units", COMPUTED,
+            ),
+            Option("quantity", "NAME", f"what --plot draws: {', '.join(DRAWN)} (default Q)", COMPUTED, words=DRAWN),
+        ),
+        data=_data,
+        text=lambda found, request: "\n".join([str(found), *map(str, _named(found, request))]),
+        style=lambda _, request: {"quantity": request.typed("quantity") or "Q"},
+        typed=_require_together,
+        missing=_missing,
+        inverse=damping_law.__question__,  # type: ignore[attr-defined]
+        lacks={"gauge": "what is observed is the same in every gauge", "points": "`--amplitudes` says which"},
+    )
+)  # fmt: skip
+def damping(
+    law: Annotated[LawLike | Oscillator | str, LOSING],
+    amplitudes: Annotated[Number | Sequence[Number] | None, AMPLITUDES] = None,
+    *,
+    order: Annotated[int | None, whole(1, MAX_ORDER).called(told=f": 1 to {MAX_ORDER}")] = None,
+    digits: Annotated[int, digits(MAX_DIGITS)] = 12,
+    motion: bool = True,
+    spring: SpringLike | None = None,
+    unit: Annotated[str, UNIT] = "",
+    max_seconds: Annotated[Number, SECONDS] = 60,
+) -> EquivalentDamping:
+    """Equivalent damping of a law at amplitudes: zeta, Q, decrement, energy loss, c_eq, half-life.
+
+      asymptotics damping --alpha 2 --epsilon 1/10 --amplitudes 1/2,1
+      asymptotics damping --law 1:0.1 --law 2:0.2 --mass 3/2 --stiffness 30 --amplitudes 0.2,0.1 --order 3
+      asymptotics damping --law 1:1/50 --law 2:1/20 --spring pendulum --amplitudes 10,40 --unit deg --plot q.svg
+      asymptotics damping --alpha symbolic
+      asymptotics damping --from TABLE.csv --resolution 0.0002 --laws 1 2 1+2
+
+    Formulas of first order (one cycle without loss: zeta = Delta E/(4 pi E), Q = 2 pi E/Delta E, decrement
+    ln(A_n/A_(n+2)), c_eq = Delta E/closed integral of v dx, half-life from A to A/2), certified numbers of it, and of
+    the motion itself over one full swing from rest at A, with zeta_log = d/sqrt(4 pi^2 + d^2) of its decrement d in the
+    place of zeta; with --order N the series of these, each number with its proved bound.
+    --from FILE is the inverse: columns A and zeta, Q or decrement (and resolution), to candidate laws with intervals.
+    Units are SI when --damping, --mass or --stiffness is given; a pendulum's amplitudes are in rad.
+
+    Parameters
+    ----------
+    law
+        epsilons (A in their unit), an oscillator (A in m, answers in SI) or "symbolic"
+    amplitudes
+        turning amplitudes in m (rad of a pendulum), without SI units in the unit of the strengths; default: x0 and its
+        half, quarter, eighth
+    order
+        the series of order N too, with its bound
+    digits
+        significant digits, correctly rounded
+    motion
+        whether the motion itself is told as well
+    spring
+        springs beside the linear one (those of the law in the shell)
+    unit
+        of the amplitudes: m, cm, mm, um, in, ft beside SI units; rad, deg, mrad, arcmin of a pendulum
+    max_seconds
+        the time the request may take, in seconds
+
+    Raises
+    ------
+    InputError
+        for a law without a loss, amplitudes <= 0 or outside the well
+    LimitError
+        after ``max_seconds``; ``asymptotics.cut_short.done(error)`` hands over the rows that were done
+
+    Notes
+    -----
+    Equivalent linearisation by the energy of one cycle (Bogoliubov and Mitropolsky).  pi has 130 digits in the units of
+    angles.  Source: derivation ``equivalent-damping``.
+
+    Examples
+    --------
+    >>> air = damping({2: "1/10"}, ["1/2", 1], digits=6)
+    >>> air.formulas["Q"], air.rows[0].first.Q, air.rows[1].motion.decrement
+    (3*pi/(8*A*epsilon), '23.5619', '0.236684')
+    >>> damping("symbolic").formulas["zeta"]
+    A**(alpha - 1)*epsilon*gamma(alpha/2 + 1)/(sqrt(pi)*gamma(alpha/2 + 3/2))
+    >>> swing = damping({1: "1/50", 2: "1/20"}, [10, 40], spring="pendulum", unit="deg", digits=4)
+    >>> [(row.amplitude, row.first.Q) for row in swing.rows], swing.header()[1]
+    ([('10', '36.47'), ('40', '20.12')], 'amplitude [deg]')
+    """
+    require_flag(motion, "motion")
+    if isinstance(law, str):
+        if amplitudes is not None or order is not None or unit:
+            raise InputError("law", "a symbolic exponent has formulas only", "no amplitudes, order or spring beside it")
+        return EquivalentDamping(None, False, digits, None, symbolic_exponent(si=False), ())
+    given = cast("Given", law)
+    taken = cast("tuple[ExactReal, ...] | None", amplitudes)
+    return damping_at(
+        given.oscillator, taken, si=given.si, digits=digits, order=order, motion=motion, unit=unit
+    )  # fmt: skip
