@@ -55,7 +55,7 @@ SAID = {  # what a reader calls it, beside what the statement says: by the begin
     "smith2012:43": "lambert turning point recurrence map quadratic drag amplitude",
     "smith2012:46c": "maximum speed velocity",
     "smith2012:55": "period duration quadratic drag oscillator exact",
-    "smith2012:59": "recurrence recursion",
+    "smith2012:59a": "recurrence recursion",
     "smith2012:59d": "recurrence recursion general",
     "smith2012:62a": "recurrence coefficients",
     "smith2012:62b": "closed form recurrence sum coefficients solution",
