@@ -4,11 +4,6 @@ A fixed list of commands, each with a fixed list of options: nothing that reads 
 
 >>> request_words(loaded("stokes"), argparse.Namespace(alpha="2", count="2", digits=None, csv="out.csv"))
 ['stokes', '--alpha=2', '--count=2']
-<<<<<<< HEAD
-=======
->>> request_words(loaded("expand"), argparse.Namespace(alpha="2", spring=None, v0=None))
-[]
->>>>>>> ea4f8f2 (damping is a declared question, and its inverse beside it; each damping ratio has a symbol of its own)
 >>> stated_request(["stokes", "--alpha=2", "--count=2"])
 ('stokes', {'alpha': '2', 'count': '2'})
 >>> stated_request(["stokes", "--csv=/etc/motd"])
