@@ -1,5 +1,7 @@
 """The derivations, each displayed step asserted."""
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from difflib import get_close_matches
 from importlib import import_module
 from importlib.util import find_spec
@@ -10,6 +12,7 @@ from asymptotics.ask.kinds import SECONDS, TEXT
 from asymptotics.ask.question import question
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.policy import Number
+from asymptotics.papers.derived import DerivationRecord, derivations, grouped
 
 
 class Failed(str):
@@ -18,9 +21,26 @@ class Failed(str):
     __slots__ = ()
 
 
+@dataclass(frozen=True)
+class Listed:
+    """Derivations by the key of their paper, or those that were found by words."""
+
+    groups: Mapping[str, tuple[DerivationRecord, ...]]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The names, and all that is known of each without running it."""
+        records = [record for group in self.groups.values() for record in group]
+        return {"derivations": [r.name for r in records], "records": [r.to_dict() for r in records]}
+
+    def __str__(self) -> str:
+        width = max(len(r.name) for group in self.groups.values() for r in group)
+        lines = []
+        for key, group in self.groups.items():
+            lines += [key, *(f"  {r.name:{width}}  {r.title}" for r in group)]
+        return "\n".join(lines)
+
+
 def _data(found: Any, request: Request) -> dict[str, Any]:
-    if isinstance(found, list):
-        return {"derivations": found}
     if isinstance(found, Failed):
         return {"name": request["name"], "failed": str(found)}
     data: dict[str, Any] = found.to_dict()
@@ -28,31 +48,44 @@ def _data(found: Any, request: Request) -> dict[str, Any]:
 
 
 def _text(found: Any, _: Request) -> str:
-    if isinstance(found, list):
-        return "\n".join(found)
+    if isinstance(found, Listed):
+        return str(found)
     return f"failed: {found}" if isinstance(found, Failed) else str(found.text())
 
 
 def _shown(name: str | None, max_seconds: Any) -> Any:
-    """A step that fails is an answer of the shell: a failed check; its time is kept by the shell."""
+    """What the shell answers: a list with titles, what is found by words, a derivation, or the step that failed."""
+    names = _names()
+    if name is None:
+        return Listed(grouped())
     try:
-        return derivation_of(name)
+        # What is written as a name is one, or a slip; anything else are words.
+        by_name = name in names or ("-" in name and " " not in name)
+        return derive_by_name(name, names) if by_name else Listed({f"by {name!r}": derivations(name)})
     # A derivation asserts each of its steps while it is imported: one that fails has been refuted, exit code 1.
     except AssertionError as failure:
         return Failed(str(failure))
+    except InputError as error:
+        raise _unknown(name, names) from error
 
 
-def derivation_of(name: str | None) -> Any:
-    """The derivation, run as it is loaded; the list of names without one."""
+def _names() -> list[str]:
     # Looked for without being imported: each derivation proves itself while it loads, which takes its time.
     if find_spec("derivations") is None:
         raise InputError("name", "the derivations are not installed", "all of a wheel: pip install . in a clone")
     names: list[str] = import_module("derivations.__main__").names()
-    if name is None:
-        return names
+    return names
+
+
+def _unknown(name: str, names: list[str]) -> InputError:
+    near = get_close_matches(name, names, n=3) or names[:3]
+    return InputError("name", f"no derivation {shown(name)}", f"such as {', '.join(near)}; without a name, the list")
+
+
+def derive_by_name(name: str, names: list[str]) -> Any:
+    """The derivation, run as it is loaded."""
     if name not in names:
-        near = get_close_matches(name, names, n=3) or names[:3]
-        raise InputError("name", f"no derivation {shown(name)}", f"such as {', '.join(near)}; without a name, the list")
+        raise _unknown(name, names)
     return import_module("derivations." + name.replace("-", "_")).derivation
 
 
@@ -80,14 +113,15 @@ def derive(
 ) -> Any:
     """The derivations: from the equation of motion to a named result, each displayed step asserted as it is shown.
 
-      asymptotics derive                          the names, one per line
+      asymptotics derive                          all of them with their titles, by paper
+      asymptotics derive "closed sum"             those whose title, paper or statement has the words
       asymptotics derive smith-turning-points     run one and print it: the reason, then one line left = right a step
       asymptotics derive smith-turning-points --latex
 
     Parameters
     ----------
     name
-        a derivation; without it, the list
+        a derivation, or words of a title; without it, the list
     max_seconds
         the time the request may take, in seconds
 
@@ -103,4 +137,5 @@ def derive(
     >>> derive("abel-petal").title
     '...'
     """
-    return derivation_of(name)
+    names = _names()
+    return names if name is None else derive_by_name(name, names)
